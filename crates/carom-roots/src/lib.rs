@@ -1,0 +1,13 @@
+//! First contact of two bodies on quadratic paths.
+//!
+//! A contact is **the first t ≥ 0 with f(t) ≤ 0 and f′(t) < 0**, where f is the gap: the bodies
+//! touch while approaching.
+#![no_std]
+#[cfg(feature = "std")]
+extern crate std;
+
+mod contact;
+mod crossing;
+
+pub use contact::{Motion, first_contact};
+pub use crossing::first_crossing;

@@ -1,0 +1,3 @@
+//! When do a ball and something else meet? One file per pair: `detect/<a>_<b>.rs`.
+
+pub mod ball_table;

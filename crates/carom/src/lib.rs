@@ -1,0 +1,21 @@
+//! **carom** — the billiards engine: exact, deterministic, and fast enough to think with.
+//!
+//! Every ball follows a closed-form path until the next event, whose time is solved, never
+//! stepped (Leckie & Greenspan 2006). SI units and radians throughout.
+#![cfg_attr(not(feature = "std"), no_std)]
+
+extern crate alloc;
+
+pub mod ball;
+pub mod detect;
+pub mod event;
+pub mod math;
+pub mod motion;
+pub mod physics;
+pub mod resolve;
+pub mod shot;
+pub mod table;
+
+pub use ball::{Ball, BallState, MotionState};
+pub use physics::Physics;
+pub use table::Table;

@@ -1,0 +1,1 @@
+//! Closed-form paths between events.

@@ -1,0 +1,160 @@
+//! The parameters of every physical model: plain data, immutable during a shot.
+
+/// Everything physical about a shot except the table's geometry and the single balls.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Physics {
+    /// Gravitational acceleration, m/s².
+    pub gravity: f64,
+    /// Ball that a shot file gets when it names neither mass nor radius.
+    pub ball: crate::Ball,
+    /// Ball on cloth.
+    pub cloth: Cloth,
+    /// Ball against ball.
+    pub ball_ball: BallBall,
+    /// Ball against cushion.
+    pub cushion: Cushion,
+    /// Ball bouncing on the slate.
+    pub slate: Slate,
+    /// The cue.
+    pub cue: Cue,
+}
+
+/// Friction between ball and cloth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cloth {
+    /// Coefficient of sliding friction μ_s.
+    pub sliding_friction: f64,
+    /// Coefficient of rolling resistance μ_r.
+    pub rolling_friction: f64,
+    /// Deceleration of the spin about the vertical, rad/s².
+    pub spin_deceleration: f64,
+}
+
+/// Which published model resolves a collision of two balls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BallBallModel {
+    /// Exchange along the line of centres with restitution, no friction.
+    Elastic,
+    /// Impulse with restitution and Coulomb friction, rigid in the tangent plane.
+    Frictional,
+    /// Mathavan, Jackson & Parkin 2014: impulse integrated, with cloth friction.
+    Mathavan2014,
+    /// Stronge's tangentially compliant contact: real throw.
+    Compliant,
+}
+
+/// Friction coefficient as a function of the slip speed: μ(s) = a + b·exp(−c·s).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlipFriction {
+    /// Limit at high slip speed.
+    pub a: f64,
+    /// What is added at rest.
+    pub b: f64,
+    /// Decay with slip speed, s/m.
+    pub c: f64,
+}
+
+impl SlipFriction {
+    /// A coefficient that does not depend on speed.
+    pub const fn constant(mu: f64) -> Self {
+        Self { a: mu, b: 0.0, c: 0.0 }
+    }
+    /// μ at slip speed `s` (m/s).
+    #[inline]
+    pub fn at(&self, s: f64) -> f64 {
+        if self.b == 0.0 { self.a } else { self.a + self.b * crate::math::exp(-self.c * s) }
+    }
+}
+
+/// Ball against ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BallBall {
+    /// Model.
+    pub model: BallBallModel,
+    /// Coefficient of normal restitution.
+    pub restitution: f64,
+    /// Friction.
+    pub friction: SlipFriction,
+    /// ω_t/ω_n of the `compliant` model.
+    pub frequency_ratio: f64,
+}
+
+/// Which published model resolves a collision with a cushion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CushionModel {
+    /// Normal velocity × −e; nothing else changes.
+    Restitution,
+    /// Han 2005.
+    Han2005,
+    /// Mathavan, Jackson & Parkin 2010.
+    Mathavan2010,
+    /// Stronge's compliant contact.
+    Stronge,
+}
+
+/// Restitution of the cushion: a number is `a` alone; Han's fit is e = a + bV + cV².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CushionRestitution {
+    /// Constant part.
+    pub a: f64,
+    /// Per m/s of normal speed.
+    pub b: f64,
+    /// Per (m/s)² of normal speed.
+    pub c: f64,
+}
+
+/// Friction of the cushion: a number is `a` alone; Han's fit is μ = a + bγ, γ the incidence from
+/// the normal, rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CushionFriction {
+    /// Constant part.
+    pub a: f64,
+    /// Per radian of incidence.
+    pub b: f64,
+}
+
+/// Ball against cushion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cushion {
+    /// Model.
+    pub model: CushionModel,
+    /// Restitution.
+    pub restitution: CushionRestitution,
+    /// Friction.
+    pub friction: CushionFriction,
+    /// ω_t/ω_n of the `stronge` model.
+    pub frequency_ratio: f64,
+}
+
+/// Ball bouncing on the slate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slate {
+    /// Coefficient of restitution.
+    pub restitution: f64,
+    /// Coefficient of friction.
+    pub friction: f64,
+}
+
+/// How the tip gives back what it took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tip {
+    /// Newton's coefficient of restitution.
+    Restitution(f64),
+    /// Energy efficiency η (TP A.30).
+    Efficiency(f64),
+}
+
+/// The cue.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cue {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Mass of the shaft's end that takes part in squirt, kg; 0: no squirt.
+    pub end_mass: f64,
+    /// Radius of the tip's curvature, m.
+    pub tip_radius: f64,
+    /// Friction between tip and ball, sets the miscue limit.
+    pub tip_friction: f64,
+    /// Restitution or efficiency.
+    pub tip: Tip,
+}

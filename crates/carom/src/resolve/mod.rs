@@ -1,0 +1,20 @@
+//! What happens when a ball and something else meet? `resolve/<a>_<b>/<model_year>.rs`.
+
+pub mod ball_ball;
+pub mod ball_cushion;
+pub mod cue_ball;
+
+use crate::math::Vec3;
+
+/// A ball in an impact: what it is and how it moves. Resolvers change the two velocities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// Velocity of the centre, m/s.
+    pub velocity: Vec3,
+    /// Spin vector, rad/s.
+    pub angular_velocity: Vec3,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Radius, m.
+    pub radius: f64,
+}
