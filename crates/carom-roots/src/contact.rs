@@ -1,22 +1,20 @@
-//! The first contact of two balls whose relative path is quadratic in time.
+//! The first contact of two bodies whose relative path is quadratic in time.
 
-/// Relative motion: separation d + v t + h t², h being half the relative acceleration.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion<const N: usize> {
-    /// Separation of the centres at t = 0, m.
-    pub d: [f64; N],
-    /// Relative velocity at t = 0, m/s.
-    pub v: [f64; N],
-    /// Half the relative acceleration, m/s².
-    pub h: [f64; N],
-}
+use crate::motion::Motion;
+use crate::robust;
 
-/// First t in [0, `horizon`] at which the centres are within `distance` and approaching.
+/// First t in [0, `horizon`] (s) at which the centres are within `distance` (m) and approaching,
+/// or `None`.
+///
+/// With f(t) = |d + vt + ht²|² − `distance`² this is the first t with f ≤ 0 and f′ < 0. Bodies that
+/// touch, or overlap by a rounding, and separate do not fire; if friction turns them back before
+/// they are apart they fire at the turning point, where a quartic may have no real root at all.
+/// `horizon` may be infinite. A motion that holds a NaN never touches.
+#[inline]
 pub fn first_contact<const N: usize>(
     motion: &Motion<N>,
     distance: f64,
     horizon: f64,
 ) -> Option<f64> {
-    let _ = (motion, distance, horizon);
-    None
+    robust::first_contact(motion, distance, horizon)
 }

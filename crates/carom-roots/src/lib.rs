@@ -8,6 +8,10 @@ extern crate std;
 
 mod contact;
 mod crossing;
+mod motion;
+mod robust;
+mod root;
 
-pub use contact::{Motion, first_contact};
+pub use contact::first_contact;
 pub use crossing::first_crossing;
+pub use motion::Motion;

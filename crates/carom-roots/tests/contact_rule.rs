@@ -1,0 +1,106 @@
+//! The rule of contact, f ≤ 0 and f′ < 0, on motions whose answer is known by hand.
+
+use carom_roots::{Motion, first_contact};
+
+const NEVER: f64 = f64::INFINITY;
+
+/// Agreement of a time with its value by hand: a few roundings.
+const ROUNDING: f64 = 1e-15;
+
+fn plane(d: [f64; 2], v: [f64; 2], h: [f64; 2]) -> Motion<2> {
+    Motion { d, v, h }
+}
+
+fn assert_at(motion: &Motion<2>, distance: f64, horizon: f64, expected: f64) {
+    let t = first_contact(motion, distance, horizon).expect("a contact");
+    assert!((t - expected).abs() <= ROUNDING * (1.0 + expected), "{t} is not {expected}");
+}
+
+#[test]
+fn a_straight_head_on_approach_touches_at_the_gap_over_the_speed() {
+    let motion = plane([3.0, 0.0], [-2.0, 0.0], [0.0, 0.0]);
+    assert_at(&motion, 1.0, NEVER, 1.0);
+    assert_at(&motion, 1.0, 1.0, 1.0);
+    assert_eq!(first_contact(&motion, 1.0, 0.999), None);
+    let oblique = plane([3.0, 0.6], [-2.0, 0.0], [0.0, 0.0]);
+    assert_at(&oblique, 1.0, NEVER, 1.1);
+    assert_eq!(first_contact(&plane([3.0, 1.1], [-2.0, 0.0], [0.0, 0.0]), 1.0, NEVER), None);
+}
+
+#[test]
+fn the_same_approach_in_space_gives_the_same_time() {
+    let motion = Motion { d: [0.0, 0.6, 3.0], v: [0.0, 0.0, -2.0], h: [0.0; 3] };
+    assert!((first_contact(&motion, 1.0, NEVER).unwrap() - 1.1).abs() <= ROUNDING);
+}
+
+#[test]
+fn a_ball_that_stops_short_never_touches() {
+    // the separation 3 − 2t + t² is least, 2, at t = 1
+    let motion = plane([3.0, 0.0], [-2.0, 0.0], [1.0, 0.0]);
+    assert_eq!(first_contact(&motion, 1.9, NEVER), None);
+    assert_at(&plane([3.0, 0.0], [-2.0, 0.0], [0.75, 0.0]), 2.0, NEVER, 2.0 / 3.0);
+}
+
+#[test]
+fn nothing_moving_never_touches() {
+    let rest = [0.0; 2];
+    assert_eq!(first_contact(&plane([3.0, 1.0], rest, rest), 1.0, NEVER), None);
+    assert_eq!(first_contact(&plane([1.0, 0.0], rest, rest), 1.0, NEVER), None);
+    assert_eq!(first_contact(&plane([0.5, 0.0], rest, rest), 1.0, NEVER), None);
+}
+
+#[test]
+fn touching_bodies_fire_at_once_only_if_they_approach() {
+    let still = [0.0, 0.0];
+    assert_eq!(first_contact(&plane([1.0, 0.0], [-1e-9, 3.0], still), 1.0, 1.0), Some(0.0));
+    assert_eq!(first_contact(&plane([1.0, 0.0], [1e-9, 3.0], still), 1.0, 1.0), None);
+    // one rounding inside
+    let inside = 1.0 - f64::EPSILON;
+    assert_eq!(first_contact(&plane([inside, 0.0], [-1e-9, 0.0], still), 1.0, 1.0), Some(0.0));
+    assert_eq!(first_contact(&plane([inside, 0.0], [1e-9, 0.0], still), 1.0, 1.0), None);
+}
+
+#[test]
+fn touching_bodies_without_normal_speed_fire_if_they_are_pushed_together() {
+    assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 0.0], [-1.0, 0.0]), 1.0, 1.0), Some(0.0));
+    assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 0.0], [1.0, 0.0]), 1.0, 1.0), None);
+    // sliding past each other: the centrifugal v² beats the push 2 d·h
+    assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 1.0], [-0.4, 0.0]), 1.0, 0.1), None);
+    assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 1.0], [-0.6, 0.0]), 1.0, 0.1), Some(0.0));
+}
+
+#[test]
+fn touching_and_separating_bodies_meet_again_when_pushed_back() {
+    let motion = plane([1.0, 0.0], [2.0, 0.0], [-1.0, 0.0]);
+    assert_at(&motion, 1.0, NEVER, 2.0);
+    assert_eq!(first_contact(&motion, 1.0, 1.9), None);
+}
+
+#[test]
+fn bodies_a_rounding_inside_contact_that_never_part_fire_where_they_turn() {
+    // The separation is 1 − 2⁻⁴⁰ + 2⁻²⁵t − t²/…: it turns at t = 2⁻²⁶ having gained 2⁻⁵², so the
+    // quartic has no real root, and a finder that hunts roots lets the bodies pass through.
+    let depth = 2f64.powi(-40);
+    let speed = 2f64.powi(-25);
+    let motion = plane([1.0 - depth, 0.0], [speed, 0.0], [-1.0, 0.0]);
+    let t = first_contact(&motion, 1.0, NEVER).expect("they turn back");
+    assert!((t - 0.5 * speed).abs() < 1e-3 * speed, "{t}");
+}
+
+#[test]
+fn a_second_approach_after_a_near_miss_is_found() {
+    // passes at a distance, is turned around by the acceleration, and comes back to hit
+    let motion = plane([2.0, 1.5], [-3.0, 0.0], [1.0, -0.4]);
+    let t = first_contact(&motion, 1.0, NEVER).expect("a contact on the way back");
+    let x = motion.at(t);
+    assert!(((x[0] * x[0] + x[1] * x[1]).sqrt() - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn a_motion_that_is_not_a_number_never_touches() {
+    let motion = plane([2.0, f64::NAN], [-3.0, 0.0], [1.0, -0.4]);
+    assert_eq!(first_contact(&motion, 1.0, NEVER), None);
+    let motion = plane([2.0, 0.0], [-3.0, 0.0], [1.0, 0.0]);
+    assert_eq!(first_contact(&motion, 1.0, f64::NAN), None);
+    assert_eq!(first_contact(&motion, 1.0, -1.0), None);
+}
