@@ -117,10 +117,7 @@ impl Path {
     /// Whether the centre moves at all.
     #[inline(always)]
     pub fn moves(&self) -> bool {
-        matches!(
-            self.motion,
-            MotionState::Sliding | MotionState::Rolling | MotionState::Airborne
-        )
+        matches!(self.motion, MotionState::Sliding | MotionState::Rolling | MotionState::Airborne)
     }
 }
 
@@ -135,8 +132,8 @@ fn decayed(spin: f64, deceleration: f64, t: f64) -> f64 {
 #[inline]
 pub fn classify(velocity: Vec3, angular_velocity: Vec3, radius: f64) -> MotionState {
     let slip = cloth_slip(velocity, angular_velocity, radius).length_squared();
-    let speeds = velocity.length_squared()
-        + radius * radius * angular_velocity.xy().length_squared();
+    let speeds =
+        velocity.length_squared() + radius * radius * angular_velocity.xy().length_squared();
     if slip > SLIP_ROUNDING * SLIP_ROUNDING * speeds {
         MotionState::Sliding
     } else if velocity.xy() != Vec2::ZERO {

@@ -11,11 +11,8 @@ pub(super) fn path(state: &BallState, radius: f64, cloth: &Cloth, gravity: f64) 
     let velocity = Vec3::new(state.velocity.x, state.velocity.y, 0.0);
     let speed = velocity.xy().length();
     let deceleration = cloth.rolling_friction * gravity;
-    let half_acceleration = if speed > 0.0 {
-        velocity * (-0.5 * deceleration / speed)
-    } else {
-        Vec3::ZERO
-    };
+    let half_acceleration =
+        if speed > 0.0 { velocity * (-0.5 * deceleration / speed) } else { Vec3::ZERO };
     Path {
         position: state.position,
         velocity,

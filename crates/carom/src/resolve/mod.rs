@@ -3,6 +3,7 @@
 pub mod ball_ball;
 pub mod ball_cushion;
 pub mod cue_ball;
+pub mod restitution;
 
 use crate::math::Vec3;
 
