@@ -1,0 +1,30 @@
+//! The two frames: files, traces and arrays have their origin at the bottom left corner of the
+//! playing area, the engine at its centre, where a mirrored table has mirrored bits.
+
+use super::Table;
+use crate::BallState;
+use crate::math::{Vec2, Vec3};
+
+impl Table {
+    /// The engine's origin in the file's frame, m: the centre of the playing area, or the file's
+    /// own origin on unbounded cloth.
+    pub fn center(&self) -> Vec2 {
+        let half = |size: f64| if size.is_finite() { 0.5 * size } else { 0.0 };
+        Vec2::new(half(self.size.x), half(self.size.y))
+    }
+
+    /// A state given in the file's frame, in the engine's.
+    pub fn to_engine_frame(&self, state: &BallState) -> BallState {
+        shifted(state, -self.center())
+    }
+
+    /// A state given in the engine's frame, in the file's.
+    pub fn to_file_frame(&self, state: &BallState) -> BallState {
+        shifted(state, self.center())
+    }
+}
+
+fn shifted(state: &BallState, by: Vec2) -> BallState {
+    let Vec3 { x, y, z } = state.position;
+    BallState { position: Vec3::new(x + by.x, y + by.y, z), ..*state }
+}
