@@ -1,0 +1,83 @@
+# carom. `make` alone lists what there is. Every target sets itself up: a virtual environment in
+# .venv, Rust's output in target, nothing outside the checkout but the caches of pip and cargo.
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+MAKEFLAGS += --no-print-directory
+
+VENV := .venv
+BIN := $(VENV)/bin
+PY := $(BIN)/python
+# Stamps: what they depend on is older than they are, or the step runs again.
+TOOLS := $(VENV)/.tools
+BUILT := $(VENV)/.built
+RUST_SOURCES := $(shell find crates -name '*.rs' -not -path '*/tests/*' -not -path '*/benches/*' 2>/dev/null) \
+                $(wildcard crates/*/Cargo.toml) Cargo.toml Cargo.lock
+PYTEST := $(PY) -m pytest
+# maturin looks for cargo and itself on the path.
+export PATH := $(CURDIR)/$(BIN):$(PATH)
+
+.PHONY: help demo test stress bench docs lint fmt rust-test python-test setup clean
+
+help: ## List the targets.
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+demo: $(BUILT) ## A nine-ball break: the event table here, pictures in out/.
+	@mkdir -p out
+	@$(BIN)/carom shot shots/nine_ball_break.json --svg out/nine_ball_break.svg --png out/nine_ball_break.png
+	@echo "Pictures: out/nine_ball_break.svg, out/nine_ball_break.png"
+
+test: lint rust-test python-test ## Every test: Rust, Python, README snippets, lints.
+
+lint: $(BUILT) ## Formatting, lints and types.
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets --quiet -- -D warnings
+	$(BIN)/ruff check --quiet .
+	$(BIN)/ruff format --check --quiet .
+	$(BIN)/mypy
+	MYPYPATH=python $(PY) -m mypy.stubtest carom._core --concise
+
+rust-test: | scripts/prerequisites.sh ## The Rust tests: debug, and whole shots in release too.
+	@bash scripts/prerequisites.sh rust
+	cargo test --quiet
+	cargo test --quiet --release -p carom --tests
+
+python-test: $(BUILT) ## The Python tests, the validation and the README's snippets.
+	$(PYTEST) --quiet --durations=10
+
+stress: $(BUILT) ## The long randomised suites (hours).
+	cargo test --release --workspace --exclude carom-py -- --ignored
+	$(PYTEST) -m stress
+
+bench: $(BUILT) ## The benchmarks; results under benches/results/.
+	$(BIN)/carom bench
+
+docs: $(BUILT) ## The documentation, into docs/_build.
+	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --quiet --target-dir docs/_build/rust
+	$(PY) scripts/build_docs.py docs/_build
+
+fmt: $(TOOLS) ## Format everything.
+	cargo fmt --all
+	$(BIN)/ruff format --quiet .
+	$(BIN)/ruff check --quiet --fix .
+
+setup: $(BUILT) ## The virtual environment in .venv with carom and every tool in it.
+
+clean: ## Remove everything that was built.
+	rm -rf $(VENV) target out dist docs/_build docs/gallery python/carom/*.so
+
+$(TOOLS): pyproject.toml scripts/prerequisites.sh
+	@bash scripts/prerequisites.sh
+	@echo "Setting up $(VENV) ..." >&2
+	@test -x $(PY) || "$$(bash scripts/prerequisites.sh print-python)" -m venv $(VENV)
+	@$(PY) -m pip install --quiet --disable-pip-version-check --upgrade pip
+	@$(PY) -m pip install --quiet --group dev
+	@touch $@
+
+$(BUILT): $(TOOLS) $(RUST_SOURCES) pyproject.toml
+	@bash scripts/prerequisites.sh
+	@echo "Building carom (the first time takes a minute or two) ..." >&2
+	@$(PY) -m pip install --quiet --no-build-isolation --editable .
+	@touch $@

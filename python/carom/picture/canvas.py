@@ -1,0 +1,151 @@
+"""From a trace to a figure, and from the figure to SVG, PNG and HTML."""
+
+from __future__ import annotations
+
+import io
+from typing import TYPE_CHECKING, Any
+
+from carom.picture import _matplotlib, colors
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from carom.trace import Trace
+
+# The table's longer side on paper, inches; a picture of 9 inches fills a printed page's width
+# and, at 150 dots per inch, a laptop's screen height.
+LONG_SIDE_INCHES = 8.4
+# Width of the panel beside the table, points.
+PANEL_POINTS = 232.0
+# The least height of a picture, points: the panel has to fit.
+LEAST_HEIGHT_POINTS = 560.0
+MARGIN_POINTS = 14.0
+DOTS_PER_INCH = 150
+# A ball is never drawn smaller than this, points.
+SMALLEST_BALL_POINTS = 2.6
+
+
+def draw(trace: Trace, *, title: str | None = None) -> Figure:
+    """Draw a shot.
+
+    Args:
+        trace: What to draw.
+        title: Heading of the panel; the table's name without it.
+
+    Returns:
+        A matplotlib figure, not attached to any window.
+    """
+    shot = trace.shot
+    start = trace.at(0.0)
+    balls = [
+        {"id": name, "radius": radius, "position": position, "velocity": velocity}
+        for name, radius, position, velocity in zip(
+            shot.ids,
+            shot.radius.tolist(),
+            start.position.tolist(),
+            start.velocity.tolist(),
+            strict=True,
+        )
+    ]
+    geometry = shot.geometry()
+    return compose(geometry, balls, trace.to_dict(), title or geometry["name"] or "shot")
+
+
+def compose(
+    geometry: dict[str, Any], balls: list[dict[str, Any]], trace: dict[str, Any], title: str
+) -> Figure:
+    """Draw a shot from plain data.
+
+    Args:
+        geometry: The table as ``Shot.geometry`` gives it.
+        balls: The balls at time 0: ``id``, ``radius`` (m), ``position`` (m), ``velocity`` (m/s).
+        trace: A ``carom-trace/1``.
+        title: Heading of the panel.
+    """
+    _matplotlib.prepare()
+    from matplotlib.figure import Figure
+
+    from carom.picture.balls import draw_balls, draw_marks, draw_paths
+    from carom.picture.legend import Panel, draw_panel
+    from carom.picture.paths import routes
+    from carom.picture.table import bounds, draw_table
+
+    ways = routes(trace, balls)
+    region = bounds(geometry, ways)
+    left, bottom, right, top = region
+    point = max(right - left, top - bottom) / (72 * LONG_SIDE_INCHES)
+    margin = MARGIN_POINTS * point
+    height = max(top - bottom, LEAST_HEIGHT_POINTS * point)
+    width = right - left + 3 * margin + PANEL_POINTS * point - margin
+    figure = Figure(
+        figsize=((width + margin) / point / 72, (height + 2 * margin) / point / 72),
+        facecolor=colors.PAPER,
+    )
+    ax = figure.add_axes((0, 0, 1, 1))
+    ax.set_axis_off()
+    ax.set_xlim(left - margin, left + width)
+    ax.set_ylim(top - height - margin, top + margin)
+    draw_table(ax, geometry, region)
+    draw_paths(ax, ways)
+    seen = draw_marks(ax, trace["events"], ways)
+    draw_balls(ax, ways, SMALLEST_BALL_POINTS * point)
+    draw_panel(Panel(ax, right + 1.6 * margin, top, point), title, trace, ways, seen)
+    return figure
+
+
+def svg(trace: Trace, *, title: str | None = None) -> str:
+    """The picture as SVG text; the same text for the same trace."""
+    return _svg(draw(trace, title=title))
+
+
+def _svg(figure: Figure) -> str:
+    from matplotlib import rc_context
+
+    out = io.StringIO()
+    # Without a fixed salt and date the same picture would be a different file each time.
+    with rc_context({"svg.hashsalt": "carom", "svg.fonttype": "path"}):
+        figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
+    return out.getvalue()
+
+
+def png(trace: Trace, *, title: str | None = None, dots_per_inch: int = DOTS_PER_INCH) -> bytes:
+    """The picture as a PNG file's content."""
+    out = io.BytesIO()
+    draw(trace, title=title).savefig(
+        out, format="png", dpi=dots_per_inch, metadata={"Software": None}
+    )
+    return out.getvalue()
+
+
+def html(trace: Trace, *, title: str | None = None) -> str:
+    """One self-contained page: the picture and the table of events."""
+    from html import escape
+
+    heading = title or trace.shot.geometry()["name"] or "shot"
+    picture = svg(trace, title=heading)
+    # The XML prologue of a stand-alone file has no place inside a page.
+    picture = picture[picture.index("<svg") :]
+    return _PAGE.format(
+        title=escape(heading), picture=picture, table=escape(str(trace)), paper=colors.PAPER
+    )
+
+
+_PAGE = """<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title} · carom</title>
+<style>
+body {{ margin: 1.5rem auto; max-width: 64rem; padding: 0 1rem; background: {paper};
+  color: #23272b; font-family: system-ui, sans-serif; }}
+svg {{ width: 100%; height: auto; }}
+pre {{ overflow-x: auto; font-size: 0.8rem; line-height: 1.35; }}
+</style>
+</head>
+<body>
+{picture}
+<pre>{table}</pre>
+</body>
+</html>
+"""

@@ -1,0 +1,142 @@
+"""The panel beside the table: what the shot is, what each ball did, what the marks mean."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from carom.picture import colors
+from carom.picture.balls import MARKS, draw_ball
+from carom.picture.colors import look
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from carom.picture.paths import Route
+
+
+class Panel:
+    """Writes lines from top to bottom; lengths in points, positions in m."""
+
+    def __init__(self, ax: Axes, left: float, top: float, metres_per_point: float) -> None:
+        self.ax = ax
+        self.left = left
+        self.y = top
+        self.point = metres_per_point
+
+    def write(self, text: str, size: float, *, indent: float = 0.0, **style: Any) -> None:
+        """One line; the next stands below it."""
+        self.y -= 1.45 * size * self.point
+        self.ax.text(
+            self.left + indent * self.point,
+            self.y,
+            text,
+            fontsize=size,
+            va="baseline",
+            **{"color": colors.INK, **style},
+        )
+
+    def skip(self, points: float) -> None:
+        """Leave space."""
+        self.y -= points * self.point
+
+
+def draw_panel(
+    panel: Panel, title: str, trace: dict[str, Any], routes: list[Route], seen: set[str]
+) -> None:
+    """Fill the panel."""
+    panel.write(title, 15, fontweight="bold")
+    panel.skip(2)
+    count = len(trace["events"])
+    panel.write(
+        f"{trace['duration']:.3f} s · {count} event{'s' * (count != 1)}", 8.5, color=colors.FAINT_INK
+    )
+    panel.write(f"hash {trace['hash']}", 8.5, color=colors.FAINT_INK)
+    panel.skip(10)
+    # A snooker table's 22 balls, or more, still have to fit.
+    row = min(17.0, 300.0 / max(1, len(routes)))
+    _balls(panel, trace, routes, row)
+    panel.skip(12)
+    for kind, (marker, size, filled, text) in MARKS.items():
+        if kind in seen:
+            _key(panel, marker, size, filled, text)
+    panel.skip(17)
+    panel.ax.add_patch(_ring(panel))
+    panel.ax.text(
+        panel.left + 17 * panel.point, panel.y, "start", fontsize=8, va="center", color=colors.INK
+    )
+    panel.skip(14)
+    panel.write(trace["engine"], 7, color=colors.FAINT_INK)
+
+
+def _balls(panel: Panel, trace: dict[str, Any], routes: list[Route], row: float) -> None:
+    fallen = {
+        event["balls"][0]: (event["pocket"], event["time"])
+        for event in trace["events"]
+        if event["type"] == "pocket-collision"
+    }
+    radius = 0.36 * row * panel.point
+    size = min(8.5, 0.56 * row)
+    for index, route in enumerate(routes):
+        panel.skip(row)
+        style = look(route.id, index)
+        draw_ball(panel.ax, (panel.left + 6 * panel.point, panel.y), radius, style)
+        panel.ax.plot(
+            [panel.left + 15 * panel.point, panel.left + 31 * panel.point],
+            [panel.y, panel.y],
+            color=style.path if style.path != "#ffffff" else "#c9c4b4",
+            linewidth=1.6,
+            linestyle=(0, (3, 1)) if style.striped else "solid",
+            solid_capstyle="round",
+        )
+        cells = [(37, route.id, "left"), (104, f"{route.length:.2f} m", "right")]
+        if route.id in fallen:
+            pocket, time = fallen[route.id]
+            cells.append((112, f"{pocket} at {time:.2f} s", "left"))
+        elif route.fate == "off-table":
+            cells.append((112, "off the table", "left"))
+        elif not route.legs:
+            cells[1] = (104, "–", "right")
+        for offset, text, align in cells:
+            panel.ax.text(
+                panel.left + offset * panel.point,
+                panel.y,
+                text,
+                fontsize=size,
+                va="center",
+                ha=align,
+                color=colors.INK,
+            )
+
+
+def _key(panel: Panel, marker: str, size: float, filled: bool, text: str) -> None:
+    panel.skip(14)
+    panel.ax.plot(
+        [panel.left + 6 * panel.point],
+        [panel.y],
+        marker=marker,
+        markersize=1.25 * size,
+        markerfacecolor=colors.IVORY if filled else "none",
+        markeredgecolor=colors.INK,
+        markeredgewidth=1.2 if marker == "x" else 0.7,
+        linestyle="none",
+    )
+    panel.ax.text(
+        panel.left + 17 * panel.point,
+        panel.y,
+        text,
+        fontsize=8,
+        va="center",
+        color=colors.INK,
+    )
+
+
+def _ring(panel: Panel) -> Any:
+    from matplotlib.patches import Circle
+
+    return Circle(
+        (panel.left + 6 * panel.point, panel.y),
+        4.2 * panel.point,
+        facecolor="none",
+        edgecolor=colors.INK,
+        linewidth=0.9,
+    )

@@ -1,0 +1,120 @@
+"""The path of every ball, as pieces that a vector picture draws exactly.
+
+Between two of its events a ball moves on a parabola, p(t) = p₀ + v₀t + ½at², and a parabola is a
+quadratic Bézier curve: from p₀ to p₁ = p(T), with its control point where the end tangents meet,
+p₀ + ½v₀T. Nothing is sampled.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """One ball's way from one of its events to the next; points in m, times in s."""
+
+    start_time: float
+    end_time: float
+    start: Point
+    control: Point
+    end: Point
+
+    @property
+    def length(self) -> float:
+        """Length of the curve, m (closed form of the quadratic Bézier's arc length)."""
+        ax = self.start[0] - 2 * self.control[0] + self.end[0]
+        ay = self.start[1] - 2 * self.control[1] + self.end[1]
+        bx = 2 * (self.control[0] - self.start[0])
+        by = 2 * (self.control[1] - self.start[1])
+        # |B′(s)|² = as² + bs + c for s in [0, 1].
+        a, b, c = 4 * (ax * ax + ay * ay), 4 * (ax * bx + ay * by), bx * bx + by * by
+        # Where the bend is below a rounding of the chord, the closed form below cancels and the
+        # chord itself is exact.
+        if a <= 1e-12 * (c + a):
+            return math.dist(self.start, self.end)
+        root_a, root_c, root_end = math.sqrt(a), math.sqrt(c), math.sqrt(max(0.0, a + b + c))
+        bend = 4 * a * c - b * b
+        ends = 2 * root_a * root_end + 2 * a + b
+        begin = 2 * root_a * root_c + b
+        turning = 0.0
+        if bend > 1e-14 * a * a and ends > 0 and begin > 0:
+            turning = bend / (8 * a * root_a) * math.log(ends / begin)
+        return ((2 * a + b) * root_end - b * root_c) / (4 * a) + turning
+
+
+@dataclass(frozen=True, slots=True)
+class Route:
+    """Everything one ball did: its legs in order, where it stood and where it ended."""
+
+    id: str
+    radius: float
+    start: Point
+    end: Point
+    legs: tuple[Leg, ...]
+    fate: str
+    """Its last motion: ``stationary``, ``pocketed``, ..."""
+
+    @property
+    def length(self) -> float:
+        """Length of the whole way, m."""
+        return sum(leg.length for leg in self.legs)
+
+
+def routes(trace: dict[str, Any], balls: Sequence[dict[str, Any]]) -> list[Route]:
+    """Lay out each ball's way through a trace.
+
+    Args:
+        trace: A ``carom-trace/1``.
+        balls: The shot's balls at time 0, each with ``id``, ``position`` (m), ``velocity``
+            (m/s) and ``radius`` (m), in the order of the shot.
+
+    Returns:
+        One route per ball, in the same order.
+    """
+    legs: dict[str, list[Leg]] = {ball["id"]: [] for ball in balls}
+    last = {ball["id"]: (0.0, ball["position"], ball["velocity"]) for ball in balls}
+    for event in trace["events"]:
+        for before, after in zip(event["before"], event["after"], strict=True):
+            _extend(legs[after["id"]], last[after["id"]], event["time"], before["position"])
+            last[after["id"]] = (event["time"], after["position"], after["velocity"])
+    final = {state["id"]: state for state in trace["final"]}
+    for ball in balls:
+        end = final[ball["id"]]
+        _extend(legs[ball["id"]], last[ball["id"]], trace["duration"], end["position"])
+    return [
+        Route(
+            id=ball["id"],
+            radius=ball["radius"],
+            start=_flat(ball["position"]),
+            end=_flat(final[ball["id"]]["position"]),
+            legs=tuple(legs[ball["id"]]),
+            fate=final[ball["id"]]["motion"],
+        )
+        for ball in balls
+    ]
+
+
+def _extend(
+    legs: list[Leg],
+    last: tuple[float, Sequence[float], Sequence[float]],
+    time: float,
+    position: Sequence[float],
+) -> None:
+    since, start, velocity = last
+    half = 0.5 * (time - since)
+    if _flat(start) == _flat(position):
+        return
+    control = (start[0] + velocity[0] * half, start[1] + velocity[1] * half)
+    legs.append(Leg(since, time, _flat(start), control, _flat(position)))
+
+
+def _flat(position: Sequence[float]) -> Point:
+    return (float(position[0]), float(position[1]))
