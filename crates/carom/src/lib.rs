@@ -7,6 +7,7 @@
 extern crate alloc;
 
 pub mod ball;
+pub mod batch;
 pub mod detect;
 pub mod event;
 pub mod math;
@@ -14,8 +15,11 @@ pub mod motion;
 pub mod physics;
 pub mod resolve;
 pub mod shot;
+pub mod simulate;
 pub mod table;
 
 pub use ball::{Ball, BallState, MotionState};
 pub use physics::Physics;
+pub use shot::Shot;
+pub use simulate::{SimulationError, Summary, simulate};
 pub use table::Table;

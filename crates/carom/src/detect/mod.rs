@@ -1,3 +1,4 @@
 //! When do a ball and something else meet? One file per pair: `detect/<a>_<b>.rs`.
 
+pub mod ball_ball;
 pub mod ball_table;

@@ -21,7 +21,7 @@ pub(super) fn path(state: &BallState, radius: f64, cloth: &Cloth, gravity: f64) 
         angular_acceleration: Vec2::ZERO,
         spin_deceleration: cloth.spin_deceleration,
         motion: MotionState::Rolling,
-        duration: speed / deceleration,
+        duration: if speed > 0.0 { speed / deceleration } else { 0.0 },
         radius,
     }
 }

@@ -1,6 +1,7 @@
 //! The table: one parametric description, and the geometry that follows from it.
 
 mod frame;
+mod normal_stub;
 
 use alloc::string::String;
 use alloc::vec::Vec;

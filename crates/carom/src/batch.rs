@@ -1,0 +1,211 @@
+//! Many shots at once, without traces: the same results in the same order for any number of
+//! threads.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use crate::event::{Event, EventKind, Recorder};
+use crate::resolve::cue_ball::Strike;
+use crate::simulate::{MAX_BALLS, SMALL, Simulation, SimulationError};
+use crate::{MotionState, Shot};
+
+/// Shots that one thread takes at a time: a few hundred microseconds of work, so that handing
+/// them out costs nothing and the threads still end together.
+#[cfg(feature = "parallel")]
+const CHUNK: usize = 64;
+
+/// Pocket index of a ball that is on the table at the end.
+pub const ON_TABLE: i8 = -1;
+/// Pocket index of a ball that has left the table.
+pub const OFF_TABLE: i8 = -2;
+/// Pocket index where a shot has no such ball.
+pub const PADDING: i8 = -3;
+
+/// Results of a batch: `shots` rows of `balls` columns each, in the order of the input. A failed
+/// shot's row has NaN positions, [`PADDING`] pockets and 0 events.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BatchResult {
+    /// Number of shots.
+    pub shots: usize,
+    /// Balls of the largest shot.
+    pub balls: usize,
+    /// Final centres in the file's frame, m, NaN where a shot has no such ball.
+    pub final_position: Vec<[f64; 3]>,
+    /// Index of the pocket that took the ball, in the order of `Table::pockets`, or
+    /// [`ON_TABLE`], [`OFF_TABLE`], [`PADDING`].
+    pub pocket: Vec<i8>,
+    /// Number of events of each shot.
+    pub events: Vec<i32>,
+    /// The shots that failed, by index, in ascending order.
+    pub errors: Vec<(usize, SimulationError)>,
+}
+
+/// Simulates every shot. `threads`: how many, or all cores; `done` is told after every piece of
+/// work how many more shots have been simulated, from any thread.
+pub fn simulate_batch<S: AsRef<Shot> + Sync>(
+    shots: &[S],
+    threads: Option<usize>,
+    done: &(dyn Fn(usize) + Sync),
+) -> BatchResult {
+    let balls = shots.iter().map(|s| s.as_ref().balls.len()).max().unwrap_or(0);
+    run(shots.len(), balls, threads, done, &|k| {
+        let shot = shots[k].as_ref();
+        (shot, shot.strike.as_ref().map(|&(ball, strike)| (ball, strike)))
+    })
+}
+
+/// Simulates `shot` once for each of `strikes`, played on its struck ball (the first ball, if the
+/// shot has no strike). `threads` and `done` as in [`simulate_batch`].
+pub fn simulate_strikes(
+    shot: &Shot,
+    strikes: &[Strike],
+    threads: Option<usize>,
+    done: &(dyn Fn(usize) + Sync),
+) -> BatchResult {
+    let struck = shot.strike.as_ref().map_or(0, |(ball, _)| *ball);
+    run(strikes.len(), shot.balls.len(), threads, done, &|k| (shot, Some((struck, strikes[k]))))
+}
+
+/// What shot `k` is.
+type Item<'a> = dyn Fn(usize) -> (&'a Shot, Option<(usize, Strike)>) + Sync + 'a;
+
+fn run(
+    shots: usize,
+    balls: usize,
+    threads: Option<usize>,
+    done: &(dyn Fn(usize) + Sync),
+    item: &Item<'_>,
+) -> BatchResult {
+    let mut result = BatchResult {
+        shots,
+        balls,
+        final_position: vec![[f64::NAN; 3]; shots * balls],
+        pocket: vec![PADDING; shots * balls],
+        events: vec![0; shots],
+        errors: Vec::new(),
+    };
+    let width = balls.max(1);
+    let rows = Rows {
+        position: &mut result.final_position,
+        pocket: &mut result.pocket,
+        events: &mut result.events,
+    };
+    result.errors = if balls <= SMALL {
+        distribute::<SMALL>(rows, width, threads, done, item)
+    } else {
+        distribute::<MAX_BALLS>(rows, width, threads, done, item)
+    };
+    result.errors.sort_by_key(|(k, _)| *k);
+    result
+}
+
+/// The rows of some consecutive shots.
+struct Rows<'a> {
+    position: &'a mut [[f64; 3]],
+    pocket: &'a mut [i8],
+    events: &'a mut [i32],
+}
+
+#[cfg(feature = "parallel")]
+fn distribute<const N: usize>(
+    rows: Rows<'_>,
+    width: usize,
+    threads: Option<usize>,
+    done: &(dyn Fn(usize) + Sync),
+    item: &Item<'_>,
+) -> Vec<(usize, SimulationError)> {
+    use rayon::prelude::*;
+    let work = move || {
+        let Rows { position, pocket, events } = rows;
+        let pieces = position
+            .par_chunks_mut(CHUNK * width)
+            .zip(pocket.par_chunks_mut(CHUNK * width))
+            .zip(events.par_chunks_mut(CHUNK));
+        pieces
+            .enumerate()
+            .map_init(
+                || alloc::boxed::Box::new(Simulation::<N>::new()),
+                |simulation, (c, ((position, pocket), events))| {
+                    let count = events.len();
+                    let rows = Rows { position, pocket, events };
+                    let errors = play_rows(simulation, rows, c * CHUNK, width, item);
+                    done(count);
+                    errors
+                },
+            )
+            .reduce(Vec::new, |mut all, mut more| {
+                all.append(&mut more);
+                all
+            })
+    };
+    match threads.map(|n| rayon::ThreadPoolBuilder::new().num_threads(n).build()) {
+        Some(Ok(pool)) => pool.install(work),
+        // No pool of that size to be had: the global one gives the same results.
+        Some(Err(_)) | None => work(),
+    }
+}
+
+#[cfg(not(feature = "parallel"))]
+fn distribute<const N: usize>(
+    rows: Rows<'_>,
+    width: usize,
+    _threads: Option<usize>,
+    done: &(dyn Fn(usize) + Sync),
+    item: &Item<'_>,
+) -> Vec<(usize, SimulationError)> {
+    let count = rows.events.len();
+    let mut simulation = alloc::boxed::Box::new(Simulation::<N>::new());
+    let errors = play_rows(&mut simulation, rows, 0, width, item);
+    done(count);
+    errors
+}
+
+/// Plays the shots `first`.. that `rows` has room for.
+fn play_rows<const N: usize>(
+    simulation: &mut Simulation<N>,
+    rows: Rows<'_>,
+    first: usize,
+    width: usize,
+    item: &Item<'_>,
+) -> Vec<(usize, SimulationError)> {
+    let mut errors = Vec::new();
+    let rows_of_balls = rows.position.chunks_mut(width).zip(rows.pocket.chunks_mut(width));
+    for (k, ((position, pocket), events)) in rows_of_balls.zip(rows.events).enumerate() {
+        let (shot, strike) = item(first + k);
+        let n = shot.balls.len();
+        let mut pockets = Pockets { row: &mut pocket[..n] };
+        pockets.row.fill(ON_TABLE);
+        match simulation.play_strike(shot, strike, &mut pockets) {
+            Ok(summary) => {
+                *events = summary.events as i32;
+                for (i, place) in position[..n].iter_mut().enumerate() {
+                    let state = simulation.file_state(i, shot, summary.duration);
+                    *place = state.position.to_array();
+                    if state.motion == MotionState::OffTable {
+                        pockets.row[i] = OFF_TABLE;
+                    }
+                }
+            }
+            Err(error) => {
+                pockets.row.fill(PADDING);
+                errors.push((first + k, error));
+            }
+        }
+    }
+    errors
+}
+
+/// Notes which pocket took which ball.
+struct Pockets<'a> {
+    row: &'a mut [i8],
+}
+
+impl Recorder for Pockets<'_> {
+    const STATES: bool = false;
+    #[inline(always)]
+    fn record(&mut self, event: &Event<'_>) {
+        if let EventKind::PocketCollision(pocket) = event.kind {
+            self.row[usize::from(event.balls[0])] = pocket as i8;
+        }
+    }
+}

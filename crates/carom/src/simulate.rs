@@ -1,0 +1,386 @@
+//! The event loop (Leckie & Greenspan 2006, figure 1).
+//!
+//! Every ball has a clock of its own: the closed-form path of its present motion state and the
+//! time at which that began. An event advances only the balls that take part in it; a resting
+//! ball never drifts. After it, only those balls' candidates are found anew.
+//!
+//! **Order of events at one instant**: motion transitions, then pockets, then cushions, then
+//! ball–ball contacts; among equals the ball that stands first in the shot.
+
+mod candidates;
+mod impact;
+
+use core::marker::PhantomData;
+
+use crate::detect::ball_ball::{ContactFinder, FirstContact};
+use crate::detect::ball_table::TableFeature;
+use crate::event::{Event, EventKind, Recorder};
+use crate::math::Vec3;
+use crate::motion::{Path, classify};
+use crate::resolve::cue_ball::{self, Strike, StrikeError};
+use crate::shot::Shot;
+use crate::{Ball, BallState, MotionState, Physics, Table};
+
+/// Balls up to which the whole state stays in a processor's fastest memory; more are slower.
+pub const SMALL: usize = 24;
+
+/// Most balls that a shot can have.
+pub const MAX_BALLS: usize = 128;
+
+/// Why a simulation has no result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SimulationError {
+    /// The strike cannot be played.
+    Strike(StrikeError),
+    /// The cap on events was reached.
+    TooManyEvents {
+        /// The cap.
+        max_events: u32,
+        /// Time of the last event, s.
+        time: f64,
+    },
+}
+
+/// What every shot ends with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Summary {
+    /// Time of the last event, s.
+    pub duration: f64,
+    /// Number of events, the strike included.
+    pub events: u32,
+}
+
+/// Simulates `shot` from the strike to rest and tells `recorder` every event.
+///
+/// # Errors
+/// [`SimulationError`] if the strike cannot be played or the cap on events is reached.
+pub fn simulate<R: Recorder>(shot: &Shot, recorder: &mut R) -> Result<Summary, SimulationError> {
+    if shot.balls.len() <= SMALL {
+        Simulation::<SMALL>::new().play(shot, recorder)
+    } else {
+        let mut simulation = alloc::boxed::Box::new(Simulation::<MAX_BALLS>::new());
+        simulation.play(shot, recorder)
+    }
+}
+
+/// The mutable state of a shot of at most `N` balls. Reusable: [`Simulation::load`] starts anew.
+#[derive(Clone, Debug)]
+pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
+    n: usize,
+    ball: [Ball; N],
+    /// Path of the present motion state, and when it began.
+    path: [Path; N],
+    start: [f64; N],
+    /// Next motion transition, infinite if none.
+    transition: [f64; N],
+    /// Next cushion or pocket, infinite if none.
+    meeting: [f64; N],
+    feature: [TableFeature; N],
+    /// Until when the path holds: the earlier of the two for a ball that moves.
+    leave: [f64; N],
+    /// First contact with another ball, infinite if none, and with which.
+    contact: [f64; N],
+    partner: [u16; N],
+    /// First contact of every pair, symmetric.
+    pair: [[f64; N]; N],
+    finder: PhantomData<F>,
+}
+
+/// What happens next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Next {
+    Transition(usize),
+    Meeting(usize, TableFeature),
+    Contact(usize, usize),
+}
+
+impl<const N: usize, F: ContactFinder> Default for Simulation<N, F> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<const N: usize, F: ContactFinder> Simulation<N, F> {
+    /// Most balls that fit.
+    pub const CAPACITY: usize = N;
+
+    /// An empty table.
+    pub fn new() -> Self {
+        Self {
+            n: 0,
+            ball: [Ball { mass: 0.0, radius: 0.0 }; N],
+            path: [Path::default(); N],
+            start: [0.0; N],
+            transition: [f64::INFINITY; N],
+            meeting: [f64::INFINITY; N],
+            feature: [TableFeature::Cushion(0); N],
+            leave: [f64::INFINITY; N],
+            contact: [f64::INFINITY; N],
+            partner: [0; N],
+            pair: [[f64::INFINITY; N]; N],
+            finder: PhantomData,
+        }
+    }
+
+    /// Plays a whole shot: [`load`](Self::load), [`strike`](Self::strike), [`run`](Self::run).
+    ///
+    /// # Errors
+    /// See [`simulate`].
+    pub fn play<R: Recorder>(
+        &mut self,
+        shot: &Shot,
+        recorder: &mut R,
+    ) -> Result<Summary, SimulationError> {
+        self.play_strike(shot, shot.strike, recorder)
+    }
+
+    /// Plays `shot` with another strike, on the ball with the given index, than its own.
+    ///
+    /// # Errors
+    /// See [`simulate`].
+    pub fn play_strike<R: Recorder>(
+        &mut self,
+        shot: &Shot,
+        strike: Option<(usize, Strike)>,
+        recorder: &mut R,
+    ) -> Result<Summary, SimulationError> {
+        self.load(shot);
+        let mut events = 0;
+        if let Some((struck, strike)) = &strike {
+            self.strike(*struck, strike, &shot.physics, recorder)?;
+            events = 1;
+        }
+        self.run(&shot.table, &shot.physics, shot.max_events, events, recorder)
+    }
+
+    /// Puts the shot's balls on the table, at time 0, before the strike.
+    ///
+    /// # Panics
+    /// If the shot has more than `N` balls.
+    pub fn load(&mut self, shot: &Shot) {
+        let Physics { cloth, gravity, .. } = &*shot.physics;
+        self.n = shot.balls.len();
+        for (i, placed) in shot.balls.iter().enumerate() {
+            let state = shot.table.to_engine_frame(&placed.state);
+            self.ball[i] = placed.ball;
+            self.path[i] = Path::new(&state, &placed.ball, cloth, *gravity);
+            self.start[i] = 0.0;
+            self.contact[i] = f64::INFINITY;
+            self.pair[i][..self.n].fill(f64::INFINITY);
+        }
+    }
+
+    /// Strikes the resting ball `struck` at time 0.
+    ///
+    /// # Errors
+    /// If the strike cannot be played.
+    pub fn strike<R: Recorder>(
+        &mut self,
+        struck: usize,
+        strike: &Strike,
+        physics: &Physics,
+        recorder: &mut R,
+    ) -> Result<(), SimulationError> {
+        let before = self.path[struck].at(0.0);
+        let ball = self.ball[struck];
+        let (velocity, angular_velocity) =
+            cue_ball::resolve(&physics.cue, &ball, strike).map_err(SimulationError::Strike)?;
+        let after = struck_state(&before, velocity, angular_velocity, ball.radius);
+        self.path[struck] = Path::new(&after, &ball, &physics.cloth, physics.gravity);
+        recorder.record(&Event {
+            time: 0.0,
+            kind: EventKind::CueStrike,
+            balls: &[struck as u16],
+            before: &[before],
+            after: &[after],
+        });
+        Ok(())
+    }
+
+    /// Runs from time 0 until nothing moves, or until nothing more can happen.
+    ///
+    /// # Errors
+    /// If there are more than `max_events` events; `events` have happened already.
+    pub fn run<R: Recorder>(
+        &mut self,
+        table: &Table,
+        physics: &Physics,
+        max_events: u32,
+        mut events: u32,
+        recorder: &mut R,
+    ) -> Result<Summary, SimulationError> {
+        let mut time = 0.0;
+        self.find_all(table);
+        while let Some((at, next)) = self.next() {
+            if events >= max_events {
+                return Err(SimulationError::TooManyEvents { max_events, time });
+            }
+            // A candidate is found relative to its own instant and then rounded: never go back.
+            time = if at > time { at } else { time };
+            events += 1;
+            match next {
+                Next::Transition(i) => self.transit(i, time, table, physics, recorder),
+                Next::Meeting(i, TableFeature::Pocket(k)) => {
+                    self.sink(i, k, time, table, recorder);
+                }
+                Next::Meeting(i, TableFeature::Cushion(k)) => {
+                    self.rebound(i, k, time, table, physics, recorder);
+                }
+                Next::Contact(i, j) => {
+                    self.collide_pair(i.min(j), i.max(j), time, table, physics, recorder);
+                }
+            }
+        }
+        Ok(Summary { duration: time, events })
+    }
+
+    /// Number of balls.
+    pub fn len(&self) -> usize {
+        self.n
+    }
+
+    /// Whether there is no ball.
+    pub fn is_empty(&self) -> bool {
+        self.n == 0
+    }
+
+    /// State of ball `i` at `time` (s), which must not lie before its last event.
+    pub fn state(&self, i: usize, time: f64) -> BallState {
+        self.path[i].at(time - self.start[i])
+    }
+
+    /// State of ball `i` of `shot` at `time`, in the file's frame; a ball that never moved has the
+    /// very bits of the file.
+    pub fn file_state(&self, i: usize, shot: &Shot, time: f64) -> BallState {
+        let state = self.state(i, time);
+        let placed = &shot.balls[i].state;
+        let mut result = shot.table.to_file_frame(&state);
+        if state.position == shot.table.to_engine_frame(placed).position {
+            result.position = placed.position;
+        }
+        result
+    }
+
+    /// The earliest candidate in the total order of events.
+    #[inline(always)]
+    fn next(&self) -> Option<(f64, Next)> {
+        let mut time = f64::INFINITY;
+        for i in 0..self.n {
+            let t = earlier(earlier(self.transition[i], self.meeting[i]), self.contact[i]);
+            time = earlier(t, time);
+        }
+        if time == f64::INFINITY {
+            return None;
+        }
+        let n = self.n;
+        let first = |times: &[f64; N]| times[..n].iter().position(|&t| t == time);
+        let next = if let Some(i) = first(&self.transition) {
+            Next::Transition(i)
+        } else if let Some(i) = self.first_meeting_at(time) {
+            Next::Meeting(i, self.feature[i])
+        } else {
+            let i = first(&self.contact)?;
+            Next::Contact(i, usize::from(self.partner[i]))
+        };
+        Some((time, next))
+    }
+
+    /// The first ball into a pocket at `time`, else the first into a cushion.
+    #[inline(always)]
+    fn first_meeting_at(&self, time: f64) -> Option<usize> {
+        let mut cushion = None;
+        for i in 0..self.n {
+            if self.meeting[i] == time {
+                match self.feature[i] {
+                    TableFeature::Pocket(_) => return Some(i),
+                    TableFeature::Cushion(_) => cushion = cushion.or(Some(i)),
+                }
+            }
+        }
+        cushion
+    }
+
+    /// A motion state ends by the passage of time.
+    fn transit<R: Recorder>(
+        &mut self,
+        i: usize,
+        time: f64,
+        table: &Table,
+        physics: &Physics,
+        recorder: &mut R,
+    ) {
+        let path = self.path[i];
+        let before = path.at(path.duration);
+        let after = path.successor();
+        recorder.record(&Event {
+            time,
+            kind: EventKind::MotionTransition { from: before.motion, to: after.motion },
+            balls: &[i as u16],
+            before: &[before],
+            after: &[after],
+        });
+        self.begin(i, &after, time, physics);
+        if path.moves() {
+            self.find(&[i as u16], time, table);
+        } else {
+            self.find_self(i, time, table);
+        }
+    }
+
+    /// A ball falls into a pocket: it comes to rest below the slate, under the hole's centre.
+    fn sink<R: Recorder>(
+        &mut self,
+        i: usize,
+        pocket: u8,
+        time: f64,
+        table: &Table,
+        recorder: &mut R,
+    ) {
+        let before = self.state(i, time);
+        let radius = self.ball[i].radius;
+        let after = BallState {
+            position: table.pockets[usize::from(pocket)].center.with_z(-radius),
+            motion: MotionState::Pocketed,
+            ..BallState::default()
+        };
+        recorder.record(&Event {
+            time,
+            kind: EventKind::PocketCollision(pocket),
+            balls: &[i as u16],
+            before: &[before],
+            after: &[after],
+        });
+        self.path[i] = Path {
+            position: after.position,
+            motion: MotionState::Pocketed,
+            radius,
+            ..Path::default()
+        };
+        self.start[i] = time;
+        self.find(&[i as u16], time, table);
+    }
+
+    /// Gives ball `i` the path that starts at `time` in `state`.
+    #[inline(always)]
+    fn begin(&mut self, i: usize, state: &BallState, time: f64, physics: &Physics) {
+        self.path[i] = Path::new(state, &self.ball[i], &physics.cloth, physics.gravity);
+        self.start[i] = time;
+    }
+}
+
+/// The state right after an impact: the same place, new velocities, the motion that they mean.
+#[inline(always)]
+fn struck_state(before: &BallState, velocity: Vec3, spin: Vec3, radius: f64) -> BallState {
+    BallState {
+        position: before.position,
+        velocity,
+        angular_velocity: spin,
+        motion: classify(velocity, spin, radius),
+    }
+}
+
+/// The smaller of two times that are not NaN: one instruction, where `f64::min` takes several.
+#[inline(always)]
+fn earlier(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
