@@ -1,5 +1,7 @@
 //! The parameters of every physical model: plain data, immutable during a shot.
 
+pub mod presets;
+
 /// Everything physical about a shot except the table's geometry and the single balls.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Physics {

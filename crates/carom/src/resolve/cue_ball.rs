@@ -1,8 +1,34 @@
-//! The cue strike (Leckie & Greenspan 2005; squirt TP A.31; tip efficiency TP A.30).
+//! The cue strike (Leckie & Greenspan 2005; tip efficiency TP A.30; squirt TP A.31).
+//!
+//! # The shooter's frame
+//!
+//! **d** is the direction of the cue, **r** horizontal to the right of it, **u** = r × d the
+//! third, up for a level cue. The contact point is R(x·r + y·u − √(1 − x² − y²)·d) from the
+//! ball's centre, with x = `side` and y = `height`, at every elevation; the impulse acts along d.
+//! Its lever arm is then R√(x² + y²) always, so the ball's inverse mass at the contact is k/m with
+//! k = 1 + 5/2·(x² + y²). This is Leckie & Greenspan's
+//! 1 + (5/2R²)(a² + b²cos²θ + c²sin²θ − 2bc·cosθ·sinθ): their vertical b = R(y·cosθ + q·sinθ) and
+//! horizontal c = R(q·cosθ − y·sinθ), q = √(1 − x² − y²), make b·cosθ − c·sinθ = R·y.
+//!
+//! # Squirt
+//!
+//! The shaft's end of mass m_e must follow the turning ball sideways, and pushes the ball the
+//! other way: right English sends it left of the aim, by α with
+//! tan α = 5/2·x√(1 − x²)/[1 + m/m_e + 5/2·(1 − x²)] at any speed (TP A.31, x the side offset).
+//! The impulse turns by α about u, the axis perpendicular to the cue in its vertical plane, and
+//! speed and spin turn with it; for a level cue this is a turn of the azimuth. The same effect of
+//! `height` lies in the vertical plane, where the slate and the bridge hold it, and is left out.
+//! A level-cue formula turned about the vertical instead would be wrong for masse shots, where the
+//! cue itself is nearly vertical.
+
+use core::fmt;
 
 use crate::Ball;
-use crate::math::Vec3;
-use crate::physics::Cue;
+use crate::math::{Vec3, atan, sin_cos, sqrt};
+use crate::physics::{Cue, Tip};
+
+/// mR²/I of a homogeneous ball.
+const SPIN_PER_IMPULSE: f64 = 2.5;
 
 /// What the player does, in the frame of the shooter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,6 +43,13 @@ pub struct Strike {
     pub side: f64,
     /// Contact point above centre, in ball radii, perpendicular to the cue's axis.
     pub height: f64,
+}
+
+impl Strike {
+    /// Distance of the cue's axis from the ball's centre, √(side² + height²), in ball radii.
+    pub fn offset(&self) -> f64 {
+        sqrt(self.side * self.side + self.height * self.height)
+    }
 }
 
 /// Why a strike is refused.
@@ -41,9 +74,93 @@ pub enum StrikeError {
     },
 }
 
-/// Velocity (m/s) and spin (rad/s) of a resting ball after the strike; the vertical part of the
-/// velocity is taken by the slate.
+impl fmt::Display for StrikeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::OffBall { offset } => write!(
+                f,
+                "the tip passes the ball: side and height are {offset:.4} radii from its centre; \
+                 keep √(side² + height²) below 1"
+            ),
+            Self::Miscue { offset, limit } => write!(
+                f,
+                "miscue: side and height are {offset:.4} radii from the centre, where the tip \
+                 slips off; stay within {limit:.4}, or raise cue.tip_friction"
+            ),
+            Self::Unreachable { offset } => write!(
+                f,
+                "no ball speed satisfies cue.tip_efficiency at an offset of {offset:.4} radii; \
+                 strike nearer the centre, or use cue.tip_restitution"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for StrikeError {}
+
+/// The largest offset (in ball radii) at which a tip with friction `tip_friction` does not slip:
+/// μ = x/√(1 − x²) solved for x (TP 2.1, A.12).
+pub fn miscue_limit(tip_friction: f64) -> f64 {
+    tip_friction / sqrt(1.0 + tip_friction * tip_friction)
+}
+
+/// The angle (rad) by which the ball leaves to the left of the cue's direction when it is struck
+/// at `side` (TP A.31); 0 if the cue's end has no mass.
+pub fn squirt(cue: &Cue, ball: &Ball, side: f64) -> f64 {
+    if cue.end_mass == 0.0 {
+        return 0.0;
+    }
+    let inward = 1.0 - side * side;
+    let lever = SPIN_PER_IMPULSE * side * sqrt(inward);
+    atan(lever / (1.0 + ball.mass / cue.end_mass + SPIN_PER_IMPULSE * inward))
+}
+
+/// Ball speed over cue speed for an offset that gives inertia factor `k` = 1 + 5/2·offset².
+/// `None` where TP A.30's radicand is negative.
+fn speed_ratio(cue: &Cue, ball: &Ball, k: f64) -> Option<f64> {
+    let mass_ratio = ball.mass / cue.mass;
+    let recoil = match cue.tip {
+        Tip::Restitution(e) => e,
+        Tip::Efficiency(efficiency) => {
+            let radicand = efficiency - (1.0 - efficiency) * k / mass_ratio;
+            if radicand < 0.0 {
+                return None;
+            }
+            sqrt(radicand)
+        }
+    };
+    Some((1.0 + recoil) / (mass_ratio + k))
+}
+
+/// Velocity (m/s) and spin (rad/s) of a resting ball after the strike. The vertical part of the
+/// velocity is taken by the slate; the spin is kept whole.
+///
+/// The spin is v/R·5/2·(x·**u** − y·**r**), so right English gives ω_z > 0 and height > 0 follow.
 pub fn resolve(cue: &Cue, ball: &Ball, strike: &Strike) -> Result<(Vec3, Vec3), StrikeError> {
-    let _ = (cue, ball, strike);
-    Ok((Vec3::ZERO, Vec3::ZERO))
+    let offset = strike.offset();
+    if offset >= 1.0 {
+        return Err(StrikeError::OffBall { offset });
+    }
+    let limit = miscue_limit(cue.tip_friction);
+    if offset > limit {
+        return Err(StrikeError::Miscue { offset, limit });
+    }
+    let k = 1.0 + SPIN_PER_IMPULSE * offset * offset;
+    let ratio = speed_ratio(cue, ball, k).ok_or(StrikeError::Unreachable { offset })?;
+    let speed = strike.speed * ratio;
+
+    let (sin_azimuth, cos_azimuth) = sin_cos(strike.azimuth);
+    let (sin_elevation, cos_elevation) = sin_cos(strike.elevation);
+    let forward =
+        Vec3::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, -sin_elevation);
+    let up = Vec3::new(cos_azimuth * sin_elevation, sin_azimuth * sin_elevation, cos_elevation);
+    let right = Vec3::new(sin_azimuth, -cos_azimuth, 0.0);
+    let (sin_squirt, cos_squirt) = sin_cos(squirt(cue, ball, strike.side));
+    let launch = forward * cos_squirt - right * sin_squirt;
+    let across = right * cos_squirt + forward * sin_squirt;
+
+    let velocity = (launch.xy() * speed).with_z(0.0);
+    let spin =
+        (up * strike.side - across * strike.height) * (SPIN_PER_IMPULSE * speed / ball.radius);
+    Ok((velocity, spin))
 }

@@ -4,6 +4,7 @@ pub mod ball_ball;
 pub mod ball_cushion;
 pub mod cue_ball;
 pub mod restitution;
+pub mod stronge;
 
 use crate::math::Vec3;
 

@@ -1,12 +1,33 @@
-//! Ball against ball.
+//! Ball against ball: one published model per file.
+//!
+//! # On the cloth
+//!
+//! Balls stay on the cloth: the vertical part of every impulse is taken by the slate, while the
+//! torque of that part is kept (so that follow and draw pass from ball to ball). [`contact`]
+//! states what this means when radii differ and the line of centres is tilted. The models are
+//!
+//! * [`elastic`]: normal restitution, no friction;
+//! * [`frictional`]: normal restitution and Coulomb friction between rigid surfaces;
+//! * [`compliant`]: the same with surfaces that give way and spring back (Stronge);
+//! * [`mathavan_2014`]: the impulse integrated, with the friction of the cloth;
+//! * [`group`]: several contacts in one instant that share balls.
+//!
+//! In all of them restitution rises to 1 at low speed ([`super::restitution`]), energy never
+//! rises, exchanging the two balls exchanges the results, and a mirrored impact gives the
+//! mirrored result, bit for bit.
+
+pub mod compliant;
+pub mod contact;
+pub mod elastic;
+pub mod frictional;
 
 use super::Body;
 use crate::math::Vec3;
-use crate::physics::{BallBall, Cloth};
+use crate::physics::{BallBall, BallBallModel, Cloth};
+use contact::Contact;
 
 /// Resolves the impact of two balls that touch and approach. `normal` is the unit vector from
-/// `a`'s centre to `b`'s. `gravity`, m/s². Both balls stay on the cloth: the vertical part of
-/// the impulse is taken by the slate.
+/// `a`'s centre to `b`'s. `gravity`, m/s². Balls that do not approach are left as they are.
 pub fn resolve(
     law: &BallBall,
     cloth: &Cloth,
@@ -15,5 +36,16 @@ pub fn resolve(
     a: &mut Body,
     b: &mut Body,
 ) {
-    let _ = (law, cloth, gravity, normal, a, b);
+    let _ = (cloth, gravity);
+    let contact = Contact::between(normal, a, b);
+    if contact.approach <= 0.0 {
+        return;
+    }
+    match law.model {
+        BallBallModel::Elastic => elastic::resolve(law, &contact, a, b),
+        BallBallModel::Frictional | BallBallModel::Mathavan2014 => {
+            frictional::resolve(law, &contact, a, b);
+        }
+        BallBallModel::Compliant => compliant::resolve(law, &contact, a, b),
+    }
 }

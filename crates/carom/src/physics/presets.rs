@@ -1,0 +1,165 @@
+//! The named physics of `carom-shot/1`.
+//!
+//! Sources are given by value. Values marked *estimated* or *from memory* were read nowhere; they
+//! are the first to replace when a measurement turns up.
+
+use super::{
+    BallBall, BallBallModel, Cloth, Cue, Cushion, CushionFriction, CushionModel,
+    CushionRestitution, Physics, Slate, SlipFriction, Tip,
+};
+use crate::Ball;
+
+/// Standard gravity, m/s² (CGPM 1901).
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// ω_t/ω_n of the compliant ball–ball contact: √(β/η²) with β = 7/2, η² = (2 − ν)/(2 − 2ν) and
+/// Poisson's ratio ν = 0.3 of phenolic resin.
+const BALL_FREQUENCY_RATIO: f64 = 1.70;
+
+impl Physics {
+    /// The names that [`Physics::preset`] knows.
+    pub const PRESETS: [&str; 5] = ["pool", "snooker", "english", "carom", "ideal"];
+
+    /// The preset of this name.
+    pub fn preset(name: &str) -> Option<Self> {
+        match name {
+            "pool" => Some(Self::pool()),
+            "snooker" => Some(Self::snooker()),
+            "english" => Some(Self::english()),
+            "carom" => Some(Self::carom()),
+            "ideal" => Some(Self::ideal()),
+            _ => None,
+        }
+    }
+
+    /// Pool: 2¼ in balls on worsted cloth.
+    pub fn pool() -> Self {
+        Self {
+            gravity: STANDARD_GRAVITY,
+            // WPA: 2.250 in, 5½–6 oz; 6 oz as in pooltool.
+            ball: Ball { mass: 0.170097, radius: 0.028575 },
+            cloth: Cloth {
+                // TP 4.1, B.12.
+                sliding_friction: 0.2,
+                rolling_friction: 0.01,
+                // TP B.2: 10 rad/s² (5 to 15 measured).
+                spin_deceleration: 10.0,
+            },
+            ball_ball: BallBall {
+                model: BallBallModel::Compliant,
+                // Dr. Dave FAQ: 0.92–0.98.
+                restitution: 0.95,
+                friction: THROW,
+                frequency_ratio: BALL_FREQUENCY_RATIO,
+            },
+            cushion: RAIL,
+            // Dr. Dave FAQ: 0.5 to 0.7; friction as in sliding (TP B.10).
+            slate: Slate { restitution: 0.5, friction: 0.2 },
+            cue: Cue {
+                // 20 oz.
+                mass: 0.567,
+                // m_b/30 (pooltool): 1.9° of squirt at half a radius, a common playing shaft.
+                end_mass: 0.00567,
+                // A nickel's curvature (Alciatore).
+                tip_radius: 0.0106,
+                // TP 2.1, A.12: 0.577 holds at half a radius, 0.66 is the most measured.
+                tip_friction: 0.6,
+                // Leather, TP A.30: 0.71–0.75.
+                tip: Tip::Restitution(0.73),
+            },
+        }
+    }
+
+    /// Snooker: 52.5 mm balls on napped cloth.
+    pub fn snooker() -> Self {
+        let pool = Self::pool();
+        Self {
+            // Mathavan 2009, 2014: measured match set.
+            ball: Ball { mass: 0.1406, radius: 0.02625 },
+            // Mathavan 2009 (μ_s .178–.245, μ_r .0127–.0129 on film), 2014 (spin).
+            cloth: Cloth {
+                sliding_friction: 0.212,
+                rolling_friction: 0.0128,
+                spin_deceleration: 22.0,
+            },
+            // Mathavan 2014.
+            ball_ball: BallBall {
+                restitution: 0.89,
+                friction: SlipFriction::constant(0.05),
+                ..pool.ball_ball
+            },
+            // 17 oz and a smaller tip: from memory; end mass in proportion (estimated).
+            cue: Cue { mass: 0.48, end_mass: 0.0047, tip_radius: 0.009, ..pool.cue },
+            ..pool
+        }
+    }
+
+    /// English pool: 2 in balls on napped cloth. The smaller cue ball (1⅞ in, about 94 g) is the
+    /// layout's to give.
+    pub fn english() -> Self {
+        let snooker = Self::snooker();
+        Self {
+            // 2 in, 116 g: from memory.
+            ball: Ball { mass: 0.116, radius: 0.0254 },
+            // Phenolic balls as in pool; cloth as in snooker (estimated).
+            ball_ball: Self::pool().ball_ball,
+            cue: Cue { end_mass: 0.0039, ..snooker.cue },
+            ..snooker
+        }
+    }
+
+    /// Carom: 61.5 mm balls on heated cloth.
+    pub fn carom() -> Self {
+        let pool = Self::pool();
+        Self {
+            // UMB: 61–61.5 mm; 205–220 g from memory, 210 g as in pooltool.
+            ball: Ball { mass: 0.210, radius: 0.03075 },
+            cloth: Cloth {
+                sliding_friction: 0.2,
+                // Heated cloth: 0.0383 m/s² of deceleration at low speed, fitted to matches, is
+                // 0.0039; 0.0045 over the speeds of play.
+                rolling_friction: 0.0045,
+                // Han 2005: M_z = 3.82e-4 N·m on m = 0.23 kg, R = 32.75 mm gives 3.9 rad/s².
+                spin_deceleration: 3.9,
+            },
+            ball_ball: BallBall { restitution: 0.98, ..pool.ball_ball },
+            // A carom cue is lighter and stiffer: estimated.
+            cue: Cue { mass: 0.51, end_mass: 0.007, ..pool.cue },
+            ..pool
+        }
+    }
+
+    /// Pool without losses in collisions and without throw or squirt; the cloth is real.
+    pub fn ideal() -> Self {
+        let pool = Self::pool();
+        Self {
+            ball_ball: BallBall {
+                model: BallBallModel::Elastic,
+                restitution: 1.0,
+                friction: SlipFriction::constant(0.0),
+                frequency_ratio: BALL_FREQUENCY_RATIO,
+            },
+            cushion: Cushion {
+                model: CushionModel::Restitution,
+                restitution: CushionRestitution { a: 1.0, b: 0.0, c: 0.0 },
+                friction: CushionFriction { a: 0.0, b: 0.0 },
+                ..RAIL
+            },
+            slate: Slate { restitution: 1.0, friction: 0.0 },
+            cue: Cue { end_mass: 0.0, tip: Tip::Restitution(1.0), ..pool.cue },
+            ..pool
+        }
+    }
+}
+
+/// Friction of pool balls that reproduces measured throw with the compliant model.
+const THROW: SlipFriction = SlipFriction { a: 0.0, b: 0.115, c: 0.41 };
+
+/// Cushions of a pool table: normal restitution and friction of pooltool's pool preset, tangential
+/// compliance of its Stronge model.
+const RAIL: Cushion = Cushion {
+    model: CushionModel::Stronge,
+    restitution: CushionRestitution { a: 0.85, b: 0.0, c: 0.0 },
+    friction: CushionFriction { a: 0.2, b: 0.0 },
+    frequency_ratio: 1.8,
+};

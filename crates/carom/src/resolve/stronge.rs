@@ -1,0 +1,140 @@
+//! Stronge's impact with tangential compliance (*Impact Mechanics*, 2000, ch. 5; physics of
+//! billiard balls: physically the rubber-ball effect, a surface that is dragged sideways springs
+//! back).
+//!
+//! Two springs join the bodies at the contact: one along the normal, whose stiffness rises in the
+//! restitution phase so that the approach speed comes back e-fold, and one along the slip, which
+//! is dragged over the surface whenever its force exceeds μ times the normal force. With the time
+//! τ in radians of the normal spring and ω the ratio of the tangential to the normal frequency:
+//!
+//! * normal force ∝ dν/dτ = sin τ for τ < π/2 (compression), sin ψ after it, where
+//!   ψ = π − y runs from π/2 to π at rate 1/e; ν is the normal impulse per approach speed,
+//!   1 − cos τ, then 1 + e·cos y, at last 1 + e;
+//! * while the surfaces slide, the slip x (in units of μ × approach speed) falls at β·dν/dτ;
+//! * while they stick, x oscillates: x″ = −ω²x.
+//!
+//! β = 7/2 for a homogeneous sphere, both against a wall and against another sphere (with the
+//! relative velocities and the reduced mass), and η² = β/ω² is the ratio of the stiffnesses.
+
+use crate::math::{acos, sin_cos, sqrt};
+use core::f64::consts::FRAC_PI_2;
+
+/// β: change of slip per tangential impulse over that of approach speed per normal impulse.
+const BETA: f64 = 3.5;
+
+/// Accuracy of the instant of the last slip, rad. The final slip is stationary there, so its
+/// error is the square of this, below one rounding.
+const LAST_SLIP_ACCURACY: f64 = 1e-8;
+
+/// Steps of the search for that instant; it converges cubically and takes two or three.
+const LAST_SLIP_STEPS: usize = 30;
+
+/// An impact as the contact point sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Impact {
+    /// Normal approach speed, m/s, > 0.
+    pub approach: f64,
+    /// Tangential slip speed, m/s, ≥ 0.
+    pub slip: f64,
+    /// Coefficient of normal restitution e.
+    pub restitution: f64,
+    /// Coefficient of friction μ.
+    pub friction: f64,
+    /// ω = ω_t/ω_n, from 1 to 2 (1.70 for Poisson's ratio 0.3: η² = (2 − ν)/(2 − 2ν)).
+    pub frequency_ratio: f64,
+}
+
+/// Where and how the surfaces begin to stick, in radians of the normal spring.
+struct Stick {
+    /// Time from then to the end of the impact.
+    remaining: f64,
+    /// Slip x.
+    slip: f64,
+    /// dx/dτ.
+    rate: f64,
+}
+
+impl Impact {
+    /// The slip speed after the impact along the line of the initial slip, m/s; negative where
+    /// the surfaces have sprung back.
+    pub fn final_slip(&self) -> f64 {
+        let unit = self.friction * self.approach;
+        if unit == 0.0 {
+            return self.slip;
+        }
+        let slip = self.slip / unit;
+        let last = match self.stick(slip) {
+            None => slip - BETA * (1.0 + self.restitution),
+            // Stored energy can only come back, never grow: hold that against rounding too.
+            Some(stick) => self.slip_at_end(&stick).clamp(-slip, slip),
+        };
+        last * unit
+    }
+
+    /// When the surfaces first stick; `None` if they slide all the time.
+    fn stick(&self, slip: f64) -> Option<Stick> {
+        let e = self.restitution;
+        let eta_squared = BETA / (self.frequency_ratio * self.frequency_ratio);
+        let length = FRAC_PI_2 * (1.0 + e);
+        if slip <= eta_squared {
+            return Some(Stick { remaining: length, slip, rate: 0.0 });
+        }
+        // The dragged spring catches up with the slip: x = η² cos τ in compression …
+        if slip <= BETA {
+            let cos = (slip - BETA) / (eta_squared - BETA);
+            return Some(Stick {
+                remaining: length - acos(cos),
+                slip: slip - BETA * (1.0 - cos),
+                rate: -BETA * sqrt(1.0 - cos * cos),
+            });
+        }
+        // … and x = −(η²/e) cos y in restitution.
+        let sweep = e * BETA - eta_squared / e;
+        if e == 0.0 || slip - BETA >= sweep {
+            return None;
+        }
+        let cos = (slip - BETA) / sweep;
+        Some(Stick {
+            remaining: e * acos(cos),
+            slip: slip - BETA * (1.0 + e * cos),
+            rate: -BETA * sqrt(1.0 - cos * cos),
+        })
+    }
+
+    /// Follows the sticking surfaces to where they slide again, as they always do before the
+    /// normal force ends, and on to the end.
+    fn slip_at_end(&self, stick: &Stick) -> f64 {
+        let (e, omega) = (self.restitution, self.frequency_ratio);
+        let oscillate = |since: f64| {
+            let (sin, cos) = sin_cos(omega * since);
+            let quarter = stick.rate / omega;
+            (stick.slip * cos + quarter * sin, omega * (quarter * cos - stick.slip * sin))
+        };
+        let (mut x, mut rate) = oscillate(stick.remaining);
+        // The spring's force at the end tells which way the surfaces slide last.
+        let side = if rate > 0.0 { 1.0 } else { -1.0 };
+        let longest =
+            if e * FRAC_PI_2 <= stick.remaining { FRAC_PI_2 } else { stick.remaining / e };
+        let (mut sin, mut cos) = (0.0, 1.0);
+        let (mut y, mut low, mut high) = (0.0, 0.0, longest);
+        for _ in 0..LAST_SLIP_STEPS {
+            let gap = BETA * sin - side * rate;
+            let slope = BETA * cos - side * e * omega * omega * x;
+            let bend = side * e * e * omega * omega * rate - BETA * sin;
+            if gap < 0.0 {
+                low = y
+            } else {
+                high = y
+            }
+            let halley = 2.0 * gap * slope / (2.0 * slope * slope - gap * bend);
+            if halley.abs() < LAST_SLIP_ACCURACY {
+                break;
+            }
+            let newton = y - halley;
+            y = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            (sin, cos) = sin_cos(y);
+            (x, rate) = oscillate(stick.remaining - e * y);
+        }
+        x + side * BETA * e * (1.0 - cos)
+    }
+}
