@@ -138,3 +138,76 @@ impl Impact {
         x + side * BETA * e * (1.0 - cos)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{BETA, Impact};
+    use crate::math::sin;
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    fn final_slip(slip: f64, restitution: f64, friction: f64, frequency_ratio: f64) -> f64 {
+        Impact { approach: 1.0, slip, restitution, friction, frequency_ratio }.final_slip()
+    }
+
+    /// The same two springs in small steps of time: the tangential spring's force moves with the
+    /// slip and is cut to ±μ times the normal force.
+    fn stepped(slip: f64, e: f64, friction: f64, omega: f64) -> f64 {
+        const STEPS: u32 = 40_000;
+        let end = FRAC_PI_2 * (1.0 + e);
+        let step = end / f64::from(STEPS);
+        let (mut x, mut force) = (slip / friction, 0.0);
+        for n in 0..STEPS {
+            let tau = (f64::from(n) + 0.5) * step;
+            let normal = if tau < FRAC_PI_2 { sin(tau) } else { sin(PI - (end - tau) / e) };
+            let held: f64 = force + omega * omega * x * step;
+            force = held.clamp(-BETA * normal, BETA * normal);
+            x -= force * step;
+        }
+        x * friction
+    }
+
+    #[test]
+    fn closed_form_follows_the_springs_stepped_through_time() {
+        for e in [0.2, 0.5, 0.6, 0.85, 0.95, 1.0] {
+            for omega in [1.05, 1.4, 1.7, 1.95] {
+                for n in 1..40 {
+                    let slip = 0.05 * f64::from(n);
+                    let (ours, stepped) =
+                        (final_slip(slip, e, 0.2, omega), stepped(slip, e, 0.2, omega));
+                    assert!(
+                        (ours - stepped).abs() < 1e-4,
+                        "e {e} ω {omega} slip {slip}: {ours} stepped {stepped}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn cu_11_final_slip_of_pooltools_stronge_cushion() {
+        for (slip, expected) in [
+            (0.05, -0.00700),
+            (0.2, 0.02279),
+            (0.4, 0.19084),
+            (0.8, 0.38319),
+            (1.2, 0.09500),
+            (1.6, -0.30500),
+        ] {
+            let ours = -final_slip(slip, 0.85, 0.2, 1.7);
+            assert!((ours - expected).abs() < 1e-4, "slip {slip}: {ours}, expected {expected}");
+        }
+    }
+
+    #[test]
+    fn final_slip_is_continuous_and_never_longer_than_the_initial_slip() {
+        for e in [0.0, 0.1, 0.5, 0.59, 0.85, 1.0] {
+            let mut last = 0.0;
+            for n in 0..20_000 {
+                let slip = 1e-4 * f64::from(n);
+                let now = final_slip(slip, e, 0.2, 1.7);
+                assert!(now.abs() <= slip && (now - last).abs() < 1e-3, "e {e} slip {slip}");
+                last = now;
+            }
+        }
+    }
+}
