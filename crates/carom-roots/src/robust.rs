@@ -98,15 +98,15 @@ fn concave_span<const N: usize>(motion: &Motion<N>) -> Option<(f64, f64)> {
 fn on_convex<const N: usize>(gap: &Gap<'_, N>, from: Sample, end: f64) -> Outcome {
     let mut here = from;
     for _ in 0..MAX_STEPS {
-        // A slope that is not falling can never fall again on a convex span, inside or out.
-        if !(here.g < 0.0) {
+        // A gap that rises never falls again on a convex span, whether it is open or closed.
+        if here.g >= 0.0 {
             return Outcome::Passed;
         }
         if here.f <= 0.0 {
             return Outcome::At(here.t);
         }
         let t = here.t - 0.5 * here.f / here.g;
-        if t > end {
+        if t > end || t.is_nan() {
             return Outcome::Passed;
         }
         if t <= here.t {
@@ -136,8 +136,10 @@ fn on_concave<const N: usize>(gap: &Gap<'_, N>, from: Sample, to: Sample) -> Out
     let mut here = to;
     for _ in 0..MAX_STEPS {
         let t = here.t - 0.5 * here.f / here.g;
-        // Written so that a NaN, from a slope of zero, also ends the descent.
-        if !(t < here.t && t > from.t) {
+        if t <= from.t {
+            return Outcome::At(from.t);
+        }
+        if t >= here.t {
             break;
         }
         here = gap.sample(t);

@@ -80,8 +80,8 @@ fn touching_and_separating_bodies_meet_again_when_pushed_back() {
 fn bodies_a_rounding_inside_contact_that_never_part_fire_where_they_turn() {
     // The separation is 1 − 2⁻⁴⁰ + 2⁻²⁵t − t²/…: it turns at t = 2⁻²⁶ having gained 2⁻⁵², so the
     // quartic has no real root, and a finder that hunts roots lets the bodies pass through.
-    let depth = 2f64.powi(-40);
-    let speed = 2f64.powi(-25);
+    let depth = 1.0 / (1u64 << 40) as f64;
+    let speed = 1.0 / (1u64 << 25) as f64;
     let motion = plane([1.0 - depth, 0.0], [speed, 0.0], [-1.0, 0.0]);
     let t = first_contact(&motion, 1.0, NEVER).expect("they turn back");
     assert!((t - 0.5 * speed).abs() < 1e-3 * speed, "{t}");

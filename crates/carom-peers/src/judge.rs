@@ -1,0 +1,214 @@
+//! Whether an answer is right, decided without solving the quartic.
+//!
+//! The gap can only close where it falls, so that what a finder passed over shows at the stationary
+//! points of f = |d + vt + ht²|² − D²: roots of a cubic, which bisection brackets with certainty. An
+//! error δ of such a time changes the gap there by δ² only. The gap itself is computed in 106 bits,
+//! good to about 1e-30 m on a table.
+//!
+//! Two doubles away from the truth in d are physically nothing; so a fault is measured as a **depth**:
+//! how far the bodies overlap in a contact that was lost, or how far they are from touching, or from
+//! approaching, in one that was invented. On a path that leads farther than any table, positions are
+//! rounded in proportion, and the tolerance grows so.
+
+use carom_roots::Motion;
+
+use crate::double_double::DoubleDouble;
+use crate::families::{Case, LARGEST_TABLE};
+
+/// What an answer is worth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict {
+    /// Nothing was lost or invented; the depth is zero or meaningless.
+    Right {
+        /// ||x| − D| at the returned time, or 0 for "no contact", m; like the tolerance, in proportion
+        /// where the path leads farther than any table.
+        gap: f64,
+    },
+    /// The bodies overlap by `depth` (m), falling into each other, before the answer.
+    Lost {
+        /// Overlap, m.
+        depth: f64,
+    },
+    /// At the answer the bodies are `clearance` (m) from a contact.
+    Invented {
+        /// Distance to the nearest position that would be a contact, m.
+        clearance: f64,
+    },
+    /// A time before 0, after the horizon, or not a number.
+    OutOfRange,
+}
+
+/// Bisection from the widest bracket to neighbouring doubles, and a margin.
+const MAX_HALVINGS: usize = 160;
+
+/// Judge `answer`; faults of less than `tolerance` (m, on a table) are right.
+pub fn judge(case: &Case, answer: Option<f64>, tolerance: f64) -> Verdict {
+    if answer.is_some_and(|t| !(0.0..=case.horizon).contains(&t)) {
+        return Verdict::OutOfRange;
+    }
+    let truth = Truth::new(case, tolerance);
+    let stationary = truth.stationary_times();
+    let end = answer.unwrap_or(case.horizon);
+    if let Some(depth) = truth.overlap_fallen_into(&stationary, end) {
+        return Verdict::Lost { depth };
+    }
+    let Some(t) = answer else { return Verdict::Right { gap: 0.0 } };
+    let gap = truth.gap(t);
+    let clearance = gap.max(truth.lift_to_approach(&stationary, t));
+    if clearance > truth.tolerance_at(t) {
+        return Verdict::Invented { clearance };
+    }
+    Verdict::Right { gap: gap.abs() / truth.extent(t) }
+}
+
+/// The motion in 106 bits.
+struct Truth {
+    case: Case,
+    tolerance: f64,
+    d: [DoubleDouble; 2],
+    v: [DoubleDouble; 2],
+    h: [DoubleDouble; 2],
+    /// f′/2 = g₀ + g₁t + g₂t² + g₃t³.
+    g: [DoubleDouble; 4],
+}
+
+impl Truth {
+    fn new(case: &Case, tolerance: f64) -> Self {
+        let Motion { d, v, h } = case.motion;
+        let [d, v, h] = [d, v, h].map(|w| w.map(DoubleDouble::from));
+        let dot = |a: [DoubleDouble; 2], b: [DoubleDouble; 2]| a[0] * b[0] + a[1] * b[1];
+        let times = |n: f64, x: DoubleDouble| DoubleDouble::from(n) * x;
+        let g = [
+            dot(d, v),
+            dot(v, v) + times(2.0, dot(d, h)),
+            times(3.0, dot(v, h)),
+            times(2.0, dot(h, h)),
+        ];
+        Truth { case: *case, tolerance, d, v, h, g }
+    }
+
+    fn tolerance_at(&self, t: f64) -> f64 {
+        self.tolerance * self.extent(t)
+    }
+
+    /// How far the path has led by t: 1 on any table, in tables beyond it.
+    fn extent(&self, t: f64) -> f64 {
+        let size = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
+        let Motion { d, v, h } = self.case.motion;
+        let extent = size(d) + t * (size(v) + t * size(h));
+        self.case.metre.max(extent / LARGEST_TABLE)
+    }
+
+    /// |x(t)| − D, m.
+    fn gap(&self, t: f64) -> f64 {
+        let time = DoubleDouble::from(t);
+        let at = |i: usize| self.d[i] + time * (self.v[i] + time * self.h[i]);
+        let (x, y) = (at(0), at(1));
+        let distance = DoubleDouble::from(self.case.distance);
+        let squared = x * x + y * y;
+        let sum = squared.value().sqrt() + self.case.distance;
+        (squared - distance * distance).value() / sum
+    }
+
+    /// f′/2 at t.
+    fn rate(&self, t: f64) -> f64 {
+        let time = DoubleDouble::from(t);
+        (self.g[0] + time * (self.g[1] + time * (self.g[2] + time * self.g[3]))).value()
+    }
+
+    /// Every real t with f′ = 0, ascending.
+    fn stationary_times(&self) -> Vec<f64> {
+        let [g0, g1, g2, g3] = self.g.map(DoubleDouble::value);
+        if g3 == 0.0 {
+            return if g1 == 0.0 { vec![] } else { vec![-g0 / g1] };
+        }
+        // Fujiwara's bound on the magnitude of every root.
+        let bound = 2.0 * (g2 / g3).abs().max((g1 / g3).abs().sqrt()).max((g0 / g3).abs().cbrt());
+        let mut ends = vec![-bound];
+        let discriminant = g2 * g2 - 3.0 * g1 * g3;
+        if discriminant > 0.0 {
+            let q = -(g2 + discriminant.sqrt().copysign(g2));
+            let (s, t) = (q / (3.0 * g3), g1 / q);
+            ends.extend([s.min(t), s.max(t)]);
+        }
+        ends.push(bound);
+        ends.windows(2).filter_map(|span| self.rate_root(span[0], span[1])).collect()
+    }
+
+    fn rate_root(&self, mut low: f64, mut high: f64) -> Option<f64> {
+        let rising = self.rate(high) > 0.0;
+        if rising == (self.rate(low) > 0.0) {
+            return None;
+        }
+        for _ in 0..MAX_HALVINGS {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if (self.rate(middle) > 0.0) == rising { high = middle } else { low = middle }
+        }
+        Some(high)
+    }
+
+    /// The first overlap beyond the tolerance that the bodies reach by falling, up to `end`.
+    fn overlap_fallen_into(&self, stationary: &[f64], end: f64) -> Option<f64> {
+        let mut times = vec![0.0];
+        times.extend(stationary.iter().copied().filter(|&t| 0.0 < t && t < end));
+        // After the last stationary point the gap rises for ever.
+        if end.is_finite() {
+            times.push(end);
+        }
+        times.windows(2).find_map(|span| {
+            let depth = self.gap(span[0]).min(0.0) - self.gap(span[1]);
+            (depth > self.tolerance_at(span[1])).then_some(depth)
+        })
+    }
+
+    /// How much the gap changes between t and the nearest time at which the bodies stop separating.
+    fn lift_to_approach(&self, stationary: &[f64], t: f64) -> f64 {
+        if self.rate(t) <= 0.0 {
+            return 0.0;
+        }
+        let here = self.gap(t);
+        stationary.iter().map(|&s| (self.gap(s) - here).abs()).fold(f64::INFINITY, f64::min)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Verdict, judge};
+    use crate::families::Case;
+    use carom_roots::Motion;
+
+    const DEPTH: f64 = 1e-15;
+
+    fn verdict(motion: &Motion<2>, answer: Option<f64>) -> Verdict {
+        let case = Case { motion: *motion, distance: 1.0, horizon: 10.0, metre: 1.0 };
+        judge(&case, answer, DEPTH)
+    }
+
+    #[test]
+    fn a_head_on_contact_is_right_at_its_time_only() {
+        let motion = Motion { d: [3.0, 0.0], v: [-2.0, 0.0], h: [0.0, 0.0] };
+        assert_eq!(verdict(&motion, Some(1.0)), Verdict::Right { gap: 0.0 });
+        assert_eq!(verdict(&motion, None), Verdict::Lost { depth: 1.0 });
+        assert_eq!(verdict(&motion, Some(1.5)), Verdict::Lost { depth: 1.0 });
+        assert_eq!(verdict(&motion, Some(0.5)), Verdict::Invented { clearance: 1.0 });
+        assert_eq!(verdict(&motion, Some(-1.0)), Verdict::OutOfRange);
+        assert_eq!(verdict(&motion, Some(f64::NAN)), Verdict::OutOfRange);
+    }
+
+    #[test]
+    fn touching_and_separating_is_no_contact() {
+        let motion = Motion { d: [1.0, 0.0], v: [2.0, 1.0], h: [0.0, 0.0] };
+        assert_eq!(verdict(&motion, None), Verdict::Right { gap: 0.0 });
+        assert!(matches!(verdict(&motion, Some(0.0)), Verdict::Invented { .. }));
+    }
+
+    #[test]
+    fn a_return_after_touching_is_a_contact() {
+        let motion = Motion { d: [1.0, 0.0], v: [2.0, 0.0], h: [-1.0, 0.0] };
+        assert_eq!(verdict(&motion, Some(2.0)), Verdict::Right { gap: 0.0 });
+        assert!(matches!(verdict(&motion, None), Verdict::Lost { .. }));
+    }
+}

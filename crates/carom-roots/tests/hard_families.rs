@@ -1,0 +1,58 @@
+//! The nine hard families, judged in 106 bits: nothing lost or invented beyond roundings of position.
+//!
+//! `CAROM_CASES=1000000 cargo test --release -p carom-roots --test hard_families` is the long run.
+
+use carom_peers::families::{Case, Family, cluster_pair, uniform_pair};
+use carom_peers::judge::{Verdict, judge};
+use carom_peers::random::Random;
+use carom_roots::first_contact;
+
+/// A lost or invented contact shallower than this has no meaning: positions of a metre are rounded
+/// to 2e-16 m themselves. In m.
+const DEPTH: f64 = 1e-15;
+
+/// The gap |x| − D at a returned time: at most, and at the median, m.
+const GAP_ALWAYS: f64 = 1e-14;
+const GAP_MEDIAN: f64 = 1e-15;
+
+fn cases() -> usize {
+    std::env::var("CAROM_CASES").map_or(20_000, |n| n.parse().expect("CAROM_CASES is a count"))
+}
+
+fn assert_all_right(name: &str, seed: u64, sample: impl Fn(&mut Random) -> Case) {
+    let mut random = Random::new(seed);
+    let mut gaps = Vec::new();
+    let mut worst = 0.0f64;
+    for index in 0..cases() {
+        let case = sample(&mut random);
+        let Case { motion, distance, horizon, .. } = case;
+        let answer = first_contact(&motion, distance, horizon);
+        match judge(&case, answer, DEPTH) {
+            Verdict::Right { gap } => {
+                if answer.is_some() {
+                    gaps.push(gap);
+                    worst = worst.max(gap);
+                }
+            }
+            fault => panic!("{name} {index}: {answer:?} is {fault:?} for {case:?}"),
+        }
+    }
+    assert!(gaps.len() > cases() / 200, "{name} hardly ever touches: {}", gaps.len());
+    gaps.sort_by(f64::total_cmp);
+    let median = gaps[gaps.len() / 2];
+    println!("{name}: {} contacts, gap median {median:.1e} m, worst {worst:.1e} m", gaps.len());
+    assert!(median <= GAP_MEDIAN && worst <= GAP_ALWAYS, "{name}: {median:e}, {worst:e}");
+}
+
+#[test]
+fn nothing_is_lost_or_invented_in_the_nine_hard_families() {
+    for (seed, family) in Family::ALL.into_iter().enumerate() {
+        assert_all_right(&format!("N{} {family:?}", seed + 1), seed as u64, |r| family.sample(r));
+    }
+}
+
+#[test]
+fn nothing_is_lost_or_invented_among_random_pairs() {
+    assert_all_right("uniform pairs", 100, uniform_pair);
+    assert_all_right("pairs of a break", 101, cluster_pair);
+}
