@@ -59,7 +59,7 @@ def run(name: str | None = None, out: TextIO | None = None) -> int:
                 word = verdict(row, c)
                 print(
                     f"    {c.label:<34} {c.published!s:>12}  {c.ours:>14.8g}"
-                    f"  {c.difference:>+11.2e}  ± {row.tolerance!s:<8}  {word}",
+                    f"  {c.difference:>+11.2e}  ± {c.tolerance!s:<8}  {word}",
                     file=out,
                 )
                 if row.held:

@@ -76,7 +76,7 @@ class Comparison:
     label: str
     published: Published
     ours: float
-    allowed: float
+    tolerance: Tolerance
 
     @property
     def difference(self) -> float:
@@ -88,13 +88,14 @@ class Comparison:
     @property
     def agrees(self) -> bool:
         """Whether the difference is within the tolerance (never for NaN)."""
-        return abs(self.difference) <= self.allowed
+        return abs(self.difference) <= self.tolerance.allowed(self.published)
 
 
 @dataclass(frozen=True)
 class Row:
     """One published result.
 
+    `tolerance` may be a tuple, which is then repeated over the numbers: throw, cut, throw, cut …
     `published` maps a label for each number to the number, in `unit`. `compute` returns ours in
     the same order; it goes through the public API of the engine, except where `formula_only`
     says that the row belongs to a model that the engine does not have. `misses` names the
@@ -107,7 +108,7 @@ class Row:
     source: str
     status: Status
     published: Mapping[str, Published]
-    tolerance: Tolerance
+    tolerance: Tolerance | tuple[Tolerance, ...]
     compute: Callable[[], Sequence[float]]
     formula_only: bool = False
     misses: tuple[str, ...] = ()
@@ -125,9 +126,12 @@ class Row:
             raise ValueError(
                 f"{self.id}: {len(self.published)} published numbers, {len(ours)} of ours"
             )
+        tolerances = self.tolerance if isinstance(self.tolerance, tuple) else (self.tolerance,)
         return [
-            Comparison(label, published, float(our), self.tolerance.allowed(published))
-            for (label, published), our in zip(self.published.items(), ours, strict=True)
+            Comparison(label, published, float(our), tolerances[i % len(tolerances)])
+            for i, ((label, published), our) in enumerate(
+                zip(self.published.items(), ours, strict=True)
+            )
         ]
 
     def __str__(self) -> str:
@@ -142,7 +146,7 @@ def row(
     source: str,
     status: Status,
     published: Mapping[str, Published],
-    tolerance: Tolerance = Tolerance(0.0),
+    tolerance: Tolerance | tuple[Tolerance, ...] = Tolerance(0.0),
     formula_only: bool = False,
     misses: tuple[str, ...] = (),
     note: str = "",

@@ -1,0 +1,155 @@
+"""Ball and rail: angles, spin, lags, banks (technical proofs 6.3, 7.3, B.6, B.28)."""
+
+import math
+
+from carom.validation.lab import (
+    FOOT,
+    INCH,
+    JSON,
+    MPH,
+    TP_GRAVITY,
+    TP_RADIUS,
+    ball,
+    crossing,
+    simulate,
+    tp_physics,
+)
+from carom.validation.row import absolute, relative, row
+
+ANGLES = (15.0, 40.0, 70.0)
+RESTITUTION = 0.7
+
+
+def frictionless_rebound(angle: float) -> float:
+    """tan θ_out of a ball that meets a rail at `angle` (rad) from its normal."""
+    table: JSON = {"length": 3.0, "width": 2.0, "pockets": "none", "cushion_height": TP_RADIUS}
+    law: JSON = {"model": "restitution", "restitution": RESTITUTION}
+    run = simulate(
+        ball(position=(1.0, 2.5), velocity=(math.sin(angle), math.cos(angle), 0.0)),
+        physics=tp_physics(cushion=law, cloth={"sliding_friction": 0.0, "rolling_friction": 0.0}),
+        table=table,
+    )
+    after = run.first("rail-collision").after["cue"]
+    return -float(after.velocity[0] / after.velocity[1])
+
+
+@row(
+    "CU-13",
+    "Frictionless rail: tan θ_out = tan θ_in / e, e = 0.7",
+    unit="–",
+    source="TP 6.3",
+    status="R",
+    published={
+        f"{a:g}° from the normal": math.tan(math.radians(a)) / RESTITUTION for a in ANGLES
+    },
+    tolerance=relative(1e-9),
+)
+def cu_13() -> list[float]:
+    return [frictionless_rebound(math.radians(a)) for a in ANGLES]
+
+
+@row(
+    "CU-9",
+    "TP 7.3's rail: v = 5 ft/s, rolling, e = 0.7, μ = 0.17, a = 0.08R",
+    unit="ft/s, rad/s",
+    source="TP 7.3",
+    status="R",
+    published={"v′": 3.5, "ω′": 3.333},
+    tolerance=absolute(0.01),
+    formula_only=True,
+)
+def cu_9() -> list[float]:
+    v, e, mu, a = 5 * FOOT, 0.7, 0.17, 0.08 * TP_RADIUS
+    spin = v / TP_RADIUS
+    return [e * v / FOOT, 5 * (1 + e) * v * (mu * TP_RADIUS + a) / (2 * TP_RADIUS**2) - spin]
+
+
+def lag_distance(speed: float) -> float:
+    """Path of a lagged ball that loses all its spin at a rail (TP B.6), m.
+
+    It starts rolling; each leg is 100 in of centre travel; after a rail it slides from stun.
+    """
+    leg, mu_s, mu_r, e = 100 * INCH, 0.2, 0.01, 0.7
+    travelled, left = 0.0, leg
+    while True:
+        roll = speed**2 / (2 * mu_r * TP_GRAVITY)
+        if roll <= left:
+            return travelled + roll
+        rebound = e * math.sqrt(speed**2 - 2 * mu_r * TP_GRAVITY * left)
+        slide = 12 * rebound**2 / (49 * mu_s * TP_GRAVITY)
+        travelled += left + slide
+        left = leg - slide
+        speed = 5 / 7 * rebound
+
+
+@row(
+    "CU-14",
+    "Lag on a 9-ft table, rolling start, stun after the rail: distance; speed for two lengths",
+    unit="ft, ft, ft, mph",
+    source="TP B.6",
+    status="R",
+    published={
+        "1.5 mph": 7.522,
+        "3 mph": 14.033,
+        "7 mph": 25.041,
+        "two lengths": 3.465,
+    },
+    tolerance=relative(1e-3),
+    formula_only=True,
+)
+def cu_14() -> list[float]:
+    two = crossing(lambda v: lag_distance(v * MPH) - 200 * INCH, 1.0, 7.0)
+    return [*(lag_distance(v * MPH) / FOOT for v in (1.5, 3.0, 7.0)), two]
+
+
+#: Sights stand this far behind the nose line (WPA).
+SIGHT = 3.6875 * INCH
+AIMS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0)
+
+
+def bank(aim: float, preset: str, width: float, length: float, speed: float = 7 * MPH) -> float:
+    """Where a fast stun bank from the corner sight arrives, in diamonds along its own rail.
+
+    The ball moves along the line from the first sight of the left rail through the sight `aim` on
+    the right rail; its path after the rail is read where it crosses the left line of sights.
+    """
+    diamond = length / 8
+    direction = math.atan2(aim * diamond, width + 2 * SIGHT)
+    # Far enough up the line to be clear of the corner pocket, and just before the rail, so that
+    # the ball is still sliding when it arrives.
+    x = width - 0.05
+    y = (x + SIGHT) * math.tan(direction)
+    run = simulate(
+        ball(
+            position=(x, y),
+            velocity=(speed * math.cos(direction), speed * math.sin(direction), 0.0),
+        ),
+        physics="pool",
+        table=preset,
+    )
+    after = run.first("rail-collision").after["cue"]
+    slope = float(after.velocity[1] / -after.velocity[0])
+    return (float(after.position[1]) + slope * (float(after.position[0]) + SIGHT)) / diamond
+
+
+@row(
+    "CU-16",
+    "Fast sliding banks from the corner through a diamond: where they arrive (`pool` preset)",
+    unit="diamonds",
+    source="TP B.28",
+    status="M",
+    published={
+        f"{table}, aim {aim:g}": value
+        for table, values in (
+            ("Olhausen 9 ft", (1.38, 2.72, 3.89, 5.07, 6.38, 7.74)),
+            ("Gold Crown 9 ft", (1.27, 2.88, 4.38, 5.38, 6.56, 7.96)),
+            ("Valley 7 ft", (1.51, 2.74, 4.12, 5.19, 6.52, 7.54)),
+        )
+        for aim, value in zip(AIMS, values, strict=True)
+    },
+    tolerance=absolute(0.3),
+)
+def cu_16() -> list[float]:
+    nine = [bank(aim, "wpa-9ft", 1.27, 2.54) for aim in AIMS]
+    seven = [bank(aim, "showood-7ft", 0.9906, 1.9812) for aim in AIMS]
+    return [*nine, *nine, *seven]

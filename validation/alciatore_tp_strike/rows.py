@@ -1,0 +1,188 @@
+"""Cue and ball: speed, spin, squirt, miscue (technical proofs 2.1, A.30, A.31, B.8, B.10, B.12)."""
+
+import math
+
+import carom
+from carom.validation.lab import (
+    FOOT,
+    MPH,
+    TP_MASS_RATIO,
+    TP_RADIUS,
+    Ball,
+    Run,
+    ball,
+    crossing,
+    degrees_between,
+    simulate,
+    tp_physics,
+)
+from carom.validation.row import Range, absolute, relative, row
+
+#: Mass of the cue ball in these rows, 6 oz; the cue's is 19 oz.
+BALL_MASS = 0.17
+
+
+def strike(
+    speed: float = 1.0, side: float = 0.0, height: float = 0.0, **cue: float
+) -> Run:
+    """A level strike along +y; `cue` overrides its parameters."""
+    return simulate(
+        ball(mass=BALL_MASS),
+        physics=tp_physics(
+            cue={"mass": BALL_MASS / TP_MASS_RATIO, "end_mass": 0.0, "tip_friction": 0.7, **cue}
+        ),
+        strike={
+            "ball": "cue",
+            "speed": speed,
+            "azimuth_deg": 90.0,
+            "elevation_deg": 0.0,
+            "side": side,
+            "height": height,
+        },
+    )
+
+
+def struck(speed: float = 1.0, side: float = 0.0, height: float = 0.0, **cue: float) -> Ball:
+    """The ball just after it."""
+    return strike(speed, side, height, **cue).first("cue-strike").after["cue"]
+
+
+@row(
+    "CU1",
+    "Centre ball, tip efficiency 0.87, m_r = 6/19: ball speed per cue speed",
+    unit="v_s",
+    source="TP A.30, B.8",
+    status="R",
+    published={"v_b": 1.2745},
+    tolerance=absolute(1e-4),
+)
+def cu1() -> list[float]:
+    return [struck(tip_efficiency=0.87).speed]
+
+
+@row(
+    "CU2",
+    "Tip ½R off centre, cue 15 mph, tip efficiency 0.87",
+    unit="mph, v_s, rev/s",
+    source="TP B.10, B.8",
+    status="R",
+    published={"v_b, mph": 11.194, "v_b, v_s": 0.74628, "spin, rev/s": 34.841},
+    tolerance=absolute(1e-3),
+)
+def cu2() -> list[float]:
+    cue = struck(15 * MPH, height=-0.5, tip_efficiency=0.87)
+    spin = math.hypot(*cue.spin) / (2 * math.pi)
+    return [cue.speed / MPH, cue.speed / (15 * MPH), spin]
+
+
+@row(
+    "CU4",
+    "Tip restitution of leather and phenolic, centre ball: speeds and energy ratio",
+    unit="v_s, v_s, ratio",
+    source="TP A.30",
+    status="R",
+    published={"e = 0.73": 1.3148, "e = 0.87": 1.4212, "energy ratio": 1.168},
+    tolerance=absolute(1e-3),
+)
+def cu4() -> list[float]:
+    leather = struck(tip_restitution=0.73).speed
+    phenolic = struck(tip_restitution=0.87).speed
+    return [leather, phenolic, (phenolic / leather) ** 2]
+
+
+@row(
+    "CU7",
+    "Least tip friction that holds, and spin ratio Rω/v at the miscue limit",
+    unit="–",
+    source="TP 2.1, A.12; Billiards Digest, October 2005",
+    status="R",
+    published={
+        "μ_tip at 0.5R": 0.577,
+        "μ_tip at 0.55R": 0.659,
+        "Rω/v at 0.5R": 1.25,
+        "Rω/v at 0.55R": 1.375,
+    },
+    tolerance=absolute(1e-3),
+)
+def cu7() -> list[float]:
+    def least_friction(offset: float) -> float:
+        """+1 where the strike is accepted, −1 where it is refused as a miscue."""
+
+        def holds(friction: float) -> float:
+            try:
+                struck(side=offset, tip_friction=friction, tip_restitution=0.75)
+            except carom.CaromError:
+                return -1.0
+            return 1.0
+
+        return crossing(holds, 0.1, 2.0, width=1e-6)
+
+    def spin_ratio(offset: float) -> float:
+        cue = struck(height=offset, tip_restitution=0.75)
+        return TP_RADIUS * math.hypot(*cue.spin) / cue.speed
+
+    return [least_friction(0.5), least_friction(0.55), spin_ratio(0.5), spin_ratio(0.55)]
+
+
+@row(
+    "CU8",
+    "Squirt at ½R against the mass ratio of ball and shaft end",
+    unit="°",
+    source="TP A.31 (its 1.103° at 53.3 belongs to 160/3)",
+    status="R",
+    published={"m_b/m_e = 15": 3.466, "20": 2.709, "40": 1.446, "53.3": 1.104},
+    tolerance=absolute(1e-3),
+)
+def cu8() -> list[float]:
+    return [squirt(1.0, 0.5, BALL_MASS / ratio) for ratio in (15.0, 20.0, 40.0, 53.3)]
+
+
+def squirt(speed: float, side: float, end_mass: float) -> float:
+    """Degrees that the ball leaves to the left of the cue's direction."""
+    cue = struck(speed, side=side, end_mass=end_mass, tip_restitution=0.75)
+    return degrees_between(cue.heading, math.pi / 2)
+
+
+@row(
+    "CU10",
+    "Squirt does not depend on speed: spread of the angle over 0.5 … 12 m/s",
+    unit="°",
+    source="Alciatore, Squirt II, VII; Shepard",
+    status="M",
+    published={"spread": 0.0},
+    tolerance=absolute(1e-9),
+)
+def cu10() -> list[float]:
+    angles = [squirt(v, 0.4, BALL_MASS / 30) for v in (0.5, 2.0, 5.0, 12.0)]
+    return [max(angles) - min(angles)]
+
+
+@row(
+    "CL9",
+    "Cue at 3 mph, centre ball, endless cloth: rolling speed, skid, roll",
+    unit="mph, ft, ft",
+    source="TP B.12",
+    status="R",
+    published={"speed after the skid, mph": 2.731, "skid, ft": 1.197, "roll, ft": 24.935},
+    tolerance=relative(1e-3),
+)
+def cl9() -> list[float]:
+    run = strike(3 * MPH, tip_efficiency=0.87)
+    rolling = run.rolling("cue").after["cue"]
+    skid = float(rolling.position[1])
+    roll = float(run.final["cue"].position[1]) - skid
+    return [rolling.speed / MPH, skid / FOOT, roll / FOOT]
+
+
+@row(
+    "CU-tip",
+    "A restitution e and the efficiency η that stands for it give the same centre-ball speed",
+    unit="v_s",
+    source="TP A.30: η = [(1 − m_r e)² + m_r (1 + e)²]/(1 + m_r)²",
+    status="D",
+    published={"difference at e = 0.75": Range(-1e-12, 1e-12)},
+)
+def cu_tip() -> list[float]:
+    e, m = 0.75, TP_MASS_RATIO
+    efficiency = ((1 - m * e) ** 2 + m * (1 + e) ** 2) / (1 + m) ** 2
+    return [struck(tip_efficiency=efficiency).speed - struck(tip_restitution=e).speed]

@@ -1,0 +1,219 @@
+"""What no model may break (row SY5): momentum, energy, symmetry, scaling."""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from carom.validation.lab import (
+    JSON,
+    Ball,
+    Event,
+    Run,
+    Vector,
+    ball,
+    simulate,
+)
+from carom.validation.row import Range, absolute, row
+
+RADIUS, MASS = 0.028575, 0.17
+SHOTS = 40
+BALLS = 7
+TABLE = "wpa-9ft"
+WIDTH, LENGTH = 1.27, 2.54
+MODELS: tuple[JSON, ...] = (
+    {"model": "elastic", "restitution": 0.95},
+    {"model": "frictional", "restitution": 0.93, "friction": {"a": 0.01, "b": 0.11, "c": 1.1}},
+    {"model": "compliant", "restitution": 0.94, "friction": 0.08},
+)
+
+
+def physics(ball_ball: JSON) -> JSON:
+    return {
+        "base": "pool",
+        "ball": {"mass": MASS, "radius": RADIUS},
+        "ball_ball": ball_ball,
+    }
+
+
+def random_balls(seed: int) -> list[JSON]:
+    """A layout clear of rails, with one fast spinning cue ball."""
+    rng = np.random.default_rng(seed)
+    placed: list[Vector] = []
+    while len(placed) < BALLS:
+        p = rng.uniform((0.1, 0.2), (WIDTH - 0.1, LENGTH - 0.2))
+        if all(math.dist(p, q) > 2.05 * RADIUS for q in placed):
+            placed.append(p)
+    heading, speed = rng.uniform(0.0, 2 * math.pi), rng.uniform(1.0, 6.0)
+    velocity = (speed * math.cos(heading), speed * math.sin(heading), 0.0)
+    balls = [ball(f"{k}", p) for k, p in enumerate(placed)]
+    balls[0] = ball("0", placed[0], velocity, rng.uniform(-80.0, 80.0, 3))
+    return balls
+
+
+def random_runs() -> Iterator[Run]:
+    """One shot a seed, the ball–ball models in turn."""
+    for seed in range(SHOTS):
+        law = MODELS[seed % len(MODELS)]
+        yield simulate(*random_balls(seed), physics=physics(law), table=TABLE)
+
+
+def energy(b: Ball) -> float:
+    v2 = float(b.velocity @ b.velocity)
+    return 0.5 * MASS * v2 + 0.2 * MASS * RADIUS**2 * float(b.spin @ b.spin)
+
+
+def momentum_error(event: Event) -> float:
+    """Change of the two balls' momentum in the plane, per momentum exchanged."""
+    changes = [event.after[b].velocity - event.before[b].velocity for b in event.after]
+    total: Vector = np.sum(changes, axis=0)
+    return float(np.linalg.norm(total[:2]) / np.linalg.norm(changes[0]))
+
+
+def angular_momentum_error(event: Event) -> float:
+    """How far the spins' changes are from those of one impulse P at the contact.
+
+    Angular momentum about the contact holds for each ball: I Δω = R n × P, with P the momentum
+    that the ball exchanged. The slate takes the vertical part of P, so the parts of Δω along the
+    vertical and along n are compared with P, and Δω along the tangent between the balls, which
+    the lost part of P turns alike.
+    """
+    a, b = event.after
+    before, after = event.before, event.after
+    n = before[b].position - before[a].position
+    n = n / np.linalg.norm(n)
+    inertia = 0.4 * MASS * RADIUS**2
+    impulse = MASS * (after[a].velocity - before[a].velocity)
+    errors = []
+    for name in (a, b):
+        spin = inertia * (after[name].spin - before[name].spin)
+        torque = RADIUS * np.cross(n, impulse)
+        errors += [abs(spin[2] - torque[2]), abs(float(spin @ n))]
+    difference = (after[a].spin - before[a].spin) - (after[b].spin - before[b].spin)
+    errors.append(inertia * float(np.linalg.norm(difference)))
+    return max(errors) / (RADIUS * float(np.linalg.norm(impulse)))
+
+
+def collisions() -> list[Event]:
+    return [
+        event for run in random_runs() for event in run.all("ball-collision") if len(event.after) == 2
+    ]
+
+
+@row(
+    "SY5",
+    f"Ball against ball in {SHOTS} random shots, three models: momentum and angular momentum",
+    unit="relative",
+    source="physics",
+    status="D",
+    published={"momentum": 0.0, "angular momentum about the contact": 0.0},
+    tolerance=absolute(1e-12),
+)
+def sy5_momentum() -> list[float]:
+    events = collisions()
+    return [max(map(momentum_error, events)), max(map(angular_momentum_error, events))]
+
+
+@row(
+    "SY5",
+    "Largest rise of energy at any event but the strike, per energy at the start",
+    unit="relative",
+    source="physics",
+    status="D",
+    published={"rise": Range(-math.inf, 1e-12)},
+)
+def sy5_energy() -> list[float]:
+    worst = -math.inf
+    for run in random_runs():
+        # Nothing but the first ball moves at first, and nothing feeds energy in later.
+        start = max(energy(b) for b in run.events[0].before.values())
+        for event in run.events:
+            rise = sum(energy(event.after[b]) - energy(event.before[b]) for b in event.after)
+            worst = max(worst, rise / start)
+    return [worst]
+
+
+def largest_distance(a: Run, b: Run, map_b: Vector, shift: Vector) -> float:
+    """Largest distance, m, between a ball's end in `a` and the mapped end in `b`."""
+    return max(
+        float(np.linalg.norm(a.final[k].position - (map_b @ b.final[k].position + shift)))
+        for k in a.final
+        if a.final[k].motion != "pocketed"
+    )
+
+
+def mapped(balls: list[JSON], matrix: Vector, shift: Vector) -> list[JSON]:
+    """The balls under p → M p + s; a mirror turns the spin, a pseudovector, the other way."""
+    sign = float(np.linalg.det(matrix))
+    flat = matrix[:2, :2]
+    return [
+        ball(
+            b["id"],
+            flat @ np.array(b["position"]) + shift[:2],
+            matrix @ np.array(b["velocity"]),
+            sign * matrix @ np.array(b["angular_velocity"]),
+        )
+        for b in balls
+    ]
+
+
+FEW = 12
+LAW = MODELS[1]
+
+
+@row(
+    "SY5",
+    f"Mirror image and rotation of a shot: largest distance of any ball's end, {FEW} shots",
+    unit="m",
+    source="physics",
+    status="D",
+    published={"mirror, on the table": 0.0, "rotation by 1 rad, on endless cloth": 0.0},
+    tolerance=absolute(1e-9),
+)
+def sy5_symmetry() -> list[float]:
+    mirror, shift = np.diag([-1.0, 1.0, 1.0]), np.array([WIDTH, 0.0, 0.0])
+    c, s = math.cos(1.0), math.sin(1.0)
+    rotation, none = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]), np.zeros(3)
+    mirrored, rotated = 0.0, 0.0
+    for seed in range(FEW):
+        balls = random_balls(seed)
+        a = simulate(*mapped(balls, mirror, shift), physics=physics(LAW), table=TABLE)
+        b = simulate(*balls, physics=physics(LAW), table=TABLE)
+        mirrored = max(mirrored, largest_distance(a, b, mirror, shift))
+        a = simulate(*mapped(balls, rotation, none), physics=physics(LAW))
+        b = simulate(*balls, physics=physics(LAW))
+        rotated = max(rotated, largest_distance(a, b, rotation, none))
+    return [mirrored, rotated]
+
+
+@row(
+    "SY5",
+    f"Speed scaling, constant μ and e: twice the speed at four times g, {FEW} shots",
+    unit="m",
+    source="physics (v² ∝ g)",
+    status="D",
+    published={"largest distance of any ball's end": 0.0},
+    tolerance=absolute(1e-9),
+)
+def sy5_scaling() -> list[float]:
+    law: JSON = {"model": "frictional", "restitution": 0.95, "friction": 0.06}
+    worst = 0.0
+    for seed in range(FEW):
+        slow = random_balls(seed)
+        fast = [
+            ball(
+                b["id"],
+                b["position"],
+                2 * np.array(b["velocity"]),
+                2 * np.array(b["angular_velocity"]),
+            )
+            for b in slow
+        ]
+        ends = []
+        for balls, g in ((slow, 9.81), (fast, 4 * 9.81)):
+            laws = physics(law)
+            laws["gravity"] = g
+            laws["cloth"] = {"spin_deceleration": 10.0 * g / 9.81}
+            ends.append(simulate(*balls, physics=laws))
+        worst = max(worst, largest_distance(ends[0], ends[1], np.eye(3), np.zeros(3)))
+    return [worst]

@@ -1,0 +1,24 @@
+"""Shepard, Amateur Physics for the Amateur Pool Player, 3rd ed., 1997: problem 3.11."""
+
+from carom.validation.alciatore_tp_strike.rows import strike
+from carom.validation.lab import maximum
+from carom.validation.row import absolute, row
+
+
+def rolled_speed(height: float) -> float:
+    """Speed at which the ball rolls, per cue speed, from a tip that gives back everything."""
+    run = strike(1.0, height=height, tip_restitution=1.0)
+    return run.first("motion-transition").after["cue"].speed
+
+
+@row(
+    "CU6",
+    "Tip height that gives the fastest rolling ball, elastic tip, m_r = 6/19",
+    unit="R",
+    source="Shepard 1997, problem 3.11; TP B.12: x = −1 + √(7/5 + 2/5 m_r)",
+    status="R",
+    published={"x": 0.235},
+    tolerance=absolute(1e-3),
+)
+def cu6() -> list[float]:
+    return [maximum(rolled_speed, 0.0, 0.5)[0]]

@@ -1,0 +1,41 @@
+"""WPA Tour Table and Equipment Specifications: how far a cushion must send a ball."""
+
+import math
+
+from carom.validation.lab import MPH, ball, simulate
+from carom.validation.row import Range, row
+
+LENGTH = 2.54
+
+
+def lengths_travelled(speed: float) -> float:
+    """Table lengths that a centre-ball shot from the head spot along the middle covers."""
+    run = simulate(
+        ball(position=(0.635, 0.25 * LENGTH)),
+        table="wpa-9ft",
+        strike={
+            "ball": "cue",
+            "speed": speed,
+            "azimuth_deg": 90.0,
+            "elevation_deg": 0.0,
+            "side": 0.0,
+            "height": 0.0,
+        },
+    )
+    path, last = 0.0, 0.25 * LENGTH
+    for event in [*run.all("rail-collision", "cue")]:
+        y = float(event.after["cue"].position[1])
+        path, last = path + abs(y - last), y
+    return (path + abs(float(run.final["cue"].position[1]) - last)) / LENGTH
+
+
+@row(
+    "CU-19",
+    "A firm centre-ball shot end to end: table lengths (`wpa-9ft`, `pool`; cue at 10 mph)",
+    unit="lengths",
+    source="WPA specifications, cushions",
+    status="M",
+    published={"lengths": Range(4.0, math.inf)},
+)
+def cu_19() -> list[float]:
+    return [lengths_travelled(10 * MPH)]
