@@ -12,18 +12,19 @@ use crate::resolve::{Body, restitution, stronge};
 #[inline]
 pub fn resolve(law: &BallBall, contact: &Contact, a: &mut Body, b: &mut Body) {
     let e = restitution::effective(law.restitution, contact.approach);
-    contact.apply((1.0 + e) * contact.approach, friction(law, contact, e), a, b);
+    let along = (1.0 + e) * contact.approach;
+    contact.apply(along, friction(law, contact, along, e), a, b);
 }
 
-/// The friction impulse on b (per m*), along t₁ and t₂.
+/// The friction impulse on b (per m*), along t₁ and t₂, that goes with the impulse `along` h.
 #[inline]
-pub(super) fn friction(law: &BallBall, contact: &Contact, restitution: f64) -> Vec2 {
+pub(super) fn friction(law: &BallBall, contact: &Contact, along: f64, restitution: f64) -> Vec2 {
     let slip = contact.slip_speed();
     if slip == 0.0 {
         return Vec2::ZERO;
     }
     let impact = stronge::Impact {
-        approach: contact.normal_impulse(contact.approach),
+        approach: contact.normal_impulse(along) / (1.0 + restitution),
         slip,
         restitution,
         friction: law.friction.at(slip),

@@ -74,6 +74,12 @@ impl Contact {
         }
     }
 
+    /// The unit vector n from a's centre to b's.
+    #[inline]
+    pub fn normal_vector(&self) -> Vec3 {
+        (self.direction * self.cos_tilt).with_z(self.sin_tilt)
+    }
+
     /// The impulse along n (per m*) that belongs to the impulse `along` h.
     #[inline(always)]
     pub fn normal_impulse(&self, along: f64) -> f64 {

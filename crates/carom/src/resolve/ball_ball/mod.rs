@@ -20,6 +20,7 @@ pub mod compliant;
 pub mod contact;
 pub mod elastic;
 pub mod frictional;
+pub mod group;
 
 use super::Body;
 use crate::math::Vec3;
