@@ -5,9 +5,11 @@
 //! ball never drifts. After it, only those balls' candidates are found anew.
 //!
 //! **Order of events at one instant**: motion transitions, then pockets, then cushions, then
-//! ball–ball contacts; among equals the ball that stands first in the shot.
+//! ball–ball contacts; among equals the ball that stands first in the shot. Contacts that share a
+//! ball in the same instant are resolved together (`resolve/ball_ball/group.rs`).
 
 mod candidates;
+mod cluster;
 mod impact;
 
 use core::marker::PhantomData;
@@ -226,9 +228,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 Next::Meeting(i, TableFeature::Cushion(k)) => {
                     self.rebound(i, k, time, table, physics, recorder);
                 }
-                Next::Contact(i, j) => {
-                    self.collide_pair(i.min(j), i.max(j), time, table, physics, recorder);
-                }
+                Next::Contact(i, j) => self.collide(i, j, time, table, physics, recorder),
             }
         }
         Ok(Summary { duration: time, events })
