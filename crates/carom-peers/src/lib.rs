@@ -2,7 +2,12 @@
 //!
 //! Nothing here is part of the engine.
 
+pub mod algorithm_1010;
+pub mod companion;
 pub mod double_double;
 pub mod families;
+pub mod ferrari;
+pub mod finder;
 pub mod judge;
+pub mod quartic;
 pub mod random;
