@@ -1,27 +1,80 @@
 //! The table: one parametric description, and the geometry that follows from it.
+//!
+//! A [`TableDescription`] holds what a maker would say; [`Table::from_description`] works out noses,
+//! points, facings, holes and mouths ([`geometry`]); [`crate::detect::ball_table`] finds what a ball
+//! meets among them.
 
+mod check;
+mod description;
+mod error;
 mod frame;
-mod normal_stub;
+mod geometry;
+mod place;
+mod presets;
+mod sheet;
 
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use crate::math::Vec2;
+pub use description::{
+    Markings, PocketDescription, PocketLayout, PocketModel, Sights, Spot, TableDescription,
+};
+pub use error::TableError;
+pub use place::{Placement, TOUCH_TOLERANCE};
+pub use presets::PRESETS;
+pub use sheet::{Dimension, Source};
+
+use crate::math::{Vec2, sqrt};
+pub(crate) use geometry::{Gate, Layout};
 
 /// A table's geometry, in the engine's frame: origin at the centre of the playing area, x along
-/// the width, y along the length.
+/// the width, y along the length. Mirrored parts have mirrored bits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Preset's name, if it is one unchanged.
     pub name: Option<String>,
+    /// What it was made from; none for unbounded cloth.
+    pub description: Option<TableDescription>,
     /// Playing area, nose to nose, along x and y, m; infinite for unbounded cloth.
     pub size: Vec2,
     /// Height of the cushion nose above the slate, m.
     pub cushion_height: f64,
-    /// Noses, facings and points.
+    /// Noses, facings and points, counter-clockwise around the table from the left end of the
+    /// bottom rail; within a rail facing, point, nose, point, facing.
     pub cushions: Vec<CushionPart>,
-    /// Pockets, in the order that results number them.
+    /// Pockets, in the order that results number them: bottom-left, bottom-right, left, right,
+    /// top-left, top-right.
     pub pockets: Vec<Pocket>,
+    pub(crate) layout: Layout,
+}
+
+/// How far from the nose line the centre of a ball on the cloth is when they touch, m:
+/// √(R² − (h − R)²) for a ball of radius `radius` (m) and a nose `cushion_height` (m) above the slate;
+/// `None` if the ball passes below or above it.
+pub fn nose_reach(cushion_height: f64, radius: f64) -> Option<f64> {
+    let squared = radius * radius - (cushion_height - radius) * (cushion_height - radius);
+    (squared > 0.0).then(|| sqrt(squared))
+}
+
+impl Table {
+    /// Distance from a cushion's nose line to the centre of a touching ball, m ([`nose_reach`]);
+    /// 0 for a ball that the nose does not touch at all, which no valid shot holds.
+    #[inline]
+    pub fn reach(&self, radius: f64) -> f64 {
+        let above = self.cushion_height - radius;
+        sqrt((radius * radius - above * above).max(0.0))
+    }
+
+    /// Unit vector from the centre of a ball at `position` (m) into the cushion part that it touches.
+    pub fn normal_at(&self, part: usize, position: Vec2) -> Vec2 {
+        match self.cushions[part].shape {
+            Shape::Segment { normal, .. } => -normal,
+            Shape::Arc { center, .. } => {
+                let to_center = center - position;
+                to_center * (1.0 / to_center.length())
+            }
+        }
+    }
 }
 
 /// A rail.
@@ -88,19 +141,23 @@ impl Part {
 pub enum Shape {
     /// A straight piece.
     Segment {
-        /// One end, m.
+        /// One end, m; of a facing, the end at the point.
         start: Vec2,
-        /// The other end, m.
+        /// The other end, m; of a facing, the deep end.
         end: Vec2,
         /// Unit normal towards the playing area.
         normal: Vec2,
     },
-    /// A round piece, bulging towards the playing area.
+    /// A round piece, bulging towards the playing area. It spans less than half a turn.
     Arc {
         /// Centre, m.
         center: Vec2,
-        /// Radius, m.
+        /// Radius, m; 0 for a sharp corner.
         radius: f64,
+        /// Unit vector from the centre to the end at the nose.
+        start: Vec2,
+        /// Unit vector from the centre to the end at the facing.
+        end: Vec2,
     },
 }
 
@@ -173,4 +230,10 @@ pub struct Pocket {
     pub radius: f64,
     /// What captures a ball.
     pub capture: Capture,
+    /// Unit vector along the pocket's axis, away from the table.
+    pub axis: Vec2,
+    /// The tips of its jaws, m.
+    pub mouth: [Vec2; 2],
+    /// The deep ends of its facings, m.
+    pub throat: [Vec2; 2],
 }

@@ -1,0 +1,142 @@
+//! A ball on the cloth against one part of a cushion.
+//!
+//! The sphere touches the nose line at the nose's height h when its centre is, seen from above, the
+//! reach δ = √(R² − (h − R)²) away from it ([`Table::reach`]). So the centre meets a straight part
+//! shifted by δ along its normal, and a round part of radius r grown to r + δ. Where parts join
+//! tangentially the grown parts do too.
+//!
+//! At a join a rounding must neither open a gap nor make a ball that rolls along a nose stumble over
+//! the point at its end. So straight parts are longer by [`JOIN_OVERLAP`], round ones end exactly, and
+//! a part meets a ball that comes to its span from beside it as well as one that comes from in front.
+//!
+//! [`Table::reach`]: crate::Table::reach
+
+use carom_roots::{Motion, first_contact, first_crossing};
+
+use crate::math::Vec2;
+use crate::table::Shape;
+
+/// By how much a straight part is taken to be longer at either end, m: 1 nm, ten million roundings of a
+/// position. It shows beside a round neighbour by (1 nm)²/2δ ≈ 2e-17 m, less than one rounding.
+pub(crate) const JOIN_OVERLAP: f64 = 1e-9;
+
+/// First time in [0, `horizon`] (s) at which a ball of `reach` δ (m) on `path` touches `shape` while
+/// approaching it.
+pub fn first_touch(shape: &Shape, reach: f64, path: &Motion<2>, horizon: f64) -> Option<f64> {
+    match *shape {
+        Shape::Segment { start, end, normal } => {
+            let line = Straight { start, end, normal, reach };
+            line.first_touch(path, horizon)
+        }
+        Shape::Arc { center, radius, start, end } => {
+            let arc = Round { center, start, end, distance: radius + reach };
+            arc.first_touch(path, horizon)
+        }
+    }
+}
+
+struct Straight {
+    start: Vec2,
+    end: Vec2,
+    normal: Vec2,
+    reach: f64,
+}
+
+impl Straight {
+    fn first_touch(&self, path: &Motion<2>, horizon: f64) -> Option<f64> {
+        let from_start = Vec2::new(path.d[0], path.d[1]) - self.start;
+        let velocity = Vec2::new(path.v[0], path.v[1]);
+        let half_acceleration = Vec2::new(path.h[0], path.h[1]);
+        // The gap, as c₀ + c₁t + c₂t².
+        let c0 = self.normal.dot(from_start) - self.reach;
+        let c1 = self.normal.dot(velocity);
+        let c2 = self.normal.dot(half_acceleration);
+        let t = first_crossing(c0, c1, c2, horizon)?;
+
+        let tangent = self.normal.perp();
+        let length = tangent.dot(self.end - self.start);
+        let low = length.min(0.0) - JOIN_OVERLAP;
+        let high = length.max(0.0) + JOIN_OVERLAP;
+        let s0 = tangent.dot(from_start);
+        let s1 = tangent.dot(velocity);
+        let s2 = tangent.dot(half_acceleration);
+        let s = s0 + t * (s1 + t * s2);
+        if s >= low && s <= high {
+            return Some(t);
+        }
+        // Coming in from beside: through a neighbour, by a rounding. A ball whose centre is behind the
+        // nose line itself is not at this part but somewhere else on the table.
+        let rate = s1 + 2.0 * (t * s2);
+        let entry = if s < low {
+            first_crossing(low - s, -rate, -s2, horizon - t)?
+        } else {
+            first_crossing(s - high, rate, s2, horizon - t)?
+        };
+        let t = t + entry;
+        let gap = c0 + t * (c1 + t * c2);
+        let approaching = c1 + 2.0 * (t * c2) < 0.0;
+        (approaching && gap <= 0.0 && gap >= -self.reach).then_some(t)
+    }
+}
+
+struct Round {
+    center: Vec2,
+    start: Vec2,
+    end: Vec2,
+    /// Radius of the part grown by the reach, m.
+    distance: f64,
+}
+
+impl Round {
+    fn first_touch(&self, path: &Motion<2>, horizon: f64) -> Option<f64> {
+        let mut rest = *path;
+        rest.d = [path.d[0] - self.center.x, path.d[1] - self.center.y];
+        let t = first_contact(&rest, self.distance, horizon)?;
+        if self.spans(rest.at(t), 0.0) { Some(t) } else { self.later_touch(&rest, t, horizon) }
+    }
+
+    /// Whether the direction `p` (from the centre) lies between the two ends, or at most `slack` (m)
+    /// outside.
+    fn spans(&self, p: [f64; 2], slack: f64) -> bool {
+        self.sides().iter().all(|side| side.dot(Vec2::new(p[0], p[1])) >= -slack)
+    }
+
+    /// A quarter turn from `start` towards `end`, and one from `end` towards `start`: for a span below
+    /// half a turn, the half planes on those sides meet in the span.
+    fn sides(&self) -> [Vec2; 2] {
+        let turn = if self.start.cross(self.end) >= 0.0 { 1.0 } else { -1.0 };
+        [self.start.perp() * turn, self.end.perp() * -turn]
+    }
+
+    /// The touch of a ball that touched the full circle beside the span at `t`: as it comes into the
+    /// span, or after that.
+    fn later_touch(&self, rest: &Motion<2>, t: f64, horizon: f64) -> Option<f64> {
+        let mut t = t;
+        // A quadratic comes into a half plane at most once.
+        for _ in self.sides() {
+            t = self.next_entry(rest, t, horizon)?;
+            let moved = Motion { d: rest.at(t), v: rest.velocity_at(t), h: rest.h };
+            t += first_contact(&moved, self.distance, horizon - t)?;
+            if self.spans(rest.at(t), JOIN_OVERLAP) {
+                return Some(t);
+            }
+        }
+        None
+    }
+
+    /// When a ball next comes into one of the half planes of [`Self::sides`] after `t`.
+    fn next_entry(&self, rest: &Motion<2>, t: f64, horizon: f64) -> Option<f64> {
+        let mut next: Option<f64> = None;
+        for side in self.sides() {
+            let c = |p: [f64; 2]| -side.dot(Vec2::new(p[0], p[1]));
+            let (c0, c1, c2) = (c(rest.at(t)), c(rest.velocity_at(t)), c(rest.h));
+            // Where it is inside already it does not come in.
+            if c0 > 0.0
+                && let Some(entry) = first_crossing(c0, c1, c2, horizon - t)
+            {
+                next = Some(next.map_or(t + entry, |n: f64| n.min(t + entry)));
+            }
+        }
+        next
+    }
+}

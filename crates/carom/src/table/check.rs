@@ -1,0 +1,146 @@
+//! What a description must hold to be a table.
+
+use alloc::format;
+
+use super::geometry::Place;
+use super::{Pocket, PocketDescription, TableDescription, TableError};
+use crate::math::Vec2;
+
+impl Place {
+    /// The key of the pockets that stand here.
+    fn key(self) -> &'static str {
+        match self {
+            Self::Corner => "corner_pocket",
+            Self::Side => "side_pocket",
+        }
+    }
+}
+
+fn positive(key: &str, value: f64) -> Result<(), TableError> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(());
+    }
+    Err(TableError::new(key, format!("is {value}, but must be a finite number of metres above 0")))
+}
+
+/// The sizes of the whole table.
+pub(super) fn lengths(d: &TableDescription) -> Result<(), TableError> {
+    positive("width", d.width)?;
+    positive("length", d.length)?;
+    positive("cushion_height", d.cushion_height)?;
+    positive("cushion_width", d.cushion_width)?;
+    if !(d.rail_width.is_finite() && d.rail_width >= d.cushion_width) {
+        let problem = format!(
+            "is {}, but the rail includes the cushion: make it at least {} (cushion_width)",
+            d.rail_width, d.cushion_width
+        );
+        return Err(TableError::new("rail_width", problem));
+    }
+    Ok(())
+}
+
+/// The pocket that stands at `place`, its own figures checked.
+pub(super) fn pocket(
+    description: &Option<PocketDescription>,
+    place: Place,
+) -> Result<&PocketDescription, TableError> {
+    let key = place.key();
+    let Some(pocket) = description else {
+        let problem =
+            "is missing: describe it, name a \"base\" that has it, or set pockets to \"none\"";
+        return Err(TableError::new(key, problem));
+    };
+    let at = |field: &str| format!("{key}.{field}");
+    positive(&at("mouth"), pocket.mouth)?;
+    positive(&at("hole_radius"), pocket.hole_radius)?;
+    if let Some(throat) = pocket.throat {
+        positive(&at("throat"), throat)?;
+    }
+    if !(pocket.point_radius.is_finite() && pocket.point_radius >= 0.0) {
+        let problem = format!("is {}, but must be 0 (sharp) or more metres", pocket.point_radius);
+        return Err(TableError::new(at("point_radius"), problem));
+    }
+    if !(pocket.cut_angle_deg >= 90.0 && pocket.cut_angle_deg < 180.0) {
+        let problem = format!(
+            "is {}, but the angle between nose and facing must be at least 90 and below 180 degrees",
+            pocket.cut_angle_deg
+        );
+        return Err(TableError::new(at("cut_angle_deg"), problem));
+    }
+    let least = match place {
+        Place::Corner => 0.5 * pocket.mouth - pocket.hole_radius,
+        Place::Side => -pocket.hole_radius,
+    };
+    if !(pocket.shelf.is_finite() && pocket.shelf >= least) {
+        let problem = format!(
+            "is {}, which puts the middle of the hole into the playing area: make it at least {least}",
+            pocket.shelf
+        );
+        return Err(TableError::new(at("shelf"), problem));
+    }
+    Ok(pocket)
+}
+
+/// A jaw: its deep end in its rail's coordinates (along, behind), and whether it has no facing.
+pub(super) fn jaw(
+    shape: &PocketDescription,
+    place: Place,
+    rubber: f64,
+    round_all_through: bool,
+    deep: [f64; 2],
+) -> Result<(), TableError> {
+    let key = place.key();
+    if round_all_through && shape.throat.is_some() {
+        let problem = "has no facing to move, as the point is rounded through the whole cushion: \
+                       leave it out, or make point_radius smaller";
+        return Err(TableError::new(format!("{key}.throat"), problem));
+    }
+    let open = match place {
+        Place::Corner => deep[0] + rubber > 0.0,
+        Place::Side => deep[0] > 0.0,
+    };
+    if !open {
+        let problem = "is so small that the facings meet before they end: widen it, or make \
+                       cut_angle_deg or cushion_width smaller";
+        return Err(TableError::new(format!("{key}.mouth"), problem));
+    }
+    Ok(())
+}
+
+/// What is left of the noses between the points.
+pub(super) fn noses(nose_x: f64, nose_y: [f64; 2]) -> Result<(), TableError> {
+    let remedy = "make mouth or point_radius smaller, or the table larger";
+    if nose_x <= 0.0 {
+        let problem = format!("leaves no straight nose on the short rails: {remedy}");
+        return Err(TableError::new("corner_pocket.mouth", problem));
+    }
+    if nose_y[0] >= nose_y[1] {
+        let problem =
+            format!("and corner_pocket.mouth leave no straight nose between them: {remedy}");
+        return Err(TableError::new("side_pocket.mouth", problem));
+    }
+    Ok(())
+}
+
+/// Holes apart from each other.
+pub(super) fn holes(pockets: &[Pocket]) -> Result<(), TableError> {
+    let overlap = |a: &Pocket, b: &Pocket| {
+        let apart: Vec2 = a.center - b.center;
+        apart.length() <= a.radius + b.radius
+    };
+    for (i, a) in pockets.iter().enumerate() {
+        for b in &pockets[i + 1..] {
+            if overlap(a, b) {
+                let problem = format!(
+                    "makes the holes {} and {} overlap: make the holes smaller or the table larger",
+                    a.name.name(),
+                    b.name.name()
+                );
+                let of_side = b.axis.y == 0.0 || a.axis.y == 0.0;
+                let key = if of_side { "side_pocket" } else { "corner_pocket" };
+                return Err(TableError::new(format!("{key}.hole_radius"), problem));
+            }
+        }
+    }
+    Ok(())
+}

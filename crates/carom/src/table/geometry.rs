@@ -1,0 +1,470 @@
+//! From a description to noses, points, facings, mouths and holes.
+//!
+//! Everything is built once, in the quadrant x ≤ 0, y ≤ 0, and mirrored by negation, so that a
+//! mirrored table has mirrored bits. A jaw is built in coordinates of its own rail: `along` the nose
+//! line from the pocket's middle (the corner, or the middle of a long rail), and `behind` it:
+//!
+//! ```text
+//!                tip      nose line
+//!   pocket  .    +╌╌╌╌╭───────────────  along →
+//!            .     ╲ │   φ = 180° − cut angle
+//!             .     ╲╯ ← point, tangent to both
+//!              .     ╲
+//!               .     ╲ facing          behind ↓
+//!                      + deep end, `cushion_width` behind the nose line
+//! ```
+//!
+//! With tip T, point radius r and turn φ, the point's centre is r behind the nose line and
+//! r·tan(φ/2) further along than T; it is tangent to the nose there, and to the facing as far down it.
+
+use alloc::vec::Vec;
+use core::f64::consts::FRAC_1_SQRT_2;
+
+use super::{
+    Capture, CushionPart, Part, Pocket, PocketDescription, PocketLayout, PocketModel, PocketName,
+    Rail, Shape, Table, TableDescription, TableError, check,
+};
+use crate::math::{Vec2, radians, sin_cos, sqrt, tan};
+
+/// Whether a corner, made of two jaws across a right angle, or a side pocket, of two facing each other.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Place {
+    Corner,
+    Side,
+}
+
+/// What of the geometry only detection needs.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Layout {
+    /// Half the playing area, nose to nose, m.
+    pub(crate) half: Vec2,
+    /// The bottom and top noses span |x| ≤ `nose_x`, m.
+    pub(crate) nose_x: f64,
+    /// The noses of the long rails span `nose_y[0]` ≤ |y| ≤ `nose_y[1]`, m.
+    pub(crate) nose_y: [f64; 2],
+    /// Indices of the noses: bottom, top; then left and right, each lower, upper.
+    pub(crate) noses: [u16; 6],
+    /// The mouths, in the order of the pockets.
+    pub(crate) mouths: Vec<Mouth>,
+    /// For balls of at least this reach, m, nothing but noses is met inside the rectangle that is
+    /// `reach` smaller than the playing area on every side.
+    pub(crate) clear_reach: f64,
+}
+
+/// A pocket's features, for detection.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Mouth {
+    /// Indices of the cushion parts that make it, both neighbouring noses included.
+    pub(crate) parts: Vec<u16>,
+    /// The line that captures.
+    pub(crate) gate: Gate,
+}
+
+/// A line across a pocket; a ball that crosses it outwards is captured.
+///
+/// A centre p is beyond when axis·p ≥ offset + lean·reach.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Gate {
+    /// Where it meets the pocket's axis, measured along the axis from the table's centre, m.
+    pub(crate) offset: f64,
+    /// How much nearer or further it is for a ball of some reach: the centre of a ball that touches the
+    /// deep end of a facing stands a reach off it, along the facing's normal.
+    pub(crate) lean: f64,
+    /// Half its width, m. It ends inside the rubber.
+    pub(crate) half_width: f64,
+}
+
+/// One jaw of the pocket in the quadrant x ≤ 0, y ≤ 0.
+struct Jaw {
+    /// Tip, m.
+    tip: Vec2,
+    /// Deep end of the facing, m.
+    deep: Vec2,
+    /// Normal of the facing, towards the pocket's axis.
+    facing_normal: Vec2,
+    /// From nose to deep end: what a ball meets.
+    parts: Vec<(Part, Shape)>,
+    /// Where the straight nose begins, along the rail from the pocket's middle, m.
+    nose_start: f64,
+    /// The deep end along the rail and behind it, m.
+    deep_in_rail: [f64; 2],
+}
+
+/// Coordinates along and behind a nose line.
+#[derive(Clone, Copy)]
+struct RailFrame {
+    /// The pocket's middle on the nose line, m.
+    origin: Vec2,
+    /// Away from the pocket.
+    along: Vec2,
+    /// Into the rubber.
+    behind: Vec2,
+}
+
+impl RailFrame {
+    fn point(&self, [along, behind]: [f64; 2]) -> Vec2 {
+        self.origin + self.direction([along, behind])
+    }
+    fn direction(&self, [along, behind]: [f64; 2]) -> Vec2 {
+        self.along * along + self.behind * behind
+    }
+}
+
+/// A jaw of the quadrant, mirrored to where it stands.
+#[derive(Clone, Copy)]
+struct Stand<'a> {
+    jaw: &'a Jaw,
+    /// Signs of x and y.
+    signs: Vec2,
+    /// Index of its pocket.
+    pocket: usize,
+    /// Which of the pocket's two jaws it is; mirrored jaws have the same.
+    slot: usize,
+}
+
+impl Table {
+    /// Endless cloth without rails. Its frame is the file's.
+    pub fn unbounded() -> Self {
+        let size = Vec2::new(f64::INFINITY, f64::INFINITY);
+        Self {
+            name: None,
+            description: None,
+            size,
+            cushion_height: 0.0,
+            cushions: Vec::new(),
+            pockets: Vec::new(),
+            layout: Layout {
+                half: size,
+                nose_x: f64::INFINITY,
+                nose_y: [0.0, f64::INFINITY],
+                noses: [0; 6],
+                mouths: Vec::new(),
+                clear_reach: 0.0,
+            },
+        }
+    }
+
+    /// The table that `description` describes.
+    ///
+    /// # Errors
+    /// A length that is not finite and positive, a pocket that is missing, or jaws, mouths and holes
+    /// that do not fit together: the error names the key and what would be right.
+    pub fn from_description(description: &TableDescription) -> Result<Self, TableError> {
+        check::lengths(description)?;
+        let half = Vec2::new(0.5 * description.width, 0.5 * description.length);
+        let mut table = Self {
+            name: None,
+            description: Some(description.clone()),
+            size: Vec2::new(description.width, description.length),
+            cushion_height: description.cushion_height,
+            ..Self::unbounded()
+        };
+        table.layout.half = half;
+        match description.pockets {
+            PocketLayout::None => table.add_plain_rails(half),
+            PocketLayout::Six => table.add_rails_and_pockets(half, description)?,
+        }
+        Ok(table)
+    }
+
+    fn add_plain_rails(&mut self, half: Vec2) {
+        let Vec2 { x, y } = half;
+        let corners = [Vec2::new(-x, -y), Vec2::new(x, -y), Vec2::new(x, y), Vec2::new(-x, y)];
+        for (i, rail) in [Rail::Bottom, Rail::Right, Rail::Top, Rail::Left].into_iter().enumerate()
+        {
+            self.cushions.push(nose(rail, corners[i], corners[(i + 1) % 4]));
+        }
+        self.layout.nose_x = x;
+        self.layout.nose_y = [0.0, y];
+        self.layout.noses = [0, 2, 3, 3, 1, 1];
+    }
+
+    fn add_rails_and_pockets(
+        &mut self,
+        half: Vec2,
+        description: &TableDescription,
+    ) -> Result<(), TableError> {
+        let corner = check::pocket(&description.corner_pocket, Place::Corner)?;
+        let side = check::pocket(&description.side_pocket, Place::Side)?;
+        let rubber = description.cushion_width;
+        let (right, up) = (Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0));
+        let bottom = RailFrame { origin: -half, along: right, behind: -up };
+        let left = RailFrame { origin: -half, along: up, behind: -right };
+        let below_side = RailFrame { origin: Vec2::new(-half.x, 0.0), along: -up, behind: -right };
+        let at_bottom = jaw(corner, Place::Corner, rubber, bottom)?;
+        let at_left = jaw(corner, Place::Corner, rubber, left)?;
+        let at_side = jaw(side, Place::Side, rubber, below_side)?;
+
+        self.layout.nose_x = half.x - at_bottom.nose_start;
+        self.layout.nose_y = [at_side.nose_start, half.y - at_left.nose_start];
+        check::noses(self.layout.nose_x, self.layout.nose_y)?;
+        let in_mouth = self.add_rails([&at_bottom, &at_left, &at_side]);
+        let model = description.pocket_model;
+        let corner_jaws = [&at_bottom, &at_left];
+        self.add_pockets(model, (corner, corner_jaws), (side, &at_side), in_mouth);
+        self.layout.clear_reach = clear_reach(model, corner, side, &at_bottom);
+        check::holes(&self.pockets)
+    }
+
+    /// Adds all cushion parts; returns the indices of those that make each pocket's mouth.
+    fn add_rails(&mut self, [bottom, left, side]: [&Jaw; 3]) -> [Vec<u16>; 6] {
+        let stand = |jaw, x, y, pocket, slot| Stand { jaw, signs: Vec2::new(x, y), pocket, slot };
+        let rails = [
+            (Rail::Bottom, stand(bottom, 1.0, 1.0, 0, 0), stand(bottom, -1.0, 1.0, 1, 0)),
+            (Rail::RightLower, stand(left, -1.0, 1.0, 1, 1), stand(side, -1.0, 1.0, 3, 0)),
+            (Rail::RightUpper, stand(side, -1.0, -1.0, 3, 1), stand(left, -1.0, -1.0, 5, 1)),
+            (Rail::Top, stand(bottom, -1.0, -1.0, 5, 0), stand(bottom, 1.0, -1.0, 4, 0)),
+            (Rail::LeftUpper, stand(left, 1.0, -1.0, 4, 1), stand(side, 1.0, -1.0, 2, 1)),
+            (Rail::LeftLower, stand(side, 1.0, 1.0, 2, 0), stand(left, 1.0, 1.0, 0, 1)),
+        ];
+        // The place of a rail's nose in `Layout::noses`.
+        let places = [0, 4, 5, 1, 3, 2];
+        let mut jaws: [[Vec<u16>; 2]; 6] = Default::default();
+        for ((rail, first, last), place) in rails.into_iter().zip(places) {
+            let first_indices = self.add_jaw(rail, first, true);
+            let nose_index = self.cushions.len() as u16;
+            self.cushions.push(nose(rail, first.nose_end(), last.nose_end()));
+            self.layout.noses[place] = nose_index;
+            let last_indices = self.add_jaw(rail, last, false);
+            for (stand, indices) in [(first, first_indices), (last, last_indices)] {
+                let list = &mut jaws[stand.pocket][stand.slot];
+                list.extend(indices);
+                list.push(nose_index);
+            }
+        }
+        jaws.map(|slots| slots.concat())
+    }
+
+    /// Adds a jaw's parts, from the deep end to the nose or back; returns their indices, the point's first.
+    fn add_jaw(&mut self, rail: Rail, stand: Stand<'_>, from_deep_end: bool) -> Vec<u16> {
+        let begin = self.cushions.len() as u16;
+        let mut parts: Vec<CushionPart> = stand
+            .jaw
+            .parts
+            .iter()
+            .map(|&(part, shape)| CushionPart { rail, part, shape: mirrored(shape, stand.signs) })
+            .collect();
+        if from_deep_end {
+            parts.reverse();
+        }
+        self.cushions.extend(parts);
+        let indices = begin..self.cushions.len() as u16;
+        if from_deep_end { indices.rev().collect() } else { indices.collect() }
+    }
+
+    fn add_pockets(
+        &mut self,
+        model: PocketModel,
+        (corner, [bottom_jaw, left_jaw]): (&PocketDescription, [&Jaw; 2]),
+        (side, side_jaw): (&PocketDescription, &Jaw),
+        in_mouth: [Vec<u16>; 6],
+    ) {
+        let half = self.layout.half;
+        let places = [
+            (PocketName::BottomLeft, 1.0, 1.0, Place::Corner),
+            (PocketName::BottomRight, -1.0, 1.0, Place::Corner),
+            (PocketName::Left, 1.0, 1.0, Place::Side),
+            (PocketName::Right, -1.0, 1.0, Place::Side),
+            (PocketName::TopLeft, 1.0, -1.0, Place::Corner),
+            (PocketName::TopRight, -1.0, -1.0, Place::Corner),
+        ];
+        for ((name, sx, sy, place), parts) in places.into_iter().zip(in_mouth) {
+            let signs = Vec2::new(sx, sy);
+            // The two jaws' tips and deep ends; a side's upper jaw is its lower one mirrored.
+            let (shape, jaw, ends) = match place {
+                Place::Corner => (corner, bottom_jaw, [left_jaw.tip, left_jaw.deep]),
+                Place::Side => {
+                    let up = Vec2::new(1.0, -1.0);
+                    (side, side_jaw, [by(side_jaw.tip, up), by(side_jaw.deep, up)])
+                }
+            };
+            let (axis, middle) = match place {
+                Place::Corner => (Vec2::new(-FRAC_1_SQRT_2, -FRAC_1_SQRT_2), -half),
+                Place::Side => (Vec2::new(-1.0, 0.0), Vec2::new(-half.x, 0.0)),
+            };
+            let depth = hole_depth(shape, place);
+            let mouth = [jaw.tip, ends[0]].map(|p| by(p, signs));
+            let throat = [jaw.deep, ends[1]].map(|p| by(p, signs));
+            let gate = match model {
+                PocketModel::DropCircle => Gate {
+                    offset: axis.dot(jaw.deep),
+                    lean: axis.dot(jaw.facing_normal),
+                    half_width: axis.cross(jaw.deep - middle).abs(),
+                },
+                PocketModel::MouthLine => Gate {
+                    offset: axis.dot(jaw.tip),
+                    lean: 0.0,
+                    // The line goes on into the rounded point.
+                    half_width: axis.cross(jaw.tip - middle).abs() + tangent_length(shape),
+                },
+            };
+            self.pockets.push(Pocket {
+                name,
+                center: by(middle + axis * depth, signs),
+                radius: shape.hole_radius,
+                capture: match model {
+                    PocketModel::DropCircle => Capture::DropCircle,
+                    PocketModel::MouthLine => Capture::MouthLine { start: mouth[0], end: mouth[1] },
+                },
+                axis: by(axis, signs),
+                mouth,
+                throat,
+            });
+            self.layout.mouths.push(Mouth { parts, gate });
+        }
+    }
+}
+
+impl Stand<'_> {
+    /// Where the straight nose begins, m.
+    fn nose_end(&self) -> Vec2 {
+        match self.jaw.parts[0].1 {
+            Shape::Arc { center, radius, start, .. } => by(center + start * radius, self.signs),
+            Shape::Segment { start, .. } => by(start, self.signs),
+        }
+    }
+}
+
+fn by(p: Vec2, signs: Vec2) -> Vec2 {
+    Vec2::new(p.x * signs.x, p.y * signs.y)
+}
+
+fn mirrored(shape: Shape, signs: Vec2) -> Shape {
+    match shape {
+        Shape::Segment { start, end, normal } => Shape::Segment {
+            start: by(start, signs),
+            end: by(end, signs),
+            normal: by(normal, signs),
+        },
+        Shape::Arc { center, radius, start, end } => Shape::Arc {
+            center: by(center, signs),
+            radius,
+            start: by(start, signs),
+            end: by(end, signs),
+        },
+    }
+}
+
+fn nose(rail: Rail, start: Vec2, end: Vec2) -> CushionPart {
+    let normal = match rail {
+        Rail::Bottom => Vec2::new(0.0, 1.0),
+        Rail::Top => Vec2::new(0.0, -1.0),
+        Rail::Left | Rail::LeftLower | Rail::LeftUpper => Vec2::new(1.0, 0.0),
+        Rail::Right | Rail::RightLower | Rail::RightUpper => Vec2::new(-1.0, 0.0),
+    };
+    CushionPart { rail, part: Part::Nose, shape: Shape::Segment { start, end, normal } }
+}
+
+/// φ: by how much a jaw turns from the nose to the facing, rad.
+fn turn(shape: &PocketDescription) -> f64 {
+    radians(180.0 - shape.cut_angle_deg)
+}
+
+/// From a tip to where the rounding begins, on either side, m.
+fn tangent_length(shape: &PocketDescription) -> f64 {
+    shape.point_radius * tan(0.5 * turn(shape))
+}
+
+/// From the middle of the nose line (the corner, or the middle of the rail) to the hole's centre, along
+/// the pocket's axis, m.
+fn hole_depth(shape: &PocketDescription, place: Place) -> f64 {
+    match place {
+        // The mouth lies in front of the corner.
+        Place::Corner => shape.shelf + shape.hole_radius - 0.5 * shape.mouth,
+        Place::Side => shape.shelf + shape.hole_radius,
+    }
+}
+
+/// The jaw of `shape` on the rail whose frame is `rail`.
+fn jaw(
+    shape: &PocketDescription,
+    place: Place,
+    rubber: f64,
+    rail: RailFrame,
+) -> Result<Jaw, TableError> {
+    let radius = shape.point_radius;
+    let tip = match place {
+        Place::Corner => shape.mouth * FRAC_1_SQRT_2,
+        Place::Side => 0.5 * shape.mouth,
+    };
+    let nose_start = tip + tangent_length(shape);
+    let (mut sin, mut cos) = sin_cos(turn(shape));
+    let round_all_through = radius * (1.0 - cos) >= rubber;
+    if round_all_through {
+        // The point ends with the rubber, before it has turned all the way: there is no facing.
+        cos = 1.0 - rubber / radius;
+        sin = sqrt(1.0 - cos * cos);
+    }
+    let point_end = [nose_start - radius * sin, radius * (1.0 - cos)];
+    let deep = match (shape.throat, place) {
+        _ if round_all_through => point_end,
+        (None, _) => [tip - rubber * cos / sin, rubber],
+        (Some(throat), Place::Corner) => [throat * FRAC_1_SQRT_2 - rubber, rubber],
+        (Some(throat), Place::Side) => [0.5 * throat, rubber],
+    };
+    check::jaw(shape, place, rubber, round_all_through, deep)?;
+
+    let tangent_normal = [-sin, -cos];
+    let normal = match shape.throat {
+        None => tangent_normal,
+        Some(_) => {
+            let [x, y] = [deep[0] - point_end[0], deep[1] - point_end[1]];
+            let length = sqrt(x * x + y * y);
+            [-y / length, x / length]
+        }
+    };
+    let arc = |[along, behind]: [f64; 2], radius, start, end| {
+        let center = rail.point([along, behind]);
+        let (start, end) = (rail.direction(start), rail.direction(end));
+        (Part::Point, Shape::Arc { center, radius, start, end })
+    };
+    let mut parts = Vec::new();
+    parts.push(arc([nose_start, radius], radius, [0.0, -1.0], tangent_normal));
+    // A throat of its own turns the facing off the tangent. Where the rubber then has a corner, a ball
+    // rolls around it as around a point of radius 0; where it has a notch, both parts meet the ball.
+    if tangent_normal[1] * normal[0] - tangent_normal[0] * normal[1] > 0.0 {
+        parts.push(arc(point_end, 0.0, tangent_normal, normal));
+    }
+    if !round_all_through {
+        let facing = Shape::Segment {
+            start: rail.point(point_end),
+            end: rail.point(deep),
+            normal: rail.direction(normal),
+        };
+        parts.push((Part::Facing, facing));
+    }
+    Ok(Jaw {
+        tip: rail.point([tip, 0.0]),
+        deep: rail.point(deep),
+        facing_normal: rail.direction(normal),
+        parts,
+        nose_start,
+        deep_in_rail: deep,
+    })
+}
+
+/// The reach from which on the rectangle inset by it holds neither hole nor gate, m.
+fn clear_reach(
+    model: PocketModel,
+    corner: &PocketDescription,
+    side: &PocketDescription,
+    bottom: &Jaw,
+) -> f64 {
+    let inwards = Vec2::new(FRAC_1_SQRT_2, FRAC_1_SQRT_2);
+    // Distances in front of the corner along the diagonal; the rectangle's corner is at √2·reach.
+    let at_corner = match model {
+        PocketModel::MouthLine => 0.5 * corner.mouth * FRAC_1_SQRT_2,
+        PocketModel::DropCircle => {
+            let [along, behind] = bottom.deep_in_rail;
+            let gate = (along - behind) * FRAC_1_SQRT_2;
+            let lean = inwards.dot(bottom.facing_normal);
+            let hole = (0.5 * corner.mouth - corner.shelf) * FRAC_1_SQRT_2;
+            hole.max(gate / (core::f64::consts::SQRT_2 - lean))
+        }
+    };
+    let at_side = match model {
+        PocketModel::MouthLine => 0.0,
+        PocketModel::DropCircle => -side.shelf,
+    };
+    at_corner.max(at_side).max(0.0)
+}

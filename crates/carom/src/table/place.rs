@@ -1,0 +1,122 @@
+//! May a ball stand there?
+
+use super::{Capture, CushionPart, Shape, Table};
+use crate::math::Vec2;
+
+/// Gaps and overlaps up to this count as touching, m: 1 nm, far more than the rounding of positions in
+/// a file, far less than anybody can measure. Deeper overlap is refused.
+pub const TOUCH_TOLERANCE: f64 = 1e-9;
+
+/// Where a ball on the cloth stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Placement {
+    /// Inside, touching nothing.
+    Inside,
+    /// Inside, touching a cushion.
+    TouchesCushion {
+        /// Index into `Table::cushions`.
+        part: u16,
+    },
+    /// Overlapping a cushion.
+    InCushion {
+        /// Index into `Table::cushions`.
+        part: u16,
+        /// By how much, m.
+        depth: f64,
+    },
+    /// Where a pocket captures balls.
+    OverHole {
+        /// Index into `Table::pockets`.
+        pocket: u8,
+    },
+    /// Outside the table.
+    Outside,
+}
+
+impl Placement {
+    /// Whether a ball may stand there.
+    pub fn is_inside(&self) -> bool {
+        matches!(self, Self::Inside | Self::TouchesCushion { .. })
+    }
+}
+
+impl Table {
+    /// Where a ball of radius `radius` (m) on the cloth stands whose centre is at `position` (m, in the
+    /// engine's frame).
+    pub fn place_check(&self, position: Vec2, radius: f64) -> Placement {
+        let reach = self.reach(radius);
+        if let Some(pocket) = self.captured_at(position, reach) {
+            return Placement::OverHole { pocket };
+        }
+        let half = self.layout.half;
+        let in_area = position.x.abs() <= half.x && position.y.abs() <= half.y;
+        let rubber = self.description.as_ref().map_or(0.0, |d| d.cushion_width);
+        let in_rails = position.x.abs() <= half.x + rubber && position.y.abs() <= half.y + rubber;
+        let deepest = self.deepest(position, reach, rubber);
+        match deepest {
+            // Also where a NaN was given.
+            _ if !in_rails => Placement::Outside,
+            Some((part, depth)) if depth > TOUCH_TOLERANCE => Placement::InCushion { part, depth },
+            _ if !in_area && !self.in_a_mouth(position) => Placement::Outside,
+            Some((part, depth)) if depth >= -TOUCH_TOLERANCE => Placement::TouchesCushion { part },
+            _ => Placement::Inside,
+        }
+    }
+
+    /// The pocket that holds a ball at `position`.
+    fn captured_at(&self, position: Vec2, reach: f64) -> Option<u8> {
+        let holds = |i: &usize| {
+            let (pocket, gate) = (&self.pockets[*i], &self.layout.mouths[*i].gate);
+            let from_center = position - pocket.center;
+            let over_hole = matches!(pocket.capture, Capture::DropCircle)
+                && from_center.length() < pocket.radius - TOUCH_TOLERANCE;
+            let beyond = pocket.axis.dot(position) - (gate.offset + gate.lean * reach);
+            let beside = pocket.axis.cross(from_center).abs();
+            over_hole || (beyond > TOUCH_TOLERANCE && beside <= gate.half_width)
+        };
+        (0..self.pockets.len()).find(holds).map(|i| i as u8)
+    }
+
+    /// The part that a ball at `position` overlaps most, or is nearest to, and the depth, m.
+    fn deepest(&self, position: Vec2, reach: f64, rubber: f64) -> Option<(u16, f64)> {
+        let mut deepest: Option<(u16, f64)> = None;
+        for (i, cushion) in self.cushions.iter().enumerate() {
+            let Some(depth) = depth_in(cushion, position, reach, rubber) else { continue };
+            if deepest.is_none_or(|(_, most)| depth > most) {
+                deepest = Some((i as u16, depth));
+            }
+        }
+        deepest
+    }
+
+    /// Whether `position` is between the two jaws of a pocket, behind the line from tip to tip.
+    fn in_a_mouth(&self, position: Vec2) -> bool {
+        self.pockets.iter().any(|pocket| {
+            let corners = [pocket.mouth[0], pocket.mouth[1], pocket.throat[1], pocket.throat[0]];
+            let turn = |i: usize| {
+                let (a, b) = (corners[i], corners[(i + 1) % 4]);
+                (b - a).cross(position - a)
+            };
+            (0..4).all(|i| turn(i) >= 0.0) || (0..4).all(|i| turn(i) <= 0.0)
+        })
+    }
+}
+
+/// How deep a ball is in a part beside which or on which its centre stands, m; negative if apart.
+fn depth_in(cushion: &CushionPart, position: Vec2, reach: f64, rubber: f64) -> Option<f64> {
+    match cushion.shape {
+        Shape::Segment { start, end, normal } => {
+            let (tangent, from_start) = (normal.perp(), position - start);
+            let (length, s) = (tangent.dot(end - start), tangent.dot(from_start));
+            let gap = normal.dot(from_start);
+            let beside = s >= length.min(0.0) && s <= length.max(0.0) && gap >= -rubber;
+            beside.then_some(reach - gap)
+        }
+        Shape::Arc { center, radius, start, end } => {
+            let p = position - center;
+            let turn = if start.cross(end) >= 0.0 { 1.0 } else { -1.0 };
+            let beside = (start.perp() * turn).dot(p) >= 0.0 && (end.perp() * -turn).dot(p) >= 0.0;
+            beside.then(|| radius + reach - p.length())
+        }
+    }
+}

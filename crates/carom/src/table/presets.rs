@@ -1,0 +1,269 @@
+//! The tables known by name. Every figure bears its source; `docs/tables.md` lists them.
+
+use alloc::string::ToString;
+
+use super::description::INCH;
+use super::sheet::{Figure, PocketSheet, Sheet, Source, SpotPattern, figure};
+use super::{Table, TableDescription};
+
+/// Names of the presets, in the order in which `carom tables` lists them.
+pub const PRESETS: [&str; 8] = [
+    "wpa-9ft",
+    "wpa-8ft",
+    "bar-7ft",
+    "showood-7ft",
+    "snooker-12ft",
+    "english-7ft",
+    "carom-10ft",
+    "carom-9ft",
+];
+
+const WPA: Source = Source::RuleBook("WPA equipment specifications");
+const WPBSA: Source = Source::RuleBook("WPBSA rules of snooker, section 1");
+const UMB: Source = Source::RuleBook("UMB rules, chapter II");
+const WEPF: Source = Source::RuleBook("WEPF world eight-ball pool specifications");
+const BAPTO: Source = Source::RuleBook("BAPTO standard for UK pool tables");
+const SHOWOOD: Source = Source::Published("pooltool 0.6.0, table 7_foot_showood");
+const PT_SNOOKER: Source = Source::Published("pooltool 0.6.0, its snooker table");
+const MATHAVAN: Source = Source::Published("Mathavan, Jackson & Parkin 2010: h = 7R/5, R 26.25 mm");
+const FOLLOWS: Source = Source::Estimated("the rule book leaves it open");
+const LIKE_WPA: Source = Source::Estimated("as on the WPA's tables");
+const LIKE_SNOOKER: Source =
+    Source::Estimated("as on the snooker table, in proportion to the ball");
+const DRAWN: Source = Source::Estimated("drawn only");
+
+const fn inches(value: f64, source: Source) -> Figure {
+    figure(value * INCH, source)
+}
+
+/// 63.5 ± 1 % of the diameter of a pool ball, 2¼ in.
+const WPA_NOSE: Figure = figure(0.635 * (2.25 * INCH), WPA);
+
+/// Mouth 4½ to 4⅝ in, 142 ± 1°, shelf 1 to 2¼ in.
+const WPA_CORNER: PocketSheet = PocketSheet {
+    mouth: inches(4.5625, WPA),
+    cut_angle_deg: figure(142.0, WPA),
+    shelf: inches(1.625, WPA),
+    hole_radius: inches(2.4375, FOLLOWS),
+    point_radius: inches(0.25, Source::Memory),
+    throat: None,
+};
+
+/// Mouth 5 to 5⅛ in, 104 ± 1°, shelf 0 to ⅜ in.
+const WPA_SIDE: PocketSheet = PocketSheet {
+    mouth: inches(5.0625, WPA),
+    cut_angle_deg: figure(104.0, WPA),
+    shelf: inches(0.1875, WPA),
+    hole_radius: inches(2.5, FOLLOWS),
+    point_radius: inches(0.25, Source::Memory),
+    throat: None,
+};
+
+const WPA_9FT: Sheet = Sheet {
+    name: "wpa-9ft",
+    length: inches(100.0, WPA),
+    width: inches(50.0, WPA),
+    cushion_height: WPA_NOSE,
+    // 1⅞ to 2 in.
+    cushion_width: inches(2.0, WPA),
+    // 4 to 7½ in.
+    rail_width: inches(5.0, WPA),
+    pockets: Some([WPA_CORNER, WPA_SIDE]),
+    sight_setback: Some(inches(3.6875, WPA)),
+    head_string: Some(inches(25.0, WPA)),
+    d_radius: None,
+    black_spot: None,
+    spots: SpotPattern::Quarters,
+    physics: "pool",
+};
+
+const WPA_8FT: Sheet = Sheet {
+    name: "wpa-8ft",
+    length: inches(92.0, WPA),
+    width: inches(46.0, WPA),
+    head_string: Some(inches(23.0, WPA)),
+    ..WPA_9FT
+};
+
+const BAR_7FT: Sheet = Sheet {
+    name: "bar-7ft",
+    length: inches(76.0, Source::Memory),
+    width: inches(38.0, Source::Memory),
+    cushion_height: figure(WPA_NOSE.value, LIKE_WPA),
+    cushion_width: inches(2.0, LIKE_WPA),
+    rail_width: inches(5.0, DRAWN),
+    pockets: Some([as_if(WPA_CORNER, LIKE_WPA), as_if(WPA_SIDE, LIKE_WPA)]),
+    sight_setback: Some(inches(3.6875, DRAWN)),
+    head_string: Some(inches(19.0, LIKE_WPA)),
+    ..WPA_9FT
+};
+
+/// The same pocket on a table that the source does not speak of.
+const fn as_if(p: PocketSheet, source: Source) -> PocketSheet {
+    PocketSheet {
+        mouth: figure(p.mouth.value, source),
+        cut_angle_deg: figure(p.cut_angle_deg.value, source),
+        shelf: figure(p.shelf.value, source),
+        hole_radius: figure(p.hole_radius.value, source),
+        point_radius: figure(p.point_radius.value, source),
+        throat: p.throat,
+    }
+}
+
+/// pooltool gives, of a pocket, the angle between facing and axis (5.3° and 7.14°), and the depth of
+/// the hole's centre behind the nose lines (41.7 and 68.5 mm); shelf and cut angle follow.
+const SHOWOOD_7FT: Sheet = Sheet {
+    name: "showood-7ft",
+    length: figure(1.9812, SHOWOOD),
+    width: figure(0.9906, SHOWOOD),
+    cushion_height: figure(0.036576, SHOWOOD),
+    cushion_width: figure(0.0508, SHOWOOD),
+    rail_width: inches(5.0, DRAWN),
+    pockets: Some([
+        PocketSheet {
+            mouth: figure(0.118, SHOWOOD),
+            cut_angle_deg: figure(140.3, SHOWOOD),
+            shelf: figure(0.059 + 0.0417 - 0.062, SHOWOOD),
+            hole_radius: figure(0.062, SHOWOOD),
+            point_radius: figure(0.02095, SHOWOOD),
+            throat: None,
+        },
+        PocketSheet {
+            mouth: figure(0.137, SHOWOOD),
+            cut_angle_deg: figure(97.14, SHOWOOD),
+            shelf: figure(0.0685 - 0.0645, SHOWOOD),
+            hole_radius: figure(0.0645, SHOWOOD),
+            point_radius: figure(0.00795, SHOWOOD),
+            // pooltool brings the facing in by c·sin 7.14° where the angle asks for c·tan 7.14°.
+            throat: Some(figure(0.137 - 2.0 * 0.0508 * SIN_7_14_DEG, SHOWOOD)),
+        },
+    ]),
+    sight_setback: Some(inches(3.6875, DRAWN)),
+    head_string: Some(figure(0.25 * 1.9812, LIKE_WPA)),
+    ..WPA_9FT
+};
+
+/// sin 7.14°.
+const SIN_7_14_DEG: f64 = 0.124_294_224_946_840_18;
+
+const SNOOKER_12FT: Sheet = Sheet {
+    name: "snooker-12ft",
+    length: figure(3.569, WPBSA),
+    width: figure(1.778, WPBSA),
+    cushion_height: figure(0.03675, MATHAVAN),
+    cushion_width: figure(0.04763, PT_SNOOKER),
+    rail_width: inches(5.0, DRAWN),
+    pockets: Some([
+        PocketSheet {
+            mouth: figure(0.08014, PT_SNOOKER),
+            cut_angle_deg: figure(135.0, PT_SNOOKER),
+            shelf: figure(0.04007 + 0.06735 - 0.0889, PT_SNOOKER),
+            hole_radius: figure(0.0889, PT_SNOOKER),
+            point_radius: figure(0.0889, PT_SNOOKER),
+            throat: None,
+        },
+        PocketSheet {
+            mouth: figure(0.08457, PT_SNOOKER),
+            cut_angle_deg: figure(90.0, PT_SNOOKER),
+            shelf: figure(0.05159 - 0.05319, PT_SNOOKER),
+            hole_radius: figure(0.05319, PT_SNOOKER),
+            point_radius: figure(0.0669, PT_SNOOKER),
+            throat: None,
+        },
+    ]),
+    sight_setback: None,
+    head_string: Some(figure(0.737, WPBSA)),
+    d_radius: Some(figure(0.292, WPBSA)),
+    black_spot: Some(figure(0.324, WPBSA)),
+    spots: SpotPattern::Snooker,
+    physics: "snooker",
+};
+
+/// Diameter of an English pool ball, 2 in, over that of a snooker ball, 52.5 mm.
+const ENGLISH_TO_SNOOKER: f64 = 2.0 * INCH / 0.0525;
+
+const ENGLISH_7FT: Sheet = Sheet {
+    name: "english-7ft",
+    // Between 6 × 3 ft and 7 × 3½ ft; a “7 ft” table measures that outside.
+    length: inches(72.0, WEPF),
+    width: inches(36.0, WEPF),
+    cushion_height: figure(0.03675 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
+    cushion_width: figure(0.04763 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
+    rail_width: inches(5.0, DRAWN),
+    pockets: Some([
+        PocketSheet {
+            // 1.6 balls.
+            mouth: inches(3.2, BAPTO),
+            cut_angle_deg: figure(135.0, LIKE_SNOOKER),
+            shelf: figure(0.01852 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
+            hole_radius: figure(0.0889 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
+            point_radius: figure(0.0889 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
+            throat: None,
+        },
+        PocketSheet {
+            mouth: inches(3.2, BAPTO),
+            cut_angle_deg: figure(90.0, LIKE_SNOOKER),
+            shelf: figure(-0.0016 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
+            hole_radius: figure(0.05319 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
+            point_radius: figure(0.0669 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
+            throat: None,
+        },
+    ]),
+    sight_setback: None,
+    // A fifth of the length.
+    head_string: Some(inches(14.4, WEPF)),
+    d_radius: None,
+    black_spot: None,
+    spots: SpotPattern::EnglishPool,
+    physics: "english",
+};
+
+const CAROM_10FT: Sheet = Sheet {
+    name: "carom-10ft",
+    length: figure(2.84, UMB),
+    width: figure(1.42, UMB),
+    cushion_height: figure(0.037, UMB),
+    cushion_width: inches(2.0, DRAWN),
+    rail_width: figure(0.125 + 2.0 * INCH, UMB),
+    pockets: None,
+    sight_setback: Some(inches(3.6875, DRAWN)),
+    head_string: Some(figure(0.71, UMB)),
+    d_radius: None,
+    black_spot: None,
+    spots: SpotPattern::Quarters,
+    physics: "carom",
+};
+
+const CAROM_9FT: Sheet = Sheet {
+    name: "carom-9ft",
+    length: figure(2.54, Source::Memory),
+    width: figure(1.27, Source::Memory),
+    cushion_height: figure(0.037, Source::Estimated("as on the 10-ft table")),
+    head_string: Some(figure(0.635, Source::Estimated("as on the 10-ft table"))),
+    ..CAROM_10FT
+};
+
+/// The figures of the preset `name`.
+pub(super) fn sheet(name: &str) -> Option<&'static Sheet> {
+    const SHEETS: [Sheet; 8] =
+        [WPA_9FT, WPA_8FT, BAR_7FT, SHOWOOD_7FT, SNOOKER_12FT, ENGLISH_7FT, CAROM_10FT, CAROM_9FT];
+    static ALL: [Sheet; 8] = SHEETS;
+    ALL.iter().find(|sheet| sheet.name == name)
+}
+
+impl TableDescription {
+    /// The preset of that name ([`PRESETS`]).
+    pub fn preset(name: &str) -> Option<Self> {
+        Some(sheet(name)?.description())
+    }
+}
+
+impl Table {
+    /// The preset of that name ([`PRESETS`]).
+    pub fn preset(name: &str) -> Option<Self> {
+        // Every preset makes a table: the tests build them all.
+        let mut table = Self::from_description(&TableDescription::preset(name)?).ok()?;
+        table.name = Some(name.to_string());
+        Some(table)
+    }
+}
