@@ -11,7 +11,9 @@ mod crossing;
 mod motion;
 mod robust;
 mod root;
+mod row;
 
 pub use contact::first_contact;
 pub use crossing::first_crossing;
 pub use motion::Motion;
+pub use row::Row;

@@ -70,22 +70,39 @@ pub fn simulate<R: Recorder>(shot: &Shot, recorder: &mut R) -> Result<Summary, S
 pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     n: usize,
     ball: [Ball; N],
-    /// Path of the present motion state, and when it began.
+    /// Path of the present motion state.
     path: [Path; N],
-    start: [f64; N],
+    /// The part of it that pairs are searched with.
+    lanes: Lanes<N>,
     /// Next motion transition, infinite if none.
     transition: [f64; N],
     /// Next cushion or pocket, infinite if none.
     meeting: [f64; N],
     feature: [TableFeature; N],
-    /// Until when the path holds: the earlier of the two for a ball that moves.
-    leave: [f64; N],
     /// First contact with another ball, infinite if none, and with which.
     contact: [f64; N],
     partner: [u16; N],
     /// First contact of every pair, symmetric.
     pair: [[f64; N]; N],
     finder: PhantomData<F>,
+}
+
+/// Where every ball is and goes in the plane, laid out for vector instructions.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+struct Lanes<const N: usize> {
+    x: [f64; N],
+    y: [f64; N],
+    vx: [f64; N],
+    vy: [f64; N],
+    hx: [f64; N],
+    hy: [f64; N],
+    /// When the path began, s.
+    start: [f64; N],
+    /// Until when it holds, s: the earlier of transition and meeting for a ball that moves,
+    /// infinite for one that rests, NaN where there is no ball or it is out of play.
+    leave: [f64; N],
+    radius: [f64; N],
 }
 
 /// What happens next.
@@ -112,11 +129,20 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             n: 0,
             ball: [Ball { mass: 0.0, radius: 0.0 }; N],
             path: [Path::default(); N],
-            start: [0.0; N],
+            lanes: Lanes {
+                x: [0.0; N],
+                y: [0.0; N],
+                vx: [0.0; N],
+                vy: [0.0; N],
+                hx: [0.0; N],
+                hy: [0.0; N],
+                start: [0.0; N],
+                leave: [f64::NAN; N],
+                radius: [0.0; N],
+            },
             transition: [f64::INFINITY; N],
             meeting: [f64::INFINITY; N],
             feature: [TableFeature::Cushion(0); N],
-            leave: [f64::INFINITY; N],
             contact: [f64::INFINITY; N],
             partner: [0; N],
             pair: [[f64::INFINITY; N]; N],
@@ -165,11 +191,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         for (i, placed) in shot.balls.iter().enumerate() {
             let state = shot.table.to_engine_frame(&placed.state);
             self.ball[i] = placed.ball;
-            self.path[i] = Path::new(&state, &placed.ball, cloth, *gravity);
-            self.start[i] = 0.0;
+            self.lanes.radius[i] = placed.ball.radius;
+            self.set(i, Path::new(&state, &placed.ball, cloth, *gravity), 0.0);
             self.contact[i] = f64::INFINITY;
             self.pair[i][..self.n].fill(f64::INFINITY);
         }
+        self.lanes.leave[self.n..].fill(f64::NAN);
     }
 
     /// Strikes the resting ball `struck` at time 0.
@@ -188,7 +215,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let (velocity, angular_velocity) =
             cue_ball::resolve(&physics.cue, &ball, strike).map_err(SimulationError::Strike)?;
         let after = struck_state(&before, velocity, angular_velocity, ball.radius);
-        self.path[struck] = Path::new(&after, &ball, &physics.cloth, physics.gravity);
+        self.begin(struck, &after, 0.0, physics);
         recorder.record(&Event {
             time: 0.0,
             kind: EventKind::CueStrike,
@@ -223,7 +250,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             match next {
                 Next::Transition(i) => self.transit(i, time, table, physics, recorder),
                 Next::Meeting(i, TableFeature::Pocket(k)) => {
-                    self.sink(i, k, time, table, recorder);
+                    self.sink(i, k, time, table, physics, recorder);
                 }
                 Next::Meeting(i, TableFeature::Cushion(k)) => {
                     self.rebound(i, k, time, table, physics, recorder);
@@ -246,7 +273,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
 
     /// State of ball `i` at `time` (s), which must not lie before its last event.
     pub fn state(&self, i: usize, time: f64) -> BallState {
-        self.path[i].at(time - self.start[i])
+        self.path[i].at(time - self.lanes.start[i])
     }
 
     /// State of ball `i` of `shot` at `time`, in the file's frame; a ball that never moved has the
@@ -334,6 +361,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         pocket: u8,
         time: f64,
         table: &Table,
+        physics: &Physics,
         recorder: &mut R,
     ) {
         let before = self.state(i, time);
@@ -350,21 +378,27 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             before: &[before],
             after: &[after],
         });
-        self.path[i] = Path {
-            position: after.position,
-            motion: MotionState::Pocketed,
-            radius,
-            ..Path::default()
-        };
-        self.start[i] = time;
+        self.begin(i, &after, time, physics);
         self.find(&[i as u16], time, table);
     }
 
     /// Gives ball `i` the path that starts at `time` in `state`.
     #[inline(always)]
     fn begin(&mut self, i: usize, state: &BallState, time: f64, physics: &Physics) {
-        self.path[i] = Path::new(state, &self.ball[i], &physics.cloth, physics.gravity);
-        self.start[i] = time;
+        self.set(i, Path::new(state, &self.ball[i], &physics.cloth, physics.gravity), time);
+    }
+
+    /// Gives ball `i` the path that starts at `time`.
+    #[inline(always)]
+    fn set(&mut self, i: usize, path: Path, time: f64) {
+        self.lanes.x[i] = path.position.x;
+        self.lanes.y[i] = path.position.y;
+        self.lanes.vx[i] = path.velocity.x;
+        self.lanes.vy[i] = path.velocity.y;
+        self.lanes.hx[i] = path.half_acceleration.x;
+        self.lanes.hy[i] = path.half_acceleration.y;
+        self.lanes.start[i] = time;
+        self.path[i] = path;
     }
 }
 

@@ -1,6 +1,6 @@
 //! Candidates: what each ball may meet next.
 
-use carom_roots::Motion;
+use carom_roots::{Motion, Row};
 
 use super::{Simulation, earlier};
 use crate::Table;
@@ -57,56 +57,82 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     #[inline(always)]
     pub(super) fn find_self(&mut self, i: usize, time: f64, table: &Table) {
         let path = &self.path[i];
-        self.transition[i] = self.start[i] + path.duration;
+        self.transition[i] = self.lanes.start[i] + path.duration;
         self.meeting[i] = f64::INFINITY;
-        self.leave[i] = f64::INFINITY;
+        self.lanes.leave[i] = if path.motion.in_play() { f64::INFINITY } else { f64::NAN };
         if path.moves() {
             let motion = Motion {
                 d: [path.position.x, path.position.y],
                 v: [path.velocity.x, path.velocity.y],
                 h: [path.half_acceleration.x, path.half_acceleration.y],
             };
-            debug_assert_eq!(self.start[i], time);
+            debug_assert_eq!(self.lanes.start[i], time);
             let meeting = ball_table::first_meeting(table, path.radius, &motion, path.duration);
             if let Some((t, feature)) = meeting {
                 self.meeting[i] = time + t;
                 self.feature[i] = feature;
             }
-            self.leave[i] = earlier(self.transition[i], self.meeting[i]);
+            self.lanes.leave[i] = earlier(self.transition[i], self.meeting[i]);
         }
     }
 
     /// First contacts of ball `i` with every ball for which `done` is false.
     #[inline(always)]
     fn find_row(&mut self, i: usize, time: f64, done: impl Fn(usize) -> bool) {
-        let moves = self.path[i].moves();
-        let in_play = self.path[i].motion.in_play();
-        for j in 0..self.n {
+        let row = self.row(i, time);
+        let margins = row.margins();
+        for (j, &margin) in margins[..self.n].iter().enumerate() {
             if j == i || done(j) {
                 continue;
             }
-            let other = &self.path[j];
-            let t = if in_play && other.motion.in_play() && (moves || other.moves()) {
-                self.first_contact(i, j, time)
-            } else {
-                f64::INFINITY
-            };
+            let t = if margin < 0.0 { self.first_contact(&row, i, j, time) } else { f64::INFINITY };
             self.pair[i][j] = t;
             self.pair[j][i] = t;
         }
     }
 
+    /// The motions of all balls relative to ball `i`, as of `time`.
     #[inline(always)]
-    fn first_contact(&self, i: usize, j: usize, time: f64) -> f64 {
-        let (a, b) = (&self.path[i], &self.path[j]);
-        let (ta, tb) = (time - self.start[i], time - self.start[j]);
-        let d = b.position_at(tb) - a.position_at(ta);
-        let v = b.velocity_at(tb) - a.velocity_at(ta);
-        let h = b.half_acceleration - a.half_acceleration;
-        let motion = Motion { d: [d.x, d.y], v: [v.x, v.y], h: [h.x, h.y] };
-        let distance = touching_distance(a.radius, b.radius);
-        let horizon = earlier(self.leave[i], self.leave[j]) - time;
-        match F::first_contact(&motion, distance, horizon) {
+    fn row(&self, i: usize, time: f64) -> Row<N> {
+        let lanes = &self.lanes;
+        let mut row = Row {
+            dx: [0.0; N],
+            dy: [0.0; N],
+            vx: [0.0; N],
+            vy: [0.0; N],
+            hx: [0.0; N],
+            hy: [0.0; N],
+            distance: [0.0; N],
+            horizon: [0.0; N],
+        };
+        let age = time - lanes.start[i];
+        let (x, vx) = advanced(lanes.x[i], lanes.vx[i], lanes.hx[i], age);
+        let (y, vy) = advanced(lanes.y[i], lanes.vy[i], lanes.hy[i], age);
+        let (leave, radius) = (lanes.leave[i], lanes.radius[i]);
+        for j in 0..N {
+            let age = time - lanes.start[j];
+            let (xj, vxj) = advanced(lanes.x[j], lanes.vx[j], lanes.hx[j], age);
+            let (yj, vyj) = advanced(lanes.y[j], lanes.vy[j], lanes.hy[j], age);
+            row.dx[j] = xj - x;
+            row.dy[j] = yj - y;
+            row.vx[j] = vxj - vx;
+            row.vy[j] = vyj - vy;
+            row.hx[j] = lanes.hx[j] - lanes.hx[i];
+            row.hy[j] = lanes.hy[j] - lanes.hy[i];
+            row.distance[j] = radius + lanes.radius[j];
+            row.horizon[j] = earlier(leave, lanes.leave[j]) - time;
+        }
+        row
+    }
+    #[inline(always)]
+    fn first_contact(&self, row: &Row<N>, i: usize, j: usize, time: f64) -> f64 {
+        let motion = Motion {
+            d: [row.dx[j], row.dy[j]],
+            v: [row.vx[j], row.vy[j]],
+            h: [row.hx[j], row.hy[j]],
+        };
+        let distance = touching_distance(self.lanes.radius[i], self.lanes.radius[j]);
+        match F::first_contact(&motion, distance, row.horizon[j]) {
             Some(t) => time + t,
             None => f64::INFINITY,
         }
@@ -126,4 +152,10 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.contact[i] = best;
         self.partner[i] = partner as u16;
     }
+}
+
+/// Place and speed along one axis after `t` seconds on x + vt + ht².
+#[inline(always)]
+fn advanced(x: f64, v: f64, h: f64, t: f64) -> (f64, f64) {
+    (x + (v + h * t) * t, v + h * (2.0 * t))
 }

@@ -104,8 +104,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             after = strike(speed - (before[0].velocity - before[1].velocity).dot(normal));
             path = paths(&after);
         }
-        (self.path[a], self.path[b]) = (path[0], path[1]);
-        (self.start[a], self.start[b]) = (time, time);
+        self.set(a, path[0], time);
+        self.set(b, path[1], time);
         recorder.record(&Event {
             time,
             kind: EventKind::BallCollision,
