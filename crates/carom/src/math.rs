@@ -22,6 +22,13 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     libm::sincos(x)
 }
 
+/// Radians to degrees: where one exists, a number that [`radians`] turns back to exactly `radians`.
+pub fn degrees(radians: f64) -> f64 {
+    let near = radians * (180.0 / core::f64::consts::PI);
+    let back = |d: &f64| self::radians(*d) == radians;
+    [near, near.next_down(), near.next_up()].into_iter().find(back).unwrap_or(near)
+}
+
 /// Degrees to radians.
 #[inline]
 pub fn radians(degrees: f64) -> f64 {

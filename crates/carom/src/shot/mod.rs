@@ -1,11 +1,43 @@
 //! A shot: everything that is decided before it starts. Immutable.
+//!
+//! A [`Shot`] keeps the file that it was read from (`carom-shot/1`, or the same keys from Python
+//! or from code) and, beside it, what the file means: table, physics, balls and strike, checked
+//! and ready to simulate. There is one way in, [`Shot::from_node`], so that every shot has passed
+//! the same checks, and [`Shot::to_json`] gives back what was written.
 
+mod balls;
+#[cfg(feature = "json")]
+mod json;
+mod node;
+mod physics;
+mod place;
+pub(crate) mod read;
+mod strike;
+mod table;
+
+use alloc::format;
 use alloc::string::String;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
-use crate::resolve::cue_ball::Strike;
+#[cfg(feature = "json")]
+pub(crate) use json::parse as parse_json;
+pub use node::Node;
+pub use physics::write as physics_to_node;
+pub use strike::{Policy, StrikePolicy};
+
+use crate::error::Error;
+use crate::math::{Vec3, degrees};
+use crate::resolve::cue_ball::{Strike, miscue_limit};
 use crate::{Ball, BallState, Physics, Table};
+use read::At;
+
+/// What `format` says in a shot file.
+pub const FORMAT: &str = "carom-shot/1";
+
+/// Cap on the number of events where a file names none. The longest breaks seen need under a
+/// thousand.
+pub const DEFAULT_MAX_EVENTS: u32 = 100_000;
 
 /// A ball placed on the table.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,16 +51,173 @@ pub struct PlacedBall {
 }
 
 /// A validated shot.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Shot {
+    pub(crate) table: Arc<Table>,
+    pub(crate) physics: Arc<Physics>,
+    pub(crate) balls: Vec<PlacedBall>,
+    pub(crate) strike: Option<(usize, Strike)>,
+    pub(crate) max_events: u32,
+    policy: StrikePolicy,
+    /// Friction of the tip as the file has it; `physics` has what the strike is resolved with.
+    tip_friction: f64,
+    file: Node,
+}
+
+/// Two shots are equal when they mean the same, however they are written.
+impl PartialEq for Shot {
+    fn eq(&self, other: &Self) -> bool {
+        self.table == other.table
+            && self.physics == other.physics
+            && self.balls == other.balls
+            && self.strike == other.strike
+            && self.max_events == other.max_events
+            && self.policy == other.policy
+            && self.tip_friction == other.tip_friction
+    }
+}
+
+impl Shot {
+    /// Reads a shot file.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for text that is not JSON and for everything that [`Self::from_node`]
+    /// refuses.
+    #[cfg(feature = "json")]
+    pub fn from_json(text: &str) -> Result<Self, Error> {
+        Self::from_node(json::parse(text)?)
+    }
+
+    /// Reads a shot from a tree of values.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with one sentence that names the place, what is wrong there, and what
+    /// would be right.
+    pub fn from_node(file: Node) -> Result<Self, Error> {
+        let fields = At::root(&file).fields(&[
+            "format",
+            "table",
+            "physics",
+            "balls",
+            "strike",
+            "max_events",
+        ])?;
+        fields.require("format", &format!("\"{FORMAT}\""))?.choice("format", &[(FORMAT, ())])?;
+        let (table, default_physics) =
+            table::read(&fields.require("table", "a table preset's name, or an object {...}")?)?;
+        let mut physics = physics::read(fields.get("physics").as_ref(), &default_physics)?;
+        let tip_friction = physics.cue.tip_friction;
+        let balls = fields.require("balls", "a list of balls")?;
+        let balls = balls::read(&balls, &physics.ball, &table)?;
+        let mut policy = StrikePolicy::default();
+        let mut strike = None;
+        if let Some(at) = fields.get("strike") {
+            policy = strike::read_policy(&at)?;
+            if policy.miscue == Policy::Report {
+                physics.cue.tip_friction = strike::TIP_THAT_HOLDS;
+            }
+            strike = Some(strike::read(&at, &balls, &physics)?);
+        }
+        let max_events = match fields.get("max_events") {
+            Some(at) => at.whole(1, u32::MAX)?,
+            None => DEFAULT_MAX_EVENTS,
+        };
+        Ok(Self {
+            table: table.into(),
+            physics: physics.into(),
+            balls,
+            strike,
+            max_events,
+            policy,
+            tip_friction,
+            file,
+        })
+    }
+
+    /// The shot file, JSON: what was read, number for number.
+    pub fn to_json(&self) -> String {
+        self.file.to_json()
+    }
+
+    /// The shot file as a tree of values.
+    pub const fn to_node(&self) -> &Node {
+        &self.file
+    }
+
     /// The table.
-    pub table: Arc<Table>,
-    /// The physics.
-    pub physics: Arc<Physics>,
-    /// The balls, in the order of the file.
-    pub balls: Vec<PlacedBall>,
+    pub fn table(&self) -> &Arc<Table> {
+        &self.table
+    }
+
+    /// The physics. Where a miscue is only to be reported, its `cue.tip_friction` is so large that
+    /// the tip holds.
+    pub fn physics(&self) -> &Arc<Physics> {
+        &self.physics
+    }
+
+    /// The balls, in the order of the file; states in the file's frame.
+    pub fn balls(&self) -> &[PlacedBall] {
+        &self.balls
+    }
+
     /// The struck ball's index and the strike, if there is one.
-    pub strike: Option<(usize, Strike)>,
+    pub const fn strike(&self) -> Option<(usize, Strike)> {
+        self.strike
+    }
+
+    /// What to do about a strike that a player could not play cleanly.
+    pub const fn strike_policy(&self) -> StrikePolicy {
+        self.policy
+    }
+
     /// More events than this are an error.
-    pub max_events: u32,
+    pub const fn max_events(&self) -> u32 {
+        self.max_events
+    }
+
+    /// The index of the ball with this id.
+    pub fn ball_index(&self, id: &str) -> Option<usize> {
+        self.balls.iter().position(|b| b.id == id)
+    }
+
+    /// The cue ball's index: the struck ball, else the ball with the id `cue`.
+    pub fn cue_ball(&self) -> Option<usize> {
+        self.strike.map(|(ball, _)| ball).or_else(|| self.ball_index("cue"))
+    }
+
+    /// Velocity (m/s) and spin (rad/s) that `strike` gives to the struck ball.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if there is nothing to strike, or the strike is out of range, off the
+    /// ball, past the miscue limit, or out of the tip efficiency's reach.
+    pub fn resolve_strike(&self, strike: &Strike) -> Result<(Vec3, Vec3), Error> {
+        let Some((ball, _)) = self.strike else {
+            return Err(Error::input("strike", "the shot has no strike", "add one to vary it"));
+        };
+        strike::check_ranges("strike", strike)?;
+        strike::check("strike", ball, strike, &self.balls, &self.physics)
+    }
+
+    /// The same shot struck otherwise. Angles are kept as the degrees that a file can hold, which
+    /// moves some by one rounding.
+    ///
+    /// # Errors
+    /// As [`Self::resolve_strike`].
+    pub fn with_strike(&self, strike: &Strike) -> Result<Self, Error> {
+        self.resolve_strike(strike)?;
+        let mut file = self.file.clone();
+        let mut node = file.get("strike").cloned().unwrap_or(Node::Null);
+        node.set("speed", strike.speed);
+        node.set("azimuth_deg", degrees(strike.azimuth));
+        node.set("elevation_deg", degrees(strike.elevation));
+        node.set("side", strike.side);
+        node.set("height", strike.height);
+        file.set("strike", node);
+        Self::from_node(file)
+    }
+
+    /// Whether the tip would slip off in this shot, which it only may on request.
+    pub fn is_miscue(&self) -> bool {
+        self.strike.is_some_and(|(_, strike)| strike.offset() > miscue_limit(self.tip_friction))
+    }
 }

@@ -1,0 +1,287 @@
+//! Racks: where the balls stand before the break, by each game's rule book.
+//!
+//! A rack is a lattice of balls whose centres stand one ball's diameter and a gap apart; every
+//! ball is then moved at random, up to half the gap, in any direction. Balls can never overlap so,
+//! neighbours stand a gap apart on average, and a gap of 0 gives the exactly frozen rack, whose
+//! bits are mirror-symmetric. The randomness is PCG64 (O'Neill 2014) from the seed alone: the same
+//! seed gives the same rack in every process and on every platform.
+
+mod break_shot;
+mod pattern;
+
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use rand_pcg::{Pcg64, rand_core::Rng};
+
+pub use break_shot::{Break, break_shot};
+
+use crate::Table;
+use crate::error::Error;
+use crate::math::{Vec2, sqrt};
+
+/// Mean gap between neighbours of a rack set by hand with a triangle, m: a tenth of a millimetre,
+/// the thickness of a sheet of paper. Estimated.
+pub const USUAL_GAP: f64 = 1e-4;
+
+/// Wider gaps are no rack any more, m.
+const WIDEST_GAP: f64 = 5e-3;
+
+/// Gap between the pink and the first red, m: "as close to the pink as possible without touching
+/// it" (rules of snooker, section 3). Estimated.
+const PINK_GAP: f64 = 1e-3;
+
+/// From the middle to the cue ball on the head string in a three-cushion start, m (UMB; from
+/// memory).
+const THREE_CUSHION_OFFSET: f64 = 0.1825;
+
+/// PCG's stream: any constant; another one would give other racks for every seed.
+const STREAM: u128 = 0x6361_726f_6d20_7261_636b;
+
+/// The games that can be racked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Game {
+    /// Fifteen balls, the 8 in the middle, a solid and a stripe in the corners.
+    EightBall,
+    /// Nine balls in a diamond, the 1 at the apex, the 9 in the middle.
+    NineBall,
+    /// Ten balls, the 1 at the apex, the 10 in the middle.
+    TenBall,
+    /// Fifteen balls in any order (14.1).
+    StraightPool,
+    /// Fifteen reds behind the pink, and the colours on their spots.
+    Snooker,
+    /// Three balls (carom).
+    ThreeCushion,
+}
+
+impl Game {
+    /// Every game.
+    pub const ALL: [Self; 6] = [
+        Self::EightBall,
+        Self::NineBall,
+        Self::TenBall,
+        Self::StraightPool,
+        Self::Snooker,
+        Self::ThreeCushion,
+    ];
+
+    /// Its name on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::EightBall => "eight-ball",
+            Self::NineBall => "nine-ball",
+            Self::TenBall => "ten-ball",
+            Self::StraightPool => "straight-pool",
+            Self::Snooker => "snooker",
+            Self::ThreeCushion => "three-cushion",
+        }
+    }
+
+    /// The game of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|game| game.name() == name)
+    }
+
+    /// The preset of the table that it is played on.
+    pub const fn table(self) -> &'static str {
+        match self {
+            Self::Snooker => "snooker-12ft",
+            Self::ThreeCushion => "carom-10ft",
+            _ => "wpa-9ft",
+        }
+    }
+}
+
+/// A ball of a rack: its id, and its centre on the cloth in the file's frame, m.
+pub type RackedBall = (String, [f64; 2]);
+
+/// The balls of `game` on `table`, the cue ball first, before the break. All balls have `radius`
+/// (m); `gap` (m) is the mean gap between neighbours, 0 for a frozen rack.
+///
+/// # Errors
+/// [`Error::Input`] for unbounded cloth, a gap outside [0, 5 mm], or balls that are not smaller
+/// than the table.
+pub fn rack(
+    game: Game,
+    table: &Table,
+    radius: f64,
+    seed: u64,
+    gap: f64,
+) -> Result<Vec<RackedBall>, Error> {
+    let lay = Lay::new(table, radius, gap)?;
+    let mut random = Pcg64::new(u128::from(seed), STREAM);
+    let mut balls = Vec::new();
+    match game {
+        Game::Snooker => lay.snooker(&mut balls, &mut random),
+        Game::ThreeCushion => lay.three_cushion(&mut balls),
+        Game::EightBall | Game::NineBall | Game::TenBall | Game::StraightPool => {
+            let rows: &[usize] = match game {
+                Game::NineBall => &[1, 2, 3, 2, 1],
+                Game::TenBall => &[1, 2, 3, 4],
+                _ => &[1, 2, 3, 4, 5],
+            };
+            balls.push((String::from("cue"), lay.cue_ball()));
+            let order = pattern::order(game, &mut random);
+            let places = lay.triangle(lay.apex(game), rows, &mut random);
+            balls.extend(order.into_iter().map(|n| format!("{n}")).zip(places));
+        }
+    }
+    Ok(balls)
+}
+
+/// The table and the balls that are laid on it.
+struct Lay<'a> {
+    table: &'a Table,
+    radius: f64,
+    gap: f64,
+}
+
+impl<'a> Lay<'a> {
+    fn new(table: &'a Table, radius: f64, gap: f64) -> Result<Self, Error> {
+        if !table.size.x.is_finite() {
+            return Err(Error::input(
+                "table",
+                "unbounded cloth has no place for a rack",
+                "choose a table with rails",
+            ));
+        }
+        if !(0.0..=WIDEST_GAP).contains(&gap) {
+            return Err(Error::input(
+                "gap",
+                format!("{gap:?} m is out of range"),
+                format!("write a number in [0, {WIDEST_GAP}] m"),
+            ));
+        }
+        // Fifteen balls are five wide and about as long, in the quarter behind the foot spot.
+        if !(radius > 0.0 && 20.0 * radius < table.size.x.min(table.size.y)) {
+            return Err(Error::input(
+                "radius",
+                format!("balls of radius {radius:?} m do not fit on the table"),
+                "choose a radius of less than a twentieth of the table's sides",
+            ));
+        }
+        Ok(Self { table, radius, gap })
+    }
+
+    /// The spot of that name, or else the point at `fraction` of the length on the middle line.
+    fn spot(&self, name: &str, fraction: f64) -> [f64; 2] {
+        let marked = self.marked(name);
+        marked.unwrap_or([0.5 * self.table.size.x, fraction * self.table.size.y])
+    }
+
+    fn marked(&self, name: &str) -> Option<[f64; 2]> {
+        let description = self.table.description.as_ref()?;
+        Some(description.markings.spots.iter().find(|s| s.name == name)?.position)
+    }
+
+    fn head_string(&self) -> f64 {
+        let marked = self.table.description.as_ref().and_then(|d| d.markings.head_string);
+        marked.unwrap_or(0.25 * self.table.size.y)
+    }
+
+    /// Distance between neighbouring rows.
+    fn row(&self) -> f64 {
+        0.5 * sqrt(3.0) * (2.0 * self.radius + self.gap)
+    }
+
+    /// Behind the head string, in the middle.
+    fn cue_ball(&self) -> [f64; 2] {
+        [0.5 * self.table.size.x, self.head_string() - self.radius]
+    }
+
+    /// The apex stands on the foot spot. On English tables it is the 8 that stands on its spot, two
+    /// rows behind (WEPF).
+    fn apex(&self, game: Game) -> [f64; 2] {
+        match (game, self.marked("foot"), self.marked("black")) {
+            (Game::EightBall, None, Some([x, y])) => [x, y - 2.0 * self.row()],
+            _ => self.spot("foot", 0.75),
+        }
+    }
+
+    /// Places of rows of balls, the first of them at `apex`, from left to right.
+    fn triangle(&self, [x, y]: [f64; 2], rows: &[usize], random: &mut Pcg64) -> Vec<[f64; 2]> {
+        let pitch = 2.0 * self.radius + self.gap;
+        let mut places = Vec::new();
+        for (r, &count) in rows.iter().enumerate() {
+            for k in 0..count {
+                let column = k as f64 - 0.5 * (count - 1) as f64;
+                let shift = self.scatter(random);
+                places.push([
+                    mirrored(x, column * pitch) + shift.x,
+                    y + r as f64 * self.row() + shift.y,
+                ]);
+            }
+        }
+        places
+    }
+
+    /// A random shift, uniform in a disc of half the gap.
+    fn scatter(&self, random: &mut Pcg64) -> Vec2 {
+        if self.gap == 0.0 {
+            return Vec2::ZERO;
+        }
+        loop {
+            let shift = Vec2::new(signed_unit(random), signed_unit(random));
+            if shift.length_squared() <= 1.0 {
+                return shift * (0.5 * self.gap);
+            }
+        }
+    }
+
+    fn snooker(&self, balls: &mut Vec<RackedBall>, random: &mut Pcg64) {
+        let [middle, baulk] = self.spot("brown", 0.2);
+        let [yellow, _] = self.spot("yellow", 0.2);
+        let d = if yellow > middle { yellow - middle } else { 0.15 * self.table.size.x };
+        // In the D, between brown and yellow, as most players break.
+        balls.push((String::from("cue"), [middle + 0.5 * d, baulk]));
+        let [pink_x, pink] = self.spot("pink", 0.75);
+        let apex = [pink_x, pink + 2.0 * self.radius + PINK_GAP.max(self.gap)];
+        let reds = self.triangle(apex, &[1, 2, 3, 4, 5], random);
+        balls.extend(reds.into_iter().enumerate().map(|(i, p)| (format!("red-{}", i + 1), p)));
+        for (name, place) in [
+            ("yellow", [mirrored(middle, d), baulk]),
+            ("green", [mirrored(middle, -d), baulk]),
+            ("brown", [middle, baulk]),
+            ("blue", self.spot("blue", 0.5)),
+            ("pink", [pink_x, pink]),
+            ("black", self.spot("black", 10.0 / 11.0)),
+        ] {
+            balls.push((String::from(name), place));
+        }
+    }
+
+    fn three_cushion(&self, balls: &mut Vec<RackedBall>) {
+        let [x, y] = self.spot("head", 0.25);
+        let offset = THREE_CUSHION_OFFSET.min(0.25 * self.table.size.x);
+        balls.push((String::from("cue"), [mirrored(x, offset), y]));
+        balls.push((String::from("yellow"), [x, y]));
+        balls.push((String::from("red"), self.spot("foot", 0.75)));
+    }
+}
+
+/// `middle + offset`, rounded so that `middle - offset` is rounded to its exact mirror image: both
+/// then have opposite bits in the engine's frame.
+fn mirrored(middle: f64, offset: f64) -> f64 {
+    let exact = (middle + offset.abs()) - middle;
+    middle + exact.copysign(offset)
+}
+
+/// Uniform in [−1, 1), in steps of 2⁻⁵².
+fn signed_unit(random: &mut Pcg64) -> f64 {
+    (random.next_u64() >> 11) as f64 * (1.0 / (1u64 << 52) as f64) - 1.0
+}
+
+/// Uniform in 0..`n` (Lemire 2019 without its rejection: for the few balls of a rack the bias is
+/// below 10⁻¹⁸).
+fn below(random: &mut Pcg64, n: usize) -> usize {
+    ((u128::from(random.next_u64()) * n as u128) >> 64) as usize
+}
+
+/// Fisher & Yates' shuffle.
+fn shuffle<T>(items: &mut [T], random: &mut Pcg64) {
+    for i in (1..items.len()).rev() {
+        items.swap(i, below(random, i + 1));
+    }
+}

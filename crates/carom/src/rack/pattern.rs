@@ -1,0 +1,57 @@
+//! Which ball stands where in a rack of pool. Places are numbered from the apex, row by row, from
+//! left to right.
+
+use alloc::vec::Vec;
+
+use rand_pcg::Pcg64;
+
+use super::{Game, below, shuffle};
+
+/// Middle of the third row: the centre of the diamond and of every triangle.
+const CENTER: usize = 4;
+/// Back corners of a triangle of fifteen.
+const CORNERS: [usize; 2] = [10, 14];
+/// The last solid; the 8 is neither solid nor stripe.
+const LAST_SOLID: u8 = 7;
+const EIGHT: u8 = 8;
+
+/// The numbers of the balls in the order of their places.
+pub(super) fn order(game: Game, random: &mut Pcg64) -> Vec<u8> {
+    let last = match game {
+        Game::NineBall => 9,
+        Game::TenBall => 10,
+        _ => 15,
+    };
+    let mut order: Vec<u8> = (1..=last).collect();
+    shuffle(&mut order, random);
+    match game {
+        // WPA: the 1 on the apex, the highest in the middle, the others anyhow.
+        Game::NineBall | Game::TenBall => {
+            put(&mut order, 1, 0);
+            put(&mut order, last, CENTER);
+        }
+        Game::EightBall => eight_ball(&mut order, random),
+        _ => {}
+    }
+    order
+}
+
+/// WPA: the 8 in the middle, one back corner solid and the other striped, the others anyhow.
+fn eight_ball(order: &mut [u8], random: &mut Pcg64) {
+    put(order, EIGHT, CENTER);
+    let solid_left = below(random, 2) == 0;
+    for (corner, solid) in CORNERS.into_iter().zip([solid_left, !solid_left]) {
+        let fits = |n: u8| n != EIGHT && (n <= LAST_SOLID) == solid;
+        let candidates: Vec<usize> = (0..order.len()).filter(|&i| fits(order[i])).collect();
+        // Any of the balls that fit, so that no place prefers a number; never the other corner's,
+        // which is of the other kind by then or will be.
+        order.swap(corner, candidates[below(random, candidates.len())]);
+    }
+}
+
+/// Swaps ball `n` into `place`.
+fn put(order: &mut [u8], n: u8, place: usize) {
+    if let Some(at) = order.iter().position(|&m| m == n) {
+        order.swap(at, place);
+    }
+}

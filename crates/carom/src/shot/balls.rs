@@ -1,0 +1,153 @@
+//! The `balls` of a shot file, and whether they can lie where it says.
+
+use alloc::collections::BTreeMap;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::PlacedBall;
+use super::physics::{MASS, RADIUS};
+use super::read::At;
+use crate::error::Error;
+use crate::math::{Vec3, sqrt};
+use crate::simulate::MAX_BALLS;
+use crate::table::TOUCH_TOLERANCE;
+use crate::{Ball, BallState, Table, motion};
+
+/// Balls faster than this do not occur (the fastest breaks are near 15 m/s), m/s.
+const LARGEST_SPEED: f64 = 100.0;
+/// A tip at the miscue limit gives a ball of 30 m/s about 1300 rad/s; rad/s.
+const LARGEST_SPIN: f64 = 10_000.0;
+
+const KEYS: &[&str] = &["id", "position", "velocity", "angular_velocity", "mass", "radius"];
+
+/// Reads `balls`; `default` is the physics' ball.
+pub(super) fn read(at: &At<'_>, default: &Ball, table: &Table) -> Result<Vec<PlacedBall>, Error> {
+    let items = at.items("a list of balls")?;
+    if items.is_empty() || items.len() > MAX_BALLS {
+        return Err(at.refuse(
+            format!("found {} balls", items.len()),
+            format!("write between 1 and {MAX_BALLS}"),
+        ));
+    }
+    let mut balls = Vec::with_capacity(items.len());
+    let mut seen: BTreeMap<String, usize> = BTreeMap::new();
+    for (i, item) in items.iter().enumerate() {
+        let ball = read_one(item, default)?;
+        if let Some(first) = seen.insert(ball.id.clone(), i) {
+            return Err(Error::input(
+                format!("balls[{i}].id"),
+                format!("\"{}\" is already the id of balls[{first}]", ball.id),
+                "give every ball its own id",
+            ));
+        }
+        balls.push(ball);
+    }
+    for (i, ball) in balls.iter().enumerate() {
+        super::place::check(&format!("balls[{i}]"), ball, table)?;
+    }
+    check_overlaps(&balls)?;
+    Ok(balls)
+}
+
+fn read_one(at: &At<'_>, default: &Ball) -> Result<PlacedBall, Error> {
+    let fields = at.fields(KEYS)?;
+    let id = fields.require("id", "a text that no other ball has")?;
+    let id = String::from(id.text("a text that no other ball has")?);
+    let mut ball = *default;
+    fields.number_into("mass", &MASS, &mut ball.mass)?;
+    fields.number_into("radius", &RADIUS, &mut ball.radius)?;
+
+    let at = fields.require("position", "[x, y] in m")?;
+    let p = at.numbers(2, 3)?;
+    let position = Vec3::new(p[0], p[1], p.get(2).copied().unwrap_or(ball.radius));
+    on_the_cloth(&at, position.z, ball.radius)?;
+
+    let mut state = BallState { position, ..BallState::default() };
+    if let Some(at) = fields.get("velocity") {
+        state.velocity = at.vector()?;
+        check_length(&at, state.velocity, LARGEST_SPEED, "m/s")?;
+        if state.velocity.z != 0.0 {
+            return Err(at.refuse(
+                format!(
+                    "moves vertically at {:?} m/s, which this version does not simulate yet",
+                    state.velocity.z
+                ),
+                "write 0 as the third number",
+            ));
+        }
+    }
+    if let Some(at) = fields.get("angular_velocity") {
+        state.angular_velocity = at.vector()?;
+        check_length(&at, state.angular_velocity, LARGEST_SPIN, "rad/s")?;
+    }
+    state.motion = motion::classify(state.velocity, state.angular_velocity, ball.radius);
+    Ok(PlacedBall { id, ball, state })
+}
+
+fn on_the_cloth(at: &At<'_>, z: f64, radius: f64) -> Result<(), Error> {
+    if z < radius - TOUCH_TOLERANCE {
+        return Err(at.refuse(
+            format!(
+                "the ball is {} m deep in the slate: z = {z:?}, its radius {radius:?} m",
+                radius - z
+            ),
+            "leave z out, or write the radius",
+        ));
+    }
+    if z > radius + TOUCH_TOLERANCE {
+        return Err(at.refuse(
+            format!("starts in the air (z = {z:?} m, radius {radius:?} m), which this version does not simulate yet"),
+            "leave z out, or write the radius",
+        ));
+    }
+    Ok(())
+}
+
+fn check_length(at: &At<'_>, v: Vec3, most: f64, unit: &str) -> Result<(), Error> {
+    let length = v.length();
+    if length <= most {
+        return Ok(());
+    }
+    Err(at.refuse(
+        format!("{length:?} {unit} is out of range"),
+        format!("write at most {most} {unit}"),
+    ))
+}
+
+/// Refuses pairs that are deeper in one another than touching.
+fn check_overlaps(balls: &[PlacedBall]) -> Result<(), Error> {
+    // Sorted along x, only neighbours can overlap.
+    let mut order: Vec<usize> = (0..balls.len()).collect();
+    let left = |i: usize| balls[i].state.position.x - balls[i].ball.radius;
+    order.sort_by(|&i, &j| left(i).total_cmp(&left(j)));
+    let mut found: Option<(usize, usize)> = None;
+    for (k, &i) in order.iter().enumerate() {
+        let right = balls[i].state.position.x + balls[i].ball.radius;
+        for &j in order[k + 1..].iter().take_while(|&&j| left(j) < right) {
+            if depth(&balls[i], &balls[j]) > TOUCH_TOLERANCE {
+                let pair = (i.max(j), i.min(j));
+                found = Some(found.map_or(pair, |f| f.min(pair)));
+            }
+        }
+    }
+    let Some((later, first)) = found else { return Ok(()) };
+    Err(Error::input(
+        format!("balls[{later}].position"),
+        format!(
+            "ball \"{}\" overlaps balls[{first}] (\"{}\") by {:.3e} m",
+            balls[later].id,
+            balls[first].id,
+            depth(&balls[later], &balls[first]),
+        ),
+        format!(
+            "put their centres at least {:?} m apart",
+            balls[later].ball.radius + balls[first].ball.radius
+        ),
+    ))
+}
+
+fn depth(a: &PlacedBall, b: &PlacedBall) -> f64 {
+    let d = b.state.position - a.state.position;
+    a.ball.radius + b.ball.radius - sqrt(d.length_squared())
+}

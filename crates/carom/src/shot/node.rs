@@ -1,0 +1,198 @@
+//! A tree of plain values: what a JSON text or a Python dictionary says, before anyone asks
+//! whether it makes sense.
+
+use alloc::string::String;
+use alloc::vec::Vec;
+use core::fmt::Write;
+
+/// A value as written. NaN and infinities are kept, so that whoever reads them can say where
+/// they stand.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Node {
+    /// `null`.
+    Null,
+    /// `true` or `false`.
+    Bool(bool),
+    /// A number written without a fraction or an exponent.
+    Integer(i64),
+    /// Any other number.
+    Number(f64),
+    /// A string.
+    Text(String),
+    /// An array.
+    List(Vec<Node>),
+    /// An object, in the order written; keys are unique.
+    Object(Vec<(String, Node)>),
+}
+
+/// Lines of JSON are broken where they would be longer than this many characters.
+const LINE: usize = 100;
+
+impl Node {
+    /// An object from its keys and values.
+    pub fn object<const N: usize>(fields: [(&str, Node); N]) -> Self {
+        Self::Object(fields.into_iter().map(|(k, v)| (String::from(k), v)).collect())
+    }
+
+    /// A list.
+    pub fn list(items: impl IntoIterator<Item = impl Into<Node>>) -> Self {
+        Self::List(items.into_iter().map(Into::into).collect())
+    }
+
+    /// The value under `key`, if this is an object that has it.
+    pub fn get(&self, key: &str) -> Option<&Node> {
+        match self {
+            Self::Object(fields) => fields.iter().find(|(k, _)| k == key).map(|(_, v)| v),
+            _ => None,
+        }
+    }
+
+    /// Sets the value under `key`, in its place if the key exists, else at the end. Does nothing
+    /// to anything but an object.
+    pub fn set(&mut self, key: &str, value: impl Into<Node>) {
+        let Self::Object(fields) = self else { return };
+        match fields.iter_mut().find(|(k, _)| k == key) {
+            Some((_, old)) => *old = value.into(),
+            None => fields.push((String::from(key), value.into())),
+        }
+    }
+
+    /// JSON text, indented where a line would be too long. Every finite number reads back to the
+    /// same bits; a number that is not finite becomes `null`, which JSON has instead.
+    pub fn to_json(&self) -> String {
+        let mut out = String::new();
+        self.write_json(&mut out, 0);
+        out
+    }
+
+    fn write_json(&self, out: &mut String, indent: usize) {
+        let start = out.len();
+        self.write_flat(out);
+        if indent + (out.len() - start) <= LINE || !self.is_nested() {
+            return;
+        }
+        out.truncate(start);
+        let inner = indent + 2;
+        let (open, close) = if matches!(self, Self::List(_)) { ('[', ']') } else { ('{', '}') };
+        out.push(open);
+        let mut separator = "\n";
+        let mut entry = |out: &mut String, key: Option<&str>, value: &Node| {
+            out.push_str(separator);
+            separator = ",\n";
+            out.extend(core::iter::repeat_n(' ', inner));
+            if let Some(key) = key {
+                write_string(out, key);
+                out.push_str(": ");
+            }
+            value.write_json(out, inner);
+        };
+        match self {
+            Self::List(items) => items.iter().for_each(|v| entry(out, None, v)),
+            Self::Object(fields) => fields.iter().for_each(|(k, v)| entry(out, Some(k), v)),
+            _ => {}
+        }
+        out.push('\n');
+        out.extend(core::iter::repeat_n(' ', indent));
+        out.push(close);
+    }
+
+    fn is_nested(&self) -> bool {
+        match self {
+            Self::List(items) => !items.is_empty(),
+            Self::Object(fields) => !fields.is_empty(),
+            _ => false,
+        }
+    }
+
+    fn write_flat(&self, out: &mut String) {
+        match self {
+            Self::Null => out.push_str("null"),
+            Self::Bool(b) => out.push_str(if *b { "true" } else { "false" }),
+            Self::Integer(i) => _ = write!(out, "{i}"),
+            Self::Number(x) if !x.is_finite() => out.push_str("null"),
+            // Debug, unlike Display, keeps the point or the exponent that marks a float, and is
+            // the shortest text that reads back to the same bits.
+            Self::Number(x) => _ = write!(out, "{x:?}"),
+            Self::Text(s) => write_string(out, s),
+            Self::List(items) => {
+                out.push('[');
+                for (i, item) in items.iter().enumerate() {
+                    if i > 0 {
+                        out.push_str(", ");
+                    }
+                    item.write_flat(out);
+                }
+                out.push(']');
+            }
+            Self::Object(fields) => {
+                out.push('{');
+                for (i, (key, value)) in fields.iter().enumerate() {
+                    if i > 0 {
+                        out.push_str(", ");
+                    }
+                    write_string(out, key);
+                    out.push_str(": ");
+                    value.write_flat(out);
+                }
+                out.push('}');
+            }
+        }
+    }
+}
+
+fn write_string(out: &mut String, s: &str) {
+    out.push('"');
+    for c in s.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\r' => out.push_str("\\r"),
+            '\t' => out.push_str("\\t"),
+            c if u32::from(c) < 0x20 => _ = write!(out, "\\u{:04x}", u32::from(c)),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+}
+
+impl From<f64> for Node {
+    fn from(x: f64) -> Self {
+        Self::Number(x)
+    }
+}
+impl From<u32> for Node {
+    fn from(i: u32) -> Self {
+        Self::Integer(i64::from(i))
+    }
+}
+impl From<bool> for Node {
+    fn from(b: bool) -> Self {
+        Self::Bool(b)
+    }
+}
+impl From<&str> for Node {
+    fn from(s: &str) -> Self {
+        Self::Text(String::from(s))
+    }
+}
+impl From<&String> for Node {
+    fn from(s: &String) -> Self {
+        Self::Text(s.clone())
+    }
+}
+impl From<String> for Node {
+    fn from(s: String) -> Self {
+        Self::Text(s)
+    }
+}
+impl<T: Into<Node>> From<Option<T>> for Node {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Self::Null, Into::into)
+    }
+}
+impl<const N: usize> From<[f64; N]> for Node {
+    fn from(v: [f64; N]) -> Self {
+        Self::list(v)
+    }
+}

@@ -1,0 +1,291 @@
+//! The `physics` of a shot file: a preset's name, or an object merged key by key over its base.
+
+use alloc::format;
+
+use super::node::Node;
+use super::read::{At, Range};
+use crate::Ball;
+use crate::error::Error;
+use crate::physics::{
+    BallBall, BallBallModel, Cloth, Cue, Cushion, CushionFriction, CushionModel,
+    CushionRestitution, Physics, Slate, SlipFriction, Tip,
+};
+
+/// A coefficient of restitution, or an efficiency.
+const FRACTION: Range = Range::closed(0.0, 1.0, "");
+/// A coefficient of friction.
+const FRICTION: Range = Range::not_negative("");
+/// A ball's or a cue's mass.
+pub(super) const MASS: Range = Range::positive(" kg");
+/// A ball's or a tip's radius.
+pub(super) const RADIUS: Range = Range::positive(" m");
+/// ω_t/ω_n: Stronge's piecewise solution holds where the tangential spring swings faster than the
+/// normal one, but less than twice as fast.
+const FREQUENCY_RATIO: Range = Range::closed(1.0, 2.0, "");
+
+const BALL_BALL_MODELS: &[(&str, BallBallModel)] = &[
+    ("elastic", BallBallModel::Elastic),
+    ("frictional", BallBallModel::Frictional),
+    ("mathavan-2014", BallBallModel::Mathavan2014),
+    ("compliant", BallBallModel::Compliant),
+];
+
+const CUSHION_MODELS: &[(&str, CushionModel)] = &[
+    ("restitution", CushionModel::Restitution),
+    ("han-2005", CushionModel::Han2005),
+    ("mathavan-2010", CushionModel::Mathavan2010),
+    ("stronge", CushionModel::Stronge),
+];
+
+/// Reads `physics`; `default` is the preset that belongs to the table.
+pub(super) fn read(at: Option<&At<'_>>, default: &str) -> Result<Physics, Error> {
+    let Some(at) = at else { return Ok(preset(default)) };
+    if !at.is_object() {
+        return named(at);
+    }
+    let fields =
+        at.fields(&["base", "gravity", "ball", "cloth", "ball_ball", "cushion", "slate", "cue"])?;
+    let mut physics = match fields.get("base") {
+        Some(base) => named(&base)?,
+        None => preset(default),
+    };
+    fields.number_into("gravity", &Range::positive(" m/s²"), &mut physics.gravity)?;
+    if let Some(at) = fields.get("ball") {
+        ball(&at, &mut physics.ball)?;
+    }
+    if let Some(at) = fields.get("cloth") {
+        cloth(&at, &mut physics.cloth)?;
+    }
+    if let Some(at) = fields.get("ball_ball") {
+        ball_ball(&at, &mut physics.ball_ball)?;
+    }
+    if let Some(at) = fields.get("cushion") {
+        cushion(&at, &mut physics.cushion)?;
+    }
+    if let Some(at) = fields.get("slate") {
+        slate(&at, &mut physics.slate)?;
+    }
+    if let Some(at) = fields.get("cue") {
+        cue(&at, &mut physics.cue)?;
+    }
+    Ok(physics)
+}
+
+fn preset(name: &str) -> Physics {
+    Physics::preset(name).expect("every table names a physics preset that exists")
+}
+
+fn named(at: &At<'_>) -> Result<Physics, Error> {
+    let name = at.text("a physics preset's name, or an object {...}")?;
+    Physics::preset(name).ok_or_else(|| at.unknown_word(name, "physics preset", &Physics::PRESETS))
+}
+
+fn ball(at: &At<'_>, ball: &mut Ball) -> Result<(), Error> {
+    let fields = at.fields(&["mass", "radius"])?;
+    fields.number_into("mass", &MASS, &mut ball.mass)?;
+    fields.number_into("radius", &RADIUS, &mut ball.radius)
+}
+
+fn cloth(at: &At<'_>, cloth: &mut Cloth) -> Result<(), Error> {
+    let fields = at.fields(&["sliding_friction", "rolling_friction", "spin_deceleration"])?;
+    fields.number_into("sliding_friction", &FRICTION, &mut cloth.sliding_friction)?;
+    fields.number_into("rolling_friction", &FRICTION, &mut cloth.rolling_friction)?;
+    let deceleration = Range::not_negative(" rad/s²");
+    fields.number_into("spin_deceleration", &deceleration, &mut cloth.spin_deceleration)
+}
+
+fn ball_ball(at: &At<'_>, law: &mut BallBall) -> Result<(), Error> {
+    let fields = at.fields(&["model", "restitution", "friction", "frequency_ratio"])?;
+    if let Some(at) = fields.get("model") {
+        law.model = at.choice("ball–ball model", BALL_BALL_MODELS)?;
+    }
+    fields.number_into("restitution", &FRACTION, &mut law.restitution)?;
+    if let Some(at) = fields.get("friction") {
+        slip_friction(&at, &mut law.friction)?;
+    }
+    fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
+}
+
+fn slip_friction(at: &At<'_>, friction: &mut SlipFriction) -> Result<(), Error> {
+    if !at.is_object() {
+        *friction = SlipFriction::constant(at.number(&FRICTION)?);
+        return Ok(());
+    }
+    let fields = at.fields(&["a", "b", "c"])?;
+    fields.number_into("a", &FRICTION, &mut friction.a)?;
+    fields.number_into("b", &Range::any(""), &mut friction.b)?;
+    fields.number_into("c", &Range::not_negative(" s/m"), &mut friction.c)?;
+    if friction.a + friction.b < 0.0 {
+        return Err(at.refuse(
+            format!("at rest the friction a + b is {:?}", friction.a + friction.b),
+            "choose a and b with a + b ≥ 0",
+        ));
+    }
+    Ok(())
+}
+
+fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
+    let fields = at.fields(&["model", "restitution", "friction", "frequency_ratio"])?;
+    if let Some(at) = fields.get("model") {
+        law.model = at.choice("cushion model", CUSHION_MODELS)?;
+    }
+    if let Some(at) = fields.get("restitution") {
+        cushion_restitution(&at, law.model, &mut law.restitution)?;
+    }
+    if let Some(at) = fields.get("friction") {
+        cushion_friction(&at, law.model, &mut law.friction)?;
+    }
+    fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
+}
+
+fn cushion_restitution(
+    at: &At<'_>,
+    model: CushionModel,
+    restitution: &mut CushionRestitution,
+) -> Result<(), Error> {
+    if !at.is_object() {
+        *restitution = CushionRestitution { a: at.number(&FRACTION)?, b: 0.0, c: 0.0 };
+        return Ok(());
+    }
+    han_only(at, model)?;
+    let fields = at.fields(&["a", "b", "c"])?;
+    fields.number_into("a", &FRACTION, &mut restitution.a)?;
+    fields.number_into("b", &Range::any(" per m/s"), &mut restitution.b)?;
+    fields.number_into("c", &Range::any(" per (m/s)²"), &mut restitution.c)
+}
+
+fn cushion_friction(
+    at: &At<'_>,
+    model: CushionModel,
+    friction: &mut CushionFriction,
+) -> Result<(), Error> {
+    if !at.is_object() {
+        *friction = CushionFriction { a: at.number(&FRICTION)?, b: 0.0 };
+        return Ok(());
+    }
+    han_only(at, model)?;
+    let fields = at.fields(&["a", "b"])?;
+    fields.number_into("a", &FRICTION, &mut friction.a)?;
+    fields.number_into("b", &Range::any(" per rad"), &mut friction.b)
+}
+
+/// Han's fits in the speed and the incidence belong to his model alone.
+fn han_only(at: &At<'_>, model: CushionModel) -> Result<(), Error> {
+    if model == CushionModel::Han2005 {
+        return Ok(());
+    }
+    Err(at.refuse(
+        "a fit {\"a\", \"b\", ...} belongs to the cushion model \"han-2005\"",
+        "write a number, or choose that model",
+    ))
+}
+
+fn slate(at: &At<'_>, slate: &mut Slate) -> Result<(), Error> {
+    let fields = at.fields(&["restitution", "friction"])?;
+    fields.number_into("restitution", &FRACTION, &mut slate.restitution)?;
+    fields.number_into("friction", &FRICTION, &mut slate.friction)
+}
+
+fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
+    let fields = at.fields(&[
+        "mass",
+        "end_mass",
+        "tip_radius",
+        "tip_friction",
+        "tip_restitution",
+        "tip_efficiency",
+    ])?;
+    fields.number_into("mass", &MASS, &mut cue.mass)?;
+    fields.number_into("end_mass", &Range::not_negative(" kg"), &mut cue.end_mass)?;
+    fields.number_into("tip_radius", &Range::not_negative(" m"), &mut cue.tip_radius)?;
+    fields.number_into("tip_friction", &FRICTION, &mut cue.tip_friction)?;
+    match (fields.get("tip_restitution"), fields.get("tip_efficiency")) {
+        (Some(_), Some(efficiency)) => Err(efficiency.refuse(
+            "tip_restitution and tip_efficiency say the same thing twice",
+            "keep one of the two",
+        )),
+        (Some(e), None) => Ok(cue.tip = Tip::Restitution(e.number(&FRACTION)?)),
+        (None, Some(eta)) => Ok(cue.tip = Tip::Efficiency(eta.number(&FRACTION)?)),
+        (None, None) => Ok(()),
+    }
+}
+
+/// The whole of a `physics` as a shot file would say it, key by key; it reads back to the same
+/// bits over any base.
+pub fn write(physics: &Physics) -> Node {
+    let Physics { gravity, ball, cloth, ball_ball, cushion, slate, cue } = physics;
+    let tip = match cue.tip {
+        Tip::Restitution(e) => ("tip_restitution", e.into()),
+        Tip::Efficiency(eta) => ("tip_efficiency", eta.into()),
+    };
+    Node::object([
+        ("gravity", (*gravity).into()),
+        ("ball", Node::object([("mass", ball.mass.into()), ("radius", ball.radius.into())])),
+        (
+            "cloth",
+            Node::object([
+                ("sliding_friction", cloth.sliding_friction.into()),
+                ("rolling_friction", cloth.rolling_friction.into()),
+                ("spin_deceleration", cloth.spin_deceleration.into()),
+            ]),
+        ),
+        (
+            "ball_ball",
+            Node::object([
+                ("model", word_of(BALL_BALL_MODELS, ball_ball.model)),
+                ("restitution", ball_ball.restitution.into()),
+                ("friction", write_slip_friction(&ball_ball.friction)),
+                ("frequency_ratio", ball_ball.frequency_ratio.into()),
+            ]),
+        ),
+        ("cushion", write_cushion(cushion)),
+        (
+            "slate",
+            Node::object([
+                ("restitution", slate.restitution.into()),
+                ("friction", slate.friction.into()),
+            ]),
+        ),
+        (
+            "cue",
+            Node::object([
+                ("mass", cue.mass.into()),
+                ("end_mass", cue.end_mass.into()),
+                ("tip_radius", cue.tip_radius.into()),
+                ("tip_friction", cue.tip_friction.into()),
+                tip,
+            ]),
+        ),
+    ])
+}
+
+fn write_slip_friction(friction: &SlipFriction) -> Node {
+    let SlipFriction { a, b, c } = *friction;
+    if b == 0.0 && c == 0.0 {
+        return a.into();
+    }
+    Node::object([("a", a.into()), ("b", b.into()), ("c", c.into())])
+}
+
+fn write_cushion(cushion: &Cushion) -> Node {
+    let (e, mu) = (&cushion.restitution, &cushion.friction);
+    // A fit is written only where it may be read back: with Han's model.
+    let fitted = cushion.model == CushionModel::Han2005;
+    let restitution = if fitted {
+        Node::object([("a", e.a.into()), ("b", e.b.into()), ("c", e.c.into())])
+    } else {
+        e.a.into()
+    };
+    let friction =
+        if fitted { Node::object([("a", mu.a.into()), ("b", mu.b.into())]) } else { mu.a.into() };
+    Node::object([
+        ("model", word_of(CUSHION_MODELS, cushion.model)),
+        ("restitution", restitution),
+        ("friction", friction),
+        ("frequency_ratio", cushion.frequency_ratio.into()),
+    ])
+}
+
+fn word_of<T: PartialEq>(words: &[(&'static str, T)], value: T) -> Node {
+    words.iter().find(|(_, v)| *v == value).map(|(word, _)| *word).into()
+}

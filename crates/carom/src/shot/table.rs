@@ -1,0 +1,184 @@
+//! The `table` of a shot file: a preset's name, or an object that may start from one.
+
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::read::{At, Fields, Range};
+use crate::error::Error;
+use crate::table::{
+    self, Markings, PocketDescription, PocketLayout, PocketModel, Sights, Spot, Table,
+    TableDescription, TableError,
+};
+
+/// The physics that belongs to unbounded cloth.
+const UNBOUNDED_PHYSICS: &str = "pool";
+
+const LENGTH: Range = Range::positive(" m");
+const OPEN_LENGTH: Range = Range::not_negative(" m");
+const ANYWHERE: Range = Range::any(" m");
+/// Inside the rubber between nose and facing.
+const CUT_ANGLE: Range = Range::half_open(90.0, 180.0, " degrees");
+
+const KEYS: &[&str] = &[
+    "base",
+    "cloth",
+    "length",
+    "width",
+    "cushion_height",
+    "cushion_width",
+    "rail_width",
+    "pockets",
+    "pocket_model",
+    "corner_pocket",
+    "side_pocket",
+    "sights",
+    "markings",
+    "physics",
+];
+
+/// Reads `table`; also the name of the physics preset that belongs to it.
+pub(super) fn read(at: &At<'_>) -> Result<(Table, String), Error> {
+    if !at.is_object() {
+        let name = at.text("a table preset's name, or an object {...}")?;
+        let table = Table::preset(name).ok_or_else(|| unknown_preset(at, name))?;
+        let physics = table.description.as_ref().map_or(UNBOUNDED_PHYSICS, |d| &d.physics).into();
+        return Ok((table, physics));
+    }
+    let fields = at.fields(KEYS)?;
+    if let Some(cloth) = fields.get("cloth") {
+        return unbounded(&fields, &cloth);
+    }
+    let description = match fields.get("base") {
+        Some(at) => changed(&fields, base(&at)?)?,
+        None => {
+            let side = |key| {
+                fields
+                    .require(key, "it in m, or start from a preset with \"base\"")?
+                    .number(&LENGTH)
+            };
+            changed(&fields, TableDescription::rectangle(side("width")?, side("length")?))?
+        }
+    };
+    build(at, description)
+}
+
+fn build(at: &At<'_>, description: TableDescription) -> Result<(Table, String), Error> {
+    let physics = description.physics.clone();
+    let table = Table::from_description(&description).map_err(|TableError { key, problem }| {
+        Error::input(format!("{}.{key}", at.place()), problem, "")
+    })?;
+    Ok((table, physics))
+}
+
+fn unbounded(fields: &Fields<'_>, cloth: &At<'_>) -> Result<(Table, String), Error> {
+    cloth.choice("cloth", &[("unbounded", ())])?;
+    if let Some(key) = KEYS.iter().find(|&&key| key != "cloth" && fields.get(key).is_some()) {
+        return Err(fields.get(key).unwrap_or_else(|| cloth.clone()).refuse(
+            "unbounded cloth has no sides, rails or pockets",
+            "leave the key out, or leave `cloth` out",
+        ));
+    }
+    Ok((Table::unbounded(), UNBOUNDED_PHYSICS.into()))
+}
+
+fn base(at: &At<'_>) -> Result<TableDescription, Error> {
+    let name = at.text("a table preset's name")?;
+    TableDescription::preset(name).ok_or_else(|| unknown_preset(at, name))
+}
+
+fn unknown_preset(at: &At<'_>, name: &str) -> Error {
+    at.unknown_word(name, "table preset", &table::PRESETS)
+}
+
+/// `d` with what `fields` say.
+fn changed(fields: &Fields<'_>, mut d: TableDescription) -> Result<TableDescription, Error> {
+    fields.number_into("length", &LENGTH, &mut d.length)?;
+    fields.number_into("width", &LENGTH, &mut d.width)?;
+    fields.number_into("cushion_height", &LENGTH, &mut d.cushion_height)?;
+    fields.number_into("cushion_width", &LENGTH, &mut d.cushion_width)?;
+    fields.number_into("rail_width", &LENGTH, &mut d.rail_width)?;
+    if let Some(at) = fields.get("pockets") {
+        let layouts = &[("none", PocketLayout::None), ("six", PocketLayout::Six)];
+        d.pockets = at.choice("pocket layout", layouts)?;
+    }
+    if let Some(at) = fields.get("pocket_model") {
+        let models =
+            &[("drop-circle", PocketModel::DropCircle), ("mouth-line", PocketModel::MouthLine)];
+        d.pocket_model = at.choice("pocket model", models)?;
+    }
+    if let Some(at) = fields.get("corner_pocket") {
+        d.corner_pocket = Some(pocket(&at, d.corner_pocket)?);
+    }
+    if let Some(at) = fields.get("side_pocket") {
+        d.side_pocket = Some(pocket(&at, d.side_pocket)?);
+    }
+    if let Some(at) = fields.get("sights") {
+        d.sights = Some(sights(&at)?);
+    }
+    if let Some(at) = fields.get("markings") {
+        d.markings = markings(&at)?;
+    }
+    if let Some(at) = fields.get("physics") {
+        let name = at.text("a physics preset's name")?;
+        if !crate::Physics::PRESETS.contains(&name) {
+            return Err(at.unknown_word(name, "physics preset", &crate::Physics::PRESETS));
+        }
+        d.physics = name.into();
+    }
+    Ok(d)
+}
+
+/// A pocket: `base` with what stands here, or whole where there is no base.
+fn pocket(at: &At<'_>, base: Option<PocketDescription>) -> Result<PocketDescription, Error> {
+    let fields =
+        at.fields(&["mouth", "cut_angle_deg", "shelf", "hole_radius", "point_radius", "throat"])?;
+    let number = |key, range, old: Option<f64>| match (fields.get(key), old) {
+        (Some(at), _) => at.number(range),
+        (None, Some(old)) => Ok(old),
+        (None, None) => {
+            fields.require(key, "it, or start from a preset with \"base\"")?.number(range)
+        }
+    };
+    Ok(PocketDescription {
+        mouth: number("mouth", &LENGTH, base.map(|b| b.mouth))?,
+        cut_angle_deg: number("cut_angle_deg", &CUT_ANGLE, base.map(|b| b.cut_angle_deg))?,
+        shelf: number("shelf", &ANYWHERE, base.map(|b| b.shelf))?,
+        hole_radius: number("hole_radius", &LENGTH, base.map(|b| b.hole_radius))?,
+        point_radius: number("point_radius", &OPEN_LENGTH, base.map(|b| b.point_radius))?,
+        throat: match fields.get("throat") {
+            Some(at) => Some(at.number(&LENGTH)?),
+            None => base.and_then(|b| b.throat),
+        },
+    })
+}
+
+fn sights(at: &At<'_>) -> Result<Sights, Error> {
+    const MOST: u32 = 1000;
+    let fields = at.fields(&["along_length", "along_width", "setback"])?;
+    let intervals = |key| fields.require(key, "the number of intervals")?.whole(1, MOST);
+    Ok(Sights {
+        along_length: intervals("along_length")?,
+        along_width: intervals("along_width")?,
+        setback: fields.require("setback", "it in m")?.number(&ANYWHERE)?,
+    })
+}
+
+fn markings(at: &At<'_>) -> Result<Markings, Error> {
+    let fields = at.fields(&["head_string", "d_radius", "spots"])?;
+    let optional = |key, range| fields.get(key).map(|at: At<'_>| at.number(range)).transpose();
+    let mut spots = Vec::new();
+    if let Some(at) = fields.get("spots") {
+        for at in at.items("a list of spots")? {
+            let fields = at.fields(&["name", "position"])?;
+            let name = fields.require("name", "the spot's name")?.text("the spot's name")?.into();
+            let p = fields.require("position", "[x, y] in m")?.numbers(2, 2)?;
+            spots.push(Spot { name, position: [p[0], p[1]] });
+        }
+    }
+    Ok(Markings {
+        head_string: optional("head_string", &OPEN_LENGTH)?,
+        d_radius: optional("d_radius", &LENGTH)?,
+        spots,
+    })
+}

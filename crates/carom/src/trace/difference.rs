@@ -1,0 +1,49 @@
+//! Where two traces of one shot part.
+
+use alloc::format;
+use alloc::string::String;
+
+use super::{Trace, TraceEvent};
+use crate::BallState;
+
+impl Trace {
+    /// The first place where `self` and `again` differ in any bit, in one sentence; `None` if they
+    /// are the same events, to the same final states.
+    pub fn first_difference(&self, again: &Self) -> Option<String> {
+        for (i, (a, b)) in self.events().zip(again.events()).enumerate() {
+            if let Some(what) = in_event(&a, &b) {
+                return Some(format!("events[{i}].{what}"));
+            }
+        }
+        let (n, m) = (self.events().len(), again.events().len());
+        if n != m {
+            return Some(format!("events: {n} against {m}"));
+        }
+        if self.duration.to_bits() != again.duration.to_bits() {
+            return Some(format!("duration: {:?} against {:?}", self.duration, again.duration));
+        }
+        in_states("final", &self.last, &again.last)
+    }
+}
+
+fn in_event(a: &TraceEvent<'_>, b: &TraceEvent<'_>) -> Option<String> {
+    if a.time.to_bits() != b.time.to_bits() {
+        return Some(format!("time: {:?} against {:?}", a.time, b.time));
+    }
+    if a.what != b.what {
+        return Some(format!("type: {:?} against {:?}", a.what, b.what));
+    }
+    if a.balls != b.balls {
+        return Some(format!("balls: numbers {:?} against {:?}", a.balls, b.balls));
+    }
+    in_states("before", a.before, b.before).or_else(|| in_states("after", a.after, b.after))
+}
+
+fn in_states(key: &str, a: &[BallState], b: &[BallState]) -> Option<String> {
+    let bits = |s: &BallState| {
+        let words = |v: crate::math::Vec3| v.to_array().map(f64::to_bits);
+        (words(s.position), words(s.velocity), words(s.angular_velocity), s.motion)
+    };
+    let i = a.iter().zip(b).position(|(a, b)| bits(a) != bits(b))?;
+    Some(format!("{key}[{i}]: {:?} against {:?}", a[i], b[i]))
+}

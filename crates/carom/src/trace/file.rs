@@ -1,0 +1,248 @@
+//! `carom-trace/1`: a trace as a tree of values and as JSON, both ways without losing a bit.
+//!
+//! The reader takes keys that it does not know as written by a newer engine and passes over them;
+//! it checks what it does know, and that the events still have the hash that stands beside them.
+
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use super::{FORMAT, Log, Trace, TraceEvent, What};
+use crate::error::Error;
+use crate::math::Vec3;
+use crate::shot::read::{At, Fields, Range};
+use crate::shot::{Node, PlacedBall, Shot};
+use crate::table::{Part, PocketName, Rail};
+use crate::{BallState, MotionState};
+
+const TIME: Range = Range::closed(0.0, f64::MAX, " s");
+/// Traces may hold any finite number, since they are results.
+const RESULT: Range = Range::closed(f64::MIN, f64::MAX, "");
+
+const RAILS: [Rail; 8] = [
+    Rail::Bottom,
+    Rail::Top,
+    Rail::Left,
+    Rail::Right,
+    Rail::LeftLower,
+    Rail::LeftUpper,
+    Rail::RightLower,
+    Rail::RightUpper,
+];
+
+const PARTS: [Part; 3] = [Part::Nose, Part::Facing, Part::Point];
+
+const POCKETS: [PocketName; 6] = [
+    PocketName::BottomLeft,
+    PocketName::BottomRight,
+    PocketName::Left,
+    PocketName::Right,
+    PocketName::TopLeft,
+    PocketName::TopRight,
+];
+
+impl Trace {
+    /// The trace as a tree of values.
+    pub fn to_node(&self) -> Node {
+        let balls = self.shot.balls();
+        Node::object([
+            ("format", FORMAT.into()),
+            ("engine", (&self.engine).into()),
+            ("shot", self.shot.to_node().clone()),
+            ("duration", self.duration.into()),
+            ("events", Node::list(self.events().map(|e| write_event(&e, balls)))),
+            ("final", Node::list(balls.iter().zip(&self.last).map(|(b, s)| write_ball(b, s)))),
+            ("outcome", self.outcome.to_node(balls)),
+            ("hash", format!("{:016x}", self.hash()).into()),
+        ])
+    }
+
+    /// The trace as JSON; [`Self::from_json`] reads it back to the same bits.
+    pub fn to_json(&self) -> String {
+        self.to_node().to_json()
+    }
+
+    /// Reads a saved trace.
+    ///
+    /// # Errors
+    /// [`Error::Input`] that names the place, as for a shot file.
+    #[cfg(feature = "json")]
+    pub fn from_json(text: &str) -> Result<Self, Error> {
+        Self::from_node(&crate::shot::parse_json(text)?)
+    }
+
+    /// Reads a trace from a tree of values. The outcome is worked out from the events, so that a
+    /// trace of an older engine gets the keys of this one.
+    ///
+    /// # Errors
+    /// [`Error::Input`] that names the place, as for a shot file.
+    pub fn from_node(node: &Node) -> Result<Self, Error> {
+        let fields = At::root(node).known_fields()?;
+        fields.require("format", &format!("\"{FORMAT}\""))?.choice("format", &[(FORMAT, ())])?;
+        let shot = fields.require("shot", "the shot file that the trace was made from")?;
+        let shot = Shot::from_node(shot.node().clone()).map_err(|e| e.inside("shot"))?;
+        let engine = fields.require("engine", "the engine's name and version")?;
+        let engine = String::from(engine.text("the engine's name and version")?);
+        let duration = fields.require("duration", "it in s")?.number(&TIME)?;
+        let mut log = Log::default();
+        for at in fields.require("events", "a list of events")?.items("a list of events")? {
+            read_event(&at, &shot, &mut log)?;
+        }
+        let at = fields.require("final", "a list of balls")?;
+        let last = read_final(&at, &shot)?;
+        let trace = Self::assemble(shot, engine, duration, log, last);
+        check_hash(&fields, &trace)?;
+        Ok(trace)
+    }
+}
+
+fn check_hash(fields: &Fields<'_>, trace: &Trace) -> Result<(), Error> {
+    let at = fields.require("hash", "16 hexadecimal digits")?;
+    let written = at.text("16 hexadecimal digits")?;
+    let ours = format!("{:016x}", trace.hash());
+    if written == ours {
+        return Ok(());
+    }
+    Err(at.refuse(
+        format!("the events and final states hash to {ours}, not to \"{written}\""),
+        "the trace was changed after it was written: make it anew from its shot",
+    ))
+}
+
+fn write_event(event: &TraceEvent<'_>, balls: &[PlacedBall]) -> Node {
+    let of = |i: &u16| &balls[usize::from(*i)];
+    let states = |states: &[BallState]| {
+        Node::list(event.balls.iter().zip(states).map(|(i, s)| write_ball(of(i), s)))
+    };
+    let mut node = Node::object([
+        ("time", event.time.into()),
+        ("type", event.what.name().into()),
+        ("balls", Node::list(event.balls.iter().map(|i| &of(i).id))),
+    ]);
+    match event.what {
+        What::RailCollision { rail, part } => {
+            node.set("rail", rail.name());
+            node.set("part", part.name());
+        }
+        What::PocketCollision(pocket) => node.set("pocket", pocket.name()),
+        What::MotionTransition { from, to } => {
+            node.set("from", from.name());
+            node.set("to", to.name());
+        }
+        What::CueStrike | What::BallCollision => {}
+    }
+    node.set("before", states(event.before));
+    node.set("after", states(event.after));
+    node
+}
+
+fn write_ball(placed: &PlacedBall, state: &BallState) -> Node {
+    Node::object([
+        ("id", (&placed.id).into()),
+        ("position", state.position.to_array().into()),
+        ("velocity", state.velocity.to_array().into()),
+        ("angular_velocity", state.angular_velocity.to_array().into()),
+        ("motion", state.motion.name().into()),
+    ])
+}
+
+fn read_event(at: &At<'_>, shot: &Shot, log: &mut Log) -> Result<(), Error> {
+    let fields = at.known_fields()?;
+    let time = fields.require("time", "it in s")?.number(&TIME)?;
+    let what = read_what(&fields)?;
+    let mut balls = Vec::new();
+    for at in fields.require("balls", "a list of ids")?.items("a list of ids")? {
+        balls.push(read_id(&at, shot)?);
+    }
+    for (key, states) in [("before", &mut log.before), ("after", &mut log.after)] {
+        let at = fields.require(key, "a list of balls")?;
+        let items = at.items("a list of balls")?;
+        if items.len() != balls.len() {
+            return Err(at.refuse(
+                format!("{} balls, but the event has {}", items.len(), balls.len()),
+                "write one for each ball of the event",
+            ));
+        }
+        for (item, &ball) in items.iter().zip(&balls) {
+            states.push(read_ball(item, &shot.balls()[usize::from(ball)].id)?);
+        }
+    }
+    log.push(time, what, &balls);
+    Ok(())
+}
+
+fn read_what(fields: &Fields<'_>) -> Result<What, Error> {
+    let motion = |key| {
+        let names = MotionState::ALL.map(|m| (m.name(), m));
+        fields.require(key, "a motion state")?.choice("motion state", &names)
+    };
+    let at = fields.require("type", "the type of event")?;
+    match at.text("the type of event")? {
+        "cue-strike" => Ok(What::CueStrike),
+        "ball-collision" => Ok(What::BallCollision),
+        "rail-collision" => {
+            let rails = RAILS.map(|r| (r.name(), r));
+            let parts = PARTS.map(|p| (p.name(), p));
+            Ok(What::RailCollision {
+                rail: fields.require("rail", "a rail")?.choice("rail", &rails)?,
+                part: fields.require("part", "a part of a cushion")?.choice("part", &parts)?,
+            })
+        }
+        "pocket-collision" => {
+            let pockets = POCKETS.map(|p| (p.name(), p));
+            let at = fields.require("pocket", "a pocket")?;
+            Ok(What::PocketCollision(at.choice("pocket", &pockets)?))
+        }
+        "motion-transition" => {
+            Ok(What::MotionTransition { from: motion("from")?, to: motion("to")? })
+        }
+        other => Err(at.unknown_word(
+            other,
+            "type of event",
+            &[
+                "cue-strike",
+                "ball-collision",
+                "rail-collision",
+                "pocket-collision",
+                "motion-transition",
+            ],
+        )),
+    }
+}
+
+fn read_id(at: &At<'_>, shot: &Shot) -> Result<u16, Error> {
+    let id = at.text("a ball's id")?;
+    shot.ball_index(id).and_then(|i| u16::try_from(i).ok()).ok_or_else(|| {
+        at.refuse(format!("no ball has the id \"{id}\""), "write the id of one of shot.balls")
+    })
+}
+
+fn read_final(at: &At<'_>, shot: &Shot) -> Result<Vec<BallState>, Error> {
+    let items = at.items("a list of balls")?;
+    if items.len() != shot.balls().len() {
+        return Err(at.refuse(
+            format!("{} balls, but the shot has {}", items.len(), shot.balls().len()),
+            "write one for each ball of the shot, in its order",
+        ));
+    }
+    items.iter().zip(shot.balls()).map(|(item, placed)| read_ball(item, &placed.id)).collect()
+}
+
+fn read_ball(at: &At<'_>, id: &str) -> Result<BallState, Error> {
+    let fields = at.known_fields()?;
+    let at_id = fields.require("id", "the ball's id")?;
+    if at_id.text("the ball's id")? != id {
+        return Err(at_id.refuse("another ball stands here", format!("write \"{id}\"")));
+    }
+    let vector = |key| {
+        let v = fields.require(key, "three numbers")?.numbers_in(3, 3, &RESULT)?;
+        Ok(Vec3::new(v[0], v[1], v[2]))
+    };
+    let motions = MotionState::ALL.map(|m| (m.name(), m));
+    Ok(BallState {
+        position: vector("position")?,
+        velocity: vector("velocity")?,
+        angular_velocity: vector("angular_velocity")?,
+        motion: fields.require("motion", "a motion state")?.choice("motion state", &motions)?,
+    })
+}

@@ -1,0 +1,62 @@
+//! The hash of a trace: 64 bits over the exact bits of all events and final states.
+//!
+//! Words of 64 bits are taken in the order below. Each is mixed in as FNV-1a does with bytes
+//! (Fowler, Noll & Vo: xor, then multiply by the prime), followed by a fold of the upper half into
+//! the lower, without which a flipped sign bit would only ever reach the top bit.
+//!
+//! Per event: the time; the type's number; two details (rail and part, pocket and 0, from and to,
+//! or 0 and 0); the number of balls; per ball its index, its state before, its state after. Then
+//! per ball its final state. A state is position, velocity, angular velocity (nine numbers) and
+//! the number of its motion state. Numbers of names count from 0 in the order of their
+//! declaration. The algorithm belongs to `carom-trace/1` and changes only with that number.
+
+use super::{Trace, What};
+use crate::BallState;
+
+const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
+const PRIME: u64 = 0x0000_0100_0000_01b3;
+
+struct Hasher(u64);
+
+impl Hasher {
+    fn word(&mut self, word: u64) {
+        self.0 = (self.0 ^ word).wrapping_mul(PRIME);
+        self.0 ^= self.0 >> 32;
+    }
+
+    fn state(&mut self, s: &BallState) {
+        for v in [s.position, s.velocity, s.angular_velocity] {
+            v.to_array().iter().for_each(|x| self.word(x.to_bits()));
+        }
+        self.word(s.motion as u64);
+    }
+}
+
+const fn numbers(what: What) -> [u64; 3] {
+    match what {
+        What::CueStrike => [0, 0, 0],
+        What::BallCollision => [1, 0, 0],
+        What::RailCollision { rail, part } => [2, rail as u64, part as u64],
+        What::PocketCollision(pocket) => [3, pocket as u64, 0],
+        What::MotionTransition { from, to } => [4, from as u64, to as u64],
+    }
+}
+
+impl Trace {
+    /// 64 bits over the exact bits of all events and final states.
+    pub fn hash(&self) -> u64 {
+        let mut hasher = Hasher(OFFSET_BASIS);
+        for event in self.events() {
+            hasher.word(event.time.to_bits());
+            numbers(event.what).into_iter().for_each(|n| hasher.word(n));
+            hasher.word(event.balls.len() as u64);
+            for (i, &ball) in event.balls.iter().enumerate() {
+                hasher.word(u64::from(ball));
+                hasher.state(&event.before[i]);
+                hasher.state(&event.after[i]);
+            }
+        }
+        self.last.iter().for_each(|s| hasher.state(s));
+        hasher.0
+    }
+}

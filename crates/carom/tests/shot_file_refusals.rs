@@ -1,0 +1,271 @@
+//! Every bad shot file is refused with one sentence that names the place, what is wrong there,
+//! and what would be right.
+
+use carom::{Error, Shot};
+
+/// A good shot on a plain rectangle, with `from` replaced by `to`.
+fn edited(from: &str, to: &str) -> String {
+    let good = r#"{
+        "format": "carom-shot/1",
+        "table": {"width": 1.27, "length": 2.54, "pockets": "none"},
+        "physics": {"base": "pool"},
+        "balls": [
+            {"id": "cue", "position": [0.635, 0.635]},
+            {"id": "1", "position": [0.635, 1.905]}
+        ],
+        "strike": {"ball": "cue", "speed": 2.0, "azimuth_deg": 90.0, "side": 0.0, "height": 0.0},
+        "max_events": 1000
+    }"#;
+    assert_eq!(good.matches(from).count(), 1, "`{from}` must stand once in the good file");
+    good.replace(from, to)
+}
+
+fn refusal(from: &str, to: &str) -> String {
+    match Shot::from_json(&edited(from, to)) {
+        Err(e @ Error::Input(_)) => e.to_string(),
+        other => panic!("{to}: expected a refusal, got {other:?}"),
+    }
+}
+
+#[track_caller]
+fn refused(from: &str, to: &str, place: &str, words: &[&str]) {
+    let sentence = refusal(from, to);
+    assert!(sentence.starts_with(&format!("{place}: ")), "`{sentence}` should name `{place}`");
+    for word in words {
+        assert!(sentence.contains(word), "`{sentence}` should say `{word}`");
+    }
+    assert!(!sentence.contains('\n'), "`{sentence}` is more than one line");
+}
+
+const BALL_1: &str = r#"{"id": "1", "position": [0.635, 1.905]}"#;
+const BASE: &str = r#""base": "pool""#;
+
+#[test]
+fn the_good_file_is_accepted() {
+    let shot = Shot::from_json(&edited("1000", "1000")).expect("a good file");
+    assert_eq!(shot.balls().len(), 2);
+    assert_eq!(shot.max_events(), 1000);
+}
+
+#[test]
+fn an_unknown_key_is_refused_with_the_nearest_known_one() {
+    refused("max_events", "max_event", "max_event", &["unknown key", "`max_events`"]);
+    refused("\"speed\"", "\"sped\"", "strike.sped", &["unknown key", "`speed`"]);
+    refused("azimuth_deg", "azimuth", "strike.azimuth", &["`azimuth_deg`"]);
+    refused(BASE, r#""cue": {"weight": 1}"#, "physics.cue.weight", &["mass", "tip_radius"]);
+    refused(
+        BASE,
+        r#""ball_ball": {"friction": {"a": 0.1, "d": 1}}"#,
+        "physics.ball_ball.friction.d",
+        &[],
+    );
+}
+
+#[test]
+fn a_missing_key_is_refused() {
+    refused("\"format\": \"carom-shot/1\",", "", "format", &["missing", "carom-shot/1"]);
+    refused("\"speed\": 2.0, ", "", "strike.speed", &["missing"]);
+    refused(BALL_1, r#"{"id": "1"}"#, "balls[1].position", &["missing"]);
+}
+
+#[test]
+fn a_wrong_type_is_refused() {
+    refused("\"speed\": 2.0", "\"speed\": \"fast\"", "strike.speed", &["\"fast\"", "number"]);
+    refused("\"speed\": 2.0", "\"speed\": null", "strike.speed", &["null", "number"]);
+    refused(BALL_1, "7", "balls[1]", &["the number 7", "object"]);
+    refused("[0.635, 1.905]", "[0.635]", "balls[1].position", &["list of 1", "2 or 3 numbers"]);
+    refused("1000", "10.5", "max_events", &["10.5", "whole"]);
+    refused("\"id\": \"1\"", "\"id\": 1", "balls[1].id", &["the number 1", "text"]);
+}
+
+#[test]
+fn a_nan_is_refused_where_it_stands() {
+    refused("1.905", "NaN", "balls[1].position[1]", &["NaN", "finite"]);
+    refused("\"speed\": 2.0", "\"speed\": -Infinity", "strike.speed", &["-Infinity", "finite"]);
+    refused("\"speed\": 2.0", "\"speed\": 1e999", "strike.speed", &["too large"]);
+}
+
+#[test]
+fn a_nan_from_code_is_refused_where_it_stands() {
+    use carom::shot::Node;
+    let shot = Shot::from_json(&edited("1000", "1000")).expect("a good file");
+    let mut node = shot.to_node().clone();
+    let mut strike = node.get("strike").cloned().expect("it has a strike");
+    strike.set("side", f64::NAN);
+    node.set("strike", strike);
+    let sentence = Shot::from_node(node).expect_err("a NaN").to_string();
+    assert!(sentence.starts_with("strike.side: NaN"), "{sentence}");
+    let mut node: Node = shot.to_node().clone();
+    node.set(
+        "balls",
+        Node::list([Node::object([
+            ("id", "cue".into()),
+            ("position", [0.5, f64::INFINITY].into()),
+        ])]),
+    );
+    let sentence = Shot::from_node(node).expect_err("an infinity").to_string();
+    assert!(sentence.starts_with("balls[0].position[1]: an infinite number"), "{sentence}");
+}
+
+#[test]
+fn a_key_that_stands_twice_is_refused() {
+    refused("\"speed\": 2.0", "\"speed\": 2.0, \"speed\": 3.0", "strike.speed", &["twice"]);
+}
+
+#[test]
+fn text_that_is_not_json_is_refused_with_its_line() {
+    for text in ["", "{", "{\"format\": }", "[1, 2", "{} x", "{\"a\": 1,}"] {
+        let sentence = Shot::from_json(text).expect_err("not JSON").to_string();
+        assert!(sentence.contains("not JSON") && sentence.contains("line 1"), "{sentence}");
+    }
+}
+
+#[test]
+fn overlapping_balls_are_refused_with_their_depth() {
+    refused("1.905", "0.690", "balls[1].position", &["balls[0]", "2.15", "0.05715"]);
+}
+
+#[test]
+fn touching_counts_up_to_a_nanometre() {
+    let at = |y: f64| Shot::from_json(&edited("1.905", &format!("{y:?}")));
+    let contact = 0.635 + 2.0 * 0.028575;
+    assert!(at(contact - 0.9e-9).is_ok());
+    assert!(at(contact - 1.1e-9).is_err());
+}
+
+#[test]
+fn a_ball_outside_or_in_a_cushion_is_refused() {
+    let reach = carom::table::nose_reach(0.635 * 0.05715, 0.028575).expect("the nose meets it");
+    let at = |x: f64| Shot::from_json(&edited("[0.635, 1.905]", &format!("[{x:?}, 1.905]")));
+    assert!(at(reach).is_ok(), "frozen to the rail");
+    assert!(at(1.27 - reach).is_ok(), "frozen to the other rail");
+    for x in [-0.5, 0.0, reach - 2e-9, 1.27 - reach + 2e-9, 2.0] {
+        let sentence = at(x).expect_err("outside").to_string();
+        assert!(sentence.starts_with("balls[1].position: "), "{sentence}");
+        assert!(sentence.contains("0.027"), "{sentence}");
+    }
+}
+
+#[test]
+fn a_ball_in_the_air_or_in_the_slate_is_refused() {
+    refused(
+        "1.905]",
+        "1.905, 0.1]",
+        "balls[1].position",
+        &["starts in the air", "not simulate yet"],
+    );
+    refused("1.905]", "1.905, 0.01]", "balls[1].position", &["deep in the slate"]);
+    refused("1.905]", "1.905], \"velocity\": [0, 0, 1]", "balls[1].velocity", &["vertically"]);
+}
+
+#[test]
+fn a_number_out_of_range_is_refused_with_its_range() {
+    refused("\"speed\": 2.0", "\"speed\": 0", "strike.speed", &["(0, 50] m/s"]);
+    refused("\"speed\": 2.0", "\"speed\": 51", "strike.speed", &["(0, 50] m/s"]);
+    refused("\"side\"", "\"elevation_deg\": 90, \"side\"", "strike.elevation_deg", &["[0, 90)"]);
+    refused("1.905]", "1.905], \"mass\": -0.1", "balls[1].mass", &["greater than 0"]);
+    refused(
+        "1.905]",
+        "1.905], \"velocity\": [80, 80, 0]",
+        "balls[1].velocity",
+        &["at most 100 m/s"],
+    );
+    refused(
+        "1.905]",
+        "1.905], \"angular_velocity\": [0, 0, 10001]",
+        "balls[1].angular_velocity",
+        &["10000 rad/s"],
+    );
+    refused(
+        BASE,
+        r#""ball_ball": {"restitution": 1.1}"#,
+        "physics.ball_ball.restitution",
+        &["[0, 1]"],
+    );
+    refused(
+        BASE,
+        r#""cloth": {"sliding_friction": -0.1}"#,
+        "physics.cloth.sliding_friction",
+        &["≥ 0"],
+    );
+    refused("1000", "0", "max_events", &["from 1 to"]);
+}
+
+#[test]
+fn a_strike_that_no_tip_can_play_is_refused() {
+    refused("\"side\": 0.0", "\"side\": 1.0", "strike.side", &["miss the ball"]);
+    refused("\"height\": 0.0", "\"height\": -0.9", "strike.height", &["miscue", "tip_friction"]);
+    let efficient = edited(BASE, r#""cue": {"tip_efficiency": 0.87, "tip_friction": 5}"#)
+        .replace("\"side\": 0.0", "\"side\": 0.9");
+    let sentence = Shot::from_json(&efficient).expect_err("unreachable").to_string();
+    assert!(sentence.starts_with("strike.side: unreachable"), "{sentence}");
+}
+
+#[test]
+fn a_miscue_may_be_reported_instead() {
+    let with = |height: &str| {
+        edited("\"height\": 0.0", &format!("\"height\": {height}, \"miscue\": \"report\""))
+    };
+    let shot = Shot::from_json(&with("0.9")).expect("reported, not refused");
+    assert!(shot.is_miscue());
+    let shot = Shot::from_json(&with("0.1")).expect("a clean strike");
+    assert!(!shot.is_miscue());
+}
+
+#[test]
+fn the_struck_ball_must_exist_and_rest() {
+    refused("\"ball\": \"cue\"", "\"ball\": \"white\"", "strike.ball", &["\"cue\", \"1\""]);
+    refused(
+        "[0.635, 0.635]",
+        "[0.635, 0.635], \"velocity\": [1, 0, 0]",
+        "strike.ball",
+        &["moves already"],
+    );
+}
+
+#[test]
+fn two_balls_with_one_id_are_refused() {
+    refused("\"id\": \"1\"", "\"id\": \"cue\"", "balls[1].id", &["balls[0]", "own id"]);
+}
+
+#[test]
+fn a_preset_that_does_not_exist_is_refused_with_the_nearest() {
+    refused("\"pool\"", "\"pol\"", "physics.base", &["\"pool\""]);
+    refused(r#"{"base": "pool"}"#, "\"snoker\"", "physics", &["\"snooker\""]);
+    refused(BASE, r#""cushion": {"model": "strong"}"#, "physics.cushion.model", &["\"stronge\""]);
+}
+
+#[test]
+fn a_tip_cannot_have_both_restitution_and_efficiency() {
+    refused(
+        BASE,
+        r#""cue": {"tip_restitution": 0.7, "tip_efficiency": 0.87}"#,
+        "physics.cue.tip_efficiency",
+        &["twice", "keep one"],
+    );
+}
+
+#[test]
+fn a_nose_that_cannot_meet_a_ball_is_refused() {
+    refused("1.905]", "1.905], \"radius\": 0.01", "balls[1].radius", &["cushion nose"]);
+}
+
+#[test]
+fn fits_belong_to_han_2005() {
+    refused(
+        BASE,
+        r#""cushion": {"model": "stronge", "restitution": {"a": 0.4, "b": 0.2, "c": 0}}"#,
+        "physics.cushion.restitution",
+        &["han-2005"],
+    );
+    let han = r#""cushion": {"model": "han-2005", "restitution": {"a": 0.39, "b": 0.257, "c": -0.044}, "friction": {"a": 0.471, "b": -0.241}}"#;
+    Shot::from_json(&edited(BASE, han)).expect("Han's own fits");
+}
+
+#[test]
+fn unbounded_cloth_has_no_other_keys() {
+    let table = r#"{"width": 1.27, "length": 2.54, "pockets": "none"}"#;
+    refused(table, r#"{"cloth": "unbounded", "length": 2}"#, "table.length", &["unbounded"]);
+    refused(table, r#"{"cloth": "endless"}"#, "table.cloth", &["\"unbounded\""]);
+    Shot::from_json(&edited(table, r#"{"cloth": "unbounded"}"#)).expect("endless cloth");
+}
