@@ -21,6 +21,8 @@
 //!   bit for bit.
 
 mod han_2005;
+mod mathavan_2010;
+mod stronge;
 
 use super::{Body, restitution};
 use crate::math::{Vec2, Vec3, atan2, sqrt};
@@ -135,16 +137,14 @@ fn settle(law: &Cushion, cloth: &Cloth, impact: &Impact) -> Change {
         return Change { velocity: Vec2::new(reflection, 0.0), spin: Vec3::ZERO };
     }
     let e = law.restitution.at(approach);
+    let mu = law.friction.at(impact.velocity);
     let mut change = match law.model {
         CushionModel::Restitution => {
             Change { velocity: Vec2::new(-(1.0 + e) * approach, 0.0), spin: Vec3::ZERO }
         }
-        CushionModel::Han2005 => han_2005::resolve(impact, e, law.friction.at(impact.velocity)),
-        CushionModel::Mathavan2010 => {
-            let _ = cloth;
-            han_2005::resolve(impact, e, law.friction.at(impact.velocity))
-        }
-        CushionModel::Stronge => han_2005::resolve(impact, e, law.friction.at(impact.velocity)),
+        CushionModel::Han2005 => han_2005::resolve(impact, e, mu),
+        CushionModel::Mathavan2010 => mathavan_2010::resolve(impact, cloth, e, mu),
+        CushionModel::Stronge => stronge::resolve(impact, e, mu, law.frequency_ratio),
     };
     change.velocity.x = change.velocity.x.min(-approach);
     if reflected > 0.0 {
