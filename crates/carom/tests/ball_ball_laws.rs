@@ -1,0 +1,268 @@
+//! What holds in every collision of two balls, whatever the model: energy, momentum, angular
+//! momentum about the contact, symmetry. Inputs are random but seeded.
+
+mod near;
+
+use carom::math::{Vec2, Vec3, exp, sqrt};
+use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
+use carom::resolve::{Body, ball_ball, ball_ball::group};
+use near::assert_near;
+
+const CLOTH: Cloth =
+    Cloth { sliding_friction: 0.2, rolling_friction: 0.01, spin_deceleration: 10.0 };
+const GRAVITY: f64 = 9.81;
+const IMPACTS: u32 = 100_000;
+const MODELS: [BallBallModel; 4] = [
+    BallBallModel::Elastic,
+    BallBallModel::Frictional,
+    BallBallModel::Mathavan2014,
+    BallBallModel::Compliant,
+];
+
+/// Sebastiano Vigna's SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * ((self.bits() >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+    fn pick(&mut self, n: u64) -> u64 {
+        self.bits() % n
+    }
+    fn vector(&mut self, size: f64) -> Vec3 {
+        Vec3::new(self.between(-size, size), self.between(-size, size), self.between(-size, size))
+    }
+}
+
+struct Impact {
+    law: BallBall,
+    normal: Vec3,
+    a: Body,
+    b: Body,
+}
+
+impl Impact {
+    /// Balls of any size, with speeds from 1e-6 to 10 m/s, most of them spinning.
+    fn random(random: &mut Random, model: BallBallModel) -> Self {
+        let mut ball = |alike: bool| {
+            let size = exp(random.between(-14.0, 2.3));
+            let spin = if random.pick(5) == 0 { 0.0 } else { size * 60.0 };
+            let velocity = Vec3 { z: 0.0, ..random.vector(size) };
+            let angular_velocity = random.vector(spin);
+            let (mass, radius) = if alike {
+                (0.17, 0.028575)
+            } else {
+                (random.between(0.02, 0.5), random.between(0.01, 0.06))
+            };
+            Body { velocity, angular_velocity, mass, radius }
+        };
+        let (first, second) = (ball(true), ball(true));
+        let (mut a, mut b) = if random.pick(2) == 0 {
+            (first, second)
+        } else {
+            let mut other = |body: Body| Body {
+                mass: random.between(0.02, 0.5),
+                radius: random.between(0.01, 0.06),
+                ..body
+            };
+            (other(first), other(second))
+        };
+        match random.pick(4) {
+            0 => b = Body { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, ..b },
+            1 => a = Body { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, ..a },
+            _ => {}
+        }
+        let normal = Self::normal(random, &a, &b);
+        let law = BallBall {
+            model,
+            restitution: if random.pick(3) == 0 { 1.0 } else { random.between(0.0, 1.0) },
+            friction: SlipFriction {
+                a: random.between(0.0, 0.3),
+                b: random.between(0.0, 0.3),
+                c: random.between(0.0, 2.0),
+            },
+            frequency_ratio: random.between(1.0, 2.0),
+        };
+        Self { law, normal, a, b }
+    }
+
+    /// A line of centres along which the balls approach.
+    fn normal(random: &mut Random, a: &Body, b: &Body) -> Vec3 {
+        let d = Vec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+        let tilt = (b.radius - a.radius) / (a.radius + b.radius);
+        let level = sqrt(1.0 - tilt * tilt) / d.length();
+        let sign = if (a.velocity - b.velocity).xy().dot(d) < 0.0 { -1.0 } else { 1.0 };
+        (d * (sign * level)).with_z(tilt)
+    }
+
+    fn resolve(&self) -> (Body, Body) {
+        let (mut a, mut b) = (self.a, self.b);
+        ball_ball::resolve(&self.law, &CLOTH, GRAVITY, self.normal, &mut a, &mut b);
+        (a, b)
+    }
+
+    fn speeds(&self) -> f64 {
+        self.a.velocity.length()
+            + self.b.velocity.length()
+            + self.a.radius * self.a.angular_velocity.length()
+            + self.b.radius * self.b.angular_velocity.length()
+    }
+}
+
+fn energy(ball: &Body) -> f64 {
+    let surface = ball.angular_velocity * ball.radius;
+    0.5 * ball.mass * ball.velocity.length_squared() + 0.2 * ball.mass * surface.length_squared()
+}
+
+fn every_impact(check: impl Fn(&Impact, Body, Body)) {
+    for (seed, model) in MODELS.into_iter().enumerate() {
+        let mut random = Random(1 + seed as u64);
+        // Integrated collisions take microseconds.
+        let impacts = if model == BallBallModel::Mathavan2014 { IMPACTS / 10 } else { IMPACTS };
+        for _ in 0..impacts {
+            let impact = Impact::random(&mut random, model);
+            let (a, b) = impact.resolve();
+            check(&impact, a, b);
+        }
+    }
+}
+
+#[test]
+fn energy_never_rises() {
+    every_impact(|impact, a, b| {
+        let before = energy(&impact.a) + energy(&impact.b);
+        let after = energy(&a) + energy(&b);
+        assert!(
+            after <= before * (1.0 + 1e-14),
+            "{:?}: {before:e} J, then {after:e} J, {:e}",
+            impact.law,
+            after / before - 1.0
+        );
+    });
+}
+
+#[test]
+fn an_elastic_impact_conserves_energy_for_balls_of_any_size() {
+    let mut random = Random(7);
+    for _ in 0..IMPACTS {
+        let mut impact = Impact::random(&mut random, BallBallModel::Elastic);
+        impact.law.restitution = 1.0;
+        let (a, b) = impact.resolve();
+        let before = energy(&impact.a) + energy(&impact.b);
+        assert_near((energy(&a) + energy(&b)) / before, 1.0, 1e-14);
+    }
+}
+
+#[test]
+fn restitution_holds_along_the_normal_and_balls_stay_on_the_cloth() {
+    every_impact(|impact, a, b| {
+        assert_eq!((a.velocity.z, b.velocity.z), (0.0, 0.0));
+        let approach = |a: &Body, b: &Body| (a.velocity - b.velocity).dot(impact.normal);
+        let (before, after) = (approach(&impact.a, &impact.b), approach(&a, &b));
+        assert!(after <= 1e-15 * impact.speeds(), "{:?}: still approach at {after:e}", impact.law);
+        if impact.law.model != BallBallModel::Mathavan2014 {
+            let cos_tilt = impact.normal.xy().length();
+            let e =
+                carom::resolve::restitution::effective(impact.law.restitution, before / cos_tilt);
+            assert_near(after + e * before, 0.0, 4e-15 * impact.speeds());
+        }
+    });
+}
+
+#[test]
+fn momentum_is_conserved_where_the_cloth_takes_no_part() {
+    every_impact(|impact, a, b| {
+        if impact.law.model == BallBallModel::Mathavan2014 {
+            return;
+        }
+        let momentum = |a: &Body, b: &Body| a.velocity * a.mass + b.velocity * b.mass;
+        let change = momentum(&a, &b) - momentum(&impact.a, &impact.b);
+        let scale = (impact.a.mass + impact.b.mass) * impact.speeds();
+        assert_near(change.length(), 0.0, 1e-15 * scale);
+    });
+}
+
+#[test]
+fn angular_momentum_about_the_contact_changes_by_the_slates_push_alone() {
+    every_impact(|impact, a, b| {
+        if impact.law.model == BallBallModel::Mathavan2014 {
+            return;
+        }
+        for (before, after, sign) in [(&impact.a, &a, 1.0), (&impact.b, &b, -1.0)] {
+            // The centre lies at −R·n from the contact for a, +R·n for b.
+            let arm = impact.normal * (-sign * before.radius);
+            let inertia = 0.4 * before.mass * before.radius * before.radius;
+            let change = arm.cross((after.velocity - before.velocity) * before.mass)
+                + (after.angular_velocity - before.angular_velocity) * inertia;
+            // A vertical push through the centre has no moment about n or the vertical.
+            let scale = before.mass * before.radius * impact.speeds();
+            assert_near(change.dot(impact.normal), 0.0, 1e-14 * scale);
+            assert_near(change.z, 0.0, 1e-14 * scale);
+        }
+    });
+}
+
+#[test]
+fn a_mirrored_impact_gives_the_mirrored_result_to_the_bit() {
+    let flip = |v: Vec3| Vec3 { x: -v.x, ..v };
+    let turn = |w: Vec3| Vec3 { y: -w.y, z: -w.z, ..w };
+    let mirror = |ball: Body| Body {
+        velocity: flip(ball.velocity),
+        angular_velocity: turn(ball.angular_velocity),
+        ..ball
+    };
+    every_impact(|impact, a, b| {
+        let image = Impact {
+            law: impact.law,
+            normal: flip(impact.normal),
+            a: mirror(impact.a),
+            b: mirror(impact.b),
+        };
+        assert_eq!(image.resolve(), (mirror(a), mirror(b)), "{:?}", impact.law);
+    });
+}
+
+#[test]
+fn exchanging_the_balls_exchanges_the_results_to_the_bit() {
+    every_impact(|impact, a, b| {
+        let exchanged =
+            Impact { law: impact.law, normal: -impact.normal, a: impact.b, b: impact.a };
+        assert_eq!(exchanged.resolve(), (b, a), "{:?}", impact.law);
+    });
+}
+
+#[test]
+fn a_groups_energy_never_rises_and_its_momentum_is_conserved() {
+    let mut random = Random(11);
+    for _ in 0..IMPACTS / 4 {
+        let model = MODELS[random.pick(4) as usize];
+        let size = 3 + random.pick(4) as usize;
+        let mut bodies: Vec<Body> =
+            (0..size).map(|_| Impact::random(&mut random, model).a).collect();
+        let law = Impact::random(&mut random, model).law;
+        let mut contacts = Vec::new();
+        for j in 1..size {
+            for _ in 0..1 + random.pick(2) {
+                let i = random.pick(j as u64) as usize;
+                let normal = Impact::normal(&mut random, &bodies[i], &bodies[j]);
+                contacts.push((i as u8, j as u8, normal));
+            }
+        }
+        let energy_of = |bodies: &[Body]| -> f64 { bodies.iter().map(energy).sum() };
+        let momentum =
+            |bodies: &[Body]| bodies.iter().fold(Vec3::ZERO, |sum, b| sum + b.velocity * b.mass);
+        let (before, push) = (energy_of(&bodies), momentum(&bodies));
+        let old = bodies.clone();
+        group::resolve_group(&law, &CLOTH, GRAVITY, &mut bodies, &contacts);
+        let after = energy_of(&bodies);
+        assert!(after <= before * (1.0 + 1e-13), "{law:?}: {before:e} then {after:e}");
+        let scale: f64 = old.iter().map(|b| b.mass * b.velocity.length()).sum();
+        assert_near((momentum(&bodies) - push).length(), 0.0, 1e-12 * scale);
+    }
+}
