@@ -17,19 +17,24 @@ pub(crate) fn first_capture(
     path: &Motion<2>,
     horizon: f64,
 ) -> Option<f64> {
-    let over_hole = match pocket.capture {
+    let through = through_gate(pocket, gate, reach, path, horizon);
+    over_hole(pocket, path, through.unwrap_or(horizon)).or(through)
+}
+
+/// First time in [0, `horizon`] at which the centre comes over the hole of a pocket that captures so.
+pub(crate) fn over_hole(pocket: &Pocket, path: &Motion<2>, horizon: f64) -> Option<f64> {
+    match pocket.capture {
         Capture::DropCircle => {
             let mut from_center = *path;
             from_center.d = [path.d[0] - pocket.center.x, path.d[1] - pocket.center.y];
             first_contact(&from_center, pocket.radius, horizon)
         }
         Capture::MouthLine { .. } => None,
-    };
-    let through_gate = gate_crossing(pocket, gate, reach, path, over_hole.unwrap_or(horizon));
-    through_gate.or(over_hole)
+    }
 }
 
-fn gate_crossing(
+/// First time in [0, `horizon`] at which the centre passes the gate outwards.
+pub(crate) fn through_gate(
     pocket: &Pocket,
     gate: &Gate,
     reach: f64,

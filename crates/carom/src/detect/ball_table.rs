@@ -10,7 +10,7 @@ use carom_roots::{Motion, first_crossing};
 use super::ball_cushion::{self, JOIN_OVERLAP};
 use super::ball_pocket;
 use crate::math::Vec2;
-use crate::table::Table;
+use crate::table::{Shape, Table};
 
 /// What a ball meets first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,12 +41,15 @@ pub fn first_meeting(
     {
         return None;
     }
-    let start = Vec2::new(path.d[0], path.d[1]);
-    let starts_in_mouth = !layout.mouths.is_empty()
-        && ((start.x.abs() > inner.x && !on_long_nose(table, start.y))
-            || (start.y.abs() > inner.y && !on_short_nose(table, start.x)));
-    if starts_in_mouth || reach < layout.clear_reach {
+    if reach < layout.clear_reach {
         return among_all(table, reach, path, horizon);
+    }
+    let start = Vec2::new(path.d[0], path.d[1]);
+    if !layout.mouths.is_empty()
+        && ((start.x.abs() > inner.x && !on_long_nose(table, start.y))
+            || (start.y.abs() > inner.y && !on_short_nose(table, start.x)))
+    {
+        return in_mouth(table, reach, path, 0.0, horizon);
     }
     let across = exit(inner.x, path.d[0], path.v[0], path.h[0], horizon);
     let up_to = across.map_or(horizon, |(t, _)| t);
@@ -65,7 +68,7 @@ pub fn first_meeting(
     };
     match rail {
         Some(place) => Some((t, TableFeature::Cushion(layout.noses[place]))),
-        None => among_all(table, reach, path, horizon),
+        None => in_mouth(table, reach, path, t, horizon),
     }
 }
 
@@ -101,6 +104,113 @@ fn on_long_nose(table: &Table, y: f64) -> bool {
     y >= from - JOIN_OVERLAP && y <= to + JOIN_OVERLAP
 }
 
+/// The first meeting of a ball that is in a pocket's mouth at `from`, s, and has met nothing before.
+///
+/// As long as the ball keeps to that pocket's quarter (or middle) of the table only that pocket's parts
+/// can be met. A path that leaves it, across the table again, is searched among all parts.
+fn in_mouth(
+    table: &Table,
+    reach: f64,
+    path: &Motion<2>,
+    from: f64,
+    horizon: f64,
+) -> Option<(f64, TableFeature)> {
+    let layout = &table.layout;
+    let [x, y] = path.at(from);
+    let at_side = y.abs() < layout.nose_y[0];
+    let right = usize::from(x > 0.0);
+    let index = if at_side { 2 + right } else { right + if y > 0.0 { 4 } else { 0 } };
+    let (pocket, mouth) = (&table.pockets[index], &layout.mouths[index]);
+
+    // The gate first: it costs little and ends the window in which the rest can matter. The hole last:
+    // a jaw that is met before often proves it out of the way. All are solved for the same horizon, so
+    // that a mirrored path, which comes to the jaws in another order, has the same bits.
+    let through = ball_pocket::through_gate(pocket, &mouth.gate, reach, path, horizon);
+    let last = through.unwrap_or(horizon);
+    let mut window = Window::new(path, from, last);
+    let mut first = through.map(|t| (t, TableFeature::Pocket(index as u8)));
+    for &part in &mouth.parts {
+        let shape = &table.cushions[usize::from(part)].shape;
+        if window.is_clear_of(shape, reach) {
+            continue;
+        }
+        if let Some(t) = ball_cushion::first_touch(shape, reach, path, last)
+            && first.is_none_or(|(earliest, _)| t < earliest)
+        {
+            first = Some((t, TableFeature::Cushion(part)));
+            window = Window::new(path, from, t);
+        }
+    }
+    if !window.is_clear_of_disc(pocket.center, pocket.radius)
+        && let Some(t) = ball_pocket::over_hole(pocket, path, last)
+        && first.is_none_or(|(earliest, _)| t < earliest)
+    {
+        first = Some((t, TableFeature::Pocket(index as u8)));
+        window = Window::new(path, from, t);
+    }
+    // The other end of either neighbouring nose bounds where this pocket is the only one.
+    let (outwards, upwards) = (if x > 0.0 { 1.0 } else { -1.0 }, if y > 0.0 { 1.0 } else { -1.0 });
+    let alone = if at_side {
+        window.least(Vec2::new(outwards, 0.0)) > 0.0
+            && window.least(Vec2::new(0.0, 1.0)) > -layout.nose_y[1]
+            && window.least(Vec2::new(0.0, -1.0)) > -layout.nose_y[1]
+    } else {
+        window.least(Vec2::new(outwards, 0.0)) > -layout.nose_x
+            && window.least(Vec2::new(0.0, upwards)) > layout.nose_y[0]
+    };
+    if alone { first } else { among_all(table, reach, path, horizon) }
+}
+
+/// A piece of a path, boxed in: it keeps within `sag` of the straight line between its ends.
+struct Window {
+    from: Vec2,
+    to: Vec2,
+    /// ¼Δt² of the half acceleration: a parabola is at most this far from its chord, m.
+    sag: Vec2,
+}
+
+impl Window {
+    fn new(path: &Motion<2>, from: f64, until: f64) -> Self {
+        let vec = |[x, y]: [f64; 2]| Vec2::new(x, y);
+        let dt = until - from;
+        Self {
+            from: vec(path.at(from)),
+            to: vec(path.at(until)),
+            sag: vec(path.h) * (0.25 * dt * dt),
+        }
+    }
+
+    /// The least coordinate along the unit vector `axis` that the path may reach, m. Not a number for a
+    /// path without end, so that every comparison with it fails.
+    fn least(&self, axis: Vec2) -> f64 {
+        let (a, b) = (axis.dot(self.from), axis.dot(self.to));
+        (if a < b { a } else { b }) - axis.dot(self.sag).abs()
+    }
+
+    /// Whether a ball of `reach` (m) provably keeps off `shape`.
+    fn is_clear_of(&self, shape: &Shape, reach: f64) -> bool {
+        match *shape {
+            Shape::Segment { start, normal, .. } => self.least(normal) - normal.dot(start) > reach,
+            Shape::Arc { center, radius, .. } => self.is_clear_of_disc(center, radius + reach),
+        }
+    }
+
+    /// Whether the path provably keeps further than `distance` (m) from `center`: on one side of it, or
+    /// apart along the line from it to the path's end.
+    fn is_clear_of_disc(&self, center: Vec2, distance: f64) -> bool {
+        let distance = distance + self.sag.x.abs() + self.sag.y.abs();
+        let squared = distance * distance;
+        let chord = self.to - self.from;
+        let beside = chord.cross(center - self.from);
+        if beside * beside > squared * chord.length_squared() {
+            return true;
+        }
+        let to = self.to - center;
+        let (end, begin) = (to.length_squared(), to.dot(self.from - center));
+        end > squared && begin > 0.0 && begin * begin > squared * end
+    }
+}
+
 /// The first meeting among all parts and pockets.
 fn among_all(
     table: &Table,
@@ -109,21 +219,23 @@ fn among_all(
     horizon: f64,
 ) -> Option<(f64, TableFeature)> {
     let mut first: Option<(f64, TableFeature)> = None;
-    let mut until = horizon;
+    let mut window = Window::new(path, 0.0, horizon);
     for (i, cushion) in table.cushions.iter().enumerate() {
-        if let Some(t) = ball_cushion::first_touch(&cushion.shape, reach, path, until)
+        if window.is_clear_of(&cushion.shape, reach) {
+            continue;
+        }
+        if let Some(t) = ball_cushion::first_touch(&cushion.shape, reach, path, horizon)
             && first.is_none_or(|(earliest, _)| t < earliest)
         {
             first = Some((t, TableFeature::Cushion(i as u16)));
-            until = t;
+            window = Window::new(path, 0.0, t);
         }
     }
     for (i, (pocket, mouth)) in table.pockets.iter().zip(&table.layout.mouths).enumerate() {
-        if let Some(t) = ball_pocket::first_capture(pocket, &mouth.gate, reach, path, until)
+        if let Some(t) = ball_pocket::first_capture(pocket, &mouth.gate, reach, path, horizon)
             && first.is_none_or(|(earliest, _)| t < earliest)
         {
             first = Some((t, TableFeature::Pocket(i as u8)));
-            until = t;
         }
     }
     first

@@ -84,7 +84,8 @@ struct Jaw {
     facing_normal: Vec2,
     /// From nose to deep end: what a ball meets.
     parts: Vec<(Part, Shape)>,
-    /// Where the straight nose begins, along the rail from the pocket's middle, m.
+    /// Where the straight nose begins, m, and how far along the rail from the pocket's middle.
+    nose_end: Vec2,
     nose_start: f64,
     /// The deep end along the rail and behind it, m.
     deep_in_rail: [f64; 2],
@@ -223,7 +224,8 @@ impl Table {
         for ((rail, first, last), place) in rails.into_iter().zip(places) {
             let first_indices = self.add_jaw(rail, first, true);
             let nose_index = self.cushions.len() as u16;
-            self.cushions.push(nose(rail, first.nose_end(), last.nose_end()));
+            let [start, end] = [first, last].map(|stand| by(stand.jaw.nose_end, stand.signs));
+            self.cushions.push(nose(rail, start, end));
             self.layout.noses[place] = nose_index;
             let last_indices = self.add_jaw(rail, last, false);
             for (stand, indices) in [(first, first_indices), (last, last_indices)] {
@@ -311,16 +313,6 @@ impl Table {
                 throat,
             });
             self.layout.mouths.push(Mouth { parts, gate });
-        }
-    }
-}
-
-impl Stand<'_> {
-    /// Where the straight nose begins, m.
-    fn nose_end(&self) -> Vec2 {
-        match self.jaw.parts[0].1 {
-            Shape::Arc { center, radius, start, .. } => by(center + start * radius, self.signs),
-            Shape::Segment { start, .. } => by(start, self.signs),
         }
     }
 }
@@ -438,6 +430,7 @@ fn jaw(
         deep: rail.point(deep),
         facing_normal: rail.direction(normal),
         parts,
+        nose_end: rail.point([nose_start, 0.0]),
         nose_start,
         deep_in_rail: deep,
     })
