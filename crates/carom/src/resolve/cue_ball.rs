@@ -15,11 +15,10 @@
 //! The shaft's end of mass m_e must follow the turning ball sideways, and pushes the ball the
 //! other way: right English sends it left of the aim, by α with
 //! tan α = 5/2·x√(1 − x²)/[1 + m/m_e + 5/2·(1 − x²)] at any speed (TP A.31, x the side offset).
-//! The impulse turns by α about u, the axis perpendicular to the cue in its vertical plane, and
-//! speed and spin turn with it; for a level cue this is a turn of the azimuth. The same effect of
-//! `height` lies in the vertical plane, where the slate and the bridge hold it, and is left out.
-//! A level-cue formula turned about the vertical instead would be wrong for masse shots, where the
-//! cue itself is nearly vertical.
+//! The velocity turns by α about u, which for a level cue is a turn of the azimuth; a masse shot
+//! gets the same sideways speed v·sin α, whatever the elevation. Speed and spin stay those of
+//! Leckie & Greenspan. The same effect of `height` lies in the vertical plane, where slate and
+//! bridge hold it, and is left out.
 
 use core::fmt;
 
@@ -157,10 +156,9 @@ pub fn resolve(cue: &Cue, ball: &Ball, strike: &Strike) -> Result<(Vec3, Vec3), 
     let right = Vec3::new(sin_azimuth, -cos_azimuth, 0.0);
     let (sin_squirt, cos_squirt) = sin_cos(squirt(cue, ball, strike.side));
     let launch = forward * cos_squirt - right * sin_squirt;
-    let across = right * cos_squirt + forward * sin_squirt;
 
     let velocity = (launch.xy() * speed).with_z(0.0);
     let spin =
-        (up * strike.side - across * strike.height) * (SPIN_PER_IMPULSE * speed / ball.radius);
+        (up * strike.side - right * strike.height) * (SPIN_PER_IMPULSE * speed / ball.radius);
     Ok((velocity, spin))
 }

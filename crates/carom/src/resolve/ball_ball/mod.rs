@@ -21,6 +21,7 @@ pub mod contact;
 pub mod elastic;
 pub mod frictional;
 pub mod group;
+pub mod mathavan_2014;
 
 use super::Body;
 use crate::math::Vec3;
@@ -37,16 +38,16 @@ pub fn resolve(
     a: &mut Body,
     b: &mut Body,
 ) {
-    let _ = (cloth, gravity);
+    // An impact is far shorter than anything that gravity could do in it.
+    let _ = gravity;
     let contact = Contact::between(normal, a, b);
     if contact.approach <= 0.0 {
         return;
     }
     match law.model {
         BallBallModel::Elastic => elastic::resolve(law, &contact, a, b),
-        BallBallModel::Frictional | BallBallModel::Mathavan2014 => {
-            frictional::resolve(law, &contact, a, b);
-        }
+        BallBallModel::Frictional => frictional::resolve(law, &contact, a, b),
+        BallBallModel::Mathavan2014 => mathavan_2014::resolve(law, cloth, &contact, a, b),
         BallBallModel::Compliant => compliant::resolve(law, &contact, a, b),
     }
 }
