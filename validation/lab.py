@@ -6,15 +6,16 @@ Everything here goes through the public API (`carom.Shot.from_dict`, `simulate`,
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+import carom
 import numpy as np
 import numpy.typing as npt
 
-import carom
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
 Vector = npt.NDArray[np.float64]
 JSON = dict[str, Any]

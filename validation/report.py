@@ -54,7 +54,9 @@ def run(name: str | None = None, out: TextIO | None = None) -> int:
     for paper in papers() if name is None else [name]:
         print(f"\n{paper}", file=out)
         for row in rows(paper):
-            print(f"\n  {row.id}  {row.title}  [{row.unit}]  ({row.source}; {row.status})", file=out)
+            print(
+                f"\n  {row.id}  {row.title}  [{row.unit}]  ({row.source}; {row.status})", file=out
+            )
             for c in row.compare():
                 word = verdict(row, c)
                 print(

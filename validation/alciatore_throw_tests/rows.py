@@ -2,7 +2,6 @@
 
 import math
 
-import carom
 from carom.validation.lab import (
     FOOT,
     JSON,

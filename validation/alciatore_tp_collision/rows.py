@@ -26,6 +26,7 @@ AIM = math.pi / 2
 def impact(
     cut: float,
     speed: float = 1.0,
+    *,
     roll: float = 0.0,
     english: float = 0.0,
     restitution: float = 1.0,
@@ -99,9 +100,7 @@ def bb1() -> list[float]:
         )
 
     hits = [after(math.radians(d)) for d in (10.0, 30.0, 75.0)]
-    separations = [
-        degrees_between(h.after["object"].heading, h.after["cue"].heading) for h in hits
-    ]
+    separations = [degrees_between(h.after["object"].heading, h.after["cue"].heading) for h in hits]
     speeds = [h.after[b].speed for h in hits[1:] for b in ("cue", "object")]
     return separations + speeds
 
@@ -271,8 +270,8 @@ def bb10() -> list[float]:
         "throw, stun": 4.366,
         "throw, roll": 1.454,
         "throw, draw": 1.454,
-        "swerve, roll": -0.061,
-        "swerve, draw": 0.067,
+        "swerve, roll": -0.067,
+        "swerve, draw": 0.061,
     },
     tolerance=absolute(2e-3),
 )

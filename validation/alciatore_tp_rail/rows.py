@@ -25,8 +25,8 @@ def frictionless_rebound(angle: float) -> float:
     table: JSON = {"length": 3.0, "width": 2.0, "pockets": "none", "cushion_height": TP_RADIUS}
     law: JSON = {"model": "restitution", "restitution": RESTITUTION}
     run = simulate(
-        ball(position=(1.0, 2.5), velocity=(math.sin(angle), math.cos(angle), 0.0)),
-        physics=tp_physics(cushion=law, cloth={"sliding_friction": 0.0, "rolling_friction": 0.0}),
+        ball(position=(1.0, 3.0 - TP_RADIUS), velocity=(math.sin(angle), math.cos(angle), 0.0)),
+        physics=tp_physics(cushion=law),
         table=table,
     )
     after = run.first("rail-collision").after["cue"]
@@ -39,9 +39,7 @@ def frictionless_rebound(angle: float) -> float:
     unit="–",
     source="TP 6.3",
     status="R",
-    published={
-        f"{a:g}° from the normal": math.tan(math.radians(a)) / RESTITUTION for a in ANGLES
-    },
+    published={f"{a:g}° from the normal": math.tan(math.radians(a)) / RESTITUTION for a in ANGLES},
     tolerance=relative(1e-9),
 )
 def cu_13() -> list[float]:

@@ -22,9 +22,7 @@ from carom.validation.row import Range, absolute, relative, row
 BALL_MASS = 0.17
 
 
-def strike(
-    speed: float = 1.0, side: float = 0.0, height: float = 0.0, **cue: float
-) -> Run:
+def strike(speed: float = 1.0, side: float = 0.0, height: float = 0.0, **cue: float) -> Run:
     """A level strike along +y; `cue` overrides its parameters."""
     return simulate(
         ball(mass=BALL_MASS),

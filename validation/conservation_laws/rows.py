@@ -4,7 +4,6 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
-
 from carom.validation.lab import (
     JSON,
     Ball,
@@ -96,7 +95,10 @@ def angular_momentum_error(event: Event) -> float:
 
 def collisions() -> list[Event]:
     return [
-        event for run in random_runs() for event in run.all("ball-collision") if len(event.after) == 2
+        event
+        for run in random_runs()
+        for event in run.all("ball-collision")
+        if len(event.after) == 2
     ]
 
 

@@ -51,7 +51,7 @@ def han_e() -> list[float]:
     return [-float(rebound(v, 0.0).velocity[1]) / v for v in SPEEDS]
 
 
-INCIDENCES = (50.0, 60.0, 70.0)
+INCIDENCES = (60.0, 70.0, 80.0)
 
 
 @row(

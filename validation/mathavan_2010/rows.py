@@ -95,9 +95,7 @@ def cu_3_speed() -> list[float]:
     source="the paper's equations integrated with 20 000 steps; as Fig. 9",
     status="P",
     published=dict(
-        zip(
-            (f"α = {a}°" for a in ANGLES), (10.34, 21.75, 34.0, 52.68, 68.83, 83.39), strict=True
-        )
+        zip((f"α = {a}°" for a in ANGLES), (10.34, 21.75, 34.0, 52.68, 68.83, 83.39), strict=True)
     ),
     tolerance=absolute(0.3),
 )

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from oracles.laws import LOUD
 from oracles.world import Happening, State, World, key_of, state_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 JSON = dict[str, Any]
 

@@ -6,14 +6,16 @@ matters. For a few balls.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mpmath import mp, mpf, polyroots
 
 from oracles import laws
 from oracles.world import Happening, State, World, motion_of
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 Number = Any
 

@@ -6,9 +6,8 @@ by its constraint, and events are found where a gap, a slip or a spin falls thro
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.integrate import DOP853
@@ -16,6 +15,9 @@ from scipy.optimize import brentq, minimize_scalar
 
 from oracles import laws
 from oracles.world import Happening, State, World, motion_of
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
 
 Array = Any
 
@@ -171,14 +173,9 @@ class Stepping:
 
             key = ("rail-collision", name, wall.rail, wall.part)
             found.append(Watch(key, (i,), reaching, rate))
-        for post in world.posts:
-            found.append(
-                self._round(i, ("rail-collision", name, post.rail, post.part), post, reach)
-            )
-        for hole in world.holes:
-            key = ("pocket-collision", name, hole.name)
-            found.append(self._round(i, key, hole, 0.0))
-        return found
+        round_ = [(("rail-collision", name, p.rail, p.part), p, reach) for p in world.posts]
+        round_ += [(("pocket-collision", name, h.name), h, 0.0) for h in world.holes]
+        return found + [self._round(i, *feature) for feature in round_]
 
     def _round(self, i: int, key: tuple[str, ...], round_: Any, reach: float) -> Watch:
         c, r = round_.center, round_.radius + reach
@@ -278,9 +275,7 @@ class Stepping:
                 into = (-wall.inward[0], -wall.inward[1], 0.0)
         for post in self.world.posts:
             d = np.array(post.center) - self.y[0:2, i]
-            reach = np.sqrt(
-                self.radius[i] ** 2 - (self.world.nose_height - self.radius[i]) ** 2
-            )
+            reach = np.sqrt(self.radius[i] ** 2 - (self.world.nose_height - self.radius[i]) ** 2)
             on_it = abs(np.hypot(*d) - post.radius - reach) < 1e-6
             if (post.rail, post.part) == key[2:] and on_it:
                 into = (d[0] / np.hypot(*d), d[1] / np.hypot(*d), 0.0)
@@ -293,7 +288,9 @@ class Stepping:
 
     def _take(self, i: int, body: laws.Body) -> None:
         motion = motion_of(body.velocity, body.spin, body.radius)
-        self.replace(i, replace(self.state(i), velocity=body.velocity, spin=body.spin, motion=motion))
+        self.replace(
+            i, replace(self.state(i), velocity=body.velocity, spin=body.spin, motion=motion)
+        )
 
 
 def _slip(y: Array, r: Array) -> Array:

@@ -1,0 +1,157 @@
+"""Leckie & Greenspan 2006: pool physics simulation by event prediction II, collisions.
+
+ICGA Journal 29 (2006) 24–31. Its experiments: operation counts (section 3), 100 000 random shots
+per root finder (section 3), and the integration-style simulator that it argues against (section 2).
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from functools import cache
+from importlib import resources
+from typing import Any
+
+import numpy as np
+from carom.validation.lab import JSON, Run, ball
+from carom.validation.lab import simulate as simulate_events
+from carom.validation.leckie_greenspan_2006 import fixed_step
+from carom.validation.row import absolute, row
+
+
+def integration_operations(moving: int, steps: int, balls: int = 16) -> int:
+    """Operations of the integration method for `steps` steps without an event.
+
+    3 to step each moving ball's state, 12 to test it against 6 rails and 6 pockets, and one for
+    every pair with a moving ball. With 16 balls: N(61n − n²)/2.
+    """
+    pairs = moving * (moving - 1) // 2 + moving * (balls - moving)
+    return steps * (3 * moving + 12 * moving + pairs)
+
+
+def event_operations(moving: int, balls: int = 16) -> int:
+    """Operations of the event-based method for the same time, whatever its length.
+
+    1 to predict each moving ball's transition, 24 its rails and pockets, 19 for the quartic of
+    every pair with a moving ball, and 3 to advance it. With 16 balls: (645n − 19n²)/2.
+    """
+    pairs = moving * (moving - 1) // 2 + moving * (balls - moving)
+    return moving + 24 * moving + 19 * pairs + 3 * moving
+
+
+@row(
+    "LG-1",
+    "Operations for one second of three moving balls among 16",
+    unit="operations",
+    source="section 3: N(61n − n²)/2 at Δt = 1 ms, and (645n − 19n²)/2",
+    status="R",
+    published={"integration": 87000.0, "event-based": 882.0},
+    tolerance=absolute(0.0),
+    formula_only=True,
+)
+def lg_1() -> list[float]:
+    return [float(integration_operations(3, 1000)), float(event_operations(3))]
+
+
+def shot() -> list[JSON]:
+    """A cue ball with follow and side that meets two balls and several rails."""
+    return [
+        ball("cue", (0.30, 0.40), (0.55, 1.60, 0.0), (-20.0, 35.0, 30.0)),
+        ball("1", (0.475, 0.88)),
+        ball("2", (0.58, 1.45)),
+    ]
+
+
+def laws() -> JSON:
+    """The engine's physics, with the numbers of `fixed_step`."""
+    return {
+        "base": "ideal",
+        "gravity": fixed_step.GRAVITY,
+        "ball": {"radius": fixed_step.RADIUS, "mass": 0.17},
+        "cloth": {
+            "sliding_friction": fixed_step.SLIDING,
+            "rolling_friction": fixed_step.ROLLING,
+            "spin_deceleration": fixed_step.SPIN_DOWN,
+        },
+        "ball_ball": {"model": "elastic", "restitution": fixed_step.BALL_RESTITUTION},
+        "cushion": {"model": "restitution", "restitution": fixed_step.RAIL_RESTITUTION},
+    }
+
+
+@cache
+def exact() -> Run:
+    """The shot by events."""
+    table = {
+        "length": fixed_step.LENGTH,
+        "width": fixed_step.WIDTH,
+        "pockets": "none",
+        "cushion_height": fixed_step.RADIUS,
+    }
+    return simulate_events(*shot(), physics=laws(), table=table)
+
+
+@cache
+def by_steps(dt: float) -> fixed_step.Balls:
+    """The shot by steps of `dt` s, to the time at which the events end."""
+    balls = shot()
+    start = fixed_step.Balls(
+        np.array([b["position"] for b in balls]),
+        np.array([b["velocity"][:2] for b in balls]),
+        np.array([b["angular_velocity"] for b in balls]),
+        np.zeros(len(balls), dtype=bool),
+    )
+    return fixed_step.simulate(start, dt)
+
+
+def end_error(dt: float) -> float:
+    """Largest distance, m, between a ball's end by steps and by events."""
+    final = exact().final
+    return max(
+        float(np.linalg.norm(p - final[b["id"]].position[:2]))
+        for p, b in zip(by_steps(dt).position, shot(), strict=True)
+    )
+
+
+STEPS = (4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4)
+
+
+@row(
+    "LG-2",
+    "The integration-style simulator on the same laws: how its error falls with Δt",
+    unit="order",
+    source="section 2 (velocity held during Δt, events backed up to)",
+    status="D",
+    published={"slope of log error over log Δt": 1.0},
+    tolerance=absolute(0.3),
+)
+def lg_2() -> list[float]:
+    slope, _ = np.polyfit(np.log(STEPS), np.log([end_error(dt) for dt in STEPS]), 1)
+    return [float(slope)]
+
+
+@row(
+    "LG-3",
+    "The same: time of the first collision, extrapolated to Δt → 0",
+    unit="s",
+    source="section 2; the event-based time is the engine's",
+    status="D",
+    published={"difference from the event's time": 0.0},
+    tolerance=absolute(1e-5),
+)
+def lg_3() -> list[float]:
+    event = exact().first("ball-collision").time
+    fine, coarse = (by_steps(dt).contacts[0] for dt in (2.5e-4, 5e-4))
+    return [2 * fine - coarse - event]
+
+
+def stored(name: str) -> Any:
+    """A result that was measured by the command it names, kept beside this file."""
+    return json.loads((resources.files(__package__) / name).read_text())
+
+
+RANDOM_SHOTS = "random_shots.json"
+
+
+def pooled_share(count: int, shots: int) -> float:
+    """Percent."""
+    return 100.0 * count / shots if shots else math.nan
