@@ -1,0 +1,42 @@
+"""Error and cost of the integration-style simulator against Δt, beside the event-based one."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from carom.validation import plot
+from carom.validation.leckie_greenspan_2006.rows import (
+    by_steps,
+    end_error,
+    event_operations,
+    exact,
+    integration_operations,
+    shot,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+STEPS = (1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4, 1e-4)
+
+
+def figure() -> Figure:
+    fig, (left, right) = plot.panels(2)
+    steps = np.array(STEPS)
+    left.loglog(steps, [end_error(dt) for dt in steps], "o-", color=plot.COLORS[1],
+                markersize=4, label="where the balls end, m")  # fmt: skip
+    first = exact().first("ball-collision").time
+    left.loglog(steps, [abs(by_steps(dt).contacts[0] - first) for dt in steps], "s-",
+                color=plot.COLORS[2], markersize=4, label="time of the first collision, s")  # fmt: skip
+    left.loglog(steps, 0.05 * steps / steps[0], ":", color="0.5", label="∝ Δt")
+    left.axhline(1e-15, color=plot.COLORS[0], label="event-based: rounding")
+    plot.name(left, "Δt, s", "error", "The same shot by steps")
+
+    n = len(shot())
+    by_step = [integration_operations(n, by_steps(dt).steps, n) for dt in steps]
+    events = len(exact().events) * event_operations(n, n)
+    right.loglog(steps, by_step, "o-", color=plot.COLORS[1], markersize=4, label="by steps")
+    right.axhline(events, color=plot.COLORS[0], label=f"by events ({len(exact().events)} of them)")
+    plot.name(right, "Δt, s", "operations, counted as in section 3", "What it costs")
+    return fig
