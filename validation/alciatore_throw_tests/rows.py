@@ -92,3 +92,27 @@ CUTS = (10, 20, 30, 45, 60)
 )
 def bb25() -> list[float]:
     return [throw(cut, v) for cut in CUTS for v in TP_SPEEDS.values()]
+
+
+#: The `pool` preset's friction (2006 and 2014 tests refitted with compliant balls), and Alciatore's
+#: factor for chalk on the contact point.
+FRICTION = {"a": 0.0, "b": 0.115, "c": 0.41}
+CHALK = 2.5
+
+
+@row(
+    "BB27",
+    "Throw at 45°, slow, by the balls' surface: used (the default), chalked (2.5 × its friction)",
+    unit="°",
+    source="Alciatore, Throw follow-up I (also 11° cleaned with alcohol, 3.6° with ball cleaner)",
+    status="M",
+    published={"used": 4.9, "chalked": 11.6},
+    tolerance=absolute(1.0),
+)
+def bb27() -> list[float]:
+    chalked: JSON = {
+        "base": "pool",
+        "ball_ball": {"friction": {**FRICTION, "b": CHALK * FRICTION["b"]}},
+    }
+    slow = TP_SPEEDS["slow"]
+    return [throw(45.0, slow), throw(45.0, slow, chalked)]

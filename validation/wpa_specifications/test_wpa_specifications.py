@@ -1,0 +1,8 @@
+import pytest
+from carom.validation.row import Row, check, rows_of
+from carom.validation.wpa_specifications import rows
+
+
+@pytest.mark.parametrize("row", rows_of(rows), ids=str)
+def test_wpa_specifications(row: Row) -> None:
+    check(row)
