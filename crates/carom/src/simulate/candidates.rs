@@ -13,10 +13,10 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         for i in 0..self.n {
             self.find_self(i, 0.0, table);
         }
-        for i in 0..self.n {
-            if self.path[i].moves() {
-                self.find_row(i, 0.0, |j| j < i);
-            }
+        // A resting ball has no row of its own: its pairs are in the rows of those that move.
+        let moves: [bool; N] = core::array::from_fn(|j| self.path[j].moves());
+        for i in (0..self.n).filter(|&i| moves[i]) {
+            self.find_row(i, 0.0, |j| j < i && moves[j]);
         }
         for i in 0..self.n {
             self.choose_partner(i);
