@@ -279,13 +279,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// State of ball `i` of `shot` at `time`, in the file's frame; a ball that never moved has the
     /// very bits of the file.
     pub fn file_state(&self, i: usize, shot: &Shot, time: f64) -> BallState {
-        let state = self.state(i, time);
-        let placed = &shot.balls[i].state;
-        let mut result = shot.table.to_file_frame(&state);
-        if state.position == shot.table.to_engine_frame(placed).position {
-            result.position = placed.position;
-        }
-        result
+        shot.to_file_frame(i, &self.state(i, time))
     }
 
     /// The earliest candidate in the total order of events.

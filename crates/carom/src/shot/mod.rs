@@ -29,6 +29,7 @@ pub use strike::{Policy, StrikePolicy};
 use crate::error::Error;
 use crate::math::{Vec3, degrees};
 use crate::resolve::cue_ball::{Strike, miscue_limit};
+use crate::simulate::SimulationError;
 use crate::{Ball, BallState, Physics, Table};
 use read::At;
 
@@ -61,7 +62,7 @@ pub struct Shot {
     policy: StrikePolicy,
     /// Friction of the tip as the file has it; `physics` has what the strike is resolved with.
     tip_friction: f64,
-    file: Node,
+    file: Arc<Node>,
 }
 
 /// Two shots are equal when they mean the same, however they are written.
@@ -130,7 +131,7 @@ impl Shot {
             max_events,
             policy,
             tip_friction,
-            file,
+            file: file.into(),
         })
     }
 
@@ -140,7 +141,7 @@ impl Shot {
     }
 
     /// The shot file as a tree of values.
-    pub const fn to_node(&self) -> &Node {
+    pub fn to_node(&self) -> &Node {
         &self.file
     }
 
@@ -205,7 +206,7 @@ impl Shot {
     /// As [`Self::resolve_strike`].
     pub fn with_strike(&self, strike: &Strike) -> Result<Self, Error> {
         self.resolve_strike(strike)?;
-        let mut file = self.file.clone();
+        let mut file = Node::clone(&self.file);
         let mut node = file.get("strike").cloned().unwrap_or(Node::Null);
         node.set("speed", strike.speed);
         node.set("azimuth_deg", degrees(strike.azimuth));
@@ -214,6 +215,38 @@ impl Shot {
         node.set("height", strike.height);
         file.set("strike", node);
         Self::from_node(file)
+    }
+
+    /// A state of ball `ball` in the engine's frame, in the file's. A coordinate that has not changed
+    /// since the start is exactly what the file says, which shifting to and fro would round.
+    pub fn to_file_frame(&self, ball: usize, state: &BallState) -> BallState {
+        let written = &self.balls[ball].state;
+        let start = self.table.to_engine_frame(written).position;
+        let mut out = self.table.to_file_frame(state);
+        if state.position.x == start.x {
+            out.position.x = written.position.x;
+        }
+        if state.position.y == start.y {
+            out.position.y = written.position.y;
+        }
+        out
+    }
+
+    /// What a failed simulation of this shot tells its user; `strike`, if it was played otherwise
+    /// than the file says.
+    pub fn explain(&self, failure: SimulationError, strike: Option<&Strike>) -> Error {
+        let played = strike.copied().or(self.strike.map(|(_, strike)| strike));
+        match (failure, played) {
+            (SimulationError::Strike(e), Some(played)) => strike::explain("strike", &played, e),
+            (SimulationError::Strike(e), None) => {
+                Error::input("strike", format!("{e}"), "change the strike")
+            }
+            (SimulationError::TooManyEvents { max_events, .. }, _) => {
+                let shot = strike.and_then(|s| self.with_strike(s).ok());
+                let shot = shot.as_ref().unwrap_or(self).to_json();
+                Error::TooManyEvents { cap: max_events, shot }
+            }
+        }
     }
 
     /// Whether the tip would slip off in this shot, which it only may on request.

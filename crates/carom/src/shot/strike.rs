@@ -137,7 +137,8 @@ pub(super) fn check(
     cue_ball::resolve(&physics.cue, &struck.ball, strike).map_err(|e| explain(place, strike, e))
 }
 
-fn explain(place: &str, strike: &Strike, e: StrikeError) -> Error {
+/// A refused strike in words. `place` is where the strike stands.
+pub(super) fn explain(place: &str, strike: &Strike, e: StrikeError) -> Error {
     // The larger offset is the one to blame.
     let key = if strike.side.abs() >= strike.height.abs() { "side" } else { "height" };
     let place = format!("{place}.{key}");

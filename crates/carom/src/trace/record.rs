@@ -1,14 +1,16 @@
 //! Recording a shot while it is simulated.
 
+use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::{ENGINE, Log, Trace, What};
+use crate::BallState;
+use crate::error::Error;
 use crate::event::{Event, Recorder};
-use crate::math::Vec2;
 use crate::outcome::Collector;
 use crate::shot::Shot;
-use crate::{BallState, Table};
+use crate::simulate::{MAX_BALLS, SMALL, Simulation, SimulationError};
 
 /// Room that is reserved at the start: a break has about a hundred and fifty events.
 const USUAL_EVENTS: usize = 64;
@@ -17,54 +19,54 @@ const USUAL_EVENTS: usize = 64;
 #[derive(Clone, Debug)]
 pub struct TraceRecorder<'a> {
     shot: &'a Shot,
-    frame: Frame<'a>,
     log: Log,
-}
-
-/// From the engine's frame to the file's. A coordinate that has not changed since the start keeps
-/// exactly what the file said, which shifting to and fro would round.
-#[derive(Clone, Debug)]
-struct Frame<'a> {
-    shot: &'a Shot,
-    table: &'a Table,
-    start: Vec<Vec2>,
-}
-
-impl Frame<'_> {
-    fn to_file(&self, ball: usize, state: &BallState) -> BallState {
-        let mut out = self.table.to_file_frame(state);
-        let written = &self.shot.balls[ball].state.position;
-        if state.position.x == self.start[ball].x {
-            out.position.x = written.x;
-        }
-        if state.position.y == self.start[ball].y {
-            out.position.y = written.y;
-        }
-        out
-    }
 }
 
 impl<'a> TraceRecorder<'a> {
     /// A recorder for one simulation of `shot`.
     pub fn new(shot: &'a Shot) -> Self {
-        let table = &*shot.table;
-        let start = |b: &crate::shot::PlacedBall| table.to_engine_frame(&b.state).position.xy();
         let log = Log {
             entries: Vec::with_capacity(USUAL_EVENTS),
             balls: Vec::with_capacity(2 * USUAL_EVENTS),
             before: Vec::with_capacity(2 * USUAL_EVENTS),
             after: Vec::with_capacity(2 * USUAL_EVENTS),
         };
-        let frame = Frame { shot, table, start: shot.balls.iter().map(start).collect() };
-        Self { shot, frame, log }
+        Self { shot, log }
     }
 
     /// The trace, once `last` are the balls' final states in the engine's frame and `duration`
     /// (s) is the time of the last event.
     pub fn finish(self, last: &[BallState], duration: f64) -> Trace {
-        let last = last.iter().enumerate().map(|(i, s)| self.frame.to_file(i, s)).collect();
+        let to_file = |(i, s): (usize, &BallState)| self.shot.to_file_frame(i, s);
+        let last = last.iter().enumerate().map(to_file).collect();
         Trace::assemble(self.shot.clone(), String::from(ENGINE), duration, self.log, last)
     }
+}
+
+impl Shot {
+    /// Simulates the shot and records everything.
+    ///
+    /// # Errors
+    /// [`Error::TooManyEvents`] if the cap is reached.
+    pub fn simulate(&self) -> Result<Trace, Error> {
+        let trace = if self.balls.len() <= SMALL {
+            record(&mut Simulation::<SMALL>::new(), self)
+        } else {
+            record(&mut Box::new(Simulation::<MAX_BALLS>::new()), self)
+        };
+        trace.map_err(|e| self.explain(e, None))
+    }
+}
+
+fn record<const N: usize>(
+    simulation: &mut Simulation<N>,
+    shot: &Shot,
+) -> Result<Trace, SimulationError> {
+    let mut recorder = TraceRecorder::new(shot);
+    let summary = simulation.play(shot, &mut recorder)?;
+    let last: Vec<BallState> =
+        (0..simulation.len()).map(|i| simulation.state(i, summary.duration)).collect();
+    Ok(recorder.finish(&last, summary.duration))
 }
 
 impl Trace {
@@ -90,11 +92,12 @@ impl Recorder for TraceRecorder<'_> {
     const STATES: bool = true;
 
     fn record(&mut self, event: &Event<'_>) {
-        let Self { frame, log, .. } = self;
-        log.push(event.time, What::of(event.kind, frame.table), event.balls);
+        let Self { shot, log } = self;
+        log.push(event.time, What::of(event.kind, &shot.table), event.balls);
         for (k, &ball) in event.balls.iter().enumerate() {
-            log.before.push(frame.to_file(usize::from(ball), &event.before[k]));
-            log.after.push(frame.to_file(usize::from(ball), &event.after[k]));
+            let ball = usize::from(ball);
+            log.before.push(shot.to_file_frame(ball, &event.before[k]));
+            log.after.push(shot.to_file_frame(ball, &event.after[k]));
         }
     }
 }
