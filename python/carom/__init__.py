@@ -1,0 +1,39 @@
+"""carom — the billiards engine: exact, deterministic, and fast enough to think with.
+
+    import carom
+
+    shot = carom.Shot.load("shot.json")
+    trace = shot.simulate()
+    print(trace)                       # a table of its events
+    trace.at(0.25).position            # (n_balls, 3), m, exact at any time
+    result = shot.batch(speed=[1.0, 2.0, 3.0])
+
+SI units and radians; the origin is the bottom left corner of the playing area, x along the
+table's width, y along its length, z up from the slate.
+"""
+
+from carom._core import __version__
+from carom.batch import BatchResult, simulate_batch
+from carom.build import Layout, Physics, Strike, Table
+from carom.errors import CaromError, EventCapError, InputError
+from carom.reference import schema, tables
+from carom.shot import Shot
+from carom.trace import Snapshot, Trace
+
+__all__ = [
+    "BatchResult",
+    "CaromError",
+    "EventCapError",
+    "InputError",
+    "Layout",
+    "Physics",
+    "Shot",
+    "Snapshot",
+    "Strike",
+    "Table",
+    "Trace",
+    "__version__",
+    "schema",
+    "simulate_batch",
+    "tables",
+]

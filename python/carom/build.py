@@ -1,0 +1,132 @@
+"""The parts that a shot is built from: table, physics, layout, strike.
+
+Each is the piece of the shot file that it writes, with names and angles as Python has them;
+whether the values make sense is for the engine to say when the shot is built.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Self
+
+from carom import _core
+
+JSON = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table: a preset, possibly with changed keys, a plain rectangle, or endless cloth.
+
+    Args:
+        description: The shot file's ``table``: a preset's name (`carom tables` lists them) or
+            an object.
+    """
+
+    description: str | Mapping[str, Any] = "wpa-9ft"
+
+    @classmethod
+    def preset(cls, name: str, **changes: Any) -> Self:
+        """A preset with some keys of its description changed (lengths in m)."""
+        return cls({"base": name, **changes} if changes else name)
+
+    @classmethod
+    def rectangle(cls, *, length: float, width: float, **more: Any) -> Self:
+        """Four rails without pockets.
+
+        Args:
+            length: Nose to nose along y, m.
+            width: Nose to nose along x, m.
+            more: Further keys, such as ``cushion_height`` (m).
+        """
+        return cls({"length": length, "width": width, "pockets": "none", **more})
+
+    @classmethod
+    def unbounded(cls) -> Self:
+        """Endless cloth without rails."""
+        return cls({"cloth": "unbounded"})
+
+    @property
+    def geometry(self) -> JSON:
+        """Dimensions, cushions and pockets in m, as `carom tables` prints them.
+
+        Raises:
+            InputError: The description does not make sense.
+        """
+        return _core.table(_plain(self.description))
+
+
+@dataclass(frozen=True)
+class Physics:
+    """Every parameter of every model: a preset's name, or an object merged over its ``base``.
+
+    Args:
+        description: The shot file's ``physics``; None is the preset that belongs to the table.
+    """
+
+    description: str | Mapping[str, Any] | None = None
+
+    @classmethod
+    def preset(cls, name: str, **changes: Any) -> Self:
+        """A preset with some parameters changed.
+
+        Args:
+            name: ``pool``, ``snooker``, ``english``, ``carom`` or ``ideal``.
+            changes: Sections to merge over it, e.g. ``cloth={"sliding_friction": 0.25}``.
+        """
+        return cls({"base": name, **changes} if changes else name)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The balls and where they are.
+
+    Args:
+        balls: The shot file's ``balls``: each with ``id``, ``position`` (2 or 3 numbers, m) and
+            optionally ``velocity`` (m/s), ``angular_velocity`` (rad/s), ``mass`` (kg) and
+            ``radius`` (m).
+    """
+
+    balls: Sequence[Mapping[str, Any]] = field(default_factory=tuple)
+
+    @classmethod
+    def at(cls, positions: Mapping[str, Sequence[float]]) -> Self:
+        """Balls at rest, by id: ``Layout.at({"cue": (0.6, 0.6), "1": (0.6, 1.9)})``, in m."""
+        return cls(tuple({"id": i, "position": list(p)} for i, p in positions.items()))
+
+
+@dataclass(frozen=True)
+class Strike:
+    """What the player does.
+
+    Args:
+        ball: Id of the struck ball.
+        speed: The cue's speed at contact, m/s, in (0, 50].
+        azimuth: Direction in which the cue moves, counter-clockwise from +x, rad.
+        elevation: Butt raised above horizontal, rad, in [0, π/2).
+        side: Contact point right of the centre, in ball radii.
+        height: Contact point above the centre, in ball radii.
+        obstruction: ``"report"`` or ``"refuse"`` a cue that would pass through a ball or rail.
+    """
+
+    speed: float
+    azimuth: float
+    elevation: float = 0.0
+    side: float = 0.0
+    height: float = 0.0
+    ball: str = "cue"
+    obstruction: str = "report"
+
+    def to_dict(self) -> JSON:
+        """The shot file's ``strike``, which has its angles in degrees."""
+        return {
+            "ball": self.ball,
+            "speed": self.speed,
+            "azimuth_deg": math.degrees(self.azimuth),
+            "elevation_deg": math.degrees(self.elevation),
+            "side": self.side,
+            "height": self.height,
+            "obstruction": self.obstruction,
+        }

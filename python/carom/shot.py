@@ -1,0 +1,218 @@
+"""A shot: everything that is decided before it starts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
+
+from carom import _core
+from carom.build import Layout, Physics, Strike, Table
+from carom.errors import InputError
+
+if TYPE_CHECKING:
+    import os
+
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    from carom.batch import BatchResult
+    from carom.trace import Trace
+
+
+class Shot:
+    """A validated, immutable shot (``carom-shot/1``).
+
+    Build one from its parts, or read one with ``load``, ``from_dict`` or ``from_json``.
+
+    Args:
+        table: The table, or what the shot file writes for it (a preset's name, an object).
+        layout: The balls, or what the shot file writes for them, or positions (m) by id.
+        strike: What the player does; None if the balls move by themselves.
+        physics: The parameters; None is the preset that belongs to the table.
+        max_events: More events than this are an error; None is the engine's default.
+
+    Raises:
+        InputError: Something does not make sense; the message names the place.
+    """
+
+    __slots__ = ("_core",)
+    _core: _core.Shot
+
+    def __init__(
+        self,
+        table: Table | str | Mapping[str, Any],
+        layout: Layout | Mapping[str, Any] | list[Any],
+        strike: Strike | Mapping[str, Any] | None = None,
+        *,
+        physics: Physics | str | Mapping[str, Any] | None = None,
+        max_events: int | None = None,
+    ) -> None:
+        file: dict[str, Any] = {
+            "format": "carom-shot/1",
+            "table": table.description if isinstance(table, Table) else table,
+            "balls": _balls(layout),
+        }
+        if isinstance(physics, Physics):
+            physics = physics.description
+        optional = {
+            "physics": physics,
+            "strike": strike.to_dict() if isinstance(strike, Strike) else strike,
+            "max_events": max_events,
+        }
+        file |= {key: value for key, value in optional.items() if value is not None}
+        self._core = _core.Shot.from_object(file)
+
+    @classmethod
+    def _wrap(cls, core: _core.Shot) -> Self:
+        shot = cls.__new__(cls)
+        shot._core = core
+        return shot
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Self:
+        """Read a shot file.
+
+        Raises:
+            OSError: The file cannot be read.
+            InputError: It is no valid shot.
+        """
+        return cls.from_json(read_text(path))
+
+    @classmethod
+    def from_json(cls, text: str) -> Self:
+        """Read a shot from JSON text.
+
+        Raises:
+            InputError: It is no valid shot.
+        """
+        return cls._wrap(_core.Shot.from_json(text))
+
+    @classmethod
+    def from_dict(cls, file: Mapping[str, Any]) -> Self:
+        """Read a shot from a dict as the shot file has it.
+
+        Raises:
+            InputError: It is no valid shot.
+        """
+        return cls._wrap(_core.Shot.from_object(file))
+
+    def to_dict(self) -> dict[str, Any]:
+        """The shot file; ``from_dict`` of it gives this shot again, to the bit."""
+        return self._core.to_object()
+
+    def to_json(self) -> str:
+        """The shot file as text; ``from_json`` of it gives this shot again, to the bit."""
+        return self._core.to_json()
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the shot file."""
+        Path(path).write_text(self.to_json() + "\n", encoding="utf-8")
+
+    @property
+    def ids(self) -> list[str]:
+        """The balls' ids; arrays of results have the balls in this order."""
+        return self._core.ids
+
+    @property
+    def radius(self) -> NDArray[np.float64]:
+        """The balls' radii, m, shape (n_balls,)."""
+        import numpy as np
+
+        return np.array(self._core.radius)
+
+    @property
+    def mass(self) -> NDArray[np.float64]:
+        """The balls' masses, kg, shape (n_balls,)."""
+        import numpy as np
+
+        return np.array(self._core.mass)
+
+    def geometry(self) -> dict[str, Any]:
+        """The table's dimensions, cushions and pockets, m, origin at the bottom left corner."""
+        return self._core.geometry()
+
+    def simulate(self) -> Trace:
+        """Simulate the shot to its end.
+
+        Raises:
+            EventCapError: It reached its cap of events; the error carries the shot.
+        """
+        from carom.trace import Trace
+
+        return Trace._wrap(self._core.simulate())
+
+    def batch(
+        self,
+        *,
+        speed: ArrayLike | None = None,
+        azimuth: ArrayLike | None = None,
+        side: ArrayLike | None = None,
+        height: ArrayLike | None = None,
+        elevation: ArrayLike | None = None,
+        threads: int | None = None,
+        progress: bool = False,
+    ) -> BatchResult:
+        """Simulate many variants of this shot's strike, over all cores, without traces.
+
+        What is None stays as in this shot; scalars and arrays broadcast against each other, and
+        the result is flat, in C order.
+
+        Args:
+            speed: The cue's speed, m/s.
+            azimuth: The cue's direction, counter-clockwise from +x, rad.
+            side: Contact point right of centre, ball radii.
+            height: Contact point above centre, ball radii.
+            elevation: Butt raised above horizontal, rad.
+            threads: How many; None is one per core. Results do not depend on it.
+            progress: Show a progress bar on stderr.
+
+        Raises:
+            InputError: The shot has no strike, or the shapes do not broadcast. A strike that is
+                out of range does not raise: it is in ``errors`` of the result.
+        """
+        from carom.batch import vary
+
+        given = {
+            "speed": speed,
+            "azimuth": azimuth,
+            "elevation": elevation,
+            "side": side,
+            "height": height,
+        }
+        return vary(self._core, given, threads=threads, progress=progress)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Shot) and self._core.to_json() == other._core.to_json()
+
+    def __hash__(self) -> int:
+        return hash(self._core.to_json())
+
+    def __reduce__(self) -> tuple[Any, tuple[str]]:
+        return (Shot.from_json, (self.to_json(),))
+
+    def __repr__(self) -> str:
+        count = len(self.ids)
+        name = self.geometry()["name"] or "table"
+        return f"<carom.Shot: {count} ball{'s' * (count != 1)} on {name}>"
+
+
+def read_text(path: str | os.PathLike[str]) -> str:
+    """The text of a UTF-8 file.
+
+    Raises:
+        OSError: The file cannot be read.
+        InputError: It is not UTF-8.
+    """
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: not a text file ({error.reason}); JSON is UTF-8") from None
+
+
+def _balls(layout: Any) -> Any:
+    if isinstance(layout, Layout):
+        return layout.balls
+    if isinstance(layout, Mapping):
+        return Layout.at(layout).balls
+    return layout

@@ -1,0 +1,192 @@
+"""What a shot did: every event, and the exact state at any time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
+
+from carom import _core
+from carom.shot import Shot, read_text
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Mapping
+
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+
+class Record(dict[str, Any]):
+    """A dict whose keys can also be read as attributes: ``event.time``, ``event["time"]``."""
+
+    __slots__ = ()
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self[name]
+        except KeyError:
+            known = ", ".join(self)
+            raise AttributeError(f"no {name!r} here; there are: {known}") from None
+
+
+@dataclass(frozen=True, slots=True)
+class Snapshot:
+    """The state of every ball at one time, or at several.
+
+    Attributes:
+        time: s; a float, or an array of shape (n_times,).
+        position: Centres, m, shape ([n_times,] n_balls, 3).
+        velocity: m/s, same shape.
+        angular_velocity: rad/s, same shape.
+        motion: ``"stationary"``, ``"spinning"``, ``"rolling"``, ``"sliding"``, ``"airborne"``,
+            ``"pocketed"`` or ``"off-table"``; strings, shape ([n_times,] n_balls).
+    """
+
+    time: float | NDArray[np.float64]
+    position: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    angular_velocity: NDArray[np.float64]
+    motion: NDArray[np.str_]
+
+
+class Trace:
+    """A simulated shot; immutable. ``print`` it for a table of its events."""
+
+    # No __slots__: cached_property keeps its values in the instance's dict.
+    _core: _core.Trace
+
+    def __init__(self) -> None:
+        raise TypeError("a Trace comes from Shot.simulate(), Trace.load() or Trace.from_dict()")
+
+    @classmethod
+    def _wrap(cls, core: _core.Trace) -> Self:
+        trace = cls.__new__(cls)
+        trace._core = core
+        return trace
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Self:
+        """Read a saved trace.
+
+        Raises:
+            OSError: The file cannot be read.
+            InputError: It is no valid trace.
+        """
+        return cls.from_json(read_text(path))
+
+    @classmethod
+    def from_json(cls, text: str) -> Self:
+        """Read a trace from JSON text.
+
+        Raises:
+            InputError: It is no valid trace.
+        """
+        return cls._wrap(_core.Trace.from_json(text))
+
+    @classmethod
+    def from_dict(cls, file: Mapping[str, Any]) -> Self:
+        """Read a trace from a dict as ``to_dict`` gives it.
+
+        Raises:
+            InputError: It is no valid trace.
+        """
+        return cls._wrap(_core.Trace.from_object(file))
+
+    @cached_property
+    def shot(self) -> Shot:
+        """The shot that was simulated."""
+        return Shot._wrap(self._core.shot())
+
+    @cached_property
+    def _dict(self) -> dict[str, Any]:
+        return self._core.to_object()
+
+    @cached_property
+    def events(self) -> list[Record]:
+        """The events in order, each as ``carom-trace/1`` has it."""
+        return [Record(event) for event in self._dict["events"]]
+
+    @cached_property
+    def outcome(self) -> Record:
+        """What a referee needs, as ``carom-trace/1`` has it."""
+        return Record(self._dict["outcome"])
+
+    @property
+    def duration(self) -> float:
+        """Time from the strike until everything rests, s."""
+        return self._core.duration
+
+    @property
+    def hash(self) -> str:
+        """16 hex digits over the exact bits of all events and final states."""
+        return self._core.hash
+
+    def at(self, time: ArrayLike) -> Snapshot:
+        """The exact state at one time, or at many.
+
+        Args:
+            time: s since the strike, ≥ 0; a number or an array of shape (n_times,). At the
+                instant of an event the state is the one after it; past the end it is the final
+                one.
+
+        Raises:
+            InputError: A time is negative or not finite, or the array has more than one axis.
+        """
+        import numpy as np
+
+        from carom.errors import InputError
+
+        try:
+            times = np.asarray(time, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise InputError(f"time: {time!r} is not a number of seconds; write one") from None
+        if times.ndim > 1:
+            raise InputError(f"time: found {times.ndim} axes; give a number or a flat array")
+        position, velocity, angular_velocity, motion = self._core.at(np.atleast_1d(times))
+        motions = np.array(motion, dtype=np.str_).reshape(position.shape[:2])
+        if times.ndim == 0:
+            return Snapshot(
+                float(times), position[0], velocity[0], angular_velocity[0], motions[0]
+            )
+        return Snapshot(times, position, velocity, angular_velocity, motions)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The ``carom-trace/1``; ``from_dict`` of it gives this trace again, to the bit."""
+        return self._core.to_object()
+
+    def to_json(self) -> str:
+        """The ``carom-trace/1`` as text; ``from_json`` of it gives this trace again."""
+        return self._core.to_json()
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the trace as JSON."""
+        Path(path).write_text(self.to_json() + "\n", encoding="utf-8")
+
+    def _repr_html_(self) -> str:
+        """The picture, for notebooks."""
+        from carom.picture import svg
+
+        text = svg(self)
+        return text[text.index("<svg") :]
+
+    def __len__(self) -> int:
+        return len(self._dict["events"])
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Trace) and self._core.to_json() == other._core.to_json()
+
+    def __hash__(self) -> int:
+        return hash(self.hash)
+
+    def __reduce__(self) -> tuple[Any, tuple[str]]:
+        return (Trace.from_json, (self.to_json(),))
+
+    def __str__(self) -> str:
+        from carom.event_table import plain
+
+        return plain(self._dict)
+
+    def __repr__(self) -> str:
+        return f"<carom.Trace: {len(self)} events in {self.duration:.3f} s, hash {self.hash}>"
