@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 # a thousandth of that.
 CHUNK = 8192
 
+# ``pocket`` where a shot has no such ball.
+PADDING = -3
+
 _VARIABLES = ("speed", "azimuth", "elevation", "side", "height")
 
 
@@ -66,7 +69,7 @@ def simulate_batch(
     balls = max((len(core) for core in cores), default=0)
 
     def run(start: int, end: int) -> _Arrays:
-        return _core.simulate_batch(cores[start:end], balls, _threads(threads))
+        return _core.simulate_batch(cores[start:end], _threads(threads))
 
     return _in_chunks(run, len(cores), balls, progress=progress)
 
@@ -130,14 +133,17 @@ def _in_chunks(
 ) -> BatchResult:
     import numpy as np
 
-    position = np.empty((count, balls, 3))
-    pocket = np.empty((count, balls), dtype=np.int8)
+    position = np.full((count, balls, 3), np.nan)
+    pocket = np.full((count, balls), PADDING, dtype=np.int8)
     events = np.empty(count, dtype=np.int32)
     errors: dict[int, str] = {}
     with _bar(count, show=progress) as advance:
         for start in range(0, count, CHUNK):
             end = min(start + CHUNK, count)
-            position[start:end], pocket[start:end], events[start:end], failed = run(start, end)
+            places, pockets, events[start:end], failed = run(start, end)
+            # A chunk is as wide as its own largest shot.
+            width = places.shape[1]
+            position[start:end, :width], pocket[start:end, :width] = places, pockets
             errors |= {start + index: text for index, text in failed.items()}
             advance(end - start)
     return BatchResult(position, pocket, events, errors)

@@ -152,6 +152,10 @@ class Trace:
             )
         return Snapshot(times, position, velocity, angular_velocity, motions)
 
+    def difference(self, again: Trace) -> str | None:
+        """Where the two part first, in any bit of any event or final state; None if nowhere."""
+        return self._core.first_difference(again._core)
+
     def to_dict(self) -> dict[str, Any]:
         """The ``carom-trace/1``; ``from_dict`` of it gives this trace again, to the bit."""
         return self._core.to_object()

@@ -1,9 +1,28 @@
 //! The Python module `carom._core`: conversions, no logic. The public face is `python/carom`.
+
+mod batch;
+mod error;
+mod node;
+mod reference;
+mod shot;
+mod table;
+mod trace;
+
 use pyo3::prelude::*;
 
+/// Private; use `carom`.
 #[pymodule]
 mod _core {
-    use super::*;
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use crate::batch::{simulate_batch, simulate_strikes};
+    #[pymodule_export]
+    use crate::reference::{schema, table, tables};
+    #[pymodule_export]
+    use crate::shot::Shot;
+    #[pymodule_export]
+    use crate::trace::Trace;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

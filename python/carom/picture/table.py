@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
     from carom.picture.paths import Point, Route
 
-# Width of what surrounds the playing area in the picture, as a share of the table's width: a
-# cushion is about 5 cm and the wood about 9 cm on a 1.27 m table.
-CUSHION_SHARE = 0.042
-WOOD_SHARE = 0.07
+# Half width of a diamond, as a share of the rail's width.
+SIGHT_SHARE = 0.06
+# Straight pieces that a rounded point (a few mm to some cm) is drawn with.
+ARC_CHORDS = 12
 # Empty space around the paths on endless cloth, as a share of their extent.
 MARGIN_SHARE = 0.09
 
@@ -30,7 +30,7 @@ def bounds(geometry: dict[str, Any], routes: list[Route]) -> Bounds:
     """The region that the table (or, on endless cloth, what happens on it) takes."""
     if geometry["size"] is not None:
         width, length = geometry["size"]
-        rim = (CUSHION_SHARE + WOOD_SHARE) * width
+        rim = geometry["rail_width"]
         return (-rim, -rim, width + rim, length + rim)
     corners = [
         (x + sign * route.radius, y + sign * route.radius)
@@ -64,7 +64,8 @@ def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
         _endless_cloth(ax, region)
         return
     width, length = geometry["size"]
-    cushion, wood = CUSHION_SHARE * width, WOOD_SHARE * width
+    cushion = geometry["cushion_width"]
+    wood = geometry["rail_width"] - cushion
     left, bottom, right, top = region
     ax.add_patch(
         FancyBboxPatch(
@@ -83,7 +84,7 @@ def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
             (-cushion, -cushion),
             width + 2 * cushion,
             length + 2 * cushion,
-            facecolor=colors.CUSHION if not geometry["cushions"] else colors.CLOTH,
+            facecolor=colors.CLOTH,
             edgecolor=colors.RAIL_EDGE,
             linewidth=0.8,
             zorder=1,
@@ -91,11 +92,12 @@ def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
     )
     ax.add_patch(Rectangle((0, 0), width, length, facecolor=colors.CLOTH, zorder=1.1))
     for pocket in geometry["pockets"]:
-        _pocket(ax, pocket, geometry, cushion)
+        _pocket(ax, pocket, cushion)
     for rail in dict.fromkeys(part["rail"] for part in geometry["cushions"]):
         parts = [part for part in geometry["cushions"] if part["rail"] == rail]
         _cushion(ax, parts, width, length, cushion)
-    _marks(ax, width, length, cushion, wood, bool(geometry["pockets"]))
+    _sights(ax, geometry)
+    _markings(ax, geometry)
 
 
 def _endless_cloth(ax: Axes, region: Bounds) -> None:
@@ -126,13 +128,13 @@ def _multiples(low: float, high: float, step: float) -> list[float]:
     return [i * step for i in range(math.ceil(low / step), math.floor(high / step) + 1)]
 
 
-def _pocket(ax: Axes, pocket: dict[str, Any], geometry: dict[str, Any], cushion: float) -> None:
+def _pocket(ax: Axes, pocket: dict[str, Any], cushion: float) -> None:
     """The hole in the slate, and the opening that the pocket cuts into the rail behind it."""
     x, y = pocket["center"]
     radius = pocket["radius"]
     ax.add_patch(Circle((x, y), radius + 0.22 * cushion, facecolor=colors.HOLE_EDGE, zorder=1.3))
     ax.add_patch(Circle((x, y), radius, facecolor=colors.HOLE, zorder=1.4))
-    if pocket["capture"] == "mouth-line":
+    if "mouth" in pocket:
         (x0, y0), (x1, y1) = pocket["mouth"]
         ax.plot([x0, x1], [y0, y1], color="white", alpha=0.5, linewidth=0.8, ls=":", zorder=2.2)
 
@@ -177,76 +179,84 @@ def nose_line(parts: list[dict[str, Any]]) -> list[Point]:
     """A rail's nose line from one end to the other, its round points as short chords.
 
     Args:
-        parts: The rail's segments and arcs, in any order.
+        parts: The rail's cushion parts in their order along it.
     """
-    segments = [(tuple(p["start"]), tuple(p["end"])) for p in parts if p["shape"] == "segment"]
-    arcs = [p for p in parts if p["shape"] == "arc"]
-    nose = next(
-        (tuple(p["start"]), tuple(p["end"]))
-        for p in parts
-        if p["part"] == "nose" and p["shape"] == "segment"
-    )
-    line: list[Point] = [nose[0], nose[1]]
-    rest = [s for s in segments if s != nose]
-    while rest:
-        # Whatever lies nearest to an end of the line continues it.
-        gaps = [
-            (math.dist(line[end], segment[near]), end, near, segment)
-            for segment in rest
-            for end in (0, -1)
-            for near in (0, 1)
-        ]
-        _, end, near, segment = min(gaps)
-        rest.remove(segment)
-        joint = _joint(line[end], segment[near], arcs)
-        if end == 0:
-            line[:0] = [segment[1 - near], segment[near], *reversed(joint)]
-        else:
-            line += [*joint, segment[near], segment[1 - near]]
+    pieces = [_chords(part) for part in parts]
+    line = pieces[0]
+    if len(pieces) > 1 and _gap(line[0], pieces[1]) < _gap(line[-1], pieces[1]):
+        line = line[::-1]
+    for piece in pieces[1:]:
+        forward = math.dist(line[-1], piece[0]) <= math.dist(line[-1], piece[-1])
+        line = line + (piece if forward else piece[::-1])
     return line
 
 
-def _joint(start: Point, end: Point, arcs: list[dict[str, Any]]) -> list[Point]:
-    """Points along the arc that joins two pieces, without its ends."""
-    if math.dist(start, end) == 0.0 or not arcs:
-        return []
-    arc = min(
-        arcs,
-        key=lambda a: abs(math.dist(start, a["center"]) - a["radius"])
-        + abs(math.dist(end, a["center"]) - a["radius"]),
-    )
-    cx, cy = arc["center"]
+def _gap(point: Point, piece: list[Point]) -> float:
+    return min(math.dist(point, piece[0]), math.dist(point, piece[-1]))
+
+
+def _chords(part: dict[str, Any]) -> list[Point]:
+    start: Point = (part["start"][0], part["start"][1])
+    end: Point = (part["end"][0], part["end"][1])
+    if "center" not in part:
+        return [start, end]
+    cx, cy = part["center"]
     begin = math.atan2(start[1] - cy, start[0] - cx)
+    # The part spans less than half a turn, so the shorter way round is the right one.
     sweep = math.remainder(math.atan2(end[1] - cy, end[0] - cx) - begin, math.tau)
-    pieces = 12
     return [
-        (
-            cx + arc["radius"] * math.cos(begin + sweep * i / pieces),
-            cy + arc["radius"] * math.sin(begin + sweep * i / pieces),
-        )
-        for i in range(1, pieces)
+        (cx + part["radius"] * math.cos(angle), cy + part["radius"] * math.sin(angle))
+        for angle in (begin + sweep * i / ARC_CHORDS for i in range(ARC_CHORDS + 1))
     ]
 
 
-def _marks(
-    ax: Axes, width: float, length: float, cushion: float, wood: float, pockets: bool
-) -> None:
-    """The sights (diamonds): quarters of the width, eighths of the length."""
-    middle = cushion + wood / 2
-    size = 0.16 * wood
-    along = [i * length / 8 for i in range(0 if not pockets else 1, 9 if not pockets else 8)]
-    across = [i * width / 4 for i in range(0 if not pockets else 1, 5 if not pockets else 4)]
-    sights = [(x, y) for y in along if not (pockets and y == length / 2)
-              for x in (-middle, width + middle)]
-    sights += [(x, y) for x in across for y in (-middle, length + middle)]
-    for x, y in sights:
-        ax.add_patch(
-            Polygon(
-                [(x - size, y), (x, y - 1.5 * size), (x + size, y), (x, y + 1.5 * size)]
-                if x in (-middle, width + middle)
-                else [(x - 1.5 * size, y), (x, y - size), (x + 1.5 * size, y), (x, y + size)],
-                facecolor=colors.DIAMOND,
-                edgecolor="none",
-                zorder=1.8,
-            )
+def _sights(ax: Axes, geometry: dict[str, Any]) -> None:
+    """The diamonds on the rails; none where a pocket is."""
+    sights = geometry.get("sights")
+    if sights is None:
+        return
+    width, length = geometry["size"]
+    back = sights["setback"]
+    middle = SIGHT_SHARE * geometry["rail_width"]
+    ends = bool(geometry["pockets"])
+    for i in range(sights["along_length"] + 1):
+        y = i * length / sights["along_length"]
+        if ends and (i in (0, sights["along_length"]) or 2 * i == sights["along_length"]):
+            continue
+        for x in (-back, width + back):
+            _diamond(ax, x, y, middle, 1.5 * middle)
+    for i in range(sights["along_width"] + 1):
+        if ends and i in (0, sights["along_width"]):
+            continue
+        for y in (-back, length + back):
+            _diamond(ax, i * width / sights["along_width"], y, 1.5 * middle, middle)
+
+
+def _diamond(ax: Axes, x: float, y: float, half_width: float, half_height: float) -> None:
+    corners = [
+        (x - half_width, y),
+        (x, y - half_height),
+        (x + half_width, y),
+        (x, y + half_height),
+    ]
+    ax.add_patch(Polygon(corners, facecolor=colors.DIAMOND, edgecolor="none", zorder=1.8))
+
+
+def _markings(ax: Axes, geometry: dict[str, Any]) -> None:
+    """Head string or baulk line, the D, and the spots."""
+    markings = geometry.get("markings") or {}
+    width, _ = geometry["size"]
+    style = {"color": "white", "alpha": 0.28, "linewidth": 0.8, "zorder": 1.2}
+    string, radius = markings.get("head_string"), markings.get("d_radius")
+    if string is not None:
+        ax.plot([0, width], [string, string], **style)
+    if string is not None and radius is not None:
+        angles = [math.pi + math.pi * i / 60 for i in range(61)]
+        ax.plot(
+            [width / 2 + radius * math.cos(a) for a in angles],
+            [string + radius * math.sin(a) for a in angles],
+            **style,
         )
+    for spot in markings.get("spots", []):
+        x, y = spot["position"]
+        ax.plot([x], [y], marker="o", markersize=1.8, **style)

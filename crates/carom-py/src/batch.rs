@@ -1,0 +1,72 @@
+//! `_core.simulate_batch` and `_core.simulate_strikes`.
+
+use carom::batch::{self, BatchResult};
+use carom::resolve::cue_ball::Strike;
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::shot::Shot;
+
+type Arrays<'py> = (
+    Bound<'py, PyArray3<f64>>,
+    Bound<'py, PyArray2<i8>>,
+    Bound<'py, PyArray1<i32>>,
+    Bound<'py, PyDict>,
+);
+
+/// Final positions (shots, balls, 3), pockets (shots, balls), events (shots), errors by index.
+/// `threads` 0 is one per core.
+#[pyfunction]
+pub(crate) fn simulate_batch<'py>(
+    py: Python<'py>,
+    shots: Vec<PyRef<'py, Shot>>,
+    threads: usize,
+) -> PyResult<Arrays<'py>> {
+    let shots: Vec<_> = shots.iter().map(|shot| shot.0.clone()).collect();
+    let result = py.detach(|| batch::simulate_batch(&shots, count(threads), &|_| ()));
+    arrays(py, result)
+}
+
+/// The same for one shot struck otherwise: rows of speed, azimuth, elevation, side, height.
+#[pyfunction]
+pub(crate) fn simulate_strikes<'py>(
+    py: Python<'py>,
+    shot: &Shot,
+    strikes: PyReadonlyArray2<'py, f64>,
+    threads: usize,
+) -> PyResult<Arrays<'py>> {
+    let strikes: Vec<Strike> = strikes
+        .as_array()
+        .rows()
+        .into_iter()
+        .map(|row| Strike {
+            speed: row[0],
+            azimuth: row[1],
+            elevation: row[2],
+            side: row[3],
+            height: row[4],
+        })
+        .collect();
+    let result = py.detach(|| batch::simulate_strikes(&shot.0, &strikes, count(threads), &|_| ()));
+    arrays(py, result)
+}
+
+fn count(threads: usize) -> Option<usize> {
+    (threads > 0).then_some(threads)
+}
+
+fn arrays<'py>(py: Python<'py>, result: BatchResult) -> PyResult<Arrays<'py>> {
+    let BatchResult { shots, balls, final_position, pocket, events, errors } = result;
+    let texts = PyDict::new(py);
+    for (index, error) in errors {
+        texts.set_item(index, error.to_string())?;
+    }
+    let flat = final_position.into_iter().flatten().collect::<Vec<f64>>();
+    Ok((
+        PyArray1::from_vec(py, flat).reshape([shots, balls, 3])?,
+        PyArray1::from_vec(py, pocket).reshape([shots, balls])?,
+        PyArray1::from_vec(py, events),
+        texts,
+    ))
+}

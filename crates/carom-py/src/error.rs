@@ -1,0 +1,26 @@
+//! The engine's errors as the exceptions of `carom.errors`.
+
+use carom::error::Error;
+use pyo3::prelude::*;
+
+use crate::node::to_python;
+
+pyo3::import_exception!(carom.errors, EventCapError);
+pyo3::import_exception!(carom.errors, InputError);
+
+/// The exception for `error`.
+pub(crate) fn to_exception(py: Python<'_>, error: &Error) -> PyErr {
+    let text = error.to_string();
+    match error {
+        Error::TooManyEvents { shot, .. } => {
+            let file = carom::Shot::from_json(shot)
+                .map_err(|e| to_exception(py, &e))
+                .and_then(|shot| to_python(py, shot.to_node()).map(Bound::unbind));
+            match file {
+                Ok(file) => EventCapError::new_err((text, file)),
+                Err(other) => other,
+            }
+        }
+        _ => InputError::new_err(text),
+    }
+}

@@ -1,0 +1,125 @@
+//! Plain values across the border: dicts, lists, strings, numbers.
+
+use carom::shot::Node;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString};
+
+use crate::error::InputError;
+
+/// Deeper nesting than any file of ours has; a list that holds itself ends here.
+const DEEPEST: usize = 32;
+
+/// What a Python value says.
+pub(crate) fn from_python(value: &Bound<'_, PyAny>) -> PyResult<Node> {
+    read(value, &mut String::new(), 0)
+}
+
+fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<Node> {
+    if depth > DEEPEST {
+        return Err(refuse(place, "nested too deeply", "write plain dicts, lists and numbers"));
+    }
+    if value.is_none() {
+        return Ok(Node::Null);
+    }
+    if let Ok(b) = value.cast::<PyBool>() {
+        return Ok(Node::Bool(b.is_true()));
+    }
+    if let Ok(text) = value.cast::<PyString>() {
+        return match text.to_str() {
+            Ok(text) => Ok(Node::Text(text.into())),
+            Err(_) => Err(refuse(place, "a text that is not Unicode", "write valid Unicode")),
+        };
+    }
+    if let Ok(x) = value.cast::<PyFloat>() {
+        return Ok(Node::Number(x.value()));
+    }
+    if value.cast::<PyInt>().is_ok() {
+        return Ok(match value.extract::<i64>() {
+            Ok(i) => Node::Integer(i),
+            Err(_) => Node::Number(value.extract::<f64>().unwrap_or(f64::INFINITY)),
+        });
+    }
+    if let Ok(mapping) = value.cast::<PyMapping>() {
+        return read_mapping(mapping, place, depth);
+    }
+    if let Ok(items) = value.try_iter() {
+        return read_items(&items, place, depth);
+    }
+    // NumPy's scalars are neither of Python's numbers, but say what they are worth.
+    if value.hasattr("__index__")? {
+        return Ok(Node::Integer(value.call_method0("__index__")?.extract()?));
+    }
+    if value.hasattr("__float__")? {
+        return Ok(Node::Number(value.call_method0("__float__")?.extract()?));
+    }
+    let kind = value.get_type().name()?;
+    Err(refuse(place, &format!("found a {kind}"), "write plain dicts, lists, strings and numbers"))
+}
+
+fn read_mapping(
+    mapping: &Bound<'_, PyMapping>,
+    place: &mut String,
+    depth: usize,
+) -> PyResult<Node> {
+    let mut fields = Vec::with_capacity(mapping.len()?);
+    for item in mapping.items()?.iter() {
+        let (key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
+        let Ok(key) = key.extract::<String>() else {
+            let key = key.repr()?;
+            return Err(refuse(place, &format!("the key {key} is no string"), "write a string"));
+        };
+        let before = place.len();
+        if !place.is_empty() {
+            place.push('.');
+        }
+        place.push_str(&key);
+        fields.push((key, read(&value, place, depth + 1)?));
+        place.truncate(before);
+    }
+    Ok(Node::Object(fields))
+}
+
+fn read_items(
+    items: &Bound<'_, pyo3::types::PyIterator>,
+    place: &mut String,
+    depth: usize,
+) -> PyResult<Node> {
+    let mut list = Vec::new();
+    for (i, item) in items.enumerate() {
+        let before = place.len();
+        place.push_str(&format!("[{i}]"));
+        list.push(read(&item?, place, depth + 1)?);
+        place.truncate(before);
+    }
+    Ok(Node::List(list))
+}
+
+fn refuse(place: &str, what: &str, remedy: &str) -> PyErr {
+    let place = if place.is_empty() { String::new() } else { format!("{place}: ") };
+    InputError::new_err(format!("{place}{what}; {remedy}"))
+}
+
+/// The same in Python's own types.
+pub(crate) fn to_python<'py>(py: Python<'py>, node: &Node) -> PyResult<Bound<'py, PyAny>> {
+    Ok(match node {
+        Node::Null => py.None().into_bound(py),
+        Node::Bool(b) => PyBool::new(py, *b).to_owned().into_any(),
+        Node::Integer(i) => i.into_pyobject(py)?.into_any(),
+        Node::Number(x) => PyFloat::new(py, *x).into_any(),
+        Node::Text(text) => PyString::new(py, text).into_any(),
+        Node::List(items) => {
+            let list = PyList::empty(py);
+            for item in items {
+                list.append(to_python(py, item)?)?;
+            }
+            list.into_any()
+        }
+        Node::Object(fields) => {
+            let dict = PyDict::new(py);
+            for (key, value) in fields {
+                dict.set_item(key, to_python(py, value)?)?;
+            }
+            dict.into_any()
+        }
+    })
+}

@@ -1,0 +1,74 @@
+//! `_core.Shot`.
+
+use std::sync::Arc;
+
+use carom::Trace as RustTrace;
+use pyo3::prelude::*;
+
+use crate::error::to_exception;
+use crate::node::{from_python, to_python};
+use crate::table::geometry;
+use crate::trace::Trace;
+
+/// A validated shot; immutable, shared, never copied.
+#[pyclass(frozen, module = "carom._core")]
+pub(crate) struct Shot(pub(crate) Arc<carom::Shot>);
+
+#[pymethods]
+impl Shot {
+    #[staticmethod]
+    fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
+        let shot = carom::Shot::from_json(text).map_err(|e| to_exception(py, &e))?;
+        Ok(Self(shot.into()))
+    }
+
+    #[staticmethod]
+    fn from_object(value: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let shot = carom::Shot::from_node(from_python(value)?)
+            .map_err(|e| to_exception(value.py(), &e))?;
+        Ok(Self(shot.into()))
+    }
+
+    fn to_object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, self.0.to_node())
+    }
+
+    fn to_json(&self) -> String {
+        self.0.to_json()
+    }
+
+    fn geometry<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &geometry(self.0.table()))
+    }
+
+    fn simulate(&self, py: Python<'_>) -> PyResult<Trace> {
+        let trace = py.detach(|| RustTrace::simulate(&self.0));
+        trace.map(Trace).map_err(|e| to_exception(py, &e))
+    }
+
+    #[getter]
+    fn ids(&self) -> Vec<&str> {
+        self.0.balls().iter().map(|b| b.id.as_str()).collect()
+    }
+
+    #[getter]
+    fn radius(&self) -> Vec<f64> {
+        self.0.balls().iter().map(|b| b.ball.radius).collect()
+    }
+
+    #[getter]
+    fn mass(&self) -> Vec<f64> {
+        self.0.balls().iter().map(|b| b.ball.mass).collect()
+    }
+
+    /// Speed, azimuth, elevation, side, height.
+    #[getter]
+    fn strike(&self) -> Option<(f64, f64, f64, f64, f64)> {
+        let s = &self.0.strike()?.strike;
+        Some((s.speed, s.azimuth, s.elevation, s.side, s.height))
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.balls().len()
+    }
+}

@@ -1,0 +1,6 @@
+"""``python -m carom`` is the command ``carom``."""
+
+from carom.cli import main
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,88 @@
+"""The commands, and what happens to their errors."""
+
+from __future__ import annotations
+
+import signal
+import sys
+import traceback
+from typing import NoReturn
+
+import typer
+
+from carom import __version__
+from carom.cli import engine, reference, shots
+from carom.cli.output import say, say_json
+from carom.errors import EventCapError, InputError
+
+# A cap below this was asked for; this one is the engine's own, and no shot should reach it.
+DEFAULT_EVENT_CAP = 100_000
+
+app = typer.Typer(
+    name="carom",
+    help="The billiards engine: exact, deterministic, and fast enough to think with.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+app.command("shot")(shots.shot)
+app.command("break")(shots.break_)
+app.command("replay")(engine.replay)
+app.command("validate")(engine.validate)
+app.command("bench")(engine.bench)
+app.command("tables")(reference.tables)
+app.command("schema")(reference.schema)
+
+
+def _print_version(asked: bool) -> None:
+    if asked:
+        print(f"carom {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: bool = typer.Option(
+        False, "--version", callback=_print_version, is_eager=True, help="Print the version."
+    ),
+) -> None:
+    del version
+
+
+def main() -> NoReturn:
+    """Run the command line and exit the process."""
+    if hasattr(signal, "SIGPIPE"):
+        # `carom shot ... | head` ends quietly, as every filter does.
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    sys.exit(_run())
+
+
+def _run() -> int:
+    try:
+        app(standalone_mode=True)
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else 0
+    except InputError as error:
+        say(str(error))
+        return 2
+    except EventCapError as error:
+        say(str(error))
+        say_json(error.shot)
+        return 2 if error.shot.get("max_events", DEFAULT_EVENT_CAP) < DEFAULT_EVENT_CAP else 1
+    except OSError as error:
+        if error.filename is None:
+            return _our_bug()
+        say(f"{error.filename}: {error.strerror}; check the path")
+        return 2
+    except KeyboardInterrupt:
+        return 130
+    except BaseException:  # noqa: BLE001 -- a panic in Rust is no Exception
+        return _our_bug()
+    return 0
+
+
+def _our_bug() -> int:
+    say("this is a bug in carom, not in your input; please report it with what follows and with")
+    say(f"the shot file to the project's issues (carom {__version__}).")
+    traceback.print_exc()
+    return 1

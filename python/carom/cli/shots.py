@@ -1,0 +1,91 @@
+"""``carom shot`` and ``carom break``: simulate one shot and show it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from carom.cli.output import emit, read, save
+
+if TYPE_CHECKING:
+    from carom.trace import Trace
+
+Json = Annotated[bool, typer.Option("--json", help="Print the trace (carom-trace/1).")]
+Html = Annotated[
+    Path | None,
+    typer.Option("--html", metavar="OUT", help="Write a page with the picture and the events."),
+]
+Svg = Annotated[Path | None, typer.Option("--svg", metavar="OUT", help="Write a picture (SVG).")]
+Png = Annotated[Path | None, typer.Option("--png", metavar="OUT", help="Write a picture (PNG).")]
+
+
+def shot(
+    file: Annotated[str, typer.Argument(metavar="FILE", help="A shot file; - is stdin.")],
+    json: Json = False,
+    html: Html = None,
+    svg: Svg = None,
+    png: Png = None,
+) -> None:
+    """Simulate a shot file; print its table of events."""
+    from carom import Shot
+
+    trace = Shot.from_json(read(file)).simulate()
+    title = "shot" if file == "-" else Path(file).stem.replace("_", " ").replace("-", " ")
+    _show(trace, title, json=json, html=html, svg=svg, png=png)
+
+
+def break_(
+    game: Annotated[
+        str, typer.Option(help="nine-ball, eight-ball, ten-ball, straight-pool, snooker, ...")
+    ] = "nine-ball",
+    speed: Annotated[float, typer.Option(help="The cue's speed, m/s.")] = 9.0,
+    seed: Annotated[int, typer.Option(help="Which of the random racks.")] = 0,
+    shot_file: Annotated[
+        bool, typer.Option("--shot", help="Print the shot file instead of simulating it.")
+    ] = False,
+    json: Json = False,
+    html: Html = None,
+    svg: Svg = None,
+    png: Png = None,
+) -> None:
+    """Break a rack; print the table of events."""
+    from carom.racks import break_shot
+
+    the_break = break_shot(game, speed=speed, seed=seed)
+    if shot_file:
+        emit(the_break.to_json())
+        return
+    _show(the_break.simulate(), f"{game} break", json=json, html=html, svg=svg, png=png)
+
+
+def _show(
+    trace: Trace,
+    title: str,
+    *,
+    json: bool,
+    html: Path | None,
+    svg: Path | None,
+    png: Path | None,
+) -> None:
+    from carom import picture
+
+    if svg is not None:
+        save(svg, picture.svg(trace, title=title))
+    if png is not None:
+        save(png, picture.png(trace, title=title))
+    if html is not None:
+        save(html, picture.html(trace, title=title))
+    if json:
+        emit(trace.to_json())
+        return
+    from rich.console import Console
+
+    from carom.event_table import plain, rich_table
+
+    console = Console()
+    if console.is_terminal:
+        console.print(rich_table(trace.to_dict()))
+    else:
+        emit(plain(trace.to_dict()))

@@ -1,0 +1,98 @@
+"""What the tests share: shots, and the command line as a user runs it."""
+
+from __future__ import annotations
+
+import copy
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import carom
+
+ROOT = Path(__file__).parents[2]
+
+POT: dict[str, Any] = {
+    "format": "carom-shot/1",
+    "table": "wpa-9ft",
+    "physics": "pool",
+    "balls": [
+        {"id": "cue", "position": [0.635, 0.635]},
+        {"id": "1", "position": [0.635, 1.905]},
+    ],
+    "strike": {
+        "ball": "cue",
+        "speed": 2.0,
+        "azimuth_deg": 90.0,
+        "elevation_deg": 0.0,
+        "side": 0.0,
+        "height": 0.0,
+    },
+}
+
+# A ball that stands still and one that rolls into it, on endless cloth.
+ENDLESS: dict[str, Any] = {
+    "format": "carom-shot/1",
+    "table": {"cloth": "unbounded"},
+    "balls": [
+        {"id": "a", "position": [0.0, 0.0], "velocity": [1.5, 0.0, 0.0]},
+        {"id": "b", "position": [0.5, 0.01]},
+    ],
+}
+
+
+@pytest.fixture
+def pot() -> dict[str, Any]:
+    """A two-ball shot on a pool table."""
+    return copy.deepcopy(POT)
+
+
+@pytest.fixture
+def endless() -> dict[str, Any]:
+    """Two balls on endless cloth, no strike."""
+    return copy.deepcopy(ENDLESS)
+
+
+@pytest.fixture(scope="session")
+def nine_ball() -> carom.Shot:
+    """A nine-ball break."""
+    return carom.Shot.load(ROOT / "shots" / "nine_ball_break.json")
+
+
+@pytest.fixture(scope="session")
+def nine_ball_trace(nine_ball: carom.Shot) -> carom.Trace:
+    """Its trace."""
+    return nine_ball.simulate()
+
+
+class CommandLine:
+    """Runs ``carom`` in a process of its own."""
+
+    def __init__(self, cwd: Path) -> None:
+        self.cwd = cwd
+
+    def __call__(
+        self, *args: str, stdin: str | bytes = "", **environment: str
+    ) -> subprocess.CompletedProcess[str]:
+        data = stdin.encode() if isinstance(stdin, str) else stdin
+        done = subprocess.run(
+            [sys.executable, "-m", "carom", *args],
+            input=data,
+            capture_output=True,
+            cwd=self.cwd,
+            env={**os.environ, **environment},
+            timeout=120,
+            check=False,
+        )
+        return subprocess.CompletedProcess(
+            done.args, done.returncode, done.stdout.decode(), done.stderr.decode()
+        )
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> CommandLine:
+    """The command line, in an empty directory."""
+    return CommandLine(tmp_path)

@@ -1,0 +1,287 @@
+"""The command line: data to stdout, talk to stderr, exit 0, 2 (bad input), 1 (our bug)."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import subprocess
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from xml.etree import ElementTree
+
+import pytest
+
+import carom
+
+if TYPE_CHECKING:
+    from conftest import CommandLine
+
+
+@pytest.fixture
+def file(pot: dict[str, Any], tmp_path: Path) -> Path:
+    path = tmp_path / "pot.json"
+    path.write_text(json.dumps(pot))
+    return path
+
+
+def refused(done: subprocess.CompletedProcess[str], *words: str) -> None:
+    """Exit code 2, nothing on stdout, one sentence on stderr."""
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert len(done.stderr.strip().splitlines()) == 1
+    assert "Traceback" not in done.stderr
+    for word in words:
+        assert word in done.stderr
+
+
+def test_shot_json_prints_the_trace(run: CommandLine, file: Path, pot: dict[str, Any]) -> None:
+    done = run("shot", str(file), "--json")
+    assert done.returncode == 0
+    assert done.stderr == ""
+    assert json.loads(done.stdout) == carom.Shot.from_dict(pot).simulate().to_dict()
+
+
+def test_a_shot_is_read_from_stdin(run: CommandLine, pot: dict[str, Any]) -> None:
+    done = run("shot", "-", "--json", stdin=json.dumps(pot))
+    assert done.returncode == 0
+    assert json.loads(done.stdout)["format"] == "carom-trace/1"
+
+
+def test_shot_prints_a_readable_table_of_events(run: CommandLine, file: Path) -> None:
+    done = run("shot", str(file))
+    assert done.returncode == 0
+    assert "cue-strike" in done.stdout
+    assert "first contact: 1" in done.stdout
+    assert "\x1b" not in done.stdout
+
+
+def on_a_terminal(arguments: list[str], **environment: str) -> str:
+    """What a command prints when its stdout is a terminal."""
+    master, slave = pty.openpty()
+    clean = {k: v for k, v in os.environ.items() if k not in {"NO_COLOR", "FORCE_COLOR"}}
+    with subprocess.Popen(
+        [sys.executable, "-m", "carom", *arguments],
+        stdout=slave,
+        env={**clean, "TERM": "xterm-256color", "COLUMNS": "120", **environment},
+    ) as process:
+        os.close(slave)
+        chunks = []
+        while True:
+            try:
+                chunk = os.read(master, 65536)
+            except OSError:
+                break
+            if not chunk:
+                break
+            chunks.append(chunk)
+    os.close(master)
+    assert process.returncode == 0
+    return b"".join(chunks).decode()
+
+
+def test_on_a_terminal_the_table_has_colours_and_with_no_color_none(file: Path) -> None:
+    coloured = on_a_terminal(["shot", str(file)])
+    assert "\x1b[33m" in coloured
+    assert "ball-collision" in coloured
+    plain = on_a_terminal(["shot", str(file)], NO_COLOR="1")
+    assert "ball-collision" in plain
+    # Bold and dim are no colours: https://no-color.org
+    assert "\x1b[33m" not in plain
+    assert "\x1b[36m" not in plain
+
+
+def test_pictures_and_pages_are_written_where_told(
+    run: CommandLine, file: Path, tmp_path: Path
+) -> None:
+    done = run("shot", str(file), "--svg", "a.svg", "--png", "b.png", "--html", "c.html", "--json")
+    assert done.returncode == 0
+    assert json.loads(done.stdout)["format"] == "carom-trace/1"
+    assert ElementTree.parse(tmp_path / "a.svg").getroot().tag.endswith("svg")
+    assert (tmp_path / "b.png").read_bytes().startswith(b"\x89PNG")
+    page = (tmp_path / "c.html").read_text()
+    assert "<svg" in page
+    assert "ball-collision" in page
+    # Self-contained: nothing is fetched.
+    assert "src=" not in page
+    assert "<link" not in page
+    assert {p.name for p in tmp_path.iterdir()} == {"pot.json", "a.svg", "b.png", "c.html"}
+
+
+def test_bad_input_gives_one_sentence_and_exit_code_2(
+    run: CommandLine, pot: dict[str, Any]
+) -> None:
+    pot["balls"][1]["position"] = [9.0, 9.0]
+    refused(run("shot", "-", "--json", stdin=json.dumps(pot)), "balls[1].position")
+    refused(run("shot", "-", stdin="{"), "JSON")
+    refused(run("shot", "-", stdin=b"\xff\xfe"), "UTF-8")
+    refused(run("shot", "-", stdin=""), "JSON")
+
+
+def test_a_file_that_is_not_there_is_bad_input(run: CommandLine, tmp_path: Path) -> None:
+    refused(run("shot", "nowhere.json"), "nowhere.json")
+    refused(run("shot", str(tmp_path)), str(tmp_path))
+
+
+def test_a_picture_that_cannot_be_written_is_bad_input(run: CommandLine, file: Path) -> None:
+    refused(run("shot", str(file), "--svg", "no/such/folder.svg"), "no/such/folder.svg")
+
+
+def test_an_unknown_option_is_bad_input(run: CommandLine, file: Path) -> None:
+    done = run("shot", str(file), "--jsn")
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert "--jsn" in done.stderr
+
+
+def test_reaching_a_chosen_cap_of_events_shows_the_shot_on_stderr(
+    run: CommandLine, pot: dict[str, Any]
+) -> None:
+    pot["max_events"] = 3
+    done = run("shot", "-", "--json", stdin=json.dumps(pot))
+    assert done.returncode == 2
+    assert done.stdout == ""
+    sentence, shot = done.stderr.strip().splitlines()
+    assert "3 events" in sentence
+    assert carom.Shot.from_json(shot) == carom.Shot.from_dict(pot)
+
+
+def test_our_own_bug_says_how_to_report_it(tmp_path: Path) -> None:
+    program = (
+        "import sys, carom\n"
+        "from carom.cli import main\n"
+        "def broken(*_): raise RuntimeError('a wheel came off')\n"
+        "carom.Shot.simulate = broken\n"
+        "sys.argv = ['carom', 'shot', '-']\n"
+        "main()\n"
+    )
+    shot = json.dumps(
+        {
+            "format": "carom-shot/1",
+            "table": {"cloth": "unbounded"},
+            "balls": [{"id": "a", "position": [0, 0]}],
+        }
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        input=shot,
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert done.stdout == ""
+    assert "bug in carom" in done.stderr
+    assert "report" in done.stderr
+    assert "a wheel came off" in done.stderr
+
+
+def test_a_closed_pipe_ends_quietly(file: Path) -> None:
+    with subprocess.Popen(
+        [sys.executable, "-m", "carom", "tables", "--json"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as process:
+        assert process.stdout is not None
+        process.stdout.close()
+        assert process.stderr is not None
+        assert process.stderr.read() == b""
+
+
+@pytest.mark.parametrize(
+    "game", ["nine-ball", "eight-ball", "ten-ball", "straight-pool", "snooker", "three-cushion"]
+)
+def test_break_plays_every_game(run: CommandLine, game: str) -> None:
+    done = run("break", "--game", game, "--json")
+    assert done.returncode == 0
+    trace = json.loads(done.stdout)
+    assert trace["events"][0]["type"] == "cue-strike"
+    assert any(event["type"] == "ball-collision" for event in trace["events"])
+
+
+def test_the_same_seed_breaks_the_same_rack(run: CommandLine) -> None:
+    def hash_of(*args: str) -> str:
+        return str(json.loads(run("break", *args, "--json").stdout)["hash"])
+
+    assert hash_of("--seed", "5") == hash_of("--seed", "5")
+    assert hash_of("--seed", "5") != hash_of("--seed", "6")
+    assert hash_of("--seed", "5", "--speed", "8") != hash_of("--seed", "5", "--speed", "9")
+
+
+def test_break_refuses_a_game_that_it_does_not_know(run: CommandLine) -> None:
+    refused(run("break", "--game", "nine-pin"), "nine-pin", "nine-ball")
+    refused(run("break", "--speed", "-1"), "speed")
+
+
+def test_replay_checks_a_saved_trace_bit_by_bit(run: CommandLine, file: Path, tmp_path: Path) -> None:
+    saved = run("shot", str(file), "--json").stdout
+    (tmp_path / "trace.json").write_text(saved)
+    done = run("replay", "--check", "trace.json")
+    assert done.returncode == 0
+    assert "bit by bit" in done.stdout
+    assert run("replay", "--check", "-", stdin=saved).returncode == 0
+    assert run("replay", "trace.json").stdout == saved
+
+
+def test_replay_refuses_a_trace_with_one_changed_digit(run: CommandLine, file: Path) -> None:
+    trace = json.loads(run("shot", str(file), "--json").stdout)
+    trace["events"][1]["time"] += 1e-15
+    refused(run("replay", "--check", "-", stdin=json.dumps(trace)), "hash")
+
+
+def test_tables_prints_every_preset_with_its_dimensions(run: CommandLine) -> None:
+    names = [
+        "wpa-9ft",
+        "wpa-8ft",
+        "bar-7ft",
+        "showood-7ft",
+        "snooker-12ft",
+        "english-7ft",
+        "carom-10ft",
+        "carom-9ft",
+    ]
+    done = run("tables")
+    assert done.returncode == 0
+    for name in names:
+        assert name in done.stdout
+    assert "1.2700 x 2.5400 m" in done.stdout
+    listed = json.loads(run("tables", "--json").stdout)
+    assert [table["name"] for table in listed] == names
+    assert [table["name"] for table in carom.tables()] == names
+
+
+@pytest.mark.parametrize("kind", ["shot", "trace"])
+def test_schema_prints_a_json_schema(run: CommandLine, kind: str) -> None:
+    done = run("schema", kind)
+    assert done.returncode == 0
+    assert json.loads(done.stdout) == carom.schema(kind)  # type: ignore[arg-type]
+
+
+def test_schema_without_a_name_is_the_shot_files(run: CommandLine) -> None:
+    assert run("schema").stdout == run("schema", "shot").stdout
+    refused(run("schema", "table"), "table")
+
+
+def test_version_is_printed(run: CommandLine) -> None:
+    done = run("--version")
+    assert done.returncode == 0
+    assert done.stdout == f"carom {carom.__version__}\n"
+
+
+def test_help_lists_the_commands(run: CommandLine) -> None:
+    done = run("--help")
+    assert done.returncode == 0
+    for command in ("shot", "break", "validate", "bench", "replay", "tables", "schema"):
+        assert command in done.stdout
+
+
+def test_validate_refuses_a_paper_that_it_does_not_know(run: CommandLine) -> None:
+    refused(run("validate", "nobody_1999"), "nobody_1999")
+
+
+def test_the_installed_command_is_the_module(file: Path) -> None:
+    command = Path(sys.executable).parent / "carom"
+    done = subprocess.run([command, "--version"], capture_output=True, text=True, check=True)
+    assert done.stdout == f"carom {carom.__version__}\n"

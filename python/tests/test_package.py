@@ -1,0 +1,81 @@
+"""The package itself: light to import, small to ship, honest about its types."""
+
+from __future__ import annotations
+
+import statistics
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+import carom
+
+# The bars of the project: what a user waits for and carries.
+IMPORT_SECONDS = 0.15
+IMPORT_MEGABYTES = 60
+WHEEL_MEGABYTES = 5
+
+
+def python(program: str) -> str:
+    return subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    ).stdout
+
+
+def test_importing_takes_little_time() -> None:
+    program = "import time; t = time.perf_counter(); import carom; print(time.perf_counter() - t)"
+    python(program)
+    # The least of several: other work on the machine only ever adds.
+    assert min(float(python(program)) for _ in range(7)) < IMPORT_SECONDS
+
+
+def test_importing_takes_little_memory() -> None:
+    program = (
+        "import carom, resource, sys\n"
+        "peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"
+        "print(peak / (1e6 if sys.platform == 'darwin' else 1e3))"
+    )
+    assert statistics.median(float(python(program)) for _ in range(3)) < IMPORT_MEGABYTES
+
+
+def test_importing_loads_nothing_that_only_some_need() -> None:
+    heavy = {"numpy", "matplotlib", "typer", "rich", "jsonschema"}
+    program = "import sys, carom; print(' '.join(m for m in sys.modules if '.' not in m))"
+    assert heavy.isdisjoint(python(program).split())
+
+
+def test_the_package_is_small_enough_to_ship() -> None:
+    folder = Path(carom.__file__).parent
+    files = [
+        p
+        for p in folder.rglob("*")
+        if p.is_file() and "__pycache__" not in p.parts and p.suffix in {".py", ".so", ".pyi", ".pyd"}
+    ]
+    assert any(p.name.startswith("_core") and p.suffix == ".so" for p in files)
+    packed = sum(len(zlib.compress(p.read_bytes())) for p in files)
+    assert packed < WHEEL_MEGABYTES * 1e6
+
+
+def test_the_package_says_that_it_is_typed() -> None:
+    assert (Path(carom.__file__).parent / "py.typed").exists()
+
+
+def test_every_public_name_exists_and_has_a_docstring() -> None:
+    for name in carom.__all__:
+        thing = getattr(carom, name)
+        assert name == "__version__" or thing.__doc__, name
+
+
+def test_drawing_leaves_the_home_directory_alone(tmp_path: Path) -> None:
+    program = (
+        "import carom, carom.picture\n"
+        "s = carom.Shot('wpa-9ft', {'cue': (0.6, 0.6)}, carom.Strike(speed=1, azimuth=1))\n"
+        "carom.picture.svg(s.simulate())\n"
+    )
+    subprocess.run(
+        [sys.executable, "-c", program],
+        check=True,
+        env={"HOME": str(tmp_path), "PATH": "/usr/bin:/bin"},
+        capture_output=True,
+    )
+    assert list(tmp_path.iterdir()) == []

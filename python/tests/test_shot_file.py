@@ -1,0 +1,235 @@
+"""The shot file, `carom-shot/1`: both directions, and every refusal."""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+import pickle
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import carom
+from carom import InputError, Layout, Physics, Shot, Strike, Table
+
+
+def test_a_shot_can_be_loaded_from_a_file_a_dict_or_text(pot: dict[str, Any], tmp_path: Path) -> None:
+    path = tmp_path / "shot.json"
+    path.write_text(json.dumps(pot))
+    assert Shot.load(path) == Shot.from_dict(pot) == Shot.from_json(json.dumps(pot))
+
+
+def test_a_shot_goes_to_json_and_back_without_losing_a_bit(pot: dict[str, Any]) -> None:
+    pot["balls"][0]["position"] = [0.1 + 0.2, math.nextafter(0.7, 1.0)]
+    pot["strike"]["azimuth_deg"] = 100 / 3
+    shot = Shot.from_dict(pot)
+    again = Shot.from_json(shot.to_json())
+    assert again.to_dict() == shot.to_dict()
+    assert again.simulate().hash == shot.simulate().hash
+
+
+def test_a_saved_shot_loads_as_the_same_shot(pot: dict[str, Any], tmp_path: Path) -> None:
+    shot = Shot.from_dict(pot)
+    shot.save(tmp_path / "saved.json")
+    assert Shot.load(tmp_path / "saved.json") == shot
+
+
+def test_a_shot_can_be_sent_to_another_process(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    assert pickle.loads(pickle.dumps(shot)) == shot
+
+
+def test_numpy_scalars_and_arrays_are_numbers_like_any_other(pot: dict[str, Any]) -> None:
+    plain = Shot.from_dict(pot)
+    pot["balls"][0]["position"] = np.array([0.635, 0.635])
+    pot["strike"]["speed"] = np.float64(2.0)
+    pot["max_events"] = np.int64(100_000)
+    assert Shot.from_dict(pot).simulate().hash == plain.simulate().hash
+
+
+def test_a_shot_can_be_built_from_its_parts(pot: dict[str, Any]) -> None:
+    built = Shot(
+        Table("wpa-9ft"),
+        Layout.at({"cue": (0.635, 0.635), "1": (0.635, 1.905)}),
+        Strike(speed=2.0, azimuth=math.radians(90.0)),
+        physics=Physics("pool"),
+    )
+    assert built.simulate().hash == Shot.from_dict(pot).simulate().hash
+
+
+def test_parts_change_only_what_they_name() -> None:
+    fast = Shot(
+        Table.rectangle(length=2.0, width=1.0),
+        {"cue": (0.5, 0.5)},
+        Strike(speed=1.0, azimuth=math.pi / 2),
+        physics=Physics.preset("pool", cloth={"rolling_friction": 0.005}),
+    )
+    slow = Shot(
+        Table.rectangle(length=2.0, width=1.0),
+        {"cue": (0.5, 0.5)},
+        Strike(speed=1.0, azimuth=math.pi / 2),
+        physics=Physics.preset("pool", cloth={"rolling_friction": 0.01}),
+    )
+    assert fast.simulate().duration > slow.simulate().duration
+
+
+def test_a_shot_says_what_it_is(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    assert shot.ids == ["cue", "1"]
+    assert shot.radius.tolist() == [0.028575, 0.028575]
+    assert shot.mass.shape == (2,)
+    assert repr(shot) == "<carom.Shot: 2 balls on wpa-9ft>"
+
+
+def test_balls_without_strike_start_with_their_own_velocities(endless: dict[str, Any]) -> None:
+    trace = Shot.from_dict(endless).simulate()
+    assert [e["type"] for e in trace.events].count("cue-strike") == 0
+    assert trace.at(0.0).velocity[0].tolist() == [1.5, 0.0, 0.0]
+
+
+def _set(*path: Any, to: Any) -> Any:
+    def change(file: dict[str, Any]) -> None:
+        target: Any = file
+        for key in path[:-1]:
+            target = target[key]
+        target[path[-1]] = to
+
+    return change
+
+
+REFUSED = {
+    "an unknown key": (_set("balls", 1, "colour", to="red"), "balls[1].colour"),
+    "an unknown key at the top": (_set("tables", to="wpa-9ft"), "tables"),
+    "a wrong type": (_set("strike", "speed", to="fast"), "strike.speed"),
+    "a bool for a number": (_set("strike", "speed", to=True), "strike.speed"),
+    "null for a number": (_set("strike", "speed", to=None), "strike.speed"),
+    "a NaN": (_set("balls", 0, "position", 1, to=math.nan), "balls[0].position"),
+    "an infinite number": (_set("strike", "azimuth_deg", to=math.inf), "strike.azimuth_deg"),
+    "overlapping balls": (_set("balls", 1, "position", to=[0.635, 0.655]), "balls[1]"),
+    "a ball outside the table": (_set("balls", 1, "position", to=[5.0, 5.0]), "balls[1].position"),
+    "a ball inside a rail": (_set("balls", 1, "position", to=[0.635, 0.01]), "balls[1].position"),
+    "a tip offset off the ball": (_set("strike", "side", to=1.2), "strike.side"),
+    "a miscue": (_set("strike", "height", to=0.9), "strike.height"),
+    "a negative mass": (_set("balls", 0, "mass", to=-0.1), "balls[0].mass"),
+    "a radius of zero": (_set("balls", 0, "radius", to=0.0), "balls[0].radius"),
+    "a speed of zero": (_set("strike", "speed", to=0.0), "strike.speed"),
+    "a speed above 50 m/s": (_set("strike", "speed", to=50.1), "strike.speed"),
+    "an elevation of 90°": (_set("strike", "elevation_deg", to=90.0), "strike.elevation_deg"),
+    "a restitution above 1": (
+        _set("physics", to={"ball_ball": {"restitution": 1.1}}),
+        "physics.ball_ball.restitution",
+    ),
+    "a negative friction": (
+        _set("physics", to={"cloth": {"rolling_friction": -0.01}}),
+        "physics.cloth.rolling_friction",
+    ),
+    "a model that does not exist": (
+        _set("physics", to={"cushion": {"model": "han-2006"}}),
+        "physics.cushion.model",
+    ),
+    "a table that does not exist": (_set("table", to="wpa-10ft"), "table"),
+    "a physics preset that does not exist": (_set("physics", to="billiards"), "physics"),
+    "no balls": (_set("balls", to=[]), "balls"),
+    "two balls with one id": (_set("balls", 1, "id", to="cue"), "balls[1].id"),
+    "a strike on a ball that is not there": (_set("strike", "ball", to="7"), "strike.ball"),
+    "a strike on a moving ball": (
+        _set("balls", 0, "velocity", to=[1.0, 0.0, 0.0]),
+        "strike",
+    ),
+    "a velocity above 100 m/s": (
+        _set("balls", 1, "velocity", to=[101.0, 0.0, 0.0]),
+        "balls[1].velocity",
+    ),
+    "a spin above 10 000 rad/s": (
+        _set("balls", 1, "angular_velocity", to=[0.0, 0.0, 10_001.0]),
+        "balls[1].angular_velocity",
+    ),
+    "a position of one number": (_set("balls", 1, "position", to=[0.5]), "balls[1].position"),
+    "another format": (_set("format", to="carom-shot/9"), "format"),
+    "a cap of no events": (_set("max_events", to=0), "max_events"),
+}
+
+
+@pytest.mark.parametrize("what", REFUSED)
+def test_bad_input_is_refused_with_one_sentence_that_names_the_place(
+    what: str, pot: dict[str, Any]
+) -> None:
+    change, place = REFUSED[what]
+    Shot.from_dict(copy.deepcopy(pot))
+    change(pot)
+    with pytest.raises(InputError) as refusal:
+        Shot.from_dict(pot)
+    message = str(refusal.value)
+    assert message.startswith(place)
+    assert "\n" not in message
+    # What is wrong, and what would be right.
+    assert ";" in message
+
+
+def test_every_error_is_a_carom_error_and_bad_input_a_value_error_too() -> None:
+    assert issubclass(carom.InputError, carom.CaromError)
+    assert issubclass(carom.InputError, ValueError)
+    assert issubclass(carom.EventCapError, carom.CaromError)
+    assert not issubclass(carom.EventCapError, ValueError)
+
+
+def test_a_missing_key_is_named(pot: dict[str, Any]) -> None:
+    for key in ("format", "table", "balls"):
+        broken = copy.deepcopy(pot)
+        del broken[key]
+        with pytest.raises(InputError, match=f"^{key}: "):
+            Shot.from_dict(broken)
+
+
+def test_a_key_that_stands_twice_is_refused_where_it_stands() -> None:
+    text = """{"format": "carom-shot/1", "table": {"cloth": "unbounded"},
+               "balls": [{"id": "a", "position": [0, 0], "id": "b"}]}"""
+    with pytest.raises(InputError, match=r"^balls\[0\].id: .*twice"):
+        Shot.from_json(text)
+
+
+def test_a_nan_in_a_file_is_refused_where_it_stands() -> None:
+    text = """{"format": "carom-shot/1", "table": {"cloth": "unbounded"},
+               "balls": [{"id": "a", "position": [0, NaN]}]}"""
+    with pytest.raises(InputError, match=r"^balls\[0\].position.*finite"):
+        Shot.from_json(text)
+
+
+def test_text_that_is_no_json_is_refused_with_its_line() -> None:
+    with pytest.raises(InputError, match="line 2"):
+        Shot.from_json('{"format": "carom-shot/1",\n oops}')
+
+
+def test_a_file_that_is_no_text_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "picture.json"
+    path.write_bytes(b"\x89PNG\xff\xfe")
+    with pytest.raises(InputError, match="UTF-8"):
+        Shot.load(path)
+
+
+def test_a_dict_with_something_odd_in_it_is_refused_where_it_stands(pot: dict[str, Any]) -> None:
+    pot["balls"][1]["position"] = object()
+    with pytest.raises(InputError, match=r"^balls\[1\].position: found a object"):
+        Shot.from_dict(pot)
+    with pytest.raises(InputError, match="no string"):
+        Shot.from_dict({1: 2})  # type: ignore[dict-item]
+
+
+def test_a_list_that_holds_itself_is_refused(pot: dict[str, Any]) -> None:
+    loop: list[Any] = []
+    loop.append(loop)
+    pot["balls"] = loop
+    with pytest.raises(InputError, match="nested too deeply"):
+        Shot.from_dict(pot)
+
+
+def test_reaching_the_cap_of_events_is_an_error_that_carries_the_shot(pot: dict[str, Any]) -> None:
+    pot["max_events"] = 3
+    with pytest.raises(carom.EventCapError, match="3 events") as error:
+        Shot.from_dict(pot).simulate()
+    assert Shot.from_dict(error.value.shot) == Shot.from_dict(pot)
+    again = pickle.loads(pickle.dumps(error.value))
+    assert again.shot == error.value.shot

@@ -1,0 +1,191 @@
+"""The trace, `carom-trace/1`: what it holds, exact states at any time, replay."""
+
+from __future__ import annotations
+
+import json
+import math
+import pickle
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from carom import InputError, Shot, Trace
+
+# States between events are evaluated from closed forms at times of some seconds: a few roundings
+# of positions of some metres, m (and m/s).
+CLOSED_FORM_ROUNDING = 1e-12
+
+
+def test_a_trace_has_the_keys_that_the_contract_names(pot: dict[str, Any]) -> None:
+    trace = Shot.from_dict(pot).simulate().to_dict()
+    assert trace["format"] == "carom-trace/1"
+    assert trace["engine"].startswith("carom ")
+    assert {"duration", "events", "final", "outcome", "hash"} <= trace.keys()
+    assert len(trace["hash"]) == 16
+    assert int(trace["hash"], 16) >= 0
+    kinds = {event["type"] for event in trace["events"]}
+    assert {"cue-strike", "ball-collision", "rail-collision", "motion-transition"} <= kinds
+    extra = {
+        "rail-collision": {"rail", "part"},
+        "pocket-collision": {"pocket"},
+        "motion-transition": {"from", "to"},
+    }
+    for event in trace["events"]:
+        assert event.keys() == {"time", "type", "balls", "before", "after"} | extra.get(
+            event["type"], set()
+        )
+        for side in ("before", "after"):
+            assert [ball["id"] for ball in event[side]] == event["balls"]
+            for ball in event[side]:
+                assert ball.keys() == {"id", "position", "velocity", "angular_velocity", "motion"}
+    assert [ball["id"] for ball in trace["final"]] == ["cue", "1"]
+
+
+def test_the_shortcuts_say_what_the_dict_says(nine_ball_trace: Trace) -> None:
+    whole = nine_ball_trace.to_dict()
+    assert nine_ball_trace.events == whole["events"]
+    assert nine_ball_trace.outcome == whole["outcome"]
+    assert nine_ball_trace.duration == whole["duration"]
+    assert nine_ball_trace.hash == whole["hash"]
+    assert len(nine_ball_trace) == len(whole["events"])
+    assert nine_ball_trace.events[0].type == whole["events"][0]["type"] == "cue-strike"
+    with pytest.raises(AttributeError, match="first_contact"):
+        _ = nine_ball_trace.outcome.no_such_thing
+
+
+def test_the_json_text_and_the_dict_are_the_same_to_the_bit(nine_ball_trace: Trace) -> None:
+    assert json.loads(nine_ball_trace.to_json()) == nine_ball_trace.to_dict()
+
+
+def test_a_trace_goes_to_json_and_back_without_losing_a_bit(
+    nine_ball_trace: Trace, tmp_path: Path
+) -> None:
+    nine_ball_trace.save(tmp_path / "trace.json")
+    for again in (
+        Trace.load(tmp_path / "trace.json"),
+        Trace.from_json(nine_ball_trace.to_json()),
+        Trace.from_dict(nine_ball_trace.to_dict()),
+        pickle.loads(pickle.dumps(nine_ball_trace)),
+    ):
+        assert again == nine_ball_trace
+        assert again.hash == nine_ball_trace.hash
+        assert nine_ball_trace.difference(again) is None
+        assert again.at(1.234).position.tobytes() == nine_ball_trace.at(1.234).position.tobytes()
+
+
+def test_a_saved_trace_reproduces_bit_by_bit(nine_ball_trace: Trace) -> None:
+    saved = Trace.from_json(nine_ball_trace.to_json())
+    assert saved.difference(saved.shot.simulate()) is None
+
+
+def test_the_first_changed_bit_is_found(nine_ball_trace: Trace) -> None:
+    changed = nine_ball_trace.to_dict()
+    place = changed["events"][5]["after"][0]["position"]
+    place[0] = math.nextafter(place[0], math.inf)
+    with pytest.raises(InputError, match="hash"):
+        Trace.from_dict(changed)
+
+
+def test_a_trace_cannot_be_made_of_nothing() -> None:
+    with pytest.raises(TypeError, match="simulate"):
+        Trace()
+    with pytest.raises(InputError, match=r"^format"):
+        Trace.from_dict({})
+
+
+def test_states_have_the_shapes_that_the_contract_names(nine_ball_trace: Trace) -> None:
+    n = len(nine_ball_trace.shot.ids)
+    now = nine_ball_trace.at(0.25)
+    assert now.time == 0.25
+    for array in (now.position, now.velocity, now.angular_velocity):
+        assert array.shape == (n, 3)
+        assert array.dtype == np.float64
+    assert now.motion.shape == (n,)
+    several = nine_ball_trace.at([0.0, 0.25, 1.0])
+    assert several.position.shape == (3, n, 3)
+    assert several.motion.shape == (3, n)
+    assert (several.position[1] == now.position).all()
+    assert (several.motion[1] == now.motion).all()
+    assert nine_ball_trace.at([]).position.shape == (0, n, 3)
+
+
+def test_at_the_instant_of_an_event_the_state_is_the_one_after_it(nine_ball_trace: Trace) -> None:
+    ids = nine_ball_trace.shot.ids
+    last = {}
+    for event in nine_ball_trace.events:
+        for ball in event["after"]:
+            last[(ball["id"], event["time"])] = ball
+    for (ball_id, time), ball in last.items():
+        state = nine_ball_trace.at(time)
+        index = ids.index(ball_id)
+        assert state.position[index].tolist() == ball["position"]
+        assert state.velocity[index].tolist() == ball["velocity"]
+        assert state.angular_velocity[index].tolist() == ball["angular_velocity"]
+        assert state.motion[index] == ball["motion"]
+
+
+def test_the_path_between_events_ends_where_the_next_event_begins(nine_ball_trace: Trace) -> None:
+    ids = nine_ball_trace.shot.ids
+    for event in nine_ball_trace.events:
+        just_before = nine_ball_trace.at(math.nextafter(event["time"], 0.0))
+        for ball in event["before"]:
+            index = ids.index(ball["id"])
+            if event["time"] == 0.0:
+                continue
+            gap = np.abs(just_before.position[index] - ball["position"]).max()
+            assert gap < CLOSED_FORM_ROUNDING
+
+
+def test_after_the_end_everything_stays_as_it_ended(nine_ball_trace: Trace) -> None:
+    for time in (nine_ball_trace.duration, nine_ball_trace.duration + 100.0):
+        state = nine_ball_trace.at(time)
+        for index, ball in enumerate(nine_ball_trace.to_dict()["final"]):
+            assert state.position[index].tolist() == ball["position"]
+            assert state.motion[index] == ball["motion"]
+        assert not state.velocity.any()
+
+
+@pytest.mark.parametrize("time", [-1.0, math.nan, "soon", [[0.0]], None])
+def test_times_that_are_none_are_refused(nine_ball_trace: Trace, time: Any) -> None:
+    with pytest.raises(InputError, match=r"^time: "):
+        nine_ball_trace.at(time)
+
+
+def test_a_trace_prints_as_a_table_of_its_events(pot: dict[str, Any]) -> None:
+    trace = Shot.from_dict(pot).simulate()
+    lines = str(trace).splitlines()
+    assert lines[0].split() == ["time", "s", "event", "balls", "where", "speed", "m/s"]
+    for line, event in zip(lines[1:], trace.events, strict=False):
+        assert event["type"] in line
+        assert f"{event['time']:.4f}" in line
+    assert f"{len(trace)} events" in str(trace)
+    assert trace.hash in str(trace)
+    assert repr(trace) == (
+        f"<carom.Trace: {len(trace)} events in {trace.duration:.3f} s, hash {trace.hash}>"
+    )
+
+
+def test_events_stand_in_order_of_time(nine_ball_trace: Trace) -> None:
+    times = [event["time"] for event in nine_ball_trace.events]
+    assert times == sorted(times)
+    assert times[0] == 0.0
+    assert nine_ball_trace.duration == times[-1]
+
+
+def test_positions_stay_finite_after_pocketing(nine_ball_trace: Trace) -> None:
+    fallen = [b for b in nine_ball_trace.to_dict()["final"] if b["motion"] == "pocketed"]
+    assert fallen, "this break pockets no ball: take one that does"
+    assert all(math.isfinite(x) for ball in fallen for x in ball["position"])
+
+
+def test_the_outcome_names_the_first_contact_and_what_fell(nine_ball_trace: Trace) -> None:
+    first = next(e for e in nine_ball_trace.events if e["type"] == "ball-collision")
+    assert nine_ball_trace.outcome["first_contact"] in first["balls"]
+    fallen = [
+        [e["balls"][0], e["pocket"]]
+        for e in nine_ball_trace.events
+        if e["type"] == "pocket-collision"
+    ]
+    assert nine_ball_trace.outcome["pocketed"] == fallen
