@@ -1,0 +1,167 @@
+"""Pictures: paths exactly as computed, everything drawn that belongs there."""
+
+from __future__ import annotations
+
+import copy
+import math
+import re
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+import carom
+from carom import Shot, picture
+from carom.picture.colors import look
+from carom.picture.paths import Leg, routes
+
+# A leg's curve and the state in between are computed by different closed forms: some roundings
+# of positions of some metres, m.
+CURVE_ROUNDING = 1e-12
+# The numerical length below has this relative accuracy.
+QUADRATURE = 1e-9
+
+# A trace of two balls by hand: `a` slides on a parabola into a rail, and comes back straight;
+# `b` never moves.
+BY_HAND: dict[str, Any] = {
+    "engine": "by hand",
+    "hash": "0" * 16,
+    "duration": 3.0,
+    "events": [
+        {
+            "time": 1.0,
+            "type": "rail-collision",
+            "balls": ["a"],
+            "rail": "right",
+            "part": "nose",
+            "before": [{"id": "a", "position": [1.0, 0.5, 0.03], "velocity": [1.0, 1.0, 0.0]}],
+            "after": [{"id": "a", "position": [1.0, 0.5, 0.03], "velocity": [-1.0, 0.0, 0.0]}],
+        },
+    ],
+    "final": [
+        {"id": "a", "position": [0.0, 0.5, 0.03], "motion": "stationary"},
+        {"id": "b", "position": [2.0, 2.0, 0.03], "motion": "stationary"},
+    ],
+}
+BALLS: list[dict[str, Any]] = [
+    {"id": "a", "position": [0.0, 0.0, 0.03], "velocity": [1.0, 0.0, 0.0], "radius": 0.03},
+    {"id": "b", "position": [2.0, 2.0, 0.03], "velocity": [0.0, 0.0, 0.0], "radius": 0.03},
+]
+
+
+def test_a_leg_is_the_parabola_from_one_event_to_the_next() -> None:
+    a, b = routes(BY_HAND, BALLS)
+    first, second = a.legs
+    assert (first.start, first.control, first.end) == ((0.0, 0.0), (0.5, 0.0), (1.0, 0.5))
+    assert (second.start, second.control, second.end) == ((1.0, 0.5), (0.0, 0.5), (0.0, 0.5))
+    assert (first.start_time, first.end_time, second.end_time) == (0.0, 1.0, 3.0)
+    assert b.legs == ()
+    assert b.length == 0.0
+
+
+def test_curves_run_where_the_balls_run(nine_ball_trace: carom.Trace) -> None:
+    shot = nine_ball_trace.shot
+    start = nine_ball_trace.at(0.0)
+    balls = [
+        {"id": i, "radius": r, "position": p, "velocity": v}
+        for i, r, p, v in zip(shot.ids, shot.radius, start.position, start.velocity, strict=True)
+    ]
+    checked = 0
+    for index, route in enumerate(routes(nine_ball_trace.to_dict(), balls)):
+        for leg in route.legs:
+            for s in (0.0, 0.21, 0.5, 0.83):
+                time = leg.start_time + s * (leg.end_time - leg.start_time)
+                weights = ((1 - s) ** 2, 2 * s * (1 - s), s**2)
+                curve = np.dot(weights, (leg.start, leg.control, leg.end))
+                ball = nine_ball_trace.at(time).position[index, :2]
+                assert np.abs(curve - ball).max() < CURVE_ROUNDING
+                checked += 1
+    assert checked > 100
+
+
+@pytest.mark.parametrize(
+    "control",
+    [(0.5, 0.0), (0.5, 1e-9), (0.5, 0.3), (-2.0, 0.0), (3.0, 0.0), (0.1, -4.0)],
+    ids=str,
+)
+def test_the_length_of_a_leg_is_the_length_of_its_curve(control: tuple[float, float]) -> None:
+    leg = Leg(0.0, 1.0, (0.0, 0.0), control, (1.0, 0.0))
+    s = np.linspace(0.0, 1.0, 400_001)[:, None]
+    points = 2 * s * (1 - s) * np.array(control) + s**2 * np.array([1.0, 0.0])
+    length = np.hypot(*np.diff(points, axis=0).T).sum()
+    assert math.isclose(leg.length, length, rel_tol=QUADRATURE)
+
+
+def test_the_svg_holds_every_path_as_exact_curves(nine_ball_trace: carom.Trace) -> None:
+    root = ElementTree.fromstring(picture.svg(nine_ball_trace))
+    paths = {
+        group.attrib["id"]: group
+        for group in root.iter("{http://www.w3.org/2000/svg}g")
+        if group.attrib.get("id", "").startswith("path-")
+    }
+    moved = {ball["id"] for event in nine_ball_trace.events for ball in event["after"]}
+    assert {f"path-{ball}" for ball in moved} == set(paths)
+    data = paths["path-cue"].find("{http://www.w3.org/2000/svg}path")
+    assert data is not None
+    assert len(re.findall("Q", data.attrib["d"])) >= 3
+    assert "L" not in data.attrib["d"]
+
+
+def test_the_same_trace_gives_the_same_picture(pot: dict[str, Any]) -> None:
+    trace = Shot.from_dict(pot).simulate()
+    assert picture.svg(trace) == picture.svg(trace)
+    assert picture.png(trace) == picture.png(trace)
+
+
+@pytest.mark.parametrize("preset", [table["name"] for table in carom.tables()])
+def test_every_table_can_be_drawn(preset: str, pot: dict[str, Any]) -> None:
+    pot["table"] = preset
+    del pot["physics"]
+    geometry = carom.Table(preset).geometry
+    width, length = geometry["size"]
+    pot["balls"][0]["position"] = [width / 2, length / 4]
+    pot["balls"][1]["position"] = [width / 2, 3 * length / 4]
+    figure = picture.draw(Shot.from_dict(pot).simulate())
+    holes = [p for p in figure.axes[0].patches if p.get_gid() == "hole"]
+    assert len(holes) == len(geometry["pockets"])
+
+
+@pytest.mark.parametrize(
+    "table", [{"cloth": "unbounded"}, {"length": 2.0, "width": 1.5, "pockets": "none"}], ids=str
+)
+def test_tables_without_pockets_can_be_drawn(table: dict[str, Any], endless: dict[str, Any]) -> None:
+    endless["table"] = table
+    endless["balls"][0]["position"] = [0.2, 0.5]
+    endless["balls"][1]["position"] = [0.7, 0.51]
+    text = picture.svg(Shot.from_dict(endless).simulate())
+    assert "path-a" in text
+    assert "ball-b" in text
+
+
+def test_one_ball_that_never_moves_can_be_drawn(endless: dict[str, Any]) -> None:
+    del endless["balls"][0]
+    assert "ball-b" in picture.svg(Shot.from_dict(endless).simulate())
+
+
+def test_ids_with_markup_do_not_break_a_page(endless: dict[str, Any]) -> None:
+    endless["balls"][0]["id"] = "<b>$x_1$ & \"co\""
+    endless["balls"][1]["id"] = "[red]$"
+    trace = Shot.from_dict(endless).simulate()
+    ElementTree.fromstring(picture.svg(trace))
+    assert "<b>$x_1$" not in picture.html(trace, title="<script>")
+
+
+def test_pool_balls_look_as_they_are_sold() -> None:
+    assert look("9", 0).striped
+    assert not look("8", 0).striped
+    assert look("9", 0).body == look("1", 0).body
+    assert look("red-4", 0).body == look("red", 5).body == look("red4", 1).body
+    assert look("nobody", 0) != look("nobody", 1)
+
+
+def test_drawing_does_not_change_the_trace(pot: dict[str, Any]) -> None:
+    trace = Shot.from_dict(pot).simulate()
+    before = copy.deepcopy(trace.to_dict())
+    picture.svg(trace)
+    assert trace.to_dict() == before
