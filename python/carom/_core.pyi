@@ -1,7 +1,6 @@
 """Rust's side of carom: conversions only. Private; the public face is the package around it."""
 
-from collections.abc import Sequence
-from typing import Any, Literal, Self, final
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,11 +41,8 @@ class Trace:
     def shot(self) -> Shot: ...
     def at(
         self, times: NDArray[np.float64]
-    ) -> tuple[
-        NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], list[list[str]]
-    ]: ...
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], list[list[str]]]: ...
     @property
     def duration(self) -> float: ...
     @property
     def hash(self) -> str: ...
-

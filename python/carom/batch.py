@@ -172,5 +172,3 @@ def _bar(count: int, *, show: bool) -> Iterator[Callable[[int], object]]:
     ) as bar:
         task = bar.add_task("shots", total=count)
         yield lambda done: bar.advance(task, done)
-
-

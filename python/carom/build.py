@@ -11,8 +11,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Self
 
-from carom import _core
-
 JSON = dict[str, Any]
 
 
@@ -47,15 +45,6 @@ class Table:
     def unbounded(cls) -> Self:
         """Endless cloth without rails."""
         return cls({"cloth": "unbounded"})
-
-    @property
-    def geometry(self) -> JSON:
-        """Dimensions, cushions and pockets in m, as `carom tables` prints them.
-
-        Raises:
-            InputError: The description does not make sense.
-        """
-        return _core.table(_plain(self.description))
 
 
 @dataclass(frozen=True)

@@ -55,7 +55,9 @@ def summary(trace: dict[str, Any]) -> list[str]:
     """The end of the shot in a few lines."""
     count = len(trace["events"])
     outcome = trace["outcome"]
-    lines = [f"{count} event{'s' * (count != 1)} in {trace['duration']:.4f} s, hash {trace['hash']}"]
+    lines = [
+        f"{count} event{'s' * (count != 1)} in {trace['duration']:.4f} s, hash {trace['hash']}"
+    ]
     if outcome.get("first_contact") is not None:
         lines.append(f"first contact: {outcome['first_contact']}")
     pocketed = outcome.get("pocketed") or []
@@ -101,9 +103,7 @@ def rich_table(trace: dict[str, Any]) -> RenderableType:
 
     table = Table(box=SIMPLE_HEAD, pad_edge=False, header_style="bold")
     for index, heading in enumerate(HEADINGS):
-        table.add_column(
-            heading, justify="right" if index in _RIGHT else "left", no_wrap=index < 3
-        )
+        table.add_column(heading, justify="right" if index in _RIGHT else "left", no_wrap=index < 3)
     for row, event in zip(rows(trace), trace["events"], strict=True):
         # Text, not markup: a ball may be called "[red]".
         table.add_row(*(Text(cell) for cell in row), style=_STYLES.get(event["type"], ""))

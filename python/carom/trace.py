@@ -147,9 +147,7 @@ class Trace:
         position, velocity, angular_velocity, motion = self._core.at(np.atleast_1d(times))
         motions = np.array(motion, dtype=np.str_).reshape(position.shape[:2])
         if times.ndim == 0:
-            return Snapshot(
-                float(times), position[0], velocity[0], angular_velocity[0], motions[0]
-            )
+            return Snapshot(float(times), position[0], velocity[0], angular_velocity[0], motions[0])
         return Snapshot(times, position, velocity, angular_velocity, motions)
 
     def difference(self, again: Trace) -> str | None:

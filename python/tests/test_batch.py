@@ -168,12 +168,12 @@ def test_what_cannot_be_a_batch_is_refused(pot: dict[str, Any], endless: dict[st
         carom.simulate_batch([shot, pot])  # type: ignore[list-item]
     with pytest.raises(InputError, match="do not broadcast"):
         shot.batch(speed=[1.0, 2.0], side=[0.0, 0.1, 0.2])
-    with pytest.raises(InputError, match="^speed: not a number"):
+    with pytest.raises(InputError, match=r"^speed: not a number"):
         shot.batch(speed="fast")
-    with pytest.raises(InputError, match="^strike: "):
+    with pytest.raises(InputError, match=r"^strike: "):
         Shot.from_dict(endless).batch(speed=1.0)
     for threads in (0, -1, 1.5, True):
-        with pytest.raises(InputError, match="^threads: "):
+        with pytest.raises(InputError, match=r"^threads: "):
             shot.batch(threads=threads)  # type: ignore[arg-type]
 
 

@@ -215,7 +215,9 @@ def test_break_refuses_a_game_that_it_does_not_know(run: CommandLine) -> None:
     refused(run("break", "--speed", "-1"), "speed")
 
 
-def test_replay_checks_a_saved_trace_bit_by_bit(run: CommandLine, file: Path, tmp_path: Path) -> None:
+def test_replay_checks_a_saved_trace_bit_by_bit(
+    run: CommandLine, file: Path, tmp_path: Path
+) -> None:
     saved = run("shot", str(file), "--json").stdout
     (tmp_path / "trace.json").write_text(saved)
     done = run("replay", "--check", "trace.json")

@@ -49,7 +49,9 @@ def test_the_package_is_small_enough_to_ship() -> None:
     files = [
         p
         for p in folder.rglob("*")
-        if p.is_file() and "__pycache__" not in p.parts and p.suffix in {".py", ".so", ".pyi", ".pyd"}
+        if p.is_file()
+        and "__pycache__" not in p.parts
+        and p.suffix in {".py", ".so", ".pyi", ".pyd"}
     ]
     assert any(p.name.startswith("_core") and p.suffix == ".so" for p in files)
     packed = sum(len(zlib.compress(p.read_bytes())) for p in files)

@@ -114,11 +114,10 @@ def test_the_same_trace_gives_the_same_picture(pot: dict[str, Any]) -> None:
     assert picture.png(trace) == picture.png(trace)
 
 
-@pytest.mark.parametrize("preset", [table["name"] for table in carom.tables()])
-def test_every_table_can_be_drawn(preset: str, pot: dict[str, Any]) -> None:
-    pot["table"] = preset
+@pytest.mark.parametrize("geometry", carom.tables(), ids=lambda table: table["name"])
+def test_every_table_can_be_drawn(geometry: dict[str, Any], pot: dict[str, Any]) -> None:
+    pot["table"] = geometry["name"]
     del pot["physics"]
-    geometry = carom.Table(preset).geometry
     width, length = geometry["size"]
     pot["balls"][0]["position"] = [width / 2, length / 4]
     pot["balls"][1]["position"] = [width / 2, 3 * length / 4]
@@ -130,7 +129,9 @@ def test_every_table_can_be_drawn(preset: str, pot: dict[str, Any]) -> None:
 @pytest.mark.parametrize(
     "table", [{"cloth": "unbounded"}, {"length": 2.0, "width": 1.5, "pockets": "none"}], ids=str
 )
-def test_tables_without_pockets_can_be_drawn(table: dict[str, Any], endless: dict[str, Any]) -> None:
+def test_tables_without_pockets_can_be_drawn(
+    table: dict[str, Any], endless: dict[str, Any]
+) -> None:
     endless["table"] = table
     endless["balls"][0]["position"] = [0.2, 0.5]
     endless["balls"][1]["position"] = [0.7, 0.51]
@@ -145,7 +146,7 @@ def test_one_ball_that_never_moves_can_be_drawn(endless: dict[str, Any]) -> None
 
 
 def test_ids_with_markup_do_not_break_a_page(endless: dict[str, Any]) -> None:
-    endless["balls"][0]["id"] = "<b>$x_1$ & \"co\""
+    endless["balls"][0]["id"] = '<b>$x_1$ & "co"'
     endless["balls"][1]["id"] = "[red]$"
     trace = Shot.from_dict(endless).simulate()
     ElementTree.fromstring(picture.svg(trace))

@@ -16,7 +16,9 @@ import carom
 from carom import InputError, Layout, Physics, Shot, Strike, Table
 
 
-def test_a_shot_can_be_loaded_from_a_file_a_dict_or_text(pot: dict[str, Any], tmp_path: Path) -> None:
+def test_a_shot_can_be_loaded_from_a_file_a_dict_or_text(
+    pot: dict[str, Any], tmp_path: Path
+) -> None:
     path = tmp_path / "shot.json"
     path.write_text(json.dumps(pot))
     assert Shot.load(path) == Shot.from_dict(pot) == Shot.from_json(json.dumps(pot))

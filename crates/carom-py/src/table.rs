@@ -3,7 +3,9 @@
 use carom::Table;
 use carom::math::Vec2;
 use carom::shot::Node;
-use carom::table::{Capture, CushionPart, Pocket, Shape, TableDescription};
+use carom::table::{
+    Capture, CushionPart, Dimension, Pocket, Shape, Source, Spot, TableDescription,
+};
 
 /// Dimensions, cushions, pockets and markings, m; origin at the bottom left corner.
 pub(crate) fn geometry(table: &Table) -> Node {
@@ -25,6 +27,15 @@ pub(crate) fn geometry(table: &Table) -> Node {
     ]);
     if let Some(description) = &table.description {
         drawn(&mut node, description);
+        let dimension = |d: &Dimension| {
+            Node::object([
+                ("key", (&d.key).into()),
+                ("value", d.value.into()),
+                ("unit", d.unit.into()),
+                ("source", d.source.map(Source::text).into()),
+            ])
+        };
+        node.set("dimensions", Node::List(table.dimensions().iter().map(dimension).collect()));
     }
     node
 }
@@ -75,7 +86,7 @@ fn drawn(node: &mut Node, description: &TableDescription) {
         );
     }
     let markings = &description.markings;
-    let spot = |s: &carom::table::Spot| {
+    let spot = |s: &Spot| {
         Node::object([("name", (&s.name).into()), ("position", s.position.into())])
     };
     node.set(

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 # The table's longer side on paper, inches; a picture of 9 inches fills a printed page's width
 # and, at 150 dots per inch, a laptop's screen height.
 LONG_SIDE_INCHES = 8.4
+# The same for a table alone.
+TABLE_INCHES = 5.0
 # Width of the panel beside the table, points.
 PANEL_POINTS = 232.0
 # The least height of a picture, points: the panel has to fit.
@@ -93,12 +95,37 @@ def compose(
     return figure
 
 
+def draw_table(geometry: dict[str, Any]) -> Figure:
+    """Draw a table alone.
+
+    Args:
+        geometry: The table as ``carom.tables`` lists it.
+    """
+    _matplotlib.prepare()
+    from matplotlib.figure import Figure
+
+    from carom.picture import table
+
+    left, bottom, right, top = table.bounds(geometry, [])
+    scale = TABLE_INCHES / (top - bottom)
+    figure = Figure(
+        figsize=(scale * (right - left), scale * (top - bottom)), facecolor=colors.PAPER
+    )
+    ax = figure.add_axes((0, 0, 1, 1))
+    ax.set_axis_off()
+    ax.set_xlim(left, right)
+    ax.set_ylim(bottom, top)
+    table.draw_table(ax, geometry, (left, bottom, right, top))
+    return figure
+
+
 def svg(trace: Trace, *, title: str | None = None) -> str:
     """The picture as SVG text; the same text for the same trace."""
-    return _svg(draw(trace, title=title))
+    return to_svg(draw(trace, title=title))
 
 
-def _svg(figure: Figure) -> str:
+def to_svg(figure: Figure) -> str:
+    """A figure as SVG text; the same text for the same figure."""
     from matplotlib import rc_context
 
     out = io.StringIO()

@@ -48,7 +48,9 @@ def draw_panel(
     panel.skip(2)
     count = len(trace["events"])
     panel.write(
-        f"{trace['duration']:.3f} s · {count} event{'s' * (count != 1)}", 8.5, color=colors.FAINT_INK
+        f"{trace['duration']:.3f} s · {count} event{'s' * (count != 1)}",
+        8.5,
+        color=colors.FAINT_INK,
     )
     panel.write(f"hash {trace['hash']}", 8.5, color=colors.FAINT_INK)
     panel.skip(10)

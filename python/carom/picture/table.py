@@ -144,12 +144,11 @@ def _cushion(
 ) -> None:
     """One rail's rubber: its nose line, closed behind at the wood."""
     line = nose_line(parts)
-    first, last = _behind(line[0], width, length, cushion), _behind(
-        line[-1], width, length, cushion
+    first, last = (
+        _behind(line[0], width, length, cushion),
+        _behind(line[-1], width, length, cushion),
     )
-    ax.add_patch(
-        Polygon([first, *line, last], closed=True, facecolor=colors.CUSHION, zorder=1.6)
-    )
+    ax.add_patch(Polygon([first, *line, last], closed=True, facecolor=colors.CUSHION, zorder=1.6))
     ax.add_patch(
         PathPatch(
             Path(line),
