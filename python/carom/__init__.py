@@ -16,6 +16,7 @@ from carom._core import __version__
 from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
 from carom.errors import CaromError, EventCapError, InputError
+from carom.racks import break_shot
 from carom.reference import schema, tables
 from carom.shot import Shot
 from carom.trace import Snapshot, Trace
@@ -33,6 +34,7 @@ __all__ = [
     "Table",
     "Trace",
     "__version__",
+    "break_shot",
     "schema",
     "simulate_batch",
     "tables",

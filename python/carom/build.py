@@ -85,6 +85,26 @@ class Layout:
         """Balls at rest, by id: ``Layout.at({"cue": (0.6, 0.6), "1": (0.6, 1.9)})``, in m."""
         return cls(tuple({"id": i, "position": list(p)} for i, p in positions.items()))
 
+    @classmethod
+    def rack(
+        cls, game: str, *, table: str | None = None, seed: int = 0, gap: float | None = None
+    ) -> Self:
+        """The balls before the break, the cue ball first.
+
+        Args:
+            game: ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``, ``snooker`` or
+                ``three-cushion``.
+            table: A preset's name; the game's own table if None.
+            seed: Which of the random racks; the same seed is the same rack everywhere.
+            gap: Mean gap between the balls, m; 0 is frozen, None is usual (0.1 mm).
+
+        Raises:
+            InputError: There is no such game or table.
+        """
+        from carom.racks import break_shot
+
+        return cls(tuple(break_shot(game, table=table, seed=seed, gap=gap).to_dict()["balls"]))
+
 
 @dataclass(frozen=True)
 class Strike:

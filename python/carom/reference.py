@@ -6,7 +6,6 @@ import json
 from typing import Any, Literal
 
 from carom import _core
-from carom.errors import InputError
 
 
 def tables() -> list[dict[str, Any]]:
@@ -23,7 +22,5 @@ def schema(kind: Literal["shot", "trace"] = "shot") -> dict[str, Any]:
     Raises:
         InputError: There is no such file.
     """
-    if kind not in {"shot", "trace"}:
-        raise InputError(f"there is no schema {kind!r}; write 'shot' or 'trace'")
     result: dict[str, Any] = json.loads(_core.schema(kind))
     return result

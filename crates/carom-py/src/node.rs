@@ -2,7 +2,7 @@
 
 use carom::shot::Node;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyMapping, PyString};
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyIterator, PyList, PyMapping, PyString};
 
 use crate::error::InputError;
 
@@ -43,7 +43,7 @@ fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<
         return read_mapping(mapping, place, depth);
     }
     if let Ok(items) = value.try_iter() {
-        return read_items(&items, place, depth);
+        return read_items(items, place, depth);
     }
     // NumPy's scalars are neither of Python's numbers, but say what they are worth.
     if value.hasattr("__index__")? {
@@ -80,7 +80,7 @@ fn read_mapping(
 }
 
 fn read_items(
-    items: &Bound<'_, pyo3::types::PyIterator>,
+    items: Bound<'_, PyIterator>,
     place: &mut String,
     depth: usize,
 ) -> PyResult<Node> {

@@ -1,16 +1,57 @@
-//! What the engine knows by itself: table presets and schemas.
+//! What the engine knows by itself: table presets, racks, schemas.
 
+use carom::Table;
+use carom::rack::{Break, Game, USUAL_GAP, break_shot as open};
 use carom::shot::Node;
-use carom::{Shot, Table};
+use carom::table::PRESETS;
 use pyo3::prelude::*;
 
-use crate::error::to_exception;
-use crate::node::{from_python, to_python};
+use crate::error::{InputError, to_exception};
+use crate::node::to_python;
+use crate::shot::Shot;
 use crate::table::geometry;
 
 /// Every preset's geometry.
 #[pyfunction]
 pub(crate) fn tables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-    let presets = carom::table::presets::all();
-    to_python(py, &Node::List(presets.iter().map(geometry).collect()))
+    let presets = PRESETS.iter().filter_map(|name| Table::preset(name));
+    to_python(py, &Node::List(presets.map(|table| geometry(&table)).collect()))
+}
+
+/// The names of the games that can be racked.
+#[pyfunction]
+pub(crate) fn games() -> Vec<&'static str> {
+    Game::ALL.iter().map(|game| game.name()).collect()
+}
+
+/// The opening shot of a game; what is None is as usual.
+#[pyfunction]
+pub(crate) fn break_shot(
+    py: Python<'_>,
+    game: &str,
+    table: Option<&str>,
+    speed: Option<f64>,
+    seed: u64,
+    gap: Option<f64>,
+) -> PyResult<Shot> {
+    let Some(game) = Game::named(game) else {
+        let known = games().join(", ");
+        return Err(InputError::new_err(format!(
+            "game: there is no game \"{game}\"; write one of {known}"
+        )));
+    };
+    let opening = Break { game, table, speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
+    open(&opening).map(|shot| Shot(shot.into())).map_err(|e| to_exception(py, &e))
+}
+
+/// The JSON Schema of `shot` or `trace`, as JSON.
+#[pyfunction]
+pub(crate) fn schema(kind: &str) -> PyResult<&'static str> {
+    match kind {
+        "shot" => Ok(carom::schema::SHOT),
+        "trace" => Ok(carom::schema::TRACE),
+        _ => Err(InputError::new_err(format!(
+            "there is no schema \"{kind}\"; write \"shot\" or \"trace\""
+        ))),
+    }
 }

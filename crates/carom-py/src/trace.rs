@@ -77,7 +77,7 @@ impl Trace {
 
     #[getter]
     fn hash(&self) -> String {
-        self.0.hash()
+        format!("{:016x}", self.0.hash())
     }
 
     fn __len__(&self) -> usize {

@@ -38,10 +38,21 @@ def shot(
 
 def break_(
     game: Annotated[
-        str, typer.Option(help="nine-ball, eight-ball, ten-ball, straight-pool, snooker, ...")
+        str,
+        typer.Option(
+            help="nine-ball, eight-ball, ten-ball, straight-pool, snooker or three-cushion."
+        ),
     ] = "nine-ball",
-    speed: Annotated[float, typer.Option(help="The cue's speed, m/s.")] = 9.0,
+    speed: Annotated[
+        float | None, typer.Option(help="The cue's speed, m/s; as usual without it.")
+    ] = None,
     seed: Annotated[int, typer.Option(help="Which of the random racks.")] = 0,
+    table: Annotated[
+        str | None, typer.Option(help="A table's preset; the game's own without it.")
+    ] = None,
+    gap: Annotated[
+        float | None, typer.Option(help="Mean gap between the balls, m; 0 is frozen.")
+    ] = None,
     shot_file: Annotated[
         bool, typer.Option("--shot", help="Print the shot file instead of simulating it.")
     ] = False,
@@ -51,9 +62,9 @@ def break_(
     png: Png = None,
 ) -> None:
     """Break a rack; print the table of events."""
-    from carom.racks import break_shot
+    from carom import break_shot
 
-    the_break = break_shot(game, speed=speed, seed=seed)
+    the_break = break_shot(game, table=table, speed=speed, seed=seed, gap=gap)
     if shot_file:
         emit(the_break.to_json())
         return

@@ -1,0 +1,33 @@
+"""Racks and the shots that open them."""
+
+from __future__ import annotations
+
+from carom import _core
+from carom.errors import InputError
+from carom.shot import Shot
+
+
+def break_shot(
+    game: str = "nine-ball",
+    *,
+    table: str | None = None,
+    speed: float | None = None,
+    seed: int = 0,
+    gap: float | None = None,
+) -> Shot:
+    """The opening shot of a game, from its rack.
+
+    Args:
+        game: ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``, ``snooker`` or
+            ``three-cushion``.
+        table: A preset's name; the game's own table if None.
+        speed: The cue's speed, m/s; the game's usual one if None.
+        seed: Which of the random racks; the same seed is the same rack everywhere.
+        gap: Mean gap between the balls, m; 0 is frozen, None is usual (0.1 mm).
+
+    Raises:
+        InputError: There is no such game or table, or a value is out of range.
+    """
+    if not 0 <= seed < 2**64:
+        raise InputError(f"seed: {seed} is out of range; give a whole number from 0 to 2**64 - 1")
+    return Shot._wrap(_core.break_shot(game, table, speed, seed, gap))
