@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from carom import _core
+from carom._core import Shot as CoreShot
 from carom.build import Layout, Physics, Strike, Table
 from carom.errors import InputError
 
@@ -37,7 +38,7 @@ class Shot:
     """
 
     __slots__ = ("_core",)
-    _core: _core.Shot
+    _core: CoreShot
 
     def __init__(
         self,
@@ -64,7 +65,7 @@ class Shot:
         self._core = _core.Shot.from_object(file)
 
     @classmethod
-    def _wrap(cls, core: _core.Shot) -> Self:
+    def _wrap(cls, core: CoreShot) -> Self:
         shot = cls.__new__(cls)
         shot._core = core
         return shot

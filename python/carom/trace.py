@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from carom import _core
+from carom._core import Trace as CoreTrace
 from carom.shot import Shot, read_text
 
 if TYPE_CHECKING:
@@ -55,13 +56,13 @@ class Trace:
     """A simulated shot; immutable. ``print`` it for a table of its events."""
 
     # No __slots__: cached_property keeps its values in the instance's dict.
-    _core: _core.Trace
+    _core: CoreTrace
 
     def __init__(self) -> None:
         raise TypeError("a Trace comes from Shot.simulate(), Trace.load() or Trace.from_dict()")
 
     @classmethod
-    def _wrap(cls, core: _core.Trace) -> Self:
+    def _wrap(cls, core: CoreTrace) -> Self:
         trace = cls.__new__(cls)
         trace._core = core
         return trace

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use carom::Trace as RustTrace;
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
@@ -42,7 +41,7 @@ impl Shot {
     }
 
     fn simulate(&self, py: Python<'_>) -> PyResult<Trace> {
-        let trace = py.detach(|| RustTrace::simulate(&self.0));
+        let trace = py.detach(|| self.0.simulate());
         trace.map(Trace).map_err(|e| to_exception(py, &e))
     }
 
@@ -64,7 +63,7 @@ impl Shot {
     /// Speed, azimuth, elevation, side, height.
     #[getter]
     fn strike(&self) -> Option<(f64, f64, f64, f64, f64)> {
-        let s = &self.0.strike()?.strike;
+        let (_, s) = self.0.strike()?;
         Some((s.speed, s.azimuth, s.elevation, s.side, s.height))
     }
 

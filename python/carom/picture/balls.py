@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from matplotlib.patches import Circle, PathPatch, Rectangle
 from matplotlib.path import Path
 from matplotlib.patheffects import Normal, Stroke
@@ -150,7 +151,7 @@ def draw_ball(
         ax.add_patch(
             Circle(center, 0.5 * radius, facecolor=colors.IVORY, edgecolor="none", zorder=6.2)
         )
-        points = 72 * ax.figure.get_size_inches()[1] / (ax.get_ylim()[1] - ax.get_ylim()[0])
+        points = 72 * ax.get_figure(root=True).get_size_inches()[1] / np.ptp(ax.get_ylim())
         ax.text(
             x,
             y,

@@ -78,7 +78,8 @@ def _balls(panel: Panel, trace: dict[str, Any], routes: list[Route], row: float)
     }
     radius = 0.36 * row * panel.point
     size = min(8.5, 0.56 * row)
-    for index, route in enumerate(routes):
+    # Racks are shuffled; a list reads best in order.
+    for index, route in sorted(enumerate(routes), key=lambda item: _natural(item[1].id)):
         panel.skip(row)
         style = look(route.id, index)
         draw_ball(panel.ax, (panel.left + 6 * panel.point, panel.y), radius, style)
@@ -108,6 +109,11 @@ def _balls(panel: Panel, trace: dict[str, Any], routes: list[Route], row: float)
                 ha=align,
                 color=colors.INK,
             )
+
+
+def _natural(ball_id: str) -> tuple[bool, int]:
+    """Names as they stand, then numbers as they count."""
+    return (ball_id.isdecimal(), int(ball_id) if ball_id.isdecimal() else 0)
 
 
 def _key(panel: Panel, marker: str, size: float, filled: bool, text: str) -> None:

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 # Half width of a diamond, as a share of the rail's width.
 SIGHT_SHARE = 0.06
+# Width of the ring around a hole, as a share of its radius.
+POCKET_RIM = 0.18
 # Straight pieces that a rounded point (a few mm to some cm) is drawn with.
 ARC_CHORDS = 12
 # Empty space around the paths on endless cloth, as a share of their extent.
@@ -31,6 +33,11 @@ def bounds(geometry: dict[str, Any], routes: list[Route]) -> Bounds:
     if geometry["size"] is not None:
         width, length = geometry["size"]
         rim = geometry["rail_width"]
+        # Some tables' pockets reach beyond the wood: their iron stands out. Draw it too.
+        for pocket in geometry["pockets"]:
+            x, y = pocket["center"]
+            beyond = max(-x, x - width, -y, y - length) + pocket["radius"]
+            rim = max(rim, beyond + POCKET_RIM * pocket["radius"])
         return (-rim, -rim, width + rim, length + rim)
     corners = [
         (x + sign * route.radius, y + sign * route.radius)
@@ -65,8 +72,8 @@ def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
         return
     width, length = geometry["size"]
     cushion = geometry["cushion_width"]
-    wood = geometry["rail_width"] - cushion
     left, bottom, right, top = region
+    wood = -left - cushion
     ax.add_patch(
         FancyBboxPatch(
             (left, bottom),
@@ -92,7 +99,7 @@ def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
     )
     ax.add_patch(Rectangle((0, 0), width, length, facecolor=colors.CLOTH, zorder=1.1))
     for pocket in geometry["pockets"]:
-        _pocket(ax, pocket, cushion)
+        _pocket(ax, pocket)
     for rail in dict.fromkeys(part["rail"] for part in geometry["cushions"]):
         parts = [part for part in geometry["cushions"] if part["rail"] == rail]
         _cushion(ax, parts, width, length, cushion)
@@ -128,12 +135,12 @@ def _multiples(low: float, high: float, step: float) -> list[float]:
     return [i * step for i in range(math.ceil(low / step), math.floor(high / step) + 1)]
 
 
-def _pocket(ax: Axes, pocket: dict[str, Any], cushion: float) -> None:
+def _pocket(ax: Axes, pocket: dict[str, Any]) -> None:
     """The hole in the slate, and the opening that the pocket cuts into the rail behind it."""
     x, y = pocket["center"]
     radius = pocket["radius"]
-    ax.add_patch(Circle((x, y), radius + 0.22 * cushion, facecolor=colors.HOLE_EDGE, zorder=1.3))
-    ax.add_patch(Circle((x, y), radius, facecolor=colors.HOLE, zorder=1.4))
+    ax.add_patch(Circle((x, y), (1 + POCKET_RIM) * radius, facecolor=colors.HOLE_EDGE, zorder=1.3))
+    ax.add_patch(Circle((x, y), radius, facecolor=colors.HOLE, zorder=1.4, gid="hole"))
     if "mouth" in pocket:
         (x0, y0), (x1, y1) = pocket["mouth"]
         ax.plot([x0, x1], [y0, y1], color="white", alpha=0.5, linewidth=0.8, ls=":", zorder=2.2)
@@ -245,7 +252,7 @@ def _markings(ax: Axes, geometry: dict[str, Any]) -> None:
     """Head string or baulk line, the D, and the spots."""
     markings = geometry.get("markings") or {}
     width, _ = geometry["size"]
-    style = {"color": "white", "alpha": 0.28, "linewidth": 0.8, "zorder": 1.2}
+    style: dict[str, Any] = {"color": "white", "alpha": 0.28, "linewidth": 0.8, "zorder": 1.2}
     string, radius = markings.get("head_string"), markings.get("d_radius")
     if string is not None:
         ax.plot([0, width], [string, string], **style)
