@@ -1,9 +1,7 @@
 //! `_core.simulate_batch` and `_core.simulate_strikes`.
 
 use carom::batch::{self, BatchResult};
-use carom::error::Error;
 use carom::resolve::cue_ball::Strike;
-use carom::SimulationError;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -27,7 +25,7 @@ pub(crate) fn simulate_batch<'py>(
 ) -> PyResult<Arrays<'py>> {
     let shots: Vec<_> = shots.iter().map(|shot| shot.0.clone()).collect();
     let result = py.detach(|| batch::simulate_batch(&shots, count(threads), &|_| ()));
-    arrays(py, result, |index, error| shots[index].explain(error, None))
+    arrays(py, result)
 }
 
 /// The same for one shot struck otherwise: rows of speed, azimuth, elevation, side, height.
@@ -51,22 +49,18 @@ pub(crate) fn simulate_strikes<'py>(
         })
         .collect();
     let result = py.detach(|| batch::simulate_strikes(&shot.0, &strikes, count(threads), &|_| ()));
-    arrays(py, result, |index, error| shot.0.explain(error, Some(&strikes[index])))
+    arrays(py, result)
 }
 
 fn count(threads: usize) -> Option<usize> {
     (threads > 0).then_some(threads)
 }
 
-fn arrays<'py>(
-    py: Python<'py>,
-    result: BatchResult,
-    explain: impl Fn(usize, SimulationError) -> Error,
-) -> PyResult<Arrays<'py>> {
+fn arrays<'py>(py: Python<'py>, result: BatchResult) -> PyResult<Arrays<'py>> {
     let BatchResult { shots, balls, final_position, pocket, events, errors } = result;
     let texts = PyDict::new(py);
     for (index, error) in errors {
-        texts.set_item(index, explain(index, error).to_string())?;
+        texts.set_item(index, error.to_string())?;
     }
     let flat = final_position.into_iter().flatten().collect::<Vec<f64>>();
     Ok((

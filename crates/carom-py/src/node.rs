@@ -79,11 +79,7 @@ fn read_mapping(
     Ok(Node::Object(fields))
 }
 
-fn read_items(
-    items: Bound<'_, PyIterator>,
-    place: &mut String,
-    depth: usize,
-) -> PyResult<Node> {
+fn read_items(items: Bound<'_, PyIterator>, place: &mut String, depth: usize) -> PyResult<Node> {
     let mut list = Vec::new();
     for (i, item) in items.enumerate() {
         let before = place.len();

@@ -86,9 +86,8 @@ fn drawn(node: &mut Node, description: &TableDescription) {
         );
     }
     let markings = &description.markings;
-    let spot = |s: &Spot| {
-        Node::object([("name", (&s.name).into()), ("position", s.position.into())])
-    };
+    let spot =
+        |s: &Spot| Node::object([("name", (&s.name).into()), ("position", s.position.into())]);
     node.set(
         "markings",
         Node::object([

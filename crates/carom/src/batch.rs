@@ -4,9 +4,10 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use crate::error::Error;
 use crate::event::{Event, EventKind, Recorder};
 use crate::resolve::cue_ball::Strike;
-use crate::simulate::{MAX_BALLS, SMALL, Simulation, SimulationError};
+use crate::simulate::{MAX_BALLS, SMALL, Simulation};
 use crate::{MotionState, Shot};
 
 /// Shots that one thread takes at a time: a few hundred microseconds of work, so that handing
@@ -37,7 +38,7 @@ pub struct BatchResult {
     /// Number of events of each shot.
     pub events: Vec<i32>,
     /// The shots that failed, by index, in ascending order.
-    pub errors: Vec<(usize, SimulationError)>,
+    pub errors: Vec<(usize, Error)>,
 }
 
 /// Simulates every shot. `threads`: how many, or all cores; `done` is told after every piece of
@@ -50,12 +51,13 @@ pub fn simulate_batch<S: AsRef<Shot> + Sync>(
     let balls = shots.iter().map(|s| s.as_ref().balls.len()).max().unwrap_or(0);
     run(shots.len(), balls, threads, done, &|k| {
         let shot = shots[k].as_ref();
-        (shot, shot.strike.as_ref().map(|&(ball, strike)| (ball, strike)))
+        Ok((shot, shot.strike))
     })
 }
 
-/// Simulates `shot` once for each of `strikes`, played on its struck ball (the first ball, if the
-/// shot has no strike). `threads` and `done` as in [`simulate_batch`].
+/// Simulates `shot` once for each of `strikes`, played on its struck ball. A strike that a shot
+/// file would refuse, and any strike if the shot has none, is among the errors. `threads` and
+/// `done` as in [`simulate_batch`].
 pub fn simulate_strikes(
     shot: &Shot,
     strikes: &[Strike],
@@ -63,11 +65,15 @@ pub fn simulate_strikes(
     done: &(dyn Fn(usize) + Sync),
 ) -> BatchResult {
     let struck = shot.strike.as_ref().map_or(0, |(ball, _)| *ball);
-    run(strikes.len(), shot.balls.len(), threads, done, &|k| (shot, Some((struck, strikes[k]))))
+    run(strikes.len(), shot.balls.len(), threads, done, &|k| {
+        let strike = strikes[k];
+        shot.resolve_strike(&strike)?;
+        Ok((shot, Some((struck, strike))))
+    })
 }
 
 /// What shot `k` is.
-type Item<'a> = dyn Fn(usize) -> (&'a Shot, Option<(usize, Strike)>) + Sync + 'a;
+type Item<'a> = dyn Fn(usize) -> Result<(&'a Shot, Option<(usize, Strike)>), Error> + Sync + 'a;
 
 fn run(
     shots: usize,
@@ -113,7 +119,7 @@ fn distribute<const N: usize>(
     threads: Option<usize>,
     done: &(dyn Fn(usize) + Sync),
     item: &Item<'_>,
-) -> Vec<(usize, SimulationError)> {
+) -> Vec<(usize, Error)> {
     use rayon::prelude::*;
     let work = move || {
         let Rows { position, pocket, events } = rows;
@@ -152,7 +158,7 @@ fn distribute<const N: usize>(
     _threads: Option<usize>,
     done: &(dyn Fn(usize) + Sync),
     item: &Item<'_>,
-) -> Vec<(usize, SimulationError)> {
+) -> Vec<(usize, Error)> {
     let count = rows.events.len();
     let mut simulation = alloc::boxed::Box::new(Simulation::<N>::new());
     let errors = play_rows(&mut simulation, rows, 0, width, item);
@@ -167,29 +173,29 @@ fn play_rows<const N: usize>(
     first: usize,
     width: usize,
     item: &Item<'_>,
-) -> Vec<(usize, SimulationError)> {
+) -> Vec<(usize, Error)> {
     let mut errors = Vec::new();
     let rows_of_balls = rows.position.chunks_mut(width).zip(rows.pocket.chunks_mut(width));
     for (k, ((position, pocket), events)) in rows_of_balls.zip(rows.events).enumerate() {
-        let (shot, strike) = item(first + k);
-        let n = shot.balls.len();
-        let mut pockets = Pockets { row: &mut pocket[..n] };
-        pockets.row.fill(ON_TABLE);
-        match simulation.play_strike(shot, strike, &mut pockets) {
-            Ok(summary) => {
-                *events = summary.events as i32;
-                for (i, place) in position[..n].iter_mut().enumerate() {
-                    let state = simulation.file_state(i, shot, summary.duration);
-                    *place = state.position.to_array();
-                    if state.motion == MotionState::OffTable {
-                        pockets.row[i] = OFF_TABLE;
-                    }
+        let played = item(first + k).and_then(|(shot, strike)| {
+            let row = &mut pocket[..shot.balls.len()];
+            row.fill(ON_TABLE);
+            let summary = simulation
+                .play_strike(shot, strike, &mut Pockets { row })
+                .map_err(|failure| shot.explain(failure, strike.as_ref().map(|(_, s)| s)))?;
+            *events = summary.events as i32;
+            for (i, place) in position[..shot.balls.len()].iter_mut().enumerate() {
+                let state = simulation.file_state(i, shot, summary.duration);
+                *place = state.position.to_array();
+                if state.motion == MotionState::OffTable {
+                    pocket[i] = OFF_TABLE;
                 }
             }
-            Err(error) => {
-                pockets.row.fill(PADDING);
-                errors.push((first + k, error));
-            }
+            Ok(())
+        });
+        if let Err(error) = played {
+            pocket.fill(PADDING);
+            errors.push((first + k, error));
         }
     }
     errors

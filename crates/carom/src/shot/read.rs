@@ -54,7 +54,7 @@ impl Range {
     }
 
     /// Refuses `x`, which stands at `place`, if it is out of range or not finite.
-    pub(crate) fn check(&self, place: &str, x: f64) -> Result<(), Error> {
+    pub(crate) fn check(&self, place: impl FnOnce() -> String, x: f64) -> Result<(), Error> {
         let above = if self.low_open { x > self.low } else { x >= self.low };
         let below = if self.high_open { x < self.high } else { x <= self.high };
         if above && below {
@@ -65,7 +65,7 @@ impl Range {
         } else {
             format!("{} is not a number that a shot can use", describe(&Node::Number(x)))
         };
-        Err(Error::input(place, what, format!("write {}", self.describe())))
+        Err(Error::input(place(), what, format!("write {}", self.describe())))
     }
 
     fn describe(&self) -> String {
@@ -183,7 +183,7 @@ impl<'a> At<'a> {
             Node::Number(x) => *x,
             _ => return Err(self.wrong_type(&range.describe())),
         };
-        range.check(&self.place, x)?;
+        range.check(|| self.place.clone(), x)?;
         Ok(x)
     }
 

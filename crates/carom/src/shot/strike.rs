@@ -111,7 +111,7 @@ pub(super) fn check_ranges(place: &str, strike: &Strike) -> Result<(), Error> {
         ("side", strike.side, OFFSET),
         ("height", strike.height, OFFSET),
     ] {
-        range.check(&format!("{place}.{key}"), value)?;
+        range.check(|| format!("{place}.{key}"), value)?;
     }
     Ok(())
 }
