@@ -35,14 +35,13 @@ pub fn first_meeting(
     let layout = &table.layout;
     let reach = table.reach(radius);
     let inner = Vec2::new(layout.half.x - reach, layout.half.y - reach);
-    if stays_inside(inner.x, path.d[0], path.v[0], path.h[0], horizon)
-        && stays_inside(inner.y, path.d[1], path.v[1], path.h[1], horizon)
-        && !(reach < layout.clear_reach)
-    {
-        return None;
-    }
     if reach < layout.clear_reach {
         return among_all(table, reach, path, horizon);
+    }
+    if stays_inside(inner.x, path.d[0], path.v[0], path.h[0], horizon)
+        && stays_inside(inner.y, path.d[1], path.v[1], path.h[1], horizon)
+    {
+        return None;
     }
     let start = Vec2::new(path.d[0], path.d[1]);
     if !layout.mouths.is_empty()

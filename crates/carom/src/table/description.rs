@@ -8,13 +8,10 @@ pub(crate) const INCH: f64 = 0.0254;
 
 /// A table with rails. Every preset is one of these; unbounded cloth is [`Table::unbounded`].
 ///
-/// In JSON the keys are the fields' names. Only `length` and `width` must be given: what is left out
-/// is that of [`TableDescription::rectangle`].
+/// In the shot file the keys are the fields' names.
 ///
 /// [`Table::unbounded`]: crate::Table::unbounded
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
 pub struct TableDescription {
     /// Playing area along y, nose line to nose line, m. Greater than 0.
     pub length: f64,
@@ -22,41 +19,29 @@ pub struct TableDescription {
     pub width: f64,
     /// Height of the nose line above the slate, m. Between 0 and the diameter of the balls, 0.6 to
     /// 0.75 of it on real tables.
-    #[cfg_attr(feature = "json", serde(default = "default_cushion_height"))]
     pub cushion_height: f64,
     /// Width of the rubber: from the nose line to where the facings end, m. Greater than 0.
-    #[cfg_attr(feature = "json", serde(default = "default_cushion_width"))]
     pub cushion_width: f64,
     /// Width of the rail, cushion included, m: drawn only. At least `cushion_width`.
-    #[cfg_attr(feature = "json", serde(default = "default_rail_width"))]
     pub rail_width: f64,
     /// Whether there are pockets.
-    #[cfg_attr(feature = "json", serde(default))]
     pub pockets: PocketLayout,
     /// What captures a ball.
-    #[cfg_attr(feature = "json", serde(default))]
     pub pocket_model: PocketModel,
     /// The four corner pockets; needed where `pockets` is `six`.
-    #[cfg_attr(feature = "json", serde(default, skip_serializing_if = "Option::is_none"))]
     pub corner_pocket: Option<PocketDescription>,
     /// The two pockets in the middle of the long rails; needed where `pockets` is `six`.
-    #[cfg_attr(feature = "json", serde(default, skip_serializing_if = "Option::is_none"))]
     pub side_pocket: Option<PocketDescription>,
     /// Marks on the rails, drawn only.
-    #[cfg_attr(feature = "json", serde(default, skip_serializing_if = "Option::is_none"))]
     pub sights: Option<Sights>,
     /// Lines and spots on the cloth: drawn, and used by racks.
-    #[cfg_attr(feature = "json", serde(default))]
     pub markings: Markings,
     /// Name of the physics preset that belongs to the table.
-    #[cfg_attr(feature = "json", serde(default = "default_physics"))]
     pub physics: String,
 }
 
 /// The pockets of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "json", serde(rename_all = "kebab-case"))]
 pub enum PocketLayout {
     /// No pockets.
     #[default]
@@ -67,8 +52,6 @@ pub enum PocketLayout {
 
 /// What captures a ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "json", serde(rename_all = "kebab-case"))]
 pub enum PocketModel {
     /// The ball's centre comes over the hole in the slate, or passes between the deep ends of the
     /// facings.
@@ -84,8 +67,6 @@ pub enum PocketModel {
 /// A tip is the point where a nose line and the line of a facing would meet if the corner were not
 /// rounded: mouths are measured from tip to tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
 pub struct PocketDescription {
     /// Distance between the two tips, m.
     pub mouth: f64,
@@ -101,14 +82,11 @@ pub struct PocketDescription {
     pub point_radius: f64,
     /// Distance between the deep ends of the two facings, m, where it is not the one that
     /// `cut_angle_deg` gives: the facing then runs straight from the rounding to that end.
-    #[cfg_attr(feature = "json", serde(default, skip_serializing_if = "Option::is_none"))]
     pub throat: Option<f64>,
 }
 
 /// Sights (diamonds): where they lie on the rails.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
 pub struct Sights {
     /// Intervals along the length; the ends and, with pockets, the middle bear no sight.
     pub along_length: u32,
@@ -120,24 +98,17 @@ pub struct Sights {
 
 /// Lines and spots on the cloth. Distances from the bottom nose line, where the breaker stands.
 #[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
 pub struct Markings {
     /// The head string or baulk line, m.
-    #[cfg_attr(feature = "json", serde(default, skip_serializing_if = "Option::is_none"))]
     pub head_string: Option<f64>,
     /// Radius of the D, m.
-    #[cfg_attr(feature = "json", serde(default, skip_serializing_if = "Option::is_none"))]
     pub d_radius: Option<f64>,
     /// Spots.
-    #[cfg_attr(feature = "json", serde(default))]
     pub spots: Vec<Spot>,
 }
 
 /// A spot on the cloth.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
 pub struct Spot {
     /// Its name: `head`, `center`, `foot`, or that of the ball that stands on it.
     pub name: String,
@@ -146,20 +117,11 @@ pub struct Spot {
 }
 
 /// 63.5 % of a pool ball's diameter (WPA), m.
-const fn default_cushion_height() -> f64 {
-    0.635 * (2.25 * INCH)
-}
+const CUSHION_HEIGHT: f64 = 0.635 * (2.25 * INCH);
 /// The wider of the WPA's limits, 2 in.
-const fn default_cushion_width() -> f64 {
-    2.0 * INCH
-}
+const CUSHION_WIDTH: f64 = 2.0 * INCH;
 /// 5 in, within the WPA's 4 to 7½ in.
-const fn default_rail_width() -> f64 {
-    5.0 * INCH
-}
-fn default_physics() -> String {
-    "pool".into()
-}
+const RAIL_WIDTH: f64 = 5.0 * INCH;
 
 impl TableDescription {
     /// A plain rectangle of `width` by `length` (m) with the WPA's nose height and no pockets.
@@ -167,16 +129,16 @@ impl TableDescription {
         Self {
             length,
             width,
-            cushion_height: default_cushion_height(),
-            cushion_width: default_cushion_width(),
-            rail_width: default_rail_width(),
+            cushion_height: CUSHION_HEIGHT,
+            cushion_width: CUSHION_WIDTH,
+            rail_width: RAIL_WIDTH,
             pockets: PocketLayout::None,
             pocket_model: PocketModel::DropCircle,
             corner_pocket: None,
             side_pocket: None,
             sights: None,
             markings: Markings::default(),
-            physics: default_physics(),
+            physics: "pool".into(),
         }
     }
 }

@@ -12,6 +12,7 @@ mod geometry;
 mod place;
 mod presets;
 mod sheet;
+mod sights;
 
 use alloc::string::String;
 use alloc::vec::Vec;

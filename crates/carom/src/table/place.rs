@@ -1,6 +1,6 @@
 //! May a ball stand there?
 
-use super::{Capture, CushionPart, Shape, Table};
+use super::{Capture, CushionPart, Layout, Shape, Table};
 use crate::math::Vec2;
 
 /// Gaps and overlaps up to this count as touching, m: 1 nm, far more than the rounding of positions in
@@ -89,13 +89,23 @@ impl Table {
         deepest
     }
 
-    /// Whether `position` is between the two jaws of a pocket, behind the line from tip to tip.
+    /// Whether `position` is between the two jaws of a pocket: in the quadrangle from where the noses
+    /// end to where the facings end. Of that, rubber takes the rest.
     fn in_a_mouth(&self, position: Vec2) -> bool {
+        let Layout { half, nose_x, nose_y: [low, high], .. } = self.layout;
         self.pockets.iter().any(|pocket| {
-            let corners = [pocket.mouth[0], pocket.mouth[1], pocket.throat[1], pocket.throat[0]];
+            let [a, b] = pocket.throat;
+            let (x, y) = (if a.x < 0.0 { -1.0 } else { 1.0 }, if a.y < 0.0 { -1.0 } else { 1.0 });
+            // In the order of `throat`: a corner's jaw on the short rail is its first.
+            let noses = if pocket.axis.y == 0.0 {
+                [Vec2::new(x * half.x, y * low), Vec2::new(x * half.x, -y * low)]
+            } else {
+                [Vec2::new(x * nose_x, y * half.y), Vec2::new(x * half.x, y * high)]
+            };
+            let corners = [noses[0], a, b, noses[1]];
             let turn = |i: usize| {
-                let (a, b) = (corners[i], corners[(i + 1) % 4]);
-                (b - a).cross(position - a)
+                let (from, to) = (corners[i], corners[(i + 1) % 4]);
+                (to - from).cross(position - from)
             };
             (0..4).all(|i| turn(i) >= 0.0) || (0..4).all(|i| turn(i) <= 0.0)
         })

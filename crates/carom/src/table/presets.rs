@@ -30,6 +30,7 @@ const FOLLOWS: Source = Source::Estimated("the rule book leaves it open");
 const LIKE_WPA: Source = Source::Estimated("as on the WPA's tables");
 const LIKE_SNOOKER: Source =
     Source::Estimated("as on the snooker table, in proportion to the ball");
+const LIKE_10FT: Source = Source::Estimated("as on the 10-ft carom table");
 const DRAWN: Source = Source::Estimated("drawn only");
 
 const fn inches(value: f64, source: Source) -> Figure {
@@ -227,7 +228,7 @@ const CAROM_10FT: Sheet = Sheet {
     rail_width: figure(0.125 + 2.0 * INCH, UMB),
     pockets: None,
     sight_setback: Some(inches(3.6875, DRAWN)),
-    head_string: Some(figure(0.71, UMB)),
+    head_string: Some(figure(0.71, Source::Memory)),
     d_radius: None,
     black_spot: None,
     spots: SpotPattern::Quarters,
@@ -238,8 +239,9 @@ const CAROM_9FT: Sheet = Sheet {
     name: "carom-9ft",
     length: figure(2.54, Source::Memory),
     width: figure(1.27, Source::Memory),
-    cushion_height: figure(0.037, Source::Estimated("as on the 10-ft table")),
-    head_string: Some(figure(0.635, Source::Estimated("as on the 10-ft table"))),
+    cushion_height: figure(0.037, LIKE_10FT),
+    rail_width: figure(0.125 + 2.0 * INCH, LIKE_10FT),
+    head_string: Some(figure(0.635, LIKE_10FT)),
     ..CAROM_10FT
 };
 

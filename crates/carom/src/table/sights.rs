@@ -1,0 +1,39 @@
+//! Where the sights are.
+
+use alloc::vec::Vec;
+
+use super::{PocketLayout, Table};
+use crate::math::Vec2;
+
+impl Table {
+    /// Centres of the sights, m, in the engine's frame: bottom and top rail from left to right, then left
+    /// and right rail upwards. None where the description has none.
+    ///
+    /// The ends of a rail bear none, and neither do pockets.
+    pub fn sight_positions(&self) -> Vec<Vec2> {
+        let mut positions = Vec::new();
+        let Some(description) = &self.description else { return positions };
+        let Some(sights) = description.sights else { return positions };
+        let half = self.layout.half;
+        let along = |half: f64, intervals: u32, i: u32| {
+            half * (2.0 * f64::from(i) / f64::from(intervals) - 1.0)
+        };
+        for side in [-1.0, 1.0] {
+            for i in 1..sights.along_width {
+                let x = along(half.x, sights.along_width, i);
+                positions.push(Vec2::new(x, side * (half.y + sights.setback)));
+            }
+        }
+        for side in [-1.0, 1.0] {
+            for i in 1..sights.along_length {
+                let at_pocket =
+                    description.pockets == PocketLayout::Six && 2 * i == sights.along_length;
+                if !at_pocket {
+                    let y = along(half.y, sights.along_length, i);
+                    positions.push(Vec2::new(side * (half.x + sights.setback), y));
+                }
+            }
+        }
+        positions
+    }
+}
