@@ -17,6 +17,7 @@ pub mod outcome;
 pub mod physics;
 pub mod rack;
 pub mod resolve;
+pub mod schema;
 pub mod shot;
 pub mod simulate;
 pub mod table;

@@ -11,20 +11,26 @@ use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Vis
 use super::node::Node;
 use crate::error::Error;
 
-/// Reads JSON text. Refuses what JSON refuses, and keys that stand twice in one object.
-pub(crate) fn parse(text: &str) -> Result<Node, Error> {
-    // A byte-order mark is what some editors put in front of UTF-8.
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut source = serde_json::Deserializer::from_str(text);
-    let node = match serde_path_to_error::deserialize::<_, Node>(&mut source) {
-        Ok(node) => node,
-        Err(e) => {
-            let place = e.path().to_string();
-            return Err(explain(text, if place == "." { "" } else { &place }, e.inner()));
-        }
-    };
-    source.end().map_err(|e| explain(text, "", &e))?;
-    Ok(node)
+impl Node {
+    /// Reads JSON text.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for what JSON refuses, for a number too large for a double, and for a key
+    /// that stands twice in one object.
+    pub fn from_json(text: &str) -> Result<Self, Error> {
+        // A byte-order mark is what some editors put in front of UTF-8.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let mut source = serde_json::Deserializer::from_str(text);
+        let node = match serde_path_to_error::deserialize::<_, Self>(&mut source) {
+            Ok(node) => node,
+            Err(e) => {
+                let place = e.path().to_string();
+                return Err(explain(text, if place == "." { "" } else { &place }, e.inner()));
+            }
+        };
+        source.end().map_err(|e| explain(text, "", &e))?;
+        Ok(node)
+    }
 }
 
 fn explain(text: &str, place: &str, e: &serde_json::Error) -> Error {

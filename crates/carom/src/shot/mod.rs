@@ -20,8 +20,6 @@ use alloc::string::String;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
-#[cfg(feature = "json")]
-pub(crate) use json::parse as parse_json;
 pub use node::Node;
 pub use physics::write as physics_to_node;
 pub use strike::{Policy, StrikePolicy};
@@ -86,7 +84,7 @@ impl Shot {
     /// refuses.
     #[cfg(feature = "json")]
     pub fn from_json(text: &str) -> Result<Self, Error> {
-        Self::from_node(json::parse(text)?)
+        Self::from_node(Node::from_json(text)?)
     }
 
     /// Reads a shot from a tree of values.

@@ -68,7 +68,7 @@ impl Trace {
     /// [`Error::Input`] that names the place, as for a shot file.
     #[cfg(feature = "json")]
     pub fn from_json(text: &str) -> Result<Self, Error> {
-        Self::from_node(&crate::shot::parse_json(text)?)
+        Self::from_node(&Node::from_json(text)?)
     }
 
     /// Reads a trace from a tree of values. The outcome is worked out from the events, so that a

@@ -196,6 +196,9 @@ impl Trace {
         }
         let physics = &*self.shot.physics;
         let on = |((since, state), placed): (&(f64, BallState), &crate::shot::PlacedBall)| {
+            if time == *since {
+                return *state;
+            }
             let path = Path::new(state, &placed.ball, &physics.cloth, physics.gravity);
             path.at((time - since).min(path.duration))
         };

@@ -1,0 +1,130 @@
+//! The example shots in `shots/`: each is written as the engine writes shot files, and does what
+//! its name says.
+
+use std::path::{Path, PathBuf};
+
+use carom::outcome::Touched;
+use carom::rack::{Break, Game, break_shot};
+use carom::{Shot, Trace};
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shots")
+}
+
+fn text(name: &str) -> String {
+    let path = folder().join(name).with_extension("json");
+    std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+fn shot(name: &str) -> Shot {
+    Shot::from_json(&text(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+fn played(name: &str) -> Trace {
+    shot(name).simulate().unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+/// Ids of the pocketed balls with their pockets, as `1 top-right`.
+fn pocketed(trace: &Trace) -> Vec<String> {
+    let balls = trace.shot().balls();
+    let words = |(i, p): &(u16, carom::table::PocketName)| {
+        format!("{} {}", balls[usize::from(*i)].id, p.name())
+    };
+    trace.outcome().pocketed.iter().map(words).collect()
+}
+
+/// How far the cue ball came to rest from where it stood at the first ball–ball collision, m,
+/// counted along its way there.
+fn cue_ball_travel_after_contact(trace: &Trace) -> f64 {
+    let contact = trace.events().find(|e| e.what == carom::trace::What::BallCollision);
+    let at = contact.expect("a contact").before[0];
+    let way = at.velocity.xy();
+    (trace.last()[0].position - at.position).xy().dot(way) / way.length()
+}
+
+#[test]
+fn every_example_is_written_as_the_engine_writes_it() {
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder()).expect("the folder") {
+        let path = entry.expect("an entry").path();
+        if path.extension().is_none_or(|e| e != "json") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).expect("a file");
+        let shot = Shot::from_json(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        assert_eq!(shot.to_json() + "\n", text, "{}", path.display());
+        count += 1;
+    }
+    assert!(count >= 12, "{count} examples");
+}
+
+#[test]
+fn the_breaks_are_the_racks_of_seed_1() {
+    for (name, game) in [("nine_ball_break", Game::NineBall), ("eight_ball_break", Game::EightBall)]
+    {
+        let made = break_shot(&Break::new(game, 1)).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(text(name), made.to_json() + "\n", "{name}");
+    }
+}
+
+#[test]
+fn stop_follow_and_draw_pot_the_ball_and_leave_the_cue_ball_where_their_names_say() {
+    for (name, range) in
+        [("stop_shot", -0.02..0.02), ("follow_shot", 0.1..9.0), ("draw_shot", -9.0..-0.1)]
+    {
+        let trace = played(name);
+        assert_eq!(pocketed(&trace)[0], "1 top-right", "{name}");
+        let travel = cue_ball_travel_after_contact(&trace);
+        assert!(range.contains(&travel), "{name}: {travel}");
+    }
+}
+
+#[test]
+fn the_half_ball_cut_turns_both_balls_by_about_thirty_degrees() {
+    let trace = played("half_ball_cut");
+    let hit = trace.events().find(|e| e.what == carom::trace::What::BallCollision);
+    let hit = hit.expect("a contact");
+    let way = hit.before[0].velocity.xy();
+    let sine = |v: carom::math::Vec2| way.cross(v) / (way.length() * v.length());
+    let object = sine(hit.after[1].velocity.xy()).abs();
+    // Half a ball: sin φ = 1/2; throw takes a few degrees off.
+    assert!((0.4..0.5).contains(&object), "{object}");
+}
+
+#[test]
+fn the_pots_pot_what_they_should() {
+    for (name, expected) in [
+        ("bank_shot", "1 bottom-right"),
+        ("side_pocket_cut", "1 right"),
+        ("snooker_pot", "black top-right"),
+    ] {
+        let trace = played(name);
+        assert_eq!(pocketed(&trace), [expected], "{name}");
+        assert!(!trace.outcome().cue_ball_scratched(), "{name}");
+    }
+    let rails = played("bank_shot").outcome().rails_after_first_contact.clone();
+    assert!(rails.iter().any(|(ball, _)| *ball == 1), "the object ball is banked");
+}
+
+#[test]
+fn the_kick_goes_over_two_rails_to_the_ball_behind_the_eight() {
+    let trace = played("kick_shot");
+    assert_eq!(trace.outcome().first_contact, Some(2));
+    assert_eq!(trace.outcome().rails_before_first_contact().count(), 2);
+}
+
+#[test]
+fn the_masse_curves_around_the_eight() {
+    let trace = played("masse");
+    assert_eq!(trace.outcome().first_contact, Some(2), "the ball behind the 8");
+    assert_eq!(trace.outcome().rails_before_first_contact().count(), 0);
+}
+
+#[test]
+fn the_three_cushion_shot_scores() {
+    let touched = played("three_cushion").outcome().cue_ball_touched.clone();
+    let second = touched.iter().position(|t| *t == Touched::Ball(2)).expect("the second ball");
+    let rails = |t: &&Touched| matches!(t, Touched::Rail(_));
+    assert!(touched[..second].contains(&Touched::Ball(1)));
+    assert!(touched[..second].iter().filter(rails).count() >= 3, "{touched:?}");
+}

@@ -1,0 +1,109 @@
+//! The JSON Schemas and the reader know the same keys and the same names.
+
+use std::collections::BTreeSet;
+
+use carom::shot::Node;
+use carom::{Shot, schema};
+
+fn parsed(text: &str) -> Node {
+    Node::from_json(text).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The node at a path of keys and indices.
+fn at<'a>(node: &'a Node, path: &[&str]) -> &'a Node {
+    path.iter().fold(node, |node, step| match node {
+        Node::List(items) => &items[step.parse::<usize>().expect("an index")],
+        _ => node.get(step).unwrap_or_else(|| panic!("no `{step}` in {path:?}")),
+    })
+}
+
+fn keys(node: &Node) -> BTreeSet<String> {
+    let Node::Object(fields) = node else { panic!("{node:?} is not an object") };
+    fields.iter().map(|(key, _)| key.clone()).collect()
+}
+
+fn words(node: &Node) -> Vec<&str> {
+    let Node::List(items) = node else { panic!("{node:?} is not a list") };
+    let word = |item: &'_ Node| match item {
+        Node::Text(s) => s.as_str().to_owned().leak() as &str,
+        other => panic!("{other:?} is not a text"),
+    };
+    items.iter().map(word).collect()
+}
+
+/// The keys that the reader lists when it finds an unknown one.
+fn known_to_the_reader(file: &str) -> BTreeSet<String> {
+    let sentence = Shot::from_json(file).expect_err("an unknown key").to_string();
+    let list = sentence.split("the keys known here are ").nth(1);
+    let list = list.unwrap_or_else(|| panic!("`{sentence}` lists no keys"));
+    list.split(", ").map(String::from).collect()
+}
+
+#[test]
+fn the_shot_schema_and_the_reader_know_the_same_keys() {
+    let schema = parsed(schema::SHOT);
+    let file = |table: &str, physics: &str, ball: &str, strike: &str, more: &str| {
+        format!(
+            r#"{{"format": "carom-shot/1", "table": {table}, "physics": {physics},
+                "balls": [{{"id": "a", "position": [0.5, 0.5]{ball}}}],
+                "strike": {{"ball": "a", "speed": 1, "azimuth_deg": 0{strike}}}{more}}}"#
+        )
+    };
+    let unknown = r#", "qqqqqqqqqq": 1"#;
+    let physics = |section: &str| {
+        file("\"wpa-9ft\"", &format!(r#"{{"{section}": {{"qqqqqqqqqq": 1}}}}"#), "", "", "")
+    };
+    let table = |section: &str| {
+        let table = format!(r#"{{"base": "wpa-9ft", "{section}": {{"qqqqqqqqqq": 1}}}}"#);
+        file(&table, "\"pool\"", "", "", "")
+    };
+    let good = ("\"wpa-9ft\"", "\"pool\"");
+    for (path, text) in [
+        ("properties", file(good.0, good.1, "", "", unknown)),
+        ("$defs/ball/properties", file(good.0, good.1, unknown, "", "")),
+        ("$defs/strike/properties", file(good.0, good.1, "", unknown, "")),
+        ("$defs/physics/oneOf/1/properties", file(good.0, r#"{"qqqqqqqqqq": 1}"#, "", "", "")),
+        ("$defs/physics/oneOf/1/properties/ball/properties", physics("ball")),
+        ("$defs/physics/oneOf/1/properties/cloth/properties", physics("cloth")),
+        ("$defs/physics/oneOf/1/properties/ball_ball/properties", physics("ball_ball")),
+        ("$defs/physics/oneOf/1/properties/cushion/properties", physics("cushion")),
+        ("$defs/physics/oneOf/1/properties/slate/properties", physics("slate")),
+        ("$defs/physics/oneOf/1/properties/cue/properties", physics("cue")),
+        ("$defs/pocket/properties", table("corner_pocket")),
+        ("$defs/table/oneOf/2/properties/sights/properties", table("sights")),
+        ("$defs/table/oneOf/2/properties/markings/properties", table("markings")),
+    ] {
+        let path: Vec<&str> = path.split('/').collect();
+        assert_eq!(keys(at(&schema, &path)), known_to_the_reader(&text), "{path:?}");
+    }
+    let mut of_tables = keys(at(&schema, &["$defs", "table", "oneOf", "2", "properties"]));
+    of_tables.insert(String::from("cloth"));
+    let text = file(r#"{"qqqqqqqqqq": 1}"#, good.1, "", "", "");
+    assert_eq!(of_tables, known_to_the_reader(&text));
+}
+
+#[test]
+fn the_shot_schema_names_every_preset() {
+    let schema = parsed(schema::SHOT);
+    assert_eq!(words(at(&schema, &["$defs", "table_preset", "enum"])), carom::table::PRESETS);
+    assert_eq!(words(at(&schema, &["$defs", "physics_preset", "enum"])), carom::Physics::PRESETS);
+}
+
+#[test]
+fn the_trace_schema_lists_what_a_trace_writes() {
+    let schema = parsed(schema::TRACE);
+    let text = r#"{"format": "carom-shot/1", "table": "wpa-9ft",
+        "balls": [{"id": "cue", "position": [0.635, 0.4]}],
+        "strike": {"ball": "cue", "speed": 1, "azimuth_deg": 90}}"#;
+    let trace = Shot::from_json(text).and_then(|s| s.simulate()).unwrap_or_else(|e| panic!("{e}"));
+    let node = trace.to_node();
+    assert_eq!(keys(at(&schema, &["properties"])), keys(&node));
+    let outcome = at(&schema, &["properties", "outcome", "properties"]);
+    assert_eq!(keys(outcome), keys(at(&node, &["outcome"])));
+    let event = at(&node, &["events", "0"]);
+    assert_eq!(keys(at(&schema, &["$defs", "cue_strike", "properties"])), keys(event));
+    let ball = at(event, &["after", "0"]);
+    assert_eq!(keys(at(&schema, &["$defs", "ball", "properties"])), keys(ball));
+    let motions: Vec<&str> = carom::MotionState::ALL.iter().map(|m| m.name()).collect();
+    assert_eq!(words(at(&schema, &["$defs", "motion", "enum"])), motions);
+}

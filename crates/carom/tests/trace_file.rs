@@ -1,0 +1,228 @@
+//! A trace is written and read without losing a bit, and tells the state at any time.
+
+use carom::math::Vec3;
+use carom::shot::Node;
+use carom::trace::What;
+use carom::{BallState, Error, MotionState, Shot, Trace};
+
+fn played(name: &str) -> Trace {
+    let path = format!("{}/../../shots/{name}.json", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
+    let shot = Shot::from_json(&text).unwrap_or_else(|e| panic!("{e}"));
+    shot.simulate().unwrap_or_else(|e| panic!("{e}"))
+}
+
+const NAMES: [&str; 4] = ["nine_ball_break", "masse", "three_cushion", "follow_shot"];
+
+fn bits(s: &BallState) -> ([u64; 9], MotionState) {
+    let mut words = [0; 9];
+    let vectors = [s.position, s.velocity, s.angular_velocity];
+    for (word, x) in words.iter_mut().zip(vectors.iter().flat_map(|v| v.to_array())) {
+        *word = x.to_bits();
+    }
+    (words, s.motion)
+}
+
+#[test]
+fn json_out_and_in_keeps_every_bit() {
+    for name in NAMES {
+        let trace = played(name);
+        let again = Trace::from_json(&trace.to_json()).unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert_eq!(trace, again, "{name}");
+        assert_eq!(trace.first_difference(&again), None, "{name}");
+        assert_eq!(trace.hash(), again.hash(), "{name}");
+        assert_eq!(trace.to_json(), again.to_json(), "{name}");
+        for (a, b) in trace.events().zip(again.events()) {
+            assert!(a.before.iter().map(bits).eq(b.before.iter().map(bits)), "{name}");
+            assert!(a.after.iter().map(bits).eq(b.after.iter().map(bits)), "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_second_simulation_has_the_same_hash_and_another_shot_has_not() {
+    let trace = played("masse");
+    let again = trace.shot().simulate().unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(trace.hash(), again.hash());
+    let (_, mut strike) = trace.shot().strike().expect("a strike");
+    strike.speed = strike.speed.next_up();
+    let other = trace.shot().with_strike(&strike).and_then(|s| s.simulate());
+    let other = other.unwrap_or_else(|e| panic!("{e}"));
+    assert_ne!(trace.hash(), other.hash());
+    let sentence = trace.first_difference(&other).expect("they differ");
+    assert!(sentence.starts_with("events[0].after[0]: "), "{sentence}");
+}
+
+#[test]
+fn the_hash_sees_every_bit_even_two_flipped_signs() {
+    let trace = played("follow_shot");
+    let mut node = trace.to_node();
+    let flip = |node: &mut Node, ball: usize| {
+        let Node::Object(fields) = node else { panic!("an object") };
+        let (_, last) = fields.iter_mut().find(|(k, _)| k == "final").expect("final");
+        let Node::List(balls) = last else { panic!("a list") };
+        balls[ball].set("velocity", [-0.0, 0.0, 0.0]);
+    };
+    flip(&mut node, 0);
+    flip(&mut node, 1);
+    let e = Trace::from_node(&node).expect_err("two flipped signs change the hash");
+    assert!(e.to_string().starts_with("hash: "), "{e}");
+}
+
+#[test]
+fn a_trace_that_was_tampered_with_is_refused() {
+    let json = played("follow_shot").to_json();
+    let refused = |from: &str, to: &str| {
+        assert!(json.contains(from), "{from}");
+        match Trace::from_json(&json.replacen(from, to, 1)) {
+            Err(Error::Input(e)) => e.place,
+            other => panic!("{from}: {other:?}"),
+        }
+    };
+    assert_eq!(refused("carom-trace/1", "carom-trace/9"), "format");
+    assert_eq!(refused("\"time\": 0.0", "\"time\": 1e-300"), "hash");
+    assert_eq!(refused("cue-strike", "cue-strick"), "events[0].type");
+    assert_eq!(
+        refused("\"motion\": \"stationary\"", "\"motion\": \"still\""),
+        "events[0].before[0].motion"
+    );
+    assert_eq!(refused("\"table\": \"wpa-9ft\"", "\"table\": \"wpa-9\""), "shot.table");
+    assert_eq!(refused("\"duration\"", "\"during\""), "duration");
+}
+
+#[test]
+fn keys_of_a_newer_engine_are_passed_over() {
+    let trace = played("follow_shot");
+    let mut node = trace.to_node();
+    node.set("weather", "fine");
+    node.set("engine", "carom 99.0.0");
+    let read = Trace::from_node(&node).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(read.hash(), trace.hash());
+    assert_eq!(read.engine(), "carom 99.0.0");
+}
+
+#[test]
+fn before_and_after_the_events_and_at_them_the_state_is_exact() {
+    for name in NAMES {
+        let trace = played(name);
+        let mut follows: Vec<BallState> = trace.shot().balls().iter().map(|b| b.state).collect();
+        for event in trace.events() {
+            for (&i, before) in event.balls.iter().zip(event.before) {
+                // From its last event the ball has come where this one finds it. Times are
+                // rounded to 1e-16 of themselves, so that at 10 m/s a position is to 1e-13 m.
+                if event.time > 1e-6 && trace_is_quiet(&trace, event.time, i) {
+                    let at = trace.at(event.time - 1e-9).unwrap_or_else(|e| panic!("{e}"));
+                    let was = at[usize::from(i)];
+                    let moved = was.position + before.velocity * 1e-9;
+                    let gap = (moved - before.position).length();
+                    assert!(gap < 1e-13, "{name} {}: {gap}", event.time);
+                }
+            }
+            for (&i, after) in event.balls.iter().zip(event.after) {
+                follows[usize::from(i)] = *after;
+            }
+            let last_here = !trace.events().any(|e| e.time == event.time && e != event);
+            if last_here {
+                let at = trace.at(event.time).unwrap_or_else(|e| panic!("{e}"));
+                for &i in event.balls {
+                    let i = usize::from(i);
+                    assert_eq!(bits(&at[i]), bits(&follows[i]), "{name} {}", event.time);
+                }
+            }
+        }
+        let end = trace.at(trace.duration()).unwrap_or_else(|e| panic!("{e}"));
+        assert!(end.iter().map(bits).eq(trace.last().iter().map(bits)), "{name}");
+        let late = trace.at(1e6).unwrap_or_else(|e| panic!("{e}"));
+        assert!(late.iter().map(bits).eq(trace.last().iter().map(bits)), "{name}");
+    }
+}
+
+/// Whether ball `i` has no other event within 2 ns before `time`.
+fn trace_is_quiet(trace: &Trace, time: f64, i: u16) -> bool {
+    !trace.events().any(|e| e.balls.contains(&i) && e.time < time && e.time > time - 2e-9)
+        && trace.events().filter(|e| e.balls.contains(&i) && e.time == time).count() == 1
+}
+
+#[test]
+fn a_time_before_the_shot_is_refused() {
+    let trace = played("follow_shot");
+    for time in [-1e-300, f64::NAN, f64::NEG_INFINITY] {
+        let e = trace.at(time).expect_err("no such time");
+        assert!(e.is_bad_input() && e.to_string().starts_with("time: "), "{e}");
+    }
+}
+
+#[test]
+fn a_ball_that_never_moves_keeps_the_bits_of_the_file() {
+    let text = r#"{"format": "carom-shot/1", "table": "wpa-9ft",
+        "balls": [{"id": "cue", "position": [0.635, 0.4]},
+            {"id": "a", "position": [0.1000000000000001, 2.2000000000000006]}],
+        "strike": {"ball": "cue", "speed": 0.3, "azimuth_deg": 90}}"#;
+    let trace = Shot::from_json(text).and_then(|s| s.simulate()).unwrap_or_else(|e| panic!("{e}"));
+    let resting = Vec3::new(0.1000000000000001, 2.2000000000000006, 0.028575);
+    assert_eq!(trace.last()[1].position, resting);
+    // The cue ball runs along y: its x never changes.
+    assert!(trace.events().all(|e| e.after[0].position.x == 0.635));
+    assert!(trace.last()[0].position.y > 0.5);
+}
+
+#[test]
+fn the_cap_on_events_carries_the_shot() {
+    let shot = played("nine_ball_break").shot().clone();
+    let mut node = shot.to_node().clone();
+    node.set("max_events", 10u32);
+    let capped = Shot::from_node(node).unwrap_or_else(|e| panic!("{e}"));
+    match capped.simulate() {
+        Err(Error::TooManyEvents { cap: 10, shot }) => {
+            assert_eq!(Shot::from_json(&shot).unwrap_or_else(|e| panic!("{e}")), capped);
+        }
+        other => panic!("expected the cap, got {other:?}"),
+    }
+}
+
+#[test]
+fn the_outcome_tells_the_same_as_the_events() {
+    for name in NAMES {
+        let trace = played(name);
+        let outcome = trace.outcome();
+        assert_eq!(outcome.events as usize, trace.events().len(), "{name}");
+        let fallen: Vec<u16> = trace
+            .events()
+            .filter(|e| matches!(e.what, What::PocketCollision(_)))
+            .map(|e| e.balls[0])
+            .collect();
+        assert!(outcome.pocketed.iter().map(|(b, _)| *b).eq(fallen.iter().copied()), "{name}");
+        assert_eq!(outcome.cue_ball_scratched(), fallen.contains(&0), "{name}");
+        for (i, state) in trace.last().iter().enumerate() {
+            assert_eq!(
+                state.motion == MotionState::Pocketed,
+                fallen.contains(&(i as u16)),
+                "{name}"
+            );
+        }
+        let first = trace.events().find(|e| e.what == What::BallCollision).expect("a contact");
+        assert_eq!(outcome.first_contact, first.balls.iter().copied().find(|&b| b != 0), "{name}");
+        assert!(outcome.never_resting.is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn a_ball_without_friction_never_rests_and_the_outcome_says_so() {
+    let text = r#"{"format": "carom-shot/1", "table": {"cloth": "unbounded"},
+        "physics": {"cloth": {"sliding_friction": 0, "rolling_friction": 0}},
+        "balls": [{"id": "a", "position": [0, 0], "velocity": [1, 0, 0]},
+            {"id": "b", "position": [0, 1]}]}"#;
+    let trace = Shot::from_json(text).and_then(|s| s.simulate()).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(trace.outcome().never_resting, [0]);
+    assert_eq!(trace.outcome().cue_ball, None);
+}
+
+#[test]
+fn a_miscue_is_reported_where_the_strike_asks_for_it() {
+    let text = r#"{"format": "carom-shot/1", "table": "wpa-9ft",
+        "balls": [{"id": "cue", "position": [0.635, 0.4]}],
+        "strike": {"ball": "cue", "speed": 1, "azimuth_deg": 90, "side": 0.8, "miscue": "report"}}"#;
+    let trace = Shot::from_json(text).and_then(|s| s.simulate()).unwrap_or_else(|e| panic!("{e}"));
+    assert!(trace.outcome().miscue);
+    assert!(!played("follow_shot").outcome().miscue);
+}
