@@ -1,5 +1,6 @@
 //! Racks obey their rule books, never overlap, and are the same for the same seed everywhere.
 
+use carom::math::Vec2;
 use carom::rack::{Break, Game, USUAL_GAP, break_shot, rack};
 use carom::{Physics, Table};
 
@@ -16,7 +17,7 @@ fn balls(game: Game, seed: u64, gap: f64) -> Vec<(String, [f64; 2])> {
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    Vec2::new(a[0] - b[0], a[1] - b[1]).length()
 }
 
 /// Gaps between neighbours of a lattice: pairs nearer than one and a half diameters.

@@ -200,14 +200,17 @@ fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
     fields.number_into("tip_radius", &Range::not_negative(" m"), &mut cue.tip_radius)?;
     fields.number_into("tip_friction", &FRICTION, &mut cue.tip_friction)?;
     match (fields.get("tip_restitution"), fields.get("tip_efficiency")) {
-        (Some(_), Some(efficiency)) => Err(efficiency.refuse(
-            "tip_restitution and tip_efficiency say the same thing twice",
-            "keep one of the two",
-        )),
-        (Some(e), None) => Ok(cue.tip = Tip::Restitution(e.number(&FRACTION)?)),
-        (None, Some(eta)) => Ok(cue.tip = Tip::Efficiency(eta.number(&FRACTION)?)),
-        (None, None) => Ok(()),
+        (Some(_), Some(efficiency)) => {
+            return Err(efficiency.refuse(
+                "tip_restitution and tip_efficiency say the same thing twice",
+                "keep one of the two",
+            ));
+        }
+        (Some(e), None) => cue.tip = Tip::Restitution(e.number(&FRACTION)?),
+        (None, Some(eta)) => cue.tip = Tip::Efficiency(eta.number(&FRACTION)?),
+        (None, None) => {}
     }
+    Ok(())
 }
 
 /// The whole of a `physics` as a shot file would say it, key by key; it reads back to the same

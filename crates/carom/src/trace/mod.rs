@@ -180,7 +180,7 @@ impl Trace {
     /// # Errors
     /// [`Error::Input`] if `time` is negative or NaN.
     pub fn at(&self, time: f64) -> Result<Vec<BallState>, Error> {
-        if !(time >= 0.0) {
+        if time.is_nan() || time < 0.0 {
             return Err(Error::input(
                 "time",
                 format!("there is nothing at {time:?} s"),
