@@ -45,13 +45,15 @@ impl Table {
     /// engine's frame).
     pub fn place_check(&self, position: Vec2, radius: f64) -> Placement {
         let reach = self.reach(radius);
-        if let Some(pocket) = self.captured_at(position, reach) {
+        let half = self.layout.half;
+        let rubber = self.description.as_ref().map_or(0.0, |d| d.cushion_width);
+        let within = |margin: f64| {
+            position.x.abs() <= half.x + margin && position.y.abs() <= half.y + margin
+        };
+        let (in_area, in_rails) = (within(0.0), within(rubber));
+        if let Some(pocket) = self.captured_at(position, reach, in_rails) {
             return Placement::OverHole { pocket };
         }
-        let half = self.layout.half;
-        let in_area = position.x.abs() <= half.x && position.y.abs() <= half.y;
-        let rubber = self.description.as_ref().map_or(0.0, |d| d.cushion_width);
-        let in_rails = position.x.abs() <= half.x + rubber && position.y.abs() <= half.y + rubber;
         let deepest = self.deepest(position, reach, rubber);
         match deepest {
             // Also where a NaN was given.
@@ -63,8 +65,8 @@ impl Table {
         }
     }
 
-    /// The pocket that holds a ball at `position`.
-    fn captured_at(&self, position: Vec2, reach: f64) -> Option<u8> {
+    /// The pocket that holds a ball at `position`: over its hole, or in the rails beyond its gate.
+    fn captured_at(&self, position: Vec2, reach: f64, in_rails: bool) -> Option<u8> {
         let holds = |i: &usize| {
             let (pocket, gate) = (&self.pockets[*i], &self.layout.mouths[*i].gate);
             let from_center = position - pocket.center;
@@ -72,7 +74,7 @@ impl Table {
                 && from_center.length() < pocket.radius - TOUCH_TOLERANCE;
             let beyond = pocket.axis.dot(position) - (gate.offset + gate.lean * reach);
             let beside = pocket.axis.cross(from_center).abs();
-            over_hole || (beyond > TOUCH_TOLERANCE && beside <= gate.half_width)
+            over_hole || (in_rails && beyond > TOUCH_TOLERANCE && beside <= gate.half_width)
         };
         (0..self.pockets.len()).find(holds).map(|i| i as u8)
     }

@@ -1,13 +1,11 @@
 //! What a ball meets first, judged against an independent search.
 
-mod table_oracle;
-
+use crate::oracle::{self, Dice, clearance, first_violation, way_to_pocket};
 use carom::Table;
 use carom::detect::ball_table::{TableFeature, first_meeting};
 use carom::math::Vec2;
 use carom::table::{PRESETS, Part, PocketModel, Shape, TableDescription};
 use carom_roots::Motion;
-use table_oracle::{Dice, clearance, first_violation, way_to_pocket};
 
 const POOL_BALL: f64 = 0.028575;
 /// Random paths per table: 100 000, or what the environment variable CAROM_PATHS says.
@@ -154,7 +152,7 @@ fn judge_meeting(
     match feature {
         TableFeature::Cushion(part) => {
             let shape = &table.cushions[usize::from(part)].shape;
-            let gap = table_oracle::distance(shape, p) - reach;
+            let gap = oracle::distance(shape, p) - reach;
             let into = table.normal_at(usize::from(part), p);
             if v.dot(into) <= 0.0 {
                 return Err(format!("moves away from part {part} by {}", v.dot(into)));

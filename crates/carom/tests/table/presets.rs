@@ -20,7 +20,7 @@ fn near(a: Vec2, b: Vec2) -> bool {
 
 #[test]
 fn showood_7ft_has_the_segments_arcs_and_holes_of_the_published_table() {
-    let data: Value = serde_json::from_str(include_str!("data/showood_7ft.json")).unwrap();
+    let data: Value = serde_json::from_str(include_str!("../data/showood_7ft.json")).unwrap();
     let table = Table::preset("showood-7ft").unwrap();
     let center = table.center();
     assert_eq!(table.cushion_height, data["cushion_height"].as_f64().unwrap());
