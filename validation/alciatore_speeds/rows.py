@@ -2,7 +2,7 @@
 
 import math
 
-from carom.validation.lab import JSON, MPH, TP_RADIUS, ball, simulate, tp_physics
+from carom.validation.lab import JSON, MPH, TP_RADIUS, ball, crossing, simulate, tp_physics
 from carom.validation.row import Range, relative, row
 
 #: A break that still has to be simulated without trouble; the record is about 35 mph.
@@ -57,23 +57,10 @@ def sy1() -> list[float]:
     return [float(head_on(v * MPH, law)[1]) for v in (18.0, 22.0, 26.0, FASTEST)]
 
 
-@row(
-    "SY3",
-    "Names of speeds on a 9-ft table: lengths that a stunned ball covers along the middle",
-    unit="lengths",
-    source="Dr. Dave's FAQ: slow 1–2, medium 2–4, fast 4–7, power 7–10 mph (older pages: to 3, 7, "
-    "12, 20)",
-    status="M",
-    published={
-        "slow, 1–2 mph": Range(0.0, 1.5),
-        "medium, 2–4 mph": Range(0.5, 3.0),
-        "fast, 4–7 mph": Range(1.5, 5.0),
-        "power, 7–10 mph": Range(3.0, 8.0),
-    },
-    note="The source gives names, not distances: the ranges are what the names promise a player.",
-)
-def sy3() -> list[float]:
-    def lengths(mph: float) -> float:
+def speed_for_lengths(lengths: float) -> float:
+    """Speed (mph) of a stunned ball that covers so many lengths of a 9-ft table's middle."""
+
+    def excess(mph: float) -> float:
         run = simulate(
             ball(position=(0.635, 0.635), velocity=(0.0, mph * MPH, 0.0)), table="wpa-9ft"
         )
@@ -81,6 +68,18 @@ def sy3() -> list[float]:
         for event in run.all("rail-collision", "cue"):
             now = float(event.after["cue"].position[1])
             path, y = path + abs(now - y), now
-        return (path + abs(float(run.final["cue"].position[1]) - y)) / 2.54
+        return (path + abs(float(run.final["cue"].position[1]) - y)) / 2.54 - lengths
 
-    return [lengths(0.5 * (low + high)) for low, high in ((1, 2), (2, 4), (4, 7), (7, 10))]
+    return crossing(excess, 1.0, 40.0, width=1e-4)
+
+
+@row(
+    "SY3",
+    "Names of speeds: the ball speed of a lag (two lengths) and of WPA's firm shot (four)",
+    unit="mph",
+    source="Dr. Dave's FAQ: medium 2–4 (older page 5–7), power 7–10 (15–20) mph",
+    status="M",
+    published={"a lag is medium": Range(2.0, 7.0), "a firm shot is power": Range(7.0, 20.0)},
+)
+def sy3() -> list[float]:
+    return [speed_for_lengths(2.0), speed_for_lengths(4.0)]

@@ -348,39 +348,44 @@ def bb15() -> list[float]:
     ]
 
 
+FROZEN_CUTS = (8, 20, 34, 46, 57, 67, 77)
+FROZEN_ANGLES = (13, 34, 50, 61, 70, 78, 87)
+
+
+def frozen(cut_degrees: float) -> float:
+    """A cue drives a cue ball that touches the object ball: degrees off the line of centres."""
+    cut = math.radians(cut_degrees)
+    run = simulate(
+        ball(),
+        ball("object", touching(cut, TP_RADIUS)),
+        physics=tp_physics(),
+        strike={
+            "ball": "cue",
+            "speed": 1.0,
+            "azimuth_deg": 90.0,
+            "elevation_deg": 0.0,
+            "side": 0.0,
+            "height": 0.0,
+        },
+    )
+    return degrees_between(AIM + cut, hit(run).after["cue"].heading)
+
+
 @row(
     "BB28",
-    "Cue into a cue ball frozen to the object ball: direction of the cue ball",
+    "Cue into a cue ball frozen to the object ball: cue ball's angle from the line of centres",
     unit="°",
     source="TP A.15",
     status="M",
     published={
-        f"line of centres {cut}° off": float(angle)
-        for cut, angle in zip(
-            (8, 20, 34, 46, 57, 67, 77), (13, 34, 50, 61, 70, 78, 87), strict=True
-        )
+        f"aim {cut}° off the centres": float(angle)
+        for cut, angle in zip(FROZEN_CUTS, FROZEN_ANGLES, strict=True)
     },
     tolerance=absolute(4.0),
-    misses=tuple(f"line of centres {cut}° off" for cut in (8, 20, 34, 46, 57, 67)),
-    note="The proof holds cue, cue ball and object ball together during one contact (tan θ = 2 tan "
-    "φ); the engine lets the cue leave before the balls collide, so its cue ball follows the "
+    misses=tuple(f"aim {cut}° off the centres" for cut in FROZEN_CUTS[:-1]),
+    note="The proof keeps cue, cue ball and object ball together during one contact (tan θ = 2 tan "
+    "φ); in the engine the cue has left before the balls collide, and the cue ball takes the "
     "tangent line.",
 )
 def bb28() -> list[float]:
-    found = []
-    for cut in (8, 20, 34, 46, 57, 67, 77):
-        run = simulate(
-            ball(),
-            ball("object", touching(math.radians(cut), TP_RADIUS)),
-            physics=tp_physics(),
-            strike={
-                "ball": "cue",
-                "speed": 1.0,
-                "azimuth_deg": 90.0,
-                "elevation_deg": 0.0,
-                "side": 0.0,
-                "height": 0.0,
-            },
-        )
-        found.append(degrees_between(AIM, hit(run).after["cue"].heading))
-    return found
+    return [frozen(cut) for cut in FROZEN_CUTS]

@@ -105,34 +105,42 @@ SIGHT = 3.6875 * INCH
 AIMS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0)
 
 
-def bank(aim: float, preset: str, width: float, length: float, speed: float = 7 * MPH) -> float:
-    """Where a fast stun bank from the corner sight arrives, in diamonds along its own rail.
+def arrival(start: float, aim: float, table: str, size: tuple[float, float]) -> float:
+    """Where a fast stun bank arrives, in diamonds along the rail that it started from.
 
-    The ball moves along the line from the first sight of the left rail through the sight `aim` on
-    the right rail; its path after the rail is read where it crosses the left line of sights.
+    The ball moves from the sight `start` on the left rail through the sight `aim` on the right
+    rail (both counted from the corner) and is still sliding, at 7 mph, when it meets the rail. Its
+    line after the rail is read where it crosses the left line of sights.
     """
-    diamond = length / 8
-    direction = math.atan2(aim * diamond, width + 2 * SIGHT)
-    # Far enough up the line to be clear of the corner pocket, and just before the rail, so that
-    # the ball is still sliding when it arrives.
+    width, length = size
+    diamond, speed = length / 8, 7 * MPH
+    direction = math.atan2((aim - start) * diamond, width + 2 * SIGHT)
     x = width - 0.05
-    y = (x + SIGHT) * math.tan(direction)
+    y = start * diamond + (x + SIGHT) * math.tan(direction)
     run = simulate(
         ball(
             position=(x, y),
             velocity=(speed * math.cos(direction), speed * math.sin(direction), 0.0),
         ),
         physics="pool",
-        table=preset,
+        table=table,
     )
     after = run.first("rail-collision").after["cue"]
     slope = float(after.velocity[1] / -after.velocity[0])
     return (float(after.position[1]) + slope * (float(after.position[0]) + SIGHT)) / diamond
 
 
+def bank(aim: float, table: str, size: tuple[float, float]) -> float:
+    """The sight from which a bank through the sight `aim` arrives at the corner."""
+    return crossing(lambda start: arrival(start, aim, table, size), aim, 8.0, width=1e-6)
+
+
+NINE_FEET, SEVEN_FEET = ("wpa-9ft", (1.27, 2.54)), ("showood-7ft", (0.9906, 1.9812))
+
+
 @row(
     "CU-16",
-    "Fast sliding banks from the corner through a diamond: where they arrive (`pool` preset)",
+    "Fast sliding banks into the corner through a diamond: where they start (`pool` preset)",
     unit="diamonds",
     source="TP B.28",
     status="M",
@@ -148,6 +156,6 @@ def bank(aim: float, preset: str, width: float, length: float, speed: float = 7 
     tolerance=absolute(0.3),
 )
 def cu_16() -> list[float]:
-    nine = [bank(aim, "wpa-9ft", 1.27, 2.54) for aim in AIMS]
-    seven = [bank(aim, "showood-7ft", 0.9906, 1.9812) for aim in AIMS]
+    nine = [bank(aim, *NINE_FEET) for aim in AIMS]
+    seven = [bank(aim, *SEVEN_FEET) for aim in AIMS]
     return [*nine, *nine, *seven]
