@@ -88,6 +88,13 @@ impl Physics {
                 friction: SlipFriction::constant(0.05),
                 ..pool.ball_ball
             },
+            // Mathavan 2010: fitted to 31 filmed rebounds of a snooker ball, good to 2.5 m/s.
+            cushion: Cushion {
+                model: CushionModel::Mathavan2010,
+                restitution: CushionRestitution { a: 0.98, b: 0.0, c: 0.0 },
+                friction: CushionFriction { a: 0.14, b: 0.0 },
+                ..RAIL
+            },
             // 17 oz and a smaller tip: from memory; end mass in proportion (estimated).
             cue: Cue { mass: 0.48, end_mass: 0.0047, tip_radius: 0.009, ..pool.cue },
             ..pool
@@ -103,6 +110,7 @@ impl Physics {
             ball: Ball { mass: 0.116, radius: 0.0254 },
             // Phenolic balls as in pool; cloth as in snooker (estimated).
             ball_ball: Self::pool().ball_ball,
+            cushion: RAIL,
             cue: Cue { end_mass: 0.0039, ..snooker.cue },
             ..snooker
         }
