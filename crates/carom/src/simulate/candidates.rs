@@ -7,6 +7,9 @@ use crate::Table;
 use crate::detect::ball_ball::{ContactFinder, touching_distance};
 use crate::detect::ball_table;
 
+/// Pairs that are looked at together: one cache line, and a divisor of every capacity.
+const BLOCK: usize = 8;
+
 impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// Finds every ball's candidates at time 0.
     pub(super) fn find_all(&mut self, table: &Table) {
@@ -79,60 +82,67 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// First contacts of ball `i` with every ball for which `done` is false.
     #[inline(always)]
     fn find_row(&mut self, i: usize, time: f64, done: impl Fn(usize) -> bool) {
-        let row = self.row(i, time);
-        let margins = row.margins();
-        for (j, &margin) in margins[..self.n].iter().enumerate() {
-            if j == i || done(j) {
-                continue;
+        for from in (0..self.n).step_by(BLOCK) {
+            let row = self.row(i, from, time);
+            let margins = row.margins();
+            for (k, &margin) in margins.iter().enumerate() {
+                let j = from + k;
+                if j == i || j >= self.n || done(j) {
+                    continue;
+                }
+                let t = if margin < 0.0 {
+                    self.first_contact(&row, i, j, k, time)
+                } else {
+                    f64::INFINITY
+                };
+                self.pair[i][j] = t;
+                self.pair[j][i] = t;
             }
-            let t = if margin < 0.0 { self.first_contact(&row, i, j, time) } else { f64::INFINITY };
-            self.pair[i][j] = t;
-            self.pair[j][i] = t;
         }
     }
 
-    /// The motions of all balls relative to ball `i`, as of `time`.
+    /// The motions of [`BLOCK`] balls from `from` on relative to ball `i`, as of `time`.
     #[inline(always)]
-    fn row(&self, i: usize, time: f64) -> Row<N> {
+    fn row(&self, i: usize, from: usize, time: f64) -> Row<BLOCK> {
         let lanes = &self.lanes;
-        let mut row = Row {
-            dx: [0.0; N],
-            dy: [0.0; N],
-            vx: [0.0; N],
-            vy: [0.0; N],
-            hx: [0.0; N],
-            hy: [0.0; N],
-            distance: [0.0; N],
-            horizon: [0.0; N],
-        };
         let age = time - lanes.start[i];
         let (x, vx) = advanced(lanes.x[i], lanes.vx[i], lanes.hx[i], age);
         let (y, vy) = advanced(lanes.y[i], lanes.vy[i], lanes.hy[i], age);
+        let (hx, hy) = (lanes.hx[i], lanes.hy[i]);
         let (leave, radius) = (lanes.leave[i], lanes.radius[i]);
-        for j in 0..N {
-            let age = time - lanes.start[j];
-            let (xj, vxj) = advanced(lanes.x[j], lanes.vx[j], lanes.hx[j], age);
-            let (yj, vyj) = advanced(lanes.y[j], lanes.vy[j], lanes.hy[j], age);
-            row.dx[j] = xj - x;
-            row.dy[j] = yj - y;
-            row.vx[j] = vxj - vx;
-            row.vy[j] = vyj - vy;
-            row.hx[j] = lanes.hx[j] - lanes.hx[i];
-            row.hy[j] = lanes.hy[j] - lanes.hy[i];
-            row.distance[j] = radius + lanes.radius[j];
-            row.horizon[j] = earlier(leave, lanes.leave[j]) - time;
+        let block = |lane: &[f64; N]| -> [f64; BLOCK] { core::array::from_fn(|k| lane[from + k]) };
+        let (xs, ys, vxs, vys) =
+            (block(&lanes.x), block(&lanes.y), block(&lanes.vx), block(&lanes.vy));
+        let (hxs, hys, starts) = (block(&lanes.hx), block(&lanes.hy), block(&lanes.start));
+        let (leaves, radii) = (block(&lanes.leave), block(&lanes.radius));
+        let age: [f64; BLOCK] = core::array::from_fn(|k| time - starts[k]);
+        let along =
+            |x: &[f64; BLOCK], v: &[f64; BLOCK], h: &[f64; BLOCK], o: f64| -> [f64; BLOCK] {
+                core::array::from_fn(|k| x[k] + (v[k] + h[k] * age[k]) * age[k] - o)
+            };
+        let speed = |v: &[f64; BLOCK], h: &[f64; BLOCK], o: f64| -> [f64; BLOCK] {
+            core::array::from_fn(|k| v[k] + h[k] * (2.0 * age[k]) - o)
+        };
+        Row {
+            dx: along(&xs, &vxs, &hxs, x),
+            dy: along(&ys, &vys, &hys, y),
+            vx: speed(&vxs, &hxs, vx),
+            vy: speed(&vys, &hys, vy),
+            hx: core::array::from_fn(|k| hxs[k] - hx),
+            hy: core::array::from_fn(|k| hys[k] - hy),
+            distance: core::array::from_fn(|k| radius + radii[k]),
+            horizon: core::array::from_fn(|k| earlier(leave, leaves[k]) - time),
         }
-        row
     }
     #[inline(always)]
-    fn first_contact(&self, row: &Row<N>, i: usize, j: usize, time: f64) -> f64 {
+    fn first_contact(&self, row: &Row<BLOCK>, i: usize, j: usize, k: usize, time: f64) -> f64 {
         let motion = Motion {
-            d: [row.dx[j], row.dy[j]],
-            v: [row.vx[j], row.vy[j]],
-            h: [row.hx[j], row.hy[j]],
+            d: [row.dx[k], row.dy[k]],
+            v: [row.vx[k], row.vy[k]],
+            h: [row.hx[k], row.hy[k]],
         };
         let distance = touching_distance(self.lanes.radius[i], self.lanes.radius[j]);
-        match F::first_contact(&motion, distance, row.horizon[j]) {
+        match F::first_contact(&motion, distance, row.horizon[k]) {
             Some(t) => time + t,
             None => f64::INFINITY,
         }
