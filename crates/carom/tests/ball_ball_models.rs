@@ -1,0 +1,123 @@
+//! How the ball–ball models relate to each other, and the impacts where they are simple.
+
+mod near;
+
+use carom::Physics;
+use carom::math::{Vec3, sqrt};
+use carom::physics::{BallBall, BallBallModel, SlipFriction};
+use carom::resolve::{Body, ball_ball, restitution};
+use near::assert_near;
+
+fn law(model: BallBallModel, friction: f64) -> BallBall {
+    BallBall {
+        model,
+        restitution: 0.9,
+        friction: SlipFriction::constant(friction),
+        frequency_ratio: 1.7,
+    }
+}
+
+fn ball(velocity: Vec3, angular_velocity: Vec3, mass: f64, radius: f64) -> Body {
+    Body { velocity, angular_velocity, mass, radius }
+}
+
+fn resolve(law: &BallBall, normal: Vec3, mut a: Body, mut b: Body) -> (Body, Body) {
+    let physics = Physics::pool();
+    ball_ball::resolve(law, &physics.cloth, physics.gravity, normal, &mut a, &mut b);
+    (a, b)
+}
+
+const Y: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+
+#[test]
+fn surfaces_that_slide_throughout_do_not_feel_their_compliance() {
+    let a = ball(Vec3::new(2.0, 1.0, 0.0), Vec3::new(30.0, -5.0, 20.0), 0.2, 0.03);
+    let b = ball(Vec3::new(-0.5, 0.0, 0.0), Vec3::new(0.0, 4.0, 0.0), 0.17, 0.03);
+    let (rigid, soft) = (
+        resolve(&law(BallBallModel::Frictional, 0.05), Y, a, b),
+        resolve(&law(BallBallModel::Compliant, 0.05), Y, a, b),
+    );
+    for (rigid, soft) in [(rigid.0, soft.0), (rigid.1, soft.1)] {
+        assert_near((rigid.velocity - soft.velocity).length(), 0.0, 1e-15);
+        assert_near((rigid.angular_velocity - soft.angular_velocity).length(), 0.0, 1e-12);
+    }
+}
+
+#[test]
+fn rigid_surfaces_that_grip_end_without_sideways_slip_whatever_the_masses() {
+    let a = ball(Vec3::new(0.05, 3.0, 0.0), Vec3::new(0.0, 0.0, 4.0), 0.094, 0.0238);
+    let b = ball(Vec3::ZERO, Vec3::ZERO, 0.2, 0.0238);
+    let (a, b) = resolve(&law(BallBallModel::Frictional, 0.5), Y, a, b);
+    let slip = (a.velocity - b.velocity).x
+        - (a.radius * a.angular_velocity.z + b.radius * b.angular_velocity.z);
+    assert_near(slip, 0.0, 1e-15);
+}
+
+#[test]
+fn compliant_surfaces_that_slip_and_then_grip_spring_back() {
+    let a = ball(Vec3::new(0.3, 3.0, 0.0), Vec3::ZERO, 0.17, 0.0286);
+    let b = ball(Vec3::ZERO, Vec3::ZERO, 0.17, 0.0286);
+    let (a, b) = resolve(&law(BallBallModel::Compliant, 0.1), Y, a, b);
+    let slip = (a.velocity - b.velocity).x
+        - (a.radius * a.angular_velocity.z + b.radius * b.angular_velocity.z);
+    assert!(slip < -0.03 && slip > -0.3, "{slip}");
+}
+
+#[test]
+fn a_light_ball_bounces_back_from_a_heavy_one() {
+    let law = BallBall { restitution: 1.0, ..law(BallBallModel::Elastic, 0.0) };
+    let a = ball(Y, Vec3::ZERO, 0.1, 0.03);
+    let b = ball(Vec3::ZERO, Vec3::ZERO, 0.3, 0.03);
+    let (a, b) = resolve(&law, Y, a, b);
+    assert_near(a.velocity.y, -0.5, 1e-15);
+    assert_near(b.velocity.y, 0.5, 1e-15);
+}
+
+#[test]
+fn equal_elastic_balls_exchange_their_speeds_exactly() {
+    let law = BallBall { restitution: 1.0, ..law(BallBallModel::Elastic, 0.0) };
+    let (a, b) = (
+        ball(Vec3::new(0.0, 1.7, 0.0), Vec3::ZERO, 0.17, 0.03),
+        ball(Vec3::ZERO, Vec3::ZERO, 0.17, 0.03),
+    );
+    let after = resolve(&law, Y, a, b);
+    assert_eq!((after.0.velocity, after.1.velocity), (b.velocity, a.velocity));
+}
+
+#[test]
+fn a_small_ball_into_a_large_one_keeps_all_energy_in_the_plane() {
+    // The line of centres rises; the slate, not the balls' speeds, pays for that.
+    let law = BallBall { restitution: 1.0, ..law(BallBallModel::Elastic, 0.0) };
+    let (small, large) = (0.02, 0.04);
+    let sine = (large - small) / (large + small);
+    let normal = Vec3::new(0.0, sqrt(1.0 - sine * sine), sine);
+    let a = ball(Y, Vec3::ZERO, 0.17, small);
+    let b = ball(Vec3::ZERO, Vec3::ZERO, 0.17, large);
+    let (a, b) = resolve(&law, normal, a, b);
+    assert_near(a.velocity.length(), 0.0, 1e-15);
+    assert_near((b.velocity - Y).length(), 0.0, 1e-15);
+    assert_eq!(a.angular_velocity.length() + b.angular_velocity.length(), 0.0);
+}
+
+#[test]
+fn a_gentle_touch_is_elastic_in_every_model() {
+    for model in [
+        BallBallModel::Elastic,
+        BallBallModel::Frictional,
+        BallBallModel::Compliant,
+        BallBallModel::Mathavan2014,
+    ] {
+        let approach = 0.5 * restitution::ELASTIC;
+        let a = ball(Y * approach, Vec3::ZERO, 0.17, 0.03);
+        let b = ball(Vec3::ZERO, Vec3::ZERO, 0.17, 0.03);
+        let (a, b) = resolve(&law(model, 0.05), Y, a, b);
+        assert_near(b.velocity.y - a.velocity.y, approach, 1e-12 * approach);
+    }
+}
+
+#[test]
+fn balls_that_part_are_left_alone() {
+    let a = ball(-Y, Vec3::new(1.0, 2.0, 3.0), 0.17, 0.03);
+    let b = ball(Y, Vec3::ZERO, 0.17, 0.03);
+    assert_eq!(resolve(&Physics::pool().ball_ball, Y, a, b), (a, b));
+}
