@@ -2,15 +2,11 @@
 
     python scripts/build_docs.py OUT
 
-The gallery has a page per paper: what the paper says (its README), its figure drawn now, and
-every published number beside ours.
+Run it through `make docs`.
 """
 
 from __future__ import annotations
 
-import html
-import importlib
-import io
 import re
 import shutil
 import subprocess
@@ -20,7 +16,7 @@ from pathlib import Path
 from markdown_it import MarkdownIt
 
 import carom
-from carom import picture, validation
+from carom import picture
 
 ROOT = Path(__file__).parents[1]
 
@@ -102,31 +98,14 @@ def tables(out: Path) -> None:
 
 
 def gallery(out: Path) -> None:
-    """A page per paper, and their list."""
-    index = ["# Papers", "Published numbers, and ours beside them.", ""]
-    for paper in validation.papers():
-        folder = ROOT / "validation" / paper
-        readme = folder / "README.md"
-        text = readme.read_text(encoding="utf-8") if readme.exists() else f"# {paper}\n"
-        title = next((line[2:] for line in text.splitlines() if line.startswith("# ")), paper)
-        page = [text, *figures(folder, paper, out)]
-        numbers = io.StringIO()
-        if (folder / "rows.py").exists():
-            validation.run(paper, out=numbers)
-            page.append(f"## The numbers\n\n<pre>{html.escape(numbers.getvalue().strip())}</pre>")
-        write(out / f"{paper}.html", title, "\n\n".join(page))
-        index.append(f"- [{title}]({paper}.html)")
-    write(out / "index.html", "Papers", "\n".join(index))
-
-
-def figures(folder: Path, paper: str, out: Path) -> list[str]:
-    """The paper's figure, drawn now."""
-    if not (folder / "figure.py").exists():
-        return []
-    module = importlib.import_module(f"carom.validation.{paper}.figure")
-    out.mkdir(parents=True, exist_ok=True)
-    module.draw().savefig(out / f"{paper}.png", dpi=110)
-    return [f"![{paper}]({paper}.png)"]
+    """A page per paper, and their list: `validation_gallery.py` writes them as Markdown."""
+    subprocess.run(
+        [sys.executable, ROOT / "scripts" / "validation_gallery.py", out], check=True, cwd=ROOT
+    )
+    for page in sorted(out.glob("*.md")):
+        text = page.read_text(encoding="utf-8")
+        write(page.with_suffix(".html"), page.stem, text)
+        page.unlink()
 
 
 def _inline(svg: str) -> str:
@@ -137,5 +116,5 @@ def _inline(svg: str) -> str:
 if __name__ == "__main__":
     if len(sys.argv) != 2:
         sys.exit("usage: python scripts/build_docs.py OUT")
-    OUT = Path(sys.argv[1])
+    OUT = Path(sys.argv[1]).resolve()
     main(OUT)
