@@ -18,7 +18,7 @@ mod _core {
     #[pymodule_export]
     use crate::batch::{simulate_batch, simulate_strikes};
     #[pymodule_export]
-    use crate::reference::{break_shot, games, tables};
+    use crate::reference::{break_shot, games, schema, tables};
     #[pymodule_export]
     use crate::shot::Shot;
     #[pymodule_export]

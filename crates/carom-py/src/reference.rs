@@ -43,3 +43,15 @@ pub(crate) fn break_shot(
     let opening = Break { game, table, speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
     open(&opening).map(|shot| Shot(shot.into())).map_err(|e| to_exception(py, &e))
 }
+
+/// The JSON Schema of `shot` or `trace`, as JSON.
+#[pyfunction]
+pub(crate) fn schema(kind: &str) -> PyResult<&'static str> {
+    match kind {
+        "shot" => Ok(carom::schema::SHOT),
+        "trace" => Ok(carom::schema::TRACE),
+        _ => Err(InputError::new_err(format!(
+            "there is no schema \"{kind}\"; write \"shot\" or \"trace\""
+        ))),
+    }
+}
