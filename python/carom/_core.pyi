@@ -5,6 +5,18 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+__all__ = [
+    "Shot",
+    "Trace",
+    "__version__",
+    "break_shot",
+    "games",
+    "schema",
+    "simulate_batch",
+    "simulate_strikes",
+    "tables",
+]
+
 __version__: str
 
 @final
