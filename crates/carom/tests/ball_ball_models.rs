@@ -55,12 +55,12 @@ fn rigid_surfaces_that_grip_end_without_sideways_slip_whatever_the_masses() {
 
 #[test]
 fn compliant_surfaces_that_slip_and_then_grip_spring_back() {
-    let a = ball(Vec3::new(0.3, 3.0, 0.0), Vec3::ZERO, 0.17, 0.0286);
+    let a = ball(Vec3::new(0.6, 3.0, 0.0), Vec3::ZERO, 0.17, 0.0286);
     let b = ball(Vec3::ZERO, Vec3::ZERO, 0.17, 0.0286);
     let (a, b) = resolve(&law(BallBallModel::Compliant, 0.1), Y, a, b);
     let slip = (a.velocity - b.velocity).x
         - (a.radius * a.angular_velocity.z + b.radius * b.angular_velocity.z);
-    assert!(slip < -0.03 && slip > -0.3, "{slip}");
+    assert!(slip < -0.1 && slip > -0.6, "{slip}");
 }
 
 #[test]
