@@ -69,6 +69,10 @@ impl Outcome {
             Touched::Ball(i) => Node::object([("ball", id(i))]),
             Touched::Rail(rail) => Node::object([("rail", rail.name().into())]),
         };
+        let name = |t: &Touched| match *t {
+            Touched::Ball(i) => id(i),
+            Touched::Rail(rail) => rail.name().into(),
+        };
         let mut after = Vec::new();
         for (i, ball) in balls.iter().enumerate() {
             let mine =
@@ -94,7 +98,7 @@ impl Outcome {
             ("cue_ball_touched", Node::list(self.cue_ball_touched.iter().map(touched))),
             ("never_resting", ids(&self.never_resting)),
             ("miscue", self.miscue.into()),
-            ("cue_obstructed", self.cue_obstructed.as_ref().map(touched).into()),
+            ("cue_obstructed", self.cue_obstructed.as_ref().map(name).into()),
             ("events", self.events.into()),
         ])
     }

@@ -9,6 +9,7 @@ mod balls;
 #[cfg(feature = "json")]
 mod json;
 mod node;
+mod obstruction;
 mod physics;
 mod place;
 pub(crate) mod read;
@@ -26,6 +27,7 @@ pub use strike::{Policy, StrikePolicy};
 
 use crate::error::Error;
 use crate::math::{Vec3, degrees};
+use crate::outcome::Touched;
 use crate::resolve::cue_ball::{Strike, miscue_limit};
 use crate::simulate::SimulationError;
 use crate::{Ball, BallState, Physics, Table};
@@ -121,7 +123,7 @@ impl Shot {
             Some(at) => at.whole(1, u32::MAX)?,
             None => DEFAULT_MAX_EVENTS,
         };
-        Ok(Self {
+        let shot = Self {
             table: table.into(),
             physics: physics.into(),
             balls,
@@ -130,7 +132,9 @@ impl Shot {
             policy,
             tip_friction,
             file: file.into(),
-        })
+        };
+        shot.refuse_obstruction()?;
+        Ok(shot)
     }
 
     /// The shot file, JSON: what was read, number for number.
@@ -213,6 +217,28 @@ impl Shot {
         node.set("height", strike.height);
         file.set("strike", node);
         Self::from_node(file)
+    }
+
+    /// The ball or rail that the cue would pass through, nearest to its tip.
+    pub fn cue_obstruction(&self) -> Option<Touched> {
+        let (ball, strike) = self.strike?;
+        obstruction::find(&self.table, &self.balls, ball, &strike)
+    }
+
+    fn refuse_obstruction(&self) -> Result<(), Error> {
+        if self.policy.obstruction == Policy::Report {
+            return Ok(());
+        }
+        let what = match self.cue_obstruction() {
+            None => return Ok(()),
+            Some(Touched::Ball(i)) => format!("ball \"{}\"", self.balls[usize::from(i)].id),
+            Some(Touched::Rail(rail)) => format!("the {} rail", rail.name()),
+        };
+        Err(Error::input(
+            "strike.elevation_deg",
+            format!("the cue would pass through {what}"),
+            "raise the elevation, turn the azimuth, or set strike.obstruction to \"report\"",
+        ))
     }
 
     /// A state of ball `ball` in the engine's frame, in the file's. A coordinate that has not changed

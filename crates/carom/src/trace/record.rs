@@ -84,6 +84,7 @@ impl Trace {
         }
         let mut outcome = collector.finish(&last);
         outcome.miscue = shot.is_miscue();
+        outcome.cue_obstructed = shot.cue_obstruction();
         Self { shot, engine, duration, log, last, outcome }
     }
 }

@@ -1,0 +1,76 @@
+//! The cue as a body: what it would pass through is reported, or refused on request.
+
+use carom::{Shot, Trace};
+
+fn shot(strike: &str, others: &str) -> Result<Shot, carom::Error> {
+    Shot::from_json(&format!(
+        r#"{{"format": "carom-shot/1", "table": "wpa-9ft",
+            "balls": [{{"id": "cue", "position": [0.635, 1.27]}}{others}],
+            "strike": {{"ball": "cue", "speed": 1, {strike}}}}}"#
+    ))
+}
+
+fn obstructed(strike: &str, others: &str) -> Option<String> {
+    let trace: Trace =
+        shot(strike, others).and_then(|s| s.simulate()).unwrap_or_else(|e| panic!("{e}"));
+    let outcome = trace.to_node().get("outcome").and_then(|o| o.get("cue_obstructed")).cloned();
+    match outcome {
+        Some(carom::shot::Node::Text(name)) => Some(name),
+        Some(carom::shot::Node::Null) => None,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_level_cue_goes_through_the_rail_behind_a_near_ball() {
+    // 1.27 m to the bottom rail: within the cue's length, and the ball's centre is below the nose.
+    assert_eq!(obstructed(r#""azimuth_deg": 90"#, "").as_deref(), Some("bottom"));
+    assert_eq!(obstructed(r#""azimuth_deg": -90"#, "").as_deref(), Some("top"));
+    // At the nose the axis must be 7.7 mm + 13.4 mm higher than the contact: 0.95°.
+    assert_eq!(
+        obstructed(r#""azimuth_deg": 90, "elevation_deg": 0.9"#, "").as_deref(),
+        Some("bottom")
+    );
+    assert_eq!(obstructed(r#""azimuth_deg": 90, "elevation_deg": 1.0"#, ""), None);
+}
+
+#[test]
+fn a_ball_behind_the_cue_ball_is_in_the_way_until_the_cue_is_raised_over_it() {
+    let behind = r#", {"id": "8", "position": [0.635, 1.1]}"#;
+    let at = |elevation: f64| {
+        obstructed(&format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#), behind)
+    };
+    assert_eq!(at(3.0).as_deref(), Some("8"));
+    // From the contact at the ball's back, the axis must pass the 8's centre, 141 mm behind, at
+    // 28.6 + 7.3 mm: asin(35.9/141) = 14.7°, a little less for the contact that rises with it.
+    assert_eq!(at(11.0).as_deref(), Some("8"));
+    assert_eq!(at(15.0), None);
+    let beside = r#", {"id": "8", "position": [0.68, 1.1]}"#;
+    assert_eq!(obstructed(r#""azimuth_deg": 90, "elevation_deg": 3"#, beside), None);
+}
+
+#[test]
+fn a_ball_ahead_is_not_in_the_way() {
+    let ahead = r#", {"id": "8", "position": [0.635, 1.33]}"#;
+    assert_eq!(obstructed(r#""azimuth_deg": 90, "elevation_deg": 3"#, ahead), None);
+}
+
+#[test]
+fn there_is_no_nose_over_a_side_pocket_and_none_on_unbounded_cloth() {
+    assert_eq!(obstructed(r#""azimuth_deg": 0"#, ""), None);
+    let text = r#"{"format": "carom-shot/1", "table": {"cloth": "unbounded"},
+        "balls": [{"id": "cue", "position": [0, 0]}],
+        "strike": {"ball": "cue", "speed": 1, "azimuth_deg": 12}}"#;
+    let shot = Shot::from_json(text).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(shot.cue_obstruction(), None);
+}
+
+#[test]
+fn an_obstructed_cue_is_refused_on_request() {
+    let e = shot(r#""azimuth_deg": 90, "obstruction": "refuse""#, "").expect_err("refused");
+    let sentence = e.to_string();
+    assert!(sentence.starts_with("strike.elevation_deg: "), "{sentence}");
+    assert!(sentence.contains("the bottom rail") && sentence.contains("raise"), "{sentence}");
+    shot(r#""azimuth_deg": 90, "elevation_deg": 2, "obstruction": "refuse""#, "")
+        .unwrap_or_else(|e| panic!("{e}"));
+}
