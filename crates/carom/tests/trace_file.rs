@@ -226,3 +226,88 @@ fn a_miscue_is_reported_where_the_strike_asks_for_it() {
     assert!(trace.outcome().miscue);
     assert!(!played("follow_shot").outcome().miscue);
 }
+
+/// The hash as `docs/formats.md` describes it, from the trace as written.
+fn hash_by_the_book(trace: &Node) -> String {
+    fn text(node: Option<&Node>) -> &str {
+        match node {
+            Some(Node::Text(s)) => s,
+            other => panic!("expected a text, got {other:?}"),
+        }
+    }
+    fn list(node: Option<&Node>) -> &[Node] {
+        match node {
+            Some(Node::List(items)) => items,
+            other => panic!("expected a list, got {other:?}"),
+        }
+    }
+    fn double(node: &Node) -> u64 {
+        match node {
+            Node::Number(x) => x.to_bits(),
+            other => panic!("expected a double, got {other:?}"),
+        }
+    }
+    fn number(words: &[&str], word: &str) -> u64 {
+        words.iter().position(|w| *w == word).expect("a known word") as u64
+    }
+    const MOTIONS: &[&str] =
+        &["stationary", "spinning", "rolling", "sliding", "airborne", "pocketed", "off-table"];
+    const RAILS: &[&str] = &[
+        "bottom",
+        "top",
+        "left",
+        "right",
+        "left-lower",
+        "left-upper",
+        "right-lower",
+        "right-upper",
+    ];
+    const PARTS: &[&str] = &["nose", "facing", "point"];
+    const POCKETS: &[&str] =
+        &["bottom-left", "bottom-right", "left", "right", "top-left", "top-right"];
+
+    let mut words: Vec<u64> = Vec::new();
+    let state = |words: &mut Vec<u64>, ball: &Node| {
+        for key in ["position", "velocity", "angular_velocity"] {
+            words.extend(list(ball.get(key)).iter().map(double));
+        }
+        words.push(number(MOTIONS, text(ball.get("motion"))));
+    };
+    let shot = trace.get("shot").expect("the shot");
+    let ids: Vec<&str> = list(shot.get("balls")).iter().map(|b| text(b.get("id"))).collect();
+    for event in list(trace.get("events")) {
+        let word = |key| text(event.get(key));
+        words.push(double(event.get("time").expect("a time")));
+        words.extend(match word("type") {
+            "cue-strike" => [0, 0, 0],
+            "ball-collision" => [1, 0, 0],
+            "rail-collision" => [2, number(RAILS, word("rail")), number(PARTS, word("part"))],
+            "pocket-collision" => [3, number(POCKETS, word("pocket")), 0],
+            "motion-transition" => [4, number(MOTIONS, word("from")), number(MOTIONS, word("to"))],
+            other => panic!("{other}"),
+        });
+        let (before, after) = (list(event.get("before")), list(event.get("after")));
+        words.push(before.len() as u64);
+        for (before, after) in before.iter().zip(after) {
+            words.push(number(&ids, text(before.get("id"))));
+            state(&mut words, before);
+            state(&mut words, after);
+        }
+    }
+    list(trace.get("final")).iter().for_each(|ball| state(&mut words, ball));
+    let mut h: u64 = 0xcbf2_9ce4_8422_2325;
+    for w in words {
+        h = (h ^ w).wrapping_mul(0x100_0000_01b3);
+        h ^= h >> 32;
+    }
+    format!("{h:016x}")
+}
+
+#[test]
+fn the_hash_is_the_one_of_the_documentation() {
+    for name in NAMES {
+        let node = played(name).to_node();
+        let written = node.get("hash").cloned();
+        assert_eq!(written, Some(Node::Text(hash_by_the_book(&node))), "{name}");
+    }
+}
