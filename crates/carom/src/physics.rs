@@ -73,11 +73,12 @@ impl SlipFriction {
 pub struct BallBall {
     /// Model.
     pub model: BallBallModel,
-    /// Coefficient of normal restitution.
+    /// Coefficient of normal restitution, 0 to 1; it rises to 1 for approaches slower than
+    /// [`FULL`](crate::resolve::restitution::FULL).
     pub restitution: f64,
-    /// Friction.
+    /// Friction between the balls, at the slip speed with which they meet.
     pub friction: SlipFriction,
-    /// ω_t/ω_n of the `compliant` model.
+    /// ω_t/ω_n of the `compliant` model, 1 to 2: √(7(1 − ν)/(2 − ν)) for Poisson's ratio ν.
     pub frequency_ratio: f64,
 }
 
@@ -124,7 +125,7 @@ pub struct Cushion {
     pub restitution: CushionRestitution,
     /// Friction.
     pub friction: CushionFriction,
-    /// ω_t/ω_n of the `stronge` model.
+    /// ω_t/ω_n of the `stronge` model, 1 to 2.
     pub frequency_ratio: f64,
 }
 
@@ -153,9 +154,11 @@ pub struct Cue {
     pub mass: f64,
     /// Mass of the shaft's end that takes part in squirt, kg; 0: no squirt.
     pub end_mass: f64,
-    /// Radius of the tip's curvature, m.
+    /// Radius of the tip's curvature, m. It does not change the strike, for tip offsets are those
+    /// of the contact point; a cue whose axis stands off the ball's by o touches it at
+    /// o/(1 + tip_radius/R).
     pub tip_radius: f64,
-    /// Friction between tip and ball, sets the miscue limit.
+    /// Friction between tip and ball; sets the miscue limit μ/√(1 + μ²), in ball radii.
     pub tip_friction: f64,
     /// Restitution or efficiency.
     pub tip: Tip,

@@ -80,8 +80,10 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let strike = |press: f64| {
             let mut p = body(&before[0], &pair[0]);
             let mut q = body(&before[1], &pair[1]);
-            p.velocity += normal * (press * reduced / p.mass);
-            q.velocity -= normal * (press * reduced / q.mass);
+            // Level, also where balls of different size stand with their centres aslant.
+            let along = normal.xy().with_z(0.0);
+            p.velocity += along * (press * reduced / p.mass);
+            q.velocity -= along * (press * reduced / q.mass);
             let Physics { ball_ball: law, cloth, gravity, .. } = physics;
             resolve::ball_ball::resolve(law, cloth, *gravity, normal, &mut p, &mut q);
             [
