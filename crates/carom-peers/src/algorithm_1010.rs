@@ -25,21 +25,19 @@ pub fn real_roots(quartic: &Quartic) -> Roots {
     });
     let l1 = 0.5 * a;
     let l3 = b / 6.0 + 0.5 * phi;
-    let (d2, l2) = second_row([a, b, c, d], phi, l1, l3);
+    let (d2, l2, error) = second_row([a, b, c, d], phi, l1, l3);
     let mut roots = Roots::default();
+    // d₂ is zero where both factors have the same middle, as on a straight path; then only roundings
+    // decide its sign, and the factors without it are the better ones.
     let flat = flat_factors([a, b, c, d], l1, l3);
+    let flat_error = flat.map_or(f64::INFINITY, |flat| flat.error([a, b, c, d]));
     if d2 < 0.0 {
         let split = real_factors([a, b, c, d], (-d2).sqrt(), l1, l2, l3);
-        let best = match flat {
-            Some(flat) if flat.error([a, b, c, d]) < split.error([a, b, c, d]) => flat,
-            _ => split,
-        };
+        let best = flat.filter(|_| flat_error < split.error([a, b, c, d])).unwrap_or(split);
         best.refined([a, b, c, d]).push_roots(&mut roots);
-    } else if d2 == 0.0 {
-        if let Some(flat) = flat {
-            flat.refined([a, b, c, d]).push_roots(&mut roots);
-        }
-    } else {
+    } else if let Some(flat) = flat.filter(|_| d2 == 0.0 || flat_error < error) {
+        flat.refined([a, b, c, d]).push_roots(&mut roots);
+    } else if d2 > 0.0 {
         push_nearly_real(&mut roots, d2.sqrt(), l1, l2, l3);
     }
     roots
@@ -77,24 +75,21 @@ fn deviation(x: f64, y: f64) -> f64 {
     if y == 0.0 { x.abs() } else { ((x - y) / y).abs() }
 }
 
-/// d₂ and l₂, from whichever of the three equivalent formulas reproduces the coefficients best.
-fn second_row([a, b, c, d]: [f64; 4], phi: f64, l1: f64, l3: f64) -> (f64, f64) {
+/// d₂ and l₂, from whichever of the three equivalent formulas reproduces the coefficients best, and
+/// how well it does.
+fn second_row([a, b, c, d]: [f64; 4], phi: f64, l1: f64, l3: f64) -> (f64, f64, f64) {
     let delta2 = 0.5 * c - l1 * l3;
     let d2 = 2.0 / 3.0 * b - phi - l1 * l1;
     let l2 = 2.0 * (d - l3 * l3) / (c - a * l3);
-    let error = |&(d2, l2): &(f64, f64)| {
-        deviation(d2 + l1 * l1 + 2.0 * l3, b)
+    let with_error = |(d2, l2): (f64, f64)| {
+        let error = deviation(d2 + l1 * l1 + 2.0 * l3, b)
             + deviation(2.0 * (d2 * l2 + l1 * l3), c)
-            + deviation(d2 * l2 * l2 + l3 * l3, d)
+            + deviation(d2 * l2 * l2 + l3 * l3, d);
+        // A formula that divides by zero loses.
+        (d2, l2, if error.is_nan() { f64::INFINITY } else { error })
     };
-    [(d2, delta2 / d2), (delta2 / l2, l2), (d2, l2)]
-        .into_iter()
-        .min_by(|one, other| {
-            // A formula that divides by zero loses.
-            let finite = |e: f64| if e.is_nan() { f64::INFINITY } else { e };
-            finite(error(one)).total_cmp(&finite(error(other)))
-        })
-        .unwrap_or((d2, l2))
+    let candidates = [(d2, delta2 / d2), (delta2 / l2, l2), (d2, l2)].map(with_error);
+    candidates.into_iter().min_by(|one, two| one.2.total_cmp(&two.2)).unwrap_or(candidates[0])
 }
 
 /// (x² + α₁x + β₁)(x² + α₂x + β₂).

@@ -1,5 +1,6 @@
 //! The first contact of two bodies whose relative path is quadratic in time.
 
+use crate::fast::{self, Proof};
 use crate::motion::Motion;
 use crate::robust;
 
@@ -16,5 +17,9 @@ pub fn first_contact<const N: usize>(
     distance: f64,
     horizon: f64,
 ) -> Option<f64> {
-    robust::first_contact(motion, distance, horizon)
+    match fast::first_contact(motion, distance, horizon) {
+        Proof::Contact(t) => Some(t),
+        Proof::NoContact => None,
+        Proof::Open => robust::first_contact(motion, distance, horizon),
+    }
 }

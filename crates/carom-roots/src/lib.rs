@@ -8,7 +8,9 @@ extern crate std;
 
 mod contact;
 mod crossing;
+mod fast;
 mod motion;
+mod reject;
 mod robust;
 mod root;
 mod row;
@@ -17,3 +19,4 @@ pub use contact::first_contact;
 pub use crossing::first_crossing;
 pub use motion::Motion;
 pub use row::Row;
+pub use reject::cannot_touch;

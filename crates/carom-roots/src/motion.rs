@@ -35,6 +35,19 @@ pub(crate) fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     sum
 }
 
+/// |a × b|², in any number of dimensions.
+#[inline(always)]
+pub(crate) fn cross_squared<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    let mut sum = 0.0;
+    for i in 0..N {
+        for j in i + 1..N {
+            let cross = a[i] * b[j] - a[j] * b[i];
+            sum += cross * cross;
+        }
+    }
+    sum
+}
+
 /// The squared gap f(t) = |x(t)|² − D² of a motion x, and half its rate.
 ///
 /// Both are computed from the positions, not from the expanded coefficients of the quartic: near a
@@ -68,5 +81,15 @@ impl<'a, const N: usize> Gap<'a, N> {
         let x = self.motion.at(t);
         let velocity = self.motion.velocity_at(t);
         Sample { t, f: dot(&x, &x) - self.distance_squared, g: dot(&x, &velocity) }
+    }
+
+    /// The sample at t, and the two parts of f″(t)/2: |ẋ|² and 2 x·h.
+    #[inline(always)]
+    pub(crate) fn sample_with_curvature(&self, t: f64) -> (Sample, f64, f64) {
+        let x = self.motion.at(t);
+        let velocity = self.motion.velocity_at(t);
+        let f = dot(&x, &x) - self.distance_squared;
+        let sample = Sample { t, f, g: dot(&x, &velocity) };
+        (sample, dot(&velocity, &velocity), 2.0 * dot(&x, &self.motion.h))
     }
 }

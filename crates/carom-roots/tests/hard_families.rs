@@ -5,7 +5,7 @@
 use carom_peers::families::{Case, Family, cluster_pair, uniform_pair};
 use carom_peers::judge::{Verdict, judge};
 use carom_peers::random::Random;
-use carom_roots::first_contact;
+use carom_roots::{Motion, cannot_touch, first_contact};
 
 /// A lost or invented contact shallower than this has no meaning: positions of a metre are rounded
 /// to 2e-16 m themselves. In m.
@@ -55,4 +55,31 @@ fn nothing_is_lost_or_invented_in_the_nine_hard_families() {
 fn nothing_is_lost_or_invented_among_random_pairs() {
     assert_all_right("uniform pairs", 100, uniform_pair);
     assert_all_right("pairs of a break", 101, cluster_pair);
+}
+
+#[test]
+fn what_the_cheap_proofs_reject_has_no_contact() {
+    let draws: [(&str, fn(&mut Random) -> Case); 2] =
+        [("uniform pairs", uniform_pair), ("pairs of a break", cluster_pair)];
+    let mut rejected = 0;
+    let mut total = 0;
+    let mut check = |name: &str, case: Case| {
+        let Motion { d, v, h } = case.motion;
+        total += 1;
+        if cannot_touch(d[0], d[1], v[0], v[1], h[0], h[1], case.distance, case.horizon) {
+            rejected += 1;
+            let verdict = judge(&case, None, DEPTH);
+            assert!(matches!(verdict, Verdict::Right { .. }), "{name}: {verdict:?} for {case:?}");
+        }
+    };
+    let mut random = Random::new(7);
+    for _ in 0..cases() {
+        for (name, draw) in &draws {
+            check(name, draw(&mut random));
+        }
+        for family in Family::ALL {
+            check("a hard family", family.sample(&mut random));
+        }
+    }
+    assert!(rejected * 5 > total, "the proofs reject {rejected} of {total}");
 }
