@@ -62,7 +62,7 @@ fn dominant_root(g: f64, h: f64) -> f64 {
         }
         let next = phi - residue / slope;
         let next_residue = (next * next + g) * next + h;
-        if !(next_residue.abs() < residue.abs()) {
+        if next_residue.abs() >= residue.abs() {
             break;
         }
         (phi, residue) = (next, next_residue);
@@ -166,7 +166,7 @@ impl Factors {
                 beta: [b1 + by_b1, b2 + r2 - by_b1 + p * by_a1],
             };
             let next_error = next.error(coefficients);
-            if !(next_error < error) {
+            if next_error.is_nan() || next_error >= error {
                 break;
             }
             (best, error) = (next, next_error);

@@ -18,8 +18,14 @@ pub fn first_contact<const N: usize>(
     horizon: f64,
 ) -> Option<f64> {
     match fast::first_contact(motion, distance, horizon) {
-        Proof::Contact(t) => Some(t),
-        Proof::NoContact => None,
+        Proof::Contact(t) => {
+            debug_assert!(robust::agrees(motion, distance, horizon, Some(t)), "{motion:?}");
+            Some(t)
+        }
+        Proof::NoContact => {
+            debug_assert!(robust::agrees(motion, distance, horizon, None), "{motion:?}");
+            None
+        }
         Proof::Open => robust::first_contact(motion, distance, horizon),
     }
 }

@@ -18,5 +18,5 @@ mod row;
 pub use contact::first_contact;
 pub use crossing::first_crossing;
 pub use motion::Motion;
-pub use row::Row;
 pub use reject::cannot_touch;
+pub use row::Row;

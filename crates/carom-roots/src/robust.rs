@@ -53,6 +53,49 @@ pub(crate) fn first_contact<const N: usize>(
     }
 }
 
+/// Whether this finder says the same as `answer`, but for roundings: that is, whether wherever only
+/// one of the two sees a contact the bodies come within roundings of grazing.
+///
+/// Every answer of the fast finder is compared so in builds with debug assertions.
+pub(crate) fn agrees<const N: usize>(
+    motion: &Motion<N>,
+    distance: f64,
+    horizon: f64,
+    answer: Option<f64>,
+) -> bool {
+    /// Of the greatest length in the motion; a hundred roundings.
+    const ROUNDINGS: f64 = 2e-14;
+    let ours = first_contact(motion, distance, horizon);
+    let gap = Gap::new(motion, distance);
+    let length = |a: &[f64; N]| sqrt(dot(a, a));
+    let depth_at = |t: f64| {
+        let extent = length(&motion.d) + t * (length(&motion.v) + t * length(&motion.h));
+        (gap.sample(t).f / (2.0 * distance), ROUNDINGS * extent)
+    };
+    let near = |t: f64| {
+        let (gap, tolerance) = depth_at(t);
+        gap.abs() <= tolerance
+    };
+    match (ours, answer) {
+        (None, None) => true,
+        (Some(ours), Some(answer)) => {
+            // Both in contact, and between them no deeper than roundings.
+            let middle = 0.5 * (ours + answer);
+            near(ours) && near(answer) && near(middle)
+        }
+        (Some(t), None) | (None, Some(t)) => {
+            // At the horizon, or at the closest approach, where a graze may be either.
+            let (_, tolerance) = depth_at(t);
+            let here = gap.sample(t);
+            let left = (horizon - t).abs() * here.g.abs() / distance;
+            let closest = here.g * here.g / (2.0 * distance * distance);
+            let curvature = dot(&motion.velocity_at(t), &motion.velocity_at(t)) / distance
+                + 2.0 * length(&motion.h);
+            near(t) && (left <= tolerance || closest <= tolerance * curvature)
+        }
+    }
+}
+
 /// What one span of constant curvature holds.
 enum Outcome {
     /// The first contact.

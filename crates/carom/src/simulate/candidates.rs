@@ -84,17 +84,14 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     fn find_row(&mut self, i: usize, time: f64, done: impl Fn(usize) -> bool) {
         for from in (0..self.n).step_by(BLOCK) {
             let row = self.row(i, from, time);
-            let margins = row.margins();
-            for (k, &margin) in margins.iter().enumerate() {
+            let rejected = row.cannot_touch();
+            for (k, &rejected) in rejected.iter().enumerate() {
                 let j = from + k;
                 if j == i || j >= self.n || done(j) {
                     continue;
                 }
-                let t = if margin < 0.0 {
-                    self.first_contact(&row, i, j, k, time)
-                } else {
-                    f64::INFINITY
-                };
+                let t =
+                    if rejected { f64::INFINITY } else { self.first_contact(&row, i, j, k, time) };
                 self.pair[i][j] = t;
                 self.pair[j][i] = t;
             }
