@@ -117,13 +117,20 @@ fn sum_rows(links: &mut [Link], bodies: &[Body]) {
 }
 
 fn find_normal_impulses(links: &mut [Link], bodies: &[Body]) {
+    // The velocity that the impulses give each ball, summed from zero in every sweep, so that
+    // mirrored ones cancel to the bit.
+    let mut pushed = [Vec2::ZERO; MAX_BODIES];
     for _ in 0..MAX_SWEEPS {
-        let push = total(bodies, links.iter().map(|l| (l, l.impulse * l.inverse_mass, Vec2::ZERO)));
+        pushed[..bodies.len()].fill(Vec2::ZERO);
+        for link in links.iter() {
+            let along = link.impulse * link.inverse_mass;
+            pushed[link.a] -= link.contact.direction * (along * link.contact.share_a);
+            pushed[link.b] += link.contact.direction * (along * link.contact.share_b);
+        }
         let (mut largest, mut change) = (0.0_f64, 0.0_f64);
         for link in links.iter_mut() {
-            let pushed = (push[link.a].velocity - push[link.b].velocity).xy();
-            let approach = link.contact.approach + pushed.dot(link.contact.direction);
-            let excess = approach + link.restitution * link.contact.approach;
+            let given = (pushed[link.a] - pushed[link.b]).dot(link.contact.direction);
+            let excess = (1.0 + link.restitution) * link.contact.approach + given;
             let impulse = (link.impulse + excess / link.row_sum).max(0.0);
             change = change.max((impulse - link.impulse).abs());
             largest = largest.max(impulse);
