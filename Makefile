@@ -13,8 +13,9 @@ PY := $(BIN)/python
 # Stamps: what they depend on is older than they are, or the step runs again.
 TOOLS := $(VENV)/.tools
 BUILT := $(VENV)/.built
-RUST_SOURCES := $(shell find crates -name '*.rs' -not -path '*/tests/*' -not -path '*/benches/*' 2>/dev/null) \
-                $(wildcard crates/*/Cargo.toml) Cargo.toml Cargo.lock
+RUST_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-py -type f \
+                  \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \)) \
+                Cargo.toml Cargo.lock
 PYTEST := $(PY) -m pytest
 # maturin looks for cargo and itself on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
@@ -39,10 +40,9 @@ lint: $(BUILT) ## Formatting, lints and types.
 	$(BIN)/mypy
 	MYPYPATH=python $(PY) -m mypy.stubtest carom._core --concise
 
-rust-test: | scripts/prerequisites.sh ## The Rust tests: debug, and whole shots in release too.
+rust-test: ## The Rust tests, in debug; the Python tests hold the release build to the same goldens.
 	@bash scripts/prerequisites.sh rust
-	cargo test --quiet
-	cargo test --quiet --release -p carom --tests
+	cargo test --quiet --workspace --exclude carom-py
 
 python-test: $(BUILT) ## The Python tests, the validation and the README's snippets.
 	$(PYTEST) --quiet --durations=10

@@ -64,7 +64,8 @@ def summary(trace: dict[str, Any]) -> list[str]:
     if pocketed:
         lines.append("pocketed: " + ", ".join(f"{ball} ({pocket})" for ball, pocket in pocketed))
     if outcome.get("cue_obstructed"):
-        lines.append(f"the cue would pass through: {outcome['cue_obstructed']}")
+        what = " ".join(f"{kind} {name}" for kind, name in outcome["cue_obstructed"].items())
+        lines.append(f"the cue would pass through {what}")
     return lines
 
 

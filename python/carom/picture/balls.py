@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from matplotlib.patches import Circle, PathPatch, Rectangle
 from matplotlib.path import Path
 from matplotlib.patheffects import Normal, Stroke
@@ -26,6 +25,17 @@ MARKS = {
     "motion-transition": ("o", 2.6, False, "sliding becomes rolling"),
     "pocket-collision": ("x", 4.2, True, "ball falls"),
 }
+
+
+# Height of a ball's number, as a share of its radius.
+LABEL_SHARE = 0.72
+
+
+def points_per_metre(ax: Axes) -> float:
+    """How large a metre is drawn, typographic points."""
+    box = ax.get_window_extent()
+    bottom, top = ax.get_ylim()
+    return 72 * box.height / ax.figure.dpi / (top - bottom)
 
 
 def draw_paths(ax: Axes, routes: list[Route]) -> None:
@@ -151,14 +161,13 @@ def draw_ball(
         ax.add_patch(
             Circle(center, 0.5 * radius, facecolor=colors.IVORY, edgecolor="none", zorder=6.2)
         )
-        points = 72 * ax.get_figure(root=True).get_size_inches()[1] / np.ptp(ax.get_ylim())
         ax.text(
             x,
             y,
             style.label,
             ha="center",
             va="center_baseline",
-            fontsize=0.72 * radius * points,
+            fontsize=LABEL_SHARE * radius * points_per_metre(ax),
             fontweight="bold",
             color="#111111",
             zorder=6.3,
