@@ -13,10 +13,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from markdown_it import MarkdownIt
-
 import carom
 from carom import picture
+from markdown_it import MarkdownIt
 
 ROOT = Path(__file__).parents[1]
 

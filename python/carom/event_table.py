@@ -1,4 +1,7 @@
-"""A trace as a table of events: plain for ``print``, coloured for a terminal."""
+"""A trace as a table of events: plain for ``print``, coloured for a terminal.
+
+Made to fit 80 columns; the exact numbers are in the trace.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +37,7 @@ def _where(event: dict[str, Any]) -> str:
         case "pocket-collision":
             return str(event["pocket"])
         case "motion-transition":
-            return f"{event['from']} → {event['to']}"
+            return f"{event['from']}→{event['to']}"
         case _:
             x, y, *_ = event["before"][0]["position"]
             return f"{x:.3f}, {y:.3f}"
@@ -42,13 +45,13 @@ def _where(event: dict[str, Any]) -> str:
 
 def _speeds(event: dict[str, Any]) -> str:
     def speed(ball: dict[str, Any]) -> str:
-        return f"{math.hypot(*ball['velocity']):.3f}"
+        return f"{math.hypot(*ball['velocity']):.2f}"
 
     before = [speed(ball) for ball in event["before"]]
     after = [speed(ball) for ball in event["after"]]
     if before == after:
-        return ", ".join(after)
-    return f"{', '.join(before)} → {', '.join(after)}"
+        return " ".join(after)
+    return f"{' '.join(before)} → {' '.join(after)}"
 
 
 def summary(trace: dict[str, Any]) -> list[str]:
@@ -97,12 +100,11 @@ _STYLES = {
 
 def rich_table(trace: dict[str, Any]) -> RenderableType:
     """The table for a terminal."""
-    from rich.box import SIMPLE_HEAD
     from rich.console import Group
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(box=SIMPLE_HEAD, pad_edge=False, header_style="bold")
+    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="bold")
     for index, heading in enumerate(HEADINGS):
         table.add_column(heading, justify="right" if index in _RIGHT else "left", no_wrap=index < 3)
     for row, event in zip(rows(trace), trace["events"], strict=True):

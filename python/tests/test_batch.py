@@ -10,10 +10,9 @@ import threading
 import time
 from typing import Any
 
+import carom
 import numpy as np
 import pytest
-
-import carom
 from carom import InputError, Shot
 
 PADDING = -3

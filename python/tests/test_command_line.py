@@ -11,9 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
-import pytest
-
 import carom
+import pytest
 
 if TYPE_CHECKING:
     from conftest import CommandLine

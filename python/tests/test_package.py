@@ -7,9 +7,8 @@ import sys
 import zlib
 from pathlib import Path
 
-import pytest
-
 import carom
+import pytest
 
 # The bars of the project: what a user waits for and carries.
 IMPORT_SECONDS = 0.15

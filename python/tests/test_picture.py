@@ -8,10 +8,9 @@ import re
 from typing import Any
 from xml.etree import ElementTree
 
+import carom
 import numpy as np
 import pytest
-
-import carom
 from carom import Shot, picture
 from carom.picture.colors import look
 from carom.picture.paths import Leg, routes

@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import carom
 import numpy as np
 import pytest
+from carom import InputError, Shot, Trace
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-
-import carom
-from carom import InputError, Shot, Trace
 
 WIDTH, LENGTH = 1.27, 2.54
 RADIUS = 0.028575

@@ -6,10 +6,9 @@ import copy
 from pathlib import Path
 from typing import Any
 
+import carom
 import jsonschema
 import pytest
-
-import carom
 from carom import InputError, Shot
 
 SHOTS = sorted((Path(__file__).parents[2] / "shots").glob("*.json"))

@@ -9,10 +9,9 @@ import pickle
 from pathlib import Path
 from typing import Any
 
+import carom
 import numpy as np
 import pytest
-
-import carom
 from carom import InputError, Layout, Physics, Shot, Strike, Table
 
 

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-
 from carom import InputError, Shot, Trace
 
 ROOT = Path(__file__).parents[2]
