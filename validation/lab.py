@@ -127,9 +127,9 @@ def _balls(items: Sequence[JSON]) -> dict[str, Ball]:
 
 def ball(
     id: str = "cue",  # noqa: A002 -- the shot file's own word
-    position: Sequence[float] = (0.0, 0.0),
-    velocity: Sequence[float] = (0.0, 0.0, 0.0),
-    spin: Sequence[float] = (0.0, 0.0, 0.0),
+    position: Sequence[float] | Vector = (0.0, 0.0),
+    velocity: Sequence[float] | Vector = (0.0, 0.0, 0.0),
+    spin: Sequence[float] | Vector = (0.0, 0.0, 0.0),
     **more: float,
 ) -> JSON:
     """A ball of a shot file."""

@@ -8,11 +8,14 @@ from typing import TYPE_CHECKING, Any
 from carom.picture._matplotlib import prepare
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
     from pathlib import Path
 
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+
+    #: One number per point; a published range never comes here.
+    Numbers = list[Any] | tuple[Any, ...] | NDArray[Any]
 
 #: Colours that the colour-blind tell apart (Okabe & Ito 2008).
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
@@ -34,14 +37,12 @@ def panels(count: int = 1) -> tuple[Figure, list[Axes]]:
     return figure, list(axes)
 
 
-def ours(ax: Axes, x: Sequence[float], y: Sequence[float], label: str = "", color: int = 0) -> None:
+def ours(ax: Axes, x: Numbers, y: Numbers, label: str = "", color: int = 0) -> None:
     """Our numbers, as a line."""
     ax.plot(x, y, "-", color=COLORS[color % len(COLORS)], linewidth=1.6, label=label or "carom")
 
 
-def published(
-    ax: Axes, x: Sequence[float], y: Sequence[float], label: str = "", color: int = 0
-) -> None:
+def published(ax: Axes, x: Numbers, y: Numbers, label: str = "", color: int = 0) -> None:
     """Published numbers, as rings."""
     ax.plot(
         x, y, "o", color=COLORS[color % len(COLORS)], markerfacecolor="white",

@@ -24,7 +24,9 @@ def figure() -> Figure:
         (("momentum", momentum_error), ("angular momentum", angular_momentum_error))
     ):
         values = np.maximum([error(e) for e in events], bins[0])
-        ax.hist(values, bins, histtype="step", color=plot.COLORS[k], linewidth=1.6, label=label)
+        ax.hist(
+            values, bins.tolist(), histtype="step", color=plot.COLORS[k], linewidth=1.6, label=label
+        )
     ax.axvline(1e-12, color="0.4", linestyle=":", label="bound")
     ax.set_xscale("log")
     plot.name(ax, "relative error of one collision", "collisions", f"{len(events)} collisions")

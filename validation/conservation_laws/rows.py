@@ -90,7 +90,7 @@ def angular_momentum_error(event: Event) -> float:
         errors += [abs(spin[2] - torque[2]), abs(float(spin @ n))]
     difference = (after[a].spin - before[a].spin) - (after[b].spin - before[b].spin)
     errors.append(inertia * float(np.linalg.norm(difference)))
-    return max(errors) / (RADIUS * float(np.linalg.norm(impulse)))
+    return float(max(errors) / (RADIUS * np.linalg.norm(impulse)))
 
 
 def collisions() -> list[Event]:

@@ -16,6 +16,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     from carom.validation.lab import Vector
+    from numpy.typing import NDArray
 
 #: Ball, cloth and rail of the comparison; the shot that the engine gets has the same numbers.
 RADIUS, GRAVITY, SLIDING, ROLLING, SPIN_DOWN = 0.028575, 9.81, 0.2, 0.01, 10.0
@@ -30,7 +31,7 @@ class Balls:
     position: Vector
     velocity: Vector
     spin: Vector
-    rolls: Vector
+    rolls: NDArray[np.bool_]
     steps: int = 0
     contacts: list[float] = field(default_factory=list)
 
@@ -46,7 +47,8 @@ class Balls:
 
 def unit(v: Vector) -> Vector:
     size = np.linalg.norm(v, axis=1, keepdims=True)
-    return np.divide(v, size, out=np.zeros_like(v), where=size > 0)
+    direction: Vector = np.divide(v, size, out=np.zeros_like(v), where=size > 0)
+    return direction
 
 
 def stepped(b: Balls, dt: float) -> Balls:
