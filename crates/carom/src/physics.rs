@@ -35,7 +35,8 @@ pub struct Cloth {
 /// Which published model resolves a collision of two balls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BallBallModel {
-    /// Exchange along the line of centres with restitution, no friction.
+    /// Exchange along the line of centres with restitution, no friction. A shot file that chooses
+    /// it gets restitution 1, unless it writes another.
     Elastic,
     /// Impulse with restitution and Coulomb friction, rigid in the tangent plane.
     Frictional,

@@ -121,3 +121,18 @@ fn balls_that_part_are_left_alone() {
     let b = ball(Y, Vec3::ZERO, 0.17, 0.03);
     assert_eq!(resolve(&Physics::pool().ball_ball, Y, a, b), (a, b));
 }
+
+#[test]
+fn a_shot_file_that_asks_for_elastic_balls_gets_restitution_one_unless_it_writes_another() {
+    let restitution = |ball_ball: &str| {
+        let file = format!(
+            r#"{{"format": "carom-shot/1", "table": {{"cloth": "unbounded"}},
+                "physics": {{"base": "pool", "ball_ball": {ball_ball}}},
+                "balls": [{{"id": "cue", "position": [0, 0]}}]}}"#
+        );
+        carom::Shot::from_json(&file).unwrap().physics().ball_ball.restitution
+    };
+    assert_eq!(restitution(r#"{"model": "elastic"}"#), 1.0);
+    assert_eq!(restitution(r#"{"restitution": 0.9, "model": "elastic"}"#), 0.9);
+    assert_eq!(restitution(r#"{"model": "frictional"}"#), Physics::pool().ball_ball.restitution);
+}

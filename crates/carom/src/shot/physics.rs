@@ -98,6 +98,10 @@ fn ball_ball(at: &At<'_>, law: &mut BallBall) -> Result<(), Error> {
     let fields = at.fields(&["model", "restitution", "friction", "frequency_ratio"])?;
     if let Some(at) = fields.get("model") {
         law.model = at.choice("ball–ball model", BALL_BALL_MODELS)?;
+        if law.model == BallBallModel::Elastic {
+            // Who asks for elastic balls does not mean the base's lossy ones.
+            law.restitution = 1.0;
+        }
     }
     fields.number_into("restitution", &FRACTION, &mut law.restitution)?;
     if let Some(at) = fields.get("friction") {
