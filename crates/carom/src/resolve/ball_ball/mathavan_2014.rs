@@ -74,7 +74,11 @@ pub fn resolve(law: &BallBall, cloth: &Cloth, contact: &Contact, a: &mut Body, b
     };
     let e = restitution::effective(law.restitution, contact.approach);
     let before = impact.state(a, b);
-    let after = impact.follow(before, e);
+    let mut after = impact.follow(before, e);
+    // What compression left within its accuracy, where restitution gives nothing back.
+    let approach = Impact::approach(&after).max(0.0);
+    after[A.start] -= approach * contact.share_a;
+    after[B.start] += approach * contact.share_b;
     let change: State = core::array::from_fn(|i| after[i] - before[i]);
     impact.add(&change, a, b);
 }
