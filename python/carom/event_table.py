@@ -67,8 +67,7 @@ def summary(trace: dict[str, Any]) -> list[str]:
     if pocketed:
         lines.append("pocketed: " + ", ".join(f"{ball} ({pocket})" for ball, pocket in pocketed))
     if outcome.get("cue_obstructed"):
-        what = " ".join(f"{kind} {name}" for kind, name in outcome["cue_obstructed"].items())
-        lines.append(f"the cue would pass through {what}")
+        lines.append(f"the cue would pass through: {outcome['cue_obstructed']}")
     return lines
 
 

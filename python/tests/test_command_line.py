@@ -53,6 +53,8 @@ def test_shot_prints_a_readable_table_of_events(run: CommandLine, file: Path) ->
     assert done.returncode == 0
     assert "cue-strike" in done.stdout
     assert "first contact: 1" in done.stdout
+    # A level cue over the bottom rail, whose nose is higher than the ball's centre.
+    assert "the cue would pass through: bottom" in done.stdout
     assert "\x1b" not in done.stdout
 
 
