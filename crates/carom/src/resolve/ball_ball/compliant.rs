@@ -1,5 +1,5 @@
 //! Restitution and friction between surfaces that yield sideways and spring back
-//! ([`stronge`](crate::resolve::stronge)). Rigid surfaces (`frictional`) can throw a ball by at
+//! ([`stronge`]). Rigid surfaces (`frictional`) can throw a ball by at
 //! most atan(tan φ/7) at cut angle φ, 4.7° at 30°; measured throws reach 6° (Alciatore,
 //! Billiards Digest, Sept 2006). μ is taken at the initial slip speed, and the slip keeps its line.
 

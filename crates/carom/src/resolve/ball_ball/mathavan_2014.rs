@@ -14,7 +14,7 @@
 //! given back the work e²·W_c (Stronge's energetic coefficient). μ_bb is taken at the initial slip.
 //!
 //! **Departures.** The paper takes steps of equal P. Here Dormand & Prince's Runge–Kutta pair of
-//! order 5(4) chooses its steps, each accurate to [`TOLERANCE`] of the approach speed, and the ends
+//! order 5(4) chooses its steps, each accurate to `TOLERANCE` of the approach speed, and the ends
 //! of both phases are met exactly; the results are converged to 1e-9 m/s (held by a test against
 //! 160 000 small steps). The slip between the balls ends where it reaches zero; then no
 //! friction acts any more, for nothing drives the slip (the paper's equations are undefined there).

@@ -1,4 +1,4 @@
-//! Stronge's impact with tangential compliance ([`stronge`](crate::resolve::stronge)) at a cushion:
+//! Stronge's impact with tangential compliance ([`stronge`]) at a cushion:
 //! part of the slip at the nose is given back, against friction and the nose's own give.
 
 use super::{Change, Impact};
