@@ -268,19 +268,23 @@ class Stepping:
         self.motion[i] = "stationary" if y[6, i] == 0.0 else "spinning"
 
     def _rebound(self, i: int, key: tuple[str, ...]) -> laws.Body:
-        body = self._body(i)
-        into = None
-        for wall in self.world.walls:
+        """Off the piece of this rail and part that the ball touches; a rail has two points."""
+        world, here = self.world, self.y[0:2, i]
+        reach = np.sqrt(self.radius[i] ** 2 - (world.nose_height - self.radius[i]) ** 2)
+        candidates: list[tuple[float, Array]] = []
+        for wall in world.walls:
             if (wall.rail, wall.part) == key[2:]:
-                into = (-wall.inward[0], -wall.inward[1], 0.0)
-        for post in self.world.posts:
-            d = np.array(post.center) - self.y[0:2, i]
-            reach = np.sqrt(self.radius[i] ** 2 - (self.world.nose_height - self.radius[i]) ** 2)
-            on_it = abs(np.hypot(*d) - post.radius - reach) < 1e-6
-            if (post.rail, post.part) == key[2:] and on_it:
-                into = (d[0] / np.hypot(*d), d[1] / np.hypot(*d), 0.0)
-        assert into is not None
-        return laws.rebound(self.world.physics["cushion"], self.world.nose_height, body, into)
+                a, b, n = (np.array(p) for p in (wall.start, wall.end, wall.inward))
+                beside = max(0.0, (a - here) @ (b - a), (here - b) @ (b - a))
+                candidates.append((abs((here - a) @ n - reach) + beside, -n))
+        for post in world.posts:
+            if (post.rail, post.part) == key[2:]:
+                d = np.array(post.center) - here
+                distance = np.hypot(*d)
+                candidates.append((abs(distance - post.radius - reach), d / distance))
+        into = min(candidates, key=lambda c: c[0])[1]
+        law = world.physics["cushion"]
+        return laws.rebound(law, world.nose_height, self._body(i), (*into.tolist(), 0.0))
 
     def _body(self, i: int) -> laws.Body:
         s = self.state(i)

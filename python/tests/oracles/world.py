@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -86,6 +87,32 @@ def world_of(shot: JSON, geometry: JSON | None = None) -> World:
         physics=physics,
         **shape,
     )
+
+
+def geometry_of(table: JSON) -> JSON:
+    """Walls, posts and holes of a table as `carom.tables()` lists it."""
+    posts = [
+        Post(c["rail"], tuple(c["center"]), c["radius"]) for c in table["cushions"] if "center" in c
+    ]
+    walls = []
+    for c in table["cushions"]:
+        if "center" in c:
+            continue
+        a, b = c["start"], c["end"]
+        length = math.dist(a, b)
+        n = (-(b[1] - a[1]) / length, (b[0] - a[0]) / length)
+        # The round points stand behind the straight pieces that they join.
+        post = min(posts, key=lambda p: min(math.dist(p.center, a), math.dist(p.center, b)))
+        if (post.center[0] - a[0]) * n[0] + (post.center[1] - a[1]) * n[1] > 0.0:
+            n = (-n[0], -n[1])
+        walls.append(Wall(c["rail"], tuple(a), tuple(b), n, c["part"]))
+    holes = [Hole(p["name"], tuple(p["center"]), p["radius"]) for p in table["pockets"]]
+    return {
+        "nose_height": table["cushion_height"],
+        "walls": walls,
+        "posts": posts,
+        "holes": holes,
+    }
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,87 @@
+"""The engine against two oracles that share nothing with it, event by event.
+
+`stepping` integrates the force laws through time; `precise` solves event times with 50 digits. Both
+take over the engine's states after each event, so that each event is judged by itself; for a few
+events they also run alone.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import carom
+from oracles.compare import follow
+from oracles.precise import Precise
+from oracles.shots import RECTANGLE, random_shot
+from oracles.stepping import Stepping
+from oracles.world import geometry_of, start_of, world_of
+
+JSON = dict[str, Any]
+
+#: What the integrator gives at each event, m, m/s, s (its tolerance is 1e-13 a step).
+STEPPED = 1e-10
+#: What doubles give at each event against 50 digits: a few roundings, more where balls graze.
+EXACT = 1e-13
+#: A shot multiplies differences: a few events later.
+ALONE = 1e-8
+
+UNBOUNDED: JSON = {"cloth": "unbounded"}
+ELASTIC: JSON = {"model": "elastic", "restitution": 0.95}
+REFLECTING: JSON = {"model": "restitution", "restitution": 0.8}
+
+
+def play(shot: JSON) -> list[JSON]:
+    events: list[JSON] = carom.Shot.from_dict(shot).simulate().to_dict()["events"]
+    return events
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_force_laws_integrated_through_time_give_the_engines_events(seed: int) -> None:
+    shot = random_shot(seed, balls=6)
+    world = world_of(shot)
+    worst = follow(Stepping(world, start_of(shot)), world, play(shot), resync=True)
+    assert worst.events > 5
+    assert worst.largest < STEPPED, worst
+
+
+def pocket_table(name: str) -> JSON:
+    return next(table for table in carom.tables() if table["name"] == name)
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("name", ["wpa-9ft", "snooker-12ft"])
+def test_they_give_them_among_jaws_and_pockets(name: str, seed: int) -> None:
+    table = pocket_table(name)
+    size = tuple(table["size"])
+    shot = random_shot(seed, 6, table=name, size=size)
+    world = world_of(shot, geometry_of(table))
+    worst = follow(Stepping(world, start_of(shot)), world, play(shot), resync=True)
+    assert worst.largest < STEPPED, worst
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_they_give_them_alone_for_a_few_events(seed: int) -> None:
+    shot = random_shot(seed, balls=6)
+    world = world_of(shot)
+    worst = follow(Stepping(world, start_of(shot)), world, play(shot), resync=False, limit=6)
+    assert worst.largest < ALONE, worst
+
+
+@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize(
+    ("table", "laws"),
+    [
+        (RECTANGLE, {}),
+        (RECTANGLE, {"ball_ball": ELASTIC, "cushion": REFLECTING}),
+        (UNBOUNDED, {}),
+    ],
+    ids=["friction and han-2005", "elastic and restitution", "unbounded"],
+)
+def test_fifty_digits_give_the_engines_events(seed: int, table: JSON, laws: JSON) -> None:
+    shot = random_shot(seed, balls=4, table=table, **laws)
+    world = world_of(shot)
+    worst = follow(Precise(world, start_of(shot)), world, play(shot), resync=True)
+    assert worst.events > 2
+    assert worst.largest < EXACT, worst
