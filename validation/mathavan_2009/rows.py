@@ -43,6 +43,7 @@ def cl15() -> list[float]:
         for quantity, value in zip(QUANTITIES[:3], values, strict=True)
     },
     tolerance=(absolute(0.03), absolute(0.03), absolute(1.5)),
+    misses=("1.032 m/s at 26.36°, object ball, m/s",),
 )
 def bb20() -> list[float]:
     return [value for shot in SHOTS for value in rolled_out("snooker", *shot)[:3]]
@@ -82,6 +83,11 @@ def rebound_speed(x: float) -> float:
     status="M",
     published={f"{x} m/s": round(film(x), 4) for x in INCIDENT},
     tolerance=absolute(0.05),
+    misses=(
+        "2.5 m/s",
+        "3.0 m/s",
+        "3.5 m/s",
+    ),
 )
 def cu_8() -> list[float]:
     return [rebound_speed(x) for x in INCIDENT]
