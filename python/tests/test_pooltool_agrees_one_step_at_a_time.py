@@ -12,8 +12,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import carom
 import pytest
+
+import carom
 
 JSON = dict[str, Any]
 

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
+
 from carom.validation.lab import (
     JSON,
     Ball,
@@ -17,7 +18,7 @@ from carom.validation.row import Range, absolute, row
 
 RADIUS, MASS = 0.028575, 0.17
 SHOTS = 40
-BALLS = 7
+BALLS = 9
 TABLE = "wpa-9ft"
 WIDTH, LENGTH = 1.27, 2.54
 MODELS: tuple[JSON, ...] = (
@@ -36,14 +37,18 @@ def physics(ball_ball: JSON) -> JSON:
 
 
 def random_balls(seed: int) -> list[JSON]:
-    """A layout clear of rails, with one fast spinning cue ball."""
+    """A layout clear of rails, with one fast spinning ball that meets another."""
     rng = np.random.default_rng(seed)
     placed: list[Vector] = []
     while len(placed) < BALLS:
         p = rng.uniform((0.1, 0.2), (WIDTH - 0.1, LENGTH - 0.2))
         if all(math.dist(p, q) > 2.05 * RADIUS for q in placed):
             placed.append(p)
-    heading, speed = rng.uniform(0.0, 2 * math.pi), rng.uniform(1.0, 6.0)
+    ahead = placed[1] - placed[0]
+    # Within the target's angular radius, so that it is hit unless another ball is in the way.
+    spread = 2 * RADIUS / float(np.linalg.norm(ahead))
+    heading = math.atan2(ahead[1], ahead[0]) + rng.uniform(-spread, spread)
+    speed = rng.uniform(2.0, 6.0)
     velocity = (speed * math.cos(heading), speed * math.sin(heading), 0.0)
     balls = [ball(f"{k}", p) for k, p in enumerate(placed)]
     balls[0] = ball("0", placed[0], velocity, rng.uniform(-80.0, 80.0, 3))
@@ -62,11 +67,18 @@ def energy(b: Ball) -> float:
     return 0.5 * MASS * v2 + 0.2 * MASS * RADIUS**2 * float(b.spin @ b.spin)
 
 
+def momentum(event: Event) -> float:
+    """The size of the two balls' momenta before, kg m/s, their spins' surface speeds included."""
+    return sum(
+        MASS * float(np.linalg.norm(b.velocity) + RADIUS * np.linalg.norm(b.spin))
+        for b in event.before.values()
+    )
+
+
 def momentum_error(event: Event) -> float:
-    """Change of the two balls' momentum in the plane, per momentum exchanged."""
+    """Change of the two balls' momentum in the plane, per momentum."""
     changes = [event.after[b].velocity - event.before[b].velocity for b in event.after]
-    total: Vector = np.sum(changes, axis=0)
-    return float(np.linalg.norm(total[:2]) / np.linalg.norm(changes[0]))
+    return MASS * float(np.linalg.norm(np.sum(changes, axis=0)[:2])) / momentum(event)
 
 
 def angular_momentum_error(event: Event) -> float:
@@ -74,8 +86,8 @@ def angular_momentum_error(event: Event) -> float:
 
     Angular momentum about the contact holds for each ball: I Δω = R n × P, with P the momentum
     that the ball exchanged. The slate takes the vertical part of P, so the parts of Δω along the
-    vertical and along n are compared with P, and Δω along the tangent between the balls, which
-    the lost part of P turns alike.
+    vertical and along n are compared with P; the third, which the lost part of P turns alike in
+    both balls, is compared between them.
     """
     a, b = event.after
     before, after = event.before, event.after
@@ -83,14 +95,11 @@ def angular_momentum_error(event: Event) -> float:
     n = n / np.linalg.norm(n)
     inertia = 0.4 * MASS * RADIUS**2
     impulse = MASS * (after[a].velocity - before[a].velocity)
-    errors = []
-    for name in (a, b):
-        spin = inertia * (after[name].spin - before[name].spin)
-        torque = RADIUS * np.cross(n, impulse)
-        errors += [abs(spin[2] - torque[2]), abs(float(spin @ n))]
-    difference = (after[a].spin - before[a].spin) - (after[b].spin - before[b].spin)
-    errors.append(inertia * float(np.linalg.norm(difference)))
-    return float(max(errors) / (RADIUS * np.linalg.norm(impulse)))
+    torque = RADIUS * np.cross(n, impulse)
+    turns = [inertia * (after[k].spin - before[k].spin) for k in (a, b)]
+    errors = [abs(t[2] - torque[2]) for t in turns] + [abs(float(t @ n)) for t in turns]
+    errors.append(float(np.linalg.norm(turns[0] - turns[1])))
+    return max(errors) / (RADIUS * momentum(event))
 
 
 def collisions() -> list[Event]:

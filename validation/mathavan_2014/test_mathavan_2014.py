@@ -1,4 +1,5 @@
 import pytest
+
 from carom.validation.mathavan_2014 import rows
 from carom.validation.row import Row, check, rows_of
 

@@ -1,4 +1,5 @@
 import pytest
+
 from carom.validation.row import Row, check, rows_of
 from carom.validation.wpa_specifications import rows
 
