@@ -12,9 +12,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 import carom
+import pytest
 
 JSON = dict[str, Any]
 

@@ -8,7 +8,6 @@ import math
 from pathlib import Path
 
 import pytest
-
 from carom.validation import Range, absolute, papers, relative, report
 from carom.validation.row import Row, check
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-
 from carom.validation import plot
 from carom.validation.alciatore_throw_tests.rows import (
     CUTS,

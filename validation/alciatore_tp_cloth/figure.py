@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-
 from carom.validation import plot
 from carom.validation.alciatore_tp_cloth.rows import distance_to_roll, steep_masse
 from carom.validation.lab import FOOT, MPH

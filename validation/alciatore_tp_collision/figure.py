@@ -6,7 +6,6 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-
 from carom.validation import plot
 from carom.validation.alciatore_tp_collision.rows import (
     bb7,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-
 from carom.validation import plot
 from carom.validation.alciatore_tp_rail.rows import AIMS, NINE_FEET, bank, cu_16, lag_distance
 from carom.validation.lab import FOOT, MPH

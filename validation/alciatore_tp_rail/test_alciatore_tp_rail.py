@@ -1,5 +1,4 @@
 import pytest
-
 from carom.validation.alciatore_tp_rail import rows
 from carom.validation.row import Row, check, rows_of
 

@@ -4,7 +4,6 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
-
 from carom.validation.lab import (
     JSON,
     Ball,
@@ -69,16 +68,18 @@ def energy(b: Ball) -> float:
 
 def momentum(event: Event) -> float:
     """The size of the two balls' momenta before, kg m/s, their spins' surface speeds included."""
-    return sum(
-        MASS * float(np.linalg.norm(b.velocity) + RADIUS * np.linalg.norm(b.spin))
+    speeds = [
+        float(np.linalg.norm(b.velocity) + RADIUS * np.linalg.norm(b.spin))
         for b in event.before.values()
-    )
+    ]
+    return MASS * sum(speeds)
 
 
 def momentum_error(event: Event) -> float:
     """Change of the two balls' momentum in the plane, per momentum."""
     changes = [event.after[b].velocity - event.before[b].velocity for b in event.after]
-    return MASS * float(np.linalg.norm(np.sum(changes, axis=0)[:2])) / momentum(event)
+    total: Vector = np.sum(changes, axis=0)
+    return MASS * float(np.linalg.norm(total[:2])) / momentum(event)
 
 
 def angular_momentum_error(event: Event) -> float:

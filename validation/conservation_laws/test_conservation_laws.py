@@ -1,5 +1,4 @@
 import pytest
-
 from carom.validation.conservation_laws import rows
 from carom.validation.row import Row, check, rows_of
 

@@ -6,7 +6,6 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-
 from carom.validation import plot
 from carom.validation.han_2005.rows import INCIDENCES, SPEEDS, han_e, han_mu, rebound
 

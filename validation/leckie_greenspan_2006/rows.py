@@ -13,7 +13,6 @@ from importlib import resources
 from typing import Any
 
 import numpy as np
-
 from carom.validation.lab import JSON, Run, ball
 from carom.validation.lab import simulate as simulate_events
 from carom.validation.leckie_greenspan_2006 import fixed_step

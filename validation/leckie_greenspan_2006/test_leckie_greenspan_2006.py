@@ -1,5 +1,4 @@
 import pytest
-
 from carom.validation.leckie_greenspan_2006 import rows
 from carom.validation.row import Row, check, rows_of
 

@@ -1,5 +1,4 @@
 import pytest
-
 from carom.validation.mathavan_2010 import rows
 from carom.validation.row import Row, check, rows_of
 

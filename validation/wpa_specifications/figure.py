@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-
 from carom.validation import plot
 from carom.validation.lab import MPH
 from carom.validation.wpa_specifications.rows import lengths_travelled

@@ -1,5 +1,4 @@
 import pytest
-
 from carom.validation.row import Row, check, rows_of
 from carom.validation.wpa_specifications import rows
 

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import Any
 
+import carom
 import pytest
 
-import carom
 from oracles.compare import follow
 from oracles.precise import Precise
 from oracles.shots import RECTANGLE, random_shot
