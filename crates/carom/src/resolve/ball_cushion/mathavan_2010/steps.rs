@@ -148,24 +148,23 @@ fn sum(y: &State, terms: &[(f64, &State)]) -> State {
 }
 
 /// The L-stable method of table IV.7.2, in the form that needs no product with the Jacobian.
-#[allow(clippy::unreadable_literal, reason = "as printed")]
 mod ros4 {
-    pub(super) const GAMMA: f64 = 0.57282;
+    pub(super) const GAMMA: f64 = 0.572_82;
     pub(super) const A21: f64 = 2.0;
-    pub(super) const A31: f64 = 1.867943637803922;
-    pub(super) const A32: f64 = 0.2344449711399156;
-    pub(super) const C21: f64 = -7.137615036412310;
-    pub(super) const C31: f64 = 2.580708087951457;
-    pub(super) const C32: f64 = 0.6515950076447975;
-    pub(super) const C41: f64 = -2.137148994382534;
-    pub(super) const C42: f64 = -0.3214669691237626;
-    pub(super) const C43: f64 = -0.6949742501781779;
-    pub(super) const B1: f64 = 2.255570073418735;
-    pub(super) const B2: f64 = 0.2870493262186792;
-    pub(super) const B3: f64 = 0.4353179431840180;
-    pub(super) const B4: f64 = 1.093502252409163;
-    pub(super) const E1: f64 = -0.2815431932141155;
-    pub(super) const E2: f64 = -0.07276199124934920;
-    pub(super) const E3: f64 = -0.1082196201495311;
-    pub(super) const E4: f64 = -1.093502252409163;
+    pub(super) const A31: f64 = 1.867_943_637_803_922;
+    pub(super) const A32: f64 = 0.234_444_971_139_915_6;
+    pub(super) const C21: f64 = -7.137_615_036_412_31;
+    pub(super) const C31: f64 = 2.580_708_087_951_457;
+    pub(super) const C32: f64 = 0.651_595_007_644_797_5;
+    pub(super) const C41: f64 = -2.137_148_994_382_534;
+    pub(super) const C42: f64 = -0.321_466_969_123_762_6;
+    pub(super) const C43: f64 = -0.694_974_250_178_177_9;
+    pub(super) const B1: f64 = 2.255_570_073_418_735;
+    pub(super) const B2: f64 = 0.287_049_326_218_679_2;
+    pub(super) const B3: f64 = 0.435_317_943_184_018;
+    pub(super) const B4: f64 = 1.093_502_252_409_163;
+    pub(super) const E1: f64 = -0.281_543_193_214_115_5;
+    pub(super) const E2: f64 = -0.072_761_991_249_349_2;
+    pub(super) const E3: f64 = -0.108_219_620_149_531_1;
+    pub(super) const E4: f64 = -1.093_502_252_409_163;
 }
