@@ -219,7 +219,7 @@ impl Squeeze {
             if rest.abs() <= MET {
                 break;
             }
-            let step = if to_end < h { to_end } else { h };
+            let step = to_end.min(h).min(self.to_slips_end(&y, &rate));
             let stiff = step.abs() * self.stiffness(&y);
             let (next, next_rate, error) = if stiff < STIFF {
                 self.explicit_step(&y, &rate, step)
@@ -240,6 +240,17 @@ impl Squeeze {
             (y, rate) = (next, next_rate);
         }
         (y, h)
+    }
+
+    /// Where the slip that goes to 0 first would be 0: a longer step could miss what is there.
+    #[inline(always)]
+    fn to_slips_end(&self, y: &State, rate: &State) -> f64 {
+        let end = |i: usize| {
+            let fall = -(y[i] * rate[i] + y[i + 1] * rate[i + 1]);
+            let size = y[i] * y[i] + y[i + 1] * y[i + 1] + self.rounded * self.rounded;
+            if fall > 0.0 { size / fall } else { f64::INFINITY }
+        };
+        end(0).min(end(2))
     }
 
     /// How fast friction turns or stops the slips, per normal impulse.
