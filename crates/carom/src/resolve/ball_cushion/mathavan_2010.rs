@@ -43,7 +43,7 @@ const FIRST_STEP: f64 = 0.3;
 /// stability is 3.3.
 const STIFF: f64 = 2.0;
 
-/// Steps in one phase. 10 to 40 are usual; a phase that needs more is cut off, which loses energy
+/// Steps in one phase. 10 to 100 are usual; a phase that needs more is cut off, which loses energy
 /// and nothing else.
 const MOST_STEPS: u32 = 1000;
 
