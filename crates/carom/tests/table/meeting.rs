@@ -4,7 +4,7 @@ use crate::oracle::{self, Dice, clearance, first_violation, way_to_pocket};
 use carom::Table;
 use carom::detect::ball_table::{TableFeature, first_meeting};
 use carom::math::Vec2;
-use carom::table::{PRESETS, Part, PocketModel, Shape, TableDescription};
+use carom::table::{PRESETS, Part, Placement, PocketModel, Shape, TableDescription};
 use carom_roots::Motion;
 
 const POOL_BALL: f64 = 0.028575;
@@ -343,5 +343,77 @@ fn a_ball_is_captured_over_the_hole_or_at_the_mouth_line_as_the_pocket_model_say
         assert_eq!(feature, TableFeature::Pocket(3));
         let x = 0.3 + t;
         assert!((x - (0.635 + behind_nose)).abs() <= 1e-15, "{x}");
+    }
+}
+
+#[test]
+fn a_ball_aimed_at_a_join_almost_along_the_cushion_does_not_slip_in_between_the_parts() {
+    /// How far before the join the paths begin, and how far they go, m.
+    const RUN: [f64; 2] = [0.004, 0.3];
+    const SAMPLES: u32 = 300;
+    for (name, table, radius) in tables().into_iter().filter(|(_, t, _)| !t.pockets.is_empty()) {
+        let reach = table.reach(radius);
+        let mut dice = Dice(0x10_1275);
+        let noses: Vec<_> = table.cushions.iter().filter(|c| c.part == Part::Nose).collect();
+        for i in 0..paths() / 50 {
+            let nose = noses[(dice.unit() * noses.len() as f64) as usize];
+            let Shape::Segment { start, end, normal } = nose.shape else { unreachable!() };
+            let (join, other) = if dice.unit() < 0.5 { (start, end) } else { (end, start) };
+            let along = (other - join) * (1.0 / (other - join).length());
+            let power = |exponent: f64| carom::math::pow(10.0, exponent);
+            let slope = power(dice.between(-14.0, -3.0));
+            let before =
+                power(dice.between(-17.0, -5.0)) * if dice.unit() < 0.5 { 1.0 } else { -1.0 };
+            let v = along - normal * slope;
+            let p = join + normal * reach - along * before - v * RUN[0];
+            let path = Motion { d: [p.x, p.y], v: [v.x, v.y], h: [0.0, 0.0] };
+            let met = first_meeting(&table, radius, &path, RUN[1]);
+            let end = met.map_or(RUN[1], |(t, _)| t);
+            for k in 0..=SAMPLES {
+                let [x, y] = path.at(end * f64::from(k) / f64::from(SAMPLES));
+                let free = clearance(&table, reach, Vec2::new(x, y)).0;
+                assert!(free >= -oracle::LOST, "{name}, path {i}: {free:e}, {met:?}: {path:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_ball_aimed_at_a_join_from_any_direction_meets_one_of_the_parts_there() {
+    for (name, table, radius) in tables() {
+        let reach = table.reach(radius);
+        let mut dice = Dice(0xA1_3ED);
+        let shapes: Vec<_> = table.cushions.iter().map(|c| c.shape).collect();
+        for i in 0..paths() / 20 {
+            let (join, normal) = match shapes[(dice.unit() * shapes.len() as f64) as usize] {
+                Shape::Segment { start, end, normal } if dice.unit() < 0.5 => (start, normal),
+                Shape::Segment { end, normal, .. } => (end, normal),
+                Shape::Arc { center, radius, start, .. } if dice.unit() < 0.5 => {
+                    (center + start * radius, start)
+                }
+                Shape::Arc { center, radius, end, .. } => (center + end * radius, end),
+            };
+            // At the join, or a few roundings beside it.
+            let target = join + normal * reach + normal.perp() * dice.between(-1e-15, 1e-15);
+            let reachable = clearance(&table, reach, target).0 > -oracle::LOST
+                && way_to_pocket(&table, reach, target) > 0.0;
+            if !reachable {
+                continue;
+            }
+            let from = loop {
+                let p = target + dice.direction() * dice.between(0.0, 0.02);
+                if table.place_check(p, radius) == Placement::Inside
+                    && way_to_pocket(&table, reach, p) > 0.0
+                {
+                    break p;
+                }
+            };
+            let v = target - from;
+            let path = Motion { d: [from.x, from.y], v: [v.x, v.y], h: [0.0, 0.0] };
+            let met = first_meeting(&table, radius, &path, 1.5);
+            let end = met.map_or(1.5, |(t, _)| t);
+            let lost = first_violation(&table, reach, &path, 0.0, end);
+            assert_eq!(lost, None, "{name}, path {i}: {met:?}: {path:?}");
+        }
     }
 }
