@@ -67,8 +67,8 @@ impl Node {
 
     fn write_json(&self, out: &mut String, indent: usize) {
         let start = out.len();
-        self.write_flat(out);
-        if indent + (out.len() - start) <= LINE || !self.is_nested() {
+        let limit = if self.is_nested() { start + LINE.saturating_sub(indent) } else { usize::MAX };
+        if self.write_flat(out, limit) {
             return;
         }
         out.truncate(start);
@@ -104,7 +104,9 @@ impl Node {
         }
     }
 
-    fn write_flat(&self, out: &mut String) {
+    /// Writes the value on one line; gives up, with `false`, once `out` is longer than `limit`, so
+    /// that a long value is not written out whole at every level of its nesting.
+    fn write_flat(&self, out: &mut String, limit: usize) -> bool {
         match self {
             Self::Null => out.push_str("null"),
             Self::Bool(b) => out.push_str(if *b { "true" } else { "false" }),
@@ -115,28 +117,29 @@ impl Node {
             Self::Number(x) => _ = write!(out, "{x:?}"),
             Self::Text(s) => write_string(out, s),
             Self::List(items) => {
-                out.push('[');
-                for (i, item) in items.iter().enumerate() {
-                    if i > 0 {
-                        out.push_str(", ");
+                let mut open = "[";
+                for item in items {
+                    out.push_str(core::mem::replace(&mut open, ", "));
+                    if !item.write_flat(out, limit) {
+                        return false;
                     }
-                    item.write_flat(out);
                 }
-                out.push(']');
+                out.push_str(if items.is_empty() { "[]" } else { "]" });
             }
             Self::Object(fields) => {
-                out.push('{');
-                for (i, (key, value)) in fields.iter().enumerate() {
-                    if i > 0 {
-                        out.push_str(", ");
-                    }
+                let mut open = "{";
+                for (key, value) in fields {
+                    out.push_str(core::mem::replace(&mut open, ", "));
                     write_string(out, key);
                     out.push_str(": ");
-                    value.write_flat(out);
+                    if !value.write_flat(out, limit) {
+                        return false;
+                    }
                 }
-                out.push('}');
+                out.push_str(if fields.is_empty() { "{}" } else { "}" });
             }
         }
+        out.len() <= limit
     }
 }
 

@@ -219,18 +219,24 @@ impl<'a> At<'a> {
         high: usize,
         range: &Range,
     ) -> Result<Vec<f64>, Error> {
-        let wanted = if low == high {
-            format!("a list of {low} numbers")
-        } else {
-            format!("a list of {low} or {high} numbers")
+        let wanted = || {
+            if low == high {
+                format!("a list of {low} numbers")
+            } else {
+                format!("a list of {low} or {high} numbers")
+            }
         };
-        let items = self.items(&wanted)?;
+        let Node::List(items) = self.node else { return Err(self.wrong_type(&wanted())) };
         if !(low..=high).contains(&items.len()) {
-            return Err(
-                self.refuse(format!("found a list of {}", items.len()), format!("write {wanted}"))
-            );
+            let found = format!("found a list of {}", items.len());
+            return Err(self.refuse(found, format!("write {}", wanted())));
         }
-        items.iter().map(|item| item.number(range)).collect()
+        // The place of a number is put into words only where it is refused.
+        let number = |(i, node): (usize, &'a Node)| match node {
+            Node::Number(x) if range.check(String::new, *x).is_ok() => Ok(*x),
+            _ => At { node, place: format!("{}[{i}]", self.place) }.number(range),
+        };
+        items.iter().enumerate().map(number).collect()
     }
 
     /// Three numbers.
