@@ -20,7 +20,7 @@ PYTEST := $(PY) -m pytest
 # maturin looks for cargo and itself on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
-.PHONY: help demo test stress bench docs lint fmt rust-test python-test setup clean
+.PHONY: help demo test stress bench bench-peer docs lint fmt rust-test python-test setup clean
 
 help: ## List the targets.
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -53,9 +53,14 @@ stress: $(BUILT) ## The long randomised suites (hours).
 
 bench: $(BUILT) ## The benchmarks; results under benches/results/.
 	$(BIN)/carom bench
+	$(PY) benches/instructions.py
+
+bench-peer: $(TOOLS) ## The same beside pooltool 0.6.0, in an environment of its own (1 GB).
+	@bash scripts/bench_peer.sh $(PY)
 
 docs: $(BUILT) ## The documentation, into docs/_build.
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --quiet --target-dir docs/_build/rust
+	@$(PY) -m pip install --quiet --disable-pip-version-check --group docs
 	$(PY) scripts/build_docs.py docs/_build
 
 fmt: $(TOOLS) ## Format everything.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -46,8 +47,12 @@ def validate(
 
 def bench(
     json: Annotated[bool, typer.Option("--json", help="Print the measurements as JSON.")] = False,
+    store: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Write the JSON there; in a checkout, benches/results."),
+    ] = None,
 ) -> None:
-    """Measure how fast the engine is here, beside its peer where that is installed."""
+    """Measure how fast the engine is here, beside pooltool where that is installed."""
     from carom import bench as benchmark
 
-    raise typer.Exit(benchmark.run(json=json))
+    raise typer.Exit(benchmark.run(json=json, store=store))

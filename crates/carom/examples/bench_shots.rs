@@ -1,0 +1,33 @@
+//! Plays the shots of a file (one `carom-shot/1` in a line) a number of times on one core and
+//! without traces, and prints how many shots and events one pass has. `benches/instructions.py`
+//! counts its instructions; it is also what to run under a profiler.
+//!
+//! ```sh
+//! cargo run --profile bench --example bench_shots -- shots.jsonl 1000
+//! ```
+
+use std::error::Error;
+
+use carom::Shot;
+use carom::event::Silent;
+use carom::simulate::{SMALL, Simulation};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [file, passes] = arguments.as_slice() else {
+        return Err("usage: bench_shots FILE PASSES".into());
+    };
+    let passes: u32 = passes.parse()?;
+    let text = std::fs::read_to_string(file)?;
+    let shots = text.lines().map(Shot::from_json).collect::<Result<Vec<_>, _>>()?;
+    let mut simulation = Box::new(Simulation::<SMALL>::new());
+    let mut events = 0;
+    for _ in 0..passes {
+        events = 0;
+        for shot in &shots {
+            events += simulation.play(shot, &mut Silent).map_err(|e| format!("{e:?}"))?.events;
+        }
+    }
+    println!("{} {events}", shots.len());
+    Ok(())
+}

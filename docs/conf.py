@@ -1,0 +1,41 @@
+"""How the documentation is built; `make docs` does it, and a warning is an error."""
+
+import sys
+from pathlib import Path
+
+import carom
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE / "_ext"))
+
+project = "carom"
+author = "the carom authors"
+copyright = "the carom authors"  # noqa: A001 -- the name that Sphinx gives it
+version = release = carom.__version__
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx.ext.napoleon",
+    "carom_help",
+]
+exclude_patterns = ["_build", "_ext"]
+
+# Formulas in $…$; headings can be linked to.
+myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist"]
+myst_heading_anchors = 3
+
+# Docstrings are in Google's style; attributes of dataclasses are said once, in the class.
+napoleon_google_docstring = True
+napoleon_numpy_docstring = False
+napoleon_use_ivar = True
+autodoc_typehints = "description"
+autodoc_typehints_description_target = "documented"
+autodoc_member_order = "bysource"
+autodoc_class_signature = "mixed"
+
+html_theme = "furo"
+html_title = f"carom {release}"
+html_copy_source = False
+html_show_sphinx = False

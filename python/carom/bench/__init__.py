@@ -1,0 +1,79 @@
+"""``carom bench``: how fast, on this machine, beside pooltool where that is installed."""
+
+from __future__ import annotations
+
+import json as js
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from carom.bench.peer import Pooltool
+
+__all__ = ["measure", "run"]
+
+
+def run(*, json: bool = False, store: Path | None = None) -> int:
+    """Measures and prints.
+
+    Args:
+        json: Print JSON on stdout instead of tables.
+        store: Folder for the JSON; by default ``benches/results`` of the checkout that carom is
+            installed from, and nowhere if it is not.
+
+    Returns:
+        The exit status of the command.
+    """
+    from rich.console import Console
+
+    from carom.bench import report
+    from carom.cli.output import emit
+
+    talk = Console(stderr=True)
+    result = measure(talk)
+    if json:
+        emit(js.dumps(result, indent=2, ensure_ascii=False))
+    else:
+        report.show(result, Console())
+    root = report.checkout()
+    if store is None and root is not None:
+        store = root / "benches" / "results"
+    if store is not None:
+        talk.print(f"stored in {report.store(result, store)}", soft_wrap=True)
+    return 0
+
+
+def measure(talk: Console) -> dict[str, Any]:
+    """Everything that `carom bench` measures; progress and remarks go to `talk`."""
+    from rich.progress import Progress
+
+    from carom.bench import report, states, timing
+    from carom.shot import Shot
+
+    classes = states.load()
+    peer = _peer(talk)
+    result = report.where() | {"peer": peer and f"pooltool {peer.version}", "classes": {}}
+    count = timing.ROUNDS * sum(map(len, classes.values()))
+    with Progress(console=talk, transient=True) as progress, timing.one_core():
+        task = progress.add_task("shots", total=count)
+        for name, members in classes.items():
+            times = timing.time_class(members, peer, lambda: progress.advance(task))
+            result["classes"][name] = report.summary(times)
+    shots = [Shot.from_dict(state.shot_file()) for state in classes["random_eight_ball"]]
+    result["shots_per_second"] = timing.time_threads(shots)
+    result["variants"] = {"count": timing.VARIANTS, "seconds": timing.time_variants(shots[0])}
+    result["import"] = timing.time_import()
+    return result
+
+
+def _peer(talk: Console) -> Pooltool | None:
+    from carom.bench.peer import Pooltool
+
+    try:
+        peer = Pooltool()
+    except ImportError as error:
+        talk.print(str(error), soft_wrap=True)
+        return None
+    talk.print(f"pooltool {peer.version} compiles itself first; that takes half a minute")
+    return peer

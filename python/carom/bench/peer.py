@@ -1,0 +1,98 @@
+"""pooltool 0.6.0 on the same states, where it is installed.
+
+Its own default models, ball, cue and table are used; its default table is the one of the states.
+Only its `simulate` is timed: building the system is not, nor is the compilation of its first
+shots.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import time
+from contextlib import contextmanager
+from importlib.metadata import PackageNotFoundError, version
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from carom.bench.states import State
+
+#: The version that the published figures compare with.
+VERSION = "0.6.0"
+
+HOW_TO_INSTALL = (
+    f"pooltool {VERSION} is not installed here, so there is nothing to compare with: "
+    "`make bench-peer` in a checkout installs it into an environment of its own and compares."
+)
+
+
+@contextmanager
+def _home_elsewhere() -> Iterator[None]:
+    """The home directory elsewhere: on its import pooltool writes settings there."""
+    home = os.environ.get("HOME")
+    with tempfile.TemporaryDirectory(prefix="carom-bench-") as elsewhere:
+        os.environ["HOME"] = elsewhere
+        try:
+            yield
+        finally:
+            if home is None:
+                del os.environ["HOME"]
+            else:
+                os.environ["HOME"] = home
+
+
+class Pooltool:
+    """pooltool with its default physics.
+
+    Raises:
+        ImportError: It is not installed, or not the version that we compare with.
+    """
+
+    def __init__(self) -> None:
+        try:
+            found = version("pooltool-billiards")
+        except PackageNotFoundError as error:
+            raise ImportError(HOW_TO_INSTALL) from error
+        if found != VERSION:
+            raise ImportError(f"pooltool {found} is installed; the comparison is with {VERSION}.")
+        with _home_elsewhere():
+            import pooltool
+            from pooltool.physics.engine import PhysicsEngine
+            from pooltool.physics.resolve.resolver import default_resolver
+        self.version = found
+        self._pt = pooltool
+        # By name: what the settings of some home directory say is not what we compare with.
+        self._engine = PhysicsEngine(resolver=default_resolver())
+
+    def system(self, state: State) -> Any:
+        """A pooltool system ready to be simulated."""
+        pt = self._pt
+        cue = pt.Cue(
+            cue_ball_id="cue",
+            V0=state.speed,
+            phi=state.azimuth_deg,
+            theta=state.elevation_deg,
+            a=-state.side,  # to the left in pooltool
+            b=state.height,
+        )
+        balls = {name: pt.Ball.create(name, xy=xy) for name, xy in state.balls.items()}
+        return pt.System(cue=cue, table=pt.Table.default(), balls=balls)
+
+    def simulate(self, state: State) -> tuple[float, Any]:
+        """Seconds of processor time that one simulation took, and the simulated system."""
+        system = self.system(state)
+        start = time.process_time()
+        self._pt.simulate(system, engine=self._engine, inplace=True)
+        return time.process_time() - start, system
+
+    @staticmethod
+    def events(system: Any) -> int:
+        """Number of events, without the markers of beginning and end."""
+        return sum(str(event.event_type) != "none" for event in system.events)
+
+    @staticmethod
+    def pocketed(system: Any) -> list[str]:
+        """Ids of the balls that went down, in order."""
+        return [event.ids[0] for event in system.events if event.event_type == "ball_pocket"]

@@ -1,0 +1,209 @@
+"""The measurements as one JSON object, as tables on the terminal, and in a file."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import statistics
+import subprocess
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from carom import __version__
+from carom.bench.states import CLASSES
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
+
+    from carom.bench.timing import ClassTimes
+
+#: What the project promises: how many times faster than the peer, by the ratio of medians.
+BAR_RATIO = 1000
+#: Most that a trace may cost, as a multiple of the same shot without one.
+BAR_TRACE = 3
+#: Most that `import carom` may take, s, and the process hold, MB.
+BAR_IMPORT = {"seconds": 0.15, "megabytes": 60}
+
+
+def summary(times: ClassTimes) -> dict[str, Any]:
+    """One class: times in µs, costs of an event in ns."""
+    result: dict[str, Any] = {
+        "shots": len(times.ours),
+        "median_us": _us(statistics.median(times.ours)),
+        "mean_us": _us(statistics.mean(times.ours)),
+        "mixed_mean_us": _us(times.mixed),
+        "ns_per_event": _ns(times.ours, times.events),
+        "events_mean": statistics.mean(times.events),
+        "trace_ratio": statistics.median(
+            with_ / without for with_, without in zip(times.traced, times.ours, strict=True)
+        ),
+    }
+    if times.peer:
+        result["peer"] = {
+            "median_us": _us(statistics.median(times.peer)),
+            "mean_us": _us(statistics.mean(times.peer)),
+            "ns_per_event": _ns(times.peer, times.peer_events),
+            "events_mean": statistics.mean(times.peer_events),
+        }
+        result["ratio_of_medians"] = statistics.median(times.peer) / statistics.median(times.ours)
+        result["ratio_per_event"] = result["peer"]["ns_per_event"] / result["ns_per_event"]
+        result["ratio_of_mixed_means"] = statistics.mean(times.peer) / times.mixed
+        result["same_balls_pocketed"] = statistics.mean(times.same_pocketed)
+    return result
+
+
+def _us(seconds: float) -> float:
+    return seconds * 1e6
+
+
+def _ns(seconds: list[float], events: list[int]) -> float:
+    return sum(seconds) * 1e9 / sum(events)
+
+
+def where() -> dict[str, Any]:
+    """What was measured, when, and on what."""
+    return {
+        "format": "carom-bench/1",
+        "carom": __version__,
+        "commit": _commit(),
+        "date": datetime.now(UTC).isoformat(timespec="seconds"),
+        "machine": {
+            "processor": _processor(),
+            "cores": os.cpu_count(),
+            "system": platform.platform(terse=True),
+            "python": platform.python_version(),
+        },
+    }
+
+
+def _processor() -> str:
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        return platform.processor() or platform.machine()
+    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.machine()
+
+
+def checkout() -> Path | None:
+    """The checkout that this package is installed from, if it is."""
+    root = Path(__file__).resolve().parents[3]
+    return root if (root / "Cargo.toml").is_file() and (root / "benches").is_dir() else None
+
+
+def _commit() -> str | None:
+    """Short name of the checkout's commit, with ``+`` where something was changed since."""
+    root = checkout()
+    if root is None:
+        return None
+    try:
+        return _git(root, "rev-parse", "--short", "HEAD") + (
+            "+" if _git(root, "status", "--porcelain", "--untracked-files=no") else ""
+        )
+    except (OSError, subprocess.CalledProcessError):
+        return None
+
+
+def _git(root: Path, *arguments: str) -> str:
+    command = ["git", "-C", str(root), *arguments]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+
+
+def store(result: dict[str, Any], folder: Path) -> Path:
+    """Writes the result to ``<date>-<commit>.json`` in `folder`."""
+    folder.mkdir(parents=True, exist_ok=True)
+    commit = (result["commit"] or result["carom"]).replace("+", "-changed")
+    path = folder / f"{result['date'][:10]}-{commit}.json"
+    path.write_text(json.dumps(result, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+    return path
+
+
+def show(result: dict[str, Any], console: Console) -> None:
+    """Prints the result for people."""
+    console.print(
+        f"carom {result['carom']} on {result['machine']['processor']}: one core, no traces, "
+        "processor time per shot,\nmedian of every shot, then over the shots of its class",
+        highlight=False,
+    )
+    console.print(_medians(result), highlight=False)
+    console.print(_events(result), highlight=False)
+    console.print(_others(result), highlight=False)
+
+
+def _medians(result: dict[str, Any]) -> Table:
+    peer = result["peer"]
+    names = ["carom", peer, "ratio", f"≥ {BAR_RATIO}"] if peer else ["carom"]
+    table = _table(names)
+    for name, row in result["classes"].items():
+        cells = [CLASSES[name], f"{row['median_us']:.2f} µs"]
+        if peer:
+            ratio = row["ratio_of_medians"]
+            cells.append(f"{row['peer']['median_us'] / 1000:.2f} ms")
+            cells += [f"{ratio:.0f}", _verdict(ratio >= BAR_RATIO)]
+        table.add_row(*cells)
+    return table
+
+
+def _events(result: dict[str, Any]) -> Table:
+    """Events, which differ where the default models do: the ratio of an event's cost as well."""
+    peer = result["peer"]
+    names = ["events", "ns/event", "with trace"]
+    table = _table([*names, "peer's events", "ratio per event"] if peer else names)
+    for name, row in result["classes"].items():
+        cells = [
+            CLASSES[name],
+            f"{row['events_mean']:.1f}",
+            f"{row['ns_per_event']:.0f}",
+            f"× {row['trace_ratio']:.2f}",
+        ]
+        if peer:
+            cells += [f"{row['peer']['events_mean']:.1f}", f"{row['ratio_per_event']:.0f}"]
+        table.add_row(*cells)
+    return table
+
+
+def _table(names: list[str]) -> Table:
+    from rich.table import Table
+
+    table = Table()
+    table.add_column("")
+    for name in names:
+        table.add_column(name, justify="right")
+    return table
+
+
+def _others(result: dict[str, Any]) -> Table:
+    from rich.table import Table
+
+    table = Table.grid(padding=(0, 2))
+    rows = result["classes"].values()
+    mixed = ", ".join(f"{row['mixed_mean_us']:.2f}" for row in rows)
+    table.add_row("mean, shots in turn", f"{mixed} µs")
+    if result["peer"]:
+        ratios = ", ".join(f"{row['ratio_of_mixed_means']:.0f}" for row in rows)
+        table.add_row("ratio of means", ratios)
+        same = ", ".join(f"{100 * row['same_balls_pocketed']:.0f} %" for row in rows)
+        table.add_row("same balls pocketed", same)
+    trace = max(row["trace_ratio"] for row in rows)
+    table.add_row(
+        "trace", f"at most × {trace:.2f} (bar {BAR_TRACE}: {_verdict(trace <= BAR_TRACE)})"
+    )
+    threads = ", ".join(f"{n}: {rate:,.0f}" for n, rate in result["shots_per_second"].items())
+    table.add_row("shots/s by threads", threads)
+    variants = result["variants"]
+    table.add_row(f"{variants['count']:,} variants", f"{variants['seconds']:.3f} s in one call")
+    took = result["import"]
+    holds = all(took[key] <= bar for key, bar in BAR_IMPORT.items())
+    table.add_row(
+        "import carom",
+        f"{took['seconds']:.3f} s, {took['megabytes']:.0f} MB "
+        f"(bars {BAR_IMPORT['seconds']} s, {BAR_IMPORT['megabytes']} MB: {_verdict(holds)})",
+    )
+    return table
+
+
+def _verdict(holds: bool) -> str:
+    return "yes" if holds else "no"

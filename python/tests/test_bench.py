@@ -1,0 +1,97 @@
+"""`carom bench`: what it plays, what it reports, where it writes."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import carom
+from carom import bench
+from carom.bench import peer, report, states, timing
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A bench of two shots a class, once each, without a peer."""
+    few = {name: members[:2] for name, members in states.load().items()}
+    monkeypatch.setattr(states, "load", lambda: few)
+    monkeypatch.setattr(timing, "ROUNDS", 1)
+    monkeypatch.setattr(timing, "STRETCH", 1e-4)
+    monkeypatch.setattr(timing, "VARIANTS", 100)
+    monkeypatch.setattr(timing, "THREADED_SHOTS", 100)
+    monkeypatch.setattr(timing, "IMPORTS", 1)
+    monkeypatch.setattr(peer, "VERSION", "none")
+
+
+def test_every_state_is_a_valid_shot_that_ends() -> None:
+    classes = states.load()
+    assert {name: len(members) for name, members in classes.items()} == {
+        "pot_shot": 1,
+        "random_eight_ball": 400,
+        "nine_ball_break": 30,
+        "eight_ball_break": 30,
+    }
+    for members in classes.values():
+        shots = [carom.Shot.from_dict(state.shot_file()) for state in members]
+        result = carom.simulate_batch(shots)
+        assert not result.errors
+        # The strike, and whatever brings the ball to rest or takes it off the cloth.
+        assert (result.events >= 2).all()
+
+
+def test_the_breaks_move_the_rack() -> None:
+    for name in ("nine_ball_break", "eight_ball_break"):
+        for state in states.load()[name]:
+            shot = carom.Shot.from_dict(state.shot_file())
+            result = carom.simulate_batch([shot])
+            start = np.array(list(state.balls.values()))
+            moved = np.linalg.norm(result.final_position[0, :, :2] - start, axis=1) > 0.01
+            assert moved.sum() > len(shot.ids) / 2
+
+
+@pytest.mark.usefixtures("quick")
+def test_json_goes_to_stdout_and_into_the_folder(
+    capsys: pytest.CaptureFixture[str], tmp_path: object
+) -> None:
+    assert bench.run(json=True, store=tmp_path) == 0  # type: ignore[arg-type]
+    printed = json.loads(capsys.readouterr().out)
+    (stored,) = tmp_path.iterdir()  # type: ignore[attr-defined]
+    assert json.loads(stored.read_text()) == printed
+    assert printed["format"] == "carom-bench/1"
+    assert printed["peer"] is None
+    assert list(printed["classes"]) == list(states.CLASSES)
+    for row in printed["classes"].values():
+        assert row["median_us"] > 0
+        assert row["ns_per_event"] * row["events_mean"] == pytest.approx(1000 * row["mean_us"])
+    assert printed["shots_per_second"]["1"] > 0
+
+
+@pytest.mark.usefixtures("quick")
+def test_without_the_peer_a_sentence_says_how_to_get_it(
+    capsys: pytest.CaptureFixture[str], tmp_path: object
+) -> None:
+    assert bench.run(store=tmp_path) == 0  # type: ignore[arg-type]
+    told = capsys.readouterr()
+    assert "make bench-peer" in told.err or "0.6.0" in told.err
+    assert "eight-ball break" in told.out
+
+
+def test_ratios_are_the_peers_time_over_ours() -> None:
+    times = timing.ClassTimes(
+        ours=[1e-6, 2e-6, 3e-6],
+        traced=[2e-6, 4e-6, 6e-6],
+        events=[10, 10, 10],
+        mixed=4e-6,
+        peer=[1e-3, 4e-3, 9e-3],
+        peer_events=[10, 20, 10],
+        same_pocketed=[True, False, True],
+    )
+    row = report.summary(times)
+    assert row["median_us"] == pytest.approx(2)
+    assert row["ns_per_event"] == pytest.approx(200)
+    assert row["trace_ratio"] == pytest.approx(2)
+    assert row["ratio_of_medians"] == pytest.approx(2000)
+    assert row["ratio_of_mixed_means"] == pytest.approx(14 / 3 / 4 * 1000)
+    assert row["ratio_per_event"] == pytest.approx(350e-6 / 200e-9)
