@@ -14,7 +14,7 @@
 use carom_roots::{Motion, first_contact, first_crossing};
 
 use crate::math::Vec2;
-use crate::table::Shape;
+use crate::table::{Shape, arc_sides};
 
 /// By how much a straight part is taken to be longer at either end, m: 1 nm, ten million roundings of a
 /// position. It shows beside a round neighbour by (1 nm)²/2δ ≈ 2e-17 m, less than one rounding.
@@ -101,11 +101,8 @@ impl Round {
         self.sides().iter().all(|side| side.dot(Vec2::new(p[0], p[1])) >= -slack)
     }
 
-    /// A quarter turn from `start` towards `end`, and one from `end` towards `start`: for a span below
-    /// half a turn, the half planes on those sides meet in the span.
     fn sides(&self) -> [Vec2; 2] {
-        let turn = if self.start.cross(self.end) >= 0.0 { 1.0 } else { -1.0 };
-        [self.start.perp() * turn, self.end.perp() * -turn]
+        arc_sides(self.start, self.end)
     }
 
     /// The touch of a ball that touched the full circle beside the span at `t`: as it comes into the

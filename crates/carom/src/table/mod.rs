@@ -162,6 +162,13 @@ pub enum Shape {
     },
 }
 
+/// Directions of the two half planes that meet in the span of an arc between the unit vectors `start` and
+/// `end`: a quarter turn from `start` towards `end`, and one from `end` towards `start`.
+pub(crate) fn arc_sides(start: Vec2, end: Vec2) -> [Vec2; 2] {
+    let turn = if start.cross(end) >= 0.0 { 1.0 } else { -1.0 };
+    [start.perp() * turn, end.perp() * -turn]
+}
+
 /// One piece of a cushion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CushionPart {

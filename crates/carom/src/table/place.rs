@@ -1,6 +1,6 @@
 //! May a ball stand there?
 
-use super::{Capture, CushionPart, Layout, Shape, Table};
+use super::{Capture, CushionPart, Layout, Shape, Table, arc_sides};
 use crate::math::Vec2;
 
 /// Gaps and overlaps up to this count as touching, m: 1 nm, far more than the rounding of positions in
@@ -126,8 +126,7 @@ fn depth_in(cushion: &CushionPart, position: Vec2, reach: f64, rubber: f64) -> O
         }
         Shape::Arc { center, radius, start, end } => {
             let p = position - center;
-            let turn = if start.cross(end) >= 0.0 { 1.0 } else { -1.0 };
-            let beside = (start.perp() * turn).dot(p) >= 0.0 && (end.perp() * -turn).dot(p) >= 0.0;
+            let beside = arc_sides(start, end).iter().all(|side| side.dot(p) >= 0.0);
             beside.then(|| radius + reach - p.length())
         }
     }

@@ -386,7 +386,7 @@ fn a_ball_aimed_at_a_join_from_any_direction_meets_one_of_the_parts_there() {
         let shapes: Vec<_> = table.cushions.iter().map(|c| c.shape).collect();
         for i in 0..paths() / 20 {
             let (join, normal) = match shapes[(dice.unit() * shapes.len() as f64) as usize] {
-                Shape::Segment { start, end, normal } if dice.unit() < 0.5 => (start, normal),
+                Shape::Segment { start, normal, .. } if dice.unit() < 0.5 => (start, normal),
                 Shape::Segment { end, normal, .. } => (end, normal),
                 Shape::Arc { center, radius, start, .. } if dice.unit() < 0.5 => {
                     (center + start * radius, start)
