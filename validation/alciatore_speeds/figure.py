@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from carom.validation import plot
-from carom.validation.alciatore_speeds.rows import FASTEST, head_on
-from carom.validation.lab import MPH
+from carom.validation.alciatore_speeds.rows import FASTEST, LOSSLESS, head_on
+from carom.validation.lab import JSON, MPH
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -15,11 +15,12 @@ if TYPE_CHECKING:
 
 def figure() -> Figure:
     fig, (ax,) = plot.panels()
-    speeds = np.linspace(5.0, FASTEST, 15)
-    for k, e in enumerate((1.0, 0.95)):
-        law = {"model": "elastic", "restitution": e}
-        rebounds = [head_on(v * MPH, law)[0] / MPH for v in speeds]
-        plot.ours(ax, speeds, rebounds, f"carom, e = {e:g}", k)
+    speeds = np.linspace(10.0, FASTEST, 13)
+    frictional: JSON = {"model": "frictional", "restitution": 0.95, "friction": 0.05}
+    for k, (label, law) in enumerate(
+        (("e = 1, no friction (SY2)", LOSSLESS), ("e = 0.95, μ = 0.05", frictional))
+    ):
+        plot.ours(ax, speeds, [head_on(v * MPH, law)[0] / MPH for v in speeds], label, k)
     ax.plot(speeds, speeds / 5, ":", color="0.4", label="v/5 (TP B.20)")
     ax.axvspan(22, 26, color=plot.COLORS[5], alpha=0.2, label="breaks, men")
     plot.name(ax, "cue ball, mph", "rebound off the rack, mph", "Head-on, 15 balls 0.1 mm apart")

@@ -100,7 +100,8 @@ def angular_momentum_error(event: Event) -> float:
     turns = [inertia * (after[k].spin - before[k].spin) for k in (a, b)]
     errors = [abs(t[2] - torque[2]) for t in turns] + [abs(float(t @ n)) for t in turns]
     errors.append(float(np.linalg.norm(turns[0] - turns[1])))
-    return max(errors) / (RADIUS * momentum(event))
+    scale: float = RADIUS * momentum(event)
+    return float(max(errors)) / scale
 
 
 def collisions() -> list[Event]:
