@@ -109,11 +109,11 @@ def arrival(start: float, aim: float, table: str, size: tuple[float, float]) -> 
     """Where a fast stun bank arrives, in diamonds along the rail that it started from.
 
     The ball moves from the sight `start` on the left rail through the sight `aim` on the right
-    rail (both counted from the corner) and is still sliding, at 7 mph, when it meets the rail. Its
+    rail (both counted from the corner) and is still sliding, at 12 mph, when it meets the rail. Its
     line after the rail is read where it crosses the left line of sights.
     """
     width, length = size
-    diamond, speed = length / 8, 7 * MPH
+    diamond, speed = length / 8, 12 * MPH
     direction = math.atan2((aim - start) * diamond, width + 2 * SIGHT)
     x = width - 0.05
     y = start * diamond + (x + SIGHT) * math.tan(direction)
