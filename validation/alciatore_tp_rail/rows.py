@@ -156,7 +156,6 @@ NINE_FEET, SEVEN_FEET = ("wpa-9ft", (1.27, 2.54)), ("showood-7ft", (0.9906, 1.98
     tolerance=absolute(0.3),
     misses=(
         "Olhausen 9 ft, aim 3",
-        "Gold Crown 9 ft, aim 1",
         "Gold Crown 9 ft, aim 1.5",
         "Gold Crown 9 ft, aim 3",
     ),
