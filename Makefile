@@ -20,7 +20,7 @@ PYTEST := $(PY) -m pytest
 # maturin looks for cargo and itself on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
-.PHONY: help demo test stress bench bench-peer docs lint fmt rust-test python-test setup clean
+.PHONY: help demo test stress bench bench-peer docs goldens lint fmt rust-test python-test setup clean
 
 help: ## List the targets.
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -62,6 +62,9 @@ docs: $(BUILT) ## The documentation, into docs/_build.
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --quiet --target-dir docs/_build/rust
 	@$(PY) -m pip install --quiet --disable-pip-version-check --group docs
 	$(PY) scripts/build_docs.py docs/_build
+
+goldens: $(BUILT) ## Write the goldens anew, after a change of results on purpose.
+	$(PY) scripts/write_goldens.py
 
 fmt: $(TOOLS) ## Format everything.
 	cargo fmt --all

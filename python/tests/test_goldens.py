@@ -1,0 +1,39 @@
+"""Every example shot gives the same bits as ever: here in release, from one and two threads."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import carom
+import numpy as np
+import pytest
+from carom import Shot
+
+ROOT = Path(__file__).parents[2]
+GOLDENS = {
+    name: (int(events), state_hash)
+    for name, events, state_hash in (
+        line.split() for line in (ROOT / "goldens" / "shots.txt").read_text().splitlines()
+    )
+}
+
+
+def test_every_example_shot_has_a_golden() -> None:
+    assert GOLDENS.keys() == {path.stem for path in (ROOT / "shots").glob("*.json")}
+
+
+@pytest.mark.parametrize("name", GOLDENS)
+def test_the_events_and_final_states_are_the_same_bits_as_ever(name: str) -> None:
+    trace = Shot.load(ROOT / "shots" / f"{name}.json").simulate()
+    assert (len(trace), trace.hash) == GOLDENS[name]
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_a_batch_of_all_examples_ends_in_the_same_bits(threads: int) -> None:
+    shots = [Shot.load(ROOT / "shots" / f"{name}.json") for name in GOLDENS]
+    result = carom.simulate_batch(shots, threads=threads)
+    assert result.errors == {}
+    for index, (shot, (events, _)) in enumerate(zip(shots, GOLDENS.values(), strict=True)):
+        final = np.array([ball["position"] for ball in shot.simulate().to_dict()["final"]])
+        assert result.events[index] == events
+        assert result.final_position[index, : len(final)].tobytes() == final.tobytes()
