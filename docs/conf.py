@@ -30,10 +30,9 @@ myst_heading_anchors = 3
 napoleon_google_docstring = True
 napoleon_numpy_docstring = False
 napoleon_use_ivar = True
-autodoc_typehints = "description"
-autodoc_typehints_description_target = "documented"
+napoleon_attr_annotations = False
+autodoc_typehints = "signature"
 autodoc_member_order = "bysource"
-autodoc_class_signature = "mixed"
 
 html_theme = "furo"
 html_title = f"carom {release}"
