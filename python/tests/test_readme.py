@@ -1,4 +1,4 @@
-"""Every Python snippet of the README and of the documentation runs as it stands."""
+"""The Python snippets of the README and of the documentation run, page by page, as they stand."""
 
 from __future__ import annotations
 
@@ -16,20 +16,28 @@ PAGES = [
     ROOT / "README.md",
     *(p for p in sorted((ROOT / "docs").rglob("*.md")) if BUILT.isdisjoint(p.parts)),
 ]
-SNIPPETS = [
-    pytest.param(match[1], id=f"{page.name}-{number}")
+SNIPPET = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
+# A page's snippets build on each other, so a page is one program.
+PROGRAMS = {
+    str(page.relative_to(ROOT)): "\n".join(SNIPPET.findall(page.read_text(encoding="utf-8")))
     for page in PAGES
-    if page.exists()
-    for number, match in enumerate(
-        re.finditer(r"^```python\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE), 1
-    )
-]
+    if page.exists() and SNIPPET.search(page.read_text(encoding="utf-8"))
+}
 
 
 def test_the_readme_has_snippets() -> None:
-    assert any(param.id and param.id.startswith("README") for param in SNIPPETS)
+    assert "README.md" in PROGRAMS
 
 
-@pytest.mark.parametrize("snippet", SNIPPETS)
-def test_snippet_runs_from_the_root_of_the_checkout(snippet: str) -> None:
-    subprocess.run([sys.executable, "-W", "error", "-c", snippet], cwd=ROOT, check=True)
+@pytest.mark.parametrize("page", PROGRAMS)
+def test_the_snippets_of_a_page_run_one_after_the_other(page: str, tmp_path: Path) -> None:
+    # They speak of files of the checkout, and may write some of their own.
+    (tmp_path / "shots").symlink_to(ROOT / "shots")
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", PROGRAMS[page]],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
