@@ -1,12 +1,14 @@
 //! Nanoseconds per pair of each finder: `cargo bench -p carom-peers --bench first_contact`.
 //!
+//! The pairs of breaks and of pot shots are those that the engine's cheap proofs leave to its finder.
 //! Times here are noisy, so each figure is the least of several passes over the same pairs.
 
 use std::hint::black_box;
 use std::time::Instant;
 
-use carom_peers::families::{Case, cluster_pair, uniform_pair};
+use carom_peers::families::{Case, uniform_pair};
 use carom_peers::finder::Finder;
+use carom_peers::harvest::{break_pairs, pot_pairs};
 use carom_peers::random::Random;
 use carom_roots::Row;
 
@@ -27,17 +29,15 @@ fn nanoseconds_each(cases: &[Case], finder: Finder) -> f64 {
     (0..PASSES).map(|_| pass()).fold(f64::INFINITY, f64::min)
 }
 
-fn sample(seed: u64, hits_only: bool, draw: impl Fn(&mut Random) -> Case) -> Vec<Case> {
+fn uniform(seed: u64) -> Vec<Case> {
     let mut random = Random::new(seed);
-    let mut cases = Vec::new();
-    while cases.len() < PAIRS {
-        let case = draw(&mut random);
-        let hit = carom_roots::first_contact(&case.motion, case.distance, case.horizon).is_some();
-        if hit || !hits_only {
-            cases.push(case);
-        }
-    }
-    cases
+    (0..PAIRS).map(|_| uniform_pair(&mut random)).collect()
+}
+
+fn uniform_hits(seed: u64) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let hit = |c: &Case| carom_roots::first_contact(&c.motion, c.distance, c.horizon).is_some();
+    std::iter::repeat_with(|| uniform_pair(&mut random)).filter(hit).take(PAIRS).collect()
 }
 
 /// Lanes of a row: the most balls that a table holds, in full vectors.
@@ -76,15 +76,20 @@ fn row_nanoseconds_per_pair(cases: &[Case]) -> (f64, f64) {
 
 fn main() {
     let sets = [
-        ("pairs of a break, hits", sample(1, true, cluster_pair)),
-        ("uniform pairs, hits", sample(2, true, uniform_pair)),
-        ("uniform pairs, all", sample(3, false, uniform_pair)),
+        ("8-ball break", break_pairs(1, PAIRS)),
+        ("pot shots", pot_pairs(1, PAIRS)),
+        ("uniform, hits", uniform_hits(2)),
+        ("uniform, all", uniform(3)),
     ];
-    println!("{:<24}{:>24}{:>24}{:>24}", "ns per pair", sets[0].0, sets[1].0, sets[2].0);
+    print!("{:<24}", "ns per pair");
+    for (name, _) in &sets {
+        print!("{name:>16}");
+    }
+    println!();
     for finder in Finder::ALL {
         print!("{:<24}", finder.name());
         for (_, cases) in &sets {
-            print!("{:>24.1}", nanoseconds_each(cases, finder));
+            print!("{:>16.1}", nanoseconds_each(cases, finder));
         }
         println!();
     }

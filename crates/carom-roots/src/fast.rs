@@ -1,4 +1,4 @@
-//! First contact of bodies that are apart and closing: closed form, or a few steps and a certificate.
+//! First contact at little cost: a closed form, or a few steps and a certificate.
 //!
 //! Whatever is not proved here is left to [`crate::robust`].
 
@@ -27,6 +27,9 @@ const LAST_STEP: f64 = 2e-5;
 /// More steps than a start that deserves the name needs.
 const MAX_STEPS: usize = 5;
 
+/// Newton steps to a turning point that is 1e-8 of the time scale of the motion away.
+const TURN_STEPS: usize = 2;
+
 /// First t in [0, `horizon`] with f ≤ 0 and f′ < 0, if it can be proved at little cost.
 #[inline(always)]
 pub(crate) fn first_contact<const N: usize>(
@@ -37,17 +40,21 @@ pub(crate) fn first_contact<const N: usize>(
     let Motion { d, v, h } = motion;
     let c0 = dot(d, d) - distance * distance;
     let g0 = dot(d, v);
-    // Touching, or not closing at first: signs decide, and the robust finder reasons on signs.
-    if !(c0 > 0.0 && g0 < 0.0) {
-        return Proof::Open;
-    }
     let vv = dot(v, v);
     let vh = dot(v, h);
     let hh = dot(h, h);
+    let g = [g0, vv + 2.0 * dot(d, h), 3.0 * vh, 2.0 * hh];
+    if g0 >= 0.0 && g[1] < 0.0 {
+        return on_return(motion, distance, horizon, c0, g);
+    }
+    // Touching, or opening for ever: signs decide, and the robust finder reasons on signs.
+    if !(c0 > 0.0 && g0 < 0.0) {
+        return Proof::Open;
+    }
     if cross_squared(v, h) <= (PARALLEL * PARALLEL) * (vv * hh) {
         return on_straight_path(motion, distance, horizon, [g0, vv, vh]);
     }
-    on_curved_path(motion, distance, horizon, c0, [g0, vv + 2.0 * dot(d, h), 3.0 * vh, 2.0 * hh])
+    on_curved_path(motion, distance, horizon, c0, g)
 }
 
 /// v ∥ h: the distance of the line from the centre decides whether, and a quadratic when.
@@ -75,7 +82,7 @@ fn on_straight_path<const N: usize>(
     if t <= horizon { Proof::Contact(t) } else { Proof::NoContact }
 }
 
-/// Halley's method on the actual positions, and a certificate that f falls all the way to its end.
+/// Bodies that are closing on a curved path.
 #[inline(always)]
 fn on_curved_path<const N: usize>(
     motion: &Motion<N>,
@@ -85,18 +92,77 @@ fn on_curved_path<const N: usize>(
     g: [f64; 4],
 ) -> Proof {
     let gap = Gap::new(motion, distance);
+    let start = straight_start(motion, distance, c0, g[0]);
+    match start.and_then(|start| converged(&gap, distance, start)) {
+        Some(t) if falls_to(t, g) => answer(&gap, t, horizon),
+        _ => Proof::Open,
+    }
+}
+
+/// Bodies that are opening and being pulled back, most often after they have just touched.
+///
+/// If f is concave up to its root t, it rises and then falls: it stays above its chord from 0 to t, so
+/// that t is the first contact if the gap is ever open before.
+#[inline(always)]
+fn on_return<const N: usize>(
+    motion: &Motion<N>,
+    distance: f64,
+    horizon: f64,
+    c0: f64,
+    g: [f64; 4],
+) -> Proof {
+    let gap = Gap::new(motion, distance);
+    let discriminant = g[0] * g[0] - g[1] * c0;
+    if discriminant <= 0.0 {
+        return at_turn(&gap, horizon, g);
+    }
+    let start = (g[0] + sqrt(discriminant)) / -g[1];
+    // Far beyond the horizon the robust finder's axis proves a miss without any iteration.
+    if start > 2.0 * horizon {
+        return Proof::Open;
+    }
+    match converged(&gap, distance, start) {
+        Some(t)
+            if is_concave_to(t, g)
+                && rate(t, g) < 0.0
+                && (c0 > 0.0 || gap.sample(0.5 * t).f > 0.0) =>
+        {
+            answer(&gap, t, horizon)
+        }
+        _ => Proof::Open,
+    }
+}
+
+/// Bodies a rounding inside contact that turn back before they part: contact is where f stops rising,
+/// if f is concave until there and not open there.
+#[inline(always)]
+fn at_turn<const N: usize>(gap: &Gap<'_, N>, horizon: f64, g: [f64; 4]) -> Proof {
+    let mut t = g[0] / -g[1];
+    for _ in 0..TURN_STEPS {
+        t -= rate(t, g) / (g[1] + t * (2.0 * g[2] + t * (3.0 * g[3])));
+    }
+    let settled = rate(t, g).abs() <= f64::EPSILON * g[0];
+    if settled && t <= horizon && is_concave_to(t, g) && gap.sample(t).f <= 0.0 {
+        return Proof::Contact(t);
+    }
+    Proof::Open
+}
+
+/// Halley's method on the actual positions, or `None` if it does not settle soon.
+#[inline(always)]
+fn converged<const N: usize>(gap: &Gap<'_, N>, distance: f64, start: f64) -> Option<f64> {
     // At least 2|x·h| near the contact: x·h alone may cancel |ẋ|² in f″ where f‴ does not vanish.
-    let pull_limit = 2.0 * distance * motion.h.iter().map(|h| h.abs()).sum::<f64>();
-    let Some(mut t) = straight_start(motion, distance, c0, g[0]) else { return Proof::Open };
+    let pull_limit = 2.0 * distance * gap.motion.h.iter().map(|h| h.abs()).sum::<f64>();
+    let mut t = start;
     for _ in 0..MAX_STEPS {
         let (here, speed_squared, pull) = gap.sample_with_curvature(t);
         let gg = here.g * here.g;
         t -= 2.0 * (here.f * here.g) / (4.0 * gg - here.f * (speed_squared + pull));
         if here.f.abs() * (speed_squared + pull_limit) <= LAST_STEP * gg {
-            return certified(&gap, t, horizon, g);
+            return Some(t);
         }
     }
-    Proof::Open
+    None
 }
 
 /// A time near the contact: that of a straight path at the mean velocity of the way there.
@@ -119,15 +185,33 @@ fn straight_start<const N: usize>(
     (discriminant > 0.0).then(|| c0 / (sqrt(discriminant) - dot(d, &mean)))
 }
 
-/// f falls on [0, t] if the Bernstein coefficients of f′ there are negative; so its root is the first.
+/// f′(t)/2 = g₀ + g₁t + g₂t² + g₃t³.
 #[inline(always)]
-fn certified<const N: usize>(gap: &Gap<'_, N>, t: f64, horizon: f64, g: [f64; 4]) -> Proof {
+fn rate(t: f64, g: [f64; 4]) -> f64 {
+    g[0] + t * (g[1] + t * (g[2] + t * g[3]))
+}
+
+/// Whether f certainly falls on [0, t]: the Bernstein coefficients of f′ there are negative. Its root
+/// is then the only one.
+#[inline(always)]
+fn falls_to(t: f64, g: [f64; 4]) -> bool {
     let first = g[0] + t * g[1] / 3.0;
     let second = g[0] + t * (2.0 * g[1] + t * g[2]) / 3.0;
-    let last = g[0] + t * (g[1] + t * (g[2] + t * g[3]));
-    if !(t >= 0.0 && first < 0.0 && second < 0.0 && last < 0.0) {
-        return Proof::Open;
-    }
+    let last = rate(t, g);
+    t >= 0.0 && g[0] < 0.0 && first < 0.0 && second < 0.0 && last < 0.0
+}
+
+/// Whether f is certainly concave on [0, t]: likewise of f″.
+#[inline(always)]
+fn is_concave_to(t: f64, g: [f64; 4]) -> bool {
+    let middle = g[1] + t * g[2];
+    let last = g[1] + t * (2.0 * g[2] + t * (3.0 * g[3]));
+    t >= 0.0 && g[1] < 0.0 && middle < 0.0 && last < 0.0
+}
+
+/// The only contact in [0, t] is at t: is it within the horizon?
+#[inline(always)]
+fn answer<const N: usize>(gap: &Gap<'_, N>, t: f64, horizon: f64) -> Proof {
     if t <= horizon {
         return Proof::Contact(t);
     }

@@ -1,0 +1,119 @@
+//! Pairs as the engine meets them: every pair of balls that its cheap proofs leave to the finder.
+
+use std::cell::RefCell;
+
+use carom::Shot;
+use carom::detect::ball_ball::ContactFinder;
+use carom::event::Silent;
+use carom::resolve::cue_ball::Strike;
+use carom::simulate::{SMALL, Simulation};
+use carom_roots::Motion;
+
+use crate::families::{BALL_DIAMETER, Case};
+use crate::random::Random;
+
+thread_local! {
+    static HARVEST: RefCell<Vec<Case>> = const { RefCell::new(Vec::new()) };
+}
+
+/// The engine's finder, listening.
+#[derive(Clone, Copy, Debug)]
+struct Listening;
+
+impl ContactFinder for Listening {
+    fn first_contact(motion: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
+        let case = Case { motion: *motion, distance, horizon, metre: 1.0 };
+        HARVEST.with_borrow_mut(|harvest| harvest.push(case));
+        carom_roots::first_contact(motion, distance, horizon)
+    }
+}
+
+/// `count` pairs from eight-ball breaks.
+pub fn break_pairs(seed: u64, count: usize) -> Vec<Case> {
+    let rack = include_str!("../../../shots/eight_ball_break.json");
+    let shot = Shot::from_json(rack).expect("a shot of the project");
+    let mut random = Random::new(seed);
+    harvest(count, || {
+        let strike = Strike {
+            speed: random.between(6.0, 10.0),
+            azimuth: core::f64::consts::FRAC_PI_2 + random.between(-0.01, 0.01),
+            elevation: 0.0,
+            side: random.between(-0.1, 0.1),
+            height: random.between(-0.2, 0.3),
+        };
+        (shot.clone(), strike)
+    })
+}
+
+/// `count` pairs from shots at random layouts of ten balls on a 9-ft table.
+pub fn pot_pairs(seed: u64, count: usize) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    harvest(count, || {
+        let strike = Strike {
+            speed: random.between(0.7, 4.0),
+            azimuth: random.between(-3.1, 3.1),
+            elevation: 0.0,
+            side: random.between(-0.3, 0.3),
+            height: random.between(-0.3, 0.3),
+        };
+        (layout(&mut random, 10), strike)
+    })
+}
+
+/// Plays the shots that `next` gives until they have asked the finder `count` times.
+fn harvest(count: usize, mut next: impl FnMut() -> (Shot, Strike)) -> Vec<Case> {
+    HARVEST.with_borrow_mut(Vec::clear);
+    let mut simulation = Simulation::<SMALL, Listening>::new();
+    while HARVEST.with_borrow(Vec::len) < count {
+        let (shot, strike) = next();
+        // A shot that is refused or stopped has asked about its pairs all the same.
+        let _ = simulation.play_strike(&shot, Some((0, strike)), &mut Silent);
+    }
+    let mut pairs = HARVEST.with_borrow_mut(std::mem::take);
+    pairs.truncate(count);
+    pairs
+}
+
+/// Balls anywhere on a 9-ft table, none touching; the first is the cue ball.
+fn layout(random: &mut Random, balls: usize) -> Shot {
+    let mut places: Vec<[f64; 2]> = Vec::new();
+    while places.len() < balls {
+        let place = [random.between(0.04, 1.23), random.between(0.04, 2.5)];
+        let apart = |other: &[f64; 2]| {
+            let (x, y) = (other[0] - place[0], other[1] - place[1]);
+            x * x + y * y > 1.1 * BALL_DIAMETER * BALL_DIAMETER
+        };
+        if places.iter().all(apart) {
+            places.push(place);
+        }
+    }
+    let balls: Vec<String> = places
+        .iter()
+        .enumerate()
+        .map(|(i, [x, y])| {
+            let id = if i == 0 { "cue".to_owned() } else { i.to_string() };
+            format!(r#"{{"id": "{id}", "position": [{x}, {y}]}}"#)
+        })
+        .collect();
+    let file = format!(
+        r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "balls": [{}]}}"#,
+        balls.join(", ")
+    );
+    Shot::from_json(&file).expect("a layout without overlaps")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{break_pairs, pot_pairs};
+
+    #[test]
+    fn most_pairs_that_the_engine_asks_about_are_contacts() {
+        for pairs in [break_pairs(1, 2000), pot_pairs(1, 2000)] {
+            let contacts = pairs
+                .iter()
+                .filter(|c| carom_roots::first_contact(&c.motion, c.distance, c.horizon).is_some())
+                .count();
+            assert!(pairs.len() == 2000 && contacts > 1200, "{contacts} of {}", pairs.len());
+        }
+    }
+}
