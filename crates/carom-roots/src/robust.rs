@@ -72,26 +72,23 @@ pub(crate) fn agrees<const N: usize>(
         let extent = length(&motion.d) + t * (length(&motion.v) + t * length(&motion.h));
         (gap.sample(t).f / (2.0 * distance), ROUNDINGS * extent)
     };
-    let near = |t: f64| {
-        let (gap, tolerance) = depth_at(t);
-        gap.abs() <= tolerance
-    };
     match (ours, answer) {
         (None, None) => true,
         (Some(ours), Some(answer)) => {
-            // Both in contact, and between them no deeper than roundings.
-            let middle = 0.5 * (ours + answer);
-            near(ours) && near(answer) && near(middle)
+            // In contact, perhaps overlapping from the start, and no deeper between the two.
+            let (here, tolerance) = depth_at(ours);
+            let level = |t: f64| (depth_at(t).0 - here).abs() <= tolerance;
+            here <= tolerance && level(answer) && level(0.5 * (ours + answer))
         }
         (Some(t), None) | (None, Some(t)) => {
             // At the horizon, or at the closest approach, where a graze may be either.
-            let (_, tolerance) = depth_at(t);
+            let (gap_there, tolerance) = depth_at(t);
             let here = gap.sample(t);
             let left = (horizon - t).abs() * here.g.abs() / distance;
             let closest = here.g * here.g / (2.0 * distance * distance);
             let curvature = dot(&motion.velocity_at(t), &motion.velocity_at(t)) / distance
                 + 2.0 * length(&motion.h);
-            near(t) && (left <= tolerance || closest <= tolerance * curvature)
+            gap_there <= tolerance && (left <= tolerance || closest <= tolerance * curvature)
         }
     }
 }
