@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import json
 
+import carom
 import numpy as np
 import pytest
-
-import carom
 from carom import bench
 from carom.bench import peer, report, states, timing
 

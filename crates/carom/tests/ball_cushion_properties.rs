@@ -45,7 +45,7 @@ struct Case {
 /// that leave the physical range and must be clamped.
 fn case(model: CushionModel, random: &mut Random) -> Case {
     let (sin, cos) = sin_cos(random.between(-1.57, 1.57));
-    let (s, c) = sin_cos(random.between(0.0, 6.28));
+    let (s, c) = sin_cos(random.between(0.0, core::f64::consts::TAU));
     let into = Vec2::new(c, s);
     let speed =
         random.one_of([1e-9, 1e-6, 1e-3, 2e-3, 0.1, 1.0, 3.0, 10.0]) * random.between(0.5, 2.0);
@@ -177,7 +177,7 @@ fn a_turned_rail_has_the_turned_outcome_to_rounding() {
         for i in 0..IMPACTS / 10 {
             let mut case = case(model, &mut random);
             let ball = after(&case);
-            let (s, c) = sin_cos(random.between(0.0, 6.28));
+            let (s, c) = sin_cos(random.between(0.0, core::f64::consts::TAU));
             let by = Vec2::new(c, s);
             case.into = turned(case.into, by);
             let (v, w) = (case.ball.velocity, case.ball.angular_velocity);

@@ -25,8 +25,9 @@ PROGRAMS = {
 }
 
 
-def test_the_readme_has_snippets() -> None:
+def test_the_readme_and_the_tutorials_have_snippets() -> None:
     assert "README.md" in PROGRAMS
+    assert sum(page.startswith("docs/tutorials/") for page in PROGRAMS) >= 3
 
 
 @pytest.mark.parametrize("page", PROGRAMS)
