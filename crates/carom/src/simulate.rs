@@ -399,11 +399,18 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
 /// The state right after an impact: the same place, new velocities, the motion that they mean.
 #[inline(always)]
 fn struck_state(before: &BallState, velocity: Vec3, spin: Vec3, radius: f64) -> BallState {
-    BallState {
-        position: before.position,
-        velocity,
-        angular_velocity: spin,
-        motion: classify(velocity, spin, radius),
+    let motion = classify(velocity, spin, radius);
+    let state = BallState { position: before.position, velocity, angular_velocity: spin, motion };
+    match motion {
+        MotionState::Spinning => BallState {
+            velocity: Vec3::ZERO,
+            angular_velocity: Vec3::new(0.0, 0.0, spin.z),
+            ..state
+        },
+        MotionState::Stationary => {
+            BallState { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, ..state }
+        }
+        _ => state,
     }
 }
 

@@ -20,6 +20,11 @@ use crate::{Ball, BallState, MotionState};
 /// real slip would be lost.
 const SLIP_ROUNDING: f64 = 1e-12;
 
+/// A speed below this, m/s, is none: a slide from it would be over in 1e-14 s, which is less than
+/// the rounding of a long shot's clock, and events that the clock cannot tell apart
+/// would follow each other for ever. A ball at this speed needs an hour for an atom's width.
+const STILL: f64 = 1e-13;
+
 /// What a ball does from now until its motion state ends, in closed form. Times are counted from
 /// the path's start.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,9 +139,9 @@ pub fn classify(velocity: Vec3, angular_velocity: Vec3, radius: f64) -> MotionSt
     let slip = cloth_slip(velocity, angular_velocity, radius).length_squared();
     let speeds =
         velocity.length_squared() + radius * radius * angular_velocity.xy().length_squared();
-    if slip > SLIP_ROUNDING * SLIP_ROUNDING * speeds {
+    if slip > SLIP_ROUNDING * SLIP_ROUNDING * speeds && slip > STILL * STILL {
         MotionState::Sliding
-    } else if velocity.xy() != Vec2::ZERO {
+    } else if velocity.xy().length_squared() > STILL * STILL {
         MotionState::Rolling
     } else if angular_velocity.z != 0.0 {
         MotionState::Spinning

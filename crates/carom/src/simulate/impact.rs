@@ -8,20 +8,31 @@ use crate::event::{Event, EventKind, Recorder};
 use crate::math::Vec3;
 use crate::motion::Path;
 use crate::resolve::{self, Body};
-use crate::{Ball, BallState, Physics, Table};
+use crate::{Ball, BallState, MotionState, Physics, Table};
 
 /// A push without end: cloth friction presses a ball against another, or against a cushion, that
-/// it touches. Bounces against it would shrink for ever: each one's recoil is braked away by the
-/// cloth, or there was none to begin with. So contacts of a push recur after this time at the
-/// earliest, s: the ball is resolved as if it had been pressed with the speed ½aT that the push
-/// gives it meanwhile, at most 1 mm/s. Shorter, and there are more events; longer, and bounces
-/// would be seen (now they are 0.25 µm high).
-const PRESS_PERIOD: f64 = 1e-3;
+/// it touches. Bounces against it would shrink for ever: the cloth brakes each recoil away, or
+/// there was none to begin with. So bodies under a push part with at least this speed, m/s, as if
+/// they had been pressed together so fast. The contact then recurs after 2v/a, 1 ms under a
+/// sliding ball. Faster, and bounces would be seen (now they are 0.25 µm high under a sliding
+/// ball, 10 µm under the faintest push of rolling ones); slower, and there are more events.
+const PRESS_SPEED: f64 = 1e-3;
 
-/// The same, s, where the friction of that very contact does not take the energy which pressing
-/// lends, as between frictionless balls. What is lent is then less than ½m(aT/2)², 1e-9 J for a
-/// pool ball.
-const UNPAID_PRESS_PERIOD: f64 = 1e-4;
+/// The same, m/s, where the friction of that very contact does not take the energy that pressing
+/// lends, as between frictionless balls. What is lent is then at most ½mv², 1e-9 J for a pool
+/// ball.
+const UNPAID_PRESS_SPEED: f64 = 1e-4;
+
+/// A ball that is hit while it rolls slides until the cloth has taken 2/7 of what it was given;
+/// pressed by this factor more, it still parts.
+const BRAKED: f64 = 7.0 / 5.0;
+
+/// A slide shorter than this, s, may be the recoil from a press, which lasts 0.3 ms at most on
+/// cloth as slippery as any.
+const BRIEF: f64 = 1e-3;
+
+/// And if it is shorter than this share of the other ball's path, it is one.
+const BRIEF_SHARE: f64 = 0.25;
 
 /// A separation below this fraction of the bodies' speeds is rounding: the next contact would
 /// find the same two numbers again, for ever.
@@ -130,7 +141,12 @@ fn settle<const K: usize>(
         (after, from_fn(path))
     };
     let result = begin(strike(0.0));
-    let Some(speed) = press_speed(&result.1, normal, PRESS_PERIOD) else {
+    if parting(&result.1, normal) >= BRAKED * PRESS_SPEED {
+        return result;
+    }
+    let settled: [Path; K] = from_fn(|k| settled(&result.1, k, &balls[k], physics));
+    let push = Push::of(&settled, normal);
+    let Some(speed) = press_speed(&result.1, &push, normal, PRESS_SPEED) else {
         return result;
     };
     let energy = |states: &[BallState; K]| -> f64 {
@@ -142,26 +158,72 @@ fn settle<const K: usize>(
     if energy(&pressed) <= energy(before) {
         return begin(pressed);
     }
-    match press_speed(&result.1, normal, UNPAID_PRESS_PERIOD) {
+    match press_speed(&result.1, &push, normal, UNPAID_PRESS_SPEED) {
         Some(speed) => begin(strike(speed - approach)),
         None => result,
     }
 }
 
-/// The approach speed (m/s) that makes the contact recur after `period`, if it would do so sooner.
-#[inline(always)]
-fn press_speed<const K: usize>(paths: &[Path; K], normal: Vec3, period: f64) -> Option<f64> {
-    let (mut parting, mut speeds, mut pressed) = (0.0, 0.0, 0.0);
-    for (path, side) in paths.iter().zip([1.0, -1.0]) {
-        parting -= side * path.velocity.dot(normal);
-        speeds += path.velocity.length();
-        let push = 2.0 * side * path.half_acceleration.dot(normal);
-        if push > 0.0 {
-            // A push ends with its motion state, so that a faint slide lends as little.
-            pressed += 0.5 * push * earlier(path.duration, period);
-        }
-    }
+/// The approach speed (m/s) that makes the bodies on `paths` part with `least`, if they would
+/// otherwise part more slowly and `push` would bring them together again; or the one that makes
+/// them part at all.
+fn press_speed<const K: usize>(
+    paths: &[Path; K],
+    push: &Push,
+    normal: Vec3,
+    least: f64,
+) -> Option<f64> {
+    let speeds = paths.iter().fold(0.0, |sum, path| sum + path.velocity.length());
     let rounding = SEPARATION_ROUNDING * speeds;
-    let enough = if pressed > rounding { pressed } else { rounding };
-    (parting < enough).then_some(enough)
+    let parting = parting(paths, normal);
+    let stuck = parting <= rounding;
+    let enough = earlier(least, push.gives);
+    // What a brief slide takes of the separation comes on top.
+    let taken = if parting > push.parting { parting - push.parting } else { 0.0 };
+    let speed = if push.parting < enough || stuck { BRAKED * (enough + taken) } else { 0.0 };
+    let at_least = if stuck { 2.0 * rounding } else { 0.0 };
+    let speed = if speed > at_least { speed } else { at_least };
+    (speed > 0.0).then_some(speed)
+}
+
+/// Speed at which the bodies on `paths` separate along `normal`, m/s. A wall stands still.
+#[inline(always)]
+fn parting<const K: usize>(paths: &[Path; K], normal: Vec3) -> f64 {
+    paths.iter().zip([-1.0, 1.0]).fold(0.0, |sum, (p, side)| sum + side * p.velocity.dot(normal))
+}
+
+/// The path of ball `k`, or the one after it if it is a slide that is over long before the other's
+/// path: a recoil, not a push.
+fn settled<const K: usize>(paths: &[Path; K], k: usize, ball: &Ball, physics: &Physics) -> Path {
+    let path = &paths[k];
+    let pushes = K == 2 && paths[1 - k].moves();
+    let other = if pushes { paths[1 - k].duration } else { 0.0 };
+    let recoil = path.duration < BRIEF && path.duration < BRIEF_SHARE * other;
+    if path.motion == MotionState::Sliding && recoil {
+        Path::new(&path.successor(), ball, &physics.cloth, physics.gravity)
+    } else {
+        *path
+    }
+}
+
+/// How the cloth moves two bodies against each other.
+struct Push {
+    /// Speed of separation to begin with, m/s.
+    parting: f64,
+    /// Largest such speed that the push turns back before it ends, m/s; 0 if there is none.
+    gives: f64,
+}
+
+impl Push {
+    fn of<const K: usize>(paths: &[Path; K], normal: Vec3) -> Self {
+        let (mut acceleration, mut lasts) = (0.0, f64::INFINITY);
+        for (path, side) in paths.iter().zip([1.0, -1.0]) {
+            acceleration += 2.0 * side * path.half_acceleration.dot(normal);
+            if path.moves() {
+                lasts = earlier(path.duration, lasts);
+            }
+        }
+        let gives = if acceleration > 0.0 { 0.5 * acceleration * lasts } else { 0.0 };
+        Self { parting: parting(paths, normal), gives }
+    }
 }

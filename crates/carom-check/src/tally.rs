@@ -1,0 +1,88 @@
+//! Sums over many judged shots.
+
+use std::fmt;
+
+use crate::Checker;
+
+/// Faulty shots that are kept whole.
+const EXAMPLES: usize = 5;
+
+/// What judging many shots has found.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    /// Shots simulated.
+    pub shots: u64,
+    /// Layouts that are no shots: a ball drawn into a jaw or over a hole.
+    pub refused: u64,
+    /// Shots with a fault.
+    pub faulty: u64,
+    /// Events of all shots.
+    pub events: u64,
+    /// Most events of one shot, and its seed.
+    pub longest: (u64, u64),
+    /// Deepest overlap at any time, m.
+    pub deepest: f64,
+    /// Largest |gap| at a contact of two balls, m.
+    pub widest: f64,
+    /// Some faulty shots: seed, and faults with the shot file.
+    pub examples: Vec<(u64, String)>,
+}
+
+impl Tally {
+    /// Of one shot.
+    pub fn of(seed: u64, checker: &Checker<'_>, file: &str) -> Self {
+        let faults: Vec<String> = checker.faults.iter().map(ToString::to_string).collect();
+        Self {
+            shots: 1,
+            refused: 0,
+            faulty: u64::from(!faults.is_empty()),
+            events: checker.events,
+            longest: (checker.events, seed),
+            deepest: checker.deepest.max(0.0),
+            widest: checker.gaps.iter().fold(0.0, |w: f64, g| w.max(g.abs())),
+            examples: if faults.is_empty() {
+                Vec::new()
+            } else {
+                vec![(seed, format!("{}\n{file}", faults.join("\n")))]
+            },
+        }
+    }
+
+    /// A layout that is no shot.
+    pub fn refused() -> Self {
+        Self { refused: 1, ..Self::default() }
+    }
+
+    /// Both.
+    #[must_use]
+    pub fn with(mut self, other: Self) -> Self {
+        self.shots += other.shots;
+        self.refused += other.refused;
+        self.faulty += other.faulty;
+        self.events += other.events;
+        self.longest = self.longest.max(other.longest);
+        self.deepest = self.deepest.max(other.deepest);
+        self.widest = self.widest.max(other.widest);
+        self.examples.extend(other.examples);
+        self.examples.truncate(EXAMPLES);
+        self
+    }
+}
+
+impl fmt::Display for Tally {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} shots ({} layouts refused), {} events, at most {} (seed {}); deepest overlap \
+             {:.1e} m, widest contact gap {:.1e} m; {} faulty",
+            self.shots,
+            self.refused,
+            self.events,
+            self.longest.0,
+            self.longest.1,
+            self.deepest,
+            self.widest,
+            self.faulty
+        )
+    }
+}

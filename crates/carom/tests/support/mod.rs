@@ -1,0 +1,72 @@
+//! What the whole-shot tests share.
+#![allow(dead_code, reason = "every test file uses its own part of this")]
+
+use carom::event::{Event, EventKind, Recorder};
+use carom::{BallState, Shot, Summary};
+
+/// One event, kept.
+#[derive(Clone, Debug)]
+pub struct Kept {
+    pub time: f64,
+    pub kind: EventKind,
+    pub balls: Vec<usize>,
+    pub before: Vec<BallState>,
+    pub after: Vec<BallState>,
+}
+
+/// Keeps everything.
+#[derive(Debug, Default)]
+pub struct Log {
+    pub events: Vec<Kept>,
+}
+
+impl Recorder for Log {
+    const STATES: bool = true;
+    fn record(&mut self, event: &Event<'_>) {
+        self.events.push(Kept {
+            time: event.time,
+            kind: event.kind,
+            balls: event.balls.iter().map(|&i| usize::from(i)).collect(),
+            before: event.before.to_vec(),
+            after: event.after.to_vec(),
+        });
+    }
+}
+
+impl Log {
+    pub fn of(&self, wanted: impl Fn(&EventKind) -> bool) -> Vec<&Kept> {
+        self.events.iter().filter(|e| wanted(&e.kind)).collect()
+    }
+    pub fn ball_collisions(&self) -> Vec<&Kept> {
+        self.of(|k| matches!(k, EventKind::BallCollision))
+    }
+    pub fn rail_collisions(&self) -> Vec<&Kept> {
+        self.of(|k| matches!(k, EventKind::RailCollision(_)))
+    }
+    /// The last state of ball `i`, or its state before the shot in the engine's frame.
+    pub fn last(&self, shot: &Shot, i: usize) -> BallState {
+        let found = self.events.iter().rev().find_map(|e| {
+            let k = e.balls.iter().position(|&b| b == i)?;
+            Some(e.after[k])
+        });
+        found.unwrap_or_else(|| shot.table().to_engine_frame(&shot.balls()[i].state))
+    }
+}
+
+/// Reads a shot file; the text leaves out `format`.
+pub fn shot(body: &str) -> Shot {
+    let text = format!("{{\"format\": \"carom-shot/1\", {body}}}");
+    Shot::from_json(&text).unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+/// Simulates and keeps every event.
+pub fn play(shot: &Shot) -> (Log, Summary) {
+    let mut log = Log::default();
+    let summary = carom::simulate(shot, &mut log).expect("the shot ends");
+    (log, summary)
+}
+
+/// Kinetic energy of the balls of an event, J.
+pub fn energy(shot: &Shot, balls: &[usize], states: &[BallState]) -> f64 {
+    balls.iter().zip(states).map(|(&i, s)| shot.balls()[i].ball.kinetic_energy(s)).sum()
+}
