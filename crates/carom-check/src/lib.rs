@@ -52,9 +52,9 @@ pub struct Checker<'a> {
     since: Vec<f64>,
     /// Everything found wrong.
     pub faults: Vec<Fault>,
-    /// Deepest overlap seen at any time, m (negative: none).
+    /// No overlap was deeper at any time, m: a bound, [`DEPTH`] where proving less was not tried.
     pub deepest: f64,
-    /// Gaps at ball–ball contacts, m.
+    /// |Gap| at each ball–ball contact, m.
     pub gaps: Vec<f64>,
     /// Number of events.
     pub events: u64,
@@ -160,21 +160,18 @@ impl<'a> Checker<'a> {
     fn contacts(&mut self, event: &Event<'_>) {
         let reach = |i: u16| self.shot.balls()[usize::from(i)].ball.radius;
         if let EventKind::BallCollision = event.kind {
-            let (mut found, mut closest) = (Vec::new(), f64::INFINITY);
+            let mut closest = f64::INFINITY;
             for p in 0..event.balls.len() {
                 for q in p + 1..event.balls.len() {
                     let d = event.before[q].position - event.before[p].position;
                     let gap = d.length() - (reach(event.balls[p]) + reach(event.balls[q]));
                     closest = closest.min(gap.abs());
-                    if gap.abs() < 1e-9 {
-                        found.push(gap);
-                    }
                 }
             }
             if closest > CONTACT_GAP && !self.starts_within(event, closest) {
                 self.fault(format!("balls {:?} collide {closest:e} m apart", event.balls));
             }
-            self.gaps.extend(found);
+            self.gaps.push(closest);
         }
     }
 

@@ -20,7 +20,7 @@ pub struct Tally {
     pub events: u64,
     /// Most events of one shot, and its seed.
     pub longest: (u64, u64),
-    /// Deepest overlap at any time, m.
+    /// No overlap was deeper at any time, m.
     pub deepest: f64,
     /// Largest |gap| at a contact of two balls, m.
     pub widest: f64,
@@ -73,8 +73,8 @@ impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{} shots ({} layouts refused), {} events, at most {} (seed {}); deepest overlap \
-             {:.1e} m, widest contact gap {:.1e} m; {} faulty",
+            "{} shots ({} layouts refused), {} events, at most {} (seed {}); no overlap deeper \
+             than {:.1e} m, widest contact gap {:.1e} m; {} faulty",
             self.shots,
             self.refused,
             self.events,

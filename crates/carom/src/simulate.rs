@@ -82,6 +82,8 @@ pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     /// First contact with another ball, infinite if none, and with which.
     contact: [f64; N],
     partner: [u16; N],
+    /// When each ball was last in a contact, −∞ if never.
+    touched: [f64; N],
     /// First contact of every pair, symmetric.
     pair: [[f64; N]; N],
     finder: PhantomData<F>,
@@ -145,6 +147,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             feature: [TableFeature::Cushion(0); N],
             contact: [f64::INFINITY; N],
             partner: [0; N],
+            touched: [f64::NEG_INFINITY; N],
             pair: [[f64::INFINITY; N]; N],
             finder: PhantomData,
         }
@@ -194,6 +197,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             self.lanes.radius[i] = placed.ball.radius;
             self.set(i, Path::new(&state, &placed.ball, cloth, *gravity), 0.0);
             self.contact[i] = f64::INFINITY;
+            self.touched[i] = f64::NEG_INFINITY;
             self.pair[i][..self.n].fill(f64::INFINITY);
         }
         self.lanes.leave[self.n..].fill(f64::NAN);

@@ -227,7 +227,7 @@ fn a_ball_driven_into_one_frozen_to_a_rail_neither_enters_the_other_nor_the_rail
 }
 
 /// Seen: an event explosion in pooltool, 10 139 events in a cradle of ten balls. Right: one blow
-/// runs down the row.
+/// runs down the row; and as the cue ball still spins forward, it then pushes the row along.
 #[test]
 fn a_newtons_cradle_passes_the_blow_on_and_ends() {
     let r = 0.028_575;
@@ -236,12 +236,12 @@ fn a_newtons_cradle_passes_the_blow_on_and_ends() {
         balls.push(format!(r#"{{"id": "{k}", "position": [0.0, {:?}]}}"#, 2.0 * r * f64::from(k)));
     }
     let shot = shot(&format!(
-        r#""table": {{"cloth": "unbounded"}}, "physics": {{"base": "ideal"}}, "balls": [{}],
+        r#""table": {{"cloth": "unbounded"}}, "balls": [{}],
            "strike": {{"ball": "cue", "speed": 1.0, "azimuth_deg": 90.0}}"#,
         balls.join(", ")
     ));
     let (log, summary) = play(&shot);
-    assert!(summary.events < 500, "{}", summary.events);
+    assert!(summary.events < 4000, "{}", summary.events);
     let last = log.last(&shot, 10).position.y - 2.0 * r * 9.0;
     for i in 1..10 {
         let moved = log.last(&shot, i).position.y - 2.0 * r * f64::from(i as u32 - 1);

@@ -87,6 +87,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.resolve_cluster(&mut cluster, &mut after, [a as u16, b as u16], time, physics);
         for (&i, after) in cluster.balls().iter().zip(&after) {
             self.begin(usize::from(i), after, time, physics);
+            self.touched[usize::from(i)] = time;
         }
         recorder.record(&Event {
             time,

@@ -1,21 +1,22 @@
 //! Impacts: the balls in one take new velocities in place.
 
-use core::array::from_fn;
-
 use super::{Simulation, earlier, struck_state};
 use crate::detect::ball_ball::ContactFinder;
 use crate::event::{Event, EventKind, Recorder};
 use crate::math::Vec3;
-use crate::motion::Path;
 use crate::resolve::{self, Body};
-use crate::{Ball, BallState, MotionState, Physics, Table};
+use crate::{Ball, BallState, Physics, Table};
 
 /// A push without end: cloth friction presses a ball against another, or against a cushion, that
-/// it touches. Bounces against it would shrink for ever: the cloth brakes each recoil away, or
-/// there was none to begin with. So bodies under a push part with at least this speed, m/s, as if
-/// they had been pressed together so fast. The contact then recurs after 2v/a, 1 ms under a
-/// sliding ball. Faster, and bounces would be seen (now they are 0.25 µm high under a sliding
-/// ball, 10 µm under the faintest push of rolling ones); slower, and there are more events.
+/// it touches, and their bounces would shrink for ever, for the cloth brakes each recoil away. A
+/// contact is part of such a push if both bodies have been in another within this time, s, and
+/// now meet at less than [`PRESS_SPEED`]. A lone gentle touch is not.
+const PUSH_PERIOD: f64 = 1e-3;
+
+/// Bodies under a push part with at least this speed, m/s, as if they had been pressed together
+/// so fast. The contact then recurs after 2v/a, 1 ms under a sliding ball. Faster, and bounces
+/// would be seen (now they are 0.25 µm high under a sliding ball, 10 µm under the faintest push of
+/// rolling ones); slower, and there are more events.
 const PRESS_SPEED: f64 = 1e-3;
 
 /// The same, m/s, where the friction of that very contact does not take the energy that pressing
@@ -23,16 +24,9 @@ const PRESS_SPEED: f64 = 1e-3;
 /// ball.
 const UNPAID_PRESS_SPEED: f64 = 1e-4;
 
-/// A ball that is hit while it rolls slides until the cloth has taken 2/7 of what it was given;
-/// pressed by this factor more, it still parts.
-const BRAKED: f64 = 7.0 / 5.0;
-
-/// A slide shorter than this, s, may be the recoil from a press, which lasts 0.3 ms at most on
-/// cloth as slippery as any.
-const BRIEF: f64 = 1e-3;
-
-/// And if it is shorter than this share of the other ball's path, it is one.
-const BRIEF_SHARE: f64 = 0.25;
+/// Nor do they part with more than this share of the speeds of their surfaces, so that bodies
+/// that hardly move are hardly moved.
+const PRESS_SHARE: f64 = 0.1;
 
 /// A separation below this fraction of the bodies' speeds is rounding: the next contact would
 /// find the same two numbers again, for ever.
@@ -60,8 +54,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             resolve::ball_cushion::resolve(law, &physics.cloth, into, sin_theta, &mut body);
             [struck_state(&before, body.velocity, body.angular_velocity, ball.radius)]
         };
-        let ([after], [path]) = settle(&[before], &[ball], into.with_z(0.0), physics, strike);
-        self.set(i, path, time);
+        let again = self.touched_lately(i, time);
+        let normal = into.with_z(0.0);
+        let impact = Impact { before: &[before], balls: &[ball], normal, again };
+        let [after] = impact.settle(strike);
+        self.begin(i, &after, time, physics);
+        self.touched[i] = time;
         recorder.record(&Event {
             time,
             kind: EventKind::RailCollision(part),
@@ -102,9 +100,13 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 struck_state(&before[1], q.velocity, q.angular_velocity, q.radius),
             ]
         };
-        let (after, path) = settle(&before, &pair, normal, physics, strike);
-        self.set(a, path[0], time);
-        self.set(b, path[1], time);
+        let again = self.touched_lately(a, time) && self.touched_lately(b, time);
+        let impact = Impact { before: &before, balls: &pair, normal, again };
+        let after = impact.settle(strike);
+        for (i, after) in [(a, &after[0]), (b, &after[1])] {
+            self.begin(i, after, time, physics);
+            self.touched[i] = time;
+        }
         recorder.record(&Event {
             time,
             kind: EventKind::BallCollision,
@@ -113,6 +115,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             after: &after,
         });
         self.find(&balls, time, table);
+    }
+
+    /// Whether ball `i` has been in another contact within [`PUSH_PERIOD`].
+    #[inline(always)]
+    fn touched_lately(&self, i: usize, time: f64) -> bool {
+        time - self.touched[i] < PUSH_PERIOD
     }
 }
 
@@ -125,105 +133,61 @@ pub(super) fn body(state: &BallState, ball: &Ball) -> Body {
     }
 }
 
-/// The states after an impact along `normal`, of a ball with a wall (`K` = 1) or with another
-/// (`K` = 2), and the paths that follow. `strike` gives the states if the approach speed is raised
-/// by so many m/s; it is, if they would otherwise meet again too soon ([`PRESS_PERIOD`]).
-#[inline(always)]
-fn settle<const K: usize>(
-    before: &[BallState; K],
-    balls: &[Ball; K],
+/// Bodies about to meet along `normal`: a ball and a wall (`K` = 1) or two balls (`K` = 2).
+struct Impact<'a, const K: usize> {
+    before: &'a [BallState; K],
+    balls: &'a [Ball; K],
     normal: Vec3,
-    physics: &Physics,
-    strike: impl Fn(f64) -> [BallState; K],
-) -> ([BallState; K], [Path; K]) {
-    let begin = |after: [BallState; K]| {
-        let path = |k: usize| Path::new(&after[k], &balls[k], &physics.cloth, physics.gravity);
-        (after, from_fn(path))
-    };
-    let result = begin(strike(0.0));
-    if parting(&result.1, normal) >= BRAKED * PRESS_SPEED {
-        return result;
-    }
-    let settled: [Path; K] = from_fn(|k| settled(&result.1, k, &balls[k], physics));
-    let push = Push::of(&settled, normal);
-    let Some(speed) = press_speed(&result.1, &push, normal, PRESS_SPEED) else {
-        return result;
-    };
-    let energy = |states: &[BallState; K]| -> f64 {
-        states.iter().zip(balls).map(|(s, b)| b.kinetic_energy(s)).sum()
-    };
-    let other = if K == 2 { before[K - 1].velocity } else { Vec3::ZERO };
-    let approach = (before[0].velocity - other).dot(normal);
-    let pressed = strike(speed - approach);
-    if energy(&pressed) <= energy(before) {
-        return begin(pressed);
-    }
-    match press_speed(&result.1, &push, normal, UNPAID_PRESS_SPEED) {
-        Some(speed) => begin(strike(speed - approach)),
-        None => result,
-    }
+    /// Whether both have been in another contact just now.
+    again: bool,
 }
 
-/// The approach speed (m/s) that makes the bodies on `paths` part with `least`, if they would
-/// otherwise part more slowly and `push` would bring them together again; or the one that makes
-/// them part at all.
-fn press_speed<const K: usize>(
-    paths: &[Path; K],
-    push: &Push,
-    normal: Vec3,
-    least: f64,
-) -> Option<f64> {
-    let speeds = paths.iter().fold(0.0, |sum, path| sum + path.velocity.length());
-    let rounding = SEPARATION_ROUNDING * speeds;
-    let parting = parting(paths, normal);
-    let stuck = parting <= rounding;
-    let enough = earlier(least, push.gives);
-    // What a brief slide takes of the separation comes on top.
-    let taken = if parting > push.parting { parting - push.parting } else { 0.0 };
-    let speed = if push.parting < enough || stuck { BRAKED * (enough + taken) } else { 0.0 };
-    let at_least = if stuck { 2.0 * rounding } else { 0.0 };
-    let speed = if speed > at_least { speed } else { at_least };
-    (speed > 0.0).then_some(speed)
-}
-
-/// Speed at which the bodies on `paths` separate along `normal`, m/s. A wall stands still.
-#[inline(always)]
-fn parting<const K: usize>(paths: &[Path; K], normal: Vec3) -> f64 {
-    paths.iter().zip([-1.0, 1.0]).fold(0.0, |sum, (p, side)| sum + side * p.velocity.dot(normal))
-}
-
-/// The path of ball `k`, or the one after it if it is a slide that is over long before the other's
-/// path: a recoil, not a push.
-fn settled<const K: usize>(paths: &[Path; K], k: usize, ball: &Ball, physics: &Physics) -> Path {
-    let path = &paths[k];
-    let pushes = K == 2 && paths[1 - k].moves();
-    let other = if pushes { paths[1 - k].duration } else { 0.0 };
-    let recoil = path.duration < BRIEF && path.duration < BRIEF_SHARE * other;
-    if path.motion == MotionState::Sliding && recoil {
-        Path::new(&path.successor(), ball, &physics.cloth, physics.gravity)
-    } else {
-        *path
-    }
-}
-
-/// How the cloth moves two bodies against each other.
-struct Push {
-    /// Speed of separation to begin with, m/s.
-    parting: f64,
-    /// Largest such speed that the push turns back before it ends, m/s; 0 if there is none.
-    gives: f64,
-}
-
-impl Push {
-    fn of<const K: usize>(paths: &[Path; K], normal: Vec3) -> Self {
-        let (mut acceleration, mut lasts) = (0.0, f64::INFINITY);
-        for (path, side) in paths.iter().zip([1.0, -1.0]) {
-            acceleration += 2.0 * side * path.half_acceleration.dot(normal);
-            if path.moves() {
-                lasts = earlier(path.duration, lasts);
+impl<const K: usize> Impact<'_, K> {
+    /// The states after the impact. `strike` gives them if the approach speed is raised by so many
+    /// m/s, as it is if the bodies are under a push.
+    #[inline(always)]
+    fn settle(&self, strike: impl Fn(f64) -> [BallState; K]) -> [BallState; K] {
+        let after = strike(0.0);
+        let approach = -self.parting(self.before);
+        let parting = self.parting(&after);
+        let rounding = SEPARATION_ROUNDING * self.speeds(&after);
+        if parting > rounding && (parting >= PRESS_SPEED || !self.again || approach >= PRESS_SPEED)
+        {
+            return after;
+        }
+        let share = PRESS_SHARE * (self.speeds(self.before) + self.surface_speeds());
+        let mut result = after;
+        for least in [PRESS_SPEED, UNPAID_PRESS_SPEED] {
+            let least = if self.again { earlier(least, share) } else { 0.0 };
+            let speed = if least > 2.0 * rounding { least } else { 2.0 * rounding };
+            if parting >= speed {
+                return after;
+            }
+            result = strike(speed - approach);
+            if self.energy(&result) <= self.energy(self.before) {
+                break;
             }
         }
-        let gives = if acceleration > 0.0 { 0.5 * acceleration * lasts } else { 0.0 };
-        Self { parting: parting(paths, normal), gives }
+        result
+    }
+
+    /// Speed at which the bodies separate, m/s. A wall stands still.
+    fn parting(&self, states: &[BallState; K]) -> f64 {
+        let along = states.iter().map(|s| s.velocity.dot(self.normal));
+        along.zip([-1.0, 1.0]).fold(0.0, |sum, (speed, side)| sum + side * speed)
+    }
+
+    fn speeds(&self, states: &[BallState; K]) -> f64 {
+        states.iter().fold(0.0, |sum, s| sum + s.velocity.length())
+    }
+
+    fn surface_speeds(&self) -> f64 {
+        let of = |(s, b): (&BallState, &Ball)| b.radius * s.angular_velocity.length();
+        self.before.iter().zip(self.balls).map(of).fold(0.0, |sum, speed| sum + speed)
+    }
+
+    fn energy(&self, states: &[BallState; K]) -> f64 {
+        let of = |(s, b): (&BallState, &Ball)| b.kinetic_energy(s);
+        states.iter().zip(self.balls).map(of).fold(0.0, |sum, energy| sum + energy)
     }
 }
