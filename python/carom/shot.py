@@ -129,6 +129,12 @@ class Shot:
 
         return np.array(self._core.mass)
 
+    @property
+    def azimuth(self) -> float | None:
+        """Direction in which the cue moves, rad; None without a strike."""
+        strike = self._core.strike
+        return None if strike is None else strike[1]
+
     def geometry(self) -> dict[str, Any]:
         """The table's dimensions, cushions and pockets, m, origin at the bottom left corner."""
         return self._core.geometry()

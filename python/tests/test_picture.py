@@ -165,3 +165,10 @@ def test_drawing_does_not_change_the_trace(pot: dict[str, Any]) -> None:
     before = copy.deepcopy(trace.to_dict())
     picture.svg(trace)
     assert trace.to_dict() == before
+
+
+def test_the_cue_is_drawn_where_there_is_a_strike(
+    pot: dict[str, Any], endless: dict[str, Any]
+) -> None:
+    assert 'id="cue"' in picture.svg(Shot.from_dict(pot).simulate())
+    assert 'id="cue"' not in picture.svg(Shot.from_dict(endless).simulate())

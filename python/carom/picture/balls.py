@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from matplotlib.patches import Circle, PathPatch, Rectangle
+from matplotlib.patches import Circle, PathPatch, Polygon, Rectangle
 from matplotlib.path import Path
 from matplotlib.patheffects import Normal, Stroke
 
@@ -27,6 +27,13 @@ MARKS = {
 }
 
 
+# The cue as drawn: tip, ferrule, shaft; where each begins and ends behind the ball's centre, in
+# ball radii.
+CUE_PIECES = (
+    (1.35, 1.6, colors.TIP),
+    (1.6, 2.1, colors.IVORY),
+    (2.1, 11.0, colors.SHAFT),
+)
 # Height of a ball's number, as a share of its radius.
 LABEL_SHARE = 0.72
 
@@ -133,6 +140,34 @@ def draw_balls(ax: Axes, routes: list[Route], smallest: float) -> None:
             )
         if route.fate not in {"pocketed", "off-table"}:
             draw_ball(ax, route.end, radius, style, gid=f"ball-{route.id}")
+
+
+def draw_cue(ax: Axes, tip: Point, azimuth: float, radius: float) -> None:
+    """The cue's front end, as it meets the ball.
+
+    Args:
+        ax: Where to draw, in m.
+        tip: Centre of the struck ball, m.
+        azimuth: Direction in which the cue moves, rad.
+        radius: The ball's radius as drawn, m.
+    """
+    along, across = (math.cos(azimuth), math.sin(azimuth)), (-math.sin(azimuth), math.cos(azimuth))
+
+    def at(behind: float, aside: float) -> Point:
+        return (
+            tip[0] - radius * (behind * along[0] - aside * across[0]),
+            tip[1] - radius * (behind * along[1] - aside * across[1]),
+        )
+
+    for near, far, color in CUE_PIECES:
+        thin, thick = _half_width(near), _half_width(far)
+        outline = [at(near, -thin), at(near, thin), at(far, thick), at(far, -thick)]
+        ax.add_patch(Polygon(outline, facecolor=color, edgecolor="none", zorder=5, gid="cue"))
+
+
+def _half_width(behind: float) -> float:
+    """Half the cue's width, ball radii, so far behind the ball's centre: 13 mm, growing."""
+    return 0.22 + 0.008 * behind
 
 
 def draw_ball(

@@ -50,11 +50,22 @@ def draw(trace: Trace, *, title: str | None = None) -> Figure:
         )
     ]
     geometry = shot.geometry()
-    return compose(geometry, balls, trace.to_dict(), title or geometry["name"] or "shot")
+    return compose(
+        geometry,
+        balls,
+        trace.to_dict(),
+        title or geometry["name"] or "shot",
+        azimuth=shot.azimuth,
+    )
 
 
 def compose(
-    geometry: dict[str, Any], balls: list[dict[str, Any]], trace: dict[str, Any], title: str
+    geometry: dict[str, Any],
+    balls: list[dict[str, Any]],
+    trace: dict[str, Any],
+    title: str,
+    *,
+    azimuth: float | None = None,
 ) -> Figure:
     """Draw a shot from plain data.
 
@@ -63,11 +74,12 @@ def compose(
         balls: The balls at time 0: ``id``, ``radius`` (m), ``position`` (m), ``velocity`` (m/s).
         trace: A ``carom-trace/1``.
         title: Heading of the panel.
+        azimuth: Direction of the cue, rad, if there is a strike.
     """
     _matplotlib.prepare()
     from matplotlib.figure import Figure
 
-    from carom.picture.balls import draw_balls, draw_marks, draw_paths
+    from carom.picture.balls import draw_balls, draw_cue, draw_marks, draw_paths
     from carom.picture.legend import Panel, draw_panel
     from carom.picture.paths import routes
     from carom.picture.table import bounds, draw_table
@@ -90,7 +102,11 @@ def compose(
     draw_table(ax, geometry, region)
     draw_paths(ax, ways)
     seen = draw_marks(ax, trace["events"], ways)
-    draw_balls(ax, ways, SMALLEST_BALL_POINTS * point)
+    smallest = SMALLEST_BALL_POINTS * point
+    if azimuth is not None:
+        struck = next(way for way in ways if way.id == trace["events"][0]["balls"][0])
+        draw_cue(ax, struck.start, azimuth, max(struck.radius, smallest))
+    draw_balls(ax, ways, smallest)
     draw_panel(Panel(ax, right + 1.6 * margin, top, point), title, trace, ways, seen)
     return figure
 

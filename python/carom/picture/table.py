@@ -169,16 +169,16 @@ def _cushion(
 
 
 def _behind(point: Point, width: float, length: float, cushion: float) -> Point:
-    """The point on the cushion's back from which the rubber starts: straight behind an end."""
+    """The point on the cushion's back where its rubber ends: behind an end of its nose line."""
     x, y = point
     beyond = {"left": -x, "right": x - width, "bottom": -y, "top": y - length}
-    side = max(beyond, key=lambda name: beyond[name])
-    return {
-        "left": (-cushion, y),
-        "right": (width + cushion, y),
-        "bottom": (x, -cushion),
-        "top": (x, length + cushion),
-    }[side]
+    furthest = max(beyond.values())
+    # In a corner without a pocket two rails meet in a mitre: behind both.
+    sides = {side for side, distance in beyond.items() if distance == furthest}
+    return (
+        -cushion if "left" in sides else width + cushion if "right" in sides else x,
+        -cushion if "bottom" in sides else length + cushion if "top" in sides else y,
+    )
 
 
 def nose_line(parts: list[dict[str, Any]]) -> list[Point]:
