@@ -12,6 +12,7 @@ if ! HOME=$home "$venv/bin/python" -c 'import pooltool' 2>/dev/null; then
   echo "Installing pooltool 0.6.0 into .cache/peer (about 1 GB) ..." >&2
   "${pip[@]}" install --upgrade pip
   "${pip[@]}" install --no-deps --group peer
+  # pip complains that pooltool pins other versions of panda3d and rich: that is why we are here.
   "${pip[@]}" install --group peer-needs
 fi
 "${pip[@]}" install .
