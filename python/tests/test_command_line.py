@@ -280,6 +280,19 @@ def test_help_lists_the_commands(run: CommandLine) -> None:
         assert command in done.stdout
 
 
+def test_validate_prints_published_and_ours(run: CommandLine) -> None:
+    done = run("validate", "kim_2024")
+    assert done.returncode == 0
+    assert "kim_2024" in done.stdout
+    assert "0 failed" in done.stdout
+
+
+def test_a_terminal_that_has_no_arrows_still_gets_its_table(run: CommandLine, file: Path) -> None:
+    done = run("shot", str(file), PYTHONIOENCODING="ascii")
+    assert done.returncode == 0
+    assert "sliding?rolling" in done.stdout
+
+
 def test_validate_refuses_a_paper_that_it_does_not_know(run: CommandLine) -> None:
     refused(run("validate", "nobody_1999"), "nobody_1999")
 

@@ -180,3 +180,26 @@ def test_a_shot_with_one_value_replaced_is_simulated_or_refused(
     except InputError:
         return
     assert math.isfinite(shot.simulate().duration)
+
+
+@pytest.mark.stress
+@settings(EXAMPLES, max_examples=20_000, derandomize=False)
+@given(shots(most=15))
+def test_many_more_shots_replay_and_batch_to_the_same_bits(file: dict[str, Any]) -> None:
+    shot = Shot.from_dict(file)
+    trace = shot.simulate()
+    assert trace.difference(Trace.from_json(trace.to_json()).shot.simulate()) is None
+    batch = carom.simulate_batch([shot])
+    final = np.array([ball["position"] for ball in trace.to_dict()["final"]])
+    assert batch.final_position[0].tobytes() == final.tobytes()
+    assert batch.events[0] == len(trace)
+
+
+@pytest.mark.stress
+def test_a_million_breaks_end_and_do_not_depend_on_the_threads() -> None:
+    speeds = np.linspace(0.5, 12.0, 1_000_000)
+    for game in ("nine-ball", "eight-ball", "straight-pool", "snooker"):
+        one = carom.break_shot(game).batch(speed=speeds, threads=1)
+        all_cores = carom.break_shot(game).batch(speed=speeds)
+        assert one.errors == all_cores.errors == {}
+        assert one.final_position.tobytes() == all_cores.final_position.tobytes()

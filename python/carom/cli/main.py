@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import signal
 import sys
 import traceback
@@ -54,6 +55,10 @@ def main() -> NoReturn:
     if hasattr(signal, "SIGPIPE"):
         # `carom shot ... | head` ends quietly, as every filter does.
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    for stream in (sys.stdout, sys.stderr):
+        # A terminal without → prints ? in its place, rather than failing.
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
     sys.exit(_run())
 
 
