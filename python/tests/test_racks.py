@@ -1,0 +1,79 @@
+"""Racks from Python: every game, reproducible, loose or frozen."""
+
+from __future__ import annotations
+
+import math
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+import pytest
+from carom import InputError, Layout, Shot, Strike, break_shot
+
+GAMES = {
+    "eight-ball": 16,
+    "nine-ball": 10,
+    "ten-ball": 11,
+    "straight-pool": 16,
+    "snooker": 22,
+    "three-cushion": 3,
+}
+# Neighbours in a frozen rack touch to a rounding of their positions, m.
+TOUCH = 1e-12
+
+
+def gaps(shot: Shot) -> list[float]:
+    """Distances between the surfaces of the nearest neighbours in the rack, m."""
+    places = shot.simulate().at(0.0).position[1:]
+    radius = float(shot.radius[1])
+    distances = [float(np.linalg.norm(a - b)) - 2 * radius for a, b in combinations(places, 2)]
+    return [d for d in distances if d < radius]
+
+
+@pytest.mark.parametrize("game", GAMES)
+def test_every_game_has_its_balls(game: str) -> None:
+    shot = break_shot(game)
+    assert len(shot.ids) == GAMES[game]
+    assert len(set(shot.ids)) == GAMES[game]
+    assert shot.ids[0] == "cue"
+
+
+def test_a_rack_is_loose_by_about_a_tenth_of_a_millimetre() -> None:
+    loose = gaps(break_shot("nine-ball", seed=1))
+    assert len(loose) == 16
+    assert min(loose) > 0
+    assert 0.5e-4 < np.mean(loose) < 2e-4
+
+
+def test_a_frozen_rack_is_frozen() -> None:
+    frozen = gaps(break_shot("nine-ball", gap=0.0))
+    assert len(frozen) == 16
+    assert max(abs(gap) for gap in frozen) < TOUCH
+
+
+def test_the_same_seed_is_the_same_rack_and_another_is_another() -> None:
+    assert break_shot("eight-ball", seed=7) == break_shot("eight-ball", seed=7)
+    assert break_shot("eight-ball", seed=7) != break_shot("eight-ball", seed=8)
+
+
+def test_a_rack_is_a_layout_like_any_other() -> None:
+    layout = Layout.rack("nine-ball", seed=3)
+    shot = Shot("wpa-9ft", layout, Strike(speed=8.0, azimuth=math.pi / 2))
+    assert shot.ids == break_shot("nine-ball", seed=3).ids
+
+
+@pytest.mark.parametrize(
+    ("arguments", "place"),
+    [
+        ({"game": "nine-pin"}, "game: "),
+        ({"table": "wpa-10ft"}, "table: "),
+        ({"seed": -1}, "seed: "),
+        ({"speed": 0.0}, "strike.speed: "),
+        ({"gap": -1e-3}, "gap: "),
+    ],
+    ids=str,
+)
+def test_what_cannot_be_racked_is_refused(arguments: dict[str, Any], place: str) -> None:
+    with pytest.raises(InputError) as refusal:
+        break_shot(**arguments)
+    assert str(refusal.value).startswith(place)
