@@ -6,18 +6,18 @@ use carom::{BallState, Shot, Summary};
 
 /// One event, kept.
 #[derive(Clone, Debug)]
-pub struct Kept {
-    pub time: f64,
-    pub kind: EventKind,
-    pub balls: Vec<usize>,
-    pub before: Vec<BallState>,
-    pub after: Vec<BallState>,
+pub(crate) struct Kept {
+    pub(crate) time: f64,
+    pub(crate) kind: EventKind,
+    pub(crate) balls: Vec<usize>,
+    pub(crate) before: Vec<BallState>,
+    pub(crate) after: Vec<BallState>,
 }
 
 /// Keeps everything.
 #[derive(Debug, Default)]
-pub struct Log {
-    pub events: Vec<Kept>,
+pub(crate) struct Log {
+    pub(crate) events: Vec<Kept>,
 }
 
 impl Recorder for Log {
@@ -34,17 +34,17 @@ impl Recorder for Log {
 }
 
 impl Log {
-    pub fn of(&self, wanted: impl Fn(&EventKind) -> bool) -> Vec<&Kept> {
+    pub(crate) fn of(&self, wanted: impl Fn(&EventKind) -> bool) -> Vec<&Kept> {
         self.events.iter().filter(|e| wanted(&e.kind)).collect()
     }
-    pub fn ball_collisions(&self) -> Vec<&Kept> {
+    pub(crate) fn ball_collisions(&self) -> Vec<&Kept> {
         self.of(|k| matches!(k, EventKind::BallCollision))
     }
-    pub fn rail_collisions(&self) -> Vec<&Kept> {
+    pub(crate) fn rail_collisions(&self) -> Vec<&Kept> {
         self.of(|k| matches!(k, EventKind::RailCollision(_)))
     }
     /// The last state of ball `i`, or its state before the shot in the engine's frame.
-    pub fn last(&self, shot: &Shot, i: usize) -> BallState {
+    pub(crate) fn last(&self, shot: &Shot, i: usize) -> BallState {
         let found = self.events.iter().rev().find_map(|e| {
             let k = e.balls.iter().position(|&b| b == i)?;
             Some(e.after[k])
@@ -54,19 +54,19 @@ impl Log {
 }
 
 /// Reads a shot file; the text leaves out `format`.
-pub fn shot(body: &str) -> Shot {
+pub(crate) fn shot(body: &str) -> Shot {
     let text = format!("{{\"format\": \"carom-shot/1\", {body}}}");
     Shot::from_json(&text).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
 /// Simulates and keeps every event.
-pub fn play(shot: &Shot) -> (Log, Summary) {
+pub(crate) fn play(shot: &Shot) -> (Log, Summary) {
     let mut log = Log::default();
     let summary = carom::simulate(shot, &mut log).expect("the shot ends");
     (log, summary)
 }
 
 /// Kinetic energy of the balls of an event, J.
-pub fn energy(shot: &Shot, balls: &[usize], states: &[BallState]) -> f64 {
+pub(crate) fn energy(shot: &Shot, balls: &[usize], states: &[BallState]) -> f64 {
     balls.iter().zip(states).map(|(&i, s)| shot.balls()[i].ball.kinetic_energy(s)).sum()
 }
