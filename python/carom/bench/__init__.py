@@ -20,7 +20,7 @@ def run(*, json: bool = False, store: Path | None = None) -> int:
     Args:
         json: Print JSON on stdout instead of tables.
         store: Folder for the JSON; by default ``benches/results`` of the checkout that carom is
-            installed from, and nowhere if it is not.
+            installed from or that we stand in, and nowhere without one.
 
     Returns:
         The exit status of the command.

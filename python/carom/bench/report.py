@@ -89,9 +89,11 @@ def _processor() -> str:
 
 
 def checkout() -> Path | None:
-    """The checkout that this package is installed from, if it is."""
-    root = Path(__file__).resolve().parents[3]
-    return root if (root / "Cargo.toml").is_file() and (root / "benches").is_dir() else None
+    """The checkout that this package is installed from, or else the one that we stand in."""
+    for root in (Path(__file__).resolve().parents[3], Path.cwd()):
+        if (root / "Cargo.toml").is_file() and (root / "python" / "carom" / "bench").is_dir():
+            return root
+    return None
 
 
 def _commit() -> str | None:
@@ -124,8 +126,8 @@ def store(result: dict[str, Any], folder: Path) -> Path:
 def show(result: dict[str, Any], console: Console) -> None:
     """Prints the result for people."""
     console.print(
-        f"carom {result['carom']} on {result['machine']['processor']}: one core, no traces, "
-        "processor time per shot,\nmedian of every shot, then over the shots of its class",
+        f"carom {result['carom']} on {result['machine']['processor']}, one core, no traces.\n"
+        "Processor time: the median of every shot, then over the shots of its class.",
         highlight=False,
     )
     console.print(_medians(result), highlight=False)
@@ -150,8 +152,8 @@ def _medians(result: dict[str, Any]) -> Table:
 def _events(result: dict[str, Any]) -> Table:
     """Events, which differ where the default models do: the ratio of an event's cost as well."""
     peer = result["peer"]
-    names = ["events", "ns/event", "with trace"]
-    table = _table([*names, "peer's events", "ratio per event"] if peer else names)
+    names = ["events", "ns/event", "trace"]
+    table = _table([*names, "peer's", "ratio/event"] if peer else names)
     for name, row in result["classes"].items():
         cells = [
             CLASSES[name],
