@@ -11,6 +11,7 @@
 mod candidates;
 mod cluster;
 mod impact;
+mod row;
 
 use core::marker::PhantomData;
 
@@ -82,10 +83,14 @@ pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     /// First contact with another ball, infinite if none, and with which.
     contact: [f64; N],
     partner: [u16; N],
+    /// The earliest of the three.
+    soonest: [f64; N],
     /// When each ball was last in a contact, −∞ if never.
     touched: [f64; N],
     /// First contact of every pair, symmetric.
     pair: [[f64; N]; N],
+    /// Whether the processor has vectors wide enough for [`row`].
+    wide: bool,
     finder: PhantomData<F>,
 }
 
@@ -113,6 +118,18 @@ enum Next {
     Transition(usize),
     Meeting(usize, TableFeature),
     Contact(usize, usize),
+}
+
+impl Next {
+    /// Events of one instant happen in this order.
+    fn rank(self) -> u8 {
+        match self {
+            Self::Transition(_) => 0,
+            Self::Meeting(_, TableFeature::Pocket(_)) => 1,
+            Self::Meeting(_, TableFeature::Cushion(_)) => 2,
+            Self::Contact(..) => 3,
+        }
+    }
 }
 
 impl<const N: usize, F: ContactFinder> Default for Simulation<N, F> {
@@ -147,7 +164,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             feature: [TableFeature::Cushion(0); N],
             contact: [f64::INFINITY; N],
             partner: [0; N],
+            soonest: [f64::INFINITY; N],
             touched: [f64::NEG_INFINITY; N],
+            wide: row::has_wide_vectors(),
             pair: [[f64::INFINITY; N]; N],
             finder: PhantomData,
         }
@@ -290,39 +309,38 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     #[inline(always)]
     fn next(&self) -> Option<(f64, Next)> {
         let mut time = f64::INFINITY;
-        for i in 0..self.n {
-            let t = earlier(earlier(self.transition[i], self.meeting[i]), self.contact[i]);
-            time = earlier(t, time);
+        let mut first = 0;
+        for (i, &t) in self.soonest[..self.n].iter().enumerate() {
+            if t < time {
+                time = t;
+                first = i;
+            }
         }
         if time == f64::INFINITY {
             return None;
         }
-        let n = self.n;
-        let first = |times: &[f64; N]| times[..n].iter().position(|&t| t == time);
-        let next = if let Some(i) = first(&self.transition) {
-            Next::Transition(i)
-        } else if let Some(i) = self.first_meeting_at(time) {
-            Next::Meeting(i, self.feature[i])
-        } else {
-            let i = first(&self.contact)?;
-            Next::Contact(i, usize::from(self.partner[i]))
-        };
-        Some((time, next))
-    }
-
-    /// The first ball into a pocket at `time`, else the first into a cushion.
-    #[inline(always)]
-    fn first_meeting_at(&self, time: f64) -> Option<usize> {
-        let mut cushion = None;
-        for i in 0..self.n {
-            if self.meeting[i] == time {
-                match self.feature[i] {
-                    TableFeature::Pocket(_) => return Some(i),
-                    TableFeature::Cushion(_) => cushion = cushion.or(Some(i)),
+        let mut next = self.candidate(first, time);
+        for i in first + 1..self.n {
+            if self.soonest[i] == time {
+                let other = self.candidate(i, time);
+                if other.rank() < next.rank() {
+                    next = other;
                 }
             }
         }
-        cushion
+        Some((time, next))
+    }
+
+    /// What ball `i` does at `time`, the time of its soonest candidate.
+    #[inline(always)]
+    fn candidate(&self, i: usize, time: f64) -> Next {
+        if self.transition[i] == time {
+            Next::Transition(i)
+        } else if self.meeting[i] == time {
+            Next::Meeting(i, self.feature[i])
+        } else {
+            Next::Contact(i, usize::from(self.partner[i]))
+        }
     }
 
     /// A motion state ends by the passage of time.

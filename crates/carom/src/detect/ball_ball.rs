@@ -7,6 +7,9 @@ use crate::math::sqrt;
 /// Finds the first contact of two balls on quadratic paths. The event loop is generic over it, so
 /// that other root finders can be measured on whole shots (validation/leckie_greenspan_2006).
 pub trait ContactFinder {
+    /// Whether pairs that provably cannot meet are turned away before this finder is asked.
+    const PROOFS: bool = true;
+
     /// First time in [0, `horizon`] (s) at which the relative path comes within `distance` (m)
     /// while approaching.
     fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64>;
