@@ -1,5 +1,4 @@
 //! What the whole-shot tests share.
-#![allow(dead_code, reason = "every test file uses its own part of this")]
 
 use carom::event::{Event, EventKind, Recorder};
 use carom::{BallState, Shot, Summary};

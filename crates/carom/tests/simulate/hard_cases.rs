@@ -1,11 +1,9 @@
 //! Hard cases of event-based billiards. Each test says what was seen in another engine, or what
 //! goes wrong by nature, what is right, and why.
 
-mod support;
-
+use crate::support::{Log, energy, play, shot};
 use carom::event::EventKind;
 use carom::{MotionState, Shot, simulate};
-use support::{Log, energy, play, shot};
 
 /// The distance from the nose line at which a pool ball meets it on a WPA table:
 /// √(R² − (h − R)²), h = 63.5 % of the diameter.

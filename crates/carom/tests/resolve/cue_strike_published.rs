@@ -1,13 +1,11 @@
 //! Published numbers of the cue strike (Alciatore's technical proofs, Shepard, pooltool).
 
-mod near;
-
+use crate::near::assert_near;
 use carom::Ball;
 use carom::ball::cloth_slip;
 use carom::math::{Vec2, Vec3, atan2, cos, radians, sin, sqrt};
 use carom::physics::{Cue, Tip};
 use carom::resolve::cue_ball::{Strike, StrikeError, miscue_limit, resolve, squirt};
-use near::assert_near;
 
 const MPH: f64 = 0.44704;
 /// Alciatore's 6 oz ball of 2¼ in and 19 oz cue.
@@ -192,7 +190,9 @@ fn the_cue_strike_of_pooltool() {
         ..cue(Tip::Restitution(1.0))
     };
     let mut compared = 0;
-    for line in include_str!("data/pooltool_cue_ball.txt").lines().filter(|l| !l.starts_with('#')) {
+    for line in
+        include_str!("../data/pooltool_cue_ball.txt").lines().filter(|l| !l.starts_with('#'))
+    {
         let row: Vec<f64> = line.split(' ').map(|x| x.parse().unwrap()).collect();
         let [speed, phi, theta, a, b, vx, vy, wx, wy, wz] = row[..] else { panic!("{line}") };
         let strike =

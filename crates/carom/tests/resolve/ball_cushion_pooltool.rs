@@ -13,8 +13,6 @@
 //! * All its models put the ball 1 µm away first; the directions here are those from there.
 //!
 //! Like ours, its models drop the vertical velocity after the impact.
-#![cfg(feature = "json")]
-
 use carom::math::{Vec2, Vec3};
 use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::resolve::{Body, ball_cushion::resolve};
@@ -64,7 +62,7 @@ fn largest_difference(data: &Value, kind: &str, name: &str, model: CushionModel,
 }
 
 fn data() -> Value {
-    serde_json::from_str(include_str!("data/cushion_pooltool.json")).expect("JSON")
+    serde_json::from_str(include_str!("../data/cushion_pooltool.json")).expect("JSON")
 }
 
 /// 12 digits are stored of each number.

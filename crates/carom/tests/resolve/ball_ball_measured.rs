@@ -2,13 +2,11 @@
 //! follow-up II, 2014), read off figures to ±0.5°. The two tests differ by up to 2° where they
 //! overlap (30° cut, 1 to 1.3 m/s), so no single friction meets both.
 
-mod near;
-
+use crate::near::assert_near;
 use carom::Physics;
 use carom::math::{Vec3, atan2, cos, radians, sin, sqrt};
 use carom::physics::{BallBall, BallBallModel, SlipFriction};
 use carom::resolve::{Body, ball_ball};
-use near::assert_near;
 
 /// Object-ball speed (ft/s) and throw (°) at a 30° cut, stun (2014).
 const BY_SPEED: [(f64, f64); 5] = [(2.8, 6.05), (3.55, 6.15), (4.5, 5.5), (7.2, 4.2), (10.7, 3.45)];

@@ -1,12 +1,10 @@
 //! How the ball–ball models relate to each other, and the impacts where they are simple.
 
-mod near;
-
+use crate::near::assert_near;
 use carom::Physics;
 use carom::math::{Vec3, sqrt};
 use carom::physics::{BallBall, BallBallModel, SlipFriction};
 use carom::resolve::{Body, ball_ball, restitution};
-use near::assert_near;
 
 fn law(model: BallBallModel, friction: f64) -> BallBall {
     BallBall {

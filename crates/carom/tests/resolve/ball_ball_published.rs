@@ -1,11 +1,9 @@
 //! Published numbers of ball–ball collisions (Alciatore's technical proofs, Kim, Mathavan).
 
-mod near;
-
+use crate::near::assert_near;
 use carom::math::{Vec2, Vec3, asin, atan2, cos, radians, sin};
 use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
 use carom::resolve::{Body, ball_ball};
-use near::assert_near;
 
 const MPH: f64 = 0.44704;
 /// Alciatore's ball, inches to metres: 1⅛ in.

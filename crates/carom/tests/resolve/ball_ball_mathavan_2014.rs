@@ -1,12 +1,10 @@
 //! Mathavan 2014 beside the same force laws in many small equal steps of impulse, as the paper
 //! takes them, written anew in plain vectors.
 
-mod near;
-
+use crate::near::assert_near;
 use carom::math::{Vec3, cos, radians, sin};
 use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
 use carom::resolve::{Body, ball_ball};
-use near::assert_near;
 
 const CLOTH: Cloth =
     Cloth { sliding_friction: 0.212, rolling_friction: 0.01, spin_deceleration: 22.0 };

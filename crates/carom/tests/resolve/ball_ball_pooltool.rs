@@ -1,11 +1,9 @@
 //! Ball–ball collisions beside pooltool 0.6.0, sample by sample.
 
-mod near;
-
+use crate::near::assert_near;
 use carom::math::{Vec2, Vec3, sqrt};
 use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
 use carom::resolve::{Body, ball_ball};
-use near::assert_near;
 
 const CLOTH: Cloth =
     Cloth { sliding_friction: 0.2, rolling_friction: 0.01, spin_deceleration: 10.9 };
@@ -40,7 +38,8 @@ fn compare(model: BallBallModel, column: usize, tolerance: f64) {
     };
     let mut compared = 0;
     let mut worst = 0.0_f64;
-    for line in include_str!("data/pooltool_ball_ball.txt").lines().filter(|l| !l.starts_with('#'))
+    for line in
+        include_str!("../data/pooltool_ball_ball.txt").lines().filter(|l| !l.starts_with('#'))
     {
         let row: Vec<f64> = line.split(' ').map(|x| x.parse().unwrap()).collect();
         let body = |s: &[f64]| Body {

@@ -1,12 +1,10 @@
 //! What holds in every collision of two balls, whatever the model: energy, momentum, angular
 //! momentum about the contact, symmetry. Inputs are random but seeded.
 
-mod near;
-
+use crate::near::assert_near;
 use carom::math::{Vec2, Vec3, exp, sqrt};
 use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
 use carom::resolve::{Body, ball_ball, ball_ball::group};
-use near::assert_near;
 
 const CLOTH: Cloth =
     Cloth { sliding_friction: 0.2, rolling_friction: 0.01, spin_deceleration: 10.0 };

@@ -1,0 +1,15 @@
+//! What a collision and a strike do: every model against its paper, its laws, measurements and
+//! pooltool.
+
+mod ball_ball_laws;
+mod ball_ball_mathavan_2014;
+mod ball_ball_measured;
+mod ball_ball_models;
+mod ball_ball_pooltool;
+mod ball_ball_published;
+#[cfg(feature = "json")]
+mod ball_cushion_pooltool;
+mod ball_cushion_properties;
+mod ball_cushion_published;
+mod cue_strike_published;
+mod near;

@@ -1,0 +1,9 @@
+//! Whole shots: the event loop, its traces and outcomes, and the goldens.
+#![cfg(feature = "json")]
+
+mod goldens;
+mod hard_cases;
+mod order_of_balls;
+mod support;
+mod trace_file;
+mod trace_outcome;
