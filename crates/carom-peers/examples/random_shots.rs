@@ -1,7 +1,9 @@
 //! Whole shots with each root finder in the event loop, as in Leckie & Greenspan 2006, section 3:
 //! how many of 100 000 random shots give an impossible result.
 //!
-//! `cargo run --release -p carom-peers --example random_shots -- [SHOTS] > random_shots.json`
+//! `cargo run --release -p carom-peers --example random_shots -- [SHOTS [FINDER]] > random_shots.json`
+//!
+//! FINDER is part of a finder's name, such as `carom`; all of them without it.
 //!
 //! Every shot is judged by a watcher that solves no polynomial: between two events it bounds the
 //! distance of each pair from its middle value and the largest relative speed, and halves the time
@@ -265,6 +267,7 @@ fn random_shot(random: &mut Random) -> (Shot, Strike) {
 
 fn main() {
     let shots = std::env::args().nth(1).map_or(100_000, |n| n.parse().expect("a number of shots"));
+    let only = std::env::args().nth(2).unwrap_or_default();
     let seed = 2006;
     let runs: [(Finder, Play); 4] = [
         (Finder::Ferrari, play::<Ferrari>),
@@ -274,6 +277,7 @@ fn main() {
     ];
     let lines: Vec<String> = runs
         .iter()
+        .filter(|(finder, _)| finder.name().contains(&only))
         .map(|(finder, run)| {
             let t = run(shots, seed);
             eprintln!("{}: {} impossible of {shots}", finder.name(), t.impossible());
