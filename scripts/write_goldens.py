@@ -1,10 +1,11 @@
-"""Write goldens/shots.txt anew: event count and hash of every shot in shots/.
+"""Write goldens/shots.json anew: event count and hash of every shot in shots/.
 
 python scripts/write_goldens.py
 """
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import carom
@@ -14,12 +15,13 @@ ROOT = Path(__file__).parents[1]
 
 def main() -> None:
     """Simulate every example shot and write what came out."""
-    lines = []
+    goldens = {}
     for path in sorted((ROOT / "shots").glob("*.json")):
         trace = carom.Shot.load(path).simulate()
-        lines.append(f"{path.stem} {len(trace)} {trace.hash}\n")
-    (ROOT / "goldens" / "shots.txt").write_text("".join(lines), encoding="utf-8")
-    print(f"{len(lines)} goldens written; say in CHANGELOG why they changed")
+        goldens[path.stem] = {"events": len(trace), "hash": trace.hash}
+    rows = ",\n".join(f"  {json.dumps(name)}: {json.dumps(row)}" for name, row in goldens.items())
+    (ROOT / "goldens" / "shots.json").write_text(f"{{\n{rows}\n}}\n", encoding="utf-8")
+    print(f"{len(goldens)} goldens written; say in CHANGELOG why they changed")
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import carom
@@ -11,10 +12,8 @@ from carom import Shot
 
 ROOT = Path(__file__).parents[2]
 GOLDENS = {
-    name: (int(events), state_hash)
-    for name, events, state_hash in (
-        line.split() for line in (ROOT / "goldens" / "shots.txt").read_text().splitlines()
-    )
+    name: (golden["events"], golden["hash"])
+    for name, golden in json.loads((ROOT / "goldens" / "shots.json").read_text()).items()
 }
 
 

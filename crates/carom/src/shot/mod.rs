@@ -78,6 +78,12 @@ impl PartialEq for Shot {
     }
 }
 
+impl AsRef<Shot> for Shot {
+    fn as_ref(&self) -> &Self {
+        self
+    }
+}
+
 impl Shot {
     /// Reads a shot file.
     ///

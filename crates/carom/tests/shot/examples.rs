@@ -55,13 +55,16 @@ fn every_example_is_written_as_the_engine_writes_it() {
         assert_eq!(shot.to_json() + "\n", text, "{}", path.display());
         count += 1;
     }
-    assert!(count >= 12, "{count} examples");
+    assert!(count >= 16, "{count} examples");
 }
 
 #[test]
 fn the_breaks_are_the_racks_of_seed_1() {
-    for (name, game) in [("nine_ball_break", Game::NineBall), ("eight_ball_break", Game::EightBall)]
-    {
+    for (name, game) in [
+        ("nine_ball_break", Game::NineBall),
+        ("eight_ball_break", Game::EightBall),
+        ("snooker_break", Game::Snooker),
+    ] {
         let made = break_shot(&Break::new(game, 1)).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(text(name), made.to_json() + "\n", "{name}");
     }
@@ -127,4 +130,23 @@ fn the_three_cushion_shot_scores() {
     let rails = |t: &&Touched| matches!(t, Touched::Rail(_));
     assert!(touched[..second].contains(&Touched::Ball(1)));
     assert!(touched[..second].iter().filter(rails).count() >= 3, "{touched:?}");
+}
+
+/// The cue ball is struck so far below its centre that it arrives without spin: a rolling one would
+/// go on pushing the row (`long_pushes` in carom-check).
+#[test]
+fn newtons_cradle_passes_the_whole_velocity_to_the_last_ball() {
+    let trace = played("newtons_cradle");
+    let collisions = || trace.events().filter(|e| e.what == carom::trace::What::BallCollision);
+    let speed = collisions().next().expect("a contact").before[0].velocity.length();
+    let last = u16::try_from(trace.shot().balls().len() - 1).expect("few balls");
+    let reached = collisions()
+        .filter_map(|e| Some(e.after[e.balls.iter().position(|b| *b == last)?]))
+        .map(|s| s.velocity.length())
+        .fold(0.0, f64::max);
+    assert!((reached / speed - 1.0).abs() < 1e-12, "{reached} of {speed}");
+    for (ball, state) in trace.last().iter().enumerate().take(usize::from(last)).skip(1) {
+        let moved = (state.position - trace.shot().balls()[ball].state.position).length();
+        assert!(moved < 1e-9, "ball {ball} moves by {moved} m");
+    }
 }
