@@ -17,6 +17,10 @@ const TIP: f64 = 0.0065;
 /// Radius at the butt, m: 29 mm across, as usual.
 const BUTT: f64 = 0.0145;
 
+/// Elevation that a player gives the cue anyway, rad (5°): a level cue would pass through the
+/// rail behind it at nearly every shot. Up to this, a strike is judged as if raised so far.
+const STANCE: f64 = 0.087_266_462_599_716_48;
+
 /// The cue's axis, from the contact point backwards.
 struct Axis {
     tip: Vec3,
@@ -27,7 +31,7 @@ struct Axis {
 impl Axis {
     fn new(strike: &Strike, center: Vec3, radius: f64) -> Self {
         let (sin_azimuth, cos_azimuth) = sin_cos(strike.azimuth);
-        let (sin, cos) = sin_cos(strike.elevation);
+        let (sin, cos) = sin_cos(strike.elevation.max(STANCE));
         let ahead = Vec3::new(cos * cos_azimuth, cos * sin_azimuth, -sin);
         let right = Vec3::new(sin_azimuth, -cos_azimuth, 0.0);
         let up = right.cross(ahead);

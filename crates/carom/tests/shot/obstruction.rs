@@ -3,16 +3,24 @@
 use carom::{Shot, Trace};
 
 fn shot(strike: &str, others: &str) -> Result<Shot, carom::Error> {
+    shot_from(1.27, strike, others)
+}
+
+/// With the cue ball `y` m from the bottom rail.
+fn shot_from(y: f64, strike: &str, others: &str) -> Result<Shot, carom::Error> {
     Shot::from_json(&format!(
         r#"{{"format": "carom-shot/1", "table": "wpa-9ft",
-            "balls": [{{"id": "cue", "position": [0.635, 1.27]}}{others}],
+            "balls": [{{"id": "cue", "position": [0.635, {y}]}}{others}],
             "strike": {{"ball": "cue", "speed": 1, {strike}}}}}"#
     ))
 }
 
 fn obstructed(strike: &str, others: &str) -> Option<String> {
-    let trace: Trace =
-        shot(strike, others).and_then(|s| s.simulate()).unwrap_or_else(|e| panic!("{e}"));
+    obstruction_of(shot(strike, others))
+}
+
+fn obstruction_of(shot: Result<Shot, carom::Error>) -> Option<String> {
+    let trace: Trace = shot.and_then(|s| s.simulate()).unwrap_or_else(|e| panic!("{e}"));
     let outcome = trace.to_node().get("outcome").and_then(|o| o.get("cue_obstructed")).cloned();
     match outcome {
         Some(carom::shot::Node::Text(name)) => Some(name),
@@ -22,16 +30,23 @@ fn obstructed(strike: &str, others: &str) -> Option<String> {
 }
 
 #[test]
-fn a_level_cue_goes_through_the_rail_behind_a_near_ball() {
-    // 1.27 m to the bottom rail: within the cue's length, and the ball's centre is below the nose.
-    assert_eq!(obstructed(r#""azimuth_deg": 90"#, "").as_deref(), Some("bottom"));
-    assert_eq!(obstructed(r#""azimuth_deg": -90"#, "").as_deref(), Some("top"));
-    // At the nose the axis must be 7.7 mm + 13.4 mm higher than the contact: 0.95°.
-    assert_eq!(
-        obstructed(r#""azimuth_deg": 90, "elevation_deg": 0.9"#, "").as_deref(),
-        Some("bottom")
-    );
-    assert_eq!(obstructed(r#""azimuth_deg": 90, "elevation_deg": 1.0"#, ""), None);
+fn a_cue_must_be_raised_over_the_rail_behind_a_near_ball() {
+    let near = |elevation: f64| {
+        let strike = format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#);
+        obstruction_of(shot_from(0.06, &strike, ""))
+    };
+    // 31 mm behind the contact the axis must be 7.7 mm + 6.7 mm higher: 25°, a little less for
+    // the contact that rises with it.
+    assert_eq!(near(0.0).as_deref(), Some("bottom"));
+    assert_eq!(near(12.0).as_deref(), Some("bottom"));
+    assert_eq!(near(25.0), None);
+}
+
+#[test]
+fn the_few_degrees_by_which_a_player_raises_every_cue_are_granted() {
+    // From the middle of the table 0.95° clear the rail.
+    assert_eq!(obstructed(r#""azimuth_deg": 90"#, ""), None);
+    assert_eq!(obstructed(r#""azimuth_deg": -90"#, ""), None);
 }
 
 #[test]
@@ -67,10 +82,11 @@ fn there_is_no_nose_over_a_side_pocket_and_none_on_unbounded_cloth() {
 
 #[test]
 fn an_obstructed_cue_is_refused_on_request() {
-    let e = shot(r#""azimuth_deg": 90, "obstruction": "refuse""#, "").expect_err("refused");
+    let e =
+        shot_from(0.06, r#""azimuth_deg": 90, "obstruction": "refuse""#, "").expect_err("refused");
     let sentence = e.to_string();
     assert!(sentence.starts_with("strike.elevation_deg: "), "{sentence}");
     assert!(sentence.contains("the bottom rail") && sentence.contains("raise"), "{sentence}");
-    shot(r#""azimuth_deg": 90, "elevation_deg": 2, "obstruction": "refuse""#, "")
+    shot_from(0.06, r#""azimuth_deg": 90, "elevation_deg": 30, "obstruction": "refuse""#, "")
         .unwrap_or_else(|e| panic!("{e}"));
 }
