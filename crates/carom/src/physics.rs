@@ -96,7 +96,8 @@ pub enum CushionModel {
     Stronge,
 }
 
-/// Restitution of the cushion: a number is `a` alone; Han's fit is e = a + bV + cV².
+/// Restitution of the cushion: a number is `a` alone; a fit in the normal speed V is
+/// e = a + bV + cV², kept in 0..=1 (Han 2005; here for `stronge` too).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CushionRestitution {
     /// Constant part.

@@ -1,6 +1,7 @@
 //! The `physics` of a shot file: a preset's name, or an object merged key by key over its base.
 
 use alloc::format;
+use alloc::vec::Vec;
 
 use super::node::Node;
 use super::read::{At, Range};
@@ -132,6 +133,7 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
     let fields = at.fields(&["model", "restitution", "friction", "frequency_ratio"])?;
     if let Some(at) = fields.get("model") {
         law.model = at.choice("cushion model", CUSHION_MODELS)?;
+        keep_what_the_model_takes(law);
     }
     if let Some(at) = fields.get("restitution") {
         cushion_restitution(&at, law.model, &mut law.restitution)?;
@@ -140,6 +142,22 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
         cushion_friction(&at, law.model, &mut law.friction)?;
     }
     fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
+}
+
+/// Models that take the restitution as a fit in the speed: Han's by his paper; Stronge's, because
+/// measured cushions need it and his contact takes any e.
+const RESTITUTION_FITS: &[CushionModel] = &[CushionModel::Han2005, CushionModel::Stronge];
+/// Models that take the friction as a fit in the incidence.
+const FRICTION_FITS: &[CushionModel] = &[CushionModel::Han2005];
+
+/// A base's fit that the model does not take becomes its value for a slow, perpendicular impact.
+fn keep_what_the_model_takes(law: &mut Cushion) {
+    if !RESTITUTION_FITS.contains(&law.model) {
+        law.restitution = CushionRestitution { a: law.restitution.at(0.0), b: 0.0, c: 0.0 };
+    }
+    if !FRICTION_FITS.contains(&law.model) {
+        law.friction.b = 0.0;
+    }
 }
 
 fn cushion_restitution(
@@ -151,11 +169,18 @@ fn cushion_restitution(
         *restitution = CushionRestitution { a: at.number(&FRACTION)?, b: 0.0, c: 0.0 };
         return Ok(());
     }
-    han_only(at, model)?;
+    only_for(RESTITUTION_FITS, at, model)?;
     let fields = at.fields(&["a", "b", "c"])?;
-    fields.number_into("a", &FRACTION, &mut restitution.a)?;
+    fields.number_into("a", &Range::any(""), &mut restitution.a)?;
     fields.number_into("b", &Range::any(" per m/s"), &mut restitution.b)?;
-    fields.number_into("c", &Range::any(" per (m/s)²"), &mut restitution.c)
+    fields.number_into("c", &Range::any(" per (m/s)²"), &mut restitution.c)?;
+    if !restitution.is_possible() {
+        return Err(at.refuse(
+            "a + bV + cV² is outside [0, 1] at every normal speed V",
+            "choose a, b and c that give a coefficient of restitution",
+        ));
+    }
+    Ok(())
 }
 
 fn cushion_friction(
@@ -167,20 +192,23 @@ fn cushion_friction(
         *friction = CushionFriction { a: at.number(&FRICTION)?, b: 0.0 };
         return Ok(());
     }
-    han_only(at, model)?;
+    only_for(FRICTION_FITS, at, model)?;
     let fields = at.fields(&["a", "b"])?;
     fields.number_into("a", &FRICTION, &mut friction.a)?;
     fields.number_into("b", &Range::any(" per rad"), &mut friction.b)
 }
 
-/// Han's fits in the speed and the incidence belong to his model alone.
-fn han_only(at: &At<'_>, model: CushionModel) -> Result<(), Error> {
-    if model == CushionModel::Han2005 {
+/// Refuses a fit that `model`, being none of `models`, does not take.
+fn only_for(models: &[CushionModel], at: &At<'_>, model: CushionModel) -> Result<(), Error> {
+    if models.contains(&model) {
         return Ok(());
     }
+    let names = CUSHION_MODELS.iter().filter(|(_, m)| models.contains(m));
+    let names: Vec<_> = names.map(|(name, _)| format!("\"{name}\"")).collect();
+    let word = CUSHION_MODELS.iter().find(|(_, m)| *m == model).map_or("", |(name, _)| name);
     Err(at.refuse(
-        "a fit {\"a\", \"b\", ...} belongs to the cushion model \"han-2005\"",
-        "write a number, or choose that model",
+        format!("the cushion model \"{word}\" takes no fit {{\"a\", \"b\", ...}} here"),
+        format!("write a number, or choose the model {}", names.join(" or ")),
     ))
 }
 
@@ -275,16 +303,15 @@ fn write_slip_friction(friction: &SlipFriction) -> Node {
 }
 
 fn write_cushion(cushion: &Cushion) -> Node {
-    let (e, mu) = (&cushion.restitution, &cushion.friction);
-    // A fit is written only where it may be read back: with Han's model.
-    let fitted = cushion.model == CushionModel::Han2005;
-    let restitution = if fitted {
-        Node::object([("a", e.a.into()), ("b", e.b.into()), ("c", e.c.into())])
+    let CushionRestitution { a, b, c } = cushion.restitution;
+    let restitution = if b == 0.0 && c == 0.0 {
+        a.into()
     } else {
-        e.a.into()
+        Node::object([("a", a.into()), ("b", b.into()), ("c", c.into())])
     };
+    let CushionFriction { a, b } = cushion.friction;
     let friction =
-        if fitted { Node::object([("a", mu.a.into()), ("b", mu.b.into())]) } else { mu.a.into() };
+        if b == 0.0 { a.into() } else { Node::object([("a", a.into()), ("b", b.into())]) };
     Node::object([
         ("model", word_of(CUSHION_MODELS, cushion.model)),
         ("restitution", restitution),

@@ -71,16 +71,13 @@ impl Range {
     fn describe(&self) -> String {
         let unit = self.unit;
         if self.low == SMALLEST && self.high == LARGEST {
-            return if unit.is_empty() {
-                "a number greater than 0".into()
-            } else {
-                format!("a number greater than 0, in{unit}")
-            };
+            let unit = if unit.is_empty() { String::new() } else { format!(", in{unit}") };
+            return format!("a number greater than 0{unit} (from {SMALLEST:e} to {LARGEST:e})");
         }
         let open = if self.low_open { '(' } else { '[' };
         let close = if self.high_open { ')' } else { ']' };
         if self.low == 0.0 && self.high == LARGEST {
-            return format!("a number ≥ 0{unit}");
+            return format!("a number ≥ 0{unit} (at most {LARGEST:e})");
         }
         if self.low == -LARGEST && self.high == LARGEST {
             return format!("a finite number (at most {LARGEST:e} in size)");

@@ -11,5 +11,6 @@ mod ball_ball_published;
 mod ball_cushion_pooltool;
 mod ball_cushion_properties;
 mod ball_cushion_published;
+mod cue_strike_frame;
 mod cue_strike_published;
 mod near;

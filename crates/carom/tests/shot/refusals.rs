@@ -251,15 +251,66 @@ fn a_nose_that_cannot_meet_a_ball_is_refused() {
 }
 
 #[test]
-fn fits_belong_to_han_2005() {
-    refused(
-        BASE,
-        r#""cushion": {"model": "stronge", "restitution": {"a": 0.4, "b": 0.2, "c": 0}}"#,
-        "physics.cushion.restitution",
-        &["han-2005"],
-    );
+fn fits_are_refused_where_the_cushion_model_takes_none() {
+    let fit = r#"{"a": 0.4, "b": 0.2, "c": 0}"#;
+    for model in ["restitution", "mathavan-2010"] {
+        refused(
+            BASE,
+            &format!(r#""cushion": {{"model": "{model}", "restitution": {fit}}}"#),
+            "physics.cushion.restitution",
+            &[model, "\"han-2005\" or \"stronge\""],
+        );
+    }
+    for model in ["restitution", "mathavan-2010", "stronge"] {
+        refused(
+            BASE,
+            &format!(
+                r#""cushion": {{"model": "{model}", "friction": {{"a": 0.471, "b": -0.241}}}}"#
+            ),
+            "physics.cushion.friction",
+            &[model, "the model \"han-2005\""],
+        );
+    }
     let han = r#""cushion": {"model": "han-2005", "restitution": {"a": 0.39, "b": 0.257, "c": -0.044}, "friction": {"a": 0.471, "b": -0.241}}"#;
     Shot::from_json(&edited(BASE, han)).expect("Han's own fits");
+    let stronge = format!(r#""cushion": {{"model": "stronge", "restitution": {fit}}}"#);
+    Shot::from_json(&edited(BASE, &stronge)).expect("a fit for Stronge's model");
+}
+
+#[test]
+fn a_fit_that_never_is_a_restitution_is_refused() {
+    let fit = |a: f64, b: f64, c: f64| {
+        format!(
+            r#""cushion": {{"model": "stronge", "restitution": {{"a": {a:?}, "b": {b:?}, "c": {c:?}}}}}"#
+        )
+    };
+    let place = "physics.cushion.restitution";
+    // Constant, rising above 1, falling below 0, and two parabolas that turn too early.
+    for (a, b, c) in
+        [(1.5, 0.0, 0.0), (1.5, 0.1, 0.0), (-0.5, -0.1, 0.0), (1.5, -0.2, 0.1), (-0.5, 0.2, -0.1)]
+    {
+        refused(BASE, &fit(a, b, c), place, &["[0, 1] at every normal speed"]);
+    }
+    for (a, b, c) in [(1.5, -0.1, 0.0), (1.24, -0.132, 0.0066), (-0.5, 0.2, 0.0), (2.0, 0.1, -0.1)]
+    {
+        Shot::from_json(&edited(BASE, &fit(a, b, c))).expect("a fit");
+    }
+}
+
+#[test]
+fn a_bases_fit_counts_at_rest_for_a_model_that_takes_none() {
+    let with = |cushion: &str| {
+        let physics = format!(r#""base": "snooker", "cushion": {cushion}"#);
+        Shot::from_json(&edited(BASE, &physics)).expect("a good file")
+    };
+    assert_eq!(
+        with(r#"{"model": "restitution"}"#),
+        with(r#"{"model": "restitution", "restitution": 1.0}"#)
+    );
+    assert_ne!(
+        with(r#"{"model": "han-2005"}"#),
+        with(r#"{"model": "han-2005", "restitution": 1.0}"#)
+    );
 }
 
 #[test]

@@ -4,6 +4,7 @@
 mod goldens;
 mod hard_cases;
 mod order_of_balls;
+mod preset_cushions;
 mod support;
 mod trace_file;
 mod trace_outcome;

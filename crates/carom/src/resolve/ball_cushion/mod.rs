@@ -86,7 +86,23 @@ impl CushionRestitution {
     /// leaves that range outside the speeds that it was made for (Han's is 0 beyond 7.1 m/s).
     #[inline]
     pub fn at(&self, v: f64) -> f64 {
-        (self.a + v * (self.b + v * self.c)).clamp(0.0, 1.0)
+        self.value(v).clamp(0.0, 1.0)
+    }
+
+    fn value(&self, v: f64) -> f64 {
+        self.a + v * (self.b + v * self.c)
+    }
+
+    /// Whether the fit, before it is kept in 0..=1, is there at any normal speed at all.
+    pub fn is_possible(&self) -> bool {
+        let at_rest = self.a;
+        let turns = self.b * self.c < 0.0;
+        let turning = if turns { self.value(-self.b / (2.0 * self.c)) } else { at_rest };
+        // What it tends to at high speed has the sign of its last coefficient.
+        let last = if self.c == 0.0 { self.b } else { self.c };
+        let falls_to_1 = at_rest.min(turning) <= 1.0 || last < 0.0;
+        let rises_to_0 = at_rest.max(turning) >= 0.0 || last > 0.0;
+        falls_to_1 && rises_to_0
     }
 }
 
