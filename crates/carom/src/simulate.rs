@@ -441,3 +441,33 @@ fn struck_state(before: &BallState, velocity: Vec3, spin: Vec3, radius: f64) -> 
 fn earlier(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
+
+#[cfg(all(test, feature = "json"))]
+mod tests {
+    use super::{SMALL, Simulation};
+    use crate::event::Silent;
+    use crate::{BallState, Shot};
+
+    /// Final states and duration of every example shot.
+    fn results(wide: bool) -> std::vec::Vec<(f64, std::vec::Vec<BallState>)> {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shots");
+        let mut files: std::vec::Vec<_> =
+            std::fs::read_dir(folder).expect("shots/").map(|f| f.expect("a file").path()).collect();
+        files.sort();
+        let play = |file: &std::path::PathBuf| {
+            let text = std::fs::read_to_string(file).expect("a shot file");
+            let shot = Shot::from_json(&text).expect("a shot");
+            let mut simulation = Simulation::<SMALL>::new();
+            simulation.wide &= wide;
+            let summary = simulation.play(&shot, &mut Silent).expect("an end");
+            let states = (0..simulation.len()).map(|i| simulation.state(i, summary.duration));
+            (summary.duration, states.collect())
+        };
+        files.iter().map(play).collect()
+    }
+
+    #[test]
+    fn wide_vectors_give_the_same_bits() {
+        assert_eq!(results(true), results(false));
+    }
+}
