@@ -249,7 +249,8 @@ def test_tables_prints_every_preset_with_its_dimensions(run: CommandLine) -> Non
     assert done.returncode == 0
     for name in names:
         assert name in done.stdout
-    assert "1.2700 x 2.5400 m" in done.stdout
+    assert "142.00 deg  WPA equipment specifications" in done.stdout
+    assert "from memory, not verified" in done.stdout
     listed = json.loads(run("tables", "--json").stdout)
     assert [table["name"] for table in listed] == names
     assert [table["name"] for table in carom.tables()] == names

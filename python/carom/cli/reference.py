@@ -33,18 +33,19 @@ def schema(
 
 
 def _describe(table: dict[str, Any]) -> str:
-    width, length = table["size"]
-    lines = [
-        f"{table['name']}",
-        f"  playing area    {width:.4f} x {length:.4f} m",
-        f"  cushion height  {1000 * table['cushion_height']:.1f} mm",
-    ]
+    lines = [table["name"]]
+    for dimension in table["dimensions"]:
+        value = _with_unit(dimension["value"], dimension["unit"])
+        lines.append(f"  {dimension['key']:<28}{value:>11}  {dimension['source'] or ''}".rstrip())
     for index, pocket in enumerate(table["pockets"]):
         x, y = pocket["center"]
-        lines.append(
-            f"  pocket {index}        {pocket['name']:<12}  hole at ({x:.4f}, {y:.4f}) m, "
-            f"radius {1000 * pocket['radius']:.1f} mm"
-        )
+        lines.append(f"  pocket {index}: {pocket['name']}, hole at ({x:.4f}, {y:.4f}) m")
     if not table["pockets"]:
         lines.append("  no pockets")
     return "\n".join(lines)
+
+
+def _with_unit(value: float, unit: str) -> str:
+    if unit == "m" and value < 1.0:
+        return f"{1000 * value:.2f} mm"
+    return f"{value:.4f} m" if unit == "m" else f"{value:.2f} {unit}"
