@@ -82,7 +82,7 @@ impl Physics {
                 rolling_friction: 0.0128,
                 spin_deceleration: 22.0,
             },
-            // Mathavan 2014.
+            // Mathavan 2014, whose balls are rigid; compliant here, as in pool.
             ball_ball: BallBall {
                 restitution: 0.89,
                 friction: SlipFriction::constant(0.05),
@@ -116,13 +116,15 @@ impl Physics {
             // UMB: 61–61.5 mm; 205–220 g from memory, 210 g as in pooltool.
             ball: Ball { mass: 0.210, radius: 0.03075 },
             cloth: Cloth {
+                // As in pool and in pooltool; Han 2005 found 0.069 on his table.
                 sliding_friction: 0.2,
-                // Heated cloth: 0.0383 m/s² of deceleration at low speed, fitted to matches, is
-                // 0.0039; 0.0045 over the speeds of play.
+                // Heated cloth, fitted to matches: a ball of speed v slows by 0.0383 + 0.0150 v
+                // m/s². This stops one of 0.6 m/s where that does; 0.0049 one of 1 m/s.
                 rolling_friction: 0.0045,
                 // Han 2005: M_z = 3.82e-4 N·m on m = 0.23 kg, R = 32.75 mm gives 3.9 rad/s².
                 spin_deceleration: 3.9,
             },
+            // Han 2005; friction as in pool. The cushions too are those of a pool table: estimated.
             ball_ball: BallBall { restitution: 0.98, ..pool.ball_ball },
             // A carom cue is lighter and stiffer: estimated.
             cue: Cue { mass: 0.51, end_mass: 0.007, ..pool.cue },

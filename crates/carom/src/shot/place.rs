@@ -21,7 +21,10 @@ pub(super) fn check(place: &str, placed: &PlacedBall, table: &Table) -> Result<(
                 "a ball of radius {radius:?} m cannot meet a cushion nose at the height of {:?} m",
                 table.cushion_height
             ),
-            format!("choose a radius of more than {:?} m", 0.5 * table.cushion_height),
+            format!(
+                "choose a radius of more than {:?} m, or a lower table.cushion_height",
+                0.5 * table.cushion_height
+            ),
         ));
     };
     let refuse =
