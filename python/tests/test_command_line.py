@@ -53,9 +53,16 @@ def test_shot_prints_a_readable_table_of_events(run: CommandLine, file: Path) ->
     assert done.returncode == 0
     assert "cue-strike" in done.stdout
     assert "first contact: 1" in done.stdout
-    # A level cue over the bottom rail, whose nose is higher than the ball's centre.
-    assert "the cue would pass through: bottom" in done.stdout
+    assert "pass through" not in done.stdout
     assert "\x1b" not in done.stdout
+
+
+def test_shot_names_what_the_cue_would_pass_through(run: CommandLine, pot: dict[str, Any]) -> None:
+    x, y = pot["balls"][0]["position"]
+    pot["balls"].append({"id": "behind", "position": [x, y - 0.06]})
+    done = run("shot", "-", stdin=json.dumps(pot))
+    assert done.returncode == 0
+    assert "the cue would pass through: behind" in done.stdout
 
 
 def on_a_terminal(arguments: list[str], **environment: str) -> str:
