@@ -155,6 +155,9 @@ impl<const K: usize> Impact<'_, K> {
         {
             return after;
         }
+        if approach >= PRESS_SPEED {
+            return self.parted(&after, 2.0 * rounding - parting);
+        }
         let share = PRESS_SHARE * (self.speeds(self.before) + self.surface_speeds());
         let mut result = after;
         for least in [PRESS_SPEED, UNPAID_PRESS_SPEED] {
@@ -167,6 +170,24 @@ impl<const K: usize> Impact<'_, K> {
             if self.energy(&result) <= self.energy(self.before) {
                 break;
             }
+        }
+        result
+    }
+
+    /// `states`, parting by so many m/s more. It is for bodies that an impact has left together, for
+    /// its restitution is 0, or because slate and nose hold the ball: they meant to part at 0, and
+    /// friction has done its work.
+    #[cold]
+    fn parted(&self, states: &[BallState; K], speed: f64) -> [BallState; K] {
+        let mobility = self.balls.iter().fold(0.0, |sum, ball| sum + 1.0 / ball.mass);
+        // Level, also where balls of different size stand with their centres aslant.
+        let along = self.normal.xy().with_z(0.0) * (speed / mobility);
+        let mut side = -1.0;
+        let mut result = *states;
+        for (state, ball) in result.iter_mut().zip(self.balls) {
+            let velocity = state.velocity + along * (side / ball.mass);
+            *state = struck_state(state, velocity, state.angular_velocity, ball.radius);
+            side = -side;
         }
         result
     }
