@@ -2,6 +2,7 @@
 
 use carom::event::{Event, EventKind};
 use carom::math::Vec3;
+use carom::physics::BallBallModel;
 use carom::shot::Shot;
 use carom::{Ball, BallState, MotionState};
 
@@ -9,7 +10,7 @@ use carom::{Ball, BallState, MotionState};
 const ROUNDING: f64 = 1e-12;
 
 /// Energy that a push may lend, J: `UNPAID_PRESS_SPEED` in the engine's `simulate/impact.rs`.
-const LENT: f64 = 2e-9;
+pub const LENT: f64 = 2e-9;
 
 /// Speed that the engine takes for rest, m/s: `STILL` in its `motion.rs`.
 const STILL: f64 = 1e-13;
@@ -33,11 +34,12 @@ pub(crate) fn audit(shot: &Shot, event: &Event<'_>) -> Option<String> {
     if event.kind != EventKind::CueStrike && after > before * (1.0 + ROUNDING) + LENT {
         return Some(format!("{:?} raises the energy by {:e} J", event.kind, after - before));
     }
-    (event.kind == EventKind::BallCollision).then(|| momenta(event, &balls)).flatten()
+    (event.kind == EventKind::BallCollision).then(|| momenta(shot, event, &balls)).flatten()
 }
 
 /// Linear momentum in the plane; and, of two balls, each one's angular momentum about the contact.
-fn momenta(event: &Event<'_>, balls: &[Ball]) -> Option<String> {
+/// A model with cloth friction during the impact gives some of both to the cloth.
+fn momenta(shot: &Shot, event: &Event<'_>, balls: &[Ball]) -> Option<String> {
     let mut total = Vec3::ZERO;
     let mut scale = 0.0;
     for (k, ball) in balls.iter().enumerate() {
@@ -45,10 +47,12 @@ fn momenta(event: &Event<'_>, balls: &[Ball]) -> Option<String> {
         scale += ball.mass * event.before[k].velocity.length();
     }
     let stilled: f64 = balls.iter().map(|b| b.mass * STILL).sum();
-    if total.xy().length() > ROUNDING * scale + stilled {
+    let on_cloth = shot.physics().ball_ball.model == BallBallModel::Mathavan2014;
+    let to_cloth = if on_cloth { shot.physics().cloth.sliding_friction } else { 0.0 };
+    if total.xy().length() > (ROUNDING + to_cloth) * scale + stilled {
         return Some(format!("momentum changes by {:e} of {scale:e}", total.xy().length()));
     }
-    if let ([a, b], [p, q]) = (balls, event.before) {
+    if let (false, [a, b], [p, q]) = (on_cloth, balls, event.before) {
         let d = q.position - p.position;
         let normal = d * (1.0 / d.length());
         for (k, (ball, side)) in [(a, 1.0), (b, -1.0)].into_iter().enumerate() {

@@ -19,6 +19,7 @@ use carom::{BallState, MotionState};
 
 use closest::{Curve, Feature, Intrusion};
 
+pub use ledger::LENT;
 pub use tally::Tally;
 
 /// Deepest overlap that is let pass, m. Law 6 of ARCHITECTURE.md; an atom is 1e-10 m.

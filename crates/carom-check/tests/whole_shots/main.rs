@@ -1,4 +1,10 @@
 //! Whole shots before the judge: random ones, those that once never ended, and the symmetries of
-//! mechanics.
+//! mechanics, which no engine keeps by accident.
 
+mod judge_notices;
+mod laws;
+mod log;
+mod long_pushes;
+mod plan;
 mod random_shots;
+mod symmetries;

@@ -1,0 +1,103 @@
+//! The judge sees what is wrong: records of true shots are falsified in one place.
+
+use carom::event::{EventKind, Recorder};
+use carom::math::Vec3;
+use carom::{BallState, Shot};
+use carom_check::Checker;
+use carom_check::scenes::{Scene, shot_file};
+
+use crate::log::{Kept, events};
+
+fn a_break() -> Shot {
+    Shot::from_json(&shot_file(Scene::NineBallBreak, 1)).expect("a shot")
+}
+
+/// Index of the first collision of two balls.
+fn collision(events: &[Kept]) -> usize {
+    events.iter().position(|e| e.kind == EventKind::BallCollision).expect("a collision")
+}
+
+fn faults(falsify: impl FnOnce(&mut Vec<Kept>)) -> Vec<String> {
+    let shot = a_break();
+    let mut all = events(&shot);
+    falsify(&mut all);
+    let mut checker = Checker::new(&shot);
+    all.iter().for_each(|e| checker.record(&e.event()));
+    checker.faults.iter().map(ToString::to_string).collect()
+}
+
+fn assert_noticed(word: &str, falsify: impl FnOnce(&mut Vec<Kept>)) {
+    let found = faults(falsify);
+    assert!(found.iter().any(|f| f.contains(word)), "no {word:?} in {found:#?}");
+}
+
+/// Changes the first ball of the first collision.
+fn after_collision(change: impl Fn(&mut BallState)) -> impl FnOnce(&mut Vec<Kept>) {
+    move |all| {
+        let k = collision(all);
+        change(&mut all[k].after[0]);
+    }
+}
+
+#[test]
+fn the_judge_finds_nothing_in_a_true_record() {
+    assert_eq!(faults(|_| {}), Vec::<String>::new());
+}
+
+#[test]
+fn the_judge_notices_a_collision_left_out() {
+    assert_noticed("overlap", |all| {
+        // With all that these balls do later, which alone would give them away.
+        let k = collision(all);
+        let gone = all[k].balls.clone();
+        let rest = all.split_off(k);
+        all.extend(rest.into_iter().filter(|e| e.balls.iter().all(|b| !gone.contains(b))));
+    });
+}
+
+#[test]
+fn the_judge_notices_a_rail_gone_through() {
+    assert_noticed("the nose of", |all| {
+        let rail = |e: &Kept| matches!(e.kind, EventKind::RailCollision(_));
+        let k = all.iter().position(rail).expect("a rail");
+        all.truncate(k);
+        let mut end = all[k - 1].clone();
+        end.time += 1.0;
+        all.push(end);
+    });
+}
+
+#[test]
+fn the_judge_notices_energy_from_nowhere() {
+    assert_noticed("raises the energy", after_collision(|s| s.velocity.x += 20.0));
+}
+
+#[test]
+fn the_judge_notices_momentum_that_is_lost() {
+    assert_noticed("momentum", after_collision(|s| s.velocity = s.velocity * (1.0 - 1e-9)));
+}
+
+#[test]
+fn the_judge_notices_spin_that_no_force_at_the_contact_gives() {
+    assert_noticed("angular momentum", |all| {
+        let pair = |e: &Kept| e.kind == EventKind::BallCollision && e.balls.len() == 2;
+        let k = all.iter().position(pair).expect("two balls alone");
+        all[k].after[0].angular_velocity += Vec3::new(0.0, 0.0, 1e-6);
+    });
+}
+
+#[test]
+fn the_judge_notices_a_ball_that_is_not_on_its_path() {
+    assert_noticed("from its path", |all| {
+        let last = all.len() - 1;
+        all[last].before[0].position.x += 1e-9;
+    });
+}
+
+#[test]
+fn the_judge_notices_time_that_goes_back() {
+    assert_noticed("time goes back", |all| {
+        let last = all.len() - 1;
+        all[last].time = 0.0;
+    });
+}

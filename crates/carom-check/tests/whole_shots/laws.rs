@@ -1,0 +1,80 @@
+//! What mechanics keeps, in shots with every model on every ground: each event keeps energy,
+//! momentum and angular momentum about the contact, nothing overlaps at any time between, and every
+//! shot ends. That the judge would notice is in `judge_notices`.
+
+use carom::Shot;
+use carom::batch::simulate_batch;
+use carom::math::Vec3;
+use carom_check::Checker;
+use proptest::prelude::*;
+
+use crate::log::events;
+use crate::plan::any_plan;
+
+/// Relative rounding of a shot's whole energy and of a sum of ten momenta.
+const ROUNDING: f64 = 1e-12;
+
+proptest! {
+    #[test]
+    fn every_shot_ends_and_the_judge_finds_nothing(plan in any_plan(10)) {
+        let shot = plan.shot();
+        let checker = Checker::run(&shot);
+        prop_assert!(checker.faults.is_empty(), "{:#?}\n{}", checker.faults, shot.to_json());
+    }
+
+    /// What the balls have lost in the end is all that they had: nothing is left over, nothing
+    /// comes from nowhere. In between, the energy of all balls never rises.
+    #[test]
+    fn the_energy_of_all_balls_only_falls(plan in any_plan(8)) {
+        let shot = plan.shot();
+        let mut states: Vec<_> = events_start(&shot);
+        let energy = |states: &[carom::BallState]| -> f64 {
+            let in_play = shot.balls().iter().zip(states).filter(|(_, s)| s.motion.in_play());
+            in_play.map(|(b, s)| b.ball.kinetic_energy(s)).sum()
+        };
+        let first = energy(&states);
+        let mut last = first;
+        for event in events(&shot) {
+            for (&ball, after) in event.balls.iter().zip(&event.after) {
+                states[usize::from(ball)] = *after;
+            }
+            // States of balls that are not in the event are older, and so have no less energy.
+            let now = energy(&states);
+            prop_assert!(now <= last + ROUNDING * first + carom_check::LENT, "{now} after {last}");
+            last = now;
+        }
+        let at_rest = states.iter().all(|s| !s.motion.in_play() || s.velocity == Vec3::ZERO);
+        prop_assert!(at_rest);
+        prop_assert!(last <= ROUNDING * first, "{last} J of {first} J are left");
+    }
+
+    #[test]
+    fn a_shot_played_again_is_the_same_to_the_bit(plan in any_plan(8)) {
+        let shot = plan.shot();
+        let trace = shot.simulate().expect("it ends");
+        let again = Shot::from_json(&shot.to_json()).expect("a shot file").simulate().expect("it ends");
+        prop_assert_eq!(trace.hash(), again.hash());
+        prop_assert_eq!(trace, again);
+    }
+
+    #[test]
+    fn a_batch_ends_as_its_shots_do_alone(plans in prop::collection::vec(any_plan(6), 1..6)) {
+        let shots: Vec<Shot> = plans.iter().map(|p| p.shot()).collect();
+        for threads in [1, 2] {
+            let batch = simulate_batch(&shots, Some(threads), &|_| {});
+            prop_assert!(batch.errors.is_empty());
+            for (k, shot) in shots.iter().enumerate() {
+                let trace = shot.simulate().expect("it ends");
+                prop_assert_eq!(batch.events[k] as usize, trace.events().len());
+                for (i, state) in trace.last().iter().enumerate() {
+                    let Vec3 { x, y, z } = state.position;
+                    prop_assert_eq!(batch.final_position[k * batch.balls + i], [x, y, z]);
+                }
+            }
+        }
+    }
+}
+
+fn events_start(shot: &Shot) -> Vec<carom::BallState> {
+    shot.balls().iter().map(|b| shot.table().to_engine_frame(&b.state)).collect()
+}

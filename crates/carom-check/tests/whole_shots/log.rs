@@ -1,0 +1,44 @@
+//! All that happens in a shot, kept.
+
+use carom::event::{Event, EventKind, Recorder};
+use carom::{BallState, Shot};
+
+/// One event, states in the engine's frame.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Kept {
+    pub(crate) time: f64,
+    pub(crate) kind: EventKind,
+    pub(crate) balls: Vec<u16>,
+    pub(crate) before: Vec<BallState>,
+    pub(crate) after: Vec<BallState>,
+}
+
+impl Kept {
+    pub(crate) fn event(&self) -> Event<'_> {
+        let Self { time, kind, balls, before, after } = self;
+        Event { time: *time, kind: *kind, balls, before, after }
+    }
+}
+
+#[derive(Debug, Default)]
+struct Log(Vec<Kept>);
+
+impl Recorder for Log {
+    const STATES: bool = true;
+    fn record(&mut self, e: &Event<'_>) {
+        self.0.push(Kept {
+            time: e.time,
+            kind: e.kind,
+            balls: e.balls.to_vec(),
+            before: e.before.to_vec(),
+            after: e.after.to_vec(),
+        });
+    }
+}
+
+/// Every event of `shot`.
+pub(crate) fn events(shot: &Shot) -> Vec<Kept> {
+    let mut log = Log::default();
+    carom::simulate(shot, &mut log).unwrap_or_else(|e| panic!("{e:?}\n{}", shot.to_json()));
+    log.0
+}
