@@ -241,6 +241,39 @@ def test_replay_refuses_a_trace_with_one_changed_digit(run: CommandLine, file: P
     refused(run("replay", "--check", "-", stdin=json.dumps(trace)), "hash")
 
 
+def test_replay_refuses_a_trace_whose_outcome_was_changed(run: CommandLine, file: Path) -> None:
+    trace = json.loads(run("shot", str(file), "--json").stdout)
+    trace["outcome"]["first_contact"] = None
+    refused(run("replay", "--check", "-", stdin=json.dumps(trace)), "outcome.first_contact")
+
+
+def test_a_trace_of_another_engine_that_differs_says_which_engine(
+    run: CommandLine, file: Path
+) -> None:
+    trace = json.loads(run("shot", str(file), "--json").stdout)
+    trace["engine"] = "carom 0.0.1"
+    assert run("replay", "--check", "-", stdin=json.dumps(trace)).returncode == 0
+    trace["shot"]["strike"]["speed"] *= 1.5
+    done = run("replay", "--check", "-", stdin=json.dumps(trace))
+    refused(done, "events[0].after[0].velocity", "carom 0.0.1")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+@pytest.mark.parametrize("option", ["--json", None])
+def test_a_full_disk_is_an_error_like_any_other(file: Path, option: str | None) -> None:
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "carom", "shot", str(file), *([option] if option else [])],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
+        )
+    assert done.returncode == 2
+    assert done.stderr.startswith("carom: stdout: No space left")
+    assert len(done.stderr.splitlines()) == 1
+
+
 def test_tables_prints_every_preset_with_its_dimensions(run: CommandLine) -> None:
     names = [
         "wpa-9ft",

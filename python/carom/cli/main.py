@@ -75,9 +75,10 @@ def _run() -> int:
         say_json(error.shot)
         return 2 if error.shot.get("max_events", DEFAULT_EVENT_CAP) < DEFAULT_EVENT_CAP else 1
     except OSError as error:
-        if error.filename is None:
+        if error.errno is None:
             return _our_bug()
-        say(f"{error.filename}: {error.strerror}; check the path")
+        # Without a name it is one of the standard streams, such as stdout on a full disk.
+        say(f"{error.filename or 'stdout'}: {error.strerror}; check the path")
         return 2
     except KeyboardInterrupt:
         return 130

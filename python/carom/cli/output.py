@@ -21,6 +21,8 @@ def say_json(data: Any) -> None:
 def emit(text: str) -> None:
     """Data to stdout."""
     sys.stdout.write(text if text.endswith("\n") else text + "\n")
+    # Here and not when Python ends, so that a full disk is an error like any other.
+    sys.stdout.flush()
 
 
 def save(path: Path, content: str | bytes) -> None:

@@ -24,12 +24,24 @@ impl Node {
         let node = match serde_path_to_error::deserialize::<_, Self>(&mut source) {
             Ok(node) => node,
             Err(e) => {
-                let place = e.path().to_string();
-                return Err(explain(text, if place == "." { "" } else { &place }, e.inner()));
+                return Err(explain(text, known_part(&e.path().to_string()), e.inner()));
             }
         };
         source.end().map_err(|e| explain(text, "", &e))?;
         Ok(node)
+    }
+}
+
+/// Names longer than this say no more than their beginning: only nonsense nests so deep.
+const LONGEST_PLACE: usize = 80;
+
+/// The place of a syntax error as far as it has a name: a key that is still being read, or that
+/// should have come, shows as `?`, and the whole file as `.`.
+fn known_part(place: &str) -> &str {
+    let known = place.trim_end_matches('?').trim_end_matches('.');
+    match known.char_indices().nth(LONGEST_PLACE) {
+        Some((end, _)) => &known[..end],
+        None => known,
     }
 }
 

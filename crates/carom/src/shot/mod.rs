@@ -139,7 +139,9 @@ impl Shot {
             tip_friction,
             file: file.into(),
         };
-        shot.refuse_obstruction()?;
+        if let Some((ball, strike)) = &shot.strike {
+            shot.refuse_obstruction(*ball, strike)?;
+        }
         Ok(shot)
     }
 
@@ -198,13 +200,16 @@ impl Shot {
     ///
     /// # Errors
     /// [`Error::Input`] if there is nothing to strike, or the strike is out of range, off the
-    /// ball, past the miscue limit, or out of the tip efficiency's reach.
+    /// ball, past the miscue limit, or out of the tip efficiency's reach, or if the cue is
+    /// obstructed and the shot refuses that.
     pub fn resolve_strike(&self, strike: &Strike) -> Result<(Vec3, Vec3), Error> {
         let Some((ball, _)) = self.strike else {
             return Err(Error::input("strike", "the shot has no strike", "add one to vary it"));
         };
         strike::check_ranges("strike", strike)?;
-        strike::check("strike", ball, strike, &self.balls, &self.physics)
+        let struck = strike::check("strike", ball, strike, &self.balls, &self.physics)?;
+        self.refuse_obstruction(ball, strike)?;
+        Ok(struck)
     }
 
     /// The same shot struck otherwise. Angles are kept as the degrees that a file can hold, which
@@ -228,14 +233,18 @@ impl Shot {
     /// The ball or rail that the cue would pass through, nearest to its tip.
     pub fn cue_obstruction(&self) -> Option<Touched> {
         let (ball, strike) = self.strike?;
-        obstruction::find(&self.table, &self.balls, ball, &strike)
+        self.obstruction_of(ball, &strike)
     }
 
-    fn refuse_obstruction(&self) -> Result<(), Error> {
+    fn obstruction_of(&self, ball: usize, strike: &Strike) -> Option<Touched> {
+        obstruction::find(&self.table, &self.balls, ball, strike)
+    }
+
+    fn refuse_obstruction(&self, ball: usize, strike: &Strike) -> Result<(), Error> {
         if self.policy.obstruction == Policy::Report {
             return Ok(());
         }
-        let what = match self.cue_obstruction() {
+        let what = match self.obstruction_of(ball, strike) {
             None => return Ok(()),
             Some(Touched::Ball(i)) => format!("ball \"{}\"", self.balls[usize::from(i)].id),
             Some(Touched::Rail(rail)) => format!("the {} rail", rail.name()),

@@ -40,10 +40,26 @@ fn in_event(a: &TraceEvent<'_>, b: &TraceEvent<'_>) -> Option<String> {
 }
 
 fn in_states(key: &str, a: &[BallState], b: &[BallState]) -> Option<String> {
-    let bits = |s: &BallState| {
-        let words = |v: crate::math::Vec3| v.to_array().map(f64::to_bits);
-        (words(s.position), words(s.velocity), words(s.angular_velocity), s.motion)
+    a.iter()
+        .zip(b)
+        .enumerate()
+        .find_map(|(i, (a, b))| Some(format!("{key}[{i}].{}", in_state(a, b)?)))
+}
+
+fn in_state(a: &BallState, b: &BallState) -> Option<String> {
+    let vectors = |s: &BallState| {
+        [
+            ("position", s.position),
+            ("velocity", s.velocity),
+            ("angular_velocity", s.angular_velocity),
+        ]
+        .map(|(key, v)| (key, v.to_array()))
     };
-    let i = a.iter().zip(b).position(|(a, b)| bits(a) != bits(b))?;
-    Some(format!("{key}[{i}]: {:?} against {:?}", a[i], b[i]))
+    for ((key, u), (_, v)) in vectors(a).into_iter().zip(vectors(b)) {
+        if u.map(f64::to_bits) != v.map(f64::to_bits) {
+            return Some(format!("{key}: {u:?} against {v:?}"));
+        }
+    }
+    let (a, b) = (a.motion, b.motion);
+    (a != b).then(|| format!("motion: {} against {}", a.name(), b.name()))
 }

@@ -1,5 +1,7 @@
 //! The cue as a body: what it would pass through is reported, or refused on request.
 
+use carom::batch::simulate_strikes;
+use carom::resolve::cue_ball::Strike;
 use carom::{Shot, Trace};
 
 fn shot(strike: &str, others: &str) -> Result<Shot, carom::Error> {
@@ -89,4 +91,18 @@ fn an_obstructed_cue_is_refused_on_request() {
     assert!(sentence.contains("the bottom rail") && sentence.contains("raise"), "{sentence}");
     shot_from(0.06, r#""azimuth_deg": 90, "elevation_deg": 30, "obstruction": "refuse""#, "")
         .unwrap_or_else(|e| panic!("{e}"));
+}
+
+#[test]
+fn a_shot_that_refuses_an_obstructed_cue_refuses_it_for_every_strike_of_a_batch() {
+    let behind = r#", {"id": "8", "position": [0.635, 1.1]}"#;
+    let level = r#""azimuth_deg": 0, "obstruction": "refuse""#;
+    let shot = shot(level, behind).unwrap_or_else(|e| panic!("{e}"));
+    let (_, sideways) = shot.strike().expect("the shot has a strike");
+    let upwards = Strike { azimuth: core::f64::consts::FRAC_PI_2, ..sideways };
+    let result = simulate_strikes(&shot, &[sideways, upwards], Some(1), &|_| ());
+    let errors: Vec<_> = result.errors.iter().map(|(k, e)| (*k, e.to_string())).collect();
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    assert_eq!(errors[0].0, 1);
+    assert!(errors[0].1.contains("pass through ball \"8\""), "{errors:?}");
 }

@@ -121,6 +121,20 @@ fn text_that_is_not_json_is_refused_with_its_line() {
 }
 
 #[test]
+fn a_syntax_error_is_placed_by_the_keys_that_are_whole() {
+    for (text, start) in [
+        ("{\"a\": 1,}", "not JSON"),
+        ("{\"balls\": [{\"id\": \"a\" \"b\": 1}]}", "balls[0]: not JSON"),
+        ("{\"strike\": {\"speed\": 2.0 1}}", "strike: not JSON"),
+    ] {
+        let sentence = Shot::from_json(text).expect_err("not JSON").to_string();
+        assert!(sentence.starts_with(start), "{sentence}");
+    }
+    let deep = Shot::from_json(&"[".repeat(100_000)).expect_err("not JSON").to_string();
+    assert!(deep.len() < 250, "{deep}");
+}
+
+#[test]
 fn overlapping_balls_are_refused_with_their_depth() {
     refused("1.905", "0.690", "balls[1].position", &["balls[0]", "2.15", "0.05715"]);
 }

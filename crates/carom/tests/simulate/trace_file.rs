@@ -50,7 +50,7 @@ fn a_second_simulation_has_the_same_hash_and_another_shot_has_not() {
     let other = other.unwrap_or_else(|e| panic!("{e}"));
     assert_ne!(trace.hash(), other.hash());
     let sentence = trace.first_difference(&other).expect("they differ");
-    assert!(sentence.starts_with("events[0].after[0]: "), "{sentence}");
+    assert!(sentence.starts_with("events[0].after[0].velocity: "), "{sentence}");
 }
 
 #[test]
