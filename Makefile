@@ -35,21 +35,29 @@ test: lint rust-test python-test ## Every test: Rust, Python, README snippets, l
 lint: $(BUILT) ## Formatting, lints and types.
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --quiet -- -D warnings
+	@bash scripts/no_std.sh
 	$(BIN)/ruff check --quiet .
 	$(BIN)/ruff format --check --quiet .
 	$(BIN)/mypy
 	MYPYPATH=python $(PY) -m mypy.stubtest carom._core --concise
 
-rust-test: ## The Rust tests, in debug; the Python tests hold the release build to the same goldens.
+rust-test: ## The Rust tests in debug; whole shots, 100 000 of them random, in release too.
 	@bash scripts/prerequisites.sh rust
 	cargo test --quiet --workspace --exclude carom-py
+	cargo test --quiet --release -p carom -p carom-check --test simulate --test whole_shots
 
 python-test: $(BUILT) ## The Python tests, the validation and the README's snippets.
 	$(PYTEST) --quiet --durations=10
 
-stress: $(BUILT) ## The long randomised suites (hours).
+stress: $(BUILT) ## The long randomised suites: 10 million shots and more (hours).
+	bash scripts/vector_builds.sh
 	cargo test --release --workspace --exclude carom-py -- --ignored
+	CAROM_CASES=1000000 cargo test --release -p carom-roots --test hard_families
+	CAROM_PATHS=1000000 cargo test --release -p carom --test table
+	PROPTEST_CASES=100000 cargo test --release -p carom-check --test whole_shots -- laws symmetries
+	bash scripts/fuzz.sh 600
 	$(PYTEST) -m stress
+	cargo run --release -p carom-check --bin stress
 
 bench: $(BUILT) ## The benchmarks; results under benches/results/.
 	$(BIN)/carom bench
