@@ -133,9 +133,17 @@ class Strike:
         return {
             "ball": self.ball,
             "speed": self.speed,
-            "azimuth_deg": math.degrees(self.azimuth),
-            "elevation_deg": math.degrees(self.elevation),
+            "azimuth_deg": _degrees(self.azimuth),
+            "elevation_deg": _degrees(self.elevation),
             "side": self.side,
             "height": self.height,
             "obstruction": self.obstruction,
         }
+
+
+def _degrees(angle: Any) -> Any:
+    try:
+        return math.degrees(angle)
+    except TypeError:
+        # No number: for the engine to refuse, which knows its place.
+        return angle

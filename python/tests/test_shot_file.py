@@ -219,6 +219,28 @@ def test_a_dict_with_something_odd_in_it_is_refused_where_it_stands(pot: dict[st
         Shot.from_dict({1: 2})  # type: ignore[dict-item]
 
 
+@pytest.mark.parametrize(
+    ("position", "found"),
+    [
+        ([np.True_, 1.0], r"\[0\]: found true"),
+        ({0.5, 1.0}, ": found a set"),
+        (frozenset({0.5, 1.0}), ": found a frozenset"),
+    ],
+)
+def test_truth_values_are_no_numbers_and_sets_no_lists(
+    pot: dict[str, Any], position: Any, found: str
+) -> None:
+    pot["balls"][1]["position"] = position
+    with pytest.raises(InputError, match=rf"^balls\[1\].position{found}"):
+        Shot.from_dict(pot)
+
+
+@pytest.mark.parametrize("azimuth", ["north", None, math.nan])
+def test_a_strike_in_no_direction_is_refused_by_its_place(azimuth: Any) -> None:
+    with pytest.raises(InputError, match=r"^strike\.azimuth_deg"):
+        Shot("wpa-9ft", {"cue": (0.6, 0.6)}, Strike(speed=1.0, azimuth=azimuth))
+
+
 def test_a_list_that_holds_itself_is_refused(pot: dict[str, Any]) -> None:
     loop: list[Any] = []
     loop.append(loop)

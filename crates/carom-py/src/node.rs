@@ -2,7 +2,9 @@
 
 use carom::shot::Node;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyIterator, PyList, PyMapping, PyString};
+use pyo3::types::{
+    PyBool, PyDict, PyFloat, PyFrozenSet, PyInt, PyIterator, PyList, PyMapping, PySet, PyString,
+};
 
 use crate::error::InputError;
 
@@ -42,8 +44,15 @@ fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<
     if let Ok(mapping) = value.cast::<PyMapping>() {
         return read_mapping(mapping, place, depth);
     }
-    if let Ok(items) = value.try_iter() {
-        return read_items(items, place, depth);
+    // A set has no order: whoever writes one for a position does not know what is x.
+    if value.cast::<PySet>().is_err() && value.cast::<PyFrozenSet>().is_err() {
+        if let Ok(items) = value.try_iter() {
+            return read_items(items, place, depth);
+        }
+    }
+    // NumPy's truth values can be made numbers, but are none.
+    if ["bool", "bool_"].contains(&&*value.get_type().name()?.to_string_lossy()) {
+        return Ok(Node::Bool(value.is_truthy()?));
     }
     // NumPy's scalars are neither of Python's numbers, but say what they are worth.
     if value.hasattr("__index__")? {
