@@ -45,10 +45,9 @@ fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<
         return read_mapping(mapping, place, depth);
     }
     // A set has no order: whoever writes one for a position does not know what is x.
-    if value.cast::<PySet>().is_err() && value.cast::<PyFrozenSet>().is_err() {
-        if let Ok(items) = value.try_iter() {
-            return read_items(items, place, depth);
-        }
+    let ordered = value.cast::<PySet>().is_err() && value.cast::<PyFrozenSet>().is_err();
+    if let (true, Ok(items)) = (ordered, value.try_iter()) {
+        return read_items(items, place, depth);
     }
     // NumPy's truth values can be made numbers, but are none.
     if ["bool", "bool_"].contains(&&*value.get_type().name()?.to_string_lossy()) {
