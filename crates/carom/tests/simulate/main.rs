@@ -3,6 +3,7 @@
 
 mod goldens;
 mod hard_cases;
+mod no_allocation;
 mod order_of_balls;
 mod preset_cushions;
 mod support;
