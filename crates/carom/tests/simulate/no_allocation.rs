@@ -30,6 +30,6 @@ fn a_shot_allocates_nothing_from_its_strike_to_rest() {
     });
     assert!(events > 50, "{events}");
     assert_eq!(measured.count_total, 0);
-    let counts = allocation_counter::measure(|| drop(Box::new(shot.balls().len())));
-    assert_eq!(counts.count_total, 1, "the counter counts");
+    let counts = allocation_counter::measure(|| drop(std::hint::black_box(shot.clone())));
+    assert!(counts.count_total > 0, "the counter counts");
 }
