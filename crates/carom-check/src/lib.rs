@@ -15,6 +15,7 @@ use std::fmt;
 
 use carom::event::{Event, EventKind, Recorder};
 use carom::shot::Shot;
+use carom::simulate::{SimulationError, Summary};
 use carom::{BallState, MotionState};
 
 use closest::{Curve, Feature, Intrusion};
@@ -28,11 +29,42 @@ pub const DEPTH: f64 = 1e-12;
 /// How far the gap at a contact may be from 0, m.
 pub const CONTACT_GAP: f64 = 1e-14;
 
+/// What is let pass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Deepest overlap, m.
+    pub depth: f64,
+    /// Largest |gap| at a contact, m.
+    pub gap: f64,
+}
+
+impl Limits {
+    /// What the engine promises: [`DEPTH`] and [`CONTACT_GAP`].
+    pub const PROMISED: Self = Self { depth: DEPTH, gap: CONTACT_GAP };
+}
+
+/// Kinds of [`Fault`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FaultKind {
+    /// A ball is in another one, in a cushion or over a hole.
+    Overlap,
+    /// Balls collide that do not touch.
+    Apart,
+    /// A ball is not where its path leads, or time goes back.
+    Astray,
+    /// An event raises the energy, or changes a momentum.
+    Ledger,
+    /// The shot does not end, or not at rest.
+    Endless,
+}
+
 /// Something that must not be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
     /// When, s.
     pub time: f64,
+    /// Of which kind.
+    pub kind: FaultKind,
     /// What.
     pub what: String,
 }
@@ -47,13 +79,15 @@ impl fmt::Display for Fault {
 #[derive(Debug)]
 pub struct Checker<'a> {
     shot: &'a Shot,
+    limits: Limits,
     time: f64,
     curves: Vec<Curve>,
     states: Vec<BallState>,
     since: Vec<f64>,
     /// Everything found wrong.
     pub faults: Vec<Fault>,
-    /// No overlap was deeper at any time, m: a bound, [`DEPTH`] where proving less was not tried.
+    /// No overlap was deeper at any time, m: a bound, [`Limits::depth`] where proving less was not
+    /// tried.
     pub deepest: f64,
     /// |Gap| at each ball–ball contact, m.
     pub gaps: Vec<f64>,
@@ -64,11 +98,17 @@ pub struct Checker<'a> {
 impl<'a> Checker<'a> {
     /// Before the shot.
     pub fn new(shot: &'a Shot) -> Self {
+        Self::with_limits(shot, Limits::PROMISED)
+    }
+
+    /// A judge who lets more pass, or less.
+    pub fn with_limits(shot: &'a Shot, limits: Limits) -> Self {
         let states: Vec<BallState> =
             shot.balls().iter().map(|b| shot.table().to_engine_frame(&b.state)).collect();
         let curves = (0..states.len()).map(|i| Curve::new(shot, i, &states[i])).collect();
         Self {
             shot,
+            limits,
             time: 0.0,
             since: vec![0.0; states.len()],
             curves,
@@ -83,15 +123,21 @@ impl<'a> Checker<'a> {
     /// Simulates `shot` and judges it.
     pub fn run(shot: &'a Shot) -> Self {
         let mut checker = Self::new(shot);
-        match carom::simulate(shot, &mut checker) {
-            Ok(_) => checker.at_rest(),
-            Err(error) => checker.fault(format!("not finished: {error:?}")),
-        }
+        let result = carom::simulate(shot, &mut checker);
+        checker.finish(result);
         checker
     }
 
-    fn fault(&mut self, what: String) {
-        self.faults.push(Fault { time: self.time, what });
+    /// After the shot: it has ended, and at rest.
+    pub fn finish(&mut self, result: Result<Summary, SimulationError>) {
+        match result {
+            Ok(_) => self.at_rest(),
+            Err(error) => self.fault(FaultKind::Endless, format!("not finished: {error:?}")),
+        }
+    }
+
+    fn fault(&mut self, kind: FaultKind, what: String) {
+        self.faults.push(Fault { time: self.time, kind, what });
     }
 
     /// In the end nothing moves.
@@ -99,7 +145,10 @@ impl<'a> Checker<'a> {
         for i in 0..self.states.len() {
             let s = self.states[i];
             if s.motion.in_play() && s.motion != MotionState::Stationary {
-                self.fault(format!("ball {i} still {} in the end", s.motion.name()));
+                self.fault(
+                    FaultKind::Endless,
+                    format!("ball {i} still {} in the end", s.motion.name()),
+                );
             }
         }
     }
@@ -117,12 +166,12 @@ impl<'a> Checker<'a> {
             .collect();
         for (k, (i, curve)) in curves.iter().enumerate() {
             for (j, other) in &curves[..k] {
-                let found = closest::pair(curve, other, length, DEPTH);
+                let found = closest::pair(curve, other, length, self.limits.depth);
                 self.judge(found, || format!("balls {j} and {i}"));
             }
             if curve.moves() {
                 let shot = self.shot;
-                closest::table(shot, curve, length, DEPTH, |found, feature| {
+                closest::table(shot, curve, length, self.limits.depth, |found, feature| {
                     self.judge(found, || match feature {
                         Feature::Cushion(k) => {
                             let part = shot.table().cushions[k];
@@ -139,9 +188,10 @@ impl<'a> Checker<'a> {
 
     fn judge(&mut self, found: Intrusion, who: impl FnOnce() -> String) {
         self.deepest = self.deepest.max(found.depth);
-        if found.depth > DEPTH {
+        if found.depth > self.limits.depth {
             let (time, depth) = (self.time + found.after, found.depth);
-            self.faults.push(Fault { time, what: format!("{} overlap by {depth:e} m", who()) });
+            let what = format!("{} overlap by {depth:e} m", who());
+            self.faults.push(Fault { time, kind: FaultKind::Overlap, what });
         }
     }
 
@@ -153,7 +203,7 @@ impl<'a> Checker<'a> {
             let off = (before.position.xy() - place).length();
             let speed = self.states[i].velocity.length();
             if off > 1e-12 * (1.0 + speed) || (before.velocity.xy() - velocity).length() > 1e-11 {
-                self.fault(format!("ball {i} is {off:e} m from its path"));
+                self.fault(FaultKind::Astray, format!("ball {i} is {off:e} m from its path"));
             }
         }
     }
@@ -169,8 +219,9 @@ impl<'a> Checker<'a> {
                     closest = closest.min(gap.abs());
                 }
             }
-            if closest > CONTACT_GAP && !self.starts_within(event, closest) {
-                self.fault(format!("balls {:?} collide {closest:e} m apart", event.balls));
+            if closest > self.limits.gap && !self.starts_within(event, closest) {
+                let what = format!("balls {:?} collide {closest:e} m apart", event.balls);
+                self.fault(FaultKind::Apart, what);
             }
             self.gaps.push(closest);
         }
@@ -187,7 +238,7 @@ impl Recorder for Checker<'_> {
 
     fn record(&mut self, event: &Event<'_>) {
         if event.time < self.time {
-            self.fault(format!("time goes back from {}", self.time));
+            self.fault(FaultKind::Astray, format!("time goes back from {}", self.time));
         }
         self.events += 1;
         self.interval(event.time);
@@ -195,7 +246,7 @@ impl Recorder for Checker<'_> {
         self.arrivals(event);
         self.contacts(event);
         if let Some(fault) = ledger::audit(self.shot, event) {
-            self.fault(fault);
+            self.fault(FaultKind::Ledger, fault);
         }
         for (k, &ball) in event.balls.iter().enumerate() {
             let i = usize::from(ball);

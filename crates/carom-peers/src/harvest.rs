@@ -76,6 +76,11 @@ fn harvest(count: usize, mut next: impl FnMut() -> (Shot, Strike)) -> Vec<Case> 
 
 /// Balls anywhere on a 9-ft table, none touching; the first is the cue ball.
 fn layout(random: &mut Random, balls: usize) -> Shot {
+    Shot::from_json(&shot_file(&places(random, balls))).expect("a layout without overlaps")
+}
+
+/// Centres anywhere on a 9-ft table, m, none touching.
+pub(crate) fn places(random: &mut Random, balls: usize) -> Vec<[f64; 2]> {
     let mut places: Vec<[f64; 2]> = Vec::new();
     while places.len() < balls {
         let place = [random.between(0.04, 1.23), random.between(0.04, 2.5)];
@@ -87,6 +92,14 @@ fn layout(random: &mut Random, balls: usize) -> Shot {
             places.push(place);
         }
     }
+    places
+}
+
+/// Most events of a shot; ordinary ones have fewer than 300.
+pub(crate) const MAX_EVENTS: u32 = 5000;
+
+/// Balls at rest on a 9-ft table; the first is the cue ball.
+pub(crate) fn shot_file(places: &[[f64; 2]]) -> String {
     let balls: Vec<String> = places
         .iter()
         .enumerate()
@@ -95,11 +108,11 @@ fn layout(random: &mut Random, balls: usize) -> Shot {
             format!(r#"{{"id": "{id}", "position": [{x}, {y}]}}"#)
         })
         .collect();
-    let file = format!(
-        r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "balls": [{}]}}"#,
+    format!(
+        r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "max_events": {MAX_EVENTS},
+            "balls": [{}]}}"#,
         balls.join(", ")
-    );
-    Shot::from_json(&file).expect("a layout without overlaps")
+    )
 }
 
 #[cfg(test)]

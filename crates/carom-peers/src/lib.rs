@@ -10,5 +10,7 @@ pub mod ferrari;
 pub mod finder;
 pub mod harvest;
 pub mod judge;
+pub mod operations;
 pub mod quartic;
 pub mod random;
+pub mod whole_shots;

@@ -65,6 +65,19 @@ impl Quartic {
     }
 }
 
+/// The real roots; of a quartic without leading coefficient, those of the quadratic that it is.
+pub fn real_roots(quartic: &Quartic, solve: impl FnOnce(&Quartic) -> Roots) -> Roots {
+    let [c0, c1, c2, _, c4] = quartic.0;
+    if c4 != 0.0 {
+        return solve(quartic);
+    }
+    let mut roots = Roots::default();
+    if c2 != 0.0 {
+        roots.push_quadratic(c1 / c2, c0 / c2);
+    }
+    roots
+}
+
 /// The smallest root in [0, horizon] at which the gap falls, as every finder that hunts roots reads a
 /// contact. Two favours: bodies that touch and approach at t = 0 are found whatever the solver says,
 /// and a quartic without leading coefficient is solved as the quadratic that it is.
@@ -72,22 +85,14 @@ pub fn smallest_approaching_root(
     motion: &Motion<2>,
     distance: f64,
     horizon: f64,
-    real_roots: impl FnOnce(&Quartic) -> Roots,
+    solve: impl FnOnce(&Quartic) -> Roots,
 ) -> Option<f64> {
     let quartic = Quartic::of_gap(motion, distance);
-    let [c0, c1, c2, _, c4] = quartic.0;
-    if c0 <= 0.0 && c1 < 0.0 {
+    let [c0, c1, ..] = quartic.0;
+    if c0 <= 0.0 && c1 < 0.0 && horizon >= 0.0 {
         return Some(0.0);
     }
-    let roots = if c4 == 0.0 {
-        let mut roots = Roots::default();
-        if c2 != 0.0 {
-            roots.push_quadratic(c1 / c2, c0 / c2);
-        }
-        roots
-    } else {
-        real_roots(&quartic)
-    };
+    let roots = real_roots(&quartic, solve);
     let approaching = |&t: &f64| (0.0..=horizon).contains(&t) && quartic.rate(t) < 0.0;
     roots.as_slice().iter().copied().filter(approaching).min_by(f64::total_cmp)
 }

@@ -38,9 +38,7 @@ pub fn first_meeting(
     if reach < layout.clear_reach {
         return among_all(table, reach, path, horizon);
     }
-    if stays_inside(inner.x, path.d[0], path.v[0], path.h[0], horizon)
-        && stays_inside(inner.y, path.d[1], path.v[1], path.h[1], horizon)
-    {
+    if keeps_clear(table, reach, path, horizon) {
         return None;
     }
     let start = Vec2::new(path.d[0], path.d[1]);
@@ -69,6 +67,15 @@ pub fn first_meeting(
         Some(place) => Some((t, TableFeature::Cushion(layout.noses[place]))),
         None => in_mouth(table, reach, path, t, horizon),
     }
+}
+
+/// Whether a path provably keeps to the playing area shrunk by `reach` (m) over [0, `horizon`], in
+/// which there is nothing to meet.
+#[inline(always)]
+pub fn keeps_clear(table: &Table, reach: f64, path: &Motion<2>, horizon: f64) -> bool {
+    let half = table.layout.half;
+    stays_inside(half.x - reach, path.d[0], path.v[0], path.h[0], horizon)
+        && stays_inside(half.y - reach, path.d[1], path.v[1], path.h[1], horizon)
 }
 
 /// Whether one coordinate provably keeps within ±`limit` over [0, `horizon`].

@@ -1,0 +1,58 @@
+//! The 100 000 random shots of Leckie & Greenspan 2006, section 3, with each root finder in the event
+//! loop: how many have an impossible result, and how long a shot takes. Prints JSON.
+//!
+//! `cargo run --release -p carom-peers --example root_finders -- [SHOTS] [TIMED] > root_finders.json`
+
+use carom_peers::whole_shots::{Contestant, Family, LIMITS, Reading};
+
+fn main() {
+    let mut arguments = std::env::args().skip(1);
+    let mut number =
+        |usual: u64| arguments.next().map_or(usual, |text| text.parse().expect("a number"));
+    let (shots, timed) = (number(100_000), number(1_000));
+    let mut lines = Vec::new();
+    for family in [Family::Ordinary, Family::Frozen] {
+        for finder in &Contestant::ALL {
+            if let Some(share) = share(family, finder.reading) {
+                lines.push(line(family, finder, shots / share, timed));
+            }
+        }
+    }
+    println!("{{");
+    println!(
+        r#" "command": "cargo run --release -p carom-peers --example root_finders -- {shots} {timed}","#
+    );
+    println!(" \"finders\": [\n{}\n ]\n}}", lines.join(",\n"));
+}
+
+/// One of so many shots is played: a tenth of the hard ones, and a hundredth where many a shot runs
+/// until it is stopped.
+fn share(family: Family, reading: Reading) -> Option<u64> {
+    match (family, reading) {
+        (Family::Ordinary, Reading::Smallest) => Some(100),
+        (Family::Frozen, Reading::Smallest) => None,
+        (Family::Ordinary, Reading::Approaching | Reading::FirstContact) => Some(1),
+        (Family::Ordinary, Reading::FromTheStart) | (Family::Frozen, _) => Some(10),
+    }
+}
+
+fn line(family: Family, finder: &Contestant, shots: u64, timed: u64) -> String {
+    let found = finder.judge(family, shots);
+    let microseconds = 1e6 * finder.seconds_per_shot(family, timed.min(shots));
+    let impossible: Vec<String> = LIMITS
+        .iter()
+        .zip(found.impossible)
+        .map(|((name, _), count)| format!(r#""{name}": {count}"#))
+        .collect();
+    let (family, reading) = (family.name(), finder.reading.name());
+    eprintln!("{family}, {}, {reading}: {found:?}, {microseconds:.1} µs", finder.method);
+    format!(
+        r#"  {{"family": "{family}", "method": "{}", "reading": "{reading}", "shots": {shots}, "impossible": {{{}}}, "overlap": {}, "apart": {}, "endless": {}, "other": {}, "microseconds_per_shot": {microseconds:.1}}}"#,
+        finder.method,
+        impossible.join(", "),
+        found.overlap,
+        found.apart,
+        found.endless,
+        found.other,
+    )
+}

@@ -1,0 +1,347 @@
+//! Whole shots with each finder in the event loop: the 100 000 random shots of Leckie & Greenspan
+//! 2006, section 3, judged.
+//!
+//! The peers are asked about every pair, as in the paper: the engine's proofs are off, so that what
+//! comes out is their own verdict.
+
+use core::f64::consts::{FRAC_PI_2, TAU};
+use core::marker::PhantomData;
+use std::time::Instant;
+
+use carom::Shot;
+use carom::detect::ball_ball::{ContactFinder, FirstContact};
+use carom::event::{Recorder, Silent};
+use carom::rack::{Game, USUAL_GAP, rack};
+use carom::resolve::cue_ball::Strike;
+use carom::simulate::{SMALL, Simulation, SimulationError, Summary};
+use carom_check::scenes::{self, Scene};
+use carom_check::{Checker, FaultKind, Limits};
+use carom_roots::Motion;
+use rayon::prelude::*;
+
+use crate::families::BALL_DIAMETER;
+use crate::harvest::{MAX_EVENTS, places, shot_file};
+use crate::quartic::{Quartic, Roots, real_roots, smallest_approaching_root};
+use crate::random::Random;
+use crate::{algorithm_1010, companion, ferrari};
+
+/// One shot in so many is a break.
+const BREAK_EVERY: u64 = 5;
+
+/// What is let pass before a shot counts as impossible, least first. An overlap and a gap at a
+/// contact are measured alike.
+pub const LIMITS: [(&str, Limits); 3] = [
+    ("promised", Limits::PROMISED),
+    ("micrometre", Limits { depth: 1e-6, gap: 1e-6 }),
+    ("millimetre", Limits { depth: 1e-3, gap: 1e-3 }),
+];
+
+/// A way to solve quartics.
+pub trait Solver {
+    /// The real roots of a quartic with c₄ ≠ 0.
+    fn real_roots(quartic: &Quartic) -> Roots;
+}
+
+macro_rules! solver {
+    ($name:ident, $module:ident) => {
+        #[doc = concat!("[`crate::", stringify!($module), "`].")]
+        #[derive(Clone, Copy, Debug)]
+        pub struct $name;
+        impl Solver for $name {
+            fn real_roots(quartic: &Quartic) -> Roots {
+                $module::real_roots(quartic)
+            }
+        }
+    };
+}
+solver!(Ferrari, ferrari);
+solver!(Companion, companion);
+solver!(Algorithm1010, algorithm_1010);
+
+/// The paper's words: "the smallest positive real root".
+#[derive(Clone, Copy, Debug)]
+pub struct Smallest<S>(PhantomData<S>);
+
+impl<S: Solver> ContactFinder for Smallest<S> {
+    const PROOFS: bool = false;
+
+    fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
+        let roots = real_roots(&Quartic::of_gap(path, distance), S::real_roots);
+        let within = |t: &f64| *t > 0.0 && *t <= horizon;
+        roots.as_slice().iter().copied().filter(within).min_by(f64::total_cmp)
+    }
+}
+
+/// The smallest positive real root at which the balls approach: the two that have just collided
+/// do not collide again.
+#[derive(Clone, Copy, Debug)]
+pub struct Approaching<S>(PhantomData<S>);
+
+impl<S: Solver> ContactFinder for Approaching<S> {
+    const PROOFS: bool = false;
+
+    fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
+        let quartic = Quartic::of_gap(path, distance);
+        let roots = real_roots(&quartic, S::real_roots);
+        let within = |t: &f64| *t > 0.0 && *t <= horizon && quartic.rate(*t) < 0.0;
+        roots.as_slice().iter().copied().filter(within).min_by(f64::total_cmp)
+    }
+}
+
+/// The same, and balls that touch and approach at the start collide there.
+#[derive(Clone, Copy, Debug)]
+pub struct FromTheStart<S>(PhantomData<S>);
+
+impl<S: Solver> ContactFinder for FromTheStart<S> {
+    const PROOFS: bool = false;
+
+    fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
+        smallest_approaching_root(path, distance, horizon, S::real_roots)
+    }
+}
+
+/// How the roots of a quartic are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// [`Smallest`].
+    Smallest,
+    /// [`Approaching`].
+    Approaching,
+    /// [`FromTheStart`].
+    FromTheStart,
+    /// As `carom-roots` defines a first contact: also where friction turns touching balls back.
+    FirstContact,
+}
+
+impl Reading {
+    /// As it appears in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Reading::Smallest => "smallest positive root",
+            Reading::Approaching => "at which they approach",
+            Reading::FromTheStart => "or touching at the start",
+            Reading::FirstContact => "first contact",
+        }
+    }
+}
+
+/// Shots to play.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// 2 to 16 balls anywhere on a 9-ft table and an ordinary strike in any direction, or, every
+    /// fifth, an eight-ball break with a rack and a strike of its own.
+    Ordinary,
+    /// [`Scene::Frozen`]: balls that touch each other and the rails.
+    Frozen,
+}
+
+impl Family {
+    /// As it appears in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Family::Ordinary => "ordinary",
+            Family::Frozen => "frozen",
+        }
+    }
+
+    /// Shot number `index`, and its strike if that is not in the file.
+    pub fn shot(self, index: u64) -> (Shot, Option<Strike>) {
+        match self {
+            Family::Ordinary => ordinary_shot(index),
+            Family::Frozen => (frozen_shot(index), None),
+        }
+    }
+}
+
+/// A finder in the event loop.
+#[derive(Clone, Copy, Debug)]
+pub struct Contestant {
+    /// How it solves quartics.
+    pub method: &'static str,
+    /// How it reads their roots.
+    pub reading: Reading,
+    judge: fn(Family, u64) -> Judged,
+    seconds: fn(&[(Shot, Option<Strike>)]) -> f64,
+}
+
+impl Contestant {
+    const fn new<F: ContactFinder>(method: &'static str, reading: Reading) -> Self {
+        Self { method, reading, judge: judged::<F>, seconds: seconds::<F> }
+    }
+
+    /// All, ours last.
+    pub const ALL: [Self; 10] = [
+        Self::new::<Smallest<Ferrari>>(FERRARI, Reading::Smallest),
+        Self::new::<Smallest<Companion>>(COMPANION, Reading::Smallest),
+        Self::new::<Smallest<Algorithm1010>>(ALGORITHM_1010, Reading::Smallest),
+        Self::new::<Approaching<Ferrari>>(FERRARI, Reading::Approaching),
+        Self::new::<Approaching<Companion>>(COMPANION, Reading::Approaching),
+        Self::new::<Approaching<Algorithm1010>>(ALGORITHM_1010, Reading::Approaching),
+        Self::new::<FromTheStart<Ferrari>>(FERRARI, Reading::FromTheStart),
+        Self::new::<FromTheStart<Companion>>(COMPANION, Reading::FromTheStart),
+        Self::new::<FromTheStart<Algorithm1010>>(ALGORITHM_1010, Reading::FromTheStart),
+        Self::new::<FirstContact>("carom", Reading::FirstContact),
+    ];
+
+    /// Judges the shots 0, 1, 2 … `shots` of a family, over all cores.
+    pub fn judge(&self, family: Family, shots: u64) -> Verdicts {
+        (0..shots)
+            .into_par_iter()
+            .map(|index| Verdicts::of(&(self.judge)(family, index)))
+            .reduce(Verdicts::default, Verdicts::with)
+    }
+
+    /// Mean time of one of the shots 0, 1, 2 … `shots`, s, on one core and without a judge; the best
+    /// of some passes.
+    pub fn seconds_per_shot(&self, family: Family, shots: u64) -> f64 {
+        let shots: Vec<_> = (0..shots).map(|index| family.shot(index)).collect();
+        (0..PASSES).map(|_| (self.seconds)(&shots)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+const FERRARI: &str = "textbook closed form";
+const COMPANION: &str = "companion matrix";
+const ALGORITHM_1010: &str = "Algorithm 1010";
+
+/// Passes that are timed.
+const PASSES: u32 = 5;
+
+/// What was wrong with one shot at each of [`LIMITS`], if anything: the first fault.
+type Judged = [Option<FaultKind>; LIMITS.len()];
+
+fn judged<F: ContactFinder>(family: Family, index: u64) -> Judged {
+    let (shot, strike) = family.shot(index);
+    let mut simulation = Simulation::<SMALL, F>::new();
+    let mut first = [None; LIMITS.len()];
+    for (first, (_, limits)) in first.iter_mut().zip(LIMITS) {
+        let mut checker = Checker::with_limits(&shot, limits);
+        let result = play(&mut simulation, &shot, strike, &mut checker);
+        checker.finish(result);
+        let endless = checker.faults.iter().any(|f| f.kind == FaultKind::Endless);
+        let earliest = checker.faults.iter().min_by(|a, b| a.time.total_cmp(&b.time));
+        *first = if endless { Some(FaultKind::Endless) } else { earliest.map(|f| f.kind) };
+        if first.is_none() {
+            // Wider limits let pass what narrower ones do.
+            break;
+        }
+    }
+    first
+}
+
+fn play<F: ContactFinder, R: Recorder>(
+    simulation: &mut Simulation<SMALL, F>,
+    shot: &Shot,
+    strike: Option<Strike>,
+    recorder: &mut R,
+) -> Result<Summary, SimulationError> {
+    match strike {
+        Some(strike) => simulation.play_strike(shot, Some((0, strike)), recorder),
+        None => simulation.play(shot, recorder),
+    }
+}
+
+fn seconds<F: ContactFinder>(shots: &[(Shot, Option<Strike>)]) -> f64 {
+    let mut simulation = Simulation::<SMALL, F>::new();
+    let start = Instant::now();
+    for (shot, strike) in shots {
+        // A shot that is stopped has taken its time all the same.
+        let _ = play(&mut simulation, shot, *strike, &mut Silent);
+    }
+    start.elapsed().as_secs_f64() / shots.len() as f64
+}
+
+/// Sums over shots.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Verdicts {
+    /// Shots played.
+    pub shots: u64,
+    /// Shots with an impossible result, at each of [`LIMITS`].
+    pub impossible: [u64; LIMITS.len()],
+    /// Of those at one micrometre: overlaps.
+    pub overlap: u64,
+    /// Collisions of balls that do not touch.
+    pub apart: u64,
+    /// Stopped by the cap on events.
+    pub endless: u64,
+    /// Anything else: energy or momentum from nowhere, a ball off its path.
+    pub other: u64,
+}
+
+impl Verdicts {
+    fn of(judged: &Judged) -> Self {
+        let [_, kind, _] = judged;
+        let is = |wanted: FaultKind| u64::from(*kind == Some(wanted));
+        let (overlap, apart) = (is(FaultKind::Overlap), is(FaultKind::Apart));
+        let endless = is(FaultKind::Endless);
+        Self {
+            shots: 1,
+            impossible: judged.map(|fault| u64::from(fault.is_some())),
+            overlap,
+            apart,
+            endless,
+            other: u64::from(kind.is_some()) - overlap - apart - endless,
+        }
+    }
+
+    fn with(self, other: Self) -> Self {
+        Self {
+            shots: self.shots + other.shots,
+            impossible: core::array::from_fn(|k| self.impossible[k] + other.impossible[k]),
+            overlap: self.overlap + other.overlap,
+            apart: self.apart + other.apart,
+            endless: self.endless + other.endless,
+            other: self.other + other.other,
+        }
+    }
+}
+
+fn ordinary_shot(index: u64) -> (Shot, Option<Strike>) {
+    let mut random = Random::new(index.wrapping_mul(0x2006_0000_0001));
+    loop {
+        let (places, strike) = if index.is_multiple_of(BREAK_EVERY) {
+            eight_ball_break(&mut random)
+        } else {
+            position(&mut random)
+        };
+        // A ball may have been drawn over a hole.
+        if let Ok(shot) = Shot::from_json(&shot_file(&places)) {
+            return (shot, Some(strike));
+        }
+    }
+}
+
+fn frozen_shot(index: u64) -> Shot {
+    let format = r#""format": "carom-shot/1","#;
+    let capped = format!(r#"{format} "max_events": {MAX_EVENTS},"#);
+    // A ball may have been drawn into a jaw: then the next of this index.
+    (0..u64::MAX)
+        .map(|attempt| scenes::shot_file(Scene::Frozen, index + (attempt << 32)))
+        .find_map(|file| Shot::from_json(&file.replace(format, &capped)).ok())
+        .expect("a layout that fits")
+}
+
+fn position(random: &mut Random) -> (Vec<[f64; 2]>, Strike) {
+    let balls = 2 + (15.0 * random.unit()) as usize;
+    let strike = Strike {
+        speed: random.between(0.5, 6.0),
+        azimuth: random.between(0.0, TAU),
+        elevation: 0.0,
+        side: random.between(-0.3, 0.3),
+        height: random.between(-0.3, 0.3),
+    };
+    (places(random, balls), strike)
+}
+
+fn eight_ball_break(random: &mut Random) -> (Vec<[f64; 2]>, Strike) {
+    let table = carom::Table::preset(Game::EightBall.table()).expect("a preset");
+    let seed = random.bits();
+    let balls = rack(Game::EightBall, &table, 0.5 * BALL_DIAMETER, seed, USUAL_GAP);
+    let strike = Strike {
+        speed: random.between(6.0, 10.0),
+        azimuth: FRAC_PI_2 + random.between(-0.01, 0.01),
+        elevation: 0.0,
+        side: random.between(-0.1, 0.1),
+        height: random.between(-0.2, 0.3),
+    };
+    (balls.expect("a rack").into_iter().map(|(_, place)| place).collect(), strike)
+}
