@@ -186,6 +186,13 @@ fn wall(
         length,
     );
     let along = end - start;
+    // All of the path beside the wall, or behind it: then it counts nowhere.
+    let place =
+        Bernstein::from_monomials([d.dot(along), curve.v.dot(along), curve.h.dot(along)], length);
+    let beside_it = place.upper() < 0.0 || place.lower() > along.length_squared();
+    if beside_it || gap.upper() < -2.0 * reach {
+        return Intrusion::NONE;
+    }
     // Between its ends only; and behind the wall, where a ball never comes, counts as through it.
     let beside = |t: f64| {
         let s = (curve.at(t).0 - start).dot(along) / along.length_squared();

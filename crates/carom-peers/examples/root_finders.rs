@@ -1,18 +1,22 @@
 //! The 100 000 random shots of Leckie & Greenspan 2006, section 3, with each root finder in the event
 //! loop: how many have an impossible result, and how long a shot takes. Prints JSON.
 //!
-//! `cargo run --release -p carom-peers --example root_finders -- [SHOTS] [TIMED] > root_finders.json`
+//! `cargo run --release -p carom-peers --example root_finders -- [SHOTS [TIMED [METHOD]]]`
+//!
+//! METHOD is one method's name, such as `carom`; all of them without it.
 
 use carom_peers::whole_shots::{Contestant, Family, LIMITS, Reading};
 
 fn main() {
-    let mut arguments = std::env::args().skip(1);
-    let mut number =
-        |usual: u64| arguments.next().map_or(usual, |text| text.parse().expect("a number"));
-    let (shots, timed) = (number(100_000), number(1_000));
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let number = |place: usize, usual: u64| {
+        arguments.get(place).map_or(usual, |text| text.parse().expect("a number"))
+    };
+    let (shots, timed) = (number(0, 100_000), number(1, 1_000));
+    let wanted = |finder: &&Contestant| arguments.get(2).is_none_or(|m| finder.method == m);
     let mut lines = Vec::new();
     for family in [Family::Ordinary, Family::Frozen] {
-        for finder in &Contestant::ALL {
+        for finder in Contestant::ALL.iter().filter(wanted) {
             if let Some(share) = share(family, finder.reading) {
                 lines.push(line(family, finder, shots / share, timed));
             }

@@ -1,1 +1,181 @@
-//! x
+//! What the engine looks at and solves in a shot, counted beside the operation counts of Leckie &
+//! Greenspan 2006, section 3.
+//!
+//! Every proof of the engine is a pair (or a path and the table) that the paper's algorithm would
+//! have solved. The finder counts the calls; run once more with the proofs off it counts the pairs
+//! that were looked at, in a shot of the same bits.
+
+use std::cell::Cell;
+
+use carom::Shot;
+use carom::detect::ball_ball::ContactFinder;
+use carom::detect::ball_table::keeps_clear;
+use carom::event::{Event, Recorder};
+use carom::motion::Path;
+use carom::simulate::{SMALL, Simulation, SimulationError};
+use carom_roots::Motion;
+
+/// Step of the integration that the counts are compared with, s: the paper's "rather coarse" one.
+const STEP: f64 = 1e-3;
+
+thread_local! {
+    static CALLS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// The engine's finder, counting; with the proofs before it or without.
+#[derive(Clone, Copy, Debug)]
+struct Counting<const PROOFS: bool>;
+
+impl<const PROOFS: bool> ContactFinder for Counting<PROOFS> {
+    const PROOFS: bool = PROOFS;
+
+    fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
+        // No horizon: there is no such pair, one of the balls is in a pocket.
+        CALLS.set(CALLS.get() + u64::from(!horizon.is_nan()));
+        carom_roots::first_contact(path, distance, horizon)
+    }
+}
+
+/// Counts of a shot, or of many.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Operations {
+    /// Events.
+    pub events: u64,
+    /// Time from strike to rest, s.
+    pub duration: f64,
+    /// Balls that move right after an event, summed over the events.
+    pub moving: u64,
+    /// Pairs of which a ball moves right after an event, likewise: what the paper solves.
+    pub pairs: u64,
+    /// Pairs that the engine looks at.
+    pub looked_at: u64,
+    /// Pairs that its proofs leave: quartics solved.
+    pub solved: u64,
+    /// Balls whose state is advanced and whose next transition is predicted.
+    pub advanced: u64,
+    /// Paths searched for cushions and pockets.
+    pub searched: u64,
+    /// Of those, paths that provably stay clear of them.
+    pub clear: u64,
+    /// Operations of the integration with steps of a millisecond, as the paper counts.
+    pub by_steps: f64,
+}
+
+impl Operations {
+    /// Counts those of `shot`.
+    ///
+    /// # Errors
+    /// If the shot cannot be played.
+    pub fn of(shot: &Shot) -> Result<Self, SimulationError> {
+        let mut watch = Watch::new(shot);
+        CALLS.set(0);
+        Simulation::<SMALL, Counting<false>>::new().play(shot, &mut watch)?;
+        let looked_at = CALLS.replace(0);
+        let summary = Simulation::<SMALL, Counting<true>>::new().play(shot, &mut Quiet)?;
+        let counts = watch.counts;
+        assert_eq!(counts.events, u64::from(summary.events), "a proof changed the shot");
+        Ok(Self { looked_at, solved: CALLS.get(), duration: summary.duration, ..counts })
+    }
+
+    /// Both.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            events: self.events + other.events,
+            duration: self.duration + other.duration,
+            moving: self.moving + other.moving,
+            pairs: self.pairs + other.pairs,
+            looked_at: self.looked_at + other.looked_at,
+            solved: self.solved + other.solved,
+            advanced: self.advanced + other.advanced,
+            searched: self.searched + other.searched,
+            clear: self.clear + other.clear,
+            by_steps: self.by_steps + other.by_steps,
+        }
+    }
+
+    /// Operations of the paper's event-based method for the same events: for each moving ball 1 to
+    /// predict its transition, 24 for rails and pockets and 3 to advance it, for each pair 19.
+    pub fn of_the_paper(&self) -> u64 {
+        28 * self.moving + 19 * self.pairs
+    }
+
+    /// Those of the engine in the same coin. A proof is one operation, as the paper's test of two
+    /// balls for overlap is; of the table, four quadratics are left of the paper's twelve.
+    pub fn of_the_engine(&self) -> u64 {
+        let table = self.searched + 8 * (self.searched - self.clear);
+        4 * self.advanced + self.looked_at + 19 * self.solved + table
+    }
+}
+
+/// Nobody listens, but the states are asked for: the shot takes the same way as a watched one.
+struct Quiet;
+
+impl Recorder for Quiet {
+    const STATES: bool = true;
+    fn record(&mut self, _: &Event<'_>) {}
+}
+
+/// Follows which balls move.
+struct Watch<'a> {
+    shot: &'a Shot,
+    moves: Vec<bool>,
+    plays: Vec<bool>,
+    time: f64,
+    counts: Operations,
+}
+
+impl<'a> Watch<'a> {
+    fn new(shot: &'a Shot) -> Self {
+        let states = shot.balls().iter().map(|b| b.state.motion);
+        Self {
+            shot,
+            moves: vec![false; shot.balls().len()],
+            plays: states.map(carom::MotionState::in_play).collect(),
+            time: 0.0,
+            counts: Operations::default(),
+        }
+    }
+
+    /// Balls that move, and pairs of which one does.
+    fn busy(&self) -> (u64, u64) {
+        let count = |flags: &[bool]| flags.iter().filter(|&&f| f).count() as u64;
+        let (moving, playing) = (count(&self.moves), count(&self.plays));
+        (moving, moving * moving.saturating_sub(1) / 2 + moving * (playing - moving))
+    }
+}
+
+impl Recorder for Watch<'_> {
+    const STATES: bool = true;
+
+    fn record(&mut self, event: &Event<'_>) {
+        let steps = (event.time - self.time) / STEP;
+        let (moving, pairs) = self.busy();
+        self.counts.by_steps += steps * (15 * moving + pairs) as f64;
+        self.time = event.time;
+
+        let (physics, table) = (self.shot.physics(), self.shot.table());
+        for (&i, after) in event.balls.iter().zip(event.after) {
+            let i = usize::from(i);
+            let ball = &self.shot.balls()[i].ball;
+            let path = Path::new(after, ball, &physics.cloth, physics.gravity);
+            self.moves[i] = path.moves();
+            self.plays[i] = path.motion.in_play();
+            self.counts.advanced += 1;
+            if path.moves() {
+                let motion = Motion {
+                    d: [path.position.x, path.position.y],
+                    v: [path.velocity.x, path.velocity.y],
+                    h: [path.half_acceleration.x, path.half_acceleration.y],
+                };
+                let reach = table.reach(ball.radius);
+                self.counts.searched += 1;
+                self.counts.clear += u64::from(keeps_clear(table, reach, &motion, path.duration));
+            }
+        }
+        let (moving, pairs) = self.busy();
+        self.counts.events += 1;
+        self.counts.moving += moving;
+        self.counts.pairs += pairs;
+    }
+}

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use carom::Shot;
 use carom::detect::ball_ball::{ContactFinder, FirstContact};
-use carom::event::{Recorder, Silent};
+use carom::event::{Event, Recorder, Silent};
 use carom::rack::{Game, USUAL_GAP, rack};
 use carom::resolve::cue_ball::Strike;
 use carom::simulate::{SMALL, Simulation, SimulationError, Summary};
@@ -26,7 +26,7 @@ use crate::random::Random;
 use crate::{algorithm_1010, companion, ferrari};
 
 /// One shot in so many is a break.
-const BREAK_EVERY: u64 = 5;
+const BREAK_EVERY: u64 = 10;
 
 /// What is let pass before a shot counts as impossible, least first. An overlap and a gap at a
 /// contact are measured alike.
@@ -129,7 +129,7 @@ impl Reading {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// 2 to 16 balls anywhere on a 9-ft table and an ordinary strike in any direction, or, every
-    /// fifth, an eight-ball break with a rack and a strike of its own.
+    /// tenth, an eight-ball break with a rack and a strike of its own.
     Ordinary,
     /// [`Scene::Frozen`]: balls that touch each other and the rails.
     Frozen,
@@ -212,20 +212,40 @@ type Judged = [Option<FaultKind>; LIMITS.len()];
 fn judged<F: ContactFinder>(family: Family, index: u64) -> Judged {
     let (shot, strike) = family.shot(index);
     let mut simulation = Simulation::<SMALL, F>::new();
-    let mut first = [None; LIMITS.len()];
-    for (first, (_, limits)) in first.iter_mut().zip(LIMITS) {
-        let mut checker = Checker::with_limits(&shot, limits);
-        let result = play(&mut simulation, &shot, strike, &mut checker);
-        checker.finish(result);
-        let endless = checker.faults.iter().any(|f| f.kind == FaultKind::Endless);
-        let earliest = checker.faults.iter().min_by(|a, b| a.time.total_cmp(&b.time));
-        *first = if endless { Some(FaultKind::Endless) } else { earliest.map(|f| f.kind) };
-        if first.is_none() {
+    let mut judged = [None; LIMITS.len()];
+    for (fault, (_, limits)) in judged.iter_mut().zip(LIMITS) {
+        let mut judge = UntilFault(Checker::with_limits(&shot, limits));
+        let result = play(&mut simulation, &shot, strike, &mut judge);
+        *fault = judge.verdict(result);
+        if fault.is_none() {
             // Wider limits let pass what narrower ones do.
             break;
         }
     }
-    first
+    judged
+}
+
+/// A judge who looks no further than to the first fault.
+struct UntilFault<'a>(Checker<'a>);
+
+impl UntilFault<'_> {
+    fn verdict(mut self, result: Result<Summary, SimulationError>) -> Option<FaultKind> {
+        if self.0.faults.is_empty() || result.is_err() {
+            self.0.faults.clear();
+            self.0.finish(result);
+        }
+        self.0.faults.first().map(|fault| fault.kind)
+    }
+}
+
+impl Recorder for UntilFault<'_> {
+    const STATES: bool = true;
+
+    fn record(&mut self, event: &Event<'_>) {
+        if self.0.faults.is_empty() {
+            self.0.record(event);
+        }
+    }
 }
 
 fn play<F: ContactFinder, R: Recorder>(
