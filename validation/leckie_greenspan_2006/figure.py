@@ -1,4 +1,5 @@
-"""Error and cost of the integration-style simulator against Δt, beside the event-based one."""
+"""Error and cost of the integration-style simulator against Δt, beside the event-based one; and how
+many of 100 000 random shots each root finder spoils."""
 
 from __future__ import annotations
 
@@ -11,6 +12,7 @@ from carom.validation.leckie_greenspan_2006.rows import (
     end_error,
     event_operations,
     exact,
+    impossible,
     integration_operations,
     shot,
 )
@@ -20,9 +22,17 @@ if TYPE_CHECKING:
 
 STEPS = (1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4, 1e-4)
 
+APPROACHING = "at which they approach"
+READING = {"carom": "first contact"}
+LABELS = {
+    "promised": "by more than carom promises",
+    "micrometre": "by > 1 µm",
+    "millimetre": "by > 1 mm",
+}
+
 
 def figure() -> Figure:
-    fig, (left, right) = plot.panels(2)
+    fig, (left, middle, right) = plot.panels(3)
     steps = np.array(STEPS)
     left.loglog(steps, [end_error(dt) for dt in steps], "o-", color=plot.COLORS[1],
                 markersize=4, label="where the balls end, m")  # fmt: skip
@@ -36,7 +46,19 @@ def figure() -> Figure:
     n = len(shot())
     by_step = [integration_operations(n, by_steps(dt).steps, n) for dt in steps]
     events = len(exact().events) * event_operations(n, n)
-    right.loglog(steps, by_step, "o-", color=plot.COLORS[1], markersize=4, label="by steps")
-    right.axhline(events, color=plot.COLORS[0], label=f"by events ({len(exact().events)} of them)")
-    plot.name(right, "Δt, s", "operations, counted as in section 3", "What it costs")
+    middle.loglog(steps, by_step, "o-", color=plot.COLORS[1], markersize=4, label="by steps")
+    middle.axhline(events, color=plot.COLORS[0], label=f"by events ({len(exact().events)} of them)")
+    plot.name(middle, "Δt, s", "operations, counted as in section 3", "What it costs")
+
+    methods = ("textbook closed form", "companion matrix", "Algorithm 1010", "carom")
+    for k, limit in enumerate(("promised", "micrometre", "millimetre")):
+        counts = [impossible(m, READING.get(m, APPROACHING))[limit] for m in methods]
+        bars = right.bar(
+            np.arange(4) + 0.27 * (k - 1), counts, 0.25, color=plot.COLORS[k], label=LABELS[limit]
+        )
+        right.bar_label(bars, fontsize=6)
+    right.set_yscale("symlog", linthresh=1)
+    right.set_ylim(0, 1e6)
+    right.set_xticks(range(4), [m.replace(" ", "\n", 1) for m in methods], fontsize=7)
+    plot.name(right, "", "impossible, of 100 000", "Random shots, by root finder")
     return fig

@@ -188,7 +188,7 @@ def lg_4() -> list[float]:
 
 @row(
     "LG-5",
-    "The same with the engine's own finder, held to what it promises (1e-12 m, 1e-14 m at contacts)",
+    "The same with the engine's finder, held to what it promises (1e-12 m; 1e-14 m at contacts)",
     unit="shots",
     source="no impossible result is allowed",
     status="D",

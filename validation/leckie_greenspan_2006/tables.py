@@ -52,6 +52,8 @@ def operation_table() -> str:
         "of them clear by proof": [c["clear"] / n for c, n in per],
     }
     lines = [[name, *(f"{x:.2f}" for x in numbers)] for name, numbers in count.items()]
-    for name in ("by steps of 1 ms", "the paper's events", "carom"):
-        lines.append([f"**operations, {name}**", *(spaced(c["operations"][name] / n) for c, n in per)])
+    lines += [
+        [f"**operations, {way}**", *(spaced(c["operations"][way] / n) for c, n in per)]
+        for way in ("by steps of 1 ms", "the paper's events", "carom")
+    ]
     return markdown(head, lines)

@@ -100,6 +100,9 @@ impl<S: Solver> ContactFinder for FromTheStart<S> {
     }
 }
 
+/// A shot, and its strike if that is not in the file.
+pub type Position = (Shot, Option<Strike>);
+
 /// How the roots of a quartic are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
@@ -145,7 +148,7 @@ impl Family {
     }
 
     /// Shot number `index`, and its strike if that is not in the file.
-    pub fn shot(self, index: u64) -> (Shot, Option<Strike>) {
+    pub fn shot(self, index: u64) -> Position {
         match self {
             Family::Ordinary => ordinary_shot(index),
             Family::Frozen => (frozen_shot(index), None),
@@ -161,7 +164,7 @@ pub struct Contestant {
     /// How it reads their roots.
     pub reading: Reading,
     judge: fn(Family, u64) -> Judged,
-    seconds: fn(&[(Shot, Option<Strike>)]) -> f64,
+    seconds: fn(&[Position]) -> f64,
 }
 
 impl Contestant {
@@ -260,7 +263,7 @@ fn play<F: ContactFinder, R: Recorder>(
     }
 }
 
-fn seconds<F: ContactFinder>(shots: &[(Shot, Option<Strike>)]) -> f64 {
+fn seconds<F: ContactFinder>(shots: &[Position]) -> f64 {
     let mut simulation = Simulation::<SMALL, F>::new();
     let start = Instant::now();
     for (shot, strike) in shots {
@@ -315,7 +318,7 @@ impl Verdicts {
     }
 }
 
-fn ordinary_shot(index: u64) -> (Shot, Option<Strike>) {
+fn ordinary_shot(index: u64) -> Position {
     let mut random = Random::new(index.wrapping_mul(0x2006_0000_0001));
     loop {
         let (places, strike) = if index.is_multiple_of(BREAK_EVERY) {
