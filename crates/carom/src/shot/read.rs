@@ -16,6 +16,10 @@ pub(crate) const LARGEST: f64 = 1e9;
 /// ball would only divide by almost zero).
 pub(crate) const SMALLEST: f64 = 1e-9;
 
+/// A parameter smaller than this, whatever its unit, means 0: its square would underflow, and
+/// quotients by it overflow. −0 means 0 too, since 1/−0 is not 1/0.
+const VANISHING: f64 = 1e-150;
+
 /// The numbers that a key accepts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Range {
@@ -181,7 +185,7 @@ impl<'a> At<'a> {
             _ => return Err(self.wrong_type(&range.describe())),
         };
         range.check(|| self.place.clone(), x)?;
-        Ok(x)
+        Ok(if x.abs() < VANISHING { 0.0 } else { x })
     }
 
     /// A whole number from `low` up to `high`.

@@ -334,3 +334,35 @@ fn unbounded_cloth_has_no_other_keys() {
     refused(table, r#"{"cloth": "endless"}"#, "table.cloth", &["\"unbounded\""]);
     Shot::from_json(&edited(table, r#"{"cloth": "unbounded"}"#)).expect("endless cloth");
 }
+
+#[test]
+fn a_parameter_that_vanishes_is_zero_whatever_its_sign_and_its_exponent() {
+    let hash = |section: &str, key: &str, value: &str| {
+        let shot = Shot::from_json(&format!(
+            r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "physics": {{"{section}": {{"{key}": {value}}}}},
+                "balls": [{{"id": "a", "position": [0.3, 0.6], "velocity": [1, 2, 0], "angular_velocity": [1, 2, 30]}},
+                          {{"id": "b", "position": [0.35, 0.7]}}], "max_events": 40}}"#
+        ));
+        let shot = shot.unwrap_or_else(|e| panic!("{section}.{key}: {e}"));
+        // Without friction nothing rests, and the cap ends it.
+        shot.simulate().map_or(0, |trace| {
+            let finite = |s: &carom::BallState| s.position.to_array().iter().all(|x| x.is_finite());
+            assert!(trace.events().all(|e| e.before.iter().all(finite)), "{section}.{key} {value}");
+            trace.hash()
+        })
+    };
+    for (section, key) in [
+        ("cloth", "sliding_friction"),
+        ("cloth", "rolling_friction"),
+        ("cloth", "spin_deceleration"),
+        ("cushion", "friction"),
+        ("cushion", "restitution"),
+        ("ball_ball", "friction"),
+        ("ball_ball", "restitution"),
+    ] {
+        let zero = hash(section, key, "0");
+        for value in ["-0.0", "5e-324", "1e-308", "1e-200"] {
+            assert_eq!(hash(section, key, value), zero, "{section}.{key} {value}");
+        }
+    }
+}
