@@ -72,8 +72,18 @@ impl Range {
         Err(Error::input(place(), what, format!("write {}", self.describe())))
     }
 
+    /// Whether any finite number may stand here, since it is one that an engine wrote. Such keep
+    /// their bits.
+    const fn is_result(&self) -> bool {
+        self.high == f64::MAX
+    }
+
     fn describe(&self) -> String {
         let unit = self.unit;
+        if self.is_result() {
+            let sign = if self.low == 0.0 { " ≥ 0" } else { "" };
+            return format!("a finite number{sign}{unit}");
+        }
         if self.low == SMALLEST && self.high == LARGEST {
             let unit = if unit.is_empty() { String::new() } else { format!(", in{unit}") };
             return format!("a number greater than 0{unit} (from {SMALLEST:e} to {LARGEST:e})");
@@ -185,7 +195,7 @@ impl<'a> At<'a> {
             _ => return Err(self.wrong_type(&range.describe())),
         };
         range.check(|| self.place.clone(), x)?;
-        Ok(if x.abs() < VANISHING { 0.0 } else { x })
+        Ok(if x.abs() < VANISHING && !range.is_result() { 0.0 } else { x })
     }
 
     /// A whole number from `low` up to `high`.

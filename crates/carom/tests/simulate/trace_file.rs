@@ -311,3 +311,10 @@ fn the_hash_is_the_one_of_the_documentation() {
         assert_eq!(written, Some(Node::Text(hash_by_the_book(&node))), "{name}");
     }
 }
+
+#[test]
+fn a_number_that_is_none_is_refused_in_few_words() {
+    let text = played("follow_shot").to_json().replacen("\"time\": 0.0", "\"time\": null", 1);
+    let sentence = Trace::from_json(&text).expect_err("no number").to_string();
+    assert_eq!(sentence, "events[0].time: found null; write a finite number ≥ 0 s");
+}
