@@ -177,6 +177,10 @@ class Trace:
     def __len__(self) -> int:
         return len(self._dict["events"])
 
+    def __bool__(self) -> bool:
+        # A shot in which nothing happens is a trace too.
+        return True
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Trace) and self._core.to_json() == other._core.to_json()
 
