@@ -12,6 +12,9 @@ const ROUNDING: f64 = 1e-12;
 /// Energy that a push may lend, J: `UNPAID_PRESS_SPEED` in the engine's `simulate/impact.rs`.
 pub const LENT: f64 = 2e-9;
 
+/// Share of a spin that a push between smooth balls may cost: `SPIN_SHARE` there.
+const SPIN_SHARE: f64 = 1e-3;
+
 /// Speed that the engine takes for rest, m/s: `STILL` in its `motion.rs`.
 const STILL: f64 = 1e-13;
 
@@ -65,8 +68,10 @@ fn momenta(shot: &Shot, event: &Event<'_>, balls: &[Ball]) -> Option<String> {
             let about_normal = dw.dot(normal) * inertia;
             let scale = inertia * (1.0 + event.before[k].angular_velocity.length())
                 + ball.mass * ball.radius * dv.length();
-            // A ball that is taken for at rest loses a spin of up to 2·STILL/R, too.
-            let most = ROUNDING * scale + ball.radius * stilled;
+            // A ball that is taken for at rest loses a spin of up to 2·STILL/R, too; and between
+            // smooth balls the spin pays for being pressed.
+            let paid = if shot.physics().ball_ball.is_smooth() { SPIN_SHARE } else { 0.0 };
+            let most = (ROUNDING + paid) * scale + ball.radius * stilled;
             if change.z.abs() > most || about_normal.abs() > most {
                 let change = change.z.abs().max(about_normal.abs());
                 return Some(format!("angular momentum changes by {change:e}, allowed {most:e}"));

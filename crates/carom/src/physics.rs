@@ -83,6 +83,13 @@ pub struct BallBall {
     pub frequency_ratio: f64,
 }
 
+impl BallBall {
+    /// Whether no friction acts between balls.
+    pub fn is_smooth(&self) -> bool {
+        self.model == BallBallModel::Elastic || (self.friction.a == 0.0 && self.friction.b == 0.0)
+    }
+}
+
 /// Which published model resolves a collision with a cushion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CushionModel {

@@ -3,7 +3,7 @@
 use super::{Simulation, earlier, struck_state};
 use crate::detect::ball_ball::ContactFinder;
 use crate::event::{Event, EventKind, Recorder};
-use crate::math::Vec3;
+use crate::math::{Vec3, sqrt};
 use crate::resolve::{self, Body};
 use crate::{Ball, BallState, Physics, Table};
 
@@ -19,8 +19,14 @@ const PUSH_PERIOD: f64 = 1e-3;
 /// rolling ones); slower, and there are more events.
 const PRESS_SPEED: f64 = 1e-3;
 
-/// The same, m/s, where the friction of that very contact does not take the energy that pressing
-/// lends, as between frictionless balls. What is lent is then at most ½mv², 1e-9 J for a pool
+/// Pressing lends energy, which the friction of that very contact takes. Where the contact has no
+/// friction, the spins whose slip on the cloth is the push pay it, with at most this share of
+/// their energy. A sliding pool ball pays about 1e-6: the cloth takes thousands of times more
+/// between two contacts. (With friction they may not: a ball's angular momentum about the contact
+/// is kept.)
+const SPIN_SHARE: f64 = 1e-3;
+
+/// The same speed, m/s, where neither pays. What is lent is then at most ½mv², 1e-9 J for a pool
 /// ball.
 const UNPAID_PRESS_SPEED: f64 = 1e-4;
 
@@ -56,7 +62,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         };
         let again = self.touched_lately(i, time);
         let normal = into.with_z(0.0);
-        let impact = Impact { before: &[before], balls: &[ball], normal, again };
+        // A cushion hit so gently reflects.
+        let impact = Impact { before: &[before], balls: &[ball], normal, again, smooth: true };
         let [after] = impact.settle(strike);
         self.begin(i, &after, time, physics);
         self.touched[i] = time;
@@ -101,7 +108,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             ]
         };
         let again = self.touched_lately(a, time) && self.touched_lately(b, time);
-        let impact = Impact { before: &before, balls: &pair, normal, again };
+        let smooth = physics.ball_ball.is_smooth();
+        let impact = Impact { before: &before, balls: &pair, normal, again, smooth };
         let after = impact.settle(strike);
         for (i, after) in [(a, &after[0]), (b, &after[1])] {
             self.begin(i, after, time, physics);
@@ -140,6 +148,8 @@ struct Impact<'a, const K: usize> {
     normal: Vec3,
     /// Whether both have been in another contact just now.
     again: bool,
+    /// Whether no friction acts between them at low speed.
+    smooth: bool,
 }
 
 impl<const K: usize> Impact<'_, K> {
@@ -167,11 +177,38 @@ impl<const K: usize> Impact<'_, K> {
                 return after;
             }
             result = strike(speed - approach);
-            if self.energy(&result) <= self.energy(self.before) {
+            if self.pay(&mut result) {
                 break;
             }
         }
         result
+    }
+
+    /// Whether `states` have no more energy than there was before the impact, at the latest once
+    /// the spins about horizontal axes have paid for it.
+    fn pay(&self, states: &mut [BallState; K]) -> bool {
+        let excess = self.energy(states) - self.energy(self.before);
+        if excess <= 0.0 {
+            return true;
+        }
+        let of = |(s, b): (&BallState, &Ball)| {
+            let rolling = BallState {
+                angular_velocity: s.angular_velocity.xy().with_z(0.0),
+                ..BallState::default()
+            };
+            b.kinetic_energy(&rolling)
+        };
+        let purse = states.iter().zip(self.balls).map(of).fold(0.0, |sum, energy| sum + energy);
+        if !self.smooth || excess > SPIN_SHARE * purse {
+            return false;
+        }
+        let kept = sqrt(1.0 - excess / purse);
+        for (state, ball) in states.iter_mut().zip(self.balls) {
+            let spin = state.angular_velocity;
+            let spin = (spin.xy() * kept).with_z(spin.z);
+            *state = struck_state(state, state.velocity, spin, ball.radius);
+        }
+        true
     }
 
     /// `states`, parting by so many m/s more. It is for bodies that an impact has left together, for
