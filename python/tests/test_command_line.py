@@ -268,6 +268,7 @@ def test_a_full_disk_is_an_error_like_any_other(file: Path, option: str | None) 
             stderr=subprocess.PIPE,
             text=True,
             check=False,
+            env={**os.environ, "PYTHONUNBUFFERED": ""},
         )
     assert done.returncode == 2
     assert done.stderr.startswith("carom: stdout: No space left")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import signal
 import sys
 import traceback
@@ -79,6 +80,9 @@ def _run() -> int:
             return _our_bug()
         # Without a name it is one of the standard streams, such as stdout on a full disk.
         say(f"{error.filename or 'stdout'}: {error.strerror}; check the path")
+        if not error.filename:
+            # Else Python writes what is left once more when it ends, and fails with 120.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 2
     except KeyboardInterrupt:
         return 130
