@@ -158,6 +158,7 @@ fn on_convex<const N: usize>(gap: &Gap<'_, N>, from: Sample, end: f64) -> Outcom
 }
 
 fn on_concave<const N: usize>(gap: &Gap<'_, N>, from: Sample, to: Sample) -> Outcome {
+    let mut earliest = from.t;
     if from.f <= 0.0 {
         if from.g <= 0.0 {
             return Outcome::At(from.t);
@@ -169,6 +170,8 @@ fn on_concave<const N: usize>(gap: &Gap<'_, N>, from: Sample, to: Sample) -> Out
         if turn.f <= 0.0 {
             return Outcome::At(turn.t);
         }
+        // Bodies that part by less than a rounding come no nearer before they turn.
+        earliest = turn.t;
     }
     if to.f > 0.0 {
         return Outcome::Passed;
@@ -176,8 +179,8 @@ fn on_concave<const N: usize>(gap: &Gap<'_, N>, from: Sample, to: Sample) -> Out
     let mut here = to;
     for _ in 0..MAX_STEPS {
         let t = here.t - 0.5 * here.f / here.g;
-        if t <= from.t {
-            return Outcome::At(from.t);
+        if t <= earliest {
+            return Outcome::At(earliest);
         }
         if t >= here.t {
             break;
