@@ -13,6 +13,10 @@ pub enum EventKind {
     RailCollision(u16),
     /// A ball falls into a pocket: index into `Table::pockets`.
     PocketCollision(u8),
+    /// A ball bounces on the slate, or on the edge of a hole in it.
+    SlateCollision,
+    /// A ball leaves the table, or comes to rest on a rail's top.
+    OffTable,
     /// A motion state ends by the passage of time.
     MotionTransition {
         /// State that ended.

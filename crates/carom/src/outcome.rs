@@ -128,7 +128,10 @@ impl Collector {
             What::PocketCollision(pocket) => {
                 self.outcome.pocketed.extend(balls.iter().map(|&ball| (ball, pocket)));
             }
-            What::CueStrike | What::MotionTransition { .. } => {}
+            What::CueStrike
+            | What::SlateCollision
+            | What::OffTable
+            | What::MotionTransition { .. } => {}
         }
     }
 

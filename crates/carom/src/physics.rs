@@ -15,8 +15,13 @@ pub struct Physics {
     pub ball_ball: BallBall,
     /// Ball against cushion.
     pub cushion: Cushion,
-    /// Ball bouncing on the slate.
-    pub slate: Slate,
+    /// Ball against the facings and points of a pocket's jaws: instead of the cushion's restitution
+    /// and friction, in the cushion's model.
+    pub facing: Surface,
+    /// Ball against a pocket's liner, in the cushion's model.
+    pub liner: Surface,
+    /// Ball bouncing on the slate, and on the rails' tops.
+    pub slate: Surface,
     /// The cue.
     pub cue: Cue,
 }
@@ -138,9 +143,9 @@ pub struct Cushion {
     pub frequency_ratio: f64,
 }
 
-/// Ball bouncing on the slate.
+/// How a surface returns a ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slate {
+pub struct Surface {
     /// Coefficient of restitution.
     pub restitution: f64,
     /// Coefficient of friction.

@@ -126,7 +126,7 @@ impl Next {
         match self {
             Self::Transition(_) => 0,
             Self::Meeting(_, TableFeature::Pocket(_)) => 1,
-            Self::Meeting(_, TableFeature::Cushion(_)) => 2,
+            Self::Meeting(_, _) => 2,
             Self::Contact(..) => 3,
         }
     }
@@ -278,6 +278,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 Next::Meeting(i, TableFeature::Cushion(k)) => {
                     self.rebound(i, k, time, table, physics, recorder);
                 }
+                Next::Meeting(_, _) => {}
                 Next::Contact(i, j) => self.collide(i, j, time, table, physics, recorder),
             }
         }

@@ -17,8 +17,20 @@ use crate::table::{Shape, Table};
 pub enum TableFeature {
     /// Index into `Table::cushions`.
     Cushion(u16),
-    /// Index into `Table::pockets`.
+    /// Index into `Table::pockets`: the ball's centre comes over the hole, or crosses the mouth line
+    /// that captures.
     Pocket(u8),
+    /// The slate, from above.
+    Slate,
+    /// The edge of a hole in the slate, index into `Table::pockets`.
+    Lip(u8),
+    /// The centre of a ball in the hole of a pocket (index) comes down to a height at which it may be
+    /// lost for good: the slate's surface, or a radius below it.
+    Depth(u8),
+    /// The ball on a rail's top comes over its edge, and loses its support.
+    Brink,
+    /// The outer edge of the rails.
+    Edge,
 }
 
 /// First feature of `table` that a ball of radius `radius` (m) on the cloth meets on the path

@@ -4,6 +4,7 @@
 //! constant acceleration, and its spin is linear in time. One file per motion state says how that
 //! path begins, how long it lasts and what follows it.
 
+mod airborne;
 mod rolling;
 mod sliding;
 mod spinning;
@@ -64,6 +65,7 @@ impl Path {
             MotionState::Sliding => sliding::path(state, ball.radius, cloth, gravity),
             MotionState::Rolling => rolling::path(state, ball.radius, cloth, gravity),
             MotionState::Spinning => spinning::path(state, ball.radius, cloth),
+            MotionState::Airborne => airborne::path(state, ball.radius, gravity),
             _ => stationary::path(state.position, ball.radius, state.motion),
         }
     }

@@ -5,7 +5,7 @@
 
 use super::{
     BallBall, BallBallModel, Cloth, Cue, Cushion, CushionFriction, CushionModel,
-    CushionRestitution, Physics, Slate, SlipFriction, Tip,
+    CushionRestitution, Physics, SlipFriction, Surface, Tip,
 };
 use crate::Ball;
 
@@ -54,7 +54,11 @@ impl Physics {
             },
             cushion: RAIL,
             // Dr. Dave FAQ: 0.5 to 0.7; friction as in sliding (TP B.10).
-            slate: Slate { restitution: 0.5, friction: 0.2 },
+            // Neoprene facings return less and grip more than a nose: 0.5 to 0.7, from memory.
+            facing: Surface { restitution: 0.7, friction: 0.25 },
+            // Leather or plastic, from memory: 0.3 to 0.5.
+            liner: Surface { restitution: 0.4, friction: 0.3 },
+            slate: Surface { restitution: 0.5, friction: 0.2 },
             cue: Cue {
                 // 20 oz.
                 mass: 0.567,
@@ -148,7 +152,10 @@ impl Physics {
                 friction: CushionFriction { a: 0.0, b: 0.0 },
                 ..RAIL
             },
-            slate: Slate { restitution: 1.0, friction: 0.0 },
+            facing: Surface { restitution: 1.0, friction: 0.0 },
+            liner: Surface { friction: 0.0, ..pool.liner },
+            // The slate still takes energy, or a ball that hops would hop for ever.
+            slate: Surface { restitution: 0.5, friction: 0.0 },
             cue: Cue { end_mass: 0.0, tip: Tip::Restitution(1.0), ..pool.cue },
             ..pool
         }

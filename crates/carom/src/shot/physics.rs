@@ -9,7 +9,7 @@ use crate::Ball;
 use crate::error::Error;
 use crate::physics::{
     BallBall, BallBallModel, Cloth, Cue, Cushion, CushionFriction, CushionModel,
-    CushionRestitution, Physics, Slate, SlipFriction, Tip,
+    CushionRestitution, Physics, SlipFriction, Surface, Tip,
 };
 
 /// A coefficient of restitution, or an efficiency.
@@ -44,8 +44,18 @@ pub(super) fn read(at: Option<&At<'_>>, default: &str) -> Result<Physics, Error>
     if !at.is_object() {
         return named(at);
     }
-    let fields =
-        at.fields(&["base", "gravity", "ball", "cloth", "ball_ball", "cushion", "slate", "cue"])?;
+    let fields = at.fields(&[
+        "base",
+        "gravity",
+        "ball",
+        "cloth",
+        "ball_ball",
+        "cushion",
+        "facing",
+        "liner",
+        "slate",
+        "cue",
+    ])?;
     let mut physics = match fields.get("base") {
         Some(base) => named(&base)?,
         None => preset(default),
@@ -63,8 +73,11 @@ pub(super) fn read(at: Option<&At<'_>>, default: &str) -> Result<Physics, Error>
     if let Some(at) = fields.get("cushion") {
         cushion(&at, &mut physics.cushion)?;
     }
-    if let Some(at) = fields.get("slate") {
-        slate(&at, &mut physics.slate)?;
+    let Physics { facing, liner, slate, .. } = &mut physics;
+    for (key, law) in [("facing", facing), ("liner", liner), ("slate", slate)] {
+        if let Some(at) = fields.get(key) {
+            surface(&at, law)?;
+        }
     }
     if let Some(at) = fields.get("cue") {
         cue(&at, &mut physics.cue)?;
@@ -212,10 +225,10 @@ fn only_for(models: &[CushionModel], at: &At<'_>, model: CushionModel) -> Result
     ))
 }
 
-fn slate(at: &At<'_>, slate: &mut Slate) -> Result<(), Error> {
+fn surface(at: &At<'_>, law: &mut Surface) -> Result<(), Error> {
     let fields = at.fields(&["restitution", "friction"])?;
-    fields.number_into("restitution", &FRACTION, &mut slate.restitution)?;
-    fields.number_into("friction", &FRICTION, &mut slate.friction)
+    fields.number_into("restitution", &FRACTION, &mut law.restitution)?;
+    fields.number_into("friction", &FRICTION, &mut law.friction)
 }
 
 fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
@@ -248,7 +261,7 @@ fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
 /// The whole of a `physics` as a shot file would say it, key by key; it reads back to the same
 /// bits over any base.
 pub fn write(physics: &Physics) -> Node {
-    let Physics { gravity, ball, cloth, ball_ball, cushion, slate, cue } = physics;
+    let Physics { gravity, ball, cloth, ball_ball, cushion, facing, liner, slate, cue } = physics;
     let tip = match cue.tip {
         Tip::Restitution(e) => ("tip_restitution", e.into()),
         Tip::Efficiency(eta) => ("tip_efficiency", eta.into()),
@@ -274,13 +287,9 @@ pub fn write(physics: &Physics) -> Node {
             ]),
         ),
         ("cushion", write_cushion(cushion)),
-        (
-            "slate",
-            Node::object([
-                ("restitution", slate.restitution.into()),
-                ("friction", slate.friction.into()),
-            ]),
-        ),
+        ("facing", write_surface(facing)),
+        ("liner", write_surface(liner)),
+        ("slate", write_surface(slate)),
         (
             "cue",
             Node::object([
@@ -292,6 +301,10 @@ pub fn write(physics: &Physics) -> Node {
             ]),
         ),
     ])
+}
+
+fn write_surface(law: &Surface) -> Node {
+    Node::object([("restitution", law.restitution.into()), ("friction", law.friction.into())])
 }
 
 fn write_slip_friction(friction: &SlipFriction) -> Node {

@@ -124,6 +124,10 @@ pub enum Part {
     Facing,
     /// The round horn between nose and facing.
     Point,
+    /// The flat top of the rail, cushion included, at the height of the nose.
+    Top,
+    /// The wall behind a pocket's hole.
+    Liner,
 }
 
 impl Part {
@@ -133,6 +137,8 @@ impl Part {
             Self::Nose => "nose",
             Self::Facing => "facing",
             Self::Point => "point",
+            Self::Top => "top",
+            Self::Liner => "liner",
         }
     }
 }

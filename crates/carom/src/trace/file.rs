@@ -30,7 +30,7 @@ const RAILS: [Rail; 8] = [
     Rail::RightUpper,
 ];
 
-const PARTS: [Part; 3] = [Part::Nose, Part::Facing, Part::Point];
+const PARTS: [Part; 5] = [Part::Nose, Part::Facing, Part::Point, Part::Top, Part::Liner];
 
 const POCKETS: [PocketName; 6] = [
     PocketName::BottomLeft,
@@ -129,7 +129,7 @@ fn write_event(event: &TraceEvent<'_>, balls: &[PlacedBall]) -> Node {
             node.set("from", from.name());
             node.set("to", to.name());
         }
-        What::CueStrike | What::BallCollision => {}
+        What::CueStrike | What::BallCollision | What::SlateCollision | What::OffTable => {}
     }
     node.set("before", states(event.before));
     node.set("after", states(event.after));
@@ -193,6 +193,8 @@ fn read_what(fields: &Fields<'_>) -> Result<What, Error> {
             let at = fields.require("pocket", "a pocket")?;
             Ok(What::PocketCollision(at.choice("pocket", &pockets)?))
         }
+        "slate-collision" => Ok(What::SlateCollision),
+        "off-table" => Ok(What::OffTable),
         "motion-transition" => {
             Ok(What::MotionTransition { from: motion("from")?, to: motion("to")? })
         }
@@ -204,6 +206,8 @@ fn read_what(fields: &Fields<'_>) -> Result<What, Error> {
                 "ball-collision",
                 "rail-collision",
                 "pocket-collision",
+                "slate-collision",
+                "off-table",
                 "motion-transition",
             ],
         )),

@@ -39,6 +39,8 @@ const fn numbers(what: What) -> [u64; 3] {
         What::RailCollision { rail, part } => [2, rail as u64, part as u64],
         What::PocketCollision(pocket) => [3, pocket as u64, 0],
         What::MotionTransition { from, to } => [4, from as u64, to as u64],
+        What::SlateCollision => [5, 0, 0],
+        What::OffTable => [6, 0, 0],
     }
 }
 

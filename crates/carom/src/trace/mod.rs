@@ -41,6 +41,10 @@ pub enum What {
     },
     /// A ball falls into a pocket.
     PocketCollision(PocketName),
+    /// A ball bounces on the slate, or on the edge of a hole in it.
+    SlateCollision,
+    /// A ball leaves the table, or comes to rest on a rail's top.
+    OffTable,
     /// A motion state ends by the passage of time.
     MotionTransition {
         /// State that ended.
@@ -63,6 +67,8 @@ impl What {
             EventKind::PocketCollision(i) => {
                 Self::PocketCollision(table.pockets[usize::from(i)].name)
             }
+            EventKind::SlateCollision => Self::SlateCollision,
+            EventKind::OffTable => Self::OffTable,
             EventKind::MotionTransition { from, to } => Self::MotionTransition { from, to },
         }
     }
@@ -74,6 +80,8 @@ impl What {
             Self::BallCollision => "ball-collision",
             Self::RailCollision { .. } => "rail-collision",
             Self::PocketCollision(_) => "pocket-collision",
+            Self::SlateCollision => "slate-collision",
+            Self::OffTable => "off-table",
             Self::MotionTransition { .. } => "motion-transition",
         }
     }

@@ -52,6 +52,7 @@ fn draw(table: &Table) -> String {
             Part::Nose => "#ffffff",
             Part::Facing => "#ffd23f",
             Part::Point => "#ff3b3b",
+            Part::Top | Part::Liner => "#888888",
         };
         let _ = match cushion.shape {
             Shape::Segment { .. } => writeln!(

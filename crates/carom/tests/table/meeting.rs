@@ -129,6 +129,7 @@ fn nothing_is_missed_and_nothing_invented_on_any_table() {
                 TableFeature::Cushion(part) => {
                     usize::from(table.cushions[usize::from(part)].part != Part::Nose)
                 }
+                _ => panic!("{name}, path {i}: {feature:?} for a ball on the cloth"),
             }] += 1;
         }
         gaps.sort_by(f64::total_cmp);
@@ -172,6 +173,7 @@ fn judge_meeting(
             }
             Ok(gap)
         }
+        other => Err(format!("{other:?} for a ball on the cloth")),
     }
 }
 
@@ -209,6 +211,7 @@ fn mirrored_feature(table: &Table, feature: TableFeature, [x, y]: [f64; 2]) -> T
             let mut parts = table.cushions.iter();
             TableFeature::Cushion(parts.position(|c| same(&c.shape)).unwrap() as u16)
         }
+        other => other,
     }
 }
 
