@@ -2,7 +2,7 @@
 //! ball_cushion_cost`.
 
 use carom::Physics;
-use carom::math::{Vec2, Vec3, sin_cos};
+use carom::math::{Vec3, sin_cos, sqrt};
 use carom::physics::CushionModel;
 use carom::resolve::{Body, ball_cushion::resolve};
 use std::hint::black_box;
@@ -25,6 +25,7 @@ fn main() {
             }
         })
         .collect();
+    let nose = Vec3::new(sqrt(1.0 - 0.27 * 0.27), 0.0, 0.27);
     for model in [
         CushionModel::Restitution,
         CushionModel::Han2005,
@@ -39,7 +40,7 @@ fn main() {
                 for _ in 0..passes {
                     for ball in &balls {
                         let mut ball = *black_box(ball);
-                        resolve(&law, &pool.cloth, Vec2::new(1.0, 0.0), 0.27, &mut ball);
+                        resolve(&law, &pool.cloth, nose, true, &mut ball);
                         black_box(ball);
                     }
                 }

@@ -2,6 +2,8 @@
 
 pub mod presets;
 
+use crate::table::Part;
+
 /// Everything physical about a shot except the table's geometry and the single balls.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Physics {
@@ -24,6 +26,19 @@ pub struct Physics {
     pub slate: Surface,
     /// The cue.
     pub cue: Cue,
+}
+
+impl Physics {
+    /// What a `part` of a cushion does to a ball. Facings, points and liners have their own
+    /// surfaces in the cushion's model, and so has a rail's top where a ball meets it as a cushion.
+    pub fn cushion_of(&self, part: Part) -> Cushion {
+        match part {
+            Part::Nose => self.cushion,
+            Part::Facing | Part::Point => self.cushion.with(&self.facing),
+            Part::Liner => self.cushion.with(&self.liner),
+            Part::Top => self.cushion.with(&self.slate),
+        }
+    }
 }
 
 /// Friction between ball and cloth.
@@ -141,6 +156,17 @@ pub struct Cushion {
     pub friction: CushionFriction,
     /// ω_t/ω_n of the `stronge` model, 1 to 2.
     pub frequency_ratio: f64,
+}
+
+impl Cushion {
+    /// The same model with the restitution and friction of `surface`.
+    fn with(&self, surface: &Surface) -> Self {
+        Self {
+            restitution: CushionRestitution { a: surface.restitution, b: 0.0, c: 0.0 },
+            friction: CushionFriction { a: surface.friction, b: 0.0 },
+            ..*self
+        }
+    }
 }
 
 /// How a surface returns a ball.

@@ -237,6 +237,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let ball = self.ball[struck];
         let (velocity, angular_velocity) =
             cue_ball::resolve(&physics.cue, &ball, strike).map_err(SimulationError::Strike)?;
+        let velocity = Vec3 { z: 0.0, ..velocity };
         let after = struck_state(&before, velocity, angular_velocity, ball.radius);
         self.begin(struck, &after, 0.0, physics);
         recorder.record(&Event {

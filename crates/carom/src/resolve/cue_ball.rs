@@ -25,9 +25,7 @@ use core::fmt;
 use crate::Ball;
 use crate::math::{Vec3, atan, sin_cos, sqrt};
 use crate::physics::{Cue, Tip};
-
-/// mR²/I of a homogeneous ball.
-const SPIN_PER_IMPULSE: f64 = 2.5;
+use crate::resolve::SPIN_PER_IMPULSE;
 
 /// What the player does, in the frame of the shooter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,8 +129,9 @@ fn speed_ratio(cue: &Cue, ball: &Ball, k: f64) -> Option<f64> {
     Some((1.0 + recoil) / (mass_ratio + k))
 }
 
-/// Velocity (m/s) and spin (rad/s) of a resting ball after the strike. The vertical part of the
-/// velocity is taken by the slate; the spin is kept whole.
+/// Velocity (m/s) and spin (rad/s) of a resting ball after the strike. A raised cue drives the ball
+/// down, at −v·sin φ: the slate's answer is the next impact (TP B.10's launch rule; Leckie &
+/// Greenspan 2005).
 ///
 /// The spin is v/R·5/2·(x·**u** − y·**r**), so right English gives ω_z > 0 and height > 0 follow.
 pub fn resolve(cue: &Cue, ball: &Ball, strike: &Strike) -> Result<(Vec3, Vec3), StrikeError> {
@@ -151,13 +150,14 @@ pub fn resolve(cue: &Cue, ball: &Ball, strike: &Strike) -> Result<(Vec3, Vec3), 
     let (sin_azimuth, cos_azimuth) = sin_cos(strike.azimuth);
     let (sin_elevation, cos_elevation) = sin_cos(strike.elevation);
     let forward =
-        Vec3::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, -sin_elevation);
+        // A level cue gives 0, not −0.
+        Vec3::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, 0.0 - sin_elevation);
     let up = Vec3::new(cos_azimuth * sin_elevation, sin_azimuth * sin_elevation, cos_elevation);
     let right = Vec3::new(sin_azimuth, -cos_azimuth, 0.0);
     let (sin_squirt, cos_squirt) = sin_cos(squirt(cue, ball, strike.side));
     let launch = forward * cos_squirt - right * sin_squirt;
 
-    let velocity = (launch.xy() * speed).with_z(0.0);
+    let velocity = launch * speed;
     let spin =
         (up * strike.side - right * strike.height) * (SPIN_PER_IMPULSE * speed / ball.radius);
     Ok((velocity, spin))

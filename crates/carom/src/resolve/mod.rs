@@ -2,11 +2,16 @@
 
 pub mod ball_ball;
 pub mod ball_cushion;
+pub mod ball_edge;
+pub mod ball_slate;
 pub mod cue_ball;
 pub mod restitution;
 pub mod stronge;
 
 use crate::math::Vec3;
+
+/// Torque factor of a homogeneous ball: mR²/I.
+pub(crate) const SPIN_PER_IMPULSE: f64 = 2.5;
 
 /// A ball in an impact: what it is and how it moves. Resolvers change the two velocities.
 #[derive(Clone, Copy, Debug, PartialEq)]

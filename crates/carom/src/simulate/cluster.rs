@@ -1,6 +1,6 @@
 //! Contacts that share a ball in the same instant: resolved together, in no order.
 
-use super::impact::body;
+use super::impact::{body, level};
 use super::{Simulation, struck_state};
 use crate::detect::ball_ball::{ContactFinder, touching_distance};
 use crate::event::{Event, EventKind, Recorder};
@@ -126,7 +126,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                     Meeting::of(&cluster.before[p], &cluster.before[q], &bodies[p], &bodies[q]);
                 let due = meeting.due() || [cluster.balls[p], cluster.balls[q]] == first;
                 if due && count < contacts.len() {
-                    contacts[count] = (p as u8, q as u8, meeting.normal);
+                    contacts[count] = (p as u8, q as u8, level(meeting.normal));
                     count += 1;
                 }
             }
@@ -134,7 +134,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let contacts = &contacts[..count];
         group::resolve_group(&physics.ball_ball, &physics.cloth, physics.gravity, bodies, contacts);
         for (k, body) in bodies.iter().enumerate() {
-            let (v, spin) = (body.velocity, body.angular_velocity);
+            let (v, spin) = (Vec3 { z: 0.0, ..body.velocity }, body.angular_velocity);
             after[k] = struck_state(&cluster.before[k], v, spin, body.radius);
         }
     }

@@ -57,7 +57,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             let mut body = body(&before, &ball);
             body.velocity += (into * press).with_z(0.0);
             let law = &physics.cushion;
-            resolve::ball_cushion::resolve(law, &physics.cloth, into, sin_theta, &mut body);
+            let normal = (into * sqrt(1.0 - sin_theta * sin_theta)).with_z(sin_theta);
+            resolve::ball_cushion::resolve(law, &physics.cloth, normal, true, &mut body);
+            body.velocity.z = 0.0;
             [struck_state(&before, body.velocity, body.angular_velocity, ball.radius)]
         };
         let again = self.touched_lately(i, time);
@@ -101,7 +103,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             p.velocity += along * (press * reduced / p.mass);
             q.velocity -= along * (press * reduced / q.mass);
             let Physics { ball_ball: law, cloth, gravity, .. } = physics;
-            resolve::ball_ball::resolve(law, cloth, *gravity, normal, &mut p, &mut q);
+            resolve::ball_ball::resolve(law, cloth, *gravity, level(normal), &mut p, &mut q);
+            (p.velocity.z, q.velocity.z) = (0.0, 0.0);
             [
                 struck_state(&before[0], p.velocity, p.angular_velocity, p.radius),
                 struck_state(&before[1], q.velocity, q.angular_velocity, q.radius),
@@ -130,6 +133,15 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     fn touched_lately(&self, i: usize, time: f64) -> bool {
         time - self.touched[i] < PUSH_PERIOD
     }
+}
+
+/// The horizontal direction of `normal`.
+pub(super) fn level(normal: Vec3) -> Vec3 {
+    if normal.z == 0.0 {
+        return normal;
+    }
+    let along = normal.xy();
+    (along * (1.0 / along.length())).with_z(0.0)
 }
 
 pub(super) fn body(state: &BallState, ball: &Ball) -> Body {

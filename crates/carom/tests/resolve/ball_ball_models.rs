@@ -83,8 +83,7 @@ fn equal_elastic_balls_exchange_their_speeds_exactly() {
 }
 
 #[test]
-fn a_small_ball_into_a_large_one_keeps_all_energy_in_the_plane() {
-    // The line of centres rises; the slate, not the balls' speeds, pays for that.
+fn a_small_ball_into_a_large_one_lifts_it_along_the_line_of_centres() {
     let law = BallBall { restitution: 1.0, ..law(BallBallModel::Elastic, 0.0) };
     let (small, large) = (0.02, 0.04);
     let sine = (large - small) / (large + small);
@@ -92,9 +91,48 @@ fn a_small_ball_into_a_large_one_keeps_all_energy_in_the_plane() {
     let a = ball(Y, Vec3::ZERO, 0.17, small);
     let b = ball(Vec3::ZERO, Vec3::ZERO, 0.17, large);
     let (a, b) = resolve(&law, normal, a, b);
-    assert_near(a.velocity.length(), 0.0, 1e-15);
-    assert_near((b.velocity - Y).length(), 0.0, 1e-15);
+    // Equal masses exchange what they have along the line.
+    let given = normal * normal.y;
+    assert_near((b.velocity - given).length(), 0.0, 1e-15);
+    assert_near((a.velocity - (Y - given)).length(), 0.0, 1e-15);
+    assert!(b.velocity.z > 0.0 && a.velocity.z < 0.0);
     assert_eq!(a.angular_velocity.length() + b.angular_velocity.length(), 0.0);
+}
+
+#[test]
+fn a_ball_that_falls_on_another_gives_it_its_fall() {
+    let law = BallBall { restitution: 1.0, ..law(BallBallModel::Frictional, 0.1) };
+    let down = Vec3::new(0.0, 0.0, -1.0);
+    let a = ball(Vec3::new(0.3, 0.0, -2.0), Vec3::new(0.0, 0.0, 50.0), 0.17, 0.03);
+    let b = ball(Vec3::ZERO, Vec3::ZERO, 0.17, 0.03);
+    let (a, b) = resolve(&law, down, a, b);
+    assert_near(b.velocity.z, -2.0, 1e-15);
+    assert_near(a.velocity.z, 0.0, 1e-15);
+    // Rigid surfaces that grip: a seventh of the slip each, to the velocities.
+    assert_near(b.velocity.x, 0.3 / 7.0, 1e-15);
+    assert_near(a.velocity.x, 0.3 - 0.3 / 7.0, 1e-15);
+    // A spin about the line of centres has no slip.
+    assert_eq!((a.angular_velocity.z, b.angular_velocity.z), (50.0, 0.0));
+}
+
+#[test]
+fn a_rolling_ball_hops_off_a_full_hit_by_mu_squared_times_the_object_balls_speed_squared_over_2g() {
+    // TP B.5; Kim 2024: h = μ²U²/2g.
+    let law = BallBall { restitution: 0.94, ..law(BallBallModel::Frictional, 0.06) };
+    let radius = 0.028575;
+    let a = ball(Y * 3.0, Vec3::new(-3.0 / radius, 0.0, 0.0), 0.17, radius);
+    let b = ball(Vec3::ZERO, Vec3::ZERO, 0.17, radius);
+    let (a, b) = resolve(&law, Y, a, b);
+    let gravity = 9.81;
+    let hop = |v: Vec3| v.z * v.z / (2.0 * gravity);
+    assert_near(b.velocity.y, 0.97 * 3.0, 1e-15);
+    assert_near(
+        hop(a.velocity),
+        0.06 * 0.06 * b.velocity.y * b.velocity.y / (2.0 * gravity),
+        1e-17,
+    );
+    assert!(a.velocity.z > 0.0);
+    assert_near(a.velocity.z + b.velocity.z, 0.0, 1e-17);
 }
 
 #[test]

@@ -12,8 +12,8 @@
 //!   1000 times a phase.
 //! * All its models put the ball 1 µm away first; the directions here are those from there.
 //!
-//! Like ours, its models drop the vertical velocity after the impact.
-use carom::math::{Vec2, Vec3};
+//! * All its models drop the vertical velocity after the impact.
+use carom::math::{Vec2, Vec3, sqrt};
 use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::resolve::{Body, ball_cushion::resolve};
 use serde_json::Value;
@@ -52,9 +52,10 @@ fn largest_difference(data: &Value, kind: &str, name: &str, model: CushionModel,
         } else {
             nose / radius
         };
-        resolve(&law, &cloth, Vec2::new(x, y), across, &mut ball);
+        let level = sqrt(1.0 - across * across);
+        resolve(&law, &cloth, Vec3::new(x * level, y * level, across), true, &mut ball);
         let [vx, vy, wx, wy, wz] = numbers(&sample[name]);
-        let off = (ball.velocity - Vec3::new(vx, vy, 0.0)).length()
+        let off = (ball.velocity.xy() - Vec2::new(vx, vy)).length()
             + radius * (ball.angular_velocity - Vec3::new(wx, wy, wz)).length();
         largest = largest.max(off);
     }

@@ -1,6 +1,6 @@
 //! Published rebounds from a cushion, each test named after its source.
 
-use carom::math::{Vec2, Vec3, atan2, radians, sin_cos, sqrt};
+use carom::math::{Vec3, atan2, radians, sin_cos, sqrt};
 use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::resolve::{Body, ball_cushion::resolve};
 
@@ -35,9 +35,14 @@ fn mathavan(alpha: f64, k_t: f64, k_s: f64, speed: f64) -> (f64, f64) {
         radius,
     };
     let law = law(CushionModel::Mathavan2010, 0.98, 0.14);
-    resolve(&law, &cloth(0.212), Vec2::new(1.0, 0.0), MATHAVAN_SIN, &mut ball);
+    resolve(&law, &cloth(0.212), nose(MATHAVAN_SIN), true, &mut ball);
     let v = ball.velocity;
     (v.length() / speed, atan2(-v.x, v.y).abs() * 180.0 / core::f64::consts::PI)
+}
+
+/// From the centre of a ball on the bed to a nose in the direction +x, at `sin` above the centre.
+fn nose(sin: f64) -> Vec3 {
+    Vec3::new(sqrt(1.0 - sin * sin), 0.0, sin)
 }
 
 #[track_caller]
@@ -110,7 +115,7 @@ fn opposite_sidespins_rebound_at_supplementary_angles() {
                 radius,
             };
             let law = law(CushionModel::Mathavan2010, 0.98, 0.14);
-            resolve(&law, &cloth(0.212), Vec2::new(1.0, 0.0), MATHAVAN_SIN, &mut ball);
+            resolve(&law, &cloth(0.212), nose(MATHAVAN_SIN), true, &mut ball);
             atan2(-ball.velocity.x, ball.velocity.y)
         };
         assert_close(rebound(k_s) + rebound(-k_s), core::f64::consts::PI, ROUNDING);
@@ -138,7 +143,7 @@ fn stronge_by_an_independent_integration() {
             radius,
         };
         let law = law(CushionModel::Stronge, 0.85, 0.2);
-        resolve(&law, &cloth(0.2), Vec2::new(1.0, 0.0), 0.0, &mut ball);
+        resolve(&law, &cloth(0.2), nose(0.0), true, &mut ball);
         let slip = ball.velocity.y + radius * ball.angular_velocity.z;
         assert_close(-slip, last, TOLERANCE);
         assert_close(ball.velocity.x, -0.85, 1e-15);
@@ -159,7 +164,7 @@ fn tp_6_3_a_frictionless_rail_turns_tangents_by_restitution() {
                 radius: 0.028_575,
             };
             let spin = ball.angular_velocity;
-            resolve(&law(model, 0.7, 0.0), &cloth(0.2), Vec2::new(1.0, 0.0), 0.0, &mut ball);
+            resolve(&law(model, 0.7, 0.0), &cloth(0.2), nose(0.0), true, &mut ball);
             let out = ball.velocity.y / -ball.velocity.x;
             assert_close(out * 0.7 * cos / sin, 1.0, ROUNDING);
             assert_eq!(ball.angular_velocity, spin);
@@ -192,7 +197,7 @@ fn tp_7_3_a_rail_that_pushes_above_the_centre() {
         mass: 0.17,
         radius,
     };
-    resolve(&law(CushionModel::Han2005, e, mu), &cloth(0.2), Vec2::new(1.0, 0.0), 0.0, &mut ball);
+    resolve(&law(CushionModel::Han2005, e, mu), &cloth(0.2), nose(0.0), true, &mut ball);
     assert_close(-ball.velocity.x, e * v, 1e-14);
     assert_close(ball.angular_velocity.y, w - 2.5 / radius * impulse * mu, 1e-12);
 }
@@ -231,7 +236,7 @@ fn tp_b_6_a_ball_that_stuns_on_every_rebound() {
                 radius: 0.028_575,
             };
             let rail = law(CushionModel::Restitution, e, 0.0);
-            resolve(&rail, &cloth(mu_s), Vec2::new(1.0, 0.0), 0.27, &mut ball);
+            resolve(&rail, &cloth(mu_s), nose(0.27), true, &mut ball);
             v = -ball.velocity.x;
             way += LEG;
             stun = true;
@@ -258,7 +263,7 @@ fn han_2005_fits_are_his_and_stay_physical() {
             mass: 0.23,
             radius: 0.032_75,
         };
-        resolve(&fit, &cloth(0.07), Vec2::new(1.0, 0.0), 0.0, &mut ball);
+        resolve(&fit, &cloth(0.07), nose(0.0), true, &mut ball);
         ball.velocity
     };
     for v in [0.2, 1.0, 2.5, 4.0] {

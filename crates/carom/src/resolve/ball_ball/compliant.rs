@@ -4,7 +4,7 @@
 //! Billiards Digest, Sept 2006). μ is taken at the initial slip speed, and the slip keeps its line.
 
 use super::contact::{Contact, TANGENT_COMPLIANCE};
-use crate::math::Vec2;
+use crate::math::Vec3;
 use crate::physics::BallBall;
 use crate::resolve::{Body, restitution, stronge};
 
@@ -16,15 +16,15 @@ pub fn resolve(law: &BallBall, contact: &Contact, a: &mut Body, b: &mut Body) {
     contact.apply(along, friction(law, contact, along, e), a, b);
 }
 
-/// The friction impulse on b (per m*), along t₁ and t₂, that goes with the impulse `along` h.
+/// The friction impulse on b (per m*) that goes with the impulse `along` n.
 #[inline]
-pub(super) fn friction(law: &BallBall, contact: &Contact, along: f64, restitution: f64) -> Vec2 {
+pub(super) fn friction(law: &BallBall, contact: &Contact, along: f64, restitution: f64) -> Vec3 {
     let slip = contact.slip_speed();
     if slip == 0.0 {
-        return Vec2::ZERO;
+        return Vec3::ZERO;
     }
     let impact = stronge::Impact {
-        approach: contact.normal_impulse(along) / (1.0 + restitution),
+        approach: along / (1.0 + restitution),
         slip,
         restitution,
         friction: law.friction.at(slip),

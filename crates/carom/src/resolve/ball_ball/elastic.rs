@@ -2,7 +2,7 @@
 //! (Leckie & Greenspan 2006; TP 3.1), times the coefficient of restitution. Spins do not change.
 
 use super::contact::Contact;
-use crate::math::Vec2;
+use crate::math::Vec3;
 use crate::physics::BallBall;
 use crate::resolve::{Body, restitution};
 
@@ -10,5 +10,5 @@ use crate::resolve::{Body, restitution};
 #[inline]
 pub fn resolve(law: &BallBall, contact: &Contact, a: &mut Body, b: &mut Body) {
     let e = restitution::effective(law.restitution, contact.approach);
-    contact.apply((1.0 + e) * contact.approach, Vec2::ZERO, a, b);
+    contact.apply((1.0 + e) * contact.approach, Vec3::ZERO, a, b);
 }

@@ -1,9 +1,11 @@
 //! Normal restitution and Coulomb friction between rigid surfaces (TP A.5, A.6, A.14, A.24):
 //! J_n = (1 + e)·m*·w, J_t = min(μ J_n, m*|u|/3.5) against the slip, which is m|u|/7 for equal
-//! balls. μ is taken at the initial slip speed.
+//! balls. μ is taken at the initial slip speed. The vertical part of J_t lifts one ball and presses
+//! the other: a full hit by a rolling ball makes it hop by h = μ²U²/2g, U being the speed that
+//! the object ball takes (TP B.5; Kim 2024).
 
 use super::contact::{Contact, TANGENT_COMPLIANCE};
-use crate::math::Vec2;
+use crate::math::Vec3;
 use crate::physics::BallBall;
 use crate::resolve::{Body, restitution};
 
@@ -15,13 +17,13 @@ pub fn resolve(law: &BallBall, contact: &Contact, a: &mut Body, b: &mut Body) {
     contact.apply(along, friction(law, contact, along), a, b);
 }
 
-/// The friction impulse on b (per m*), along t₁ and t₂, that goes with the impulse `along` h.
+/// The friction impulse on b (per m*) that goes with the impulse `along` n.
 #[inline]
-pub(super) fn friction(law: &BallBall, contact: &Contact, along: f64) -> Vec2 {
+pub(super) fn friction(law: &BallBall, contact: &Contact, along: f64) -> Vec3 {
     let slip = contact.slip_speed();
     if slip == 0.0 {
-        return Vec2::ZERO;
+        return Vec3::ZERO;
     }
-    let sliding = law.friction.at(slip) * contact.normal_impulse(along) / slip;
+    let sliding = law.friction.at(slip) * along / slip;
     contact.slip * sliding.min(1.0 / TANGENT_COMPLIANCE)
 }

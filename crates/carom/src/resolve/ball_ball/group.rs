@@ -18,7 +18,7 @@
 
 use super::contact::Contact;
 use super::{compliant, frictional};
-use crate::math::{Vec2, Vec3};
+use crate::math::Vec3;
 use crate::physics::{BallBall, BallBallModel, Cloth};
 use crate::resolve::{Body, restitution};
 
@@ -47,7 +47,7 @@ struct Link {
     inverse_mass: f64,
     /// Σ of the absolute inverse masses with all contacts that share a ball, 1/kg.
     row_sum: f64,
-    /// Horizontal impulse p, N·s.
+    /// Normal impulse p, N·s.
     impulse: f64,
 }
 
@@ -92,7 +92,7 @@ pub fn resolve_group(
 
     sum_rows(links, bodies);
     find_normal_impulses(links, bodies);
-    let push = total(bodies, links.iter().map(|l| (l, l.impulse * l.inverse_mass, Vec2::ZERO)));
+    let push = total(bodies, links.iter().map(|l| (l, l.impulse * l.inverse_mass, Vec3::ZERO)));
     add(bodies, &push, 1.0);
     if law.model != BallBallModel::Elastic {
         rub(law, links, bodies);
@@ -101,7 +101,7 @@ pub fn resolve_group(
 
 /// How the impulse of `of` changes the approach at `at`, 1/kg.
 fn coupling(at: &Link, of: &Link, bodies: &[Body]) -> f64 {
-    let cosine = at.contact.direction.dot(of.contact.direction);
+    let cosine = at.contact.normal.dot(of.contact.normal);
     let shared = |i: usize, j: usize, sign: f64| {
         if i == j { sign * cosine / bodies[i].mass } else { 0.0 }
     };
@@ -119,17 +119,17 @@ fn sum_rows(links: &mut [Link], bodies: &[Body]) {
 fn find_normal_impulses(links: &mut [Link], bodies: &[Body]) {
     // The velocity that the impulses give each ball, summed from zero in every sweep, so that
     // mirrored ones cancel to the bit.
-    let mut pushed = [Vec2::ZERO; MAX_BODIES];
+    let mut pushed = [Vec3::ZERO; MAX_BODIES];
     for _ in 0..MAX_SWEEPS {
-        pushed[..bodies.len()].fill(Vec2::ZERO);
+        pushed[..bodies.len()].fill(Vec3::ZERO);
         for link in links.iter() {
             let along = link.impulse * link.inverse_mass;
-            pushed[link.a] -= link.contact.direction * (along * link.contact.share_a);
-            pushed[link.b] += link.contact.direction * (along * link.contact.share_b);
+            pushed[link.a] -= link.contact.normal * (along * link.contact.share_a);
+            pushed[link.b] += link.contact.normal * (along * link.contact.share_b);
         }
         let (mut largest, mut change) = (0.0_f64, 0.0_f64);
         for link in links.iter_mut() {
-            let given = (pushed[link.a] - pushed[link.b]).dot(link.contact.direction);
+            let given = (pushed[link.a] - pushed[link.b]).dot(link.contact.normal);
             let excess = (1.0 + link.restitution) * link.contact.approach + given;
             let impulse = (link.impulse + excess / link.row_sum).max(0.0);
             change = change.max((impulse - link.impulse).abs());
@@ -144,11 +144,10 @@ fn find_normal_impulses(links: &mut [Link], bodies: &[Body]) {
 
 /// Friction at all contacts, with the slip that the normal impulses have left.
 fn rub(law: &BallBall, links: &mut [Link], bodies: &mut [Body]) {
-    let mut frictions = [Vec2::ZERO; MAX_CONTACTS];
+    let mut frictions = [Vec3::ZERO; MAX_CONTACTS];
     let mut work = 0.0;
     for (link, friction) in links.iter_mut().zip(&mut frictions) {
-        let normal = link.contact.normal_vector();
-        link.contact = Contact::between(normal, &bodies[link.a], &bodies[link.b]);
+        link.contact = Contact::between(link.contact.normal, &bodies[link.a], &bodies[link.b]);
         let along = link.impulse * link.inverse_mass;
         *friction = match law.model {
             BallBallModel::Compliant => {
@@ -164,11 +163,11 @@ fn rub(law: &BallBall, links: &mut [Link], bodies: &mut [Body]) {
     add(bodies, &rubbed, if cost > work { work / cost } else { 1.0 });
 }
 
-/// What all impulses together (along h and tangential, per m*) change. Summed from zero, so that
+/// What all impulses together (along n and tangential, per m*) change. Summed from zero, so that
 /// mirrored impulses cancel to the bit.
 fn total<'a>(
     bodies: &[Body],
-    impulses: impl Iterator<Item = (&'a Link, f64, Vec2)>,
+    impulses: impl Iterator<Item = (&'a Link, f64, Vec3)>,
 ) -> [Body; MAX_BODIES] {
     let still = Body { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, mass: 1.0, radius: 1.0 };
     let mut sum = [still; MAX_BODIES];

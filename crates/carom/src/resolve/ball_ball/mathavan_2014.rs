@@ -3,13 +3,13 @@
 //!
 //! The impact is followed along the normal impulse P. Where the balls touch, friction μ_bb acts
 //! against the slip **u**; its vertical part presses one of the balls on the cloth, where friction
-//! μ_s acts against that ball's slip **c**. With impulses per m* (so P is a speed), and the frame
-//! h, t₁, ẑ and t₂ of [`contact`](super::contact), a receives per dP
+//! μ_s acts against that ball's slip **c**. With impulses per m* (so P is a speed), the normal h,
+//! and the horizontal tangent t₁ = ẑ×h, a receives per dP
 //!
-//! * from b: −1 along h, −μ_bb·û₁ along t₁ and −μ_bb·û₂ along t₂;
-//! * from the cloth, if û₂ > 0: N = μ_bb·û₂ upwards and −μ_s·N·ĉ in the plane;
+//! * from b: −1 along h, −μ_bb·û₁ along t₁ and −μ_bb·û_z along ẑ;
+//! * from the cloth, if û_z > 0: N = μ_bb·û_z upwards and −μ_s·N·ĉ in the plane;
 //!
-//! and b the opposite, pressed if û₂ < 0. Centres have no vertical speed. Compression ends where
+//! and b the opposite, pressed if û_z < 0. Centres have no vertical speed. Compression ends where
 //! the approach speed w is 0, after the work W_c = ∫w dP; the impact ends when restitution has
 //! given back the work e²·W_c (Stronge's energetic coefficient). μ_bb is taken at the initial slip.
 //!
@@ -18,13 +18,17 @@
 //! of both phases are met exactly; the results are converged to 1e-9 m/s (held by a test against
 //! 160 000 small steps). The slip between the balls ends where it reaches zero; then no
 //! friction acts any more, for nothing drives the slip (the paper's equations are undefined there).
-//! For balls of unequal radius the slate's answer to the tilted normal impulse is frictionless, as
-//! in the other models. The cloth takes momentum from the pair, unlike in the other models.
+//! The cloth takes momentum from the pair, unlike in the other models.
+//!
+//! **Off the cloth**, and where unequal balls meet aslant, the paper says nothing. Without the
+//! cloth's part its equations keep the line of the slip and have a closed form, which is
+//! [`frictional`](super::frictional)'s.
 
-use super::contact::{Contact, SPIN_PER_IMPULSE};
-use crate::math::{Vec2, Vec3, pow, sqrt};
+use super::contact::{Contact, TANGENT_COMPLIANCE};
+use super::frictional;
+use crate::math::{Vec2, pow, sqrt};
 use crate::physics::{BallBall, Cloth};
-use crate::resolve::{Body, restitution};
+use crate::resolve::{Body, SPIN_PER_IMPULSE, restitution};
 
 /// Local error of a step, in parts of the approach speed.
 const TOLERANCE: f64 = 1e-11;
@@ -55,7 +59,12 @@ const WORK: usize = 10;
 
 /// What does not change during an impact.
 struct Impact {
-    contact: Contact,
+    /// Horizontal unit vector h from a to b.
+    direction: Vec2,
+    /// m*/m_a.
+    share_a: f64,
+    /// m*/m_b.
+    share_b: f64,
     /// μ_bb at the initial slip.
     friction: f64,
     /// μ_s.
@@ -66,8 +75,15 @@ struct Impact {
 
 /// Resolves `contact`.
 pub fn resolve(law: &BallBall, cloth: &Cloth, contact: &Contact, a: &mut Body, b: &mut Body) {
+    // Balls at one height without vertical speed: on the same bed.
+    let on_bed = contact.normal.z == 0.0 && a.velocity.z == 0.0 && b.velocity.z == 0.0;
+    if !on_bed {
+        return frictional::resolve(law, contact, a, b);
+    }
     let impact = Impact {
-        contact: *contact,
+        direction: contact.normal.xy(),
+        share_a: contact.share_a,
+        share_b: contact.share_b,
         friction: law.friction.at(contact.slip_speed()),
         cloth: cloth.sliding_friction,
         scale: contact.approach,
@@ -85,7 +101,7 @@ pub fn resolve(law: &BallBall, cloth: &Cloth, contact: &Contact, a: &mut Body, b
 
 impl Impact {
     fn state(&self, a: &Body, b: &Body) -> State {
-        let (h, t1) = (self.contact.direction, self.contact.direction.perp());
+        let (h, t1) = (self.direction, self.direction.perp());
         let of = |ball: &Body| {
             let (v, s) = (ball.velocity.xy(), ball.angular_velocity * ball.radius);
             [v.dot(h), v.dot(t1), s.xy().dot(h), s.xy().dot(t1), s.z]
@@ -94,7 +110,7 @@ impl Impact {
     }
 
     fn add(&self, change: &State, a: &mut Body, b: &mut Body) {
-        let (h, t1) = (self.contact.direction, self.contact.direction.perp());
+        let (h, t1) = (self.direction, self.direction.perp());
         for (ball, c) in [(a, &change[A]), (b, &change[B])] {
             ball.velocity += (h * c[0] + t1 * c[1]).with_z(0.0);
             ball.angular_velocity += (h * c[2] + t1 * c[3]).with_z(c[4]) * (1.0 / ball.radius);
@@ -106,42 +122,35 @@ impl Impact {
         state[0] - state[5]
     }
 
-    /// Slip u of a's surface over b's, along t₁ and t₂.
-    fn slip(&self, s: &State) -> Vec2 {
-        let c = &self.contact;
-        let spin = Vec3::new(s[2] + s[7], s[3] + s[8], s[4] + s[9]);
-        Vec2::new(s[1] - s[6] + (spin.z * c.cos_tilt - spin.x * c.sin_tilt), -spin.y)
+    /// Slip u of a's surface over b's, along t₁ and ẑ.
+    fn slip(s: &State) -> Vec2 {
+        Vec2::new(s[1] - s[6] + (s[4] + s[9]), -(s[3] + s[8]))
     }
 
     /// d(state)/dP.
     fn rate(&self, s: &State) -> State {
-        let u = self.slip(s);
+        let u = Self::slip(s);
         let speed = sqrt(u.length_squared());
-        let grip = self.contact.normal_impulse(self.friction);
-        let f = if speed > 0.0 { u * (grip / speed) } else { Vec2::ZERO };
-        let (sin, cos) = (self.contact.sin_tilt, self.contact.cos_tilt);
-        // The force −1 along h and −f along t₁; the torque is the same on both balls.
-        let torque = Vec3::new(-sin * f.x, -f.y, cos * f.x);
-        let pressed = f.y * cos;
+        let f = if speed > 0.0 { u * (self.friction / speed) } else { Vec2::ZERO };
+        // The force −1 along h and −f along t₁; the torque, along t₁ and ẑ, is the same on both.
+        let torque = Vec2::new(-f.y, f.x);
+        let pressed = f.y;
         let of = |sign: f64, share: f64, ball: &[f64], load: f64| {
             let force = Vec2::new(-sign, -sign * f.x);
             let slip = Vec2::new(ball[0] - ball[3], ball[1] + ball[2]);
-            let drive = Vec2::new(
-                force.x + SPIN_PER_IMPULSE * torque.y,
-                force.y - SPIN_PER_IMPULSE * torque.x,
-            );
+            let drive = Vec2::new(force.x + SPIN_PER_IMPULSE * torque.x, force.y);
             let drag = self.drag(slip, drive, load);
             let turn = |t: f64| -SPIN_PER_IMPULSE * share * t;
             [
                 share * (force.x + drag.x),
                 share * (force.y + drag.y),
-                turn(torque.x - drag.y),
-                turn(torque.y + drag.x),
-                turn(torque.z),
+                turn(-drag.y),
+                turn(torque.x + drag.x),
+                turn(torque.y),
             ]
         };
-        let a = of(1.0, self.contact.share_a, &s[A], pressed.max(0.0));
-        let b = of(-1.0, self.contact.share_b, &s[B], (-pressed).max(0.0));
+        let a = of(1.0, self.share_a, &s[A], pressed.max(0.0));
+        let b = of(-1.0, self.share_b, &s[B], (-pressed).max(0.0));
         join(a, b, Self::approach(s) / self.scale)
     }
 
@@ -160,7 +169,7 @@ impl Impact {
         if push == 0.0 {
             return Vec2::ZERO;
         }
-        drive * -(most / push).min(1.0 / super::contact::TANGENT_COMPLIANCE)
+        drive * -(most / push).min(1.0 / TANGENT_COMPLIANCE)
     }
 
     /// The state after the whole impact.
@@ -178,7 +187,7 @@ impl Impact {
             if left.is_some_and(|left| left <= PHASE_END * self.scale) {
                 return state;
             }
-            let slip = self.slip(&state);
+            let slip = Self::slip(&state);
             let speed = sqrt(slip.length_squared());
             if speed <= STUCK * self.scale {
                 break;
@@ -191,7 +200,7 @@ impl Impact {
                     left.map_or(0.0, |left| approach * approach + 2.0 * fall * left * self.scale);
                 longest = (approach + sqrt(square)) / fall;
             }
-            let decay = -self.slip(&rate).dot(slip) / speed;
+            let decay = -Self::slip(&rate).dot(slip) / speed;
             if decay > 0.0 {
                 longest = longest.min(SLIP_STEP * speed / decay);
             }
@@ -216,8 +225,8 @@ impl Impact {
         let left = work - (1.0 - e * e) * most;
         let impulse = approach + sqrt((approach * approach + 2.0 * left).max(0.0));
         let mut end = state;
-        end[A.start] -= impulse * self.contact.share_a;
-        end[B.start] += impulse * self.contact.share_b;
+        end[A.start] -= impulse * self.share_a;
+        end[B.start] += impulse * self.share_b;
         end
     }
 

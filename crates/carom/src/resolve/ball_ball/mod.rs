@@ -1,15 +1,15 @@
 //! Ball against ball: one published model per file.
 //!
-//! # On the cloth
-//!
-//! Balls stay on the cloth: the vertical part of every impulse is taken by the slate, while the
-//! torque of that part is kept (so that follow and draw pass from ball to ball). [`contact`]
-//! states what this means when radii differ and the line of centres is tilted. The models are
+//! One law holds for balls on the cloth and in the air, along the true line of centres
+//! ([`contact`]). Vertical velocities are kept and changed; what the slate does to a ball that is
+//! pressed on it or hardly leaves it is not part of the impact, but
+//! [`ball_slate::settle`](super::ball_slate::settle), which the caller lets follow. The models are
 //!
 //! * [`elastic`]: normal restitution, no friction;
 //! * [`frictional`]: normal restitution and Coulomb friction between rigid surfaces;
 //! * [`compliant`]: the same with surfaces that give way and spring back (Stronge);
-//! * [`mathavan_2014`]: the impulse integrated, with the friction of the cloth;
+//! * [`mathavan_2014`]: the impulse integrated, with the friction of the cloth where both balls
+//!   stand on it;
 //! * [`group`]: several contacts in one instant that share balls.
 //!
 //! In all of them restitution rises to 1 at low speed ([`super::restitution`]), energy never

@@ -1,7 +1,9 @@
 //! S. Mathavan, M. R. Jackson & R. M. Parkin, "A theoretical analysis of billiard ball dynamics
 //! under cushion impacts", Proc. IMechE C 224 (2010) 1863.
 //!
-//! The ball is squeezed between nose and cloth, with Coulomb friction at both. The velocities are
+//! A ball on the bed is squeezed between nose and cloth, with Coulomb friction at both. (Off the
+//! bed only the nose acts. Then the equations keep the line of the slip and have a closed form,
+//! which is [`han_2005`](super::han_2005)'s.) The velocities are
 //! integrated over the normal impulse P at the nose (their eqs. 14–17): compression until the
 //! ball stops moving into the rail, restitution until the work that the nose gives back is e² of
 //! what it took (Stronge's energetic restitution, their eq. 19).
@@ -21,7 +23,7 @@
 
 mod steps;
 
-use super::{Change, Impact};
+use super::{Change, Impact, Rail};
 use crate::math::{Vec2, Vec3, sqrt};
 use crate::physics::Cloth;
 
@@ -55,25 +57,29 @@ const WORK: usize = 5;
 /// Change of the four slips' rates and of v_y's with the four slips.
 type Jacobian = [[f64; 4]; 5];
 
-/// What one impact changes: energetic restitution `e` and friction `mu` at the nose, friction of
-/// the cloth under the ball.
-pub(super) fn resolve(impact: &Impact, cloth: &Cloth, e: f64, mu: f64) -> Change {
+/// What one impact of a ball on the bed changes: energetic restitution `e` and friction `mu` at
+/// the nose, friction of the cloth under the ball.
+pub(super) fn resolve(impact: &Impact, rail: &Rail, cloth: &Cloth, e: f64, mu: f64) -> Change {
     let squeeze = Squeeze {
-        sin: impact.sin,
-        cos: impact.cos,
+        sin: impact.normal.z,
+        cos: rail.cos,
         nose: mu,
         cloth: cloth.sliding_friction,
         step_error: STEP_ERROR,
         rounded: ROUNDED,
     };
-    let unit = impact.velocity.x;
+    let unit = rail.approach;
     let spin_unit = unit / impact.radius;
-    let before =
-        Motion { velocity: impact.velocity * (1.0 / unit), spin: impact.spin * (1.0 / spin_unit) };
+    let before = Motion {
+        velocity: rail.into_frame(impact.velocity.xy()) * (1.0 / unit),
+        spin: rail.into_frame(impact.spin.xy()).with_z(impact.spin.z) * (1.0 / spin_unit),
+    };
     let after = squeeze.through(&before, e).without_gain(&before);
+    let kick = (after.velocity - before.velocity) * unit;
+    let turn = (after.spin - before.spin) * spin_unit;
     Change {
-        velocity: (after.velocity - before.velocity) * unit,
-        spin: (after.spin - before.spin) * spin_unit,
+        velocity: rail.out_of_frame(kick).with_z(0.0),
+        spin: rail.out_of_frame(turn.xy()).with_z(turn.z),
     }
 }
 

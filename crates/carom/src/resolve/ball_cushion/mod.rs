@@ -1,22 +1,34 @@
 //! Ball against cushion, one published model per file.
 //!
-//! # Frame
+//! The nose is an edge, and the contact's normal **n** points from the ball's centre to the point
+//! of it that is touched: at the angle θ above the horizontal, sin θ = (h − z)/R for an edge at
+//! height h and a centre at z, straight down for a ball that lands on the edge. The approach speed
+//! is **v**·**n** (Han's c = v_x cos θ + v_z sin θ), and the slip at the nose
+//! **v** − (**v**·**n**)**n** + R **ω** × **n** (his s_x = v_x sin θ − v_z cos θ + Rω_y, and s_y).
 //!
-//! Every model works in the contact's own frame: x into the rail, y along it (ẑ × x), z up. The
-//! nose touches the ball at the angle θ above its centre, sin θ = (h − R)/R, so the contact's
-//! normal points along (cos θ, 0, sin θ) from the ball's centre.
+//! # On the bed and off it
+//!
+//! The slate takes part in the impact of a ball on the bed. `mathavan-2010` contains that, and
+//! leaves v_z at 0. `restitution` is made for it: the horizontal normal speed times −e, nothing
+//! else. `han-2005` and `stronge` give the nose's whole impulse: v_z may come out negative (pressed
+//! into the slate) or positive (a hop), and the caller lets the slate answer
+//! ([`ball_slate::settle`](super::ball_slate::settle)). Off the bed every model acts along **n**,
+//! and `mathavan-2010` has no cloth term. The speed V of a restitution's fit and the incidence γ
+//! of a friction's are those in the plane on the bed, as their authors measured them, and those
+//! against **n** off it.
 //!
 //! # What holds for every model
 //!
 //! * **Energy never rises.** Each model's own outcome loses energy or keeps it, and everything
 //!   done to that outcome afterwards (below) loses energy or keeps it too.
-//! * **The ball leaves the rail.** The vertical part of the impulse is taken by the slate. Where
-//!   a small restitution or a strong back spin would then leave the ball still moving into the
-//!   rail, slate and nose hold it as a wedge does: that rest of its approach is lost.
+//! * **The ball leaves the rail.** It parts along **n**. On the bed a small restitution or a strong
+//!   back spin may still leave it moving into the rail horizontally: slate and nose hold it then as
+//!   a wedge does, and that rest of its approach is lost.
 //! * **Slow impacts are lossless.** Below [`restitution::FULL`] an impact fades linearly into a
-//!   mirror reflection, which it is below [`restitution::ELASTIC`]; otherwise a ball that the
-//!   cloth pushes against a rail would bounce for ever, ever smaller. Kinetic energy is convex in
-//!   the velocities, so a mixture of two outcomes has at most the mixture of their energies.
+//!   mirror reflection, which it is below [`restitution::ELASTIC`] (in the plane on the bed, along
+//!   **n** off it); otherwise a ball that the cloth pushes against a rail would bounce for ever,
+//!   ever smaller. Kinetic energy is convex in the velocities, so a mixture of two outcomes has at
+//!   most the mixture of their energies.
 //! * **Mirror symmetry is exact.** Reversing the motion along the rail reverses the outcome's,
 //!   bit for bit.
 
@@ -24,60 +36,70 @@ mod han_2005;
 mod mathavan_2010;
 mod stronge;
 
-use super::{Body, restitution};
-use crate::math::{Vec2, Vec3, atan2, sqrt};
+use super::{Body, SPIN_PER_IMPULSE, restitution};
+use crate::math::{Vec2, Vec3, atan2};
 use crate::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 
-/// A ball about to meet the nose, in the contact's frame.
+/// A ball about to meet the nose.
 #[derive(Clone, Copy, Debug)]
 struct Impact {
-    /// Velocity along x (into the rail, positive) and y, m/s.
-    velocity: Vec2,
+    /// Unit vector from the centre to the touched point.
+    normal: Vec3,
+    /// Velocity, m/s.
+    velocity: Vec3,
     /// Spin, rad/s.
     spin: Vec3,
     /// Radius, m.
     radius: f64,
-    /// Sine of the nose's angle above the ball's centre.
-    sin: f64,
-    /// Its cosine.
-    cos: f64,
+    /// Speed along the normal, m/s, > 0.
+    approach: f64,
 }
 
-/// What an impact changes, in the contact's frame.
+/// The nose seen from above, as a ball on the bed meets it.
+#[derive(Clone, Copy, Debug)]
+struct Rail {
+    /// Horizontal unit vector into the rail.
+    into: Vec2,
+    /// cos θ.
+    cos: f64,
+    /// Horizontal speed into the rail, m/s, > 0.
+    approach: f64,
+}
+
+/// What an impact changes.
 #[derive(Clone, Copy, Debug)]
 struct Change {
     /// Of the velocity, m/s.
-    velocity: Vec2,
+    velocity: Vec3,
     /// Of the spin, rad/s.
     spin: Vec3,
 }
 
 impl Impact {
-    /// The change due to an impulse (per unit mass, m/s) that acts at the nose; its vertical part
-    /// turns the ball but is otherwise taken by the slate. ΔΩ = (5/2R²) **c** × **P**.
-    fn change(&self, impulse: Vec3) -> Change {
-        let arm = Vec3::new(self.cos, 0.0, self.sin);
-        Change { velocity: impulse.xy(), spin: arm.cross(impulse) * (2.5 / self.radius) }
+    /// Slip of the ball's surface at the nose, m/s.
+    fn slip(&self) -> Vec3 {
+        (self.velocity - self.normal * self.approach) + self.spin.cross(self.normal) * self.radius
     }
 
-    /// Slip of the ball at the nose along the two tangents of the contact, m/s: (sin θ, 0, −cos θ)
-    /// and y (Han 2005, eq. 14, the second with the opposite sign).
-    fn nose_slip(&self) -> Vec2 {
-        let (v, w) = (self.velocity, self.spin);
-        Vec2::new(
-            v.x * self.sin + self.radius * w.y,
-            v.y + self.radius * (w.z * self.cos - w.x * self.sin),
-        )
+    /// The change due to an impulse (per unit mass, m/s) of the nose, made of `normal` against the
+    /// contact's normal and `tangential` across it.
+    fn change(&self, normal: f64, tangential: Vec3) -> Change {
+        Change {
+            velocity: tangential - self.normal * normal,
+            spin: self.normal.cross(tangential) * (SPIN_PER_IMPULSE / self.radius),
+        }
+    }
+}
+
+impl Rail {
+    /// A horizontal vector's parts into the rail (x) and along it (y, to the left).
+    fn into_frame(&self, v: Vec2) -> Vec2 {
+        Vec2::new(v.dot(self.into), v.dot(self.into.perp()))
     }
 
-    /// The impulse (per unit mass, m/s) made of `normal` against the contact's normal and
-    /// `tangential` along the two tangents of [`Self::nose_slip`].
-    fn impulse(&self, normal: f64, tangential: Vec2) -> Vec3 {
-        Vec3::new(
-            tangential.x * self.sin - normal * self.cos,
-            tangential.y,
-            -tangential.x * self.cos - normal * self.sin,
-        )
+    /// The vector with these parts.
+    fn out_of_frame(&self, v: Vec2) -> Vec2 {
+        self.into * v.x + self.into.perp() * v.y
     }
 }
 
@@ -107,66 +129,97 @@ impl CushionRestitution {
 }
 
 impl CushionFriction {
-    /// μ = a + bγ for a ball that comes in with `velocity` (x into the rail; m/s), never below 0.
+    /// μ = a + bγ, never below 0, for a ball that comes in at the speeds `across` the normal and
+    /// `into` the rail along it, m/s; γ is the angle between.
     #[inline]
-    fn at(&self, velocity: Vec2) -> f64 {
+    fn at(&self, across: f64, into: f64) -> f64 {
         if self.b == 0.0 {
             return self.a.max(0.0);
         }
-        (self.a + self.b * atan2(velocity.y.abs(), velocity.x)).max(0.0)
+        (self.a + self.b * atan2(across, into)).max(0.0)
     }
 }
 
-/// Resolves the impact of a ball with a cushion nose. `into` is the horizontal unit vector from
-/// the ball's centre towards the nose; the nose stands at angle θ above the ball's centre,
-/// sin θ = (h − R)/R (negative if below). A ball that does not approach is left alone.
-pub fn resolve(law: &Cushion, cloth: &Cloth, into: Vec2, sin_theta: f64, ball: &mut Body) {
-    let along = into.perp();
-    let velocity = ball.velocity.xy();
-    let approach = velocity.dot(into);
-    if approach <= 0.0 {
+/// Resolves the impact of a ball with a cushion's edge, or with a pocket's liner. `normal` is the
+/// unit vector from the ball's centre to the point that it touches; `on_bed` says whether the ball
+/// stands on the bed (then the normal has a horizontal part). A ball that does not approach is left
+/// alone.
+pub fn resolve(law: &Cushion, cloth: &Cloth, normal: Vec3, on_bed: bool, ball: &mut Body) {
+    let impact = Impact {
+        normal,
+        velocity: ball.velocity,
+        spin: ball.angular_velocity,
+        radius: ball.radius,
+        approach: ball.velocity.dot(normal),
+    };
+    if impact.approach <= 0.0 {
         return;
     }
-    let spin = ball.angular_velocity;
-    let impact = Impact {
-        velocity: Vec2::new(approach, velocity.dot(along)),
-        spin: Vec3::new(spin.xy().dot(into), spin.xy().dot(along), spin.z),
-        radius: ball.radius,
-        sin: sin_theta,
-        cos: sqrt(1.0 - sin_theta * sin_theta),
-    };
-    let change = settle(law, cloth, &impact);
-    let kick = into * change.velocity.x + along * change.velocity.y;
-    let turn = into * change.spin.x + along * change.spin.y;
-    ball.velocity += kick.with_z(0.0);
-    ball.angular_velocity += turn.with_z(change.spin.z);
+    let change = if on_bed { on_the_bed(law, cloth, &impact) } else { aloft(law, &impact) };
+    ball.velocity += change.velocity;
+    ball.angular_velocity += change.spin;
 }
 
-/// The model's outcome, kept from approaching further, and mixed with the mirror reflection where
-/// the impact is slow.
-fn settle(law: &Cushion, cloth: &Cloth, impact: &Impact) -> Change {
-    let approach = impact.velocity.x;
+/// Off the bed: the model's outcome along the normal.
+fn aloft(law: &Cushion, impact: &Impact) -> Change {
+    let approach = impact.approach;
+    let reflection = impact.change(2.0 * approach, Vec3::ZERO);
+    faded(approach, reflection, || {
+        let e = law.restitution.at(approach);
+        let mu = || {
+            let across = impact.velocity - impact.normal * approach;
+            law.friction.at(across.length(), approach)
+        };
+        match law.model {
+            CushionModel::Restitution => impact.change((1.0 + e) * approach, Vec3::ZERO),
+            CushionModel::Han2005 | CushionModel::Mathavan2010 => {
+                han_2005::resolve(impact, e, mu())
+            }
+            CushionModel::Stronge => stronge::resolve(impact, e, mu(), law.frequency_ratio),
+        }
+    })
+}
+
+/// On the bed: the model's outcome, kept from going on into the rail.
+fn on_the_bed(law: &Cushion, cloth: &Cloth, impact: &Impact) -> Change {
+    let (velocity, normal) = (impact.velocity.xy(), impact.normal.xy());
+    let cos = normal.length();
+    let into = normal * (1.0 / cos);
+    let rail = Rail { into, cos, approach: velocity.dot(into) };
+    let approach = rail.approach;
+    let back = |speed: f64| Change { velocity: (into * -speed).with_z(0.0), spin: Vec3::ZERO };
+    faded(approach, back(2.0 * approach), || {
+        let e = law.restitution.at(approach);
+        let mu = || law.friction.at(velocity.dot(into.perp()).abs(), approach);
+        let mut change = match law.model {
+            CushionModel::Restitution => back((1.0 + e) * approach),
+            CushionModel::Han2005 => han_2005::resolve(impact, e, mu()),
+            CushionModel::Mathavan2010 => mathavan_2010::resolve(impact, &rail, cloth, e, mu()),
+            CushionModel::Stronge => stronge::resolve(impact, e, mu(), law.frequency_ratio),
+        };
+        let on = approach + change.velocity.xy().dot(into);
+        if on > 0.0 {
+            change.velocity -= (into * on).with_z(0.0);
+        }
+        change
+    })
+}
+
+/// The model's `outcome`, mixed with the mirror reflection where the impact is slow.
+#[inline(always)]
+fn faded(approach: f64, reflection: Change, outcome: impl FnOnce() -> Change) -> Change {
     // Restitution 0 made effective is the reflection's share itself.
     let reflected = restitution::effective(0.0, approach);
-    let reflection = -2.0 * approach * reflected;
     if reflected == 1.0 {
-        return Change { velocity: Vec2::new(reflection, 0.0), spin: Vec3::ZERO };
+        return reflection;
     }
-    let e = law.restitution.at(approach);
-    let mu = law.friction.at(impact.velocity);
-    let mut change = match law.model {
-        CushionModel::Restitution => {
-            Change { velocity: Vec2::new(-(1.0 + e) * approach, 0.0), spin: Vec3::ZERO }
-        }
-        CushionModel::Han2005 => han_2005::resolve(impact, e, mu),
-        CushionModel::Mathavan2010 => mathavan_2010::resolve(impact, cloth, e, mu),
-        CushionModel::Stronge => stronge::resolve(impact, e, mu, law.frequency_ratio),
-    };
-    change.velocity.x = change.velocity.x.min(-approach);
-    if reflected > 0.0 {
-        change.velocity = change.velocity * (1.0 - reflected);
-        change.spin = change.spin * (1.0 - reflected);
-        change.velocity.x += reflection;
+    let change = outcome();
+    if reflected == 0.0 {
+        return change;
     }
-    change
+    let kept = 1.0 - reflected;
+    Change {
+        velocity: change.velocity * kept + reflection.velocity * reflected,
+        spin: change.spin * kept + reflection.spin * reflected,
+    }
 }
