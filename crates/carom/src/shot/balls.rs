@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::math::{Vec3, sqrt};
 use crate::simulate::MAX_BALLS;
 use crate::table::TOUCH_TOLERANCE;
-use crate::{Ball, BallState, Table, motion};
+use crate::{Ball, BallState, MotionState, Table, motion};
 
 /// Balls faster than this do not occur (the fastest breaks are near 15 m/s), m/s.
 const LARGEST_SPEED: f64 = 100.0;
@@ -60,48 +60,40 @@ fn read_one(at: &At<'_>, default: &Ball) -> Result<PlacedBall, Error> {
 
     let at = fields.require("position", "[x, y] in m")?;
     let p = at.numbers(2, 3)?;
-    let position = Vec3::new(p[0], p[1], p.get(2).copied().unwrap_or(ball.radius));
-    on_the_cloth(&at, position.z, ball.radius)?;
+    let height = height(&at, p.get(2).copied().unwrap_or(ball.radius), ball.radius)?;
 
+    let position = Vec3::new(p[0], p[1], height);
     let mut state = BallState { position, ..BallState::default() };
     if let Some(at) = fields.get("velocity") {
         state.velocity = at.vector()?;
         check_length(&at, state.velocity, LARGEST_SPEED, "m/s")?;
-        if state.velocity.z != 0.0 {
-            return Err(at.refuse(
-                format!(
-                    "moves vertically at {:?} m/s, which this version does not simulate yet",
-                    state.velocity.z
-                ),
-                "write 0 as the third number",
-            ));
-        }
     }
     if let Some(at) = fields.get("angular_velocity") {
         state.angular_velocity = at.vector()?;
         check_length(&at, state.angular_velocity, LARGEST_SPIN, "rad/s")?;
     }
-    state.motion = motion::classify(state.velocity, state.angular_velocity, ball.radius);
+    // Driven down on the bed counts as flying too: it bounces at once.
+    state.motion = if height > ball.radius || state.velocity.z != 0.0 {
+        MotionState::Airborne
+    } else {
+        motion::classify(state.velocity, state.angular_velocity, ball.radius)
+    };
     Ok(PlacedBall { id, ball, state })
 }
 
-fn on_the_cloth(at: &At<'_>, z: f64, radius: f64) -> Result<(), Error> {
+/// The height of a centre, m: exactly the radius where it is that but for [`TOUCH_TOLERANCE`], so
+/// that a ball either lies on the bed or does not.
+fn height(at: &At<'_>, z: f64, radius: f64) -> Result<f64, Error> {
     if z < radius - TOUCH_TOLERANCE {
         return Err(at.refuse(
             format!(
                 "the ball is {} m deep in the slate: z = {z:?}, its radius {radius:?} m",
                 radius - z
             ),
-            "leave z out, or write the radius",
+            "leave z out, write the radius, or more for a ball in the air",
         ));
     }
-    if z > radius + TOUCH_TOLERANCE {
-        return Err(at.refuse(
-            format!("starts in the air (z = {z:?} m, radius {radius:?} m), which this version does not simulate yet"),
-            "leave z out, or write the radius",
-        ));
-    }
-    Ok(())
+    Ok(if z > radius + TOUCH_TOLERANCE { z } else { radius })
 }
 
 fn check_length(at: &At<'_>, v: Vec3, most: f64, unit: &str) -> Result<(), Error> {

@@ -5,6 +5,7 @@ use alloc::string::String;
 
 use super::PlacedBall;
 use super::read::{At, LARGEST, Range};
+use crate::MotionState;
 use crate::error::Error;
 use crate::math::{Vec3, radians};
 use crate::physics::Physics;
@@ -116,7 +117,7 @@ pub(super) fn check_ranges(place: &str, strike: &Strike) -> Result<(), Error> {
     Ok(())
 }
 
-/// Refuses a strike on a moving ball, out of range, off the ball, past the miscue limit, or out
+/// Refuses a strike on a ball that moves or is not on the cloth, out of range, off the ball, past the miscue limit, or out
 /// of reach; otherwise the velocity (m/s) and the spin (rad/s) that it gives. `place` is where
 /// the strike stands.
 pub(super) fn check(
@@ -132,6 +133,13 @@ pub(super) fn check(
             format!("{place}.ball"),
             format!("ball \"{}\" (balls[{}]) moves already", struck.id, ball),
             "strike a ball at rest, or leave the strike out",
+        ));
+    }
+    if struck.state.motion == MotionState::Airborne {
+        return Err(Error::input(
+            format!("{place}.ball"),
+            format!("ball \"{}\" (balls[{}]) does not lie on the cloth", struck.id, ball),
+            "strike a ball that does, or leave the strike out",
         ));
     }
     cue_ball::resolve(&physics.cue, &struck.ball, strike).map_err(|e| explain(place, strike, e))

@@ -44,7 +44,12 @@ impl Table {
     /// Where a ball of radius `radius` (m) on the cloth stands whose centre is at `position` (m, in the
     /// engine's frame).
     pub fn place_check(&self, position: Vec2, radius: f64) -> Placement {
-        let reach = self.reach(radius);
+        self.place_at(position, self.reach(radius))
+    }
+
+    /// The same for a ball at any height: `reach` (m) is how far its surface stands out from its centre
+    /// at the height of the nose.
+    pub(crate) fn place_at(&self, position: Vec2, reach: f64) -> Placement {
         let half = self.layout.half;
         let rubber = self.description.as_ref().map_or(0.0, |d| d.cushion_width);
         let within = |margin: f64| {

@@ -3,6 +3,7 @@
 
 mod defaults;
 mod examples;
+mod in_the_air;
 mod lossless;
 mod obstruction;
 mod rack_rules;

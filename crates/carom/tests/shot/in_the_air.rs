@@ -1,0 +1,116 @@
+//! Balls that start in the air: where they may be, and what they are then.
+
+use carom::{MotionState, Shot};
+
+const RADIUS: f64 = 0.028575;
+const NOSE: f64 = 0.635 * 2.0 * RADIUS;
+
+fn shot(balls: &str) -> Result<Shot, carom::Error> {
+    Shot::from_json(&format!(
+        r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "balls": [{balls}]}}"#
+    ))
+}
+
+/// One ball, still, at x, y, z.
+fn at(x: f64, y: f64, z: f64) -> Result<Shot, carom::Error> {
+    shot(&format!(r#"{{"id": "a", "position": [{x:?}, {y:?}, {z:?}]}}"#))
+}
+
+fn motion(shot: Result<Shot, carom::Error>) -> MotionState {
+    shot.unwrap_or_else(|e| panic!("{e}")).balls()[0].state.motion
+}
+
+fn refusal(shot: Result<Shot, carom::Error>) -> String {
+    shot.expect_err("refused").to_string()
+}
+
+#[test]
+fn a_ball_above_the_bed_or_with_a_vertical_velocity_is_airborne() {
+    assert_eq!(motion(at(0.5, 0.5, RADIUS)), MotionState::Stationary);
+    assert_eq!(motion(at(0.5, 0.5, RADIUS + 1e-6)), MotionState::Airborne);
+    for velocity in ["[0, 0, 1]", "[1, 0, -1]"] {
+        let ball = format!(r#"{{"id": "a", "position": [0.5, 0.5], "velocity": {velocity}}}"#);
+        assert_eq!(motion(shot(&ball)), MotionState::Airborne);
+    }
+}
+
+#[test]
+fn a_height_that_is_the_radius_but_for_a_rounding_is_the_radius() {
+    for z in [RADIUS - 0.9e-9, RADIUS + 0.9e-9] {
+        let shot = at(0.5, 0.5, z).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(shot.balls()[0].state.position.z.to_bits(), RADIUS.to_bits());
+        assert_eq!(motion(Ok(shot)), MotionState::Stationary);
+    }
+}
+
+#[test]
+fn low_balls_keep_the_distance_from_the_nose_that_belongs_to_their_height() {
+    for z in [RADIUS + 1e-3, NOSE, NOSE + 0.5 * RADIUS] {
+        let reach = (RADIUS * RADIUS - (z - NOSE) * (z - NOSE)).sqrt();
+        assert_eq!(motion(at(reach, 0.8, z)), MotionState::Airborne, "touching at {z} m");
+        let sentence = refusal(at(reach - 2e-9, 0.8, z));
+        assert!(sentence.contains("deep in the nose of the left-lower"), "{sentence}");
+        assert!(sentence.contains("raise it above the rails"), "{sentence}");
+    }
+}
+
+#[test]
+fn a_ball_may_stand_on_a_rails_top_and_anywhere_above_it_but_not_in_the_wood() {
+    let width = 5.0 * 0.0254;
+    let top = NOSE + RADIUS;
+    for x in [0.0, -0.05, 1e-9 - width] {
+        assert_eq!(motion(at(x, 0.8, top)), MotionState::Airborne);
+        assert_eq!(motion(at(x, 0.8, 1.0)), MotionState::Airborne);
+        assert!(refusal(at(x, 0.8, top - 2e-9)).starts_with("balls[0].position: "));
+    }
+    let sentence = refusal(at(-1e-6 - width, 0.8, top));
+    assert!(sentence.contains("beyond the rails"), "{sentence}");
+}
+
+#[test]
+fn a_ball_may_drop_into_a_hole_but_not_start_in_its_rim() {
+    let table = carom::Table::preset("wpa-9ft").expect("a preset");
+    let hole = table.pockets[0].center + table.center();
+    assert_eq!(motion(at(hole.x, hole.y, RADIUS + 1e-3)), MotionState::Airborne);
+    let resting = refusal(at(hole.x, hole.y, RADIUS));
+    assert!(resting.contains("stands over the bottom-left pocket"), "{resting}");
+    let out = table.pockets[0].axis * (table.pockets[0].radius - 0.5 * RADIUS);
+    let in_the_rim = refusal(at(hole.x + out.x, hole.y + out.y, RADIUS + 1e-3));
+    assert!(in_the_rim.contains("bottom-left pocket"), "{in_the_rim}");
+    assert_eq!(motion(at(hole.x + out.x, hole.y + out.y, NOSE + RADIUS)), MotionState::Airborne);
+}
+
+#[test]
+fn beyond_a_mouth_line_nothing_flies_lower_than_the_rails() {
+    let at = |z: f64| {
+        Shot::from_json(&format!(
+            r#"{{"format": "carom-shot/1",
+                "table": {{"base": "wpa-9ft", "pocket_model": "mouth-line"}},
+                "balls": [{{"id": "a", "position": [0.0, 0.0, {z:?}]}}]}}"#
+        ))
+    };
+    assert!(refusal(at(NOSE)).contains("over the bottom-left pocket"));
+    assert_eq!(motion(at(NOSE + RADIUS)), MotionState::Airborne);
+}
+
+#[test]
+fn a_ball_in_the_air_overlaps_another_by_their_distance_in_space() {
+    let two = |z: f64| {
+        shot(&format!(
+            r#"{{"id": "a", "position": [0.5, 0.5]}}, {{"id": "b", "position": [0.5, 0.5, {z:?}]}}"#
+        ))
+    };
+    two(3.0 * RADIUS).unwrap_or_else(|e| panic!("balls that touch: {e}"));
+    assert!(refusal(two(3.0 * RADIUS - 2e-9)).contains("overlaps"));
+}
+
+#[test]
+fn a_ball_in_the_air_cannot_be_struck() {
+    let sentence = refusal(Shot::from_json(
+        r#"{"format": "carom-shot/1", "table": "wpa-9ft",
+            "balls": [{"id": "cue", "position": [0.5, 0.5, 0.1]}],
+            "strike": {"ball": "cue", "speed": 1, "azimuth_deg": 90}}"#,
+    ));
+    assert!(sentence.starts_with("strike.ball: "), "{sentence}");
+    assert!(sentence.contains("does not lie on the cloth"), "{sentence}");
+}
