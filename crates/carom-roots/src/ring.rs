@@ -1,0 +1,324 @@
+//! First contact of a ball on a quadratic path with a round edge: a circle in space.
+//!
+//! The path is x(t) = d + vt + ht², the edge the circle of radius a about the origin in the plane
+//! z = 0. With ρ = |(x, y)| its nearest point is √((ρ − a)² + z²) away, and the squared gap is
+//!
+//! f(t) = (ρ − a)² + z² − R² = |x|² + a² − R² − 2aρ.
+//!
+//! Freed of its root it is a polynomial of degree eight, (|x|² + a² − R²)² − 4a²ρ², but one that is
+//! also positive where a < R and the ball's centre is deep inside the edge, within R of its far side
+//! too. So f is kept as it stands, a quartic less a multiple of ρ, and ρ is a convex function of x:
+//! that gives bounds of f, f′ and f″ on a span of time from a few scalar products (`ring::span`).
+//!
+//! The window of time in which the path is in the box about the torus |ρ − a|² + z² ≤ R² is walked
+//! from left to right, in spans for which one of four is proved:
+//!
+//! * **clear**: f > 0;
+//! * **falling** or **concave**, f > 0 at the left: one root if f ≤ 0 at the right, else none;
+//! * **convex**: Newton from the left is monotone and finds the first root, or that there is none;
+//! * touching and rising at the left: **rising** or **convex** spans keep rising, a **concave** one
+//!   fires at its turning point, if f ≤ 0 there.
+//!
+//! A span without a proof is halved, and a span that was passed is followed by one twice as long.
+
+mod span;
+
+use crate::contact::first_contact;
+use crate::crossing::first_crossing;
+use crate::motion::Motion;
+use crate::root::sqrt;
+use span::{Shape, Span};
+
+/// First t in [`from`, `horizon`] (s) at which the path is within `distance` R (m) of the circle of
+/// radius `ring` a ≥ 0 (m) about the origin in the plane z = 0 and approaching it, or `None`.
+///
+/// With g(t) = √((ρ − a)² + z²) − R and ρ = |(x, y)| this is the first t with g ≤ 0 and g′ < 0, g′ being
+/// taken to the right where the path crosses the axis. A start that touches, or overlaps by a
+/// rounding, and parts does not fire. `horizon` may be infinite. A motion that holds a NaN never
+/// touches.
+#[inline]
+pub fn first_ring_contact(
+    motion: &Motion<3>,
+    ring: f64,
+    distance: f64,
+    from: f64,
+    horizon: f64,
+) -> Option<f64> {
+    if box_is_clear(motion, ring + distance, distance, from, horizon) {
+        return None;
+    }
+    if ring == 0.0 {
+        return first_point_contact(motion, distance, from, horizon);
+    }
+    let (start, end) = window(motion, ring + distance, distance, from, horizon)?;
+    walk(&Tube { motion, ring, distance }, start, end)
+}
+
+/// The contact with the origin: the quartic of two balls.
+fn first_point_contact(motion: &Motion<3>, distance: f64, from: f64, horizon: f64) -> Option<f64> {
+    if from == 0.0 {
+        return first_contact(motion, distance, horizon);
+    }
+    let later = Motion { d: motion.at(from), v: motion.velocity_at(from), h: motion.h };
+    let t = first_contact(&later, distance, horizon - from)?;
+    Some((from + t).min(horizon))
+}
+
+/// Widens the box by more than the roundings of its own computation, so that a path that touches the
+/// torus where it touches the box is not lost. Relative.
+const BOX_MARGIN: f64 = 1.0 + 16.0 * f64::EPSILON;
+
+/// Whether one coordinate's Bernstein coefficients on [from, horizon] all lie on one side of the box
+/// |x|, |y| ≤ `width`, |z| ≤ `height`.
+#[inline(always)]
+fn box_is_clear(motion: &Motion<3>, width: f64, height: f64, from: f64, horizon: f64) -> bool {
+    let first = motion.at(from);
+    let last = motion.at(horizon);
+    let rate = motion.velocity_at(from);
+    let half = 0.5 * (horizon - from);
+    let mut clear = false;
+    for (i, bound) in [width, width, height].into_iter().enumerate() {
+        let bound = bound * BOX_MARGIN;
+        let middle = first[i] + half * rate[i];
+        clear |= (first[i] > bound) & (middle > bound) & (last[i] > bound);
+        clear |= (first[i] < -bound) & (middle < -bound) & (last[i] < -bound);
+    }
+    clear
+}
+
+/// The first and the last time in [from, horizon] at which the path may be in the box.
+fn window(
+    motion: &Motion<3>,
+    width: f64,
+    height: f64,
+    from: f64,
+    horizon: f64,
+) -> Option<(f64, f64)> {
+    let (mut start, mut end) = (from, horizon);
+    for (i, bound) in [(2, height), (0, width), (1, width)] {
+        let coordinate = [motion.d[i], motion.v[i], motion.h[i]];
+        (start, end) = slab_window(coordinate, bound * BOX_MARGIN, start, end)?;
+    }
+    // Without end only for what rests, or moves for longer than any number.
+    (start <= end && end < f64::INFINITY).then_some((start, end))
+}
+
+/// The first and the last time in [start, end] at which |c₀ + c₁t + c₂t²| ≤ `bound`.
+fn slab_window([c0, c1, c2]: [f64; 3], bound: f64, start: f64, end: f64) -> Option<(f64, f64)> {
+    let here = c0 + start * (c1 + start * c2);
+    let mut first = start;
+    if here.abs() > bound {
+        let side = if here > 0.0 { 1.0 } else { -1.0 };
+        let rate = c1 + 2.0 * (start * c2);
+        first += first_crossing(side * here - bound, side * rate, side * c2, end - start)?;
+    }
+    let there = c0 + end * (c1 + end * c2);
+    if there.abs() <= bound || (c1 == 0.0 && c2 == 0.0) {
+        return Some((first, end));
+    }
+    // In the end the coordinate leaves to this side; the larger root of c₂t² + c₁t + c₀ ∓ bound.
+    let (side, curve) = if c2 != 0.0 { (sign(c2), c2.abs()) } else { (sign(c1), 0.0) };
+    let (rate, below) = (side * c1, bound - side * c0);
+    let root = sqrt((rate * rate + 4.0 * (curve * below)).max(0.0));
+    let last = if rate > 0.0 { 2.0 * below / (rate + root) } else { (root - rate) / (2.0 * curve) };
+    Some((first, if last < end { last } else { end }))
+}
+
+#[inline(always)]
+fn sign(x: f64) -> f64 {
+    if x > 0.0 { 1.0 } else { -1.0 }
+}
+
+/// The torus of the points within `distance` of the ring, and a path.
+#[derive(Clone, Copy)]
+struct Tube<'a> {
+    motion: &'a Motion<3>,
+    ring: f64,
+    distance: f64,
+}
+
+/// A point of the path, and of the squared gap f.
+#[derive(Clone, Copy)]
+struct Sample {
+    t: f64,
+    x: [f64; 3],
+    velocity: [f64; 3],
+    /// ρ.
+    radius: f64,
+    /// ρ′, to the right.
+    radial_rate: f64,
+    /// f.
+    f: f64,
+    /// f′/2.
+    g: f64,
+}
+
+impl Tube<'_> {
+    #[inline(always)]
+    fn sample(&self, t: f64) -> Sample {
+        let x = self.motion.at(t);
+        let velocity = self.motion.velocity_at(t);
+        let radius = sqrt(x[0] * x[0] + x[1] * x[1]);
+        let radial_rate = if radius > 0.0 {
+            (x[0] * velocity[0] + x[1] * velocity[1]) / radius
+        } else {
+            sqrt(velocity[0] * velocity[0] + velocity[1] * velocity[1])
+        };
+        let out = radius - self.ring;
+        let f = out * out + x[2] * x[2] - self.distance * self.distance;
+        let g = out * radial_rate + x[2] * velocity[2];
+        Sample { t, x, velocity, radius, radial_rate, f, g }
+    }
+}
+
+/// What a span holds.
+enum Outcome {
+    /// The first contact.
+    At(f64),
+    /// No contact: proved.
+    Passed,
+    /// Nothing was proved.
+    Open,
+}
+
+/// A span is not halved below this part of the window; at any speed that keeps the path in the box that
+/// long, it is less than a rounding of the positions.
+const FINEST: f64 = 1.0 / (1u64 << 60) as f64;
+
+/// The first contact in [start, end].
+fn walk(tube: &Tube<'_>, start: f64, end: f64) -> Option<f64> {
+    let mut here = tube.sample(start);
+    // Not a number, and no proof would ever be found.
+    if here.f.is_nan() || tube.sample(end).f.is_nan() {
+        return None;
+    }
+    let finest = (end - start) * FINEST;
+    let mut width = end - start;
+    loop {
+        if here.f <= 0.0 && here.g < 0.0 {
+            return Some(here.t);
+        }
+        let to = if width < end - here.t { here.t + width } else { end };
+        let half = 0.5 * (to - here.t);
+        let there = tube.sample(to);
+        match search(tube, &here, &there) {
+            Outcome::At(t) => return Some(t),
+            Outcome::Open if half > finest && here.t + half > here.t && here.t + half < to => {
+                width = half;
+                continue;
+            }
+            // Of less than a rounding of time nothing can be told: the signs at its end decide.
+            Outcome::Passed | Outcome::Open => {}
+        }
+        if to >= end {
+            return (there.f <= 0.0 && there.g < 0.0).then_some(end);
+        }
+        here = there;
+        width *= 2.0;
+    }
+}
+
+/// The first contact between two samples, if one proof is enough.
+#[inline(always)]
+fn search(tube: &Tube<'_>, here: &Sample, there: &Sample) -> Outcome {
+    let span = Span::new(tube, here, there);
+    let apart = here.f > 0.0;
+    if apart && span.is_clear() {
+        return Outcome::Passed;
+    }
+    match span.shape() {
+        Shape::Falling | Shape::Concave if apart => {
+            if there.f > 0.0 {
+                Outcome::Passed
+            } else {
+                Outcome::At(only_descent(tube, here, there))
+            }
+        }
+        Shape::Convex => on_convex(tube, here, there.t),
+        Shape::Rising => Outcome::Passed,
+        Shape::Concave => on_concave_from_touch(tube, here, there),
+        Shape::Falling => Outcome::At(here.t),
+        Shape::Unknown => Outcome::Open,
+    }
+}
+
+/// More Newton steps than a monotone or bracketed search can take; see [`crate::robust`].
+const MAX_STEPS: usize = 256;
+
+/// Newton from the left, where no tangent passes the first root.
+fn on_convex(tube: &Tube<'_>, from: &Sample, end: f64) -> Outcome {
+    let mut here = *from;
+    for _ in 0..MAX_STEPS {
+        if here.g >= 0.0 {
+            return Outcome::Passed;
+        }
+        if here.f <= 0.0 {
+            break;
+        }
+        let t = here.t - 0.5 * here.f / here.g;
+        if t > end || t.is_nan() {
+            return Outcome::Passed;
+        }
+        if t <= here.t {
+            break;
+        }
+        here = tube.sample(t);
+    }
+    Outcome::At(here.t)
+}
+
+/// Touching and rising on a concave span: contact is where f stops rising, if it is not open there.
+fn on_concave_from_touch(tube: &Tube<'_>, here: &Sample, there: &Sample) -> Outcome {
+    // It neither rises nor is convex: it is being pressed on.
+    if here.g <= 0.0 {
+        return Outcome::At(here.t);
+    }
+    if there.g >= 0.0 {
+        return Outcome::Passed;
+    }
+    let turn = turning_point(tube, here, there);
+    if turn.f <= 0.0 {
+        return Outcome::At(turn.t);
+    }
+    if there.f > 0.0 { Outcome::Passed } else { Outcome::At(only_descent(tube, &turn, there)) }
+}
+
+/// The only time between `open` (f > 0) and `closed` (f ≤ 0) at which f falls to zero.
+fn only_descent(tube: &Tube<'_>, open: &Sample, closed: &Sample) -> f64 {
+    let (mut low, mut high) = (open.t, closed.t);
+    let mut here = *closed;
+    let mut last_step = high - low;
+    for _ in 0..MAX_STEPS {
+        let step = -0.5 * here.f / here.g;
+        let mut t = here.t + step;
+        // A step that does not halve the last may not be going anywhere.
+        if !(t > low && t < high && step.abs() <= 0.5 * last_step) {
+            if t == here.t {
+                break;
+            }
+            t = 0.5 * (low + high);
+            if t <= low || t >= high {
+                here = tube.sample(high);
+                break;
+            }
+        }
+        last_step = (t - here.t).abs();
+        here = tube.sample(t);
+        if here.f > 0.0 { low = t } else { high = t }
+    }
+    // Roundings may close a gap that is still opening: what parts has not met.
+    if here.g > 0.0 { turning_point(tube, &here, closed).t } else { here.t }
+}
+
+/// Where f stops rising, between a rising and a falling point with one turn between them.
+fn turning_point(tube: &Tube<'_>, rising: &Sample, falling: &Sample) -> Sample {
+    let (mut low, mut high) = (rising.t, *falling);
+    loop {
+        let middle = 0.5 * (low + high.t);
+        if middle <= low || middle >= high.t {
+            return high;
+        }
+        let sample = tube.sample(middle);
+        if sample.g > 0.0 { low = middle } else { high = sample }
+    }
+}
