@@ -2,6 +2,7 @@
 //! momentum about the contact, symmetry. Inputs are random but seeded.
 
 use crate::near::assert_near;
+use crate::random::Random;
 use carom::math::{Vec2, Vec3, exp, sin_cos, sqrt};
 use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
 use carom::resolve::{Body, ball_ball, ball_ball::group};
@@ -16,27 +17,6 @@ const MODELS: [BallBallModel; 4] = [
     BallBallModel::Mathavan2014,
     BallBallModel::Compliant,
 ];
-
-/// Sebastiano Vigna's SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.bits() >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-    fn pick(&mut self, n: u64) -> u64 {
-        self.bits() % n
-    }
-    fn vector(&mut self, size: f64) -> Vec3 {
-        Vec3::new(self.between(-size, size), self.between(-size, size), self.between(-size, size))
-    }
-}
 
 struct Impact {
     law: BallBall,
@@ -383,15 +363,15 @@ fn exchanging_the_balls_exchanges_the_results_to_the_bit() {
 fn a_groups_energy_never_rises_and_its_momentum_is_conserved() {
     let mut random = Random(11);
     for _ in 0..IMPACTS / 4 {
-        let model = MODELS[random.pick(4) as usize];
-        let size = 3 + random.pick(4) as usize;
+        let model = MODELS[random.pick(4)];
+        let size = 3 + random.pick(4);
         let mut bodies: Vec<Body> =
             (0..size).map(|_| Impact::random(&mut random, model).a).collect();
         let law = Impact::random(&mut random, model).law;
         let mut contacts = Vec::new();
         for j in 1..size {
             for _ in 0..1 + random.pick(2) {
-                let i = random.pick(j as u64) as usize;
+                let i = random.pick(j);
                 let normal = Impact::normal(&mut random, false, &bodies[i], &bodies[j]);
                 contacts.push((i as u8, j as u8, normal));
             }

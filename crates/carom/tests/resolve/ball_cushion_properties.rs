@@ -1,5 +1,6 @@
 //! What holds for every cushion model, whatever its parameters.
 
+use crate::random::Random;
 use carom::math::{Vec2, Vec3, sin_cos, sqrt};
 use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::resolve::{Body, ball_cushion::resolve};
@@ -13,25 +14,6 @@ const MODELS: [CushionModel; 4] = [
 
 /// Impacts per model: enough to meet every regime at every kind of parameter.
 const IMPACTS: u32 = 100_000;
-
-/// SplitMix64: a fixed sequence, so that a failure can be found again.
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-    fn one_of<const N: usize>(&mut self, values: [f64; N]) -> f64 {
-        values[(self.unit() * N as f64) as usize]
-    }
-}
 
 #[derive(Clone)]
 struct Case {
@@ -56,7 +38,7 @@ fn case(model: CushionModel, random: &mut Random) -> Case {
         normal = Vec3::new(0.0, 0.0, if up < 0.0 { -1.0 } else { 1.0 });
     }
     let speed =
-        random.one_of([1e-9, 1e-6, 1e-3, 2e-3, 0.1, 1.0, 3.0, 10.0]) * random.between(0.5, 2.0);
+        one_of(random, [1e-9, 1e-6, 1e-3, 2e-3, 0.1, 1.0, 3.0, 10.0]) * random.between(0.5, 2.0);
     let mut velocity = ((into * cos + into.perp() * sin) * speed).with_z(0.0);
     if !on_bed {
         velocity.z = speed * random.between(-1.0, 1.0);
@@ -65,30 +47,30 @@ fn case(model: CushionModel, random: &mut Random) -> Case {
         }
     }
     let radius = random.between(0.02, 0.04);
-    let spin_size = random.one_of([0.0, speed / radius, 3.0 * speed / radius, 500.0]);
+    let spin_size = one_of(random, [0.0, speed / radius, 3.0 * speed / radius, 500.0]);
     let mut spin =
         Vec3::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-1.0, 1.0))
             * spin_size;
     if random.unit() < 0.3 {
         let rolling = velocity.xy().perp() * (1.0 / radius);
-        spin = rolling.with_z(random.one_of([0.0, spin.z]));
+        spin = rolling.with_z(one_of(random, [0.0, spin.z]));
     }
     Case {
         law: Cushion {
             model,
             restitution: CushionRestitution {
-                a: random.one_of([0.0, 0.05, 0.39, 0.85, 1.0, 1.4, -0.3]),
-                b: random.one_of([0.0, 0.257]),
-                c: random.one_of([0.0, -0.044]),
+                a: one_of(random, [0.0, 0.05, 0.39, 0.85, 1.0, 1.4, -0.3]),
+                b: one_of(random, [0.0, 0.257]),
+                c: one_of(random, [0.0, -0.044]),
             },
             friction: CushionFriction {
-                a: random.one_of([0.0, 0.02, 0.14, 0.2, 0.471, 1.0]),
-                b: random.one_of([0.0, -0.241, -0.6]),
+                a: one_of(random, [0.0, 0.02, 0.14, 0.2, 0.471, 1.0]),
+                b: one_of(random, [0.0, -0.241, -0.6]),
             },
             frequency_ratio: random.between(1.0, 2.0),
         },
         cloth: Cloth {
-            sliding_friction: random.one_of([0.0, 0.2, 0.5]),
+            sliding_friction: one_of(random, [0.0, 0.2, 0.5]),
             rolling_friction: 0.01,
             spin_deceleration: 10.0,
         },
@@ -96,6 +78,10 @@ fn case(model: CushionModel, random: &mut Random) -> Case {
         on_bed,
         ball: Body { velocity, angular_velocity: spin, mass: random.between(0.09, 0.25), radius },
     }
+}
+
+fn one_of<const N: usize>(random: &mut Random, values: [f64; N]) -> f64 {
+    values[random.pick(N)]
 }
 
 fn energy(b: &Body) -> f64 {

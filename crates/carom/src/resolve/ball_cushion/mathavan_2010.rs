@@ -71,15 +71,15 @@ pub(super) fn resolve(impact: &Impact, rail: &Rail, cloth: &Cloth, e: f64, mu: f
     let unit = rail.approach;
     let spin_unit = unit / impact.radius;
     let before = Motion {
-        velocity: rail.into_frame(impact.velocity.xy()) * (1.0 / unit),
-        spin: rail.into_frame(impact.spin.xy()).with_z(impact.spin.z) * (1.0 / spin_unit),
+        velocity: rail.turned(impact.velocity.xy()) * (1.0 / unit),
+        spin: rail.turned(impact.spin.xy()).with_z(impact.spin.z) * (1.0 / spin_unit),
     };
     let after = squeeze.through(&before, e).without_gain(&before);
     let kick = (after.velocity - before.velocity) * unit;
     let turn = (after.spin - before.spin) * spin_unit;
     Change {
-        velocity: rail.out_of_frame(kick).with_z(0.0),
-        spin: rail.out_of_frame(turn.xy()).with_z(turn.z),
+        velocity: rail.unturned(kick).with_z(0.0),
+        spin: rail.unturned(turn.xy()).with_z(turn.z),
     }
 }
 

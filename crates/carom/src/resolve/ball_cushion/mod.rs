@@ -93,12 +93,12 @@ impl Impact {
 
 impl Rail {
     /// A horizontal vector's parts into the rail (x) and along it (y, to the left).
-    fn into_frame(&self, v: Vec2) -> Vec2 {
+    fn turned(&self, v: Vec2) -> Vec2 {
         Vec2::new(v.dot(self.into), v.dot(self.into.perp()))
     }
 
     /// The vector with these parts.
-    fn out_of_frame(&self, v: Vec2) -> Vec2 {
+    fn unturned(&self, v: Vec2) -> Vec2 {
         self.into * v.x + self.into.perp() * v.y
     }
 }
