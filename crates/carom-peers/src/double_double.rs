@@ -16,6 +16,23 @@ impl DoubleDouble {
     pub fn value(self) -> f64 {
         self.hi + self.lo
     }
+
+    /// p/q, for whole numbers below 2²⁶.
+    pub fn ratio(p: f64, q: f64) -> Self {
+        let hi = p / q;
+        let rest = DoubleDouble::from(p) - DoubleDouble::from(q) * DoubleDouble::from(hi);
+        quick_two_sum(hi, rest.value() / q)
+    }
+
+    /// The square root; 0 of what is negative.
+    pub fn sqrt(self) -> Self {
+        let hi = self.value().max(0.0).sqrt();
+        if hi == 0.0 {
+            return DoubleDouble::from(0.0);
+        }
+        let rest = self - two_product(hi, hi);
+        quick_two_sum(hi, rest.value() / (2.0 * hi))
+    }
 }
 
 impl From<f64> for DoubleDouble {
@@ -93,6 +110,14 @@ mod tests {
         let one = DoubleDouble::from(1.0);
         let tiny = DoubleDouble::from(TINY);
         assert_eq!(((one + tiny) - one).value(), TINY);
+    }
+
+    #[test]
+    fn a_root_and_a_ratio_times_themselves_give_back_the_number() {
+        let two = DoubleDouble::from(2.0);
+        assert!((two.sqrt() * two.sqrt() - two).value().abs() <= 4.0 * TINY);
+        let third = DoubleDouble::ratio(1.0, 3.0);
+        assert!((third + third + third - DoubleDouble::from(1.0)).value().abs() <= 4.0 * TINY);
     }
 
     #[test]

@@ -13,4 +13,6 @@ pub mod judge;
 pub mod operations;
 pub mod quartic;
 pub mod random;
+pub mod ring_families;
+pub mod ring_judge;
 pub mod whole_shots;

@@ -16,7 +16,7 @@
 //! * **clear**: f > 0;
 //! * **falling** or **concave**, f > 0 at the left: one root if f ≤ 0 at the right, else none;
 //! * **convex**: Newton from the left is monotone and finds the first root, or that there is none;
-//! * touching and rising at the left: **rising** or **convex** spans keep rising, a **concave** one
+//! * touching and not falling at the left: **rising** or **convex** spans keep rising, a **concave** one
 //!   fires at its turning point, if f ≤ 0 there.
 //!
 //! A span without a proof is halved, and a span that was passed is followed by one twice as long.
@@ -169,7 +169,19 @@ impl Tube<'_> {
         let g = out * radial_rate + x[2] * velocity[2];
         Sample { t, x, velocity, radius, radial_rate, f, g }
     }
+
+    /// An f′/2 whose sign is a matter of roundings.
+    #[inline(always)]
+    fn graze(&self, here: &Sample) -> f64 {
+        let [x, y, z] = here.velocity.map(f64::abs);
+        GRAZE * (self.ring + self.distance) * (x + y + z)
+    }
 }
+
+/// A ball that leaves the slate is on top of the lip's torus, and its normal speed there, zero, is known
+/// only as well as its position. What closes by no more than this does not fire if f is convex: it
+/// then falls by no more than f′ times the time, that is, by roundings of the path. Relative.
+const GRAZE: f64 = 32.0 * f64::EPSILON;
 
 /// What a span holds.
 enum Outcome {
@@ -195,7 +207,7 @@ fn walk(tube: &Tube<'_>, start: f64, end: f64) -> Option<f64> {
     let finest = (end - start) * FINEST;
     let mut width = end - start;
     loop {
-        if here.f <= 0.0 && here.g < 0.0 {
+        if here.f <= 0.0 && here.g < -tube.graze(&here) {
             return Some(here.t);
         }
         let to = if width < end - here.t { here.t + width } else { end };
@@ -234,8 +246,8 @@ fn search(tube: &Tube<'_>, here: &Sample, there: &Sample) -> Outcome {
                 Outcome::At(only_descent(tube, here, there))
             }
         }
-        Shape::Convex => on_convex(tube, here, there.t),
-        Shape::Rising => Outcome::Passed,
+        Shape::Convex if apart => on_convex(tube, here, there.t),
+        Shape::Convex | Shape::Rising => Outcome::Passed,
         Shape::Concave => on_concave_from_touch(tube, here, there),
         Shape::Falling => Outcome::At(here.t),
         Shape::Unknown => Outcome::Open,

@@ -1,0 +1,263 @@
+//! Whether the answer for a round edge is right, decided without solving for it.
+//!
+//! As in [`crate::judge`]: what a finder passed over shows at the stationary points of the squared gap
+//! F = |x|² + a² − R² − 2aρ. There x·ẋ = aρ′, so that (x·ẋ)²ρ² − a²(xẋ + yẏ)² = 0: a polynomial of degree
+//! ten, which also vanishes where the path crosses the axis. Its roots are isolated by the sign
+//! variations of its Bernstein coefficients (Descartes' rule: none means no root) in 106 bits. It has
+//! further roots, of no harm: between neighbours of them the gap is monotone.
+
+use carom_roots::Motion;
+
+use crate::double_double::DoubleDouble;
+use crate::families::LARGEST_TABLE;
+use crate::judge::Verdict;
+use crate::ring_families::RingCase;
+
+/// Judge `answer`; faults of less than `tolerance` (m, on a table) are right.
+pub fn judge_ring(case: &RingCase, answer: Option<f64>, tolerance: f64) -> Verdict {
+    if answer.is_some_and(|t| !(case.from..=case.horizon).contains(&t)) {
+        return Verdict::OutOfRange;
+    }
+    let truth = Truth::new(case, tolerance);
+    let stationary = truth.stationary_times();
+    let end = answer.unwrap_or(case.horizon);
+    if let Some(depth) = truth.overlap_fallen_into(&stationary, end) {
+        return Verdict::Lost { depth };
+    }
+    let Some(t) = answer else { return Verdict::Right { gap: 0.0 } };
+    let gap = truth.gap(t);
+    let clearance = gap.max(truth.lift_to_approach(&stationary, t));
+    if clearance > truth.tolerance_at(t) {
+        return Verdict::Invented { clearance };
+    }
+    Verdict::Right { gap: gap.abs() / truth.extent(t) }
+}
+
+/// The path in 106 bits.
+struct Truth {
+    case: RingCase,
+    tolerance: f64,
+    d: [DoubleDouble; 3],
+    v: [DoubleDouble; 3],
+    h: [DoubleDouble; 3],
+}
+
+/// Coefficients of a polynomial, constant first.
+type Polynomial = Vec<DoubleDouble>;
+
+fn product(a: &[DoubleDouble], b: &[DoubleDouble]) -> Polynomial {
+    let mut c = vec![DoubleDouble::from(0.0); a.len() + b.len() - 1];
+    for (i, &x) in a.iter().enumerate() {
+        for (j, &y) in b.iter().enumerate() {
+            c[i + j] = c[i + j] + x * y;
+        }
+    }
+    c
+}
+
+fn sum(a: &[DoubleDouble], b: &[DoubleDouble]) -> Polynomial {
+    let zero = DoubleDouble::from(0.0);
+    let at = |p: &[DoubleDouble], i: usize| p.get(i).copied().unwrap_or(zero);
+    (0..a.len().max(b.len())).map(|i| at(a, i) + at(b, i)).collect()
+}
+
+/// The window is halved so often that a stationary point is known to its 2⁵⁶th part. As an error δ of
+/// its time changes the gap by δ² only, this is more than enough.
+const HALVINGS: u32 = 56;
+
+impl Truth {
+    fn new(case: &RingCase, tolerance: f64) -> Self {
+        let [d, v, h] =
+            [case.motion.d, case.motion.v, case.motion.h].map(|w| w.map(DoubleDouble::from));
+        Truth { case: *case, tolerance, d, v, h }
+    }
+
+    fn tolerance_at(&self, t: f64) -> f64 {
+        self.tolerance * self.extent(t)
+    }
+
+    /// How far the path has led by t: 1 on any table, in tables beyond it.
+    fn extent(&self, t: f64) -> f64 {
+        let size = |w: [f64; 3]| w.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let Motion { d, v, h } = self.case.motion;
+        let extent = size(d) + t * (size(v) + t * size(h));
+        (extent / LARGEST_TABLE).max(1.0)
+    }
+
+    fn at(&self, t: f64) -> [DoubleDouble; 3] {
+        let t = DoubleDouble::from(t);
+        [0, 1, 2].map(|i| self.d[i] + t * (self.v[i] + t * self.h[i]))
+    }
+
+    fn velocity_at(&self, t: f64) -> [DoubleDouble; 3] {
+        let twice = DoubleDouble::from(2.0 * t);
+        [0, 1, 2].map(|i| self.v[i] + twice * self.h[i])
+    }
+
+    /// √((ρ − a)² + z²) − R, m.
+    fn gap(&self, t: f64) -> f64 {
+        let [x, y, z] = self.at(t);
+        let out = (x * x + y * y).sqrt() - DoubleDouble::from(self.case.ring);
+        let squared = out * out + z * z;
+        let distance = DoubleDouble::from(self.case.distance);
+        let sum = squared.value().sqrt() + self.case.distance;
+        (squared - distance * distance).value() / sum
+    }
+
+    /// The sign of the gap's rate: that of x·ẋ ρ − a(xẋ + yẏ), in m³/s.
+    fn rate(&self, t: f64) -> f64 {
+        let (x, w) = (self.at(t), self.velocity_at(t));
+        let level = x[0] * w[0] + x[1] * w[1];
+        let radius = (x[0] * x[0] + x[1] * x[1]).sqrt();
+        ((level + x[2] * w[2]) * radius - DoubleDouble::from(self.case.ring) * level).value()
+    }
+
+    /// The polynomial of degree ten, and its factor at the axis xẋ + yẏ, on the window scaled to [0, 1].
+    fn stationary_polynomials(&self) -> [Polynomial; 2] {
+        let RingCase { from, horizon, ring, .. } = self.case;
+        let span = DoubleDouble::from(horizon) - DoubleDouble::from(from);
+        let (start, velocity) = (self.at(from), self.velocity_at(from));
+        let x: [Polynomial; 3] =
+            [0, 1, 2].map(|i| vec![start[i], span * velocity[i], span * (span * self.h[i])]);
+        let two = DoubleDouble::from(2.0);
+        let rate = |p: &Polynomial| vec![p[1], two * p[2]];
+        let [a, b, c] = [0, 1, 2].map(|i| product(&x[i], &rate(&x[i])));
+        let level = sum(&a, &b);
+        let whole = sum(&level, &c);
+        let radius_squared = sum(&product(&x[0], &x[0]), &product(&x[1], &x[1]));
+        let ring = DoubleDouble::from(ring);
+        let minus = vec![-(ring * ring)];
+        let whole = sum(
+            &product(&product(&whole, &whole), &radius_squared),
+            &product(&minus, &product(&level, &level)),
+        );
+        [whole, level]
+    }
+
+    /// Every time in the window at which the gap may turn, ascending.
+    fn stationary_times(&self) -> Vec<f64> {
+        let RingCase { from, horizon, .. } = self.case;
+        let mut times = Vec::new();
+        // A path through the axis makes a double root there, which roundings may hide, of the one, but
+        // a single root of the other.
+        for polynomial in self.stationary_polynomials() {
+            isolate(&bernstein(&polynomial), 0.0, 1.0, HALVINGS, &mut times);
+        }
+        times.sort_by(f64::total_cmp);
+        times.into_iter().map(|u| from + u * (horizon - from)).collect()
+    }
+
+    /// The first overlap beyond the tolerance that the ball reaches by approaching, up to `end`.
+    fn overlap_fallen_into(&self, stationary: &[f64], end: f64) -> Option<f64> {
+        let from = self.case.from;
+        let mut times = vec![from];
+        times.extend(stationary.iter().copied().filter(|&t| from < t && t < end));
+        times.push(end);
+        times.windows(2).find_map(|span| {
+            let depth = self.gap(span[0]).min(0.0) - self.gap(span[1]);
+            (depth > self.tolerance_at(span[1])).then_some(depth)
+        })
+    }
+
+    /// How much the gap changes between t and the nearest time at which the ball stops parting.
+    fn lift_to_approach(&self, stationary: &[f64], t: f64) -> f64 {
+        if self.rate(t) <= 0.0 {
+            return 0.0;
+        }
+        let here = self.gap(t);
+        stationary.iter().map(|&s| (self.gap(s) - here).abs()).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// The Bernstein coefficients on [0, 1]: bᵢ = Σⱼ C(i, j)/C(n, j) cⱼ.
+fn bernstein(polynomial: &[DoubleDouble]) -> Polynomial {
+    let n = polynomial.len() - 1;
+    // Differences, from the last: cⱼ/C(n, j) are the forward differences at 0.
+    let mut difference: Polynomial = polynomial
+        .iter()
+        .enumerate()
+        .map(|(j, &c)| c * DoubleDouble::ratio(1.0, binomial(n, j)))
+        .collect();
+    let mut coefficients = Vec::with_capacity(n + 1);
+    for _ in 0..=n {
+        coefficients.push(difference[0]);
+        for j in 0..n {
+            difference[j] = difference[j] + difference[j + 1];
+        }
+    }
+    coefficients
+}
+
+fn binomial(n: usize, k: usize) -> f64 {
+    (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
+}
+
+/// Adds to `roots` one point of each part of [low, high] that may hold a root.
+fn isolate(b: &[DoubleDouble], low: f64, high: f64, halvings: u32, roots: &mut Vec<f64>) {
+    let mut signs = b.iter().map(|b| b.value()).filter(|&b| b != 0.0);
+    let Some(first) = signs.next() else { return };
+    if b.iter().all(|b| b.value() * first > 0.0) {
+        return;
+    }
+    if halvings == 0 {
+        roots.push(0.5 * (low + high));
+        return;
+    }
+    let half = DoubleDouble::from(0.5);
+    let n = b.len();
+    let mut points = b.to_vec();
+    let mut left = Vec::with_capacity(n);
+    let mut right = vec![points[0]; n];
+    for level in 0..n {
+        left.push(points[0]);
+        right[n - 1 - level] = points[n - 1 - level];
+        for i in 0..n - 1 - level {
+            points[i] = half * (points[i] + points[i + 1]);
+        }
+    }
+    let middle = 0.5 * (low + high);
+    isolate(&left, low, middle, halvings - 1, roots);
+    isolate(&right, middle, high, halvings - 1, roots);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::judge_ring;
+    use crate::judge::Verdict;
+    use crate::ring_families::RingCase;
+    use carom_roots::Motion;
+
+    const DEPTH: f64 = 1e-15;
+
+    fn verdict(d: [f64; 3], v: [f64; 3], answer: Option<f64>) -> Verdict {
+        let motion = Motion { d, v, h: [0.0; 3] };
+        let case = RingCase { motion, ring: 2.0, distance: 0.5, from: 0.0, horizon: 10.0 };
+        judge_ring(&case, answer, DEPTH)
+    }
+
+    #[test]
+    fn a_contact_from_outside_is_right_at_its_time_only() {
+        let (d, v) = ([4.5, 0.0, 0.0], [-1.0, 0.0, 0.0]);
+        assert_eq!(verdict(d, v, Some(2.0)), Verdict::Right { gap: 0.0 });
+        assert_eq!(verdict(d, v, None), Verdict::Lost { depth: 0.5 });
+        assert_eq!(verdict(d, v, Some(5.5)), Verdict::Lost { depth: 0.5 });
+        assert_eq!(verdict(d, v, Some(1.0)), Verdict::Invented { clearance: 1.0 });
+        assert_eq!(verdict(d, v, Some(-1.0)), Verdict::OutOfRange);
+    }
+
+    #[test]
+    fn a_contact_across_the_axis_is_right_at_its_time_only() {
+        let (d, v) = ([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
+        assert_eq!(verdict(d, v, Some(2.5)), Verdict::Right { gap: 0.0 });
+        assert_eq!(verdict(d, v, Some(0.5)), Verdict::Invented { clearance: 1.0 });
+        assert_eq!(verdict(d, v, None), Verdict::Lost { depth: 0.5 });
+    }
+
+    #[test]
+    fn a_touching_start_that_parts_is_no_contact() {
+        let (d, v) = ([2.5, 0.0, 0.0], [1.0, 0.0, 0.0]);
+        assert_eq!(verdict(d, v, None), Verdict::Right { gap: 0.0 });
+        let (d, v) = ([2.4, 0.0, 0.0], [1.0, 0.0, 0.0]);
+        assert!(matches!(verdict(d, v, Some(0.0)), Verdict::Invented { .. }));
+    }
+}
