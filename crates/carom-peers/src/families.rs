@@ -16,9 +16,9 @@ pub const LARGEST_TABLE: f64 = 4.0;
 
 /// A question for a finder.
 #[derive(Clone, Copy, Debug)]
-pub struct Case {
+pub struct Case<const N: usize = 2> {
     /// The relative motion.
-    pub motion: Motion<2>,
+    pub motion: Motion<N>,
     /// Contact distance, m.
     pub distance: f64,
     /// The last time of interest, s; may be infinite.

@@ -42,7 +42,7 @@ pub enum Verdict {
 const MAX_HALVINGS: usize = 160;
 
 /// Judge `answer`; faults of less than `tolerance` (m, on a table) are right.
-pub fn judge(case: &Case, answer: Option<f64>, tolerance: f64) -> Verdict {
+pub fn judge<const N: usize>(case: &Case<N>, answer: Option<f64>, tolerance: f64) -> Verdict {
     if answer.is_some_and(|t| !(0.0..=case.horizon).contains(&t)) {
         return Verdict::OutOfRange;
     }
@@ -61,22 +61,29 @@ pub fn judge(case: &Case, answer: Option<f64>, tolerance: f64) -> Verdict {
     Verdict::Right { gap: gap.abs() / truth.extent(t) }
 }
 
+fn dot<const N: usize>(a: [DoubleDouble; N], b: [DoubleDouble; N]) -> DoubleDouble {
+    let mut sum = a[0] * b[0];
+    for i in 1..N {
+        sum = sum + a[i] * b[i];
+    }
+    sum
+}
+
 /// The motion in 106 bits.
-struct Truth {
-    case: Case,
+struct Truth<const N: usize> {
+    case: Case<N>,
     tolerance: f64,
-    d: [DoubleDouble; 2],
-    v: [DoubleDouble; 2],
-    h: [DoubleDouble; 2],
+    d: [DoubleDouble; N],
+    v: [DoubleDouble; N],
+    h: [DoubleDouble; N],
     /// f′/2 = g₀ + g₁t + g₂t² + g₃t³.
     g: [DoubleDouble; 4],
 }
 
-impl Truth {
-    fn new(case: &Case, tolerance: f64) -> Self {
+impl<const N: usize> Truth<N> {
+    fn new(case: &Case<N>, tolerance: f64) -> Self {
         let Motion { d, v, h } = case.motion;
         let [d, v, h] = [d, v, h].map(|w| w.map(DoubleDouble::from));
-        let dot = |a: [DoubleDouble; 2], b: [DoubleDouble; 2]| a[0] * b[0] + a[1] * b[1];
         let times = |n: f64, x: DoubleDouble| DoubleDouble::from(n) * x;
         let g = [
             dot(d, v),
@@ -93,7 +100,7 @@ impl Truth {
 
     /// How far the path has led by t: 1 on any table, in tables beyond it.
     fn extent(&self, t: f64) -> f64 {
-        let size = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
+        let size = |w: [f64; N]| w.iter().map(|x| x * x).sum::<f64>().sqrt();
         let Motion { d, v, h } = self.case.motion;
         let extent = size(d) + t * (size(v) + t * size(h));
         self.case.metre.max(extent / LARGEST_TABLE)
@@ -102,10 +109,10 @@ impl Truth {
     /// |x(t)| − D, m.
     fn gap(&self, t: f64) -> f64 {
         let time = DoubleDouble::from(t);
-        let at = |i: usize| self.d[i] + time * (self.v[i] + time * self.h[i]);
-        let (x, y) = (at(0), at(1));
+        let x: [DoubleDouble; N] =
+            std::array::from_fn(|i| self.d[i] + time * (self.v[i] + time * self.h[i]));
         let distance = DoubleDouble::from(self.case.distance);
-        let squared = x * x + y * y;
+        let squared = dot(x, x);
         let sum = squared.value().sqrt() + self.case.distance;
         (squared - distance * distance).value() / sum
     }

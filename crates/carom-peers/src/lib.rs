@@ -8,6 +8,7 @@ pub mod double_double;
 pub mod families;
 pub mod ferrari;
 pub mod finder;
+pub mod flight_families;
 pub mod harvest;
 pub mod judge;
 pub mod operations;

@@ -1,8 +1,9 @@
-//! The nine hard families, judged in 106 bits: nothing lost or invented beyond roundings of position.
+//! The nine hard families, and those of flight, judged in 106 bits: nothing lost or invented beyond roundings of position.
 //!
 //! `CAROM_CASES=1000000 cargo test --release -p carom-roots --test hard_families` is the long run.
 
 use carom_peers::families::{Case, Family, cluster_pair, uniform_pair};
+use carom_peers::flight_families::FlightFamily;
 use carom_peers::harvest::{break_pairs, pot_pairs};
 use carom_peers::judge::{Verdict, judge};
 use carom_peers::random::Random;
@@ -23,7 +24,11 @@ fn cases() -> usize {
     std::env::var("CAROM_CASES").map_or(20_000, |n| n.parse().expect("CAROM_CASES is a count"))
 }
 
-fn assert_all_right(name: &str, seed: u64, sample: impl Fn(&mut Random) -> Case) {
+fn assert_all_right<const N: usize>(
+    name: &str,
+    seed: u64,
+    sample: impl Fn(&mut Random) -> Case<N>,
+) {
     let mut random = Random::new(seed);
     let mut gaps = Vec::new();
     let mut worst = 0.0f64;
@@ -34,8 +39,8 @@ fn assert_all_right(name: &str, seed: u64, sample: impl Fn(&mut Random) -> Case)
         match judge(&case, answer, DEPTH) {
             Verdict::Right { gap } => {
                 // Bodies that overlap at first, and turn back, cannot meet at a gap of zero.
-                let [x, y] = motion.d;
-                let apart = x * x + y * y >= distance * distance * (1.0 - ROUNDINGS);
+                let squared = motion.d.iter().map(|x| x * x).sum::<f64>();
+                let apart = squared >= distance * distance * (1.0 - ROUNDINGS);
                 if answer.is_some() && apart {
                     gaps.push(gap);
                     worst = worst.max(gap);
@@ -55,6 +60,22 @@ fn assert_all_right(name: &str, seed: u64, sample: impl Fn(&mut Random) -> Case)
 fn nothing_is_lost_or_invented_in_the_nine_hard_families() {
     for (seed, family) in Family::ALL.into_iter().enumerate() {
         assert_all_right(&format!("N{} {family:?}", seed + 1), seed as u64, |r| family.sample(r));
+    }
+}
+
+#[test]
+fn nothing_is_lost_or_invented_between_balls_aloft() {
+    for (seed, family) in FlightFamily::ALL.into_iter().enumerate() {
+        assert_all_right(&format!("aloft {family:?}"), 200 + seed as u64, |r| {
+            family.sample::<3>(r)
+        });
+    }
+}
+
+#[test]
+fn nothing_is_lost_or_invented_between_a_ball_aloft_and_a_straight_edge() {
+    for (seed, family) in FlightFamily::ALL.into_iter().enumerate() {
+        assert_all_right(&format!("edge {family:?}"), 220 + seed as u64, |r| family.sample::<2>(r));
     }
 }
 
