@@ -65,10 +65,25 @@ def summary(trace: dict[str, Any]) -> list[str]:
         lines.append(f"first contact: {outcome['first_contact']}")
     pocketed = outcome.get("pocketed") or []
     if pocketed:
-        lines.append("pocketed: " + ", ".join(f"{ball} ({pocket})" for ball, pocket in pocketed))
+        lines.append(f"pocketed: {_in_pockets(pocketed)}")
+    if off_table := outcome.get("off_table"):
+        lines.append(f"off the table: {', '.join(off_table)}")
+    if hanging := outcome.get("hanging"):
+        lines.append(f"hanging: {_in_pockets(hanging)}")
+    if jumped := outcome.get("jumped"):
+        lines.append("jumped: " + ", ".join(f"{ball} over {other}" for ball, other in jumped))
     if outcome.get("cue_obstructed"):
-        lines.append(f"the cue would pass through: {outcome['cue_obstructed']}")
+        lines.append(f"the cue would pass through: {outcome['cue_obstructed']}{_remedy(outcome)}")
     return lines
+
+
+def _in_pockets(pairs: list[tuple[str, str]]) -> str:
+    return ", ".join(f"{ball} ({pocket})" for ball, pocket in pairs)
+
+
+def _remedy(outcome: dict[str, Any]) -> str:
+    least = outcome.get("least_elevation_deg")
+    return "" if least is None else f"; at {math.ceil(10 * least) / 10:.1f}° it would not"
 
 
 def plain(trace: dict[str, Any]) -> str:

@@ -1,12 +1,20 @@
 //! What a referee needs to know of a shot, collected while it is simulated.
 
+mod collect;
+mod frozen;
+mod jump;
+
 use alloc::vec::Vec;
 
-use crate::event::{Event, Recorder};
+pub use collect::{Collector, OutcomeRecorder};
+
+use crate::math::degrees;
 use crate::shot::{Node, PlacedBall};
 use crate::table::{PocketName, Rail};
-use crate::trace::What;
-use crate::{BallState, MotionState, Table};
+
+/// What nobody sees, m: 0.1 mm, a sheet of paper. A frozen ball has not left its rail before it is so
+/// far from it, and a ball is not said to have jumped another that it would have passed by less.
+const SEEN: f64 = 1e-4;
 
 /// What the cue ball touched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -29,11 +37,23 @@ pub struct Outcome {
     pub first_contact: Option<u16>,
     /// Balls in the order in which they fell, with their pockets.
     pub pocketed: Vec<(u16, PocketName)>,
-    /// Every touch of a ball with a cushion after the first contact, in order; after the first
-    /// collision of any two balls where there is no cue ball.
+    /// Balls that left the table, in the order in which they did.
+    pub off_table: Vec<u16>,
+    /// Balls that hang over the edge of a pocket's hole when the shot is over: at rest on the bed, their
+    /// centre nearer to the edge than their radius.
+    pub hanging: Vec<(u16, PocketName)>,
+    /// Which ball flew over which: in the air, above it, and at least 0.1 mm closer in plan than where
+    /// they would touch on the cloth, without touching it from take-off to the end of the flight. In
+    /// the order of the flights' ends.
+    pub jumped: Vec<(u16, u16)>,
+    /// Every touch of a ball with a cushion (nose, point or facing) after the first contact, in order;
+    /// after the first collision of any two balls where there is no cue ball.
     pub rails_after_first_contact: Vec<(u16, Rail)>,
-    /// Balls driven to a rail at any time in the shot, in the order of their first touch; a ball
-    /// frozen to a rail counts only when it comes back to one.
+    /// Balls driven to a rail at any time in the shot, in the order in which they were (WPA, Rules of
+    /// Play, definition of "driven to a rail"): they touched a cushion (nose, point or facing) without
+    /// having touched that rail all the time. A ball frozen to a rail at the start, even if it is
+    /// pressed into it, is driven to that rail only when it has been 0.1 mm away and comes back. Balls
+    /// pocketed or off the table, which the rules count as well, are listed elsewhere.
     pub driven_to_rail: Vec<u16>,
     /// What the cue ball touched, in order.
     pub cue_ball_touched: Vec<Touched>,
@@ -43,6 +63,9 @@ pub struct Outcome {
     pub miscue: bool,
     /// The ball or rail that the cue would have passed through.
     pub cue_obstructed: Option<Touched>,
+    /// The least elevation (rad) at which the cue would pass through nothing; none without a strike, or
+    /// if even an upright cue would.
+    pub least_elevation: Option<f64>,
     /// Number of events.
     pub events: u32,
 }
@@ -82,13 +105,18 @@ impl Outcome {
                 after.push((ball.id.clone(), Node::List(rails)));
             }
         }
-        let pocketed =
-            self.pocketed.iter().map(|&(i, p)| Node::List([id(i), p.name().into()].into()));
+        let in_pockets = |list: &[(u16, PocketName)]| {
+            Node::list(list.iter().map(|&(i, p)| Node::List([id(i), p.name().into()].into())))
+        };
+        let jumped = self.jumped.iter().map(|&(i, j)| Node::List([id(i), id(j)].into()));
         Node::object([
             ("cue_ball", self.cue_ball.map(id).into()),
             ("first_contact", self.first_contact.map(id).into()),
-            ("pocketed", Node::list(pocketed)),
+            ("pocketed", in_pockets(&self.pocketed)),
             ("cue_ball_scratched", self.cue_ball_scratched().into()),
+            ("off_table", ids(&self.off_table)),
+            ("hanging", in_pockets(&self.hanging)),
+            ("jumped", Node::list(jumped)),
             (
                 "rails_before_first_contact",
                 Node::list(self.rails_before_first_contact().map(Rail::name)),
@@ -99,103 +127,8 @@ impl Outcome {
             ("never_resting", ids(&self.never_resting)),
             ("miscue", self.miscue.into()),
             ("cue_obstructed", self.cue_obstructed.as_ref().map(name).into()),
+            ("least_elevation_deg", self.least_elevation.map(degrees).into()),
             ("events", self.events.into()),
         ])
-    }
-}
-
-/// Collects an [`Outcome`] event by event.
-#[derive(Clone, Debug)]
-pub struct Collector {
-    outcome: Outcome,
-    contact: bool,
-}
-
-impl Collector {
-    /// For a shot with this cue ball.
-    pub fn new(cue_ball: Option<u16>) -> Self {
-        Self { outcome: Outcome { cue_ball, ..Outcome::default() }, contact: false }
-    }
-
-    /// Takes the next event.
-    pub fn add(&mut self, what: What, balls: &[u16]) {
-        self.outcome.events += 1;
-        match what {
-            What::BallCollision => self.balls_collide(balls),
-            What::RailCollision { rail, .. } => {
-                balls.iter().for_each(|&ball| self.ball_meets_rail(ball, rail));
-            }
-            What::PocketCollision(pocket) => {
-                self.outcome.pocketed.extend(balls.iter().map(|&ball| (ball, pocket)));
-            }
-            What::CueStrike
-            | What::SlateCollision
-            | What::OffTable
-            | What::MotionTransition { .. } => {}
-        }
-    }
-
-    /// The outcome, once `last` are the balls' final states.
-    pub fn finish(mut self, last: &[BallState]) -> Outcome {
-        let at_rest = |s: &BallState| s.motion == MotionState::Stationary || !s.motion.in_play();
-        let restless = (0u16..).zip(last).filter(|(_, s)| !at_rest(s)).map(|(i, _)| i);
-        self.outcome.never_resting.extend(restless);
-        self.outcome
-    }
-
-    fn balls_collide(&mut self, balls: &[u16]) {
-        let outcome = &mut self.outcome;
-        let Some(cue) = outcome.cue_ball else {
-            self.contact = true;
-            return;
-        };
-        if !balls.contains(&cue) {
-            return;
-        }
-        for &other in balls.iter().filter(|&&b| b != cue) {
-            outcome.first_contact = outcome.first_contact.or(Some(other));
-            outcome.cue_ball_touched.push(Touched::Ball(other));
-        }
-        self.contact = true;
-    }
-
-    fn ball_meets_rail(&mut self, ball: u16, rail: Rail) {
-        let outcome = &mut self.outcome;
-        if self.contact {
-            outcome.rails_after_first_contact.push((ball, rail));
-        }
-        if !outcome.driven_to_rail.contains(&ball) {
-            outcome.driven_to_rail.push(ball);
-        }
-        if outcome.cue_ball == Some(ball) {
-            outcome.cue_ball_touched.push(Touched::Rail(rail));
-        }
-    }
-}
-
-/// Listens to a shot and collects its [`Outcome`]; wants no states, so it suits batches.
-#[derive(Clone, Debug)]
-pub struct OutcomeRecorder<'a> {
-    table: &'a Table,
-    collector: Collector,
-}
-
-impl<'a> OutcomeRecorder<'a> {
-    /// For a shot on `table` with this cue ball.
-    pub fn new(table: &'a Table, cue_ball: Option<u16>) -> Self {
-        Self { table, collector: Collector::new(cue_ball) }
-    }
-
-    /// The outcome, once `last` are the balls' final states.
-    pub fn finish(self, last: &[BallState]) -> Outcome {
-        self.collector.finish(last)
-    }
-}
-
-impl Recorder for OutcomeRecorder<'_> {
-    const STATES: bool = false;
-
-    fn record(&mut self, event: &Event<'_>) {
-        self.collector.add(What::of(event.kind, self.table), event.balls);
     }
 }

@@ -230,29 +230,43 @@ impl Shot {
         Self::from_node(file)
     }
 
-    /// The ball or rail that the cue would pass through, nearest to its tip.
+    /// The ball or rail that the cue would pass through, nearest to its tip. A strike at less than 5°
+    /// is judged as if raised so far, should that be needed: players do.
     pub fn cue_obstruction(&self) -> Option<Touched> {
         let (ball, strike) = self.strike?;
-        self.obstruction_of(ball, &strike)
+        self.cue_on(ball, &strike).obstruction(strike.elevation)
     }
 
-    fn obstruction_of(&self, ball: usize, strike: &Strike) -> Option<Touched> {
-        obstruction::find(&self.table, &self.balls, ball, strike)
+    /// The least elevation (rad) at which the cue would pass through nothing, all else of the strike
+    /// the same; none without a strike, or if even an upright cue would.
+    pub fn least_elevation(&self) -> Option<f64> {
+        let (ball, strike) = self.strike?;
+        self.cue_on(ball, &strike).least_elevation()
+    }
+
+    fn cue_on(&self, ball: usize, strike: &Strike) -> obstruction::Scene {
+        obstruction::Scene::new(&self.table, &self.balls, ball, strike)
     }
 
     fn refuse_obstruction(&self, ball: usize, strike: &Strike) -> Result<(), Error> {
         if self.policy.obstruction == Policy::Report {
             return Ok(());
         }
-        let what = match self.obstruction_of(ball, strike) {
+        let cue = self.cue_on(ball, strike);
+        let what = match cue.obstruction(strike.elevation) {
             None => return Ok(()),
             Some(Touched::Ball(i)) => format!("ball \"{}\"", self.balls[usize::from(i)].id),
             Some(Touched::Rail(rail)) => format!("the {} rail", rail.name()),
         };
+        let raise = match cue.least_elevation().map(degrees) {
+            // Rounded up.
+            Some(least) => format!("raise the elevation to {:.2} degrees, ", least + 0.005),
+            None => String::new(),
+        };
         Err(Error::input(
             "strike.elevation_deg",
             format!("the cue would pass through {what}"),
-            "raise the elevation, turn the azimuth, or set strike.obstruction to \"report\"",
+            format!("{raise}turn the azimuth, or set strike.obstruction to \"report\""),
         ))
     }
 

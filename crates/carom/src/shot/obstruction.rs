@@ -1,14 +1,26 @@
-//! What the cue would pass through on its way to the ball.
+//! What the cue would pass through on its way to the ball, and how far it must be raised.
 //!
-//! The cue is a straight cone from the contact point backwards along its axis. A ball obstructs it
-//! that is nearer to the axis than the two radii; a rail, if its nose line crosses below the cue
-//! with less than the cue's radius to spare. Over a pocket's mouth there is no nose.
+//! The cue is a straight cone from the contact point backwards. Raising it turns it about the struck
+//! ball's centre, in the vertical plane through its axis, since the tip offset is measured
+//! perpendicular to the cue. Seen in that plane from that centre, an obstacle stands at the polar
+//! angle φ above the horizontal, at the distance ρ; with the cue at the elevation θ it is
+//! ρ·sin(φ − θ) above the line through the centre, the axis `height` ball radii. So each obstacle
+//! forbids an interval of elevations that has a closed form. The cue is taken to be as thick there as
+//! it is ρ from the ball's centre; that is right to 0.1 mm.
+//!
+//! * A ball is in the way that is nearer to the axis than the two radii.
+//! * The rails' tops are flat at the height of the nose. Over the edge where such a top begins, or
+//!   ends, the cue must be higher by its radius r in the plane; if the edge runs aslant, crossing the
+//!   plane's normal at an angle ψ, by r√(cos²θ + sin²θ/cos²ψ), since the cue's flank meets it first.
+//!   Over a pocket there is no top before the back of the hole.
+
+use alloc::vec::Vec;
 
 use super::PlacedBall;
-use crate::math::{Vec2, Vec3, sin_cos};
+use crate::math::{Vec2, asin, atan2, sin_cos, sqrt};
 use crate::outcome::Touched;
 use crate::resolve::cue_ball::Strike;
-use crate::table::{Part, Shape, TOUCH_TOLERANCE, Table};
+use crate::table::{Part, Rail, Shape, TOUCH_TOLERANCE, Table, arc_sides};
 
 /// Length of a cue, m: 58 in, the usual one-piece or jointed cue.
 const LENGTH: f64 = 1.47;
@@ -18,77 +30,241 @@ const TIP: f64 = 0.0065;
 const BUTT: f64 = 0.0145;
 
 /// Elevation that a player gives the cue anyway, rad (5°): a level cue would pass through the
-/// rail behind it at nearly every shot. Up to this, a strike is judged as if raised so far.
+/// rail behind it at nearly every shot. A strike below it may be raised so far.
 const STANCE: f64 = 0.087_266_462_599_716_48;
 
-/// The cue's axis, from the contact point backwards.
-struct Axis {
-    tip: Vec3,
-    /// Unit vector towards the butt.
-    back: Vec3,
+/// The least elevation is searched in steps of at least this, rad: under 2 µm at the butt. Steps
+/// repeat only over edges that the cue crosses aslant, and end after a few.
+const RESOLUTION: f64 = 1e-6;
+
+const UPRIGHT: f64 = core::f64::consts::FRAC_PI_2;
+
+/// Something beside or under the cue, in the cue's plane as seen from the struck ball's centre.
+#[derive(Clone, Copy, Debug)]
+struct Obstacle {
+    what: Touched,
+    /// Distance, m.
+    distance: f64,
+    /// Polar angle above the horizontal, rad.
+    polar: f64,
+    shape: Section,
 }
 
-impl Axis {
-    fn new(strike: &Strike, center: Vec3, radius: f64) -> Self {
-        let (sin_azimuth, cos_azimuth) = sin_cos(strike.azimuth);
-        let (sin, cos) = sin_cos(strike.elevation.max(STANCE));
-        let ahead = Vec3::new(cos * cos_azimuth, cos * sin_azimuth, -sin);
-        let right = Vec3::new(sin_azimuth, -cos_azimuth, 0.0);
-        let up = right.cross(ahead);
-        let (x, y) = (strike.side, strike.height);
-        let inward = crate::math::sqrt((1.0 - x * x - y * y).max(0.0));
-        let contact = right * x + up * y - ahead * inward;
-        Self { tip: center + contact * radius, back: -ahead }
+/// What the cue's axis must keep away from an obstacle.
+#[derive(Clone, Copy, Debug)]
+enum Section {
+    /// So far to either side, m.
+    Ball { apart: f64 },
+    /// So far above, m, if level; `slant` is 1/cos²ψ.
+    Edge { above: f64, slant: f64 },
+}
+
+impl Obstacle {
+    /// How much higher the axis must be than it is at `elevation`, m, to be above this: the room
+    /// wanted, and the height had, of the axis above the obstacle.
+    fn wanted_and_had(&self, height: f64, elevation: f64) -> (f64, f64) {
+        let (sin, _) = sin_cos(self.polar - elevation);
+        let wanted = match self.shape {
+            Section::Ball { apart } => apart,
+            Section::Edge { above, slant } => {
+                let (sin, cos) = sin_cos(elevation);
+                above * sqrt(cos * cos + sin * sin * slant)
+            }
+        };
+        (wanted, height - self.distance * sin)
     }
 
-    /// Radius of the cue `s` m behind its tip.
-    fn radius(s: f64) -> f64 {
-        TIP + (BUTT - TIP) * (s / LENGTH)
+    /// Whether a cue whose axis passes `height` (m) above the ball's centre goes through this.
+    fn blocks(&self, height: f64, elevation: f64) -> bool {
+        let (wanted, had) = self.wanted_and_had(height, elevation);
+        let behind = (self.polar - elevation).abs() < UPRIGHT;
+        let passes_below =
+            matches!(self.shape, Section::Ball { .. }) && had <= -wanted + TOUCH_TOLERANCE;
+        behind && had < wanted - TOUCH_TOLERANCE && !passes_below
     }
 
-    /// How far behind the tip the cue meets `ball`, m.
-    fn meets_ball(&self, ball: &PlacedBall) -> Option<f64> {
-        let to_ball = ball.state.position - self.tip;
-        let s = to_ball.dot(self.back).clamp(0.0, LENGTH);
-        let distance = (to_ball - self.back * s).length();
-        (distance < ball.ball.radius + Self::radius(s) - TOUCH_TOLERANCE).then_some(s)
+    /// No lesser elevation than this from `elevation` on, where it blocks, takes the cue above it;
+    /// none if no elevation does.
+    fn cleared_from(&self, height: f64, elevation: f64) -> Option<f64> {
+        let (wanted, _) = self.wanted_and_had(height, elevation);
+        let sin = (height - wanted) / self.distance;
+        (sin >= -1.0).then(|| self.polar - asin(sin))
+    }
+}
+
+/// The cue on its ball, and all that may be in its way.
+pub(super) struct Scene {
+    /// Height of the axis above the ball's centre, perpendicular to it, m.
+    height: f64,
+    /// How far behind the ball's centre the tip is, m.
+    tip: f64,
+    obstacles: Vec<Obstacle>,
+}
+
+impl Scene {
+    /// For `strike` on ball `ball`; its elevation does not matter.
+    pub(super) fn new(table: &Table, balls: &[PlacedBall], ball: usize, strike: &Strike) -> Self {
+        let radius = balls[ball].ball.radius;
+        let (side, height) = (strike.side * radius, strike.height * radius);
+        let tip = sqrt((radius * radius - side * side - height * height).max(0.0));
+        let mut scene = Self { height, tip, obstacles: Vec::new() };
+        let center = table.to_engine_frame(&balls[ball].state).position;
+        let (sin, cos) = sin_cos(strike.azimuth);
+        let (back, right) = (Vec2::new(-cos, -sin), Vec2::new(sin, -cos));
+        for (i, other) in (0u16..).zip(balls).filter(|(i, _)| usize::from(*i) != ball) {
+            let to = table.to_engine_frame(&other.state).position - center;
+            let aside = right.dot(to.xy()) - side;
+            scene.add(Touched::Ball(i), back.dot(to.xy()), to.z, |thickness| {
+                let apart = other.ball.radius + thickness;
+                let squared = apart * apart - aside * aside;
+                (squared > 0.0).then(|| Section::Ball { apart: sqrt(squared) })
+            });
+        }
+        let from = center.xy() + right * side;
+        for edge in edges(table, from, back) {
+            let slant = 1.0 / (edge.cos * edge.cos);
+            let rise = table.cushion_height - center.z;
+            scene.add(Touched::Rail(edge.rail), edge.distance, rise, |thickness| {
+                Some(Section::Edge { above: thickness, slant })
+            });
+        }
+        scene
     }
 
-    /// How far behind the tip the cue meets the nose from `start` to `end` (in the file's frame)
-    /// at `height`, m.
-    fn meets_nose(&self, start: Vec2, end: Vec2, height: f64) -> Option<f64> {
-        let (along, way) = (end - start, self.back.xy());
-        let across = way.cross(along);
-        if across == 0.0 {
+    /// Adds what stands `behind` the ball's centre and `above` it (m) if the cue reaches so far;
+    /// `section` is told how thick it is there.
+    fn add(
+        &mut self,
+        what: Touched,
+        behind: f64,
+        above: f64,
+        section: impl Fn(f64) -> Option<Section>,
+    ) {
+        let distance = sqrt(behind * behind + above * above);
+        let along = ((distance - self.tip) / LENGTH).max(0.0);
+        if along <= 1.0
+            && let Some(shape) = section(TIP + (BUTT - TIP) * along)
+        {
+            let polar = atan2(above, behind);
+            self.obstacles.push(Obstacle { what, distance, polar, shape });
+        }
+    }
+
+    /// The least elevation, rad, from `elevation` on at which the cue passes through nothing.
+    fn least_from(&self, mut elevation: f64) -> Option<f64> {
+        loop {
+            let blocking = self.obstacles.iter().filter(|o| o.blocks(self.height, elevation));
+            let mut cleared = elevation;
+            for obstacle in blocking {
+                let least = obstacle.cleared_from(self.height, elevation)?;
+                cleared = cleared.max(least).max(elevation + RESOLUTION);
+            }
+            if cleared == elevation {
+                return Some(elevation);
+            }
+            if cleared >= UPRIGHT {
+                return None;
+            }
+            elevation = cleared;
+        }
+    }
+
+    /// The least elevation, rad, at which the cue passes through nothing; none if there is none.
+    pub(super) fn least_elevation(&self) -> Option<f64> {
+        self.least_from(0.0)
+    }
+
+    /// The ball or rail nearest to the tip that a cue at `elevation` would pass through, even if it
+    /// is raised to [`STANCE`].
+    pub(super) fn obstruction(&self, elevation: f64) -> Option<Touched> {
+        let raised = elevation.max(STANCE);
+        if self.least_from(elevation).is_some_and(|least| least <= raised) {
             return None;
         }
-        let to_start = start - self.tip.xy();
-        let (s, part) = (to_start.cross(along) / across, to_start.cross(way) / across);
-        let crosses = (0.0..=LENGTH).contains(&s) && (0.0..=1.0).contains(&part);
-        let below = self.tip.z + self.back.z * s - Self::radius(s);
-        (crosses && below < height - TOUCH_TOLERANCE).then_some(s)
+        let blocking = self.obstacles.iter().filter(|o| o.blocks(self.height, raised));
+        blocking.min_by(|a, b| a.distance.total_cmp(&b.distance)).map(|o| o.what)
     }
 }
 
-/// The ball or rail nearest to the tip that the cue would pass through when it strikes `ball`.
-pub(super) fn find(
-    table: &Table,
-    balls: &[PlacedBall],
-    ball: usize,
-    strike: &Strike,
-) -> Option<Touched> {
-    let struck = &balls[ball];
-    let axis = Axis::new(strike, struck.state.position, struck.ball.radius);
-    let others = (0u16..).zip(balls).filter(|(i, _)| usize::from(*i) != ball);
-    let by_balls = others.filter_map(|(i, b)| Some((axis.meets_ball(b)?, Touched::Ball(i))));
-    let center = table.center();
-    let noses = table.cushions.iter().filter(|part| part.part == Part::Nose);
-    let by_rails = noses.filter_map(|nose| match nose.shape {
-        Shape::Segment { start, end, .. } => {
-            let s = axis.meets_nose(start + center, end + center, table.cushion_height)?;
-            Some((s, Touched::Rail(nose.rail)))
+/// Where a ray crosses an edge of the rails' tops.
+struct Crossing {
+    rail: Rail,
+    /// From the ray's start, m.
+    distance: f64,
+    /// Cosine of the angle between the ray and the edge's normal.
+    cos: f64,
+}
+
+/// The edges of the rails' tops that the ray from `from` along the unit vector `way` crosses, in the
+/// engine's frame.
+fn edges(table: &Table, from: Vec2, way: Vec2) -> Vec<Crossing> {
+    let mut found = Vec::new();
+    let Some(description) = &table.description else { return found };
+    let crossing = |rail, distance: f64, normal: Vec2| {
+        let cos = normal.dot(way).abs();
+        (distance > 0.0 && cos > 0.0).then_some(Crossing { rail, distance, cos })
+    };
+    for cushion in &table.cushions {
+        if let Shape::Segment { start, end, normal } = cushion.shape {
+            let (along, to_start) = (end - start, start - from);
+            let across = way.cross(along);
+            let part = to_start.cross(way) / across;
+            if (0.0..=1.0).contains(&part) {
+                found.extend(crossing(cushion.rail, to_start.cross(along) / across, normal));
+            }
+        } else if let Shape::Arc { center, radius, start, end } = cushion.shape {
+            let sides = arc_sides(start, end);
+            for (distance, normal) in circle(from, way, center, radius) {
+                if sides.iter().all(|side| side.dot(normal) >= 0.0) {
+                    found.extend(crossing(cushion.rail, distance, normal));
+                }
+            }
         }
-        Shape::Arc { .. } => None,
-    });
-    by_balls.chain(by_rails).min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, touched)| touched)
+    }
+    let border = table.size * 0.5 + Vec2::new(description.rail_width, description.rail_width);
+    let along_x = ((if way.x < 0.0 { -border.x } else { border.x }) - from.x) / way.x;
+    let along_y = ((if way.y < 0.0 { -border.y } else { border.y }) - from.y) / way.y;
+    let (distance, normal) = if along_x < along_y {
+        (along_x, Vec2::new(way.x.signum(), 0.0))
+    } else {
+        (along_y, Vec2::new(0.0, way.y.signum()))
+    };
+    let rail = rail_at(table, normal, from + way * distance);
+    found.extend(crossing(rail, distance, normal));
+    for pocket in &table.pockets {
+        for (distance, normal) in circle(from, way, pocket.center, pocket.radius) {
+            if pocket.axis.dot(normal) > 0.0 {
+                found.extend(crossing(rail, distance, normal));
+            }
+        }
+    }
+    found
+}
+
+/// Where the line from `from` along `way` crosses a circle: how far on, m, and the unit normal there.
+fn circle(from: Vec2, way: Vec2, center: Vec2, radius: f64) -> impl Iterator<Item = (f64, Vec2)> {
+    let to_center = center - from;
+    let (ahead, aside) = (way.dot(to_center), way.cross(to_center));
+    let squared = radius * radius - aside * aside;
+    let half_chord = sqrt(squared.max(0.0));
+    let distances =
+        if squared > 0.0 { [ahead - half_chord, ahead + half_chord] } else { [-1.0; 2] };
+    let normal = move |s: f64| (from + way * s - center) * (1.0 / radius);
+    distances.into_iter().filter(|s| *s > 0.0).map(move |s| (s, normal(s)))
+}
+
+/// The rail whose nose faces away from `outwards` and is nearest to `point`.
+fn rail_at(table: &Table, outwards: Vec2, point: Vec2) -> Rail {
+    let mut nearest = (f64::INFINITY, Rail::Bottom);
+    for cushion in table.cushions.iter().filter(|c| c.part == Part::Nose) {
+        if let Shape::Segment { start, end, normal } = cushion.shape
+            && normal.dot(outwards) < 0.0
+        {
+            let distance = ((start + end) * 0.5 - point).length();
+            if distance < nearest.0 {
+                nearest = (distance, cushion.rail);
+            }
+        }
+    }
+    nearest.1
 }

@@ -77,14 +77,9 @@ impl Trace {
         log: Log,
         last: Vec<BallState>,
     ) -> Self {
-        let cue_ball = shot.cue_ball().and_then(|i| u16::try_from(i).ok());
-        let mut collector = Collector::new(cue_ball);
-        for entry in &log.entries {
-            collector.add(entry.what, &log.balls[entry.start..entry.end]);
-        }
-        let mut outcome = collector.finish(&last);
-        outcome.miscue = shot.is_miscue();
-        outcome.cue_obstructed = shot.cue_obstruction();
+        let mut collector = Collector::new(&shot);
+        log.entries.iter().for_each(|entry| collector.add(&log.get(entry)));
+        let outcome = collector.finish(&last);
         Self { shot, engine, duration, log, last, outcome }
     }
 }

@@ -1,8 +1,9 @@
 //! The cue as a body: what it would pass through is reported, or refused on request.
 
 use carom::batch::simulate_strikes;
+use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
-use carom::{Shot, Trace};
+use carom::{Shot, Table, Trace};
 
 fn shot(strike: &str, others: &str) -> Result<Shot, carom::Error> {
     shot_from(1.27, strike, others)
@@ -37,11 +38,12 @@ fn a_cue_must_be_raised_over_the_rail_behind_a_near_ball() {
         let strike = format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#);
         obstruction_of(shot_from(0.06, &strike, ""))
     };
-    // 31 mm behind the contact the axis must be 7.7 mm + 6.7 mm higher: 25°, a little less for
-    // the contact that rises with it.
+    // The nose is 60 mm behind the ball's centre and 7.7 mm above it, and the axis, which turns about
+    // that centre, must be 6.7 mm above the nose: asin(6.7/60.5) + atan(7.7/60) = 13.7°.
     assert_eq!(near(0.0).as_deref(), Some("bottom"));
     assert_eq!(near(12.0).as_deref(), Some("bottom"));
-    assert_eq!(near(25.0), None);
+    assert_eq!(near(13.5).as_deref(), Some("bottom"));
+    assert_eq!(near(13.8), None);
 }
 
 #[test]
@@ -88,9 +90,18 @@ fn an_obstructed_cue_is_refused_on_request() {
         shot_from(0.06, r#""azimuth_deg": 90, "obstruction": "refuse""#, "").expect_err("refused");
     let sentence = e.to_string();
     assert!(sentence.starts_with("strike.elevation_deg: "), "{sentence}");
-    assert!(sentence.contains("the bottom rail") && sentence.contains("raise"), "{sentence}");
-    shot_from(0.06, r#""azimuth_deg": 90, "elevation_deg": 30, "obstruction": "refuse""#, "")
-        .unwrap_or_else(|e| panic!("{e}"));
+    assert!(sentence.contains("the bottom rail"), "{sentence}");
+    let least = sentence.split("raise the elevation to ").nth(1);
+    let least: f64 = least
+        .and_then(|rest| rest.split(' ').next()?.parse().ok())
+        .unwrap_or_else(|| panic!("`{sentence}` names no elevation"));
+    let at = |elevation: f64| {
+        let strike =
+            format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}, "obstruction": "refuse""#);
+        shot_from(0.06, &strike, "")
+    };
+    assert!(at(least).is_ok(), "{sentence}");
+    assert!(at(least - 0.02).is_err(), "{sentence}");
 }
 
 #[test]
@@ -105,4 +116,168 @@ fn a_shot_that_refuses_an_obstructed_cue_refuses_it_for_every_strike_of_a_batch(
     assert_eq!(errors.len(), 1, "{errors:?}");
     assert_eq!(errors[0].0, 1);
     assert!(errors[0].1.contains("pass through ball \"8\""), "{errors:?}");
+}
+
+fn least_elevation(shot: Result<Shot, carom::Error>) -> Option<f64> {
+    let trace: Trace = shot.and_then(|s| s.simulate()).unwrap_or_else(|e| panic!("{e}"));
+    let outcome =
+        trace.to_node().get("outcome").and_then(|o| o.get("least_elevation_deg")).cloned();
+    match outcome {
+        Some(carom::shot::Node::Number(degrees)) => Some(degrees),
+        Some(carom::shot::Node::Null) => None,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn the_least_elevation_is_reported_whatever_the_cues_own() {
+    for elevation in [0.0, 12.0, 60.0] {
+        let strike = format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#);
+        let least = least_elevation(shot_from(0.06, &strike, "")).expect("there is one");
+        assert!((13.6..13.8).contains(&least), "{least} at {elevation}");
+    }
+    let far = least_elevation(shot_from(1.27, r#""azimuth_deg": 90"#, "")).expect("there is one");
+    // (7.7 mm + 13 mm)/1.24 m.
+    assert!((0.8..1.1).contains(&far), "{far}");
+    let text = r#"{"format": "carom-shot/1", "table": {"cloth": "unbounded"},
+        "balls": [{"id": "cue", "position": [0, 0]}],
+        "strike": {"ball": "cue", "speed": 1, "azimuth_deg": 12}}"#;
+    assert_eq!(least_elevation(Shot::from_json(text)), Some(0.0));
+    let no_strike = text.split(",\n        \"strike\"").next().map(|head| format!("{head}}}"));
+    assert_eq!(least_elevation(Shot::from_json(&no_strike.expect("a strike"))), None);
+}
+
+/// A ball above and behind the cue ball, touching it, its centre 60° up.
+fn leaning_ball() -> String {
+    let (y, z) = (1.27 - RADIUS, RADIUS + 2.0 * RADIUS * 0.75_f64.sqrt());
+    format!(r#", {{"id": "8", "position": [0.635, {y:?}, {z:?}]}}"#)
+}
+
+#[test]
+fn a_level_cue_passes_under_a_ball_in_the_air_that_a_raised_one_meets() {
+    let at = |elevation: f64| {
+        shot(&format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#), &leaning_ball())
+    };
+    let least = least_elevation(at(0.0)).expect("there is one");
+    assert!((0.8..1.1).contains(&least), "the rail's: {least}");
+    assert_eq!(obstruction_of(at(0.0)), None);
+    assert_eq!(obstruction_of(at(30.0)).as_deref(), Some("8"));
+}
+
+#[test]
+fn between_a_ball_behind_and_one_above_there_may_be_no_way_at_all() {
+    let y = 1.27 - 2.0 * RADIUS;
+    let both = format!(r#"{}, {{"id": "7", "position": [0.635, {y:?}]}}"#, leaning_ball());
+    let strike = r#""azimuth_deg": 90, "elevation_deg": 20"#;
+    assert_eq!(least_elevation(shot(strike, &both)), None);
+    assert_eq!(obstructed(strike, &both).as_deref(), Some("7"));
+    let sentence = shot(r#""azimuth_deg": 90, "obstruction": "refuse""#, &both)
+        .expect_err("refused")
+        .to_string();
+    assert!(sentence.contains("ball \"7\"; turn the azimuth"), "{sentence}");
+}
+
+#[test]
+fn behind_a_pockets_mouth_the_rail_begins_at_the_back_of_the_hole() {
+    // The ball in a side pocket's mouth, the cue over the hole: 7.7 mm + about 6.8 mm over the back,
+    // which is a shelf's and a hole's width further than the nose.
+    let y = 1.27;
+    let least = |x: f64, y: f64| {
+        least_elevation(Shot::from_json(&format!(
+            r#"{{"format": "carom-shot/1", "table": "wpa-9ft",
+                "balls": [{{"id": "cue", "position": [{x}, {y}]}}],
+                "strike": {{"ball": "cue", "speed": 1, "azimuth_deg": 0}}}}"#
+        )))
+        .expect("there is one")
+    };
+    let table = Table::preset("wpa-9ft").expect("a preset");
+    let side = &table.pockets[2];
+    let back = -side.center.x - table.center().x + side.radius;
+    let expected = (7.7_f64 + 7.1).atan2(1e3 * (0.05 + back)).to_degrees();
+    assert!((least(0.05, y) - expected).abs() < 0.5, "{} {expected}", least(0.05, y));
+    assert!(least(0.05, y + 0.3) > 1.5 * expected, "over the nose: {}", least(0.05, y + 0.3));
+}
+
+const RADIUS: f64 = 0.028575;
+const NOSE: f64 = 0.635 * 2.0 * RADIUS;
+
+/// The cue as a row of spheres, as thick as a cone of 1.47 m, 13 mm and 29 mm; the room between it and
+/// balls and rails of a table without pockets, m.
+fn room(shot: &Shot, elevation: f64) -> f64 {
+    let (struck, strike) = shot.strike().expect("a strike");
+    let description = shot.table().description.as_ref().expect("rails");
+    let (sin_a, cos_a) = strike.azimuth.sin_cos();
+    let (sin, cos) = elevation.sin_cos();
+    let ahead = Vec3::new(cos * cos_a, cos * sin_a, -sin);
+    let right = Vec3::new(sin_a, -cos_a, 0.0);
+    let up = right.cross(ahead);
+    let (x, y) = (strike.side, strike.height);
+    let contact = right * x + up * y - ahead * (1.0 - x * x - y * y).sqrt();
+    let tip = shot.balls()[struck].state.position + contact * RADIUS;
+    let beyond = |x: f64, low: f64, high: f64| (low - x).max(x - high);
+    let mut room = f64::INFINITY;
+    for k in 0..=1470 {
+        let s = 1e-3 * f64::from(k);
+        let (p, radius) = (tip - ahead * s, 0.0065 + 0.008 * s / 1.47);
+        for (_, ball) in shot.balls().iter().enumerate().filter(|(i, _)| *i != struck) {
+            room = room.min((ball.state.position - p).length() - ball.ball.radius - radius);
+        }
+        // To the slab below NOSE, between playing area and border.
+        let (w, l, rail) = (description.width, description.length, description.rail_width);
+        let outside = beyond(p.x, -rail, w + rail).max(beyond(p.y, -rail, l + rail));
+        let inside = -beyond(p.x, 0.0, w).max(beyond(p.y, 0.0, l));
+        let above = p.z - NOSE;
+        let aside = inside.max(outside).max(0.0);
+        room = room.min(aside.hypot(above.max(0.0)) - radius);
+    }
+    room
+}
+
+#[test]
+fn the_least_elevation_is_that_of_a_cue_made_of_spheres() {
+    let mut seed = 0x1234_5678_u64;
+    let mut unit = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1u64 << 53) as f64
+    };
+    // By this the spheres and the engine's cue differ at most, m.
+    let same = 3e-4;
+    let (mut seen, mut steep) = (0, 0);
+    while seen < 300 {
+        let mut near = |from: f64, size: f64| from + (size - 2.0 * from) * unit();
+        let (x, y) = (near(0.03, 0.3), near(0.03, 0.35));
+        let others: Vec<[f64; 3]> =
+            (0..4).map(|_| [near(0.03, 0.3), near(0.03, 0.35), near(RADIUS, 0.15)]).collect();
+        let [azimuth, side, height] = [360.0 * unit(), unit() - 0.5, 0.6 * unit() - 0.3];
+        let list = others.iter().enumerate();
+        let list: String =
+            list.map(|(i, p)| format!(r#", {{"id": "{i}", "position": {p:?}}}"#)).collect();
+        let Ok(shot) = Shot::from_json(&format!(
+            r#"{{"format": "carom-shot/1", "table": {{"width": 0.3, "length": 0.35, "pockets": "none"}},
+                "balls": [{{"id": "cue", "position": [{x:?}, {y:?}]}}{list}],
+                "strike": {{"ball": "cue", "speed": 1, "azimuth_deg": {azimuth:?},
+                            "side": {side:?}, "height": {height:?}}}}}"#
+        )) else {
+            continue;
+        };
+        seen += 1;
+        let least = shot.least_elevation();
+        let end = least.unwrap_or(core::f64::consts::FRAC_PI_2);
+        if let Some(least) = least {
+            assert!(
+                room(&shot, least) > -same,
+                "{} at {least} in {}",
+                room(&shot, least),
+                shot.to_json()
+            );
+        }
+        steep += u32::from(end > 0.3);
+        let mut elevation = 0.0;
+        while elevation < end {
+            let room = room(&shot, elevation);
+            assert!(room < same, "{room} at {elevation} of {end} in {}", shot.to_json());
+            elevation += 0.02;
+        }
+    }
+    assert!(steep > 30, "{steep} of {seen}");
 }

@@ -1,20 +1,56 @@
-//! The outcome holds what a referee asks for, from nothing but the order of events.
+//! The outcome holds what a referee asks for: most of it from nothing but the order of events, the
+//! rest from where the balls were.
 
-use carom::outcome::{Collector, Outcome, Touched};
+use carom::math::Vec3;
+use carom::outcome::{Collector, Outcome, OutcomeRecorder, Touched};
+use carom::simulate::simulate;
 use carom::table::{Part, PocketName, Rail};
-use carom::trace::What;
-use carom::{BallState, MotionState};
+use carom::trace::{TraceEvent, What};
+use carom::{BallState, MotionState, Shot};
 
 const HIT: What = What::BallCollision;
+const RADIUS: f64 = 0.028575;
 
 const fn nose(rail: Rail) -> What {
     What::RailCollision { rail, part: Part::Nose }
 }
 
-fn collected(cue_ball: Option<u16>, events: &[(What, &[u16])]) -> Outcome {
-    let mut collector = Collector::new(cue_ball);
+/// Balls in a row down the middle of the table; the one with the given index is the cue ball.
+fn row(cue_ball: Option<usize>) -> Shot {
+    let balls: Vec<[f64; 2]> = (0..6).map(|i| [0.635, 0.4 + 0.2 * f64::from(i)]).collect();
+    placed("\"wpa-9ft\"", cue_ball, &balls)
+}
+
+fn placed(table: &str, cue_ball: Option<usize>, balls: &[[f64; 2]]) -> Shot {
+    let ball = |(i, position): (usize, &[f64; 2])| {
+        let id = if Some(i) == cue_ball { "cue".into() } else { format!("ball {i}") };
+        format!(r#"{{"id": "{id}", "position": {position:?}}}"#)
+    };
+    let balls: Vec<String> = balls.iter().enumerate().map(ball).collect();
+    shot(table, &balls.join(", "))
+}
+
+fn shot(table: &str, balls: &str) -> Shot {
+    Shot::from_json(&format!(
+        r#"{{"format": "carom-shot/1", "table": {table}, "balls": [{balls}]}}"#
+    ))
+    .unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// From events without motion.
+fn collected(cue_ball: Option<usize>, events: &[(What, &[u16])]) -> Outcome {
+    let shot = row(cue_ball);
+    let mut collector = Collector::new(&shot);
     for (what, balls) in events {
-        collector.add(*what, balls);
+        let states: Vec<BallState> =
+            balls.iter().map(|&i| shot.balls()[usize::from(i)].state).collect();
+        collector.add(&TraceEvent {
+            time: 0.0,
+            what: *what,
+            balls,
+            before: &states,
+            after: &states,
+        });
     }
     collector.finish(&[])
 }
@@ -63,6 +99,16 @@ fn rails_count_from_the_first_contact_on() {
 }
 
 #[test]
+fn the_top_of_a_rail_and_a_pockets_liner_are_no_cushions() {
+    let part = |part| What::RailCollision { rail: Rail::Top, part };
+    let (top, liner, point) = (part(Part::Top), part(Part::Liner), part(Part::Point));
+    let outcome = collected(Some(0), &[(HIT, &[0, 1]), (top, &[0]), (liner, &[1]), (point, &[2])]);
+    assert_eq!(outcome.driven_to_rail, [2]);
+    assert_eq!(outcome.rails_after_first_contact, [(2, Rail::Top)]);
+    assert_eq!(outcome.cue_ball_touched, [Touched::Ball(1)]);
+}
+
+#[test]
 fn without_a_cue_ball_rails_count_from_the_first_collision_of_any_balls() {
     let events: &[(What, &[u16])] =
         &[(nose(Rail::Top), &[0]), (HIT, &[0, 1]), (nose(Rail::Left), &[1])];
@@ -90,6 +136,12 @@ fn pocketed_balls_stand_in_the_order_of_their_fall_and_a_scratch_is_seen() {
 }
 
 #[test]
+fn balls_off_the_table_stand_in_the_order_in_which_they_left_it() {
+    let outcome = collected(Some(0), &[(What::OffTable, &[3]), (What::OffTable, &[1])]);
+    assert_eq!(outcome.off_table, [3, 1]);
+}
+
+#[test]
 fn only_balls_that_still_move_at_the_end_never_rest() {
     let with = |motion| BallState { motion, ..BallState::default() };
     let last = [
@@ -99,5 +151,175 @@ fn only_balls_that_still_move_at_the_end_never_rest() {
         with(MotionState::Spinning),
         with(MotionState::OffTable),
     ];
-    assert_eq!(Collector::new(None).finish(&last).never_resting, [1, 3]);
+    assert_eq!(Collector::new(&row(None)).finish(&last).never_resting, [1, 3]);
+}
+
+/// A ball frozen to the left rail of a plain table, or `gap` (m) from it, hit by a blow towards +x or
+/// −x at `speed` (m/s).
+fn frozen(gap: f64, speed: f64) -> Outcome {
+    let reach = carom::table::nose_reach(0.635 * 2.0 * RADIUS, RADIUS).expect("the nose meets it");
+    let ball = format!(
+        r#"{{"id": "a", "position": [{:?}, 0.5], "velocity": [{speed:?}, 0, 0]}}"#,
+        reach + gap
+    );
+    let shot = shot(r#"{"width": 1.0, "length": 1.0, "pockets": "none"}"#, &ball);
+    shot.simulate().unwrap_or_else(|e| panic!("{e}")).outcome().clone()
+}
+
+#[test]
+fn a_frozen_ball_that_is_pressed_into_its_rail_is_not_driven_to_it() {
+    let outcome = frozen(0.0, -0.4);
+    assert_eq!(outcome.events, frozen(1e-3, -0.4).events, "it does touch the rail");
+    assert!(outcome.driven_to_rail.is_empty(), "{outcome:?}");
+    // However far it then goes: 3 m/s take it to the other rail, which counts.
+    assert_eq!(frozen(0.0, -3.0).driven_to_rail, [0]);
+}
+
+#[test]
+fn a_ball_that_was_not_frozen_is_driven_to_the_rail_that_it_touches() {
+    assert_eq!(frozen(1e-3, -0.4).driven_to_rail, [0]);
+    assert_eq!(frozen(2e-9, -0.4).driven_to_rail, [0]);
+}
+
+#[test]
+fn a_frozen_ball_that_left_its_rail_is_driven_to_it_when_it_comes_back() {
+    let placed = frozen_row();
+    let rail = nose(Rail::Left);
+    // There and back, by 0.05 mm and by 9 cm, pulled by friction.
+    for (speed, driven) in [(0.014, false), (0.6, true)] {
+        let spin = Vec3::new(0.0, -20.0 * speed / RADIUS, 0.0);
+        let start = BallState {
+            velocity: Vec3::new(speed, 0.0, 0.0),
+            angular_velocity: spin,
+            motion: MotionState::Sliding,
+            ..placed.balls()[0].state
+        };
+        let still = placed.balls()[0].state;
+        let back =
+            2.0 * speed / (placed.physics().cloth.sliding_friction * placed.physics().gravity);
+        let mut collector = Collector::new(&placed);
+        collector.add(&event(0.0, HIT, &[0, 1], &[still, still], &[start, still]));
+        collector.add(&event(back, rail, &[0], &[still], &[still]));
+        let outcome = collector.finish(&[]);
+        assert_eq!(outcome.driven_to_rail == [0], driven, "{speed} m/s");
+        assert_eq!(outcome.rails_after_first_contact.len(), 1);
+    }
+}
+
+/// One ball frozen to the left rail, one elsewhere.
+fn frozen_row() -> Shot {
+    let reach = carom::table::nose_reach(0.635 * 2.0 * RADIUS, RADIUS).expect("the nose meets it");
+    placed(r#"{"width": 1.0, "length": 1.0, "pockets": "none"}"#, None, &[[reach, 0.5], [0.5, 0.5]])
+}
+
+fn event<'a>(
+    time: f64,
+    what: What,
+    balls: &'a [u16],
+    before: &'a [BallState],
+    after: &'a [BallState],
+) -> TraceEvent<'a> {
+    TraceEvent { time, what, balls, before, after }
+}
+
+/// Ball 0 flies over ball 1 with this much room sideways (m) in plan, up at 2 m/s and along at 1 m/s,
+/// from and to where the two events say.
+fn flight(aside: f64, first: (What, &[u16]), last: (What, &[u16])) -> Outcome {
+    let shot = placed("\"wpa-9ft\"", Some(0), &[[0.4, 0.5], [0.6, 0.5 + aside]]);
+    let up = 2.0;
+    let still: Vec<BallState> = shot.balls().iter().map(|b| b.state).collect();
+    let off =
+        BallState { velocity: Vec3::new(1.0, 0.0, up), motion: MotionState::Airborne, ..still[0] };
+    let down = 2.0 * up / shot.physics().gravity;
+    let landed = BallState {
+        position: off.position + Vec3::new(down, 0.0, 0.0),
+        velocity: Vec3::ZERO,
+        motion: MotionState::Stationary,
+        ..off
+    };
+    let after = |first: BallState| [first, still[1]];
+    let mut collector = Collector::new(&shot);
+    collector.add(&event(
+        0.0,
+        first.0,
+        first.1,
+        &still[..first.1.len()],
+        &after(off)[..first.1.len()],
+    ));
+    collector.add(&event(
+        down,
+        last.0,
+        last.1,
+        &after(landed)[..last.1.len()],
+        &after(landed)[..last.1.len()],
+    ));
+    collector.finish(&[])
+}
+
+#[test]
+fn a_ball_in_the_air_jumps_what_it_would_have_hit_on_the_cloth() {
+    let (strike, slate) = ((What::CueStrike, &[0u16][..]), (What::SlateCollision, &[0u16][..]));
+    for aside in [0.0, 0.03, 2.0 * RADIUS - 2e-4] {
+        assert_eq!(flight(aside, strike, slate).jumped, [(0, 1)], "{aside}");
+    }
+    assert_eq!(flight(2.0 * RADIUS - 0.5e-4, strike, slate).jumped, []);
+    assert_eq!(flight(0.2, strike, slate).jumped, []);
+}
+
+#[test]
+fn a_ball_that_touches_another_in_its_flight_has_not_jumped_it() {
+    let (strike, slate) = ((What::CueStrike, &[0u16][..]), (What::SlateCollision, &[0u16][..]));
+    let touch = (HIT, &[0u16, 1][..]);
+    assert_eq!(flight(0.03, touch, slate).jumped, [], "it takes off from it");
+    assert_eq!(flight(0.03, strike, touch).jumped, [], "it lands on it");
+}
+
+#[test]
+fn a_ball_on_the_cloth_jumps_nothing_and_one_that_is_above_it_does() {
+    // Two balls in flight, one above the other.
+    let ball = |id: &str, z: f64, speed: f64| {
+        format!(r#"{{"id": "{id}", "position": [0.5, 0.5, {z:?}], "velocity": [{speed:?}, 0, 0]}}"#)
+    };
+    let shot = shot(
+        r#"{"cloth": "unbounded"}"#,
+        &[ball("low", 0.2, 0.0), ball("high", 0.4, 1.0)].join(", "),
+    );
+    let mut collector = Collector::new(&shot);
+    for (i, height) in [(0, 0.2), (1, 0.4)] {
+        let time = (2.0 * (height - RADIUS) / shot.physics().gravity).sqrt();
+        let state = BallState { motion: MotionState::Stationary, ..shot.balls()[i].state };
+        let balls = [i as u16];
+        collector.add(&event(time, What::SlateCollision, &balls, &[state], &[state]));
+    }
+    assert_eq!(collector.finish(&[]).jumped, [(1, 0)]);
+}
+
+#[test]
+fn a_ball_at_rest_over_the_edge_of_a_hole_hangs() {
+    let table = carom::Table::preset("wpa-9ft").expect("a preset");
+    let corner = &table.pockets[0];
+    let at = |overhang: f64| {
+        let from_center = corner.radius + RADIUS - overhang;
+        let p = corner.center + table.center() - corner.axis * from_center;
+        let shot = placed("\"wpa-9ft\"", None, &[[p.x, p.y]]);
+        shot.simulate().unwrap_or_else(|e| panic!("{e}")).outcome().hanging.clone()
+    };
+    assert_eq!(at(1e-3), [(0, PocketName::BottomLeft)]);
+    assert_eq!(at(0.9 * RADIUS), [(0, PocketName::BottomLeft)]);
+    assert_eq!(at(-1e-3), []);
+}
+
+#[test]
+fn an_outcome_without_a_trace_is_that_of_the_trace() {
+    for name in ["nine_ball_break", "frozen_to_rail", "three_cushion"] {
+        let path = format!("{}/../../shots/{name}.json", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
+        let shot = Shot::from_json(&text).unwrap_or_else(|e| panic!("{e}"));
+        let trace = shot.simulate().unwrap_or_else(|e| panic!("{e}"));
+        let mut recorder = OutcomeRecorder::new(&shot);
+        simulate(&shot, &mut recorder).unwrap_or_else(|e| panic!("{e:?}"));
+        let last: Vec<BallState> =
+            trace.last().iter().map(|state| shot.table().to_engine_frame(state)).collect();
+        assert_eq!(&recorder.finish(&last), trace.outcome());
+    }
 }

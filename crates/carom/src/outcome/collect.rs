@@ -1,0 +1,196 @@
+//! Collecting an [`Outcome`] from the events of a shot.
+
+use alloc::vec::Vec;
+
+use super::frozen::Frozen;
+use super::jump::Jumps;
+use super::{Outcome, Touched};
+use crate::event::{Event, Recorder};
+use crate::math::Vec2;
+use crate::motion::Path;
+use crate::shot::Shot;
+use crate::table::{Capture, Part, PocketName, Rail, TOUCH_TOLERANCE};
+use crate::trace::{TraceEvent, What};
+use crate::{BallState, MotionState};
+
+/// A ball's path since its last event.
+#[derive(Clone, Debug)]
+pub(super) struct Track {
+    /// When it began, s.
+    pub(super) since: f64,
+    pub(super) path: Path,
+}
+
+/// Collects an [`Outcome`] event by event.
+#[derive(Clone, Debug)]
+pub struct Collector<'a> {
+    shot: &'a Shot,
+    outcome: Outcome,
+    contact: bool,
+    tracks: Vec<Track>,
+    frozen: Vec<Frozen>,
+    jumps: Jumps,
+}
+
+impl<'a> Collector<'a> {
+    /// For one simulation of `shot`.
+    pub fn new(shot: &'a Shot) -> Self {
+        let cue_ball = shot.cue_ball().and_then(|i| u16::try_from(i).ok());
+        let mut collector = Self {
+            shot,
+            outcome: Outcome { cue_ball, ..Outcome::default() },
+            contact: false,
+            tracks: Vec::with_capacity(shot.balls().len()),
+            frozen: Frozen::find(shot),
+            jumps: Jumps::default(),
+        };
+        for (i, placed) in (0u16..).zip(shot.balls()) {
+            let track = collector.track(i, 0.0, &placed.state);
+            collector.jumps.begin(i, track.path.motion, &[]);
+            collector.tracks.push(track);
+        }
+        collector
+    }
+
+    /// Takes the next event.
+    pub fn add(&mut self, event: &TraceEvent<'_>) {
+        self.outcome.events += 1;
+        for &ball in event.balls {
+            let track = &self.tracks[usize::from(ball)];
+            for frozen in self.frozen.iter_mut().filter(|f| f.ball == ball) {
+                frozen.follow(&track.path, (event.time - track.since).max(0.0));
+            }
+        }
+        self.jumps.end(event, &self.tracks, &mut self.outcome.jumped);
+        match event.what {
+            What::BallCollision => self.balls_collide(event.balls),
+            What::RailCollision { rail, part: Part::Nose | Part::Facing | Part::Point } => {
+                event.balls.iter().for_each(|&ball| self.ball_meets_rail(ball, rail));
+            }
+            What::PocketCollision(pocket) => {
+                self.outcome.pocketed.extend(event.balls.iter().map(|&ball| (ball, pocket)));
+            }
+            What::OffTable => self.outcome.off_table.extend(event.balls),
+            What::CueStrike
+            | What::SlateCollision
+            | What::RailCollision { part: Part::Top | Part::Liner, .. }
+            | What::MotionTransition { .. } => {}
+        }
+        for (&ball, after) in event.balls.iter().zip(event.after) {
+            self.tracks[usize::from(ball)] = self.track(ball, event.time, after);
+            self.jumps.begin(ball, after.motion, event.balls);
+        }
+    }
+
+    /// The outcome, once `last` are the balls' final states in the file's frame.
+    pub fn finish(mut self, last: &[BallState]) -> Outcome {
+        let at_rest = |s: &BallState| s.motion == MotionState::Stationary || !s.motion.in_play();
+        let restless = (0u16..).zip(last).filter(|(_, s)| !at_rest(s)).map(|(i, _)| i);
+        self.outcome.never_resting.extend(restless);
+        self.outcome.hanging = self.hanging(last);
+        self.outcome.miscue = self.shot.is_miscue();
+        self.outcome.cue_obstructed = self.shot.cue_obstruction();
+        self.outcome.least_elevation = self.shot.least_elevation();
+        self.outcome
+    }
+
+    fn track(&self, ball: u16, since: f64, state: &BallState) -> Track {
+        let ball = &self.shot.balls()[usize::from(ball)].ball;
+        let physics = self.shot.physics();
+        Track { since, path: Path::new(state, ball, &physics.cloth, physics.gravity) }
+    }
+
+    fn balls_collide(&mut self, balls: &[u16]) {
+        let outcome = &mut self.outcome;
+        let Some(cue) = outcome.cue_ball else {
+            self.contact = true;
+            return;
+        };
+        if !balls.contains(&cue) {
+            return;
+        }
+        for &other in balls.iter().filter(|&&b| b != cue) {
+            outcome.first_contact = outcome.first_contact.or(Some(other));
+            outcome.cue_ball_touched.push(Touched::Ball(other));
+        }
+        self.contact = true;
+    }
+
+    fn ball_meets_rail(&mut self, ball: u16, rail: Rail) {
+        let outcome = &mut self.outcome;
+        if self.contact {
+            outcome.rails_after_first_contact.push((ball, rail));
+        }
+        let still_frozen = self.frozen.iter().any(|f| f.holds(ball, rail));
+        if !still_frozen && !outcome.driven_to_rail.contains(&ball) {
+            outcome.driven_to_rail.push(ball);
+        }
+        if outcome.cue_ball == Some(ball) {
+            outcome.cue_ball_touched.push(Touched::Rail(rail));
+        }
+    }
+
+    fn hanging(&self, last: &[BallState]) -> Vec<(u16, PocketName)> {
+        let table = self.shot.table();
+        let center = table.center();
+        let mut hanging = Vec::new();
+        for ((i, state), placed) in (0u16..).zip(last).zip(self.shot.balls()) {
+            let radius = placed.ball.radius;
+            let on_bed = (state.position.z - radius).abs() <= TOUCH_TOLERANCE;
+            if state.motion != MotionState::Stationary || !on_bed {
+                continue;
+            }
+            let reaches = |hole: Vec2| (state.position.xy() - center - hole).length();
+            let holes = table.pockets.iter().filter(|p| p.capture == Capture::DropCircle);
+            hanging.extend(
+                holes
+                    .filter(|hole| reaches(hole.center) < hole.radius + radius)
+                    .map(|hole| (i, hole.name)),
+            );
+        }
+        hanging
+    }
+}
+
+/// Listens to a shot and collects its [`Outcome`].
+#[derive(Clone, Debug)]
+pub struct OutcomeRecorder<'a> {
+    collector: Collector<'a>,
+    before: Vec<BallState>,
+    after: Vec<BallState>,
+}
+
+impl<'a> OutcomeRecorder<'a> {
+    /// For one simulation of `shot`.
+    pub fn new(shot: &'a Shot) -> Self {
+        Self { collector: Collector::new(shot), before: Vec::new(), after: Vec::new() }
+    }
+
+    /// The outcome, once `last` are the balls' final states in the engine's frame.
+    pub fn finish(self, last: &[BallState]) -> Outcome {
+        let shot = self.collector.shot;
+        let last: Vec<_> = last.iter().enumerate().map(|(i, s)| shot.to_file_frame(i, s)).collect();
+        self.collector.finish(&last)
+    }
+}
+
+impl Recorder for OutcomeRecorder<'_> {
+    const STATES: bool = true;
+
+    fn record(&mut self, event: &Event<'_>) {
+        let Self { collector, before, after } = self;
+        let shot = collector.shot;
+        for (list, states) in [(&mut *before, event.before), (&mut *after, event.after)] {
+            list.clear();
+            let balls = event.balls.iter().map(|&i| usize::from(i));
+            list.extend(balls.zip(states).map(|(i, state)| shot.to_file_frame(i, state)));
+        }
+        collector.add(&TraceEvent {
+            time: event.time,
+            what: What::of(event.kind, shot.table()),
+            balls: event.balls,
+            before,
+            after,
+        });
+    }
+}

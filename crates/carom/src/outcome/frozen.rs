@@ -1,0 +1,78 @@
+//! Balls frozen to a rail when the shot starts, and when they have left it.
+
+use alloc::vec::Vec;
+
+use super::SEEN;
+use crate::math::Vec2;
+use crate::motion::Path;
+use crate::shot::Shot;
+use crate::table::{CushionPart, Rail, Shape, TOUCH_TOLERANCE, arc_sides};
+
+/// A ball that touches a cushion at the start.
+#[derive(Clone, Debug)]
+pub(super) struct Frozen {
+    pub(super) ball: u16,
+    rail: Rail,
+    /// Unit vector from the cushion to the ball.
+    away: Vec2,
+    /// How far the ball stood along it at the start, m.
+    start: f64,
+    left: bool,
+}
+
+impl Frozen {
+    /// The frozen balls of `shot`, once for each rail that they touch.
+    pub(super) fn find(shot: &Shot) -> Vec<Self> {
+        let table = shot.table();
+        let mut frozen = Vec::new();
+        for (ball, placed) in (0u16..).zip(shot.balls()) {
+            let position = table.to_engine_frame(&placed.state).position;
+            let above = position.z - table.cushion_height;
+            let radius = placed.ball.radius;
+            for cushion in &table.cushions {
+                let Some((away, distance)) = across(cushion, position.xy()) else { continue };
+                let gap = crate::math::sqrt(distance * distance + above * above) - radius;
+                if gap.abs() <= TOUCH_TOLERANCE {
+                    let start = away.dot(placed.state.position.xy());
+                    frozen.push(Self { ball, rail: cushion.rail, away, start, left: false });
+                }
+            }
+        }
+        frozen
+    }
+
+    /// Whether `ball` is still frozen to `rail`.
+    pub(super) fn holds(&self, ball: u16, rail: Rail) -> bool {
+        !self.left && self.ball == ball && self.rail == rail
+    }
+
+    /// Follows the ball for `duration` (s) along `path`.
+    pub(super) fn follow(&mut self, path: &Path, duration: f64) {
+        let speed = self.away.dot(path.velocity.xy());
+        let half_acceleration = self.away.dot(path.half_acceleration.xy());
+        let turning = if half_acceleration < 0.0 { -0.5 * speed / half_acceleration } else { 0.0 };
+        for t in [turning.clamp(0.0, duration), duration] {
+            let gap = self.away.dot(path.position_at(t).xy()) - self.start;
+            self.left |= gap > SEEN;
+        }
+    }
+}
+
+/// From the nearest point of `cushion` to `position`, if that is no end of it: unit vector and
+/// distance, m.
+fn across(cushion: &CushionPart, position: Vec2) -> Option<(Vec2, f64)> {
+    match cushion.shape {
+        Shape::Segment { start, end, normal } => {
+            let (along, from_start) = (end - start, position - start);
+            let s = along.dot(from_start);
+            let beside = s >= 0.0 && s <= along.length_squared();
+            beside.then(|| (normal, normal.dot(from_start)))
+        }
+        Shape::Arc { center, radius, start, end } => {
+            let p = position - center;
+            let beside = arc_sides(start, end).iter().all(|side| side.dot(p) >= 0.0);
+            let length = p.length();
+            (beside && length > 0.0).then(|| (p * (1.0 / length), length - radius))
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Which ball flew over which.
+
+use alloc::vec::Vec;
+
+use carom_roots::Motion;
+
+use super::SEEN;
+use super::collect::Track;
+use crate::MotionState;
+use crate::math::sqrt;
+use crate::trace::TraceEvent;
+
+/// Flights under way. A flight is a ball's path in the air from one of its events to the next.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Jumps {
+    /// Balls in the air.
+    aloft: Vec<u16>,
+    /// For each of them the balls from which it took off.
+    touched: Vec<(u16, u16)>,
+    /// And those above which it has been.
+    over: Vec<(u16, u16)>,
+}
+
+impl Jumps {
+    /// A path of `ball` begins, with an event of `balls`.
+    pub(super) fn begin(&mut self, ball: u16, motion: MotionState, balls: &[u16]) {
+        if motion == MotionState::Airborne {
+            self.aloft.push(ball);
+            self.touched.extend(balls.iter().filter(|&&b| b != ball).map(|&b| (ball, b)));
+        }
+    }
+
+    /// The paths of the balls of `event` end; `jumped` gets what that settles.
+    pub(super) fn end(
+        &mut self,
+        event: &TraceEvent<'_>,
+        tracks: &[Track],
+        jumped: &mut Vec<(u16, u16)>,
+    ) {
+        if self.aloft.is_empty() {
+            return;
+        }
+        for &flyer in &self.aloft {
+            let ends = event.balls.contains(&flyer);
+            for under in 0..tracks.len() as u16 {
+                if (ends || event.balls.contains(&under))
+                    && under != flyer
+                    && !self.over.contains(&(flyer, under))
+                    && passes_over(
+                        &tracks[usize::from(flyer)],
+                        &tracks[usize::from(under)],
+                        event.time,
+                    )
+                {
+                    self.over.push((flyer, under));
+                }
+            }
+        }
+        for &(flyer, under) in &self.over {
+            let pair = (flyer, under);
+            if event.balls.contains(&flyer)
+                && !event.balls.contains(&under)
+                && !self.touched.contains(&pair)
+                && !jumped.contains(&pair)
+            {
+                jumped.push(pair);
+            }
+        }
+        let stays = |ball: &u16| !event.balls.contains(ball);
+        self.aloft.retain(stays);
+        self.touched.retain(|(flyer, _)| stays(flyer));
+        self.over.retain(|(flyer, _)| stays(flyer));
+    }
+}
+
+/// Whether `flyer` is above `under`, in plan [`SEEN`] closer than they touch on the cloth, at any
+/// time from which both are on their paths to `until` (s).
+fn passes_over(flyer: &Track, under: &Track, until: f64) -> bool {
+    let from = flyer.since.max(under.since);
+    if !under.path.motion.in_play() || until <= from {
+        return false;
+    }
+    let touching = flyer.path.radius + under.path.radius;
+    let distance = touching - SEEN;
+    // They do not overlap in space, so this is how much higher the flyer must be.
+    let height = sqrt(touching * touching - distance * distance);
+    let lowest = [from, until].map(|t| under.path.position_at(t - under.since).z);
+    if flyer.apex() - lowest[0].min(lowest[1]) < height {
+        return false;
+    }
+    let separation = |t: f64| {
+        let [p, q] = [flyer, under].map(|track| track.path.position_at(t - track.since));
+        p - q
+    };
+    let [v, w] = [flyer, under].map(|track| track.path.velocity_at(from - track.since));
+    let h = flyer.path.half_acceleration - under.path.half_acceleration;
+    let d = separation(from);
+    let plan = Motion { d: [d.x, d.y], v: [v.x - w.x, v.y - w.y], h: [h.x, h.y] };
+    let entry = if d.xy().length() < distance {
+        Some(0.0)
+    } else {
+        carom_roots::first_contact(&plan, distance, until - from)
+    };
+    entry.is_some_and(|t| separation(from + t).z > 0.0)
+}
+
+impl Track {
+    /// How high the path of a ball in the air leads at most, m.
+    fn apex(&self) -> f64 {
+        let rise = self.path.velocity.z.max(0.0);
+        self.path.position.z - 0.25 * rise * rise / self.path.half_acceleration.z
+    }
+}
