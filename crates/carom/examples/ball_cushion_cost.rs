@@ -47,6 +47,6 @@ fn main() {
                 start.elapsed().as_secs_f64() / f64::from(passes) / balls.len() as f64
             })
             .fold(f64::INFINITY, f64::min);
-        println!("{model:?}: {:.0} ns", best * 1e9);
+        println!("{model:?}: {:.1} ns", best * 1e9);
     }
 }

@@ -203,3 +203,34 @@ pub struct Cue {
     /// Restitution or efficiency.
     pub tip: Tip,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Physics, Surface};
+    use crate::table::Part;
+
+    #[test]
+    fn every_part_of_a_cushion_acts_in_its_model_with_its_own_surface() {
+        let physics = Physics {
+            facing: Surface { restitution: 0.61, friction: 0.31 },
+            liner: Surface { restitution: 0.42, friction: 0.22 },
+            slate: Surface { restitution: 0.53, friction: 0.13 },
+            ..Physics::snooker()
+        };
+        assert_eq!(physics.cushion_of(Part::Nose), physics.cushion);
+        for (part, surface) in [
+            (Part::Facing, physics.facing),
+            (Part::Point, physics.facing),
+            (Part::Liner, physics.liner),
+            (Part::Top, physics.slate),
+        ] {
+            let law = physics.cushion_of(part);
+            assert_eq!(law.model, physics.cushion.model);
+            assert_eq!(law.frequency_ratio, physics.cushion.frequency_ratio);
+            for speed in [0.1, 3.0] {
+                assert_eq!(law.restitution.at(speed), surface.restitution);
+            }
+            assert_eq!((law.friction.a, law.friction.b), (surface.friction, 0.0));
+        }
+    }
+}

@@ -130,6 +130,7 @@ fn energy_never_rises_and_the_ball_never_goes_on_into_the_rail() {
             let approach = ball.velocity.dot(case.normal);
             assert!(approach <= TURNED * size, "{model:?} {i}: {approach} of {size}");
             if case.on_bed {
+                assert!(ball.velocity.z >= 0.0);
                 let approach = ball.velocity.xy().dot(into(&case));
                 assert!(approach <= TURNED * size, "{model:?} {i}: {approach} of {size}");
             }
@@ -190,7 +191,7 @@ fn mathavan_2010_keeps_the_ball_on_the_bed_and_off_it_is_a_rigid_impulse() {
 }
 
 #[test]
-fn a_rebound_from_the_bed_is_that_from_the_air_at_the_same_height() {
+fn a_rebound_from_the_bed_is_that_from_the_air_but_for_what_the_slate_holds() {
     /// Where no fit tells the two apart; rounding, as a share of the speeds.
     const ROUNDING: f64 = 1e-14;
     for model in [CushionModel::Han2005, CushionModel::Stronge] {
@@ -209,6 +210,7 @@ fn a_rebound_from_the_bed_is_that_from_the_air_at_the_same_height() {
             // What slate and nose hold as a wedge does.
             let on = air.velocity.xy().dot(into(&case)).max(0.0);
             air.velocity -= (into(&case) * on).with_z(0.0);
+            air.velocity.z = air.velocity.z.max(0.0);
             let size = case.ball.velocity.length()
                 + case.ball.radius * case.ball.angular_velocity.length();
             let off = (air.velocity - bed.velocity).length()
@@ -364,5 +366,22 @@ fn a_ball_that_lands_upon_the_edge_bounces_as_from_a_floor() {
         let ball = after(&case);
         assert!((ball.velocity - Vec3::new(0.0, 0.0, 0.6)).length() < 1e-15);
         assert_eq!(ball.angular_velocity, case.ball.angular_velocity);
+    }
+}
+
+#[test]
+fn a_nose_above_the_centre_presses_a_ball_down_and_friction_that_is_stronger_makes_it_hop() {
+    let mut case = case(CushionModel::Han2005, &mut Random(11));
+    case.law.restitution = CushionRestitution { a: 0.8, b: 0.0, c: 0.0 };
+    (case.normal, case.on_bed) = (Vec3::new(sqrt(1.0 - 0.2 * 0.2), 0.0, 0.2), true);
+    case.ball.velocity = Vec3::new(2.0, 0.0, 0.0);
+    // Top spin: the face runs down along the nose, which lifts it.
+    case.ball.angular_velocity = Vec3::new(0.0, 5.0 / case.ball.radius, 0.0);
+    for (friction, hops) in [(0.1, false), (0.4, true)] {
+        case.law.friction = CushionFriction { a: friction, b: 0.0 };
+        let ball = after(&case);
+        let slides = friction * sqrt(1.0 - 0.2 * 0.2) - 0.2;
+        let rise = slides.max(0.0) * 1.8 * 2.0 * sqrt(1.0 - 0.2 * 0.2);
+        assert!((ball.velocity.z - rise).abs() < 1e-14 && hops == (ball.velocity.z > 0.0));
     }
 }

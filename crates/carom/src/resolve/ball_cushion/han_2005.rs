@@ -3,8 +3,7 @@
 //! One rigid impulse at the nose: restitution along the contact's normal, and Coulomb friction
 //! that stops the slip if it can. Two errata of the print are corrected: the impulse that stops
 //! the slip is compared with μ times the normal impulse (the paper leaves μ out), and sine and
-//! cosine in its eq. 21 stand where the geometry has them. The paper's ball stays on the table;
-//! here the whole impulse acts, and the slate's answer follows as its own impact.
+//! cosine in its eq. 21 stand where the geometry has them.
 
 use super::{Change, Impact};
 use crate::math::{Vec3, sqrt};
