@@ -288,11 +288,15 @@ fn on_concave_from_touch(tube: &Tube<'_>, here: &Sample, there: &Sample) -> Outc
     if there.g >= 0.0 {
         return Outcome::Passed;
     }
-    let turn = turning_point(tube, here, there);
-    if turn.f <= 0.0 {
-        return Outcome::At(turn.t);
+    // Where f′ would vanish if it changed evenly; if f is open there it has been since it opened.
+    let mut top = tube.sample(here.t + (there.t - here.t) * (here.g / (here.g - there.g)));
+    if top.f <= 0.0 {
+        top = turning_point(tube, here, there);
+        if top.f <= 0.0 {
+            return Outcome::At(top.t);
+        }
     }
-    if there.f > 0.0 { Outcome::Passed } else { Outcome::At(only_descent(tube, &turn, there)) }
+    if there.f > 0.0 { Outcome::Passed } else { Outcome::At(only_descent(tube, &top, there)) }
 }
 
 /// The only time between `open` (f > 0) and `closed` (f ≤ 0) at which f falls to zero.
