@@ -299,19 +299,28 @@ fn on_concave_from_touch(tube: &Tube<'_>, here: &Sample, there: &Sample) -> Outc
     if there.f > 0.0 { Outcome::Passed } else { Outcome::At(only_descent(tube, &top, there)) }
 }
 
-/// The only time between `open` (f > 0) and `closed` (f ≤ 0) at which f falls to zero.
+/// The only time between `open` (f > 0) and `closed` (f ≤ 0) at which f falls to zero: Newton from the
+/// root of the parabola through both, kept between the signs.
 fn only_descent(tube: &Tube<'_>, open: &Sample, closed: &Sample) -> f64 {
     let (mut low, mut high) = (open.t, closed.t);
-    let mut here = *closed;
     let mut last_step = high - low;
+    let bend = (closed.f - open.f - 2.0 * (open.g * last_step)) / (last_step * last_step);
+    let mut here = match first_crossing(open.f, 2.0 * open.g, bend, last_step) {
+        Some(step) => tube.sample(low + step),
+        None => *closed,
+    };
     for _ in 0..MAX_STEPS {
-        let step = -0.5 * here.f / here.g;
-        let mut t = here.t + step;
+        if here.f > 0.0 {
+            low = here.t
+        } else {
+            high = here.t
+        }
+        let mut t = here.t - 0.5 * here.f / here.g;
+        if t == here.t {
+            break;
+        }
         // A step that does not halve the last may not be going anywhere.
-        if !(t > low && t < high && step.abs() <= 0.5 * last_step) {
-            if t == here.t {
-                break;
-            }
+        if !(t > low && t < high && (t - here.t).abs() <= 0.5 * last_step) {
             t = 0.5 * (low + high);
             if t <= low || t >= high {
                 here = tube.sample(high);
@@ -320,7 +329,6 @@ fn only_descent(tube: &Tube<'_>, open: &Sample, closed: &Sample) -> f64 {
         }
         last_step = (t - here.t).abs();
         here = tube.sample(t);
-        if here.f > 0.0 { low = t } else { high = t }
     }
     // Roundings may close a gap that is still opening: what parts has not met.
     if here.g > 0.0 { turning_point(tube, &here, closed).t } else { here.t }
