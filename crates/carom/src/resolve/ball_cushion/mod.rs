@@ -8,10 +8,10 @@
 //!
 //! # On the bed and off it
 //!
-//! The slate takes part in the impact of a ball on the bed. A nose of rubber pushes for some ten
-//! times as long as a slate takes to throw a ball back, so what presses the ball down is held in
-//! equilibrium and does not come back as a hop: balls were filmed to stay on the table up to
-//! 2.5 m/s across the rail (Mathavan et al. 2010). `mathavan-2010` contains that together with
+//! The slate takes part in the impact of a ball on the bed. Rubber gives way slowly, and a slate
+//! does not: it holds what the nose presses down for as long as the nose presses, and throws
+//! nothing back. (If it did, with restitution ½, a stunned pool ball would leave every rail at a
+//! fifth of its speed upwards, 8 mm high at 2 m/s.) `mathavan-2010` contains that together with
 //! the friction at the cloth, and leaves v_z at 0. `restitution` is made for the bed: the horizontal
 //! normal speed times −e, nothing else. In `han-2005` and `stronge` the slate takes the downward
 //! part of the nose's impulse, without friction, as their authors have it. An upward part, where
