@@ -22,7 +22,7 @@
 //!
 //! **Off the cloth**, and where unequal balls meet aslant, the paper says nothing. Without the
 //! cloth's part its equations keep the line of the slip and have a closed form, which is
-//! [`frictional`](super::frictional)'s.
+//! [`frictional`]'s.
 
 use super::contact::{Contact, TANGENT_COMPLIANCE};
 use super::frictional;
