@@ -8,9 +8,11 @@ import pickle
 from pathlib import Path
 from typing import Any
 
+import carom
 import numpy as np
 import pytest
 from carom import InputError, Shot, Trace
+from carom.event_table import plain
 
 ROOT = Path(__file__).parents[2]
 
@@ -188,3 +190,52 @@ def test_positions_stay_finite_after_pocketing() -> None:
 def test_the_outcome_names_the_first_contact(nine_ball_trace: Trace) -> None:
     first = next(e for e in nine_ball_trace.events if e["type"] == "ball-collision")
     assert nine_ball_trace.outcome["first_contact"] in first["balls"]
+
+
+def _simulated(balls: list[dict[str, Any]], **more: Any) -> Trace:
+    file = {"format": "carom-shot/1", "table": "wpa-9ft", "balls": balls, **more}
+    return Shot.from_dict(file).simulate()
+
+
+def test_the_outcome_says_how_far_the_cue_must_be_raised() -> None:
+    cue = {"id": "cue", "position": [0.635, 0.06]}
+    strike = {"ball": "cue", "speed": 1.0, "azimuth_deg": 90.0}
+    level = _simulated([cue], strike=strike)
+    assert level.outcome.cue_obstructed == "bottom"
+    least = level.outcome.least_elevation_deg
+    raised = _simulated([cue], strike={**strike, "elevation_deg": least})
+    assert raised.outcome.cue_obstructed is None
+    assert raised.outcome.least_elevation_deg == least
+    assert "would pass through: bottom; at 13.7° it would not" in str(level)
+    with pytest.raises(InputError, match=r"the bottom rail; raise the elevation to 13\.67 degrees"):
+        _simulated([cue], strike={**strike, "obstruction": "refuse"})
+
+
+def test_the_outcome_names_a_ball_that_hangs_over_a_pocket() -> None:
+    # Its centre 1 cm short of the hole of the bottom left pocket.
+    corner = next(t for t in carom.tables() if t["name"] == "wpa-9ft")["pockets"][0]
+    x = corner["center"][0] + (corner["radius"] + 0.01) / math.sqrt(2.0)
+    trace = _simulated([{"id": "8", "position": [x, x]}])
+    assert trace.outcome.hanging == [["8", "bottom-left"]]
+    assert "hanging: 8 (bottom-left)" in str(trace)
+
+
+def test_the_table_of_events_ends_with_what_left_and_jumped() -> None:
+    still = {"position": [0.5, 0.5, 0.028575], "velocity": [0.0, 0.0, 0.0]}
+    trace = {
+        "events": [
+            {
+                "time": 1.0,
+                "type": "off-table",
+                "balls": ["cue"],
+                "before": [still],
+                "after": [still],
+            }
+        ],
+        "duration": 1.0,
+        "hash": "0",
+        "outcome": {"off_table": ["cue"], "jumped": [["cue", "1"]], "hanging": []},
+    }
+    lines = plain(trace).splitlines()
+    assert lines[1].split() == ["1", "1.0000", "off-table", "cue", "0.500,", "0.500", "0.00"]
+    assert lines[-2:] == ["off the table: cue", "jumped: cue over 1"]
