@@ -5,8 +5,8 @@
 //!
 //! * x = Σ Bᵢ pᵢ with the Bézier points pᵢ of the path, so ρ ≤ Σ Bᵢ |pᵢ|, a quadratic;
 //! * along any unit vector n, ρ ≥ n·x ≥ min n·pᵢ;
-//! * ρ″ = L²/ρ³ + (x, y)·(ẍ, ÿ)/ρ with L = xẏ − yẋ, itself quadratic; so ρ″ ≥ −A, A = |(ẍ, ÿ)|, and ρ′
-//!   falls by no more than Aw, also across the axis, where it jumps up.
+//! * ρ″ = L²/ρ³ + (x, y)·(ẍ, ÿ)/ρ, L = xẏ − yẋ and (x, y)·(ẍ, ÿ) being quadratics, too;
+//! * so ρ″ ≥ −A, A = |(ẍ, ÿ)|, and ρ′ falls by no more than Aw, also across the axis, where it jumps up.
 
 use super::{Sample, Tube};
 use crate::motion::{Motion, dot};
@@ -105,20 +105,41 @@ impl<'a> Span<'a> {
         let Span { tube, here, there, width: w, g, middle } = self;
         let Tube { ring, motion: Motion { h, .. }, .. } = **tube;
         let curves = [g[1], g[1] + w * g[2], g[1] + w * (2.0 * g[2] + w * (3.0 * g[3]))];
-        let pull = 2.0 * sqrt(h[0] * h[0] + h[1] * h[1]);
         let start = cross(&here.x, &here.velocity);
         let spins = [start, start + w * cross(&here.x, h), cross(&there.x, &there.velocity)];
         let (slow, fast) = magnitudes(&spins);
-        let closest = least_radius(here, there, middle);
-        if closest > 0.0 && least(&curves) >= ring * (centrifugal(fast, closest) + pull) {
+        let bend = sqrt(middle[0] * middle[0] + middle[1] * middle[1]);
+        let closest = least_radius(here, there, middle).max(0.0);
+        let farthest = greatest(&[here.radius, bend, there.radius]);
+        let (least_pull, greatest_pull) = self.pull(closest, farthest);
+        if closest > 0.0 && least(&curves) >= ring * (centrifugal(fast, closest) + greatest_pull) {
             return Shape::Convex;
         }
-        let bend = sqrt(middle[0] * middle[0] + middle[1] * middle[1]);
-        let farthest = greatest(&[here.radius, bend, there.radius]);
-        if greatest(&curves) <= ring * (centrifugal(slow, farthest) - pull) {
+        if greatest(&curves) <= ring * (centrifugal(slow, farthest) + least_pull) {
             return Shape::Concave;
         }
         Shape::Unknown
+    }
+
+    /// Bounds of (x, y)·(ẍ, ÿ)/ρ, with those of ρ.
+    #[inline(always)]
+    fn pull(&self, closest: f64, farthest: f64) -> (f64, f64) {
+        let Span { tube, here, there, middle, .. } = self;
+        let h = &tube.motion.h;
+        if h[0] == 0.0 && h[1] == 0.0 {
+            return (0.0, 0.0);
+        }
+        let most = 2.0 * sqrt(h[0] * h[0] + h[1] * h[1]);
+        let along = |x: f64, y: f64| 2.0 * (x * h[0] + y * h[1]);
+        let parts = [
+            along(here.x[0], here.x[1]),
+            along(middle[0], middle[1]),
+            along(there.x[0], there.x[1]),
+        ];
+        let (low, high) = (least(&parts), greatest(&parts));
+        let low = if low > 0.0 { low / farthest } else { (low / closest).max(-most) };
+        let high = if high < 0.0 { high / farthest } else { (high / closest).min(most) };
+        (low, high)
     }
 }
 
