@@ -113,7 +113,7 @@ pub(crate) fn table(
     if inside(0.5 * table.size.x, curve.p.x) && inside(0.5 * table.size.y, curve.p.y) {
         return;
     }
-    for (k, part) in table.cushions.iter().enumerate() {
+    for (k, part) in table.parts_on_cloth().iter().enumerate() {
         let intrusion = match part.shape {
             Shape::Segment { start, end, normal } => {
                 let above = (curve.p - start).dot(normal);
@@ -133,6 +133,7 @@ pub(crate) fn table(
                 };
                 around(curve, center, distance, length, tolerance, &inside)
             }
+            Shape::Hollow { .. } | Shape::Plane { .. } => continue,
         };
         found(intrusion, Feature::Cushion(k));
     }

@@ -4,10 +4,10 @@ use carom::Table;
 use carom::math::Vec2;
 use carom::shot::Node;
 use carom::table::{
-    Capture, CushionPart, Dimension, Pocket, Shape, Source, Spot, TableDescription,
+    Capture, CushionPart, Dimension, Part, Pocket, Shape, Source, Spot, TableDescription,
 };
 
-/// Dimensions, cushions, pockets and markings, m; origin at the bottom left corner.
+/// Dimensions, cushions, liners, pockets and markings, m; origin at the bottom left corner.
 pub(crate) fn geometry(table: &Table) -> Node {
     let point = |p: Vec2| {
         let p = p + table.center();
@@ -18,11 +18,16 @@ pub(crate) fn geometry(table: &Table) -> Node {
     } else {
         Node::Null
     };
+    let parts = |which: &dyn Fn(Part) -> bool| {
+        let those = table.cushions.iter().filter(|c| which(c.part));
+        Node::list(those.map(|c| cushion(c, point)))
+    };
     let mut node = Node::object([
         ("name", table.name.as_ref().into()),
         ("size", size),
         ("cushion_height", table.cushion_height.into()),
-        ("cushions", Node::list(table.cushions.iter().map(|c| cushion(c, point)))),
+        ("cushions", parts(&|part| !matches!(part, Part::Liner | Part::Top))),
+        ("liners", parts(&|part| part == Part::Liner)),
         ("pockets", Node::list(table.pockets.iter().map(|p| pocket(p, point)))),
     ]);
     if let Some(description) = &table.description {
@@ -48,12 +53,14 @@ fn cushion(part: &CushionPart, point: impl Fn(Vec2) -> Node) -> Node {
             node.set("start", point(start));
             node.set("end", point(end));
         }
-        Shape::Arc { center, radius, start, end } => {
+        Shape::Arc { center, radius, start, end }
+        | Shape::Hollow { center, radius, start, end } => {
             node.set("start", point(center + start * radius));
             node.set("end", point(center + end * radius));
             node.set("center", point(center));
             node.set("radius", radius);
         }
+        Shape::Plane { .. } => {}
     }
     node
 }

@@ -32,6 +32,8 @@ pub fn first_touch(shape: &Shape, reach: f64, path: &Motion<2>, horizon: f64) ->
             let arc = Round { center, start, end, distance: radius + reach };
             arc.first_touch(path, horizon)
         }
+        // Behind the hole, or above the ball.
+        Shape::Hollow { .. } | Shape::Plane { .. } => None,
     }
 }
 

@@ -210,6 +210,7 @@ impl Window {
         match *shape {
             Shape::Segment { start, normal, .. } => self.least(normal) - normal.dot(start) > reach,
             Shape::Arc { center, radius, .. } => self.is_clear_of_disc(center, radius + reach),
+            Shape::Hollow { .. } | Shape::Plane { .. } => true,
         }
     }
 
@@ -238,7 +239,7 @@ fn among_all(
 ) -> Option<(f64, TableFeature)> {
     let mut first: Option<(f64, TableFeature)> = None;
     let mut window = Window::new(path, 0.0, horizon);
-    for (i, cushion) in table.cushions.iter().enumerate() {
+    for (i, cushion) in table.parts_on_cloth().iter().enumerate() {
         if window.is_clear_of(&cushion.shape, reach) {
             continue;
         }

@@ -74,5 +74,6 @@ fn across(cushion: &CushionPart, position: Vec2) -> Option<(Vec2, f64)> {
             let length = p.length();
             (beside && length > 0.0).then(|| (p * (1.0 / length), length - radius))
         }
+        Shape::Hollow { .. } | Shape::Plane { .. } => None,
     }
 }

@@ -3,7 +3,7 @@
 use alloc::format;
 
 use super::geometry::Place;
-use super::{Pocket, PocketDescription, TableDescription, TableError};
+use super::{Capture, Pocket, PocketDescription, TableDescription, TableError};
 use crate::math::Vec2;
 
 impl Place {
@@ -107,6 +107,33 @@ pub(super) fn jaw(
     Ok(())
 }
 
+/// Behind the deep ends: whether the hole is as wide as the facings are apart, whether its back lies
+/// behind the deep ends, and whether the facings' lines reach that back before they meet.
+pub(super) fn liner(place: Place, wide: bool, deep: bool, open: bool) -> Result<(), TableError> {
+    let (field, problem) = if !wide {
+        (
+            "hole_radius",
+            "leaves slate between the hole and the facings' lines, where nothing closes the pocket: make \
+             it larger, or mouth or throat smaller",
+        )
+    } else if !deep {
+        (
+            "hole_radius",
+            "ends the hole in front of the facings' deep ends: make it or shelf larger, or cushion_width \
+             smaller",
+        )
+    } else if !open {
+        (
+            "cut_angle_deg",
+            "lets the facings' lines meet before the back of the hole: make it smaller, or mouth or \
+             throat larger",
+        )
+    } else {
+        return Ok(());
+    };
+    Err(TableError::new(format!("{}.{field}", place.key()), problem))
+}
+
 /// What is left of the noses between the points.
 pub(super) fn noses(nose_x: f64, nose_y: [f64; 2]) -> Result<(), TableError> {
     let remedy = "make mouth or point_radius smaller, or the table larger";
@@ -140,6 +167,24 @@ pub(super) fn holes(pockets: &[Pocket]) -> Result<(), TableError> {
                 let key = if of_side { "side_pocket" } else { "corner_pocket" };
                 return Err(TableError::new(format!("{key}.hole_radius"), problem));
             }
+        }
+    }
+    Ok(())
+}
+
+/// Holes within the rails.
+pub(super) fn rails(border: Vec2, half: Vec2, pockets: &[Pocket]) -> Result<(), TableError> {
+    let drops = |p: &&Pocket| matches!(p.capture, Capture::DropCircle);
+    for pocket in pockets.iter().filter(drops) {
+        let x = pocket.center.x.abs() + pocket.radius;
+        let y = pocket.center.y.abs() + pocket.radius;
+        if x >= border.x || y >= border.y {
+            let problem = format!(
+                "is too narrow for the hole {}: make it more than {}, or the hole smaller",
+                pocket.name.name(),
+                (x - half.x).max(y - half.y)
+            );
+            return Err(TableError::new("rail_width", problem));
         }
     }
     Ok(())

@@ -22,7 +22,8 @@ pub struct TableDescription {
     pub cushion_height: f64,
     /// Width of the rubber: from the nose line to where the facings end, m. Greater than 0.
     pub cushion_width: f64,
-    /// Width of the rail, cushion included, m: drawn only. At least `cushion_width`.
+    /// Width of the rail, cushion included, m: a ball whose centre is further out is off the table. At
+    /// least `cushion_width`, and wide enough to hold the holes.
     pub rail_width: f64,
     /// Whether there are pockets.
     pub pockets: PocketLayout,
@@ -53,8 +54,7 @@ pub enum PocketLayout {
 /// What captures a ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PocketModel {
-    /// The ball's centre comes over the hole in the slate, or passes between the deep ends of the
-    /// facings.
+    /// Over the hole in the slate a ball falls, and is captured once it cannot come back.
     #[default]
     DropCircle,
     /// The ball's centre crosses the line from tip to tip away from the table's centre (Leckie &

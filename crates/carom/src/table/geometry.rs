@@ -16,10 +16,12 @@
 //!
 //! With tip T, point radius r and turn φ, the point's centre is r behind the nose line and
 //! r·tan(φ/2) further along than T; it is tangent to the nose there, and to the facing as far down it.
+//! What lies behind the deep ends is [`super::opening`]'s.
 
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
 
+use super::opening::{Back, Liner, Openings, liner};
 use super::{
     Capture, CushionPart, Part, Pocket, PocketDescription, PocketLayout, PocketModel, PocketName,
     Rail, Shape, Table, TableDescription, TableError, check,
@@ -49,6 +51,14 @@ pub(crate) struct Layout {
     /// For balls of at least this reach, m, nothing but noses is met inside the rectangle that is
     /// `reach` smaller than the playing area on every side.
     pub(crate) clear_reach: f64,
+    /// Half the table up to the outer edge of its rails, m.
+    pub(crate) border: Vec2,
+    /// How many parts, from the first on, a ball on the cloth can meet.
+    pub(crate) on_cloth: usize,
+    /// Indices of the rails' tops, in the order of `noses`.
+    pub(crate) tops: [u16; 6],
+    /// The openings of the pockets; none where there are none.
+    pub(crate) openings: Option<Openings>,
 }
 
 /// A pocket's features, for detection.
@@ -58,9 +68,13 @@ pub(crate) struct Mouth {
     pub(crate) parts: Vec<u16>,
     /// The line that captures.
     pub(crate) gate: Gate,
+    /// Seen from the hole's centre the liner's round wall stands where the cosine to the pocket's axis is
+    /// greater than this.
+    pub(crate) liner_from: f64,
 }
 
-/// A line across a pocket; a ball that crosses it outwards is captured.
+/// A line across a pocket; a ball on the cloth that crosses it outwards is captured. With the drop-circle
+/// model it lies over the hole and bounds the search: no centre comes to it but over the hole.
 ///
 /// A centre p is beyond when axis·p ≥ offset + lean·reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,31 +89,37 @@ pub(crate) struct Gate {
 }
 
 /// One jaw of the pocket in the quadrant x ≤ 0, y ≤ 0.
-struct Jaw {
+pub(super) struct Jaw {
+    pub(super) place: Place,
+    pub(super) rail: RailFrame,
     /// Tip, m.
     tip: Vec2,
     /// Deep end of the facing, m.
-    deep: Vec2,
-    /// Normal of the facing, towards the pocket's axis.
-    facing_normal: Vec2,
+    pub(super) deep: Vec2,
+    /// Normal of the facing, towards the pocket's axis, and its direction, away from the nose.
+    pub(super) facing_normal: Vec2,
+    pub(super) down: Vec2,
+    /// Radius of the point, m, and how far behind the nose line it ends, m.
+    pub(super) point_radius: f64,
+    pub(super) point_end: f64,
     /// From nose to deep end: what a ball meets.
     parts: Vec<(Part, Shape)>,
     /// Where the straight nose begins, m, and how far along the rail from the pocket's middle.
     nose_end: Vec2,
-    nose_start: f64,
+    pub(super) nose_start: f64,
     /// The deep end along the rail and behind it, m.
     deep_in_rail: [f64; 2],
 }
 
 /// Coordinates along and behind a nose line.
-#[derive(Clone, Copy)]
-struct RailFrame {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct RailFrame {
     /// The pocket's middle on the nose line, m.
-    origin: Vec2,
+    pub(super) origin: Vec2,
     /// Away from the pocket.
-    along: Vec2,
+    pub(super) along: Vec2,
     /// Into the rubber.
-    behind: Vec2,
+    pub(super) behind: Vec2,
 }
 
 impl RailFrame {
@@ -111,16 +131,51 @@ impl RailFrame {
     }
 }
 
-/// A jaw of the quadrant, mirrored to where it stands.
+/// A jaw of the quadrant, or what belongs to it, mirrored to where it stands.
 #[derive(Clone, Copy)]
-struct Stand<'a> {
-    jaw: &'a Jaw,
+struct Stand<T> {
+    jaw: T,
     /// Signs of x and y.
     signs: Vec2,
     /// Index of its pocket.
     pocket: usize,
     /// Which of the pocket's two jaws it is; mirrored jaws have the same.
     slot: usize,
+}
+
+/// The six rails around the table, each with its first and its last jaw: those of the short rails, of the
+/// long rails at a corner, and of the long rails at a side.
+fn stands<T: Copy>([bottom, left, side]: [T; 3]) -> [(Rail, Stand<T>, Stand<T>); 6] {
+    let stand = |jaw, x, y, pocket, slot| Stand { jaw, signs: Vec2::new(x, y), pocket, slot };
+    [
+        (Rail::Bottom, stand(bottom, 1.0, 1.0, 0, 0), stand(bottom, -1.0, 1.0, 1, 0)),
+        (Rail::RightLower, stand(left, -1.0, 1.0, 1, 1), stand(side, -1.0, 1.0, 3, 0)),
+        (Rail::RightUpper, stand(side, -1.0, -1.0, 3, 1), stand(left, -1.0, -1.0, 5, 1)),
+        (Rail::Top, stand(bottom, -1.0, -1.0, 5, 0), stand(bottom, 1.0, -1.0, 4, 0)),
+        (Rail::LeftUpper, stand(left, 1.0, -1.0, 4, 1), stand(side, 1.0, -1.0, 2, 1)),
+        (Rail::LeftLower, stand(side, 1.0, 1.0, 2, 0), stand(left, 1.0, 1.0, 0, 1)),
+    ]
+}
+
+/// The places of the rails of [`stands`] in `Layout::noses`.
+const RAIL_PLACES: [usize; 6] = [0, 4, 5, 1, 3, 2];
+
+impl Place {
+    /// Unit vector along the axis of the quadrant's pocket, away from the table.
+    fn axis(self) -> Vec2 {
+        match self {
+            Self::Corner => Vec2::new(-FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
+            Self::Side => Vec2::new(-1.0, 0.0),
+        }
+    }
+
+    /// The middle of the quadrant's pocket on the nose line (the corner, or the middle of the rail), m.
+    fn middle(self, half: Vec2) -> Vec2 {
+        match self {
+            Self::Corner => -half,
+            Self::Side => Vec2::new(-half.x, 0.0),
+        }
+    }
 }
 
 impl Table {
@@ -141,6 +196,10 @@ impl Table {
                 noses: [0; 6],
                 mouths: Vec::new(),
                 clear_reach: 0.0,
+                border: size,
+                on_cloth: 0,
+                tops: [0; 6],
+                openings: None,
             },
         }
     }
@@ -148,8 +207,9 @@ impl Table {
     /// The table that `description` describes.
     ///
     /// # Errors
-    /// A length that is not finite and positive, a pocket that is missing, or jaws, mouths and holes
-    /// that do not fit together: the error names the key and what would be right.
+    /// A length that is not finite and positive, a pocket that is missing, jaws, mouths and holes that
+    /// do not fit together, or rails too narrow for the holes: the error names the key and what would be
+    /// right.
     pub fn from_description(description: &TableDescription) -> Result<Self, TableError> {
         check::lengths(description)?;
         let half = Vec2::new(0.5 * description.width, 0.5 * description.length);
@@ -161,10 +221,13 @@ impl Table {
             ..Self::unbounded()
         };
         table.layout.half = half;
+        let rail = Vec2::new(description.rail_width, description.rail_width);
+        table.layout.border = half + rail;
         match description.pockets {
             PocketLayout::None => table.add_plain_rails(half),
             PocketLayout::Six => table.add_rails_and_pockets(half, description)?,
         }
+        table.add_tops();
         Ok(table)
     }
 
@@ -178,6 +241,7 @@ impl Table {
         self.layout.nose_x = x;
         self.layout.nose_y = [0.0, y];
         self.layout.noses = [0, 2, 3, 3, 1, 1];
+        self.layout.on_cloth = self.cushions.len();
     }
 
     fn add_rails_and_pockets(
@@ -199,29 +263,53 @@ impl Table {
         self.layout.nose_x = half.x - at_bottom.nose_start;
         self.layout.nose_y = [at_side.nose_start, half.y - at_left.nose_start];
         check::noses(self.layout.nose_x, self.layout.nose_y)?;
-        let in_mouth = self.add_rails([&at_bottom, &at_left, &at_side]);
+        let mut in_mouth = self.add_rails([&at_bottom, &at_left, &at_side]);
+        self.layout.on_cloth = self.cushions.len();
         let model = description.pocket_model;
         let corner_jaws = [&at_bottom, &at_left];
-        self.add_pockets(model, (corner, corner_jaws), (side, &at_side), in_mouth);
+        let liners = match model {
+            PocketModel::DropCircle => {
+                let (c, s) = (hole_center(corner, Place::Corner, half), Place::Side);
+                let liners = [
+                    liner(&at_bottom, corner, c, Place::Corner.axis())?,
+                    liner(&at_left, corner, c, Place::Corner.axis())?,
+                    liner(&at_side, side, hole_center(side, s, half), s.axis())?,
+                ];
+                self.add_liners(&liners, &mut in_mouth);
+                Some(liners)
+            }
+            PocketModel::MouthLine => None,
+        };
+        let (at_corner, at_side_rail) = match &liners {
+            Some([bottom, _, side]) => (bottom.over_hole, side.over_hole),
+            None => (at_bottom.deep, at_side.deep),
+        };
+        let from = liners.as_ref().map_or([0.0; 2], |[bottom, _, side]| {
+            [bottom.begins_at(Place::Corner.axis()), side.begins_at(Place::Side.axis())]
+        });
+        let back = |shape, place: Place, end: Vec2| Back {
+            axis: place.axis(),
+            straight: place.axis().dot(end),
+            center: hole_center(shape, place, half),
+            radius: if liners.is_some() { shape.hole_radius } else { 0.0 },
+        };
+        self.layout.openings = Some(Openings::new(
+            [&at_bottom, &at_left, &at_side],
+            back(corner, Place::Corner, at_corner),
+            back(side, Place::Side, at_side_rail),
+        ));
+        let ends = [at_corner, at_side_rail];
+        self.add_pockets(model, (corner, corner_jaws), (side, &at_side), (ends, from), in_mouth);
         self.layout.clear_reach = clear_reach(model, corner, side, &at_bottom);
-        check::holes(&self.pockets)
+        check::holes(&self.pockets)?;
+        check::rails(self.layout.border, half, &self.pockets)
     }
 
     /// Adds all cushion parts; returns the indices of those that make each pocket's mouth.
-    fn add_rails(&mut self, [bottom, left, side]: [&Jaw; 3]) -> [Vec<u16>; 6] {
-        let stand = |jaw, x, y, pocket, slot| Stand { jaw, signs: Vec2::new(x, y), pocket, slot };
-        let rails = [
-            (Rail::Bottom, stand(bottom, 1.0, 1.0, 0, 0), stand(bottom, -1.0, 1.0, 1, 0)),
-            (Rail::RightLower, stand(left, -1.0, 1.0, 1, 1), stand(side, -1.0, 1.0, 3, 0)),
-            (Rail::RightUpper, stand(side, -1.0, -1.0, 3, 1), stand(left, -1.0, -1.0, 5, 1)),
-            (Rail::Top, stand(bottom, -1.0, -1.0, 5, 0), stand(bottom, 1.0, -1.0, 4, 0)),
-            (Rail::LeftUpper, stand(left, 1.0, -1.0, 4, 1), stand(side, 1.0, -1.0, 2, 1)),
-            (Rail::LeftLower, stand(side, 1.0, 1.0, 2, 0), stand(left, 1.0, 1.0, 0, 1)),
-        ];
-        // The place of a rail's nose in `Layout::noses`.
-        let places = [0, 4, 5, 1, 3, 2];
+    fn add_rails(&mut self, jaws: [&Jaw; 3]) -> [Vec<u16>; 6] {
+        let rails = stands(jaws);
         let mut jaws: [[Vec<u16>; 2]; 6] = Default::default();
-        for ((rail, first, last), place) in rails.into_iter().zip(places) {
+        for ((rail, first, last), place) in rails.into_iter().zip(RAIL_PLACES) {
             let first_indices = self.add_jaw(rail, first, true);
             let nose_index = self.cushions.len() as u16;
             let [start, end] = [first, last].map(|stand| by(stand.jaw.nose_end, stand.signs));
@@ -238,7 +326,7 @@ impl Table {
     }
 
     /// Adds a jaw's parts, from the deep end to the nose or back; returns their indices, the point's first.
-    fn add_jaw(&mut self, rail: Rail, stand: Stand<'_>, from_deep_end: bool) -> Vec<u16> {
+    fn add_jaw(&mut self, rail: Rail, stand: Stand<&Jaw>, from_deep_end: bool) -> Vec<u16> {
         let begin = self.cushions.len() as u16;
         let mut parts: Vec<CushionPart> = stand
             .jaw
@@ -254,11 +342,63 @@ impl Table {
         if from_deep_end { indices.rev().collect() } else { indices.collect() }
     }
 
+    /// Adds what is behind the deep ends: first the straight runs, then the walls. A run that a ball on the
+    /// cloth can touch joins its pocket's list.
+    fn add_liners(&mut self, [bottom, left, side]: &[Liner; 3], in_mouth: &mut [Vec<u16>; 6]) {
+        let rails = stands([bottom, left, side]);
+        let each = rails.iter().flat_map(|(rail, first, last)| [(*rail, first), (*rail, last)]);
+        for (rail, stand) in each.clone() {
+            if stand.jaw.exposed {
+                in_mouth[stand.pocket].push(self.cushions.len() as u16);
+            }
+            let shape = mirrored(stand.jaw.run, stand.signs);
+            self.cushions.push(CushionPart { rail, part: Part::Liner, shape });
+        }
+        if [bottom, left, side].iter().any(|liner| liner.exposed) {
+            self.layout.on_cloth = self.cushions.len();
+        }
+        for (rail, stand) in each {
+            let shape = mirrored(stand.jaw.wall, stand.signs);
+            self.cushions.push(CushionPart { rail, part: Part::Liner, shape });
+        }
+    }
+
+    /// Adds the tops of the rails, mitred at the corners.
+    fn add_tops(&mut self) {
+        let Layout { half, border, .. } = self.layout;
+        let mut add = |rail, places: &[usize], ends: [Vec2; 2]| {
+            for &place in places {
+                self.layout.tops[place] = self.cushions.len() as u16;
+            }
+            // From the nose line out to the border.
+            let on = |size: Vec2| ends.map(|end| by(size, end));
+            let ([a, b], [c, d]) = (on(half), on(border));
+            let shape = Shape::Plane { corners: [a, b, d, c] };
+            self.cushions.push(CushionPart { rail, part: Part::Top, shape });
+        };
+        let end = Vec2::new;
+        add(Rail::Bottom, &[0], [end(-1.0, -1.0), end(1.0, -1.0)]);
+        if self.pockets.is_empty() {
+            add(Rail::Right, &[4, 5], [end(1.0, -1.0), end(1.0, 1.0)]);
+        } else {
+            add(Rail::RightLower, &[4], [end(1.0, -1.0), end(1.0, 0.0)]);
+            add(Rail::RightUpper, &[5], [end(1.0, 0.0), end(1.0, 1.0)]);
+        }
+        add(Rail::Top, &[1], [end(1.0, 1.0), end(-1.0, 1.0)]);
+        if self.pockets.is_empty() {
+            add(Rail::Left, &[2, 3], [end(-1.0, 1.0), end(-1.0, -1.0)]);
+        } else {
+            add(Rail::LeftUpper, &[3], [end(-1.0, 1.0), end(-1.0, 0.0)]);
+            add(Rail::LeftLower, &[2], [end(-1.0, 0.0), end(-1.0, -1.0)]);
+        }
+    }
+
     fn add_pockets(
         &mut self,
         model: PocketModel,
         (corner, [bottom_jaw, left_jaw]): (&PocketDescription, [&Jaw; 2]),
         (side, side_jaw): (&PocketDescription, &Jaw),
+        ([corner_gate, side_gate], liner_from): ([Vec2; 2], [f64; 2]),
         in_mouth: [Vec<u16>; 6],
     ) {
         let half = self.layout.half;
@@ -273,25 +413,21 @@ impl Table {
         for ((name, sx, sy, place), parts) in places.into_iter().zip(in_mouth) {
             let signs = Vec2::new(sx, sy);
             // The two jaws' tips and deep ends; a side's upper jaw is its lower one mirrored.
-            let (shape, jaw, ends) = match place {
-                Place::Corner => (corner, bottom_jaw, [left_jaw.tip, left_jaw.deep]),
+            let (shape, jaw, ends, gate_end) = match place {
+                Place::Corner => (corner, bottom_jaw, [left_jaw.tip, left_jaw.deep], corner_gate),
                 Place::Side => {
                     let up = Vec2::new(1.0, -1.0);
-                    (side, side_jaw, [by(side_jaw.tip, up), by(side_jaw.deep, up)])
+                    (side, side_jaw, [by(side_jaw.tip, up), by(side_jaw.deep, up)], side_gate)
                 }
             };
-            let (axis, middle) = match place {
-                Place::Corner => (Vec2::new(-FRAC_1_SQRT_2, -FRAC_1_SQRT_2), -half),
-                Place::Side => (Vec2::new(-1.0, 0.0), Vec2::new(-half.x, 0.0)),
-            };
-            let depth = hole_depth(shape, place);
+            let (axis, middle) = (place.axis(), place.middle(half));
             let mouth = [jaw.tip, ends[0]].map(|p| by(p, signs));
             let throat = [jaw.deep, ends[1]].map(|p| by(p, signs));
             let gate = match model {
                 PocketModel::DropCircle => Gate {
-                    offset: axis.dot(jaw.deep),
+                    offset: axis.dot(gate_end),
                     lean: axis.dot(jaw.facing_normal),
-                    half_width: axis.cross(jaw.deep - middle).abs(),
+                    half_width: axis.cross(gate_end - middle).abs(),
                 },
                 PocketModel::MouthLine => Gate {
                     offset: axis.dot(jaw.tip),
@@ -302,7 +438,7 @@ impl Table {
             };
             self.pockets.push(Pocket {
                 name,
-                center: by(middle + axis * depth, signs),
+                center: by(hole_center(shape, place, half), signs),
                 radius: shape.hole_radius,
                 capture: match model {
                     PocketModel::DropCircle => Capture::DropCircle,
@@ -312,7 +448,8 @@ impl Table {
                 mouth,
                 throat,
             });
-            self.layout.mouths.push(Mouth { parts, gate });
+            let liner_from = liner_from[usize::from(place == Place::Side)];
+            self.layout.mouths.push(Mouth { parts, gate, liner_from });
         }
     }
 }
@@ -334,6 +471,13 @@ fn mirrored(shape: Shape, signs: Vec2) -> Shape {
             start: by(start, signs),
             end: by(end, signs),
         },
+        Shape::Hollow { center, radius, start, end } => Shape::Hollow {
+            center: by(center, signs),
+            radius,
+            start: by(start, signs),
+            end: by(end, signs),
+        },
+        Shape::Plane { corners } => Shape::Plane { corners: corners.map(|p| by(p, signs)) },
     }
 }
 
@@ -365,6 +509,11 @@ fn hole_depth(shape: &PocketDescription, place: Place) -> f64 {
         Place::Corner => shape.shelf + shape.hole_radius - 0.5 * shape.mouth,
         Place::Side => shape.shelf + shape.hole_radius,
     }
+}
+
+/// The centre of the hole of the quadrant's pocket, m.
+fn hole_center(shape: &PocketDescription, place: Place, half: Vec2) -> Vec2 {
+    place.middle(half) + place.axis() * hole_depth(shape, place)
 }
 
 /// The jaw of `shape` on the rail whose frame is `rail`.
@@ -426,9 +575,14 @@ fn jaw(
         parts.push((Part::Facing, facing));
     }
     Ok(Jaw {
+        place,
+        rail,
         tip: rail.point([tip, 0.0]),
         deep: rail.point(deep),
         facing_normal: rail.direction(normal),
+        down: rail.direction([normal[1], -normal[0]]),
+        point_radius: radius,
+        point_end: point_end[1],
         parts,
         nose_end: rail.point([nose_start, 0.0]),
         nose_start,

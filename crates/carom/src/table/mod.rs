@@ -1,18 +1,20 @@
 //! The table: one parametric description, and the geometry that follows from it.
 //!
 //! A [`TableDescription`] holds what a maker would say; [`Table::from_description`] works out noses,
-//! points, facings, holes and mouths ([`geometry`]); [`crate::detect::ball_table`] finds what a ball
-//! meets among them.
+//! points, facings, holes and mouths ([`geometry`]), liners and the tops of the rails ([`opening`]);
+//! [`crate::detect`] finds what a ball meets among them.
 
 mod check;
 mod description;
 mod error;
 mod frame;
 mod geometry;
+mod opening;
 mod place;
 mod presets;
 mod sheet;
 mod sights;
+mod surface;
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -27,6 +29,7 @@ pub use sheet::{Dimension, Source};
 
 use crate::math::{Vec2, sqrt};
 pub(crate) use geometry::{Gate, Layout};
+pub(crate) use surface::UNDER_EDGE;
 
 /// A table's geometry, in the engine's frame: origin at the centre of the playing area, x along
 /// the width, y along the length. Mirrored parts have mirrored bits.
@@ -40,8 +43,10 @@ pub struct Table {
     pub size: Vec2,
     /// Height of the cushion nose above the slate, m.
     pub cushion_height: f64,
-    /// Noses, facings and points, counter-clockwise around the table from the left end of the
-    /// bottom rail; within a rail facing, point, nose, point, facing.
+    /// First noses, facings and points, counter-clockwise around the table from the left end of the
+    /// bottom rail; within a rail facing, point, nose, point, facing. Then, in the same order of rails,
+    /// with the drop-circle model the liners (first their straight runs, then their round walls, two each
+    /// per rail), and the rails' tops.
     pub cushions: Vec<CushionPart>,
     /// Pockets, in the order that results number them: bottom-left, bottom-right, left, right,
     /// top-left, top-right.
@@ -66,7 +71,13 @@ impl Table {
         sqrt((radius * radius - above * above).max(0.0))
     }
 
-    /// Unit vector from the centre of a ball at `position` (m) into the cushion part that it touches.
+    /// The parts that a ball on the cloth can meet; in [`Table::cushions`] they come first.
+    pub fn parts_on_cloth(&self) -> &[CushionPart] {
+        &self.cushions[..self.layout.on_cloth]
+    }
+
+    /// Unit vector from the centre of a ball at `position` (m) into the cushion part that it touches, seen
+    /// from above; zero for a rail's top. In space: [`Table::contact_normal`].
     pub fn normal_at(&self, part: usize, position: Vec2) -> Vec2 {
         match self.cushions[part].shape {
             Shape::Segment { normal, .. } => -normal,
@@ -74,6 +85,11 @@ impl Table {
                 let to_center = center - position;
                 to_center * (1.0 / to_center.length())
             }
+            Shape::Hollow { center, .. } => {
+                let outwards = position - center;
+                outwards * (1.0 / outwards.length())
+            }
+            Shape::Plane { .. } => Vec2::ZERO,
         }
     }
 }
@@ -126,7 +142,8 @@ pub enum Part {
     Point,
     /// The flat top of the rail, cushion included, at the height of the nose.
     Top,
-    /// The wall behind a pocket's hole.
+    /// The wall of a pocket behind the facings: straight on from their deep ends, then around the back of
+    /// the hole.
     Liner,
 }
 
@@ -143,14 +160,15 @@ impl Part {
     }
 }
 
-/// The line of a cushion's nose, seen from above.
+/// The edge line of a cushion's part, which lies at the height of the nose, or the outline of a rail's top,
+/// seen from above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// A straight piece.
     Segment {
-        /// One end, m; of a facing, the end at the point.
+        /// One end, m; of a facing, the end at the point; of a liner's run, the deep end of the facing.
         start: Vec2,
-        /// The other end, m; of a facing, the deep end.
+        /// The other end, m; of a facing, the deep end; of a liner's run, the end on the hole's circle.
         end: Vec2,
         /// Unit normal towards the playing area.
         normal: Vec2,
@@ -165,6 +183,23 @@ pub enum Shape {
         start: Vec2,
         /// Unit vector from the centre to the end at the facing.
         end: Vec2,
+    },
+    /// Half of the round wall of a liner, met from inside. It spans less than half a turn.
+    Hollow {
+        /// Centre, that of the hole, m.
+        center: Vec2,
+        /// Radius, that of the hole, m.
+        radius: f64,
+        /// Unit vector from the centre to the end of the straight run.
+        start: Vec2,
+        /// Unit vector from the centre along the pocket's axis.
+        end: Vec2,
+    },
+    /// The top of a rail: four corners, m, two on the nose line and two on the border. The openings of
+    /// the pockets are cut out of it.
+    Plane {
+        /// In order around it.
+        corners: [Vec2; 4],
     },
 }
 
@@ -182,7 +217,7 @@ pub struct CushionPart {
     pub rail: Rail,
     /// Which part of it.
     pub part: Part,
-    /// Its nose line.
+    /// Its edge line.
     pub shape: Shape,
 }
 

@@ -1,6 +1,6 @@
 //! May a ball stand there?
 
-use super::{Capture, CushionPart, Layout, Shape, Table, arc_sides};
+use super::{Capture, CushionPart, Shape, Table, arc_sides};
 use crate::math::Vec2;
 
 /// Gaps and overlaps up to this count as touching, m: 1 nm, far more than the rounding of positions in
@@ -55,7 +55,8 @@ impl Table {
         let within = |margin: f64| {
             position.x.abs() <= half.x + margin && position.y.abs() <= half.y + margin
         };
-        let (in_area, in_rails) = (within(0.0), within(rubber));
+        let in_opening = self.opening_at(position).is_some();
+        let (in_area, in_rails) = (within(0.0), within(rubber) || in_opening);
         if let Some(pocket) = self.captured_at(position, reach, in_rails) {
             return Placement::OverHole { pocket };
         }
@@ -64,7 +65,7 @@ impl Table {
             // Also where a NaN was given.
             _ if !in_rails => Placement::Outside,
             Some((part, depth)) if depth > TOUCH_TOLERANCE => Placement::InCushion { part, depth },
-            _ if !in_area && !self.in_a_mouth(position) => Placement::Outside,
+            _ if !in_area && !in_opening => Placement::Outside,
             Some((part, depth)) if depth >= -TOUCH_TOLERANCE => Placement::TouchesCushion { part },
             _ => Placement::Inside,
         }
@@ -87,35 +88,13 @@ impl Table {
     /// The part that a ball at `position` overlaps most, or is nearest to, and the depth, m.
     fn deepest(&self, position: Vec2, reach: f64, rubber: f64) -> Option<(u16, f64)> {
         let mut deepest: Option<(u16, f64)> = None;
-        for (i, cushion) in self.cushions.iter().enumerate() {
+        for (i, cushion) in self.parts_on_cloth().iter().enumerate() {
             let Some(depth) = depth_in(cushion, position, reach, rubber) else { continue };
             if deepest.is_none_or(|(_, most)| depth > most) {
                 deepest = Some((i as u16, depth));
             }
         }
         deepest
-    }
-
-    /// Whether `position` is between the two jaws of a pocket: in the quadrangle from where the noses
-    /// end to where the facings end. Of that, rubber takes the rest.
-    fn in_a_mouth(&self, position: Vec2) -> bool {
-        let Layout { half, nose_x, nose_y: [low, high], .. } = self.layout;
-        self.pockets.iter().any(|pocket| {
-            let [a, b] = pocket.throat;
-            let (x, y) = (if a.x < 0.0 { -1.0 } else { 1.0 }, if a.y < 0.0 { -1.0 } else { 1.0 });
-            // In the order of `throat`: a corner's jaw on the short rail is its first.
-            let noses = if pocket.axis.y == 0.0 {
-                [Vec2::new(x * half.x, y * low), Vec2::new(x * half.x, -y * low)]
-            } else {
-                [Vec2::new(x * nose_x, y * half.y), Vec2::new(x * half.x, y * high)]
-            };
-            let corners = [noses[0], a, b, noses[1]];
-            let turn = |i: usize| {
-                let (from, to) = (corners[i], corners[(i + 1) % 4]);
-                (to - from).cross(position - from)
-            };
-            (0..4).all(|i| turn(i) >= 0.0) || (0..4).all(|i| turn(i) <= 0.0)
-        })
     }
 }
 
@@ -134,5 +113,6 @@ fn depth_in(cushion: &CushionPart, position: Vec2, reach: f64, rubber: f64) -> O
             let beside = arc_sides(start, end).iter().all(|side| side.dot(p) >= 0.0);
             beside.then(|| radius + reach - p.length())
         }
+        Shape::Hollow { .. } | Shape::Plane { .. } => None,
     }
 }

@@ -31,6 +31,7 @@ const LIKE_WPA: Source = Source::Estimated("as on the WPA's tables");
 const LIKE_SNOOKER: Source =
     Source::Estimated("as on the snooker table, in proportion to the ball");
 const LIKE_10FT: Source = Source::Estimated("as on the 10-ft carom table");
+const OUTSIDE_7FT: Source = Source::Estimated("a \"7 ft\" table measures that outside");
 const DRAWN: Source = Source::Estimated("drawn only");
 
 const fn inches(value: f64, source: Source) -> Figure {
@@ -67,8 +68,8 @@ const WPA_9FT: Sheet = Sheet {
     cushion_height: WPA_NOSE,
     // 1⅞ to 2 in.
     cushion_width: inches(2.0, WPA),
-    // 4 to 7½ in.
-    rail_width: inches(5.0, WPA),
+    // 4 to 7½ in; 5 in would not hold the holes of the side pockets.
+    rail_width: inches(6.0, WPA),
     pockets: Some([WPA_CORNER, WPA_SIDE]),
     sight_setback: Some(inches(3.6875, WPA)),
     head_string: Some(inches(25.0, WPA)),
@@ -92,7 +93,7 @@ const BAR_7FT: Sheet = Sheet {
     width: inches(38.0, Source::Memory),
     cushion_height: figure(WPA_NOSE.value, LIKE_WPA),
     cushion_width: inches(2.0, LIKE_WPA),
-    rail_width: inches(5.0, DRAWN),
+    rail_width: inches(6.0, LIKE_WPA),
     pockets: Some([as_if(WPA_CORNER, LIKE_WPA), as_if(WPA_SIDE, LIKE_WPA)]),
     sight_setback: Some(inches(3.6875, DRAWN)),
     head_string: Some(inches(19.0, LIKE_WPA)),
@@ -119,7 +120,7 @@ const SHOWOOD_7FT: Sheet = Sheet {
     width: figure(0.9906, SHOWOOD),
     cushion_height: figure(0.036576, SHOWOOD),
     cushion_width: figure(0.0508, SHOWOOD),
-    rail_width: inches(5.0, DRAWN),
+    rail_width: inches(6.0, LIKE_WPA),
     pockets: Some([
         PocketSheet {
             mouth: figure(0.118, SHOWOOD),
@@ -153,7 +154,7 @@ const SNOOKER_12FT: Sheet = Sheet {
     width: figure(1.778, WPBSA),
     cushion_height: figure(0.03675, MATHAVAN),
     cushion_width: figure(0.04763, PT_SNOOKER),
-    rail_width: inches(5.0, DRAWN),
+    rail_width: inches(6.0, LIKE_WPA),
     pockets: Some([
         PocketSheet {
             mouth: figure(0.08014, PT_SNOOKER),
@@ -190,7 +191,7 @@ const ENGLISH_7FT: Sheet = Sheet {
     width: inches(36.0, WEPF),
     cushion_height: figure(0.03675 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
     cushion_width: figure(0.04763 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
-    rail_width: inches(5.0, DRAWN),
+    rail_width: inches(6.0, OUTSIDE_7FT),
     pockets: Some([
         PocketSheet {
             // 1.6 balls.

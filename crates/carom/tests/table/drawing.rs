@@ -9,11 +9,13 @@ use carom::table::{PRESETS, Part, Shape};
 /// Millimetres, as the drawing counts them.
 const MM: f64 = 1000.0;
 
-/// The two ends of a part.
+/// The two ends of a part; a rail's mitre.
 fn ends(shape: &Shape) -> [Vec2; 2] {
     match *shape {
         Shape::Segment { start, end, .. } => [start, end],
-        Shape::Arc { center, radius, start, end } => {
+        Shape::Plane { corners: [a, .., d] } => [a, d],
+        Shape::Arc { center, radius, start, end }
+        | Shape::Hollow { center, radius, start, end } => {
             [center + start * radius, center + end * radius]
         }
     }
@@ -55,22 +57,24 @@ fn draw(table: &Table) -> String {
             Part::Top | Part::Liner => "#888888",
         };
         let _ = match cushion.shape {
-            Shape::Segment { .. } => writeln!(
+            Shape::Segment { .. } | Shape::Plane { .. } => writeln!(
                 svg,
                 "<path d=\"M{} {}L{} {}\" stroke=\"{color}\" stroke-width=\"3\"/>",
                 a.0, a.1, b.0, b.1
             ),
-            Shape::Arc { radius, start, end, .. } => writeln!(
-                svg,
-                "<path d=\"M{} {}A{r} {r} 0 0 {} {} {}\" stroke=\"{color}\" stroke-width=\"3\" \
+            Shape::Arc { radius, start, end, .. } | Shape::Hollow { radius, start, end, .. } => {
+                writeln!(
+                    svg,
+                    "<path d=\"M{} {}A{r} {r} 0 0 {} {} {}\" stroke=\"{color}\" stroke-width=\"3\" \
                  fill=\"none\"/>",
-                a.0,
-                a.1,
-                u8::from(start.cross(end) < 0.0),
-                b.0,
-                b.1,
-                r = radius * MM
-            ),
+                    a.0,
+                    a.1,
+                    u8::from(start.cross(end) < 0.0),
+                    b.0,
+                    b.1,
+                    r = radius * MM
+                )
+            }
         };
     }
     for spot in &description.markings.spots {

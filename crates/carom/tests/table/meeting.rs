@@ -49,16 +49,19 @@ fn tables() -> Vec<(String, Table, f64)> {
     });
     let far_holes = change(&|d| {
         for pocket in [&mut d.corner_pocket, &mut d.side_pocket] {
-            let pocket = pocket.as_mut().unwrap();
-            pocket.shelf = 0.12;
-            pocket.hole_radius = 0.02;
+            pocket.as_mut().unwrap().shelf = 0.1;
         }
+        d.rail_width = 0.25;
     });
     let bent = change(&|d| {
         d.corner_pocket.as_mut().unwrap().throat = Some(0.08);
         d.side_pocket.as_mut().unwrap().throat = Some(0.12);
     });
-    let open = change(&|d| d.corner_pocket.as_mut().unwrap().cut_angle_deg = 125.0);
+    let open = change(&|d| {
+        let corner = d.corner_pocket.as_mut().unwrap();
+        (corner.cut_angle_deg, corner.hole_radius) = (125.0, 0.08);
+        d.rail_width = 0.2;
+    });
     let low = change(&|d| d.cushion_height = 0.02);
     all.push(("sharp points".into(), sharp, POOL_BALL));
     all.push(("holes far behind the facings".into(), far_holes, POOL_BALL));
@@ -81,7 +84,7 @@ fn random_path(dice: &mut Dice, table: &Table, radius: f64) -> (Motion<2>, f64) 
         };
         if table.place_check(p, radius).is_inside()
             && clearance(table, reach, p).0 > 0.0
-            && way_to_pocket(table, reach, p) > 0.0
+            && way_to_pocket(table, p) > 0.0
         {
             break p;
         }
@@ -167,7 +170,7 @@ fn judge_meeting(
             Ok(gap)
         }
         TableFeature::Pocket(_) => {
-            let gap = way_to_pocket(table, reach, p);
+            let gap = way_to_pocket(table, p);
             if gap.abs() > CONTACT_GAP {
                 return Err(format!("{gap:e} from the pocket"));
             }
@@ -386,7 +389,7 @@ fn a_ball_aimed_at_a_join_from_any_direction_meets_one_of_the_parts_there() {
     for (name, table, radius) in tables() {
         let reach = table.reach(radius);
         let mut dice = Dice(0xA1_3ED);
-        let shapes: Vec<_> = table.cushions.iter().map(|c| c.shape).collect();
+        let shapes: Vec<_> = table.parts_on_cloth().iter().map(|c| c.shape).collect();
         for i in 0..paths() / 20 {
             let (join, normal) = match shapes[(dice.unit() * shapes.len() as f64) as usize] {
                 Shape::Segment { start, normal, .. } if dice.unit() < 0.5 => (start, normal),
@@ -395,18 +398,19 @@ fn a_ball_aimed_at_a_join_from_any_direction_meets_one_of_the_parts_there() {
                     (center + start * radius, start)
                 }
                 Shape::Arc { center, radius, end, .. } => (center + end * radius, end),
+                other => panic!("{other:?} is not met on the cloth"),
             };
             // At the join, or a few roundings beside it.
             let target = join + normal * reach + normal.perp() * dice.between(-1e-15, 1e-15);
             let reachable = clearance(&table, reach, target).0 > -oracle::LOST
-                && way_to_pocket(&table, reach, target) > 0.0;
+                && way_to_pocket(&table, target) > 0.0;
             if !reachable {
                 continue;
             }
             let from = loop {
                 let p = target + dice.direction() * dice.between(0.0, 0.02);
                 if table.place_check(p, radius) == Placement::Inside
-                    && way_to_pocket(&table, reach, p) > 0.0
+                    && way_to_pocket(&table, p) > 0.0
                 {
                     break p;
                 }

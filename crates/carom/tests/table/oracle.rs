@@ -53,6 +53,7 @@ pub(crate) fn distance(shape: &Shape, p: Vec2) -> f64 {
                 (p - a).length().min((p - b).length())
             }
         }
+        Shape::Hollow { .. } | Shape::Plane { .. } => f64::INFINITY,
     }
 }
 
@@ -69,49 +70,26 @@ pub(crate) fn clearance(table: &Table, reach: f64, p: Vec2) -> (f64, usize) {
 }
 
 /// Free way to the nearest pocket, m; negative in it.
-pub(crate) fn way_to_pocket(table: &Table, reach: f64, p: Vec2) -> f64 {
+pub(crate) fn way_to_pocket(table: &Table, p: Vec2) -> f64 {
     let mut least = f64::INFINITY;
     for pocket in &table.pockets {
         let free = match pocket.capture {
-            Capture::DropCircle => {
-                let hole = (p - pocket.center).length() - pocket.radius;
-                hole.min(to_line(pocket.throat, pocket.axis, reach, table, p))
-            }
-            Capture::MouthLine { start, end } => to_line([start, end], pocket.axis, 0.0, table, p),
+            Capture::DropCircle => (p - pocket.center).length() - pocket.radius,
+            Capture::MouthLine { start, end } => to_line([start, end], pocket.axis, p),
         };
         least = least.min(free);
     }
     least
 }
 
-/// Signed distance to the line between `ends`, moved inwards to where a ball of `reach` that touches the
-/// facings' ends has its centre; infinite where `p` is not in front of it.
-fn to_line(ends: [Vec2; 2], axis: Vec2, reach: f64, table: &Table, p: Vec2) -> f64 {
+/// Signed distance to the line between `ends`; infinite where `p` is not in front of it.
+fn to_line(ends: [Vec2; 2], axis: Vec2, p: Vec2) -> f64 {
     let across = ends[1] - ends[0];
     let s = (p - ends[0]).dot(across) / across.length_squared();
     if !(-0.5..=1.5).contains(&s) {
         return f64::INFINITY;
     }
-    let lean = if reach > 0.0 { lean_at(table, ends[0], axis) } else { 0.0 };
-    axis.dot(ends[0] - p) + lean * reach
-}
-
-/// Component along `axis` of the normal at the deep end `end` of a jaw.
-fn lean_at(table: &Table, end: Vec2, axis: Vec2) -> f64 {
-    for cushion in &table.cushions {
-        match cushion.shape {
-            Shape::Segment { end: e, normal, .. } if (e - end).length() < 1e-12 => {
-                return normal.dot(axis);
-            }
-            Shape::Arc { center, radius, end: e, .. }
-                if (center + e * radius - end).length() < 1e-12 =>
-            {
-                return e.dot(axis);
-            }
-            _ => {}
-        }
-    }
-    panic!("no part ends at {end:?}");
+    axis.dot(ends[0] - p)
 }
 
 /// The first time on `path` in [`from`, `to`] at which the ball is [`LOST`] deep in a cushion, or as
@@ -127,7 +105,7 @@ pub(crate) fn first_violation(
     loop {
         let [x, y] = path.at(t);
         let p = Vec2::new(x, y);
-        let free = clearance(table, reach, p).0.min(way_to_pocket(table, reach, p));
+        let free = clearance(table, reach, p).0.min(way_to_pocket(table, p));
         if free < -LOST {
             return Some(t);
         }

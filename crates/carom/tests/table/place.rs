@@ -39,7 +39,7 @@ fn in_front_of_the_noses_a_ball_is_as_deep_in_a_cushion_as_it_is_too_near() {
             }
             let (free, _) = clearance(&table, reach, p);
             let place = table.place_check(p, POOL_BALL);
-            if way_to_pocket(&table, reach, p) < -TOUCH_TOLERANCE {
+            if way_to_pocket(&table, p) < -TOUCH_TOLERANCE {
                 assert!(matches!(place, Placement::OverHole { .. }), "{name}: {p:?} {place:?}");
                 seen[0] += 1;
             } else if free < -TOUCH_TOLERANCE {
@@ -85,7 +85,7 @@ fn where_a_ball_can_roll_to_behind_the_noses_it_is_inside_and_elsewhere_it_is_no
             } else if inside {
                 // Perhaps it rolls there by a longer way: it overlaps nothing.
                 assert!(clearance(&table, reach, p).0 >= -TOUCH_TOLERANCE, "{name}: {p:?}");
-                assert!(way_to_pocket(&table, reach, p) >= -TOUCH_TOLERANCE, "{name}: {p:?}");
+                assert!(way_to_pocket(&table, p) >= -TOUCH_TOLERANCE, "{name}: {p:?}");
             }
         }
         assert!(reached > 10, "{name}: {reached}");

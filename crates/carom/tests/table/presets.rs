@@ -28,9 +28,10 @@ fn showood_7ft_has_the_segments_arcs_and_holes_of_the_published_table() {
     let segments: Vec<_> = table
         .cushions
         .iter()
+        .filter(|c| c.part != Part::Liner)
         .filter_map(|c| match c.shape {
             Shape::Segment { start, end, .. } => Some([start, end]),
-            Shape::Arc { .. } => None,
+            _ => None,
         })
         .collect();
     let theirs = data["segments"].as_array().unwrap();
@@ -247,6 +248,11 @@ fn the_english_table_keeps_the_wepf_limits_and_pockets_of_1_6_balls() {
     assert!((baulk - 0.2 * table.size.y).abs() <= SAME_POINT);
 }
 
+/// Whether a part is made of rubber.
+fn is_cushion(part: &CushionPart) -> bool {
+    !matches!(part.part, Part::Liner | Part::Top)
+}
+
 /// Start and end of a part, with the outward normals there.
 fn ends(shape: &Shape) -> [(Vec2, Vec2); 2] {
     match *shape {
@@ -254,6 +260,10 @@ fn ends(shape: &Shape) -> [(Vec2, Vec2); 2] {
         Shape::Arc { center, radius, start, end } => {
             [(center + start * radius, start), (center + end * radius, end)]
         }
+        Shape::Hollow { center, radius, start, end } => {
+            [(center + start * radius, -start), (center + end * radius, -end)]
+        }
+        Shape::Plane { corners: [a, b, c, d] } => [(a, d - a), (b, c - b)],
     }
 }
 
@@ -261,7 +271,8 @@ fn ends(shape: &Shape) -> [(Vec2, Vec2); 2] {
 fn within_every_rail_the_parts_join_without_gap_or_corner() {
     for name in PRESETS {
         let table = Table::preset(name).unwrap();
-        for pair in table.cushions.windows(2).filter(|p| p[0].rail == p[1].rail) {
+        let edges: Vec<_> = table.cushions.iter().filter(|c| is_cushion(c)).collect();
+        for pair in edges.windows(2).filter(|p| p[0].rail == p[1].rail) {
             let joined = ends(&pair[0].shape).iter().any(|(p, n)| {
                 ends(&pair[1].shape).iter().any(|(q, m)| near(*p, *q) && near(*n, *m))
             });
@@ -296,7 +307,8 @@ fn every_preset_has_mirrored_parts_with_mirrored_bits() {
 #[test]
 fn the_order_of_rails_and_pockets_is_the_documented_one() {
     let table = Table::preset("wpa-9ft").unwrap();
-    let mut rails: Vec<&str> = table.cushions.iter().map(|c| c.rail.name()).collect();
+    let of_rails = table.cushions.iter().filter(|c| is_cushion(c));
+    let mut rails: Vec<&str> = of_rails.map(|c| c.rail.name()).collect();
     rails.dedup();
     let around = ["bottom", "right-lower", "right-upper", "top", "left-upper", "left-lower"];
     assert_eq!(rails, around);
@@ -318,7 +330,7 @@ fn the_order_of_rails_and_pockets_is_the_documented_one() {
         assert_eq!(at, (x, y), "{name}");
     }
     let plain = Table::from_description(&TableDescription::rectangle(1.0, 2.0)).unwrap();
-    let rails: Vec<&str> = plain.cushions.iter().map(|c| c.rail.name()).collect();
+    let rails: Vec<&str> = plain.parts_on_cloth().iter().map(|c| c.rail.name()).collect();
     assert_eq!(rails, ["bottom", "right", "top", "left"]);
 }
 
@@ -373,7 +385,7 @@ fn a_description_that_is_no_table_is_refused_with_the_key_at_fault() {
     let small_with_large_holes = |d: &mut TableDescription| {
         (d.width, d.length) = (0.5, 0.5);
         corner(d).hole_radius = 0.2;
-        side(d).hole_radius = 0.2;
+        (side(d).hole_radius, side(d).cut_angle_deg) = (0.2, 90.0);
     };
     for (key, remedy, text) in [
         ("width", "above 0", refused(&|d| d.width = -1.0)),
@@ -382,6 +394,7 @@ fn a_description_that_is_no_table_is_refused_with_the_key_at_fault() {
         ("cushion_height", "above 0", refused(&|d| d.cushion_height = 0.0)),
         ("cushion_width", "above 0", refused(&|d| d.cushion_width = 0.0)),
         ("rail_width", "at least", refused(&|d| d.rail_width = 0.01)),
+        ("rail_width", "too narrow for the hole", refused(&|d| d.rail_width = 0.13)),
         ("corner_pocket", "describe it", refused(&|d| d.corner_pocket = None)),
         ("side_pocket", "describe it", refused(&|d| d.side_pocket = None)),
         ("corner_pocket.mouth", "above 0", refused(&|d| corner(d).mouth = 0.0)),
@@ -399,6 +412,16 @@ fn a_description_that_is_no_table_is_refused_with_the_key_at_fault() {
         ("side_pocket.point_radius", "0 (sharp)", refused(&|d| side(d).point_radius = -1.0)),
         ("side_pocket.shelf", "at least", refused(&|d| side(d).shelf = -0.5)),
         ("side_pocket.hole_radius", "smaller", refused(&small_with_large_holes)),
+        ("corner_pocket.hole_radius", "nothing closes", refused(&|d| corner(d).hole_radius = 0.04)),
+        (
+            "corner_pocket.hole_radius",
+            "in front of the facings' deep ends",
+            refused(&|d| {
+                (d.cushion_width, d.rail_width) = (0.2, 0.25);
+                corner(d).cut_angle_deg = 135.0;
+            }),
+        ),
+        ("side_pocket.cut_angle_deg", "meet before", refused(&|d| side(d).cut_angle_deg = 120.0)),
         ("corner_pocket.throat", "above 0", refused(&|d| corner(d).throat = Some(-0.1))),
     ] {
         assert!(text.starts_with(&format!("{key}: ")), "{key}: {text}");

@@ -1,0 +1,219 @@
+//! A flying ball against an edge of a rail, or a liner's wall.
+//!
+//! Horizontally a flying ball moves straight and steadily. So it is beside a straight or round part
+//! during one span of time, between two linear crossings, in which the part may be taken as endless:
+//! a straight edge as a line (the quartic of Leckie & Greenspan 2006, section 5, in the plane across the
+//! line), a point as a full circle ([`carom_roots::first_ring_contact`], degree 8).
+
+use carom_roots::{Motion, first_contact, first_crossing, first_ring_contact};
+
+use super::ball_cushion::JOIN_OVERLAP;
+use crate::math::Vec2;
+use crate::table::{Shape, UNDER_EDGE, arc_sides};
+
+/// First time in [0, `last`] (s) at which a ball of `radius` (m) on the flight `path` touches `shape`,
+/// whose edge is at `height` (m), while approaching it. `last` is finite. A rail's top is not an edge.
+pub(super) fn first_touch(
+    shape: &Shape,
+    height: f64,
+    radius: f64,
+    path: &Motion<3>,
+    last: f64,
+) -> Option<f64> {
+    match *shape {
+        Shape::Segment { start, end, normal } => {
+            let line = Straight { start, end, normal };
+            line.first_touch(height, radius, path, last)
+        }
+        Shape::Arc { center, radius: ring, start, end } => {
+            let round = Round { ring, start, end, path: relative(path, center, height) };
+            round.first_touch_outside(radius, last)
+        }
+        Shape::Hollow { center, radius: ring, start, end } => {
+            let round = Round { ring, start, end, path: relative(path, center, height) };
+            round.first_touch_inside(radius, last)
+        }
+        Shape::Plane { .. } => None,
+    }
+}
+
+/// `path` seen from `center` at `height`.
+pub(super) fn relative(path: &Motion<3>, center: Vec2, height: f64) -> Motion<3> {
+    let [x, y, z] = path.d;
+    Motion { d: [x - center.x, y - center.y, z - height], ..*path }
+}
+
+/// The earlier of two times, if any.
+pub(super) fn earlier(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(if b < a { b } else { a }),
+        (a, b) => a.or(b),
+    }
+}
+
+/// The same motion with its clock set to 0 at `t`.
+fn later<const N: usize>(path: &Motion<N>, t: f64) -> Motion<N> {
+    if t == 0.0 { *path } else { Motion { d: path.at(t), v: path.velocity_at(t), h: path.h } }
+}
+
+/// [`first_contact`] within `span`.
+fn contact_within<const N: usize>(path: &Motion<N>, distance: f64, span: Span) -> Option<f64> {
+    first_contact(&later(path, span.from), distance, span.to - span.from).map(|t| span.from + t)
+}
+
+/// A span of time, s.
+#[derive(Clone, Copy)]
+struct Span {
+    from: f64,
+    to: f64,
+}
+
+impl Span {
+    /// The part of the span in which c₀ + c₁t ≥ 0.
+    fn where_positive(self, c0: f64, c1: f64) -> Option<Self> {
+        let Self { from, to } = self;
+        let span = if c1 == 0.0 {
+            (c0 >= 0.0).then_some(self)?
+        } else {
+            let t = -c0 / c1;
+            if c1 > 0.0 {
+                Self { from: if t > from { t } else { from }, to }
+            } else {
+                Self { from, to: if t < to { t } else { to } }
+            }
+        };
+        (span.from <= span.to).then_some(span)
+    }
+}
+
+/// The time in [`from`, `last`] at which `crossing`, given where to begin, finds a wall that reaches up to
+/// `top` (m) only. Where the ball passes above it, it may meet the wall as it comes down again.
+pub(super) fn below(
+    path: &Motion<3>,
+    top: f64,
+    [from, last]: [f64; 2],
+    crossing: impl Fn(f64) -> Option<f64>,
+) -> Option<f64> {
+    let (c0, c1, c2) = (path.d[2] - top, path.v[2], path.h[2]);
+    let low = |t: f64| c0 + t * (c1 + t * c2) <= 0.0;
+    // A flight is lowest at one of its ends.
+    if !low(from) && !low(last) {
+        return None;
+    }
+    let t = crossing(from)?;
+    if low(t) {
+        return Some(t);
+    }
+    let descent = first_crossing(c0, c1, c2, last)?;
+    if descent > from { crossing(descent) } else { None }
+}
+
+struct Straight {
+    start: Vec2,
+    end: Vec2,
+    normal: Vec2,
+}
+
+impl Straight {
+    fn first_touch(&self, height: f64, radius: f64, path: &Motion<3>, last: f64) -> Option<f64> {
+        let from_start = Vec2::new(path.d[0], path.d[1]) - self.start;
+        let velocity = Vec2::new(path.v[0], path.v[1]);
+        let tangent = self.normal.perp();
+        let length = tangent.dot(self.end - self.start);
+        let (s, rate) = (tangent.dot(from_start), tangent.dot(velocity));
+        let span = Span { from: 0.0, to: last }
+            .where_positive(s - length.min(0.0) + JOIN_OVERLAP, rate)?
+            .where_positive(length.max(0.0) + JOIN_OVERLAP - s, -rate)?;
+        // In the plane across the edge: in front of it, and above it.
+        let across = Motion {
+            d: [self.normal.dot(from_start), path.d[2] - height],
+            v: [self.normal.dot(velocity), path.v[2]],
+            h: [0.0, path.h[2]],
+        };
+        let edge = contact_within(&across, radius, span);
+        let under = below(path, height - radius - UNDER_EDGE, [span.from, span.to], |from| {
+            let at = later(&across, from);
+            // A centre far behind the line is not at this part but somewhere else on the table.
+            let t = first_crossing(at.d[0], at.v[0], 0.0, span.to - from)?;
+            (at.d[0] >= -radius).then_some(from + t)
+        });
+        earlier(edge, under)
+    }
+}
+
+struct Round {
+    ring: f64,
+    start: Vec2,
+    end: Vec2,
+    /// The ball seen from the ring's centre.
+    path: Motion<3>,
+}
+
+impl Round {
+    /// A point: an edge that bulges towards the ball.
+    fn first_touch_outside(&self, radius: f64, last: f64) -> Option<f64> {
+        let span = self.span(last)?;
+        if self.ring == 0.0 {
+            return contact_within(&self.path, radius, span);
+        }
+        let edge = first_ring_contact(&self.path, self.ring, radius, span.from, span.to);
+        let plan = self.plan();
+        let under = below(&self.path, -radius - UNDER_EDGE, [span.from, span.to], |from| {
+            contact_within(&plan, self.ring, Span { from, ..span })
+        });
+        earlier(edge, under)
+    }
+
+    /// A liner's wall: from inside, up to its rim; the rim; and the upright end where the wall begins.
+    fn first_touch_inside(&self, radius: f64, last: f64) -> Option<f64> {
+        let plan = self.plan();
+        let end = Vec2::new(plan.d[0], plan.d[1]) - self.start * self.ring;
+        let from_end = Motion { d: [end.x, end.y], ..plan };
+        let post = below(&self.path, 0.0, [0.0, last], |from| {
+            contact_within(&from_end, radius, Span { from, to: last })
+        });
+        let Some(span) = self.span(last) else { return post };
+        let wall = below(&self.path, 0.0, [span.from, span.to], |from| {
+            first_touch_of_hole(&plan, self.ring - radius, from, span.to)
+        });
+        let rim = first_ring_contact(&self.path, self.ring, radius, span.from, span.to);
+        earlier(earlier(wall, rim), post)
+    }
+
+    fn plan(&self) -> Motion<2> {
+        plan(&self.path)
+    }
+
+    /// When the ball is in the angle between the part's ends, seen from its centre.
+    fn span(&self, last: f64) -> Option<Span> {
+        let (p, v) = (self.path.d, self.path.v);
+        let (p, v) = (Vec2::new(p[0], p[1]), Vec2::new(v[0], v[1]));
+        let [a, b] = arc_sides(self.start, self.end);
+        Span { from: 0.0, to: last }
+            .where_positive(a.dot(p), a.dot(v))?
+            .where_positive(b.dot(p), b.dot(v))
+    }
+}
+
+/// `path` seen from above.
+pub(super) fn plan(path: &Motion<3>) -> Motion<2> {
+    let first = |[x, y, _]: [f64; 3]| [x, y];
+    Motion { d: first(path.d), v: first(path.v), h: first(path.h) }
+}
+
+/// First time in [`from`, `last`] (s) at which a centre on the straight and steady `plan` moves outwards
+/// at `room` (m) or more from the origin: a ball inside an upright cylinder that leaves it so much room.
+pub(super) fn first_touch_of_hole(
+    plan: &Motion<2>,
+    room: f64,
+    from: f64,
+    last: f64,
+) -> Option<f64> {
+    if room <= 0.0 || from > last {
+        return None;
+    }
+    let Motion { d: [x, y], v: [vx, vy], .. } = later(plan, from);
+    let gap = room * room - (x * x + y * y);
+    let rate = -2.0 * (x * vx + y * vy);
+    first_crossing(gap, rate, -(vx * vx + vy * vy), last - from).map(|t| from + t)
+}

@@ -1,0 +1,282 @@
+//! The first meeting of a flying ball with the table.
+//!
+//! A flight is a parabola: horizontally straight and steady, vertically with half the acceleration −g/2.
+//! So every plane is a quadratic, every straight edge a quartic in the plane across it, and every circle
+//! of degree 8 ([`carom_roots::first_ring_contact`]).
+//!
+//! Most flights are small hops in the open: where the flight down to the slate keeps to the playing area
+//! shrunk by the ball's radius, only the slate counts. Otherwise planes come first, which always end a
+//! flight; then only what is near the straight line that the ball draws on the table until then is
+//! solved for.
+//!
+//! Surfaces that join tangentially overlap: the tube about a lip lies under the slate, that about an edge
+//! under the rail's top, so that at a join a rounding opens no gap.
+
+use carom_roots::{Motion, first_crossing, first_ring_contact};
+
+use super::ball_table::TableFeature;
+use super::edge::{self, below, earlier, first_touch_of_hole, plan, relative};
+use crate::math::Vec2;
+use crate::table::{Capture, Part, Shape, Table};
+
+/// How far ahead of the ball it is decided whether slate or hole, top or opening is under it, m: on the
+/// very edge the ball moves towards one of them. Ten thousand roundings of a position.
+const LOOK_AHEAD: f64 = 1e-12;
+
+/// A centre at most this far above the slate's surface counts as having come down through it already, m:
+/// ten thousand roundings, so that one passage is reported once.
+const PASSED: f64 = 1e-12;
+
+/// First feature of `table` that a flying ball of radius `radius` (m) meets on the path d + v t + h t²
+/// (centre, in the engine's frame) within [0, `horizon`] (s, may be infinite), and when.
+///
+/// The path must be a flight: no horizontal acceleration, and a downward one. Slate, lips, edges, walls
+/// and tops are met when the ball touches them and approaches. `Depth(k)`: the centre, in the hole of
+/// pocket k, comes down through the slate's surface, or, where the flight begins at or below it, through a
+/// radius below. `Edge`: the centre crosses the border of the rails outwards. `Pocket(k)`: the
+/// mouth-line model captures the ball; it crosses the line no higher than a rail's top lets it, or comes
+/// down to that height behind the line.
+///
+/// On a table with rails, and on endless cloth, every flight ends: `None` only for a `horizon` too near.
+pub fn first_meeting(
+    table: &Table,
+    radius: f64,
+    path: &Motion<3>,
+    horizon: f64,
+) -> Option<(f64, TableFeature)> {
+    let landing = first_crossing(path.d[2] - radius, path.v[2], path.h[2], horizon);
+    let margin = if radius > table.layout.clear_reach { radius } else { table.layout.clear_reach };
+    let half = table.layout.half;
+    let until = landing.unwrap_or(horizon);
+    if keeps_within(half.x - margin, path.d[0], path.v[0], until)
+        && keeps_within(half.y - margin, path.d[1], path.v[1], until)
+    {
+        return landing.map(|t| (t, TableFeature::Slate));
+    }
+    near_the_rails(table, radius, path, horizon)
+}
+
+/// Whether a steadily moving coordinate keeps within ±`limit` until `t`.
+#[inline(always)]
+fn keeps_within(limit: f64, d: f64, v: f64, t: f64) -> bool {
+    // Compares false when 0·∞ makes a NaN: then nothing is proved.
+    d.abs() + t * v.abs() <= limit
+}
+
+/// What is met first among all.
+fn near_the_rails(
+    table: &Table,
+    radius: f64,
+    path: &Motion<3>,
+    horizon: f64,
+) -> Option<(f64, TableFeature)> {
+    let flight = Flight { table, radius, path };
+    let mut first = First { found: None, last: horizon };
+    flight.meet_planes(&mut first);
+    // Everything else is solved for one horizon, so that a mirrored path, which comes to the parts in
+    // another order, has the same bits. Only what cannot come first is left out.
+    let last = first.last;
+    if last < f64::INFINITY {
+        flight.meet_edges(&mut first, last);
+        flight.meet_lips(&mut first, last);
+    }
+    first.found
+}
+
+/// The earliest meeting found so far.
+struct First {
+    found: Option<(f64, TableFeature)>,
+    /// Its time, or the horizon, s.
+    last: f64,
+}
+
+impl First {
+    fn offer(&mut self, t: Option<f64>, feature: TableFeature) {
+        if let Some(t) = t
+            && (t < self.last || (self.found.is_none() && t <= self.last))
+        {
+            *self = Self { found: Some((t, feature)), last: t };
+        }
+    }
+}
+
+struct Flight<'a> {
+    table: &'a Table,
+    radius: f64,
+    path: &'a Motion<3>,
+}
+
+impl Flight<'_> {
+    /// The plan of the centre at `t`, a hair ahead of it.
+    fn place_ahead(&self, t: f64) -> Vec2 {
+        let [x, y, _] = self.path.at(t);
+        let v = Vec2::new(self.path.v[0], self.path.v[1]);
+        let speed = v.length();
+        let ahead = if speed > 0.0 { v * (LOOK_AHEAD / speed) } else { Vec2::ZERO };
+        Vec2::new(x, y) + ahead
+    }
+
+    /// When the centre next comes down through the height `z` (m).
+    fn descent_through(&self, z: f64) -> Option<f64> {
+        let Motion { d, v, h } = self.path;
+        first_crossing(d[2] - z, v[2], h[2], f64::INFINITY)
+    }
+
+    fn meet_planes(&self, first: &mut First) {
+        let (table, path) = (self.table, self.path);
+        let border = table.layout.border;
+        for (d, v, border) in [(path.d[0], path.v[0], border.x), (path.d[1], path.v[1], border.y)] {
+            let t = first_crossing(border - d * v.signum(), -v.abs(), 0.0, first.last);
+            first.offer(t, TableFeature::Edge);
+        }
+        if let Some(t) = self.descent_through(table.cushion_height + self.radius) {
+            self.meet_tops(first, t);
+        }
+        self.cross_mouth_lines(first);
+        let Some(landing) = self.descent_through(self.radius) else { return };
+        let Some(hole) = table.hole_at(self.place_ahead(landing)) else {
+            first.offer(Some(landing), TableFeature::Slate);
+            return;
+        };
+        let depth = if path.d[2] > PASSED { 0.0 } else { -self.radius };
+        first.offer(self.descent_through(depth), TableFeature::Depth(hole));
+    }
+
+    /// At `t` the ball comes down to the height of the rails' tops.
+    fn meet_tops(&self, first: &mut First, t: f64) {
+        let (table, place) = (self.table, self.place_ahead(t));
+        // One that never rose to it was nowhere near the tops.
+        if self.path.at(t)[2] <= table.cushion_height {
+            return;
+        }
+        if let Some(top) = table.top_at(place) {
+            first.offer(Some(t), TableFeature::Cushion(top));
+        } else if let Some(pocket) = table.opening_at(place)
+            && self.is_mouth_line(usize::from(pocket))
+        {
+            first.offer(Some(t), TableFeature::Pocket(pocket));
+        }
+    }
+
+    fn is_mouth_line(&self, pocket: usize) -> bool {
+        matches!(self.table.pockets[pocket].capture, Capture::MouthLine { .. })
+    }
+
+    /// The lines from tip to tip, no higher than the rails' tops.
+    fn cross_mouth_lines(&self, first: &mut First) {
+        let (table, plan) = (self.table, plan(self.path));
+        let top = table.cushion_height + self.radius;
+        for (k, (pocket, mouth)) in table.pockets.iter().zip(&table.layout.mouths).enumerate() {
+            if self.is_mouth_line(k) {
+                let t =
+                    super::ball_pocket::through_gate(pocket, &mouth.gate, 0.0, &plan, first.last);
+                let low = |t: &f64| self.path.at(*t)[2] <= top;
+                first.offer(t.filter(low), TableFeature::Pocket(k as u8));
+            }
+        }
+    }
+
+    fn meet_edges(&self, first: &mut First, last: f64) {
+        let (height, radius) = (self.table.cushion_height, self.radius);
+        // Until it comes down to where a ball touches an edge there is nothing to meet.
+        if self.path.d[2] > height + radius
+            && self.descent_through(height + radius).is_none_or(|t| t > first.last)
+        {
+            return;
+        }
+        let mut track = Track::new(self.path, first.last);
+        for (i, cushion) in self.table.cushions.iter().enumerate() {
+            if cushion.part == Part::Top {
+                break;
+            }
+            if track.is_clear_of(&cushion.shape, radius) {
+                continue;
+            }
+            let before = first.last;
+            let t = edge::first_touch(&cushion.shape, height, radius, self.path, last);
+            first.offer(t, TableFeature::Cushion(i as u16));
+            if first.last < before {
+                track = Track::new(self.path, first.last);
+            }
+        }
+    }
+
+    /// The edges of the holes, and below the slate's surface their walls.
+    fn meet_lips(&self, first: &mut First, last: f64) {
+        let (path, radius) = (self.path, self.radius);
+        // Above the slate nothing of it is met but the plane.
+        let from = if path.d[2] > radius { self.descent_through(radius) } else { Some(0.0) };
+        let Some(from) = from.filter(|t| *t < first.last) else { return };
+        let track = Track::new(path, first.last);
+        for (k, pocket) in self.table.pockets.iter().enumerate() {
+            if self.is_mouth_line(k)
+                || track.is_clear_of_disc(pocket.center, pocket.radius + radius)
+            {
+                continue;
+            }
+            let around = relative(path, pocket.center, 0.0);
+            let rim = first_ring_contact(&around, pocket.radius, radius, from, last);
+            let wall = below(path, 0.0, [from, last], |from| {
+                first_touch_of_hole(&plan(&around), pocket.radius - radius, from, last)
+            });
+            // Where the liner stands on it the wall is the liner's.
+            let free = |t: &f64| !self.is_at_liner(k, &around, *t);
+            first.offer(earlier(rim, wall.filter(free)), TableFeature::Lip(k as u8));
+        }
+    }
+
+    /// Whether the centre, seen from the middle of pocket `k`, is in the angle of its liner's round wall.
+    fn is_at_liner(&self, k: usize, around: &Motion<3>, t: f64) -> bool {
+        let [x, y, _] = around.at(t);
+        let from_center = Vec2::new(x, y);
+        let along = self.table.layout.mouths[k].liner_from * from_center.length();
+        self.table.pockets[k].axis.dot(from_center) > along
+    }
+}
+
+/// What a flight draws on the table: a straight line.
+struct Track {
+    from: Vec2,
+    to: Vec2,
+}
+
+impl Track {
+    fn new(path: &Motion<3>, until: f64) -> Self {
+        let plan = plan(path);
+        let vec = |[x, y]: [f64; 2]| Vec2::new(x, y);
+        Self { from: vec(plan.d), to: vec(plan.at(until)) }
+    }
+
+    /// Whether the centre provably keeps further than `radius` (m) from the edge `shape`.
+    fn is_clear_of(&self, shape: &Shape, radius: f64) -> bool {
+        match *shape {
+            Shape::Segment { start, end, normal } => {
+                let beyond = |axis: Vec2, point: Vec2| {
+                    let (a, b) = (axis.dot(self.from - point), axis.dot(self.to - point));
+                    (if a < b { a } else { b }) > radius
+                };
+                let length = end - start;
+                let along = normal.perp();
+                let along = if along.dot(length) > 0.0 { along } else { -along };
+                beyond(normal, start) || beyond(along, end) || beyond(-along, start)
+            }
+            Shape::Arc { center, radius: ring, .. }
+            | Shape::Hollow { center, radius: ring, .. } => {
+                self.is_clear_of_disc(center, ring + radius)
+            }
+            Shape::Plane { .. } => true,
+        }
+    }
+
+    /// Whether the line keeps further than `distance` (m) from `center`: on one side of it, or ending before
+    /// it, or beginning behind it.
+    fn is_clear_of_disc(&self, center: Vec2, distance: f64) -> bool {
+        let line = self.to - self.from;
+        let (from, to) = (self.from - center, self.to - center);
+        let squared = distance * distance;
+        let beside = line.cross(from);
+        beside * beside > squared * line.length_squared()
+            || (to.length_squared() > squared && line.dot(to) < 0.0)
+            || (from.length_squared() > squared && line.dot(from) > 0.0)
+    }
+}

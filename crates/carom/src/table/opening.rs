@@ -1,0 +1,179 @@
+//! What lies behind the jaws of a pocket, up to the outer edge of the rails.
+//!
+//! Behind its deep end the line of a facing runs straight on to the back of the hole's circle, and the
+//! far arc of that circle joins the two: the liner. So the edges of a pocket close around its opening,
+//! and what lies behind an edge line, within the border, is the flat top of the rails:
+//!
+//! ```text
+//!   ───────────╮            ╭───────────   noses and points
+//!   rail top    ╲          ╱    rail top
+//!                ╲ opening╱                facings, to the deep ends
+//!                 ┊ ╭──╮ ┊                 then straight on
+//!                  ┊    ┊   hole
+//!                   ╰──╯                   the liner's wall, halved at the pocket's axis
+//! ```
+//!
+//! With the mouth-line model nothing exists behind the mouth: the opening ends between the deep ends.
+
+use super::geometry::{Jaw, RailFrame};
+use super::{PocketDescription, Shape, TableError, check};
+use crate::math::{Vec2, sqrt};
+
+/// The continuation of one jaw of the quadrant x ≤ 0, y ≤ 0.
+pub(super) struct Liner {
+    /// From the deep end to the back of the circle: an edge like the facing's.
+    pub(super) run: Shape,
+    /// From there to the pocket's axis.
+    pub(super) wall: Shape,
+    /// A point of the jaw's line over the hole, at or behind the deep end, m. Between it and its mirror
+    /// image all is hole.
+    pub(super) over_hole: Vec2,
+    /// Whether a ball on the cloth can touch the run before its centre is over the hole.
+    pub(super) exposed: bool,
+}
+
+impl Liner {
+    /// Cosine of the angle between `axis` and the beginning of the round wall.
+    pub(super) fn begins_at(&self, axis: Vec2) -> f64 {
+        match self.wall {
+            Shape::Hollow { start, .. } => axis.dot(start),
+            _ => 0.0,
+        }
+    }
+}
+
+/// The liner behind `jaw`, of a hole of radius `radius` (m) about `center`.
+///
+/// # Errors
+/// A hole that does not reach from facing to facing behind both deep ends: nothing would close the
+/// pocket.
+pub(super) fn liner(
+    jaw: &Jaw,
+    shape: &PocketDescription,
+    center: Vec2,
+    axis: Vec2,
+) -> Result<Liner, TableError> {
+    let radius = shape.hole_radius;
+    let normal = jaw.facing_normal;
+    let down = jaw.down;
+    let from_deep = center - jaw.deep;
+    // The foot of the perpendicular from the hole's centre on the jaw's line, and half the chord there.
+    let (across, foot) = (normal.dot(from_deep), down.dot(from_deep));
+    let half_chord = sqrt((radius * radius - across * across).max(0.0));
+    let length = foot + half_chord;
+    let exit = jaw.deep + down * length;
+    let from_center = exit - center;
+    // The exit stays on its own side of the axis.
+    let beside = axis.cross(jaw.deep - center) * axis.cross(from_center) > 0.0;
+    check::liner(jaw.place, across.abs() < radius, length > 0.0, across > 0.0 && beside)?;
+
+    let at_axis = jaw.deep + normal * (axis.cross(from_deep) / axis.cross(normal));
+    let covered = |p: Vec2| (p - center).length() < radius;
+    let exposed = !(covered(jaw.deep) && covered(at_axis));
+    Ok(Liner {
+        run: Shape::Segment { start: jaw.deep, end: exit, normal },
+        wall: Shape::Hollow {
+            center,
+            radius,
+            start: from_center * (1.0 / from_center.length()),
+            end: axis,
+        },
+        over_hole: if exposed && foot > 0.0 { jaw.deep + down * foot } else { jaw.deep },
+        exposed,
+    })
+}
+
+/// The openings of the quadrant x ≤ 0, y ≤ 0; the others are its mirror images.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Openings {
+    /// The corner's, between the jaws of the short and of the long rail.
+    corner: ([JawLine; 2], Back),
+    /// The side's, whose other jaw is the mirror image.
+    side: ([JawLine; 1], Back),
+}
+
+impl Openings {
+    pub(super) fn new([bottom, left, side]: [&Jaw; 3], corner_back: Back, side_back: Back) -> Self {
+        Self {
+            corner: ([JawLine::new(bottom), JawLine::new(left)], corner_back),
+            side: ([JawLine::new(side)], side_back),
+        }
+    }
+
+    /// Whether `p`, in the quadrant and behind a nose line, is in the opening of its corner or (second)
+    /// of its side, which begins behind the long rail.
+    pub(super) fn hold(&self, p: Vec2) -> [bool; 2] {
+        fn within<const N: usize>((jaws, back): &([JawLine; N], Back), p: Vec2) -> bool {
+            jaws.iter().all(|jaw| jaw.is_behind(p)) && back.is_behind(p)
+        }
+        let behind_long_rail = self.side.0[0].depth(p) > 0.0;
+        [within(&self.corner, p), behind_long_rail && within(&self.side, p)]
+    }
+}
+
+/// Where an opening ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Back {
+    /// Unit vector along the pocket's axis, away from the table.
+    pub(super) axis: Vec2,
+    /// The opening holds all up to here along the axis, from the table's centre, m,
+    pub(super) straight: f64,
+    /// and this disc, m; of radius 0 with the mouth-line model.
+    pub(super) center: Vec2,
+    pub(super) radius: f64,
+}
+
+impl Back {
+    /// Whether the back lies behind `p`.
+    fn is_behind(&self, p: Vec2) -> bool {
+        self.axis.dot(p) < self.straight
+            || (p - self.center).length_squared() < self.radius * self.radius
+    }
+}
+
+/// The edge line of a jaw, endless at its back.
+#[derive(Clone, Debug, PartialEq)]
+struct JawLine {
+    rail: RailFrame,
+    /// Where the nose begins along the rail, m.
+    nose_start: f64,
+    /// Radius of the point, m, and how far behind the nose line it ends, m.
+    point_radius: f64,
+    point_end: f64,
+    /// A point of the facing, m, and its normal.
+    deep: Vec2,
+    normal: Vec2,
+}
+
+impl JawLine {
+    fn new(jaw: &Jaw) -> Self {
+        Self {
+            rail: jaw.rail,
+            nose_start: jaw.nose_start,
+            point_radius: jaw.point_radius,
+            point_end: jaw.point_end,
+            deep: jaw.deep,
+            normal: jaw.facing_normal,
+        }
+    }
+
+    /// How far `p` is behind the nose line, m.
+    fn depth(&self, p: Vec2) -> f64 {
+        self.rail.behind.dot(p - self.rail.origin)
+    }
+
+    /// Whether the jaw lies behind `p`, seen from the pocket: all along it the edge goes deeper and
+    /// deeper behind the nose line, so that each depth has one end.
+    fn is_behind(&self, p: Vec2) -> bool {
+        let behind = self.depth(p);
+        if behind <= 0.0 {
+            return true;
+        }
+        if behind >= self.point_end {
+            return self.normal.dot(p - self.deep) > 0.0;
+        }
+        let rise = self.point_radius - behind;
+        let half_chord = sqrt(self.point_radius * self.point_radius - rise * rise);
+        self.rail.along.dot(p - self.rail.origin) < self.nose_start - half_chord
+    }
+}

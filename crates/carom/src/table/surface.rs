@@ -1,0 +1,139 @@
+//! What is under a place, and which way a touched part lies: the table as a solid body.
+//!
+//! * The slate is the plane z = 0, with the pockets' holes in it; a hole's edge is the lip.
+//! * Every nose, point, facing and straight run of a liner is a sharp edge at the height of the nose; the
+//!   rubber below recedes, by a ball's radius far below: there a centre comes up to the edge line.
+//! * A liner's round wall is the cylinder through the hole's edge, up to the height of the nose.
+//! * Behind all these edges lies the flat top of the rails, out to the border.
+
+use super::{Capture, Shape, Table, arc_sides};
+use crate::detect::ball_table::TableFeature;
+use crate::math::{Vec2, Vec3};
+
+/// Centres this much further below an edge than a radius meet what is under it, m: ten thousand roundings
+/// of a height, so that detection and normal agree on which of the two was touched.
+pub(crate) const UNDER_EDGE: f64 = 1e-12;
+
+impl Table {
+    /// The pocket over whose hole the point `p` (m, engine's frame) lies; none with the mouth-line model.
+    pub fn hole_at(&self, p: Vec2) -> Option<u8> {
+        let over = |i: &u8| {
+            let pocket = &self.pockets[usize::from(*i)];
+            (p - pocket.center).length_squared() < pocket.radius * pocket.radius
+                && matches!(pocket.capture, Capture::DropCircle)
+        };
+        if self.pockets.is_empty() {
+            return None;
+        }
+        self.nearest_pockets(p).into_iter().find(over)
+    }
+
+    /// The pocket in whose opening the point `p` (m, engine's frame) lies: behind the nose lines, between
+    /// the jaws and in front of the liner.
+    pub fn opening_at(&self, p: Vec2) -> Option<u8> {
+        let openings = self.layout.openings.as_ref()?;
+        if !self.is_behind_nose_line(p) {
+            return None;
+        }
+        let [corner, side] = openings.hold(Vec2::new(-p.x.abs(), -p.y.abs()));
+        let [at_corner, at_side] = self.nearest_pockets(p);
+        corner.then_some(at_corner).or(side.then_some(at_side))
+    }
+
+    /// The rail's top (index into `Table::cushions`) under the point `p` (m, engine's frame): behind an
+    /// edge line, not in a pocket's opening, within the border.
+    pub fn top_at(&self, p: Vec2) -> Option<u16> {
+        let on_top =
+            self.is_behind_nose_line(p) && !self.is_outside(p) && self.opening_at(p).is_none();
+        on_top.then(|| {
+            let (x, y) = (p.x.abs() - self.layout.half.x, p.y.abs() - self.layout.half.y);
+            let place = if x >= y {
+                2 + 2 * usize::from(p.x > 0.0) + usize::from(p.y > 0.0)
+            } else {
+                usize::from(p.y > 0.0)
+            };
+            self.layout.tops[place]
+        })
+    }
+
+    /// Whether the point `p` (m, engine's frame) lies beyond the outer edge of the rails.
+    pub fn is_outside(&self, p: Vec2) -> bool {
+        p.x.abs() > self.layout.border.x || p.y.abs() > self.layout.border.y
+    }
+
+    /// Unit vector from the centre `position` (m, engine's frame) of a ball of radius `radius` (m) to the
+    /// point of `feature` that it touches. A capture or the border has none: zero.
+    pub fn contact_normal(&self, feature: TableFeature, position: Vec3, radius: f64) -> Vec3 {
+        let down = Vec3::new(0.0, 0.0, -1.0);
+        match feature {
+            TableFeature::Slate => down,
+            TableFeature::Lip(k) => {
+                let pocket = &self.pockets[usize::from(k)];
+                let from_center = position.xy() - pocket.center;
+                if position.z <= 0.0 {
+                    return unit(from_center.with_z(0.0));
+                }
+                to_ring(from_center, pocket.radius, -position.z)
+            }
+            TableFeature::Cushion(part) => {
+                let shape = &self.cushions[usize::from(part)].shape;
+                if matches!(shape, Shape::Plane { .. }) {
+                    return down;
+                }
+                edge_normal(shape, position.xy(), self.cushion_height - position.z, radius)
+            }
+            TableFeature::Pocket(_)
+            | TableFeature::Depth(_)
+            | TableFeature::Brink
+            | TableFeature::Edge => Vec3::ZERO,
+        }
+    }
+
+    /// The corner and the side pocket next to `p`.
+    fn nearest_pockets(&self, p: Vec2) -> [u8; 2] {
+        let right = u8::from(p.x > 0.0);
+        [right + if p.y > 0.0 { 4 } else { 0 }, 2 + right]
+    }
+
+    fn is_behind_nose_line(&self, p: Vec2) -> bool {
+        p.x.abs() > self.layout.half.x || p.y.abs() > self.layout.half.y
+    }
+}
+
+/// The normal of an edge, or of a round wall, that lies `rise` (m) above the centre `p` of a ball.
+fn edge_normal(shape: &Shape, p: Vec2, rise: f64, radius: f64) -> Vec3 {
+    let under = rise > radius + 0.5 * UNDER_EDGE;
+    match *shape {
+        Shape::Segment { normal, .. } if under => (-normal).with_z(0.0),
+        Shape::Segment { start, normal, .. } => {
+            unit((-normal * normal.dot(p - start)).with_z(rise))
+        }
+        Shape::Arc { center, .. } if under => unit((center - p).with_z(0.0)),
+        Shape::Arc { center, radius, .. } => to_ring(p - center, radius, rise),
+        Shape::Hollow { center, radius, start, end } => {
+            let from_center = p - center;
+            let [side, _] = arc_sides(start, end);
+            if rise < 0.0 {
+                to_ring(from_center, radius, rise)
+            } else if side.dot(from_center) >= 0.0 {
+                unit(from_center.with_z(0.0))
+            } else {
+                // Beside the wall: its upright end.
+                unit((start * radius - from_center).with_z(0.0))
+            }
+        }
+        Shape::Plane { .. } => Vec3::ZERO,
+    }
+}
+
+/// Unit vector to the nearest point of a circle of radius `ring` (m) from a point that lies `from_center`
+/// off its axis and `rise` below its plane.
+fn to_ring(from_center: Vec2, ring: f64, rise: f64) -> Vec3 {
+    let distance = from_center.length();
+    let outwards = if distance > 0.0 { from_center * (1.0 / distance) } else { Vec2::ZERO };
+    unit((outwards * (ring - distance)).with_z(rise))
+}
+
+fn unit(v: Vec3) -> Vec3 {
+    v * (1.0 / v.length())
+}
