@@ -11,7 +11,7 @@
 //! that gives bounds of f, f′ and f″ on a span of time from a few scalar products (`ring::span`).
 //!
 //! The window of time in which the path is in the box about the torus |ρ − a|² + z² ≤ R² is walked
-//! from left to right, in spans for which one of four is proved:
+//! from left to right, in spans of each of which one of these is proved:
 //!
 //! * **clear**: f > 0;
 //! * **falling** or **concave**, f > 0 at the left: one root if f ≤ 0 at the right, else none;
@@ -193,8 +193,8 @@ enum Outcome {
     Open,
 }
 
-/// A span is not halved below this part of the window; at any speed that keeps the path in the box that
-/// long, it is less than a rounding of the positions.
+/// A span is not halved below this part of the window, which is less than a rounding of any of its times
+/// but the first few.
 const FINEST: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// The first contact in [start, end].
