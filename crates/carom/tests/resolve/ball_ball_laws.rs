@@ -5,7 +5,7 @@ use crate::near::assert_near;
 use crate::random::Random;
 use carom::math::{Vec2, Vec3, exp, sin_cos, sqrt};
 use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
-use carom::resolve::{Body, ball_ball, ball_ball::group};
+use carom::resolve::{Body, ball_ball, ball_ball::group, ball_slate};
 
 const CLOTH: Cloth =
     Cloth { sliding_friction: 0.2, rolling_friction: 0.01, spin_deceleration: 10.0 };
@@ -326,6 +326,34 @@ fn the_result_changes_smoothly_as_the_line_of_centres_tilts_out_of_the_level() {
                     assert!(gap <= 1e4 * STEP * impact.speeds(), "{:?}: {gap:e}", impact.law);
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn english_pools_unequal_balls_still_part_once_the_slate_has_answered() {
+    let mut random = Random(19);
+    let english = carom::Physics::english();
+    let sizes = [(0.116, 0.0254), (0.094, 0.0238)];
+    for model in MODELS {
+        let law = BallBall { model, ..english.ball_ball };
+        for _ in 0..IMPACTS / 10 {
+            let speed = exp(random.between(-9.0, 2.3));
+            let mut ball = |(mass, radius): (f64, f64)| Body {
+                velocity: Vec3 { z: 0.0, ..random.vector(speed) },
+                angular_velocity: random.vector(2.0 * speed / radius),
+                mass,
+                radius,
+            };
+            let (mut a, mut b) = (ball(sizes[0]), ball(sizes[1]));
+            let normal = Impact::normal(&mut random, true, &a, &b);
+            let before = (a.velocity - b.velocity).dot(normal);
+            ball_ball::resolve(&law, &CLOTH, GRAVITY, normal, &mut a, &mut b);
+            for ball in [&mut a, &mut b] {
+                ball_slate::settle(&english.slate, GRAVITY, ball);
+            }
+            let parting = (b.velocity - a.velocity).dot(normal);
+            assert!(parting > 0.5 * before, "{model:?}: {before} then {parting}");
         }
     }
 }
