@@ -1,7 +1,7 @@
 //! May a ball stand there?
 
 use super::{Capture, CushionPart, Shape, Table, arc_sides};
-use crate::math::Vec2;
+use crate::math::{Vec2, Vec3, sqrt};
 
 /// Gaps and overlaps up to this count as touching, m: 1 nm, far more than the rounding of positions in
 /// a file, far less than anybody can measure. Deeper overlap is refused.
@@ -44,12 +44,7 @@ impl Table {
     /// Where a ball of radius `radius` (m) on the cloth stands whose centre is at `position` (m, in the
     /// engine's frame).
     pub fn place_check(&self, position: Vec2, radius: f64) -> Placement {
-        self.place_at(position, self.reach(radius))
-    }
-
-    /// The same for a ball at any height: `reach` (m) is how far its surface stands out from its centre
-    /// at the height of the nose.
-    pub(crate) fn place_at(&self, position: Vec2, reach: f64) -> Placement {
+        let reach = self.reach(radius);
         let half = self.layout.half;
         let rubber = self.description.as_ref().map_or(0.0, |d| d.cushion_width);
         let within = |margin: f64| {
@@ -60,7 +55,8 @@ impl Table {
         if let Some(pocket) = self.captured_at(position, reach, in_rails) {
             return Placement::OverHole { pocket };
         }
-        let deepest = self.deepest(position, reach, rubber);
+        let parts = self.parts_on_cloth().iter();
+        let deepest = deepest(parts, |part| depth_in(part, position, reach, rubber));
         match deepest {
             // Also where a NaN was given.
             _ if !in_rails => Placement::Outside,
@@ -85,17 +81,59 @@ impl Table {
         (0..self.pockets.len()).find(holds).map(|i| i as u8)
     }
 
-    /// The part that a ball at `position` overlaps most, or is nearest to, and the depth, m.
-    fn deepest(&self, position: Vec2, reach: f64, rubber: f64) -> Option<(u16, f64)> {
-        let mut deepest: Option<(u16, f64)> = None;
-        for (i, cushion) in self.parts_on_cloth().iter().enumerate() {
-            let Some(depth) = depth_in(cushion, position, reach, rubber) else { continue };
-            if deepest.is_none_or(|(_, most)| depth > most) {
-                deepest = Some((i as u16, depth));
-            }
+    /// Where a ball of radius `radius` (m) in the air is whose centre is at `position` (m, in the engine's
+    /// frame), at least `radius` above the slate. Over a hole it is inside; beyond a mouth line, which
+    /// captures balls lower than the rails, it is not.
+    pub fn place_in_air(&self, position: Vec3, radius: f64) -> Placement {
+        let (plan, rise) = (position.xy(), self.cushion_height - position.z);
+        if self.is_outside(plan) {
+            return Placement::Outside;
         }
-        deepest
+        // Of a ball so high that it can rest on a rail's top, that is all.
+        if rise <= TOUCH_TOLERANCE - radius {
+            return Placement::Inside;
+        }
+        let reach = sqrt((radius * radius - rise * rise).max(0.0));
+        let gone = self.captured_at(plan, reach, true).filter(|pocket| {
+            matches!(self.pockets[usize::from(*pocket)].capture, Capture::MouthLine { .. })
+        });
+        if let Some(pocket) = gone {
+            return Placement::OverHole { pocket };
+        }
+        if let Some(part) = self.top_at(plan) {
+            return Placement::InCushion { part, depth: radius + rise };
+        }
+        let rubber = self.description.as_ref().map_or(0.0, |d| d.cushion_width);
+        let depth = |part: &CushionPart| match part.shape {
+            Shape::Hollow { center, radius: round, start, end } => {
+                let p = plan - center;
+                let beside = arc_sides(start, end).iter().all(|side| side.dot(p) >= 0.0);
+                let reach = if rise > 0.0 { radius } else { reach };
+                beside.then(|| p.length() + reach - round)
+            }
+            _ => depth_in(part, plan, reach, rubber),
+        };
+        match deepest(self.cushions.iter(), depth) {
+            Some((part, depth)) if depth > TOUCH_TOLERANCE => Placement::InCushion { part, depth },
+            Some((part, depth)) if depth >= -TOUCH_TOLERANCE => Placement::TouchesCushion { part },
+            _ => Placement::Inside,
+        }
     }
+}
+
+/// The part that a ball overlaps most, or is nearest to, and the depth, m.
+fn deepest<'a>(
+    parts: impl Iterator<Item = &'a CushionPart>,
+    depth: impl Fn(&CushionPart) -> Option<f64>,
+) -> Option<(u16, f64)> {
+    let mut deepest: Option<(u16, f64)> = None;
+    for (i, part) in (0u16..).zip(parts) {
+        let Some(depth) = depth(part) else { continue };
+        if deepest.is_none_or(|(_, most)| depth > most) {
+            deepest = Some((i, depth));
+        }
+    }
+    deepest
 }
 
 /// How deep a ball is in a part beside which or on which its centre stands, m; negative if apart.

@@ -68,16 +68,32 @@ fn a_ball_may_stand_on_a_rails_top_and_anywhere_above_it_but_not_in_the_wood() {
 }
 
 #[test]
-fn a_ball_may_drop_into_a_hole_but_not_start_in_its_rim() {
+fn a_ball_may_drop_into_a_hole_but_not_start_in_its_wall() {
     let table = carom::Table::preset("wpa-9ft").expect("a preset");
-    let hole = table.pockets[0].center + table.center();
-    assert_eq!(motion(at(hole.x, hole.y, RADIUS + 1e-3)), MotionState::Airborne);
-    let resting = refusal(at(hole.x, hole.y, RADIUS));
+    let pocket = &table.pockets[0];
+    let at = |along: f64, z: f64| {
+        let p = pocket.center + table.center() + pocket.axis * along;
+        at(p.x, p.y, z)
+    };
+    let low = RADIUS + 1e-3;
+    assert_eq!(motion(at(0.0, low)), MotionState::Airborne);
+    let resting = refusal(at(0.0, RADIUS));
     assert!(resting.contains("stands over the bottom-left pocket"), "{resting}");
-    let out = table.pockets[0].axis * (table.pockets[0].radius - 0.5 * RADIUS);
-    let in_the_rim = refusal(at(hole.x + out.x, hole.y + out.y, RADIUS + 1e-3));
-    assert!(in_the_rim.contains("bottom-left pocket"), "{in_the_rim}");
-    assert_eq!(motion(at(hole.x + out.x, hole.y + out.y, NOSE + RADIUS)), MotionState::Airborne);
+    // Over the lip, and between there and the wall at the back.
+    let touching = pocket.radius - RADIUS;
+    for along in [-pocket.radius, -touching, 0.9 * touching, touching] {
+        assert_eq!(motion(at(along, low)), MotionState::Airborne, "{along}");
+    }
+    let sentence = refusal(at(touching + 2e-9, low));
+    assert!(sentence.contains("deep in the liner of the"), "{sentence}");
+    // Higher than the wall the rim is what it may touch.
+    let above = 0.8 * RADIUS;
+    let reach = (RADIUS * RADIUS - above * above).sqrt();
+    assert_eq!(motion(at(pocket.radius - reach, NOSE + above)), MotionState::Airborne);
+    assert!(refusal(at(pocket.radius - reach + 2e-9, NOSE + above)).contains("liner"));
+    let in_the_wood = refusal(at(pocket.radius + 1e-3, NOSE + above));
+    assert!(in_the_wood.contains("deep in the top of the"), "{in_the_wood}");
+    assert_eq!(motion(at(pocket.radius + 1e-3, NOSE + RADIUS)), MotionState::Airborne);
 }
 
 #[test]
