@@ -4,25 +4,28 @@
 //! time at which that began. An event advances only the balls that take part in it; a resting
 //! ball never drifts. After it, only those balls' candidates are found anew.
 //!
-//! **Order of events at one instant**: motion transitions, then pockets, then cushions, then
-//! ball–ball contacts; among equals the ball that stands first in the shot. Contacts that share a
+//! **Order of events at one instant**: motion transitions; then the slate, the holes in it and the
+//! table's edge; then cushions; then ball–ball contacts; among equals the ball that stands first in
+//! the shot. Contacts that share a
 //! ball in the same instant are resolved together (`resolve/ball_ball/group.rs`).
 
 mod candidates;
 mod cluster;
+mod flight;
 mod impact;
 mod row;
+mod support;
 
 use core::marker::PhantomData;
 
 use crate::detect::ball_ball::{ContactFinder, FirstContact};
 use crate::detect::ball_table::TableFeature;
 use crate::event::{Event, EventKind, Recorder};
-use crate::math::Vec3;
-use crate::motion::{Path, classify};
+use crate::motion::Path;
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 use crate::shot::Shot;
 use crate::{Ball, BallState, MotionState, Physics, Table};
+use support::Support;
 
 /// Balls up to which the whole state stays in a processor's fastest memory; more are slower.
 pub const SMALL: usize = 24;
@@ -87,6 +90,8 @@ pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     soonest: [f64; N],
     /// When each ball was last in a contact, −∞ if never.
     touched: [f64; N],
+    /// Whether each ball is off the slate: in flight, on a rail's top, in a hole.
+    aloft: [bool; N],
     /// First contact of every pair, symmetric.
     pair: [[f64; N]; N],
     /// Whether the processor has vectors wide enough for [`row`].
@@ -125,8 +130,8 @@ impl Next {
     fn rank(self) -> u8 {
         match self {
             Self::Transition(_) => 0,
-            Self::Meeting(_, TableFeature::Pocket(_)) => 1,
-            Self::Meeting(_, _) => 2,
+            Self::Meeting(_, TableFeature::Cushion(_)) => 2,
+            Self::Meeting(..) => 1,
             Self::Contact(..) => 3,
         }
     }
@@ -166,6 +171,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             partner: [0; N],
             soonest: [f64::INFINITY; N],
             touched: [f64::NEG_INFINITY; N],
+            aloft: [false; N],
             wide: row::has_wide_vectors(),
             pair: [[f64::INFINITY; N]; N],
             finder: PhantomData,
@@ -197,7 +203,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.load(shot);
         let mut events = 0;
         if let Some((struck, strike)) = &strike {
-            self.strike(*struck, strike, &shot.physics, recorder)?;
+            self.strike(*struck, strike, &shot.table, &shot.physics, recorder)?;
             events = 1;
         }
         self.run(&shot.table, &shot.physics, shot.max_events, events, recorder)
@@ -230,6 +236,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         &mut self,
         struck: usize,
         strike: &Strike,
+        table: &Table,
         physics: &Physics,
         recorder: &mut R,
     ) -> Result<(), SimulationError> {
@@ -237,8 +244,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let ball = self.ball[struck];
         let (velocity, angular_velocity) =
             cue_ball::resolve(&physics.cue, &ball, strike).map_err(SimulationError::Strike)?;
-        let velocity = Vec3 { z: 0.0, ..velocity };
-        let after = struck_state(&before, velocity, angular_velocity, ball.radius);
+        let support = Support::under(&before, &ball, table);
+        let after = support.settled(&before, velocity, angular_velocity, &ball, physics);
         self.begin(struck, &after, 0.0, physics);
         recorder.record(&Event {
             time: 0.0,
@@ -270,18 +277,14 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             }
             // A candidate is found relative to its own instant and then rounded: never go back.
             time = if at > time { at } else { time };
-            events += 1;
-            match next {
+            events += match next {
                 Next::Transition(i) => self.transit(i, time, table, physics, recorder),
-                Next::Meeting(i, TableFeature::Pocket(k)) => {
-                    self.sink(i, k, time, table, physics, recorder);
-                }
                 Next::Meeting(i, TableFeature::Cushion(k)) => {
-                    self.rebound(i, k, time, table, physics, recorder);
+                    self.rebound(i, k, time, table, physics, recorder)
                 }
-                Next::Meeting(_, _) => {}
+                Next::Meeting(i, feature) => self.leave(i, feature, time, table, physics, recorder),
                 Next::Contact(i, j) => self.collide(i, j, time, table, physics, recorder),
-            }
+            };
         }
         Ok(Summary { duration: time, events })
     }
@@ -345,7 +348,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    /// A motion state ends by the passage of time.
+    /// A motion state ends by the passage of time. Returns the number of events.
     fn transit<R: Recorder>(
         &mut self,
         i: usize,
@@ -353,7 +356,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         table: &Table,
         physics: &Physics,
         recorder: &mut R,
-    ) {
+    ) -> u32 {
         let path = self.path[i];
         let before = path.at(path.duration);
         let after = path.successor();
@@ -364,40 +367,16 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             before: &[before],
             after: &[after],
         });
+        if self.aloft[i] && after.motion == MotionState::Stationary {
+            return 1 + self.retire(i, &after, time, table, physics, recorder);
+        }
         self.begin(i, &after, time, physics);
         if path.moves() {
             self.find(&[i as u16], time, table);
         } else {
             self.find_self(i, time, table);
         }
-    }
-
-    /// A ball falls into a pocket: it comes to rest below the slate, under the hole's centre.
-    fn sink<R: Recorder>(
-        &mut self,
-        i: usize,
-        pocket: u8,
-        time: f64,
-        table: &Table,
-        physics: &Physics,
-        recorder: &mut R,
-    ) {
-        let before = self.state(i, time);
-        let radius = self.ball[i].radius;
-        let after = BallState {
-            position: table.pockets[usize::from(pocket)].center.with_z(-radius),
-            motion: MotionState::Pocketed,
-            ..BallState::default()
-        };
-        recorder.record(&Event {
-            time,
-            kind: EventKind::PocketCollision(pocket),
-            balls: &[i as u16],
-            before: &[before],
-            after: &[after],
-        });
-        self.begin(i, &after, time, physics);
-        self.find(&[i as u16], time, table);
+        1
     }
 
     /// Gives ball `i` the path that starts at `time` in `state`.
@@ -416,25 +395,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.lanes.hx[i] = path.half_acceleration.x;
         self.lanes.hy[i] = path.half_acceleration.y;
         self.lanes.start[i] = time;
+        self.aloft[i] = path.motion == MotionState::Airborne || path.position.z != path.radius;
         self.path[i] = path;
-    }
-}
-
-/// The state right after an impact: the same place, new velocities, the motion that they mean.
-#[inline(always)]
-fn struck_state(before: &BallState, velocity: Vec3, spin: Vec3, radius: f64) -> BallState {
-    let motion = classify(velocity, spin, radius);
-    let state = BallState { position: before.position, velocity, angular_velocity: spin, motion };
-    match motion {
-        MotionState::Spinning => BallState {
-            velocity: Vec3::ZERO,
-            angular_velocity: Vec3::new(0.0, 0.0, spin.z),
-            ..state
-        },
-        MotionState::Stationary => {
-            BallState { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, ..state }
-        }
-        _ => state,
     }
 }
 

@@ -4,9 +4,11 @@ use carom_roots::Motion;
 
 use super::row::Open;
 use super::{Simulation, earlier};
-use crate::Table;
 use crate::detect::ball_ball::ContactFinder;
-use crate::detect::ball_table;
+use crate::detect::ball_table::{self, TableFeature};
+use crate::detect::{flight, rail_top};
+use crate::motion::Path;
+use crate::{MotionState, Table};
 
 /// The partner of a ball that is to meet none.
 const NOBODY: u16 = u16::MAX;
@@ -62,13 +64,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.meeting[i] = f64::INFINITY;
         self.lanes.leave[i] = if path.motion.in_play() { f64::INFINITY } else { f64::NAN };
         if path.moves() {
-            let motion = Motion {
-                d: [path.position.x, path.position.y],
-                v: [path.velocity.x, path.velocity.y],
-                h: [path.half_acceleration.x, path.half_acceleration.y],
-            };
             debug_assert_eq!(self.lanes.start[i], time);
-            let meeting = ball_table::first_meeting(table, path.radius, &motion, path.duration);
+            let meeting = if self.aloft[i] {
+                self.first_meeting_aloft(i, table)
+            } else {
+                ball_table::first_meeting(table, path.radius, &in_plan(path), path.duration)
+            };
             if let Some((t, feature)) = meeting {
                 self.meeting[i] = time + t;
                 self.feature[i] = feature;
@@ -91,11 +92,57 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             if usize::from(j) == i || holds(done, j) {
                 continue;
             }
-            let (motion, distance, horizon) = self.lanes.pair(i, usize::from(j), time);
-            if let Some(t) = F::first_contact(&motion, distance, horizon) {
-                self.meet(i, usize::from(j), time + t);
+            let j = usize::from(j);
+            let (motion, distance, horizon) = self.lanes.pair(i, j, time);
+            let contact = if self.aloft[i] || self.aloft[j] {
+                self.first_contact_aloft(i, j, &motion, time, horizon)
+            } else {
+                F::first_contact(&motion, distance, horizon)
+            };
+            if let Some(t) = contact {
+                self.meet(i, j, time + t);
             }
         }
+    }
+
+    /// What of the table a ball off the slate meets first.
+    #[cold]
+    fn first_meeting_aloft(&self, i: usize, table: &Table) -> Option<(f64, TableFeature)> {
+        let path = &self.path[i];
+        if path.motion != MotionState::Airborne {
+            return rail_top::first_leaving(table, path.radius, &in_plan(path), path.duration);
+        }
+        let motion = Motion {
+            d: path.position.to_array(),
+            v: path.velocity.to_array(),
+            h: path.half_acceleration.to_array(),
+        };
+        flight::first_meeting(table, path.radius, &motion, path.duration)
+    }
+
+    /// First contact of two balls of which one is off the slate, `plan` being their relative motion seen
+    /// from above.
+    #[cold]
+    fn first_contact_aloft(
+        &self,
+        i: usize,
+        j: usize,
+        plan: &Motion<2>,
+        time: f64,
+        horizon: f64,
+    ) -> Option<f64> {
+        let height = |k: usize| {
+            let (path, age) = (&self.path[k], time - self.lanes.start[k]);
+            (path.position_at(age).z, path.velocity_at(age).z, path.half_acceleration.z)
+        };
+        let ((zi, vi, hi), (zj, vj, hj)) = (height(i), height(j));
+        let motion = Motion {
+            d: [plan.d[0], plan.d[1], zj - zi],
+            v: [plan.v[0], plan.v[1], vj - vi],
+            h: [plan.h[0], plan.h[1], hj - hi],
+        };
+        let distance = self.ball[i].radius + self.ball[j].radius;
+        carom_roots::first_contact(&motion, distance, horizon)
     }
 
     /// Notes that balls `i` and `j` are to meet at `t`.
@@ -126,6 +173,16 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.contact[i] = best;
         self.partner[i] = partner;
         self.soonest[i] = earlier(earlier(self.transition[i], self.meeting[i]), best);
+    }
+}
+
+/// A path seen from above.
+#[inline(always)]
+fn in_plan(path: &Path) -> Motion<2> {
+    Motion {
+        d: [path.position.x, path.position.y],
+        v: [path.velocity.x, path.velocity.y],
+        h: [path.half_acceleration.x, path.half_acceleration.y],
     }
 }
 

@@ -1,8 +1,9 @@
 //! Contacts that share a ball in the same instant: resolved together, in no order.
 
-use super::impact::{body, level};
-use super::{Simulation, struck_state};
-use crate::detect::ball_ball::{ContactFinder, touching_distance};
+use super::Simulation;
+use super::impact::body;
+use super::support::Support;
+use crate::detect::ball_ball::ContactFinder;
 use crate::event::{Event, EventKind, Recorder};
 use crate::math::Vec3;
 use crate::resolve::Body;
@@ -49,15 +50,15 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         table: &Table,
         physics: &Physics,
         recorder: &mut R,
-    ) {
+    ) -> u32 {
         let (a, b) = (i.min(j), i.max(j));
         let soon = time + SAME_INSTANT_TIME;
         let alone = (0..self.n)
             .all(|k| k == a || k == b || (self.pair[a][k] > soon && self.pair[b][k] > soon));
         if alone {
-            self.collide_pair(a, b, time, table, physics, recorder);
+            self.collide_pair(a, b, time, table, physics, recorder)
         } else {
-            self.collide_cluster(a, b, time, table, physics, recorder);
+            self.collide_cluster(a, b, time, table, physics, recorder)
         }
     }
 
@@ -70,7 +71,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         table: &Table,
         physics: &Physics,
         recorder: &mut R,
-    ) {
+    ) -> u32 {
         let mut cluster = Cluster {
             size: 0,
             balls: [0; MAX_MEMBERS],
@@ -84,7 +85,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             return self.collide_pair(a, b, time, table, physics, recorder);
         }
         let mut after = [BallState::default(); MAX_MEMBERS];
-        self.resolve_cluster(&mut cluster, &mut after, [a as u16, b as u16], time, physics);
+        let first = [a as u16, b as u16];
+        self.resolve_cluster(&mut cluster, &mut after, first, time, table, physics);
         for (&i, after) in cluster.balls().iter().zip(&after) {
             self.begin(usize::from(i), after, time, physics);
             self.touched[usize::from(i)] = time;
@@ -97,6 +99,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             after: &after[..cluster.size],
         });
         self.find(cluster.balls(), time, table);
+        1
     }
 
     /// The states after the impact of all contacts among the cluster's balls. `first` is the
@@ -107,6 +110,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         after: &mut [BallState; MAX_MEMBERS],
         first: [u16; 2],
         time: f64,
+        table: &Table,
         physics: &Physics,
     ) {
         let size = cluster.size;
@@ -126,7 +130,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                     Meeting::of(&cluster.before[p], &cluster.before[q], &bodies[p], &bodies[q]);
                 let due = meeting.due() || [cluster.balls[p], cluster.balls[q]] == first;
                 if due && count < contacts.len() {
-                    contacts[count] = (p as u8, q as u8, level(meeting.normal));
+                    contacts[count] = (p as u8, q as u8, meeting.normal);
                     count += 1;
                 }
             }
@@ -134,8 +138,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let contacts = &contacts[..count];
         group::resolve_group(&physics.ball_ball, &physics.cloth, physics.gravity, bodies, contacts);
         for (k, body) in bodies.iter().enumerate() {
-            let (v, spin) = (Vec3 { z: 0.0, ..body.velocity }, body.angular_velocity);
-            after[k] = struck_state(&cluster.before[k], v, spin, body.radius);
+            let (v, spin) = (body.velocity, body.angular_velocity);
+            let (state, ball) = (&cluster.before[k], &self.ball[usize::from(cluster.balls[k])]);
+            after[k] = Support::under(state, ball, table).settled(state, v, spin, ball, physics);
         }
     }
 
@@ -184,7 +189,7 @@ impl Meeting {
         let normal = d * (1.0 / d.length());
         Self {
             normal,
-            gap: d.xy().length() - touching_distance(p.radius, q.radius),
+            gap: d.length() - (p.radius + q.radius),
             approach: (a.velocity - b.velocity).dot(normal),
         }
     }

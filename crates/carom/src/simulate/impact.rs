@@ -1,11 +1,14 @@
 //! Impacts: the balls in one take new velocities in place.
 
-use super::{Simulation, earlier, struck_state};
+use super::support::{Support, on_plane};
+use super::{Simulation, earlier};
 use crate::detect::ball_ball::ContactFinder;
+use crate::detect::ball_table::TableFeature;
 use crate::event::{Event, EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
-use crate::resolve::{self, Body};
-use crate::{Ball, BallState, Physics, Table};
+use crate::resolve::{self, Body, ball_edge};
+use crate::table::Part;
+use crate::{Ball, BallState, MotionState, Physics, Table};
 
 /// A push without end: cloth friction presses a ball against another, or against a cushion, that
 /// it touches, and their bounces would shrink for ever, for the cloth brakes each recoil away. A
@@ -39,7 +42,7 @@ const PRESS_SHARE: f64 = 0.1;
 const SEPARATION_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl<const N: usize, F: ContactFinder> Simulation<N, F> {
-    /// A ball meets a cushion.
+    /// A ball meets a part of a cushion. Returns the number of events.
     pub(super) fn rebound<R: Recorder>(
         &mut self,
         i: usize,
@@ -48,24 +51,31 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         table: &Table,
         physics: &Physics,
         recorder: &mut R,
-    ) {
+    ) -> u32 {
         let before = self.state(i, time);
+        let kind = table.cushions[usize::from(part)].part;
+        if kind == Part::Top {
+            return self.land_on_top(i, part, &before, time, table, physics, recorder);
+        }
         let ball = self.ball[i];
-        let into = table.normal_at(usize::from(part), before.position.xy());
-        let sin_theta = (table.cushion_height - ball.radius) / ball.radius;
+        let law = &if kind == Part::Nose { physics.cushion } else { physics.cushion_of(kind) };
+        let (normal, push) = self.touched_at(i, part, &before, table);
+        let support = Support::under(&before, &ball, table);
+        let on_bed = !self.aloft[i];
         let strike = |press: f64| {
             let mut body = body(&before, &ball);
-            body.velocity += (into * press).with_z(0.0);
-            let law = &physics.cushion;
-            let normal = (into * sqrt(1.0 - sin_theta * sin_theta)).with_z(sin_theta);
-            resolve::ball_cushion::resolve(law, &physics.cloth, normal, true, &mut body);
-            body.velocity.z = 0.0;
-            [struck_state(&before, body.velocity, body.angular_velocity, ball.radius)]
+            body.velocity += push * press;
+            if !on_bed && ball_edge::is_gentle(normal, &body) {
+                ball_edge::resolve(&law.surface(), normal, &mut body);
+            } else {
+                resolve::ball_cushion::resolve(law, &physics.cloth, normal, on_bed, &mut body);
+            }
+            [support.settled(&before, body.velocity, body.angular_velocity, &ball, physics)]
         };
         let again = self.touched_lately(i, time);
-        let normal = into.with_z(0.0);
         // A cushion hit so gently reflects.
-        let impact = Impact { before: &[before], balls: &[ball], normal, again, smooth: true };
+        let impact =
+            Impact { before: &[before], balls: &[ball], normal: push, push, again, smooth: true };
         let [after] = impact.settle(strike);
         self.begin(i, &after, time, physics);
         self.touched[i] = time;
@@ -77,6 +87,22 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             after: &[after],
         });
         self.find(&[i as u16], time, table);
+        if on_bed { 1 } else { 1 + self.catch(i, &after, time, table, physics, recorder) }
+    }
+
+    /// Unit vector from ball `i` to where it touches a cushion part, and that along which it could be
+    /// pushed against it: on the slate, level.
+    #[inline(always)]
+    fn touched_at(&self, i: usize, part: u16, state: &BallState, table: &Table) -> (Vec3, Vec3) {
+        let radius = self.ball[i].radius;
+        if self.aloft[i] {
+            let feature = TableFeature::Cushion(part);
+            let normal = table.contact_normal(feature, state.position, radius);
+            return (normal, normal);
+        }
+        let into = table.normal_at(usize::from(part), state.position.xy());
+        let sin = (table.cushion_height - radius) / radius;
+        ((into * sqrt(1.0 - sin * sin)).with_z(sin), into.with_z(0.0))
     }
 
     /// Two balls meet.
@@ -88,31 +114,34 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         table: &Table,
         physics: &Physics,
         recorder: &mut R,
-    ) {
+    ) -> u32 {
         let balls = [a as u16, b as u16];
         let before = [self.state(a, time), self.state(b, time)];
         let d = before[1].position - before[0].position;
         let normal = d * (1.0 / d.length());
         let pair = [self.ball[a], self.ball[b]];
         let reduced = 1.0 / (1.0 / pair[0].mass + 1.0 / pair[1].mass);
+        let on_bed = [!self.aloft[a], !self.aloft[b]];
+        // Two balls on the slate push each other along it, also where their sizes differ and their
+        // centres stand aslant.
+        let push = if on_bed == [true, true] { normal.xy().with_z(0.0) } else { normal };
+        let supports = [0, 1].map(|k| Support::under(&before[k], &pair[k], table));
         let strike = |press: f64| {
             let mut p = body(&before[0], &pair[0]);
             let mut q = body(&before[1], &pair[1]);
-            // Level, also where balls of different size stand with their centres aslant.
-            let along = normal.xy().with_z(0.0);
-            p.velocity += along * (press * reduced / p.mass);
-            q.velocity -= along * (press * reduced / q.mass);
+            p.velocity += push * (press * reduced / p.mass);
+            q.velocity -= push * (press * reduced / q.mass);
             let Physics { ball_ball: law, cloth, gravity, .. } = physics;
-            resolve::ball_ball::resolve(law, cloth, *gravity, level(normal), &mut p, &mut q);
-            (p.velocity.z, q.velocity.z) = (0.0, 0.0);
-            [
-                struck_state(&before[0], p.velocity, p.angular_velocity, p.radius),
-                struck_state(&before[1], q.velocity, q.angular_velocity, q.radius),
-            ]
+            resolve::ball_ball::resolve(law, cloth, *gravity, normal, on_bed, &mut p, &mut q);
+            let after = |k: usize, body: &Body| {
+                let (v, spin) = (body.velocity, body.angular_velocity);
+                supports[k].settled(&before[k], v, spin, &pair[k], physics)
+            };
+            [after(0, &p), after(1, &q)]
         };
         let again = self.touched_lately(a, time) && self.touched_lately(b, time);
         let smooth = physics.ball_ball.is_smooth();
-        let impact = Impact { before: &before, balls: &pair, normal, again, smooth };
+        let impact = Impact { before: &before, balls: &pair, normal, push, again, smooth };
         let after = impact.settle(strike);
         for (i, after) in [(a, &after[0]), (b, &after[1])] {
             self.begin(i, after, time, physics);
@@ -126,6 +155,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             after: &after,
         });
         self.find(&balls, time, table);
+        1
     }
 
     /// Whether ball `i` has been in another contact within [`PUSH_PERIOD`].
@@ -133,15 +163,6 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     fn touched_lately(&self, i: usize, time: f64) -> bool {
         time - self.touched[i] < PUSH_PERIOD
     }
-}
-
-/// The horizontal direction of `normal`.
-pub(super) fn level(normal: Vec3) -> Vec3 {
-    if normal.z == 0.0 {
-        return normal;
-    }
-    let along = normal.xy();
-    (along * (1.0 / along.length())).with_z(0.0)
 }
 
 pub(super) fn body(state: &BallState, ball: &Ball) -> Body {
@@ -153,11 +174,21 @@ pub(super) fn body(state: &BallState, ball: &Ball) -> Body {
     }
 }
 
+/// A state after an impact with other velocities.
+fn moving(state: &BallState, velocity: Vec3, spin: Vec3, radius: f64) -> BallState {
+    if state.motion == MotionState::Airborne {
+        return BallState { velocity, angular_velocity: spin, ..*state };
+    }
+    on_plane(state.position, velocity, spin, radius)
+}
+
 /// Bodies about to meet along `normal`: a ball and a wall (`K` = 1) or two balls (`K` = 2).
 struct Impact<'a, const K: usize> {
     before: &'a [BallState; K],
     balls: &'a [Ball; K],
     normal: Vec3,
+    /// The same along which they can be pushed: level for bodies on the slate.
+    push: Vec3,
     /// Whether both have been in another contact just now.
     again: bool,
     /// Whether no friction acts between them at low speed.
@@ -218,7 +249,7 @@ impl<const K: usize> Impact<'_, K> {
         for (state, ball) in states.iter_mut().zip(self.balls) {
             let spin = state.angular_velocity;
             let spin = (spin.xy() * kept).with_z(spin.z);
-            *state = struck_state(state, state.velocity, spin, ball.radius);
+            *state = moving(state, state.velocity, spin, ball.radius);
         }
         true
     }
@@ -229,13 +260,12 @@ impl<const K: usize> Impact<'_, K> {
     #[cold]
     fn parted(&self, states: &[BallState; K], speed: f64) -> [BallState; K] {
         let mobility = self.balls.iter().fold(0.0, |sum, ball| sum + 1.0 / ball.mass);
-        // Level, also where balls of different size stand with their centres aslant.
-        let along = self.normal.xy().with_z(0.0) * (speed / mobility);
+        let along = self.push * (speed / mobility);
         let mut side = -1.0;
         let mut result = *states;
         for (state, ball) in result.iter_mut().zip(self.balls) {
             let velocity = state.velocity + along * (side / ball.mass);
-            *state = struck_state(state, velocity, state.angular_velocity, ball.radius);
+            *state = moving(state, velocity, state.angular_velocity, ball.radius);
             side = -side;
         }
         result

@@ -1,0 +1,91 @@
+//! What carries a ball, and the state in which an impact leaves it there.
+
+use crate::math::Vec3;
+use crate::motion::classify;
+use crate::physics::Surface;
+use crate::resolve::{Body, ball_slate};
+use crate::{Ball, BallState, MotionState, Physics, Table};
+
+/// What is right under a ball.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Support {
+    /// The slate, or a rail's top.
+    Plane,
+    /// Nothing: the ball flies, or hangs over an edge.
+    Air,
+}
+
+impl Support {
+    /// What carries `ball` in `state`. A ball that touches a plane has its very height.
+    #[inline(always)]
+    pub(super) fn under(state: &BallState, ball: &Ball, table: &Table) -> Self {
+        if state.position.z == ball.radius || Self::is_on_top(state, ball, table) {
+            Self::Plane
+        } else {
+            Self::Air
+        }
+    }
+
+    /// Whether a rail's top carries the ball.
+    #[cold]
+    pub(super) fn is_on_top(state: &BallState, ball: &Ball, table: &Table) -> bool {
+        state.position.z == table.cushion_height + ball.radius
+            && table.is_on_top(state.position.xy())
+    }
+
+    /// The state right after an impact that gave the ball these velocities: the same place, and the
+    /// motion that they mean. A plane takes what is too little for a hop ([`ball_slate::settle`]).
+    #[inline(always)]
+    pub(super) fn settled(
+        self,
+        before: &BallState,
+        velocity: Vec3,
+        spin: Vec3,
+        ball: &Ball,
+        physics: &Physics,
+    ) -> BallState {
+        if self == Self::Plane && velocity.z == 0.0 {
+            return on_plane(before.position, velocity, spin, ball.radius);
+        }
+        self.after_a_push(before, velocity, spin, ball, physics)
+    }
+
+    fn after_a_push(
+        self,
+        before: &BallState,
+        velocity: Vec3,
+        angular_velocity: Vec3,
+        ball: &Ball,
+        physics: &Physics,
+    ) -> BallState {
+        let position = before.position;
+        let mut body = Body { velocity, angular_velocity, mass: ball.mass, radius: ball.radius };
+        if self == Self::Plane {
+            let law: &Surface = &physics.slate;
+            ball_slate::settle(law, physics.gravity, &mut body);
+            if body.velocity.z == 0.0 {
+                return on_plane(position, body.velocity, body.angular_velocity, ball.radius);
+            }
+        }
+        let Body { velocity, angular_velocity, .. } = body;
+        BallState { position, velocity, angular_velocity, motion: MotionState::Airborne }
+    }
+}
+
+/// The state of a ball on a plane, with the motion that its velocities mean.
+#[inline(always)]
+pub(super) fn on_plane(position: Vec3, velocity: Vec3, spin: Vec3, radius: f64) -> BallState {
+    let motion = classify(velocity, spin, radius);
+    let state = BallState { position, velocity, angular_velocity: spin, motion };
+    match motion {
+        MotionState::Spinning => BallState {
+            velocity: Vec3::ZERO,
+            angular_velocity: Vec3::new(0.0, 0.0, spin.z),
+            ..state
+        },
+        MotionState::Stationary => {
+            BallState { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, ..state }
+        }
+        _ => state,
+    }
+}
