@@ -7,6 +7,7 @@ use crate::detect::ball_table::TableFeature;
 use crate::event::{Event, EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
 use crate::resolve::{self, Body, ball_edge};
+use crate::physics::Surface;
 use crate::table::Part;
 use crate::{Ball, BallState, MotionState, Physics, Table};
 
@@ -65,8 +66,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let strike = |press: f64| {
             let mut body = body(&before, &ball);
             body.velocity += push * press;
-            if !on_bed && ball_edge::is_gentle(normal, &body) {
-                ball_edge::resolve(&law.surface(), normal, &mut body);
+            if !on_bed && is_gentle(normal, &body) {
+                let edge = Surface { restitution: law.restitution.at(0.0), friction: law.friction.a };
+                ball_edge::resolve(&edge, normal, &mut body);
             } else {
                 resolve::ball_cushion::resolve(law, &physics.cloth, normal, on_bed, &mut body);
             }
@@ -132,7 +134,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             p.velocity += push * (press * reduced / p.mass);
             q.velocity -= push * (press * reduced / q.mass);
             let Physics { ball_ball: law, cloth, gravity, .. } = physics;
-            resolve::ball_ball::resolve(law, cloth, *gravity, normal, on_bed, &mut p, &mut q);
+            resolve::ball_ball::resolve(law, cloth, *gravity, normal, &mut p, &mut q);
             let after = |k: usize, body: &Body| {
                 let (v, spin) = (body.velocity, body.angular_velocity);
                 supports[k].settled(&before[k], v, spin, &pair[k], physics)
@@ -172,6 +174,12 @@ pub(super) fn body(state: &BallState, ball: &Ball) -> Body {
         mass: ball.mass,
         radius: ball.radius,
     }
+}
+
+/// Whether gravity presses the ball on an edge under it, at the end of `normal`, rather than that the ball
+/// strikes it.
+fn is_gentle(normal: Vec3, ball: &Body) -> bool {
+    normal.z < 0.0 && ball.velocity.dot(normal) < ball_edge::EDGE_HOP
 }
 
 /// A state after an impact with other velocities.
