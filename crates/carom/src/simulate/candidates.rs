@@ -110,7 +110,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     fn first_meeting_aloft(&self, i: usize, table: &Table) -> Option<(f64, TableFeature)> {
         let path = &self.path[i];
         if path.motion != MotionState::Airborne {
-            return rail_top::first_leaving(table, path.radius, &in_plan(path), path.duration);
+            return rail_top::first_leaving(table, &in_plan(path), path.duration);
         }
         let motion = Motion {
             d: path.position.to_array(),

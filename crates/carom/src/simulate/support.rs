@@ -30,7 +30,7 @@ impl Support {
     #[cold]
     pub(super) fn is_on_top(state: &BallState, ball: &Ball, table: &Table) -> bool {
         state.position.z == table.cushion_height + ball.radius
-            && table.is_on_top(state.position.xy())
+            && table.top_at(state.position.xy()).is_some()
     }
 
     /// The state right after an impact that gave the ball these velocities: the same place, and the
