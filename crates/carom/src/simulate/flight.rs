@@ -5,9 +5,9 @@ use super::{Simulation, impact};
 use crate::detect::ball_ball::ContactFinder;
 use crate::detect::ball_table::TableFeature;
 use crate::event::{Event, EventKind, Recorder};
-use crate::math::Vec3;
+use crate::math::{Vec2, Vec3};
 use crate::resolve::{ball_edge, ball_slate};
-use crate::table::Capture;
+use crate::table::{Capture, Shape};
 use crate::{BallState, MotionState, Physics, Table};
 
 /// A ball that rolls over the lip of a hole slower than this, m/s, stops and hangs there, whatever the
@@ -158,7 +158,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let before = self.state(i, time);
         let normal = table.contact_normal(feature, before.position, self.ball[i].radius);
         let mut body = impact::body(&before, &self.ball[i]);
-        ball_edge::resolve(&physics.slate, normal, &mut body);
+        let edge = along_edge(table, feature, before.position.xy());
+        ball_edge::resolve(&physics.slate, physics.gravity, normal, edge, &mut body);
         let (velocity, angular_velocity) = (body.velocity, body.angular_velocity);
         let after = BallState { velocity, angular_velocity, ..before };
         let kind = EventKind::SlateCollision;
@@ -247,5 +248,23 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         };
         let states = [*state, after];
         self.happen(i, EventKind::OffTable, states, time, table, physics, recorder)
+    }
+}
+
+/// Horizontal unit vector along the edge `feature` where a ball whose centre is at `p` (m) touches it.
+pub(super) fn along_edge(table: &Table, feature: TableFeature, p: Vec2) -> Vec2 {
+    let round = |center: Vec2| {
+        let from_center = p - center;
+        let distance = from_center.length();
+        if distance > 0.0 { from_center.perp() * (1.0 / distance) } else { Vec2::ZERO }
+    };
+    match feature {
+        TableFeature::Lip(k) => round(table.pockets[usize::from(k)].center),
+        TableFeature::Cushion(part) => match table.cushions[usize::from(part)].shape {
+            Shape::Segment { normal, .. } => normal.perp(),
+            Shape::Arc { center, .. } | Shape::Hollow { center, .. } => round(center),
+            Shape::Plane { .. } => Vec2::ZERO,
+        },
+        _ => Vec2::ZERO,
     }
 }

@@ -1,13 +1,14 @@
 //! Impacts: the balls in one take new velocities in place.
 
+use super::flight::along_edge;
 use super::support::{Support, on_plane};
 use super::{Simulation, earlier};
 use crate::detect::ball_ball::ContactFinder;
 use crate::detect::ball_table::TableFeature;
 use crate::event::{Event, EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
-use crate::resolve::{self, Body, ball_edge};
 use crate::physics::Surface;
+use crate::resolve::{self, Body, ball_edge};
 use crate::table::Part;
 use crate::{Ball, BallState, MotionState, Physics, Table};
 
@@ -38,6 +39,10 @@ const UNPAID_PRESS_SPEED: f64 = 1e-4;
 /// that hardly move are hardly moved.
 const PRESS_SHARE: f64 = 0.1;
 
+/// A ball that comes on an edge below it slower than this, m/s, is pressed on it by gravity: the hops in
+/// which it tips over the edge last 6 ms ([`ball_edge::HOP_TIME`]) and come back at 0.03 m/s.
+const EDGE_PRESS: f64 = 0.05;
+
 /// A separation below this fraction of the bodies' speeds is rounding: the next contact would
 /// find the same two numbers again, for ever.
 const SEPARATION_ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -67,8 +72,11 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             let mut body = body(&before, &ball);
             body.velocity += push * press;
             if !on_bed && is_gentle(normal, &body) {
-                let edge = Surface { restitution: law.restitution.at(0.0), friction: law.friction.a };
-                ball_edge::resolve(&edge, normal, &mut body);
+                let surface =
+                    Surface { restitution: law.restitution.at(0.0), friction: law.friction.a };
+                let feature = TableFeature::Cushion(part);
+                let edge = along_edge(table, feature, before.position.xy());
+                ball_edge::resolve(&surface, physics.gravity, normal, edge, &mut body);
             } else {
                 resolve::ball_cushion::resolve(law, &physics.cloth, normal, on_bed, &mut body);
             }
@@ -179,7 +187,7 @@ pub(super) fn body(state: &BallState, ball: &Ball) -> Body {
 /// Whether gravity presses the ball on an edge under it, at the end of `normal`, rather than that the ball
 /// strikes it.
 fn is_gentle(normal: Vec3, ball: &Body) -> bool {
-    normal.z < 0.0 && ball.velocity.dot(normal) < ball_edge::EDGE_HOP
+    normal.z < 0.0 && ball.velocity.dot(normal) < EDGE_PRESS
 }
 
 /// A state after an impact with other velocities.
