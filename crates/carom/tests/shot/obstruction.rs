@@ -1,7 +1,7 @@
 //! The cue as a body: what it would pass through is reported, or refused on request.
 
 use carom::batch::simulate_strikes;
-use carom::math::Vec3;
+use carom::math::{Vec3, atan2, sin_cos};
 use carom::resolve::cue_ball::Strike;
 use carom::{Shot, Table, Trace};
 
@@ -193,7 +193,7 @@ fn behind_a_pockets_mouth_the_rail_begins_at_the_back_of_the_hole() {
     let table = Table::preset("wpa-9ft").expect("a preset");
     let side = &table.pockets[2];
     let back = -side.center.x - table.center().x + side.radius;
-    let expected = (7.7_f64 + 7.1).atan2(1e3 * (0.05 + back)).to_degrees();
+    let expected = atan2(7.7 + 7.1, 1e3 * (0.05 + back)).to_degrees();
     assert!((least(0.05, y) - expected).abs() < 0.5, "{} {expected}", least(0.05, y));
     assert!(least(0.05, y + 0.3) > 1.5 * expected, "over the nose: {}", least(0.05, y + 0.3));
 }
@@ -206,8 +206,8 @@ const NOSE: f64 = 0.635 * 2.0 * RADIUS;
 fn room(shot: &Shot, elevation: f64) -> f64 {
     let (struck, strike) = shot.strike().expect("a strike");
     let description = shot.table().description.as_ref().expect("rails");
-    let (sin_a, cos_a) = strike.azimuth.sin_cos();
-    let (sin, cos) = elevation.sin_cos();
+    let (sin_a, cos_a) = sin_cos(strike.azimuth);
+    let (sin, cos) = sin_cos(elevation);
     let ahead = Vec3::new(cos * cos_a, cos * sin_a, -sin);
     let right = Vec3::new(sin_a, -cos_a, 0.0);
     let up = right.cross(ahead);
@@ -228,7 +228,8 @@ fn room(shot: &Shot, elevation: f64) -> f64 {
         let inside = -beyond(p.x, 0.0, w).max(beyond(p.y, 0.0, l));
         let above = p.z - NOSE;
         let aside = inside.max(outside).max(0.0);
-        room = room.min(aside.hypot(above.max(0.0)) - radius);
+        let above = above.max(0.0);
+        room = room.min((aside * aside + above * above).sqrt() - radius);
     }
     room
 }
