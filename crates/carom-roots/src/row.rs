@@ -32,8 +32,11 @@ impl<const L: usize> Row<L> {
     /// Inlined into its caller, so that a caller compiled for wider vectors gets them.
     #[inline(always)]
     pub fn cannot_touch(&self) -> [bool; L] {
-        core::array::from_fn(|i| {
-            cannot_touch(
+        // A loop: the closure of `array::from_fn` may be left out of line, and then is compiled for
+        // narrow vectors.
+        let mut result = [false; L];
+        for (i, result) in result.iter_mut().enumerate() {
+            *result = cannot_touch(
                 self.dx[i],
                 self.dy[i],
                 self.vx[i],
@@ -42,8 +45,9 @@ impl<const L: usize> Row<L> {
                 self.hy[i],
                 self.distance[i],
                 self.horizon[i],
-            )
-        })
+            );
+        }
+        result
     }
 }
 
