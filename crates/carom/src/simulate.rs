@@ -6,8 +6,8 @@
 //!
 //! **Order of events at one instant**: motion transitions; then the slate, the holes in it and the
 //! table's edge; then cushions; then ball–ball contacts; among equals the ball that stands first in
-//! the shot. Contacts that share a
-//! ball in the same instant are resolved together (`resolve/ball_ball/group.rs`).
+//! the shot. Balls that touch when one of them is hit are resolved together
+//! (`resolve/ball_ball/network.rs`).
 
 mod candidates;
 mod cluster;

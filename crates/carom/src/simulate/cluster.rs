@@ -1,31 +1,36 @@
-//! Contacts that share a ball in the same instant: resolved together, in no order.
+//! Balls that touch when one of them is hit: resolved together, in no order.
 
-use super::Simulation;
 use super::impact::body;
 use super::support::Support;
+use super::{Simulation, earlier};
 use crate::detect::ball_ball::ContactFinder;
 use crate::event::{Event, EventKind, Recorder};
-use crate::math::Vec3;
+use crate::math::{Vec3, sqrt};
 use crate::resolve::Body;
-use crate::resolve::ball_ball::group;
+use crate::resolve::ball_ball::network::{self, MAX_BODIES, MAX_CONTACTS, Touch};
+use crate::table::TOUCH_TOLERANCE;
 use crate::{BallState, Physics, Table};
 
-/// Contacts count as one instant up to this gap, m: the accuracy of their times. Wider, and balls
-/// would be thrown apart that do not touch; narrower, and a symmetric rack would break unevenly.
+/// A ball hit at this approach speed, m/s, or faster takes with it the balls that it touches. In
+/// slower impacts only those contacts act together that come about in the same instant: cloth
+/// friction makes thousands of them where it presses balls together, most below 1 mm/s, and
+/// there each is so weak that it is settled in a bounce of its own.
+const NETWORK_SPEED: f64 = 1e-2;
+
+/// Slow contacts count as one instant up to this gap, m: the accuracy of their times. Wider, and
+/// balls would be thrown apart that do not touch; narrower, and a symmetric rack would be pushed
+/// unevenly.
 const SAME_INSTANT_GAP: f64 = 1e-14;
 
-/// Contacts later than this, s, are not even looked at: beyond it a ball that approaches faster
-/// than 1e-5 m/s is more than [`SAME_INSTANT_GAP`] away.
-const SAME_INSTANT_TIME: f64 = 1e-9;
+/// An approach below this part of the balls' speeds is rounding: a matter of pairs.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Most balls in one cluster; more follow as further events of the same instant.
-const MAX_MEMBERS: usize = 24;
-
-/// Balls that meet at one instant, and how.
+/// Balls that meet at one instant. More than fit follow in further events of that instant.
 struct Cluster {
     size: usize,
-    balls: [u16; MAX_MEMBERS],
-    before: [BallState; MAX_MEMBERS],
+    balls: [u16; MAX_BODIES],
+    before: [BallState; MAX_BODIES],
+    after: [BallState; MAX_BODIES],
 }
 
 impl Cluster {
@@ -34,13 +39,31 @@ impl Cluster {
         self.before[self.size] = state;
         self.size += 1;
     }
+
     fn balls(&self) -> &[u16] {
         &self.balls[..self.size]
+    }
+
+    /// Leaves out the balls that the impact has not reached.
+    fn keep_struck(&mut self) {
+        let mut kept = 0;
+        for k in 0..self.size {
+            let (before, after) = (&self.before[k], &self.after[k]);
+            if before.velocity != after.velocity
+                || before.angular_velocity != after.angular_velocity
+            {
+                self.balls[kept] = self.balls[k];
+                self.before[kept] = self.before[k];
+                self.after[kept] = self.after[k];
+                kept += 1;
+            }
+        }
+        self.size = kept;
     }
 }
 
 impl<const N: usize, F: ContactFinder> Simulation<N, F> {
-    /// Two balls meet, or several in the same instant.
+    /// Two balls meet, or several that touch. Returns the number of events.
     #[inline(always)]
     pub(super) fn collide<R: Recorder>(
         &mut self,
@@ -52,16 +75,39 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         recorder: &mut R,
     ) -> u32 {
         let (a, b) = (i.min(j), i.max(j));
-        let soon = time + SAME_INSTANT_TIME;
-        let alone = (0..self.n)
-            .all(|k| k == a || k == b || (self.pair[a][k] > soon && self.pair[b][k] > soon));
-        if alone {
-            self.collide_pair(a, b, time, table, physics, recorder)
-        } else {
-            self.collide_cluster(a, b, time, table, physics, recorder)
+        if self.is_crowded(a, b, time) && self.collide_cluster(a, b, time, table, physics, recorder)
+        {
+            return 1;
         }
+        self.collide_pair(a, b, time, table, physics, recorder)
     }
 
+    /// Whether a third ball seems to touch `a` or `b`: no contact is missed, a few are invented.
+    #[inline(always)]
+    fn is_crowded(&self, a: usize, b: usize, time: f64) -> bool {
+        let l = &self.lanes;
+        let place = |k: usize| {
+            let t = time - l.start[k];
+            let x = l.x[k] + t * (l.vx[k] + t * l.hx[k]);
+            let y = l.y[k] + t * (l.vy[k] + t * l.hy[k]);
+            [x, y, l.radius[k] + TOUCH_TOLERANCE]
+        };
+        let (p, q) = (place(a), place(b));
+        let mut clear = [0.0; N];
+        for (k, clear) in clear.iter_mut().enumerate() {
+            let [x, y, radius] = place(k);
+            let far = |[px, py, reach]: [f64; 3]| {
+                let (dx, dy, reach) = (x - px, y - py, radius + reach);
+                dx * dx + dy * dy - reach * reach
+            };
+            *clear = earlier(far(p), far(q));
+        }
+        // The two themselves are there.
+        clear[..self.n].iter().map(|&clear| u32::from(clear <= 0.0)).sum::<u32>() > 2
+    }
+
+    /// Resolves the impact of `a` on `b` with all that they touch; `false`, and nothing is done,
+    /// if it is between these two alone.
     #[cold]
     fn collide_cluster<R: Recorder>(
         &mut self,
@@ -71,23 +117,38 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         table: &Table,
         physics: &Physics,
         recorder: &mut R,
-    ) -> u32 {
+    ) -> bool {
         let mut cluster = Cluster {
             size: 0,
-            balls: [0; MAX_MEMBERS],
-            before: [BallState::default(); MAX_MEMBERS],
+            balls: [0; MAX_BODIES],
+            before: [BallState::default(); MAX_BODIES],
+            after: [BallState::default(); MAX_BODIES],
         };
         for i in [a, b] {
             cluster.add(i as u16, self.state(i, time));
         }
-        self.gather(&mut cluster, time);
-        if cluster.size == 2 {
-            return self.collide_pair(a, b, time, table, physics, recorder);
+        let first = self.meeting_of(&cluster, 0, 1);
+        let speeds = cluster.before[0].velocity.length() + cluster.before[1].velocity.length();
+        if first.approach <= ROUNDING * speeds {
+            return false;
         }
-        let mut after = [BallState::default(); MAX_MEMBERS];
-        let first = [a as u16, b as u16];
-        self.resolve_cluster(&mut cluster, &mut after, first, time, table, physics);
-        for (&i, after) in cluster.balls().iter().zip(&after) {
+        let together = |meeting: &Meeting| {
+            if first.approach >= NETWORK_SPEED {
+                meeting.gap <= TOUCH_TOLERANCE
+            } else {
+                meeting.gap <= SAME_INSTANT_GAP && meeting.approach > 0.0
+            }
+        };
+        self.gather(&mut cluster, time, together);
+        if cluster.size == 2 {
+            return false;
+        }
+        self.resolve_cluster(&mut cluster, together, table, physics);
+        cluster.keep_struck();
+        if cluster.size <= 2 {
+            return false;
+        }
+        for (&i, after) in cluster.balls().iter().zip(&cluster.after) {
             self.begin(usize::from(i), after, time, physics);
             self.touched[usize::from(i)] = time;
         }
@@ -96,82 +157,90 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             kind: EventKind::BallCollision,
             balls: cluster.balls(),
             before: &cluster.before[..cluster.size],
-            after: &after[..cluster.size],
+            after: &cluster.after[..cluster.size],
         });
         self.find(cluster.balls(), time, table);
-        1
+        true
     }
 
-    /// The states after the impact of all contacts among the cluster's balls. `first` is the
-    /// contact that brought them here.
+    /// Adds every ball that acts `together` with one of the cluster's, and so on from those; then
+    /// puts them into the order of the shot.
+    fn gather(&self, cluster: &mut Cluster, time: f64, together: impl Fn(&Meeting) -> bool) {
+        let mut seen = 0;
+        while seen < cluster.size {
+            for k in 0..self.n {
+                let known = cluster.balls().contains(&(k as u16));
+                if known || cluster.size == MAX_BODIES || !self.path[k].motion.in_play() {
+                    continue;
+                }
+                cluster.balls[cluster.size] = k as u16;
+                cluster.before[cluster.size] = self.state(k, time);
+                if together(&self.meeting_of(cluster, seen, cluster.size)) {
+                    cluster.size += 1;
+                }
+            }
+            seen += 1;
+        }
+        let size = cluster.size;
+        cluster.balls[..size].sort_unstable();
+        for k in 0..size {
+            cluster.before[k] = self.state(usize::from(cluster.balls[k]), time);
+        }
+    }
+
+    /// Finds the states after the impact of all contacts among the cluster's balls.
     fn resolve_cluster(
         &self,
         cluster: &mut Cluster,
-        after: &mut [BallState; MAX_MEMBERS],
-        first: [u16; 2],
-        time: f64,
+        together: impl Fn(&Meeting) -> bool,
         table: &Table,
         physics: &Physics,
     ) {
         let size = cluster.size;
-        cluster.balls[..size].sort_unstable();
-        let mut bodies = [EMPTY; MAX_MEMBERS];
+        let empty =
+            Body { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, mass: 0.0, radius: 0.0 };
+        let mut bodies = [empty; MAX_BODIES];
         for (k, slot) in bodies[..size].iter_mut().enumerate() {
-            let i = usize::from(cluster.balls[k]);
-            cluster.before[k] = self.state(i, time);
-            *slot = body(&cluster.before[k], &self.ball[i]);
+            *slot = body(&cluster.before[k], &self.ball[usize::from(cluster.balls[k])]);
         }
         let bodies = &mut bodies[..size];
-        let mut contacts = [(0, 0, Vec3::ZERO); group::MAX_CONTACTS];
+        let mut touches = [Touch { a: 0, b: 0, normal: Vec3::ZERO, gap: 0.0 }; MAX_CONTACTS];
         let mut count = 0;
         for p in 0..size {
             for q in p + 1..size {
-                let meeting =
-                    Meeting::of(&cluster.before[p], &cluster.before[q], &bodies[p], &bodies[q]);
-                let due = meeting.due() || [cluster.balls[p], cluster.balls[q]] == first;
-                if due && count < contacts.len() {
-                    contacts[count] = (p as u8, q as u8, meeting.normal);
+                let meeting = self.meeting_of(cluster, p, q);
+                if together(&meeting) && count < MAX_CONTACTS {
+                    let (normal, gap) = (meeting.normal, meeting.gap);
+                    touches[count] = Touch { a: p as u8, b: q as u8, normal, gap };
                     count += 1;
                 }
             }
         }
-        let contacts = &contacts[..count];
-        group::resolve_group(&physics.ball_ball, &physics.cloth, physics.gravity, bodies, contacts);
+        network::resolve(&physics.ball_ball, bodies, &touches[..count]);
         for (k, body) in bodies.iter().enumerate() {
             let (v, spin) = (body.velocity, body.angular_velocity);
             let (state, ball) = (&cluster.before[k], &self.ball[usize::from(cluster.balls[k])]);
-            after[k] = Support::under(state, ball, table).settled(state, v, spin, ball, physics);
+            cluster.after[k] = if v == state.velocity && spin == state.angular_velocity {
+                *state
+            } else {
+                Support::under(state, ball, table).settled(state, v, spin, ball, physics)
+            };
         }
     }
 
-    /// Adds every ball that meets one of the cluster's at `time`, and so on from those.
-    fn gather(&self, cluster: &mut Cluster, time: f64) {
-        let mut seen = 0;
-        while seen < cluster.size {
-            let i = usize::from(cluster.balls[seen]);
-            let a = cluster.before[seen];
-            seen += 1;
-            for k in 0..self.n {
-                let known = cluster.balls().contains(&(k as u16));
-                if known
-                    || cluster.size == MAX_MEMBERS
-                    || self.pair[i][k] > time + SAME_INSTANT_TIME
-                {
-                    continue;
-                }
-                let b = self.state(k, time);
-                let (p, q) = (body(&a, &self.ball[i]), body(&b, &self.ball[k]));
-                if Meeting::of(&a, &b, &p, &q).due() {
-                    cluster.add(k as u16, b);
-                }
-            }
+    fn meeting_of(&self, cluster: &Cluster, p: usize, q: usize) -> Meeting {
+        let (a, b) = (&cluster.before[p], &cluster.before[q]);
+        let radius = |k: usize| self.ball[usize::from(cluster.balls[k])].radius;
+        let d = b.position - a.position;
+        let distance = sqrt(d.length_squared());
+        let normal = d * (1.0 / distance);
+        Meeting {
+            normal,
+            gap: distance - (radius(p) + radius(q)),
+            approach: (a.velocity - b.velocity).dot(normal),
         }
     }
 }
-
-/// A place in a list that is not filled.
-const EMPTY: Body =
-    Body { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, mass: 0.0, radius: 0.0 };
 
 /// How two balls stand to each other.
 struct Meeting {
@@ -181,21 +250,4 @@ struct Meeting {
     gap: f64,
     /// m/s.
     approach: f64,
-}
-
-impl Meeting {
-    fn of(a: &BallState, b: &BallState, p: &Body, q: &Body) -> Self {
-        let d = b.position - a.position;
-        let normal = d * (1.0 / d.length());
-        Self {
-            normal,
-            gap: d.length() - (p.radius + q.radius),
-            approach: (a.velocity - b.velocity).dot(normal),
-        }
-    }
-
-    /// Whether they meet in this instant.
-    fn due(&self) -> bool {
-        self.gap <= SAME_INSTANT_GAP && self.approach > 0.0
-    }
 }

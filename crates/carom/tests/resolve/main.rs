@@ -5,6 +5,7 @@ mod ball_ball_laws;
 mod ball_ball_mathavan_2014;
 mod ball_ball_measured;
 mod ball_ball_models;
+mod ball_ball_network;
 mod ball_ball_pooltool;
 mod ball_ball_published;
 #[cfg(feature = "json")]

@@ -10,7 +10,7 @@
 //! * [`compliant`]: the same with surfaces that give way and spring back (Stronge);
 //! * [`mathavan_2014`]: the impulse integrated, with the friction of the cloth where both balls
 //!   stand on it;
-//! * [`group`]: several contacts in one instant that share balls.
+//! * [`network`]: balls that touch when one of them is struck, all together.
 //!
 //! In all of them restitution rises to 1 at low speed ([`super::restitution`]), energy never
 //! rises, exchanging the two balls exchanges the results, and a mirrored impact gives the
@@ -20,8 +20,8 @@ pub mod compliant;
 pub mod contact;
 pub mod elastic;
 pub mod frictional;
-pub mod group;
 pub mod mathavan_2014;
+pub mod network;
 
 use super::Body;
 use crate::math::Vec3;
