@@ -262,7 +262,7 @@ fn hash_by_the_book(trace: &Node) -> String {
         "right-lower",
         "right-upper",
     ];
-    const PARTS: &[&str] = &["nose", "facing", "point"];
+    const PARTS: &[&str] = &["nose", "facing", "point", "top", "liner"];
     const POCKETS: &[&str] =
         &["bottom-left", "bottom-right", "left", "right", "top-left", "top-right"];
 
@@ -284,6 +284,8 @@ fn hash_by_the_book(trace: &Node) -> String {
             "rail-collision" => [2, number(RAILS, word("rail")), number(PARTS, word("part"))],
             "pocket-collision" => [3, number(POCKETS, word("pocket")), 0],
             "motion-transition" => [4, number(MOTIONS, word("from")), number(MOTIONS, word("to"))],
+            "slate-collision" => [5, 0, 0],
+            "off-table" => [6, 0, 0],
             other => panic!("{other}"),
         });
         let (before, after) = (list(event.get("before")), list(event.get("after")));
