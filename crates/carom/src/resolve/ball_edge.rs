@@ -1,5 +1,6 @@
 //! Ball on a fixed sharp edge, held there by gravity: the lip of a hole in the slate, or a
-//! cushion's edge for a ball that comes over it from the rail's top.
+//! cushion's edge for a ball that comes over it from the rail's top. Likewise a ball that runs along
+//! the round wall of a hole, or along its lip from inside, held there by its own speed.
 //!
 //! A contact is one rigid impulse along the true normal **n** (from the centre to the edge) with
 //! restitution, and Coulomb friction against the slip **v** − (**v**·**n**)**n** + R **ω** × **n**,
@@ -36,18 +37,55 @@ pub const HOP_ANGLE: f64 = 0.02;
 /// hops.
 pub const HOP_SHARE: f64 = 0.5;
 
-/// A ball touches an edge on which gravity (m/s²) presses it. `normal` is the unit vector from its
-/// centre to the touched point, `edge` the horizontal unit vector along the edge there, either
-/// way. The ball need not approach: one that rolls on to an edge does not. `law` is that of the
+/// An edge, or an upright wall, where a ball touches it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// Unit vector from the ball's centre to the touched point.
+    pub normal: Vec3,
+    /// Horizontal unit vector along it, either way.
+    pub along: Vec2,
+    /// Curvature along `normal` of the centre's way along it, 1/m: positive where it bends around the
+    /// ball, as a hole's lip does around a ball inside; 0 where it is straight.
+    pub bend: f64,
+    /// Curvature of the centre's way across it, 1/m, away from the ball: 1/R at an edge, 0 at a wall.
+    pub turn: f64,
+}
+
+impl Edge {
+    /// Whether `ball` comes so gently that it is pressed on the edge rather than thrown at it: not
+    /// faster than twice as fast as hops come back. `gravity` in m/s².
+    pub fn presses(&self, gravity: f64, ball: &Body) -> bool {
+        let approach = ball.velocity.dot(self.normal);
+        approach < 2.0 * self.hop_speed(gravity, ball.velocity - self.normal * approach)
+    }
+
+    /// The parting speed, m/s, from which a ball that moves with `velocity` across the normal is brought
+    /// back within [`HOP_TIME`] and [`HOP_ANGLE`]; 0 if it flies off anyway.
+    fn hop_speed(&self, gravity: f64, velocity: Vec3) -> f64 {
+        let along = velocity.xy().dot(self.along);
+        let turning = (velocity.length_squared() - along * along).max(0.0);
+        // What gravity and the way along the edge leave after holding the centre on its way across.
+        let pull = along * along * self.bend - gravity * self.normal.z - turning * self.turn;
+        if pull <= 0.0 {
+            return 0.0;
+        }
+        let angular_speed = self.turn * sqrt(turning);
+        0.5 * pull * HOP_TIME.min(HOP_ANGLE / angular_speed.max(f64::MIN_POSITIVE))
+    }
+}
+
+/// A ball touches an edge on which it is pressed by gravity (m/s²), or by its own way along a round
+/// one. The ball need not approach: one that rolls on to an edge does not. `law` is that of the
 /// edge's surface.
-pub fn resolve(law: &Surface, gravity: f64, normal: Vec3, edge: Vec2, ball: &mut Body) {
+pub fn resolve(law: &Surface, gravity: f64, edge: &Edge, ball: &mut Body) {
+    let normal = edge.normal;
     let along = ball.velocity.dot(normal);
     let approach = along.max(0.0);
     let e = restitution::effective(law.restitution, approach);
     let rebound = (e * approach).max(-along);
     let mut velocity = ball.velocity - normal * along;
     let mut spin = ball.angular_velocity;
-    let hop = hop_speed(gravity, normal, edge, velocity, ball.radius);
+    let hop = edge.hop_speed(gravity, velocity);
     // Twice the energy per unit mass, in a hop of the speed `parting` at most.
     let affordable = |velocity: Vec3, spin: Vec3| {
         let across = velocity.length_squared()
@@ -75,18 +113,4 @@ pub fn resolve(law: &Surface, gravity: f64, normal: Vec3, edge: Vec2, ball: &mut
     }
     ball.velocity = velocity - normal * parting;
     ball.angular_velocity = spin;
-}
-
-/// The parting speed, m/s, from which gravity brings the ball back to the edge within [`HOP_TIME`]
-/// and [`HOP_ANGLE`], where it moves with `velocity` across the normal; 0 if it flies off anyway.
-fn hop_speed(gravity: f64, normal: Vec3, edge: Vec2, velocity: Vec3, radius: f64) -> f64 {
-    let along_edge = velocity.xy().dot(edge);
-    let turning = velocity.length_squared() - along_edge * along_edge;
-    // What gravity has left after holding the centre on its circle about the edge.
-    let pull = -gravity * normal.z - turning / radius;
-    if pull <= 0.0 {
-        return 0.0;
-    }
-    let time = HOP_TIME.min(HOP_ANGLE * radius / sqrt(turning.max(f64::MIN_POSITIVE)));
-    0.5 * pull * time
 }

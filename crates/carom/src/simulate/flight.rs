@@ -6,7 +6,8 @@ use crate::detect::ball_ball::ContactFinder;
 use crate::detect::ball_table::TableFeature;
 use crate::event::{Event, EventKind, Recorder};
 use crate::math::{Vec2, Vec3};
-use crate::resolve::{ball_edge, ball_slate};
+use crate::resolve::ball_edge::{self, Edge};
+use crate::resolve::ball_slate;
 use crate::table::{Capture, Shape};
 use crate::{BallState, MotionState, Physics, Table};
 
@@ -156,10 +157,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         recorder: &mut R,
     ) -> u32 {
         let before = self.state(i, time);
-        let normal = table.contact_normal(feature, before.position, self.ball[i].radius);
         let mut body = impact::body(&before, &self.ball[i]);
-        let edge = along_edge(table, feature, before.position.xy());
-        ball_edge::resolve(&physics.slate, physics.gravity, normal, edge, &mut body);
+        let edge = edge_at(table, feature, before.position, self.ball[i].radius);
+        ball_edge::resolve(&physics.slate, physics.gravity, &edge, &mut body);
         let (velocity, angular_velocity) = (body.velocity, body.angular_velocity);
         let after = BallState { velocity, angular_velocity, ..before };
         let kind = EventKind::SlateCollision;
@@ -251,20 +251,28 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     }
 }
 
-/// Horizontal unit vector along the edge `feature` where a ball whose centre is at `p` (m) touches it.
-pub(super) fn along_edge(table: &Table, feature: TableFeature, p: Vec2) -> Vec2 {
+/// The edge or wall of `feature` where a ball with its centre at `position` (m) touches it.
+pub(super) fn edge_at(table: &Table, feature: TableFeature, position: Vec3, radius: f64) -> Edge {
+    let normal = table.contact_normal(feature, position, radius);
+    let turn = if normal.z == 0.0 { 0.0 } else { 1.0 / radius };
+    let straight = |along: Vec2| Edge { normal, along, bend: 0.0, turn };
     let round = |center: Vec2| {
-        let from_center = p - center;
+        let from_center = position.xy() - center;
         let distance = from_center.length();
-        if distance > 0.0 { from_center.perp() * (1.0 / distance) } else { Vec2::ZERO }
+        if distance == 0.0 {
+            return straight(Vec2::ZERO);
+        }
+        let outwards = from_center * (1.0 / distance);
+        let bend = normal.xy().dot(outwards) / distance;
+        Edge { normal, along: outwards.perp(), bend, turn }
     };
     match feature {
         TableFeature::Lip(k) => round(table.pockets[usize::from(k)].center),
         TableFeature::Cushion(part) => match table.cushions[usize::from(part)].shape {
-            Shape::Segment { normal, .. } => normal.perp(),
+            Shape::Segment { normal, .. } => straight(normal.perp()),
             Shape::Arc { center, .. } | Shape::Hollow { center, .. } => round(center),
-            Shape::Plane { .. } => Vec2::ZERO,
+            Shape::Plane { .. } => straight(Vec2::ZERO),
         },
-        _ => Vec2::ZERO,
+        _ => straight(Vec2::ZERO),
     }
 }

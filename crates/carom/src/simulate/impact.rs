@@ -1,6 +1,6 @@
 //! Impacts: the balls in one take new velocities in place.
 
-use super::flight::along_edge;
+use super::flight::edge_at;
 use super::support::{Support, on_plane};
 use super::{Simulation, earlier};
 use crate::detect::ball_ball::ContactFinder;
@@ -39,10 +39,6 @@ const UNPAID_PRESS_SPEED: f64 = 1e-4;
 /// that hardly move are hardly moved.
 const PRESS_SHARE: f64 = 0.1;
 
-/// A ball that comes on an edge below it slower than this, m/s, is pressed on it by gravity: the hops in
-/// which it tips over the edge last 6 ms ([`ball_edge::HOP_TIME`]) and come back at 0.03 m/s.
-const EDGE_PRESS: f64 = 0.05;
-
 /// A separation below this fraction of the bodies' speeds is rounding: the next contact would
 /// find the same two numbers again, for ever.
 const SEPARATION_ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -65,20 +61,31 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
         let ball = self.ball[i];
         let law = &if kind == Part::Nose { physics.cushion } else { physics.cushion_of(kind) };
-        let (normal, push) = self.touched_at(i, part, &before, table);
         let support = Support::under(&before, &ball, table);
         let on_bed = !self.aloft[i];
+        let feature = TableFeature::Cushion(part);
+        let edge = self.aloft[i].then(|| edge_at(table, feature, before.position, ball.radius));
+        // A ball on the slate is pushed along it.
+        let (normal, push) = match edge {
+            Some(edge) => (edge.normal, edge.normal),
+            None => {
+                let into = table.normal_at(usize::from(part), before.position.xy());
+                let sin = (table.cushion_height - ball.radius) / ball.radius;
+                ((into * sqrt(1.0 - sin * sin)).with_z(sin), into.with_z(0.0))
+            }
+        };
         let strike = |press: f64| {
             let mut body = body(&before, &ball);
             body.velocity += push * press;
-            if !on_bed && is_gentle(normal, &body) {
-                let surface =
-                    Surface { restitution: law.restitution.at(0.0), friction: law.friction.a };
-                let feature = TableFeature::Cushion(part);
-                let edge = along_edge(table, feature, before.position.xy());
-                ball_edge::resolve(&surface, physics.gravity, normal, edge, &mut body);
-            } else {
-                resolve::ball_cushion::resolve(law, &physics.cloth, normal, on_bed, &mut body);
+            match &edge {
+                Some(edge) if edge.presses(physics.gravity, &body) => {
+                    let (e, mu) = (law.restitution.at(0.0), law.friction.a);
+                    let surface = Surface { restitution: e, friction: mu };
+                    ball_edge::resolve(&surface, physics.gravity, edge, &mut body);
+                }
+                _ => {
+                    resolve::ball_cushion::resolve(law, &physics.cloth, normal, on_bed, &mut body);
+                }
             }
             [support.settled(&before, body.velocity, body.angular_velocity, &ball, physics)]
         };
@@ -100,21 +107,6 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         if on_bed { 1 } else { 1 + self.catch(i, &after, time, table, physics, recorder) }
     }
 
-    /// Unit vector from ball `i` to where it touches a cushion part, and that along which it could be
-    /// pushed against it: on the slate, level.
-    #[inline(always)]
-    fn touched_at(&self, i: usize, part: u16, state: &BallState, table: &Table) -> (Vec3, Vec3) {
-        let radius = self.ball[i].radius;
-        if self.aloft[i] {
-            let feature = TableFeature::Cushion(part);
-            let normal = table.contact_normal(feature, state.position, radius);
-            return (normal, normal);
-        }
-        let into = table.normal_at(usize::from(part), state.position.xy());
-        let sin = (table.cushion_height - radius) / radius;
-        ((into * sqrt(1.0 - sin * sin)).with_z(sin), into.with_z(0.0))
-    }
-
     /// Two balls meet.
     pub(super) fn collide_pair<R: Recorder>(
         &mut self,
@@ -134,7 +126,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let on_bed = [!self.aloft[a], !self.aloft[b]];
         // Two balls on the slate push each other along it, also where their sizes differ and their
         // centres stand aslant.
-        let push = if on_bed == [true, true] { normal.xy().with_z(0.0) } else { normal };
+        let push = if on_bed == [true, true] { level(normal) } else { normal };
         let supports = [0, 1].map(|k| Support::under(&before[k], &pair[k], table));
         let strike = |press: f64| {
             let mut p = body(&before[0], &pair[0]);
@@ -184,10 +176,13 @@ pub(super) fn body(state: &BallState, ball: &Ball) -> Body {
     }
 }
 
-/// Whether gravity presses the ball on an edge under it, at the end of `normal`, rather than that the ball
-/// strikes it.
-fn is_gentle(normal: Vec3, ball: &Body) -> bool {
-    normal.z < 0.0 && ball.velocity.dot(normal) < EDGE_PRESS
+/// The horizontal direction of `normal`.
+fn level(normal: Vec3) -> Vec3 {
+    if normal.z == 0.0 {
+        return normal;
+    }
+    let along = normal.xy();
+    (along * (1.0 / along.length())).with_z(0.0)
 }
 
 /// A state after an impact with other velocities.
