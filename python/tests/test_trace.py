@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import carom
+import jsonschema
 import numpy as np
 import pytest
 from carom import InputError, Shot, Trace
@@ -239,3 +240,18 @@ def test_the_table_of_events_ends_with_what_left_and_jumped() -> None:
     lines = plain(trace).splitlines()
     assert lines[1].split() == ["1", "1.0000", "off-table", "cue", "0.500,", "0.500", "0.00"]
     assert lines[-2:] == ["off the table: cue", "jumped: cue over 1"]
+
+
+def test_a_jump_shot_and_a_ball_off_the_table_are_in_the_outcome() -> None:
+    cue = {"id": "cue", "position": [0.635, 0.6]}
+    blocker = {"id": "1", "position": [0.635, 0.8]}
+    strike = {"ball": "cue", "speed": 4.0, "azimuth_deg": 90.0, "elevation_deg": 40.0}
+    jump = _simulated([cue, blocker], strike=strike)
+    assert jump.outcome.jumped[0] == ["cue", "1"]
+    flying = {"id": "2", "position": [0.3, 0.8, 0.1], "velocity": [-3.0, 0.0, 1.5]}
+    off = _simulated([flying, blocker])
+    assert off.outcome.off_table == ["2"]
+    assert off.events[-1].type == "off-table"
+    jsonschema.validate(off.to_dict(), carom.schema("trace"))
+    jsonschema.validate(jump.to_dict(), carom.schema("trace"))
+    assert Trace.from_dict(jump.to_dict()).outcome == jump.outcome

@@ -5,6 +5,7 @@ mod goldens;
 mod hard_cases;
 mod no_allocation;
 mod order_of_balls;
+mod outcome_of_flight;
 mod preset_cushions;
 mod support;
 mod trace_file;

@@ -1,0 +1,107 @@
+//! What the outcome says of whole shots in which balls fly.
+
+use carom::outcome::Outcome;
+use carom::table::PocketName;
+use carom::trace::What;
+use carom::{MotionState, Shot, Trace};
+
+const RADIUS: f64 = 0.028575;
+
+fn played(balls: &str, more: &str) -> Trace {
+    let shot = Shot::from_json(&format!(
+        r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "balls": [{balls}]{more}}}"#
+    ));
+    shot.and_then(|shot| shot.simulate()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn outcome(balls: &str, more: &str) -> Outcome {
+    played(balls, more).outcome().clone()
+}
+
+#[test]
+fn a_jump_shot_jumps_the_ball_in_its_way_and_none_beside_it() {
+    let balls = r#"{"id": "cue", "position": [0.635, 0.6]}, {"id": "in the way", "position": [0.635, 0.8]},
+        {"id": "beside", "position": [0.75, 0.8]}, {"id": "behind", "position": [0.635, 2.0]}"#;
+    let strike = |elevation: f64| {
+        format!(
+            r#", "strike": {{"ball": "cue", "speed": 4, "azimuth_deg": 90, "elevation_deg": {elevation}}}"#
+        )
+    };
+    let jump = outcome(balls, &strike(40.0));
+    assert_eq!(jump.jumped[0], (0, 1));
+    assert!(!jump.jumped.contains(&(0, 2)), "{jump:?}");
+    assert_eq!(jump.first_contact, Some(3));
+    let level = outcome(balls, &strike(0.0));
+    assert!(level.jumped.is_empty(), "{level:?}");
+    assert_eq!(level.first_contact, Some(1));
+}
+
+#[test]
+fn a_ball_that_flies_over_the_rails_is_off_the_table() {
+    let trace = played(
+        r#"{"id": "a", "position": [0.3, 0.8, 0.1], "velocity": [-3, 0, 1.5]}, {"id": "b", "position": [0.6, 0.8]}"#,
+        "",
+    );
+    assert_eq!(trace.outcome().off_table, [0]);
+    assert!(trace.outcome().driven_to_rail.is_empty());
+    assert_eq!(trace.last()[0].motion, MotionState::OffTable);
+    assert_eq!(trace.last()[1].motion, MotionState::Stationary);
+}
+
+#[test]
+fn a_ball_laid_on_a_rails_top_is_off_the_table_at_once() {
+    let top = 0.635 * 2.0 * RADIUS + RADIUS;
+    let trace = played(&format!(r#"{{"id": "a", "position": [-0.05, 0.8, {top:?}]}}"#), "");
+    assert_eq!(trace.outcome().off_table, [0]);
+    assert!(trace.duration() < 1e-6, "{}", trace.duration());
+}
+
+#[test]
+fn a_ball_driven_down_on_the_bed_bounces_at_once() {
+    let trace = played(r#"{"id": "a", "position": [0.6, 0.8], "velocity": [0, 0, -1]}"#, "");
+    let first = trace.events().next().expect("an event");
+    assert_eq!((first.time, first.what), (0.0, What::SlateCollision));
+    assert!(first.after[0].velocity.z > 0.3, "{first:?}");
+    assert_eq!(trace.last()[0].motion, MotionState::Stationary);
+}
+
+#[test]
+fn a_ball_dropped_into_a_hole_is_pocketed_and_one_dropped_on_the_cloth_is_not() {
+    let table = carom::Table::preset("wpa-9ft").expect("a preset");
+    let hole = table.pockets[0].center + table.center();
+    let at = |x: f64, y: f64| {
+        outcome(&format!(r#"{{"id": "a", "position": [{x:?}, {y:?}, 0.04]}}"#), "").pocketed
+    };
+    assert_eq!(at(hole.x, hole.y), [(0, PocketName::BottomLeft)]);
+    assert_eq!(at(0.5, 0.5), []);
+}
+
+#[test]
+fn a_ball_that_creeps_to_the_lip_hangs_there_and_a_faster_one_falls() {
+    let table = carom::Table::preset("wpa-9ft").expect("a preset");
+    let physics = carom::Physics::pool();
+    let (pocket, distance) = (&table.pockets[0], 0.05);
+    let start = pocket.center + table.center() - pocket.axis * (pocket.radius + distance);
+    let braking = physics.cloth.rolling_friction * physics.gravity;
+    let limit = physics.cloth.rolling_friction * (physics.gravity * RADIUS).sqrt();
+    // With this speed left at the lip.
+    let with = |left: f64| {
+        let v = pocket.axis * (left * left + 2.0 * braking * distance).sqrt();
+        let spin = [-v.y / RADIUS, v.x / RADIUS, 0.0];
+        let ball = format!(
+            r#"{{"id": "8", "position": [{:?}, {:?}], "velocity": [{:?}, {:?}, 0], "angular_velocity": {spin:?}}}"#,
+            start.x, start.y, v.x, v.y
+        );
+        outcome(&ball, "")
+    };
+    let hung = with(0.5 * limit);
+    assert_eq!(
+        (&hung.hanging[..], &hung.pocketed[..]),
+        (&[(0, PocketName::BottomLeft)][..], &[][..])
+    );
+    let fallen = with(5.0 * limit);
+    assert_eq!(
+        (&fallen.hanging[..], &fallen.pocketed[..]),
+        (&[][..], &[(0, PocketName::BottomLeft)][..])
+    );
+}
