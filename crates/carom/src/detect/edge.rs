@@ -118,12 +118,15 @@ impl Straight {
     fn first_touch(&self, height: f64, radius: f64, path: &Motion<3>, last: f64) -> Option<f64> {
         let from_start = Vec2::new(path.d[0], path.d[1]) - self.start;
         let velocity = Vec2::new(path.v[0], path.v[1]);
+        // From either end towards the other, so that it does not matter which is called the start.
         let tangent = self.normal.perp();
-        let length = tangent.dot(self.end - self.start);
-        let (s, rate) = (tangent.dot(from_start), tangent.dot(velocity));
+        let forwards = tangent.dot(self.end - self.start) > 0.0;
+        let tangent = if forwards { tangent } else { -tangent };
+        let rate = tangent.dot(velocity);
+        let to_end = self.end - Vec2::new(path.d[0], path.d[1]);
         let span = Span { from: 0.0, to: last }
-            .where_positive(s - length.min(0.0) + JOIN_OVERLAP, rate)?
-            .where_positive(length.max(0.0) + JOIN_OVERLAP - s, -rate)?;
+            .where_positive(tangent.dot(from_start) + JOIN_OVERLAP, rate)?
+            .where_positive(tangent.dot(to_end) + JOIN_OVERLAP, -rate)?;
         // In the plane across the edge: in front of it, and above it.
         let across = Motion {
             d: [self.normal.dot(from_start), path.d[2] - height],

@@ -151,9 +151,7 @@ impl Flight<'_> {
         }
         if let Some(top) = table.top_at(place) {
             first.offer(Some(t), TableFeature::Cushion(top));
-        } else if let Some(pocket) = table.opening_at(place)
-            && self.is_mouth_line(usize::from(pocket))
-        {
+        } else if let Some(pocket) = table.beyond_mouth_line(place) {
             first.offer(Some(t), TableFeature::Pocket(pocket));
         }
     }

@@ -67,10 +67,12 @@ fn edge_crossing(shape: &Shape, path: &Motion<2>, end: f64) -> Option<f64> {
     }
 }
 
-/// When the centre crosses the endless line through `point` in the direction of its `normal`.
+/// When the centre crosses the endless line through `point` in the direction of its `normal`. A centre that
+/// turns back in front of the line does not: it is at some other part of the table.
 fn line_crossing(normal: Vec2, point: Vec2, path: &Motion<2>, end: f64) -> Option<f64> {
     let behind = normal.dot(point - vec(path.d));
-    first_crossing(behind, -normal.dot(vec(path.v)), -normal.dot(vec(path.h)), end)
+    let t = first_crossing(behind, -normal.dot(vec(path.v)), -normal.dot(vec(path.h)), end)?;
+    (normal.dot(vec(path.at(t)) - point) <= JOIN_OVERLAP).then_some(t)
 }
 
 /// With the mouth-line model an opening ends in a straight line between the deep ends.
@@ -123,12 +125,13 @@ impl Circle {
     }
 
     /// The first time in [0, `end`] at which the gap rises through zero where `within` says so; at once if
-    /// it is open already and rises.
+    /// it is open by a rounding already and rises.
     ///
     /// Between the roots of its second derivative the rate is monotone, between the roots of the rate the
     /// gap is: each piece has at most one root, which halving finds.
     fn crossings(&self, end: f64, within: impl Fn(f64) -> bool) -> Option<f64> {
-        if self.gap(0.0) >= 0.0 && self.rate(0.0) > 0.0 && within(0.0) {
+        let at_edge = 2.0 * self.radius * JOIN_OVERLAP;
+        if (0.0..=at_edge).contains(&self.gap(0.0)) && self.rate(0.0) > 0.0 && within(0.0) {
             return Some(0.0);
         }
         let mut turns = [end; 5];

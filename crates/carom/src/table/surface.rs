@@ -40,6 +40,25 @@ impl Table {
         corner.then_some(at_corner).or(side.then_some(at_side))
     }
 
+    /// The pocket beyond whose mouth line the point `p` (m, engine's frame) lies, where nothing exists; none
+    /// with the drop-circle model.
+    pub fn beyond_mouth_line(&self, p: Vec2) -> Option<u8> {
+        if self.pockets.is_empty() {
+            return None;
+        }
+        let beyond = |k: &u8| match self.pockets[usize::from(*k)].capture {
+            Capture::MouthLine { start, .. } => {
+                self.pockets[usize::from(*k)].axis.dot(p - start) >= 0.0
+            }
+            Capture::DropCircle => false,
+        };
+        // The line of a corner cuts the playing area's corner off.
+        let in_area = !self.is_behind_nose_line(p);
+        let [corner, _] = self.nearest_pockets(p);
+        let here = if in_area { Some(corner) } else { self.opening_at(p) };
+        here.filter(beyond)
+    }
+
     /// The rail's top (index into `Table::cushions`) under the point `p` (m, engine's frame): behind an
     /// edge line, not in a pocket's opening, within the border.
     pub fn top_at(&self, p: Vec2) -> Option<u16> {

@@ -9,7 +9,7 @@ use carom_roots::Motion;
 
 const POOL_BALL: f64 = 0.028575;
 /// Random paths per table: 100 000, or what the environment variable CAROM_PATHS says.
-fn paths() -> usize {
+pub(crate) fn paths() -> usize {
     std::env::var("CAROM_PATHS").ok().and_then(|n| n.parse().ok()).unwrap_or(100_000)
 }
 /// Deepest and widest gap at a meeting, m.
@@ -19,7 +19,7 @@ const MEDIAN_GAP: f64 = 1e-15;
 
 /// Table, ball radius: all presets with their balls, the mouth-line model, balls far too small, and
 /// tables that nobody builds.
-fn tables() -> Vec<(String, Table, f64)> {
+pub(crate) fn tables() -> Vec<(String, Table, f64)> {
     let ball = |name: &str| match name {
         "snooker-12ft" => 0.02625,
         "english-7ft" => 0.0254,
@@ -181,13 +181,17 @@ fn judge_meeting(
 }
 
 /// A velocity and acceleration mirrored by the signs `x` and `y`.
-fn mirrored(path: &Motion<2>, [x, y]: [f64; 2]) -> Motion<2> {
+pub(crate) fn mirrored(path: &Motion<2>, [x, y]: [f64; 2]) -> Motion<2> {
     let by = |p: [f64; 2]| [p[0] * x, p[1] * y];
     Motion { d: by(path.d), v: by(path.v), h: by(path.h) }
 }
 
 /// Where the mirrored part of a table is in its list.
-fn mirrored_feature(table: &Table, feature: TableFeature, [x, y]: [f64; 2]) -> TableFeature {
+pub(crate) fn mirrored_feature(
+    table: &Table,
+    feature: TableFeature,
+    [x, y]: [f64; 2],
+) -> TableFeature {
     let by = |p: Vec2| Vec2::new(p.x * x, p.y * y);
     match feature {
         TableFeature::Pocket(i) => {
@@ -209,10 +213,25 @@ fn mirrored_feature(table: &Table, feature: TableFeature, [x, y]: [f64; 2]) -> T
                     Shape::Arc { center, radius, start, end },
                     Shape::Arc { center: c, radius: r, start: s, end: e },
                 ) => by(center) == c && radius == r && by(start) == s && by(end) == e,
+                (
+                    Shape::Hollow { center, start, end, .. },
+                    Shape::Hollow { center: c, start: s, end: e, .. },
+                ) => by(center) == c && by(start) == s && by(end) == e,
+                (Shape::Plane { corners }, Shape::Plane { corners: others }) => {
+                    others.contains(&by(corners[0])) && others.contains(&by(corners[2]))
+                }
                 _ => false,
             };
             let mut parts = table.cushions.iter();
             TableFeature::Cushion(parts.position(|c| same(&c.shape)).unwrap() as u16)
+        }
+        TableFeature::Lip(i) | TableFeature::Depth(i) => {
+            let center = by(table.pockets[usize::from(i)].center);
+            let k = table.pockets.iter().position(|p| p.center == center).unwrap() as u8;
+            match feature {
+                TableFeature::Lip(_) => TableFeature::Lip(k),
+                _ => TableFeature::Depth(k),
+            }
         }
         other => other,
     }
