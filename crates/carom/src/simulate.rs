@@ -203,7 +203,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.load(shot);
         let mut events = 0;
         if let Some((struck, strike)) = &strike {
-            self.strike(*struck, strike, &shot.table, &shot.physics, recorder)?;
+            self.strike(*struck, strike, &shot.physics, recorder)?;
             events = 1;
         }
         self.run(&shot.table, &shot.physics, shot.max_events, events, recorder)
@@ -236,7 +236,6 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         &mut self,
         struck: usize,
         strike: &Strike,
-        table: &Table,
         physics: &Physics,
         recorder: &mut R,
     ) -> Result<(), SimulationError> {
@@ -244,7 +243,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let ball = self.ball[struck];
         let (velocity, angular_velocity) =
             cue_ball::resolve(&physics.cue, &ball, strike).map_err(SimulationError::Strike)?;
-        let support = Support::under(&before, &ball, table);
+        let support = Support::under(&before);
         let after = support.settled(&before, velocity, angular_velocity, &ball, physics);
         self.begin(struck, &after, 0.0, physics);
         recorder.record(&Event {

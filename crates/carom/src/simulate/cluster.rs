@@ -143,7 +143,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         if cluster.size == 2 {
             return false;
         }
-        self.resolve_cluster(&mut cluster, together, table, physics);
+        self.resolve_cluster(&mut cluster, together, physics);
         cluster.keep_struck();
         if cluster.size <= 2 {
             return false;
@@ -193,7 +193,6 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         &self,
         cluster: &mut Cluster,
         together: impl Fn(&Meeting) -> bool,
-        table: &Table,
         physics: &Physics,
     ) {
         let size = cluster.size;
@@ -223,7 +222,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             cluster.after[k] = if v == state.velocity && spin == state.angular_velocity {
                 *state
             } else {
-                Support::under(state, ball, table).settled(state, v, spin, ball, physics)
+                Support::under(state).settled(state, v, spin, ball, physics)
             };
         }
     }

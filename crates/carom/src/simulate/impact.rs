@@ -61,7 +61,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
         let ball = self.ball[i];
         let law = &if kind == Part::Nose { physics.cushion } else { physics.cushion_of(kind) };
-        let support = Support::under(&before, &ball, table);
+        let support = Support::under(&before);
         let on_bed = !self.aloft[i];
         let feature = TableFeature::Cushion(part);
         let edge = self.aloft[i].then(|| edge_at(table, feature, before.position, ball.radius));
@@ -127,7 +127,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         // Two balls on the slate push each other along it, also where their sizes differ and their
         // centres stand aslant.
         let push = if on_bed == [true, true] { level(normal) } else { normal };
-        let supports = [0, 1].map(|k| Support::under(&before[k], &pair[k], table));
+        let supports = [0, 1].map(|k| Support::under(&before[k]));
         let strike = |press: f64| {
             let mut p = body(&before[0], &pair[0]);
             let mut q = body(&before[1], &pair[1]);

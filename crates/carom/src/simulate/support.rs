@@ -4,7 +4,7 @@ use crate::math::Vec3;
 use crate::motion::classify;
 use crate::physics::Surface;
 use crate::resolve::{Body, ball_slate};
-use crate::{Ball, BallState, MotionState, Physics, Table};
+use crate::{Ball, BallState, MotionState, Physics};
 
 /// What is right under a ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,21 +16,10 @@ pub(super) enum Support {
 }
 
 impl Support {
-    /// What carries `ball` in `state`. A ball that touches a plane has its very height.
+    /// What carries a ball in `state`.
     #[inline(always)]
-    pub(super) fn under(state: &BallState, ball: &Ball, table: &Table) -> Self {
-        if state.position.z == ball.radius || Self::is_on_top(state, ball, table) {
-            Self::Plane
-        } else {
-            Self::Air
-        }
-    }
-
-    /// Whether a rail's top carries the ball.
-    #[cold]
-    pub(super) fn is_on_top(state: &BallState, ball: &Ball, table: &Table) -> bool {
-        state.position.z == table.cushion_height + ball.radius
-            && table.top_at(state.position.xy()).is_some()
+    pub(super) fn under(state: &BallState) -> Self {
+        if state.motion == MotionState::Airborne { Self::Air } else { Self::Plane }
     }
 
     /// The state right after an impact that gave the ball these velocities: the same place, and the
