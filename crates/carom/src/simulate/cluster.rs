@@ -22,8 +22,10 @@ const NETWORK_SPEED: f64 = 1e-2;
 /// unevenly.
 const SAME_INSTANT_GAP: f64 = 1e-14;
 
-/// An approach below this part of the balls' speeds is rounding: a matter of pairs.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Slower contacts than this, m/s, are a matter of pairs: rounding, and the beginning of a push, of
+/// which the rule for pushes makes a bounce (`impact.rs`). Ten thousand times faster than what
+/// counts as no speed at all.
+const SLOWEST: f64 = 1e-9;
 
 /// Balls that meet at one instant. More than fit follow in further events of that instant.
 struct Cluster {
@@ -128,8 +130,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             cluster.add(i as u16, self.state(i, time));
         }
         let first = self.meeting_of(&cluster, 0, 1);
-        let speeds = cluster.before[0].velocity.length() + cluster.before[1].velocity.length();
-        if first.approach <= ROUNDING * speeds {
+        if first.approach < SLOWEST {
             return false;
         }
         let together = |meeting: &Meeting| {
