@@ -2,7 +2,7 @@
 
 use alloc::format;
 
-use super::geometry::Place;
+use super::jaw::Place;
 use super::{Capture, Pocket, PocketDescription, TableDescription, TableError};
 use crate::math::Vec2;
 

@@ -1,39 +1,19 @@
 //! From a description to noses, points, facings, mouths and holes.
 //!
 //! Everything is built once, in the quadrant x ≤ 0, y ≤ 0, and mirrored by negation, so that a
-//! mirrored table has mirrored bits. A jaw is built in coordinates of its own rail: `along` the nose
-//! line from the pocket's middle (the corner, or the middle of a long rail), and `behind` it:
-//!
-//! ```text
-//!                tip      nose line
-//!   pocket  .    +╌╌╌╌╭───────────────  along →
-//!            .     ╲ │   φ = 180° − cut angle
-//!             .     ╲╯ ← point, tangent to both
-//!              .     ╲
-//!               .     ╲ facing          behind ↓
-//!                      + deep end, `cushion_width` behind the nose line
-//! ```
-//!
-//! With tip T, point radius r and turn φ, the point's centre is r behind the nose line and
-//! r·tan(φ/2) further along than T; it is tangent to the nose there, and to the facing as far down it.
-//! What lies behind the deep ends is [`super::opening`]'s.
+//! mirrored table has mirrored bits. The jaws are [`super::jaw`]'s, what lies behind their deep ends
+//! [`super::opening`]'s.
 
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
 
+use super::jaw::{Jaw, Place, RailFrame, hole_center, jaw, tangent_length};
 use super::opening::{Back, Liner, Openings, liner};
 use super::{
     Capture, CushionPart, Part, Pocket, PocketDescription, PocketLayout, PocketModel, PocketName,
     Rail, Shape, Table, TableDescription, TableError, check,
 };
-use crate::math::{Vec2, radians, sin_cos, sqrt, tan};
-
-/// Whether a corner, made of two jaws across a right angle, or a side pocket, of two facing each other.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Place {
-    Corner,
-    Side,
-}
+use crate::math::Vec2;
 
 /// What of the geometry only detection needs.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,49 +68,6 @@ pub(crate) struct Gate {
     pub(crate) half_width: f64,
 }
 
-/// One jaw of the pocket in the quadrant x ≤ 0, y ≤ 0.
-pub(super) struct Jaw {
-    pub(super) place: Place,
-    pub(super) rail: RailFrame,
-    /// Tip, m.
-    tip: Vec2,
-    /// Deep end of the facing, m.
-    pub(super) deep: Vec2,
-    /// Normal of the facing, towards the pocket's axis, and its direction, away from the nose.
-    pub(super) facing_normal: Vec2,
-    pub(super) down: Vec2,
-    /// Radius of the point, m, and how far behind the nose line it ends, m.
-    pub(super) point_radius: f64,
-    pub(super) point_end: f64,
-    /// From nose to deep end: what a ball meets.
-    parts: Vec<(Part, Shape)>,
-    /// Where the straight nose begins, m, and how far along the rail from the pocket's middle.
-    nose_end: Vec2,
-    pub(super) nose_start: f64,
-    /// The deep end along the rail and behind it, m.
-    deep_in_rail: [f64; 2],
-}
-
-/// Coordinates along and behind a nose line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct RailFrame {
-    /// The pocket's middle on the nose line, m.
-    pub(super) origin: Vec2,
-    /// Away from the pocket.
-    pub(super) along: Vec2,
-    /// Into the rubber.
-    pub(super) behind: Vec2,
-}
-
-impl RailFrame {
-    fn point(&self, [along, behind]: [f64; 2]) -> Vec2 {
-        self.origin + self.direction([along, behind])
-    }
-    fn direction(&self, [along, behind]: [f64; 2]) -> Vec2 {
-        self.along * along + self.behind * behind
-    }
-}
-
 /// A jaw of the quadrant, or what belongs to it, mirrored to where it stands.
 #[derive(Clone, Copy)]
 struct Stand<T> {
@@ -160,21 +97,26 @@ fn stands<T: Copy>([bottom, left, side]: [T; 3]) -> [(Rail, Stand<T>, Stand<T>);
 /// The places of the rails of [`stands`] in `Layout::noses`.
 const RAIL_PLACES: [usize; 6] = [0, 4, 5, 1, 3, 2];
 
-impl Place {
-    /// Unit vector along the axis of the quadrant's pocket, away from the table.
-    fn axis(self) -> Vec2 {
-        match self {
-            Self::Corner => Vec2::new(-FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
-            Self::Side => Vec2::new(-1.0, 0.0),
-        }
+/// How a pocket of the quadrant ends.
+struct PocketBack {
+    /// A point of the (first) jaw's line, m: between it and its mirror image there is hole, or with the
+    /// mouth-line model the end of the opening.
+    end: Vec2,
+    /// Centre and radius of the hole that closes it, m; none with the mouth-line model.
+    hole: Option<(Vec2, f64)>,
+    /// See [`Mouth::liner_from`].
+    liner_from: f64,
+}
+
+impl PocketBack {
+    /// Nothing exists there.
+    fn at(jaw: &Jaw) -> Self {
+        Self { end: jaw.deep, hole: None, liner_from: 1.0 }
     }
 
-    /// The middle of the quadrant's pocket on the nose line (the corner, or the middle of the rail), m.
-    fn middle(self, half: Vec2) -> Vec2 {
-        match self {
-            Self::Corner => -half,
-            Self::Side => Vec2::new(-half.x, 0.0),
-        }
+    fn of_opening(&self, place: Place) -> Back {
+        let (center, radius) = self.hole.unwrap_or((self.end, 0.0));
+        Back { axis: place.axis(), straight: place.axis().dot(self.end), center, radius }
     }
 }
 
@@ -263,46 +205,51 @@ impl Table {
         self.layout.nose_x = half.x - at_bottom.nose_start;
         self.layout.nose_y = [at_side.nose_start, half.y - at_left.nose_start];
         check::noses(self.layout.nose_x, self.layout.nose_y)?;
-        let mut in_mouth = self.add_rails([&at_bottom, &at_left, &at_side]);
+        let jaws = [&at_bottom, &at_left, &at_side];
+        let mut in_mouth = self.add_rails(jaws);
         self.layout.on_cloth = self.cushions.len();
         let model = description.pocket_model;
-        let corner_jaws = [&at_bottom, &at_left];
-        let liners = match model {
-            PocketModel::DropCircle => {
-                let (c, s) = (hole_center(corner, Place::Corner, half), Place::Side);
-                let liners = [
-                    liner(&at_bottom, corner, c, Place::Corner.axis())?,
-                    liner(&at_left, corner, c, Place::Corner.axis())?,
-                    liner(&at_side, side, hole_center(side, s, half), s.axis())?,
-                ];
-                self.add_liners(&liners, &mut in_mouth);
-                Some(liners)
-            }
-            PocketModel::MouthLine => None,
-        };
-        let (at_corner, at_side_rail) = match &liners {
-            Some([bottom, _, side]) => (bottom.over_hole, side.over_hole),
-            None => (at_bottom.deep, at_side.deep),
-        };
-        let from = liners.as_ref().map_or([0.0; 2], |[bottom, _, side]| {
-            [bottom.begins_at(Place::Corner.axis()), side.begins_at(Place::Side.axis())]
-        });
-        let back = |shape, place: Place, end: Vec2| Back {
-            axis: place.axis(),
-            straight: place.axis().dot(end),
-            center: hole_center(shape, place, half),
-            radius: if liners.is_some() { shape.hole_radius } else { 0.0 },
+        let backs = match model {
+            PocketModel::DropCircle => self.add_backs(jaws, [corner, side], &mut in_mouth)?,
+            PocketModel::MouthLine => [PocketBack::at(&at_bottom), PocketBack::at(&at_side)],
         };
         self.layout.openings = Some(Openings::new(
-            [&at_bottom, &at_left, &at_side],
-            back(corner, Place::Corner, at_corner),
-            back(side, Place::Side, at_side_rail),
+            jaws,
+            [backs[0].of_opening(Place::Corner), backs[1].of_opening(Place::Side)],
         ));
-        let ends = [at_corner, at_side_rail];
-        self.add_pockets(model, (corner, corner_jaws), (side, &at_side), (ends, from), in_mouth);
+        let corner_jaws = [&at_bottom, &at_left];
+        self.add_pockets(model, (corner, corner_jaws), (side, &at_side), backs, in_mouth);
         self.layout.clear_reach = clear_reach(model, corner, side, &at_bottom);
         check::holes(&self.pockets)?;
         check::rails(self.layout.border, half, &self.pockets)
+    }
+
+    /// Closes the pockets behind the deep ends of their jaws; returns the back of a corner and of a side.
+    fn add_backs(
+        &mut self,
+        [bottom, left, side]: [&Jaw; 3],
+        [corner_shape, side_shape]: [&PocketDescription; 2],
+        in_mouth: &mut [Vec<u16>; 6],
+    ) -> Result<[PocketBack; 2], TableError> {
+        let half = self.layout.half;
+        let (at_corner, at_side) = (Place::Corner, Place::Side);
+        let corner_hole = hole_center(corner_shape, at_corner, half);
+        let side_hole = hole_center(side_shape, at_side, half);
+        let liners = [
+            liner(bottom, corner_shape, corner_hole, at_corner.axis())?,
+            liner(left, corner_shape, corner_hole, at_corner.axis())?,
+            liner(side, side_shape, side_hole, at_side.axis())?,
+        ];
+        self.add_liners(&liners, in_mouth);
+        let back = |liner: &Liner, place: Place, center, radius| PocketBack {
+            end: liner.over_hole,
+            hole: Some((center, radius)),
+            liner_from: liner.begins_at(place.axis()),
+        };
+        Ok([
+            back(&liners[0], at_corner, corner_hole, corner_shape.hole_radius),
+            back(&liners[2], at_side, side_hole, side_shape.hole_radius),
+        ])
     }
 
     /// Adds all cushion parts; returns the indices of those that make each pocket's mouth.
@@ -398,7 +345,7 @@ impl Table {
         model: PocketModel,
         (corner, [bottom_jaw, left_jaw]): (&PocketDescription, [&Jaw; 2]),
         (side, side_jaw): (&PocketDescription, &Jaw),
-        ([corner_gate, side_gate], liner_from): ([Vec2; 2], [f64; 2]),
+        backs: [PocketBack; 2],
         in_mouth: [Vec<u16>; 6],
     ) {
         let half = self.layout.half;
@@ -413,11 +360,11 @@ impl Table {
         for ((name, sx, sy, place), parts) in places.into_iter().zip(in_mouth) {
             let signs = Vec2::new(sx, sy);
             // The two jaws' tips and deep ends; a side's upper jaw is its lower one mirrored.
-            let (shape, jaw, ends, gate_end) = match place {
-                Place::Corner => (corner, bottom_jaw, [left_jaw.tip, left_jaw.deep], corner_gate),
+            let (shape, jaw, ends, back) = match place {
+                Place::Corner => (corner, bottom_jaw, [left_jaw.tip, left_jaw.deep], &backs[0]),
                 Place::Side => {
                     let up = Vec2::new(1.0, -1.0);
-                    (side, side_jaw, [by(side_jaw.tip, up), by(side_jaw.deep, up)], side_gate)
+                    (side, side_jaw, [by(side_jaw.tip, up), by(side_jaw.deep, up)], &backs[1])
                 }
             };
             let (axis, middle) = (place.axis(), place.middle(half));
@@ -425,9 +372,9 @@ impl Table {
             let throat = [jaw.deep, ends[1]].map(|p| by(p, signs));
             let gate = match model {
                 PocketModel::DropCircle => Gate {
-                    offset: axis.dot(gate_end),
+                    offset: axis.dot(back.end),
                     lean: axis.dot(jaw.facing_normal),
-                    half_width: axis.cross(gate_end - middle).abs(),
+                    half_width: axis.cross(back.end - middle).abs(),
                 },
                 PocketModel::MouthLine => Gate {
                     offset: axis.dot(jaw.tip),
@@ -448,8 +395,7 @@ impl Table {
                 mouth,
                 throat,
             });
-            let liner_from = liner_from[usize::from(place == Place::Side)];
-            self.layout.mouths.push(Mouth { parts, gate, liner_from });
+            self.layout.mouths.push(Mouth { parts, gate, liner_from: back.liner_from });
         }
     }
 }
@@ -489,105 +435,6 @@ fn nose(rail: Rail, start: Vec2, end: Vec2) -> CushionPart {
         Rail::Right | Rail::RightLower | Rail::RightUpper => Vec2::new(-1.0, 0.0),
     };
     CushionPart { rail, part: Part::Nose, shape: Shape::Segment { start, end, normal } }
-}
-
-/// φ: by how much a jaw turns from the nose to the facing, rad.
-fn turn(shape: &PocketDescription) -> f64 {
-    radians(180.0 - shape.cut_angle_deg)
-}
-
-/// From a tip to where the rounding begins, on either side, m.
-fn tangent_length(shape: &PocketDescription) -> f64 {
-    shape.point_radius * tan(0.5 * turn(shape))
-}
-
-/// From the middle of the nose line (the corner, or the middle of the rail) to the hole's centre, along
-/// the pocket's axis, m.
-fn hole_depth(shape: &PocketDescription, place: Place) -> f64 {
-    match place {
-        // The mouth lies in front of the corner.
-        Place::Corner => shape.shelf + shape.hole_radius - 0.5 * shape.mouth,
-        Place::Side => shape.shelf + shape.hole_radius,
-    }
-}
-
-/// The centre of the hole of the quadrant's pocket, m.
-fn hole_center(shape: &PocketDescription, place: Place, half: Vec2) -> Vec2 {
-    place.middle(half) + place.axis() * hole_depth(shape, place)
-}
-
-/// The jaw of `shape` on the rail whose frame is `rail`.
-fn jaw(
-    shape: &PocketDescription,
-    place: Place,
-    rubber: f64,
-    rail: RailFrame,
-) -> Result<Jaw, TableError> {
-    let radius = shape.point_radius;
-    let tip = match place {
-        Place::Corner => shape.mouth * FRAC_1_SQRT_2,
-        Place::Side => 0.5 * shape.mouth,
-    };
-    let nose_start = tip + tangent_length(shape);
-    let (mut sin, mut cos) = sin_cos(turn(shape));
-    let round_all_through = radius * (1.0 - cos) >= rubber;
-    if round_all_through {
-        // The point ends with the rubber, before it has turned all the way: there is no facing.
-        cos = 1.0 - rubber / radius;
-        sin = sqrt(1.0 - cos * cos);
-    }
-    let point_end = [nose_start - radius * sin, radius * (1.0 - cos)];
-    let deep = match (shape.throat, place) {
-        _ if round_all_through => point_end,
-        (None, _) => [tip - rubber * cos / sin, rubber],
-        (Some(throat), Place::Corner) => [throat * FRAC_1_SQRT_2 - rubber, rubber],
-        (Some(throat), Place::Side) => [0.5 * throat, rubber],
-    };
-    check::jaw(shape, place, rubber, round_all_through, deep)?;
-
-    let tangent_normal = [-sin, -cos];
-    let normal = match shape.throat {
-        None => tangent_normal,
-        Some(_) => {
-            let [x, y] = [deep[0] - point_end[0], deep[1] - point_end[1]];
-            let length = sqrt(x * x + y * y);
-            [-y / length, x / length]
-        }
-    };
-    let arc = |[along, behind]: [f64; 2], radius, start, end| {
-        let center = rail.point([along, behind]);
-        let (start, end) = (rail.direction(start), rail.direction(end));
-        (Part::Point, Shape::Arc { center, radius, start, end })
-    };
-    let mut parts = Vec::new();
-    parts.push(arc([nose_start, radius], radius, [0.0, -1.0], tangent_normal));
-    // A throat of its own turns the facing off the tangent. Where the rubber then has a corner, a ball
-    // rolls around it as around a point of radius 0; where it has a notch, both parts meet the ball.
-    if tangent_normal[1] * normal[0] - tangent_normal[0] * normal[1] > 0.0 {
-        parts.push(arc(point_end, 0.0, tangent_normal, normal));
-    }
-    if !round_all_through {
-        let facing = Shape::Segment {
-            start: rail.point(point_end),
-            end: rail.point(deep),
-            normal: rail.direction(normal),
-        };
-        parts.push((Part::Facing, facing));
-    }
-    Ok(Jaw {
-        place,
-        rail,
-        tip: rail.point([tip, 0.0]),
-        deep: rail.point(deep),
-        facing_normal: rail.direction(normal),
-        down: rail.direction([normal[1], -normal[0]]),
-        point_radius: radius,
-        point_end: point_end[1],
-        parts,
-        nose_end: rail.point([nose_start, 0.0]),
-        nose_start,
-        deep_in_rail: deep,
-    })
 }
 
 /// The reach from which on the rectangle inset by it holds neither hole nor gate, m.

@@ -1,7 +1,7 @@
 //! The table: one parametric description, and the geometry that follows from it.
 //!
 //! A [`TableDescription`] holds what a maker would say; [`Table::from_description`] works out noses,
-//! points, facings, holes and mouths ([`geometry`]), liners and the tops of the rails ([`opening`]);
+//! points, facings, holes and mouths ([`geometry`], [`jaw`]), liners and the tops of the rails ([`opening`]);
 //! [`crate::detect`] finds what a ball meets among them.
 
 mod check;
@@ -9,6 +9,7 @@ mod description;
 mod error;
 mod frame;
 mod geometry;
+mod jaw;
 mod opening;
 mod place;
 mod presets;

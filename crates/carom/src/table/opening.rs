@@ -15,7 +15,7 @@
 //!
 //! With the mouth-line model nothing exists behind the mouth: the opening ends between the deep ends.
 
-use super::geometry::{Jaw, RailFrame};
+use super::jaw::{Jaw, RailFrame};
 use super::{PocketDescription, Shape, TableError, check};
 use crate::math::{Vec2, sqrt};
 
@@ -93,7 +93,10 @@ pub(crate) struct Openings {
 }
 
 impl Openings {
-    pub(super) fn new([bottom, left, side]: [&Jaw; 3], corner_back: Back, side_back: Back) -> Self {
+    pub(super) fn new(
+        [bottom, left, side]: [&Jaw; 3],
+        [corner_back, side_back]: [Back; 2],
+    ) -> Self {
         Self {
             corner: ([JawLine::new(bottom), JawLine::new(left)], corner_back),
             side: ([JawLine::new(side)], side_back),

@@ -1,0 +1,190 @@
+//! One jaw of a pocket: point and facing.
+//!
+//! A jaw is built in coordinates of its own rail: `along` the nose line from the pocket's middle (the
+//! corner, or the middle of a long rail), and `behind` it:
+//!
+//! ```text
+//!                tip      nose line
+//!   pocket  .    +╌╌╌╌╭───────────────  along →
+//!            .     ╲ │   φ = 180° − cut angle
+//!             .     ╲╯ ← point, tangent to both
+//!              .     ╲
+//!               .     ╲ facing          behind ↓
+//!                      + deep end, `cushion_width` behind the nose line
+//! ```
+//!
+//! With tip T, point radius r and turn φ, the point's centre is r behind the nose line and
+//! r·tan(φ/2) further along than T; it is tangent to the nose there, and to the facing as far down it.
+
+use alloc::vec::Vec;
+use core::f64::consts::FRAC_1_SQRT_2;
+
+use super::{Part, PocketDescription, Shape, TableError, check};
+use crate::math::{Vec2, radians, sin_cos, sqrt, tan};
+
+/// Whether a corner, made of two jaws across a right angle, or a side pocket, of two facing each other.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Place {
+    Corner,
+    Side,
+}
+
+impl Place {
+    /// Unit vector along the axis of the quadrant's pocket, away from the table.
+    pub(super) fn axis(self) -> Vec2 {
+        match self {
+            Self::Corner => Vec2::new(-FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
+            Self::Side => Vec2::new(-1.0, 0.0),
+        }
+    }
+
+    /// The middle of the quadrant's pocket on the nose line (the corner, or the middle of the rail), m.
+    pub(super) fn middle(self, half: Vec2) -> Vec2 {
+        match self {
+            Self::Corner => -half,
+            Self::Side => Vec2::new(-half.x, 0.0),
+        }
+    }
+}
+
+/// One jaw of the pocket in the quadrant x ≤ 0, y ≤ 0.
+pub(super) struct Jaw {
+    pub(super) place: Place,
+    pub(super) rail: RailFrame,
+    /// Tip, m.
+    pub(super) tip: Vec2,
+    /// Deep end of the facing, m.
+    pub(super) deep: Vec2,
+    /// Normal of the facing, towards the pocket's axis, and its direction, away from the nose.
+    pub(super) facing_normal: Vec2,
+    pub(super) down: Vec2,
+    /// Radius of the point, m, and how far behind the nose line it ends, m.
+    pub(super) point_radius: f64,
+    pub(super) point_end: f64,
+    /// From nose to deep end: what a ball meets.
+    pub(super) parts: Vec<(Part, Shape)>,
+    /// Where the straight nose begins, m, and how far along the rail from the pocket's middle.
+    pub(super) nose_end: Vec2,
+    pub(super) nose_start: f64,
+    /// The deep end along the rail and behind it, m.
+    pub(super) deep_in_rail: [f64; 2],
+}
+
+/// Coordinates along and behind a nose line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct RailFrame {
+    /// The pocket's middle on the nose line, m.
+    pub(super) origin: Vec2,
+    /// Away from the pocket.
+    pub(super) along: Vec2,
+    /// Into the rubber.
+    pub(super) behind: Vec2,
+}
+
+impl RailFrame {
+    fn point(&self, [along, behind]: [f64; 2]) -> Vec2 {
+        self.origin + self.direction([along, behind])
+    }
+    fn direction(&self, [along, behind]: [f64; 2]) -> Vec2 {
+        self.along * along + self.behind * behind
+    }
+}
+
+/// φ: by how much a jaw turns from the nose to the facing, rad.
+fn turn(shape: &PocketDescription) -> f64 {
+    radians(180.0 - shape.cut_angle_deg)
+}
+
+/// From a tip to where the rounding begins, on either side, m.
+pub(super) fn tangent_length(shape: &PocketDescription) -> f64 {
+    shape.point_radius * tan(0.5 * turn(shape))
+}
+
+/// From the middle of the nose line (the corner, or the middle of the rail) to the hole's centre, along
+/// the pocket's axis, m.
+fn hole_depth(shape: &PocketDescription, place: Place) -> f64 {
+    match place {
+        // The mouth lies in front of the corner.
+        Place::Corner => shape.shelf + shape.hole_radius - 0.5 * shape.mouth,
+        Place::Side => shape.shelf + shape.hole_radius,
+    }
+}
+
+/// The centre of the hole of the quadrant's pocket, m.
+pub(super) fn hole_center(shape: &PocketDescription, place: Place, half: Vec2) -> Vec2 {
+    place.middle(half) + place.axis() * hole_depth(shape, place)
+}
+
+/// The jaw of `shape` on the rail whose frame is `rail`.
+pub(super) fn jaw(
+    shape: &PocketDescription,
+    place: Place,
+    rubber: f64,
+    rail: RailFrame,
+) -> Result<Jaw, TableError> {
+    let radius = shape.point_radius;
+    let tip = match place {
+        Place::Corner => shape.mouth * FRAC_1_SQRT_2,
+        Place::Side => 0.5 * shape.mouth,
+    };
+    let nose_start = tip + tangent_length(shape);
+    let (mut sin, mut cos) = sin_cos(turn(shape));
+    let round_all_through = radius * (1.0 - cos) >= rubber;
+    if round_all_through {
+        // The point ends with the rubber, before it has turned all the way: there is no facing.
+        cos = 1.0 - rubber / radius;
+        sin = sqrt(1.0 - cos * cos);
+    }
+    let point_end = [nose_start - radius * sin, radius * (1.0 - cos)];
+    let deep = match (shape.throat, place) {
+        _ if round_all_through => point_end,
+        (None, _) => [tip - rubber * cos / sin, rubber],
+        (Some(throat), Place::Corner) => [throat * FRAC_1_SQRT_2 - rubber, rubber],
+        (Some(throat), Place::Side) => [0.5 * throat, rubber],
+    };
+    check::jaw(shape, place, rubber, round_all_through, deep)?;
+
+    let tangent_normal = [-sin, -cos];
+    let normal = match shape.throat {
+        None => tangent_normal,
+        Some(_) => {
+            let [x, y] = [deep[0] - point_end[0], deep[1] - point_end[1]];
+            let length = sqrt(x * x + y * y);
+            [-y / length, x / length]
+        }
+    };
+    let arc = |[along, behind]: [f64; 2], radius, start, end| {
+        let center = rail.point([along, behind]);
+        let (start, end) = (rail.direction(start), rail.direction(end));
+        (Part::Point, Shape::Arc { center, radius, start, end })
+    };
+    let mut parts = Vec::new();
+    parts.push(arc([nose_start, radius], radius, [0.0, -1.0], tangent_normal));
+    // A throat of its own turns the facing off the tangent. Where the rubber then has a corner, a ball
+    // rolls around it as around a point of radius 0; where it has a notch, both parts meet the ball.
+    if tangent_normal[1] * normal[0] - tangent_normal[0] * normal[1] > 0.0 {
+        parts.push(arc(point_end, 0.0, tangent_normal, normal));
+    }
+    if !round_all_through {
+        let facing = Shape::Segment {
+            start: rail.point(point_end),
+            end: rail.point(deep),
+            normal: rail.direction(normal),
+        };
+        parts.push((Part::Facing, facing));
+    }
+    Ok(Jaw {
+        place,
+        rail,
+        tip: rail.point([tip, 0.0]),
+        deep: rail.point(deep),
+        facing_normal: rail.direction(normal),
+        down: rail.direction([normal[1], -normal[0]]),
+        point_radius: radius,
+        point_end: point_end[1],
+        parts,
+        nose_end: rail.point([nose_start, 0.0]),
+        nose_start,
+        deep_in_rail: deep,
+    })
+}
