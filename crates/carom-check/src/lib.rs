@@ -1,26 +1,35 @@
 //! Judges whole shots: listens to the engine as a [`Recorder`] and verifies, by means that share
-//! nothing with the engine's own, that between all consecutive events no ball came into another,
-//! into a cushion or over a hole, and that every event is one.
+//! nothing with the engine's own, that between all consecutive events no ball came into another, or
+//! into anything of the table, or went on without ground under it, and that every event is one.
 //!
 //! Tests of single functions are not enough: an early exit on an unconverged time once let balls
 //! through each other in 2 of a million shots and passed every test of the root finder.
 
 mod bernstein;
+mod clearance;
 mod closest;
+mod curve;
 mod ledger;
+mod places;
 pub mod scenes;
+mod solid;
 mod tally;
 
 use std::fmt;
+use std::rc::Rc;
 
 use carom::event::{Event, EventKind, Recorder};
 use carom::shot::Shot;
 use carom::simulate::{SimulationError, Summary};
 use carom::{BallState, MotionState};
 
-use closest::{Curve, Feature, Intrusion};
+use closest::Intrusion;
+use curve::{Curve, Turning};
+use places::{Ground, ground};
+use solid::Solid;
 
 pub use ledger::LENT;
+pub use places::TABLE_GAP;
 pub use tally::Tally;
 
 /// Deepest overlap that is let pass, m. Law 6 of ARCHITECTURE.md; an atom is 1e-10 m.
@@ -46,10 +55,12 @@ impl Limits {
 /// Kinds of [`Fault`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FaultKind {
-    /// A ball is in another one, in a cushion or over a hole.
+    /// A ball is in another one or in the table, or has left it, or goes on where no ground is.
     Overlap,
     /// Balls collide that do not touch.
     Apart,
+    /// An event is said to happen where, or to a ball to which, it cannot.
+    Misplaced,
     /// A ball is not where its path leads, or time goes back.
     Astray,
     /// An event raises the energy, or changes a momentum.
@@ -81,7 +92,9 @@ pub struct Checker<'a> {
     shot: &'a Shot,
     limits: Limits,
     time: f64,
+    solid: Rc<Solid>,
     curves: Vec<Curve>,
+    turnings: Vec<Turning>,
     states: Vec<BallState>,
     since: Vec<f64>,
     /// Everything found wrong.
@@ -105,13 +118,15 @@ impl<'a> Checker<'a> {
     pub fn with_limits(shot: &'a Shot, limits: Limits) -> Self {
         let states: Vec<BallState> =
             shot.balls().iter().map(|b| shot.table().to_engine_frame(&b.state)).collect();
-        let curves = (0..states.len()).map(|i| Curve::new(shot, i, &states[i])).collect();
+        let each = || 0..states.len();
         Self {
             shot,
             limits,
             time: 0.0,
             since: vec![0.0; states.len()],
-            curves,
+            solid: Rc::new(Solid::of(shot.table())),
+            curves: each().map(|i| Curve::new(shot, i, &states[i])).collect(),
+            turnings: each().map(|i| Turning::new(shot, i, &states[i])).collect(),
             states,
             faults: Vec::new(),
             deepest: f64::NEG_INFINITY,
@@ -140,15 +155,18 @@ impl<'a> Checker<'a> {
         self.faults.push(Fault { time: self.time, kind, what });
     }
 
-    /// In the end nothing moves.
+    /// In the end nothing moves, and what is still in play lies on the bed.
     fn at_rest(&mut self) {
         for i in 0..self.states.len() {
             let s = self.states[i];
-            if s.motion.in_play() && s.motion != MotionState::Stationary {
-                self.fault(
-                    FaultKind::Endless,
-                    format!("ball {i} still {} in the end", s.motion.name()),
-                );
+            if !s.motion.in_play() {
+                continue;
+            }
+            let on_bed = ground(&self.solid, &s, self.curves[i].radius) == Some(Ground::Bed);
+            if s.motion != MotionState::Stationary || !on_bed {
+                let (motion, z) = (s.motion.name(), s.position.z);
+                let what = format!("ball {i} still {motion} in the end, at z = {z:e} m");
+                self.fault(FaultKind::Endless, what);
             }
         }
     }
@@ -170,25 +188,45 @@ impl<'a> Checker<'a> {
                 self.judge(found, || format!("balls {j} and {i}"));
             }
             if curve.moves() {
-                let shot = self.shot;
-                closest::table(shot, curve, length, self.limits.depth, |found, feature| {
-                    self.judge(found, || match feature {
-                        Feature::Cushion(k) => {
-                            let part = shot.table().cushions[k];
-                            format!("ball {i} and the {} of {}", part.part.name(), part.rail.name())
-                        }
-                        Feature::Hole(k) => {
-                            format!("ball {i} and the hole {}", shot.table().pockets[k].name.name())
-                        }
-                    });
-                });
+                self.beside_table(*i, curve, length);
+            }
+        }
+    }
+
+    /// A moving ball keeps clear of the table, within its border, and where it rolls on the ground.
+    fn beside_table(&mut self, i: usize, curve: &Curve, length: f64) {
+        let solid = Rc::clone(&self.solid);
+        let tolerance = self.limits.depth;
+        clearance::table(&solid, curve, length, tolerance, |found, name| {
+            self.judge(found, || format!("ball {i} and {name}"));
+        });
+        if !clearance::over_cloth(&solid, curve, length) {
+            let found = clearance::border(&solid, curve, length);
+            self.judge(found, || format!("ball {i} and the border"));
+        }
+        if self.states[i].motion == MotionState::Airborne {
+            return;
+        }
+        if solid.is_on_top(curve.p.z, curve.radius) {
+            // Within one motion state a ball does not leave a top and come back to it.
+            let beside = |t: f64| solid.beside_tops(curve.place(t).xy());
+            let depth = beside(0.5 * length).max(beside(length));
+            let found = Intrusion { depth, after: length };
+            self.judge(found, || format!("ball {i} and the edge of the top under it"));
+        } else {
+            for &(center, radius) in &solid.holes {
+                let found = closest::hole(curve, center, radius, length, tolerance);
+                self.judge(found, || format!("ball {i} and the hole under it"));
             }
         }
     }
 
     fn judge(&mut self, found: Intrusion, who: impl FnOnce() -> String) {
         self.deepest = self.deepest.max(found.depth);
-        if found.depth > self.limits.depth {
+        if found.depth.is_nan() {
+            let what = format!("{} are not proved to be clear of each other", who());
+            self.faults.push(Fault { time: self.time, kind: FaultKind::Overlap, what });
+        } else if found.depth > self.limits.depth {
             let (time, depth) = (self.time + found.after, found.depth);
             let what = format!("{} overlap by {depth:e} m", who());
             self.faults.push(Fault { time, kind: FaultKind::Overlap, what });
@@ -199,11 +237,19 @@ impl<'a> Checker<'a> {
     fn arrivals(&mut self, event: &Event<'_>) {
         for (&ball, before) in event.balls.iter().zip(event.before) {
             let i = usize::from(ball);
-            let (place, velocity) = self.curves[i].at(event.time - self.since[i]);
-            let off = (before.position.xy() - place).length();
+            let since = event.time - self.since[i];
+            let velocity = self.curves[i].velocity(since);
+            let spin = self.turnings[i].at(since, velocity);
+            let off = (before.position - self.curves[i].place(since)).length();
             let speed = self.states[i].velocity.length();
-            if off > 1e-12 * (1.0 + speed) || (before.velocity.xy() - velocity).length() > 1e-11 {
-                self.fault(FaultKind::Astray, format!("ball {i} is {off:e} m from its path"));
+            let faster = (before.velocity - velocity).length();
+            let turns = (before.angular_velocity - spin).length() * self.curves[i].radius;
+            let surface = self.curves[i].radius * spin.length();
+            if off > 1e-12 * (1.0 + speed) || faster > 1e-11 || turns > 1e-11 * (1.0 + surface) {
+                let what = format!(
+                    "ball {i} is {off:e} m from its path, {faster:e} m/s off, {turns:e} m/s at its skin"
+                );
+                self.fault(FaultKind::Astray, what);
             }
         }
     }
@@ -245,7 +291,10 @@ impl Recorder for Checker<'_> {
         self.time = event.time;
         self.arrivals(event);
         self.contacts(event);
-        if let Some(fault) = ledger::audit(self.shot, event) {
+        if let Some(fault) = places::audit(self.shot, &self.solid, event) {
+            self.fault(FaultKind::Misplaced, fault);
+        }
+        if let Some(fault) = ledger::audit(self.shot, &self.solid, event) {
             self.fault(FaultKind::Ledger, fault);
         }
         for (k, &ball) in event.balls.iter().enumerate() {
@@ -253,6 +302,7 @@ impl Recorder for Checker<'_> {
             self.states[i] = event.after[k];
             self.since[i] = event.time;
             self.curves[i] = Curve::new(self.shot, i, &event.after[k]);
+            self.turnings[i] = Turning::new(self.shot, i, &event.after[k]);
         }
     }
 }

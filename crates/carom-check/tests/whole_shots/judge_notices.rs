@@ -57,7 +57,7 @@ fn the_judge_notices_a_collision_left_out() {
 
 #[test]
 fn the_judge_notices_a_rail_gone_through() {
-    assert_noticed("the nose of", |all| {
+    assert_noticed(" rail overlap", |all| {
         let rail = |e: &Kept| matches!(e.kind, EventKind::RailCollision(_));
         let k = all.iter().position(rail).expect("a rail");
         all.truncate(k);

@@ -1,0 +1,240 @@
+//! Whether a ball keeps clear of the table on an interval: a proof, or a place where it does not.
+//!
+//! From where a ball is at one instant, its distance from a piece of the table is bounded below for
+//! the times around it twice: it changes no faster than the ball moves; and it is at least what the
+//! tangent plane at the nearest point leaves, less what the piece's hollow side can take back
+//! ([`Distance`]). The second is a quadratic in time and exact for a ball that leaves, or slides along,
+//! what it touches. Where neither proves enough, the interval is halved.
+
+use std::cell::Cell;
+
+use crate::closest::Intrusion;
+use crate::curve::Curve;
+use crate::solid::{Distance, Part, Piece, Solid};
+
+/// Deepest subdivision: 2⁻⁶⁰ of an interval is less than the rounding of its ends.
+const LEVELS: u32 = 60;
+
+/// Samples after which a proof is given up, which is a fault. Two bounces off the same thing need about
+/// a hundred.
+const MOST_SAMPLES: u32 = 100_000;
+
+/// One instant of a path beside one piece.
+#[derive(Clone, Copy)]
+struct Sample {
+    time: f64,
+    distance: Distance,
+}
+
+impl Sample {
+    fn new(piece: &Piece, curve: &Curve, time: f64) -> Self {
+        Self { time, distance: piece.distance(curve.place(time)) }
+    }
+
+    /// The ball's centre is no nearer to the piece at any time between `from` and `to`, m.
+    fn bound(&self, curve: &Curve, from: f64, to: f64) -> f64 {
+        let (v, h) = (curve.velocity(self.time), curve.h);
+        let (early, late) = (from - self.time, to - self.time);
+        let longest = late.max(-early);
+        let far = longest * (v.length() + longest * h.length());
+        let Distance { value, away, hollow, valid } = self.distance;
+        let plainly = value - far;
+        if far > valid || far >= hollow {
+            return plainly;
+        }
+        let (slope, bend) = (away.dot(v), away.dot(h));
+        let at = |t: f64| t * (slope + t * bend);
+        let mut least = at(early).min(at(late));
+        let turn = -0.5 * slope / bend;
+        if bend > 0.0 && turn > early && turn < late {
+            least = least.min(at(turn));
+        }
+        plainly.max(value + least - far * far / (2.0 * (hollow - far)))
+    }
+}
+
+/// Whether the ball keeps over the playing area, clear of all that stands around it.
+pub(crate) fn over_cloth(solid: &Solid, curve: &Curve, length: f64) -> bool {
+    let reach = curve.radius + curve.travel(length);
+    let inside = |half: f64, p: f64| half - p.abs() > reach;
+    inside(solid.half.x, curve.p.x) && inside(solid.half.y, curve.p.y)
+}
+
+/// Calls `found` with how `curve` comes to every piece of the table within `length` seconds that is not
+/// plainly out of reach.
+pub(crate) fn table<'s>(
+    solid: &'s Solid,
+    curve: &Curve,
+    length: f64,
+    tolerance: f64,
+    mut found: impl FnMut(Intrusion, &'s str),
+) {
+    let lowest = curve.lowest(length);
+    if lowest < curve.radius - tolerance {
+        found(piece(&solid.bed.piece, curve, length, tolerance), &solid.bed.name);
+    }
+    if over_cloth(solid, curve, length) || lowest >= solid.height + curve.radius - tolerance {
+        return;
+    }
+    let reach = curve.radius + curve.travel(length);
+    for Part { piece: of, name, .. } in
+        solid.rails.iter().filter(|part| part.at_least(curve.p.xy()) <= reach)
+    {
+        found(piece(of, curve, length, tolerance), name);
+    }
+}
+
+/// How far the centre goes beyond the outer border of the rails, m; negative within it.
+pub(crate) fn border(solid: &Solid, curve: &Curve, length: f64) -> Intrusion {
+    let mut farthest = Intrusion::NONE;
+    let axes = [
+        (curve.p.x, curve.v.x, curve.h.x, solid.border.x),
+        (curve.p.y, curve.v.y, curve.h.y, solid.border.y),
+    ];
+    for (p, v, h, border) in axes {
+        let turn = (-0.5 * v / h).clamp(0.0, length);
+        for after in [length, if turn.is_nan() { 0.0 } else { turn }] {
+            let depth = (p + after * (v + after * h)).abs() - border;
+            if depth > farthest.depth {
+                farthest = Intrusion { depth, after };
+            }
+        }
+    }
+    farthest
+}
+
+/// The deepest that the ball is in `piece`, as far as it matters.
+fn piece(piece: &Piece, curve: &Curve, length: f64, tolerance: f64) -> Intrusion {
+    let left = Cell::new(MOST_SAMPLES);
+    let search = Search { piece, curve, allowed: curve.radius - tolerance, left };
+    search.between(Sample::new(piece, curve, 0.0), Sample::new(piece, curve, length), LEVELS)
+}
+
+struct Search<'a> {
+    piece: &'a Piece,
+    curve: &'a Curve,
+    /// Nearer than this the centre may not come, m.
+    allowed: f64,
+    /// Samples that may still be taken.
+    left: Cell<u32>,
+}
+
+impl Search<'_> {
+    fn between(&self, a: Sample, b: Sample, levels: u32) -> Intrusion {
+        for end in [a, b] {
+            if end.distance.value < self.allowed {
+                return self.intrusion(end.distance.value, end.time);
+            }
+        }
+        let bound = |s: &Sample| s.bound(self.curve, a.time, b.time);
+        let proved = bound(&a).max(bound(&b));
+        if proved >= self.allowed {
+            return self.intrusion(proved, a.time);
+        }
+        if self.left.get() == 0 {
+            return self.intrusion(f64::NAN, a.time);
+        }
+        self.left.set(self.left.get() - 1);
+        let middle = Sample::new(self.piece, self.curve, 0.5 * (a.time + b.time));
+        if levels == 0 {
+            return self.intrusion(middle.distance.value, middle.time);
+        }
+        let first = self.between(a, middle, levels - 1);
+        if first.depth.is_nan() || first.depth > self.curve.radius - self.allowed {
+            return first;
+        }
+        let second = self.between(middle, b, levels - 1);
+        if first.depth >= second.depth { first } else { second }
+    }
+
+    fn intrusion(&self, distance: f64, after: f64) -> Intrusion {
+        Intrusion { depth: self.curve.radius - distance, after }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use carom::Table;
+    use carom::math::Vec3;
+
+    use super::*;
+
+    /// The deepest overlap of a ball on a path beside the pool table's matter, and with what.
+    fn deepest(p: [f64; 3], v: [f64; 3], length: f64) -> (f64, String) {
+        let table = Table::preset("wpa-9ft").expect("a preset");
+        let solid = Solid::of(&table);
+        let curve =
+            Curve { p: p.into(), v: v.into(), h: Vec3::new(0.0, 0.0, -4.9), radius: 0.028_575 };
+        let mut worst = (f64::NEG_INFINITY, String::new());
+        table_of(&solid, &curve, length, &mut worst);
+        worst
+    }
+
+    fn table_of(solid: &Solid, curve: &Curve, length: f64, worst: &mut (f64, String)) {
+        table(solid, curve, length, 1e-12, |found, name| {
+            if found.depth > worst.0 {
+                *worst = (found.depth, name.into());
+            }
+        });
+    }
+
+    #[test]
+    fn a_flying_ball_is_clear_of_all_that_it_does_not_touch() {
+        // Over the cloth, over a rail and out, and down the middle of a hole.
+        let hole = Table::preset("wpa-9ft").expect("a preset").pockets[0].center;
+        for (p, v, length) in [
+            ([0.0, 0.0, 0.3], [3.0, 1.0, 1.0], 0.1),
+            ([0.4, 0.5, 0.4], [4.0, 0.0, 1.0], 0.1),
+            ([hole.x, hole.y, 0.2], [0.0, 0.0, -1.0], 0.3),
+        ] {
+            let (depth, name) = deepest(p, v, length);
+            assert!(depth <= 1e-12, "{depth} in {name}");
+        }
+    }
+
+    #[test]
+    fn a_ball_that_comes_too_near_to_anything_is_found_out() {
+        let table = Table::preset("wpa-9ft").expect("a preset");
+        let hole = table.pockets[0].center;
+        let (x, h) = (0.5 * table.size.x, table.cushion_height);
+        for (p, v, length, what) in [
+            // Into the slate; through the nose from the side; onto it from above.
+            ([0.0, 0.0, 0.1], [1.0, 0.0, -3.0], 0.1, "the slate"),
+            ([x - 0.1, 0.5, h], [10.0, 0.0, 0.05], 0.02, "the right-upper rail"),
+            ([x + 0.01, 0.5, h + 0.1], [-1.0, 0.0, -3.0], 0.025, "the right-upper rail"),
+            // Down on the lip; up against the wall of the hole; out of it through the liner.
+            ([hole.x + 0.05, hole.y + 0.03, 0.1], [0.0, 0.0, -2.0], 0.1, "the slate"),
+            (
+                [hole.x, hole.y, 0.03],
+                [-4.0, -4.0, 0.0],
+                0.02,
+                "the liner of the bottom-left pocket",
+            ),
+        ] {
+            let (depth, name) = deepest(p, v, length);
+            assert!(depth > 1e-6 && name == what, "{depth} in {name}, not in {what}");
+        }
+    }
+
+    #[test]
+    fn a_ball_that_slides_along_what_it_touches_is_clear_of_it() {
+        let table = Table::preset("wpa-9ft").expect("a preset");
+        let (x, h, r) = (0.5 * table.size.x, table.cushion_height, 0.028_575);
+        let reach = table.reach(r);
+        // Above the nose that it touches, rising it leaves; below it, rising is into it.
+        let above = (r * r - 1e-4_f64).sqrt();
+        let (depth, name) = deepest([x - above, -0.6, h + 0.01], [0.0, 2.0, 1.0], 0.2);
+        assert!(depth <= 1e-12, "{depth} in {name}");
+        let (depth, name) = deepest([x - reach, -0.6, r], [0.0, 2.0, 1.0], 0.1);
+        assert!(depth > 1e-6, "{depth} in {name}");
+        // Level on a rail's top, and level against the nose.
+        let solid = Solid::of(&table);
+        for p in [[x + 0.05, -0.6, h + r], [x - reach, -0.6, r]] {
+            let curve =
+                Curve { p: p.into(), v: Vec3::new(0.0, 0.5, 0.0), h: Vec3::ZERO, radius: r };
+            let mut worst = (f64::NEG_INFINITY, String::new());
+            table_of(&solid, &curve, 0.5, &mut worst);
+            assert!(worst.0 <= 1e-12, "{worst:?}");
+        }
+    }
+}

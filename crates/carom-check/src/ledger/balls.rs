@@ -1,0 +1,158 @@
+//! What the balls of a collision exchange, and what the ground may add to it.
+//!
+//! The contact gives the two balls opposite impulses J at one point. The ground can only press: on a
+//! ball that stands on it and is driven down, with an impulse upwards and friction of at most μ times
+//! that. Of two balls at most one is driven down, so that the other's spin and velocity tell J to
+//! rounding, and then the one's what the ground has given it. What would lift a ball off the ground by
+//! less than the last hop may be left out.
+
+use carom::event::Event;
+use carom::math::Vec3;
+use carom::physics::BallBallModel;
+use carom::shot::Shot;
+use carom::{Ball, MotionState};
+
+use super::{ROUNDING, SPIN_SHARE, STILL, last_hop_speed};
+use crate::places::ground;
+use crate::solid::Solid;
+
+/// What is wrong with the momenta of a collision, if anything.
+pub(super) fn audit(
+    shot: &Shot,
+    solid: &Solid,
+    event: &Event<'_>,
+    balls: &[Ball],
+) -> Option<String> {
+    let all: Vec<Party> =
+        (0..balls.len()).map(|k| Party::new(shot, solid, event, balls, k)).collect();
+    total(shot, &all).or_else(|| match &all[..] {
+        // Of a push between smooth balls, the spin pays for being pressed.
+        [a, b] if shot.physics().ball_ball.is_smooth() => [a, b].into_iter().find_map(|p| {
+            let (turned, most) = (p.turn.length(), p.turn_rounding + SPIN_SHARE * p.spin);
+            (turned > most).then(|| {
+                format!("the spin of ball {}, which is smooth, changes by {turned:e}", p.named)
+            })
+        }),
+        [a, b] => {
+            let d = event.before[1].position - event.before[0].position;
+            let normal = d * (1.0 / d.length());
+            let cases = [alone(shot, a, b, normal), alone(shot, b, a, -normal)];
+            let [Err(first), Err(second)] = cases else { return None };
+            Some(if first.0 < second.0 { first.1 } else { second.1 })
+        }
+        _ => None,
+    })
+}
+
+/// One ball of a collision.
+struct Party {
+    ball: Ball,
+    /// Changes of momentum, kg·m/s, and of angular momentum, kg·m²/s.
+    push: Vec3,
+    turn: Vec3,
+    /// Angular momentum, kg·m²/s.
+    spin: f64,
+    stands: bool,
+    /// Rounding of either.
+    push_rounding: f64,
+    turn_rounding: f64,
+    /// Impulse by which the ground may fail to let go, kg·m/s.
+    lift: f64,
+    named: u16,
+}
+
+impl Party {
+    fn new(shot: &Shot, solid: &Solid, event: &Event<'_>, balls: &[Ball], k: usize) -> Self {
+        let (ball, before, after) = (balls[k], event.before[k], event.after[k]);
+        let inertia = 0.4 * ball.mass * ball.radius * ball.radius;
+        let stands = ground(solid, &before, ball.radius).is_some();
+        let kept_down = stands && after.motion != MotionState::Airborne;
+        // Slow partings are made from sums over all balls, so that each rounds like the fastest.
+        let fastest = event.before.iter().map(|s| s.velocity.length()).fold(0.0, f64::max);
+        let spins = event.before.iter().chain(event.after).map(|s| s.angular_velocity.length());
+        let surface = ball.radius * spins.fold(0.0, f64::max);
+        Self {
+            ball,
+            push: (after.velocity - before.velocity) * ball.mass,
+            turn: (after.angular_velocity - before.angular_velocity) * inertia,
+            spin: before.angular_velocity.length() * inertia,
+            stands,
+            push_rounding: ball.mass * (ROUNDING * fastest + STILL),
+            turn_rounding: ball.mass
+                * ball.radius
+                * (ROUNDING * (fastest + surface + ball.radius) + STILL),
+            lift: if kept_down { ball.mass * last_hop_speed(shot) } else { 0.0 },
+            named: event.balls[k],
+        }
+    }
+}
+
+/// Friction that the ground has at most.
+fn friction(shot: &Shot) -> f64 {
+    shot.physics().cloth.sliding_friction.max(shot.physics().slate.friction)
+}
+
+/// The sum of all momenta: kept, but for what the ground gives.
+fn total(shot: &Shot, all: &[Party]) -> Option<String> {
+    let sum = |of: fn(&Party) -> f64| all.iter().map(of).sum::<f64>();
+    let change = all.iter().fold(Vec3::ZERO, |sum, p| sum + p.push);
+    let (rounding, lift) = (sum(|p| p.push_rounding), sum(|p| p.lift));
+    let stands = all.iter().any(|p| p.stands);
+    // Where nothing acts between balls but along a level line, nothing is pressed.
+    let level = shot.physics().ball_ball.is_smooth()
+        && all.iter().all(|p| p.stands && p.ball.radius == all[0].ball.radius);
+    let pressed = if stands && !level { change.z + lift } else { 0.0 };
+    // Impulses that are integrated with the cloth's friction drop their vertical part.
+    let integrated = shot.physics().ball_ball.model == BallBallModel::Mathavan2014 && stands;
+    let dropped = if integrated { sum(|p| p.push.length()) } else { 0.0 };
+    let most = rounding + friction(shot) * (pressed.max(0.0) + dropped);
+    let (level, up) = (change.xy().length(), change.z);
+    let down = if stands { -lift - rounding } else { -rounding };
+    let too_high = !stands && up > rounding;
+    (level > most || up < down || too_high).then(|| {
+        format!("momentum changes by {level:e} level, allowed {most:e}, and {up:e} upwards")
+    })
+}
+
+/// Whether all is right if only `other` is driven down; `normal` points from `free` to it. If not:
+/// by how much more than may be, relatively, and what is wrong.
+fn alone(shot: &Shot, free: &Party, other: &Party, normal: Vec3) -> Result<(), (f64, String)> {
+    let wrong = |size: f64, most: f64, what: &str| {
+        let excess = size / most;
+        let text = format!(
+            "{what} of ball {} changes by {size:e}, allowed {most:e}, when it meets ball {}",
+            free.named, other.named
+        );
+        if size > most { Err((excess, text)) } else { Ok(()) }
+    };
+    // The arm of the contact is Rn: I Δω = Rn × J. It tells the part of J across n.
+    let about_normal = free.turn.dot(normal).abs();
+    wrong(about_normal, free.turn_rounding, "angular momentum about the line of centres")?;
+    let across = free.turn.cross(normal) * (1.0 / free.ball.radius);
+    let rounding = free.push_rounding + free.turn_rounding / free.ball.radius;
+    let level = normal.xy().length_squared();
+    let impulse = if free.stands && level > 0.0 {
+        let rest = (free.push - across).xy();
+        across + normal * (rest.dot(normal.xy()) / level)
+    } else {
+        across + normal * free.push.dot(normal)
+    };
+    let missing = impulse - free.push;
+    let left_down = if free.stands { missing.z.clamp(0.0, free.lift) } else { 0.0 };
+    let off = (missing - Vec3::new(0.0, 0.0, left_down)).length();
+    wrong(off, rounding, "angular momentum about the contact")?;
+
+    let ground = other.push + impulse;
+    let lever = Vec3::new(0.0, 0.0, -other.ball.radius);
+    let contact = normal * -other.ball.radius;
+    let turn = other.turn - contact.cross(-impulse) - lever.cross(ground);
+    let most = other.turn_rounding + other.ball.radius * rounding;
+    wrong(turn.length(), most, "angular momentum about the contact, on the other side,")?;
+    let rounding = rounding + other.push_rounding;
+    if !other.stands {
+        return wrong(ground.length(), rounding, "momentum");
+    }
+    wrong(-ground.z, other.lift + rounding, "momentum, downwards,")?;
+    let most = friction(shot) * ground.z.max(0.0) + rounding;
+    wrong(ground.xy().length(), most, "momentum, by friction on the ground,")
+}

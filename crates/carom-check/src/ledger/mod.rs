@@ -1,0 +1,64 @@
+//! What every event must keep: energy, momentum, angular momentum, and plain sanity.
+
+mod balls;
+mod table;
+
+use carom::event::{Event, EventKind};
+use carom::shot::Shot;
+use carom::{Ball, BallState, MotionState};
+
+use crate::solid::Solid;
+
+/// Relative rounding that is let pass in sums over the balls of an event.
+const ROUNDING: f64 = 1e-12;
+
+/// Energy that a push may lend, J: `UNPAID_PRESS_SPEED` in the engine's `simulate/impact.rs`.
+pub const LENT: f64 = 2e-9;
+
+/// Share of a spin that a push between smooth balls may cost: `SPIN_SHARE` there.
+const SPIN_SHARE: f64 = 1e-3;
+
+/// Speed that the engine takes for rest, m/s: `STILL` in its `motion.rs`.
+const STILL: f64 = 1e-13;
+
+/// Height of the last hop that a ball leaves out, m: the engine's rule for the end of bouncing.
+const LAST_HOP: f64 = 1e-4;
+
+/// Upward speed, m/s, below which a ball on the bed may be kept down.
+fn last_hop_speed(shot: &Shot) -> f64 {
+    (2.0 * shot.physics().gravity * LAST_HOP).sqrt() * (1.0 + ROUNDING)
+}
+
+/// What is wrong with an event, if anything.
+pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<String> {
+    let balls: Vec<Ball> = event.balls.iter().map(|&i| shot.balls()[usize::from(i)].ball).collect();
+    for (k, s) in event.after.iter().enumerate() {
+        if !(s.position.is_finite() && s.velocity.is_finite() && s.angular_velocity.is_finite()) {
+            return Some(format!("ball {} is not finite after {:?}", event.balls[k], event.kind));
+        }
+        let moved = event.before[k].position != s.position;
+        if moved && s.motion != MotionState::Pocketed {
+            return Some(format!("ball {} jumps at {:?}", event.balls[k], event.kind));
+        }
+    }
+    let energy = |states: &[BallState]| -> f64 {
+        states.iter().zip(&balls).map(|(s, b)| b.kinetic_energy(s)).sum()
+    };
+    let (before, after) = (energy(event.before), energy(event.after));
+    let given = after - before;
+    if let EventKind::CueStrike = event.kind {
+        let (cue, speed) = (shot.physics().cue.mass, shot.strike().map_or(0.0, |s| s.1.speed));
+        let had = 0.5 * cue * speed * speed;
+        return (given > had * (1.0 + ROUNDING))
+            .then(|| format!("the cue gives {given:e} J, of {had:e} J that it had"));
+    }
+    if after > before * (1.0 + ROUNDING) + LENT {
+        return Some(format!("{:?} raises the energy by {given:e} J", event.kind));
+    }
+    match event.kind {
+        EventKind::BallCollision => balls::audit(shot, solid, event, &balls),
+        EventKind::RailCollision(_) => table::rail(shot, solid, event, &balls[0]),
+        EventKind::SlateCollision => table::slate(shot, solid, event, &balls[0]),
+        _ => None,
+    }
+}

@@ -1,0 +1,70 @@
+//! What the table gives a flying ball: an impulse at the point that it touches, which pushes, and turns
+//! it as that point tells; its friction is at most μ times its push.
+
+use carom::event::Event;
+use carom::math::Vec3;
+use carom::shot::Shot;
+use carom::{Ball, MotionState};
+
+use super::{ROUNDING, STILL};
+use crate::places::TABLE_GAP;
+use crate::solid::Solid;
+
+/// How fast a ball that tips over a lip may be let fall onto it and thrown off it again, m/s: what that
+/// takes comes out of its motion along, which no force at one point does.
+const TIPPING: f64 = 0.03;
+
+/// A flying ball meets a rail.
+pub(super) fn rail(shot: &Shot, solid: &Solid, event: &Event<'_>, ball: &Ball) -> Option<String> {
+    let s = event.before[0];
+    // The bed takes part in what happens to a ball that stands on it.
+    if s.motion != MotionState::Airborne || s.position.z <= ball.radius + TABLE_GAP {
+        return None;
+    }
+    let physics = shot.physics();
+    let fit = physics.cushion.friction;
+    let steepest = fit.a + fit.b * core::f64::consts::FRAC_PI_2;
+    let friction = [physics.facing, physics.liner, physics.slate]
+        .iter()
+        .map(|surface| surface.friction)
+        .fold(fit.a.max(steepest), f64::max);
+    let distances = solid.rails.iter().map(|part| part.piece.distance(s.position));
+    let touched = distances.filter(|d| (d.value - ball.radius).abs() <= TABLE_GAP);
+    let wrongs: Vec<_> = touched.map(|d| push(event, ball, d.away, friction)).collect();
+    // In a corner, one of the two.
+    if wrongs.iter().any(Option::is_none) { None } else { wrongs.into_iter().flatten().next() }
+}
+
+/// A ball meets the bed.
+pub(super) fn slate(shot: &Shot, solid: &Solid, event: &Event<'_>, ball: &Ball) -> Option<String> {
+    let d = solid.bed.piece.distance(event.before[0].position);
+    let at_lip = d.away.xy() != carom::math::Vec2::ZERO;
+    if at_lip && event.before[0].velocity.dot(d.away).abs() <= TIPPING {
+        return None;
+    }
+    push(event, ball, d.away, shot.physics().slate.friction)
+}
+
+/// What is wrong with an impulse from a point in the direction −`away` of the centre, if anything.
+fn push(event: &Event<'_>, ball: &Ball, away: Vec3, friction: f64) -> Option<String> {
+    let (before, after) = (event.before[0], event.after[0]);
+    let impulse = (after.velocity - before.velocity) * ball.mass;
+    let inertia = 0.4 * ball.mass * ball.radius * ball.radius;
+    let turn = (after.angular_velocity - before.angular_velocity) * inertia;
+    let speeds = before.velocity.length()
+        + ball.radius * before.angular_velocity.length().max(after.angular_velocity.length());
+    let rounding = ball.mass * (ROUNDING * speeds + 4.0 * STILL);
+    let off = (turn - (away * -ball.radius).cross(impulse)).length() / ball.radius;
+    if off > rounding {
+        return Some(format!(
+            "angular momentum about the contact changes by {off:e}, allowed {rounding:e}"
+        ));
+    }
+    // By what it came with: a bounce too small to see is kept down, which takes part of the push.
+    let came = -before.velocity.dot(away).min(0.0) * ball.mass;
+    let pushed = impulse.dot(away).max(2.0 * came);
+    let across = (impulse - away * impulse.dot(away)).length();
+    (across > friction * pushed + rounding || impulse.dot(away) < -rounding).then(|| {
+        format!("the table gives {across:e} across, with a friction of {friction} on {pushed:e}")
+    })
+}

@@ -1,0 +1,217 @@
+//! Where each kind of event may happen, and in what motion a ball may leave it.
+
+use carom::event::{Event, EventKind};
+use carom::math::Vec2;
+use carom::shot::Shot;
+use carom::table::Capture;
+use carom::{BallState, MotionState};
+
+use crate::solid::Solid;
+
+/// How far a ball may be from what it is said to touch of the table, or from the line that it is said
+/// to cross, m: a hundredth of an atom. Balls touch each other to [`CONTACT_GAP`](crate::CONTACT_GAP).
+pub const TABLE_GAP: f64 = 1e-12;
+
+/// Speed that counts as none in a verdict on whether bodies approach, m/s: rounding of speeds to 100 m/s.
+const NO_SPEED: f64 = 1e-12;
+
+/// How far a velocity may jump where a motion state ends, m/s per m/s: rounding, and the slip that
+/// the engine takes for none.
+const SMOOTH: f64 = 1e-11;
+
+/// A ball that comes to a lip slower than this, m/s, may stop there, however smooth the cloth.
+const HANGS_BELOW: f64 = 1e-3;
+
+/// What a ball stands on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ground {
+    Bed,
+    Top,
+}
+
+/// What a ball with its centre at that height stands on, if anything.
+pub(crate) fn ground(solid: &Solid, state: &BallState, radius: f64) -> Option<Ground> {
+    let z = state.position.z;
+    if (z - radius).abs() <= TABLE_GAP {
+        Some(Ground::Bed)
+    } else if (z - solid.height - radius).abs() <= TABLE_GAP && !solid.rails.is_empty() {
+        Some(Ground::Top)
+    } else {
+        None
+    }
+}
+
+/// What is wrong with where an event happens, if anything.
+pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<String> {
+    let judge = Judge { shot, solid, event };
+    let wrong = match event.kind {
+        EventKind::CueStrike => None,
+        EventKind::BallCollision => judge.balls_meet(),
+        EventKind::RailCollision(_) => judge.meets(false),
+        EventKind::SlateCollision => judge.meets(true),
+        EventKind::PocketCollision(k) => judge.is_lost(usize::from(k)),
+        EventKind::OffTable => judge.is_off(),
+        EventKind::MotionTransition { from, to } => judge.goes_on(from, to),
+    };
+    wrong.or_else(|| judge.stands())
+}
+
+struct Judge<'a> {
+    shot: &'a Shot,
+    solid: &'a Solid,
+    event: &'a Event<'a>,
+}
+
+impl Judge<'_> {
+    fn radius(&self, k: usize) -> f64 {
+        self.shot.balls()[usize::from(self.event.balls[k])].ball.radius
+    }
+
+    /// A ball that flies is met by one that it comes nearer to.
+    fn balls_meet(&self) -> Option<String> {
+        let [p, q] = self.event.before else { return None };
+        let flies = [p, q].iter().any(|s| s.motion == MotionState::Airborne);
+        let line = q.position - p.position;
+        let parting = (q.velocity - p.velocity).dot(line) / line.length();
+        (flies && parting > NO_SPEED)
+            .then(|| format!("balls {:?} meet parting at {parting:e} m/s", self.event.balls))
+    }
+
+    /// A ball touches the bed or a rail, comes nearer to it, and does not go on doing so.
+    fn meets(&self, bed: bool) -> Option<String> {
+        let (before, after) = (self.event.before[0], self.event.after[0]);
+        let (radius, ball) = (self.radius(0), self.event.balls[0]);
+        let c = before.position;
+        let distances = if bed {
+            vec![self.solid.bed.piece.distance(c)]
+        } else {
+            self.solid.rails.iter().map(|part| part.piece.distance(c)).collect()
+        };
+        let touched = || distances.iter().filter(|d| (d.value - radius).abs() <= TABLE_GAP);
+        if touched().next().is_none() {
+            let nearest = distances.iter().map(|d| d.value - radius);
+            let gap = nearest.min_by(|a, b| a.abs().total_cmp(&b.abs()));
+            return Some(format!("ball {ball} is {gap:?} m from what it is said to touch"));
+        }
+        let speed = before.velocity.length();
+        let parting =
+            |s: &BallState| touched().map(|d| s.velocity.dot(d.away)).fold(f64::INFINITY, f64::min);
+        let (came, went) = (parting(&before), parting(&after));
+        if before.motion == MotionState::Airborne && came > NO_SPEED * (1.0 + speed) {
+            return Some(format!("ball {ball} meets what it leaves at {came:e} m/s"));
+        }
+        // In a corner it may now be on its way into the other one.
+        let alone = touched().count() == 1;
+        (alone && went < -NO_SPEED * (1.0 + speed))
+            .then(|| format!("ball {ball} goes on into what it has met at {:e} m/s", -went))
+    }
+
+    /// A ball that is pocketed cannot come back.
+    fn is_lost(&self, k: usize) -> Option<String> {
+        let Some(pocket) = self.shot.table().pockets.get(k) else {
+            return Some(format!("there is no pocket {k}"));
+        };
+        let (s, radius, ball) = (self.event.before[0], self.radius(0), self.event.balls[0]);
+        let z = s.position.z;
+        let after = self.event.after[0];
+        if after.motion != MotionState::Pocketed {
+            return Some(format!("ball {ball} is {} when pocketed", after.motion.name()));
+        }
+        if let Capture::MouthLine { start, .. } = pocket.capture {
+            let beyond = (s.position.xy() - start).dot(pocket.axis);
+            return (beyond.abs() > TABLE_GAP || z > self.solid.height + radius + TABLE_GAP)
+                .then(|| format!("ball {ball} is pocketed {beyond:e} m behind the mouth"));
+        }
+        let inside = pocket.radius - (s.position.xy() - pocket.center).length();
+        if inside < -TABLE_GAP || z > TABLE_GAP {
+            return Some(format!(
+                "ball {ball} is pocketed {inside:e} m in the hole at z = {z:e} m"
+            ));
+        }
+        let gravity = self.shot.physics().gravity;
+        let energy = 0.5 * s.velocity.length_squared()
+            + 0.2 * radius * radius * s.angular_velocity.length_squared();
+        let reaches = z + energy / gravity;
+        (z > -radius + TABLE_GAP && reaches > radius + TABLE_GAP).then(|| {
+            format!("ball {ball} is pocketed at z = {z:e} m but could come up to {reaches:e} m")
+        })
+    }
+
+    /// A ball that has left the table is beyond the rails, or at rest on them.
+    fn is_off(&self) -> Option<String> {
+        let (s, after) = (self.event.before[0], self.event.after[0]);
+        let (radius, ball) = (self.radius(0), self.event.balls[0]);
+        if after.motion != MotionState::OffTable || after.velocity.length() != 0.0 {
+            return Some(format!("ball {ball} is {} off the table", after.motion.name()));
+        }
+        let on_top = ground(self.solid, &s, radius) == Some(Ground::Top)
+            && self.solid.beside_tops(s.position.xy()) <= TABLE_GAP;
+        let rests = on_top && s.velocity.length() <= SMOOTH;
+        let outside = self.beyond_border(s.position.xy());
+        (!rests && outside < -TABLE_GAP)
+            .then(|| format!("ball {ball} is off the table {:e} m inside its border", -outside))
+    }
+
+    fn beyond_border(&self, p: Vec2) -> f64 {
+        (p.x.abs() - self.solid.border.x).max(p.y.abs() - self.solid.border.y)
+    }
+
+    /// Nothing jumps where a motion state ends by itself.
+    fn goes_on(&self, from: MotionState, to: MotionState) -> Option<String> {
+        let (before, after) = (self.event.before[0], self.event.after[0]);
+        let (radius, ball) = (self.radius(0), self.event.balls[0]);
+        if (before.motion, after.motion) != (from, to) {
+            return Some(format!("ball {ball} does not go from {} to {}", from.name(), to.name()));
+        }
+        if from == MotionState::Airborne {
+            return Some(format!("the flight of ball {ball} ends by itself"));
+        }
+        let p = before.position.xy();
+        let at_lip = self.solid.over_hole(p).abs() <= TABLE_GAP;
+        if to == MotionState::Airborne {
+            let at_edge = match ground(self.solid, &before, radius) {
+                Some(Ground::Bed) => at_lip,
+                Some(Ground::Top) => self.solid.beside_tops(p) <= TABLE_GAP,
+                None => false,
+            };
+            if !at_edge {
+                return Some(format!("ball {ball} takes off where there is ground"));
+            }
+        }
+        let jump = (after.velocity - before.velocity).length();
+        let speed = before.velocity.length();
+        let holding = self.shot.physics().cloth.rolling_friction
+            * (self.shot.physics().gravity * radius).sqrt();
+        let hangs = at_lip
+            && after.velocity.length() == 0.0
+            && speed <= holding.max(HANGS_BELOW) * (1.0 + SMOOTH);
+        (jump > SMOOTH * (1.0 + speed) && !hangs)
+            .then(|| format!("ball {ball} goes on {jump:e} m/s faster or slower"))
+    }
+
+    /// A ball that does not fly stands on something, level.
+    fn stands(&self) -> Option<String> {
+        for (k, s) in self.event.after.iter().enumerate() {
+            let ball = self.event.balls[k];
+            if !s.motion.in_play() || s.motion == MotionState::Airborne {
+                continue;
+            }
+            let p = s.position.xy();
+            let over = self.solid.over_hole(p);
+            let supported = match ground(self.solid, s, self.radius(k)) {
+                Some(Ground::Bed) => over <= TABLE_GAP,
+                Some(Ground::Top) => self.solid.beside_tops(p) <= TABLE_GAP,
+                None => false,
+            };
+            if !supported || s.velocity.z != 0.0 {
+                return Some(format!(
+                    "ball {ball} is {} at z = {:e} m, {over:e} m in a hole, with v_z = {:e} m/s",
+                    s.motion.name(),
+                    s.position.z,
+                    s.velocity.z
+                ));
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,372 @@
+//! What of a table is matter, as a set of pieces whose distances from a point are known in closed
+//! form: the judge's own reading of the table's plain figures.
+//!
+//! * **Bed**: all that lies at or below z = 0, except the holes.
+//! * **Plates**: cushion and rail end in a flat top at the height of the nose. Rubber is undercut, so
+//!   nothing below that edge is ever met, and a rail is a plate without thickness: a convex polygon
+//!   behind its nose and its facings, and a slice of a disc for every rounded point.
+//! * **Liners**: behind the far arc of a hole everything up to that height.
+//!
+//! A ball is clear of a piece where its centre is no nearer to it than its radius. Balls that are so
+//! at all times never pass through a plate, however thin.
+
+use carom::Table;
+use carom::math::{Vec2, Vec3};
+use carom::table::{Capture, CushionPart, Pocket, Shape};
+
+/// One piece of a table.
+#[derive(Clone, Debug)]
+pub(crate) enum Piece {
+    /// A convex polygon, counter-clockwise, at the height of the nose.
+    Plate { corners: Vec<Vec2>, height: f64 },
+    /// A slice of less than half a disc there, between two unit vectors from its centre.
+    Slice { center: Vec2, radius: f64, from: Vec2, to: Vec2, height: f64 },
+    /// Everything up to that height outside a circle, between two unit vectors from its centre, the
+    /// second up to a quarter turn counter-clockwise from the first.
+    Liner { center: Vec2, radius: f64, from: Vec2, to: Vec2, height: f64 },
+    /// The bed with its holes, by centre and radius.
+    Bed { holes: Vec<(Vec2, f64)> },
+}
+
+/// How far a point is from a piece.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Distance {
+    /// Metres; 0 inside.
+    pub(crate) value: f64,
+    /// Its gradient: the unit vector away from the piece.
+    pub(crate) away: Vec3,
+    /// Seen from here the piece is hollow with this radius of curvature, m: the distance at a point δ
+    /// further is at least `value` + `away`·δ − |δ|²/2ρ, with ρ by |δ| less than this. Infinite for
+    /// what is convex.
+    pub(crate) hollow: f64,
+    /// How far that holds, m.
+    pub(crate) valid: f64,
+}
+
+impl Distance {
+    /// From the distance in the plane and its gradient, and the height above the piece.
+    fn combine(level: f64, gradient: Vec2, rise: f64, hollow: f64, valid: f64) -> Self {
+        let value = (level * level + rise * rise).sqrt();
+        let away = if value > 0.0 {
+            (gradient * (level / value)).with_z(rise / value)
+        } else {
+            Vec3::ZERO
+        };
+        Self { value, away, hollow, valid }
+    }
+}
+
+/// Distance of `p` from the nearer of two points, and the unit vector from it.
+fn from_point(p: Vec2, q: Vec2) -> (f64, Vec2) {
+    let d = p - q;
+    let length = d.length();
+    (length, if length > 0.0 { d * (1.0 / length) } else { Vec2::ZERO })
+}
+
+fn nearer(a: (f64, Vec2), b: (f64, Vec2)) -> (f64, Vec2) {
+    if b.0 < a.0 { b } else { a }
+}
+
+/// Distance from the straight line between two points.
+fn from_segment(p: Vec2, start: Vec2, end: Vec2) -> (f64, Vec2) {
+    let along = end - start;
+    let s = (p - start).dot(along) / along.length_squared();
+    from_point(p, start + along * s.clamp(0.0, 1.0))
+}
+
+/// Distance from a convex polygon.
+fn from_polygon(p: Vec2, corners: &[Vec2]) -> (f64, Vec2) {
+    let mut inside = true;
+    let mut nearest = (f64::INFINITY, Vec2::ZERO);
+    for (k, &start) in corners.iter().enumerate() {
+        let end = corners[(k + 1) % corners.len()];
+        // Only an edge that has the point on its outer side can be the nearest.
+        if (end - start).cross(p - start) < 0.0 {
+            inside = false;
+            nearest = nearer(nearest, from_segment(p, start, end));
+        }
+    }
+    if inside { (0.0, Vec2::ZERO) } else { nearest }
+}
+
+/// Whether `q` lies in the cone from `from` counter-clockwise to `to`.
+fn in_cone(q: Vec2, from: Vec2, to: Vec2) -> bool {
+    from.cross(q) >= 0.0 && q.cross(to) >= 0.0
+}
+
+impl Piece {
+    /// How far the point `c` is from this piece.
+    pub(crate) fn distance(&self, c: Vec3) -> Distance {
+        let p = c.xy();
+        match self {
+            Self::Plate { corners, height } => {
+                let (level, away) = from_polygon(p, corners);
+                Distance::combine(level, away, c.z - height, f64::INFINITY, f64::INFINITY)
+            }
+            Self::Slice { center, radius, from, to, height } => {
+                let q = p - *center;
+                let (level, away) = if in_cone(q, *from, *to) {
+                    let (rho, out) = from_point(p, *center);
+                    ((rho - radius).max(0.0), out)
+                } else {
+                    let side = |u: Vec2| from_point(p, *center + u * q.dot(u).clamp(0.0, *radius));
+                    nearer(side(*from), side(*to))
+                };
+                Distance::combine(level, away, c.z - height, f64::INFINITY, f64::INFINITY)
+            }
+            Self::Liner { center, radius, from, to, height } => {
+                let q = p - *center;
+                let rho = q.length();
+                let (level, away) = if in_cone(q, *from, *to) {
+                    let (_, out) = from_point(p, *center);
+                    ((radius - rho).max(0.0), -out)
+                } else {
+                    let side = |u: Vec2| from_point(p, *center + u * q.dot(u).max(*radius));
+                    nearer(side(*from), side(*to))
+                };
+                let rise = (c.z - height).max(0.0);
+                // Where it is doubtful which end is the nearer, the piece is a radius away.
+                Distance::combine(level, away, rise, rho, 0.5 * (radius - level).max(0.0))
+            }
+            Self::Bed { holes } => {
+                let over = holes.iter().find(|(center, r)| (p - *center).length() < *r);
+                let (level, away, hollow) =
+                    over.map_or((0.0, Vec2::ZERO, f64::INFINITY), |(center, r)| {
+                        let (rho, out) = from_point(p, *center);
+                        (r - rho, -out, rho)
+                    });
+                Distance::combine(level, away, c.z.max(0.0), hollow, f64::INFINITY)
+            }
+        }
+    }
+
+    /// The rectangle that holds the piece, seen from above: two opposite corners.
+    fn extent(&self) -> [Vec2; 2] {
+        let around = |points: &[Vec2]| {
+            let fold = |f: fn(f64, f64) -> f64, x: f64| {
+                points.iter().fold(Vec2::new(x, x), |m, p| Vec2::new(f(m.x, p.x), f(m.y, p.y)))
+            };
+            [fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY)]
+        };
+        match self {
+            Self::Plate { corners, .. } => around(corners),
+            Self::Slice { center, radius, .. } => {
+                let reach = Vec2::new(*radius, *radius);
+                [*center - reach, *center + reach]
+            }
+            Self::Liner { .. } | Self::Bed { .. } => {
+                let all = Vec2::new(f64::INFINITY, f64::INFINITY);
+                [-all, all]
+            }
+        }
+    }
+}
+
+/// A piece, what it is called, and where it lies.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    pub(crate) piece: Piece,
+    pub(crate) name: String,
+    extent: [Vec2; 2],
+}
+
+impl Part {
+    fn new(piece: Piece, name: String) -> Self {
+        let extent = piece.extent();
+        Self { piece, name, extent }
+    }
+
+    /// No nearer than this is the rectangle around the piece to `p`, m, along either axis.
+    pub(crate) fn at_least(&self, p: Vec2) -> f64 {
+        let [low, high] = self.extent;
+        (low.x - p.x).max(p.x - high.x).max((low.y - p.y).max(p.y - high.y))
+    }
+}
+
+/// All matter of a table.
+#[derive(Clone, Debug)]
+pub(crate) struct Solid {
+    /// The bed.
+    pub(crate) bed: Part,
+    /// All that stands on it: nothing of it reaches over the playing area.
+    pub(crate) rails: Vec<Part>,
+    /// Half the playing area, m.
+    pub(crate) half: Vec2,
+    /// Half the table with its rails, m.
+    pub(crate) border: Vec2,
+    /// Height of the rails' tops, m.
+    pub(crate) height: f64,
+    /// Centres and radii of the holes, m.
+    pub(crate) holes: Vec<(Vec2, f64)>,
+}
+
+/// Rails are drawn out to this many times their width.
+const BEYOND: f64 = 4.0;
+
+/// Places closer than this are one, up to rounding, m.
+const SAME_PLACE: f64 = 1e-9;
+
+impl Solid {
+    pub(crate) fn of(table: &Table) -> Self {
+        let half = table.size * 0.5;
+        let rail_width = table.description.as_ref().map_or(f64::INFINITY, |d| d.rail_width);
+        let height = table.cushion_height;
+        let pockets = || table.pockets.iter().filter(|p| p.capture == Capture::DropCircle);
+        let holes: Vec<_> = pockets().map(|p| (p.center, p.radius)).collect();
+        let bed = Part::new(Piece::Bed { holes: holes.clone() }, "the slate".into());
+        let border = half + Vec2::new(rail_width, rail_width);
+        let mut solid = Self { bed, rails: Vec::new(), half, border, height, holes };
+        let reach = half + Vec2::new(rail_width, rail_width) * BEYOND;
+        for rail in table.cushions.chunk_by(|a, b| a.rail == b.rail) {
+            solid.add_rail(rail, reach);
+        }
+        let jaws: Vec<Jaw> =
+            table.cushions.chunk_by(|a, b| a.rail == b.rail).flat_map(jaws).collect();
+        for pocket in pockets() {
+            solid.add_liner(pocket, &jaws, BEYOND * rail_width);
+        }
+        solid
+    }
+
+    /// The plate behind a rail's edges, and the slices of its points.
+    fn add_rail(&mut self, parts: &[CushionPart], reach: Vec2) {
+        let (height, name) = (self.height, parts[0].rail.name());
+        let mut plate = vec![
+            Vec2::new(-reach.x, -reach.y),
+            Vec2::new(reach.x, -reach.y),
+            Vec2::new(reach.x, reach.y),
+            Vec2::new(-reach.x, reach.y),
+        ];
+        for part in parts {
+            match part.shape {
+                Shape::Segment { start, normal, .. } => cut(&mut plate, start, normal),
+                Shape::Arc { center, radius, start, end } => {
+                    // The plate ends at the chord.
+                    if radius > 0.0 {
+                        cut(&mut plate, center + start * radius, start + end);
+                    }
+                    let (from, to) =
+                        if start.cross(end) >= 0.0 { (start, end) } else { (end, start) };
+                    let slice = Piece::Slice { center, radius, from, to, height };
+                    self.rails.push(Part::new(slice, format!("a point of the {name} rail")));
+                }
+            }
+        }
+        for jaw in jaws(parts) {
+            cut(&mut plate, jaw.deep, jaw.normal);
+        }
+        let plate = Piece::Plate { corners: plate, height };
+        self.rails.push(Part::new(plate, format!("the {name} rail")));
+    }
+
+    /// What is behind a hole: between its two jaws, whose lines run on until they leave the hole.
+    fn add_liner(&mut self, pocket: &Pocket, jaws: &[Jaw], far: f64) {
+        let (center, radius, height) = (pocket.center, pocket.radius, self.height);
+        let name = pocket.name.name();
+        let mut ends: Vec<Vec2> = Vec::new();
+        let near = |jaw: &&Jaw| pocket.throat.iter().any(|t| (*t - jaw.deep).length() < SAME_PLACE);
+        for jaw in jaws.iter().filter(near) {
+            let Some(end) = jaw.leaves(center, radius) else { continue };
+            let out = (end - center) * (1.0 / radius);
+            ends.push(out);
+            // Between the line that runs on and the liner there is wood as well.
+            if out.dot(jaw.normal) > 0.0 {
+                let (a, b) = (end + out * far, end + jaw.along * far);
+                let turn = (a - end).cross(b - end);
+                let corners = if turn > 0.0 { vec![end, a, b] } else { vec![end, b, a] };
+                let wedge = Piece::Plate { corners, height };
+                self.rails.push(Part::new(wedge, format!("the top behind the {name} pocket")));
+            }
+        }
+        let [a, b] = ends[..] else { return };
+        let (a, b) = if a.cross(pocket.axis) >= 0.0 { (a, b) } else { (b, a) };
+        let between = |a: Vec2, b: Vec2| (a + b) * (1.0 / (a + b).length());
+        let axis = pocket.axis;
+        let turns = [a, between(a, axis), axis, between(axis, b), b];
+        for (&from, &to) in turns.iter().zip(&turns[1..]) {
+            let liner = Piece::Liner { center, radius, from, to, height };
+            self.rails.push(Part::new(liner, format!("the liner of the {name} pocket")));
+        }
+    }
+
+    /// How deep a ball of radius `radius` (m) with its centre at `c` is in the table, m, and in what;
+    /// negative by as much as it is clear.
+    pub(crate) fn depth(&self, c: Vec3, radius: f64) -> (f64, &str) {
+        self.rails.iter().chain([&self.bed]).fold((f64::NEG_INFINITY, ""), |deepest, part| {
+            let depth = radius - part.piece.distance(c).value;
+            if depth > deepest.0 { (depth, part.name.as_str()) } else { deepest }
+        })
+    }
+
+    /// Whether the height of a centre is that of a ball on a top rather than on the bed.
+    pub(crate) fn is_on_top(&self, z: f64, radius: f64) -> bool {
+        !self.rails.is_empty() && z > radius + 0.5 * self.height
+    }
+
+    /// How far inside the hole over which it stands a centre is, m; negative: so far from any.
+    pub(crate) fn over_hole(&self, p: Vec2) -> f64 {
+        let inside = |(center, radius): &(Vec2, f64)| radius - (p - *center).length();
+        self.holes.iter().map(inside).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// How far from the rails' tops a centre is, seen from above, m; 0 over them.
+    pub(crate) fn beside_tops(&self, p: Vec2) -> f64 {
+        let c = p.with_z(self.height);
+        self.rails.iter().map(|part| part.piece.distance(c).value).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Where a rail ends at a pocket: the line of its facing, or of the tangent to a point that takes up
+/// all the rubber.
+struct Jaw {
+    /// Deep end, m.
+    deep: Vec2,
+    /// Unit vector away from the table along the line.
+    along: Vec2,
+    /// Unit vector into the pocket.
+    normal: Vec2,
+}
+
+impl Jaw {
+    /// Where its line leaves the circle, if it meets it.
+    fn leaves(&self, center: Vec2, radius: f64) -> Option<Vec2> {
+        let d = self.deep - center;
+        let b = d.dot(self.along);
+        let square = b * b - d.dot(d) + radius * radius;
+        (square >= 0.0).then(|| self.deep + self.along * (square.sqrt() - b))
+    }
+}
+
+/// The jaws at the two ends of a rail; none in a plain rectangle.
+fn jaws(parts: &[CushionPart]) -> Vec<Jaw> {
+    let at = |part: &CushionPart| match part.shape {
+        Shape::Segment { .. } if part.part == carom::table::Part::Nose => None,
+        Shape::Segment { start, end, normal } => {
+            let along = end - start;
+            Some(Jaw { deep: end, along: along * (1.0 / along.length()), normal })
+        }
+        Shape::Arc { center, radius, start, end } => {
+            let turn = if start.cross(end) >= 0.0 { 1.0 } else { -1.0 };
+            Some(Jaw { deep: center + end * radius, along: end.perp() * turn, normal: end })
+        }
+    };
+    [parts.first(), parts.last()].into_iter().flatten().filter_map(at).collect()
+}
+
+/// Cuts off a convex polygon what lies in front of the line through `place` with the normal `normal`
+/// (Sutherland & Hodgman 1974).
+fn cut(corners: &mut Vec<Vec2>, place: Vec2, normal: Vec2) {
+    let front = |p: Vec2| (p - place).dot(normal);
+    let mut kept = Vec::with_capacity(corners.len() + 1);
+    for (k, &a) in corners.iter().enumerate() {
+        let b = corners[(k + 1) % corners.len()];
+        let (fa, fb) = (front(a), front(b));
+        if fa <= 0.0 {
+            kept.push(a);
+        }
+        if (fa < 0.0 && fb > 0.0) || (fa > 0.0 && fb < 0.0) {
+            kept.push(a + (b - a) * (fa / (fa - fb)));
+        }
+    }
+    *corners = kept;
+}
