@@ -11,9 +11,11 @@ mod closest;
 mod curve;
 mod ledger;
 mod places;
+mod sampled;
 pub mod scenes;
 mod solid;
 mod tally;
+mod touch;
 
 use std::fmt;
 use std::rc::Rc;
@@ -30,6 +32,7 @@ use solid::Solid;
 
 pub use ledger::LENT;
 pub use places::TABLE_GAP;
+pub use sampled::{SEEN_DEPTH, watch};
 pub use tally::Tally;
 
 /// Deepest overlap that is let pass, m. Law 6 of ARCHITECTURE.md; an atom is 1e-10 m.

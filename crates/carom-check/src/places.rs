@@ -7,6 +7,7 @@ use carom::table::Capture;
 use carom::{BallState, MotionState};
 
 use crate::solid::Solid;
+use crate::touch::{self, Touch};
 
 /// How far a ball may be from what it is said to touch of the table, or from the line that it is said
 /// to cross, m: a hundredth of an atom. Balls touch each other to [`CONTACT_GAP`](crate::CONTACT_GAP).
@@ -47,8 +48,14 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
     let wrong = match event.kind {
         EventKind::CueStrike => None,
         EventKind::BallCollision => judge.balls_meet(),
-        EventKind::RailCollision(_) => judge.meets(false),
-        EventKind::SlateCollision => judge.meets(true),
+        EventKind::RailCollision(k) => {
+            let (c, radius) = (event.before[0].position, judge.radius(0));
+            let touched = touch::rail(shot.table(), solid, usize::from(k), c, radius);
+            touched.map_or(Some(format!("there is no part {k}")), |t| judge.meets(t))
+        }
+        EventKind::SlateCollision => {
+            judge.meets(touch::slate(solid, event.before[0].position, judge.radius(0)))
+        }
         EventKind::PocketCollision(k) => judge.is_lost(usize::from(k)),
         EventKind::OffTable => judge.is_off(),
         EventKind::MotionTransition { from, to } => judge.goes_on(from, to),
@@ -77,32 +84,20 @@ impl Judge<'_> {
             .then(|| format!("balls {:?} meet parting at {parting:e} m/s", self.event.balls))
     }
 
-    /// A ball touches the bed or a rail, comes nearer to it, and does not go on doing so.
-    fn meets(&self, bed: bool) -> Option<String> {
+    /// A ball touches what it meets, comes nearer to it, and does not go on doing so.
+    fn meets(&self, touched: Touch) -> Option<String> {
         let (before, after) = (self.event.before[0], self.event.after[0]);
-        let (radius, ball) = (self.radius(0), self.event.balls[0]);
-        let c = before.position;
-        let distances = if bed {
-            vec![self.solid.bed.piece.distance(c)]
-        } else {
-            self.solid.rails.iter().map(|part| part.piece.distance(c)).collect()
-        };
-        let touched = || distances.iter().filter(|d| (d.value - radius).abs() <= TABLE_GAP);
-        if touched().next().is_none() {
-            let nearest = distances.iter().map(|d| d.value - radius);
-            let gap = nearest.min_by(|a, b| a.abs().total_cmp(&b.abs()));
-            return Some(format!("ball {ball} is {gap:?} m from what it is said to touch"));
+        let ball = self.event.balls[0];
+        if touched.gap.abs() > TABLE_GAP {
+            let gap = touched.gap;
+            return Some(format!("ball {ball} is {gap:e} m from what it is said to touch"));
         }
-        let speed = before.velocity.length();
-        let parting =
-            |s: &BallState| touched().map(|d| s.velocity.dot(d.away)).fold(f64::INFINITY, f64::min);
-        let (came, went) = (parting(&before), parting(&after));
-        if before.motion == MotionState::Airborne && came > NO_SPEED * (1.0 + speed) {
+        let rounding = NO_SPEED * (1.0 + before.velocity.length());
+        let (came, went) = (before.velocity.dot(touched.away), after.velocity.dot(touched.away));
+        if before.motion == MotionState::Airborne && came > rounding {
             return Some(format!("ball {ball} meets what it leaves at {came:e} m/s"));
         }
-        // In a corner it may now be on its way into the other one.
-        let alone = touched().count() == 1;
-        (alone && went < -NO_SPEED * (1.0 + speed))
+        (went < -rounding)
             .then(|| format!("ball {ball} goes on into what it has met at {:e} m/s", -went))
     }
 

@@ -12,7 +12,7 @@
 
 use carom::Table;
 use carom::math::{Vec2, Vec3};
-use carom::table::{Capture, CushionPart, Pocket, Shape};
+use carom::table::{Capture, CushionPart, Part as Edge, Pocket, Shape};
 
 /// One piece of a table.
 #[derive(Clone, Debug)]
@@ -217,11 +217,13 @@ impl Solid {
         let border = half + Vec2::new(rail_width, rail_width);
         let mut solid = Self { bed, rails: Vec::new(), half, border, height, holes };
         let reach = half + Vec2::new(rail_width, rail_width) * BEYOND;
-        for rail in table.cushions.chunk_by(|a, b| a.rail == b.rail) {
+        let edges =
+            |part: &CushionPart| matches!(part.part, Edge::Nose | Edge::Point | Edge::Facing);
+        let edges: Vec<CushionPart> = table.cushions.iter().copied().filter(edges).collect();
+        for rail in edges.chunk_by(|a, b| a.rail == b.rail) {
             solid.add_rail(rail, reach);
         }
-        let jaws: Vec<Jaw> =
-            table.cushions.chunk_by(|a, b| a.rail == b.rail).flat_map(jaws).collect();
+        let jaws: Vec<Jaw> = edges.chunk_by(|a, b| a.rail == b.rail).flat_map(jaws).collect();
         for pocket in pockets() {
             solid.add_liner(pocket, &jaws, BEYOND * rail_width);
         }
@@ -250,6 +252,8 @@ impl Solid {
                     let slice = Piece::Slice { center, radius, from, to, height };
                     self.rails.push(Part::new(slice, format!("a point of the {name} rail")));
                 }
+                #[allow(unreachable_patterns)]
+                _ => {}
             }
         }
         for jaw in jaws(parts) {
@@ -340,7 +344,7 @@ impl Jaw {
 /// The jaws at the two ends of a rail; none in a plain rectangle.
 fn jaws(parts: &[CushionPart]) -> Vec<Jaw> {
     let at = |part: &CushionPart| match part.shape {
-        Shape::Segment { .. } if part.part == carom::table::Part::Nose => None,
+        Shape::Segment { .. } if part.part == Edge::Nose => None,
         Shape::Segment { start, end, normal } => {
             let along = end - start;
             Some(Jaw { deep: end, along: along * (1.0 / along.length()), normal })
@@ -349,6 +353,8 @@ fn jaws(parts: &[CushionPart]) -> Vec<Jaw> {
             let turn = if start.cross(end) >= 0.0 { 1.0 } else { -1.0 };
             Some(Jaw { deep: center + end * radius, along: end.perp() * turn, normal: end })
         }
+        #[allow(unreachable_patterns)]
+        _ => None,
     };
     [parts.first(), parts.last()].into_iter().flatten().filter_map(at).collect()
 }

@@ -105,7 +105,7 @@ fn total(shot: &Shot, all: &[Party]) -> Option<String> {
     // Impulses that are integrated with the cloth's friction drop their vertical part.
     let integrated = shot.physics().ball_ball.model == BallBallModel::Mathavan2014 && stands;
     let dropped = if integrated { sum(|p| p.push.length()) } else { 0.0 };
-    let most = rounding + friction(shot) * (pressed.max(0.0) + dropped);
+    let most = rounding + friction(shot) * (2.0 * pressed.max(0.0) + dropped);
     let (level, up) = (change.xy().length(), change.z);
     let down = if stands { -lift - rounding } else { -rounding };
     let too_high = !stands && up > rounding;
@@ -153,6 +153,7 @@ fn alone(shot: &Shot, free: &Party, other: &Party, normal: Vec3) -> Result<(), (
         return wrong(ground.length(), rounding, "momentum");
     }
     wrong(-ground.z, other.lift + rounding, "momentum, downwards,")?;
-    let most = friction(shot) * ground.z.max(0.0) + rounding;
+    // A bounce too small to see is kept down, after its push and friction; half of it at most.
+    let most = friction(shot) * 2.0 * ground.z.max(0.0) + rounding;
     wrong(ground.xy().length(), most, "momentum, by friction on the ground,")
 }

@@ -57,7 +57,7 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
     }
     match event.kind {
         EventKind::BallCollision => balls::audit(shot, solid, event, &balls),
-        EventKind::RailCollision(_) => table::rail(shot, solid, event, &balls[0]),
+        EventKind::RailCollision(k) => table::rail(shot, solid, event, &balls[0], usize::from(k)),
         EventKind::SlateCollision => table::slate(shot, solid, event, &balls[0]),
         _ => None,
     }

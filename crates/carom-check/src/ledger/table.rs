@@ -2,20 +2,27 @@
 //! it as that point tells; its friction is at most μ times its push.
 
 use carom::event::Event;
-use carom::math::Vec3;
+use carom::math::{Vec2, Vec3};
 use carom::shot::Shot;
 use carom::{Ball, MotionState};
 
 use super::{ROUNDING, STILL};
 use crate::places::TABLE_GAP;
 use crate::solid::Solid;
+use crate::touch;
 
 /// How fast a ball that tips over a lip may be let fall onto it and thrown off it again, m/s: what that
 /// takes comes out of its motion along, which no force at one point does.
 const TIPPING: f64 = 0.03;
 
 /// A flying ball meets a rail.
-pub(super) fn rail(shot: &Shot, solid: &Solid, event: &Event<'_>, ball: &Ball) -> Option<String> {
+pub(super) fn rail(
+    shot: &Shot,
+    solid: &Solid,
+    event: &Event<'_>,
+    ball: &Ball,
+    part: usize,
+) -> Option<String> {
     let s = event.before[0];
     // The bed takes part in what happens to a ball that stands on it.
     if s.motion != MotionState::Airborne || s.position.z <= ball.radius + TABLE_GAP {
@@ -28,21 +35,26 @@ pub(super) fn rail(shot: &Shot, solid: &Solid, event: &Event<'_>, ball: &Ball) -
         .iter()
         .map(|surface| surface.friction)
         .fold(fit.a.max(steepest), f64::max);
-    let distances = solid.rails.iter().map(|part| part.piece.distance(s.position));
-    let touched = distances.filter(|d| (d.value - ball.radius).abs() <= TABLE_GAP);
-    let wrongs: Vec<_> = touched.map(|d| push(event, ball, d.away, friction)).collect();
-    // In a corner, one of the two.
-    if wrongs.iter().any(Option::is_none) { None } else { wrongs.into_iter().flatten().next() }
+    let touched = touch::rail(shot.table(), solid, part, s.position, ball.radius)?;
+    if tips(event, touched.away) {
+        return None;
+    }
+    push(event, ball, touched.away, friction)
+}
+
+/// Whether gravity presses the ball on an edge that it comes to without much of a fall.
+fn tips(event: &Event<'_>, away: Vec3) -> bool {
+    let on_edge = away.z > 0.0 && away.xy() != Vec2::ZERO;
+    on_edge && event.before[0].velocity.dot(away).abs() <= TIPPING
 }
 
 /// A ball meets the bed.
 pub(super) fn slate(shot: &Shot, solid: &Solid, event: &Event<'_>, ball: &Ball) -> Option<String> {
-    let d = solid.bed.piece.distance(event.before[0].position);
-    let at_lip = d.away.xy() != carom::math::Vec2::ZERO;
-    if at_lip && event.before[0].velocity.dot(d.away).abs() <= TIPPING {
+    let touched = touch::slate(solid, event.before[0].position, ball.radius);
+    if tips(event, touched.away) {
         return None;
     }
-    push(event, ball, d.away, shot.physics().slate.friction)
+    push(event, ball, touched.away, shot.physics().slate.friction)
 }
 
 /// What is wrong with an impulse from a point in the direction −`away` of the centre, if anything.

@@ -7,4 +7,5 @@ mod log;
 mod long_pushes;
 mod plan;
 mod random_shots;
+mod sampled;
 mod symmetries;

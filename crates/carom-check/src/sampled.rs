@@ -1,0 +1,51 @@
+//! What an outside reader of a trace sees: the balls at many times, nothing in between.
+
+use carom::shot::Shot;
+use carom::{BallState, Trace};
+
+use crate::solid::Solid;
+use crate::{Fault, FaultKind};
+
+/// Deepest overlap that a reader of a trace may see, m: [`DEPTH`](crate::DEPTH), and the rounding of a
+/// place on the table and of a path from its last event to the sample.
+pub const SEEN_DEPTH: f64 = 2e-12;
+
+/// Looks at `trace` of `shot` at `samples` times, evenly from beginning to end: no ball in another one, in
+/// the table, or in play beyond its border.
+pub fn watch(shot: &Shot, trace: &Trace, samples: u32) -> Vec<Fault> {
+    let solid = Solid::of(shot.table());
+    let mut faults = Vec::new();
+    for k in 0..=samples {
+        let time = trace.duration() * f64::from(k) / f64::from(samples);
+        let states = match trace.at(time) {
+            Ok(states) => states,
+            Err(error) => {
+                let what = format!("no states: {error}");
+                return vec![Fault { time, kind: FaultKind::Astray, what }];
+            }
+        };
+        let mut see = |depth: f64, what: String| {
+            if depth > SEEN_DEPTH || depth.is_nan() {
+                let what = format!("{what} overlap by {depth:e} m");
+                faults.push(Fault { time, kind: FaultKind::Overlap, what });
+            }
+        };
+        look(shot, &solid, &states, &mut see);
+    }
+    faults
+}
+
+fn look(shot: &Shot, solid: &Solid, states: &[BallState], see: &mut impl FnMut(f64, String)) {
+    let radius = |i: usize| shot.balls()[i].ball.radius;
+    for (i, state) in states.iter().enumerate().filter(|(_, s)| s.motion.in_play()) {
+        let c = shot.table().to_engine_frame(state).position;
+        let (depth, name) = solid.depth(c, radius(i));
+        see(depth, format!("ball {i} and {name}"));
+        let beyond = (c.x.abs() - solid.border.x).max(c.y.abs() - solid.border.y);
+        see(beyond, format!("ball {i} and the border"));
+        for (j, other) in states[..i].iter().enumerate().filter(|(_, s)| s.motion.in_play()) {
+            let apart = (state.position - other.position).length();
+            see(radius(i) + radius(j) - apart, format!("balls {j} and {i}"));
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Balls on a table, drawn by lot, and the file that they make.
+
+use std::fmt::Write as _;
+
+use carom::math::{cos, sin};
+
+use super::Random;
+
+/// A table to play on: preset, width, length, radius of its balls, all m.
+type Place = (&'static str, f64, f64, f64);
+
+/// The presets that scenes use; sizes are those of the rule books.
+const PLACES: [Place; 8] = [
+    ("wpa-9ft", 1.27, 2.54, 0.028_575),
+    ("wpa-8ft", 1.1684, 2.3368, 0.028_575),
+    ("bar-7ft", 0.9652, 1.9304, 0.028_575),
+    ("showood-7ft", 0.9906, 1.9812, 0.028_575),
+    ("snooker-12ft", 1.778, 3.569, 0.026_25),
+    ("english-7ft", 0.9144, 1.8288, 0.0254),
+    ("carom-10ft", 1.42, 2.84, 0.030_75),
+    ("carom-9ft", 1.27, 2.54, 0.030_75),
+];
+
+/// A ball of a layout.
+#[derive(Clone, Copy)]
+pub(super) struct Placed {
+    pub(super) place: [f64; 2],
+    /// Height of the centre, where it is not on the cloth, m.
+    pub(super) height: Option<f64>,
+    /// Velocity, m/s, and spin, rad/s.
+    pub(super) motion: Option<[f64; 6]>,
+}
+
+impl Placed {
+    pub(super) fn resting(place: [f64; 2]) -> Self {
+        Self { place, height: None, motion: None }
+    }
+}
+
+pub(super) struct Layout {
+    pub(super) place: Place,
+    pub(super) balls: Vec<Placed>,
+    pub(super) rng: Random,
+}
+
+impl Layout {
+    /// An empty table.
+    pub(super) fn new(mut rng: Random) -> Self {
+        let place = PLACES[rng.below(PLACES.len())];
+        Self { place, balls: Vec::new(), rng }
+    }
+
+    pub(super) fn fits(&self, [x, y]: [f64; 2]) -> bool {
+        let (_, w, l, r) = self.place;
+        let inside = x >= r && x <= w - r && y >= r && y <= l - r;
+        inside
+            && self.balls.iter().all(|ball| {
+                let [a, b] = ball.place;
+                let (dx, dy) = (x - a, y - b);
+                dx * dx + dy * dy > 4.0 * r * r * (1.0 + 1e-9)
+            })
+    }
+
+    pub(super) fn anywhere(&mut self) -> [f64; 2] {
+        let (_, w, l, r) = self.place;
+        [self.rng.uniform(r, w - r), self.rng.uniform(r, l - r)]
+    }
+
+    pub(super) fn scatter(&mut self, n: usize) {
+        while self.balls.len() < n {
+            let p = self.anywhere();
+            if self.fits(p) {
+                self.balls.push(Placed::resting(p));
+            }
+        }
+    }
+
+    /// Whether a centre is no nearer to a nose line than a frozen ball's.
+    pub(super) fn on_cloth(&self, [x, y]: [f64; 2]) -> bool {
+        let (_, w, l, _) = self.place;
+        let reach = self.reach() * (1.0 - 1e-12);
+        x >= reach && x <= w - reach && y >= reach && y <= l - reach
+    }
+
+    /// Distance of a frozen ball's centre from the nose line.
+    pub(super) fn reach(&self) -> f64 {
+        let table = carom::Table::preset(self.place.0).expect("a preset");
+        let r = self.place.3;
+        let rise = table.cushion_height - r;
+        (r * r - rise * rise).sqrt()
+    }
+
+    /// Moves a place onto the middle part of a rail, clear of the pockets.
+    pub(super) fn on_rail(&mut self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let (_, w, l, _) = self.place;
+        let reach = self.reach();
+        let (x_mid, y_mid) = (w * (0.25 + 0.5 * x / w), l * (0.15 + 0.2 * y / l));
+        match self.rng.below(4) {
+            0 => [reach, y_mid],
+            1 => [w - reach, y_mid],
+            2 => [x_mid, reach],
+            _ => [x_mid, l - reach],
+        }
+    }
+
+    pub(super) fn struck(mut self, speed: f64, azimuth_deg: f64, elevation_deg: f64) -> String {
+        let angle = self.rng.uniform(0.0, 6.3);
+        let size = if self.rng.below(4) == 0 { 0.0 } else { self.rng.uniform(0.0, 0.5) };
+        let (side, height) = (size * cos(angle), size * sin(angle));
+        self.file(Some(format!(
+            "{{\"ball\": \"0\", \"speed\": {speed:?}, \"azimuth_deg\": {azimuth_deg:?}, \
+             \"elevation_deg\": {elevation_deg:?}, \"side\": {side:?}, \"height\": {height:?}}}"
+        )))
+    }
+
+    pub(super) fn file(self, strike: Option<String>) -> String {
+        let mut text = format!(
+            "{{\"format\": \"carom-shot/1\", \"table\": \"{}\", \"balls\": [",
+            self.place.0
+        );
+        let r = self.place.3;
+        for (k, ball) in self.balls.iter().enumerate() {
+            let comma = if k == 0 { "" } else { ", " };
+            let [x, y] = ball.place;
+            let z = ball.height.map_or(String::new(), |z| format!(", {z:?}"));
+            let _ = write!(
+                text,
+                "{comma}{{\"id\": \"{k}\", \"position\": [{x:?}, {y:?}{z}], \"radius\": {r:?}"
+            );
+            if let Some([u, v, w, a, b, c]) = ball.motion {
+                let _ = write!(
+                    text,
+                    ", \"velocity\": [{u:?}, {v:?}, {w:?}], \"angular_velocity\": [{a:?}, {b:?}, {c:?}]"
+                );
+            }
+            text.push('}');
+        }
+        text.push(']');
+        if let Some(strike) = strike {
+            let _ = write!(text, ", \"strike\": {strike}");
+        }
+        text.push('}');
+        text
+    }
+}
