@@ -147,7 +147,7 @@ impl Layout {
         let (_, w, l, r) = self.place;
         // Towards a near rail, with a ball on the way and some behind it.
         let cue = self.anywhere();
-        let azimuth = self.rng.uniform(0.0, 6.283);
+        let azimuth = self.rng.uniform(0.0, std::f64::consts::TAU);
         let (dx, dy) = (cos(azimuth), sin(azimuth));
         self.balls.push(Placed::resting(cue));
         for reach in [0.1, 0.3, 0.6] {

@@ -2,6 +2,7 @@
 //! mechanics, which no engine keeps by accident.
 
 mod judge_notices;
+mod judge_notices_flight;
 mod laws;
 mod log;
 mod long_pushes;
