@@ -2,8 +2,9 @@
 //! it as that point tells; its friction is at most μ times its push.
 
 use carom::event::Event;
-use carom::math::{Vec2, Vec3};
+use carom::math::Vec3;
 use carom::shot::Shot;
+use carom::table::Part;
 use carom::{Ball, MotionState};
 
 use super::{ROUNDING, STILL};
@@ -36,22 +37,23 @@ pub(super) fn rail(
         .map(|surface| surface.friction)
         .fold(fit.a.max(steepest), f64::max);
     let touched = touch::rail(shot.table(), solid, part, s.position, ball.radius)?;
-    if tips(event, touched.away) {
+    let is_edge = shot.table().cushions[part].part != Part::Top;
+    if is_edge && tips(event, touched.away) {
         return None;
     }
     push(event, ball, touched.away, friction)
 }
 
-/// Whether gravity presses the ball on an edge that it comes to without much of a fall.
+/// Whether gravity presses a ball on an edge under it to which it comes without much of a fall.
 fn tips(event: &Event<'_>, away: Vec3) -> bool {
-    let on_edge = away.z > 0.0 && away.xy() != Vec2::ZERO;
-    on_edge && event.before[0].velocity.dot(away).abs() <= TIPPING
+    away.z > 0.0 && event.before[0].velocity.dot(away).abs() <= TIPPING
 }
 
 /// A ball meets the bed.
 pub(super) fn slate(shot: &Shot, solid: &Solid, event: &Event<'_>, ball: &Ball) -> Option<String> {
     let touched = touch::slate(solid, event.before[0].position, ball.radius);
-    if tips(event, touched.away) {
+    let at_lip = solid.over_hole(event.before[0].position.xy()) > -TABLE_GAP;
+    if at_lip && tips(event, touched.away) {
         return None;
     }
     push(event, ball, touched.away, shot.physics().slate.friction)
@@ -69,7 +71,8 @@ fn push(event: &Event<'_>, ball: &Ball, away: Vec3, friction: f64) -> Option<Str
     let off = (turn - (away * -ball.radius).cross(impulse)).length() / ball.radius;
     if off > rounding {
         return Some(format!(
-            "angular momentum about the contact changes by {off:e}, allowed {rounding:e}"
+            "angular momentum about the contact changes by {off:e}, allowed {rounding:e}, at {:?}",
+            event.kind
         ));
     }
     // By what it came with: a bounce too small to see is kept down, which takes part of the push.
