@@ -8,17 +8,32 @@ use carom_check::scenes::{Scene, shot_file};
 
 use crate::log::{Kept, events};
 
-fn a_break() -> Shot {
-    Shot::from_json(&shot_file(Scene::NineBallBreak, 1)).expect("a shot")
+/// A shot with a collision of two balls alone, a rail, and much that happens after both.
+fn a_shot() -> Shot {
+    let shots = (0..).map(|seed| Shot::from_json(&shot_file(Scene::Pot, seed)).expect("a shot"));
+    let rich = |shot: &Shot| {
+        let all = events(shot);
+        let early = &all[..all.len() / 3];
+        early.iter().any(is_collision) && early.iter().any(is_rail)
+    };
+    shots.into_iter().find(rich).expect("an ordinary shot")
+}
+
+fn is_collision(e: &Kept) -> bool {
+    e.kind == EventKind::BallCollision && e.balls.len() == 2
+}
+
+fn is_rail(e: &Kept) -> bool {
+    matches!(e.kind, EventKind::RailCollision(_))
 }
 
 /// Index of the first collision of two balls.
 fn collision(events: &[Kept]) -> usize {
-    events.iter().position(|e| e.kind == EventKind::BallCollision).expect("a collision")
+    events.iter().position(is_collision).expect("a collision")
 }
 
 fn faults(falsify: impl FnOnce(&mut Vec<Kept>)) -> Vec<String> {
-    let shot = a_break();
+    let shot = a_shot();
     let mut all = events(&shot);
     falsify(&mut all);
     let mut checker = Checker::new(&shot);
@@ -58,8 +73,7 @@ fn the_judge_notices_a_collision_left_out() {
 #[test]
 fn the_judge_notices_a_rail_gone_through() {
     assert_noticed(" rail overlap", |all| {
-        let rail = |e: &Kept| matches!(e.kind, EventKind::RailCollision(_));
-        let k = all.iter().position(rail).expect("a rail");
+        let k = all.iter().position(is_rail).expect("a rail");
         all.truncate(k);
         let mut end = all[k - 1].clone();
         end.time += 1.0;
@@ -80,8 +94,7 @@ fn the_judge_notices_momentum_that_is_lost() {
 #[test]
 fn the_judge_notices_spin_that_no_force_at_the_contact_gives() {
     assert_noticed("angular momentum", |all| {
-        let pair = |e: &Kept| e.kind == EventKind::BallCollision && e.balls.len() == 2;
-        let k = all.iter().position(pair).expect("two balls alone");
+        let k = collision(all);
         all[k].after[0].angular_velocity += Vec3::new(0.0, 0.0, 1e-6);
     });
 }

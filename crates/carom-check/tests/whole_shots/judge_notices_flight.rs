@@ -246,7 +246,7 @@ fn the_judge_notices_a_ball_off_the_table_that_is_still_over_it() {
 fn the_judge_notices_a_ball_beyond_the_border_that_is_not_off_the_table() {
     let shot = shot(&[([HALF_WIDTH - 0.1, 0.5, 0.2], [4.0, 0.0, 1.0])]);
     let mut record = Record::new(&shot);
-    record.then(0.06, EventKind::OffTable, leave);
+    record.then(0.08, EventKind::OffTable, leave);
     record.assert_noticed("the border overlap");
 }
 

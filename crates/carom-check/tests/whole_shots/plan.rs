@@ -42,6 +42,7 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
+    /// The shot. Balls that fly stand at their height, others on the cloth.
     pub(crate) fn shot(&self) -> Shot {
         let (table, center) = match self.ground {
             Ground::Pool => (
@@ -60,10 +61,14 @@ impl Plan {
         };
         let ball = |(k, s): (usize, &BallState)| {
             let place = s.position.xy() + center;
+            let mut position = vec![place.x, place.y];
+            if s.motion == MotionState::Airborne {
+                position.push(s.position.z);
+            }
             let list = |v: Vec3| Node::list([v.x, v.y, v.z]);
             Node::object([
                 ("id", k.to_string().as_str().into()),
-                ("position", Node::list([place.x, place.y])),
+                ("position", Node::list(position)),
                 ("velocity", list(s.velocity)),
                 ("angular_velocity", list(s.angular_velocity)),
             ])
@@ -120,12 +125,19 @@ fn ball((x, y): (f64, f64)) -> impl Strategy<Value = BallState> {
         moving(),
         moving().prop_map(|(velocity, _)| (velocity, Vec3::ZERO)),
     ];
-    (-JITTER..JITTER, -JITTER..JITTER, motion).prop_map(move |(dx, dy, (velocity, spin))| {
+    // Some fly, up to a third of a metre high.
+    let flight = prop::option::weighted(0.2, (0.03..0.33, -3.0..3.0));
+    (-JITTER..JITTER, -JITTER..JITTER, motion, flight).prop_map(move |(dx, dy, motion, flight)| {
+        let (velocity, spin) = motion;
+        let (z, rise, motion) = flight
+            .map_or((0.0, 0.0, MotionState::Stationary), |(z, rise): (f64, f64)| {
+                (z, rise, MotionState::Airborne)
+            });
         BallState {
-            position: Vec3::new(on_grid(x + dx), on_grid(y + dy), 0.0),
-            velocity,
+            position: Vec3::new(on_grid(x + dx), on_grid(y + dy), z),
+            velocity: Vec3::new(velocity.x, velocity.y, rise),
             angular_velocity: spin,
-            motion: MotionState::Stationary,
+            motion,
         }
     })
 }

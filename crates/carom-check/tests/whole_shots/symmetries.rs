@@ -3,7 +3,7 @@
 
 use carom::event::EventKind;
 use carom::math::{Vec2, Vec3};
-use carom::{BallState, Shot};
+use carom::{BallState, MotionState, Shot};
 use proptest::prelude::*;
 
 use crate::log::{Kept, events};
@@ -66,7 +66,8 @@ fn half_turn(s: &BallState) -> BallState {
 /// (`carom::resolve::restitution`), m/s, with room for a change by a factor of two.
 const GENTLE: f64 = 3.0 * carom::resolve::restitution::FULL;
 
-/// Whether it is a contact in which restitution could depend on the speed.
+/// Whether it is a contact in which restitution could depend on the speed, or one with a time or a
+/// stiffness of its own: of a ball that tips over an edge, or of several balls at once.
 fn gentle(shot: &Shot, event: &Kept) -> bool {
     match event.kind {
         EventKind::RailCollision(part) => {
@@ -74,11 +75,14 @@ fn gentle(shot: &Shot, event: &Kept) -> bool {
             let into = shot.table().normal_at(usize::from(part), s.position.xy());
             s.velocity.xy().dot(into).abs() < GENTLE
         }
+        EventKind::BallCollision if event.balls.len() > 2 => true,
         EventKind::BallCollision => {
             let [a, b] = [event.before[0], event.before[1]];
             let along = (b.position - a.position).xy();
             (b.velocity - a.velocity).xy().dot(along).abs() < GENTLE * along.length()
         }
+        EventKind::SlateCollision => true,
+        EventKind::MotionTransition { to, .. } => to == MotionState::Airborne,
         _ => false,
     }
 }
