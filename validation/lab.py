@@ -112,6 +112,13 @@ class Run:
                 return event
         raise LookupError(f"ball {ball} never starts to roll")
 
+    def final_roll(self, ball: str) -> Ball:
+        """The ball when it last starts to roll: out of a slide, or out of a bounce."""
+        for event in reversed(self.events):
+            if ball in event.after and event.after[ball].motion == "rolling":
+                return event.after[ball]
+        raise LookupError(f"ball {ball} never rolls")
+
 
 def _balls(items: Sequence[JSON]) -> dict[str, Ball]:
     return {

@@ -100,8 +100,10 @@ class Row:
     `tolerance` may be a tuple, which is then repeated over the numbers: throw, cut, throw, cut …
     `published` maps a label for each number to the number, in `unit`. `compute` returns ours in
     the same order; it goes through the public API of the engine, except where `formula_only`
-    says that the row belongs to a model that the engine does not have. `misses` names the
-    labels at which the default parameters are known to miss a measurement; `note` says why.
+    says that the row belongs to a model that the engine does not have. `rule_unknown` says that
+    the number rests on a rule that was not published with it: it is shown as a measurement is.
+    `misses` names the labels at which the default parameters are known to miss what is shown;
+    `note` says why.
     """
 
     id: str
@@ -113,13 +115,14 @@ class Row:
     tolerance: Tolerance | tuple[Tolerance, ...]
     compute: Callable[[], Sequence[float]]
     formula_only: bool = False
+    rule_unknown: bool = False
     misses: tuple[str, ...] = ()
     note: str = ""
 
     @property
     def held(self) -> bool:
         """Whether the engine must match; measurements are only shown."""
-        return self.status not in SHOWN
+        return self.status not in SHOWN and not self.rule_unknown
 
     def compare(self) -> list[Comparison]:
         """Asks the engine, and puts its numbers beside the published ones."""
@@ -150,6 +153,7 @@ def row(
     published: Mapping[str, Published],
     tolerance: Tolerance | tuple[Tolerance, ...] = Tolerance(0.0),
     formula_only: bool = False,
+    rule_unknown: bool = False,
     misses: tuple[str, ...] = (),
     note: str = "",
 ) -> Callable[[Callable[[], Sequence[float]]], Row]:
@@ -166,6 +170,7 @@ def row(
             tolerance=tolerance,
             compute=compute,
             formula_only=formula_only,
+            rule_unknown=rule_unknown,
             misses=misses,
             note=note,
         )

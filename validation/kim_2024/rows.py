@@ -1,7 +1,8 @@
-"""Kim 2024: a full hit by a rolling ball, with restitution."""
+"""Kim 2024: a full hit by a rolling ball, with restitution and friction."""
 
 from carom.validation.alciatore_tp_collision.rows import impact
-from carom.validation.row import absolute, row
+from carom.validation.lab import TP_GRAVITY, TP_RADIUS
+from carom.validation.row import absolute, relative, row
 
 
 @row(
@@ -18,3 +19,28 @@ def bb18() -> list[float]:
         impact(0.0, roll=1.0, restitution=e).rolling("cue").after["cue"].speed
         for e in (1.0, 0.95, 0.94, 0.89)
     ]
+
+
+#: Speeds, m/s, and frictions of the hops.
+HOPS = ((2.0, 0.06), (4.0, 0.03), (4.0, 0.06))
+
+
+def hop(speed: float, friction: float) -> float:
+    """How high the cue ball hops after a full hit, m."""
+    run = impact(0.0, speed, roll=1.0, friction=friction)
+    leaves = run.first("ball-collision").time
+    lands = run.first("slate-collision", "cue").time
+    return float(run.trace.at((leaves + lands) / 2).position[0][2]) - TP_RADIUS
+
+
+@row(
+    "BB-hop",
+    "Full hit by a rolling ball, e = 1: friction at the object ball lifts it; height of the hop",
+    unit="m",
+    source="Kim 2024 (formula): μ²U²/2g",
+    status="P",
+    published={f"{u:g} m/s, μ = {mu:g}": (mu * u) ** 2 / (2 * TP_GRAVITY) for u, mu in HOPS},
+    tolerance=relative(1e-9),
+)
+def bb_hop() -> list[float]:
+    return [hop(u, mu) for u, mu in HOPS]

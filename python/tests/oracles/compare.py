@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -36,8 +37,8 @@ def differ(a: State, b: State, radius: float) -> float:
     """Largest difference of position, velocity, and spin × radius."""
     return float(
         max(
-            *(abs(p - q) for p, q in zip(a.position[:2], b.position[:2], strict=True)),
-            *(abs(p - q) for p, q in zip(a.velocity[:2], b.velocity[:2], strict=True)),
+            *(abs(p - q) for p, q in zip(a.position, b.position, strict=True)),
+            *(abs(p - q) for p, q in zip(a.velocity, b.velocity, strict=True)),
             *(radius * abs(p - q) for p, q in zip(a.spin, b.spin, strict=True)),
         )
     )
@@ -49,12 +50,12 @@ def gentle(event: Happening) -> bool:
         return bool(_speed(event.before[0]) < 2 * LOUD)
     if event.key[0] == "ball-collision":
         a, b = (s.velocity for s in event.before)
-        return bool(((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2) ** 0.5 < 2 * LOUD)
+        return bool(math.dist([float(x) for x in a], [float(x) for x in b]) < 2 * LOUD)
     return False
 
 
-def _speed(s: State) -> Any:
-    return (s.velocity[0] ** 2 + s.velocity[1] ** 2) ** 0.5
+def _speed(s: State) -> float:
+    return math.hypot(*(float(x) for x in s.velocity))
 
 
 def follow(
@@ -120,7 +121,7 @@ def trace_of(oracle: Any, limit: int = 10_000) -> list[JSON]:
         if event.key[0] == "motion-transition":
             item |= {"from": event.key[2], "to": event.key[3]}
         elif event.key[0] == "rail-collision":
-            item |= {"rail": event.key[2], "part": event.key[3]}
+            item |= {"rail": event.key[2], "part": event.key[-1]}
         elif event.key[0] == "pocket-collision":
             item |= {"pocket": event.key[2]}
         for name, states in (("before", event.before), ("after", event.after)):

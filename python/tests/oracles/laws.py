@@ -16,6 +16,8 @@ Vec = tuple[Number, Number, Number]
 #: The engine's documented rule at low speed (m/s): restitution is 1 up to the first and the law's
 #: own from the second.
 QUIET, LOUD = 1e-3, 2e-3
+#: The engine's documented rule for the last hop: a ball that would rise less than this stays, m.
+LAST_HOP = 1e-4
 
 
 class Functions(Protocol):
@@ -75,64 +77,52 @@ def slip_friction(law: Any, slip: Number, fn: Functions) -> Number:
 
 
 def collide(law: dict[str, Any], a: Body, b: Body, fn: Functions = math) -> tuple[Body, Body]:
-    """Two balls that touch: `elastic` or `frictional` (rigid Coulomb friction).
-
-    Balls on the cloth move only horizontally: restitution holds for the horizontal approach, the
-    impulse along the tilted line of centres is larger by 1/cos(tilt), and friction along the steep
-    tangent turns the balls without moving them.
-    """
-    up: Vec = (0, 0, 1)
+    """Two balls that touch, on the cloth or aloft: `elastic` or `frictional` (Coulomb friction)."""
     d = add(b.position, a.position, -1)
     n = scale(d, 1 / fn.sqrt(dot(d, d)))
-    level = fn.sqrt(n[0] ** 2 + n[1] ** 2)
-    h: Vec = (n[0] / level, n[1] / level, 0)
-    t1 = cross(up, h)
-    t2 = cross(n, t1)
-
     relative = add(a.velocity, b.velocity, -1)
-    approach = dot(relative, h)
+    approach = dot(relative, n)
     share = quiet_share(approach)
     e = share + (1 - share) * law["restitution"]
     reduced = a.mass * b.mass / (a.mass + b.mass)
-    along = (1 + e) * reduced * approach
+    normal = (1 + e) * reduced * approach
 
-    push = scale(h, along)
-    turn: Vec = (0, 0, 0)
+    impulse = scale(n, normal)
     if law["model"] == "frictional":
-        surface = cross(add(scale(a.spin, a.radius), scale(b.spin, b.radius)), n)
-        u1, u2 = dot(relative, t1) + dot(surface, t1), dot(surface, t2)
-        slip = fn.sqrt(u1 * u1 + u2 * u2)
-        if slip > 0:
-            grip = slip_friction(law["friction"], slip, fn) * along / level
+        turning = add(scale(a.spin, a.radius), scale(b.spin, b.radius))
+        slip = add(add(relative, n, -approach), cross(turning, n))
+        speed = fn.sqrt(dot(slip, slip))
+        if speed > 0:
             # Two solid spheres stop slipping after an impulse of 2/7 of the reduced mass × slip.
-            friction = min(grip, reduced * slip * 2 / 7)
-            push = add(push, t1, friction * u1 / slip)
-            turn = add(scale(t1, friction * u1 / slip), t2, friction * u2 / slip)
+            grip = slip_friction(law["friction"], speed, fn) * normal
+            impulse = add(impulse, slip, min(grip, reduced * speed * 2 / 7) / speed)
     elif law["model"] != "elastic":
         raise NotImplementedError(law["model"])
+    return push(a, n, scale(impulse, -1)), push(b, scale(n, -1), impulse)
 
-    def after(ball: Body, sign: int) -> Body:
-        inertia = ball.mass * ball.radius**2 * 2 / 5
-        torque = scale(cross(n, turn), -ball.radius)
-        return replace(
-            ball,
-            velocity=add(ball.velocity, push, sign / ball.mass),
-            spin=add(ball.spin, torque, 1 / inertia),
-        )
 
-    return after(a, -1), after(b, 1)
+def push(ball: Body, towards: Vec, impulse: Vec) -> Body:
+    """A solid sphere after an impulse (kg m/s) at its point in the direction `towards`."""
+    inertia = ball.mass * ball.radius**2 * 2 / 5
+    torque = cross(scale(towards, ball.radius), impulse)
+    return replace(
+        ball,
+        velocity=add(ball.velocity, impulse, 1 / ball.mass),
+        spin=add(ball.spin, torque, 1 / inertia),
+    )
 
 
 def rebound(
-    law: dict[str, Any], nose_height: Number, ball: Body, into: Vec, fn: Functions = math
+    law: dict[str, Any], ball: Body, normal: Vec, on_bed: bool, fn: Functions = math
 ) -> Body:
-    """A ball that touches a cushion: `restitution` or `han-2005`.
+    """A ball that touches an edge, a wall or a rail's top: `restitution` or `han-2005`.
 
-    `into` is the horizontal unit vector from the ball's centre towards the nose.
+    `normal` is the unit vector from the ball's centre to the touched point. On the bed the slate
+    bears the ball: its approach is horizontal, and it never goes on into the rail.
     """
+    level = fn.sqrt(normal[0] ** 2 + normal[1] ** 2)
+    into: Vec = (normal[0] / level, normal[1] / level, 0) if on_bed else normal
     approach = dot(ball.velocity, into)
-    sine = (nose_height - ball.radius) / ball.radius
-    cosine = fn.sqrt(1 - sine * sine)
     share = quiet_share(approach)
     e = law["restitution"]
     if isinstance(e, dict):
@@ -141,25 +131,23 @@ def rebound(
     impulse = scale(into, -(1 + e) * approach)  # per unit mass
     spin_change: Vec = (0, 0, 0)
     if law["model"] == "han-2005":
-        n: Vec = (cosine * into[0], cosine * into[1], sine)
-        u = add(ball.velocity, cross(ball.spin, scale(n, ball.radius)))
-        u = add(u, n, -dot(u, n))
+        head_on = dot(ball.velocity, normal)
+        u = add(ball.velocity, cross(ball.spin, scale(normal, ball.radius)))
+        u = add(u, normal, -dot(u, normal))
         slip = fn.sqrt(dot(u, u))
         mu = law["friction"]
         if isinstance(mu, dict):
-            along = dot(ball.velocity, cross((0, 0, 1), into))
-            mu = max(mu["a"] + mu["b"] * fn.atan2(abs(along), approach), 0)
-        normal = (1 + e) * approach * cosine
-        friction = min(mu * normal, slip * 2 / 7)
-        impulse = scale(n, -normal)
+            across = add(ball.velocity, into, -approach)
+            mu = max(mu["a"] + mu["b"] * fn.atan2(fn.sqrt(dot(across, across)), approach), 0)
+        impulse = scale(normal, -(1 + e) * head_on)
         if slip > 0:
+            friction = min(mu * (1 + e) * head_on, slip * 2 / 7)
             tangential = scale(u, -friction / slip)
             impulse = add(impulse, tangential)
-            spin_change = scale(cross(n, tangential), ball.radius * 5 / (2 * ball.radius**2))
-        impulse = (impulse[0], impulse[1], 0)
-        # Slate and nose hold the ball as a wedge does: it never goes on into the rail.
+            spin_change = scale(cross(normal, tangential), 5 / (2 * ball.radius))
+        # Slate and nose hold the ball as a wedge does.
         left = dot(impulse, into) + approach
-        if left > 0:
+        if on_bed and left > 0:
             impulse = add(impulse, into, -left)
     elif law["model"] != "restitution":
         raise NotImplementedError(law["model"])
@@ -170,3 +158,63 @@ def rebound(
         velocity=add(ball.velocity, impulse),
         spin=add(ball.spin, spin_change, 1 - share),
     )
+
+
+def bounce(law: dict[str, Any], gravity: Number, ball: Body, fn: Functions = math) -> Body:
+    """A ball that comes down on the slate or on a rail's top.
+
+    Restitution, and Coulomb friction against the slip, at most what stops it; spin about the
+    vertical stays. What would rise less than `LAST_HOP` stays down.
+    """
+    fall = -ball.velocity[2]
+    e = law["restitution"]
+    down: Vec = (0, 0, -1)
+    u = add(ball.velocity, cross(ball.spin, scale(down, ball.radius)))
+    slip = fn.sqrt(u[0] ** 2 + u[1] ** 2)
+    impulse: Vec = (0, 0, (1 + e) * fall * ball.mass)
+    if slip > 0:
+        friction = min(law["friction"] * impulse[2], ball.mass * slip * 2 / 7)
+        impulse = (-u[0] / slip * friction, -u[1] / slip * friction, impulse[2])
+    after = push(ball, down, impulse)
+    if after.velocity[2] >= last_hop(gravity, fn):
+        return after
+    return replace(after, velocity=(after.velocity[0], after.velocity[1], 0 * fall))
+
+
+def settle(law: dict[str, Any], gravity: Number, ball: Body, fn: Functions = math) -> Body:
+    """A ball on the slate after an impact there.
+
+    Too slow upwards, it stays; driven down too gently to rise again, it is pressed. Otherwise it
+    is left as it is: it flies, or bounces next.
+    """
+    up = ball.velocity[2]
+    if up >= 0:
+        stays = up < last_hop(gravity, fn)
+        return replace(ball, velocity=(*ball.velocity[:2], 0 * up)) if stays else ball
+    if law["restitution"] * -up < last_hop(gravity, fn):
+        return bounce(law, gravity, ball, fn)
+    return ball
+
+
+def last_hop(gravity: Number, fn: Functions = math) -> Number:
+    """The slowest upward speed that leaves the slate, m/s."""
+    return fn.sqrt(2 * gravity * LAST_HOP)
+
+
+def strike(cue: dict[str, Any], stroke: dict[str, Any], ball: Body, fn: Any = math) -> Body:
+    """A resting ball after the cue (Leckie & Greenspan 2005), with tip restitution and no squirt.
+
+    The contact point is given perpendicular to the cue's axis; the impulse acts along the axis.
+    """
+    azimuth, elevation = (fn.radians(stroke[k]) for k in ("azimuth_deg", "elevation_deg"))
+    x, y = stroke["side"], stroke["height"]
+    level: Vec = (fn.cos(azimuth), fn.sin(azimuth), 0)
+    axis = add(scale(level, fn.cos(elevation)), (0, 0, 1), -fn.sin(elevation))
+    right: Vec = (level[1], -level[0], 0)
+    above = cross(right, axis)
+    arm = add(scale(right, x), above, y)
+    inverse_inertia = 1 + (x * x + y * y) * 5 / 2
+    speed = (1 + cue["tip_restitution"]) * stroke["speed"]
+    speed /= ball.mass / cue["mass"] + inverse_inertia
+    spin = scale(cross(arm, axis), speed * 5 / (2 * ball.radius))
+    return replace(ball, velocity=scale(axis, speed), spin=spin)

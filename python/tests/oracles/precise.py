@@ -1,7 +1,7 @@
-"""Oracle B: the event simulation of Leckie & Greenspan with 50 digits (mpmath).
+"""Oracle B: the event simulation of Leckie & Greenspan with 50 digits (mpmath), and with flight.
 
-Contacts are roots of the quartic, found all four at once; no proof, no shortcut, no rounding that
-matters. For a few balls.
+Contacts are roots of polynomials, found all at once; no proof, no shortcut, no rounding that
+matters. For a few balls, on endless cloth or between four straight rails.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 from mpmath import mp, mpf, polyroots
 
 from oracles import laws
-from oracles.world import Happening, State, World, motion_of
+from oracles.world import Happening, State, Wall, World, motion_of
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
 Number = Any
 
@@ -24,6 +24,12 @@ DIGITS = 50
 REAL = mpf(10) ** -20
 #: Times this close to zero are the contact that has just been resolved, s.
 NOW = mpf(10) ** -25
+#: A flying ball nearer to slate or top than this touches it, m.
+TOUCH = mpf(10) ** -10
+
+
+ON_CLOTH = ("sliding", "rolling", "spinning", "stationary")
+Three = tuple[Number, Number, Number]
 
 
 @dataclass(frozen=True)
@@ -32,8 +38,8 @@ class Leg:
 
     start: Number
     state: State
-    half: tuple[Number, Number]
-    turn: tuple[Number, Number, Number]
+    half: Three
+    turn: Three
     lasts: Number
 
 
@@ -63,8 +69,8 @@ class Precise:
             if leg.state.motion in ("sliding", "rolling", "spinning"):
                 time = leg.start + leg.lasts
                 best = _earlier(best, (time, ("transition", self.world.ids[i]), (i,)))
-            if leg.state.motion in ("sliding", "rolling"):
-                for key, time in self._walls(i):
+            if leg.state.motion in ("sliding", "rolling", "airborne"):
+                for key, time in self._table(i):
                     best = _earlier(best, (time, key, (i,)))
         n = len(self.leg)
         for i in range(n):
@@ -82,7 +88,7 @@ class Precise:
 
     def _leg(self, i: int, state: State) -> Leg:
         cloth, g = self.world.physics["cloth"], mpf(self.world.gravity)
-        r = mpf(self.world.radius[i])
+        r, zero = mpf(self.world.radius[i]), mpf(0)
         v, w = state.velocity, state.spin
         decay = -mp.sign(w[2]) * mpf(cloth["spin_deceleration"])
         if state.motion == "sliding":
@@ -91,18 +97,21 @@ class Precise:
             a = mpf(cloth["sliding_friction"]) * g
             e = (u[0] / size, u[1] / size)
             turn = (-e[1] * 5 * a / (2 * r), e[0] * 5 * a / (2 * r), decay)
-            half = (-e[0] * a / 2, -e[1] * a / 2)
+            half = (-e[0] * a / 2, -e[1] * a / 2, zero)
             return Leg(self.time, state, half, turn, 2 * size / (7 * a))
         if state.motion == "rolling":
             size = mp.hypot(v[0], v[1])
             a = mpf(cloth["rolling_friction"]) * g
             e = (v[0] / size, v[1] / size)
             turn = (e[1] * a / r, -e[0] * a / r, decay)
-            return Leg(self.time, state, (-e[0] * a / 2, -e[1] * a / 2), turn, size / a)
+            half = (-e[0] * a / 2, -e[1] * a / 2, zero)
+            return Leg(self.time, state, half, turn, size / a)
         lasts = mp.inf
+        if state.motion == "airborne":
+            return Leg(self.time, state, (zero, zero, -g / 2), (zero, zero, zero), lasts)
         if state.motion == "spinning":
             lasts = abs(w[2]) / mpf(cloth["spin_deceleration"])
-        return Leg(self.time, state, (mpf(0), mpf(0)), (mpf(0), mpf(0), decay), lasts)
+        return Leg(self.time, state, (zero, zero, zero), (zero, zero, decay), lasts)
 
     def _at(self, i: int, time: Number) -> State:
         leg = self.leg[i]
@@ -111,80 +120,135 @@ class Precise:
         wz = w[2] + leg.turn[2] * t
         if wz * w[2] <= 0:
             wz = mpf(0)
+        h = leg.half
         return State(
-            (x[0] + (v[0] + leg.half[0] * t) * t, x[1] + (v[1] + leg.half[1] * t) * t, x[2]),
-            (v[0] + 2 * leg.half[0] * t, v[1] + 2 * leg.half[1] * t, mpf(0)),
+            _three(lambda k: x[k] + (v[k] + h[k] * t) * t),
+            _three(lambda k: v[k] + 2 * h[k] * t),
             (w[0] + leg.turn[0] * t, w[1] + leg.turn[1] * t, wz),
             s.motion,
         )
 
-    def _motion(self, i: int) -> tuple[State, tuple[Number, Number]]:
+    def _motion(self, i: int) -> tuple[State, Three]:
         """The path re-centred on the present time."""
         return self._at(i, self.time), self.leg[i].half
+
+    def _coordinate(self, i: int, axis: Sequence[Number], origin: Sequence[Number]) -> list[Number]:
+        """Along an axis of space, as a polynomial in time from now (highest power first)."""
+        state, half = self._motion(i)
+        n = len(axis)
+        return [
+            sum(half[k] * axis[k] for k in range(n)),
+            sum(state.velocity[k] * axis[k] for k in range(n)),
+            sum((state.position[k] - mpf(origin[k])) * axis[k] for k in range(n)),
+        ]
 
     # -- event times -----------------------------------------------------------------------------
 
     def _contact(self, i: int, j: int, before: Number | None) -> Number | None:
         """First contact of two balls: the first root of the quartic at which they approach."""
         (a, ha), (b, hb) = self._motion(i), self._motion(j)
-        if not {a.motion, b.motion} & {"sliding", "rolling"}:
+        if not {a.motion, b.motion} & {"sliding", "rolling", "airborne"}:
             return None
-        if "pocketed" in (a.motion, b.motion):
+        if {a.motion, b.motion} & {"pocketed", "off-table"}:
             return None
-        reach2 = 4 * mpf(self.world.radius[i]) * mpf(self.world.radius[j])
-        d = [b.position[k] - a.position[k] for k in (0, 1)]
-        v = [b.velocity[k] - a.velocity[k] for k in (0, 1)]
-        h = [hb[k] - ha[k] for k in (0, 1)]
-        c = [
-            h[0] ** 2 + h[1] ** 2,
-            2 * (v[0] * h[0] + v[1] * h[1]),
-            v[0] ** 2 + v[1] ** 2 + 2 * (d[0] * h[0] + d[1] * h[1]),
-            2 * (d[0] * v[0] + d[1] * v[1]),
-            d[0] ** 2 + d[1] ** 2 - reach2,
+        reach = mpf(self.world.radius[i]) + mpf(self.world.radius[j])
+        squares = [
+            _square([hb[k] - ha[k], b.velocity[k] - a.velocity[k], b.position[k] - a.position[k]])
+            for k in range(3)
         ]
-        time = _first_approach(c)
+        c = [sum(column) for column in zip(*squares, strict=True)]
+        c[-1] -= reach**2
+        time = next(_approaches(c), None)
         if time is None or (before is not None and self.time + time > before):
             return None
         return self.time + time
 
-    def _walls(self, i: int) -> list[tuple[tuple[str, ...], Number]]:
+    def _table(self, i: int) -> list[tuple[tuple[str, ...], Number]]:
+        """What the ball meets of the table, and when first."""
+        world, name = self.world, self.world.ids[i]
+        state = self._at(i, self.time)
+        r, h = mpf(world.radius[i]), mpf(world.nose_height)
+        flies = state.motion == "airborne"
         found = []
-        state, half = self._motion(i)
-        r, nose = mpf(self.world.radius[i]), mpf(self.world.nose_height)
-        reach = mp.sqrt(r**2 - (nose - r) ** 2) if self.world.walls else mpf(0)
-        for wall in self.world.walls:
-            n = [mpf(k) for k in wall.inward]
-            gap = sum((state.position[k] - mpf(wall.start[k])) * n[k] for k in (0, 1)) - reach
-            rate = sum(state.velocity[k] * n[k] for k in (0, 1))
-            bend = sum(half[k] * n[k] for k in (0, 1))
-            time = _first_approach([bend, rate, gap])
+
+        def first(key: tuple[str, ...], c: Sequence[Number], valid: Any) -> None:
+            time = next((t for t in _approaches(c) if valid(self._at(i, self.time + t))), None)
             if time is not None:
-                key = ("rail-collision", self.world.ids[i], wall.rail, wall.part)
                 found.append((key, self.time + time))
+
+        up = self._coordinate(i, (0, 0, 1), (0, 0, 0))
+        if flies:
+            def above(level: Number) -> list[Number]:
+                return [up[0], up[1], up[2] - level]
+
+            first(("slate-collision", name), above(r), self._is_over_bed)
+            if world.walls:
+                key = ("rail-collision", name, "top")
+                first(key, above(h + r), lambda s: not self._is_over_bed(s))
+        if flies or state.position[2] < r + h / 2:
+            for wall in world.walls:
+                key = ("rail-collision", name, wall.rail, wall.part)
+                off = self._coordinate(i, [mpf(k) for k in wall.inward], wall.start)
+                c = [a + b for a, b in zip(_square(off), _square([up[0], up[1], up[2] - h]), strict=True)]
+                c[-1] -= r**2
+                first(key, c, lambda s, w=wall: self._faces(w, s))
+        else:
+            for wall in world.walls:
+                off = self._coordinate(i, [-mpf(k) for k in wall.inward], wall.start)
+                first(("tips", name), off, self._is_within_noses)
+        if world.border is not None and (flies or state.position[2] > r + h / 2):
+            x0, y0, x1, y1 = world.border
+            for axis, origin in (((1, 0), (x0, y0)), ((0, 1), (x0, y0)), ((-1, 0), (x1, y1)), ((0, -1), (x1, y1))):
+                c = self._coordinate(i, axis, origin)
+                first(("off-table", name), c, lambda _: True)
         return found
+
+    def _is_over_bed(self, s: State) -> bool:
+        return all(_off(w, s) >= 0 for w in self.world.walls)
+
+    def _is_within_noses(self, s: State) -> bool:
+        """Over the line of the edges, with the rounding of a crossing."""
+        return all(_off(w, s) >= -NOW for w in self.world.walls)
+
+    def _faces(self, wall: Wall, s: State) -> bool:
+        """Whether the centre stands before a wall, between its ends."""
+        x, y = (s.position[k] - mpf(wall.start[k]) for k in (0, 1))
+        t = [mpf(wall.end[k]) - mpf(wall.start[k]) for k in (0, 1)]
+        along = x * t[0] + y * t[1]
+        return bool(_off(wall, s) >= 0 and 0 <= along <= t[0] ** 2 + t[1] ** 2)
 
     # -- what happens ----------------------------------------------------------------------------
 
     def _apply(self, key: tuple[str, ...], balls: tuple[int, ...]) -> Happening:
         before = tuple(self._at(i, self.time) for i in balls)
         i = balls[0]
-        if key[0] == "transition":
-            after = self._successor(i, before[0])
-            key = ("motion-transition", key[1], before[0].motion, after.motion)
+        physics, g = _exact_law(self.world.physics), mpf(self.world.gravity)
+        s = before[0]
+        if key[0] in ("transition", "tips"):
+            after = self._successor(i, s) if key[0] == "transition" else replace(s, motion="airborne")
+            key = ("motion-transition", key[1], s.motion, after.motion)
+            if self._is_on_top(i, s) and after.motion in ("stationary", "spinning"):
+                key = ("off-table", key[1])
             self.leg[i] = self._leg(i, after)
         elif key[0] == "ball-collision":
             bodies = laws.collide(
-                _exact_law(self.world.physics["ball_ball"]),
-                self._body(i, before[0]), self._body(balls[1], before[1]), mp,
-            )  # fmt: skip
-            for k, s, body in zip(balls, before, bodies, strict=True):
-                self._take(k, s, body)
-        else:
+                physics["ball_ball"], self._body(i, s), self._body(balls[1], before[1]), mp
+            )
+            for k, state, body in zip(balls, before, bodies, strict=True):
+                self._take(k, state, body)
+        elif key[0] == "slate-collision" or key[-1] == "top":
+            self._take(i, s, laws.bounce(physics["slate"], g, self._body(i, s), mp))
+        elif key[0] == "rail-collision":
             wall = next(w for w in self.world.walls if (w.rail, w.part) == key[2:])
-            into = (-mpf(wall.inward[0]), -mpf(wall.inward[1]), mpf(0))
-            law = _exact_law(self.world.physics["cushion"])
-            nose = mpf(self.world.nose_height)
-            self._take(i, before[0], laws.rebound(law, nose, self._body(i, before[0]), into, mp))
+            off, up = _off(wall, s), mpf(self.world.nose_height) - s.position[2]
+            to = (-off * mpf(wall.inward[0]), -off * mpf(wall.inward[1]), up)
+            normal = laws.scale(to, 1 / mp.sqrt(laws.dot(to, to)))
+            law = _exact_law(self.world.law_of(wall.part))
+            on_bed = s.motion in ON_CLOTH
+            self._take(i, s, laws.rebound(law, self._body(i, s), normal, on_bed, mp))
+        if key[0] == "off-table":
+            none = (mpf(0), mpf(0), mpf(0))
+            self.leg[i] = self._leg(i, State(s.position, none, none, "off-table"))
         after_states = tuple(self.leg[k].state for k in balls)
         names = tuple(self.world.ids[k] for k in balls)
         return Happening(self.time, key, names, before, after_states)
@@ -204,9 +268,37 @@ class Precise:
         return laws.Body(mass, radius, s.position, s.velocity, s.spin)
 
     def _take(self, i: int, s: State, body: laws.Body) -> None:
-        motion = motion_of(body.velocity, body.spin, body.radius)
+        """After an impact: a ball that the slate bears stays on it, or leaves it."""
+        borne = s.motion in ON_CLOTH
+        if borne:
+            slate, g = _exact_law(self.world.physics["slate"]), mpf(self.world.gravity)
+            body = laws.settle(slate, g, body, mp)
+        down = s.position[2] - body.radius
+        if self.world.walls and not self._is_over_bed(s):
+            down -= mpf(self.world.nose_height)
+        motion = "airborne"
+        if (borne or abs(down) < TOUCH) and body.velocity[2] == 0:
+            motion = motion_of(body.velocity, body.spin, body.radius)
         state = replace(s, velocity=body.velocity, spin=body.spin, motion=motion)
         self.leg[i] = self._leg(i, state)
+
+    def _is_on_top(self, i: int, s: State) -> bool:
+        return bool(s.position[2] > self.world.radius[i] + self.world.nose_height / 2)
+
+
+def _three(f: Any) -> Three:
+    return f(0), f(1), f(2)
+
+
+def _off(wall: Wall, s: State) -> Number:
+    """How far before a wall's line the centre stands."""
+    return sum((s.position[k] - mpf(wall.start[k])) * mpf(wall.inward[k]) for k in (0, 1))
+
+
+def _square(c: Sequence[Number]) -> list[Number]:
+    """A quadratic squared, highest power first."""
+    a, b, d = c
+    return [a * a, 2 * a * b, b * b + 2 * a * d, 2 * b * d, d * d]
 
 
 def _exact(state: State) -> State:
@@ -232,21 +324,17 @@ def _value(c: Sequence[Number], t: Number) -> tuple[Number, Number]:
     return f, g
 
 
-def _first_approach(c: Sequence[Number]) -> Number | None:
-    """The first t ≥ 0 with f ≤ 0 and f′ < 0, f being given highest power first."""
-    if c[-1] <= 0 and c[-2] < 0:
-        return mpf(0)
-    candidates = list(_real_roots(c))
+def _approaches(c: Sequence[Number]) -> Iterator[Number]:
+    """The t ≥ 0 with f ≤ 0 and f′ < 0, in order, f being given highest power first."""
+    if c[-1] <= NOW and c[-2] < -NOW:
+        yield mpf(0)
+    meets = [t for t in _real_roots(c) if t > NOW and _value(c, t)[1] < 0]
     if c[-1] < 0:
         # A rounding inside: what turns back before it is clear meets where it turns.
         n = len(c) - 1
-        candidates += _real_roots([k * (n - p) for p, k in enumerate(c[:-1])])
-    for t in sorted(candidates):
-        if t > NOW:
-            f, g = _value(c, t)
-            if g < 0 or (f < -NOW and g <= NOW):
-                return t
-    return None
+        turns = _real_roots([k * (n - p) for p, k in enumerate(c[:-1])])
+        meets += [t for t in turns if t > NOW and _value(c, t)[0] < -NOW]
+    yield from sorted(meets)
 
 
 def _real_roots(c: Sequence[Number]) -> list[Number]:

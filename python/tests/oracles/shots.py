@@ -21,9 +21,25 @@ PHYSICS: JSON = {
         "friction": {"a": 0.01, "b": 0.108, "c": 1.09},
     },
     "cushion": {"model": "han-2005", "restitution": 0.85, "friction": 0.2},
+    "facing": {"restitution": 0.7, "friction": 0.25},
+    "liner": {"restitution": 0.4, "friction": 0.3},
+    "slate": {"restitution": 0.55, "friction": 0.2},
+    "cue": {
+        "mass": 0.567,
+        "end_mass": 0.0,
+        "tip_radius": 0.0106,
+        "tip_friction": 0.7,
+        "tip_restitution": 0.75,
+    },
 }
 
-RECTANGLE: JSON = {"length": 2.0, "width": 1.0, "pockets": "none", "cushion_height": 0.0365}
+RECTANGLE: JSON = {
+    "length": 2.0,
+    "width": 1.0,
+    "pockets": "none",
+    "cushion_height": 0.0365,
+    "rail_width": 0.13,
+}
 
 
 def random_shot(
@@ -55,3 +71,38 @@ def random_shot(
         placed[k]["angular_velocity"] = rng.uniform(-60.0, 60.0, 3).tolist()
     laws = {**PHYSICS, **physics}
     return {"format": "carom-shot/1", "table": table, "physics": laws, "balls": placed}
+
+
+def random_flight(seed: int, balls: int, **more: Any) -> JSON:
+    """The same, but the fast ball leaves the cloth at once: thrown up, or dropped from a height."""
+    shot = random_shot(seed, balls, **more)
+    rng = np.random.default_rng([seed, 3])
+    ball = shot["balls"][0]
+    vx, vy, _ = ball["velocity"]
+    if seed % 4 == 3:
+        ball["position"] = [*ball["position"], ball["radius"] + float(rng.uniform(0.02, 0.3))]
+        ball["velocity"] = [0.5 * vx, 0.5 * vy, float(rng.uniform(-2.0, 1.0))]
+    else:
+        ball["velocity"] = [vx, vy, float(rng.uniform(0.2, 2.2))]
+    return shot
+
+
+def random_stroke(seed: int, balls: int, **more: Any) -> JSON:
+    """Balls at rest, and an elevated cue: draw, follow and side, roughly towards another ball."""
+    shot = random_shot(seed, balls, **more)
+    rng = np.random.default_rng([seed, 4])
+    for ball in shot["balls"]:
+        ball.pop("velocity", None)
+        ball.pop("angular_velocity", None)
+    (x, y), (u, v) = (b["position"] for b in shot["balls"][:2])
+    azimuth = math.degrees(math.atan2(v - y, u - x)) + rng.uniform(-3.0, 3.0)
+    offset, angle = 0.5 * math.sqrt(rng.uniform()), rng.uniform(0.0, 2 * math.pi)
+    shot["strike"] = {
+        "ball": shot["balls"][0]["id"],
+        "speed": float(rng.uniform(1.0, 6.0)),
+        "azimuth_deg": azimuth,
+        "elevation_deg": float(rng.uniform(3.0, 75.0)),
+        "side": offset * math.cos(angle),
+        "height": offset * math.sin(angle),
+    }
+    return shot

@@ -1,7 +1,8 @@
 """Oracle A: the force laws, integrated through time (Dormand–Prince of order 8).
 
 Knows no closed form: friction is a force against the slip at this instant, a rolling ball is held
-by its constraint, and events are found where a gap, a slip or a spin falls through zero.
+by its constraint, a flying one falls, and events are found where a gap, a slip or a spin falls
+through zero.
 """
 
 from __future__ import annotations
@@ -14,7 +15,8 @@ from scipy.integrate import DOP853
 from scipy.optimize import brentq, minimize_scalar
 
 from oracles import laws
-from oracles.world import Happening, State, World, motion_of
+from oracles.places import CLEAR, Place, edges_of, from_center, inside, on_top, places_of
+from oracles.world import Happening, Hole, State, World, motion_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -30,14 +32,21 @@ STEP, LOOKS = 0.008, 8
 TOUCH = 1e-10
 
 
+#: Rates below this are none, m/s: a ball that flies level over a lip does not yet meet it.
+LEVEL = 1e-12
+
+ON_CLOTH = ("sliding", "rolling", "spinning", "stationary")
+
+
 @dataclass(frozen=True)
 class Watch:
     """Something that happens where `value` falls through zero."""
 
     key: tuple[str, ...]
     balls: tuple[int, ...]
-    value: Callable[[Array], Array]  # of states (7, n) or (7, n, looks)
-    rate: Callable[[Array], float] | None  # for contacts: d(value)/dt, to tell parting from meeting
+    value: Callable[[Array], Array]  # of states (9, n) or (9, n, looks)
+    contact: bool = False
+    place: Place | None = None
 
 
 class Stepping:
@@ -47,20 +56,23 @@ class Stepping:
         self.world = world
         self.time = time
         n = len(world.ids)
-        self.y = np.zeros((7, n))
+        #: Positions, velocities and spins, one column a ball.
+        self.y = np.zeros((9, n))
         self.motion = [""] * n
         self.radius = np.array(world.radius)
+        self.places = [places_of(world, r) for r in world.radius]
+        self.edges = [edges_of(world, r) for r in world.radius]
         for i, state in enumerate(states):
             self.replace(i, state)
 
     def replace(self, i: int, state: State) -> None:
         """Sets ball `i` at the present time."""
-        self.y[:, i] = [*state.position[:2], *state.velocity[:2], *state.spin]
+        self.y[:, i] = [*state.position, *state.velocity, *state.spin]
         self.motion[i] = state.motion
 
     def state(self, i: int) -> State:
-        x, y, vx, vy, wx, wy, wz = (float(c) for c in self.y[:, i])
-        return State((x, y, self.world.radius[i]), (vx, vy, 0.0), (wx, wy, wz), self.motion[i])
+        x, y, z, vx, vy, vz, wx, wy, wz = (float(c) for c in self.y[:, i])
+        return State((x, y, z), (vx, vy, vz), (wx, wy, wz), self.motion[i])
 
     def next(self) -> Happening | None:
         """Advances to the next event and applies it; None when all is at rest."""
@@ -80,27 +92,30 @@ class Stepping:
         r = self.radius
         sliding = np.array([m == "sliding" for m in self.motion])
         rolling = np.array([m == "rolling" for m in self.motion])
-        in_play = np.array([m not in ("pocketed", "off-table") for m in self.motion])
+        flying = np.array([m == "airborne" for m in self.motion])
+        on_cloth = np.array([m in ON_CLOTH for m in self.motion])
         u0 = _slip(self.y, r)
-        v0 = self.y[2:4].copy()
-        spin_sign = np.sign(self.y[6]) * in_play
+        v0 = self.y[3:5].copy()
+        spin_sign = np.sign(self.y[8]) * on_cloth
 
         def rates(_: float, flat: Array) -> Array:
-            y = flat.reshape(7, -1)
+            y = flat.reshape(9, -1)
             d = np.zeros_like(y)
-            d[0:2] = y[2:4] * (sliding | rolling)
+            d[0:2] = y[3:5] * (sliding | rolling | flying)
+            d[2] = y[5] * flying
+            d[5] = -g * flying
             # Past the instant at which slip or speed vanishes the force goes on as it was, so that
             # the integrator may step over that instant, which is then found as a root.
             u = _unit(_slip(y, r), u0)
             force = -cloth["sliding_friction"] * g * u * sliding
-            d[2:4] += force
-            d[4] += sliding * force[1] * 5 / (2 * r)
-            d[5] -= sliding * force[0] * 5 / (2 * r)
-            drag = -cloth["rolling_friction"] * g * _unit(y[2:4], v0) * rolling
-            d[2:4] += drag
-            d[4] += -drag[1] / r
-            d[5] += drag[0] / r
-            d[6] = -cloth["spin_deceleration"] * spin_sign
+            d[3:5] += force
+            d[6] += sliding * force[1] * 5 / (2 * r)
+            d[7] -= sliding * force[0] * 5 / (2 * r)
+            drag = -cloth["rolling_friction"] * g * _unit(y[3:5], v0) * rolling
+            d[3:5] += drag
+            d[6] += -drag[1] / r
+            d[7] += drag[0] / r
+            d[8] = -cloth["spin_deceleration"] * spin_sign
             return d.ravel()
 
         return rates
@@ -111,21 +126,25 @@ class Stepping:
         found: list[Watch] = []
         ids, r = self.world.ids, self.radius
         alive = [m not in ("pocketed", "off-table") for m in self.motion]
-        moving = [m in ("sliding", "rolling") for m in self.motion]
+        moving = [m in ("sliding", "rolling", "airborne") for m in self.motion]
         for i, motion in enumerate(self.motion):
             if motion == "sliding":
                 u0 = _slip(self.y, r)[:, i].copy()
-                found.append(Watch(("slide", ids[i]), (i,), _along(u0, r, i, slip=True), None))
+                found.append(Watch(("slide", ids[i]), (i,), _along(u0, r, i, slip=True)))
             elif motion == "rolling":
-                v0 = self.y[2:4, i].copy()
-                found.append(Watch(("roll", ids[i]), (i,), _along(v0, r, i, slip=False), None))
-            if alive[i] and self.y[6, i] != 0.0:
-                sign = np.sign(self.y[6, i])
-                found.append(
-                    Watch(("spin", ids[i]), (i,), lambda y, i=i, s=sign: s * y[6, i], None)
-                )
-            if moving[i]:
-                found += self._features(i)
+                v0 = self.y[3:5, i].copy()
+                found.append(Watch(("roll", ids[i]), (i,), _along(v0, r, i, slip=False)))
+            if motion in ON_CLOTH and self.y[8, i] != 0.0:
+                sign = np.sign(self.y[8, i])
+                found.append(Watch(("spin", ids[i]), (i,), lambda y, i=i, s=sign: s * y[8, i]))
+            if motion == "airborne":
+                found += [self._meets(i, place) for place in self.places[i]]
+                found += self._fates(i)
+            elif moving[i] and self._is_on_top(i):
+                found += self._ends_of_the_top(i)
+            elif moving[i]:
+                found += [self._meets(i, place) for place in self.edges[i]]
+                found += [self._comes_over(i, hole) for hole in self.world.holes]
         n = len(ids)
         found += [
             self._pair(i, j)
@@ -136,66 +155,107 @@ class Stepping:
         return found
 
     def _pair(self, i: int, j: int) -> Watch:
-        reach = 2.0 * np.sqrt(self.radius[i] * self.radius[j])
+        reach = self.radius[i] + self.radius[j]
 
         def gap(y: Array) -> Array:
-            return np.hypot(y[0, j] - y[0, i], y[1, j] - y[1, i]) - reach
-
-        def rate(y: Array) -> float:
-            d, v = y[0:2, j] - y[0:2, i], y[2:4, j] - y[2:4, i]
-            return float(d @ v / np.hypot(*d))
+            d = y[0:3, j] - y[0:3, i]
+            return np.sqrt((d * d).sum(axis=0)) - reach
 
         names = sorted((self.world.ids[i], self.world.ids[j]))
-        return Watch(("ball-collision", *names), (i, j), gap, rate)
+        return Watch(("ball-collision", *names), (i, j), gap, contact=True)
 
-    def _features(self, i: int) -> list[Watch]:
-        world, name = self.world, self.world.ids[i]
-        found: list[Watch] = []
-        reach = np.sqrt(self.radius[i] ** 2 - (world.nose_height - self.radius[i]) ** 2)
-        for wall in world.walls:
-            a, n = np.array(wall.start), np.array(wall.inward)
-            t = np.array(wall.end) - a
-            length = np.hypot(*t)
-            t = t / length
+    def _meets(self, i: int, place: Place) -> Watch:
+        key = (place.key[0], self.world.ids[i], *place.key[1:])
+        return Watch(key, (i,), lambda y: place.gap(y[0:3, i]), contact=True, place=place)
 
-            def gap(y: Array, a: Array = a, n: Array = n) -> Array:
-                return (y[0, i] - a[0]) * n[0] + (y[1, i] - a[1]) * n[1] - reach
+    def _comes_over(self, i: int, hole: Hole) -> Watch:
+        key = ("tips", self.world.ids[i])
+        return Watch(key, (i,), lambda y: from_center(y[0:2, i], hole) - hole.radius)
 
-            def reaching(
-                y: Array, gap: Any = gap, a: Array = a, t: Array = t, length: float = length
-            ) -> Array:
-                s = (y[0, i] - a[0]) * t[0] + (y[1, i] - a[1]) * t[1]
-                # Beside the wall's ends nothing is met.
-                return np.where((s >= 0) & (s <= length), gap(y), np.abs(gap(y)) + 1.0)
+    def _is_on_top(self, i: int) -> bool:
+        return bool(self.y[2, i] > self.radius[i] + self.world.nose_height / 2)
 
-            def rate(y: Array, n: Array = n) -> float:
-                return float(y[2:4, i] @ n)
+    def _ends_of_the_top(self, i: int) -> list[Watch]:
+        """A ball on a rail's top comes to its edge, or to the table's border."""
+        outline = self.world.inside
 
-            key = ("rail-collision", name, wall.rail, wall.part)
-            found.append(Watch(key, (i,), reaching, rate))
-        round_ = [(("rail-collision", name, p.rail, p.part), p, reach) for p in world.posts]
-        round_ += [(("pocket-collision", name, h.name), h, 0.0) for h in world.holes]
-        return found + [self._round(i, *feature) for feature in round_]
+        def from_edge(y: Array) -> Array:
+            """Distance to the nearest straight piece of the edges' line, negative inside it."""
+            p = y[0:2, i]
+            nearest = np.full(np.shape(p[0]), np.inf)
+            a = np.array(outline[-1])
+            for b in map(np.array, outline):
+                t = b - a
+                size = t @ t
+                if size > 0.0:
+                    s = np.clip(((p[0] - a[0]) * t[0] + (p[1] - a[1]) * t[1]) / size, 0.0, 1.0)
+                    off = np.hypot(p[0] - a[0] - s * t[0], p[1] - a[1] - s * t[1])
+                    nearest = np.minimum(nearest, off)
+                a = b
+            return np.where(inside(outline, p), -nearest, nearest)
 
-    def _round(self, i: int, key: tuple[str, ...], round_: Any, reach: float) -> Watch:
-        c, r = round_.center, round_.radius + reach
+        return [Watch(("tips", self.world.ids[i]), (i,), from_edge), self._border(i)]
 
-        def gap(y: Array) -> Array:
-            return np.hypot(y[0, i] - c[0], y[1, i] - c[1]) - r
+    def _border(self, i: int) -> Watch:
+        assert self.world.border is not None
+        x0, y0, x1, y1 = self.world.border
 
-        def rate(y: Array) -> float:
-            d = y[0:2, i] - np.array(c)
-            return float(d @ y[2:4, i] / np.hypot(*d))
+        def within(y: Array) -> Array:
+            sides = (y[0, i] - x0, y[1, i] - y0, x1 - y[0, i], y1 - y[1, i])
+            return np.minimum.reduce(sides)
 
-        return Watch(key, (i,), gap, rate)
+        return Watch(("off-table", self.world.ids[i]), (i,), within)
+
+    def _fates(self, i: int) -> list[Watch]:
+        """A flying ball leaves the table, or falls where it cannot come back from."""
+        found = [self._border(i)] if self.world.border is not None else []
+        depth = 0.0 if self._is_trapped(i) else -self.radius[i]
+        for hole in self.world.holes:
+
+            def height(y: Array, hole: Hole = hole) -> Array:
+                over = from_center(y[0:2, i], hole) <= hole.radius
+                return np.where(over, y[2, i] - depth, CLEAR)
+
+            found.append(Watch(("pocket-collision", self.world.ids[i], hole.name), (i,), height))
+        return found
+
+    def _is_trapped(self, i: int) -> bool:
+        """Whether its energy cannot lift the ball back on the slate."""
+        v, w, r = self.y[3:6, i], self.y[6:9, i], self.radius[i]
+        energy = v @ v / 2 + w @ w * r * r / 5 + self.world.gravity * self.y[2, i]
+        return bool(energy < self.world.gravity * r)
 
     # -- search ----------------------------------------------------------------------------------
 
     def _immediate(self, watches: list[Watch]) -> Watch | None:
         for w in watches:
-            if w.rate is not None and abs(w.value(self.y)) <= TOUCH and w.rate(self.y) < -1e-12:
+            if w.key[0] == "pocket-collision" and w.value(self.y) < 0.0:
+                return w
+        for w in watches:
+            if not w.contact or abs(w.value(self.y)) > TOUCH:
+                continue
+            rate, bend = self._rates_of(w)
+            if rate < -LEVEL or (w.place is not None and rate <= LEVEL and bend < 0.0):
                 return w
         return None
+
+    def _rates_of(self, watch: Watch) -> tuple[float, float]:
+        """How a gap changes at this instant: its first and second rate, by the bodies' motion."""
+        if watch.place is None:
+            i, j = watch.balls
+            d = self.y[0:3, j] - self.y[0:3, i]
+            return float(d @ (self.y[3:6, j] - self.y[3:6, i]) / np.sqrt(d @ d)), 0.0
+        (i,) = watch.balls
+        p, v = self.y[0:3, i], self.y[3:6, i]
+        n = watch.place.normal(p)
+        rate = -float(n @ v)
+        # Only for what falls on an edge: the path's bend against the edge's own.
+        if self.motion[i] != "airborne":
+            return rate, 0.0
+        # A sphere about the edge's nearest point: bends at most like this one.
+        across = v - (n @ v) * n
+        push = float(across @ across) / self.radius[i] + self.world.gravity * float(n[2])
+        return rate, push
 
     def _search(self, watches: list[Watch]) -> Watch:
         """Integrates to the first instant at which a watched value falls through zero."""
@@ -204,7 +264,7 @@ class Stepping:
             self._forces(), self.time, self.y.ravel(), np.inf,
             rtol=RELATIVE, atol=ABSOLUTE, max_step=STEP, first_step=1e-4,
         )  # fmt: skip
-        touching = [w.rate is not None and abs(w.value(self.y)) <= TOUCH for w in watches]
+        touching = [w.contact and abs(w.value(self.y)) <= TOUCH for w in watches]
         while True:
             message = solver.step()
             if solver.status == "failed":
@@ -233,72 +293,77 @@ class Stepping:
         kind, i = watch.key[0], watch.balls[0]
         before = tuple(self.state(k) for k in watch.balls)
         key = watch.key
-        if kind in ("slide", "roll", "spin"):
-            was = self.motion[i]
+        physics, g = self.world.physics, self.world.gravity
+        if kind in ("slide", "roll", "spin", "tips"):
+            was, on_top = self.motion[i], self._is_on_top(i)
             self._transition(kind, i)
             if kind == "spin" and was != "spinning":
                 return None
             key = ("motion-transition", watch.key[1], was, self.motion[i])
+            if on_top and self.motion[i] in ("stationary", "spinning"):
+                key = ("off-table", watch.key[1])
         elif kind == "ball-collision":
             j = watch.balls[1]
-            bodies = laws.collide(self.world.physics["ball_ball"], self._body(i), self._body(j))
+            bodies = laws.collide(physics["ball_ball"], self._body(i), self._body(j))
             for k, body in zip((i, j), bodies, strict=True):
                 self._take(k, body)
+        elif kind == "slate-collision" or key[-1] == "top":
+            self._take(i, laws.bounce(physics["slate"], g, self._body(i)))
         elif kind == "rail-collision":
-            self._take(i, self._rebound(i, key))
-        else:
-            self.motion[i] = "pocketed"
-            self.y[2:, i] = 0.0
+            assert watch.place is not None
+            nx, ny, nz = (float(c) for c in watch.place.normal(self.y[0:3, i]))
+            law = self.world.law_of(key[-1])
+            on_bed = self.motion[i] in ON_CLOTH
+            self._take(i, laws.rebound(law, self._body(i), (nx, ny, nz), on_bed))
+        if kind in ("pocket-collision", "off-table") or key[0] == "off-table":
+            self.motion[i] = "pocketed" if kind == "pocket-collision" else "off-table"
+            self.y[3:, i] = 0.0
         after = tuple(self.state(k) for k in watch.balls)
         names = tuple(self.world.ids[k] for k in watch.balls)
         return Happening(self.time, key, names, before, after)
 
     def _transition(self, kind: str, i: int) -> None:
         y = self.y
-        if kind == "spin":
-            y[6, i] = 0.0
+        if kind == "tips":
+            self.motion[i] = "airborne"
+        elif kind == "spin":
+            y[8, i] = 0.0
             if self.motion[i] == "spinning":
                 self.motion[i] = "stationary"
-            return
-        if kind == "slide":
-            y[4, i], y[5, i] = -y[3, i] / self.radius[i], y[2, i] / self.radius[i]
+        elif kind == "slide":
+            y[6, i], y[7, i] = -y[4, i] / self.radius[i], y[3, i] / self.radius[i]
             self.motion[i] = "rolling"
-            return
-        y[2:6, i] = 0.0
-        self.motion[i] = "stationary" if y[6, i] == 0.0 else "spinning"
-
-    def _rebound(self, i: int, key: tuple[str, ...]) -> laws.Body:
-        """Off the piece of this rail and part that the ball touches; a rail has two points."""
-        world, here = self.world, self.y[0:2, i]
-        reach = np.sqrt(self.radius[i] ** 2 - (world.nose_height - self.radius[i]) ** 2)
-        candidates: list[tuple[float, Array]] = []
-        for wall in world.walls:
-            if (wall.rail, wall.part) == key[2:]:
-                a, b, n = (np.array(p) for p in (wall.start, wall.end, wall.inward))
-                beside = max(0.0, (a - here) @ (b - a), (here - b) @ (b - a))
-                candidates.append((abs((here - a) @ n - reach) + beside, -n))
-        for post in world.posts:
-            if (post.rail, post.part) == key[2:]:
-                d = np.array(post.center) - here
-                distance = np.hypot(*d)
-                candidates.append((abs(distance - post.radius - reach), d / distance))
-        into = min(candidates, key=lambda c: c[0])[1]
-        law = world.physics["cushion"]
-        return laws.rebound(law, world.nose_height, self._body(i), (*into.tolist(), 0.0))
+        else:
+            y[3:8, i] = 0.0
+            self.motion[i] = "stationary" if y[8, i] == 0.0 else "spinning"
 
     def _body(self, i: int) -> laws.Body:
         s = self.state(i)
         return laws.Body(self.world.mass[i], self.world.radius[i], s.position, s.velocity, s.spin)
 
     def _take(self, i: int, body: laws.Body) -> None:
-        motion = motion_of(body.velocity, body.spin, body.radius)
+        """After an impact: a ball that the slate bears stays on it, or leaves it."""
+        if self.motion[i] in ON_CLOTH:
+            body = laws.settle(self.world.physics["slate"], self.world.gravity, body)
+        borne = self.motion[i] in ON_CLOTH or self._is_down(i)
+        if borne and body.velocity[2] == 0.0:
+            motion = motion_of(body.velocity, body.spin, body.radius)
+        else:
+            motion = "airborne"
         self.replace(
             i, replace(self.state(i), velocity=body.velocity, spin=body.spin, motion=motion)
         )
 
+    def _is_down(self, i: int) -> bool:
+        """Whether a flying ball touches the slate or a rail's top."""
+        height = self.y[2, i] - self.radius[i]
+        if on_top(self.world, self.y[0:2, i]) if self.world.inside else False:
+            height -= self.world.nose_height
+        return bool(abs(height) <= TOUCH)
+
 
 def _slip(y: Array, r: Array) -> Array:
-    return np.stack((y[2] - r * y[5], y[3] + r * y[4]))
+    return np.stack((y[3] - r * y[7], y[4] + r * y[6]))
 
 
 def _unit(v: Array, before: Array) -> Array:
@@ -314,8 +379,8 @@ def _along(v0: Array, r: Array, i: int, slip: bool) -> Callable[[Array], Array]:
 
     def value(y: Array) -> Array:
         if slip:
-            return n[0] * (y[2, i] - r[i] * y[5, i]) + n[1] * (y[3, i] + r[i] * y[4, i])
-        return n[0] * y[2, i] + n[1] * y[3, i]
+            return n[0] * (y[3, i] - r[i] * y[7, i]) + n[1] * (y[4, i] + r[i] * y[6, i])
+        return n[0] * y[3, i] + n[1] * y[4, i]
 
     return value
 
@@ -337,7 +402,7 @@ def _first_fall(
                 if times[k + 1] - low < 1e-12:
                     return None
             return float(brentq(at, low, times[k + 1], xtol=1e-16, rtol=8.9e-16))
-        if watch.rate is None or k == 0:
+        if not watch.contact or k == 0:
             continue
         dips = values[k] < values[k - 1] and values[k] < values[k + 1]
         if dips and 0.0 < values[k] < 0.05:

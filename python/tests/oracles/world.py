@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from itertools import groupby
 from typing import Any
 
 Number = Any
 JSON = dict[str, Any]
+Point = tuple[float, float]
 
 
 @dataclass(frozen=True)
 class Wall:
-    """A straight piece of a cushion's nose line; `inward` points to the playing area."""
+    """A straight edge of a cushion, at the nose's height; `inward` points to the playing area."""
 
     rail: str
     start: tuple[float, float]
@@ -23,26 +25,35 @@ class Wall:
 
 @dataclass(frozen=True)
 class Post:
-    """A round piece of a cushion's nose line, bulging to the playing area."""
+    """A round edge of a cushion, bulging to the playing area, between two ends."""
 
     rail: str
     center: tuple[float, float]
     radius: float
+    ends: tuple[tuple[float, float], tuple[float, float]]
     part: str = "point"
 
 
 @dataclass(frozen=True)
 class Hole:
-    """A pocket: it takes a ball whose centre comes over it."""
+    """A pocket: a hole in the slate, and round the back of it a wall up to the rails' tops.
+
+    `wall` is where that wall begins and ends, counter-clockwise: where the facings' lines meet it.
+    """
 
     name: str
     center: tuple[float, float]
     radius: float
+    wall: tuple[Point, Point]
 
 
 @dataclass(frozen=True)
 class World:
-    """Everything about a shot that does not change."""
+    """Everything about a shot that does not change.
+
+    `inside` is the polygon of edges that the rails' tops begin behind; `border` the outer rectangle
+    (x and y from, x and y to) that they end at.
+    """
 
     ids: list[str]
     mass: list[float]
@@ -52,18 +63,29 @@ class World:
     walls: list[Wall] = field(default_factory=list)
     posts: list[Post] = field(default_factory=list)
     holes: list[Hole] = field(default_factory=list)
+    inside: list[Point] = field(default_factory=list)
+    border: tuple[float, float, float, float] | None = None
 
     @property
     def gravity(self) -> float:
         g: float = self.physics["gravity"]
         return g
 
+    def law_of(self, part: str) -> JSON:
+        """The law of a part of the rails: the cushion's, with the part's own surface."""
+        cushion: JSON = self.physics["cushion"]
+        if part in ("facing", "point"):
+            return {**cushion, **self.physics.get("facing", {})}
+        if part == "liner":
+            return {**cushion, **self.physics["liner"]}
+        return cushion
+
 
 def world_of(shot: JSON, geometry: JSON | None = None) -> World:
     """Reads a shot whose physics is written out in full (no preset is known here).
 
-    The table is unbounded cloth or a plain rectangle, unless `geometry` gives its walls, posts,
-    holes and nose height.
+    The table is unbounded cloth or a plain rectangle, unless `geometry` gives its edges, holes,
+    border and nose height.
     """
     physics = shot["physics"]
     default = physics["ball"]
@@ -79,6 +101,8 @@ def world_of(shot: JSON, geometry: JSON | None = None) -> World:
                 Wall("left", (0.0, 0.0), (0.0, length), (1.0, 0.0)),
                 Wall("right", (w, 0.0), (w, length), (-1.0, 0.0)),
             ],
+            "inside": [(0.0, 0.0), (w, 0.0), (w, length), (0.0, length)],
+            "border": _border((w, length), table["rail_width"]),
         }
     return World(
         ids=[b["id"] for b in shot["balls"]],
@@ -89,30 +113,98 @@ def world_of(shot: JSON, geometry: JSON | None = None) -> World:
     )
 
 
+def _border(size: Any, rail: float) -> tuple[float, float, float, float]:
+    return (-rail, -rail, size[0] + rail, size[1] + rail)
+
+
+#: Into how many straight pieces an arc of the polygon `World.inside` is cut: its sagitta is then
+#: below 10 µm, and only where a ball touches an edge's very line could it matter.
+PIECES = 64
+
+
 def geometry_of(table: JSON) -> JSON:
-    """Walls, posts and holes of a table as `carom.tables()` lists it."""
-    posts = [
-        Post(c["rail"], tuple(c["center"]), c["radius"]) for c in table["cushions"] if "center" in c
-    ]
-    walls = []
-    for c in table["cushions"]:
-        if "center" in c:
-            continue
-        a, b = c["start"], c["end"]
-        length = math.dist(a, b)
-        n = (-(b[1] - a[1]) / length, (b[0] - a[0]) / length)
-        # The round points stand behind the straight pieces that they join.
-        post = min(posts, key=lambda p: min(math.dist(p.center, a), math.dist(p.center, b)))
-        if (post.center[0] - a[0]) * n[0] + (post.center[1] - a[1]) * n[1] > 0.0:
-            n = (-n[0], -n[1])
-        walls.append(Wall(c["rail"], tuple(a), tuple(b), n, c["part"]))
-    holes = [Hole(p["name"], tuple(p["center"]), p["radius"]) for p in table["pockets"]]
+    """Edges and holes of a table as `carom.tables()` lists it: rails counter-clockwise, and of each
+    its nose between the points and, where it has them, the facings.
+    """
+    rails = [list(group) for _, group in groupby(table["cushions"], key=lambda c: c["rail"])]
+    walls: list[Wall] = []
+    posts: list[Post] = []
+    holes: list[Hole] = []
+    inside: list[Point] = []
+    for k, rail in enumerate(rails):
+        nose = next(m for m, c in enumerate(rail) if c["part"] == "nose")
+        for m, c in enumerate(rail):
+            a, b = tuple(c["start"]), tuple(c["end"])
+            # Before the nose the pieces are listed from their ends at the nose.
+            way = (b, a) if m < nose else (a, b)
+            if "center" in c:
+                posts.append(Post(c["rail"], tuple(c["center"]), c["radius"], (a, b)))
+                inside += _arc(c["center"], *way)
+            else:
+                along = _direction(*way)
+                walls.append(Wall(c["rail"], a, b, (-along[1], along[0]), c["part"]))
+                inside += way
+        # The pocket that follows: its liner runs on behind both jaws, and then round the hole.
+        here, there = rail[-1], rails[(k + 1) % len(rails)][0]
+        hole = min(table["pockets"], key=lambda h: math.dist(h["center"], here["end"]))
+        ends = []
+        for jaw, turn in ((here, 1), (there, -1)):
+            deep, down = _deep_end(jaw)
+            ends.append(_leaves(deep, down, hole))
+            inward = (-turn * down[1], turn * down[0])
+            walls.append(Wall(jaw["rail"], deep, ends[-1], inward, "liner"))
+        center = tuple(hole["center"])
+        holes.append(Hole(hole["name"], center, hole["radius"], (ends[0], ends[1])))
+        inside += _arc(center, *ends, outward=True)
     return {
         "nose_height": table["cushion_height"],
         "walls": walls,
         "posts": posts,
         "holes": holes,
+        "inside": inside,
+        "border": _border(table["size"], table["rail_width"]),
     }
+
+
+def _deep_end(jaw: JSON) -> tuple[Point, Point]:
+    """Where a jaw ends, and which way it goes there."""
+    a, b = tuple(jaw["start"]), tuple(jaw["end"])
+    if "center" not in jaw:
+        return b, _direction(a, b)
+    out = _direction(tuple(jaw["center"]), b)
+    down = (-out[1], out[0])
+    forward = down[0] * (b[0] - a[0]) + down[1] * (b[1] - a[1]) > 0.0
+    return b, down if forward else (-down[0], -down[1])
+
+
+def _leaves(deep: Point, down: Point, hole: JSON) -> Point:
+    """Where a line leaves the hole's disc."""
+    d = (deep[0] - hole["center"][0], deep[1] - hole["center"][1])
+    half = d[0] * down[0] + d[1] * down[1]
+    square = half * half - (d[0] ** 2 + d[1] ** 2 - hole["radius"] ** 2)
+    t = -half + math.sqrt(square)
+    return (deep[0] + t * down[0], deep[1] + t * down[1])
+
+
+def _arc(center: Any, a: Any, b: Any, outward: bool = False) -> list[Point]:
+    """The shorter way round from a to b; `outward`, counter-clockwise."""
+    start = math.atan2(a[1] - center[1], a[0] - center[0])
+    turn = math.remainder(math.atan2(b[1] - center[1], b[0] - center[0]) - start, 2 * math.pi)
+    if outward:
+        turn %= 2 * math.pi
+    r0, r1 = math.dist(a, center), math.dist(b, center)
+    return [
+        (
+            center[0] + (r0 + (r1 - r0) * s) * math.cos(start + turn * s),
+            center[1] + (r0 + (r1 - r0) * s) * math.sin(start + turn * s),
+        )
+        for s in (k / PIECES for k in range(PIECES + 1))
+    ]
+
+
+def _direction(a: Point, b: Point) -> Point:
+    length = math.dist(a, b)
+    return ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
 
 
 @dataclass(frozen=True)
@@ -136,16 +228,19 @@ class Happening:
     after: tuple[State, ...]
 
 
-def start_of(shot: JSON) -> list[State]:
-    """The balls at time 0; a strike is not played here."""
+def start_of(shot: JSON, played: JSON | None = None) -> list[State]:
+    """The balls at time 0; the struck one as the trace's event `played` leaves it."""
     radius = shot["physics"]["ball"]["radius"]
     states = []
     for b in shot["balls"]:
-        x, y = b["position"][:2]
+        r = b.get("radius", radius)
+        x, y, z = (*b["position"], r)[:3]
         v = tuple(b.get("velocity", (0.0, 0.0, 0.0)))
         w = tuple(b.get("angular_velocity", (0.0, 0.0, 0.0)))
-        r = b.get("radius", radius)
-        states.append(State((x, y, r), v, w, motion_of(v, w, r)))
+        aloft = z > r or v[2] != 0.0
+        states.append(State((x, y, z), v, w, "airborne" if aloft else motion_of(v, w, r)))
+        if played is not None and played["balls"] == [b["id"]]:
+            states[-1] = state_of(played["after"][0])
     return states
 
 
@@ -174,7 +269,9 @@ def key_of(event: JSON) -> tuple[str, ...]:
     """What happened, without the numbers."""
     kind = event["type"]
     if kind == "rail-collision":
-        return (kind, *event["balls"], event["rail"], event["part"])
+        # The top and the liner are one piece each: which rail is nearest is the engine's to say.
+        rail = () if event["part"] in ("top", "liner") else (event["rail"],)
+        return (kind, *event["balls"], *rail, event["part"])
     if kind == "motion-transition":
         return (kind, *event["balls"], event["from"], event["to"])
     if kind == "pocket-collision":

@@ -1,0 +1,183 @@
+"""Where a ball touches the table: gaps and normals, straight from the shapes.
+
+Positions are arrays of shape (3, …); a gap is how far a ball of radius `r` is from touching, and
+`CLEAR` where the shape is not met from there at all.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from oracles.world import Hole, Point, Post, Wall, World
+
+Array = Any
+
+#: The gap where a shape is not met, m: far enough that no search looks closer.
+CLEAR = 1.0
+
+
+@dataclass(frozen=True)
+class Place:
+    """A shape of the table that a ball can touch."""
+
+    key: tuple[str, ...]
+    gap: Callable[[Array], Array]
+    normal: Callable[[Array], Array]
+
+
+def places_of(world: World, radius: float) -> list[Place]:
+    """Everything that a flying ball can touch."""
+    h = world.nose_height
+    found = [_slate(world, radius)]
+    found += [_wall(w, h, radius) for w in world.walls]
+    found += [_post(p, h, radius) for p in world.posts]
+    if world.border is not None:
+        found.append(_top(world, h, radius))
+    for hole in world.holes:
+        found += [_lip(hole, radius), _liner(hole, h, radius)]
+    return found
+
+
+def edges_of(world: World, radius: float) -> list[Place]:
+    """What a ball on the slate can touch."""
+    h = world.nose_height
+    walls = [_wall(w, h, radius) for w in world.walls]
+    return walls + [_post(p, h, radius) for p in world.posts]
+
+
+def rail_key(piece: Wall | Post) -> tuple[str, ...]:
+    """A piece of the rails in an event's words; a liner belongs to no rail."""
+    if piece.part == "liner":
+        return ("rail-collision", "liner")
+    return ("rail-collision", piece.rail, piece.part)
+
+
+def inside(outline: list[Point], p: Array) -> Array:
+    """Whether points lie in a polygon (even–odd rule)."""
+    odd = np.zeros(np.shape(p[0]), dtype=bool)
+    a = outline[-1]
+    for b in outline:
+        crosses = (a[1] > p[1]) != (b[1] > p[1])
+        rise = b[1] - a[1] if b[1] != a[1] else 1.0
+        odd ^= crosses & (p[0] < a[0] + (p[1] - a[1]) / rise * (b[0] - a[0]))
+        a = b
+    return odd
+
+
+def from_center(p: Array, hole: Any) -> Array:
+    """Horizontal distance from a hole's or a post's centre."""
+    return np.hypot(p[0] - hole.center[0], p[1] - hole.center[1])
+
+
+def on_top(world: World, p: Array) -> Array:
+    """Whether the centre is over the rails, outside the line of their edges."""
+    return ~inside(world.inside, p)
+
+
+def _slate(world: World, radius: float) -> Place:
+    def gap(p: Array) -> Array:
+        over = np.ones(np.shape(p[0]), dtype=bool)
+        if world.inside:
+            over &= inside(world.inside, p)
+        for hole in world.holes:
+            over &= from_center(p, hole) > hole.radius
+        return np.where(over, p[2] - radius, CLEAR)
+
+    return Place(("slate-collision",), gap, lambda _: np.array((0.0, 0.0, -1.0)))
+
+
+def _top(world: World, h: float, radius: float) -> Place:
+    def gap(p: Array) -> Array:
+        return np.where(on_top(world, p), p[2] - h - radius, CLEAR)
+
+    return Place(("rail-collision", "top"), gap, lambda _: np.array((0.0, 0.0, -1.0)))
+
+
+def _wall(wall: Wall, h: float, radius: float) -> Place:
+    a, n = np.array(wall.start), np.array(wall.inward)
+    t = np.array(wall.end) - a
+    length = np.hypot(*t)
+    t = t / length
+
+    def gap(p: Array) -> Array:
+        along = (p[0] - a[0]) * t[0] + (p[1] - a[1]) * t[1]
+        off = (p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1]
+        # Behind the line is the rail's top; beside its ends other edges go on.
+        met = (along >= 0.0) & (along <= length) & (off >= 0.0)
+        return np.where(met, np.hypot(off, p[2] - h) - radius, CLEAR)
+
+    def normal(p: Array) -> Array:
+        off = float((p[:2] - a) @ n)
+        return _unit(np.array((-off * n[0], -off * n[1], h - p[2])))
+
+    return Place(rail_key(wall), gap, normal)
+
+
+def _post(post: Post, h: float, radius: float) -> Place:
+    c = np.array(post.center)
+    ends = [np.array(e) - c for e in post.ends]
+    middle = ends[0] + ends[1]
+    if post.radius == 0.0 or np.hypot(*middle) == 0.0:
+        raise NotImplementedError("sharp points")
+    middle = middle / np.hypot(*middle)
+    least = float(ends[0] @ middle) / post.radius
+
+    def gap(p: Array) -> Array:
+        d = from_center(p, post)
+        facing = (p[0] - c[0]) * middle[0] + (p[1] - c[1]) * middle[1] >= least * d
+        met = facing & (d >= post.radius)
+        return np.where(met, np.hypot(d - post.radius, p[2] - h) - radius, CLEAR)
+
+    def normal(p: Array) -> Array:
+        d = float(from_center(p, post))
+        to = (c - p[:2]) / d * (d - post.radius)
+        return _unit(np.array((*to, h - p[2])))
+
+    return Place(rail_key(post), gap, normal)
+
+
+def _lip(hole: Hole, radius: float) -> Place:
+    """The hole's edge; below the slate's surface its wall, on the table's side."""
+
+    def gap(p: Array) -> Array:
+        short = hole.radius - from_center(p, hole)
+        above = np.hypot(short, np.maximum(p[2], 0.0)) - radius
+        return np.where(short >= 0.0, above, CLEAR)
+
+    def normal(p: Array) -> Array:
+        d = p[:2] - np.array(hole.center)
+        out = d / np.hypot(*d) * (hole.radius - np.hypot(*d))
+        return _unit(np.array((*out, min(-float(p[2]), 0.0))))
+
+    return Place(("slate-collision",), gap, normal)
+
+
+def _liner(hole: Hole, h: float, radius: float) -> Place:
+    """The wall behind the hole, and above the rails' tops its upper edge."""
+    begins, ends = (
+        np.arctan2(w[1] - hole.center[1], w[0] - hole.center[0]) for w in hole.wall
+    )
+    span = (ends - begins) % (2 * np.pi)
+
+    def gap(p: Array) -> Array:
+        angle = np.arctan2(p[1] - hole.center[1], p[0] - hole.center[0])
+        short = hole.radius - from_center(p, hole)
+        met = ((angle - begins) % (2 * np.pi) <= span) & (short >= 0.0)
+        return np.where(met, np.hypot(short, np.maximum(p[2] - h, 0.0)) - radius, CLEAR)
+
+    def normal(p: Array) -> Array:
+        d = p[:2] - np.array(hole.center)
+        out = d / np.hypot(*d) * (hole.radius - np.hypot(*d))
+        return _unit(np.array((*out, min(h - float(p[2]), 0.0))))
+
+    return Place(("rail-collision", "liner"), gap, normal)
+
+
+def _unit(v: Array) -> Array:
+    return v / np.sqrt(v @ v)

@@ -1,0 +1,163 @@
+"""The hops of a draw shot with a raised cue (technical proof B.10), and massés that fly (A.19)."""
+
+import math
+from itertools import pairwise
+
+from carom.validation.lab import (
+    FOOT,
+    MPH,
+    TP_MASS_RATIO,
+    Ball,
+    Run,
+    ball,
+    crossing,
+    degrees_between,
+    simulate,
+    tp_physics,
+)
+from carom.validation.row import absolute, relative, row
+
+#: Mass of the cue ball, 6 oz; the cue's is 19 oz.
+BALL_MASS = 0.17
+#: Bounces that the proof lists: the one that launches the ball, and its landings.
+HOPS = 5
+
+
+def raised(elevation: float, speed: float, side: float, height: float, **slate: float) -> Run:
+    """A strike along +y with the butt raised by `elevation` (°)."""
+    physics = tp_physics(
+        slate={"restitution": 0.6, "friction": 0.2, **slate},
+        cue={
+            "mass": BALL_MASS / TP_MASS_RATIO,
+            "end_mass": 0.0,
+            "tip_friction": 0.7,
+            "tip_efficiency": 0.87,
+        },
+    )
+    strike = {
+        "ball": "cue",
+        "speed": speed,
+        "azimuth_deg": 90.0,
+        "elevation_deg": elevation,
+        "side": side,
+        "height": height,
+    }
+    return simulate(ball(mass=BALL_MASS), physics=physics, strike=strike)
+
+
+def draw(elevation: float) -> Run:
+    """Cue at 15 mph, tip ½R low."""
+    return raised(elevation, 15 * MPH, 0.0, -0.5)
+
+
+def hops(run: Run) -> list[float]:
+    """How far the ball flies from one bounce on the slate to the next, m."""
+    places = [float(e.after["cue"].position[1]) for e in run.all("slate-collision", "cue")]
+    return [b - a for a, b in pairwise(places)]
+
+
+def rate(cue: Ball) -> float:
+    """Spin, rev/s."""
+    return math.hypot(*cue.spin) / (2 * math.pi)
+
+
+def at_distance(run: Run, distance: float) -> tuple[float, float]:
+    """Spin (rev/s) and speed (m/s) where the ball has come that far, m."""
+    time = crossing(
+        lambda t: float(run.trace.at(t).position[0][1]) - distance, 0.0, run.record["duration"]
+    )
+    now = run.trace.at(time)
+    spin = math.hypot(*now.angular_velocity[0])
+    return spin / (2 * math.pi), math.hypot(*now.velocity[0][:2])
+
+
+@row(
+    "SL1",
+    "Draw shot with the butt raised by 5°, cue 15 mph, tip ½R low: hops, bounces, spin at 2 ft",
+    unit="ft, mph, rev/s, °",
+    source="TP B.10",
+    status="R",
+    published={
+        "hop 1, ft": 0.848,
+        "hop 2, ft": 0.500,
+        "hop 3, ft": 0.297,
+        "hop 4, ft": 0.177,
+        "hop 5, ft": 0.106,
+        "speed after bounce 1, mph": 10.855,
+        "after bounce 2, mph": 10.658,
+        "spin after bounce 1, rev/s": 32.897,
+        "after bounce 2, rev/s": 31.731,
+        "angle after bounce 1, °": 3.091,
+        "after bounce 2, °": 1.889,
+        "spin at 2 ft, rev/s": 30.118,
+        "Rω/v at 2 ft": 1.164,
+    },
+    tolerance=relative(2e-3),
+)
+def sl1() -> list[float]:
+    run = draw(5.0)
+    first, second = [e.after["cue"] for e in run.all("slate-collision", "cue")][:2]
+    spin, speed = at_distance(run, 2 * FOOT)
+    radius = float(first.position[2])
+    return [
+        *(hop / FOOT for hop in hops(run)[:HOPS]),
+        *(math.hypot(*b.velocity) / MPH for b in (first, second)),
+        *(rate(b) for b in (first, second)),
+        *(math.degrees(math.atan2(b.velocity[2], b.speed)) for b in (first, second)),
+        spin,
+        2 * math.pi * spin * radius / speed,
+    ]
+
+
+@row(
+    "SL3",
+    "The same with the butt raised by 15°: first hop, spin at 2 ft",
+    unit="ft, rev/s",
+    source="TP B.10",
+    status="R",
+    published={"hop 1, ft": 2.298, "spin at 2 ft, rev/s": 29.069},
+    tolerance=relative(2e-3),
+)
+def sl3() -> list[float]:
+    run = draw(15.0)
+    return [hops(run)[0] / FOOT, at_distance(run, 2 * FOOT)[0]]
+
+
+#: Massés that leave the cloth: elevation °, cue speed m/s, side and height in radii.
+MASSES = {
+    "4°": (4.0, 6.0, 0.35, -0.35),
+    "25°": (25.0, 5.0, 0.3, -0.2),
+    "50°": (50.0, 3.0, -0.4, 0.1),
+    "75°": (75.0, 2.0, 0.25, -0.25),
+}
+
+
+def coriolis(elevation: float, side: float, height: float) -> float:
+    """The turn of a massé to the right of the cue's direction, °."""
+    phi = math.radians(elevation)
+    return math.degrees(math.atan2(side * math.sin(phi), math.cos(phi) + height))
+
+
+@row(
+    "SL-masse",
+    "Massés that hop: where they roll in the end is Coriolis's direction, whatever friction",
+    unit="°",
+    source="Coriolis 1835, TP A.19 eq. 7: tan θ = a sin φ/(R cos φ + b)",
+    status="D",
+    published={
+        f"{name}, μ = {friction}": coriolis(phi, side, height)
+        for name, (phi, _, side, height) in MASSES.items()
+        for friction in (0.1, 0.3)
+    },
+    tolerance=absolute(1e-9),
+    note="A bounce rubs against the slip as the cloth does: it turns neither slip nor theorem.",
+)
+def sl_masse() -> list[float]:
+    turns = []
+    for phi, speed, side, height in MASSES.values():
+        for friction in (0.1, 0.3):
+            run = raised(phi, speed, side, height, friction=friction)
+            assert len(hops(run)) > 1, "this massé stays on the cloth"
+            rolling = run.final_roll("cue")
+            turns.append(degrees_between(math.pi / 2, rolling.heading))
+    return turns

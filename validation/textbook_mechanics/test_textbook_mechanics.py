@@ -1,0 +1,8 @@
+import pytest
+from carom.validation.textbook_mechanics import rows
+from carom.validation.row import Row, check, rows_of
+
+
+@pytest.mark.parametrize("row", rows_of(rows), ids=str)
+def test_textbook_mechanics(row: Row) -> None:
+    check(row)
