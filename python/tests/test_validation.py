@@ -13,14 +13,15 @@ from carom.validation.row import Row, check
 
 FOLDERS = Path(__file__).parents[2] / "validation"
 
-#: Rows of the published list that concern balls on the cloth.
-ON_CLOTH = {
+#: The published rows that concern what the engine does.
+PUBLISHED = {
     *("CL1", "CL3", "CL5", "CL6", "CL7", "CL9", "CL10", "CL12", "CL14", "CL15", "CL17"),
     *("CU1", "CU2", "CU4", "CU6", "CU7", "CU8", "CU10"),
     *("BB1", "BB2", "BB3", "BB5", "BB7", "BB8", "BB10", "BB11", "BB13", "BB15", "BB18"),
     *("BB20", "BB22", "BB23", "BB25", "BB27", "BB28"),
     *("CU-1", "CU-2", "CU-3", "CU-6", "CU-7", "CU-8", "CU-9", "CU-11", "CU-13", "CU-14"),
     *("CU-16", "CU-19", "SY1", "SY2", "SY3", "SY5"),
+    *("SL1", "SL3", "SL4", "SL7", "PO1", "PO3"),
 }
 
 EXAMPLE = Row(
@@ -69,8 +70,16 @@ def test_a_row_with_the_wrong_number_of_numbers_is_an_error() -> None:
         dataclasses.replace(EXAMPLE, compute=lambda: [1.0]).compare()
 
 
-def test_every_published_row_for_balls_on_the_cloth_is_there() -> None:
-    assert {row.id for paper in papers() for row in report.rows(paper)} >= ON_CLOTH
+def test_every_published_row_is_there() -> None:
+    assert {row.id for paper in papers() for row in report.rows(paper)} >= PUBLISHED
+
+
+def test_a_row_whose_rule_is_unknown_is_shown_as_a_measurement_is() -> None:
+    shown = dataclasses.replace(EXAMPLE, rule_unknown=True, compute=lambda: [5.0, 2.0])
+    assert not shown.held
+    check(dataclasses.replace(shown, misses=("a",)))
+    with pytest.raises(AssertionError):
+        check(shown)
 
 
 @pytest.mark.parametrize("paper", papers())

@@ -35,7 +35,7 @@ def figure() -> Figure:
     # Down the rail: white where the ball stays out.
     speeds = np.linspace(0.3, 4.0, 75)
     goes_in = np.array([made(CORNER, math.radians(-40.0), v) for v in speeds])
-    edges = [OFFSETS[0] * 1000, OFFSETS[-1] * 1000, speeds[0], speeds[-1]]
+    edges = (OFFSETS[0] * 1000, OFFSETS[-1] * 1000, speeds[0], speeds[-1])
     right.imshow(
         np.where(goes_in, 1.0, np.nan), origin="lower", extent=edges, aspect="auto",
         cmap="Blues", vmin=0.0, vmax=1.6, interpolation="nearest",

@@ -95,13 +95,11 @@ def speed_ratio() -> float:
     return run.first("cue-strike").after["cue"].speed
 
 
-def made(
-    pocket: Pocket, angle: float, speed: float, offsets: Vector = OFFSETS, **sections: JSON
-) -> Vector:
-    """Which offsets go in: `angle` from the pocket's axis (rad), `speed` at the mouth (m/s)."""
+def made(pocket: Pocket, angle: float, speed: float, **sections: JSON) -> Vector:
+    """Which of `OFFSETS` go in: `angle` from the pocket's axis (rad), `speed` at the mouth (m/s)."""
     shot = shot_at(pocket, angle, sections)
     start = math.sqrt(speed**2 + 2 * 0.01 * 9.807 * RUN_UP) / speed_ratio()
-    aims = pocket.axis + angle + math.pi + np.arcsin(offsets / RUN_UP)
+    aims = pocket.axis + angle + math.pi + np.arcsin(OFFSETS / RUN_UP)
     result = shot.batch(speed=start, azimuth=aims)
     assert not result.errors, result.errors
     return np.asarray(result.pocket[:, 0] == pocket.index)

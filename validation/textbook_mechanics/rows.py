@@ -1,4 +1,4 @@
-"""What follows from mechanics alone: a dropped ball, and a ball that tips over the lip of a hole."""
+"""What follows from mechanics alone: a dropped ball, and a ball that tips over a lip."""
 
 import math
 from itertools import pairwise
@@ -29,9 +29,7 @@ def dropped(height: float = DROP, restitution: float = RETURNED) -> Run:
 def apexes(run: Run) -> list[float]:
     """How high the ball rises after each bounce, m: read off its path half way to the next."""
     times = [e.time for e in run.all("slate-collision")]
-    return [
-        float(run.trace.at((a + b) / 2).position[0][2]) - RADIUS for a, b in pairwise(times)
-    ]
+    return [float(run.trace.at((a + b) / 2).position[0][2]) - RADIUS for a, b in pairwise(times)]
 
 
 @row(
@@ -73,9 +71,7 @@ def over_the_lip(speed: float) -> Run:
         "cloth": {"rolling_friction": 0.0},
         "slate": {"restitution": 0.5, "friction": 1.0},
     }
-    roll = ball(
-        position=(0.1, 1.27), velocity=(-speed, 0.0, 0.0), spin=(0.0, -speed / RADIUS, 0.0)
-    )
+    roll = ball(position=(0.1, 1.27), velocity=(-speed, 0.0, 0.0), spin=(0.0, -speed / RADIUS, 0.0))
     return simulate(roll, physics=physics, table=LIP_TABLE)
 
 
@@ -122,6 +118,4 @@ def lip_roll() -> list[float]:
     tolerance=absolute(0.0),
 )
 def lip_fly() -> list[float]:
-    return [
-        float(len(list(over_the_lip(k * FLIES).all("slate-collision")))) for k in (1.001, 3.0)
-    ]
+    return [float(len(list(over_the_lip(k * FLIES).all("slate-collision")))) for k in (1.001, 3.0)]

@@ -1,6 +1,6 @@
 import pytest
-from carom.validation.textbook_mechanics import rows
 from carom.validation.row import Row, check, rows_of
+from carom.validation.textbook_mechanics import rows
 
 
 @pytest.mark.parametrize("row", rows_of(rows), ids=str)

@@ -1,6 +1,6 @@
 import pytest
-from carom.validation.unf_jump_machine import rows
 from carom.validation.row import Row, check, rows_of
+from carom.validation.unf_jump_machine import rows
 
 
 @pytest.mark.parametrize("row", rows_of(rows), ids=str)

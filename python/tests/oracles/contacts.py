@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from mpmath import mp, mpf
@@ -132,7 +133,9 @@ def _pocket(hole: Hole, r: Fraction, h: Fraction, path: Any) -> Iterator[Shape]:
     # The wall: how far within the circle of the centres, so that it falls.
     wall = _minus([(Fraction(hole.radius) - r) ** 2], _plus(_times(dx, dx), _times(dy, dy)))
     key = ("rail-collision", "liner")
-    yield Shape(key, wall, lambda p: within(p) and behind(p) and p[2] <= mpf(h.numerator) / h.denominator)
+    yield Shape(
+        key, wall, lambda p: within(p) and behind(p) and p[2] <= mpf(h.numerator) / h.denominator
+    )
     rim = _ring(hole.center, hole.radius, r, x, y, _minus(z, [h]))
     above = mpf(h.numerator) / h.denominator
     yield Shape(key, rim, lambda p: within(p) and behind(p) and p[2] >= above)
@@ -214,7 +217,7 @@ def _sturm(c: Poly) -> list[Poly]:
 
 def _changes(chain: list[Poly], t: Fraction) -> int:
     signs = [s for s in ((v > 0) - (v < 0) for v in (_value(c, t) for c in chain)) if s]
-    return sum(a != b for a, b in zip(signs, signs[1:], strict=False))
+    return sum(a != b for a, b in pairwise(signs))
 
 
 def _falls(c: Poly, end: Fraction) -> Iterator[Any]:

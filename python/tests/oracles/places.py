@@ -160,9 +160,7 @@ def _lip(hole: Hole, radius: float) -> Place:
 
 def _liner(hole: Hole, h: float, radius: float) -> Place:
     """The wall behind the hole, and above the rails' tops its upper edge."""
-    begins, ends = (
-        np.arctan2(w[1] - hole.center[1], w[0] - hole.center[0]) for w in hole.wall
-    )
+    begins, ends = (np.arctan2(w[1] - hole.center[1], w[0] - hole.center[0]) for w in hole.wall)
     span = (ends - begins) % (2 * np.pi)
 
     def gap(p: Array) -> Array:

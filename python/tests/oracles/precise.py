@@ -178,6 +178,7 @@ class Precise:
 
         up = self._coordinate(i, (0, 0, 1), (0, 0, 0))
         if flies:
+
             def above(level: Number) -> list[Number]:
                 return [up[0], up[1], up[2] - level]
 
@@ -189,7 +190,10 @@ class Precise:
             for wall in world.walls:
                 key = ("rail-collision", name, wall.rail, wall.part)
                 off = self._coordinate(i, [mpf(k) for k in wall.inward], wall.start)
-                c = [a + b for a, b in zip(_square(off), _square([up[0], up[1], up[2] - h]), strict=True)]
+                c = [
+                    a + b
+                    for a, b in zip(_square(off), _square([up[0], up[1], up[2] - h]), strict=True)
+                ]
                 c[-1] -= r**2
                 first(key, c, lambda s, w=wall: self._faces(w, s))
         else:
@@ -198,7 +202,12 @@ class Precise:
                 first(("tips", name), off, self._is_within_noses)
         if world.border is not None and (flies or state.position[2] > r + h / 2):
             x0, y0, x1, y1 = world.border
-            for axis, origin in (((1, 0), (x0, y0)), ((0, 1), (x0, y0)), ((-1, 0), (x1, y1)), ((0, -1), (x1, y1))):
+            for axis, origin in (
+                ((1, 0), (x0, y0)),
+                ((0, 1), (x0, y0)),
+                ((-1, 0), (x1, y1)),
+                ((0, -1), (x1, y1)),
+            ):
                 c = self._coordinate(i, axis, origin)
                 first(("off-table", name), c, lambda _: True)
         return found
@@ -225,7 +234,9 @@ class Precise:
         physics, g = _exact_law(self.world.physics), mpf(self.world.gravity)
         s = before[0]
         if key[0] in ("transition", "tips"):
-            after = self._successor(i, s) if key[0] == "transition" else replace(s, motion="airborne")
+            after = (
+                self._successor(i, s) if key[0] == "transition" else replace(s, motion="airborne")
+            )
             key = ("motion-transition", key[1], s.motion, after.motion)
             if self._is_on_top(i, s) and after.motion in ("stationary", "spinning"):
                 key = ("off-table", key[1])

@@ -106,3 +106,19 @@ def random_stroke(seed: int, balls: int, **more: Any) -> JSON:
         "height": offset * math.sin(angle),
     }
     return shot
+
+
+def flight_at_a_pocket(seed: int, table: JSON) -> JSON:
+    """A ball that flies at a pocket, and one that rolls into another, among others at rest."""
+    shot = random_shot(seed, 4, table=table["name"], size=tuple(table["size"]))
+    rng = np.random.default_rng([seed, 5])
+    pockets = table["pockets"]
+    for k, rise in ((0, True), (1, False)):
+        ball = shot["balls"][k]
+        pocket = min(pockets, key=lambda p: math.dist(p["center"], ball["position"]))
+        target = np.array(pocket["center"]) + rng.normal(0.0, 0.04, 2)
+        lasts = rng.uniform(0.15, 0.4) if rise else rng.uniform(0.2, 0.8)
+        vx, vy = ((target - np.array(ball["position"])) / lasts).tolist()
+        up = PHYSICS["gravity"] * lasts / 2 + rng.uniform(0.0, 0.06) / lasts if rise else 0.0
+        ball["velocity"] = [vx, vy, up]
+    return shot

@@ -7,16 +7,26 @@ events they also run alone.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import carom
 import pytest
 
+from oracles import laws
 from oracles.compare import follow
 from oracles.precise import Precise
-from oracles.shots import RECTANGLE, random_shot
+from oracles.shots import (
+    RECTANGLE,
+    flight_at_a_pocket,
+    random_flight,
+    random_shot,
+    random_stroke,
+)
 from oracles.stepping import Stepping
-from oracles.world import geometry_of, start_of, world_of
+from oracles.world import geometry_of, start_of, state_of, world_of
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 JSON = dict[str, Any]
 
@@ -35,6 +45,11 @@ REFLECTING: JSON = {"model": "restitution", "restitution": 0.8}
 def play(shot: JSON) -> list[JSON]:
     events: list[JSON] = carom.Shot.from_dict(shot).simulate().to_dict()["events"]
     return events
+
+
+def struck(events: list[JSON]) -> JSON | None:
+    """The strike, which the oracles do not play."""
+    return next((e for e in events if e["type"] == "cue-strike"), None)
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -68,6 +83,50 @@ def test_they_give_them_among_jaws_and_pockets(name: str, seed: int) -> None:
     assert worst.largest < STEPPED, worst
 
 
+@pytest.mark.parametrize("make", [random_flight, random_stroke])
+@pytest.mark.parametrize("seed", range(8))
+def test_they_give_them_for_balls_that_fly(seed: int, make: Callable[..., JSON]) -> None:
+    shot = make(seed, balls=5)
+    events = play(shot)
+    assert any(e["type"] == "slate-collision" for e in events)
+    world = world_of(shot)
+    start = start_of(shot, struck(events))
+    worst = follow(Stepping(world, start), world, events, resync=True)
+    assert worst.largest < STEPPED, worst
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_an_elevated_cue_strikes_as_leckie_and_greenspan_say(seed: int) -> None:
+    shot = random_stroke(seed, balls=2)
+    played = struck(play(shot))
+    assert played is not None
+    (state,) = map(state_of, played["after"])
+    ball = shot["balls"][0]
+    x, y = ball["position"]
+    zero = (0.0, 0.0, 0.0)
+    rest = laws.Body(ball["mass"], ball["radius"], (x, y, ball["radius"]), zero, zero)
+    body = laws.strike(shot["physics"]["cue"], shot["strike"], rest)
+    assert state.velocity == pytest.approx(body.velocity, abs=EXACT)
+    assert state.spin == pytest.approx(body.spin, abs=EXACT / ball["radius"])
+
+
+#: Flights among jaws: over the lip, against points, facings and liners, on the rails' tops.
+FLYING_AMONG_JAWS = [
+    *(("wpa-9ft", seed) for seed in range(10)),
+    *(("snooker-12ft", seed) for seed in range(4)),
+]
+
+
+@pytest.mark.parametrize(("name", "seed"), FLYING_AMONG_JAWS)
+def test_they_give_them_for_flights_among_jaws_and_pockets(name: str, seed: int) -> None:
+    table = pocket_table(name)
+    shot = flight_at_a_pocket(seed, table)
+    events = play(shot)
+    world = world_of(shot, geometry_of(table))
+    worst = follow(Stepping(world, start_of(shot)), world, events, resync=True)
+    assert worst.largest < STEPPED, worst
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_they_give_them_alone_for_a_few_events(seed: int) -> None:
     shot = random_shot(seed, balls=6)
@@ -76,9 +135,10 @@ def test_they_give_them_alone_for_a_few_events(seed: int) -> None:
     assert worst.largest < ALONE, worst
 
 
+@pytest.mark.parametrize("make", [random_shot, random_flight, random_stroke])
 @pytest.mark.parametrize("seed", range(10))
 @pytest.mark.parametrize(
-    ("table", "laws"),
+    ("table", "physics"),
     [
         (RECTANGLE, {}),
         (RECTANGLE, {"ball_ball": ELASTIC, "cushion": REFLECTING}),
@@ -86,9 +146,13 @@ def test_they_give_them_alone_for_a_few_events(seed: int) -> None:
     ],
     ids=["friction and han-2005", "elastic and restitution", "unbounded"],
 )
-def test_fifty_digits_give_the_engines_events(seed: int, table: JSON, laws: JSON) -> None:
-    shot = random_shot(seed, balls=4, table=table, **laws)
+def test_fifty_digits_give_the_engines_events(
+    seed: int, table: JSON, physics: JSON, make: Callable[..., JSON]
+) -> None:
+    shot = make(seed, balls=4, table=table, **physics)
     world = world_of(shot)
-    worst = follow(Precise(world, start_of(shot)), world, play(shot), resync=True)
+    events = play(shot)
+    start = start_of(shot, struck(events))
+    worst = follow(Precise(world, start), world, events, resync=True)
     assert worst.events > 2
     assert worst.largest < EXACT, worst

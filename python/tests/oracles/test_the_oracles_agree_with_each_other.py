@@ -23,7 +23,9 @@ ACCURACY = 1e-9
 
 @pytest.mark.parametrize("make", [random_shot, random_flight])
 @pytest.mark.parametrize("seed", range(4))
-def test_stepping_and_precise_tell_the_same_story_event_by_event(seed: int, make: Callable[..., Any]) -> None:
+def test_stepping_and_precise_tell_the_same_story_event_by_event(
+    seed: int, make: Callable[..., Any]
+) -> None:
     shot = make(seed, balls=3)
     world = world_of(shot)
     events = trace_of(Precise(world, start_of(shot)), limit=25)
