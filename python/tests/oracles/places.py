@@ -155,7 +155,7 @@ def _lip(hole: Hole, radius: float) -> Place:
         out = d / np.hypot(*d) * (hole.radius - np.hypot(*d))
         return _unit(np.array((*out, min(-float(p[2]), 0.0))))
 
-    return Place(("slate-collision",), gap, normal)
+    return Place(("slate-collision", "lip"), gap, normal)
 
 
 def _liner(hole: Hole, h: float, radius: float) -> Place:

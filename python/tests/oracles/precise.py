@@ -66,6 +66,9 @@ class Precise:
         """Advances to the next event and applies it; None when all is at rest."""
         best: tuple[Number, tuple[str, ...], tuple[int, ...]] | None = None
         for i, leg in enumerate(self.leg):
+            if leg.state.motion == "stationary" and self._is_on_top(i, leg.state):
+                # A rail is no place to rest on.
+                best = _earlier(best, (self.time, ("off-table", self.world.ids[i]), (i,)))
             if leg.state.motion in ("sliding", "rolling", "spinning"):
                 time = leg.start + leg.lasts
                 best = _earlier(best, (time, ("transition", self.world.ids[i]), (i,)))
@@ -238,8 +241,6 @@ class Precise:
                 self._successor(i, s) if key[0] == "transition" else replace(s, motion="airborne")
             )
             key = ("motion-transition", key[1], s.motion, after.motion)
-            if self._is_on_top(i, s) and after.motion in ("stationary", "spinning"):
-                key = ("off-table", key[1])
             self.leg[i] = self._leg(i, after)
         elif key[0] == "ball-collision":
             bodies = laws.collide(

@@ -128,6 +128,9 @@ class Stepping:
         alive = [m not in ("pocketed", "off-table") for m in self.motion]
         moving = [m in ("sliding", "rolling", "airborne") for m in self.motion]
         for i, motion in enumerate(self.motion):
+            if motion == "stationary" and self._is_on_top(i):
+                # A rail is no place to rest on.
+                return [Watch(("off-table", ids[i]), (i,), lambda y: np.asarray(-1.0))]
             if motion == "sliding":
                 u0 = _slip(self.y, r)[:, i].copy()
                 found.append(Watch(("slide", ids[i]), (i,), _along(u0, r, i, slip=True)))
@@ -166,6 +169,8 @@ class Stepping:
 
     def _meets(self, i: int, place: Place) -> Watch:
         key = (place.key[0], self.world.ids[i], *place.key[1:])
+        if place.key[0] == "slate-collision":
+            key = key[:2]
         return Watch(key, (i,), lambda y: place.gap(y[0:3, i]), contact=True, place=place)
 
     def _comes_over(self, i: int, hole: Hole) -> Watch:
@@ -229,7 +234,7 @@ class Stepping:
 
     def _immediate(self, watches: list[Watch]) -> Watch | None:
         for w in watches:
-            if w.key[0] == "pocket-collision" and w.value(self.y) < 0.0:
+            if w.key[0] in ("pocket-collision", "off-table") and w.value(self.y) < 0.0:
                 return w
         for w in watches:
             if not w.contact or abs(w.value(self.y)) > TOUCH:
@@ -295,18 +300,19 @@ class Stepping:
         key = watch.key
         physics, g = self.world.physics, self.world.gravity
         if kind in ("slide", "roll", "spin", "tips"):
-            was, on_top = self.motion[i], self._is_on_top(i)
+            was = self.motion[i]
             self._transition(kind, i)
             if kind == "spin" and was != "spinning":
                 return None
             key = ("motion-transition", watch.key[1], was, self.motion[i])
-            if on_top and self.motion[i] in ("stationary", "spinning"):
-                key = ("off-table", watch.key[1])
         elif kind == "ball-collision":
             j = watch.balls[1]
             bodies = laws.collide(physics["ball_ball"], self._body(i), self._body(j))
             for k, body in zip((i, j), bodies, strict=True):
                 self._take(k, body)
+        elif watch.place is not None and watch.place.key[-1] == "lip":
+            nx, ny, nz = (float(c) for c in watch.place.normal(self.y[0:3, i]))
+            self._take(i, laws.tip(physics["slate"], g, self._body(i), (nx, ny, nz)))
         elif kind == "slate-collision" or key[-1] == "top":
             self._take(i, laws.bounce(physics["slate"], g, self._body(i)))
         elif kind == "rail-collision":
@@ -315,7 +321,7 @@ class Stepping:
             law = self.world.law_of(key[-1])
             on_bed = self.motion[i] in ON_CLOTH
             self._take(i, laws.rebound(law, self._body(i), (nx, ny, nz), on_bed))
-        if kind in ("pocket-collision", "off-table") or key[0] == "off-table":
+        if kind in ("pocket-collision", "off-table"):
             self.motion[i] = "pocketed" if kind == "pocket-collision" else "off-table"
             self.y[3:, i] = 0.0
         after = tuple(self.state(k) for k in watch.balls)
