@@ -96,7 +96,7 @@ def speed_ratio() -> float:
 
 
 def made(pocket: Pocket, angle: float, speed: float, **sections: JSON) -> Vector:
-    """Which of `OFFSETS` go in: `angle` from the pocket's axis (rad), `speed` at the mouth (m/s)."""
+    """Which of `OFFSETS` go in, at `angle` (rad) from the axis and `speed` (m/s) at the mouth."""
     shot = shot_at(pocket, angle, sections)
     start = math.sqrt(speed**2 + 2 * 0.01 * 9.807 * RUN_UP) / speed_ratio()
     aims = pocket.axis + angle + math.pi + np.arcsin(OFFSETS / RUN_UP)

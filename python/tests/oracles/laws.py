@@ -18,8 +18,8 @@ Vec = tuple[Number, Number, Number]
 QUIET, LOUD = 1e-3, 2e-3
 #: The engine's documented rule for the last hop: a ball that would rise less than this stays, m.
 LAST_HOP = 1e-4
-#: Its rule for a ball that tips over an edge: a hop's longest time, s, and turn, rad, and the largest
-#: share of the energy that may go into it.
+#: Its rule for a ball that tips over an edge: a hop's longest time, s, and turn, rad, and the
+#: largest share of the energy that may go into it.
 HOP_TIME, HOP_ANGLE, HOP_SHARE = 6e-3, 0.02, 0.5
 
 
