@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 Poly = list[Fraction]
 
 DIGITS = 50
+#: What 50 digits leave of a distance that is 0, m.
+ON_LINE = mpf(10) ** -30
 #: Bits to which a root is bisected before Newton's steps begin.
 BISECTED = 40
 
@@ -76,6 +78,7 @@ def _shapes(world: World, r: Fraction, path: list[Poly]) -> Iterator[Shape]:
     x, y, z = path
     h = Fraction(world.nose_height)
     rise = _minus(z, [h])
+    under = mpf(world.nose_height) - mpf(r.numerator) / r.denominator
 
     def over_bed(p: Any) -> bool:
         far = all(_from(p, hole.center) > hole.radius for hole in world.holes)
@@ -95,9 +98,11 @@ def _shapes(world: World, r: Fraction, path: list[Poly]) -> Iterator[Shape]:
             t = [mpf(w.end[k]) - mpf(w.start[k]) for k in (0, 1)]
             along = d[0] * t[0] + d[1] * t[1]
             off = d[0] * mpf(w.inward[0]) + d[1] * mpf(w.inward[1])
-            return bool(off >= 0 and 0 <= along <= t[0] ** 2 + t[1] ** 2)
+            return bool(off >= -ON_LINE and 0 <= along <= t[0] ** 2 + t[1] ** 2)
 
         yield Shape(rail_key(w), gap, before)
+        # The rubber below an edge recedes: there a centre comes up to the edge's line.
+        yield Shape(rail_key(w), off, lambda p, before=before: before(p) and p[2] < under)
     for post in world.posts:
         ends = [[mpf(e[k]) - mpf(post.center[k]) for k in (0, 1)] for e in post.ends]
         middle = [ends[0][k] + ends[1][k] for k in (0, 1)]
@@ -106,9 +111,12 @@ def _shapes(world: World, r: Fraction, path: list[Poly]) -> Iterator[Shape]:
         def faces(p: Any, c: Any = post, m: Any = middle, least: Any = least) -> bool:
             d = [p[k] - mpf(c.center[k]) for k in (0, 1)]
             size = mp.hypot(*d)
-            return bool(size >= c.radius and d[0] * m[0] + d[1] * m[1] >= least * size)
+            return bool(size >= c.radius - ON_LINE and d[0] * m[0] + d[1] * m[1] >= least * size)
 
         yield Shape(rail_key(post), _ring(post.center, post.radius, r, x, y, rise), faces)
+        dx, dy = (_minus(q, [Fraction(post.center[k])]) for k, q in enumerate((x, y)))
+        line = _minus(_plus(_times(dx, dx), _times(dy, dy)), [Fraction(post.radius) ** 2])
+        yield Shape(rail_key(post), line, lambda p, faces=faces: faces(p) and p[2] < under)
     for hole in world.holes:
         yield from _pocket(hole, r, h, (x, y, z))
 

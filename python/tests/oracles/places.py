@@ -99,6 +99,21 @@ def _top(world: World, h: float, radius: float) -> Place:
     return Place(("rail-collision", "top"), gap, lambda _: np.array((0.0, 0.0, -1.0)))
 
 
+def _from_edge(off: Array, rise: Array, radius: float) -> Array:
+    """From an edge at `off` before it and `rise` above it.
+
+    The rubber below recedes: centres more than a radius under the edge come up to its very line.
+    """
+    return np.where(rise < -radius, off, np.hypot(off, rise) - radius)
+
+
+def _to_edge(off: float, into: Array, rise: float, radius: float) -> Array:
+    """The unit vector to the touched point; `rise` is the edge's height above the centre."""
+    if rise > radius:
+        return np.array((*into, 0.0))
+    return _unit(np.array((*(off * into), rise)))
+
+
 def _wall(wall: Wall, h: float, radius: float) -> Place:
     a, n = np.array(wall.start), np.array(wall.inward)
     t = np.array(wall.end) - a
@@ -110,11 +125,11 @@ def _wall(wall: Wall, h: float, radius: float) -> Place:
         off = (p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1]
         # Behind the line is the rail's top; beside its ends other edges go on.
         met = (along >= 0.0) & (along <= length) & (off >= 0.0)
-        return np.where(met, np.hypot(off, p[2] - h) - radius, CLEAR)
+        return np.where(met, _from_edge(off, p[2] - h, radius), CLEAR)
 
     def normal(p: Array) -> Array:
         off = float((p[:2] - a) @ n)
-        return _unit(np.array((-off * n[0], -off * n[1], h - p[2])))
+        return _to_edge(off, -n, h - p[2], radius)
 
     return Place(rail_key(wall), gap, normal)
 
@@ -132,14 +147,24 @@ def _post(post: Post, h: float, radius: float) -> Place:
         d = from_center(p, post)
         facing = (p[0] - c[0]) * middle[0] + (p[1] - c[1]) * middle[1] >= least * d
         met = facing & (d >= post.radius)
-        return np.where(met, np.hypot(d - post.radius, p[2] - h) - radius, CLEAR)
+        return np.where(met, _from_edge(d - post.radius, p[2] - h, radius), CLEAR)
 
     def normal(p: Array) -> Array:
         d = float(from_center(p, post))
-        to = (c - p[:2]) / d * (d - post.radius)
-        return _unit(np.array((*to, h - p[2])))
+        return _to_edge(d - post.radius, (c - p[:2]) / d, h - p[2], radius)
 
     return Place(rail_key(post), gap, normal)
+
+
+def _is_at_wall(hole: Hole, p: Array) -> Array:
+    """Whether a point lies on the side of the wall behind the hole."""
+    begins, ends = (np.arctan2(w[1] - hole.center[1], w[0] - hole.center[0]) for w in hole.wall)
+    angle = np.arctan2(p[1] - hole.center[1], p[0] - hole.center[0])
+    return (angle - begins) % (2 * np.pi) <= (ends - begins) % (2 * np.pi)
+
+
+#: A centre that has just come over a hole may stand a rounding before its edge, m.
+EDGE = 1e-12
 
 
 def _lip(hole: Hole, radius: float) -> Place:
@@ -147,8 +172,9 @@ def _lip(hole: Hole, radius: float) -> Place:
 
     def gap(p: Array) -> Array:
         short = hole.radius - from_center(p, hole)
-        above = np.hypot(short, np.maximum(p[2], 0.0)) - radius
-        return np.where(short >= 0.0, above, CLEAR)
+        above = np.hypot(np.maximum(short, 0.0), np.maximum(p[2], 0.0)) - radius
+        met = (short >= -EDGE) & ((p[2] >= 0.0) | ~_is_at_wall(hole, p))
+        return np.where(met, above, CLEAR)
 
     def normal(p: Array) -> Array:
         d = p[:2] - np.array(hole.center)
@@ -160,13 +186,10 @@ def _lip(hole: Hole, radius: float) -> Place:
 
 def _liner(hole: Hole, h: float, radius: float) -> Place:
     """The wall behind the hole, and above the rails' tops its upper edge."""
-    begins, ends = (np.arctan2(w[1] - hole.center[1], w[0] - hole.center[0]) for w in hole.wall)
-    span = (ends - begins) % (2 * np.pi)
 
     def gap(p: Array) -> Array:
-        angle = np.arctan2(p[1] - hole.center[1], p[0] - hole.center[0])
         short = hole.radius - from_center(p, hole)
-        met = ((angle - begins) % (2 * np.pi) <= span) & (short >= 0.0)
+        met = _is_at_wall(hole, p) & (short >= 0.0)
         return np.where(met, np.hypot(short, np.maximum(p[2] - h, 0.0)) - radius, CLEAR)
 
     def normal(p: Array) -> Array:

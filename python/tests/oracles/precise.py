@@ -281,15 +281,15 @@ class Precise:
 
     def _take(self, i: int, s: State, body: laws.Body) -> None:
         """After an impact: a ball that the slate bears stays on it, or leaves it."""
-        borne = s.motion in ON_CLOTH
-        if borne:
-            slate, g = _exact_law(self.world.physics["slate"]), mpf(self.world.gravity)
-            body = laws.settle(slate, g, body, mp)
         down = s.position[2] - body.radius
         if self.world.walls and not self._is_over_bed(s):
             down -= mpf(self.world.nose_height)
+        borne = s.motion in ON_CLOTH or abs(down) < TOUCH
+        if borne:
+            slate, g = _exact_law(self.world.physics["slate"]), mpf(self.world.gravity)
+            body = laws.settle(slate, g, body, mp)
         motion = "airborne"
-        if (borne or abs(down) < TOUCH) and body.velocity[2] == 0:
+        if borne and body.velocity[2] == 0:
             motion = motion_of(body.velocity, body.spin, body.radius)
         state = replace(s, velocity=body.velocity, spin=body.spin, motion=motion)
         self.leg[i] = self._leg(i, state)

@@ -240,7 +240,7 @@ class Stepping:
             if not w.contact or abs(w.value(self.y)) > TOUCH:
                 continue
             rate, bend = self._rates_of(w)
-            if rate < -LEVEL or (w.place is not None and rate <= LEVEL and bend < 0.0):
+            if rate < -LEVEL or (rate <= LEVEL and bend < 0.0):
                 return w
         return None
 
@@ -254,10 +254,10 @@ class Stepping:
         p, v = self.y[0:3, i], self.y[3:6, i]
         n = watch.place.normal(p)
         rate = -float(n @ v)
-        # Only for what falls on an edge: the path's bend against the edge's own.
-        if self.motion[i] != "airborne":
+        if watch.place.key[-1] != "lip":
             return rate, 0.0
-        # A sphere about the edge's nearest point: bends at most like this one.
+        # What comes level over a lip falls on it, if gravity bends its path more than the sphere of
+        # centres about the lip's nearest point is bent.
         across = v - (n @ v) * n
         push = float(across @ across) / self.radius[i] + self.world.gravity * float(n[2])
         return rate, push
@@ -349,9 +349,9 @@ class Stepping:
 
     def _take(self, i: int, body: laws.Body) -> None:
         """After an impact: a ball that the slate bears stays on it, or leaves it."""
-        if self.motion[i] in ON_CLOTH:
-            body = laws.settle(self.world.physics["slate"], self.world.gravity, body)
         borne = self.motion[i] in ON_CLOTH or self._is_down(i)
+        if borne:
+            body = laws.settle(self.world.physics["slate"], self.world.gravity, body)
         if borne and body.velocity[2] == 0.0:
             motion = motion_of(body.velocity, body.spin, body.radius)
         else:
@@ -363,7 +363,7 @@ class Stepping:
     def _is_down(self, i: int) -> bool:
         """Whether a flying ball touches the slate or a rail's top."""
         height = self.y[2, i] - self.radius[i]
-        if on_top(self.world, self.y[0:2, i]) if self.world.inside else False:
+        if self.world.inside and on_top(self.world, self.y[0:2, i]):
             height -= self.world.nose_height
         return bool(abs(height) <= TOUCH)
 
