@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from oracles.laws import LOUD
 from oracles.world import Happening, State, World, key_of, state_of
 
 if TYPE_CHECKING:
@@ -44,20 +42,6 @@ def differ(a: State, b: State, radius: float) -> float:
     )
 
 
-def gentle(event: Happening) -> bool:
-    """An impact so slow that the engine's rules for lasting contacts may decide it."""
-    if event.key[0] == "rail-collision":
-        return bool(_speed(event.before[0]) < 2 * LOUD)
-    if event.key[0] == "ball-collision":
-        a, b = (s.velocity for s in event.before)
-        return bool(math.dist([float(x) for x in a], [float(x) for x in b]) < 2 * LOUD)
-    return False
-
-
-def _speed(s: State) -> float:
-    return math.hypot(*(float(x) for x in s.velocity))
-
-
 def follow(
     oracle: Any, world: World, events: Sequence[JSON], resync: bool, limit: int | None = None
 ) -> Worst:
@@ -85,7 +69,7 @@ def follow(
             for b, s in zip(seen.balls, seen.before, strict=True)
         )
         after = 0.0
-        if not gentle(seen) and seen.key[0] != "pocket-collision":
+        if not seen.gentle and seen.key[0] != "pocket-collision":
             after = max(
                 differ(s, trace_after[b], radii[b])
                 for b, s in zip(seen.balls, seen.after, strict=True)

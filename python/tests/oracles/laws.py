@@ -18,9 +18,8 @@ Vec = tuple[Number, Number, Number]
 QUIET, LOUD = 1e-3, 2e-3
 #: The engine's documented rule for the last hop: a ball that would rise less than this stays, m.
 LAST_HOP = 1e-4
-#: Its rule for a ball that tips over an edge: a hop's longest time, s, and turn, rad, and the
-#: largest share of the energy that may go into it.
-HOP_TIME, HOP_ANGLE, HOP_SHARE = 6e-3, 0.02, 0.5
+#: Contacts of a flying ball slower than this, m/s, may be lasting ones: tipping over an edge.
+PRESSED = 0.1
 
 
 class Functions(Protocol):
@@ -121,7 +120,7 @@ def rebound(
     """A ball that touches an edge, a wall or a rail's top: `restitution` or `han-2005`.
 
     `normal` is the unit vector from the ball's centre to the touched point. On the bed the slate
-    bears the ball: its approach is horizontal, and it never goes on into the rail.
+    bears the ball: its approach is horizontal, and it never goes on into the rail, nor down.
     """
     level = fn.sqrt(normal[0] ** 2 + normal[1] ** 2)
     into: Vec = (normal[0] / level, normal[1] / level, 0) if on_bed else normal
@@ -152,6 +151,9 @@ def rebound(
         left = dot(impulse, into) + approach
         if on_bed and left > 0:
             impulse = add(impulse, into, -left)
+        if on_bed:
+            # What the nose presses down, the slate holds.
+            impulse = (impulse[0], impulse[1], max(impulse[2], 0))
     elif law["model"] != "restitution":
         raise NotImplementedError(law["model"])
 
@@ -202,53 +204,6 @@ def settle(law: dict[str, Any], gravity: Number, ball: Body, fn: Functions = mat
 def last_hop(gravity: Number, fn: Functions = math) -> Number:
     """The slowest upward speed that leaves the slate, m/s."""
     return fn.sqrt(2 * gravity * LAST_HOP)
-
-
-def tip(
-    law: dict[str, Any], gravity: Number, ball: Body, normal: Vec, fn: Functions = math
-) -> Body:
-    """A ball that gravity holds on an edge, or that falls on it: restitution and friction.
-
-    It parts at least so fast that gravity brings it back after a hop of bounded time and turn;
-    the rest of its motion pays for that.
-    """
-    r = ball.radius
-    along = dot(ball.velocity, normal)
-    e = quiet_share(max(along, 0))
-    e += (1 - e) * law["restitution"]
-    rebounds = max(e * max(along, 0), -along)
-
-    v = add(ball.velocity, normal, -along)
-    # The edge is horizontal, across the normal: what is left turns the ball about it.
-    level = fn.sqrt(normal[0] ** 2 + normal[1] ** 2)
-    edge: Vec = (-normal[1] / level, normal[0] / level, 0) if level > 0 else (0, 0, 0)
-    turning2 = dot(v, v) - dot(v, edge) ** 2
-    pull = -gravity * normal[2] - turning2 / r
-    hop: Number = 0
-    if pull > 0:
-        time = HOP_TIME
-        if turning2 > 0:
-            time = min(time, HOP_ANGLE * r / fn.sqrt(turning2))
-        hop = pull * time / 2
-
-    def parting(v: Vec, w: Vec) -> tuple[Number, Number, Number]:
-        across = dot(v, v) + r * r * dot(w, w) * 2 / 5
-        total = across + along * along
-        return max(rebounds, min(hop, fn.sqrt(HOP_SHARE * total))), across, total
-
-    w = ball.spin
-    slip = add(v, cross(w, normal), r)
-    speed = fn.sqrt(dot(slip, slip))
-    if speed > 0:
-        impulse = min(law["friction"] * (along + parting(v, w)[0]), speed * 2 / 7)
-        rub = scale(slip, -impulse / speed)
-        v = add(v, rub)
-        w = add(w, cross(normal, rub), 5 / (2 * r))
-    out, across, total = parting(v, w)
-    if out > abs(along):
-        kept = fn.sqrt((total - out * out) / across)
-        v, w = scale(v, kept), scale(w, kept)
-    return replace(ball, velocity=add(v, normal, -out), spin=w)
 
 
 def strike(cue: dict[str, Any], stroke: dict[str, Any], ball: Body, fn: Any = math) -> Body:

@@ -6,6 +6,7 @@ Positions are arrays of shape (3, …); a gap is how far a ball of radius `r` is
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -94,7 +95,8 @@ def _slate(world: World, radius: float) -> Place:
 
 def _top(world: World, h: float, radius: float) -> Place:
     def gap(p: Array) -> Array:
-        return np.where(on_top(world, p), p[2] - h - radius, CLEAR)
+        over = on_top(world, p) & (p[2] >= h)
+        return np.where(over, p[2] - h - radius, CLEAR)
 
     return Place(("rail-collision", "top"), gap, lambda _: np.array((0.0, 0.0, -1.0)))
 
@@ -105,6 +107,11 @@ def _from_edge(off: Array, rise: Array, radius: float) -> Array:
     The rubber below recedes: centres more than a radius under the edge come up to its very line.
     """
     return np.where(rise < -radius, off, np.hypot(off, rise) - radius)
+
+
+def _is_before(off: Array, rise: Array, radius: float) -> Array:
+    """Whether a centre stands before an edge; under it, it may just have come through the line."""
+    return off >= np.where(rise < -radius, -radius, 0.0)
 
 
 def _to_edge(off: float, into: Array, rise: float, radius: float) -> Array:
@@ -124,7 +131,7 @@ def _wall(wall: Wall, h: float, radius: float) -> Place:
         along = (p[0] - a[0]) * t[0] + (p[1] - a[1]) * t[1]
         off = (p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1]
         # Behind the line is the rail's top; beside its ends other edges go on.
-        met = (along >= 0.0) & (along <= length) & (off >= 0.0)
+        met = (along >= 0.0) & (along <= length) & _is_before(off, p[2] - h, radius)
         return np.where(met, _from_edge(off, p[2] - h, radius), CLEAR)
 
     def normal(p: Array) -> Array:
@@ -146,7 +153,7 @@ def _post(post: Post, h: float, radius: float) -> Place:
     def gap(p: Array) -> Array:
         d = from_center(p, post)
         facing = (p[0] - c[0]) * middle[0] + (p[1] - c[1]) * middle[1] >= least * d
-        met = facing & (d >= post.radius)
+        met = facing & _is_before(d - post.radius, p[2] - h, radius)
         return np.where(met, _from_edge(d - post.radius, p[2] - h, radius), CLEAR)
 
     def normal(p: Array) -> Array:
@@ -190,10 +197,16 @@ def _liner(hole: Hole, h: float, radius: float) -> Place:
     def gap(p: Array) -> Array:
         short = hole.radius - from_center(p, hole)
         met = _is_at_wall(hole, p) & (short >= 0.0)
-        return np.where(met, np.hypot(short, np.maximum(p[2] - h, 0.0)) - radius, CLEAR)
+        round_ = np.hypot(short, np.maximum(p[2] - h, 0.0)) - radius
+        # Beside the wall its upright ends are met, below the edges that run on from the facings.
+        post = np.minimum.reduce([np.hypot(p[0] - e[0], p[1] - e[1]) for e in hole.wall]) - radius
+        return np.where(met, round_, np.where((p[2] <= h) & (short >= 0.0), post, CLEAR))
 
     def normal(p: Array) -> Array:
         d = p[:2] - np.array(hole.center)
+        if not _is_at_wall(hole, p):
+            end = min(hole.wall, key=lambda e: math.dist(e, p[:2]))
+            return _unit(np.array((end[0] - p[0], end[1] - p[1], 0.0)))
         out = d / np.hypot(*d) * (hole.radius - np.hypot(*d))
         return _unit(np.array((*out, min(h - float(p[2]), 0.0))))
 

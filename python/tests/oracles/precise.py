@@ -234,6 +234,7 @@ class Precise:
     def _apply(self, key: tuple[str, ...], balls: tuple[int, ...]) -> Happening:
         before = tuple(self._at(i, self.time) for i in balls)
         i = balls[0]
+        gentle = False
         physics, g = _exact_law(self.world.physics), mpf(self.world.gravity)
         s = before[0]
         if key[0] in ("transition", "tips"):
@@ -243,9 +244,11 @@ class Precise:
             key = ("motion-transition", key[1], s.motion, after.motion)
             self.leg[i] = self._leg(i, after)
         elif key[0] == "ball-collision":
+            apart = laws.add(s.velocity, before[1].velocity, -1)
             bodies = laws.collide(
                 physics["ball_ball"], self._body(i, s), self._body(balls[1], before[1]), mp
             )
+            gentle = laws.dot(apart, apart) < (2 * laws.LOUD) ** 2
             for k, state, body in zip(balls, before, bodies, strict=True):
                 self._take(k, state, body)
         elif key[0] == "slate-collision" or key[-1] == "top":
@@ -257,13 +260,15 @@ class Precise:
             normal = laws.scale(to, 1 / mp.sqrt(laws.dot(to, to)))
             law = _exact_law(self.world.law_of(wall.part))
             on_bed = s.motion in ON_CLOTH
+            slow = 2 * laws.LOUD if on_bed else laws.PRESSED
+            gentle = laws.dot(s.velocity, normal) < slow
             self._take(i, s, laws.rebound(law, self._body(i, s), normal, on_bed, mp))
         if key[0] == "off-table":
             none = (mpf(0), mpf(0), mpf(0))
             self.leg[i] = self._leg(i, State(s.position, none, none, "off-table"))
         after_states = tuple(self.leg[k].state for k in balls)
         names = tuple(self.world.ids[k] for k in balls)
-        return Happening(self.time, key, names, before, after_states)
+        return Happening(self.time, key, names, before, after_states, gentle)
 
     def _successor(self, i: int, s: State) -> State:
         r, zero = mpf(self.world.radius[i]), mpf(0)

@@ -34,6 +34,8 @@ TOUCH = 1e-10
 
 #: Rates below this are none, m/s: a ball that flies level over a lip does not yet meet it.
 LEVEL = 1e-12
+#: When it is looked whether such a ball has come nearer, s: it falls 50 nm by then.
+SOON = 1e-4
 
 ON_CLOTH = ("sliding", "rolling", "spinning", "stationary")
 
@@ -239,28 +241,28 @@ class Stepping:
         for w in watches:
             if not w.contact or abs(w.value(self.y)) > TOUCH:
                 continue
-            rate, bend = self._rates_of(w)
-            if rate < -LEVEL or (rate <= LEVEL and bend < 0.0):
+            rate = self._rate_of(w)
+            if rate < -LEVEL or (rate <= LEVEL and self._presses(w)):
                 return w
         return None
 
-    def _rates_of(self, watch: Watch) -> tuple[float, float]:
-        """How a gap changes at this instant: its first and second rate, by the bodies' motion."""
+    def _rate_of(self, watch: Watch) -> float:
+        """How fast a gap grows at this instant, by the bodies' motion."""
         if watch.place is None:
             i, j = watch.balls
             d = self.y[0:3, j] - self.y[0:3, i]
-            return float(d @ (self.y[3:6, j] - self.y[3:6, i]) / np.sqrt(d @ d)), 0.0
+            return float(d @ (self.y[3:6, j] - self.y[3:6, i]) / np.sqrt(d @ d))
         (i,) = watch.balls
-        p, v = self.y[0:3, i], self.y[3:6, i]
-        n = watch.place.normal(p)
-        rate = -float(n @ v)
-        if watch.place.key[-1] != "lip":
-            return rate, 0.0
-        # What comes level over a lip falls on it, if gravity bends its path more than the sphere of
-        # centres about the lip's nearest point is bent.
-        across = v - (n @ v) * n
-        push = float(across @ across) / self.radius[i] + self.world.gravity * float(n[2])
-        return rate, push
+        return -float(watch.place.normal(self.y[0:3, i]) @ self.y[3:6, i])
+
+    def _presses(self, watch: Watch) -> bool:
+        """Whether what comes level over a lip falls on it, rather than flying off."""
+        if watch.place is None or watch.place.key[-1] != "lip":
+            return False
+        (i,) = watch.balls
+        soon = self.y[0:3, i] + SOON * self.y[3:6, i]
+        soon[2] -= self.world.gravity * SOON**2 / 2
+        return bool(watch.place.gap(soon) < 0.0)
 
     def _search(self, watches: list[Watch]) -> Watch:
         """Integrates to the first instant at which a watched value falls through zero."""
@@ -297,6 +299,7 @@ class Stepping:
     def _apply(self, watch: Watch) -> Happening | None:
         kind, i = watch.key[0], watch.balls[0]
         before = tuple(self.state(k) for k in watch.balls)
+        gentle = watch.contact and self._is_gentle(watch)
         key = watch.key
         physics, g = self.world.physics, self.world.gravity
         if kind in ("slide", "roll", "spin", "tips"):
@@ -310,9 +313,6 @@ class Stepping:
             bodies = laws.collide(physics["ball_ball"], self._body(i), self._body(j))
             for k, body in zip((i, j), bodies, strict=True):
                 self._take(k, body)
-        elif watch.place is not None and watch.place.key[-1] == "lip":
-            nx, ny, nz = (float(c) for c in watch.place.normal(self.y[0:3, i]))
-            self._take(i, laws.tip(physics["slate"], g, self._body(i), (nx, ny, nz)))
         elif kind == "slate-collision" or key[-1] == "top":
             self._take(i, laws.bounce(physics["slate"], g, self._body(i)))
         elif kind == "rail-collision":
@@ -326,7 +326,16 @@ class Stepping:
             self.y[3:, i] = 0.0
         after = tuple(self.state(k) for k in watch.balls)
         names = tuple(self.world.ids[k] for k in watch.balls)
-        return Happening(self.time, key, names, before, after)
+        return Happening(self.time, key, names, before, after, gentle)
+
+    def _is_gentle(self, watch: Watch) -> bool:
+        approach = -self._rate_of(watch)
+        if watch.place is None or self.motion[watch.balls[0]] != "airborne":
+            return approach < 2 * laws.LOUD
+        kind = watch.place.key[-1]
+        if kind in ("slate-collision", "top"):
+            return False
+        return kind == "lip" or approach < laws.PRESSED
 
     def _transition(self, kind: str, i: int) -> None:
         y = self.y

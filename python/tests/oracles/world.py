@@ -219,13 +219,18 @@ class State:
 
 @dataclass(frozen=True)
 class Happening:
-    """An event, in the trace's words; `key` names what happened without the numbers."""
+    """An event, in the trace's words; `key` names what happened without the numbers.
+
+    `gentle` contacts are so slow, or so pressed, that the engine's rules for lasting contacts may
+    decide their outcome.
+    """
 
     time: Number
     key: tuple[str, ...]
     balls: tuple[str, ...]
     before: tuple[State, ...]
     after: tuple[State, ...]
+    gentle: bool = False
 
 
 def start_of(shot: JSON, played: JSON | None = None) -> list[State]:
