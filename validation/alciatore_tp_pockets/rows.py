@@ -27,6 +27,8 @@ ROLLS = 0.4
 #: The pockets of proofs 3.5 (side) and 3.8 (corner).
 TABLE: JSON = {
     "base": "wpa-9ft",
+    # Room behind the holes.
+    "rail_width": 0.18,
     "side_pocket": {
         "mouth": 5.0625 * INCH,
         "cut_angle_deg": 104.0,

@@ -17,7 +17,7 @@ Vec = tuple[Number, Number, Number]
 #: own from the second.
 QUIET, LOUD = 1e-3, 2e-3
 #: The engine's documented rule for the last hop: a ball that would rise less than this stays, m.
-LAST_HOP = 1e-4
+LAST_HOP = 5e-5
 #: Contacts of a flying ball slower than this, m/s, may be lasting ones: tipping over an edge.
 PRESSED = 0.1
 
@@ -189,16 +189,13 @@ def bounce(law: dict[str, Any], gravity: Number, ball: Body, fn: Functions = mat
 def settle(law: dict[str, Any], gravity: Number, ball: Body, fn: Functions = math) -> Body:
     """A ball on the slate after an impact there.
 
-    Too slow upwards, it stays; driven down too gently to rise again, it is pressed. Otherwise it
-    is left as it is: it flies, or bounces next.
+    Too slow upwards, or driven down too gently to rise again, it stays. Otherwise it is left as it
+    is: it flies, or bounces next.
     """
     up = ball.velocity[2]
-    if up >= 0:
-        stays = up < last_hop(gravity, fn)
-        return replace(ball, velocity=(*ball.velocity[:2], 0 * up)) if stays else ball
-    if law["restitution"] * -up < last_hop(gravity, fn):
-        return bounce(law, gravity, ball, fn)
-    return ball
+    if (up if up >= 0 else law["restitution"] * -up) >= last_hop(gravity, fn):
+        return ball
+    return replace(ball, velocity=(ball.velocity[0], ball.velocity[1], 0 * up))
 
 
 def last_hop(gravity: Number, fn: Functions = math) -> Number:
