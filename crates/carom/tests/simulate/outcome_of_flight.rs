@@ -109,7 +109,9 @@ fn a_ball_that_creeps_to_the_lip_hangs_there_and_a_faster_one_falls() {
 #[test]
 fn a_ball_dropped_on_another_hits_it_also_if_in_plan_they_do_not_approach() {
     let top = 3.0 * RADIUS;
-    for (x, z, speed) in [(0.61, 0.3, 0.0), (0.61, 0.3, 0.01), (0.6001, 0.3, 0.0), (0.601, top, 0.0)] {
+    for (x, z, speed) in
+        [(0.61, 0.3, 0.0), (0.61, 0.3, 0.01), (0.6001, 0.3, 0.0), (0.601, top, 0.0)]
+    {
         let balls = format!(
             r#"{{"id": "under", "position": [0.6, 0.8]}},
                {{"id": "over", "position": [{x}, 0.8, {z:?}], "velocity": [{speed}, 0, 0]}}"#

@@ -4,8 +4,10 @@ use crate::meeting::{mirrored_feature, paths, tables};
 use crate::oracle::Dice;
 use crate::solid::Solid;
 use carom::Table;
+use carom::detect::ball_table;
 use carom::detect::ball_table::TableFeature;
 use carom::detect::flight::first_meeting;
+use carom::detect::rail_top::first_leaving;
 use carom::math::{Vec2, Vec3};
 use carom::table::{Capture, PRESETS, Part, Shape};
 use carom_roots::Motion;
@@ -392,6 +394,43 @@ fn the_edges_of_every_preset_close_around_its_pockets() {
                 };
                 assert!(pocket.throat.contains(&start), "{name}: {start:?}");
             }
+        }
+    }
+}
+
+#[test]
+fn a_ball_whose_centre_came_over_a_hole_or_an_edge_is_not_put_back_on_what_it_left() {
+    for (name, table, radius) in tables() {
+        let solid = Solid::new(&table, radius);
+        let mut dice = Dice(0x71B);
+        for i in 0..paths() / 50 {
+            // Rolling, from the bed into a pocket, or from a rail's top off its edge.
+            let from_bed = dice.unit() < 0.5;
+            let out = table.size * 0.5 + Vec2::new(0.1, 0.1);
+            let p = Vec2::new(dice.between(-out.x, out.x), dice.between(-out.y, out.y));
+            let v = dice.direction() * carom::math::pow(10.0, dice.between(-3.0, 0.5));
+            let path = Motion { d: [p.x, p.y], v: [v.x, v.y], h: [0.0, 0.0] };
+            let (left, z) = if from_bed {
+                if !table.place_check(p, radius).is_inside() {
+                    continue;
+                }
+                (ball_table::first_meeting(&table, radius, &path, 1e3), radius)
+            } else {
+                if !solid.is_behind_edges(p) || !solid.is_within_border(p) {
+                    continue;
+                }
+                (first_leaving(&table, &path, 1e3), table.cushion_height + radius)
+            };
+            let Some((t, TableFeature::Pocket(_) | TableFeature::Brink)) = left else { continue };
+            if from_bed && !solid.has_holes() {
+                continue;
+            }
+            let [x, y] = path.at(t);
+            let path = flight(Vec3::new(x, y, z), v.with_z(0.0));
+            let (t, feature) = first_meeting(&table, radius, &path, f64::INFINITY).unwrap();
+            // On a round edge, just along it, the ball may come back to what it left.
+            let is_flat = feature == TableFeature::Slate || kind(&table, feature) == 3;
+            assert!(t > 0.0 || !is_flat, "{name}, path {i}: {feature:?} at {t}: {path:?}");
         }
     }
 }

@@ -33,6 +33,10 @@ impl<'a> Solid<'a> {
         Self { table, radius, backs }
     }
 
+    pub(crate) fn has_holes(&self) -> bool {
+        self.table.pockets.iter().any(|p| p.capture == Capture::DropCircle)
+    }
+
     fn edges(&self) -> impl Iterator<Item = &Shape> {
         self.table.cushions.iter().filter(|c| c.part != Part::Top).map(|c| &c.shape)
     }
