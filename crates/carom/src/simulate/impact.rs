@@ -8,7 +8,8 @@ use crate::detect::ball_table::TableFeature;
 use crate::event::{Event, EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
 use crate::physics::Surface;
-use crate::resolve::{self, Body, ball_edge};
+use crate::resolve::ball_ball::held;
+use crate::resolve::{self, Body, ball_edge, ball_slate};
 use crate::table::Part;
 use crate::{Ball, BallState, MotionState, Physics, Table};
 
@@ -38,6 +39,10 @@ const UNPAID_PRESS_SPEED: f64 = 1e-4;
 /// Nor do they part with more than this share of the speeds of their surfaces, so that bodies
 /// that hardly move are hardly moved.
 const PRESS_SHARE: f64 = 0.1;
+
+/// A ball that keeps bouncing on the very top of another would stay there for ever. Up to this slope of the
+/// line of centres it is taken to lean so far, along x: no ball balances within 0.06 mm.
+const BALANCE: f64 = 1e-3;
 
 /// A separation below this fraction of the bodies' speeds is rounding: the next contact would
 /// find the same two numbers again, for ever.
@@ -120,7 +125,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let balls = [a as u16, b as u16];
         let before = [self.state(a, time), self.state(b, time)];
         let d = before[1].position - before[0].position;
+        let again = self.touched_lately(a, time) && self.touched_lately(b, time);
         let normal = d * (1.0 / d.length());
+        let normal = if again { unbalanced(normal) } else { normal };
         let pair = [self.ball[a], self.ball[b]];
         let reduced = 1.0 / (1.0 / pair[0].mass + 1.0 / pair[1].mass);
         let on_bed = [!self.aloft[a], !self.aloft[b]];
@@ -134,14 +141,25 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             p.velocity += push * (press * reduced / p.mass);
             q.velocity -= push * (press * reduced / q.mass);
             let Physics { ball_ball: law, cloth, gravity, .. } = physics;
-            resolve::ball_ball::resolve(law, cloth, *gravity, normal, &mut p, &mut q);
+            let gentle = || {
+                let approach = (p.velocity - q.velocity).dot(normal);
+                approach < ball_slate::last_hop_speed(*gravity)
+            };
+            match on_bed {
+                [false, true] if gentle() => {
+                    held::resolve(law.restitution, normal, &mut p, &mut q);
+                }
+                [true, false] if gentle() => {
+                    held::resolve(law.restitution, -normal, &mut q, &mut p);
+                }
+                _ => resolve::ball_ball::resolve(law, cloth, *gravity, normal, &mut p, &mut q),
+            }
             let after = |k: usize, body: &Body| {
                 let (v, spin) = (body.velocity, body.angular_velocity);
                 supports[k].settled(&before[k], v, spin, &pair[k], physics)
             };
             [after(0, &p), after(1, &q)]
         };
-        let again = self.touched_lately(a, time) && self.touched_lately(b, time);
         let smooth = physics.ball_ball.is_smooth();
         let impact = Impact { before: &before, balls: &pair, normal, push, again, smooth };
         let after = impact.settle(strike);
@@ -174,6 +192,15 @@ pub(super) fn body(state: &BallState, ball: &Ball) -> Body {
         mass: ball.mass,
         radius: ball.radius,
     }
+}
+
+/// The line of centres of two balls pressed together, leaning by [`BALANCE`] if it stands upright.
+fn unbalanced(normal: Vec3) -> Vec3 {
+    if normal.xy().length_squared() >= BALANCE * BALANCE {
+        return normal;
+    }
+    let leaning = Vec3::new(BALANCE, 0.0, normal.z);
+    leaning * (1.0 / leaning.length())
 }
 
 /// The horizontal direction of `normal`.
@@ -222,7 +249,13 @@ impl<const K: usize> Impact<'_, K> {
         if approach >= PRESS_SPEED {
             return self.parted(&after, 2.0 * rounding - parting);
         }
-        let share = PRESS_SHARE * (self.speeds(self.before) + self.surface_speeds());
+        // Gravity presses also what does not move.
+        let flies = |s: &BallState| s.motion == MotionState::Airborne;
+        let share = if self.before.iter().any(flies) {
+            f64::INFINITY
+        } else {
+            PRESS_SHARE * (self.speeds(self.before) + self.surface_speeds())
+        };
         let mut result = after;
         for least in [PRESS_SPEED, UNPAID_PRESS_SPEED] {
             let least = if self.again { earlier(least, share) } else { 0.0 };

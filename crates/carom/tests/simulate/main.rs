@@ -4,6 +4,7 @@
 mod goldens;
 mod hard_cases;
 mod no_allocation;
+mod off_the_cloth;
 mod order_of_balls;
 mod outcome_of_flight;
 mod preset_cushions;

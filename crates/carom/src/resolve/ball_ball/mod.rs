@@ -20,6 +20,7 @@ pub mod compliant;
 pub mod contact;
 pub mod elastic;
 pub mod frictional;
+pub mod held;
 pub mod mathavan_2014;
 pub mod network;
 
