@@ -29,9 +29,9 @@ def figure() -> Figure:
 
     for k, (name, (phi, speed, side, height)) in enumerate(MASSES.items()):
         run = raised(phi, speed, side, height)
-        times = np.linspace(0.0, 0.4 * run.record["duration"], 400)
-        path = np.array([run.trace.at(t).position[0] for t in times])
+        path = np.array([run.trace.at(t).position[0] for t in np.linspace(0.0, 2.5, 800)])
         plot.ours(right, path[:, 0], path[:, 1], f"cue at {name}", k)
-    right.set_aspect("equal", adjustable="datalim")
-    plot.name(right, "m", "along the cue, m", "Massés")
+    right.set_xlim(-0.6, 0.6)
+    right.set_ylim(-0.1, 1.5)
+    plot.name(right, "across, m", "along the cue, m", "Massés")
     return fig

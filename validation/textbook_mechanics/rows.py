@@ -101,8 +101,8 @@ SHARES = (0.05, 0.2, 0.4, 0.6, 0.8)
     status="D",
     published={f"v = {k:g} √(gR)": rolls_to(k * FLIES) for k in SHARES},
     tolerance=absolute(4.0),
-    note="The engine turns a ball about an edge in hops of 0.05 mm, some 2° long: the last touch "
-    "comes up to a hop before the angle, or after it.",
+    note="The engine turns a ball about an edge in hops of some degrees: the last touch comes up "
+    "to a hop before the angle.",
 )
 def lip_roll() -> list[float]:
     return [lift_off(k * FLIES) for k in SHARES]

@@ -114,8 +114,7 @@ def _shapes(world: World, r: Fraction, path: list[Poly]) -> Iterator[Shape]:
             return bool(size >= c.radius - ON_LINE and d[0] * m[0] + d[1] * m[1] >= least * size)
 
         yield Shape(rail_key(post), _ring(post.center, post.radius, r, x, y, rise), faces)
-        dx, dy = (_minus(q, [Fraction(post.center[k])]) for k, q in enumerate((x, y)))
-        line = _minus(_plus(_times(dx, dx), _times(dy, dy)), [Fraction(post.radius) ** 2])
+        line = _minus(_round(post.center, x, y), [Fraction(post.radius) ** 2])
         yield Shape(rail_key(post), line, lambda p, faces=faces: faces(p) and p[2] < under)
     for hole in world.holes:
         yield from _pocket(hole, r, h, (x, y, z))
@@ -137,25 +136,32 @@ def _pocket(hole: Hole, r: Fraction, h: Fraction, path: Any) -> Iterator[Shape]:
 
     lip = _ring(hole.center, hole.radius, r, x, y, z)
     yield Shape(("slate-collision",), lip, lambda p: within(p) and p[2] >= 0)
-    dx, dy = (_minus(q, [Fraction(hole.center[k])]) for k, q in enumerate((x, y)))
     # The wall: how far within the circle of the centres, so that it falls.
-    wall = _minus([(Fraction(hole.radius) - r) ** 2], _plus(_times(dx, dx), _times(dy, dy)))
-    key = ("rail-collision", "liner")
-    yield Shape(
-        key, wall, lambda p: within(p) and behind(p) and p[2] <= mpf(h.numerator) / h.denominator
-    )
-    rim = _ring(hole.center, hole.radius, r, x, y, _minus(z, [h]))
     above = mpf(h.numerator) / h.denominator
+    wall = _minus([(Fraction(hole.radius) - r) ** 2], _round(hole.center, x, y))
+    key = ("rail-collision", "liner")
+    yield Shape(key, wall, lambda p: within(p) and behind(p) and p[2] <= above)
+    yield Shape(("slate-collision",), wall, lambda p: within(p) and not behind(p) and p[2] <= 0)
+    for end in hole.wall:
+        # Its upright ends.
+        post = _minus(_round(end, x, y), [r * r])
+        yield Shape(key, post, lambda p: within(p) and not behind(p) and p[2] <= above)
+    rim = _ring(hole.center, hole.radius, r, x, y, _minus(z, [h]))
     yield Shape(key, rim, lambda p: within(p) and behind(p) and p[2] >= above)
 
 
 def _ring(center: Any, radius: float, r: Fraction, x: Poly, y: Poly, z: Poly) -> Poly:
     """Falls where the distance from a horizontal circle falls to r."""
     rho = Fraction(radius)
-    dx, dy = _minus(x, [Fraction(center[0])]), _minus(y, [Fraction(center[1])])
-    axis = _plus(_times(dx, dx), _times(dy, dy))
+    axis = _round(center, x, y)
     s = _plus(_plus(axis, _times(z, z)), [rho * rho - r * r])
     return _minus(_times(s, s), _times([4 * rho * rho], axis))
+
+
+def _round(center: Any, x: Poly, y: Poly) -> Poly:
+    """The squared distance from an upright axis."""
+    dx, dy = _minus(x, [Fraction(center[0])]), _minus(y, [Fraction(center[1])])
+    return _plus(_times(dx, dx), _times(dy, dy))
 
 
 def _from(p: Any, center: Any) -> Any:

@@ -104,7 +104,7 @@ def judge(made: list[Case]) -> Worst:
     return worst
 
 
-@pytest.mark.parametrize(("name", "count"), [("wpa-9ft", 60), ("snooker-12ft", 30)])
+@pytest.mark.parametrize(("name", "count"), [("wpa-9ft", 40), ("snooker-12ft", 20)])
 def test_a_flight_meets_the_table_when_and_where_exact_arithmetic_says(
     name: str, count: int
 ) -> None:
