@@ -3,6 +3,7 @@
 
 mod goldens;
 mod hard_cases;
+mod many_balls;
 mod no_allocation;
 mod off_the_cloth;
 mod order_of_balls;

@@ -35,6 +35,7 @@ use super::contact::TANGENT_COMPLIANCE;
 use crate::math::{Vec3, pow, sqrt};
 use crate::physics::{BallBall, BallBallModel};
 use crate::resolve::{Body, SPIN_PER_IMPULSE, restitution};
+use crate::table::TOUCH_TOLERANCE;
 
 /// Most balls in a network.
 pub const MAX_BODIES: usize = 24;
@@ -189,6 +190,8 @@ struct Link {
     share: f64,
     /// δ, negative where there is a gap.
     depth: f64,
+    /// Whether there was no gap at the start.
+    touches: bool,
     /// The approach at the last step.
     last: f64,
     /// The largest approach and slip so far.
@@ -228,6 +231,7 @@ impl Link {
             mass: 1.0 / (units.mass / a.mass + units.mass / b.mass),
             share: 1.0 / contacts(touch.a).max(contacts(touch.b)) as f64,
             depth: -touch.gap / length,
+            touches: touch.gap <= TOUCH_TOLERANCE,
             friction: law.friction.at(slip.length() * units.speed),
             fastest_slip: slip.length(),
             ..Self::default()
@@ -240,7 +244,8 @@ const SMOOTH: u8 = 0;
 const RIGID: u8 = 1;
 const SPRUNG: u8 = 2;
 
-/// Follows the impact to its end: no contact carries force and no two balls approach.
+/// Follows the impact to its end: no contact carries force and no two balls that touched approach.
+/// A gap that has not closed by then is left to a later impact.
 fn follow<const GRIP: u8>(law: &BallBall, units: &Units, balls: &mut [Ball], links: &mut [Link]) {
     let longest = CONTACT_TIME / STEPS_PER_CONTACT;
     let mut step = Step { length: longest, speed: units.speed };
@@ -260,7 +265,7 @@ fn follow<const GRIP: u8>(law: &BallBall, units: &Units, balls: &mut [Ball], lin
             link.last = approach;
             if depth <= 0.0 {
                 link.pull = Vec3::ZERO;
-                if approach > STILL {
+                if link.touches && approach > STILL {
                     meeting = meeting.min((-link.depth).max(0.0) / approach);
                     liveliest = liveliest.max(approach * approach);
                 }
