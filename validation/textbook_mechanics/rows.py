@@ -99,7 +99,7 @@ SHARES = (0.05, 0.2, 0.4, 0.6, 0.8)
     unit="°",
     source="textbook: rolling without slip about an edge, cos θ = (10 + 7v²/gR)/17",
     status="D",
-    published={f"v = {k:g} √(gR)": rolls_to(k * FLIES) for k in SHARES},
+    published={f"v = {k:g} √(gR)": round(rolls_to(k * FLIES), 3) for k in SHARES},
     tolerance=absolute(4.0),
     note="The engine turns a ball about an edge in hops of some degrees: the last touch comes up "
     "to a hop before the angle.",

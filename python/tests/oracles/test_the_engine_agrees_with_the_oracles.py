@@ -84,7 +84,7 @@ def test_they_give_them_among_jaws_and_pockets(name: str, seed: int) -> None:
 
 
 @pytest.mark.parametrize("make", [random_flight, random_stroke])
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", range(6))
 def test_they_give_them_for_balls_that_fly(seed: int, make: Callable[..., JSON]) -> None:
     shot = make(seed, balls=5)
     events = play(shot)
@@ -112,8 +112,8 @@ def test_an_elevated_cue_strikes_as_leckie_and_greenspan_say(seed: int) -> None:
 
 #: Flights among jaws: over the lip, against points, facings and liners, on the rails' tops.
 FLYING_AMONG_JAWS = [
-    *(("wpa-9ft", seed) for seed in range(10)),
-    *(("snooker-12ft", seed) for seed in range(4)),
+    *(("wpa-9ft", seed) for seed in range(7)),
+    *(("snooker-12ft", seed) for seed in range(3)),
 ]
 
 
@@ -135,8 +135,15 @@ def test_they_give_them_alone_for_a_few_events(seed: int) -> None:
     assert worst.largest < ALONE, worst
 
 
-@pytest.mark.parametrize("make", [random_shot, random_flight, random_stroke])
-@pytest.mark.parametrize("seed", range(10))
+#: On the cloth, thrown or dropped, and struck by a raised cue.
+EXACT_SHOTS = [
+    *((random_shot, seed) for seed in range(8)),
+    *((random_flight, seed) for seed in range(4)),
+    *((random_stroke, seed) for seed in range(4)),
+]
+
+
+@pytest.mark.parametrize(("make", "seed"), EXACT_SHOTS)
 @pytest.mark.parametrize(
     ("table", "physics"),
     [
