@@ -56,8 +56,8 @@ impl Physics {
             // Dr. Dave FAQ: 0.5 to 0.7; friction as in sliding (TP B.10).
             // Neoprene facings return less and grip more than a nose: 0.5 to 0.7, from memory.
             facing: Surface { restitution: 0.7, friction: 0.25 },
-            // Leather or plastic, from memory: 0.3 to 0.5.
-            liner: Surface { restitution: 0.4, friction: 0.3 },
+            // Leather or plastic, from memory: 0.3 to 0.5; friction estimated.
+            liner: Surface { restitution: 0.35, friction: 0.15 },
             slate: Surface { restitution: 0.5, friction: 0.2 },
             cue: Cue {
                 // 20 oz.

@@ -135,7 +135,7 @@ fn the_three_cushion_shot_scores() {
 /// The cue ball is struck so far below its centre that it arrives without spin: a rolling one would
 /// go on pushing the row (`long_pushes` in carom-check).
 #[test]
-fn newtons_cradle_passes_the_whole_velocity_to_the_last_ball() {
+fn newtons_cradle_passes_nearly_the_whole_velocity_to_the_last_ball_as_hertzs_law_has_it() {
     let trace = played("newtons_cradle");
     let collisions = || trace.events().filter(|e| e.what == carom::trace::What::BallCollision);
     let speed = collisions().next().expect("a contact").before[0].velocity.length();
@@ -144,9 +144,10 @@ fn newtons_cradle_passes_the_whole_velocity_to_the_last_ball() {
         .filter_map(|e| Some(e.after[e.balls.iter().position(|b| *b == last)?]))
         .map(|s| s.velocity.length())
         .fold(0.0, f64::max);
-    assert!((reached / speed - 1.0).abs() < 1e-12, "{reached} of {speed}");
-    for (ball, state) in trace.last().iter().enumerate().take(usize::from(last)).skip(1) {
-        let moved = (state.position - trace.shot().balls()[ball].state.position).length();
-        assert!(moved < 1e-9, "ball {ball} moves by {moved} m");
-    }
+    // Balls that touch are no chain of pairs: a few per cent stay behind (Hinch & Saint-Jean 1999).
+    assert!((0.98..0.995).contains(&(reached / speed)), "{reached} of {speed}");
+    let first = collisions().next().expect("a contact");
+    assert_eq!(first.balls.len(), trace.shot().balls().len(), "one impact of all");
+    let speeds = |states: &[carom::BallState]| states.iter().map(|s| s.velocity.y).sum::<f64>();
+    assert!((speeds(first.after) / speeds(first.before) - 1.0).abs() < 1e-12);
 }
