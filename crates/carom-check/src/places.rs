@@ -45,6 +45,10 @@ pub(crate) fn ground(solid: &Solid, state: &BallState, radius: f64) -> Option<Gr
 /// What is wrong with where an event happens, if anything.
 pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<String> {
     let judge = Judge { shot, solid, event };
+    if let Some(k) = event.before.iter().position(|s| !s.motion.in_play()) {
+        let (ball, motion) = (event.balls[k], event.before[k].motion.name());
+        return Some(format!("ball {ball} is {motion}, and out of play"));
+    }
     let wrong = match event.kind {
         EventKind::CueStrike => None,
         EventKind::BallCollision => judge.balls_meet(),

@@ -313,3 +313,12 @@ fn the_judge_notices_momentum_that_changes_where_no_ball_stands_on_anything() {
     let found: Vec<String> = checker.faults.iter().map(ToString::to_string).collect();
     assert!(found.iter().any(|f| f.contains("momentum changes")), "{found:#?}");
 }
+
+#[test]
+fn the_judge_notices_a_pocketed_ball_that_takes_part_in_something() {
+    let shot = over_hole(0.04, 4.0);
+    let mut record = Record::new(&shot);
+    record.then(0.018, EventKind::PocketCollision(0), sink);
+    record.then(0.0, EventKind::SlateCollision, |_| {});
+    record.assert_noticed("is pocketed, and out of play");
+}

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 /// Shots per family: 100 000 in all in an optimised build, a share of that in a debug build, which
 /// is some ten times slower and checks the same bits.
-const SHOTS: u64 = if cfg!(debug_assertions) { 1_000 } else { 17_000 };
+const SHOTS: u64 = if cfg!(debug_assertions) { 500 } else { 8_500 };
 
 fn judge(scene: Scene) {
     let tally = (0..SHOTS)
@@ -54,4 +54,34 @@ fn shots_in_which_everything_moves_are_physical() {
 #[test]
 fn rows_of_balls_are_physical() {
     judge(Scene::Row);
+}
+
+#[test]
+fn shots_with_a_raised_cue_are_physical() {
+    judge(Scene::Elevated);
+}
+
+#[test]
+fn flights_over_cloth_and_rails_are_physical() {
+    judge(Scene::Flying);
+}
+
+#[test]
+fn balls_that_fall_on_others_are_physical() {
+    judge(Scene::Dropped);
+}
+
+#[test]
+fn jump_shots_are_physical() {
+    judge(Scene::Jump);
+}
+
+#[test]
+fn shots_into_the_jaws_of_pockets_are_physical() {
+    judge(Scene::Jaws);
+}
+
+#[test]
+fn balls_in_the_mouths_of_pockets_are_physical() {
+    judge(Scene::Mouths);
 }
