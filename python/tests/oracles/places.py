@@ -21,6 +21,8 @@ Array = Any
 
 #: The gap where a shape is not met, m: far enough that no search looks closer.
 CLEAR = 1.0
+#: A centre that has just come over an edge may stand a rounding before it, m.
+EDGE = 1e-12
 
 
 @dataclass(frozen=True)
@@ -111,7 +113,7 @@ def _from_edge(off: Array, rise: Array, radius: float) -> Array:
 
 def _is_before(off: Array, rise: Array, radius: float) -> Array:
     """Whether a centre stands before an edge; under it, it may just have come through the line."""
-    return off >= np.where(rise < -radius, -radius, 0.0)
+    return off >= np.where(rise < -radius, -radius, -EDGE)
 
 
 def _to_edge(off: float, into: Array, rise: float, radius: float) -> Array:
@@ -168,10 +170,6 @@ def _is_at_wall(hole: Hole, p: Array) -> Array:
     begins, ends = (np.arctan2(w[1] - hole.center[1], w[0] - hole.center[0]) for w in hole.wall)
     angle = np.arctan2(p[1] - hole.center[1], p[0] - hole.center[0])
     return (angle - begins) % (2 * np.pi) <= (ends - begins) % (2 * np.pi)
-
-
-#: A centre that has just come over a hole may stand a rounding before its edge, m.
-EDGE = 1e-12
 
 
 def _lip(hole: Hole, radius: float) -> Place:

@@ -32,8 +32,10 @@ STEP, LOOKS = 0.008, 8
 TOUCH = 1e-10
 
 
-#: Rates below this are none, m/s: a ball that flies level over a lip does not yet meet it.
-LEVEL = 1e-12
+#: Bodies that touch meet if they come nearer faster than this, m/s.
+PARTED = 1e-12
+#: Rates below this are rounding, m/s, where a ball comes level over an edge.
+LEVEL = 1e-9
 #: When it is looked whether such a ball has come nearer, s: it falls 50 nm by then.
 SOON = 1e-4
 
@@ -242,7 +244,7 @@ class Stepping:
             if not w.contact or abs(w.value(self.y)) > TOUCH:
                 continue
             rate = self._rate_of(w)
-            if rate < -LEVEL or (rate <= LEVEL and self._presses(w)):
+            if rate < -PARTED or (rate <= LEVEL and self._presses(w)):
                 return w
         return None
 
@@ -256,8 +258,10 @@ class Stepping:
         return -float(watch.place.normal(self.y[0:3, i]) @ self.y[3:6, i])
 
     def _presses(self, watch: Watch) -> bool:
-        """Whether what comes level over a lip falls on it, rather than flying off."""
-        if watch.place is None or watch.place.key[-1] != "lip":
+        """Whether what comes level over an edge, or along a round wall, is pressed on it."""
+        if watch.place is None or watch.place.key[-1] in ("slate-collision", "top"):
+            return False
+        if self.motion[watch.balls[0]] != "airborne":
             return False
         (i,) = watch.balls
         soon = self.y[0:3, i] + SOON * self.y[3:6, i]

@@ -1,8 +1,0 @@
-import pytest
-from carom.validation.alciatore_tp_chain import rows
-from carom.validation.row import Row, check, rows_of
-
-
-@pytest.mark.parametrize("row", rows_of(rows), ids=str)
-def test_alciatore_tp_chain(row: Row) -> None:
-    check(row)
