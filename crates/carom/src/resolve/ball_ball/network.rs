@@ -178,22 +178,26 @@ struct Ball {
 struct Link {
     a: usize,
     b: usize,
+    /// The bits of the two balls.
+    pair: u32,
     normal: Vec3,
     /// Approach speed and slip at the start.
     approach: f64,
     slip: Vec3,
     /// k.
     stiffness: f64,
-    /// m*.
-    mass: f64,
+    /// 1/m*.
+    mobility: f64,
     /// Part of a slip that one step may stop: one over the most contacts of its balls.
     share: f64,
     /// δ, negative where there is a gap.
     depth: f64,
     /// Whether there was no gap at the start.
     touches: bool,
-    /// The approach at the last step.
-    last: f64,
+    /// The approach now.
+    now: f64,
+    /// Whether it pressed at the last step.
+    presses: bool,
     /// The largest approach and slip so far.
     fastest: f64,
     fastest_slip: f64,
@@ -225,10 +229,11 @@ impl Link {
             b: usize::from(touch.b),
             normal: n,
             approach,
-            last: approach,
+            now: approach,
+            pair: bit(usize::from(touch.a)) | bit(usize::from(touch.b)),
             slip,
             stiffness: stiffness(a, b) * sqrt(length) * units.time * units.time / units.mass,
-            mass: 1.0 / (units.mass / a.mass + units.mass / b.mass),
+            mobility: units.mass / a.mass + units.mass / b.mass,
             share: 1.0 / contacts(touch.a).max(contacts(touch.b)) as f64,
             depth: -touch.gap / length,
             touches: touch.gap <= TOUCH_TOLERANCE,
@@ -253,18 +258,23 @@ fn follow<const GRIP: u8>(law: &BallBall, units: &Units, balls: &mut [Ball], lin
     let mut chosen = 1.0;
     // Forces act in the middle of a step.
     let mut drift = 0.5 * step.length;
+    // The balls that the last step has pushed, one bit each: only their contacts change speed.
+    let mut pushed = 0_u32;
     for _ in 0..MAX_STEPS {
-        let (mut pressed, mut meeting, mut liveliest) = (false, f64::INFINITY, 0.0_f64);
+        let (mut pressed, mut meeting, mut liveliest) = (0_u32, f64::INFINITY, 0.0_f64);
         for link in links.iter_mut() {
-            let (a, b) = (&balls[link.a], &balls[link.b]);
-            let velocity = a.velocity - b.velocity;
-            let given = velocity.dot(link.normal);
-            let approach = link.approach + given;
+            let mut speedup = 0.0;
+            if pushed & link.pair != 0 {
+                let velocity = balls[link.a].velocity - balls[link.b].velocity;
+                let approach = link.approach + velocity.dot(link.normal);
+                speedup = approach - link.now;
+                link.now = approach;
+            }
+            let approach = link.now;
             link.depth += approach * drift;
-            let depth = link.depth + AHEAD * step.length * (approach - link.last);
-            link.last = approach;
+            let depth = link.depth + AHEAD * step.length * speedup;
             if depth <= 0.0 {
-                link.pull = Vec3::ZERO;
+                link.presses = false;
                 if link.touches && approach > STILL {
                     meeting = meeting.min((-link.depth).max(0.0) / approach);
                     liveliest = liveliest.max(approach * approach);
@@ -272,17 +282,19 @@ fn follow<const GRIP: u8>(law: &BallBall, units: &Units, balls: &mut [Ball], lin
                 continue;
             }
             let spring = link.stiffness * sqrt(depth);
-            liveliest =
-                liveliest.max(approach * approach + 0.8 * spring / link.mass * depth * depth);
+            let tension = 0.8 * spring * link.mobility * depth * depth;
+            liveliest = liveliest.max(approach * approach + tension);
             let normal = link.press(law, &step, approach, spring * depth);
             if normal == 0.0 {
                 continue;
             }
-            pressed = true;
+            pressed |= link.pair;
             let mut push = link.normal * normal;
             if GRIP != SMOOTH {
+                let (a, b) = (&balls[link.a], &balls[link.b]);
+                let velocity = a.velocity - b.velocity;
                 let slip = link.slip
-                    + (velocity - link.normal * given)
+                    + (velocity - link.normal * (approach - link.approach))
                     + (a.surface + b.surface).cross(link.normal);
                 let friction = link.rub::<GRIP>(law, &step, slip, normal, spring);
                 push += friction;
@@ -299,11 +311,14 @@ fn follow<const GRIP: u8>(law: &BallBall, units: &Units, balls: &mut [Ball], lin
             chosen = liveliest;
             step.length = longest * pow(chosen, -0.1);
         }
-        if pressed {
+        pushed = pressed;
+        if pushed != 0 {
             drift = 0.5 * (last + step.length);
-            for ball in balls.iter_mut() {
-                ball.velocity = ball.push * ball.mobility;
-                ball.surface = ball.turn * (-SPIN_PER_IMPULSE * ball.mobility);
+            for (k, ball) in balls.iter_mut().enumerate() {
+                if pushed & bit(k) != 0 {
+                    ball.velocity = ball.push * ball.mobility;
+                    ball.surface = ball.turn * (-SPIN_PER_IMPULSE * ball.mobility);
+                }
             }
         } else if meeting < f64::INFINITY {
             drift = meeting + 0.5 * step.length;
@@ -330,7 +345,7 @@ impl Link {
             self.fastest = approach;
         }
         // What it takes to stop the approach: then the contact begins to open.
-        let stopping = approach * self.mass;
+        let stopping = approach / self.mobility;
         if stopping >= full {
             return full;
         }
@@ -357,13 +372,16 @@ impl Link {
         }
         let most = self.friction * normal;
         let impulse = if GRIP == RIGID {
-            slip * (self.mass * self.share / TANGENT_COMPLIANCE)
+            slip * (self.share / (TANGENT_COMPLIANCE * self.mobility))
         } else {
             let ratio = law.frequency_ratio;
             let spring = (1.25 / TANGENT_COMPLIANCE) * ratio * ratio * spring;
-            if spring < self.pull_spring {
+            if !self.presses {
+                self.pull = Vec3::ZERO;
+            } else if spring < self.pull_spring {
                 self.pull = self.pull * (spring / self.pull_spring);
             }
+            self.presses = true;
             self.pull_spring = spring;
             self.pull += slip * (spring * step.length);
             self.pull * step.length
@@ -398,6 +416,11 @@ fn apply(law: &BallBall, units: &Units, balls: &[Ball], bodies: &mut [Body]) {
             body.angular_velocity += ball.surface * (share * units.speed / body.radius);
         }
     }
+}
+
+/// The bit that stands for a ball; there are at most [`MAX_BODIES`], fewer than 32.
+fn bit(ball: usize) -> u32 {
+    1 << ball
 }
 
 fn snap(v: Vec3) -> Vec3 {
