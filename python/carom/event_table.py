@@ -6,31 +6,101 @@ Made to fit 80 columns; the exact numbers are in the trace.
 from __future__ import annotations
 
 import math
+from collections import defaultdict
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+from carom.picture.paths import Heights, highest
+from carom.touches import runs
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
 HEADINGS = ("", "time s", "event", "balls", "where", "speed m/s")
 _RIGHT = {0, 1}
+# Hops lower than this, m, are not worth a word.
+SEEN = 1e-3
 
 
 def rows(trace: dict[str, Any]) -> list[tuple[str, ...]]:
-    """One row of text per event, under ``HEADINGS``."""
-    return [
-        (
-            str(number),
-            f"{event['time']:.4f}",
-            event["type"],
-            " ".join(event["balls"]),
-            _where(event),
-            _speeds(event),
+    """Rows of text under ``HEADINGS``: one per event, or per run of hops over an edge."""
+    return [row for _, row in _lines(trace)]
+
+
+def _lines(trace: dict[str, Any]) -> list[tuple[str, tuple[str, ...]]]:
+    """Each row with its kind of event."""
+    events = trace["events"]
+    flights = _flights(trace)
+    rises: defaultdict[int, float] = defaultdict(float)
+    for flight in flights:
+        rises[flight.start] = max(rises[flight.start], flight.rise)
+    landings = {flight.end for flight in flights if flight.seen}
+    lines: list[tuple[str, tuple[str, ...]]] = []
+    for run in runs(events):
+        first, last = events[run[0]], events[run[-1]]
+        if len(run) > 1:
+            where = _over_edge(first, len(run))
+        else:
+            where = _where(first, aloft=run[0] in landings)
+        rise = rises[run[-1]]
+        # A height is there already where there are three coordinates.
+        if rise >= SEEN and where.count(",") < 2:
+            where += f" ↑ {1000 * rise:.0f} mm"
+        row = (
+            str(run[0] + 1),
+            f"{first['time']:.4f}",
+            first["type"],
+            " ".join(first["balls"]),
+            where,
+            _speeds(first["before"], last["after"]),
         )
-        for number, event in enumerate(trace["events"], start=1)
-    ]
+        lines.append((first["type"], row))
+    return lines
 
 
-def _where(event: dict[str, Any]) -> str:
+@dataclass(frozen=True, slots=True)
+class _Flight:
+    """A ball's way in the air from one of its events to the next."""
+
+    start: int
+    end: int
+    heights: Heights
+
+    @property
+    def rise(self) -> float:
+        """How far above its start the ball gets, m."""
+        return highest(self.heights) - self.heights[0]
+
+    @property
+    def seen(self) -> bool:
+        """Whether the ball is not as good as on the slate."""
+        return highest(self.heights) - min(self.heights) >= SEEN
+
+
+def _flights(trace: dict[str, Any]) -> list[_Flight]:
+    flights = []
+    aloft: dict[str, tuple[int, float, dict[str, Any]]] = {}
+    for index, event in enumerate(trace["events"]):
+        for ball, before, after in zip(
+            event["balls"], event["before"], event["after"], strict=True
+        ):
+            if ball in aloft:
+                start, since, state = aloft.pop(ball)
+                z, v = state["position"][2], state["velocity"][2]
+                control = z + 0.5 * v * (event["time"] - since)
+                flights.append(_Flight(start, index, (z, control, before["position"][2])))
+            if after["motion"] == "airborne":
+                aloft[ball] = (index, event["time"], after)
+    return flights
+
+
+def _over_edge(event: dict[str, Any], count: int) -> str:
+    if event["type"] == "slate-collision":
+        return f"{count} hops over the lip"
+    return f"{event['rail']} {event['part']}, {count} hops"
+
+
+def _where(event: dict[str, Any], *, aloft: bool) -> str:
     match event["type"]:
         case "rail-collision":
             return f"{event['rail']} {event['part']}"
@@ -39,16 +109,17 @@ def _where(event: dict[str, Any]) -> str:
         case "motion-transition":
             return f"{event['from']}→{event['to']}"
         case _:
-            x, y, *_ = event["before"][0]["position"]
-            return f"{x:.3f}, {y:.3f}"
+            # The height too where the ball is in the air; on the slate it says nothing.
+            coordinates = 3 if aloft and event["type"] != "slate-collision" else 2
+            return ", ".join(f"{x:.3f}" for x in event["before"][0]["position"][:coordinates])
 
 
-def _speeds(event: dict[str, Any]) -> str:
+def _speeds(states_before: list[dict[str, Any]], states_after: list[dict[str, Any]]) -> str:
     def speed(ball: dict[str, Any]) -> str:
         return f"{math.hypot(*ball['velocity']):.2f}"
 
-    before = [speed(ball) for ball in event["before"]]
-    after = [speed(ball) for ball in event["after"]]
+    before = [speed(ball) for ball in states_before]
+    after = [speed(ball) for ball in states_after]
     if before == after:
         return " ".join(after)
     return f"{' '.join(before)} → {' '.join(after)}"
@@ -121,7 +192,7 @@ def rich_table(trace: dict[str, Any]) -> RenderableType:
     table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="bold")
     for index, heading in enumerate(HEADINGS):
         table.add_column(heading, justify="right" if index in _RIGHT else "left", no_wrap=index < 3)
-    for row, event in zip(rows(trace), trace["events"], strict=True):
+    for kind, row in _lines(trace):
         # Text, not markup: a ball may be called "[red]".
-        table.add_row(*(Text(cell) for cell in row), style=_STYLES.get(event["type"], ""))
+        table.add_row(*(Text(cell) for cell in row), style=_STYLES.get(kind, ""))
     return Group(table, *(Text(line) for line in summary(trace)))

@@ -135,6 +135,12 @@ class Shot:
         strike = self._core.strike
         return None if strike is None else strike[1]
 
+    @property
+    def elevation(self) -> float | None:
+        """Butt of the cue raised above horizontal, rad; None without a strike."""
+        strike = self._core.strike
+        return None if strike is None else strike[2]
+
     def geometry(self) -> dict[str, Any]:
         """The table's dimensions, cushions and pockets, m, origin at the bottom left corner."""
         return self._core.geometry()

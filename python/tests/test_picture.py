@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import math
 import re
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
@@ -14,6 +15,7 @@ import pytest
 from carom import Shot, picture
 from carom.picture.colors import look
 from carom.picture.paths import Leg, routes
+from carom.picture.table import Ground
 
 # A leg's curve and the state in between are computed by different closed forms: some roundings
 # of positions of some metres, m.
@@ -57,6 +59,20 @@ def test_a_leg_is_the_parabola_from_one_event_to_the_next() -> None:
     assert (first.start_time, first.end_time, second.end_time) == (0.0, 1.0, 3.0)
     assert b.legs == ()
     assert b.length == 0.0
+
+
+def test_a_flight_is_the_parabola_in_height_too() -> None:
+    leg = Leg(0.0, 0.2, (0.0, 0.0), (0.1, 0.0), (0.2, 0.0), (0.03, 0.23, 0.13))
+    rising = (0.23 - 0.03) / 0.1
+    fall = (0.03 + rising * 0.2 - 0.13) / 0.2**2
+    assert leg.flies
+    assert math.isclose(leg.at(0.07)[2], 0.03 + rising * 0.07 - fall * 0.07**2)
+    assert math.isclose(leg.top, 0.03 + rising**2 / (4 * fall))
+    level = Leg(0.0, 0.2, (0.0, 0.0), (0.1, 0.0), (0.2, 0.0), (0.07, 0.07, 0.07))
+    assert not level.flies
+    assert level.top == 0.07
+    falling = Leg(0.0, 0.2, (0.0, 0.0), (0.1, 0.0), (0.2, 0.0), (0.07, 0.06, 0.03))
+    assert falling.top == 0.07
 
 
 def test_curves_run_where_the_balls_run(nine_ball_trace: carom.Trace) -> None:
@@ -105,6 +121,72 @@ def test_the_svg_holds_every_path_as_exact_curves(nine_ball_trace: carom.Trace) 
     assert data is not None
     assert len(re.findall("Q", data.attrib["d"])) >= 3
     assert "L" not in data.attrib["d"]
+
+
+def of_gallery(name: str) -> carom.Trace:
+    return Shot.load(Path(__file__).parents[2] / "shots" / f"{name}.json").simulate()
+
+
+def test_a_jump_is_dotted_over_its_shadow_and_shown_from_the_side_with_what_it_passes() -> None:
+    trace = of_gallery("jump_shot")
+    figure = picture.draw(trace)
+    ids = [patch.get_gid() for patch in figure.axes[0].patches]
+    assert {"path-cue", "flight-cue", "shadow-cue"} <= set(ids)
+    _, side, *_ = figure.axes
+    curves = [patch for patch in side.patches if patch.get_gid() == "side-cue"]
+    heights = trace.at(np.linspace(0.0, trace.duration, 20_001)).position[:, 0, 2]
+    drawn = max(patch.get_path().interpolated(1).vertices[:, 1].max() for patch in curves)
+    # The control point of a parabola stands twice as high over its ends as the curve.
+    assert math.isclose(drawn - heights[0], 2 * (heights.max() - heights[0]), rel_tol=1e-4)
+    # The 8 is under the way, with its number, at its distance from the cue ball.
+    eight = next(text for text in side.texts if text.get_text() == "8")
+    cue, passed = (np.array(trace.shot.to_dict()["balls"][i]["position"]) for i in (0, 1))
+    assert math.isclose(eight.get_position()[0], np.linalg.norm(passed - cue), rel_tol=1e-3)
+    assert side.get_xlim()[0] < 0.0
+    scale = [np.diff(limits)[0] for limits in (side.get_xlim(), side.get_ylim())]
+    box = side.get_window_extent()
+    assert math.isclose(scale[0] / box.width, scale[1] / box.height, rel_tol=1e-9)
+
+
+def test_a_shot_on_the_cloth_has_no_side_view(pot: dict[str, Any]) -> None:
+    figure = picture.draw(Shot.from_dict(pot).simulate())
+    assert len(figure.axes) == 1
+    assert not [p for p in figure.axes[0].patches if str(p.get_gid()).startswith("flight")]
+
+
+def test_the_hops_over_an_edge_are_marked_once() -> None:
+    trace = of_gallery("rail_top_landing")
+    nose = [e for e in trace.events if e.type == "rail-collision" and e.part == "nose"]
+    bounces = [e for e in trace.events if e.type == "slate-collision"]
+    assert len(nose) > 20
+    marks = picture.draw(trace).axes[0].lines
+    diamonds = [line for line in marks if line.get_marker() == "D"]
+    # The hops over the nose, two cushions, and the key.
+    assert len(diamonds) == 1 + 2 + 1
+    hops = [line for line in marks if line.get_marker() == "v"]
+    tops = [e for e in trace.events if e.type == "rail-collision" and e.part == "top"]
+    assert 1 < len(hops) - 1 < len(bounces) + len(tops)
+
+
+def test_what_leaves_the_table_is_marked_where_it_does() -> None:
+    trace = of_gallery("off_the_table")
+    marks = picture.draw(trace).axes[0].lines
+    crosses = [line for line in marks if line.get_marker() == "X"]
+    x, y, _ = trace.events[-1].before[0]["position"]
+    assert (x, y) in [(line.get_xdata()[0], line.get_ydata()[0]) for line in crosses]
+
+
+def test_the_ground_is_bed_hole_rail_and_floor() -> None:
+    geometry = next(table for table in carom.tables() if table["name"] == "wpa-9ft")
+    under = Ground(geometry).under
+    assert under((0.6, 1.0)) == "bed"
+    assert under((-0.02, 0.6)) == "rail"
+    assert under((-0.12, 0.6)) == "rail"
+    assert under((-0.16, 0.6)) == "floor"
+    assert under(tuple(geometry["pockets"][0]["center"])) == "hole"
+    # In the mouth of a corner, behind both nose lines.
+    assert under((0.012, 0.012)) in {"bed", "hole"}
+    assert under((-0.002, 0.03)) == "bed"
 
 
 def test_the_same_trace_gives_the_same_picture(pot: dict[str, Any]) -> None:

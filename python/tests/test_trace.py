@@ -222,7 +222,11 @@ def test_the_outcome_names_a_ball_that_hangs_over_a_pocket() -> None:
 
 
 def test_the_table_of_events_ends_with_what_left_and_jumped() -> None:
-    still = {"position": [0.5, 0.5, 0.028575], "velocity": [0.0, 0.0, 0.0]}
+    still = {
+        "position": [0.5, 0.5, 0.028575],
+        "velocity": [0.0, 0.0, 0.0],
+        "motion": "off-table",
+    }
     trace = {
         "events": [
             {
@@ -240,6 +244,35 @@ def test_the_table_of_events_ends_with_what_left_and_jumped() -> None:
     lines = plain(trace).splitlines()
     assert lines[1].split() == ["1", "1.0000", "off-table", "cue", "0.500,", "0.500", "0.00"]
     assert lines[-2:] == ["off the table: cue", "jumped: cue over 1"]
+
+
+def test_the_table_of_events_tells_heights_and_how_far_a_ball_rises() -> None:
+    lines = str(Shot.load(ROOT / "shots" / "off_the_table.json").simulate()).splitlines()
+    bounce, off = lines[2], lines[3]
+    rise = int(bounce.split("↑")[1].split()[0])
+    trace = Shot.load(ROOT / "shots" / "off_the_table.json").simulate()
+    heights = trace.at(np.linspace(0.0, trace.duration, 2001)).position[:, 0, 2]
+    assert abs(1000 * (heights.max() - heights[0]) - rise) <= 0.51
+    x, y, z = trace.events[-1].before[0]["position"]
+    assert f"{x:.3f}, {y:.3f}, {z:.3f}" in off
+
+
+def test_a_ball_that_tips_over_a_lip_takes_one_line_of_the_table() -> None:
+    # 0.6 mm before the edge of the hole, while another ball rolls elsewhere.
+    slow = {"id": "1", "position": [1.2578, 2.5278], "velocity": [0.06, 0.06, 0.0]}
+    other = {"id": "2", "position": [0.6, 1.5], "velocity": [0.5, 0.0, 0.0]}
+    trace = _simulated([slow, other])
+    hops = [e for e in trace.events if e.type == "slate-collision" and e.balls == ["1"]]
+    assert len(hops) > 20
+    lines = [line for line in str(trace).splitlines() if "slate-collision" in line]
+    assert len(lines) == 1
+    assert f"{len(hops)} hops over the lip" in lines[0]
+    table = str(trace).split("\n\n")[0].splitlines()[1:]
+    numbers = [int(line.split()[0]) for line in table]
+    # The other events keep their numbers.
+    assert len(numbers) == len(trace) - len(hops) + 1
+    assert [line.split()[2] for line in table] == [trace.events[i - 1].type for i in numbers]
+    assert len(trace.to_dict()["events"]) == len(trace)
 
 
 def test_a_jump_shot_and_a_ball_off_the_table_are_in_the_outcome() -> None:

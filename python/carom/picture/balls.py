@@ -11,11 +11,14 @@ from matplotlib.patheffects import Normal, Stroke
 
 from carom.picture import colors
 from carom.picture.colors import Look, look
+from carom.touches import runs
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from matplotlib.axes import Axes
 
-    from carom.picture.paths import Point, Route
+    from carom.picture.paths import Leg, Point, Route
 
 # How each kind of event is marked: matplotlib's marker, its size in points, filled or not, and
 # what the key says.
@@ -23,8 +26,16 @@ MARKS = {
     "ball-collision": ("o", 3.4, True, "balls collide"),
     "rail-collision": ("D", 3.2, True, "ball meets cushion"),
     "motion-transition": ("o", 2.6, False, "sliding becomes rolling"),
+    "slate-collision": ("v", 3.6, False, "ball bounces"),
     "pocket-collision": ("x", 4.2, True, "ball falls"),
+    "off-table": ("X", 4.6, True, "ball leaves the table"),
 }
+# Flights lower than this, m, are drawn as if the ball stayed on the cloth.
+SEEN = 1e-3
+# Where the shadow of a ball falls that is a metre up: to the right and down, m.
+SHADOW = (0.55, -0.75)
+# Dots for a path in the air; dashes are for striped balls.
+DOTTED = (0.0, (0.05, 1.7))
 
 
 # The cue as drawn: tip, ferrule, shaft; where each begins and ends behind the ball's centre, in
@@ -45,61 +56,141 @@ def points_per_metre(ax: Axes) -> float:
     return 72 * box.height / ax.figure.dpi / (top - bottom)
 
 
-def draw_paths(ax: Axes, routes: list[Route]) -> None:
-    """Every ball's path, exact: one quadratic Bézier curve per leg."""
+def draw_paths(ax: Axes, routes: list[Route]) -> bool:
+    """Every ball's path, exact: one quadratic Bézier curve per leg.
+
+    In the air it is dotted, and there is its shadow.
+
+    Returns:
+        Whether a ball was seen to fly, for the key.
+    """
+    flew = False
     for index, route in enumerate(routes):
-        if not route.legs:
-            continue
-        vertices: list[Point] = [route.legs[0].start]
-        codes = [Path.MOVETO]
-        for leg in route.legs:
-            vertices += [leg.control, leg.end]
-            codes += [Path.CURVE3, Path.CURVE3]
         style = look(route.id, index)
-        patch = PathPatch(
-            Path(vertices, codes),
+        flights = [route.rise(leg) >= SEEN for leg in route.legs]
+        ground = [leg for leg, flight in zip(route.legs, flights, strict=True) if not flight]
+        aloft = [leg for leg, flight in zip(route.legs, flights, strict=True) if flight]
+        if ground:
+            dashes = (0, (5, 1.6)) if style.striped else "solid"
+            _draw_curve(ax, ground, style.path, dashes, gid=f"path-{route.id}")
+        if aloft:
+            flew = True
+            _draw_shadow(ax, aloft, route)
+            _draw_curve(ax, aloft, style.path, DOTTED, gid=f"flight-{route.id}")
+    return flew
+
+
+def _draw_curve(ax: Axes, legs: list[Leg], color: str, dashes: Any, *, gid: str) -> None:
+    dotted = dashes is DOTTED
+    patch = PathPatch(
+        curve([(leg.start, leg.control, leg.end) for leg in legs]),
+        facecolor="none",
+        edgecolor=color,
+        linewidth=1.7 if dotted else 1.25,
+        linestyle=dashes,
+        joinstyle="round",
+        capstyle="round",
+        zorder=3,
+        gid=gid,
+    )
+    if not dotted:
+        patch.set_path_effects([Stroke(linewidth=2.3, foreground="#00000038"), Normal()])
+    ax.add_patch(patch)
+
+
+def _draw_shadow(ax: Axes, legs: list[Leg], route: Route) -> None:
+    def cast(point: Point, height: float) -> Point:
+        up = height - route.radius
+        return (point[0] + SHADOW[0] * up, point[1] + SHADOW[1] * up)
+
+    shadows = [
+        tuple(
+            cast(*pair) for pair in zip((leg.start, leg.control, leg.end), leg.heights, strict=True)
+        )
+        for leg in legs
+    ]
+    ax.add_patch(
+        PathPatch(
+            curve(shadows),
             facecolor="none",
-            edgecolor=style.path,
-            linewidth=1.25,
-            linestyle=(0, (5, 1.6)) if style.striped else "solid",
+            edgecolor="#000000",
+            alpha=0.38,
+            linewidth=2.2,
             joinstyle="round",
             capstyle="round",
-            zorder=3,
-            gid=f"path-{route.id}",
+            zorder=2.6,
+            gid=f"shadow-{route.id}",
         )
-        patch.set_path_effects([Stroke(linewidth=2.3, foreground="#00000038"), Normal()])
-        ax.add_patch(patch)
+    )
+
+
+def curve(pieces: Sequence[Sequence[Point]]) -> Path:
+    """Quadratic Bézier curves, each joined to the one before where that ends where it starts."""
+    vertices: list[Point] = []
+    codes: list[Any] = []
+    for start, control, end in pieces:
+        if not vertices or vertices[-1] != start:
+            vertices.append(start)
+            codes.append(Path.MOVETO)
+        vertices += [control, end]
+        codes += [Path.CURVE3, Path.CURVE3]
+    return Path(vertices, codes)
 
 
 def draw_marks(ax: Axes, events: list[dict[str, Any]], routes: list[Route]) -> set[str]:
     """A small mark at every event, as a rail or pocket or colleague was met.
+
+    Of a run of hops over an edge only the first touch is marked, and a bounce on the slate only
+    where the ball comes from, or goes to, a height that can be seen.
 
     Returns:
         The kinds that occurred, for the key.
     """
     by_id = {route.id: (index, route) for index, route in enumerate(routes)}
     seen = set()
-    for event in events:
-        kind = event["type"]
-        if kind not in MARKS or (kind == "motion-transition" and event["to"] != "rolling"):
+    for event in (events[run[0]] for run in runs(events)):
+        kind = mark(event, {ball: by_id[ball][1] for ball in event["balls"]})
+        if kind is None:
             continue
         seen.add(kind)
-        marker, size, filled, _ = MARKS[kind]
         index, route = by_id[event["balls"][0]]
         color = colors.IVORY if kind == "ball-collision" else look(route.id, index).path
         x, y = _where(event, [by_id[ball][1].radius for ball in event["balls"]])
-        ax.plot(
-            [x],
-            [y],
-            marker=marker,
-            markersize=size,
-            markerfacecolor=color if filled else colors.CLOTH,
-            markeredgecolor="#1a1a1a" if filled and marker != "x" else color,
-            markeredgewidth=1.1 if marker == "x" else 0.5 if filled else 0.9,
-            alpha=0.9,
-            zorder=4,
-        )
+        draw_mark(ax, (x, y), kind, color)
     return seen
+
+
+def mark(event: dict[str, Any], routes: dict[str, Route]) -> str | None:
+    """The key in ``MARKS`` of an event's mark; None if it has none."""
+    kind: str = event["type"]
+    if kind == "motion-transition":
+        return kind if event["to"] == "rolling" else None
+    if kind == "rail-collision" and event["part"] == "top":
+        kind = "slate-collision"
+    if kind == "slate-collision":
+        route = routes[event["balls"][0]]
+        time = event["time"]
+        near = [leg for leg in route.legs if time in (leg.start_time, leg.end_time)]
+        height = event["before"][0]["position"][2]
+        return kind if any(leg.flies and leg.top - height >= SEEN for leg in near) else None
+    return kind if kind in MARKS else None
+
+
+def draw_mark(ax: Axes, place: Point, kind: str, color: str) -> None:
+    """One mark, at ``place``."""
+    marker, size, filled, _ = MARKS[kind]
+    crossed = marker == "x"
+    ax.plot(
+        [place[0]],
+        [place[1]],
+        marker=marker,
+        markersize=size,
+        markerfacecolor=color if filled else colors.CLOTH,
+        markeredgecolor="#1a1a1a" if filled and not crossed else color,
+        markeredgewidth=1.1 if crossed else 0.5 if filled else 0.9,
+        alpha=0.9,
+        zorder=4,
+    )
 
 
 def _where(event: dict[str, Any], radii: list[float]) -> Point:

@@ -56,6 +56,7 @@ def draw(trace: Trace, *, title: str | None = None) -> Figure:
         trace.to_dict(),
         title or geometry["name"] or "shot",
         azimuth=shot.azimuth,
+        elevation=shot.elevation,
     )
 
 
@@ -66,8 +67,9 @@ def compose(
     title: str,
     *,
     azimuth: float | None = None,
+    elevation: float | None = None,
 ) -> Figure:
-    """Draw a shot from plain data.
+    """Draw a shot from plain data: from above, and from the side for balls that fly.
 
     Args:
         geometry: The table as ``Shot.geometry`` gives it.
@@ -75,6 +77,7 @@ def compose(
         trace: A ``carom-trace/1``.
         title: Heading of the panel.
         azimuth: Direction of the cue, rad, if there is a strike.
+        elevation: How far its butt is raised, rad.
     """
     _matplotlib.prepare()
     from matplotlib.figure import Figure
@@ -82,6 +85,7 @@ def compose(
     from carom.picture.balls import draw_balls, draw_cue, draw_marks, draw_paths
     from carom.picture.legend import Panel, draw_panel
     from carom.picture.paths import routes
+    from carom.picture.side import draw_side, views
     from carom.picture.table import bounds, draw_table
 
     ways = routes(trace, balls)
@@ -91,23 +95,44 @@ def compose(
     margin = MARGIN_POINTS * point
     height = max(top - bottom, LEAST_HEIGHT_POINTS * point)
     width = right - left + 3 * margin + PANEL_POINTS * point - margin
-    figure = Figure(
-        figsize=((width + margin) / point / 72, (height + 2 * margin) / point / 72),
-        facecolor=colors.PAPER,
-    )
-    ax = figure.add_axes((0, 0, 1, 1))
+    # On paper, points: the picture, and below the view from above those from the side.
+    paper, above = (width + margin) / point, (height + 2 * margin) / point
+    strip = paper - 2 * MARGIN_POINTS
+    sides = views(ways, strip, geometry["cushion_height"])
+    heights = [view.height * strip / (view.right - view.left) for view in sides]
+    below = sum(heights) + MARGIN_POINTS * len(sides)
+    figure = Figure(figsize=(paper / 72, (above + below) / 72), facecolor=colors.PAPER)
+    ax = figure.add_axes((0, below / (above + below), 1, above / (above + below)))
     ax.set_axis_off()
     ax.set_xlim(left - margin, left + width)
     ax.set_ylim(top - height - margin, top + margin)
     draw_table(ax, geometry, region)
-    draw_paths(ax, ways)
+    flew = draw_paths(ax, ways)
     seen = draw_marks(ax, trace["events"], ways)
     smallest = SMALLEST_BALL_POINTS * point
+    struck = trace["events"][0]["balls"][0] if azimuth is not None else None
     if azimuth is not None:
-        struck = next(way for way in ways if way.id == trace["events"][0]["balls"][0])
-        draw_cue(ax, struck.start, azimuth, max(struck.radius, smallest))
+        way = next(way for way in ways if way.id == struck)
+        draw_cue(ax, way.start, azimuth, max(way.radius, smallest))
     draw_balls(ax, ways, smallest)
-    draw_panel(Panel(ax, right + 1.6 * margin, top, point), title, trace, ways, seen)
+    draw_panel(Panel(ax, right + 1.6 * margin, top, point), title, trace, ways, seen, flew=flew)
+    floor = below
+    for view, tall in zip(sides, heights, strict=True):
+        floor -= tall
+        side = figure.add_axes(
+            (
+                MARGIN_POINTS / paper,
+                floor / (above + below),
+                strip / paper,
+                tall / (above + below),
+            )
+        )
+        floor -= MARGIN_POINTS
+        side.set_axis_off()
+        side.set_xlim(view.left, view.right)
+        side.set_ylim(view.top - view.height, view.top)
+        raised = elevation if view.route.id == struck else None
+        draw_side(side, view, ways, trace["events"], geometry, raised)
     return figure
 
 

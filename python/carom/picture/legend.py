@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from matplotlib.patches import PathPatch
+
 from carom.picture import colors
-from carom.picture.balls import MARKS, draw_ball
+from carom.picture.balls import DOTTED, MARKS, curve, draw_ball
 from carom.picture.colors import look
 
 if TYPE_CHECKING:
@@ -41,7 +43,13 @@ class Panel:
 
 
 def draw_panel(
-    panel: Panel, title: str, trace: dict[str, Any], routes: list[Route], seen: set[str]
+    panel: Panel,
+    title: str,
+    trace: dict[str, Any],
+    routes: list[Route],
+    seen: set[str],
+    *,
+    flew: bool,
 ) -> None:
     """Fill the panel."""
     panel.write(title, 15, fontweight="bold")
@@ -61,11 +69,11 @@ def draw_panel(
     for kind, (marker, size, filled, text) in MARKS.items():
         if kind in seen:
             _key(panel, marker, size, filled, text)
+    if flew:
+        _flight(panel)
     panel.skip(17)
     panel.ax.add_patch(_ring(panel))
-    panel.ax.text(
-        panel.left + 17 * panel.point, panel.y, "start", fontsize=8, va="center", color=colors.INK
-    )
+    _explain(panel, "start")
     panel.skip(14)
     panel.write(trace["engine"], 7, color=colors.FAINT_INK)
 
@@ -128,6 +136,10 @@ def _key(panel: Panel, marker: str, size: float, filled: bool, text: str) -> Non
         markeredgewidth=1.2 if marker == "x" else 0.7,
         linestyle="none",
     )
+    _explain(panel, text)
+
+
+def _explain(panel: Panel, text: str) -> None:
     panel.ax.text(
         panel.left + 17 * panel.point,
         panel.y,
@@ -136,6 +148,27 @@ def _key(panel: Panel, marker: str, size: float, filled: bool, text: str) -> Non
         va="center",
         color=colors.INK,
     )
+
+
+def _flight(panel: Panel) -> None:
+    """The key of a path in the air."""
+    panel.skip(14)
+    left, middle, right = (panel.left + offset * panel.point for offset in (0, 6, 12))
+    path, low = panel.y + 2 * panel.point, panel.y - 5 * panel.point
+    panel.ax.add_patch(
+        PathPatch(
+            curve([((left, path), (middle, low), (right, path))]),
+            facecolor="none",
+            edgecolor="#000000",
+            alpha=0.3,
+            linewidth=2.2,
+            capstyle="round",
+        )
+    )
+    panel.ax.plot(
+        [left, right], [path, path], color=colors.INK, lw=1.7, ls=DOTTED, dash_capstyle="round"
+    )
+    _explain(panel, "in the air, and its shadow")
 
 
 def _ring(panel: Panel) -> Any:

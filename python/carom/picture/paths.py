@@ -2,7 +2,7 @@
 
 Between two of its events a ball moves on a parabola, p(t) = p₀ + v₀t + ½at², and a parabola is a
 quadratic Bézier curve: from p₀ to p₁ = p(T), with its control point where the end tangents meet,
-p₀ + ½v₀T. Nothing is sampled.
+p₀ + ½v₀T. That holds for all three coordinates. Nothing is sampled.
 """
 
 from __future__ import annotations
@@ -15,6 +15,16 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 Point = tuple[float, float]
+Heights = tuple[float, float, float]
+"""The heights of a leg's start, control point and end, m."""
+
+
+def highest(heights: Heights) -> float:
+    """The highest point of a parabola from its Bézier ordinates, m."""
+    start, control, end = heights
+    if control <= max(start, end):
+        return max(start, end)
+    return start + (control - start) ** 2 / (2 * control - start - end)
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +36,29 @@ class Leg:
     start: Point
     control: Point
     end: Point
+    heights: Heights = (0.0, 0.0, 0.0)
+
+    @property
+    def flies(self) -> bool:
+        """Whether the ball is in the air: on slate or wood its height does not change."""
+        return len(set(self.heights)) > 1
+
+    @property
+    def top(self) -> float:
+        """Height of the centre where it is highest, m."""
+        return highest(self.heights)
+
+    def at(self, time: float) -> tuple[float, float, float]:
+        """The centre at a time (s) of this leg, m."""
+        share = (time - self.start_time) / (self.end_time - self.start_time)
+        x, y, z = (
+            (1 - share) ** 2 * a + 2 * share * (1 - share) * b + share**2 * c
+            for a, b, c in (
+                *zip(self.start, self.control, self.end, strict=True),
+                self.heights,
+            )
+        )
+        return (x, y, z)
 
     @property
     def length(self) -> float:
@@ -61,11 +94,28 @@ class Route:
     legs: tuple[Leg, ...]
     fate: str
     """Its last motion: ``stationary``, ``pocketed``, ..."""
+    rest_heights: tuple[float, float]
+    """Heights of its centre at the start and at the end, m."""
 
     @property
     def length(self) -> float:
-        """Length of the whole way, m."""
+        """Length of the whole way, seen from above, m."""
         return sum(leg.length for leg in self.legs)
+
+    def rise(self, leg: Leg) -> float:
+        """How high above the slate the ball gets on one of its legs in the air, m; else 0."""
+        return max(0.0, leg.top - self.radius) if leg.flies else 0.0
+
+    def at(self, time: float) -> tuple[float, float, float]:
+        """The centre at a time (s), m."""
+        before = (*self.start, self.rest_heights[0])
+        for leg in self.legs:
+            if time < leg.start_time:
+                return before
+            if time <= leg.end_time:
+                return leg.at(time)
+            before = (*leg.end, leg.heights[2])
+        return before
 
 
 def routes(trace: dict[str, Any], balls: Sequence[dict[str, Any]]) -> list[Route]:
@@ -97,6 +147,7 @@ def routes(trace: dict[str, Any], balls: Sequence[dict[str, Any]]) -> list[Route
             end=_flat(final[ball["id"]]["position"]),
             legs=tuple(legs[ball["id"]]),
             fate=final[ball["id"]]["motion"],
+            rest_heights=(ball["position"][2], final[ball["id"]]["position"][2]),
         )
         for ball in balls
     ]
@@ -110,10 +161,12 @@ def _extend(
 ) -> None:
     since, start, velocity = last
     half = 0.5 * (time - since)
-    if _flat(start) == _flat(position):
+    # It stayed, unless it flew straight up and came back to the very spot.
+    if tuple(start) == tuple(position) and (half == 0.0 or velocity[2] == 0.0):
         return
-    control = (start[0] + velocity[0] * half, start[1] + velocity[1] * half)
-    legs.append(Leg(since, time, _flat(start), control, _flat(position)))
+    x, y, z = (p + v * half for p, v in zip(start, velocity, strict=True))
+    heights = (float(start[2]), z, float(position[2]))
+    legs.append(Leg(since, time, _flat(start), (x, y), _flat(position), heights))
 
 
 def _flat(position: Sequence[float]) -> Point:

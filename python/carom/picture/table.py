@@ -100,11 +100,50 @@ def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
     ax.add_patch(Rectangle((0, 0), width, length, facecolor=colors.CLOTH, zorder=1.1))
     for pocket in geometry["pockets"]:
         _pocket(ax, pocket)
-    for rail in dict.fromkeys(part["rail"] for part in geometry["cushions"]):
-        parts = [part for part in geometry["cushions"] if part["rail"] == rail]
+    for parts in _rails(geometry):
         _cushion(ax, parts, width, length, cushion)
     _sights(ax, geometry)
     _markings(ax, geometry)
+
+
+class Ground:
+    """What lies under a place."""
+
+    def __init__(self, geometry: dict[str, Any]) -> None:
+        self._size = geometry["size"]
+        self._rail_width = geometry["rail_width"]
+        self._cushion_width = geometry["cushion_width"]
+        self._pockets = geometry["pockets"]
+        self._rubber: list[Path] = []
+        if self._size is not None:
+            width, length = self._size
+            for parts in _rails(geometry):
+                outline = _rubber(parts, width, length, self._cushion_width)
+                self._rubber.append(Path([*outline, outline[0]]))
+
+    def under(self, point: Point) -> str:
+        """``"bed"``, ``"hole"``, ``"rail"`` or, beyond the rails, ``"floor"``."""
+        if self._size is None:
+            return "bed"
+        x, y = point
+        width, length = self._size
+        beyond = max(-x, x - width, -y, y - length)
+        if beyond <= 0 and not self._pockets:
+            return "bed"
+        if any(math.dist(point, pocket["center"]) < pocket["radius"] for pocket in self._pockets):
+            return "hole"
+        if beyond > self._rail_width:
+            return "floor"
+        wood = beyond > self._cushion_width
+        return "rail" if wood or any(r.contains_point(point) for r in self._rubber) else "bed"
+
+
+def _rails(geometry: dict[str, Any]) -> list[list[dict[str, Any]]]:
+    """The parts of the cushions, rail by rail."""
+    return [
+        [part for part in geometry["cushions"] if part["rail"] == rail]
+        for rail in dict.fromkeys(part["rail"] for part in geometry["cushions"])
+    ]
 
 
 def _endless_cloth(ax: Axes, region: Bounds) -> None:
@@ -150,15 +189,11 @@ def _cushion(
     ax: Axes, parts: list[dict[str, Any]], width: float, length: float, cushion: float
 ) -> None:
     """One rail's rubber: its nose line, closed behind at the wood."""
-    line = nose_line(parts)
-    first, last = (
-        _behind(line[0], width, length, cushion),
-        _behind(line[-1], width, length, cushion),
-    )
-    ax.add_patch(Polygon([first, *line, last], closed=True, facecolor=colors.CUSHION, zorder=1.6))
+    outline = _rubber(parts, width, length, cushion)
+    ax.add_patch(Polygon(outline, closed=True, facecolor=colors.CUSHION, zorder=1.6))
     ax.add_patch(
         PathPatch(
-            Path(line),
+            Path(outline[1:-1]),
             facecolor="none",
             edgecolor=colors.CUSHION_EDGE,
             linewidth=0.9,
@@ -166,6 +201,15 @@ def _cushion(
             zorder=1.7,
         )
     )
+
+
+def _rubber(
+    parts: list[dict[str, Any]], width: float, length: float, cushion: float
+) -> list[Point]:
+    """The outline of a rail's rubber: its nose line between two corners at the wood."""
+    line = nose_line(parts)
+    first, last = (_behind(end, width, length, cushion) for end in (line[0], line[-1]))
+    return [first, *line, last]
 
 
 def _behind(point: Point, width: float, length: float, cushion: float) -> Point:

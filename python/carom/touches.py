@@ -1,0 +1,50 @@
+"""Touches that are one to the eye: a ball tips over an edge in many hops that nobody sees."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+# Hops over an edge follow each other within this, s: the engine brings a ball back to the edge
+# after 6 ms, where the last hop on the open slate, 0.1 mm high, still takes 9 ms.
+HOP_TIME = 7e-3
+# From so many on hops are a run.
+LEAST_RUN = 3
+
+
+def runs(events: Sequence[dict[str, Any]]) -> list[list[int]]:
+    """Indices of the events, in order; those of a run of hops of one ball over one edge together.
+
+    Args:
+        events: As a ``carom-trace/1`` has them.
+
+    Returns:
+        Lists by their first index: one index each, or at least ``LEAST_RUN``.
+    """
+    found: list[list[int]] = []
+    open_runs: dict[str, list[int]] = {}
+    for index, event in enumerate(events):
+        if event["type"] in {"slate-collision", "rail-collision"}:
+            ball = event["balls"][0]
+            run = open_runs.get(ball)
+            if run is not None and _goes_on(events[run[-1]], event):
+                run.append(index)
+                continue
+            open_runs[ball] = [index]
+            found.append(open_runs[ball])
+            continue
+        for ball in event["balls"]:
+            open_runs.pop(ball, None)
+        found.append([index])
+    return sorted(
+        part
+        for run in found
+        for part in ([run] if len(run) >= LEAST_RUN else [[index] for index in run])
+    )
+
+
+def _goes_on(last: dict[str, Any], event: dict[str, Any]) -> bool:
+    same = all(last.get(key) == event.get(key) for key in ("type", "rail", "part"))
+    return same and event["time"] - last["time"] < HOP_TIME
