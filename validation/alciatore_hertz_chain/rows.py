@@ -37,7 +37,7 @@ def bb19() -> list[float]:
 
 
 def rack_rebound(speed: float) -> float:
-    """Speed at which a cue ball comes back from the head ball of fifteen frozen ones, in its axis."""
+    """Speed at which a cue ball comes back from fifteen frozen balls, hit in their axis."""
     step = 2.0 * TP_RADIUS
     rack = [
         ball(f"{line}{k}", (0.75**0.5 * step * line, step * (k - 0.5 * line)))

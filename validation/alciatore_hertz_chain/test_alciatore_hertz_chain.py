@@ -1,6 +1,6 @@
 import pytest
-from carom.validation.row import Row, check, rows_of
 from carom.validation.alciatore_hertz_chain import rows
+from carom.validation.row import Row, check, rows_of
 
 
 @pytest.mark.parametrize("row", rows_of(rows), ids=str)

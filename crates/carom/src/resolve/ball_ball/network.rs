@@ -105,7 +105,12 @@ pub fn resolve(law: &BallBall, bodies: &mut [Body], touches: &[Touch]) -> bool {
     }
     let mut links = [Link::default(); MAX_CONTACTS];
     for (link, touch) in links.iter_mut().zip(touches) {
-        *link = Link::new(law, touch, bodies, touches, &units);
+        *link = Link::new(law, touch, bodies, &units);
+        balls[link.a].contacts += 1;
+        balls[link.b].contacts += 1;
+    }
+    for link in &mut links[..touches.len()] {
+        link.share = 1.0 / f64::from(balls[link.a].contacts.max(balls[link.b].contacts));
     }
     let (balls, links) = (&mut balls[..bodies.len()], &mut links[..touches.len()]);
     if law.is_smooth() {
@@ -171,6 +176,8 @@ struct Ball {
     surface: Vec3,
     /// 1/mass.
     mobility: f64,
+    /// Number of its contacts.
+    contacts: u32,
 }
 
 /// A contact as it goes on.
@@ -209,19 +216,12 @@ struct Link {
 }
 
 impl Link {
-    fn new(
-        law: &BallBall,
-        touch: &Touch,
-        bodies: &[Body],
-        touches: &[Touch],
-        units: &Units,
-    ) -> Self {
+    fn new(law: &BallBall, touch: &Touch, bodies: &[Body], units: &Units) -> Self {
         let (a, b) = touch.bodies(bodies);
         let (n, per_speed) = (touch.normal, 1.0 / units.speed);
         let velocity = (a.velocity - b.velocity) * per_speed;
         let surface = a.angular_velocity * a.radius + b.angular_velocity * b.radius;
         let approach = velocity.dot(n);
-        let contacts = |i: u8| touches.iter().filter(|t| t.a == i || t.b == i).count();
         let length = units.length();
         let slip = velocity - n * approach + surface.cross(n) * per_speed;
         Self {
@@ -234,7 +234,7 @@ impl Link {
             slip,
             stiffness: stiffness(a, b) * sqrt(length) * units.time * units.time / units.mass,
             mobility: units.mass / a.mass + units.mass / b.mass,
-            share: 1.0 / contacts(touch.a).max(contacts(touch.b)) as f64,
+            share: 1.0,
             depth: -touch.gap / length,
             touches: touch.gap <= TOUCH_TOLERANCE,
             friction: law.friction.at(slip.length() * units.speed),
