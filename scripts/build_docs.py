@@ -1,4 +1,4 @@
-"""Builds the documentation into a folder: the gallery of papers, the pages, and the Rust pages.
+"""Builds the documentation into a folder: galleries of papers and shots, pages, and Rust pages.
 
     python scripts/build_docs.py FOLDER
 
@@ -12,8 +12,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+from carom import Shot
+from carom.picture import png
+
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
+SHOTS = ("jump_shot", "rail_top_landing", "off_the_table", "masse", "spit_out")
 
 
 def main(folder: Path) -> int:
@@ -24,6 +28,7 @@ def main(folder: Path) -> int:
     subprocess.run(
         [sys.executable, ROOT / "scripts" / "validation_gallery.py", gallery], check=True
     )
+    draw_shots(gallery / "shots")
     pages = folder / "html"
     command = [sys.executable, "-m", "sphinx", "--quiet", "--fail-on-warning", "--keep-going"]
     command += ["--builder", "html", "--doctree-dir", folder / "doctrees", DOCS, pages]
@@ -32,6 +37,15 @@ def main(folder: Path) -> int:
         shutil.copytree(folder / "rust" / "doc", pages / "rust", dirs_exist_ok=True)
         print(f"The documentation: {pages / 'index.html'}")
     return done.returncode
+
+
+def draw_shots(folder: Path) -> None:
+    """Draws the shots that the pages show."""
+    folder.mkdir()
+    for name in SHOTS:
+        trace = Shot.load(ROOT / "shots" / f"{name}.json").simulate()
+        picture = png(trace, title=name.replace("_", " "), dots_per_inch=100)
+        (folder / f"{name}.png").write_bytes(picture)
 
 
 if __name__ == "__main__":
