@@ -148,6 +148,18 @@ def test_a_jump_is_dotted_over_its_shadow_and_shown_from_the_side_with_what_it_p
     assert math.isclose(scale[0] / box.width, scale[1] / box.height, rel_tol=1e-9)
 
 
+def test_balls_that_fly_over_endless_cloth_have_a_side_view_each(endless: dict[str, Any]) -> None:
+    endless["balls"] = [
+        {"id": "a", "position": [0.0, 0.0, 0.3], "velocity": [1.0, 0.2, 0.0]},
+        {"id": "b", "position": [0.4, 0.1]},
+        {"id": "12", "position": [0.0, 0.5, 0.2], "velocity": [1.0, -0.6, 1.0]},
+    ]
+    trace = Shot.from_dict(endless).simulate()
+    rises = trace.at(np.linspace(0.0, trace.duration, 5001)).position[:, :, 2].max(axis=0)
+    flyers = [b for b, top in zip("ab2", rises, strict=True) if top > trace.shot.radius[0] + 5e-3]
+    assert len(picture.draw(trace).axes) == 1 + len(flyers) > 2
+
+
 def test_a_shot_on_the_cloth_has_no_side_view(pot: dict[str, Any]) -> None:
     figure = picture.draw(Shot.from_dict(pot).simulate())
     assert len(figure.axes) == 1

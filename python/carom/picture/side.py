@@ -223,6 +223,8 @@ def _draw_passed(ax: Axes, view: View, leg: Leg, others: list[tuple[int, Route]]
         if nearest == leg.start_time:
             continue
         x, y, z = other.at(nearest)
+        if z + other.radius > view.top:
+            continue
         # A touch at the end of the flight counts, though roundings may leave a gap.
         if math.dist(leg.at(nearest)[:2], (x, y)) > 1.001 * (view.route.radius + other.radius):
             continue

@@ -111,15 +111,17 @@ class Ground:
 
     def __init__(self, geometry: dict[str, Any]) -> None:
         self._size = geometry["size"]
+        self._rubber: list[Path] = []
+        # Endless cloth has no more.
+        if self._size is None:
+            return
         self._rail_width = geometry["rail_width"]
         self._cushion_width = geometry["cushion_width"]
         self._pockets = geometry["pockets"]
-        self._rubber: list[Path] = []
-        if self._size is not None:
-            width, length = self._size
-            for parts in _rails(geometry):
-                outline = _rubber(parts, width, length, self._cushion_width)
-                self._rubber.append(Path([*outline, outline[0]]))
+        width, length = self._size
+        for parts in _rails(geometry):
+            outline = _rubber(parts, width, length, self._cushion_width)
+            self._rubber.append(Path([*outline, outline[0]]))
 
     def under(self, point: Point) -> str:
         """``"bed"``, ``"hole"``, ``"rail"`` or, beyond the rails, ``"floor"``."""
