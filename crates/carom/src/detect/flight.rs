@@ -17,7 +17,7 @@ use carom_roots::{Motion, first_crossing, first_ring_contact};
 use super::ball_table::TableFeature;
 use super::edge::{self, below, earlier, first_touch_of_hole, plan, relative};
 use crate::math::Vec2;
-use crate::table::{Capture, Part, Shape, Table};
+use crate::table::{Bounds, Capture, Part, Shape, Table};
 
 /// How far ahead of the ball it is decided whether slate or hole, top or opening is under it, m: on the
 /// very edge the ball moves towards one of them. Ten thousand roundings of a position.
@@ -183,11 +183,14 @@ impl Flight<'_> {
             return;
         }
         let mut track = Track::new(self.path, first.last);
-        for (i, cushion) in self.table.cushions.iter().enumerate() {
+        let mut field = track.bounds().grown(radius);
+        for (i, (cushion, place)) in
+            self.table.cushions.iter().zip(&self.table.layout.bounds).enumerate()
+        {
             if cushion.part == Part::Top {
                 break;
             }
-            if track.is_clear_of(&cushion.shape, radius) {
+            if field.is_clear_of(place) || track.is_clear_of(&cushion.shape, radius) {
                 continue;
             }
             let before = first.last;
@@ -195,6 +198,7 @@ impl Flight<'_> {
             first.offer(t, TableFeature::Cushion(i as u16));
             if first.last < before {
                 track = Track::new(self.path, first.last);
+                field = track.bounds().grown(radius);
             }
         }
     }
@@ -243,6 +247,10 @@ impl Track {
         let plan = plan(path);
         let vec = |[x, y]: [f64; 2]| Vec2::new(x, y);
         Self { from: vec(plan.d), to: vec(plan.at(until)) }
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds::of([self.from, self.to])
     }
 
     /// Whether the centre provably keeps further than `radius` (m) from the edge `shape`.

@@ -85,7 +85,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 ((into * sqrt(1.0 - sin * sin)).with_z(sin), into.with_z(0.0))
             }
         };
-        let struck = if kind == Part::Liner && normal.z == 0.0 { leaning(normal) } else { normal };
+        let is_wall = kind == Part::Liner && normal.z == 0.0;
+        let cloth = &physics.cloth;
         let strike = |press: f64| {
             let mut body = body(&before, &ball);
             body.velocity += push * press;
@@ -96,7 +97,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                     ball_edge::resolve(&surface, physics.gravity, edge, &mut body);
                 }
                 _ => {
-                    resolve::ball_cushion::resolve(law, &physics.cloth, struck, on_bed, &mut body);
+                    if is_wall {
+                        let leaning = leaning(normal);
+                        resolve::ball_cushion::resolve(law, cloth, leaning, on_bed, &mut body);
+                    }
+                    // A ball that falls along a wall does not come against its slope.
+                    resolve::ball_cushion::resolve(law, cloth, normal, on_bed, &mut body);
                 }
             }
             [support.settled(&before, body.velocity, body.angular_velocity, &ball, physics)]

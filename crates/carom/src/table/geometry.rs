@@ -10,9 +10,10 @@ use core::f64::consts::FRAC_1_SQRT_2;
 use super::jaw::{Jaw, Place, RailFrame, hole_center, jaw, tangent_length};
 use super::opening::{Back, Liner, Openings, liner};
 use super::{
-    Capture, CushionPart, Part, Pocket, PocketDescription, PocketLayout, PocketModel, PocketName,
-    Rail, Shape, Table, TableDescription, TableError, check,
+    Bounds, Capture, CushionPart, Part, Pocket, PocketDescription, PocketLayout, PocketModel,
+    PocketName, Rail, Shape, Table, TableDescription, TableError, check,
 };
+use crate::detect::ball_cushion::JOIN_OVERLAP;
 use crate::math::Vec2;
 
 /// What of the geometry only detection needs.
@@ -39,6 +40,8 @@ pub(crate) struct Layout {
     pub(crate) tops: [u16; 6],
     /// The openings of the pockets; none where there are none.
     pub(crate) openings: Option<Openings>,
+    /// Boxes around the cushions' parts, in their order.
+    pub(crate) bounds: Vec<Bounds>,
 }
 
 /// A pocket's features, for detection.
@@ -142,6 +145,7 @@ impl Table {
                 on_cloth: 0,
                 tops: [0; 6],
                 openings: None,
+                bounds: Vec::new(),
             },
         }
     }
@@ -170,6 +174,9 @@ impl Table {
             PocketLayout::Six => table.add_rails_and_pockets(half, description)?,
         }
         table.add_tops();
+        // Straight parts are longer by the overlap at their joins.
+        let bounds = |c: &CushionPart| Bounds::of_shape(&c.shape).grown(JOIN_OVERLAP);
+        table.layout.bounds = table.cushions.iter().map(bounds).collect();
         Ok(table)
     }
 

@@ -4,6 +4,7 @@
 //! points, facings, holes and mouths ([`geometry`], [`jaw`]), liners and the tops of the rails ([`opening`]);
 //! [`crate::detect`] finds what a ball meets among them.
 
+mod bounds;
 mod check;
 mod description;
 mod error;
@@ -29,6 +30,7 @@ pub use presets::PRESETS;
 pub use sheet::{Dimension, Source};
 
 use crate::math::{Vec2, sqrt};
+pub(crate) use bounds::Bounds;
 pub(crate) use geometry::{Gate, Layout};
 pub(crate) use surface::UNDER_EDGE;
 
