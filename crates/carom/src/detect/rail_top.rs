@@ -8,7 +8,7 @@ use carom_roots::{Motion, first_crossing};
 use super::ball_cushion::JOIN_OVERLAP;
 use super::ball_table::TableFeature;
 use crate::math::{Vec2, sqrt};
-use crate::table::{Capture, Pocket, Shape, Table, arc_sides};
+use crate::table::{Bounds, Capture, Pocket, Shape, Table, arc_sides};
 
 /// First time in [0, `horizon`] (s, may be infinite) at which a ball on a rail's top loses its support on
 /// the path d + v t + h t² of its centre (m, in the engine's frame, seen from above), and where: `Brink`
@@ -32,7 +32,11 @@ pub fn first_leaving(table: &Table, path: &Motion<2>, horizon: f64) -> Option<(f
     // A moving ball comes to the border at last.
     let end = offer(None, TableFeature::Edge);
     if end < f64::INFINITY {
-        for cushion in &table.cushions {
+        let field = field(path, end);
+        for (cushion, place) in table.cushions.iter().zip(&table.layout.bounds) {
+            if field.is_clear_of(place) {
+                continue;
+            }
             offer(edge_crossing(&cushion.shape, path, end), TableFeature::Brink);
         }
         for pocket in &table.pockets {
@@ -40,6 +44,13 @@ pub fn first_leaving(table: &Table, path: &Motion<2>, horizon: f64) -> Option<(f
         }
     }
     feature.map(|feature| (last, feature))
+}
+
+/// A box around the path until `end`.
+fn field(path: &Motion<2>, end: f64) -> Bounds {
+    let reach = |k: usize| end * (path.v[k].abs() + end * path.h[k].abs());
+    let (start, reach) = (vec(path.d), Vec2::new(reach(0), reach(1)));
+    Bounds::of([start - reach, start + reach])
 }
 
 fn vec([x, y]: [f64; 2]) -> Vec2 {
