@@ -32,6 +32,10 @@ pub const HOP_TIME: f64 = 6e-3;
 /// the place where it leaves the edge is met.
 pub const HOP_ANGLE: f64 = 0.02;
 
+/// How far a ball goes around the axis of a round edge or wall in a hop, rad. It then parts with a
+/// twentieth of its speed along it; less, and a ball that runs around a hole would need more contacts.
+pub const ROUND_ANGLE: f64 = 0.1;
+
 /// The largest share of a ball's kinetic energy in the motion along the normal after a contact. A
 /// larger one takes more of the speed of a slow ball and delays its fall; a smaller one means more
 /// hops.
@@ -60,7 +64,7 @@ impl Edge {
     }
 
     /// The parting speed, m/s, from which a ball that moves with `velocity` across the normal is brought
-    /// back within [`HOP_TIME`] and [`HOP_ANGLE`]; 0 if it flies off anyway.
+    /// back within [`HOP_TIME`], [`HOP_ANGLE`] and [`ROUND_ANGLE`]; 0 if it flies off anyway.
     fn hop_speed(&self, gravity: f64, velocity: Vec3) -> f64 {
         let along = velocity.xy().dot(self.along);
         let turning = (velocity.length_squared() - along * along).max(0.0);
@@ -69,8 +73,10 @@ impl Edge {
         if pull <= 0.0 {
             return 0.0;
         }
-        let angular_speed = self.turn * sqrt(turning);
-        0.5 * pull * HOP_TIME.min(HOP_ANGLE / angular_speed.max(f64::MIN_POSITIVE))
+        let within = |angle: f64, rate: f64| angle / rate.max(f64::MIN_POSITIVE);
+        let across = within(HOP_ANGLE, self.turn * sqrt(turning));
+        let around = within(ROUND_ANGLE, self.bend.max(0.0) * along.abs());
+        0.5 * pull * HOP_TIME.min(across).min(around)
     }
 }
 

@@ -93,6 +93,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 continue;
             }
             let j = usize::from(j);
+            if !self.path[j].motion.in_play() {
+                continue;
+            }
             let (motion, distance, horizon) = self.lanes.pair(i, j, time);
             let contact = if self.aloft[i] || self.aloft[j] {
                 self.first_contact_aloft(i, j, &motion, time, horizon)

@@ -236,7 +236,8 @@ fn moving(state: &BallState, velocity: Vec3, spin: Vec3, radius: f64) -> BallSta
     if state.motion == MotionState::Airborne {
         return BallState { velocity, angular_velocity: spin, ..*state };
     }
-    on_plane(state.position, velocity, spin, radius)
+    // The plane takes what would go into it, as for a last hop.
+    on_plane(state.position, velocity.xy().with_z(0.0), spin, radius)
 }
 
 /// Bodies about to meet along `normal`: a ball and a wall (`K` = 1) or two balls (`K` = 2).
