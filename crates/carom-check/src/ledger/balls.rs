@@ -87,6 +87,9 @@ impl Party {
     }
 }
 
+/// Up to this slope a line of centres counts as upright, and so far it may be taken to lean.
+const LEAN: f64 = 1.000_001e-3;
+
 /// Friction that the ground has at most.
 fn friction(shot: &Shot) -> f64 {
     shot.physics().cloth.sliding_friction.max(shot.physics().slate.friction)
@@ -125,6 +128,9 @@ fn alone(shot: &Shot, free: &Party, other: &Party, normal: Vec3) -> Result<(), (
         );
         if size > most { Err((excess, text)) } else { Ok(()) }
     };
+    // Balanced on top of another, a ball is taken to lean; the press that parts them does too.
+    let upright = normal.xy().length_squared() < LEAN * LEAN;
+    let leaning = if upright { 2.5 * LEAN * free.push.length() } else { 0.0 };
     // The arm of the contact is Rn: I Δω = Rn × J. It tells the part of J across n.
     let about_normal = free.turn.dot(normal).abs();
     wrong(about_normal, free.turn_rounding, "angular momentum about the line of centres")?;
@@ -140,13 +146,13 @@ fn alone(shot: &Shot, free: &Party, other: &Party, normal: Vec3) -> Result<(), (
     let missing = impulse - free.push;
     let left_down = if free.stands { missing.z.clamp(0.0, free.lift) } else { 0.0 };
     let off = (missing - Vec3::new(0.0, 0.0, left_down)).length();
-    wrong(off, rounding, "angular momentum about the contact")?;
+    wrong(off, rounding + leaning, "angular momentum about the contact")?;
 
     let ground = other.push + impulse;
     let lever = Vec3::new(0.0, 0.0, -other.ball.radius);
     let contact = normal * -other.ball.radius;
     let turn = other.turn - contact.cross(-impulse) - lever.cross(ground);
-    let most = other.turn_rounding + other.ball.radius * rounding;
+    let most = other.turn_rounding + other.ball.radius * (rounding + leaning);
     wrong(turn.length(), most, "angular momentum about the contact, on the other side,")?;
     let rounding = rounding + other.push_rounding;
     if !other.stands {
@@ -154,6 +160,6 @@ fn alone(shot: &Shot, free: &Party, other: &Party, normal: Vec3) -> Result<(), (
     }
     wrong(-ground.z, other.lift + rounding, "momentum, downwards,")?;
     // A bounce too small to see is kept down, after its push and friction; half of it at most.
-    let most = friction(shot) * 2.0 * ground.z.max(0.0) + rounding;
+    let most = friction(shot) * 2.0 * ground.z.max(0.0) + rounding + leaning;
     wrong(ground.xy().length(), most, "momentum, by friction on the ground,")
 }

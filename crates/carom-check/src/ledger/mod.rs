@@ -16,6 +16,9 @@ const ROUNDING: f64 = 1e-12;
 /// Energy that a push may lend, J: `UNPAID_PRESS_SPEED` in the engine's `simulate/impact.rs`.
 pub const LENT: f64 = 2e-9;
 
+/// The same where a ball lies on top of another: `PRESS_SPEED` there.
+const LENT_ALOFT: f64 = 1.5e-7;
+
 /// Share of a spin that a push between smooth balls may cost: `SPIN_SHARE` there.
 const SPIN_SHARE: f64 = 1e-3;
 
@@ -55,7 +58,10 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
         return (given > had * (1.0 + ROUNDING))
             .then(|| format!("the cue gives {given:e} J, of {had:e} J that it had"));
     }
-    if after > before * (1.0 + ROUNDING) + LENT {
+    let flies = |s: &BallState| s.motion == MotionState::Airborne;
+    let piled = event.kind == EventKind::BallCollision && event.before.iter().any(flies);
+    let lent = if piled { LENT_ALOFT } else { LENT };
+    if after > before * (1.0 + ROUNDING) + lent {
         return Some(format!("{:?} raises the energy by {given:e} J", event.kind));
     }
     match event.kind {

@@ -82,6 +82,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// First contacts of ball `i` with all balls but those in `done`.
     #[inline(always)]
     fn find_row(&mut self, i: usize, time: f64, done: &[u16]) {
+        if !self.path[i].motion.in_play() {
+            return;
+        }
         let mut open = Open::NONE;
         if F::PROOFS {
             open.look(&self.lanes, i, self.n, time, self.wide);

@@ -16,6 +16,10 @@ use crate::{BallState, MotionState, Physics, Table};
 /// of.
 const SLOWEST_FALL: f64 = 1e-3;
 
+/// A ball stands on the brink of a hole up to this slope of its radius to the lip: it is then 2e-10 m lower
+/// than on the slate.
+const ON_THE_BRINK: f64 = 1e-4;
+
 impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// Ball `i` meets something of the table that is no cushion. Returns the number of events.
     pub(super) fn leave<R: Recorder>(
@@ -81,11 +85,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         recorder: &mut R,
     ) -> u32 {
         let before = self.state(i, time);
-        let (friction, fall) =
-            (physics.cloth.rolling_friction, physics.gravity * self.ball[i].radius);
-        let least = (friction * friction * fall).max(SLOWEST_FALL * SLOWEST_FALL);
-        let hangs =
-            before.motion == MotionState::Rolling && before.velocity.length_squared() < least;
+        let hangs = self.is_too_slow_to_fall(i, &before, physics);
         let after = if hangs {
             let spin = Vec3::new(0.0, 0.0, before.angular_velocity.z);
             on_plane(before.position, Vec3::ZERO, spin, self.ball[i].radius)
@@ -98,6 +98,16 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             return events + self.retire(i, &after, time, table, physics, recorder);
         }
         events
+    }
+
+    /// Whether rolling resistance holds a ball on the brink of an edge.
+    fn is_too_slow_to_fall(&self, i: usize, state: &BallState, physics: &Physics) -> bool {
+        let radius = self.ball[i].radius;
+        let friction = physics.cloth.rolling_friction;
+        let least =
+            (friction * friction * physics.gravity * radius).max(SLOWEST_FALL * SLOWEST_FALL);
+        let surface = radius * radius * state.angular_velocity.xy().length_squared();
+        state.velocity.length_squared().max(surface) < least
     }
 
     /// A ball comes down on the slate.
@@ -161,7 +171,14 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let edge = edge_at(table, feature, before.position, self.ball[i].radius);
         ball_edge::resolve(&physics.slate, physics.gravity, &edge, &mut body);
         let (velocity, angular_velocity) = (body.velocity, body.angular_velocity);
-        let after = BallState { velocity, angular_velocity, ..before };
+        let mut after = BallState { velocity, angular_velocity, ..before };
+        if edge.normal.xy().length_squared() < ON_THE_BRINK * ON_THE_BRINK
+            && self.is_too_slow_to_fall(i, &after, physics)
+        {
+            let position = before.position.xy().with_z(self.ball[i].radius);
+            let spin = Vec3::new(0.0, 0.0, angular_velocity.z);
+            after = on_plane(position, Vec3::ZERO, spin, self.ball[i].radius);
+        }
         let kind = EventKind::SlateCollision;
         let events = self.happen(i, kind, [before, after], time, table, physics, recorder);
         events + self.catch(i, &after, time, table, physics, recorder)

@@ -97,12 +97,15 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                     ball_edge::resolve(&surface, physics.gravity, edge, &mut body);
                 }
                 _ => {
-                    if is_wall {
-                        let leaning = leaning(normal);
-                        resolve::ball_cushion::resolve(law, cloth, leaning, on_bed, &mut body);
-                    }
+                    let mut thrown = body;
+                    let normal = if is_wall { leaning(normal) } else { normal };
+                    resolve::ball_cushion::resolve(law, cloth, normal, on_bed, &mut thrown);
                     // A ball that falls along a wall does not come against its slope.
-                    resolve::ball_cushion::resolve(law, cloth, normal, on_bed, &mut body);
+                    if is_wall && thrown.velocity.dot(push) > 0.0 {
+                        thrown = body;
+                        resolve::ball_cushion::resolve(law, cloth, push, on_bed, &mut thrown);
+                    }
+                    body = thrown;
                 }
             }
             [support.settled(&before, body.velocity, body.angular_velocity, &ball, physics)]
@@ -140,19 +143,24 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let d = before[1].position - before[0].position;
         let again = self.touched_lately(a, time) && self.touched_lately(b, time);
         let normal = d * (1.0 / d.length());
-        let normal = if again { unbalanced(normal) } else { normal };
         let pair = [self.ball[a], self.ball[b]];
-        let reduced = 1.0 / (1.0 / pair[0].mass + 1.0 / pair[1].mass);
         let on_bed = [!self.aloft[a], !self.aloft[b]];
         // Two balls on the slate push each other along it, also where their sizes differ and their
         // centres stand aslant.
         let push = if on_bed == [true, true] { level(normal) } else { normal };
+        // What the slate holds is pushed along it alone.
+        let held = on_bed.map(|lies| lies && on_bed != [true, true]);
+        let level = push.xy().with_z(0.0);
+        let along = held.map(|held| if held { level } else { push });
+        let mobility = |k: usize| along[k].length_squared() / pair[k].mass;
+        let reduced = 1.0 / (mobility(0) + mobility(1));
+        let pushes = [0, 1].map(|k| along[k] * (reduced / pair[k].mass));
         let supports = [0, 1].map(|k| Support::under(&before[k]));
         let strike = |press: f64| {
             let mut p = body(&before[0], &pair[0]);
             let mut q = body(&before[1], &pair[1]);
-            p.velocity += push * (press * reduced / p.mass);
-            q.velocity -= push * (press * reduced / q.mass);
+            p.velocity += pushes[0] * press;
+            q.velocity -= pushes[1] * press;
             let Physics { ball_ball: law, cloth, gravity, .. } = physics;
             let gentle = || {
                 let approach = (p.velocity - q.velocity).dot(normal);
@@ -160,10 +168,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             };
             match on_bed {
                 [false, true] if gentle() => {
+                    let normal = unbalanced(normal, &p);
                     held::resolve(law.restitution, normal, &mut p, &mut q);
                 }
                 [true, false] if gentle() => {
-                    held::resolve(law.restitution, -normal, &mut q, &mut p);
+                    let normal = unbalanced(-normal, &q);
+                    held::resolve(law.restitution, normal, &mut q, &mut p);
                 }
                 _ => resolve::ball_ball::resolve(law, cloth, *gravity, normal, &mut p, &mut q),
             }
@@ -213,9 +223,12 @@ fn leaning(normal: Vec3) -> Vec3 {
     (normal.xy() * cos).with_z(sin)
 }
 
-/// The line of centres of two balls pressed together, leaning by [`BALANCE`] if it stands upright.
-fn unbalanced(normal: Vec3) -> Vec3 {
-    if normal.xy().length_squared() >= BALANCE * BALANCE {
+/// The line of centres from `flyer` to a ball below it, leaning by [`BALANCE`] if it stands upright and the
+/// flyer stays on it.
+fn unbalanced(normal: Vec3, flyer: &Body) -> Vec3 {
+    if normal.xy().length_squared() >= BALANCE * BALANCE
+        || flyer.velocity.xy().length_squared() >= PRESS_SPEED * PRESS_SPEED
+    {
         return normal;
     }
     let leaning = Vec3::new(BALANCE, 0.0, normal.z);
@@ -269,9 +282,9 @@ impl<const K: usize> Impact<'_, K> {
         if approach >= PRESS_SPEED {
             return self.parted(&after, 2.0 * rounding - parting);
         }
-        // Gravity presses also what does not move.
-        let flies = |s: &BallState| s.motion == MotionState::Airborne;
-        let share = if self.before.iter().any(flies) {
+        // Gravity presses also what does not move, and goes on until the upper ball comes off.
+        let flies = K == 2 && self.before.iter().any(|s| s.motion == MotionState::Airborne);
+        let share = if flies {
             f64::INFINITY
         } else {
             PRESS_SHARE * (self.speeds(self.before) + self.surface_speeds())
@@ -284,7 +297,7 @@ impl<const K: usize> Impact<'_, K> {
                 return after;
             }
             result = strike(speed - approach);
-            if self.pay(&mut result) {
+            if self.pay(&mut result) || flies {
                 break;
             }
         }
