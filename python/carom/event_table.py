@@ -96,7 +96,7 @@ def _flights(trace: dict[str, Any]) -> list[_Flight]:
 
 def _over_edge(event: dict[str, Any], count: int) -> str:
     if event["type"] == "slate-collision":
-        return f"{count} hops over the lip"
+        return f"{count} hops on the lip"
     return f"{event['rail']} {event['part']}, {count} hops"
 
 

@@ -266,7 +266,7 @@ def test_a_ball_that_tips_over_a_lip_takes_one_line_of_the_table() -> None:
     assert len(hops) > 20
     lines = [line for line in str(trace).splitlines() if "slate-collision" in line]
     assert len(lines) == 1
-    assert f"{len(hops)} hops over the lip" in lines[0]
+    assert f"{len(hops)} hops on the lip" in lines[0]
     table = str(trace).split("\n\n")[0].splitlines()[1:]
     numbers = [int(line.split()[0]) for line in table]
     # The other events keep their numbers.
