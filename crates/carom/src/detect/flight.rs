@@ -17,7 +17,7 @@ use carom_roots::{Motion, first_crossing, first_ring_contact};
 use super::ball_table::TableFeature;
 use super::edge::{self, below, earlier, first_touch_of_hole, plan, relative};
 use crate::math::Vec2;
-use crate::table::{Bounds, Capture, Part, Shape, Table};
+use crate::table::{Bounds, Capture, Shape, Table};
 
 /// How far ahead of the ball it is decided whether slate or hole, top or opening is under it, m: on the
 /// very edge the ball moves towards one of them. Ten thousand roundings of a position.
@@ -182,25 +182,40 @@ impl Flight<'_> {
         {
             return;
         }
-        let mut track = Track::new(self.path, first.last);
-        let mut field = track.bounds().grown(radius);
-        for (i, (cushion, place)) in
-            self.table.cushions.iter().zip(&self.table.layout.bounds).enumerate()
-        {
-            if cushion.part == Part::Top {
-                break;
+        let Table { layout, pockets, .. } = self.table;
+        let field = Track::new(self.path, first.last).bounds().grown(radius);
+        if pockets.is_empty() {
+            for i in 0..layout.on_cloth {
+                self.meet_part(i, &field, first, last);
             }
-            if field.is_clear_of(place) || track.is_clear_of(&cushion.shape, radius) {
+            return;
+        }
+        for nose in layout.noses {
+            self.meet_part(usize::from(nose), &field, first, last);
+        }
+        for mouth in &layout.mouths {
+            if field.is_clear_of(&mouth.bounds) {
                 continue;
             }
-            let before = first.last;
-            let t = edge::first_touch(&cushion.shape, height, radius, self.path, last);
-            first.offer(t, TableFeature::Cushion(i as u16));
-            if first.last < before {
-                track = Track::new(self.path, first.last);
-                field = track.bounds().grown(radius);
+            for &part in &mouth.all {
+                self.meet_part(usize::from(part), &field, first, last);
             }
         }
+    }
+
+    /// One edge or wall; `field` is around the whole flight.
+    #[inline(always)]
+    fn meet_part(&self, i: usize, field: &Bounds, first: &mut First, last: f64) {
+        if field.is_clear_of(&self.table.layout.bounds[i]) {
+            return;
+        }
+        let shape = &self.table.cushions[i].shape;
+        if Track::new(self.path, first.last).is_clear_of(shape, self.radius) {
+            return;
+        }
+        let height = self.table.cushion_height;
+        let t = edge::first_touch(shape, height, self.radius, self.path, last);
+        first.offer(t, TableFeature::Cushion(i as u16));
     }
 
     /// The edges of the holes, and below the slate's surface their walls.
@@ -210,8 +225,10 @@ impl Flight<'_> {
         let from = if path.d[2] > radius { self.descent_through(radius) } else { Some(0.0) };
         let Some(from) = from.filter(|t| *t < first.last) else { return };
         let track = Track::new(path, first.last);
+        let field = track.bounds().grown(radius);
         for (k, pocket) in self.table.pockets.iter().enumerate() {
-            if self.is_mouth_line(k)
+            if field.is_clear_of(&self.table.layout.mouths[k].bounds)
+                || self.is_mouth_line(k)
                 || track.is_clear_of_disc(pocket.center, pocket.radius + radius)
             {
                 continue;

@@ -31,6 +31,15 @@ impl Bounds {
         }
     }
 
+    pub(crate) fn middle(&self) -> Vec2 {
+        (self.low + self.high) * 0.5
+    }
+
+    /// Around both.
+    pub(crate) fn with(&self, other: &Self) -> Self {
+        Self::of([self.low, self.high, other.low, other.high])
+    }
+
     /// The same, larger by `margin` (m) on every side.
     pub(crate) fn grown(self, margin: f64) -> Self {
         let by = Vec2::new(margin, margin);

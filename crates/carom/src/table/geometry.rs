@@ -54,6 +54,32 @@ pub(crate) struct Mouth {
     /// Seen from the hole's centre the liner's round wall stands where the cosine to the pocket's axis is
     /// greater than this.
     pub(crate) liner_from: f64,
+    /// Indices of all its points, facings and liners: what a flying ball can meet.
+    pub(crate) all: Vec<u16>,
+    /// A box around them and the hole.
+    pub(crate) bounds: Bounds,
+}
+
+impl Layout {
+    /// Gives every point, facing and liner to its pocket, and the mouths their boxes, once those of the
+    /// cushions' parts are there.
+    fn bound_mouths(&mut self, cushions: &[CushionPart], pockets: &[Pocket]) {
+        for (mouth, pocket) in self.mouths.iter_mut().zip(pockets) {
+            mouth.bounds = Bounds::of([pocket.center]).grown(pocket.radius);
+        }
+        for (i, (cushion, bounds)) in cushions.iter().zip(&self.bounds).enumerate() {
+            if matches!(cushion.part, Part::Nose | Part::Top) {
+                continue;
+            }
+            let distance = |p: &Pocket| (p.center - bounds.middle()).length_squared();
+            let nearest = (0..pockets.len())
+                .min_by(|a, b| distance(&pockets[*a]).total_cmp(&distance(&pockets[*b])));
+            if let Some(k) = nearest {
+                self.mouths[k].all.push(i as u16);
+                self.mouths[k].bounds = self.mouths[k].bounds.with(bounds);
+            }
+        }
+    }
 }
 
 /// A line across a pocket; a ball on the cloth that crosses it outwards is captured. With the drop-circle
@@ -177,6 +203,7 @@ impl Table {
         // Straight parts are longer by the overlap at their joins.
         let bounds = |c: &CushionPart| Bounds::of_shape(&c.shape).grown(JOIN_OVERLAP);
         table.layout.bounds = table.cushions.iter().map(bounds).collect();
+        table.layout.bound_mouths(&table.cushions, &table.pockets);
         Ok(table)
     }
 
@@ -402,7 +429,9 @@ impl Table {
                 mouth,
                 throat,
             });
-            self.layout.mouths.push(Mouth { parts, gate, liner_from: back.liner_from });
+            let bounds = Bounds::of([mouth[0]]);
+            let (liner_from, all) = (back.liner_from, Vec::new());
+            self.layout.mouths.push(Mouth { parts, gate, liner_from, all, bounds });
         }
     }
 }
