@@ -14,7 +14,7 @@ use crate::touch;
 
 /// How fast a ball that tips over an edge, or runs along a round one, may fall on to it and be thrown
 /// off it again: m/s, and m/s per m/s of its speed. What that takes comes out of its motion along, which
-/// no force at one point does. Twice the hops of 6 ms and of 0.02 rad that the engine promises.
+/// no force at one point does. Twice the hops of 6 ms and of 0.04 rad that the engine promises.
 const TIPPING: [f64; 2] = [0.06, 0.06];
 
 /// By how much the wall of a liner may lean over its hole, rad: 15°, the back draft of a facing. It

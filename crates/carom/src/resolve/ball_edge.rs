@@ -28,9 +28,9 @@ use crate::physics::Surface;
 /// seen to hop; shorter, and a slow one would need more contacts.
 pub const HOP_TIME: f64 = 6e-3;
 
-/// How far a ball turns about the edge in a hop, rad: a bit more than a degree, which is how well
+/// How far a ball turns about the edge in a hop, rad: two degrees, which is how well
 /// the place where it leaves the edge is met.
-pub const HOP_ANGLE: f64 = 0.02;
+pub const HOP_ANGLE: f64 = 0.04;
 
 /// How far a ball goes around the axis of a round edge or wall in a hop, rad. It then parts with a
 /// twentieth of its speed along it; less, and a ball that runs around a hole would need more contacts.
