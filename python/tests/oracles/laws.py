@@ -114,6 +114,24 @@ def push(ball: Body, towards: Vec, impulse: Vec) -> Body:
     )
 
 
+#: A liner's wall leans over the hole by this angle, rad, where it throws a ball.
+LINER_LEAN = math.radians(15)
+
+
+def rebound_off_wall(law: dict[str, Any], ball: Body, normal: Vec) -> Body:
+    """A ball in the air that meets the round wall of a liner, taken as upright: `normal` is level.
+
+    It is thrown as by a wall that leans over the hole, unless it falls along that slope.
+    """
+    cos, sin = math.cos(LINER_LEAN), math.sin(LINER_LEAN)
+    leaning = (cos * normal[0], cos * normal[1], sin)
+    if dot(ball.velocity, leaning) > 0:
+        thrown = rebound(law, ball, leaning, on_bed=False)
+        if dot(thrown.velocity, normal) <= 0:
+            return thrown
+    return rebound(law, ball, normal, on_bed=False)
+
+
 def rebound(
     law: dict[str, Any], ball: Body, normal: Vec, on_bed: bool, fn: Functions = math
 ) -> Body:

@@ -324,7 +324,11 @@ class Stepping:
             nx, ny, nz = (float(c) for c in watch.place.normal(self.y[0:3, i]))
             law = self.world.law_of(key[-1])
             on_bed = self.motion[i] in ON_CLOTH
-            self._take(i, laws.rebound(law, self._body(i), (nx, ny, nz), on_bed))
+            if key[-1] == "liner" and nz == 0.0:
+                body = laws.rebound_off_wall(law, self._body(i), (nx, ny, nz))
+            else:
+                body = laws.rebound(law, self._body(i), (nx, ny, nz), on_bed)
+            self._take(i, body)
         if kind in ("pocket-collision", "off-table"):
             self.motion[i] = "pocketed" if kind == "pocket-collision" else "off-table"
             self.y[3:, i] = 0.0

@@ -36,6 +36,11 @@ pub(super) fn audit(
         [a, b] => {
             let d = event.before[1].position - event.before[0].position;
             let normal = d * (1.0 / d.length());
+            // Where the cloth's friction is part of the model, it turns both balls.
+            let model = shot.physics().ball_ball.model;
+            if model == BallBallModel::Mathavan2014 && a.stands && b.stands {
+                return None;
+            }
             let cases = [alone(shot, a, b, normal), alone(shot, b, a, -normal)];
             let [Err(first), Err(second)] = cases else { return None };
             Some(if first.0 < second.0 { first.1 } else { second.1 })
