@@ -53,8 +53,9 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
     let (before, after) = (energy(event.before), energy(event.after));
     let given = after - before;
     if let EventKind::CueStrike = event.kind {
-        let (cue, speed) = (shot.physics().cue.mass, shot.strike().map_or(0.0, |s| s.1.speed));
-        let had = 0.5 * cue * speed * speed;
+        // A strike that is not the shot's own is not known here.
+        let (_, strike) = shot.strike()?;
+        let had = 0.5 * shot.physics().cue.mass * strike.speed * strike.speed;
         return (given > had * (1.0 + ROUNDING))
             .then(|| format!("the cue gives {given:e} J, of {had:e} J that it had"));
     }
