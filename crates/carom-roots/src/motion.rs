@@ -35,12 +35,13 @@ pub(crate) fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     sum
 }
 
-/// |a × b|², in any number of dimensions.
+/// |a × b|², in any number of dimensions. What the first two axes do with the third is summed first, so
+/// that a motion turned by a quarter about it has the same bits.
 #[inline(always)]
 pub(crate) fn cross_squared<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let mut sum = 0.0;
-    for i in 0..N {
-        for j in i + 1..N {
+    for j in (1..N).rev() {
+        for i in 0..j {
             let cross = a[i] * b[j] - a[j] * b[i];
             sum += cross * cross;
         }

@@ -2,7 +2,7 @@
 
 use carom::math::{Vec2, Vec3};
 use carom::shot::{FORMAT, Node};
-use carom::{BallState, MotionState, Shot};
+use carom::{BallState, Error, MotionState, Shot};
 use proptest::prelude::*;
 use proptest::sample::{select, subsequence};
 
@@ -44,6 +44,11 @@ pub(crate) struct Plan {
 impl Plan {
     /// The shot. Balls that fly stand at their height, others on the cloth.
     pub(crate) fn shot(&self) -> Shot {
+        self.read().unwrap_or_else(|e| panic!("{e}"))
+    }
+
+    /// The same, where its balls may stand or fly.
+    pub(crate) fn read(&self) -> Result<Shot, Error> {
         let (table, center) = match self.ground {
             Ground::Pool => (
                 Node::object([
@@ -90,7 +95,7 @@ impl Plan {
             ("physics", physics),
             ("balls", Node::list(self.balls.iter().enumerate().map(ball))),
         ]);
-        Shot::from_node(file).unwrap_or_else(|e| panic!("{e}"))
+        Shot::from_node(file)
     }
 
     /// The same with every ball's state changed.
