@@ -1,0 +1,33 @@
+import { defineConfig } from "vitest/config";
+import { viteSingleFile } from "vite-plugin-singlefile";
+
+// The build is one HTML file that works from disk, in an iframe and without a network: JavaScript,
+// CSS, the WebAssembly (imported with `?inline`) and the worker (`?worker&inline`) are all inside.
+export default defineConfig({
+  plugins: [viteSingleFile({ removeViteModuleLoader: true })],
+  build: {
+    target: ["chrome111", "firefox115", "safari16.4"],
+    assetsInlineLimit: () => true,
+    modulePreload: { polyfill: false },
+    reportCompressedSize: false,
+    chunkSizeWarningLimit: 4000,
+  },
+  worker: { format: "es" },
+  test: {
+    projects: [
+      { extends: true, test: { name: "unit", include: ["tests/unit/**/*.test.ts"] } },
+      {
+        extends: true,
+        test: {
+          name: "e2e",
+          include: ["tests/e2e/**/*.spec.ts"],
+          globalSetup: "tests/e2e/setup.ts",
+          // One browser, one page at a time: software rendering needs the cores.
+          fileParallelism: false,
+          testTimeout: 60_000,
+          hookTimeout: 120_000,
+        },
+      },
+    ],
+  },
+});
