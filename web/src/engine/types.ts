@@ -1,0 +1,368 @@
+/**
+ * What the engine takes and gives. SI units and radians; degrees where a key ends in `_deg`.
+ * Origin: the bottom left corner of the playing area, x along its width, y along its length, z up
+ * from the slate.
+ */
+
+export type Point = readonly [x: number, y: number];
+export type Vector = readonly [x: number, y: number, z: number];
+
+/** A `carom-shot/1`. Its JSON Schema is `Engine.schema("shot")`. */
+export interface ShotFile {
+  readonly format: "carom-shot/1";
+  /** A preset's name, `{cloth: "unbounded"}`, or a description from a base or a rectangle. */
+  readonly table: string | Readonly<Record<string, unknown>>;
+  /** A preset's name, or an object merged key by key over its base. */
+  readonly physics?: string | Readonly<Record<string, unknown>>;
+  readonly balls: readonly BallEntry[];
+  readonly strike?: StrikeEntry;
+  readonly max_events?: number;
+}
+
+export interface BallEntry {
+  readonly id: string;
+  /** Centre, m; without z the ball lies on the cloth. */
+  readonly position: Point | Vector;
+  /** m/s. */
+  readonly velocity?: Vector;
+  /** rad/s. */
+  readonly angular_velocity?: Vector;
+  /** kg. */
+  readonly mass?: number;
+  /** m. */
+  readonly radius?: number;
+}
+
+export interface StrikeEntry {
+  /** Id of the struck ball. */
+  readonly ball: string;
+  /** Speed of the cue at contact, m/s. */
+  readonly speed: number;
+  readonly azimuth_deg: number;
+  readonly elevation_deg?: number;
+  /** Contact point right of the ball's centre, in ball radii. */
+  readonly side?: number;
+  /** Contact point above the ball's centre, in ball radii. */
+  readonly height?: number;
+  readonly obstruction?: "report" | "refuse";
+  readonly miscue?: "report" | "refuse";
+}
+
+/** A cue strike, in radians. */
+export interface Strike {
+  /** Speed of the cue at contact, m/s. */
+  readonly speed: number;
+  /** Direction in which the cue moves, counter-clockwise from +x, rad. */
+  readonly azimuth: number;
+  /** How far the butt is raised, rad. */
+  readonly elevation: number;
+  /** Contact point right of the ball's centre, in ball radii. */
+  readonly side: number;
+  /** Contact point above the ball's centre, in ball radii. */
+  readonly height: number;
+}
+
+/** A ball as the engine has it, with everything that its file leaves to the physics. */
+export interface BallInfo {
+  readonly id: string;
+  /** m. */
+  readonly radius: number;
+  /** kg. */
+  readonly mass: number;
+  /** Centre at time 0, m. */
+  readonly position: Vector;
+}
+
+export type RailName =
+  "bottom" | "top" | "left" | "right" | "left-lower" | "left-upper" | "right-lower" | "right-upper";
+
+export type PocketName =
+  "bottom-left" | "bottom-right" | "left" | "right" | "top-left" | "top-right";
+
+export type CushionPart = "nose" | "facing" | "point" | "top" | "liner";
+
+export type Motion =
+  "stationary" | "spinning" | "rolling" | "sliding" | "airborne" | "pocketed" | "off-table";
+
+/** Motion states by the code that `Trace.statesAt` gives. */
+export const MOTIONS: readonly Motion[] = [
+  "stationary",
+  "spinning",
+  "rolling",
+  "sliding",
+  "airborne",
+  "pocketed",
+  "off-table",
+];
+
+/**
+ * Numbers per ball in `Trace.statesAt`: position (m) 3, velocity (m/s) 3, spin (rad/s) 3,
+ * orientation (unit quaternion x, y, z, w) 4, motion code 1.
+ */
+export const STRIDE = 14;
+
+/** A table in metres. Cushions and liners are lines of the ground plan. */
+export interface Geometry {
+  /** Preset's name, if it is one unchanged. */
+  readonly name: string | null;
+  /** Playing area along x and y, nose to nose; null on unbounded cloth. */
+  readonly size: Point | null;
+  /** Height of the cushion nose above the slate. */
+  readonly cushion_height: number;
+  /** Counter-clockwise around the table from the left end of the bottom rail. */
+  readonly cushions: readonly Cushion[];
+  /** Walls of the pockets behind the facings. */
+  readonly liners: readonly Cushion[];
+  readonly pockets: readonly Pocket[];
+  /** The rest is there on every table with rails. */
+  readonly cushion_width?: number;
+  /** Cushion included. */
+  readonly rail_width?: number;
+  /** Physics preset that belongs to the table. */
+  readonly physics?: string;
+  readonly sights?: Sights;
+  readonly markings?: Markings;
+  readonly dimensions?: readonly Dimension[];
+}
+
+/** A straight piece, or an arc if it has a centre and a radius (from start to end, under 180°). */
+export interface Cushion {
+  readonly rail: RailName;
+  readonly part: CushionPart;
+  readonly start: Point;
+  readonly end: Point;
+  readonly center?: Point;
+  readonly radius?: number;
+}
+
+export interface Pocket {
+  readonly name: PocketName;
+  /** Of the hole in the slate. */
+  readonly center: Point;
+  readonly radius: number;
+  /** Tip to tip, where that line captures. */
+  readonly mouth?: readonly [Point, Point];
+}
+
+export interface Sights {
+  /** Intervals along the length; the ends and, with pockets, the middle bear no sight. */
+  readonly along_length: number;
+  readonly along_width: number;
+  /** From the nose line to the sight's centre. */
+  readonly setback: number;
+}
+
+export interface Markings {
+  /** From the bottom nose line. */
+  readonly head_string: number | null;
+  readonly d_radius: number | null;
+  readonly spots: readonly { readonly name: string; readonly position: Point }[];
+}
+
+export interface Dimension {
+  readonly key: string;
+  readonly value: number | string | null;
+  readonly unit: string | null;
+  readonly source: string | null;
+}
+
+/** A ball's state as a trace file has it. */
+export interface BallState {
+  readonly id: string;
+  readonly position: Vector;
+  readonly velocity: Vector;
+  readonly angular_velocity: Vector;
+  readonly motion: Motion;
+}
+
+interface EventBase {
+  /** Since the strike, s. */
+  readonly time: number;
+  /** Ids of the balls in it. */
+  readonly balls: readonly string[];
+  /** Just before, in the order of `balls`. */
+  readonly before: readonly BallState[];
+  /** Just after. */
+  readonly after: readonly BallState[];
+}
+
+export type TraceEvent = EventBase &
+  (
+    | { readonly type: "cue-strike" | "ball-collision" | "slate-collision" | "off-table" }
+    | { readonly type: "rail-collision"; readonly rail: RailName; readonly part: CushionPart }
+    | { readonly type: "pocket-collision"; readonly pocket: PocketName }
+    | { readonly type: "motion-transition"; readonly from: Motion; readonly to: Motion }
+  );
+
+/** What a referee needs. Balls by id; what speaks of the cue ball is empty where there is none. */
+export interface Outcome {
+  readonly cue_ball: string | null;
+  readonly first_contact: string | null;
+  readonly pocketed: readonly (readonly [ball: string, pocket: PocketName])[];
+  readonly cue_ball_scratched: boolean;
+  readonly off_table: readonly string[];
+  readonly hanging: readonly (readonly [ball: string, pocket: PocketName])[];
+  readonly jumped: readonly (readonly [ball: string, over: string])[];
+  readonly rails_before_first_contact: readonly RailName[];
+  readonly rails_after_first_contact: Readonly<Record<string, readonly RailName[]>>;
+  readonly driven_to_rail: readonly string[];
+  readonly cue_ball_touched: readonly ({ readonly ball: string } | { readonly rail: RailName })[];
+  readonly never_resting: readonly string[];
+  readonly miscue: boolean;
+  /** Id of the ball or name of the rail that the cue would pass through. */
+  readonly cue_obstructed: string | null;
+  readonly least_elevation_deg: number | null;
+  readonly events: number;
+}
+
+/** A `carom-trace/1`. */
+export interface TraceFile {
+  readonly format: "carom-trace/1";
+  readonly engine: string;
+  readonly shot: ShotFile;
+  readonly duration: number;
+  readonly events: readonly TraceEvent[];
+  readonly final: readonly BallState[];
+  readonly outcome: Outcome;
+  readonly hash: string;
+}
+
+/** Standard deviations of a player's execution, Gaussian and independent. */
+export interface Noise {
+  /** Of the contact point sideways, m. */
+  readonly side: number;
+  /** Of the contact point in height, m. */
+  readonly height: number;
+  /** rad. */
+  readonly elevation: number;
+  /** rad. */
+  readonly azimuth: number;
+  /** m/s. */
+  readonly speed: number;
+}
+
+/** Many shots' ends, without traces: row k is shot k. A failed shot's row has NaN positions. */
+export interface Batch {
+  /** Rows. */
+  readonly shots: number;
+  /** Columns: balls of the largest shot. */
+  readonly balls: number;
+  /** x, y, z (m) per ball and shot: `3 * (shot * balls + ball)`. */
+  readonly finalPosition: Float64Array;
+  /** Per ball and shot the index into `Geometry.pockets`, or `ON_TABLE`, `OFF_TABLE`, `PADDING`. */
+  readonly pocket: Int8Array;
+  /** Number of events of each shot. */
+  readonly events: Int32Array;
+  /** What went wrong, by shot. */
+  readonly errors: ReadonlyMap<number, string>;
+}
+
+/** `Batch` of a strike with noise. */
+export interface NoisyBatch extends Batch {
+  /** What was drawn: speed, azimuth, elevation, side, height per shot, as in `Strike`. */
+  readonly strikes: Float64Array;
+}
+
+/** `Batch.pocket` of a ball that is on the table at the end. */
+export const ON_TABLE = -1;
+/** `Batch.pocket` of a ball that has left the table. */
+export const OFF_TABLE = -2;
+/** `Batch.pocket` where a shot has no such ball, or failed. */
+export const PADDING = -3;
+
+export interface BreakOptions {
+  /** Table preset; default: the game's. */
+  readonly table?: string;
+  /** Cue's speed, m/s; default: a usual one. */
+  readonly speed?: number;
+  /** Of the rack: which ball stands where, and the gaps. Default 0. */
+  readonly seed?: number;
+  /** Mean gap between touching balls, m; default: a usual one. */
+  readonly gap?: number;
+}
+
+/** A validated shot; immutable. */
+export interface Shot {
+  /** What was read, as a value; parsed at the first look. */
+  readonly file: ShotFile;
+  /** What was read, number for number. */
+  json(): string;
+  readonly geometry: Geometry;
+  readonly balls: readonly BallInfo[];
+  /** The struck ball's index, or null without a strike. */
+  readonly struck: number | null;
+  /** The strike, or null. */
+  readonly strike: Strike | null;
+  /**
+   * The largest tip offset √(side² + height²) that the tip's friction holds, in ball radii.
+   */
+  readonly miscueLimit: number;
+  /**
+   * The same shot struck otherwise; cheap. Angles are kept as the degrees that a file can hold,
+   * which moves some by one rounding.
+   * @throws CaromError for what a shot file would be refused for, and without a strike to vary.
+   */
+  withStrike(strike: Strike): Shot;
+  /** @throws CaromError if the cap of events is reached. */
+  simulate(): Trace;
+  /**
+   * Simulates `count` executions with `noise`, numbered from `first`: execution k is the same in
+   * every batch with this seed.
+   * @throws CaromError without a strike, or for a σ that is negative or not finite.
+   */
+  vary(noise: Noise, seed: number, first: number, count: number): NoisyBatch;
+  /** Gives the memory back at once; else the garbage collector does. Nothing works afterwards. */
+  free(): void;
+}
+
+/** A simulated shot with all its events; immutable. */
+export interface Trace {
+  /** From the strike to the last event, s. */
+  readonly duration: number;
+  /** Sixteen hexadecimal digits over the exact bits of all events and final states. */
+  readonly hash: string;
+  /** A new `Shot` at every call of the getter's first look; freed with the trace. */
+  readonly shot: Shot;
+  /** A `carom-trace/1`. */
+  json(): string;
+  /** Parsed at the first look. */
+  readonly events: readonly TraceEvent[];
+  readonly outcome: Outcome;
+  /**
+   * All balls at `time` (s, ≥ 0): `STRIDE` numbers per ball, exact to rounding. At an event's
+   * instant, after it; after the end, the final states.
+   * @param out Written and returned, if given: `STRIDE` × balls long.
+   */
+  statesAt(time: number, out?: Float64Array): Float64Array;
+  /**
+   * The way of a ball's centre: x, y, z (m), t (s) per point. Points lie on the exact path, at
+   * every event of the ball, and so dense that no chord is further than `tolerance` (m) from it.
+   */
+  polyline(ball: number, tolerance: number): Float64Array;
+  /** Gives the memory back at once; else the garbage collector does. Nothing works afterwards. */
+  free(): void;
+}
+
+/** The engine, compiled and ready. */
+export interface Engine {
+  /** To be posted to a worker, which hands it to its own `load`. */
+  readonly module: WebAssembly.Module;
+  /** As in traces: `carom x.y.z`. */
+  readonly version: string;
+  /** Games that can be racked. */
+  readonly games: readonly string[];
+  /** Table presets. */
+  readonly tables: readonly Geometry[];
+  /** Physics presets by name: every parameter, as in a shot file. */
+  readonly physics: Readonly<Record<string, Readonly<Record<string, unknown>>>>;
+  /** @throws CaromError whose message names the place, what is wrong there, what would be right. */
+  shot(file: string | ShotFile): Shot;
+  /** Reads a saved trace. @throws CaromError as `shot`. */
+  trace(file: string | TraceFile): Trace;
+  /** The opening shot of a game. @throws CaromError for names that are not known. */
+  breakShot(game: string, options?: BreakOptions): Shot;
+  /** Simulates all shots, without traces. */
+  simulate(shots: readonly Shot[]): Batch;
+  /** The JSON Schema of a file. */
+  schema(kind: "shot" | "trace"): object;
+}
