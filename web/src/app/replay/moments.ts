@@ -1,0 +1,50 @@
+// The instants at which something happens, and the steps between them.
+
+import type { TraceEvent } from "../../engine";
+
+/** The events of one instant: impacts that happen together are one step of the replay. */
+export interface Moment {
+  /** Time since the strike, s. */
+  time: number;
+  /** Indices of its events in the trace. */
+  events: number[];
+}
+
+/** The moments of a trace's events, which stand in the order of time. */
+export function moments(events: readonly TraceEvent[]): Moment[] {
+  const found: Moment[] = [];
+  events.forEach((event, index) => {
+    const last = found.at(-1);
+    if (last?.time === event.time) last.events.push(index);
+    else found.push({ time: event.time, events: [index] });
+  });
+  return found;
+}
+
+/** The first moment after `time`, if there is one. */
+export function next(of: readonly Moment[], time: number): Moment | undefined {
+  return of[countUpTo(of, time)];
+}
+
+/** The last moment before `time`, if there is one. */
+export function previous(of: readonly Moment[], time: number): Moment | undefined {
+  const count = countUpTo(of, time);
+  return of[count - 1]?.time === time ? of[count - 2] : of[count - 1];
+}
+
+/** The last moment that is not after `time`, if there is one. */
+export function latest(of: readonly Moment[], time: number): Moment | undefined {
+  return of[countUpTo(of, time) - 1];
+}
+
+/** How many moments are not after `time`, by bisection. */
+function countUpTo(of: readonly Moment[], time: number): number {
+  let low = 0;
+  let high = of.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (of[middle]!.time <= time) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

@@ -1,0 +1,59 @@
+// A ball's speed and spin against time.
+
+import { STRIDE, type Trace } from "../../engine";
+import { SPIN, VELOCITY } from "./state";
+
+/** A ball's motion at increasing times; at an impact twice, before and after it. */
+export interface Samples {
+  /** s */
+  times: number[];
+  /** m/s */
+  speed: number[];
+  /** The magnitude of the angular velocity, rad/s. */
+  spin: number[];
+  /** Its vertical part, the side spin, rad/s; positive turns counter-clockwise from above. */
+  side: number[];
+}
+
+/** Samples between the events: a curve of this many pieces looks smooth at the panel's width. */
+const PIECES = 160;
+
+/** Samples the exact path of ball `ball`, whose events keep their jumps. */
+export function sample(trace: Trace, ball: number): Samples {
+  const samples: Samples = { times: [], speed: [], spin: [], side: [] };
+  const add = (time: number, velocity: ArrayLike<number>, spin: ArrayLike<number>): void => {
+    samples.times.push(time);
+    samples.speed.push(length(velocity));
+    samples.spin.push(length(spin));
+    samples.side.push(spin[2]!);
+  };
+  const states = new Float64Array(STRIDE * trace.shot.balls.length);
+  const addExact = (time: number): void => {
+    trace.statesAt(time, states);
+    const at = ball * STRIDE;
+    add(
+      time,
+      states.subarray(at + VELOCITY, at + VELOCITY + 3),
+      states.subarray(at + SPIN, at + SPIN + 3),
+    );
+  };
+
+  const id = trace.shot.balls[ball]!.id;
+  const step = trace.duration / PIECES;
+  let tick = 0;
+  for (const event of trace.events) {
+    const index = event.balls.indexOf(id);
+    if (index < 0) continue;
+    for (; tick * step < event.time; tick++) addExact(tick * step);
+    for (const state of [event.before[index], event.after[index]]) {
+      if (state) add(event.time, state.velocity, state.angular_velocity);
+    }
+  }
+  for (; tick <= PIECES; tick++) addExact(Math.min(tick * step, trace.duration));
+  return samples;
+}
+
+/** The Euclidean length of a vector of three. */
+export function length(v: ArrayLike<number>): number {
+  return Math.hypot(v[0]!, v[1]!, v[2]!);
+}

@@ -1,0 +1,45 @@
+// Events and states in words.
+
+import type { TraceEvent } from "../../engine";
+
+/** What happens, as one reads it in the list of events and hears it from the slider. */
+export function eventInWords(event: TraceEvent): string {
+  const [first = ""] = event.balls;
+  switch (event.type) {
+    case "cue-strike":
+      return `cue strikes ${first}`;
+    case "ball-collision":
+      return `${listInWords(event.balls)} collide`;
+    case "rail-collision":
+      return `${first} hits ${railInWords(event.rail, event.part)}`;
+    case "pocket-collision":
+      return `${first} drops into the ${event.pocket} pocket`;
+    case "motion-transition":
+      return `${first} stops ${event.from}${event.to === "stationary" ? "" : `, starts ${event.to}`}`;
+    case "slate-collision":
+      return `${first} lands`;
+    case "off-table":
+      return `${first} leaves the table`;
+  }
+}
+
+function railInWords(rail = "", part = "nose"): string {
+  const name = `the ${rail} rail`;
+  return part === "nose" ? name : `the ${part} of ${name}`;
+}
+
+/** "a", "a and b", "a, b and c". */
+export function listInWords(items: readonly string[]): string {
+  if (items.length < 2) return items.join("");
+  return `${items.slice(0, -1).join(", ")} and ${items.at(-1)}`;
+}
+
+/** Radians per second in revolutions per minute. */
+export function rpm(angularSpeed: number): number {
+  return (angularSpeed * 60) / (2 * Math.PI);
+}
+
+/** A time of the shot, "1.234 s". */
+export function seconds(time: number): string {
+  return `${time.toFixed(3)} s`;
+}

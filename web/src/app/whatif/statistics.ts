@@ -1,0 +1,41 @@
+// What many variants of a shot say about it.
+
+/** A chance that was counted: `hits` of `count` variants. */
+export interface Chance {
+  hits: number;
+  count: number;
+  /** hits / count; NaN before the first variant. */
+  value: number;
+  /** √(p(1 − p)/n), the binomial standard error of `value`; 0 where all or none hit. */
+  standardError: number;
+}
+
+/** The chance and its standard error from counts. */
+export function chance(hits: number, count: number): Chance {
+  const value = hits / count;
+  return { hits, count, value, standardError: Math.sqrt((value * (1 - value)) / count) };
+}
+
+/** How sure a one-sided bound is, where all or none of the variants hit. */
+const CONFIDENCE = 0.95;
+
+/**
+ * How far from 0 (or 1) the chance may still be with 95 % confidence, when none (or all) of
+ * `count` variants hit: 1 − 0.05^(1/n), about 3/n, the "rule of three".
+ */
+export function bound(count: number): number {
+  return -Math.expm1(Math.log1p(-CONFIDENCE) / count);
+}
+
+/** The chance in words: "37.2 % ± 1.5 %", "less than 0.3 %", "more than 99.7 %". */
+export function chanceInWords(of: Chance): string {
+  if (of.count === 0) return "not known yet";
+  if (of.hits === 0) return `less than ${percent(bound(of.count), Math.ceil)}`;
+  if (of.hits === of.count) return `more than ${percent(1 - bound(of.count), Math.floor)}`;
+  return `${percent(of.value)} ± ${percent(of.standardError)}`;
+}
+
+/** Tenths of a percent; bounds are rounded to the safe side. */
+function percent(share: number, round: (x: number) => number = Math.round): string {
+  return `${(round(share * 1000) / 10).toFixed(1)} %`;
+}

@@ -1,0 +1,101 @@
+// The work of the worker, apart from being one.
+
+import { CaromError } from "../../engine/error";
+import type { Engine, Shot } from "../../engine/types";
+import type { Chunk, FromWorker, Request } from "./protocol";
+
+/**
+ * Variants between two looks at whether the request is stale: some ten milliseconds of a mid-game
+ * shot. Fewer draw the first picture sooner; more cost fewer messages.
+ */
+const CHUNK = 100;
+
+/** How far a drawn path may be from the exact one, m: half a pixel of a whole table on a screen. */
+const PATH_TOLERANCE = 2e-3;
+
+/** The floats of a path's point: x, y, z, t. */
+const POINT = 4;
+
+/** What the work needs of its surroundings. */
+export interface Surroundings {
+  send: (message: FromWorker, transfer: Transferable[]) => void;
+  /** Whether nobody waits for this generation any more. */
+  isStale: (generation: number) => boolean;
+  /** Lets messages in. */
+  pause: () => Promise<void>;
+}
+
+/** Simulates what is asked for, chunk by chunk, and stops when it becomes stale. */
+export async function simulate(
+  engine: Engine,
+  request: Request,
+  { send, isStale, pause }: Surroundings,
+): Promise<void> {
+  const { generation } = request;
+  try {
+    const shot = engine.shot(request.shot);
+    try {
+      for (let first = 0; first < request.count; first += CHUNK) {
+        const count = Math.min(CHUNK, request.count - first);
+        const { chunk, strikes } = vary(shot, request, first, count);
+        send({ kind: "chunk", ...chunk }, [chunk.ends.buffer, chunk.pockets.buffer]);
+        if (first === 0) {
+          const paths = cueBallPaths(shot, strikes, Math.min(request.paths, count));
+          send(
+            { kind: "paths", generation, paths },
+            paths.map(({ buffer }) => buffer),
+          );
+        }
+        await pause();
+        if (isStale(generation)) return;
+      }
+    } finally {
+      shot.free();
+    }
+  } catch (error) {
+    if (!(error instanceof CaromError)) throw error;
+    send({ kind: "refused", generation, message: error.message }, []);
+  }
+}
+
+function vary(
+  shot: Shot,
+  { generation, noise, seed }: Request,
+  first: number,
+  count: number,
+): { chunk: Chunk; strikes: Float64Array } {
+  const batch = shot.vary(noise, seed, first, count);
+  const struck = shot.struck!;
+  const ends = new Float64Array(2 * count);
+  for (let k = 0; k < count; k++) {
+    const at = 3 * (k * batch.balls + struck);
+    ends.set(batch.finalPosition.subarray(at, at + 2), 2 * k);
+  }
+  const { pocket: pockets, errors, strikes } = batch;
+  return { chunk: { generation, first, count, ends, pockets, errors }, strikes };
+}
+
+/** The struck ball's ways in the first variants; one that failed has none. */
+function cueBallPaths(shot: Shot, strikes: Float64Array, count: number): Float32Array[] {
+  const paths: Float32Array[] = [];
+  for (let k = 0; k < count; k++) {
+    const [speed, azimuth, elevation, side, height] = strikes.subarray(5 * k, 5 * k + 5);
+    const strike = {
+      speed: speed!,
+      azimuth: azimuth!,
+      elevation: elevation!,
+      side: side!,
+      height: height!,
+    };
+    try {
+      const varied = shot.withStrike(strike);
+      const trace = varied.simulate();
+      paths.push(Float32Array.from(trace.polyline(shot.struck!, PATH_TOLERANCE)));
+      trace.free();
+      varied.free();
+    } catch (error) {
+      if (!(error instanceof CaromError)) throw error;
+    }
+  }
+  return paths.filter((path) => path.length > POINT);
+}
