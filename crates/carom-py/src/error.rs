@@ -15,7 +15,7 @@ pub(crate) fn to_exception(py: Python<'_>, error: &Error) -> PyErr {
         Error::TooManyEvents { shot, .. } => {
             let file = carom::Shot::from_json(shot)
                 .map_err(|e| to_exception(py, &e))
-                .and_then(|shot| to_python(py, shot.to_node()).map(Bound::unbind));
+                .and_then(|shot| to_python(py, &shot.to_node()).map(Bound::unbind));
             match file {
                 Ok(file) => EventCapError::new_err((text, file)),
                 Err(other) => other,

@@ -29,7 +29,7 @@ impl Shot {
     }
 
     fn to_object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, self.0.to_node())
+        to_python(py, &self.0.to_node())
     }
 
     fn to_json(&self) -> String {

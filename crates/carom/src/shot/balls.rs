@@ -1,6 +1,5 @@
 //! The `balls` of a shot file, and whether they can lie where it says.
 
-use alloc::collections::BTreeMap;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -24,30 +23,35 @@ const KEYS: &[&str] = &["id", "position", "velocity", "angular_velocity", "mass"
 /// Reads `balls`; `default` is the physics' ball.
 pub(super) fn read(at: &At<'_>, default: &Ball, table: &Table) -> Result<Vec<PlacedBall>, Error> {
     let items = at.items("a list of balls")?;
-    if items.is_empty() || items.len() > MAX_BALLS {
-        return Err(at.refuse(
-            format!("found {} balls", items.len()),
-            format!("write between 1 and {MAX_BALLS}"),
-        ));
+    check_count(items.len())?;
+    let balls = items.iter().map(|item| read_one(item, default)).collect::<Result<Vec<_>, _>>()?;
+    check(&balls, table)?;
+    Ok(balls)
+}
+
+pub(super) fn check_count(count: usize) -> Result<(), Error> {
+    if (1..=MAX_BALLS).contains(&count) {
+        return Ok(());
     }
-    let mut balls = Vec::with_capacity(items.len());
-    let mut seen: BTreeMap<String, usize> = BTreeMap::new();
-    for (i, item) in items.iter().enumerate() {
-        let ball = read_one(item, default)?;
-        if let Some(first) = seen.insert(ball.id.clone(), i) {
+    let remedy = format!("write between 1 and {MAX_BALLS}");
+    Err(Error::input("balls", format!("found {count} balls"), remedy))
+}
+
+/// Refuses ids that are not unique, balls that are not inside the table, and overlaps.
+pub(super) fn check(balls: &[PlacedBall], table: &Table) -> Result<(), Error> {
+    for (i, ball) in balls.iter().enumerate() {
+        if let Some(first) = balls[..i].iter().position(|b| b.id == ball.id) {
             return Err(Error::input(
                 format!("balls[{i}].id"),
                 format!("\"{}\" is already the id of balls[{first}]", ball.id),
                 "give every ball its own id",
             ));
         }
-        balls.push(ball);
     }
     for (i, ball) in balls.iter().enumerate() {
-        super::place::check(&format!("balls[{i}]"), ball, table)?;
+        super::place::check(i, ball, table)?;
     }
-    check_overlaps(&balls)?;
-    Ok(balls)
+    check_overlaps(balls)
 }
 
 fn read_one(at: &At<'_>, default: &Ball) -> Result<PlacedBall, Error> {
@@ -60,32 +64,28 @@ fn read_one(at: &At<'_>, default: &Ball) -> Result<PlacedBall, Error> {
 
     let at = fields.require("position", "[x, y] in m")?;
     let p = at.numbers(2, 3)?;
-    let height = height(&at, p.get(2).copied().unwrap_or(ball.radius), ball.radius)?;
+    let height = height(at.place(), p.get(2).copied().unwrap_or(ball.radius), ball.radius)?;
 
     let position = Vec3::new(p[0], p[1], height);
     let mut state = BallState { position, ..BallState::default() };
     if let Some(at) = fields.get("velocity") {
         state.velocity = at.vector()?;
-        check_length(&at, state.velocity, LARGEST_SPEED, "m/s")?;
+        check_length(at.place(), state.velocity, LARGEST_SPEED, "m/s")?;
     }
     if let Some(at) = fields.get("angular_velocity") {
         state.angular_velocity = at.vector()?;
-        check_length(&at, state.angular_velocity, LARGEST_SPIN, "rad/s")?;
+        check_length(at.place(), state.angular_velocity, LARGEST_SPIN, "rad/s")?;
     }
-    // Driven down on the bed counts as flying too: it bounces at once.
-    state.motion = if height > ball.radius || state.velocity.z != 0.0 {
-        MotionState::Airborne
-    } else {
-        motion::classify(state.velocity, state.angular_velocity, ball.radius)
-    };
+    state.motion = motion(&state, ball.radius);
     Ok(PlacedBall { id, ball, state })
 }
 
 /// The height of a centre, m: exactly the radius where it is that but for [`TOUCH_TOLERANCE`], so
 /// that a ball either lies on the bed or does not.
-fn height(at: &At<'_>, z: f64, radius: f64) -> Result<f64, Error> {
+pub(super) fn height(place: &str, z: f64, radius: f64) -> Result<f64, Error> {
     if z < radius - TOUCH_TOLERANCE {
-        return Err(at.refuse(
+        return Err(Error::input(
+            place,
             format!(
                 "the ball is {} m deep in the slate: z = {z:?}, its radius {radius:?} m",
                 radius - z
@@ -96,15 +96,30 @@ fn height(at: &At<'_>, z: f64, radius: f64) -> Result<f64, Error> {
     Ok(if z > radius + TOUCH_TOLERANCE { z } else { radius })
 }
 
-fn check_length(at: &At<'_>, v: Vec3, most: f64, unit: &str) -> Result<(), Error> {
+/// The motion state that a ball begins in.
+pub(super) fn motion(state: &BallState, radius: f64) -> MotionState {
+    // Driven down on the bed counts as flying too: it bounces at once.
+    if state.position.z > radius || state.velocity.z != 0.0 {
+        MotionState::Airborne
+    } else {
+        motion::classify(state.velocity, state.angular_velocity, radius)
+    }
+}
+
+/// Refuses velocities that are no numbers or out of range, of `balls[index]`.
+pub(super) fn check_speeds(index: usize, state: &BallState) -> Result<(), Error> {
+    let place = |key: &str| format!("balls[{index}].{key}");
+    check_length(&place("velocity"), state.velocity, LARGEST_SPEED, "m/s")?;
+    check_length(&place("angular_velocity"), state.angular_velocity, LARGEST_SPIN, "rad/s")
+}
+
+fn check_length(place: &str, v: Vec3, most: f64, unit: &str) -> Result<(), Error> {
     let length = v.length();
     if length <= most {
         return Ok(());
     }
-    Err(at.refuse(
-        format!("{length:?} {unit} is out of range"),
-        format!("write at most {most} {unit}"),
-    ))
+    let remedy = format!("write at most {most} {unit}");
+    Err(Error::input(place, format!("{length:?} {unit} is out of range"), remedy))
 }
 
 /// Refuses pairs that are deeper in one another than touching.

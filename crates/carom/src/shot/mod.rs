@@ -2,10 +2,12 @@
 //!
 //! A [`Shot`] keeps the file that it was read from (`carom-shot/1`, or the same keys from Python
 //! or from code) and, beside it, what the file means: table, physics, balls and strike, checked
-//! and ready to simulate. There is one way in, [`Shot::from_node`], so that every shot has passed
-//! the same checks, and [`Shot::to_json`] gives back what was written.
+//! and ready to simulate. A file comes in by [`Shot::from_node`] alone, so that every shot has passed
+//! the same checks, and [`Shot::to_json`] gives back what was written. Programs that ask a lot change a
+//! shot that they have ([`Shot::with_strike`], [`Shot::with_balls`]).
 
 mod balls;
+mod change;
 #[cfg(feature = "json")]
 mod json;
 mod node;
@@ -31,6 +33,7 @@ use crate::outcome::Touched;
 use crate::resolve::cue_ball::{Strike, miscue_limit};
 use crate::simulate::SimulationError;
 use crate::{Ball, BallState, Physics, Table};
+use change::File;
 use read::At;
 
 /// What `format` says in a shot file.
@@ -62,7 +65,7 @@ pub struct Shot {
     policy: StrikePolicy,
     /// Friction of the tip as the file has it; `physics` has what the strike is resolved with.
     tip_friction: f64,
-    file: Arc<Node>,
+    file: File,
 }
 
 /// Two shots are equal when they mean the same, however they are written.
@@ -137,22 +140,12 @@ impl Shot {
             max_events,
             policy,
             tip_friction,
-            file: file.into(),
+            file: File::Read(file.into()),
         };
         if let Some((ball, strike)) = &shot.strike {
             shot.refuse_obstruction(*ball, strike)?;
         }
         Ok(shot)
-    }
-
-    /// The shot file, JSON: what was read, number for number.
-    pub fn to_json(&self) -> String {
-        self.file.to_json()
-    }
-
-    /// The shot file as a tree of values.
-    pub fn to_node(&self) -> &Node {
-        &self.file
     }
 
     /// The table.
@@ -210,24 +203,6 @@ impl Shot {
         let struck = strike::check("strike", ball, strike, &self.balls, &self.physics)?;
         self.refuse_obstruction(ball, strike)?;
         Ok(struck)
-    }
-
-    /// The same shot struck otherwise. Angles are kept as the degrees that a file can hold, which
-    /// moves some by one rounding.
-    ///
-    /// # Errors
-    /// As [`Self::resolve_strike`].
-    pub fn with_strike(&self, strike: &Strike) -> Result<Self, Error> {
-        self.resolve_strike(strike)?;
-        let mut file = Node::clone(&self.file);
-        let mut node = file.get("strike").cloned().unwrap_or(Node::Null);
-        node.set("speed", strike.speed);
-        node.set("azimuth_deg", degrees(strike.azimuth));
-        node.set("elevation_deg", degrees(strike.elevation));
-        node.set("side", strike.side);
-        node.set("height", strike.height);
-        file.set("strike", node);
-        Self::from_node(file)
     }
 
     /// The ball or rail that the cue would pass through, nearest to its tip. A strike at less than 5°

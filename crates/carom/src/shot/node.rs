@@ -57,6 +57,13 @@ impl Node {
         }
     }
 
+    /// Removes `key`; does nothing where there is none.
+    pub fn remove(&mut self, key: &str) {
+        if let Self::Object(fields) = self {
+            fields.retain(|(k, _)| k != key);
+        }
+    }
+
     /// JSON text, indented where a line would be too long. Every finite number reads back to the
     /// same bits; a number that is not finite becomes `null`, which JSON has instead.
     pub fn to_json(&self) -> String {

@@ -9,16 +9,16 @@ use crate::error::Error;
 use crate::math::{Vec2, Vec3};
 use crate::table::{Placement, Table, nose_reach};
 
-/// Refuses a ball that is not inside (see [`Table::place_check`] and [`Table::place_in_air`]). `place`
-/// is the ball's own, such as `balls[3]`.
-pub(super) fn check(place: &str, placed: &PlacedBall, table: &Table) -> Result<(), Error> {
+/// Refuses a ball that is not inside (see [`Table::place_check`] and [`Table::place_in_air`]). It is
+/// `balls[index]` of the file.
+pub(super) fn check(index: usize, placed: &PlacedBall, table: &Table) -> Result<(), Error> {
     if !table.size.x.is_finite() {
         return Ok(());
     }
     let radius = placed.ball.radius;
     if nose_reach(table.cushion_height, radius).is_none() {
         return Err(Error::input(
-            format!("{place}.radius"),
+            format!("balls[{index}].radius"),
             format!(
                 "a ball of radius {radius:?} m cannot meet a cushion nose at the height of {:?} m",
                 table.cushion_height
@@ -36,7 +36,7 @@ pub(super) fn check(place: &str, placed: &PlacedBall, table: &Table) -> Result<(
         on_the_cloth(table, position.xy(), radius)
     };
     problem.map_or(Ok(()), |(what, remedy)| {
-        Err(Error::input(format!("{place}.position"), what, remedy))
+        Err(Error::input(format!("balls[{index}].position"), what, remedy))
     })
 }
 

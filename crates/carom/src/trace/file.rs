@@ -48,7 +48,7 @@ impl Trace {
         Node::object([
             ("format", FORMAT.into()),
             ("engine", (&self.engine).into()),
-            ("shot", self.shot.to_node().clone()),
+            ("shot", self.shot.to_node().into_owned()),
             ("duration", self.duration.into()),
             ("events", Node::list(self.events().map(|e| write_event(&e, balls)))),
             ("final", Node::list(balls.iter().zip(&self.last).map(|(b, s)| write_ball(b, s)))),

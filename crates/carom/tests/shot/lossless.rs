@@ -98,7 +98,8 @@ fn a_physics_written_out_reads_back_over_any_base() {
             let mut node = physics_to_node(&physics);
             node.set("base", base);
             // Physics with other balls: z follows the radius.
-            let mut file = shot(&at_rest().to_json().replace(", 0.028575]", "]")).to_node().clone();
+            let mut file =
+                shot(&at_rest().to_json().replace(", 0.028575]", "]")).to_node().into_owned();
             file.set("physics", node);
             let read = Shot::from_node(file).unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(**read.physics(), physics);
@@ -120,4 +121,41 @@ fn another_strike_is_kept_in_the_file() {
     strike.side = 0.9;
     let sentence = shot.with_strike(&strike).expect_err("a miscue").to_string();
     assert!(sentence.starts_with("strike.side: a miscue"), "{sentence}");
+}
+
+#[test]
+fn other_balls_on_the_same_table_are_what_a_file_with_them_would_be() {
+    let shot = at_rest();
+    let (_, mut strike) = shot.strike().expect("it has one");
+    strike.azimuth = 0.7;
+    let mut balls = shot.balls().to_vec();
+    balls[0].state.position.x += 0.1;
+    balls[1].ball.mass = 0.2;
+    balls.swap(0, 1);
+    let changed =
+        shot.with_balls(balls.clone(), Some((0, strike))).unwrap_or_else(|e| panic!("{e}"));
+    let read = Shot::from_json(&changed.to_json()).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(changed, read);
+    assert_eq!(changed.to_json(), read.to_json());
+    let played = |shot: &Shot| shot.simulate().unwrap_or_else(|e| panic!("{e}")).hash();
+    assert_eq!(played(&changed), played(&read));
+
+    let unstruck = shot.with_balls(balls.clone(), None).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(unstruck.to_node().get("strike"), None);
+    assert_eq!(unstruck.strike(), None);
+
+    let refused = |balls| shot.with_balls(balls, None).expect_err("it is wrong").to_string();
+    let mut twice = balls.clone();
+    twice[1].id = twice[0].id.clone();
+    assert!(refused(twice).starts_with("balls[1].id: "));
+    let mut outside = balls.clone();
+    outside[1].state.position.x = -1.0;
+    assert!(refused(outside).starts_with("balls[1].position: the ball is outside"));
+    let mut sunk = balls.clone();
+    sunk[1].state.position.z = 0.02;
+    assert!(refused(sunk).starts_with("balls[1].position: the ball is "));
+    let mut flown = balls;
+    flown[0].state.velocity.x = f64::NAN;
+    assert!(refused(flown).starts_with("balls[0].velocity: NaN m/s is out of range"));
+    assert!(refused(Vec::new()).starts_with("balls: found 0 balls"));
 }

@@ -89,13 +89,13 @@ fn a_nan_is_refused_where_it_stands() {
 fn a_nan_from_code_is_refused_where_it_stands() {
     use carom::shot::Node;
     let shot = Shot::from_json(&edited("1000", "1000")).expect("a good file");
-    let mut node = shot.to_node().clone();
+    let mut node = shot.to_node().into_owned();
     let mut strike = node.get("strike").cloned().expect("it has a strike");
     strike.set("side", f64::NAN);
     node.set("strike", strike);
     let sentence = Shot::from_node(node).expect_err("a NaN").to_string();
     assert!(sentence.starts_with("strike.side: NaN"), "{sentence}");
-    let mut node: Node = shot.to_node().clone();
+    let mut node: Node = shot.to_node().into_owned();
     node.set(
         "balls",
         Node::list([Node::object([

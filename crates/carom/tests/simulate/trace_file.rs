@@ -169,7 +169,7 @@ fn a_ball_that_never_moves_keeps_the_bits_of_the_file() {
 #[test]
 fn the_cap_on_events_carries_the_shot() {
     let shot = played("nine_ball_break").shot().clone();
-    let mut node = shot.to_node().clone();
+    let mut node = shot.to_node().into_owned();
     node.set("max_events", 10u32);
     let capped = Shot::from_node(node).unwrap_or_else(|e| panic!("{e}"));
     match capped.simulate() {
