@@ -16,6 +16,7 @@ from carom._core import __version__
 from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
 from carom.errors import CaromError, EventCapError, InputError
+from carom.noise import Noise, NoisyResult
 from carom.racks import break_shot
 from carom.reference import schema, tables
 from carom.shot import Shot
@@ -27,6 +28,8 @@ __all__ = [
     "EventCapError",
     "InputError",
     "Layout",
+    "Noise",
+    "NoisyResult",
     "Physics",
     "Shot",
     "Snapshot",

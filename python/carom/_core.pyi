@@ -10,7 +10,10 @@ __all__ = [
     "Trace",
     "__version__",
     "break_shot",
+    "check_noise",
+    "draw_strikes",
     "games",
+    "olympiad",
     "schema",
     "simulate_batch",
     "simulate_strikes",
@@ -62,6 +65,11 @@ _Arrays = tuple[NDArray[np.float64], NDArray[np.int8], NDArray[np.int32], dict[i
 
 def simulate_batch(shots: list[Shot], threads: int) -> _Arrays: ...
 def simulate_strikes(shot: Shot, strikes: NDArray[np.float64], threads: int) -> _Arrays: ...
+def check_noise(noise: tuple[float, ...]) -> None: ...
+def draw_strikes(
+    shot: Shot, noise: tuple[float, ...], seed: int, first: int, count: int
+) -> NDArray[np.float64]: ...
+def olympiad(multiplier: float) -> list[float]: ...
 def break_shot(
     game: str, table: str | None, speed: float | None, seed: int, gap: float | None
 ) -> Shot: ...

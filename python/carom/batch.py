@@ -49,7 +49,8 @@ class BatchResult:
         return len(self.events)
 
 
-_Arrays = tuple["NDArray[np.float64]", "NDArray[np.int8]", "NDArray[np.int32]", dict[int, str]]
+# What Rust gives: positions, pockets, events, errors.
+Arrays = tuple["NDArray[np.float64]", "NDArray[np.int8]", "NDArray[np.int32]", dict[int, str]]
 
 
 def simulate_batch(
@@ -68,10 +69,10 @@ def simulate_batch(
     cores = [_core_of(shot, index) for index, shot in enumerate(shots)]
     balls = max((len(core) for core in cores), default=0)
 
-    def run(start: int, end: int) -> _Arrays:
-        return _core.simulate_batch(cores[start:end], _threads(threads))
+    def run(start: int, end: int) -> Arrays:
+        return _core.simulate_batch(cores[start:end], thread_count(threads))
 
-    return _in_chunks(run, len(cores), balls, progress=progress)
+    return in_chunks(run, len(cores), balls, progress=progress)
 
 
 def vary(
@@ -103,10 +104,10 @@ def vary(
         raise InputError(f"shapes do not broadcast: {shapes}; make them agree") from None
     strikes = np.ascontiguousarray(np.stack([column.ravel() for column in full], axis=1))
 
-    def run(start: int, end: int) -> _Arrays:
-        return _core.simulate_strikes(shot, strikes[start:end], _threads(threads))
+    def run(start: int, end: int) -> Arrays:
+        return _core.simulate_strikes(shot, strikes[start:end], thread_count(threads))
 
-    return _in_chunks(run, len(strikes), len(shot), progress=progress)
+    return in_chunks(run, len(strikes), len(shot), progress=progress)
 
 
 def _core_of(shot: Any, index: int) -> _core.Shot:
@@ -120,7 +121,8 @@ def _core_of(shot: Any, index: int) -> _core.Shot:
     return shot._core
 
 
-def _threads(threads: int | None) -> int:
+def thread_count(threads: int | None) -> int:
+    """``threads`` as Rust takes it: 0 is one per core."""
     if threads is None:
         return 0
     if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
@@ -128,9 +130,10 @@ def _threads(threads: int | None) -> int:
     return threads
 
 
-def _in_chunks(
-    run: Callable[[int, int], _Arrays], count: int, balls: int, *, progress: bool
+def in_chunks(
+    run: Callable[[int, int], Arrays], count: int, balls: int, *, progress: bool
 ) -> BatchResult:
+    """The results of ``run`` on row ``start`` up to ``end``, a chunk at a time."""
     import numpy as np
 
     position = np.full((count, balls, 3), np.nan)

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from carom.batch import BatchResult
+    from carom.noise import Noise, NoisyResult
     from carom.trace import Trace
 
 
@@ -194,6 +195,42 @@ class Shot:
             "height": height,
         }
         return vary(self._core, given, threads=threads, progress=progress)
+
+    def vary(
+        self,
+        noise: Noise,
+        n: int,
+        *,
+        seed: int = 0,
+        first: int = 0,
+        threads: int | None = None,
+        progress: bool = False,
+    ) -> NoisyResult:
+        """Simulate what comes out when a player means this strike, ``n`` times over.
+
+        Variant ``index`` of a seed is the same whatever ``n``, ``first`` and ``threads`` are, on
+        every platform. A cue never points upwards: an elevation drawn below 0 becomes 0.
+
+        Args:
+            noise: How far the strike strays.
+            n: How many variants.
+            seed: Which random numbers, a whole number from 0 to 2⁶⁴ − 1.
+            first: Index of the first variant, so that long runs can be continued.
+            threads: How many; None is one per core.
+            progress: Show a progress bar on stderr.
+
+        Returns:
+            A row for each variant, and the strikes. ``errors`` has those that cannot be played, by
+            row: a miscue (unless the shot has ``"miscue": "report"``), a speed ≤ 0, ...
+
+        Raises:
+            InputError: The shot has no strike, a σ is negative, or a number is out of range.
+        """
+        from carom.noise import vary
+
+        return vary(
+            self._core, noise, n, seed=seed, first=first, threads=threads, progress=progress
+        )
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Shot) and self._core.to_json() == other._core.to_json()

@@ -1,11 +1,13 @@
-//! `_core.simulate_batch` and `_core.simulate_strikes`.
+//! `_core.simulate_batch`, `_core.simulate_strikes` and `_core.draw_strikes`.
 
+use carom::Noise;
 use carom::batch::{self, BatchResult};
 use carom::resolve::cue_ball::Strike;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::error::to_exception;
 use crate::shot::Shot;
 
 type Arrays<'py> = (
@@ -50,6 +52,40 @@ pub(crate) fn simulate_strikes<'py>(
         .collect();
     let result = py.detach(|| batch::simulate_strikes(&shot.0, &strikes, count(threads), &|_| ()));
     arrays(py, result)
+}
+
+/// Strikes number `first`.. of `seed` that come out when the shot's own is meant: rows as
+/// `simulate_strikes` takes them. `noise`: the σ of speed, azimuth, elevation, side, height.
+#[pyfunction]
+pub(crate) fn draw_strikes<'py>(
+    py: Python<'py>,
+    shot: &Shot,
+    noise: [f64; 5],
+    seed: u64,
+    first: u64,
+    count: usize,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let strikes = batch::draw_strikes(&shot.0, &noise_of(noise), seed, first, count)
+        .map_err(|e| to_exception(py, &e))?;
+    let row = |s: Strike| [s.speed, s.azimuth, s.elevation, s.side, s.height];
+    PyArray1::from_vec(py, strikes.into_iter().flat_map(row).collect()).reshape([count, 5])
+}
+
+/// Refuses what is no noise; the σ as `draw_strikes` takes them.
+#[pyfunction]
+pub(crate) fn check_noise(py: Python<'_>, noise: [f64; 5]) -> PyResult<()> {
+    noise_of(noise).check().map_err(|e| to_exception(py, &e))
+}
+
+/// The σ of the Computational Olympiad's noise: speed, azimuth, elevation, side, height.
+#[pyfunction]
+pub(crate) fn olympiad(multiplier: f64) -> [f64; 5] {
+    let Noise { speed, azimuth, elevation, side, height } = Noise::olympiad(multiplier);
+    [speed, azimuth, elevation, side, height]
+}
+
+fn noise_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Noise {
+    Noise { speed, azimuth, elevation, side, height }
 }
 
 fn count(threads: usize) -> Option<usize> {

@@ -16,7 +16,7 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::batch::{simulate_batch, simulate_strikes};
+    use crate::batch::{check_noise, draw_strikes, olympiad, simulate_batch, simulate_strikes};
     #[pymodule_export]
     use crate::reference::{break_shot, games, schema, tables};
     #[pymodule_export]

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::event::{Event, EventKind, Recorder};
 use crate::resolve::cue_ball::Strike;
 use crate::simulate::{MAX_BALLS, SMALL, Simulation};
-use crate::{MotionState, Shot};
+use crate::{MotionState, Noise, Shot};
 
 /// Shots that one thread takes at a time: a few hundred microseconds of work, so that handing
 /// them out costs nothing and the threads still end together.
@@ -70,6 +70,50 @@ pub fn simulate_strikes(
         shot.resolve_strike(&strike)?;
         Ok((shot, Some((struck, strike))))
     })
+}
+
+/// Simulates `count` of the strikes that come out when `shot`'s own is meant: row k is the strike
+/// [`draw_strikes`] has there, number `first` + k of this seed. A drawn strike that a shot file
+/// would refuse is among the errors; `shot`'s policy says whether a miscue is played. `threads`
+/// and `done` as in [`simulate_batch`].
+///
+/// # Errors
+/// As [`draw_strikes`].
+pub fn simulate_noisy(
+    shot: &Shot,
+    noise: &Noise,
+    seed: u64,
+    first: u64,
+    count: usize,
+    threads: Option<usize>,
+    done: &(dyn Fn(usize) + Sync),
+) -> Result<BatchResult, Error> {
+    let strikes = draw_strikes(shot, noise, seed, first, count)?;
+    Ok(simulate_strikes(shot, &strikes, threads, done))
+}
+
+/// The strikes number `first`.. of this seed that come out when `shot`'s own is meant.
+///
+/// # Errors
+/// [`Error::Input`] if the shot has no strike, or [`Noise::check`] refuses.
+pub fn draw_strikes(
+    shot: &Shot,
+    noise: &Noise,
+    seed: u64,
+    first: u64,
+    count: usize,
+) -> Result<Vec<Strike>, Error> {
+    noise.check()?;
+    let Some((ball, meant)) = shot.strike else {
+        return Err(Error::input(
+            "strike",
+            "the shot has none that could be varied",
+            "give it one",
+        ));
+    };
+    let radius = shot.balls[ball].ball.radius;
+    let strike = |k| noise.draw(&meant, radius, seed, first.wrapping_add(k));
+    Ok((0..count as u64).map(strike).collect())
 }
 
 /// What shot `k` is.

@@ -13,6 +13,7 @@ pub mod error;
 pub mod event;
 pub mod math;
 pub mod motion;
+pub mod noise;
 pub mod outcome;
 pub mod physics;
 pub mod rack;
@@ -25,6 +26,7 @@ pub mod trace;
 
 pub use ball::{Ball, BallState, MotionState};
 pub use error::Error;
+pub use noise::Noise;
 pub use outcome::Outcome;
 pub use physics::Physics;
 pub use shot::Shot;

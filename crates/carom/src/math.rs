@@ -5,7 +5,7 @@
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-pub use libm::{acos, asin, atan, atan2, cos, exp, pow, sin, tan};
+pub use libm::{acos, asin, atan, atan2, cos, exp, log, pow, sin, tan};
 
 /// √x, correctly rounded (IEEE 754), hence the same bits everywhere.
 #[inline(always)]
@@ -31,7 +31,7 @@ pub fn degrees(radians: f64) -> f64 {
 
 /// Degrees to radians.
 #[inline]
-pub fn radians(degrees: f64) -> f64 {
+pub const fn radians(degrees: f64) -> f64 {
     degrees * (core::f64::consts::PI / 180.0)
 }
 

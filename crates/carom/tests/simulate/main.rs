@@ -5,6 +5,7 @@ mod goldens;
 mod hard_cases;
 mod many_balls;
 mod no_allocation;
+mod noise;
 mod off_the_cloth;
 mod order_of_balls;
 mod outcome_of_flight;

@@ -1,0 +1,133 @@
+//! Execution noise: how far a player's strike strays from what was meant.
+//!
+//! Every parameter of the strike errs by a Gaussian of its own, independent of the others, as in the
+//! Computational Olympiad (Archibald, Altman & Shoham, *Analysis of a winning computational
+//! billiards player*, 2009).
+//!
+//! # The random numbers
+//!
+//! Error `index` of a seed is a function of the two and of nothing else: ChaCha8 (Bernstein 2008)
+//! with the seed in its key and the index as its stream, uniform numbers of 53 bits, and normal
+//! deviates by Box & Muller (1958) with this crate's own arithmetic. So variant 17 is the same
+//! alone or among thousands, in any order, for any number of threads, on every platform. Every
+//! parameter has its own deviate, whether or not it errs: to change one σ moves nothing else.
+//!
+//! # What cannot be played
+//!
+//! A cue never points upwards: an elevation below 0 becomes 0. All else that a shot file would
+//! refuse fails as it would there: a speed ≤ 0, an elevation of 90° and more, a tip that misses the
+//! ball or slips off it (the latter only if the shot does not ask for miscues to be played:
+//! `strike.miscue`).
+
+use core::f64::consts::TAU;
+
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng, SeedableRng};
+
+use crate::error::Error;
+use crate::math::{log, radians, sin_cos, sqrt};
+use crate::resolve::cue_ball::Strike;
+use crate::shot::read::Range;
+
+/// Tells these random numbers from all others that have the same seed.
+const PURPOSE: &[u8; 24] = b"carom: noise of a strike";
+
+/// Largest σ of a tip offset, m: a third of a ball's radius. Larger ones are in other units by mistake.
+const OFFSET: Range = Range::closed(0.0, 0.01, " m");
+/// Largest σ of an angle: half a turn, beyond which every direction is as likely.
+const ANGLE: Range = Range::closed(0.0, core::f64::consts::PI, " rad");
+/// Largest σ of the cue's speed: that of the fastest breaks.
+const SPEED: Range = Range::closed(0.0, 15.0, " m/s");
+
+/// Standard deviations of a strike's errors.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Noise {
+    /// Of the cue's speed, m/s.
+    pub speed: f64,
+    /// Of the cue's direction, rad.
+    pub azimuth: f64,
+    /// Of the cue's elevation, rad.
+    pub elevation: f64,
+    /// Of the contact point to the side, m: a hand's error does not know the ball's radius.
+    pub side: f64,
+    /// Of the contact point's height, m.
+    pub height: f64,
+}
+
+impl Noise {
+    /// The Computational Olympiad's noise times `multiplier`; its tournaments were played at 0.5, 1
+    /// and 2. σ: offsets 0.5 mm each, elevation 0.1°, azimuth 0.125°, speed 0.075 m/s.
+    pub const fn olympiad(multiplier: f64) -> Self {
+        Self {
+            speed: 0.075,
+            azimuth: radians(0.125),
+            elevation: radians(0.1),
+            side: 0.000_5,
+            height: 0.000_5,
+        }
+        .scaled(multiplier)
+    }
+
+    /// The same with every σ times `multiplier`.
+    #[must_use]
+    pub const fn scaled(self, multiplier: f64) -> Self {
+        Self {
+            speed: self.speed * multiplier,
+            azimuth: self.azimuth * multiplier,
+            elevation: self.elevation * multiplier,
+            side: self.side * multiplier,
+            height: self.height * multiplier,
+        }
+    }
+
+    /// Refuses what is no standard deviation.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a σ that is negative, not finite, or beyond all sense.
+    pub fn check(&self) -> Result<(), Error> {
+        for (key, value, range) in [
+            ("speed", self.speed, SPEED),
+            ("azimuth", self.azimuth, ANGLE),
+            ("elevation", self.elevation, ANGLE),
+            ("side", self.side, OFFSET),
+            ("height", self.height, OFFSET),
+        ] {
+            range.check(|| alloc::format!("noise.{key}"), value)?;
+        }
+        Ok(())
+    }
+
+    /// Strike `index` of those that come out when `meant` is meant. `radius`: of the struck ball, m.
+    pub fn draw(&self, meant: &Strike, radius: f64, seed: u64, index: u64) -> Strike {
+        let [speed, azimuth, elevation, side, height, _] = normal_deviates(seed, index);
+        Strike {
+            speed: meant.speed + self.speed * speed,
+            azimuth: meant.azimuth + self.azimuth * azimuth,
+            elevation: (meant.elevation + self.elevation * elevation).max(0.0),
+            side: meant.side + self.side / radius * side,
+            height: meant.height + self.height / radius * height,
+        }
+    }
+}
+
+/// Six independent normal deviates, of mean 0 and variance 1.
+fn normal_deviates(seed: u64, index: u64) -> [f64; 6] {
+    let mut key = [0; 32];
+    key[..8].copy_from_slice(&seed.to_le_bytes());
+    key[8..].copy_from_slice(PURPOSE);
+    let mut random = ChaCha8Rng::from_seed(key);
+    random.set_stream(index);
+    let mut deviates = [0.0; 6];
+    for pair in deviates.chunks_exact_mut(2) {
+        let length = sqrt(-2.0 * log(positive_unit(&mut random)));
+        let (sin, cos) = sin_cos(TAU * positive_unit(&mut random));
+        pair.copy_from_slice(&[length * cos, length * sin]);
+    }
+    deviates
+}
+
+/// Uniform in (0, 1], in steps of 2⁻⁵³: it has a logarithm.
+fn positive_unit(random: &mut impl Rng) -> f64 {
+    const STEP: f64 = 1.0 / (1_u64 << 53) as f64;
+    ((random.next_u64() >> 11) + 1) as f64 * STEP
+}

@@ -1,0 +1,123 @@
+"""Execution noise: how far a player's strike strays from what was meant."""
+
+from __future__ import annotations
+
+from dataclasses import astuple, dataclass, fields
+from typing import TYPE_CHECKING, Self
+
+from carom import _core
+from carom.batch import Arrays, BatchResult, in_chunks, thread_count
+from carom.errors import InputError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+# Seeds and indices are 64 bits wide.
+_WORD = 1 << 64
+
+
+@dataclass(frozen=True, slots=True)
+class Noise:
+    """Standard deviations of a strike's errors: Gaussian, independent of each other.
+
+    Attributes:
+        speed: Of the cue's speed, m/s.
+        azimuth: Of the cue's direction, rad.
+        elevation: Of the cue's elevation, rad.
+        side: Of the contact point to the side, **m**, where a strike has ball radii: a hand's
+            error does not know the ball's size.
+        height: Of the contact point's height, m.
+
+    Raises:
+        InputError: A number is negative, not finite, or beyond all sense.
+    """
+
+    speed: float = 0.0
+    azimuth: float = 0.0
+    elevation: float = 0.0
+    side: float = 0.0
+    height: float = 0.0
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = getattr(self, field.name)
+            try:
+                object.__setattr__(self, field.name, float(value))
+            except (TypeError, ValueError):
+                raise InputError(
+                    f"noise.{field.name}: {value!r} is not a number; write one"
+                ) from None
+        _core.check_noise(astuple(self))
+
+    @classmethod
+    def olympiad(cls, multiplier: float = 1.0) -> Self:
+        """The Computational Olympiad's noise; its tournaments were played at 0.5, 1 and 2 times it.
+
+        σ: offsets 0.5 mm each, elevation 0.1°, azimuth 0.125°, speed 0.075 m/s (Archibald, Altman
+        & Shoham, *Analysis of a winning computational billiards player*, 2009).
+        """
+        return cls(*_core.olympiad(multiplier))
+
+    def scaled(self, multiplier: float) -> Self:
+        """The same with every σ times ``multiplier``."""
+        return type(self)(*(sigma * multiplier for sigma in astuple(self)))
+
+
+@dataclass(frozen=True, slots=True)
+class NoisyResult(BatchResult):
+    """The ends of a shot's noisy variants, and the strikes that they were played with.
+
+    Attributes:
+        speed: The cue's speed, m/s, float64 of shape (n_shots,), as all that follow.
+        azimuth: The cue's direction, rad.
+        elevation: Butt raised above horizontal, rad.
+        side: Contact point right of centre, ball radii.
+        height: Contact point above centre, ball radii.
+    """
+
+    speed: NDArray[np.float64]
+    azimuth: NDArray[np.float64]
+    elevation: NDArray[np.float64]
+    side: NDArray[np.float64]
+    height: NDArray[np.float64]
+
+
+def vary(
+    shot: _core.Shot,
+    noise: Noise,
+    n: int,
+    *,
+    seed: int,
+    first: int,
+    threads: int | None,
+    progress: bool,
+) -> NoisyResult:
+    """``Shot.vary``."""
+    import numpy as np
+
+    if not isinstance(noise, Noise):
+        raise InputError(
+            f"noise: found a {type(noise).__name__}; give carom.Noise(...), "
+            "for example carom.Noise.olympiad(1.0)"
+        )
+    _whole("seed", seed)
+    _whole("first", first)
+    _whole("n", n, _WORD - first)
+    sigmas = astuple(noise)
+    if shot.strike is None:
+        raise InputError("strike: the shot has none that could be varied; give it one")
+    strikes = np.empty((5, n))
+
+    def run(start: int, end: int) -> Arrays:
+        rows = _core.draw_strikes(shot, sigmas, seed, first + start, end - start)
+        strikes[:, start:end] = rows.T
+        return _core.simulate_strikes(shot, rows, thread_count(threads))
+
+    ends = in_chunks(run, n, len(shot), progress=progress)
+    return NoisyResult(ends.final_position, ends.pocket, ends.events, ends.errors, *strikes)
+
+
+def _whole(name: str, value: int, end: int = _WORD) -> None:
+    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < end:
+        raise InputError(f"{name}: {value!r} is out of range; give a whole number in [0, {end})")
