@@ -1,0 +1,61 @@
+/** Plain DOM in fewer words. */
+
+type Attributes = Readonly<Record<string, string | number | boolean | EventListener | undefined>>;
+export type Child = Node | string | null | undefined | false;
+
+/**
+ * An element with attributes and children.
+ *
+ * Functions become listeners under their key without "on"; `true` is an attribute without a value,
+ * `false` and `undefined` none.
+ */
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  return dress(document.createElement(tag), attributes, children);
+}
+
+/** As `h`, for drawings. */
+export function svg<K extends keyof SVGElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): SVGElementTagNameMap[K] {
+  return dress(document.createElementNS("http://www.w3.org/2000/svg", tag), attributes, children);
+}
+
+function dress<E extends Element>(element: E, attributes: Attributes, children: Child[]): E {
+  for (const [key, value] of Object.entries(attributes)) {
+    if (typeof value === "function") element.addEventListener(key.replace(/^on/, ""), value);
+    else if (value === true) element.setAttribute(key, "");
+    else if (value !== undefined && value !== false) element.setAttribute(key, String(value));
+  }
+  element.append(
+    ...children.filter((child) => child !== null && child !== undefined && child !== false),
+  );
+  return element;
+}
+
+let lastId = 0;
+
+/** An id that no other element has, for labels. */
+export function uniqueId(stem: string): string {
+  lastId += 1;
+  return `${stem}-${lastId}`;
+}
+
+/** An icon from a path on a 24 × 24 grid; decoration, so the button around it needs a label. */
+export function icon(path: string): SVGSVGElement {
+  return svg(
+    "svg",
+    { viewBox: "0 0 24 24", class: "icon", "aria-hidden": "true" },
+    svg("path", { d: path }),
+  );
+}
+
+/** Sets a text only where it differs: a live region then speaks only of what is new. */
+export function setText(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}

@@ -1,0 +1,85 @@
+/** The panel's tabs. On a phone the panel is a sheet that a second tap on its tab folds away. */
+
+import { h } from "./dom.ts";
+import type { Store } from "./store.ts";
+
+interface Tab {
+  readonly name: string;
+  readonly label: string;
+  /** Only there while a shot is replayed. */
+  readonly replay?: boolean;
+}
+
+const TABS: readonly Tab[] = [
+  { name: "state", label: "Replay", replay: true },
+  { name: "aim", label: "Aim" },
+  { name: "layout", label: "Balls" },
+  { name: "physics", label: "Physics" },
+  { name: "whatif", label: "What if" },
+];
+
+const ARROWS: Readonly<Record<string, number>> = { ArrowLeft: -1, ArrowRight: 1 };
+
+export function mountTabs(root: HTMLElement, store: Store): void {
+  const panel = root.closest<HTMLElement>(".panel")!;
+  const body = (tab: Tab) => document.getElementById(`panel-${tab.name}`)!;
+  let selected = "aim";
+  let beforeReplay = "aim";
+
+  const buttons = TABS.map((tab) => {
+    const attributes = { type: "button", role: "tab", class: "tab", id: `tab-${tab.name}` };
+    const controls = { "aria-controls": `panel-${tab.name}` };
+    body(tab).setAttribute("role", "tabpanel");
+    body(tab).setAttribute("aria-labelledby", `tab-${tab.name}`);
+    return h("button", { ...attributes, ...controls, onclick: () => click(tab) }, tab.label);
+  });
+  root.append(...buttons);
+
+  const present = (tab: Tab) => !tab.replay || store.session.mode === "replay";
+
+  function show(): void {
+    TABS.forEach((tab, index) => {
+      const on = tab.name === selected;
+      const button = buttons[index]!;
+      button.hidden = !present(tab);
+      button.setAttribute("aria-selected", String(on));
+      button.tabIndex = on ? 0 : -1;
+      body(tab).hidden = !on;
+    });
+  }
+
+  function select(name: string): void {
+    selected = name;
+    delete panel.dataset.folded;
+    show();
+  }
+
+  function click(tab: Tab): void {
+    if (tab.name !== selected || panel.dataset.folded) select(tab.name);
+    else panel.dataset.folded = "true";
+  }
+
+  root.addEventListener("keydown", (event) => {
+    const step = ARROWS[event.key];
+    if (step === undefined) return;
+    const tabs = TABS.filter(present);
+    const at = tabs.findIndex((tab) => tab.name === selected);
+    const next = tabs[(at + step + tabs.length) % tabs.length]!;
+    select(next.name);
+    document.getElementById(`tab-${next.name}`)?.focus();
+    event.preventDefault();
+  });
+
+  store.subscribe((now, before) => {
+    if (now.session.mode === before.session.mode) return;
+    const folded = panel.dataset.folded;
+    if (now.session.mode === "replay") {
+      beforeReplay = selected;
+      select("state");
+    } else {
+      select(selected === "state" ? beforeReplay : selected);
+    }
+    if (folded) panel.dataset.folded = folded;
+  });
+  show();
+}
