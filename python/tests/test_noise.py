@@ -1,0 +1,140 @@
+"""`Shot.vary`: the same variants whatever the threads and pieces, and the errors that they have."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+import pickle
+from pathlib import Path
+from typing import Any
+
+import carom
+import numpy as np
+import pytest
+from carom import InputError, Noise, Shot, batch
+
+ROOT = Path(__file__).parents[2]
+GOLDENS = json.loads((ROOT / "goldens" / "noise.json").read_text())
+STRIKE = ("speed", "azimuth", "elevation", "side", "height")
+
+
+def strikes_of(result: carom.NoisyResult) -> np.ndarray[Any, np.dtype[np.float64]]:
+    return np.stack([getattr(result, name) for name in STRIKE], axis=1)
+
+
+def same(a: carom.NoisyResult, b: carom.NoisyResult) -> bool:
+    fields = [field.name for field in dataclasses.fields(a) if field.name != "errors"]
+    equal = all(getattr(a, f).tobytes() == getattr(b, f).tobytes() for f in fields)
+    return equal and a.errors == b.errors
+
+
+@pytest.mark.parametrize("golden", GOLDENS, ids=[golden["shot"] for golden in GOLDENS])
+def test_the_goldens_of_noise_are_the_same_bits_as_ever(golden: dict[str, Any]) -> None:
+    shot = Shot.load(ROOT / "shots" / f"{golden['shot']}.json")
+    noise = Noise.olympiad(golden["olympiad"])
+    variants = golden["variants"]
+    result = shot.vary(noise, len(variants), seed=golden["seed"], first=golden["first"])
+    assert strikes_of(result).tolist() == [variant["strike"] for variant in variants]
+    assert result.events.tolist() == [variant["events"] for variant in variants]
+    assert result.final_position[:, 0].tolist() == [variant["final"] for variant in variants]
+
+
+def test_the_olympiad_errs_by_half_a_millimetre_and_an_eighth_of_a_degree() -> None:
+    noise = Noise.olympiad()
+    assert (noise.side, noise.height, noise.speed) == (0.0005, 0.0005, 0.075)
+    assert noise.elevation == math.radians(0.1)
+    assert noise.azimuth == math.radians(0.125)
+    assert Noise.olympiad(2.0) == noise.scaled(2.0)
+    assert noise.scaled(0) == Noise()
+
+
+def test_variants_are_the_same_for_any_threads_and_pieces(
+    pot: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shot = Shot.from_dict(pot)
+    whole = shot.vary(Noise.olympiad(), 300, seed=3, threads=1)
+    assert same(shot.vary(Noise.olympiad(), 300, seed=3, threads=2), whole)
+    monkeypatch.setattr(batch, "CHUNK", 7)
+    assert same(shot.vary(Noise.olympiad(), 300, seed=3), whole)
+    tail = shot.vary(Noise.olympiad(), 100, seed=3, first=200)
+    assert strikes_of(tail).tolist() == strikes_of(whole)[200:].tolist()
+    assert tail.final_position.tobytes() == whole.final_position[200:].tobytes()
+
+
+def test_a_variant_is_the_shot_struck_as_its_arrays_say(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    result = shot.vary(Noise.olympiad(2.0), 50, seed=1)
+    again = shot.batch(**{name: getattr(result, name) for name in STRIKE})
+    assert again.final_position.tobytes() == result.final_position.tobytes()
+    assert again.pocket.tolist() == result.pocket.tolist()
+
+
+def test_offsets_err_in_metres_whatever_the_ball(pot: dict[str, Any]) -> None:
+    pool = Shot.from_dict(pot)
+    small = Shot.from_dict({**pot, "physics": {"base": "pool", "ball": {"radius": 0.02}}})
+    a, b = (shot.vary(Noise(side=0.001), 20) for shot in (pool, small))
+    assert np.allclose(a.side * pool.radius[0], b.side * small.radius[0], rtol=1e-12, atol=0)
+    assert (a.height == 0).all()
+    assert (a.azimuth == math.radians(90)).all()
+
+
+def test_seeds_differ_and_errors_scatter_as_they_should(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    noise = Noise(speed=0.05, azimuth=0.002)
+    one, two = (shot.vary(noise, 4000, seed=seed) for seed in (1, 2))
+    assert (one.speed != two.speed).all()
+    # Five standard errors of a standard deviation.
+    assert one.speed.std() == pytest.approx(0.05, rel=5 / math.sqrt(2 * 4000))
+    assert one.azimuth.std() == pytest.approx(0.002, rel=5 / math.sqrt(2 * 4000))
+
+
+def test_a_miscue_is_an_error_of_its_row_unless_the_shot_plays_it(pot: dict[str, Any]) -> None:
+    pot["strike"]["side"] = 0.51
+    result = Shot.from_dict(pot).vary(Noise(side=0.002), 60)
+    assert 5 < len(result.errors) < 55
+    for row, text in result.errors.items():
+        assert "miscue" in text
+        assert result.events[row] == 0
+        assert abs(result.side[row]) > 0.51
+    pot["strike"]["miscue"] = "report"
+    assert Shot.from_dict(pot).vary(Noise(side=0.002), 60).errors == {}
+
+
+def test_no_variants_and_a_lone_late_one_can_be_asked_for(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    assert len(shot.vary(Noise.olympiad(), 0)) == 0
+    assert len(shot.vary(Noise.olympiad(), 1, first=2**64 - 2, seed=2**64 - 1)) == 1
+
+
+@pytest.mark.parametrize(
+    ("values", "place"),
+    [
+        ({"speed": -0.1}, "noise.speed"),
+        ({"azimuth": math.nan}, "noise.azimuth"),
+        ({"side": 0.5}, "noise.side"),
+        ({"height": math.inf}, "noise.height"),
+        ({"elevation": "0.1 degrees"}, "noise.elevation"),
+        ({"elevation": None}, "noise.elevation"),
+    ],
+)
+def test_what_is_no_noise_is_refused_with_its_place(values: dict[str, Any], place: str) -> None:
+    with pytest.raises(InputError, match=rf"^{place}: .*; write"):
+        Noise(**values)
+
+
+def test_what_cannot_be_varied_is_refused(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    wrong: Any = {"speed": 0.1}
+    with pytest.raises(InputError, match=r"^noise: .*carom\.Noise"):
+        shot.vary(wrong, 10)
+    for name, value in [("n", -1), ("n", 2.5), ("seed", -1), ("seed", 2**64), ("first", True)]:
+        with pytest.raises(InputError, match=rf"^{name}: .* whole number"):
+            shot.vary(Noise(), **{"n": 10, name: value})
+    del pot["strike"]
+    with pytest.raises(InputError, match=r"^strike: .*give it one"):
+        Shot.from_dict(pot).vary(Noise(), 1)
+
+
+def test_a_noise_can_be_sent_to_another_process() -> None:
+    assert pickle.loads(pickle.dumps(Noise.olympiad(0.5))) == Noise.olympiad(0.5)
