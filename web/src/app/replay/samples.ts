@@ -1,7 +1,7 @@
 // A ball's speed and spin against time.
 
-import { STRIDE, type Trace } from "../../engine";
-import { SPIN, VELOCITY } from "./state";
+import { STRIDE, type Trace } from "../../engine/index.ts";
+import { SPIN, VELOCITY } from "./state.ts";
 
 /** A ball's motion at increasing times; at an impact twice, before and after it. */
 export interface Samples {

@@ -1,6 +1,6 @@
 // Events and states in words.
 
-import type { TraceEvent } from "../../engine";
+import type { TraceEvent } from "../../engine/index.ts";
 
 /** What happens, as one reads it in the list of events and hears it from the slider. */
 export function eventInWords(event: TraceEvent): string {

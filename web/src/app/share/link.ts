@@ -3,7 +3,7 @@
 // The fragment never leaves the browser: no server sees it, and it works from a file on disk too.
 
 import { strFromU8, strToU8, unzlibSync, zlibSync } from "fflate";
-import { toJson } from "./literal";
+import { toJson } from "./literal.ts";
 
 /** A link that cannot be read; the message is a sentence for the user. */
 export class LinkError extends Error {

@@ -1,7 +1,7 @@
 // A shot as a Python program.
 
-import type { ShotFile } from "../../engine";
-import { toPython } from "./literal";
+import type { ShotFile } from "../../engine/index.ts";
+import { toPython } from "./literal.ts";
 
 /** A program that runs as it stands, prints the events of the shot, and has the page's hash. */
 export function pythonProgram(shot: ShotFile): string {

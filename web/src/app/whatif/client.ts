@@ -1,8 +1,8 @@
 // The page's end of the worker.
 
-import type { Engine, Noise, ShotFile } from "../../engine";
-import type { FromWorker, ToWorker } from "./protocol";
-import { Tally } from "./tally";
+import type { Engine, Noise, ShotFile } from "../../engine/index.ts";
+import type { FromWorker, ToWorker } from "./protocol.ts";
+import { Tally } from "./tally.ts";
 
 /** What is known of a request so far. */
 export interface Progress {

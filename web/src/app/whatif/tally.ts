@@ -1,8 +1,8 @@
 // Variants as they come in, counted.
 
-import { OFF_TABLE } from "../../engine/types";
-import type { Chunk } from "./protocol";
-import { type Chance, chance } from "./statistics";
+import { OFF_TABLE } from "../../engine/types.ts";
+import type { Chunk } from "./protocol.ts";
+import { type Chance, chance } from "./statistics.ts";
 
 /** Counts over the variants of one request, and where the struck ball ends in each. */
 export class Tally {

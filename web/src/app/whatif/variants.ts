@@ -1,8 +1,8 @@
 // The work of the worker, apart from being one.
 
-import { CaromError } from "../../engine/error";
-import type { Engine, Shot } from "../../engine/types";
-import type { Chunk, FromWorker, Request } from "./protocol";
+import { CaromError } from "../../engine/error.ts";
+import type { Engine, Shot } from "../../engine/types.ts";
+import type { Chunk, FromWorker, Request } from "./protocol.ts";
 
 /**
  * Variants between two looks at whether the request is stale: some ten milliseconds of a mid-game

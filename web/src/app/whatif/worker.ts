@@ -1,9 +1,9 @@
 // Simulates variants beside the page, so that the page stays fluid.
 
-import { load } from "../../engine";
-import type { Engine } from "../../engine/types";
-import type { FromWorker, ToWorker } from "./protocol";
-import { simulate, type Surroundings } from "./variants";
+import { load } from "../../engine/index.ts";
+import type { Engine } from "../../engine/types.ts";
+import type { FromWorker, ToWorker } from "./protocol.ts";
+import { simulate, type Surroundings } from "./variants.ts";
 
 let engine: Promise<Engine> | null = null;
 let wanted = 0;

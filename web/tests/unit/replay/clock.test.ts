@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { advance, LONGEST_FRAME, RATES } from "../../../src/app/replay/clock";
+import { advance, LONGEST_FRAME, RATES } from "../../../src/app/replay/clock.ts";
 
 describe("the clock of the replay", () => {
   test("shows the same time after a second, however many frames were drawn", () => {

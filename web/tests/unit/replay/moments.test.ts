@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { TraceEvent } from "../../../src/engine";
-import { latest, moments, next, previous } from "../../../src/app/replay/moments";
+import type { TraceEvent } from "../../../src/engine/index.ts";
+import { latest, moments, next, previous } from "../../../src/app/replay/moments.ts";
 
 const at = (time: number): TraceEvent => ({
   time,

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { curve, roundUp, xOf, yOf } from "../../../src/app/replay/plot";
+import { curve, roundUp, xOf, yOf } from "../../../src/app/replay/plot.ts";
 
 describe("a plot", () => {
   const frame = { width: 200, height: 50, duration: 4, low: -1, high: 1 };

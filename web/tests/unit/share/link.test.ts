@@ -1,7 +1,7 @@
 import { readFileSync, readdirSync } from "node:fs";
 import { strToU8, zlibSync } from "fflate";
 import { describe, expect, test } from "vitest";
-import { fromFragment, isLink, LinkError, toFragment } from "../../../src/app/share/link";
+import { fromFragment, isLink, LinkError, toFragment } from "../../../src/app/share/link.ts";
 
 const SHOTS = new URL("../../../../shots/", import.meta.url);
 const NAMES = readdirSync(SHOTS).filter((name) => name.endsWith(".json"));

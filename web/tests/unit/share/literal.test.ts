@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { toJson, toPrettyJson, toPython } from "../../../src/app/share/literal";
+import { toJson, toPrettyJson, toPython } from "../../../src/app/share/literal.ts";
 
 describe("data as text", () => {
   const data = {

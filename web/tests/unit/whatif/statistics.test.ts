@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { bound, chance, chanceInWords } from "../../../src/app/whatif/statistics";
+import { bound, chance, chanceInWords } from "../../../src/app/whatif/statistics.ts";
 
 describe("a counted chance", () => {
   test("has the binomial standard error", () => {

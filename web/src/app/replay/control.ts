@@ -1,0 +1,49 @@
+// What one can do with a replay, for buttons and keys alike.
+
+import type { Store } from "../store.ts";
+import { type Moment, moments, next, previous } from "./moments.ts";
+import type { Trace } from "../../engine/types.ts";
+
+const found = new WeakMap<Trace, readonly Moment[]>();
+
+/** The moments of the replayed trace; none while aiming. */
+export function momentsOf(trace: Trace | null): readonly Moment[] {
+  if (!trace) return [];
+  let list = found.get(trace);
+  if (!list) found.set(trace, (list = moments(trace.events)));
+  return list;
+}
+
+/** Goes to a time of the replay (s), kept within the shot; a replay that runs goes on from there. */
+export function seek(store: Store, time: number): void {
+  const { trace } = store.session;
+  if (trace) store.setSession({ time: Math.min(Math.max(time, 0), trace.duration) });
+}
+
+/** Pauses, or plays: from the start if the replay stands at its end. */
+export function togglePlaying(store: Store): void {
+  const { trace, playing, time } = store.session;
+  if (!trace) return;
+  const atEnd = time >= trace.duration;
+  store.setSession(playing ? { playing: false } : { playing: true, time: atEnd ? 0 : time });
+}
+
+/** Pauses at the next event, or at the end. */
+export function stepForwards(store: Store): void {
+  const { trace, time } = store.session;
+  if (!trace) return;
+  const moment = next(momentsOf(trace), time);
+  store.setSession({ playing: false, time: moment?.time ?? trace.duration });
+}
+
+/** Pauses at the previous event, or at the start. */
+export function stepBackwards(store: Store): void {
+  const { trace, time } = store.session;
+  if (!trace) return;
+  store.setSession({ playing: false, time: previous(momentsOf(trace), time)?.time ?? 0 });
+}
+
+/** Ends the replay: back to aiming at the shot as it was. */
+export function leave(store: Store): void {
+  store.setSession({ mode: "aim", trace: null, time: 0, playing: false });
+}

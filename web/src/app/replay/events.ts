@@ -1,0 +1,91 @@
+/** The list of events: one reads it, hears it, and goes to an event by it. */
+
+import type { Trace } from "../../engine/types.ts";
+import { h, setText, uniqueId } from "../dom.ts";
+import type { Store } from "../store.ts";
+import { momentsOf, seek } from "./control.ts";
+import { LOOKS, mark } from "./kinds.ts";
+import { latest } from "./moments.ts";
+import type { Show } from "./panel.ts";
+import { eventInWords } from "./words.ts";
+
+export function mountEvents(root: HTMLElement, store: Store): Show {
+  const heading = h("h2", { id: uniqueId("events") }, "Events");
+  const only = h("input", { type: "checkbox", id: uniqueId("only") });
+  const onlyLabel = h("label", { for: only.id });
+  const body = h("tbody");
+  root.append(
+    heading,
+    h("div", { class: "row" }, only, onlyLabel),
+    h(
+      "div",
+      { class: "events" },
+      h(
+        "table",
+        { "aria-labelledby": heading.id },
+        h(
+          "thead",
+          {},
+          h("tr", {}, h("th", { scope: "col" }, "s"), h("th", { scope: "col" }, "Event")),
+        ),
+        body,
+      ),
+    ),
+  );
+  let shown: Trace | null = null;
+  let filter: string | null = null;
+  let current: readonly number[] = [];
+  only.addEventListener("change", () => store.setSession({})); // everybody looks again
+
+  const fill = (trace: Trace): void => {
+    setText(heading, `${trace.events.length} events`);
+    body.replaceChildren(
+      ...trace.events.map((event) => {
+        const go = () => {
+          store.setSession({ playing: false });
+          seek(store, event.time);
+        };
+        const words = h(
+          "button",
+          { type: "button", class: "go", onclick: go },
+          eventInWords(event),
+        );
+        const kind = h("span", { class: "kind", title: LOOKS[event.type].name }, mark(event.type));
+        const time = h("td", { class: "time" }, event.time.toFixed(3));
+        return h("tr", {}, time, h("td", {}, h("div", { class: "event" }, kind, words)));
+      }),
+    );
+    current = [];
+  };
+
+  return (trace, ball, time) => {
+    const { id } = trace.shot.balls[ball]!;
+    setText(onlyLabel, `Only those of ${id}`);
+    const wanted = only.checked ? id : null;
+    if (trace !== shown) fill(trace);
+    const rows = body.rows;
+    if (trace !== shown || wanted !== filter) {
+      trace.events.forEach(({ balls }, i) => {
+        rows[i]!.hidden = wanted !== null && !balls.includes(wanted);
+      });
+    }
+    [shown, filter] = [trace, wanted];
+    const now = latest(momentsOf(trace), time)?.events ?? [];
+    if (now === current) return;
+    for (const index of current) rows[index]!.removeAttribute("aria-current");
+    for (const index of now) rows[index]!.setAttribute("aria-current", "step");
+    current = now;
+    const row = rows[now[0] ?? 0];
+    if (row) keepInView(row);
+  };
+}
+
+/** Scrolls the list, and nothing around it. */
+function keepInView(row: HTMLElement): void {
+  const list = row.closest<HTMLElement>(".events")!;
+  const top = row.offsetTop;
+  const bottom = top + row.offsetHeight;
+  const head = list.querySelector("thead")!.offsetHeight;
+  if (top - head < list.scrollTop) list.scrollTop = top - head;
+  else if (bottom > list.scrollTop + list.clientHeight) list.scrollTop = bottom - list.clientHeight;
+}

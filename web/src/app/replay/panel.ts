@@ -1,0 +1,90 @@
+/** The panel beside a replay: the selected ball's state, its plots, and the list of events. */
+
+import "./panel.css";
+import { MOTIONS, STRIDE, type BallInfo, type Trace } from "../../engine/types.ts";
+import { h, setText, uniqueId } from "../dom.ts";
+import type { Store } from "../store.ts";
+import { mountEvents } from "./events.ts";
+import { mountPlots } from "./plots.ts";
+import { length } from "./samples.ts";
+import { MOTION, POSITION, SPIN, VELOCITY } from "./state.ts";
+import { rpm } from "./words.ts";
+
+/** Moment of inertia of a solid ball over mass × radius². */
+const INERTIA = 2 / 5;
+
+/** Called with the trace and the selected ball's index whenever one of them, or the time, changes. */
+export type Show = (trace: Trace, ball: number, time: number) => void;
+
+export function mountState(root: HTMLElement, store: Store): void {
+  const ball = h("select", { id: uniqueId("ball") });
+  ball.addEventListener("change", () => store.setSession({ selected: ball.value }));
+  root.append(
+    h("div", { class: "row" }, h("label", { for: ball.id }, "Ball"), ball),
+    h("div", { class: "state" }),
+  );
+  const parts: Show[] = [mountNumbers(root), mountPlots(root, store), mountEvents(root, store)];
+  const hash = h("code", { id: "hash" });
+  root.append(h("p", { class: "hint" }, "Hash of this shot: ", hash));
+
+  store.subscribe(({ session }, { session: before }) => {
+    const { trace, time } = session;
+    if (!trace || session === before) return;
+    const { balls } = trace.shot;
+    if (trace !== before.trace) {
+      ball.replaceChildren(...balls.map(({ id }) => h("option", { value: id }, id)));
+      setText(hash, trace.hash);
+    }
+    const index = selectedBall(trace, session.selected);
+    ball.value = balls[index]!.id;
+    for (const show of parts) show(trace, index, time);
+  });
+}
+
+/** The index of the selected ball; of the struck one, or the first, where none is. */
+function selectedBall({ shot }: Trace, selected: string | null): number {
+  const index = shot.balls.findIndex(({ id }) => id === selected);
+  return index >= 0 ? index : (shot.struck ?? 0);
+}
+
+function mountNumbers(root: HTMLElement): Show {
+  const list = h("dl", { class: "numbers" });
+  const value = (name: string): HTMLElement => {
+    const element = h("dd");
+    list.append(h("dt", {}, name), element);
+    return element;
+  };
+  const motion = value("Motion");
+  const position = value("Position");
+  const speed = value("Speed");
+  const spin = value("Spin");
+  const axes = value("Spin about x, y, z");
+  const energy = value("Energy");
+  root.append(list);
+  let states = new Float64Array();
+
+  return (trace, index, time) => {
+    const { balls } = trace.shot;
+    if (states.length !== STRIDE * balls.length) states = new Float64Array(STRIDE * balls.length);
+    trace.statesAt(time, states);
+    const state = states.subarray(STRIDE * index, STRIDE * (index + 1));
+    const vector = (at: number) => state.subarray(at, at + 3);
+    const v = length(vector(VELOCITY));
+    const omega = length(vector(SPIN));
+    setText(motion, MOTIONS[state[MOTION]!] ?? "");
+    setText(position, `${triple(vector(POSITION), 3)} m`);
+    setText(speed, `${v.toFixed(3)} m/s`);
+    setText(spin, `${omega.toFixed(1)} rad/s · ${rpm(omega).toFixed(0)} rpm`);
+    setText(axes, `${triple(vector(SPIN), 1)} rad/s`);
+    setText(energy, `${(1000 * kinetic(balls[index]!, v, omega)).toFixed(1)} mJ`);
+  };
+}
+
+/** Kinetic energy, J. */
+function kinetic({ mass, radius }: BallInfo, speed: number, spin: number): number {
+  return 0.5 * mass * (speed ** 2 + INERTIA * (radius * spin) ** 2);
+}
+
+function triple(v: Float64Array, digits: number): string {
+  return Array.from(v, (x) => x.toFixed(digits).replace(/^-(0\.?0*)$/, "$1")).join(", ");
+}

@@ -1,0 +1,116 @@
+/** Small plots of a ball's speed and spin against time, with a cursor at the present time. */
+
+import type { Trace } from "../../engine/types.ts";
+import { h, setText, svg } from "../dom.ts";
+import type { Store } from "../store.ts";
+import { seek } from "./control.ts";
+import type { Show } from "./panel.ts";
+import { curve, type Frame, roundUp, xOf, yOf } from "./plot.ts";
+import { sample, type Samples } from "./samples.ts";
+
+/** Of a plot's drawing; the page scales it to the panel. */
+const WIDTH = 288;
+const HEIGHT = 64;
+
+interface Line {
+  readonly name: string;
+  readonly values: (samples: Samples) => readonly number[];
+}
+
+interface Plot {
+  readonly name: string;
+  readonly unit: string;
+  readonly lines: readonly Line[];
+}
+
+const PLOTS: readonly Plot[] = [
+  { name: "Speed", unit: "m/s", lines: [{ name: "speed", values: ({ speed }) => speed }] },
+  {
+    name: "Spin",
+    unit: "rad/s",
+    lines: [
+      { name: "in all", values: ({ spin }) => spin },
+      { name: "side spin, + to the left", values: ({ side }) => side },
+    ],
+  },
+];
+
+export function mountPlots(root: HTMLElement, store: Store): Show {
+  const plots = PLOTS.map((plot) => mountPlot(root, store, plot));
+  let shown: { trace: Trace; ball: number } | null = null;
+  let samples: Samples | null = null;
+
+  return (trace, ball, time) => {
+    if (shown?.trace !== trace || shown.ball !== ball) {
+      shown = { trace, ball };
+      samples = sample(trace, ball);
+      for (const plot of plots) plot.draw(samples, trace.duration);
+    }
+    for (const plot of plots) plot.point(time);
+  };
+}
+
+interface Drawn {
+  draw: (samples: Samples, duration: number) => void;
+  point: (time: number) => void;
+}
+
+function mountPlot(root: HTMLElement, store: Store, { name, unit, lines }: Plot): Drawn {
+  const curves = lines.map((_, index) => svg("path", { class: `curve line-${index}` }));
+  const zero = svg("path", { class: "zero" });
+  const cursor = svg("path", { class: "cursor" });
+  const high = h("span", { class: "high" });
+  const low = h("span", { class: "low" });
+  const end = h("span", { class: "end" });
+  const picture = svg(
+    "svg",
+    { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", role: "img" },
+    zero,
+    ...curves,
+    cursor,
+  );
+  const key =
+    lines.length > 1 &&
+    h(
+      "span",
+      { class: "key" },
+      ...lines.map((line, index) => h("span", { class: `line-${index}` }, line.name)),
+    );
+  root.append(
+    h(
+      "figure",
+      { class: "plot" },
+      h("figcaption", {}, h("span", {}, `${name}, ${unit}`), key),
+      picture,
+      high,
+      low,
+      end,
+    ),
+  );
+  let frame: Frame = { width: WIDTH, height: HEIGHT, duration: 0, low: 0, high: 1 };
+  picture.addEventListener("click", (event) => {
+    const box = picture.getBoundingClientRect();
+    store.setSession({ playing: false });
+    seek(store, ((event.clientX - box.left) / box.width) * frame.duration);
+  });
+
+  return {
+    draw: (samples, duration) => {
+      const all = lines.map((line) => line.values(samples));
+      const most = all.flat().reduce((a, b) => Math.max(a, b), 0);
+      const least = all.flat().reduce((a, b) => Math.min(a, b), 0);
+      frame = { ...frame, duration, high: roundUp(most), low: least < 0 ? -roundUp(-least) : 0 };
+      all.forEach((values, i) => curves[i]!.setAttribute("d", curve(frame, samples.times, values)));
+      zero.setAttribute("d", `M0 ${yOf(frame, 0)}H${WIDTH}`);
+      setText(high, String(frame.high));
+      setText(low, String(frame.low));
+      setText(end, `${duration.toFixed(2)} s`);
+      picture.setAttribute(
+        "aria-label",
+        `${name} against time: between ${least.toPrecision(3)} and ${most.toPrecision(3)} ${unit} ` +
+          `in ${duration.toFixed(2)} s`,
+      );
+    },
+    point: (time) => cursor.setAttribute("d", `M${xOf(frame, time)} 0V${HEIGHT}`),
+  };
+}

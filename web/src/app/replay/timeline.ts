@@ -1,0 +1,243 @@
+/** The bar below the table while a shot is replayed: clock, steps, and all events in time. */
+
+import "./timeline.css";
+import type { Trace, TraceEvent } from "../../engine/types.ts";
+import type { Context } from "../context.ts";
+import type { Session } from "../document.ts";
+import { h, icon, setText, svg } from "../dom.ts";
+import type { Store } from "../store.ts";
+import { advance, RATES } from "./clock.ts";
+import { leave, momentsOf, seek, stepBackwards, stepForwards, togglePlaying } from "./control.ts";
+import { LANES, LOOKS } from "./kinds.ts";
+import { latest } from "./moments.ts";
+import { eventInWords, seconds } from "./words.ts";
+
+const ICONS = {
+  play: "M7 5l12 7-12 7z",
+  pause: "M8 5v14M16 5v14",
+  next: "M6 5l9 7-9 7zM18 5v14",
+  previous: "M18 5l-9 7 9 7zM6 5v14",
+};
+
+/** Seconds that an arrow key moves the slider, and with the shift key. */
+const STEP = 0.05;
+const FINE_STEP = 0.005;
+
+/** Pixels within which the pointer finds a mark. */
+const REACH = 8;
+
+/** Pixels that a lane of marks is high. */
+const LANE_HEIGHT = 10;
+
+const RATE_NAMES: Readonly<Record<number, string>> = { 1: "1×", 0.5: "½×", 0.25: "¼×", 0.1: "⅒×" };
+
+export function mountTimeline(root: HTMLElement, store: Store, context: Context): void {
+  const play = h("button", {
+    type: "button",
+    class: "button primary",
+    id: "play",
+    onclick: () => togglePlaying(store),
+  });
+  const { slider, marks, now, tip } = scrubber(store);
+  const clock = h("output", { class: "clock", "aria-label": "Time" });
+  const said = h("p", { class: "said" });
+
+  root.classList.add("timeline");
+  root.append(
+    h(
+      "div",
+      { class: "row" },
+      button("Previous event", ICONS.previous, () => stepBackwards(store)),
+      play,
+      button("Next event", ICONS.next, () => stepForwards(store)),
+      rates(store),
+      clock,
+      said,
+      h(
+        "button",
+        { type: "button", class: "button push", id: "leave-replay", onclick: () => leave(store) },
+        "Back to aiming",
+      ),
+    ),
+    h("div", { class: "scrubber" }, marks, slider, now, tip),
+  );
+
+  store.subscribe(({ session }, { session: before }) => {
+    if (session.playing && !before.playing) context.loop.animate((elapsed) => tick(store, elapsed));
+    if (session.trace !== before.trace || session.selected !== before.selected) {
+      drawMarks(marks, session);
+    }
+    if (session !== before) show();
+  });
+
+  function show(): void {
+    const { trace, time, playing } = store.session;
+    if (!trace) return;
+    const moment = latest(momentsOf(trace), time);
+    const events = moment?.events.map((index) => trace.events[index]!) ?? [];
+    const words = events.map(eventInWords).join("; ");
+    const label = playing ? "Pause" : time >= trace.duration ? "Play again" : "Play";
+    if (play.getAttribute("aria-label") !== label) {
+      play.setAttribute("aria-label", label);
+      play.title = label;
+      play.replaceChildren(icon(playing ? ICONS.pause : ICONS.play));
+    }
+    slider.max = String(trace.duration);
+    slider.value = String(time);
+    slider.setAttribute(
+      "aria-valuetext",
+      `${seconds(time)} of ${seconds(trace.duration)}${words ? `, last: ${words}` : ""}`,
+    );
+    now.style.setProperty("--at", String(trace.duration > 0 ? time / trace.duration : 0));
+    setText(clock, `${seconds(time)} / ${seconds(trace.duration)}`);
+    setText(said, moment ? `${seconds(moment.time)}: ${words}` : "");
+  }
+}
+
+function tick(store: Store, elapsed: number): boolean {
+  const { trace, playing, time, rate } = store.session;
+  if (!trace || !playing) return false;
+  const then = advance(time, elapsed, rate, trace.duration);
+  const goesOn = then < trace.duration;
+  store.setSession({ time: then, playing: goesOn });
+  return goesOn;
+}
+
+function button(label: string, path: string, onclick: () => void): HTMLButtonElement {
+  const attributes = { type: "button", class: "button", "aria-label": label, title: label };
+  return h("button", { ...attributes, onclick }, icon(path));
+}
+
+function rates(store: Store): HTMLSelectElement {
+  const select = h(
+    "select",
+    { "aria-label": "Speed of the replay", title: "Speed of the replay" },
+    ...RATES.map((rate) => h("option", { value: rate }, RATE_NAMES[rate])),
+  );
+  select.addEventListener("change", () => store.setSession({ rate: Number(select.value) }));
+  store.subscribe(({ session }) => {
+    select.value = String(session.rate);
+  });
+  return select;
+}
+
+interface Scrubber {
+  slider: HTMLInputElement;
+  marks: SVGSVGElement;
+  /** The line at the present time. */
+  now: HTMLElement;
+  /** Words beside the mark under the pointer. */
+  tip: HTMLElement;
+}
+
+function scrubber(store: Store): Scrubber {
+  const slider = h("input", { type: "range", min: 0, step: "any", "aria-label": "Time" });
+  slider.addEventListener("input", () => {
+    store.setSession({ playing: false });
+    seek(store, Number(slider.value));
+  });
+  slider.addEventListener("keydown", (event) => {
+    const move = sliderKey(event);
+    if (!move) return;
+    event.preventDefault();
+    event.stopPropagation();
+    move(store);
+  });
+  const marks = svg("svg", {
+    class: "marks",
+    height: LANES * LANE_HEIGHT,
+    "aria-hidden": "true", // the list of events says the same, to everybody
+  });
+  const tip = h("div", { class: "tip", hidden: true, "aria-hidden": "true" });
+  marks.addEventListener("pointermove", (event) => {
+    const found = nearest(marks, store.session, event);
+    tip.hidden = !found;
+    if (!found) return;
+    setText(tip, `${seconds(found.event.time)}: ${eventInWords(found.event)}`);
+    const box = marks.getBoundingClientRect();
+    const half = tip.offsetWidth / 2;
+    const x = found.share * box.width;
+    tip.style.left = `${Math.min(Math.max(x, half), box.width - half)}px`;
+  });
+  marks.addEventListener("pointerleave", () => (tip.hidden = true));
+  marks.addEventListener("click", (event) => {
+    const { session } = store;
+    const box = marks.getBoundingClientRect();
+    const share = (event.clientX - box.left) / box.width;
+    const found = nearest(marks, session, event);
+    store.setSession({ playing: false });
+    seek(store, found?.event.time ?? share * (session.trace?.duration ?? 0));
+  });
+  const now = h("div", { class: "now", "aria-hidden": "true" });
+  return { slider, marks, now, tip };
+}
+
+/** What a key on the slider does; null for keys that are none of its. */
+function sliderKey({ key, shiftKey }: KeyboardEvent): ((store: Store) => void) | null {
+  const step = shiftKey ? FINE_STEP : STEP;
+  const by = (change: number) => (store: Store) => {
+    store.setSession({ playing: false });
+    seek(store, store.session.time + change);
+  };
+  switch (key) {
+    case "ArrowRight":
+    case "ArrowUp":
+      return by(step);
+    case "ArrowLeft":
+    case "ArrowDown":
+      return by(-step);
+    case "PageUp":
+      return stepForwards;
+    case "PageDown":
+      return stepBackwards;
+    case "Home":
+      return by(-Infinity);
+    case "End":
+      return by(Infinity);
+    default:
+      return null;
+  }
+}
+
+function drawMarks(root: SVGSVGElement, { trace, selected }: Session): void {
+  const marks = trace?.events.map((event) => {
+    const { shape, lane } = LOOKS[event.type];
+    const other = selected !== null && !event.balls.includes(selected);
+    // A nested drawing stands at a share of the width without anybody knowing the width.
+    return svg(
+      "svg",
+      {
+        x: `${100 * shareOf(event, trace)}%`,
+        y: (lane + 0.5) * LANE_HEIGHT,
+        overflow: "visible",
+        class: `mark ${event.type}${other ? " other" : ""}`,
+      },
+      svg("path", { d: shape }),
+    );
+  });
+  root.replaceChildren(...(marks ?? []));
+}
+
+/** Where an event stands on the timeline, 0 to 1. */
+function shareOf(event: TraceEvent, { duration }: Trace): number {
+  return duration > 0 ? event.time / duration : 0;
+}
+
+/** The event whose mark is nearest to the pointer and within reach. */
+function nearest(
+  root: SVGSVGElement,
+  { trace }: Session,
+  { clientX, clientY }: MouseEvent,
+): { event: TraceEvent; share: number } | null {
+  const box = root.getBoundingClientRect();
+  let best: { event: TraceEvent; share: number } | null = null;
+  let least = REACH;
+  for (const event of trace?.events ?? []) {
+    const share = shareOf(event, trace!);
+    const x = box.left + share * box.width;
+    const y = box.top + (LOOKS[event.type].lane + 0.5) * LANE_HEIGHT;
+    const distance = Math.hypot(clientX - x, clientY - y);
+    if (distance <= least) [best, least] = [{ event, share }, distance];
+  }
+  return best;
+}
