@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
+import carom
 from carom import _core
 from carom._core import Shot as CoreShot
 from carom.build import Layout, Physics, Strike, Table
@@ -152,9 +153,9 @@ class Shot:
         Raises:
             EventCapError: It reached its cap of events; the error carries the shot.
         """
-        from carom.trace import Trace
-
-        return Trace._wrap(self._core.simulate())
+        # By the package's name, for the two modules need each other: an import here would be a
+        # tenth of what a short shot takes.
+        return carom.Trace._wrap(self._core.simulate())
 
     def batch(
         self,

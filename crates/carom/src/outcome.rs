@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 pub use collect::{Collector, OutcomeRecorder};
 
 use crate::math::degrees;
-use crate::shot::{Node, PlacedBall};
+use crate::shot::{Node, Shot};
 use crate::table::{PocketName, Rail};
 
 /// What nobody sees, m: 0.1 mm, a sheet of paper. A frozen ball has not left its rail before it is so
@@ -59,13 +59,6 @@ pub struct Outcome {
     pub cue_ball_touched: Vec<Touched>,
     /// Balls that never come to rest, because friction is zero.
     pub never_resting: Vec<u16>,
-    /// Whether the tip slipped off; only on request, else a miscue is an error.
-    pub miscue: bool,
-    /// The ball or rail that the cue would have passed through.
-    pub cue_obstructed: Option<Touched>,
-    /// The least elevation (rad) at which the cue would pass through nothing; none without a strike, or
-    /// if even an upright cue would.
-    pub least_elevation: Option<f64>,
     /// Number of events.
     pub events: u32,
 }
@@ -84,8 +77,10 @@ impl Outcome {
         })
     }
 
-    /// The outcome as a trace shows it, with the balls' ids.
-    pub fn to_node(&self, balls: &[PlacedBall]) -> Node {
+    /// The outcome as a trace shows it, with the balls' ids, and with what is to be said of `shot`'s
+    /// strike before anything moves.
+    pub fn to_node(&self, shot: &Shot) -> Node {
+        let balls = shot.balls();
         let id = |i: u16| Node::from(&balls[usize::from(i)].id);
         let ids = |list: &[u16]| Node::list(list.iter().map(|&i| id(i)));
         let touched = |t: &Touched| match *t {
@@ -125,9 +120,9 @@ impl Outcome {
             ("driven_to_rail", ids(&self.driven_to_rail)),
             ("cue_ball_touched", Node::list(self.cue_ball_touched.iter().map(touched))),
             ("never_resting", ids(&self.never_resting)),
-            ("miscue", self.miscue.into()),
-            ("cue_obstructed", self.cue_obstructed.as_ref().map(name).into()),
-            ("least_elevation_deg", self.least_elevation.map(degrees).into()),
+            ("miscue", shot.is_miscue().into()),
+            ("cue_obstructed", shot.cue_obstruction().as_ref().map(name).into()),
+            ("least_elevation_deg", shot.least_elevation().map(degrees).into()),
             ("events", self.events.into()),
         ])
     }

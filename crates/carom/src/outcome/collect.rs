@@ -88,9 +88,6 @@ impl<'a> Collector<'a> {
         let restless = (0u16..).zip(last).filter(|(_, s)| !at_rest(s)).map(|(i, _)| i);
         self.outcome.never_resting.extend(restless);
         self.outcome.hanging = self.hanging(last);
-        self.outcome.miscue = self.shot.is_miscue();
-        self.outcome.cue_obstructed = self.shot.cue_obstruction();
-        self.outcome.least_elevation = self.shot.least_elevation();
         self.outcome
     }
 

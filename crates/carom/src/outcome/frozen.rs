@@ -29,8 +29,11 @@ impl Frozen {
             let position = table.to_engine_frame(&placed.state).position;
             let above = position.z - table.cushion_height;
             let radius = placed.ball.radius;
+            let reach = radius + TOUCH_TOLERANCE;
             for cushion in &table.cushions {
-                let Some((away, distance)) = across(cushion, position.xy()) else { continue };
+                let Some((away, distance)) = across(cushion, position.xy(), reach) else {
+                    continue;
+                };
                 let gap = crate::math::sqrt(distance * distance + above * above) - radius;
                 if gap.abs() <= TOUCH_TOLERANCE {
                     let start = away.dot(placed.state.position.xy());
@@ -58,21 +61,28 @@ impl Frozen {
     }
 }
 
-/// From the nearest point of `cushion` to `position`, if that is no end of it: unit vector and
-/// distance, m.
-fn across(cushion: &CushionPart, position: Vec2) -> Option<(Vec2, f64)> {
+/// From the nearest point of `cushion` to `position`, if that is no end of it and at most `reach` (m)
+/// away: unit vector and distance, m.
+fn across(cushion: &CushionPart, position: Vec2, reach: f64) -> Option<(Vec2, f64)> {
     match cushion.shape {
         Shape::Segment { start, end, normal } => {
-            let (along, from_start) = (end - start, position - start);
+            let from_start = position - start;
+            let distance = normal.dot(from_start);
+            if distance > reach {
+                return None;
+            }
+            let along = end - start;
             let s = along.dot(from_start);
-            let beside = s >= 0.0 && s <= along.length_squared();
-            beside.then(|| (normal, normal.dot(from_start)))
+            (s >= 0.0 && s <= along.length_squared()).then_some((normal, distance))
         }
         Shape::Arc { center, radius, start, end } => {
             let p = position - center;
-            let beside = arc_sides(start, end).iter().all(|side| side.dot(p) >= 0.0);
             let length = p.length();
-            (beside && length > 0.0).then(|| (p * (1.0 / length), length - radius))
+            if length > radius + reach || length == 0.0 {
+                return None;
+            }
+            let beside = arc_sides(start, end).iter().all(|side| side.dot(p) >= 0.0);
+            beside.then(|| (p * (1.0 / length), length - radius))
         }
         Shape::Hollow { .. } | Shape::Plane { .. } => None,
     }

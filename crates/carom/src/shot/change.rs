@@ -94,7 +94,7 @@ impl Shot {
             table: self.table.clone(),
             physics: self.physics.clone(),
             strike: strike.as_ref().map(|(ball, strike)| (*ball, as_in_a_file(strike))),
-            balls,
+            balls: balls.into(),
             max_events: self.max_events,
             policy: self.policy,
             tip_friction: self.tip_friction,

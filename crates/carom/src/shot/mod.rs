@@ -21,7 +21,6 @@ mod table;
 use alloc::format;
 use alloc::string::String;
 use alloc::sync::Arc;
-use alloc::vec::Vec;
 
 pub use node::Node;
 pub use physics::write as physics_to_node;
@@ -59,7 +58,7 @@ pub struct PlacedBall {
 pub struct Shot {
     pub(crate) table: Arc<Table>,
     pub(crate) physics: Arc<Physics>,
-    pub(crate) balls: Vec<PlacedBall>,
+    pub(crate) balls: Arc<[PlacedBall]>,
     pub(crate) strike: Option<(usize, Strike)>,
     pub(crate) max_events: u32,
     policy: StrikePolicy,
@@ -135,7 +134,7 @@ impl Shot {
         let shot = Self {
             table: table.into(),
             physics: physics.into(),
-            balls,
+            balls: balls.into(),
             strike,
             max_events,
             policy,

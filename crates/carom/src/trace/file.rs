@@ -52,7 +52,7 @@ impl Trace {
             ("duration", self.duration.into()),
             ("events", Node::list(self.events().map(|e| write_event(&e, balls)))),
             ("final", Node::list(balls.iter().zip(&self.last).map(|(b, s)| write_ball(b, s)))),
-            ("outcome", self.outcome.to_node(balls)),
+            ("outcome", self.outcome.to_node(&self.shot)),
             ("hash", format!("{:016x}", self.hash()).into()),
         ])
     }

@@ -210,6 +210,6 @@ impl Trace {
             let path = Path::new(state, &placed.ball, &physics.cloth, physics.gravity);
             path.at((time - since).min(path.duration))
         };
-        Ok(states.iter().zip(&self.shot.balls).map(on).collect())
+        Ok(states.iter().zip(self.shot.balls()).map(on).collect())
     }
 }
