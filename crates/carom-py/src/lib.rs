@@ -5,7 +5,6 @@ mod error;
 mod node;
 mod reference;
 mod shot;
-mod table;
 mod trace;
 
 use pyo3::prelude::*;

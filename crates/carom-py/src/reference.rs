@@ -9,13 +9,12 @@ use pyo3::prelude::*;
 use crate::error::{InputError, to_exception};
 use crate::node::to_python;
 use crate::shot::Shot;
-use crate::table::geometry;
 
 /// Every preset's geometry.
 #[pyfunction]
 pub(crate) fn tables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     let presets = PRESETS.iter().filter_map(|name| Table::preset(name));
-    to_python(py, &Node::List(presets.map(|table| geometry(&table)).collect()))
+    to_python(py, &Node::List(presets.map(|table| table.to_node()).collect()))
 }
 
 /// The names of the games that can be racked.
@@ -34,12 +33,7 @@ pub(crate) fn break_shot(
     seed: u64,
     gap: Option<f64>,
 ) -> PyResult<Shot> {
-    let Some(game) = Game::named(game) else {
-        let known = games().join(", ");
-        return Err(InputError::new_err(format!(
-            "game: there is no game \"{game}\"; write one of {known}"
-        )));
-    };
+    let game = Game::parse(game).map_err(|e| to_exception(py, &e))?;
     let opening = Break { game, table, speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
     open(&opening).map(|shot| Shot(shot.into())).map_err(|e| to_exception(py, &e))
 }

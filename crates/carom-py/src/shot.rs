@@ -6,7 +6,6 @@ use pyo3::prelude::*;
 
 use crate::error::to_exception;
 use crate::node::{from_python, to_python};
-use crate::table::geometry;
 use crate::trace::Trace;
 
 /// A validated shot; immutable, shared, never copied.
@@ -37,7 +36,7 @@ impl Shot {
     }
 
     fn geometry<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &geometry(self.0.table()))
+        to_python(py, &self.0.table().to_node())
     }
 
     fn simulate(&self, py: Python<'_>) -> PyResult<Trace> {

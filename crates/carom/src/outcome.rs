@@ -16,6 +16,13 @@ use crate::table::{PocketName, Rail};
 /// far from it, and a ball is not said to have jumped another that it would have passed by less.
 const SEEN: f64 = 1e-4;
 
+/// Whether `ball` is one of `balls`. Not `contains`: LLVM 22 stops at what that becomes for WebAssembly
+/// with simd128 ("cannot select v16i8 setcc").
+#[expect(clippy::manual_contains, reason = "see above; the lists are short")]
+fn among(balls: &[u16], ball: u16) -> bool {
+    balls.iter().any(|&b| b == ball)
+}
+
 /// What the cue ball touched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Touched {

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::frozen::Frozen;
 use super::jump::Jumps;
-use super::{Outcome, Touched};
+use super::{Outcome, Touched, among};
 use crate::event::{Event, Recorder};
 use crate::math::Vec2;
 use crate::motion::Path;
@@ -103,7 +103,7 @@ impl<'a> Collector<'a> {
             self.contact = true;
             return;
         };
-        if !balls.contains(&cue) {
+        if !among(balls, cue) {
             return;
         }
         for &other in balls.iter().filter(|&&b| b != cue) {
@@ -119,7 +119,7 @@ impl<'a> Collector<'a> {
             outcome.rails_after_first_contact.push((ball, rail));
         }
         let still_frozen = self.frozen.iter().any(|f| f.holds(ball, rail));
-        if !still_frozen && !outcome.driven_to_rail.contains(&ball) {
+        if !still_frozen && !among(&outcome.driven_to_rail, ball) {
             outcome.driven_to_rail.push(ball);
         }
         if outcome.cue_ball == Some(ball) {

@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 
 use carom_roots::Motion;
 
-use super::SEEN;
 use super::collect::Track;
+use super::{SEEN, among};
 use crate::MotionState;
 use crate::math::sqrt;
 use crate::trace::TraceEvent;
@@ -41,9 +41,9 @@ impl Jumps {
             return;
         }
         for &flyer in &self.aloft {
-            let ends = event.balls.contains(&flyer);
+            let ends = among(event.balls, flyer);
             for under in 0..tracks.len() as u16 {
-                if (ends || event.balls.contains(&under))
+                if (ends || among(event.balls, under))
                     && under != flyer
                     && !self.over.contains(&(flyer, under))
                     && passes_over(
@@ -58,15 +58,15 @@ impl Jumps {
         }
         for &(flyer, under) in &self.over {
             let pair = (flyer, under);
-            if event.balls.contains(&flyer)
-                && !event.balls.contains(&under)
+            if among(event.balls, flyer)
+                && !among(event.balls, under)
                 && !self.touched.contains(&pair)
                 && !jumped.contains(&pair)
             {
                 jumped.push(pair);
             }
         }
-        let stays = |ball: &u16| !event.balls.contains(ball);
+        let stays = |ball: &u16| !among(event.balls, *ball);
         self.aloft.retain(stays);
         self.touched.retain(|(flyer, _)| stays(flyer));
         self.over.retain(|(flyer, _)| stays(flyer));

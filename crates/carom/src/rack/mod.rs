@@ -80,8 +80,18 @@ impl Game {
     }
 
     /// The game of that name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|game| game.name() == name)
+    ///
+    /// # Errors
+    /// [`Error::Input`] that lists the games, if there is none.
+    pub fn parse(name: &str) -> Result<Self, Error> {
+        Self::ALL.into_iter().find(|game| game.name() == name).ok_or_else(|| {
+            let known = Self::ALL.map(Self::name).join(", ");
+            Error::input(
+                "game",
+                format!("there is no game \"{name}\""),
+                format!("write one of {known}"),
+            )
+        })
     }
 
     /// The preset of the table that it is played on.

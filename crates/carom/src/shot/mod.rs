@@ -278,6 +278,11 @@ impl Shot {
 
     /// Whether the tip would slip off in this shot, which it only may on request.
     pub fn is_miscue(&self) -> bool {
-        self.strike.is_some_and(|(_, strike)| strike.offset() > miscue_limit(self.tip_friction))
+        self.strike.is_some_and(|(_, strike)| strike.offset() > self.miscue_limit())
+    }
+
+    /// The largest tip offset √(side² + height²) that the friction of the tip holds, in ball radii.
+    pub fn miscue_limit(&self) -> f64 {
+        miscue_limit(self.tip_friction)
     }
 }

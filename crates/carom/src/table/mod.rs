@@ -11,6 +11,7 @@ mod error;
 mod frame;
 mod geometry;
 mod jaw;
+mod node;
 mod opening;
 mod place;
 mod presets;

@@ -3,12 +3,18 @@
 mod difference;
 mod file;
 mod hash;
+mod orientation;
+mod piece;
+mod polyline;
 mod record;
 
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
+pub use orientation::Orientations;
+pub use piece::Piece;
+pub use polyline::Waypoint;
 pub use record::TraceRecorder;
 
 use crate::error::Error;

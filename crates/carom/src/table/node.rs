@@ -1,48 +1,52 @@
-//! A table's geometry as a dict, in the file's frame.
+//! A table's geometry as a tree of values, in the file's frame: what bindings hand out and pictures
+//! are drawn from.
 
-use carom::Table;
-use carom::math::Vec2;
-use carom::shot::Node;
-use carom::table::{
-    Capture, CushionPart, Dimension, Part, Pocket, Shape, Source, Spot, TableDescription,
+use super::{
+    Capture, CushionPart, Dimension, Part, Pocket, Shape, Source, Spot, Table, TableDescription,
 };
+use crate::math::Vec2;
+use crate::shot::Node;
 
-/// Dimensions, cushions, liners, pockets and markings, m; origin at the bottom left corner.
-pub(crate) fn geometry(table: &Table) -> Node {
-    let point = |p: Vec2| {
-        let p = p + table.center();
-        Node::from([p.x, p.y])
-    };
-    let size = if table.size.x.is_finite() {
-        Node::from([table.size.x, table.size.y])
-    } else {
-        Node::Null
-    };
-    let parts = |which: &dyn Fn(Part) -> bool| {
-        let those = table.cushions.iter().filter(|c| which(c.part));
-        Node::list(those.map(|c| cushion(c, point)))
-    };
-    let mut node = Node::object([
-        ("name", table.name.as_ref().into()),
-        ("size", size),
-        ("cushion_height", table.cushion_height.into()),
-        ("cushions", parts(&|part| !matches!(part, Part::Liner | Part::Top))),
-        ("liners", parts(&|part| part == Part::Liner)),
-        ("pockets", Node::list(table.pockets.iter().map(|p| pocket(p, point)))),
-    ]);
-    if let Some(description) = &table.description {
-        drawn(&mut node, description);
-        let dimension = |d: &Dimension| {
-            Node::object([
-                ("key", (&d.key).into()),
-                ("value", d.value.into()),
-                ("unit", d.unit.into()),
-                ("source", d.source.map(Source::text).into()),
-            ])
+impl Table {
+    /// Cushions, liners, pockets and, of a table with rails, markings and dimensions. m; origin at the
+    /// bottom left corner. What is infinite is null.
+    pub fn to_node(&self) -> Node {
+        let point = |p: Vec2| {
+            let p = p + self.center();
+            Node::from([p.x, p.y])
         };
-        node.set("dimensions", Node::List(table.dimensions().iter().map(dimension).collect()));
+        let size = if self.size.x.is_finite() {
+            Node::from([self.size.x, self.size.y])
+        } else {
+            Node::Null
+        };
+        let parts = |which: &dyn Fn(Part) -> bool| {
+            let those = self.cushions.iter().filter(|c| which(c.part));
+            Node::list(those.map(|c| cushion(c, point)))
+        };
+        let mut node = Node::object([
+            ("name", self.name.as_ref().into()),
+            ("size", size),
+            ("cushion_height", self.cushion_height.into()),
+            ("cushions", parts(&|part| !matches!(part, Part::Liner | Part::Top))),
+            ("liners", parts(&|part| part == Part::Liner)),
+            ("pockets", Node::list(self.pockets.iter().map(|p| pocket(p, point)))),
+        ]);
+        if let Some(description) = &self.description {
+            drawn(&mut node, description);
+            node.set("dimensions", Node::list(self.dimensions().iter().map(dimension)));
+        }
+        node
     }
-    node
+}
+
+fn dimension(dimension: &Dimension) -> Node {
+    Node::object([
+        ("key", (&dimension.key).into()),
+        ("value", dimension.value.into()),
+        ("unit", dimension.unit.into()),
+        ("source", dimension.source.map(Source::text).into()),
+    ])
 }
 
 fn cushion(part: &CushionPart, point: impl Fn(Vec2) -> Node) -> Node {

@@ -1,0 +1,64 @@
+//! What the engine knows by itself: table and physics presets, racks, schemas. Lists are JSON.
+
+use carom::rack::{Break, Game, USUAL_GAP, break_shot as open};
+use carom::shot::{Node, physics_to_node};
+use carom::table::PRESETS;
+use carom::{Physics, Table};
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::error::to_exception;
+use crate::shot::Shot;
+
+/// Name and version, as in traces.
+#[wasm_bindgen]
+pub fn version() -> String {
+    carom::trace::ENGINE.into()
+}
+
+/// Every table preset's geometry.
+#[wasm_bindgen]
+pub fn tables() -> String {
+    let presets = PRESETS.iter().filter_map(|name| Table::preset(name));
+    Node::list(presets.map(|table| table.to_node())).to_json()
+}
+
+/// Every physics preset by name, as in a shot file.
+#[wasm_bindgen]
+pub fn physics() -> String {
+    let preset = |name: &&str| Some(((*name).into(), physics_to_node(&Physics::preset(name)?)));
+    Node::Object(Physics::PRESETS.iter().filter_map(preset).collect()).to_json()
+}
+
+/// The names of the games that can be racked.
+#[wasm_bindgen]
+pub fn games() -> Vec<String> {
+    Game::ALL.iter().map(|game| game.name().into()).collect()
+}
+
+/// The opening shot of a game; what is undefined is as usual.
+#[wasm_bindgen(js_name = breakShot)]
+pub fn break_shot(
+    game: &str,
+    table: Option<String>,
+    speed: Option<f64>,
+    seed: u64,
+    gap: Option<f64>,
+) -> Result<Shot, JsValue> {
+    let game = Game::parse(game).map_err(|e| to_exception(&e))?;
+    let table = table.as_deref();
+    let opening = Break { game, table, speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
+    open(&opening).map(|shot| Shot(shot.into())).map_err(|e| to_exception(&e))
+}
+
+/// The JSON Schema of a shot file.
+#[wasm_bindgen(js_name = shotSchema)]
+pub fn shot_schema() -> String {
+    carom::schema::SHOT.into()
+}
+
+/// The JSON Schema of a trace.
+#[wasm_bindgen(js_name = traceSchema)]
+pub fn trace_schema() -> String {
+    carom::schema::TRACE.into()
+}

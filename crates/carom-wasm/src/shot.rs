@@ -1,0 +1,86 @@
+//! `Shot`.
+
+use std::sync::Arc;
+
+use carom::resolve::cue_ball::Strike;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::error::to_exception;
+use crate::trace::Trace;
+
+/// A validated shot; immutable, shared, never copied.
+#[wasm_bindgen]
+pub struct Shot(pub(crate) Arc<carom::Shot>);
+
+#[wasm_bindgen]
+impl Shot {
+    /// Reads a shot file.
+    #[wasm_bindgen(js_name = fromJson)]
+    pub fn from_json(text: &str) -> Result<Self, JsValue> {
+        let shot = carom::Shot::from_json(text).map_err(|e| to_exception(&e))?;
+        Ok(Self(shot.into()))
+    }
+
+    /// What was read, number for number.
+    #[wasm_bindgen(js_name = toJson)]
+    pub fn to_json(&self) -> String {
+        self.0.to_json()
+    }
+
+    /// The table's geometry as JSON.
+    pub fn geometry(&self) -> String {
+        self.0.table().to_node().to_json()
+    }
+
+    /// The balls' ids, in the order of the file.
+    pub fn ids(&self) -> Vec<String> {
+        self.0.balls().iter().map(|b| b.id.clone()).collect()
+    }
+
+    /// Radius (m), mass (kg), x, y, z (m) of each ball.
+    pub fn balls(&self) -> Vec<f64> {
+        let numbers = |b: &carom::shot::PlacedBall| {
+            let [x, y, z] = b.state.position.to_array();
+            [b.ball.radius, b.ball.mass, x, y, z]
+        };
+        self.0.balls().iter().flat_map(numbers).collect()
+    }
+
+    /// The struck ball's index.
+    pub fn struck(&self) -> Option<usize> {
+        self.0.strike().map(|(ball, _)| ball)
+    }
+
+    /// Speed, azimuth, elevation, side, height.
+    pub fn strike(&self) -> Option<Vec<f64>> {
+        let (_, s) = self.0.strike()?;
+        Some(vec![s.speed, s.azimuth, s.elevation, s.side, s.height])
+    }
+
+    /// The largest tip offset that the tip's friction holds, ball radii.
+    #[wasm_bindgen(js_name = miscueLimit)]
+    pub fn miscue_limit(&self) -> f64 {
+        self.0.miscue_limit()
+    }
+
+    /// The same shot struck otherwise.
+    #[wasm_bindgen(js_name = withStrike)]
+    pub fn with_strike(
+        &self,
+        speed: f64,
+        azimuth: f64,
+        elevation: f64,
+        side: f64,
+        height: f64,
+    ) -> Result<Self, JsValue> {
+        let strike = Strike { speed, azimuth, elevation, side, height };
+        let shot = self.0.with_strike(&strike).map_err(|e| to_exception(&e))?;
+        Ok(Self(shot.into()))
+    }
+
+    /// Simulates the shot and records everything.
+    pub fn simulate(&self) -> Result<Trace, JsValue> {
+        self.0.simulate().map(Trace::new).map_err(|e| to_exception(&e))
+    }
+}

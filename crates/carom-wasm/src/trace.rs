@@ -1,0 +1,86 @@
+//! `Trace`.
+
+use std::cell::OnceCell;
+
+use carom::trace::Orientations;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::error::to_exception;
+use crate::shot::Shot;
+
+/// Numbers per ball in [`Trace::states_at`].
+const STRIDE: usize = 14;
+
+/// A simulated shot with all its events; immutable.
+#[wasm_bindgen]
+pub struct Trace {
+    trace: carom::Trace,
+    orientations: OnceCell<Orientations>,
+}
+
+impl Trace {
+    pub(crate) fn new(trace: carom::Trace) -> Self {
+        Self { trace, orientations: OnceCell::new() }
+    }
+}
+
+#[wasm_bindgen]
+impl Trace {
+    /// Reads a saved trace.
+    #[wasm_bindgen(js_name = fromJson)]
+    pub fn from_json(text: &str) -> Result<Self, JsValue> {
+        carom::Trace::from_json(text).map(Self::new).map_err(|e| to_exception(&e))
+    }
+
+    /// The trace as JSON.
+    #[wasm_bindgen(js_name = toJson)]
+    pub fn to_json(&self) -> String {
+        self.trace.to_json()
+    }
+
+    /// What a referee needs, JSON.
+    pub fn outcome(&self) -> String {
+        self.trace.outcome().to_node(self.trace.shot().balls()).to_json()
+    }
+
+    /// The shot that was simulated.
+    pub fn shot(&self) -> Shot {
+        Shot(self.trace.shot().clone().into())
+    }
+
+    /// Time from the strike to the last event, s.
+    pub fn duration(&self) -> f64 {
+        self.trace.duration()
+    }
+
+    /// Sixteen hexadecimal digits over the exact bits of events and final states.
+    pub fn hash(&self) -> String {
+        format!("{:016x}", self.trace.hash())
+    }
+
+    /// Writes all balls' states at `time` (s): position, velocity, spin, orientation, motion code.
+    #[wasm_bindgen(js_name = statesAt)]
+    pub fn states_at(&self, time: f64, out: &mut [f64]) -> Result<(), JsValue> {
+        let states = self.trace.at(time).map_err(|e| to_exception(&e))?;
+        let orientations = self.orientations.get_or_init(|| self.trace.orientations());
+        for (ball, (state, row)) in states.iter().zip(out.chunks_exact_mut(STRIDE)).enumerate() {
+            row[..3].copy_from_slice(&state.position.to_array());
+            row[3..6].copy_from_slice(&state.velocity.to_array());
+            row[6..9].copy_from_slice(&state.angular_velocity.to_array());
+            row[9..13].copy_from_slice(&orientations.at(ball, time));
+            row[13] = f64::from(state.motion as u8);
+        }
+        Ok(())
+    }
+
+    /// x, y, z (m), t (s) of the points of ball `ball`'s way, whose chords stay within `tolerance` (m).
+    pub fn polyline(&self, ball: usize, tolerance: f64) -> Vec<f64> {
+        let points = self.trace.polyline(ball, tolerance);
+        let numbers = |p: &carom::trace::Waypoint| {
+            let [x, y, z] = p.position.to_array();
+            [x, y, z, p.time]
+        };
+        points.iter().flat_map(numbers).collect()
+    }
+}
