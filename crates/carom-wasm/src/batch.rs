@@ -1,8 +1,12 @@
 //! Many shots at once.
 
-use carom::batch::{BatchResult, simulate_batch};
+use carom::Noise;
+use carom::batch::{BatchResult, draw_strikes, simulate_batch, simulate_strikes};
+use carom::resolve::cue_ball::Strike;
+use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::error::to_exception;
 use crate::shot::Shot;
 
 /// Shots to be simulated together.
@@ -25,49 +29,85 @@ impl Shots {
 
     /// Simulates all, without traces.
     pub fn simulate(&self) -> Batch {
-        Batch(simulate_batch(&self.0, None, &|_| {}))
+        Batch { result: simulate_batch(&self.0, None, &|_| {}), strikes: Vec::new() }
+    }
+}
+
+/// σ of the Computational Olympiad's noise: speed, azimuth, elevation, side, height.
+#[wasm_bindgen]
+pub fn olympiad(multiplier: f64) -> Vec<f64> {
+    let Noise { speed, azimuth, elevation, side, height } = Noise::olympiad(multiplier);
+    vec![speed, azimuth, elevation, side, height]
+}
+
+#[wasm_bindgen]
+impl Shot {
+    /// Executions number `first`.. with `noise`: the σ of speed, azimuth, elevation, side, height.
+    pub fn vary(
+        &self,
+        noise: &[f64],
+        seed: u64,
+        first: u64,
+        count: usize,
+    ) -> Result<Batch, JsValue> {
+        let [speed, azimuth, elevation, side, height] = *noise else {
+            return Err(js_sys::RangeError::new("noise: five numbers are wanted").into());
+        };
+        let noise = Noise { speed, azimuth, elevation, side, height };
+        let strikes =
+            draw_strikes(&self.0, &noise, seed, first, count).map_err(|e| to_exception(&e))?;
+        Ok(Batch { result: simulate_strikes(&self.0, &strikes, None, &|_| {}), strikes })
     }
 }
 
 /// The ends of many shots.
 #[wasm_bindgen]
-pub struct Batch(BatchResult);
+pub struct Batch {
+    result: BatchResult,
+    strikes: Vec<Strike>,
+}
 
 #[wasm_bindgen]
 impl Batch {
     /// Rows.
     pub fn shots(&self) -> usize {
-        self.0.shots
+        self.result.shots
     }
 
     /// Columns.
     pub fn balls(&self) -> usize {
-        self.0.balls
+        self.result.balls
     }
 
     /// x, y, z (m) per shot and ball.
     #[wasm_bindgen(js_name = finalPosition)]
     pub fn final_position(&self) -> Vec<f64> {
-        self.0.final_position.as_flattened().to_vec()
+        self.result.final_position.as_flattened().to_vec()
     }
 
     /// Pocket index per shot and ball.
     pub fn pocket(&self) -> Vec<i8> {
-        self.0.pocket.clone()
+        self.result.pocket.clone()
     }
 
     /// Events per shot.
     pub fn events(&self) -> Vec<i32> {
-        self.0.events.clone()
+        self.result.events.clone()
+    }
+
+    /// Speed, azimuth, elevation, side, height per shot, where they were drawn.
+    pub fn strikes(&self) -> Vec<f64> {
+        let row = |s: &Strike| [s.speed, s.azimuth, s.elevation, s.side, s.height];
+        self.strikes.iter().flat_map(row).collect()
     }
 
     /// The indices of the shots that failed, ascending.
     pub fn failed(&self) -> Vec<u32> {
-        self.0.errors.iter().map(|(k, _)| *k as u32).collect()
+        self.result.errors.iter().map(|(k, _)| *k as u32).collect()
     }
 
     /// What went wrong in them, in the same order.
     pub fn errors(&self) -> Vec<String> {
-        self.0.errors.iter().map(|(_, e)| e.to_string()).collect()
+        self.result.errors.iter().map(|(_, e)| e.to_string()).collect()
     }
 }

@@ -1,3 +1,5 @@
+import { load as loadFrom } from "./core.js";
+import embedded from "./pkg/embedded.js";
 import type { Engine } from "./types.js";
 
 export * from "./error.js";
@@ -5,6 +7,17 @@ export * from "./types.js";
 
 /**
  * The engine, ready to use: from bytes or a compiled module (`Engine.module` of another thread), or
- * without an argument from the WebAssembly that this package carries.
+ * without an argument from the WebAssembly that this module carries. There is one in a thread: every
+ * call gives the same.
+ * @throws WebAssembly.CompileError if the source is no WebAssembly.
  */
-export declare function load(source?: BufferSource | WebAssembly.Module): Promise<Engine>;
+export function load(source?: BufferSource | WebAssembly.Module): Promise<Engine> {
+  return loadFrom(source ?? bytes());
+}
+
+function bytes(): Uint8Array<ArrayBuffer> {
+  const text = atob(embedded);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}

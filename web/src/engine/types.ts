@@ -321,7 +321,7 @@ export interface Trace {
   readonly duration: number;
   /** Sixteen hexadecimal digits over the exact bits of all events and final states. */
   readonly hash: string;
-  /** A new `Shot` at every call of the getter's first look; freed with the trace. */
+  /** The shot that was simulated; lives on when the trace is freed. */
   readonly shot: Shot;
   /** A `carom-trace/1`. */
   json(): string;
@@ -363,6 +363,8 @@ export interface Engine {
   breakShot(game: string, options?: BreakOptions): Shot;
   /** Simulates all shots, without traces. */
   simulate(shots: readonly Shot[]): Batch;
+  /** The Computational Olympiad's noise times `multiplier`; its tournaments: 0.5, 1 and 2. */
+  olympiad(multiplier?: number): Noise;
   /** The JSON Schema of a file. */
   schema(kind: "shot" | "trace"): object;
 }
