@@ -41,7 +41,7 @@ impl Trace {
 
     /// What a referee needs, JSON.
     pub fn outcome(&self) -> String {
-        self.trace.outcome().to_node(self.trace.shot().balls()).to_json()
+        self.trace.outcome().to_node(self.trace.shot()).to_json()
     }
 
     /// The shot that was simulated.
