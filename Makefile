@@ -44,7 +44,7 @@ lint: $(BUILT) ## Formatting, lints and types.
 rust-test: ## The Rust tests in debug; whole shots, 100 000 of them random, in release too.
 	@bash scripts/prerequisites.sh rust
 	cargo test --quiet --workspace --exclude carom-py
-	cargo test --quiet --release -p carom -p carom-check --test simulate --test whole_shots
+	cargo test --quiet --release -p carom -p carom-check -p carom-rules --test simulate --test whole_shots --test random_play
 
 python-test: $(BUILT) ## The Python tests, the validation and the README's snippets.
 	$(PYTEST) --quiet --durations=10
@@ -55,6 +55,7 @@ stress: $(BUILT) ## The long randomised suites: 10 million shots and more (hours
 	CAROM_CASES=1000000 cargo test --release -p carom-roots --test hard_families
 	CAROM_PATHS=1000000 cargo test --release -p carom --test table
 	PROPTEST_CASES=100000 cargo test --release -p carom-check --test whole_shots -- laws symmetries
+	CAROM_FRAMES=100000 cargo test --release -p carom-rules --test random_play
 	bash scripts/fuzz.sh 600
 	$(PYTEST) -m stress
 	cargo run --release -p carom-check --bin stress

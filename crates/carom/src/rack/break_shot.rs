@@ -7,10 +7,15 @@ use super::{Game, RackedBall, USUAL_GAP, rack};
 use crate::error::Error;
 use crate::math::{Vec2, asin, atan2, degrees};
 use crate::shot::{FORMAT, Node, Shot};
-use crate::{Physics, Table};
+use crate::{Ball, Physics, Table};
 
-/// Radius, m, and mass, kg, of the cue ball on English tables (1⅞ in; from memory).
-const ENGLISH_CUE_BALL: [f64; 2] = [0.023_812_5, 0.094];
+/// The cue ball on English tables (1⅞ in; from memory).
+const ENGLISH_CUE_BALL: Ball = Ball { mass: 0.094, radius: 0.023_812_5 };
+
+/// The cue ball that is played on `table`, where it is another than the object balls.
+pub fn cue_ball_of_its_own(table: &Table) -> Option<Ball> {
+    (table.name.as_deref() == Some("english-7ft")).then_some(ENGLISH_CUE_BALL)
+}
 
 /// An opening shot.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,9 +89,9 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
     let (target, beside) = game.break_aim();
     let azimuth = aim(balls[0].1, balls[target].1, beside * physics.ball.radius);
     let mut nodes: Vec<Node> = balls.iter().map(place).collect();
-    if name == "english-7ft" {
-        nodes[0].set("radius", ENGLISH_CUE_BALL[0]);
-        nodes[0].set("mass", ENGLISH_CUE_BALL[1]);
+    if let Some(cue_ball) = cue_ball_of_its_own(&table) {
+        nodes[0].set("radius", cue_ball.radius);
+        nodes[0].set("mass", cue_ball.mass);
     }
     Shot::from_node(Node::object([
         ("format", FORMAT.into()),

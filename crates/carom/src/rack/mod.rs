@@ -15,7 +15,7 @@ use alloc::vec::Vec;
 
 use rand_pcg::{Pcg64, rand_core::Rng};
 
-pub use break_shot::{Break, break_shot};
+pub use break_shot::{Break, break_shot, cue_ball_of_its_own};
 
 use crate::Table;
 use crate::error::Error;

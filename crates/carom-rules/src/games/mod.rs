@@ -1,0 +1,222 @@
+//! The games, a file each.
+
+pub mod eight_ball;
+pub mod practice;
+pub mod rotation;
+pub mod snooker;
+pub mod straight_pool;
+pub mod three_cushion;
+
+use carom::Error;
+use carom::rack::Game;
+
+use crate::Player;
+use crate::facts::Facts;
+use crate::frame::State;
+use crate::layout::Layout;
+use crate::play::Play;
+use crate::request::{Choice, Request, Turn};
+use crate::ruling::{Foul, Ruling};
+
+/// A set of rules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Rules {
+    /// Eight-ball (WPA, section 3).
+    EightBall,
+    /// Nine-ball (WPA, section 2).
+    NineBall,
+    /// Ten-ball (WPA, section 9).
+    TenBall,
+    /// 14.1 continuous pool (WPA, section 4).
+    StraightPool,
+    /// Snooker (WPBSA, section 3).
+    Snooker,
+    /// Three-cushion carom (UMB).
+    ThreeCushion,
+    /// A table with a rack of fifteen, where nothing is forbidden.
+    Practice,
+}
+
+impl Rules {
+    /// Every game.
+    pub const ALL: [Self; 7] = [
+        Self::EightBall,
+        Self::NineBall,
+        Self::TenBall,
+        Self::StraightPool,
+        Self::Snooker,
+        Self::ThreeCushion,
+        Self::Practice,
+    ];
+
+    /// Its name on the command line and in Python.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Practice => "practice",
+            _ => self.rack().name(),
+        }
+    }
+
+    /// The game of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|rules| rules.name() == name)
+    }
+
+    /// How its balls are racked.
+    pub const fn rack(self) -> Game {
+        match self {
+            Self::EightBall | Self::Practice => Game::EightBall,
+            Self::NineBall => Game::NineBall,
+            Self::TenBall => Game::TenBall,
+            Self::StraightPool => Game::StraightPool,
+            Self::Snooker => Game::Snooker,
+            Self::ThreeCushion => Game::ThreeCushion,
+        }
+    }
+
+    pub(crate) const fn needs_pockets(self) -> bool {
+        !matches!(self, Self::ThreeCushion)
+    }
+
+    /// Whether points, not balls off the table, tell progress.
+    pub(crate) const fn is_scored_by_shots(self) -> bool {
+        matches!(self, Self::StraightPool | Self::ThreeCushion)
+    }
+
+    pub(crate) const fn is_racked_after_stalemate(self) -> bool {
+        !matches!(self, Self::ThreeCushion | Self::Practice)
+    }
+
+    /// The number of the rule that forbids `foul` in this game, where the rule book has it; empty where
+    /// the rule is implemented from general knowledge.
+    pub const fn rule(self, foul: Foul) -> &'static str {
+        match self {
+            Self::EightBall | Self::NineBall | Self::TenBall | Self::StraightPool => {
+                crate::pool::rule(self, foul)
+            }
+            Self::Snooker => snooker::rule(foul),
+            Self::ThreeCushion | Self::Practice => "",
+        }
+    }
+}
+
+/// What can be agreed on before a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Points that win: straight pool (usually 100 to 150) and three-cushion (usually 40).
+    pub target: i32,
+    /// Whether a foul and a miss is called in snooker.
+    pub miss: bool,
+    /// Shots in a row without progress (no ball gone for good, no score better than any before) that
+    /// make a stalemate. So every frame ends.
+    pub patience: u32,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { target: 40, miss: true, patience: 100 }
+    }
+}
+
+impl Options {
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let wrong = |place: &str, value: i64| {
+            Err(Error::input(place, format!("{value} is out of range"), "write at least 1"))
+        };
+        if self.target < 1 {
+            return wrong("options.target", self.target.into());
+        }
+        if self.patience < 1 {
+            return wrong("options.patience", self.patience.into());
+        }
+        Ok(())
+    }
+}
+
+/// A shot that was played, for a referee.
+pub(crate) struct Played<'a> {
+    /// What was asked.
+    pub(crate) turn: &'a Turn,
+    pub(crate) play: &'a Play,
+    pub(crate) facts: &'a Facts,
+    /// The balls before the shot, with the cue ball where it was put.
+    pub(crate) before: &'a Layout,
+}
+
+/// What a game remembers of a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Law {
+    /// Eight-ball.
+    EightBall(eight_ball::EightBall),
+    /// Nine-ball and ten-ball.
+    Rotation(rotation::Rotation),
+    /// Straight pool.
+    StraightPool(straight_pool::StraightPool),
+    /// Snooker.
+    Snooker(snooker::Snooker),
+    /// Three-cushion.
+    ThreeCushion(three_cushion::ThreeCushion),
+    /// Practice.
+    Practice(practice::Practice),
+}
+
+impl Law {
+    pub(crate) fn new(rules: Rules) -> Self {
+        match rules {
+            Rules::EightBall => Self::EightBall(Default::default()),
+            Rules::NineBall => Self::Rotation(rotation::Rotation::nine_ball()),
+            Rules::TenBall => Self::Rotation(rotation::Rotation::ten_ball()),
+            Rules::StraightPool => Self::StraightPool(Default::default()),
+            Rules::Snooker => Self::Snooker(Default::default()),
+            Rules::ThreeCushion => Self::ThreeCushion(Default::default()),
+            Rules::Practice => Self::Practice(Default::default()),
+        }
+    }
+
+    /// The first request, of the player who breaks.
+    pub(crate) fn open(&mut self, state: &mut State, breaker: Player) -> Request {
+        match self {
+            Self::EightBall(game) => game.open(breaker),
+            Self::Rotation(game) => game.open(state, breaker),
+            Self::StraightPool(game) => game.open(breaker),
+            Self::Snooker(game) => game.open(state, breaker),
+            Self::ThreeCushion(game) => game.open(breaker),
+            Self::Practice(game) => game.open(breaker),
+        }
+    }
+
+    /// Rules on a shot, and says what is asked next.
+    pub(crate) fn judge(
+        &mut self,
+        state: &mut State,
+        shot: &Played<'_>,
+        ruling: &mut Ruling,
+    ) -> Request {
+        match self {
+            Self::EightBall(game) => game.judge(state, shot, ruling),
+            Self::Rotation(game) => game.judge(state, shot, ruling),
+            Self::StraightPool(game) => game.judge(state, shot, ruling),
+            Self::Snooker(game) => game.judge(state, shot, ruling),
+            Self::ThreeCushion(game) => game.judge(state, shot, ruling),
+            Self::Practice(game) => game.judge(state, shot, ruling),
+        }
+    }
+
+    /// Carries out a choice, and says what is asked next.
+    pub(crate) fn choose(
+        &mut self,
+        state: &mut State,
+        player: Player,
+        choice: Choice,
+        ruling: &mut Ruling,
+    ) -> Request {
+        match self {
+            Self::EightBall(game) => game.choose(state, player, choice, ruling),
+            Self::Rotation(game) => game.choose(state, player, choice),
+            Self::StraightPool(game) => game.choose(state, player, choice, ruling),
+            Self::Snooker(game) => game.choose(state, player, choice),
+            Self::ThreeCushion(game) => game.choose(state, player, choice, ruling),
+            Self::Practice(game) => game.open(player),
+        }
+    }
+}

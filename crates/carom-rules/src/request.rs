@@ -1,0 +1,163 @@
+//! What is asked next, and of whom.
+
+use carom::Table;
+
+use crate::layout::{distance, head_string, spot_named};
+use crate::{BallIndex, Player};
+
+/// What the frame asks next.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Request {
+    /// A shot.
+    Shot(Turn),
+    /// A decision.
+    Choice {
+        /// Who decides.
+        player: Player,
+        /// Among these.
+        choices: Vec<Choice>,
+        /// Why, in words.
+        why: &'static str,
+    },
+    /// Nothing: the frame is over.
+    Over {
+        /// Who won; none where it ends undecided.
+        winner: Option<Player>,
+        /// Why, in words.
+        why: &'static str,
+    },
+}
+
+/// The shot that is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Turn {
+    /// Who shoots.
+    pub player: Player,
+    /// The cue ball.
+    pub cue: BallIndex,
+    /// Where the cue ball may be put first, if it is in hand; else it is played from where it lies.
+    pub hand: Option<Region>,
+    /// The balls of which one must be hit first; empty where any may be, or none need be.
+    pub on: Vec<BallIndex>,
+    /// What may or must be announced.
+    pub calls: Calls,
+}
+
+/// What may or must be announced before a shot.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Calls {
+    /// A ball and its pocket may be called.
+    pub pocket: bool,
+    /// A safety may be called.
+    pub safety: bool,
+    /// One of the two must be.
+    pub required: bool,
+    /// A push-out may be announced.
+    pub push_out: bool,
+    /// One of the balls on must be nominated (snooker).
+    pub nominate: bool,
+}
+
+/// Where a cue ball in hand may be put.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Region {
+    /// Anywhere on the table.
+    Anywhere,
+    /// Behind the head string: its centre nearer to the head rail than the string.
+    BehindHeadString,
+    /// In the D, or on its lines.
+    TheD,
+}
+
+impl Region {
+    /// Whether a centre at `place` (m, in the file's frame) is in the region.
+    pub fn holds(self, table: &Table, place: [f64; 2]) -> bool {
+        let line = head_string(table);
+        match self {
+            Self::Anywhere => true,
+            Self::BehindHeadString => place[1] < line,
+            Self::TheD => {
+                let center = [spot_named(table, "brown", 0.2)[0], line];
+                place[1] <= line && distance(place, center) <= d_radius(table)
+            }
+        }
+    }
+
+    /// Its name in files and in Python.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Anywhere => "anywhere",
+            Self::BehindHeadString => "behind-head-string",
+            Self::TheD => "the-d",
+        }
+    }
+
+    /// Where it is, in words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Anywhere => "on the table",
+            Self::BehindHeadString => "behind the head string",
+            Self::TheD => "in the D",
+        }
+    }
+}
+
+/// Radius of the D, m; a sixth of the width where the table has none marked (WPBSA: 292 of 1778 mm).
+pub(crate) fn d_radius(table: &Table) -> f64 {
+    let marked = table.description.as_ref().and_then(|d| d.markings.d_radius);
+    marked.unwrap_or(table.size.x / 6.0)
+}
+
+/// A decision that a player can be asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Choice {
+    /// Shoot, with the balls as they lie.
+    PlayOn,
+    /// Shoot, with the cue ball in hand behind the head string.
+    PlayFromHand,
+    /// Let the other player shoot, with the balls as they lie.
+    PassBack,
+    /// Rack the balls again, and break.
+    Rebreak,
+    /// Rack the balls again, and let the other player break.
+    RebreakByOther,
+    /// Spot the eight, and shoot.
+    SpotEight,
+    /// Put the balls back, and let the other player shoot again (snooker: a miss).
+    Replace,
+    /// Spot the balls that touch the cue ball, and shoot (three-cushion).
+    SpotFrozen,
+}
+
+impl Choice {
+    /// Every choice.
+    pub const ALL: [Self; 8] = [
+        Self::PlayOn,
+        Self::PlayFromHand,
+        Self::PassBack,
+        Self::Rebreak,
+        Self::RebreakByOther,
+        Self::SpotEight,
+        Self::Replace,
+        Self::SpotFrozen,
+    ];
+
+    /// Its name in files and in Python.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::PlayOn => "play-on",
+            Self::PlayFromHand => "play-from-hand",
+            Self::PassBack => "pass-back",
+            Self::Rebreak => "rebreak",
+            Self::RebreakByOther => "rebreak-by-other",
+            Self::SpotEight => "spot-eight",
+            Self::Replace => "replace",
+            Self::SpotFrozen => "spot-frozen",
+        }
+    }
+
+    /// The choice of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|choice| choice.name() == name)
+    }
+}

@@ -1,0 +1,194 @@
+//! Random players: every frame ends, and nothing is lost on the way.
+
+use carom::math::{Vec2, atan2};
+use carom::resolve::cue_ball::Strike;
+use carom::simulate::{SMALL, Simulation};
+use carom_rules::{Call, Choice, Frame, Options, Play, Player, Request, Rules, Turn};
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::Rng;
+
+/// Frames of each game: 1000 in release, fewer in a debug build; `make stress` plays more.
+fn frames() -> u64 {
+    let asked = std::env::var("CAROM_FRAMES").ok().and_then(|n| n.parse().ok());
+    asked.unwrap_or(if cfg!(debug_assertions) { 30 } else { 1000 })
+}
+
+struct Dice(Pcg64);
+
+impl Dice {
+    fn unit(&mut self) -> f64 {
+        (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        (self.unit() * n as f64) as usize
+    }
+}
+
+/// A play that is allowed: aimed at a ball on, more or less, with any call that may be made.
+fn any_play(frame: &Frame, turn: &Turn, dice: &mut Dice) -> Play {
+    let (layout, size) = (frame.layout(), frame.base().table().size);
+    let margin = 0.06;
+    let cue_ball = turn.hand.map(|region| {
+        loop {
+            let place = [
+                margin + dice.unit() * (size.x - 2.0 * margin),
+                margin + dice.unit() * (size.y - 2.0 * margin),
+            ];
+            let touches = layout.pieces().iter().zip(0..).any(|(piece, i)| {
+                let there = layout.place(i).filter(|_| i != turn.cue);
+                there.is_some_and(|there| distance(place, there) < 2.001 * piece.ball.radius)
+            });
+            if region.holds(frame.base().table(), place) && !touches {
+                return place;
+            }
+        }
+    });
+    let others: Vec<u8> = layout.on_table().filter(|ball| *ball != turn.cue).collect();
+    let targets = if turn.on.is_empty() { &others } else { &turn.on };
+    let target = targets[dice.below(targets.len())];
+    let from = cue_ball.or(layout.place(turn.cue)).unwrap_or_default();
+    let to = layout.place(target).unwrap_or_default();
+    let (aim, pocket) = aim_to_pot(frame, from, to, dice);
+    // Caroms come off cushions more often than straight off the ball.
+    let spread = if frame.base().table().pockets.is_empty() { 3.0 } else { 0.02 };
+    let azimuth = atan2(aim[1] - from[1], aim[0] - from[0]) + spread * (dice.unit() - 0.5);
+    let side = 0.4 * (dice.unit() - 0.5);
+    let strike =
+        Strike { speed: 0.5 + 4.0 * dice.unit(), azimuth, elevation: 0.0, side, height: 0.0 };
+    let calls = &turn.calls;
+    let call = if calls.push_out && dice.below(3) == 0 {
+        Call::PushOut
+    } else if calls.nominate {
+        Call::On(target)
+    } else if calls.safety && dice.below(10) == 0 {
+        Call::Safety
+    } else if calls.pocket {
+        Call::Pocket(target, frame.base().table().pockets[pocket].name)
+    } else {
+        Call::Nothing
+    };
+    Play { strike, cue_ball, call }
+}
+
+/// Where to aim from `from` so that the ball at `to` goes to a pocket that is neither behind it nor, often,
+/// out of reach; and which pocket that is. On a table without pockets, at the ball.
+fn aim_to_pot(frame: &Frame, from: [f64; 2], to: [f64; 2], dice: &mut Dice) -> ([f64; 2], usize) {
+    let table = frame.base().table();
+    let diameter = 2.0 * frame.base().physics().ball.radius;
+    let [from_v, to_v] = [from, to].map(|[x, y]| Vec2::new(x, y));
+    let mut best = (to, 0, 0.2);
+    for (k, pocket) in table.pockets.iter().enumerate() {
+        let way = pocket.center + table.center() - to_v;
+        let ghost = to_v - way * (diameter / way.length());
+        let shot = ghost - from_v;
+        let fullness = shot.dot(way) / (shot.length() * way.length()) - 0.3 * dice.unit();
+        if fullness > best.2 {
+            best = ([ghost.x, ghost.y], k, fullness);
+        }
+    }
+    (best.0, best.1)
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    Vec2::new(b[0] - a[0], b[1] - a[1]).length()
+}
+
+/// What must be true at any time.
+fn check(frame: &Frame, from: &Frame) {
+    let layout = frame.layout();
+    assert_eq!(layout.len(), from.layout().len(), "balls appear or vanish");
+    for (i, piece) in (0..).zip(layout.pieces()) {
+        let Some([x, y]) = layout.place(i) else { continue };
+        assert!(x.is_finite() && y.is_finite());
+        for (j, other) in (0..i).zip(layout.pieces()) {
+            let Some([u, v]) = layout.place(j) else { continue };
+            let gap = distance([x, y], [u, v]) - piece.ball.radius - other.ball.radius;
+            assert!(gap > -1e-9, "{} and {} overlap by {} m", piece.id, other.id, -gap);
+        }
+    }
+    match frame.request() {
+        Request::Shot(turn) => {
+            let cue_lies = !layout.is_down(turn.cue);
+            assert!(cue_lies || turn.hand.is_some(), "the cue ball is nowhere");
+            assert!(turn.on.iter().all(|ball| !layout.is_down(*ball)), "a ball on is down");
+        }
+        Request::Choice { choices, .. } => assert!(!choices.is_empty()),
+        Request::Over { .. } => {}
+    }
+}
+
+/// What the rules of each game say of its scores.
+fn check_points(rules: Rules, player: Player, points: [i32; 2], legal: bool) {
+    let [mine, others] = [points[player], points[1 - player]];
+    match rules {
+        Rules::EightBall | Rules::NineBall | Rules::TenBall => assert_eq!(points, [0, 0]),
+        Rules::StraightPool => assert!(others == 0 && (legal == (mine >= 0))),
+        Rules::Snooker if legal => assert!(others == 0 && (0..=15).contains(&mine)),
+        Rules::Snooker => assert!(mine == 0 && (4..=7).contains(&others)),
+        Rules::ThreeCushion => assert!(others == 0 && (0..=1).contains(&mine)),
+        Rules::Practice => assert!(others == 0 && mine >= 0 && legal),
+    }
+}
+
+fn play_frames(rules: Rules) {
+    let mut simulation = Box::new(Simulation::<SMALL>::new());
+    // Enough to rack fourteen balls again; three caroms are rare enough.
+    let target = if rules == Rules::ThreeCushion { 3 } else { 20 };
+    let options = Options { target, ..Options::default() };
+    let mut decided = 0;
+    for seed in 0..frames() {
+        let mut dice = Dice(Pcg64::new(seed.into(), 7));
+        let mut frame = Frame::new(rules, options, None, None, seed).expect("the game's own table");
+        let mut shots = 0;
+        while !frame.is_over() {
+            let before = frame.clone();
+            match before.request() {
+                Request::Shot(turn) => {
+                    let play = any_play(&frame, turn, &mut dice);
+                    match frame.play_in(&mut simulation, &play) {
+                        Ok((ruling, _)) => {
+                            check_points(rules, turn.player, ruling.points, ruling.is_legal());
+                            let gained = [0, 1].map(|p| frame.scores()[p] - before.scores()[p]);
+                            assert_eq!(gained, ruling.points);
+                        }
+                        // A random cue ball may stand in a jaw.
+                        Err(error) => {
+                            assert!(error.to_string().starts_with("cue_ball"), "{error}");
+                        }
+                    }
+                    shots += 1;
+                }
+                Request::Choice { choices, .. } => {
+                    let choice: Choice = choices[dice.below(choices.len())];
+                    frame.choose(choice).unwrap_or_else(|e| panic!("{e}"));
+                }
+                Request::Over { .. } => unreachable!(),
+            }
+            check(&frame, &before);
+            assert!(shots < 10_000, "{} with seed {seed} does not end", rules.name());
+        }
+        decided += u64::from(matches!(frame.request(), Request::Over { winner: Some(_), .. }));
+        assert!(frame.turn().is_none() && frame.player().is_none());
+    }
+    println!("{}: {decided} of {} frames decided", rules.name(), frames());
+}
+
+macro_rules! games {
+    ($($name:ident: $rules:expr;)*) => { $(
+        #[test]
+        fn $name() {
+            play_frames($rules);
+        }
+    )* };
+}
+
+games! {
+    random_eight_ball_ends: Rules::EightBall;
+    random_nine_ball_ends: Rules::NineBall;
+    random_ten_ball_ends: Rules::TenBall;
+    random_straight_pool_ends: Rules::StraightPool;
+    random_snooker_ends: Rules::Snooker;
+    random_three_cushion_ends: Rules::ThreeCushion;
+    random_practice_ends: Rules::Practice;
+}
