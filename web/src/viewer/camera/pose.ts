@@ -1,0 +1,142 @@
+/** Where a camera stands, and where it must stand for a table to fill the picture. */
+
+import { type PerspectiveCamera, Vector3 } from "three";
+
+/** A camera that looks at a point. */
+export interface Pose {
+  target: Vector3;
+  /** Direction from the target to the camera: counter-clockwise from +x, and from straight up, rad. */
+  azimuth: number;
+  polar: number;
+  /** From the target, m. */
+  distance: number;
+  /** Vertical field of view, rad. */
+  fov: number;
+}
+
+/** A box, m. */
+export interface Box {
+  min: readonly [number, number, number];
+  max: readonly [number, number, number];
+}
+
+/** Field of view of the view from above: so narrow that nothing leans, rad. */
+export const TOP_FOV = 0.14;
+/** Field of view of the other cameras, rad. */
+export const WIDE_FOV = 0.62;
+/** Share of the picture's width and height that is left free on each side. */
+const MARGIN = 0.02;
+
+/** The long axis lies across the screen, or upright if the table is larger then. */
+export function top(box: Box, aspect: number): Pose {
+  const across = fit(box, { azimuth: 0, polar: 0, fov: TOP_FOV }, aspect);
+  const upright = fit(box, { azimuth: -Math.PI / 2, polar: 0, fov: TOP_FOV }, aspect);
+  return across.distance < upright.distance ? across : upright;
+}
+
+/** From one side, turned a little; on upright screens from the head of the table. */
+export function oblique(box: Box, aspect: number): Pose {
+  const across = top(box, aspect).azimuth === 0;
+  return across
+    ? fit(box, { azimuth: -0.42, polar: 0.92, fov: WIDE_FOV }, aspect)
+    : fit(box, { azimuth: -Math.PI / 2, polar: 0.62, fov: WIDE_FOV }, aspect);
+}
+
+/** Over the shooter's shoulder: behind a ball at `center` (m), along the cue's direction. */
+export function behind(center: Vector3, azimuth: number, aspect: number): Pose {
+  const ahead = new Vector3(Math.cos(azimuth), Math.sin(azimuth), 0);
+  return {
+    target: center.clone().addScaledVector(ahead, 0.42),
+    azimuth: azimuth + Math.PI,
+    polar: 1.19,
+    distance: aspect < 1 ? 1.75 : 1.3,
+    fov: 0.8,
+  };
+}
+
+/** The nearest pose from that direction in which the whole box is in the picture, in its middle. */
+export function fit(box: Box, view: Pick<Pose, "azimuth" | "polar" | "fov">, aspect: number): Pose {
+  const { azimuth, polar, fov } = view;
+  const out = outward(azimuth, polar);
+  const up = upward(azimuth, polar);
+  const right = new Vector3().crossVectors(up, out);
+  const middle = new Vector3(...box.min).add(new Vector3(...box.max)).multiplyScalar(0.5);
+  const tangent = Math.tan(fov / 2) * (1 - 2 * MARGIN);
+  // A corner at `depth` towards the camera and `aside` in the picture is inside if the distance is at
+  // least depth ± (aside − shift) / tangent. The best shift makes the two worst corners equal.
+  let distance = 0;
+  for (const [axis, slope] of [
+    [right, tangent * aspect],
+    [up, tangent],
+  ] as const) {
+    let [plus, minus] = [-Infinity, -Infinity];
+    for (const corner of corners(box)) {
+      corner.sub(middle);
+      const depth = corner.dot(out);
+      const aside = corner.dot(axis);
+      plus = Math.max(plus, depth + aside / slope);
+      minus = Math.max(minus, depth - aside / slope);
+    }
+    distance = Math.max(distance, (plus + minus) / 2);
+    axis.multiplyScalar(((plus - minus) * slope) / 2);
+  }
+  return { target: middle.add(right).add(up), azimuth, polar, distance, fov };
+}
+
+/** Sets a camera up. `radius` (m) around the target is what must not be clipped. */
+export function apply(pose: Pose, camera: PerspectiveCamera, radius: number): void {
+  const { target, azimuth, polar, distance, fov } = pose;
+  camera.up.copy(upward(azimuth, polar));
+  camera.position.copy(target).addScaledVector(outward(azimuth, polar), distance);
+  camera.lookAt(target);
+  camera.fov = (fov * 180) / Math.PI;
+  camera.near = Math.max(0.04, distance - radius);
+  camera.far = distance + radius;
+  camera.updateProjectionMatrix();
+  camera.updateMatrixWorld();
+}
+
+/** Between two poses; `t` from 0 to 1. The size of things in the picture changes evenly. */
+export function between(a: Pose, b: Pose, t: number): Pose {
+  const mix = (from: number, to: number): number => from + (to - from) * t;
+  const turn = Math.atan2(Math.sin(b.azimuth - a.azimuth), Math.cos(b.azimuth - a.azimuth));
+  const fov = mix(a.fov, b.fov);
+  const height = (pose: Pose): number => Math.log(pose.distance * Math.tan(pose.fov / 2));
+  return {
+    target: a.target.clone().lerp(b.target, t),
+    azimuth: a.azimuth + turn * t,
+    polar: mix(a.polar, b.polar),
+    distance: Math.exp(mix(height(a), height(b))) / Math.tan(fov / 2),
+    fov,
+  };
+}
+
+/** Where a camera stands that looks at `target`. */
+export function poseOf(camera: PerspectiveCamera, target: Vector3): Pose {
+  const away = camera.position.clone().sub(target);
+  const distance = away.length();
+  return {
+    target: target.clone(),
+    azimuth: Math.atan2(away.y, away.x),
+    polar: Math.acos(Math.min(1, Math.max(-1, away.z / distance))),
+    distance,
+    fov: (camera.fov * Math.PI) / 180,
+  };
+}
+
+function outward(azimuth: number, polar: number): Vector3 {
+  const level = Math.sin(polar);
+  return new Vector3(level * Math.cos(azimuth), level * Math.sin(azimuth), Math.cos(polar));
+}
+
+/** What is up in the picture: defined even where the camera looks straight down. */
+function upward(azimuth: number, polar: number): Vector3 {
+  const level = Math.cos(polar);
+  return new Vector3(-level * Math.cos(azimuth), -level * Math.sin(azimuth), Math.sin(polar));
+}
+
+function corners({ min, max }: Box): Vector3[] {
+  return [min[0], max[0]].flatMap((x) =>
+    [min[1], max[1]].flatMap((y) => [min[2], max[2]].map((z) => new Vector3(x, y, z))),
+  );
+}

@@ -1,0 +1,156 @@
+/** The three cameras in one: it flies from pose to pose, and the hand turns it in the orbit view. */
+
+import { PerspectiveCamera, Vector3 } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import type { CameraMode } from "../types";
+import { apply, behind, between, type Box, oblique, type Pose, poseOf, top } from "./pose";
+
+/** Duration of a flight, ms. */
+const FLIGHT = 650;
+/** Lowest and highest the hand may turn the camera, rad from straight up. */
+const POLAR = [0.02, 1.5] as const;
+/** Nearest that the hand may bring the camera to what it looks at, m. */
+const NEAREST = 0.25;
+
+export class Rig {
+  readonly camera = new PerspectiveCamera();
+  readonly #controls: OrbitControls;
+  readonly #reducedMotion: boolean;
+  #mode: CameraMode = "top";
+  #box: Box = { min: [0, 0, 0], max: [1, 1, 1] };
+  #aspect = 1;
+  /** Centre of the ball that is aimed at, m, and the cue's direction, rad. */
+  #aim: { center: Vector3; azimuth: number } | null = null;
+  #flight: { from: Pose; start: number } | null = null;
+  #pose: Pose = top(this.#box, 1);
+  #enabled = true;
+  /** Whether the hand has left the standard orbit view. */
+  #moved = false;
+
+  /**
+   * @param changed - Called when the hand has moved the camera.
+   */
+  constructor(element: HTMLElement, reducedMotion: boolean, changed: () => void) {
+    this.#reducedMotion = reducedMotion;
+    this.camera.up.set(0, 0, 1);
+    this.#controls = new OrbitControls(this.camera, element);
+    this.#controls.enabled = false;
+    this.#controls.enableDamping = !reducedMotion;
+    this.#controls.dampingFactor = 0.12;
+    [this.#controls.minPolarAngle, this.#controls.maxPolarAngle] = POLAR;
+    this.#controls.minDistance = NEAREST;
+    this.#controls.addEventListener("change", changed);
+    this.#controls.addEventListener("start", () => (this.#moved = true));
+    // The page stays scrollable by touch where the hand turns nothing.
+    element.style.touchAction = "none";
+  }
+
+  get mode(): CameraMode {
+    return this.#mode;
+  }
+
+  /** Whether pictures change by themselves. */
+  get flying(): boolean {
+    return this.#flight !== null;
+  }
+
+  /** Whether the hand turns the orbit view. */
+  get enabled(): boolean {
+    return this.#enabled;
+  }
+
+  set enabled(enabled: boolean) {
+    this.#enabled = enabled;
+    this.#controls.enabled = enabled && this.#mode === "orbit" && !this.#flight;
+  }
+
+  setMode(mode: CameraMode, instant: boolean, now: number): void {
+    this.#mode = mode;
+    this.#moved = false;
+    this.#go(instant, now);
+  }
+
+  /** The standard view of the present mode. */
+  reset(now: number): void {
+    this.#moved = false;
+    this.#go(false, now);
+  }
+
+  setBox(box: Box): void {
+    this.#box = box;
+    this.#follow();
+  }
+
+  setAspect(aspect: number): void {
+    this.#aspect = aspect;
+    this.camera.aspect = aspect;
+    this.camera.updateProjectionMatrix();
+    this.#follow();
+  }
+
+  setAim(center: Vector3 | null, azimuth: number): void {
+    this.#aim = center && { center: center.clone(), azimuth };
+    if (this.#mode === "cue") this.#follow();
+  }
+
+  /** Moves on; before every picture. */
+  update(now: number): void {
+    if (this.#flight) {
+      const t = Math.min(1, (now - this.#flight.start) / FLIGHT);
+      const eased = t * t * (3 - 2 * t);
+      this.#set(between(this.#flight.from, this.#goal(), eased));
+      if (t === 1) this.#land();
+    } else if (this.#controls.enabled) {
+      this.#controls.update();
+    }
+  }
+
+  dispose(): void {
+    this.#controls.dispose();
+  }
+
+  #goal(): Pose {
+    if (this.#mode === "cue" && this.#aim) {
+      return behind(this.#aim.center, this.#aim.azimuth, this.#aspect);
+    }
+    return this.#mode === "top" ? top(this.#box, this.#aspect) : oblique(this.#box, this.#aspect);
+  }
+
+  #go(instant: boolean, now: number): void {
+    this.#controls.enabled = false;
+    if (instant || this.#reducedMotion) {
+      this.#land();
+      return;
+    }
+    this.#flight = { from: this.#current(), start: now };
+  }
+
+  #land(): void {
+    this.#flight = null;
+    this.#set(this.#goal());
+    if (this.#mode !== "orbit") return;
+    // From here on the hand turns it, about the vertical.
+    this.camera.up.set(0, 0, 1);
+    this.#controls.target.copy(this.#pose.target);
+    this.#controls.maxDistance = 2.5 * this.#pose.distance;
+    this.#controls.enabled = this.#enabled;
+    this.#controls.update();
+  }
+
+  /** Keeps a view that nobody is flying or turning in step with what it looks at. */
+  #follow(): void {
+    if (!this.#flight && !(this.#mode === "orbit" && this.#moved)) this.#land();
+  }
+
+  #current(): Pose {
+    const turned = this.#controls.target.lengthSq() > 0 && this.#moved;
+    return turned ? poseOf(this.camera, this.#controls.target) : this.#pose;
+  }
+
+  #set(pose: Pose): void {
+    this.#pose = pose;
+    const { min, max } = this.#box;
+    const radius = Math.hypot(max[0] - min[0], max[1] - min[1], 2) + 1;
+    apply(pose, this.camera, radius);
+  }
+}

@@ -1,0 +1,81 @@
+/** What lies on a table: diamonds on the rails, lines and spots on the cloth. */
+
+import type { BufferGeometry } from "three";
+import type { Geometry, Point } from "../types";
+import { LAYER } from "./solid";
+import { raised, ring, Surface } from "./surface";
+
+/** Half the width and half the length of a diamond, m: as on most tables. */
+const SIGHT: Point = [0.0075, 0.0165];
+/** Width of a line on the cloth and radius of a spot, m. */
+const LINE_WIDTH = 0.0032;
+const SPOT_RADIUS = 0.0058;
+
+/** The diamonds, or null where the table has none. */
+export function sights(geometry: Geometry): BufferGeometry | null {
+  const places = sightPlaces(geometry);
+  if (places.length === 0) return null;
+  const surface = new Surface();
+  for (const [[x, y], alongY] of places) {
+    const [across, along] = SIGHT;
+    const [a, b] = alongY ? [across, along] : [along, across];
+    const diamond: Point[] = [
+      [x - a, y],
+      [x, y - b],
+      [x + a, y],
+      [x, y + b],
+    ];
+    surface.fill(diamond, [], geometry.cushion_height + LAYER);
+  }
+  return surface.geometry();
+}
+
+/** Centres of the diamonds, m, and whether they are longer along y; none where a pocket is. */
+export function sightPlaces({ size, sights: marks, pockets }: Geometry): [Point, boolean][] {
+  if (!size || !marks) return [];
+  const [width, length] = size;
+  const back = marks.setback;
+  const places: [Point, boolean][] = [];
+  const pocketed = pockets.length > 0;
+  for (let i = 0; i <= marks.along_length; i += 1) {
+    const atPocket = i === 0 || i === marks.along_length || 2 * i === marks.along_length;
+    if (pocketed && atPocket) continue;
+    const y = (i * length) / marks.along_length;
+    places.push([[-back, y], true], [[width + back, y], true]);
+  }
+  for (let i = 0; i <= marks.along_width; i += 1) {
+    if (pocketed && (i === 0 || i === marks.along_width)) continue;
+    const x = (i * width) / marks.along_width;
+    places.push([[x, -back], false], [[x, length + back], false]);
+  }
+  return places;
+}
+
+/** Head string or baulk line, the D, and the spots; null where nothing is marked. */
+export function markings({ size, markings: marks }: Geometry): BufferGeometry | null {
+  if (!size || !marks) return null;
+  const surface = new Surface();
+  const { head_string: string, d_radius: radius, spots } = marks;
+  const half = LINE_WIDTH / 2;
+  if (string !== null) {
+    const [lower, upper] = [string - half, string + half].map((y) =>
+      raised(
+        [
+          [0, y],
+          [size[0], y],
+        ],
+        LAYER,
+      ),
+    );
+    surface.bands([lower!, upper!]);
+  }
+  if (string !== null && radius !== null) {
+    const center: Point = [size[0] / 2, string];
+    const [inner, outer] = [radius - half, radius + half].map((r) =>
+      raised(ring(center, r, 96).slice(48), LAYER),
+    );
+    surface.bands([outer!, inner!]);
+  }
+  for (const spot of spots) surface.fill(ring(spot.position, SPOT_RADIUS, 20).slice(1), [], LAYER);
+  return surface.geometry();
+}

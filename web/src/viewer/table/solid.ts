@@ -1,0 +1,187 @@
+/** The body of a table: cloth, cushions, pockets, wood and frame as surfaces. */
+
+import type { BufferGeometry } from "three";
+import type { Geometry, Point } from "../types";
+import type { Outline } from "./outline";
+import { offset, raised, ring, roundedRectangle, Surface, type Line, type Shade } from "./surface";
+
+/** How far the foot of a cushion stands behind its nose, m: a rounded wedge, like the rubber's. */
+const RECESS = 0.014;
+/** Height of the upright edge at the nose, m. */
+const NOSE = 0.006;
+/** Width of the shade on the cloth at the foot of a cushion, m. */
+const FOOT_SHADE = 0.045;
+/** Depth of the holes, and of the cloth that is folded into them, m. */
+const HOLE_DEPTH = 0.14;
+const FOLD = 0.012;
+/** Width and height of the leather around a pocket, m. */
+const RIM_WIDTH = 0.011;
+const RIM_HEIGHT = 0.0035;
+/** Rounding of the wood's outer edge, and how far down the rail reaches, m. */
+const WOOD_EDGE = 0.016;
+const RAIL_DEPTH = 0.05;
+/** The frame below the rails: how far it stands back, and its lower edge below the slate, m. */
+const APRON_INSET = 0.014;
+const APRON_DEPTH = 0.2;
+/** Middle of a leg from the nose lines, m. */
+const LEG_INSET = 0.1;
+/** Radius of the table's corners as a share of the rail's width. */
+const CORNER = 0.45;
+/** Height of the playing surface above the floor, m (WPA: 29 1/4 to 31 in). */
+export const FLOOR = 0.765;
+/** Just above another surface, m, so that neither shows through the other. */
+export const LAYER = 0.0004;
+
+/** The surfaces of a table, one per material. */
+export interface Solid {
+  cloth: BufferGeometry;
+  cushions: BufferGeometry;
+  /** Soft shade at the foot of the cushions. */
+  shade: BufferGeometry;
+  pockets: BufferGeometry;
+  wood: BufferGeometry;
+  frame: BufferGeometry;
+}
+
+/** Raises the ground plan of a table with rails. */
+export function solid(geometry: Geometry, plan: Outline): Solid {
+  const { cushion_height: height, cushion_width: width = 0, pockets } = geometry;
+  const size = geometry.size!;
+  const holes = pockets.map((pocket) => ring(pocket.center, pocket.radius));
+  // Its outer edge is hidden in the wood.
+  const bed = open(roundedRectangle(size, plan.reach - 0.01, CORNER * plan.reach));
+  const cloth = new Surface().fill(bed, holes.map(open), 0);
+  const wells = new Surface();
+  for (const hole of holes) {
+    cloth.bands([raised(hole, 0), raised(hole, -FOLD)], [0.7, 0.3]);
+    wells.bands([raised(hole, -FOLD), raised(hole, -HOLE_DEPTH)], [0.5, 0.1]);
+    wells.fill(open(hole), [], -HOLE_DEPTH, 0.1);
+  }
+  const cushions = new Surface();
+  const shade = new Surface();
+  for (const rubber of plan.rubbers) cushions.fill(rubber, [], height);
+  for (const run of plan.runs) {
+    if (run.material === "liner") {
+      wall(wells, run.points, height);
+      continue;
+    }
+    const foot = shifted(run.points, size, width, RECESS);
+    cushions.bands(
+      [raised(run.points, height), raised(run.points, height - NOSE), raised(foot, 0)],
+      [1, 0.86, 0.5],
+    );
+    const reach = shifted(run.points, size, width, -FOOT_SHADE);
+    shade.bands(
+      [raised(foot, LAYER), raised(run.points, LAYER), raised(reach, LAYER)],
+      [
+        [0, 0.55],
+        [0, 0.34],
+        [0, 0],
+      ],
+    );
+  }
+  return {
+    cloth: cloth.geometry(),
+    cushions: cushions.geometry(),
+    shade: shade.geometry(),
+    pockets: wells.geometry(),
+    wood: wood(size, plan, height),
+    frame: frame(size, plan.reach),
+  };
+}
+
+/** A pocket's wall, down from the leather on its top. */
+function wall(surface: Surface, points: readonly Point[], height: number): void {
+  const steps = 6;
+  const lines: Line[] = [];
+  const shades: Shade[] = [];
+  for (let i = 0; i <= steps; i += 1) {
+    const angle = (Math.PI * i) / steps;
+    const out = 0.5 * RIM_WIDTH * (1 + Math.cos(angle));
+    lines.push(raised(offset(points, out), height + RIM_HEIGHT * Math.sin(angle)));
+    shades.push(1);
+  }
+  lines.push(raised(points, 0), raised(points, -HOLE_DEPTH));
+  shades.push(0.45, 0.1);
+  surface.bands(lines, shades);
+}
+
+function wood(size: Point, plan: Outline, height: number): BufferGeometry {
+  const radius = CORNER * plan.reach;
+  const steps = 4;
+  const surface = new Surface();
+  const lines: Line[] = [];
+  for (let i = 0; i <= steps; i += 1) {
+    const angle = (Math.PI / 2) * (i / steps);
+    const inset = WOOD_EDGE * (1 - Math.sin(angle));
+    lines.push(edge(size, plan.reach - inset, radius, height - WOOD_EDGE * (1 - Math.cos(angle))));
+  }
+  lines.push(edge(size, plan.reach, radius, -RAIL_DEPTH));
+  lines.push(edge(size, plan.reach - 0.02, radius, -RAIL_DEPTH));
+  surface.fill(
+    open(roundedRectangle(size, plan.reach - WOOD_EDGE, radius)),
+    [plan.woodInside],
+    height,
+  );
+  return surface.bands(lines, [1, 0.98, 0.94, 0.9, 0.86, 0.6, 0.3]).geometry();
+}
+
+/** Apron and legs. */
+function frame(size: Point, reach: number): BufferGeometry {
+  const surface = new Surface();
+  const radius = CORNER * reach;
+  surface.bands(
+    [
+      edge(size, reach - APRON_INSET, radius, -RAIL_DEPTH),
+      edge(size, reach - APRON_INSET - 0.01, radius, -APRON_DEPTH),
+      edge(size, 0, CORNER * reach, -APRON_DEPTH),
+    ],
+    [0.6, 1, 0.4],
+  );
+  const [width, length] = size;
+  const places = [LEG_INSET, width - LEG_INSET].flatMap((x) =>
+    [LEG_INSET, length - LEG_INSET].map((y): Point => [x, y]),
+  );
+  for (const [x, y] of places) {
+    const at = (half: number, z: number): Line =>
+      roundedRectangle([0, 0], half, 0.3 * half)
+        .reverse()
+        .map((p) => [x + p[0], y + p[1], z]);
+    surface.bands([at(0.085, -APRON_DEPTH), at(0.055, -FLOOR)], [0.7, 0.95]);
+  }
+  return surface.geometry();
+}
+
+/** The outer edge as a line that is seen from outside. */
+function edge(size: Point, margin: number, radius: number, z: number): Line {
+  return raised(roundedRectangle(size, margin, radius).toReversed(), z);
+}
+
+/**
+ * A cushion's nose line moved back from the table by `distance` (m), less and less towards the wood, where
+ * it stays.
+ */
+function shifted(
+  line: readonly Point[],
+  [width, length]: Point,
+  cushion: number,
+  distance: number,
+) {
+  // The rail's own direction: from the middle of its line outwards.
+  const [first, last] = [line[0]!, line.at(-1)!];
+  const alongX = Math.abs(last[0] - first[0]) > Math.abs(last[1] - first[1]);
+  const middle: Point = [(first[0] + last[0]) / 2, (first[1] + last[1]) / 2];
+  const sign = alongX ? Math.sign(middle[1] - length / 2) : Math.sign(middle[0] - width / 2);
+  return line.map(([x, y]): Point => {
+    const depth = alongX
+      ? sign * (y - length / 2) - length / 2
+      : sign * (x - width / 2) - width / 2;
+    const by = sign * distance * Math.min(1, Math.max(0, 1 - depth / cushion));
+    return alongX ? [x, y + by] : [x + by, y];
+  });
+}
+
+/** A closed ring without its repeated point. */
+function open(points: readonly Point[]): Point[] {
+  return points.slice(0, -1);
+}

@@ -1,0 +1,116 @@
+/** Triangles from filled outlines and from bands between lines. */
+
+import { BufferGeometry, Float32BufferAttribute, ShapeUtils, Vector2 } from "three";
+import type { Point } from "../types";
+
+/** A line at its heights: x, y, z (m) per point. */
+export type Line = readonly (readonly [number, number, number])[];
+
+/** How bright a surface is beside its material's colour, 0 to 1; a second number is its opacity. */
+export type Shade = number | readonly [brightness: number, opacity: number];
+
+/** Collects triangles. Vertices are shared along a band but not across bands, so that edges stay sharp. */
+export class Surface {
+  readonly #positions: number[] = [];
+  readonly #colors: number[] = [];
+  readonly #indices: number[] = [];
+
+  /** A flat polygon, seen from above, with holes. Its orientation is free. */
+  fill(
+    contour: readonly Point[],
+    holes: readonly (readonly Point[])[],
+    z: number,
+    shade: Shade = 1,
+  ) {
+    const rings = [contour, ...holes].map((ring) => ring.map(([x, y]) => new Vector2(x, y)));
+    if (ShapeUtils.isClockWise(rings[0]!)) rings[0]!.reverse();
+    for (const hole of rings.slice(1)) if (!ShapeUtils.isClockWise(hole)) hole.reverse();
+    const first = this.#count;
+    for (const { x, y } of rings.flat()) this.#vertex(x, y, z, shade);
+    for (const triangle of ShapeUtils.triangulateShape(rings[0]!, rings.slice(1))) {
+      this.#indices.push(...triangle.map((corner) => first + corner));
+    }
+    return this;
+  }
+
+  /**
+   * Bands between lines with the same number of points. Going along the lines, with the first one above
+   * the second, one sees the bands from the left.
+   *
+   * @param shades - One per line, or one for all.
+   */
+  bands(lines: readonly Line[], shades: readonly Shade[] = [1]) {
+    for (let row = 0; row + 1 < lines.length; row += 1) {
+      const [above, below] = [lines[row]!, lines[row + 1]!];
+      const first = this.#count;
+      for (const [x, y, z] of above) this.#vertex(x, y, z, shades[row] ?? shades[0]!);
+      for (const [x, y, z] of below) this.#vertex(x, y, z, shades[row + 1] ?? shades[0]!);
+      const width = above.length;
+      for (let i = 0; i + 1 < width; i += 1) {
+        const a = first + i;
+        this.#indices.push(a, a + 1, a + width, a + 1, a + width + 1, a + width);
+      }
+    }
+    return this;
+  }
+
+  geometry(): BufferGeometry {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new Float32BufferAttribute(this.#positions, 3));
+    geometry.setAttribute("color", new Float32BufferAttribute(this.#colors, 4));
+    geometry.setIndex(this.#indices);
+    geometry.computeVertexNormals();
+    return geometry;
+  }
+
+  get #count(): number {
+    return this.#positions.length / 3;
+  }
+
+  #vertex(x: number, y: number, z: number, shade: Shade): void {
+    const [brightness, opacity] = typeof shade === "number" ? [shade, 1] : shade;
+    this.#positions.push(x, y, z);
+    this.#colors.push(brightness, brightness, brightness, opacity);
+  }
+}
+
+/** The points at one height. */
+export function raised(points: readonly Point[], z: number): Line {
+  return points.map(([x, y]) => [x, y, z]);
+}
+
+/** A closed ring of points, its first one repeated at the end. */
+export function ring(center: Point, radius: number, sides = 48): Point[] {
+  return Array.from({ length: sides + 1 }, (_, i): Point => {
+    const angle = (2 * Math.PI * (i % sides)) / sides;
+    return [center[0] + radius * Math.cos(angle), center[1] + radius * Math.sin(angle)];
+  });
+}
+
+/** A rectangle around the playing area, `margin` (m) beyond it, with round corners; counter-clockwise, closed. */
+export function roundedRectangle([width, length]: Point, margin: number, radius: number): Point[] {
+  const corners = [
+    [width + margin - radius, length + margin - radius],
+    [radius - margin, length + margin - radius],
+    [radius - margin, radius - margin],
+    [width + margin - radius, radius - margin],
+  ] as const;
+  const steps = 10;
+  const points = corners.flatMap(([x, y], quarter) =>
+    Array.from({ length: steps + 1 }, (_, i): Point => {
+      const angle = (quarter + i / steps) * (Math.PI / 2);
+      return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
+    }),
+  );
+  return [...points, points[0]!];
+}
+
+/** An open line moved to its right by `distance` (m), point by point. */
+export function offset(line: readonly Point[], distance: number): Point[] {
+  return line.map(([x, y], i): Point => {
+    const [before, after] = [line[Math.max(0, i - 1)]!, line[Math.min(line.length - 1, i + 1)]!];
+    const [dx, dy] = [after[0] - before[0], after[1] - before[1]];
+    const length = Math.hypot(dx, dy);
+    return [x + (dy / length) * distance, y - (dx / length) * distance];
+  });
+}

@@ -1,0 +1,56 @@
+/** The colours of light and dark. */
+
+import type { Theme } from "./types";
+
+export interface Palette {
+  background: string;
+  /** The wood of the rails and of the frame below. */
+  wood: string;
+  frame: string;
+  /** Strength of the light from all around and of the lamp. */
+  ambient: number;
+  lamp: number;
+  /** Darkness of the table's shadow on the floor, 0 to 1. */
+  floorShadow: number;
+}
+
+const PALETTES: Readonly<Record<Theme, Palette>> = {
+  light: {
+    background: "#e8e5de",
+    wood: "#7a4d2f",
+    frame: "#4b3222",
+    ambient: 1.5,
+    lamp: 2.2,
+    floorShadow: 0.4,
+  },
+  dark: {
+    background: "#15181b",
+    wood: "#5d3a25",
+    frame: "#33231a",
+    ambient: 1.05,
+    lamp: 2.1,
+    floorShadow: 0.75,
+  },
+};
+
+/** The colours of a theme. */
+export function palette(theme: Theme): Palette {
+  return PALETTES[theme];
+}
+
+/** Cloth by the game that a table is made for. */
+const CLOTHS: Readonly<Record<string, string>> = {
+  pool: "#1c6f60",
+  snooker: "#2c7447",
+  english: "#2c7447",
+  carom: "#2b62a0",
+};
+
+/**
+ * The cloth's colour.
+ *
+ * @param physics - The table's own physics preset, if it has one.
+ */
+export function clothColor(physics: string | undefined): string {
+  return CLOTHS[physics ?? "pool"] ?? CLOTHS.pool!;
+}

@@ -1,0 +1,74 @@
+import { expect, test } from "vitest";
+import { Governor, LEVELS } from "../../../src/viewer/quality";
+
+/** Runs frames of `ms` each and says how often the level changed. */
+function run(governor: Governor, ms: number, frames: number, start: { now: number }): number {
+  let changes = 0;
+  for (let i = 0; i < frames; i += 1) {
+    start.now += ms;
+    if (governor.frame(start.now)) changes += 1;
+  }
+  return changes;
+}
+
+test("slow frames lower the quality, step by step, never beyond the last level", () => {
+  const governor = new Governor(0);
+  const clock = { now: 0 };
+  run(governor, 60, 20, clock);
+  expect(governor.level).toBe(1);
+  run(governor, 60, 2000, clock);
+  expect(governor.level).toBe(LEVELS.length - 1);
+  expect(LEVELS.at(-1)!.pixelRatio).toBeGreaterThan(0.5);
+});
+
+test("one slow frame among fast ones changes nothing", () => {
+  const governor = new Governor(0);
+  const clock = { now: 0 };
+  for (let i = 0; i < 20; i += 1) {
+    run(governor, 16, 15, clock);
+    run(governor, 120, 1, clock);
+  }
+  expect(governor.level).toBe(0);
+});
+
+test("frames of middling speed keep the level as it is", () => {
+  const governor = new Governor(2);
+  expect(run(governor, 30, 1000, { now: 0 })).toBe(0);
+});
+
+test("lastingly fast frames raise the quality", () => {
+  const governor = new Governor(2);
+  run(governor, 16, 2000, { now: 0 });
+  expect(governor.level).toBe(0);
+});
+
+test("a pause between two motions is not a slow frame", () => {
+  const governor = new Governor(0);
+  const clock = { now: 0 };
+  for (let i = 0; i < 200; i += 1) {
+    run(governor, 16, 3, clock);
+    clock.now += 5000;
+  }
+  expect(governor.level).toBe(0);
+});
+
+test("where every higher level turns out slow, it is tried more and more rarely", () => {
+  const governor = new Governor(2);
+  const clock = { now: 0 };
+  const tries = [0, 0];
+  for (let half = 0; half < 2; half += 1) {
+    for (let i = 0; i < 20_000; i += 1) {
+      if (run(governor, governor.level < 2 ? 60 : 16, 1, clock) && governor.level < 2)
+        tries[half]! += 1;
+    }
+  }
+  expect(tries[0]).toBeGreaterThan(tries[1]!);
+  expect(tries[1]).toBeLessThan(5);
+});
+
+test("the frame time that it tells is the median", () => {
+  const governor = new Governor(0);
+  expect(governor.frameMs).toBe(0);
+  run(governor, 17, 40, { now: 0 });
+  expect(governor.frameMs).toBe(17);
+});
