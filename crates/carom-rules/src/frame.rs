@@ -333,11 +333,34 @@ impl Frame {
             let gone = matches!(state.motion, MotionState::Pocketed | MotionState::OffTable);
             layout.put(ball, (!gone).then_some([state.position.x, state.position.y]));
         }
+        Ok(self.decide(&turn, play, &facts, &started))
+    }
+
+    /// Rules on what happened; the balls already lie where they came to rest.
+    pub(crate) fn decide(
+        &mut self,
+        turn: &Turn,
+        play: &Play,
+        facts: &Facts,
+        before: &Layout,
+    ) -> Ruling {
         self.shots += 1;
         let mut ruling = Ruling::default();
-        let shot = Played { turn: &turn, play, facts: &facts, before: &started };
+        let shot = Played { turn, play, facts, before };
         let request = self.law.judge(&mut self.state, &shot, &mut ruling);
-        Ok(self.settle(request, ruling))
+        self.settle(request, ruling)
+    }
+
+    /// Sets a scene: puts `ball` somewhere, or takes it off the table.
+    #[cfg(test)]
+    pub(crate) fn put(&mut self, ball: BallIndex, place: Option<[f64; 2]>) {
+        self.state.layout.put(ball, place);
+    }
+
+    /// Sets a scene.
+    #[cfg(test)]
+    pub(crate) fn set_scores(&mut self, scores: [i32; 2]) {
+        self.state.scores = scores;
     }
 
     /// Answers a choice.

@@ -17,6 +17,8 @@ mod play;
 mod pool;
 mod request;
 mod ruling;
+#[cfg(test)]
+mod scenarios;
 
 pub use facts::{Facts, Touch};
 pub use frame::Frame;

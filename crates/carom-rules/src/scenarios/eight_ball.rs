@@ -1,0 +1,218 @@
+//! WPA, section 3.
+
+use super::{CORNER, SIDE, Scene, assert_fouls, hit};
+use crate::games::Law;
+use crate::games::eight_ball::Group;
+use crate::{Call, Choice, Foul, Region, Rules};
+
+/// After a break that pocketed the 3: player 0 goes on, the table is open.
+fn open_table() -> Scene {
+    let mut scene = Scene::of(Rules::EightBall);
+    let ruling = scene.play(Call::Nothing, hit(&[1]).potting(3, CORNER));
+    assert!(ruling.is_legal());
+    assert_eq!(scene.asks(0).hand, None);
+    assert_eq!(group(&scene, 0), None, "a break decides no group (3.3c)");
+    scene
+}
+
+/// Player 0 has the solids and goes on.
+fn solids() -> Scene {
+    let mut scene = open_table();
+    scene.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, CORNER));
+    assert_eq!(group(&scene, 0), Some(Group::Solids));
+    assert_eq!(group(&scene, 1), Some(Group::Stripes));
+    scene
+}
+
+fn group(scene: &Scene, player: usize) -> Option<Group> {
+    match scene.0.law() {
+        Law::EightBall(game) => game.group(player),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn the_break_is_from_behind_the_head_string_without_a_call() {
+    let scene = Scene::of(Rules::EightBall);
+    let turn = scene.asks(0);
+    assert_eq!(turn.hand, Some(Region::BehindHeadString));
+    assert!(!turn.calls.pocket && !turn.calls.required);
+}
+
+#[test]
+fn a_break_without_a_pocketed_ball_needs_four_balls_to_a_rail() {
+    let mut scene = Scene::of(Rules::EightBall);
+    let ruling = scene.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]));
+    assert_fouls(&ruling, &[Foul::SoftBreak]);
+    scene.offers(1, &[Choice::PlayOn, Choice::Rebreak, Choice::RebreakByOther]);
+
+    let mut scene = Scene::of(Rules::EightBall);
+    assert!(scene.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3, 4])).is_legal());
+    scene.asks(1);
+}
+
+#[test]
+fn after_a_soft_break_either_player_may_be_made_to_break_again() {
+    for (choice, breaker) in [(Choice::Rebreak, 1), (Choice::RebreakByOther, 0)] {
+        let mut scene = Scene::of(Rules::EightBall);
+        scene.play(Call::Nothing, hit(&[1]).driving(&[1]));
+        assert!(scene.choose(choice).racked);
+        assert_eq!(scene.asks(breaker).hand, Some(Region::BehindHeadString));
+    }
+    let mut scene = Scene::of(Rules::EightBall);
+    scene.play(Call::Nothing, hit(&[1]).driving(&[1]));
+    scene.choose(Choice::PlayOn);
+    assert_eq!(scene.asks(1).hand, None);
+}
+
+#[test]
+fn the_eight_on_the_break_is_spotted_or_racked_again_as_the_breaker_likes() {
+    let mut scene = Scene::of(Rules::EightBall);
+    assert!(scene.play(Call::Nothing, hit(&[1]).potting(8, SIDE)).is_legal());
+    scene.offers(0, &[Choice::SpotEight, Choice::Rebreak]);
+    assert_eq!(scene.choose(Choice::SpotEight).spotted, [8]);
+    assert!(!scene.is_down(8));
+    assert_eq!(scene.asks(0).hand, None);
+}
+
+#[test]
+fn the_eight_and_the_cue_ball_on_the_break_give_the_choice_to_the_other() {
+    let mut scene = Scene::of(Rules::EightBall);
+    let ruling = scene.play(Call::Nothing, hit(&[1]).potting(8, SIDE).potting(0, CORNER));
+    assert_fouls(&ruling, &[Foul::Scratch]);
+    scene.offers(1, &[Choice::SpotEight, Choice::Rebreak]);
+    scene.choose(Choice::SpotEight);
+    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+}
+
+#[test]
+fn a_scratch_on_the_break_puts_the_cue_ball_in_hand_behind_the_head_string() {
+    let mut scene = Scene::of(Rules::EightBall);
+    scene.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
+    scene.offers(1, &[Choice::PlayFromHand]);
+    scene.choose(Choice::PlayFromHand);
+    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+    assert!(scene.is_down(3), "what fell stays down");
+}
+
+#[test]
+fn a_ball_off_the_table_on_the_break_stays_off_and_the_eight_is_spotted() {
+    let mut scene = Scene::of(Rules::EightBall);
+    let ruling = scene.play(Call::Nothing, hit(&[1]).losing(5).losing(8));
+    assert_fouls(&ruling, &[Foul::BallOffTable]);
+    assert_eq!(ruling.spotted, [8]);
+    assert!(scene.is_down(5) && !scene.is_down(8));
+    scene.offers(1, &[Choice::PlayOn, Choice::PlayFromHand]);
+}
+
+#[test]
+fn the_table_stays_open_until_a_called_ball_falls() {
+    let mut scene = open_table();
+    scene.play(Call::Pocket(9, CORNER), hit(&[9]).potting(4, SIDE));
+    assert_eq!(group(&scene, 0), None);
+    scene.asks(1);
+    scene.play(Call::Pocket(9, CORNER), hit(&[9]).potting(9, CORNER));
+    assert_eq!(group(&scene, 1), Some(Group::Stripes));
+    scene.asks(1);
+}
+
+#[test]
+fn on_an_open_table_any_ball_may_be_hit_first() {
+    let mut scene = open_table();
+    assert!(scene.play(Call::Pocket(9, CORNER), hit(&[8, 9])).is_legal());
+}
+
+#[test]
+fn a_shot_must_be_called() {
+    let scene = open_table();
+    assert!(scene.turn().calls.required);
+}
+
+#[test]
+fn a_ball_in_an_uncalled_pocket_ends_the_turn_without_a_foul() {
+    let mut scene = solids();
+    let ruling = scene.play(Call::Pocket(2, CORNER), hit(&[2]).potting(2, SIDE));
+    assert!(ruling.is_legal());
+    scene.asks(1);
+    assert!(scene.is_down(2), "no other ball than the eight is ever spotted (3.7)");
+}
+
+#[test]
+fn after_a_called_safety_the_other_shoots_whatever_fell() {
+    let mut scene = solids();
+    scene.play(Call::Safety, hit(&[2]).potting(2, CORNER));
+    scene.asks(1);
+}
+
+#[test]
+fn the_other_group_first_is_a_foul_and_gives_ball_in_hand_anywhere() {
+    let mut scene = solids();
+    let ruling = scene.play(Call::Pocket(2, CORNER), hit(&[9, 2]).potting(2, CORNER));
+    assert_fouls(&ruling, &[Foul::WrongBallFirst]);
+    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+}
+
+#[test]
+fn without_a_rail_or_a_pocketed_ball_a_shot_is_a_foul() {
+    let mut scene = solids();
+    let ruling = scene.play(Call::Pocket(2, CORNER), hit(&[2]).no_rail());
+    assert_fouls(&ruling, &[Foul::NoRailAfterContact]);
+    let mut scene = solids();
+    assert!(scene.play(Call::Pocket(2, CORNER), hit(&[2]).no_rail().potting(2, CORNER)).is_legal());
+    let mut scene = solids();
+    assert_fouls(&scene.play(Call::Pocket(2, CORNER), hit(&[])), &[Foul::NoContact]);
+}
+
+/// The eight is on for player 0.
+fn on_the_eight() -> Scene {
+    let mut scene = solids().without([2, 4, 5, 6]);
+    scene.play(Call::Pocket(7, CORNER), hit(&[7]).potting(7, CORNER));
+    assert_eq!(scene.asks(0).on, [8]);
+    scene
+}
+
+#[test]
+fn the_called_eight_wins() {
+    let mut scene = on_the_eight();
+    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
+    scene.is_won_by(0);
+}
+
+#[test]
+fn the_eight_loses_with_a_foul_in_another_pocket_too_early_or_off_the_table() {
+    let mut scene = on_the_eight();
+    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE).potting(0, CORNER));
+    scene.is_won_by(1);
+    let mut scene = on_the_eight();
+    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, CORNER));
+    scene.is_won_by(1);
+    let mut scene = solids();
+    scene.play(Call::Pocket(8, SIDE), hit(&[2, 8]).potting(8, SIDE));
+    scene.is_won_by(1);
+    let mut scene = on_the_eight();
+    scene.play(Call::Pocket(8, SIDE), hit(&[8]).losing(8));
+    scene.is_won_by(1);
+}
+
+#[test]
+fn a_foul_without_the_eight_does_not_lose_the_rack() {
+    let mut scene = on_the_eight();
+    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(0, CORNER));
+    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+}
+
+#[test]
+fn behind_the_head_string_a_ball_there_must_not_be_hit_directly() {
+    let mut scene = Scene::of(Rules::EightBall);
+    scene.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
+    scene.choose(Choice::PlayFromHand);
+    scene.0.put(9, Some([0.3, 0.3]));
+    let ruling = scene.play(Call::Pocket(9, SIDE), hit(&[9]).reaching(0.4));
+    assert_fouls(&ruling, &[Foul::BehindHeadString]);
+
+    let mut scene = Scene::of(Rules::EightBall);
+    scene.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
+    scene.choose(Choice::PlayFromHand);
+    scene.0.put(9, Some([0.3, 0.3]));
+    assert!(scene.play(Call::Pocket(9, SIDE), hit(&[9]).reaching(1.2)).is_legal());
+}

@@ -1,0 +1,137 @@
+//! WPA, sections 2 and 9.
+
+use super::{CORNER, SIDE, Scene, assert_fouls, hit};
+use crate::{Call, Choice, Foul, Region, Rules};
+
+/// After a legal break that pocketed the 5: player 0 goes on.
+fn after_break(rules: Rules) -> Scene {
+    let mut scene = Scene::of(rules);
+    scene.play(Call::Nothing, hit(&[1]).potting(5, CORNER));
+    assert_eq!(scene.asks(0).on, [1]);
+    scene
+}
+
+fn past_the_push(rules: Rules) -> Scene {
+    let mut scene = after_break(rules);
+    let call = if rules == Rules::TenBall { Call::Safety } else { Call::Nothing };
+    scene.play(call, hit(&[1]));
+    scene.asks(1);
+    scene
+}
+
+#[test]
+fn the_break_must_hit_the_one_first() {
+    let mut scene = Scene::of(Rules::NineBall);
+    let ruling = scene.play(Call::Nothing, hit(&[2]).potting(5, CORNER));
+    assert_fouls(&ruling, &[Foul::WrongBallFirst]);
+    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+    assert!(!scene.turn().calls.push_out, "a push-out needs a break without a foul (2.4)");
+}
+
+#[test]
+fn a_soft_break_is_a_foul() {
+    let mut scene = Scene::of(Rules::NineBall);
+    let ruling = scene.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]));
+    assert_fouls(&ruling, &[Foul::SoftBreak]);
+}
+
+#[test]
+fn the_nine_wins_whenever_it_falls_legally() {
+    let mut scene = Scene::of(Rules::NineBall);
+    scene.play(Call::Nothing, hit(&[1]).potting(9, CORNER));
+    scene.is_won_by(0);
+    let mut scene = past_the_push(Rules::NineBall);
+    scene.play(Call::Nothing, hit(&[1, 9]).potting(9, SIDE));
+    scene.is_won_by(1);
+}
+
+#[test]
+fn the_nine_is_spotted_after_a_foul_and_other_balls_are_not() {
+    let mut scene = past_the_push(Rules::NineBall);
+    let ruling = scene.play(Call::Nothing, hit(&[2]).potting(9, SIDE).potting(3, SIDE));
+    assert_fouls(&ruling, &[Foul::WrongBallFirst]);
+    assert_eq!(ruling.spotted, [9]);
+    assert!(scene.is_down(3) && !scene.is_down(9));
+    assert_eq!(scene.asks(0).hand, Some(Region::Anywhere));
+}
+
+#[test]
+fn a_push_out_suspends_contact_and_rail_and_gives_the_other_the_choice() {
+    let mut scene = after_break(Rules::NineBall);
+    assert!(scene.turn().calls.push_out);
+    assert!(scene.play(Call::PushOut, hit(&[]).no_rail()).is_legal());
+    scene.offers(1, &[Choice::PlayOn, Choice::PassBack]);
+    scene.choose(Choice::PassBack);
+    assert!(!scene.asks(0).calls.push_out, "one push-out a rack");
+}
+
+#[test]
+fn a_scratch_is_a_foul_in_a_push_out_too_and_the_nine_comes_back() {
+    let mut scene = after_break(Rules::NineBall);
+    let ruling = scene.play(Call::PushOut, hit(&[9]).potting(0, SIDE));
+    assert_fouls(&ruling, &[Foul::Scratch]);
+    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+    let mut scene = after_break(Rules::NineBall);
+    let ruling = scene.play(Call::PushOut, hit(&[9]).potting(9, SIDE));
+    assert_eq!(ruling.spotted, [9]);
+    scene.offers(1, &[Choice::PlayOn, Choice::PassBack]);
+}
+
+#[test]
+fn the_push_out_is_for_the_shot_after_the_break_alone() {
+    let mut scene = after_break(Rules::NineBall);
+    scene.play(Call::Nothing, hit(&[1]).potting(1, CORNER));
+    assert!(!scene.asks(0).calls.push_out);
+    let mut scene = Scene::of(Rules::NineBall);
+    scene.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3, 4]));
+    assert!(scene.asks(1).calls.push_out, "nothing fell: it is the other player's");
+}
+
+#[test]
+fn three_fouls_in_a_row_lose_the_rack_and_a_legal_shot_forgives() {
+    let mut scene = past_the_push(Rules::NineBall);
+    for _ in 0..2 {
+        scene.play(Call::Nothing, hit(&[2]));
+        scene.play(Call::Nothing, hit(&[1]));
+    }
+    assert_eq!(scene.0.fouls_in_a_row(), [0, 2]);
+    let mut forgiven = Scene(scene.0.clone());
+    scene.play(Call::Nothing, hit(&[2]));
+    scene.is_won_by(0);
+    forgiven.play(Call::Nothing, hit(&[1]));
+    assert_eq!(forgiven.0.fouls_in_a_row(), [0, 0]);
+}
+
+#[test]
+fn a_ball_driven_off_the_table_is_a_foul_and_stays_off() {
+    let mut scene = past_the_push(Rules::NineBall);
+    let ruling = scene.play(Call::Nothing, hit(&[1]).losing(4));
+    assert_fouls(&ruling, &[Foul::BallOffTable]);
+    assert!(scene.is_down(4));
+    assert_eq!(scene.turn().on, [1]);
+}
+
+#[test]
+fn ten_ball_is_called_and_what_falls_uncalled_is_the_others_choice() {
+    let mut scene = past_the_push(Rules::TenBall);
+    assert!(scene.turn().calls.required);
+    assert!(scene.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, SIDE)).is_legal());
+    scene.offers(0, &[Choice::PlayOn, Choice::PassBack]);
+    let mut scene = past_the_push(Rules::TenBall);
+    scene.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, CORNER).potting(3, SIDE));
+    scene.asks(1);
+}
+
+#[test]
+fn the_ten_wins_called_but_not_on_the_break_and_not_by_luck() {
+    let mut scene = Scene::of(Rules::TenBall);
+    assert_eq!(scene.play(Call::Nothing, hit(&[1]).potting(10, SIDE)).spotted, [10]);
+    scene.asks(0);
+    let mut scene = past_the_push(Rules::TenBall);
+    scene.play(Call::Pocket(10, SIDE), hit(&[1, 10]).potting(10, SIDE));
+    scene.is_won_by(1);
+    let mut scene = past_the_push(Rules::TenBall);
+    let ruling = scene.play(Call::Pocket(1, SIDE), hit(&[1, 10]).potting(10, SIDE));
+    assert_eq!(ruling.spotted, [10]);
+    scene.offers(0, &[Choice::PlayOn, Choice::PassBack]);
+}

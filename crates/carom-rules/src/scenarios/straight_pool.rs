@@ -1,0 +1,138 @@
+//! WPA, section 4.
+
+use super::{CORNER, SIDE, Scene, assert_fouls, hit};
+use crate::{BallIndex, Call, Choice, Foul, Region, Rules};
+
+const SAFE: Call = Call::Safety;
+
+/// After a safe opening break: player 1 shoots.
+fn opened() -> Scene {
+    let mut scene = Scene::of(Rules::StraightPool);
+    assert!(scene.play(SAFE, hit(&[5]).driving(&[1, 2])).is_legal());
+    assert_eq!(scene.asks(1).hand, None);
+    scene
+}
+
+#[test]
+fn the_opening_break_drives_the_cue_ball_and_two_balls_to_a_rail() {
+    for driven in [&[1][..], &[]] {
+        let mut scene = Scene::of(Rules::StraightPool);
+        let ruling = scene.play(SAFE, hit(&[5]).driving(driven));
+        assert_fouls(&ruling, &[Foul::SoftBreak]);
+        assert_eq!(ruling.points, [-2, 0]);
+        scene.offers(1, &[Choice::PlayOn, Choice::RebreakByOther]);
+        assert!(scene.choose(Choice::RebreakByOther).racked);
+        scene.asks(0);
+    }
+}
+
+#[test]
+fn every_ball_of_a_legal_called_shot_counts_one() {
+    let mut scene = opened();
+    let ruling = scene.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, CORNER).potting(7, SIDE));
+    assert_eq!(ruling.points, [0, 2]);
+    scene.asks(1);
+}
+
+#[test]
+fn balls_that_were_not_called_or_fell_with_a_foul_come_back() {
+    let mut scene = opened();
+    let ruling = scene.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, SIDE));
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[3][..]));
+    scene.asks(0);
+    let mut scene = opened();
+    let ruling = scene.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, CORNER).potting(0, SIDE));
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([0, -1], &[3][..]));
+    assert_eq!(scene.asks(0).hand, Some(Region::BehindHeadString));
+}
+
+#[test]
+fn a_foul_costs_a_point_and_the_cue_ball_stays_where_it_is() {
+    let mut scene = opened();
+    let ruling = scene.play(SAFE, hit(&[3]).no_rail());
+    assert_fouls(&ruling, &[Foul::NoRailAfterContact]);
+    assert_eq!(ruling.points, [0, -1]);
+    assert_eq!(scene.asks(0).hand, None);
+}
+
+#[test]
+fn the_third_foul_in_a_row_costs_fifteen_more_and_a_new_opening_break() {
+    let mut scene = opened();
+    for _ in 0..2 {
+        scene.play(SAFE, hit(&[3]).no_rail());
+        scene.play(SAFE, hit(&[3]));
+    }
+    let ruling = scene.play(SAFE, hit(&[3]).no_rail());
+    assert_eq!(ruling.points, [0, -16]);
+    assert!(ruling.racked);
+    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+    assert_eq!(scene.0.fouls_in_a_row(), [0, 0]);
+    assert_eq!(scene.0.scores(), [0, -18]);
+}
+
+#[test]
+fn the_target_wins() {
+    let mut scene = opened();
+    let mut made = 0;
+    while !scene.0.is_over() {
+        let ball = scene.0.layout().on_table().find(|b| *b != 0).expect("the rack is renewed");
+        scene.play(Call::Pocket(ball, CORNER), hit(&[ball]).potting(ball, CORNER));
+        made += 1;
+    }
+    scene.is_won_by(1);
+    assert_eq!((made, scene.0.scores()), (40, [0, 40]));
+}
+
+/// Player 1 pockets the last ball but `break_ball`, which lies at `place`, with the cue ball at `cue`.
+fn fourteen_down(break_ball: BallIndex, place: [f64; 2], cue: [f64; 2]) -> Scene {
+    let last = if break_ball == 1 { 2 } else { 1 };
+    let others = (1..=15).filter(|b| *b != last && *b != break_ball);
+    let mut scene = opened().without(others);
+    scene.0.put(break_ball, Some(place));
+    scene.0.put(last, Some([0.2, 2.0]));
+    scene.0.put(0, Some(cue));
+    let ruling = scene.play(Call::Pocket(last, CORNER), hit(&[last]).potting(last, CORNER));
+    assert!(ruling.racked);
+    assert_eq!(scene.0.layout().on_table().filter(|b| *b != 0).count(), 15);
+    scene.asks(1);
+    scene
+}
+
+const FOOT: [f64; 2] = [0.635, 1.905];
+const HEAD: [f64; 2] = [0.635, 0.635];
+const CENTER: [f64; 2] = [0.635, 1.27];
+const IN_RACK: [f64; 2] = [0.635, 2.0];
+const FAR: [f64; 2] = [0.3, 1.4];
+
+#[test]
+fn fourteen_balls_are_racked_without_the_apex_and_the_rest_stays() {
+    let scene = fourteen_down(7, FAR, [0.9, 1.0]);
+    let layout = scene.0.layout();
+    assert_eq!(layout.place(7), Some(FAR));
+    assert_eq!(layout.place(0), Some([0.9, 1.0]));
+    assert!(layout.is_free(0, FOOT), "no ball on the foot spot");
+}
+
+#[test]
+fn the_special_cases_of_racking_fourteen() {
+    // The fifteenth ball in the rack: head spot, foot spot with the cue ball in hand, or center spot.
+    assert_eq!(fourteen_down(7, IN_RACK, FAR).0.layout().place(7), Some(HEAD));
+    assert_eq!(fourteen_down(7, IN_RACK, HEAD).0.layout().place(7), Some(CENTER));
+    let both = fourteen_down(7, [0.635, 1.96], [0.635, 2.05]);
+    assert_eq!(both.0.layout().place(7), Some(FOOT));
+    assert_eq!(both.turn().hand, Some(Region::BehindHeadString));
+    // The cue ball in the rack: in hand, on the head spot, or on the center spot.
+    assert_eq!(fourteen_down(7, FAR, IN_RACK).turn().hand, Some(Region::BehindHeadString));
+    assert_eq!(fourteen_down(7, [0.3, 0.3], IN_RACK).0.layout().place(0), Some(HEAD));
+    assert_eq!(fourteen_down(7, HEAD, IN_RACK).0.layout().place(0), Some(CENTER));
+}
+
+#[test]
+fn with_the_fifteenth_ball_pocketed_too_all_are_racked() {
+    let mut scene = opened().without(3..=15);
+    let ruling =
+        scene.play(Call::Pocket(1, CORNER), hit(&[1, 2]).potting(1, CORNER).potting(2, SIDE));
+    assert_eq!(ruling.points, [0, 2]);
+    assert!(!scene.0.layout().is_free(0, FOOT), "a ball on the foot spot");
+    scene.asks(1);
+}
