@@ -15,7 +15,7 @@ table's width, y along its length, z up from the slate.
 from carom._core import __version__
 from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
-from carom.errors import CaromError, EventCapError, InputError
+from carom.errors import CaromError, EventCapError, InputError, PageError
 from carom.noise import Noise, NoisyResult
 from carom.racks import break_shot
 from carom.reference import schema, tables
@@ -30,6 +30,7 @@ __all__ = [
     "Layout",
     "Noise",
     "NoisyResult",
+    "PageError",
     "Physics",
     "Shot",
     "Snapshot",

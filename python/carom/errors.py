@@ -17,6 +17,10 @@ class InputError(CaromError, ValueError):
     """Bad input: the message names the place, what is wrong there and what would be right."""
 
 
+class PageError(CaromError):
+    """The page that ``carom play`` opens is not built; the message says how to build it."""
+
+
 class EventCapError(CaromError):
     """A shot reached its cap of events (``max_events``) before it ended.
 

@@ -233,6 +233,25 @@ class Shot:
             self._core, noise, n, seed=seed, first=first, threads=threads, progress=progress
         )
 
+    def show(self, *, height: int | None = None) -> None:
+        """Aim and play it: in the notebook, or else in the browser until Ctrl-C.
+
+        Args:
+            height: Of the viewer in the notebook, CSS pixels; None is a usual one.
+
+        Raises:
+            PageError: The page is not built into this installation.
+        """
+        from carom import page
+
+        page.show(self, height=height or page.HEIGHT)
+
+    def _repr_html_(self) -> str | None:
+        """The viewer, for notebooks; nothing but text where the page is not built."""
+        from carom import page
+
+        return page.frame(self) if page.is_built() else None
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Shot) and self._core.to_json() == other._core.to_json()
 

@@ -167,11 +167,29 @@ class Trace:
         """Write the trace as JSON."""
         Path(path).write_text(self.to_json() + "\n", encoding="utf-8")
 
+    def show(self, *, height: int | None = None) -> None:
+        """Replay it: in the notebook, or else in the browser until Ctrl-C.
+
+        Args:
+            height: Of the viewer in the notebook, CSS pixels; None is a usual one.
+
+        Raises:
+            PageError: The page is not built into this installation.
+        """
+        from carom import page
+
+        page.show(self, height=height or page.HEIGHT)
+
     def _repr_html_(self) -> str:
-        """The picture, for notebooks."""
+        """The viewer, for notebooks; the picture where the page is not built."""
+        from carom import page
+
+        if page.is_built():
+            return page.frame(self)
         from carom.picture import svg
 
         text = svg(self)
+        # The XML prologue of a stand-alone file has no place inside a page.
         return text[text.index("<svg") :]
 
     def __len__(self) -> int:

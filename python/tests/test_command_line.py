@@ -100,21 +100,13 @@ def test_on_a_terminal_the_table_has_colours_and_with_no_color_none(file: Path) 
     assert "\x1b[36m" not in plain
 
 
-def test_pictures_and_pages_are_written_where_told(
-    run: CommandLine, file: Path, tmp_path: Path
-) -> None:
-    done = run("shot", str(file), "--svg", "a.svg", "--png", "b.png", "--html", "c.html", "--json")
+def test_pictures_are_written_where_told(run: CommandLine, file: Path, tmp_path: Path) -> None:
+    done = run("shot", str(file), "--svg", "a.svg", "--png", "b.png", "--json")
     assert done.returncode == 0
     assert json.loads(done.stdout)["format"] == "carom-trace/1"
     assert ElementTree.parse(tmp_path / "a.svg").getroot().tag.endswith("svg")
     assert (tmp_path / "b.png").read_bytes().startswith(b"\x89PNG")
-    page = (tmp_path / "c.html").read_text()
-    assert "<svg" in page
-    assert "ball-collision" in page
-    # Self-contained: nothing is fetched.
-    assert "src=" not in page
-    assert "<link" not in page
-    assert {p.name for p in tmp_path.iterdir()} == {"pot.json", "a.svg", "b.png", "c.html"}
+    assert {p.name for p in tmp_path.iterdir()} == {"pot.json", "a.svg", "b.png"}
 
 
 def test_bad_input_gives_one_sentence_and_exit_code_2(

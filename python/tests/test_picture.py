@@ -238,12 +238,11 @@ def test_one_ball_that_never_moves_can_be_drawn(endless: dict[str, Any]) -> None
     assert "ball-b" in picture.svg(Shot.from_dict(endless).simulate())
 
 
-def test_ids_with_markup_do_not_break_a_page(endless: dict[str, Any]) -> None:
+def test_ids_with_markup_do_not_break_a_picture(endless: dict[str, Any]) -> None:
     endless["balls"][0]["id"] = '<b>$x_1$ & "co"'
     endless["balls"][1]["id"] = "[red]$"
     trace = Shot.from_dict(endless).simulate()
     ElementTree.fromstring(picture.svg(trace))
-    assert "<b>$x_1$" not in picture.html(trace, title="<script>")
 
 
 def test_pool_balls_look_as_they_are_sold() -> None:

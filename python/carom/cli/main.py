@@ -12,9 +12,9 @@ from typing import NoReturn
 import typer
 
 from carom import __version__
-from carom.cli import engine, reference, shots
+from carom.cli import engine, play, reference, shots
 from carom.cli.output import say, say_json
-from carom.errors import EventCapError, InputError
+from carom.errors import EventCapError, InputError, PageError
 
 # A cap below this was asked for; this one is the engine's own, and no shot should reach it.
 DEFAULT_EVENT_CAP = 100_000
@@ -29,6 +29,7 @@ app = typer.Typer(
 )
 app.command("shot")(shots.shot)
 app.command("break")(shots.break_)
+app.command("play")(play.play)
 app.command("replay")(engine.replay)
 app.command("validate")(engine.validate)
 app.command("bench")(engine.bench)
@@ -68,7 +69,7 @@ def _run() -> int:
         app(standalone_mode=True)
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else 0
-    except InputError as error:
+    except (InputError, PageError) as error:
         say(str(error))
         return 2
     except EventCapError as error:

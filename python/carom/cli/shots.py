@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 Json = Annotated[bool, typer.Option("--json", help="Print the trace (carom-trace/1).")]
 Html = Annotated[
     Path | None,
-    typer.Option("--html", metavar="OUT", help="Write a page with the picture and the events."),
+    typer.Option("--html", metavar="OUT", help="Write a page that replays the shot."),
 ]
 Svg = Annotated[Path | None, typer.Option("--svg", metavar="OUT", help="Write a picture (SVG).")]
 Png = Annotated[Path | None, typer.Option("--png", metavar="OUT", help="Write a picture (PNG).")]
@@ -80,14 +80,14 @@ def _show(
     svg: Path | None,
     png: Path | None,
 ) -> None:
-    from carom import picture
+    from carom import page, picture
 
+    if html is not None:
+        save(html, page.html(trace, title=title))
     if svg is not None:
         save(svg, picture.svg(trace, title=title))
     if png is not None:
         save(png, picture.png(trace, title=title))
-    if html is not None:
-        save(html, picture.html(trace, title=title))
     if json:
         emit(trace.to_json())
         return

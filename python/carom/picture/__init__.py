@@ -5,6 +5,6 @@ matplotlib draws them and is imported when the first one is asked for.
 
 from __future__ import annotations
 
-from carom.picture.canvas import draw, draw_table, html, png, svg, to_svg
+from carom.picture.canvas import draw, draw_table, png, svg, to_svg
 
-__all__ = ["draw", "draw_table", "html", "png", "svg", "to_svg"]
+__all__ = ["draw", "draw_table", "png", "svg", "to_svg"]

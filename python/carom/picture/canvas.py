@@ -183,37 +183,3 @@ def png(trace: Trace, *, title: str | None = None, dots_per_inch: int = DOTS_PER
         out, format="png", dpi=dots_per_inch, metadata={"Software": None}
     )
     return out.getvalue()
-
-
-def html(trace: Trace, *, title: str | None = None) -> str:
-    """One self-contained page: the picture and the table of events."""
-    from html import escape
-
-    heading = title or trace.shot.geometry()["name"] or "shot"
-    picture = svg(trace, title=heading)
-    # The XML prologue of a stand-alone file has no place inside a page.
-    picture = picture[picture.index("<svg") :]
-    return _PAGE.format(
-        title=escape(heading), picture=picture, table=escape(str(trace)), paper=colors.PAPER
-    )
-
-
-_PAGE = """<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{title} · carom</title>
-<style>
-body {{ margin: 1.5rem auto; max-width: 64rem; padding: 0 1rem; background: {paper};
-  color: #23272b; font-family: system-ui, sans-serif; }}
-svg {{ width: 100%; height: auto; }}
-pre {{ overflow-x: auto; font-size: 0.8rem; line-height: 1.35; }}
-</style>
-</head>
-<body>
-{picture}
-<pre>{table}</pre>
-</body>
-</html>
-"""

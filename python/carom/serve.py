@@ -1,0 +1,93 @@
+"""The page on this machine's own address, for ``carom play``."""
+
+from __future__ import annotations
+
+import contextlib
+import gzip
+import sys
+import threading
+import webbrowser
+from http import HTTPStatus
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+
+from carom.errors import InputError
+
+HOST = "127.0.0.1"
+
+
+class PageServer(ThreadingHTTPServer):
+    """Serves one page to this machine and to no other.
+
+    Args:
+        page: The HTML.
+        port: Which; 0 is any that is free.
+
+    Raises:
+        InputError: The port cannot be used.
+    """
+
+    daemon_threads = True
+
+    def __init__(self, page: str, port: int = 0) -> None:
+        self.plain = page.encode()
+        self.packed = gzip.compress(self.plain, compresslevel=6)
+        try:
+            super().__init__((HOST, port), _Handler)
+        except OSError as error:
+            raise InputError(
+                f"--port: {port} cannot be used ({error.strerror}); choose another, or leave the "
+                "option out for a free one"
+            ) from None
+
+    @property
+    def address(self) -> str:
+        """What to type into a browser."""
+        return f"http://{HOST}:{self.server_port}/"
+
+
+class _Handler(BaseHTTPRequestHandler):
+    server: PageServer
+    protocol_version = "HTTP/1.1"
+    server_version = "carom"
+
+    def do_GET(self) -> None:
+        if self.path.partition("?")[0] != "/":
+            self.send_error(HTTPStatus.NOT_FOUND, "There is one page here: /")
+            return
+        packed = "gzip" in self.headers.get("Accept-Encoding", "")
+        body = self.server.packed if packed else self.server.plain
+        self.send_response(HTTPStatus.OK)
+        self.send_header("Content-Type", "text/html; charset=utf-8")
+        self.send_header("Content-Length", str(len(body)))
+        if packed:
+            self.send_header("Content-Encoding", "gzip")
+        self.send_header("Vary", "Accept-Encoding")
+        # The next `carom play` may have the same port and another shot.
+        self.send_header("Cache-Control", "no-store")
+        self.send_header("X-Content-Type-Options", "nosniff")
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, format: str, *args: object) -> None:  # noqa: A002 -- the base class's name
+        """Says nothing: the terminal is the user's."""
+
+
+def serve(page: str, *, port: int = 0, browser: bool = True) -> None:
+    """Serve ``page`` until Ctrl-C, and open it in the browser.
+
+    Args:
+        page: The HTML.
+        port: Which; 0 is any that is free.
+        browser: Whether to open one.
+
+    Raises:
+        InputError: The port cannot be used.
+    """
+    with PageServer(page, port) as server:
+        sys.stderr.write(f"carom: {server.address} (Ctrl-C ends)\n")
+        sys.stderr.flush()
+        if browser:
+            # In a thread: some browsers return when they are closed.
+            threading.Thread(target=webbrowser.open, args=[server.address], daemon=True).start()
+        with contextlib.suppress(KeyboardInterrupt):
+            server.serve_forever()

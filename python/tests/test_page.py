@@ -1,0 +1,293 @@
+"""The page outside the browser: served, in a file, in a notebook; and where it is missing."""
+
+from __future__ import annotations
+
+import gzip
+import http.client
+import json
+import re
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from html import unescape
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
+import carom
+import pytest
+from carom import PageError, Shot, page, serve
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from conftest import CommandLine
+
+needs_page = pytest.mark.skipif(not page.is_built(), reason="needs the page: run `make page`")
+# A page as small as can be: what is tested here is what is put into it.
+SMALL = f"<!doctype html><title>carom</title>{page.MARKER}</script><p>&amp;</p>"
+
+
+def document_of(text: str) -> Any:
+    """What a page shows, as its script will find it."""
+    content = text.split(page.MARKER)[1].split("</script>", maxsplit=1)[0]
+    return json.loads(content) if content else None
+
+
+@pytest.fixture
+def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Instead of the built page one that is always there."""
+    path = tmp_path / "index.html"
+    path.write_text(SMALL)
+    monkeypatch.setattr(page, "path", lambda: path)
+
+
+@pytest.fixture
+def missing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """An installation without the page."""
+    monkeypatch.setattr(page, "path", lambda: tmp_path / "nowhere.html")
+
+
+@needs_page
+def test_the_built_page_shows_what_is_put_into_it(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    assert document_of(page.html()) is None
+    assert document_of(page.html(shot)) == shot.to_dict()
+    trace = shot.simulate()
+    assert document_of(page.html(trace)) == trace.to_dict()
+    assert "<title>a pot · carom</title>" in page.html(title="a pot")
+
+
+@needs_page
+def test_the_built_page_fetches_nothing() -> None:
+    text = page.html()
+    assert not re.search(r"<(script|link|img|iframe)[^>]* (src|href)=[\"'](?!data:)", text)
+
+
+@pytest.mark.usefixtures("small")
+def test_no_id_and_no_title_breaks_out_of_its_place(pot: dict[str, Any]) -> None:
+    pot["balls"][1]["id"] = "</script><!--<script>&quot;"
+    shot = Shot.from_dict(pot)
+    text = page.html(shot, title="</title><b>")
+    assert document_of(text) == shot.to_dict()
+    assert text.count("</script>") == 1
+    assert "<title>&lt;/title&gt;&lt;b&gt; · carom</title>" in text
+
+
+@pytest.mark.usefixtures("small")
+def test_the_page_in_a_notebook_is_the_page_in_a_sandbox(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    for thing in (shot, shot.simulate()):
+        text = thing._repr_html_()
+        assert text is not None
+        attributes = dict(re.findall(r'(\w+)="([^"]*)"', text))
+        assert unescape(attributes["srcdoc"]) == page.html(thing)
+        # With its parent's origin a page could reach out of its frame.
+        assert "allow-scripts" in attributes["sandbox"]
+        assert "same-origin" not in attributes["sandbox"]
+
+
+@pytest.mark.usefixtures("small")
+def test_show_displays_the_viewer_in_a_notebook(
+    pot: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shown: list[str] = []
+    display = SimpleNamespace(HTML=str, display=shown.append)
+    ipython = SimpleNamespace(get_ipython=lambda: SimpleNamespace(kernel=None), display=display)
+    monkeypatch.setitem(sys.modules, "IPython", ipython)
+    monkeypatch.setitem(sys.modules, "IPython.display", display)
+    Shot.from_dict(pot).simulate().show(height=300)
+    Shot.from_dict(pot).show()
+    assert ["height: 300px" in text for text in shown] == [True, False]
+    assert all(text.startswith("<iframe ") for text in shown)
+
+
+@pytest.mark.usefixtures("small")
+def test_show_serves_the_page_where_there_is_no_notebook(
+    pot: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    served: list[str] = []
+    monkeypatch.setattr(serve, "serve", served.append)
+    trace = Shot.from_dict(pot).simulate()
+    trace.show()
+    assert served == [page.html(trace)]
+
+
+@pytest.mark.usefixtures("missing")
+def test_without_the_page_a_notebook_has_the_picture(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    assert shot._repr_html_() is None
+    assert shot.simulate()._repr_html_().startswith("<svg")
+
+
+@pytest.mark.usefixtures("missing")
+def test_without_the_page_all_else_says_how_to_build_it(pot: dict[str, Any]) -> None:
+    for ask in (page.html, Shot.from_dict(pot).show, Shot.from_dict(pot).simulate().show):
+        with pytest.raises(PageError, match=r"not built .*`make page`.* Node"):
+            ask()
+
+
+def test_a_page_of_another_kind_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pot: dict[str, Any]
+) -> None:
+    path = tmp_path / "index.html"
+    path.write_text("<!doctype html>")
+    monkeypatch.setattr(page, "path", lambda: path)
+    with pytest.raises(PageError, match=r"make page"):
+        page.html(Shot.from_dict(pot))
+
+
+@contextmanager
+def served(text: str) -> Iterator[serve.PageServer]:
+    with serve.PageServer(text) as server:
+        thread = threading.Thread(target=server.serve_forever, daemon=True)
+        thread.start()
+        yield server
+        server.shutdown()
+        thread.join()
+
+
+def ask(
+    server: serve.PageServer, method: str, path: str, **headers: str
+) -> tuple[http.client.HTTPResponse, bytes]:
+    connection = http.client.HTTPConnection(serve.HOST, server.server_port, timeout=10)
+    connection.request(method, path, headers=headers)
+    response = connection.getresponse()
+    body = response.read()
+    connection.close()
+    return response, body
+
+
+def test_the_server_has_one_page_packed_for_those_who_can_unpack() -> None:
+    text = "<p>ω</p>" * 1000
+    with served(text) as server:
+        plain, body = ask(server, "GET", "/")
+        assert plain.status == 200
+        assert body.decode() == text
+        assert plain.headers["Content-Type"] == "text/html; charset=utf-8"
+        assert plain.headers["Cache-Control"] == "no-store"
+        packed, body = ask(server, "GET", "/?x", **{"Accept-Encoding": "br, gzip"})
+        assert packed.headers["Content-Encoding"] == "gzip"
+        assert len(body) < len(text) / 10
+        assert gzip.decompress(body).decode() == text
+        assert ask(server, "GET", "/etc/passwd")[0].status == 404
+        assert ask(server, "GET", "/..")[0].status == 404
+        assert ask(server, "POST", "/")[0].status == 501
+
+
+def test_the_server_listens_to_this_machine_only() -> None:
+    with serve.PageServer("") as server:
+        assert server.server_address[0] == "127.0.0.1"
+
+
+def test_a_taken_port_is_refused_with_its_remedy() -> None:
+    with (
+        serve.PageServer("") as server,
+        pytest.raises(carom.InputError, match=rf"--port: {server.server_port} .*free one"),
+    ):
+        serve.PageServer("", server.server_port)
+
+
+@contextmanager
+def playing(*arguments: str, stdin: str = "") -> Iterator[tuple[str, subprocess.Popen[str]]]:
+    """``carom play``, and the address that it names."""
+    with subprocess.Popen(
+        [sys.executable, "-m", "carom", "play", "--no-browser", *arguments],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert process.stdin is not None
+        assert process.stderr is not None
+        process.stdin.write(stdin)
+        process.stdin.close()
+        process.stdin = None
+        try:
+            line = process.stderr.readline()
+            address = re.search(r"http://127\.0\.0\.1:(\d+)/", line)
+            assert address, line
+            yield address[1], process
+        finally:
+            process.kill()
+
+
+def get(port: str) -> str:
+    connection = http.client.HTTPConnection("127.0.0.1", int(port), timeout=10)
+    connection.request("GET", "/")
+    text = connection.getresponse().read().decode()
+    connection.close()
+    return text
+
+
+@needs_page
+def test_play_serves_a_shot_or_a_trace_and_ends_quietly_on_ctrl_c(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    for thing in (shot, shot.simulate()):
+        with playing("-", stdin=thing.to_json()) as (port, process):
+            assert document_of(get(port)) == thing.to_dict()
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=10)
+            assert (process.returncode, out, err) == (0, "", "")
+
+
+@needs_page
+def test_play_without_a_file_serves_the_page_as_it_is() -> None:
+    with playing() as (port, _):
+        assert document_of(get(port)) is None
+
+
+@needs_page
+def test_play_refuses_bad_input_before_it_serves(run: CommandLine, pot: dict[str, Any]) -> None:
+    pot["balls"][1]["position"] = [9.0, 9.0]
+    trace = {"format": "carom-trace/1"}
+    for text, words in [
+        (json.dumps(pot), "balls[1].position"),
+        ("{", "JSON"),
+        (json.dumps(trace), "shot"),
+        ("[]", "object"),
+    ]:
+        done = run("play", "-", "--no-browser", stdin=text)
+        assert (done.returncode, done.stdout) == (2, ""), text
+        assert len(done.stderr.splitlines()) == 1
+        assert words in done.stderr
+    assert run("play", "nowhere.json").returncode == 2
+    assert run("play", "--port", "70000").returncode == 2
+
+
+@needs_page
+def test_html_writes_a_page_that_holds_the_trace(
+    run: CommandLine, pot: dict[str, Any], tmp_path: Path
+) -> None:
+    done = run("shot", "-", "--html", "out.html", "--json", stdin=json.dumps(pot))
+    assert (done.returncode, done.stderr) == (0, "")
+    text = (tmp_path / "out.html").read_text()
+    assert document_of(text) == json.loads(done.stdout)
+    assert [p.name for p in tmp_path.iterdir()] == ["out.html"]
+
+
+def test_an_installation_without_the_page_says_so_and_does_nothing_else(tmp_path: Path) -> None:
+    program = (
+        "import sys, pathlib, carom.page\n"
+        "carom.page.path = lambda: pathlib.Path('nowhere.html')\n"
+        "from carom.cli import main\n"
+        "main()\n"
+    )
+    shot = tmp_path / "shot.json"
+    shot.write_text(carom.break_shot("nine-ball").to_json())
+    for arguments in (
+        ["play"],
+        ["shot", str(shot), "--html", "out.html", "--svg", "out.svg"],
+    ):
+        done = subprocess.run(
+            [sys.executable, "-c", program, *arguments],
+            capture_output=True,
+            text=True,
+            cwd=tmp_path,
+            check=False,
+        )
+        assert (done.returncode, done.stdout) == (2, "")
+        assert re.fullmatch(r"carom: the page is not built .*`make page`.*\n", done.stderr)
+    assert [p.name for p in tmp_path.iterdir()] == ["shot.json"]
