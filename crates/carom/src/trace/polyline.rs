@@ -22,7 +22,8 @@ impl Trace {
     /// The way of ball `ball` (an index into the shot's balls): points on its exact path, one at every
     /// event of the ball, and so many between that the path is nowhere further than `tolerance` (m,
     /// greater than 0) from the line through them. It starts at time 0 and ends with the ball's last
-    /// event, or with the shot for a ball that never rests.
+    /// event, or with the shot for a ball that never rests. Where a ball falls into a pocket there are
+    /// two points at one time: where it fell, and where it lies below the hole.
     pub fn polyline(&self, ball: usize, tolerance: f64) -> Vec<Waypoint> {
         let mut points: Vec<Waypoint> = Vec::new();
         for piece in self.pieces(ball) {
@@ -34,7 +35,7 @@ impl Trace {
             points.push(start);
             let end = piece.end.min(self.duration);
             if piece.path.moves() && end > start.time {
-                bend(&mut points, &piece, end, tolerance);
+                follow(&mut points, &piece, end, tolerance);
             }
         }
         points
@@ -45,12 +46,12 @@ impl Trace {
 ///
 /// Between the times t₀ and t₁ the path r₀ + vt + ht² is |h × v|/|c|·(t − t₀)(t₁ − t) from its chord,
 /// c = v + h(t₀ + t₁) being the mean velocity; at most |h × v|/c·Δt²/4. That is its distance from the
-/// chord's ends too unless the ball turns back, so the instant of least speed is a point as well.
-fn bend(points: &mut Vec<Waypoint>, piece: &Piece, end: f64, tolerance: f64) {
+/// segment too unless the ball turns back, so the instant of least speed is a point as well.
+fn follow(points: &mut Vec<Waypoint>, piece: &Piece, end: f64, tolerance: f64) {
     let path = &piece.path;
     let length = end - piece.start;
     let slowest = slowest(path);
-    let cuts = [slowest.filter(|t| *t < length), Some(length)];
+    let cuts = [slowest.filter(|t| piece.start + t < end), Some(length)];
     let mut from = 0.0;
     for to in cuts.into_iter().flatten() {
         let nearest = slowest.map_or(0.0, |t| t.clamp(from, to));

@@ -13,3 +13,4 @@ mod preset_cushions;
 mod support;
 mod trace_file;
 mod trace_outcome;
+mod ways;
