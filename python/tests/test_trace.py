@@ -107,7 +107,9 @@ def test_states_have_the_shapes_that_the_contract_names(nine_ball_trace: Trace) 
         assert array.shape == (n, 3)
         assert array.dtype == np.float64
     assert now.motion.shape == (n,)
+    assert now.orientation.shape == (n, 4)
     several = nine_ball_trace.at([0.0, 0.25, 1.0])
+    assert several.orientation.shape == (3, n, 4)
     assert several.position.shape == (3, n, 3)
     assert several.motion.shape == (3, n)
     assert (several.position[1] == now.position).all()
@@ -128,6 +130,26 @@ def test_at_the_instant_of_an_event_the_state_is_the_one_after_it(nine_ball_trac
         assert state.velocity[index].tolist() == ball["velocity"]
         assert state.angular_velocity[index].tolist() == ball["angular_velocity"]
         assert state.motion[index] == ball["motion"]
+
+
+def test_a_rolling_ball_turns_with_its_way() -> None:
+    """A unit quaternion about the axis to the left of the way, by the way over the radius."""
+    radius, speed = 0.028575, 1.0
+    ball = {
+        "id": "cue",
+        "position": [0.0, 0.0],
+        "velocity": [speed, 0.0, 0.0],
+        "angular_velocity": [0.0, speed / radius, 0.0],
+        "radius": radius,
+    }
+    file = {"format": "carom-shot/1", "table": {"cloth": "unbounded"}, "balls": [ball]}
+    trace = Shot.from_dict(file).simulate()
+    states = trace.at(np.linspace(0.0, trace.duration, 50))
+    half = states.position[:, 0, 0] / radius / 2.0
+    expected = np.stack([0.0 * half, np.sin(half), 0.0 * half, np.cos(half)], axis=1)
+    turned = states.orientation[:, 0, :]
+    assert np.allclose(np.abs(np.sum(turned * expected, axis=1)), 1.0, atol=CLOSED_FORM_ROUNDING)
+    assert turned[0].tolist() == [0.0, 0.0, 0.0, 1.0]
 
 
 def test_the_path_between_events_ends_where_the_next_event_begins(nine_ball_trace: Trace) -> None:

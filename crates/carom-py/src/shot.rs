@@ -41,7 +41,7 @@ impl Shot {
 
     fn simulate(&self, py: Python<'_>) -> PyResult<Trace> {
         let trace = py.detach(|| self.0.simulate());
-        trace.map(Trace).map_err(|e| to_exception(py, &e))
+        trace.map(Trace::from).map_err(|e| to_exception(py, &e))
     }
 
     #[getter]

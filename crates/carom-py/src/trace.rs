@@ -1,7 +1,10 @@
 //! `_core.Trace`.
 
+use std::sync::OnceLock;
+
 use carom::BallState;
 use carom::math::Vec3;
+use carom::trace::Orientations;
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
@@ -11,76 +14,87 @@ use crate::shot::Shot;
 
 /// A simulated shot with all its events; immutable.
 #[pyclass(frozen, module = "carom._core")]
-pub(crate) struct Trace(pub(crate) carom::Trace);
+pub(crate) struct Trace {
+    trace: carom::Trace,
+    orientations: OnceLock<Orientations>,
+}
+
+impl From<carom::Trace> for Trace {
+    fn from(trace: carom::Trace) -> Self {
+        Self { trace, orientations: OnceLock::new() }
+    }
+}
 
 type Cube<'py> = Bound<'py, PyArray3<f64>>;
+type States<'py> = (Cube<'py>, Cube<'py>, Cube<'py>, Cube<'py>, Vec<&'static str>);
 
 #[pymethods]
 impl Trace {
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
-        carom::Trace::from_json(text).map(Self).map_err(|e| to_exception(py, &e))
+        carom::Trace::from_json(text).map(Self::from).map_err(|e| to_exception(py, &e))
     }
 
     #[staticmethod]
     fn from_object(value: &Bound<'_, PyAny>) -> PyResult<Self> {
         carom::Trace::from_node(&from_python(value)?)
-            .map(Self)
+            .map(Self::from)
             .map_err(|e| to_exception(value.py(), &e))
     }
 
     fn to_object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.to_node())
+        to_python(py, &self.trace.to_node())
     }
 
     fn to_json(&self) -> String {
-        self.0.to_json()
+        self.trace.to_json()
     }
 
     fn shot(&self) -> Shot {
-        Shot(self.0.shot().clone().into())
+        Shot(self.trace.shot().clone().into())
     }
 
-    /// Position, velocity, spin, each (times, balls, 3), and motions, (times × balls).
-    fn at<'py>(
-        &self,
-        py: Python<'py>,
-        times: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<(Cube<'py>, Cube<'py>, Cube<'py>, Vec<&'static str>)> {
+    /// Position, velocity, spin, each (times, balls, 3), orientation (times, balls, 4), and motions,
+    /// (times × balls).
+    fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
         let times = times.as_array();
-        let shape = [times.len(), self.0.shot().balls().len(), 3];
-        let mut states: Vec<BallState> = Vec::with_capacity(shape[0] * shape[1]);
+        let balls = self.trace.shot().balls().len();
+        let orientations = self.orientations.get_or_init(|| self.trace.orientations());
+        let mut states: Vec<BallState> = Vec::with_capacity(times.len() * balls);
+        let mut turned: Vec<[f64; 4]> = Vec::with_capacity(times.len() * balls);
         for &time in times {
-            states.extend(self.0.at(time).map_err(|e| to_exception(py, &e))?);
+            states.extend(self.trace.at(time).map_err(|e| to_exception(py, &e))?);
+            turned.extend((0..balls).map(|ball| orientations.at(ball, time)));
         }
         let cube = |of: fn(&BallState) -> Vec3| {
             let flat = states.iter().flat_map(|s| of(s).to_array()).collect::<Vec<f64>>();
-            PyArray1::from_vec(py, flat).reshape(shape)
+            PyArray1::from_vec(py, flat).reshape([times.len(), balls, 3])
         };
         Ok((
             cube(|s| s.position)?,
             cube(|s| s.velocity)?,
             cube(|s| s.angular_velocity)?,
+            PyArray1::from_vec(py, turned.into_flattened()).reshape([times.len(), balls, 4])?,
             states.iter().map(|s| s.motion.name()).collect(),
         ))
     }
 
     /// Where the two part first, in one sentence; None if they are the same to the bit.
     fn first_difference(&self, again: &Self) -> Option<String> {
-        self.0.first_difference(&again.0)
+        self.trace.first_difference(&again.trace)
     }
 
     #[getter]
     fn duration(&self) -> f64 {
-        self.0.duration()
+        self.trace.duration()
     }
 
     #[getter]
     fn hash(&self) -> String {
-        format!("{:016x}", self.0.hash())
+        format!("{:016x}", self.trace.hash())
     }
 
     fn __len__(&self) -> usize {
-        self.0.events().len()
+        self.trace.events().len()
     }
 }
