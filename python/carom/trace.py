@@ -41,10 +41,10 @@ class Snapshot:
         position: Centres, m, shape ([n_times,] n_balls, 3).
         velocity: m/s, same shape.
         angular_velocity: rad/s, same shape.
-        orientation: The turn from how each ball lay at the start: unit quaternions x, y, z, w, shape
-            ([n_times,] n_balls, 4). Where the axis of the spin stays it is exact to rounding;
-            elsewhere it is integrated from the spin (Magnus expansion of fourth order, Blanes et
-            al. 2009) to better than 1e-5 rad.
+        orientation: The turn from how each ball lay at the start, unit quaternions x, y, z, w;
+            shape ([n_times,] n_balls, 4). Where the axis of the spin stays it is exact to
+            rounding; elsewhere it is integrated from the spin (Magnus expansion of fourth order,
+            Blanes et al. 2009) to better than 1e-5 rad.
         motion: ``"stationary"``, ``"spinning"``, ``"rolling"``, ``"sliding"``, ``"airborne"``,
             ``"pocketed"`` or ``"off-table"``; strings, shape ([n_times,] n_balls).
     """
@@ -150,11 +150,12 @@ class Trace:
             raise InputError(f"time: {time!r} is not a number of seconds; write one") from None
         if times.ndim > 1:
             raise InputError(f"time: found {times.ndim} axes; give a number or a flat array")
-        *arrays, motion = self._core.at(np.atleast_1d(times))
-        motions = np.array(motion, dtype=np.str_).reshape(arrays[0].shape[:2])
+        position, velocity, spin, orientation, motion = self._core.at(np.atleast_1d(times))
+        motions = np.array(motion, dtype=np.str_).reshape(position.shape[:2])
         if times.ndim == 0:
-            return Snapshot(float(times), *(array[0] for array in arrays), motions[0])
-        return Snapshot(times, *arrays, motions)
+            at = float(times)
+            return Snapshot(at, position[0], velocity[0], spin[0], orientation[0], motions[0])
+        return Snapshot(times, position, velocity, spin, orientation, motions)
 
     def difference(self, again: Trace) -> str | None:
         """Where the two part first, in any bit of any event or final state; None if nowhere."""
