@@ -371,7 +371,6 @@ export class Viewer {
     if (!cue || !this.#geometry || cue.ball >= this.#balls.count) {
       this.#cue.hide();
       this.#aim.clear().commit();
-      this.#rig.setAim(null, 0);
       return;
     }
     const center = this.#balls.center(cue.ball);
@@ -383,7 +382,7 @@ export class Viewer {
       .clear()
       .add([x, y, z, x + far * dx, y + far * dy, z], 3, "#ffffff")
       .commit();
-    this.#rig.setAim(center, cue.azimuth);
+    this.#rig.setAim(center, cue);
   }
 
   #applyLevel(): void {

@@ -26,6 +26,11 @@ export const TOP_FOV = 0.14;
 export const WIDE_FOV = 0.62;
 /** Share of the picture's width and height that is left free on each side. */
 const MARGIN = 0.02;
+/** How much below the slate the oblique view includes, m. */
+const APRON = 0.12;
+/** Height of the camera behind the cue above the horizon, and above the cue, rad. */
+const SHOULDER = 0.37;
+const OVER_CUE = 0.2;
 
 /** The long axis lies across the screen, or upright if the table is larger then. */
 export function top(box: Box, aspect: number): Pose {
@@ -36,20 +41,33 @@ export function top(box: Box, aspect: number): Pose {
 
 /** From one side, turned a little; on upright screens from the head of the table. */
 export function oblique(box: Box, aspect: number): Pose {
+  // A little of what is below the rails is worth seeing.
+  const { min, max } = box;
+  const body: Box = { min: [min[0], min[1], min[2] - APRON], max };
   const across = top(box, aspect).azimuth === 0;
   return across
-    ? fit(box, { azimuth: -0.42, polar: 0.92, fov: WIDE_FOV }, aspect)
-    : fit(box, { azimuth: -Math.PI / 2, polar: 0.62, fov: WIDE_FOV }, aspect);
+    ? fit(body, { azimuth: -0.3, polar: 0.86, fov: WIDE_FOV }, aspect)
+    : fit(body, { azimuth: -Math.PI / 2, polar: 0.55, fov: WIDE_FOV }, aspect);
 }
 
-/** Over the shooter's shoulder: behind a ball at `center` (m), along the cue's direction. */
-export function behind(center: Vector3, azimuth: number, aspect: number): Pose {
-  const ahead = new Vector3(Math.cos(azimuth), Math.sin(azimuth), 0);
+/**
+ * Over the shooter's shoulder: behind a ball at `center` (m), along the cue's direction, and above the cue.
+ *
+ * @param azimuth - The cue's direction, rad; `elevation`: how far its butt is raised, rad.
+ */
+export function behind(
+  center: Vector3,
+  { azimuth, elevation }: { azimuth: number; elevation: number },
+  aspect: number,
+): Pose {
+  const above = Math.max(SHOULDER, elevation + OVER_CUE);
+  const polar = Math.max(0.1, Math.PI / 2 - above);
+  const ahead = 0.42 * Math.sin(polar);
   return {
-    target: center.clone().addScaledVector(ahead, 0.42),
+    target: new Vector3(Math.cos(azimuth), Math.sin(azimuth), 0).multiplyScalar(ahead).add(center),
     azimuth: azimuth + Math.PI,
-    polar: 1.19,
-    distance: aspect < 1 ? 1.75 : 1.3,
+    polar,
+    distance: aspect < 1 ? 1.9 : 1.35,
     fov: 0.8,
   };
 }

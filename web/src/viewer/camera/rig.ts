@@ -20,7 +20,7 @@ export class Rig {
   #box: Box = { min: [0, 0, 0], max: [1, 1, 1] };
   #aspect = 1;
   /** Centre of the ball that is aimed at, m, and the cue's direction, rad. */
-  #aim: { center: Vector3; azimuth: number } | null = null;
+  #aim: { center: Vector3; azimuth: number; elevation: number } | null = null;
   #flight: { from: Pose; start: number } | null = null;
   #pose: Pose = top(this.#box, 1);
   #enabled = true;
@@ -88,8 +88,9 @@ export class Rig {
     this.#follow();
   }
 
-  setAim(center: Vector3 | null, azimuth: number): void {
-    this.#aim = center && { center: center.clone(), azimuth };
+  /** The cue on the ball at `center` (m); the view behind the cue stays where it is for null. */
+  setAim(center: Vector3, { azimuth, elevation }: { azimuth: number; elevation: number }): void {
+    this.#aim = { center: center.clone(), azimuth, elevation };
     if (this.#mode === "cue") this.#follow();
   }
 
@@ -111,7 +112,7 @@ export class Rig {
 
   #goal(): Pose {
     if (this.#mode === "cue" && this.#aim) {
-      return behind(this.#aim.center, this.#aim.azimuth, this.#aspect);
+      return behind(this.#aim.center, this.#aim, this.#aspect);
     }
     return this.#mode === "top" ? top(this.#box, this.#aspect) : oblique(this.#box, this.#aspect);
   }

@@ -33,7 +33,7 @@ interface Part extends Run {
 }
 
 /** Ends of parts closer than this are one point, m: a micron, far below any part's length. */
-const JOIN = 1e-6;
+export const JOIN = 1e-6;
 /** Largest angle between the chords of an arc, rad. */
 const CHORD_ANGLE = Math.PI / 20;
 /** Wood that is left behind a pocket, m. */

@@ -2,7 +2,7 @@
 
 import type { BufferGeometry } from "three";
 import type { Geometry, Point } from "../types";
-import type { Outline } from "./outline";
+import { beyond, JOIN, type Outline } from "./outline";
 import { offset, raised, ring, roundedRectangle, Surface, type Line, type Shade } from "./surface";
 
 /** How far the foot of a cushion stands behind its nose, m: a rounded wedge, like the rubber's. */
@@ -11,6 +11,10 @@ const RECESS = 0.014;
 const NOSE = 0.006;
 /** Width of the shade on the cloth at the foot of a cushion, m. */
 const FOOT_SHADE = 0.045;
+/** Length over which it fades at a pocket, m. */
+const SHADE_TAPER = 0.018;
+/** Cloth that is stretched over rubber is a little lighter than on the bed. */
+const CUSHION_TOP = 1.1;
 /** Depth of the holes, and of the cloth that is folded into them, m. */
 const HOLE_DEPTH = 0.14;
 const FOLD = 0.012;
@@ -59,7 +63,7 @@ export function solid(geometry: Geometry, plan: Outline): Solid {
   }
   const cushions = new Surface();
   const shade = new Surface();
-  for (const rubber of plan.rubbers) cushions.fill(rubber, [], height);
+  for (const rubber of plan.rubbers) cushions.fill(rubber, [], height, CUSHION_TOP);
   for (const run of plan.runs) {
     if (run.material === "liner") {
       wall(wells, run.points, height);
@@ -70,15 +74,7 @@ export function solid(geometry: Geometry, plan: Outline): Solid {
       [raised(run.points, height), raised(run.points, height - NOSE), raised(foot, 0)],
       [1, 0.86, 0.5],
     );
-    const reach = shifted(run.points, size, width, -FOOT_SHADE);
-    shade.bands(
-      [raised(foot, LAYER), raised(run.points, LAYER), raised(reach, LAYER)],
-      [
-        [0, 0.55],
-        [0, 0.34],
-        [0, 0],
-      ],
-    );
+    footShade(shade, run.points, size, width);
   }
   return {
     cloth: cloth.geometry(),
@@ -88,6 +84,24 @@ export function solid(geometry: Geometry, plan: Outline): Solid {
     wood: wood(size, plan, height),
     frame: frame(size, plan.reach),
   };
+}
+
+/** The shade along a cushion's nose, soft towards the cloth and at both ends. */
+function footShade(surface: Surface, line: readonly Point[], size: Point, width: number): void {
+  const nose = line.filter((point) => Math.abs(beyond(point, size)) < JOIN);
+  const [a, b] = [nose[0]!, nose.at(-1)!];
+  const taper = SHADE_TAPER / Math.hypot(b[0] - a[0], b[1] - a[1]);
+  // Beside a pocket the shade runs out; in a corner of two cushions it meets the other's.
+  const ends = line.length > nose.length ? 0 : 1;
+  const points = [0, taper, 1 - taper, 1].map((t): Point => [
+    a[0] + t * (b[0] - a[0]),
+    a[1] + t * (b[1] - a[1]),
+  ]);
+  const rows = [RECESS, 0, -0.4 * FOOT_SHADE, -FOOT_SHADE].map((distance) =>
+    raised(shifted(points, size, width, distance), LAYER),
+  );
+  const darkness = [0.6, 0.36, 0.12, 0].map((opacity): Shade => [0, opacity]);
+  surface.bands(rows, darkness, (i) => (i === 0 || i === 3 ? ends : 1));
 }
 
 /** A pocket's wall, down from the leather on its top. */
@@ -101,7 +115,9 @@ function wall(surface: Surface, points: readonly Point[], height: number): void 
     lines.push(raised(offset(points, out), height + RIM_HEIGHT * Math.sin(angle)));
     shades.push(1);
   }
-  lines.push(raised(points, 0), raised(points, -HOLE_DEPTH));
+  // In front of the hole's own wall.
+  const inner = offset(points, -LAYER);
+  lines.push(raised(inner, 0), raised(inner, -HOLE_DEPTH));
   shades.push(0.45, 0.1);
   surface.bands(lines, shades);
 }
