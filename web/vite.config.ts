@@ -24,8 +24,8 @@ export default defineConfig({
           globalSetup: "tests/e2e/setup.ts",
           // One browser, one page at a time: software rendering needs the cores.
           fileParallelism: false,
-          testTimeout: 60_000,
-          hookTimeout: 120_000,
+          testTimeout: 30_000,
+          hookTimeout: 60_000,
         },
       },
     ],

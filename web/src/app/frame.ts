@@ -47,11 +47,16 @@ export class FrameLoop {
     this.invalidate();
   }
 
-  /** Runs what waits for the next frame now: a gesture that ends must not lose its last move. */
+  /**
+   * Runs what waits for the next frame now, and what that asks for: a gesture that ends must not
+   * lose its last move.
+   */
   flush(): void {
-    const handles = [...this.#inputs.values()];
-    this.#inputs.clear();
-    for (const handle of handles) handle();
+    while (this.#inputs.size > 0) {
+      const handles = [...this.#inputs.values()];
+      this.#inputs.clear();
+      for (const handle of handles) handle();
+    }
   }
 
   /** Calls `tick` every frame until it returns false. */
@@ -61,11 +66,13 @@ export class FrameLoop {
   }
 
   #frame(now: number): void {
-    this.#pending = false;
     const elapsed = this.#last === null ? 0 : (now - this.#last) / 1000;
+    // Still pending: what this frame's changes ask for is in this frame's picture.
     this.flush();
     for (const tick of [...this.#ticks]) if (!tick(elapsed)) this.#ticks.delete(tick);
+    this.flush();
     const more = this.#draw() || this.#ticks.size > 0;
+    this.#pending = false;
     this.#last = more ? now : null;
     if (more) this.invalidate();
   }

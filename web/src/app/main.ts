@@ -1,1 +1,68 @@
-document.body.textContent = "carom";
+/** Starts the page: what to show, the engine, the viewer, and the loop that draws. */
+
+import "./style.css";
+import { load } from "../engine/index.ts";
+import { Viewer } from "../viewer/index.ts";
+import type { Context } from "./context.ts";
+import { FrameLoop } from "./frame.ts";
+import { mountNotices } from "./notices.ts";
+import { mountPage, place } from "./page.ts";
+import { Scene } from "./scene.ts";
+import { opened } from "./start.ts";
+import { Store } from "./store.ts";
+import { shownTheme } from "./theme.ts";
+import { errorText } from "./words.ts";
+
+const REDUCED_MOTION = matchMedia("(prefers-reduced-motion: reduce)");
+
+async function start(): Promise<void> {
+  const engine = await load();
+  const first = opened(engine);
+  const store = new Store(engine, first.document, first.view);
+  let draw = () => false;
+  const loop = new FrameLoop(() => draw());
+  const viewer = new Viewer(place("table") as HTMLCanvasElement, {
+    theme: shownTheme(store.view.theme),
+    reducedMotion: REDUCED_MOTION.matches,
+    onChange: () => {
+      loop.invalidate();
+    },
+  });
+  const context: Context = {
+    engine,
+    viewer,
+    loop,
+    announce: mountNotices(place("notice")),
+    reducedMotion: () => REDUCED_MOTION.matches,
+  };
+  const scene = new Scene(store, context);
+  mountPage(store, context, first.welcome);
+  first.then(store);
+  draw = () => {
+    scene.update();
+    if (viewer.needsFrame) viewer.render();
+    return viewer.needsFrame;
+  };
+  window.carom = { store, engine, viewer, scene };
+  // The page can be used from the first picture on. Since the navigation began; a benchmark reads it.
+  loop.input("first picture", () =>
+    requestAnimationFrame(() => performance.mark("carom:interactive")),
+  );
+}
+
+declare global {
+  interface Window {
+    /**
+     * For tests and for tinkering in the console: the state (`carom.store.strike({speed: 3}, "try")`),
+     * the engine (`carom.engine.shot(json).simulate().hash`), the viewer, and the scene's timings.
+     */
+    carom?: Pick<Context, "engine" | "viewer"> & { store: Store; scene: Scene };
+  }
+}
+
+start().catch((error: unknown) => {
+  const refusal = place("refusal");
+  refusal.hidden = false;
+  refusal.textContent = `The table cannot be shown. ${errorText(error)}`;
+  console.error(error);
+});

@@ -1,19 +1,50 @@
 /** Puts every part of the page on its place. */
 
+import { mountAimPanel } from "./aim-panel.ts";
 import type { Context } from "./context.ts";
+import { mountDock, mountTake } from "./dock.ts";
+import { mountFirstUse } from "./first-use.ts";
+import { mountGestures } from "./gestures.ts";
+import { mountCamera, mountHistory, mountPageMenu } from "./header.ts";
+import { mountHelp } from "./help.ts";
+import { mountKeys } from "./keys.ts";
+import { mountLayoutPanel } from "./layout-panel.ts";
+import { mountRefusal } from "./notices.ts";
+import { mountPhysicsPanel } from "./physics-panel.ts";
+import { mountState } from "./replay/panel.ts";
+import { mountTimeline } from "./replay/timeline.ts";
 import type { Store } from "./store.ts";
 import { mountTabs } from "./tabs.ts";
+import { mountTheme } from "./theme.ts";
 
 /** The mount point with this id in index.html. */
-function place(id: string): HTMLElement {
+export function place(id: string): HTMLElement {
   const element = document.getElementById(id);
   if (!element) throw new Error(`index.html has no element "${id}"`);
   return element;
 }
 
-// Mount points of the parts with folders of their own, each mountX(root, store, context):
-// replay/: "timeline" in the dock, "panel-state"; whatif/: "panel-whatif"; share/: "share".
-export function mountPage(store: Store, context: Context): void {
-  context.loop.invalidate();
+/** @param welcome Whether the first steps are shown. */
+export function mountPage(store: Store, context: Context, welcome: boolean): void {
+  const table = place("table") as HTMLCanvasElement;
+  mountTheme(store, context);
+  mountRefusal(place("refusal"), store);
   mountTabs(place("tabs"), store);
+  mountAimPanel(place("panel-aim"), store, context);
+  mountLayoutPanel(place("panel-layout"), store, context);
+  mountPhysicsPanel(place("panel-physics"), store, context);
+  mountState(place("panel-state"), store);
+  mountTimeline(place("timeline"), store, context);
+  mountDock(place("shoot"), store, context);
+  mountTake(place("take"), store, context);
+  mountHistory(place("history"), store, context);
+  mountCamera(place("camera"), store, context);
+  const showSteps = mountFirstUse(place("first-use"), store, welcome);
+  const openHelp = mountHelp(place("help") as HTMLDialogElement, showSteps);
+  mountPageMenu(place("page-menu"), store, openHelp);
+  mountGestures(table, store, context);
+  mountKeys(table, { store, context, openHelp });
+  store.subscribe((now, before) => {
+    if (now.session.mode !== before.session.mode) document.body.dataset.mode = now.session.mode;
+  });
 }

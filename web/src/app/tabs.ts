@@ -13,7 +13,7 @@ interface Tab {
 const TABS: readonly Tab[] = [
   { name: "state", label: "Replay", replay: true },
   { name: "aim", label: "Aim" },
-  { name: "layout", label: "Balls" },
+  { name: "layout", label: "Layout" },
   { name: "physics", label: "Physics" },
   { name: "whatif", label: "What if" },
 ];

@@ -44,7 +44,7 @@ export interface CuePose {
 
 /**
  * Something to point out. `kind` is an event's type (`ball-collision`, `rail-collision`, …), which gets a
- * small ring of its colour at `position`, or `ghost-ball`: a translucent ball there.
+ * small ring of its colour at `position`, `ghost-ball`: a translucent ball there, or `refused`: a red one, where a ball may not lie.
  */
 export interface Mark {
   position: readonly [number, number, number];

@@ -51,6 +51,8 @@ export interface ViewerOptions {
   shadows?: boolean;
   /** Cameras jump instead of flying. */
   reducedMotion?: boolean;
+  /** Called when {@link Viewer.needsFrame} becomes true, also by the hand or the window's size. */
+  onChange?: () => void;
 }
 
 /**
@@ -82,6 +84,7 @@ export class Viewer {
   #infos: readonly BallInfo[] = [];
   #pose: CuePose | null = null;
   #selected: number | null = null;
+  readonly #onChange: () => void;
   #dirty = true;
   #renderMs = 0;
 
@@ -91,6 +94,7 @@ export class Viewer {
    */
   constructor(canvas: HTMLCanvasElement, options: ViewerOptions) {
     this.#canvas = canvas;
+    this.#onChange = options.onChange ?? (() => undefined);
     this.#software = isSoftware();
     // Smoothing is for the life of a context; software renders it too slowly.
     this.#renderer = new WebGLRenderer({ canvas, antialias: !this.#software });
@@ -357,6 +361,7 @@ export class Viewer {
 
   #touch(): void {
     this.#dirty = true;
+    this.#onChange();
   }
 
   /** What depends on where the balls are. */

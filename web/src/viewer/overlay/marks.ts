@@ -24,6 +24,9 @@ const KINDS: Readonly<Record<string, string>> = {
   "motion-transition": "#d7d2c4",
   "off-table": "#ff5ca8",
 };
+/** What is put over a ball where it may not lie: red, and a little larger than the ball. */
+const REFUSED = "#ff2a1a";
+const REFUSED_SIZE = 1.12;
 /** Inner and outer radius of an event's ring, m. */
 const EVENT_RING = [0.009, 0.0135] as const;
 /** Inner and outer radius of the selected ball's ring, ball radii. */
@@ -55,12 +58,14 @@ export class Marks {
     for (const mesh of this.#used) this.group.remove(mesh);
     this.#used = marks.map((mark) => {
       const [x, y, z] = mark.position;
-      const ghost = mark.kind === "ghost-ball";
+      const refused = mark.kind === "refused";
+      const ghost = refused || mark.kind === "ghost-ball";
       const mesh = new Mesh<BufferGeometry>(ghost ? this.#ball : this.#ring);
       if (ghost) {
         const ball = mark.ball ?? 0;
-        mesh.material = this.#ghost(balls.looks[ball]?.path ?? "#ffffff");
-        mesh.scale.setScalar(ball < balls.count ? balls.info(ball).radius : z);
+        mesh.material = this.#ghost(refused ? REFUSED : (balls.looks[ball]?.path ?? "#ffffff"));
+        const radius = ball < balls.count ? balls.info(ball).radius : z;
+        mesh.scale.setScalar(refused ? REFUSED_SIZE * radius : radius);
       } else {
         mesh.material = this.#flat(KINDS[mark.kind] ?? "#ffffff");
       }

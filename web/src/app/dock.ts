@@ -1,0 +1,74 @@
+/** Below the table: what would happen, and the button that makes it happen. */
+
+import { clearTheCue, shoot, takeItFromHere } from "./actions.ts";
+import type { Context } from "./context.ts";
+import { h, icon, setText } from "./dom.ts";
+import type { Store } from "./store.ts";
+import { obstruction, summary } from "./words.ts";
+
+/** Screen readers are told once the aim has rested this long (ms), not at every pixel of a drag. */
+const QUIET = 600;
+
+export function mountDock(root: HTMLElement, store: Store, context: Context): void {
+  const text = h("p", { class: "outcome", id: "outcome" });
+  const warning = h("p", { class: "warning" });
+  const remedy = h(
+    "button",
+    { type: "button", class: "button", onclick: () => clearTheCue(store) },
+    "Raise the cue",
+  );
+  const button = h(
+    "button",
+    {
+      type: "button",
+      class: "button primary shoot",
+      id: "shoot-button",
+      onclick: () => shoot(store, context),
+    },
+    icon("M5 19L15 9M15 9l4-4M17 3l4 4"),
+    "Shoot",
+  );
+  const aloud = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
+  root.append(
+    h("div", { class: "told" }, text, h("div", { class: "row" }, warning, remedy)),
+    button,
+    aloud,
+  );
+
+  let timer: ReturnType<typeof setTimeout> | undefined;
+
+  function show(): void {
+    if (store.session.mode !== "aim") return;
+    const { trace, error } = store.ghost;
+    const obstacle = trace ? obstruction(trace.outcome) : null;
+    setText(text, trace ? summary(trace).join(" ") : (error ?? ""));
+    setText(warning, obstacle ?? "");
+    warning.hidden = obstacle === null;
+    remedy.hidden = obstacle === null || trace?.outcome.least_elevation_deg === null;
+    button.setAttribute("aria-disabled", String(trace === null));
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      setText(aloud, [text.textContent, obstacle].filter(Boolean).join(" "));
+    }, QUIET);
+  }
+  // Once per frame, however many changes there were.
+  store.subscribe((now, before) => {
+    if (now.document === before.document && now.session.mode === before.session.mode) return;
+    context.loop.input(root, show);
+  });
+  show();
+}
+
+/** Beside the replay's timeline: the way on. */
+export function mountTake(root: HTMLElement, store: Store, context: Context): void {
+  const take = () => {
+    takeItFromHere(store, context);
+  };
+  root.append(
+    h(
+      "button",
+      { type: "button", class: "button", id: "take-it", onclick: take },
+      "Take it from here",
+    ),
+  );
+}

@@ -1,0 +1,206 @@
+/** Which balls lie where: racks, the table, and every ball in numbers. */
+
+import type { Context } from "./context.ts";
+import { h, uniqueId } from "./dom.ts";
+import { mountField } from "./field.ts";
+import { placeBall } from "./gestures.ts";
+import { addBall, changeTable, nextId, rack, removeBall } from "./layout.ts";
+import type { Store } from "./store.ts";
+import { azimuthTo } from "./angles.ts";
+import { ballName } from "./words.ts";
+
+/** Largest seed that the page draws: short enough to read out. */
+const SEEDS = 10_000;
+
+export function mountLayoutPanel(root: HTMLElement, store: Store, context: Context): void {
+  mountRacks(root, store, context);
+  mountTable(root, store, context);
+  mountBalls(root, store, context);
+}
+
+function option(value: string, text = value): HTMLOptionElement {
+  return h("option", { value }, text);
+}
+
+/** A select or input with its label above it. */
+function labelled(label: string, control: HTMLElement): HTMLElement {
+  control.id = uniqueId("control");
+  return h("div", { class: "labelled" }, h("label", { for: control.id }, label), control);
+}
+
+function mountRacks(root: HTMLElement, store: Store, { engine }: Context): void {
+  const game = h("select", {}, ...engine.games.map((name) => option(name, words(name))));
+  const seed = h("input", { type: "number", min: 0, step: 1, value: store.document.seed });
+  const set = () => {
+    const value = Number(seed.value);
+    if (seed.value.trim() === "" || !Number.isSafeInteger(value) || value < 0) {
+      store.refuse("Seed: write a whole number that is not negative.");
+    } else rack(store, engine, game.value, value);
+  };
+  const shuffle = () => {
+    seed.value = String(Math.floor(Math.random() * SEEDS));
+    set();
+  };
+  root.append(
+    h("h2", {}, "Rack"),
+    h("div", { class: "pair" }, labelled("Game", game), labelled("Seed", seed)),
+    h(
+      "div",
+      { class: "row" },
+      h("button", { type: "button", class: "button", onclick: set }, "Rack"),
+      h("button", { type: "button", class: "button", onclick: shuffle }, "Shuffle and rack"),
+    ),
+  );
+  store.subscribe((now, before) => {
+    if (now.document.seed !== before.document.seed) seed.value = String(now.document.seed);
+  });
+}
+
+function mountTable(root: HTMLElement, store: Store, { engine }: Context): void {
+  const tables = engine.tables.flatMap((table) => (table.name ? [table.name] : []));
+  const own = option("", "The file’s own");
+  const select = h("select", {}, own, ...tables.map((name) => option(name)));
+  select.addEventListener("change", () => {
+    if (select.value === "" || !changeTable(store, engine, select.value)) show();
+  });
+  function show(): void {
+    const { table } = store.document.shot;
+    own.hidden = typeof table === "string";
+    select.value = typeof table === "string" ? table : "";
+  }
+  store.subscribe(show);
+  show();
+  root.append(h("h2", {}, "Table"), labelled("Table", select));
+}
+
+function mountBalls(root: HTMLElement, store: Store, context: Context): void {
+  const list = h("div", { class: "balls", role: "radiogroup", "aria-label": "Selected ball" });
+  const name = h("input", { type: "text", size: 8, autocomplete: "off" });
+  const add = h("button", { type: "button", class: "button" }, "Add ball");
+  add.addEventListener("click", () => {
+    if (addBall(store, context.engine, name.value)) name.value = nextId(store.document.shot.balls);
+  });
+  const fields = h("div");
+  root.append(
+    h("h2", {}, "Balls"),
+    h(
+      "p",
+      { class: "hint" },
+      "Drag balls on the table, or select one here and write where it lies.",
+    ),
+    list,
+    fields,
+    h("div", { class: "row add" }, labelled("New ball", name), add),
+  );
+  mountSelected(fields, store, context);
+
+  let shown = "";
+  function show(): void {
+    const { balls, strike } = store.document.shot;
+    const { selected } = store.session;
+    const ids = balls.map((ball) => ball.id);
+    const key = JSON.stringify([ids, strike.ball, selected]);
+    if (key === shown) return;
+    shown = key;
+    const focused = list.contains(document.activeElement);
+    const current = selected !== null && ids.includes(selected) ? selected : ids[0];
+    list.replaceChildren(
+      ...ids.map((id) =>
+        h(
+          "button",
+          {
+            type: "button",
+            class: "button chip",
+            role: "radio",
+            "aria-checked": String(id === selected),
+            "aria-label": id === strike.ball ? `${id}, struck` : id,
+            tabindex: id === current ? 0 : -1,
+            onclick: () => {
+              store.setSession({ selected: id });
+            },
+          },
+          id,
+        ),
+      ),
+    );
+    if (focused) list.querySelector<HTMLElement>('[tabindex="0"]')?.focus();
+    if (!ids.includes(name.value) && name.value !== "") return;
+    name.value = nextId(balls);
+  }
+  list.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
+    if (step === undefined) return;
+    const ids = store.document.shot.balls.map((ball) => ball.id);
+    const at = ids.indexOf(store.session.selected ?? ids[0]!);
+    store.setSession({ selected: ids[(at + step + ids.length) % ids.length]! });
+    event.preventDefault();
+  });
+  store.subscribe(show);
+  show();
+}
+
+function mountSelected(root: HTMLElement, store: Store, context: Context): void {
+  const selected = () => store.shot.balls.find((ball) => ball.id === store.session.selected);
+  const axis = (label: string, index: 0 | 1) => {
+    mountField(root, store, context, {
+      label,
+      unit: "m",
+      spoken: "metres",
+      digits: 4,
+      min: () => 0,
+      max: () => store.shot.geometry.size?.[index] ?? 1,
+      step: 0.001,
+      read: () => selected()?.position[index] ?? 0,
+      write: (value, group) => {
+        const ball = selected();
+        if (!ball) return false;
+        const [x, y] = ball.position;
+        return placeBall(store, ball.id, index === 0 ? [value, y] : [x, value], group);
+      },
+    });
+  };
+  axis("Across", 0);
+  axis("Along", 1);
+  const act = (text: string, action: (id: string) => void) =>
+    h(
+      "button",
+      {
+        type: "button",
+        class: "button",
+        onclick: () => {
+          const ball = selected();
+          if (ball) action(ball.id);
+        },
+      },
+      text,
+    );
+  const strike = act("Strike it", (id) => store.strike({ ball: id }, `strike ${ballName(id)}`));
+  const target = act("Aim at it", (id) => {
+    aimAt(store, id);
+  });
+  const remove = act("Remove", (id) => removeBall(store, id));
+  root.append(h("div", { class: "row" }, target, strike, remove));
+  const show = () => {
+    const id = selected()?.id;
+    root.hidden = id === undefined;
+    const struck = id === store.document.shot.strike.ball;
+    strike.disabled = struck;
+    target.disabled = struck;
+  };
+  store.subscribe(show);
+  show();
+}
+
+/** Turns the cue to the centre of a ball. */
+export function aimAt(store: Store, id: string): void {
+  const to = store.shot.balls.find((ball) => ball.id === id)?.position;
+  const from =
+    store.shot.struck === null ? undefined : store.shot.balls[store.shot.struck]?.position;
+  if (!to || !from || to === from) return;
+  const azimuth = azimuthTo([from[0], from[1]], [to[0], to[1]]);
+  store.strike({ azimuth_deg: azimuth }, `aim at ${ballName(id)}`);
+}
+
+function words(name: string): string {
+  return name.charAt(0).toUpperCase() + name.slice(1).replaceAll("-", " ");
+}

@@ -1,0 +1,98 @@
+/** The physics of a shot file, as a form sees them. Pure: the schema says what there is. */
+
+export type Values = Readonly<Record<string, unknown>>;
+
+/** One thing to set. */
+export interface Parameter {
+  /** Keys from `physics` down, such as `ball_ball`, `friction`, `a`. */
+  readonly path: readonly string[];
+  readonly kind: "number" | "choice";
+  readonly choices: readonly string[];
+  readonly description: string;
+  readonly unit: string;
+}
+
+interface Schema {
+  readonly type?: string;
+  readonly description?: string;
+  readonly enum?: readonly string[];
+  readonly properties?: Readonly<Record<string, Schema>>;
+  readonly oneOf?: readonly Schema[];
+  readonly $ref?: string;
+}
+
+/** Units that the schema's descriptions end in, before the first semicolon. */
+const UNIT = /(?:^|, )(kg|m\/s²|rad\/s²|s\/m|m)(?=[.;]|$)/;
+
+/** Everything that the schema knows of physics and that `values` has, in the schema's order. */
+export function parameters(schema: object, values: Values): Parameter[] {
+  const physics = (schema as { $defs: Record<string, Schema> }).$defs.physics;
+  const object = physics?.oneOf?.find((choice) => choice.type === "object");
+  return Object.entries(object?.properties ?? {}).flatMap(([key, part]) =>
+    key === "base" ? [] : collect([key], part, values[key]),
+  );
+}
+
+function collect(path: readonly string[], schema: Schema, value: unknown): Parameter[] {
+  const description = schema.description ?? "";
+  const common = { path, description, unit: UNIT.exec(description)?.[1] ?? "", choices: [] };
+  if (schema.enum) return [{ ...common, kind: "choice", choices: schema.enum }];
+  if (typeof value === "number") return [{ ...common, kind: "number" }];
+  if (typeof value !== "object" || value === null) return [];
+  const fit = schema.oneOf?.find((choice) => choice.type === "object") ?? schema;
+  return Object.entries(fit.properties ?? {}).flatMap(([key, part]) =>
+    collect([...path, key], part, (value as Values)[key]),
+  );
+}
+
+/** The value at a path, undefined if there is none. */
+export function valueAt(values: Values, path: readonly string[]): unknown {
+  let found: unknown = values;
+  for (const key of path) {
+    found = typeof found === "object" && found !== null ? (found as Values)[key] : undefined;
+  }
+  return found;
+}
+
+/** `values` with another value at `path`; the objects on the way are copied. */
+export function withValue(values: Values, path: readonly string[], value: unknown): Values {
+  const [key, ...rest] = path;
+  if (key === undefined) return values;
+  const inner = values[key];
+  const below = typeof inner === "object" && inner !== null ? (inner as Values) : {};
+  return { ...values, [key]: rest.length > 0 ? withValue(below, rest, value) : value };
+}
+
+/** `values` without what `path` leads to, and without objects that this leaves empty. */
+export function withoutValue(values: Values, path: readonly string[]): Values {
+  const [key, ...rest] = path;
+  if (key === undefined || !(key in values)) return values;
+  const { [key]: inner, ...others } = values;
+  if (rest.length === 0 || typeof inner !== "object" || inner === null) return others;
+  const left = withoutValue(inner as Values, rest);
+  return Object.keys(left).length > 0 ? { ...others, [key]: left } : others;
+}
+
+/** `base` with the keys of `changes` over it, as the engine merges them. */
+export function merged(base: Values, changes: Values): Values {
+  const out: Record<string, unknown> = { ...base };
+  for (const [key, value] of Object.entries(changes)) {
+    if (key === "base") continue;
+    const below = out[key];
+    const both = typeof value === "object" && value !== null && !Array.isArray(value);
+    out[key] = both ? merged(asObject(below), value as Values) : value;
+  }
+  return out;
+}
+
+/** A number under an object of its fit's coefficients is the constant one. */
+function asObject(value: unknown): Values {
+  if (typeof value === "number") return { a: value };
+  return typeof value === "object" && value !== null ? (value as Values) : {};
+}
+
+/** `ball_ball` as a heading, `sliding_friction` as a label. */
+export function title(key: string): string {
+  const text = key.replaceAll("_", " ");
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}

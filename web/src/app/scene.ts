@@ -1,0 +1,170 @@
+/** Keeps the viewer's scene as the state says: the only place that tells it what to show. */
+
+import { STRIDE, type Trace } from "../engine/index.ts";
+import type { CuePose, Mark, Viewer } from "../viewer/index.ts";
+import type { Context } from "./context.ts";
+import type { AimedShot } from "./document.ts";
+import type { State, Store } from "./store.ts";
+
+/** How far (m) a drawn path may be from the exact one: under a pixel at any zoom worth having. */
+const PATH_TOLERANCE = 0.0005;
+
+/** The cue's distance from the ball (m) at rest, and what a m/s of speed adds: one sees how hard. */
+const PULL = 0.03;
+const PULL_PER_SPEED = 0.03;
+/** Longest pull (m), so that the cue stays in the picture. */
+const LONGEST_PULL = 0.35;
+
+const RADIANS = Math.PI / 180;
+
+export interface SceneStats {
+  /** Time of the last ghost simulation, its words and paths not included, ms. */
+  ghostMs: number;
+  /** Time of the last update of the scene, without drawing, ms. */
+  sceneMs: number;
+}
+
+export class Scene {
+  readonly stats: SceneStats = { ghostMs: 0, sceneMs: 0 };
+  readonly #store: Store;
+  readonly #viewer: Viewer;
+  #shown: State | null = null;
+  #paths: Trace | null = null;
+  #states = new Float64Array(0);
+
+  constructor(store: Store, context: Pick<Context, "viewer" | "loop">) {
+    this.#store = store;
+    this.#viewer = context.viewer;
+    store.subscribe(() => {
+      context.loop.invalidate();
+    });
+  }
+
+  /** Brings the scene up to date. Called once before every picture. */
+  update(): void {
+    const now = this.#store.state;
+    const before = this.#shown;
+    if (now === before) return;
+    const start = performance.now();
+    this.#shown = now;
+    if (now.view.camera !== before?.view.camera) {
+      this.#viewer.setCamera(now.view.camera, before === null);
+    }
+    const replayed = now.session.mode === "replay" ? now.session.trace : null;
+    const shot = replayed?.shot ?? this.#store.shot;
+    this.#viewer.setTable(shot.geometry, shot.balls);
+    if (replayed) this.#replay(replayed, now.session.time);
+    else this.#aim(now);
+    const selected = shot.balls.findIndex(({ id }) => id === now.session.selected);
+    this.#viewer.select(selected < 0 ? null : selected);
+    this.stats.sceneMs = performance.now() - start;
+  }
+
+  #replay(trace: Trace, time: number): void {
+    this.#setBalls(trace.statesAt(time, this.#buffer(trace.shot.balls.length)));
+    this.#setPaths(trace, "trace");
+    this.#viewer.setCue(null);
+    this.#viewer.setMarks([]);
+  }
+
+  #aim({ document, session }: State): void {
+    const { shot } = this.#store;
+    const start = performance.now();
+    const { trace } = this.#store.ghost;
+    this.stats.ghostMs = performance.now() - start;
+    const states = this.#buffer(shot.balls.length);
+    shot.balls.forEach((ball, index) => {
+      states.fill(0, index * STRIDE, (index + 1) * STRIDE);
+      states.set(ball.position, index * STRIDE);
+      states[index * STRIDE + 12] = 1;
+    });
+    const refused = refusedBall(session.refusal?.attempt ?? null, document.shot);
+    if (refused) states.set(refused.position, refused.index * STRIDE);
+    this.#setBalls(states);
+    this.#setPaths(trace, "ghost");
+    this.#viewer.setCue(shot.struck === null ? null : pose(document.shot, shot.struck));
+    this.#viewer.setMarks([
+      ...(trace ? marks(trace) : []),
+      ...(refused
+        ? [{ position: place(states, refused.index), kind: "refused", ball: refused.index }]
+        : []),
+    ]);
+  }
+
+  #buffer(balls: number): Float64Array {
+    if (this.#states.length !== balls * STRIDE) this.#states = new Float64Array(balls * STRIDE);
+    return this.#states;
+  }
+
+  #setBalls(states: Float64Array): void {
+    this.#viewer.setBalls(states);
+  }
+
+  #setPaths(trace: Trace | null, style: "ghost" | "trace"): void {
+    // The same trace serves as ghost and as replay, in different styles.
+    if (trace === this.#paths && style === this.#style) return;
+    this.#paths = trace;
+    this.#style = style;
+    const paths = (trace?.shot.balls ?? []).flatMap((_, ball) => {
+      const points = trace!.polyline(ball, PATH_TOLERANCE);
+      return moves(points) ? [{ ball, points, style }] : [];
+    });
+    this.#viewer.setPaths(paths);
+  }
+  #style: "ghost" | "trace" = "ghost";
+}
+
+/** Whether a way has any length. */
+function moves(points: Float64Array): boolean {
+  for (let k = 4; k < points.length; k += 4) {
+    if (points[k] !== points[0] || points[k + 1] !== points[1]) return true;
+  }
+  return false;
+}
+
+function pose({ strike }: AimedShot, ball: number): CuePose {
+  return {
+    ball,
+    azimuth: strike.azimuth_deg * RADIANS,
+    elevation: (strike.elevation_deg ?? 0) * RADIANS,
+    side: strike.side ?? 0,
+    height: strike.height ?? 0,
+    pull: Math.min(PULL + PULL_PER_SPEED * strike.speed, LONGEST_PULL),
+  };
+}
+
+/** The struck ball at its first contact with a ball, and where it comes to rest. */
+function marks(trace: Trace): Mark[] {
+  const { struck, balls } = trace.shot;
+  const id = struck === null ? null : balls[struck]!.id;
+  if (struck === null || id === null) return [];
+  const found: Mark[] = [];
+  const contact = trace.events.find(
+    (event) => event.type === "ball-collision" && event.balls.includes(id),
+  );
+  if (contact) {
+    const { position } = contact.before[contact.balls.indexOf(id)]!;
+    found.push({ position, kind: "ghost-ball", ball: struck });
+  }
+  const { pocketed, off_table } = trace.outcome;
+  if (!off_table.includes(id) && !pocketed.some(([ball]) => ball === id)) {
+    const end = trace.statesAt(trace.duration);
+    found.push({ position: place(end, struck), kind: "ghost-ball", ball: struck });
+  }
+  return found;
+}
+
+function place(states: Float64Array, ball: number): [number, number, number] {
+  const at = ball * STRIDE;
+  return [states[at]!, states[at + 1]!, states[at + 2]!];
+}
+
+/** The ball that was tried somewhere else than it is, if that was refused. */
+function refusedBall(
+  attempt: AimedShot | null,
+  shot: AimedShot,
+): { index: number; position: readonly number[] } | null {
+  if (attempt?.balls.length !== shot.balls.length) return null;
+  const index = attempt.balls.findIndex((ball, k) => ball.position !== shot.balls[k]!.position);
+  return index < 0 ? null : { index, position: attempt.balls[index]!.position };
+}

@@ -1,0 +1,45 @@
+/** What the page opens with: the document inside it, else its address, else a first shot. */
+
+import type { Engine, ShotFile } from "../engine/index.ts";
+import { documentOf, open } from "./actions.ts";
+import { FIRST_VIEW, type Document, type View } from "./document.ts";
+import type { Store } from "./store.ts";
+
+export interface Opened {
+  readonly document: Document;
+  readonly view: View;
+  /** Nothing was asked for: somebody may be here for the first time. */
+  readonly welcome: boolean;
+  /** What is left to do once the page stands: to open a trace, or to say what cannot be opened. */
+  then(store: Store): void;
+}
+
+/** The first shot: a cut into the corner, with the way of the cue ball to think about. */
+const FIRST_SHOT: ShotFile = {
+  format: "carom-shot/1",
+  table: "wpa-9ft",
+  balls: [
+    { id: "cue", position: [0.42, 0.72] },
+    { id: "9", position: [0.86, 1.74] },
+    { id: "1", position: [0.35, 1.62] },
+    { id: "3", position: [0.98, 0.9] },
+  ],
+  strike: { ball: "cue", speed: 2.2, azimuth_deg: 68.4, height: -0.2 },
+};
+
+export function opened(engine: Engine): Opened {
+  const first = documentOf(FIRST_SHOT);
+  const none = () => undefined;
+  const inside = document.getElementById("carom-document")?.textContent.trim() ?? "";
+  if (inside !== "") {
+    return {
+      document: first,
+      view: FIRST_VIEW,
+      welcome: false,
+      then: (store) => {
+        open(store, engine, inside);
+      },
+    };
+  }
+  return { document: first, view: FIRST_VIEW, welcome: true, then: none };
+}

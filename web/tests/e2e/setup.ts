@@ -1,0 +1,54 @@
+/** Before all end-to-end tests: builds the page, serves it, and starts one browser for all. */
+
+import { readFileSync } from "node:fs";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+import { build } from "vite";
+import type { TestProject } from "vitest/node";
+
+declare module "vitest" {
+  interface ProvidedContext {
+    /** Address of the served page. */
+    page: string;
+    /** The same page on disk. */
+    file: string;
+    /** Where the browser listens. */
+    browser: string;
+  }
+}
+
+const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
+
+const FLAGS = [
+  // As root in a container there is no sandbox to be had.
+  "--no-sandbox",
+  "--use-gl=angle",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--no-first-run",
+];
+
+export default async function setup({ provide }: TestProject): Promise<() => Promise<void>> {
+  const root = fileURLToPath(new URL("../..", import.meta.url));
+  const file = `${root}dist/index.html`;
+  await build({ root, logLevel: "warn", configFile: `${root}vite.config.ts` });
+  const html = readFileSync(file);
+  const server = createServer((_request, response) => {
+    response.setHeader("content-type", "text/html; charset=utf-8");
+    response.end(html);
+  });
+  await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const browser = await chromium.launchServer({ executablePath: CHROMIUM, args: FLAGS });
+  provide("page", `http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
+  provide("file", file);
+  provide("browser", browser.wsEndpoint());
+  return async () => {
+    await browser.close();
+    server.close();
+  };
+}
