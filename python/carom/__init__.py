@@ -19,19 +19,23 @@ from carom.errors import CaromError, EventCapError, InputError, PageError
 from carom.noise import Noise, NoisyResult
 from carom.racks import break_shot
 from carom.reference import schema, tables
+from carom.rules import Call, Frame, Ruling, rule_sets
 from carom.shot import Shot
 from carom.trace import Snapshot, Trace
 
 __all__ = [
     "BatchResult",
+    "Call",
     "CaromError",
     "EventCapError",
+    "Frame",
     "InputError",
     "Layout",
     "Noise",
     "NoisyResult",
     "PageError",
     "Physics",
+    "Ruling",
     "Shot",
     "Snapshot",
     "Strike",
@@ -39,6 +43,7 @@ __all__ = [
     "Trace",
     "__version__",
     "break_shot",
+    "rule_sets",
     "schema",
     "simulate_batch",
     "tables",

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
+    "Frame",
     "Shot",
     "Trace",
     "__version__",
@@ -14,6 +15,7 @@ __all__ = [
     "draw_strikes",
     "games",
     "olympiad",
+    "rule_sets",
     "schema",
     "simulate_batch",
     "simulate_strikes",
@@ -21,6 +23,23 @@ __all__ = [
 ]
 
 __version__: str
+
+_Play = tuple[
+    tuple[float, float, float, float, float],
+    tuple[float, ...] | None,
+    tuple[str, str | None, str | None],
+]
+
+@final
+class Frame:
+    def __new__(
+        cls, game: str, table: object, physics: object, seed: int, options: tuple[int, bool, int]
+    ) -> Frame: ...
+    def to_object(self) -> dict[str, Any]: ...
+    def shot(self, play: _Play) -> Shot: ...
+    def play(self, play: _Play) -> tuple[dict[str, Any], Trace]: ...
+    def choose(self, choice: str) -> dict[str, Any]: ...
+    def copy(self) -> Frame: ...
 
 @final
 class Shot:
@@ -82,3 +101,4 @@ def break_shot(
 def games() -> list[str]: ...
 def tables() -> list[dict[str, Any]]: ...
 def schema(kind: str) -> str: ...
+def rule_sets() -> list[str]: ...

@@ -4,6 +4,7 @@ mod batch;
 mod error;
 mod node;
 mod reference;
+mod rules;
 mod shot;
 mod trace;
 
@@ -18,6 +19,8 @@ mod _core {
     use crate::batch::{check_noise, draw_strikes, olympiad, simulate_batch, simulate_strikes};
     #[pymodule_export]
     use crate::reference::{break_shot, games, schema, tables};
+    #[pymodule_export]
+    use crate::rules::{Frame, rule_sets};
     #[pymodule_export]
     use crate::shot::Shot;
     #[pymodule_export]

@@ -15,6 +15,7 @@ pub mod games;
 mod layout;
 mod play;
 mod pool;
+mod report;
 mod request;
 mod ruling;
 #[cfg(test)]

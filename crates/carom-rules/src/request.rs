@@ -1,6 +1,6 @@
 //! What is asked next, and of whom.
 
-use carom::Table;
+use carom::{Error, Table};
 
 use crate::layout::{distance, head_string, spot_named};
 use crate::{BallIndex, Player};
@@ -159,5 +159,20 @@ impl Choice {
     /// The choice of that name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|choice| choice.name() == name)
+    }
+
+    /// The choice of that name.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if there is none.
+    pub fn read(name: &str) -> Result<Self, Error> {
+        let names = Self::ALL.map(Self::name).join(", ");
+        Self::named(name).ok_or_else(|| {
+            Error::input(
+                "choice",
+                format!("\"{name}\" is no choice"),
+                format!("write one of {names}"),
+            )
+        })
     }
 }

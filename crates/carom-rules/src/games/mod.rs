@@ -62,6 +62,21 @@ impl Rules {
         Self::ALL.into_iter().find(|rules| rules.name() == name)
     }
 
+    /// The game of that name.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if there is none.
+    pub fn read(name: &str) -> Result<Self, Error> {
+        let names = Self::ALL.map(Self::name).join(", ");
+        Self::named(name).ok_or_else(|| {
+            Error::input(
+                "game",
+                format!("no rules are called \"{name}\""),
+                format!("write one of {names}"),
+            )
+        })
+    }
+
     /// How its balls are racked.
     pub const fn rack(self) -> Game {
         match self {

@@ -171,6 +171,12 @@ impl From<f64> for Node {
         Self::Number(x)
     }
 }
+impl From<i64> for Node {
+    fn from(i: i64) -> Self {
+        Self::Integer(i)
+    }
+}
+
 impl From<u32> for Node {
     fn from(i: u32) -> Self {
         Self::Integer(i64::from(i))

@@ -1,0 +1,90 @@
+//! `_core.Frame`.
+
+use carom::resolve::cue_ball::Strike;
+use carom::{Error, Trace as Played};
+use carom_rules::{Choice, Options, Play, Rules};
+use pyo3::prelude::*;
+
+use crate::error::to_exception;
+use crate::node::{from_python, to_python};
+use crate::shot::Shot;
+use crate::trace::Trace;
+
+/// What a player does: strike (speed, azimuth, elevation, side, height), the cue ball's place, the
+/// call (kind, ball, pocket).
+type PlayArguments = ([f64; 5], Option<[f64; 2]>, (String, Option<String>, Option<String>));
+
+/// A game in progress.
+#[pyclass(module = "carom._core")]
+pub(crate) struct Frame(carom_rules::Frame);
+
+impl Frame {
+    fn play_of(&self, arguments: PlayArguments) -> Result<Play, Error> {
+        let ([speed, azimuth, elevation, side, height], cue_ball, (kind, ball, pocket)) = arguments;
+        let strike = Strike { speed, azimuth, elevation, side, height };
+        let call = self.0.call(&kind, ball.as_deref(), pocket.as_deref())?;
+        Ok(Play { strike, cue_ball, call })
+    }
+}
+
+#[pymethods]
+impl Frame {
+    #[new]
+    fn new(
+        game: &str,
+        table: &Bound<'_, PyAny>,
+        physics: &Bound<'_, PyAny>,
+        seed: u64,
+        options: (i32, bool, u32),
+    ) -> PyResult<Self> {
+        let py = table.py();
+        let optional = |value: &Bound<'_, PyAny>| {
+            if value.is_none() { Ok(None) } else { from_python(value).map(Some) }
+        };
+        let (target, miss, patience) = options;
+        let rules = Rules::read(game).map_err(|e| to_exception(py, &e))?;
+        let options = Options { target, miss, patience };
+        carom_rules::Frame::new(rules, options, optional(table)?, optional(physics)?, seed)
+            .map(Self)
+            .map_err(|e| to_exception(py, &e))
+    }
+
+    fn to_object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.0.to_node())
+    }
+
+    fn shot(&self, py: Python<'_>, play: PlayArguments) -> PyResult<Shot> {
+        let shot = self.play_of(play).and_then(|play| self.0.shot(&play));
+        shot.map(|shot| Shot(shot.into())).map_err(|e| to_exception(py, &e))
+    }
+
+    /// The ruling, and the trace of the shot.
+    fn play<'py>(
+        &mut self,
+        py: Python<'py>,
+        play: PlayArguments,
+    ) -> PyResult<(Bound<'py, PyAny>, Trace)> {
+        let played = self.play_of(play).and_then(|play| {
+            let trace: Played = self.0.shot(&play)?.simulate()?;
+            Ok((self.0.apply(&play, &trace)?, trace))
+        });
+        let (ruling, trace) = played.map_err(|e| to_exception(py, &e))?;
+        Ok((to_python(py, &self.0.ruling_node(&ruling))?, Trace::from(trace)))
+    }
+
+    fn choose<'py>(&mut self, py: Python<'py>, choice: &str) -> PyResult<Bound<'py, PyAny>> {
+        let chosen = Choice::read(choice).and_then(|choice| self.0.choose(choice));
+        let ruling = chosen.map_err(|e| to_exception(py, &e))?;
+        to_python(py, &self.0.ruling_node(&ruling))
+    }
+
+    fn copy(&self) -> Self {
+        Self(self.0.clone())
+    }
+}
+
+/// The names of all rule sets.
+#[pyfunction]
+pub(crate) fn rule_sets() -> Vec<&'static str> {
+    Rules::ALL.into_iter().map(Rules::name).collect()
+}

@@ -1,0 +1,177 @@
+//! A frame and its rulings as trees of values, with the balls' ids: what the bindings show.
+
+use carom::Error;
+use carom::shot::Node;
+use carom::table::PocketName;
+
+use crate::games::eight_ball::Group;
+use crate::games::{Law, snooker};
+use crate::{BallIndex, Call, Frame, Request, Ruling, Turn};
+
+impl Frame {
+    /// What there is to know of the frame: game, request, scores, balls.
+    pub fn to_node(&self) -> Node {
+        let balls = self.layout().on_table().filter_map(|ball| {
+            Some((self.id(ball).to_owned(), Node::from(self.layout().place(ball)?)))
+        });
+        Node::object([
+            ("game", self.rules().name().into()),
+            ("request", self.request_node()),
+            ("scores", Node::list(self.scores().map(i64::from))),
+            ("fouls_in_a_row", Node::list(self.fouls_in_a_row().map(i64::from))),
+            ("shots", i64::from(self.shots()).into()),
+            ("balls", Node::Object(balls.collect())),
+            ("state", self.law_node()),
+        ])
+    }
+
+    /// A ruling on this frame.
+    pub fn ruling_node(&self, ruling: &Ruling) -> Node {
+        let fouls = ruling.fouls.iter().map(|foul| {
+            Node::object([("what", foul.words().into()), ("rule", self.rules().rule(foul).into())])
+        });
+        Node::object([
+            ("legal", ruling.is_legal().into()),
+            ("fouls", Node::list(fouls)),
+            ("points", Node::list(ruling.points.map(i64::from))),
+            ("spotted", self.ids(&ruling.spotted)),
+            ("racked", ruling.racked.into()),
+        ])
+    }
+
+    /// The ball with this id.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `place` if the frame has none.
+    pub fn ball(&self, id: &str, place: &str) -> Result<BallIndex, Error> {
+        let known = (0..).zip(self.layout().pieces()).find(|(_, piece)| piece.id == id);
+        known.map(|(i, _)| i).ok_or_else(|| {
+            let ids: Vec<&str> = self.layout().pieces().iter().map(|p| p.id.as_str()).collect();
+            Error::input(
+                place,
+                format!("no ball has the id \"{id}\""),
+                format!("write one of {}", ids.join(", ")),
+            )
+        })
+    }
+
+    /// The pocket of this name.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `place` if the table has none.
+    pub fn pocket(&self, name: &str, place: &str) -> Result<PocketName, Error> {
+        let pockets = &self.base().table().pockets;
+        let known = pockets.iter().map(|pocket| pocket.name).find(|pocket| pocket.name() == name);
+        known.ok_or_else(|| {
+            let names: Vec<&str> = pockets.iter().map(|pocket| pocket.name.name()).collect();
+            Error::input(
+                place,
+                format!("no pocket is called \"{name}\""),
+                format!("write one of {}", names.join(", ")),
+            )
+        })
+    }
+
+    /// What is announced, in words: `nothing`, `safety`, `push-out`, `pocket` (of `ball` in `pocket`) or
+    /// `on` (`ball`).
+    ///
+    /// # Errors
+    /// [`Error::Input`] for another word, or a ball or pocket that is missing or unknown.
+    pub fn call(
+        &self,
+        kind: &str,
+        ball: Option<&str>,
+        pocket: Option<&str>,
+    ) -> Result<Call, Error> {
+        let ball = || self.ball(ball.unwrap_or_default(), "call.ball");
+        match kind {
+            "nothing" => Ok(Call::Nothing),
+            "safety" => Ok(Call::Safety),
+            "push-out" => Ok(Call::PushOut),
+            "on" => Ok(Call::On(ball()?)),
+            "pocket" => {
+                Ok(Call::Pocket(ball()?, self.pocket(pocket.unwrap_or_default(), "call.pocket")?))
+            }
+            _ => Err(Error::input(
+                "call",
+                format!("\"{kind}\" is no call"),
+                "write nothing, safety, push-out, pocket or on",
+            )),
+        }
+    }
+
+    fn id(&self, ball: BallIndex) -> &str {
+        &self.layout().pieces()[usize::from(ball)].id
+    }
+
+    fn ids(&self, balls: &[BallIndex]) -> Node {
+        Node::list(balls.iter().map(|ball| self.id(*ball)))
+    }
+
+    fn request_node(&self) -> Node {
+        match self.request() {
+            Request::Shot(turn) => self.turn_node(turn),
+            Request::Choice { player, choices, why } => Node::object([
+                ("kind", "choice".into()),
+                ("player", (*player as i64).into()),
+                ("choices", Node::list(choices.iter().map(|choice| choice.name()))),
+                ("why", (*why).into()),
+            ]),
+            Request::Over { winner, why } => Node::object([
+                ("kind", "over".into()),
+                ("winner", winner.map(|player| player as i64).into()),
+                ("why", (*why).into()),
+            ]),
+        }
+    }
+
+    fn turn_node(&self, turn: &Turn) -> Node {
+        let calls = &turn.calls;
+        let allowed = [
+            ("nothing", !calls.required && !calls.nominate),
+            ("pocket", calls.pocket),
+            ("safety", calls.safety),
+            ("push-out", calls.push_out),
+            ("on", calls.nominate),
+        ];
+        let allowed = allowed.into_iter().filter(|(_, may)| *may).map(|(name, _)| name);
+        Node::object([
+            ("kind", "shot".into()),
+            ("player", (turn.player as i64).into()),
+            ("cue_ball", self.id(turn.cue).into()),
+            ("in_hand", turn.hand.map(|region| region.name()).into()),
+            ("on", self.ids(&turn.on)),
+            ("calls", Node::list(allowed)),
+        ])
+    }
+
+    /// What one game has and others have not.
+    fn law_node(&self) -> Node {
+        match self.law() {
+            Law::EightBall(game) => {
+                let group = |player| match game.group(player) {
+                    Some(Group::Solids) => Node::from("solids"),
+                    Some(Group::Stripes) => Node::from("stripes"),
+                    None => Node::Null,
+                };
+                Node::object([("groups", Node::List(vec![group(0), group(1)]))])
+            }
+            Law::Snooker(game) => {
+                let on = match game.on() {
+                    snooker::On::Red => "red",
+                    snooker::On::Color => "color",
+                    snooker::On::Sequence => "sequence",
+                };
+                Node::object([
+                    ("on", on.into()),
+                    ("free_ball", game.has_free_ball().into()),
+                    ("break", i64::from(game.run()).into()),
+                ])
+            }
+            Law::ThreeCushion(game) => {
+                Node::object([("innings", Node::list(game.innings().map(i64::from)))])
+            }
+            Law::Rotation(_) | Law::StraightPool(_) | Law::Practice(_) => Node::object([]),
+        }
+    }
+}

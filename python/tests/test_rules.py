@@ -1,0 +1,95 @@
+"""Frames of every game from Python: the referee itself is tested in Rust."""
+
+import math
+
+import pytest
+
+import carom
+
+
+def aim(frame: carom.Frame, target: str, speed: float = 2.0) -> carom.Strike:
+    """At the middle of a ball."""
+    cue, ball = frame.balls[frame.request.cue_ball], frame.balls[target]
+    return carom.Strike(speed=speed, azimuth=math.atan2(ball[1] - cue[1], ball[0] - cue[0]))
+
+
+def test_a_break_of_nine_ball_is_ruled_on() -> None:
+    frame = carom.Frame("nine-ball", seed=3)
+    assert frame.request.in_hand == "behind-head-string"
+    assert frame.request.on == ["1"]
+    ruling = frame.play(aim(frame, "1", speed=8.0), cue_ball=(0.635, 0.5))
+    assert ruling.legal
+    assert ruling.trace is not None
+    assert ruling.trace.outcome["first_contact"] == "1"
+    assert set(ruling.trace.at(ruling.trace.duration).position.shape) == {10, 3}
+    on_table = set(frame.balls) - {"cue"}
+    fallen = {ball for ball, _ in ruling.trace.outcome["pocketed"]}
+    assert on_table == {str(n) for n in range(1, 10)} - fallen
+
+
+def test_the_same_seed_and_plays_give_the_same_frame() -> None:
+    one, other = (carom.Frame("snooker", seed=5) for _ in range(2))
+    strike = carom.Strike(speed=3.0, azimuth=math.pi / 2)
+    hashes = [f.play(strike, cue_ball=(0.7, 0.6)).trace for f in (one, other)]
+    assert hashes[0] is not None
+    assert hashes[1] is not None
+    assert hashes[0].hash == hashes[1].hash
+    assert one.to_dict() == other.to_dict()
+
+
+def test_a_foul_names_its_rule_and_passes_the_turn() -> None:
+    frame = carom.Frame("nine-ball", seed=1)
+    away = carom.Strike(speed=0.5, azimuth=-math.pi / 2)
+    ruling = frame.play(away, cue_ball=(0.635, 0.5))
+    assert not ruling.legal
+    assert {"what": "no ball was hit", "rule": "WPA 6.3"} in ruling.fouls
+    assert (frame.player, frame.request.in_hand) == (1, "anywhere")
+    assert frame.fouls_in_a_row == (1, 0)
+
+
+def test_a_soft_break_of_eight_ball_asks_for_a_choice() -> None:
+    frame = carom.Frame("eight-ball")
+    frame.play(carom.Strike(speed=1.0, azimuth=math.pi / 2), cue_ball=(0.635, 0.6))
+    assert frame.request.kind == "choice"
+    assert frame.request.player == 1
+    before = frame.copy()
+    assert frame.choose("rebreak").racked
+    assert frame.request.kind == "shot"
+    assert before.request.kind == "choice", "a copy goes its own way"
+
+
+def test_what_is_not_allowed_is_refused_and_changes_nothing() -> None:
+    frame = carom.Frame("eight-ball")
+    strike = carom.Strike(speed=1.0, azimuth=1.0)
+    before = frame.to_dict()
+    with pytest.raises(carom.InputError, match=r"cue_ball: \[0\.6, 2\.0\] is not behind"):
+        frame.play(strike, cue_ball=(0.6, 2.0))
+    with pytest.raises(carom.InputError, match="call: no ball is called in this shot"):
+        frame.play(strike, call=carom.Call.pocket("1", "left"))
+    with pytest.raises(carom.InputError, match=r"call\.ball: no ball has the id"):
+        frame.play(strike, call=carom.Call.pocket("16", "left"))
+    with pytest.raises(carom.InputError, match=r"call\.pocket: no pocket is called"):
+        frame.play(strike, call=carom.Call.pocket("1", "middle"))
+    with pytest.raises(carom.InputError, match="choice: no choice is asked"):
+        frame.choose("rebreak")
+    with pytest.raises(carom.InputError, match=r'choice: "again" is no choice; write one of'):
+        frame.choose("again")
+    with pytest.raises(carom.InputError, match="game: no rules are called"):
+        carom.Frame("pool")
+    with pytest.raises(carom.InputError, match="table: eight-ball is played on a table with pock"):
+        carom.Frame("eight-ball", table="carom-10ft")
+    with pytest.raises(carom.InputError, match=r"options\.target: 0 is out of range"):
+        carom.Frame("straight-pool", target=0)
+    assert frame.to_dict() == before
+
+
+@pytest.mark.parametrize("game", carom.rule_sets())
+def test_every_game_begins_and_can_be_printed(game: str) -> None:
+    frame = carom.Frame(game, seed=2)
+    assert frame.game == game
+    assert not frame.over
+    assert game in repr(frame)
+    places = {None: None, "behind-head-string": (0.5, 0.3), "the-d": (0.7, 0.6)}
+    strike = carom.Strike(speed=1.0, azimuth=math.pi / 2)
+    shot = frame.shot(strike, cue_ball=places[frame.request.in_hand])
+    assert set(shot.ids) == set(frame.balls)
