@@ -147,8 +147,8 @@ class Frame:
 
         ``kind`` is ``shot`` (with ``player``, ``cue_ball``, ``in_hand``: None, ``anywhere``,
         ``behind-head-string`` or ``the-d``; ``on``: balls of which one must be hit first, none if
-        any may be; ``calls``: the kinds that may be made), ``choice`` (with ``player``, ``choices``,
-        ``why``) or ``over`` (with ``winner``, ``why``).
+        any may be; ``calls``: the kinds that may be made), ``choice`` (with ``player``,
+        ``choices``, ``why``) or ``over`` (with ``winner``, ``why``).
         """
         return Record(self.to_dict()["request"])
 
