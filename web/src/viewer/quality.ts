@@ -25,8 +25,6 @@ const WINDOW = 16;
 /** Median time between frames, ms, above which quality falls, and below which it may rise. */
 const SLOW = 42;
 const FAST = 19;
-/** Longer gaps are pauses, not frames, ms. */
-const PAUSE = 250;
 /** Windows that must be fast before quality rises; doubled each time that it had to fall again. */
 const PATIENCE = 4;
 
@@ -58,15 +56,14 @@ export class Governor {
    * A frame begins.
    *
    * @param now - Time, ms.
+   * @param follows - Whether it is the screen's next frame after the last one that was drawn: else
+   * the time between tells nothing about the renderer.
    * @returns Whether the level has changed.
    */
-  frame(now: number): boolean {
+  frame(now: number, follows: boolean): boolean {
     const time = now - this.#last;
     this.#last = now;
-    if (!(time < PAUSE)) {
-      this.#times.length = 0;
-      return false;
-    }
+    if (!follows) return false;
     this.#times.push(time);
     if (this.#times.length < WINDOW) return false;
     this.#median = this.#times.sort((a, b) => a - b)[WINDOW / 2]!;

@@ -19,7 +19,7 @@ import { Cue } from "./overlay/cue";
 import { Fan } from "./overlay/fan";
 import { Lines } from "./overlay/lines";
 import { Marks } from "./overlay/marks";
-import { Governor, LEVELS, LOW } from "./quality";
+import { Governor, type Level, LEVELS, LOW } from "./quality";
 import { Table } from "./table";
 import { reach } from "./table/outline";
 import { palette } from "./theme";
@@ -73,7 +73,7 @@ export class Viewer {
   readonly #rig: Rig;
   readonly #ghosts = new Lines({ width: 1.8, opacity: 0.62, dash: [0.022, 0.014] });
   readonly #traces = new Lines({ width: 2.4, opacity: 0.92 });
-  readonly #aim = new Lines({ width: 1.3, opacity: 0.5, dash: [0.01, 0.012] });
+  readonly #aim = new Lines({ width: 1.1, opacity: 0.3 });
   readonly #fan = new Fan();
   readonly #cue = new Cue();
   readonly #marks = new Marks();
@@ -87,6 +87,9 @@ export class Viewer {
   readonly #onChange: () => void;
   #dirty = true;
   #renderMs = 0;
+  /** When the browser's first frame after the last picture began, ms; and the request to be told. */
+  #nextFrame = NaN;
+  #request = 0;
 
   /**
    * @param canvas - Sized by the page's style; the viewer follows.
@@ -123,6 +126,7 @@ export class Viewer {
     this.#applyLevel();
     this.#watcher = new ResizeObserver(() => this.resize());
     this.#watcher.observe(canvas);
+    canvas.addEventListener("webglcontextrestored", this.#restored);
     this.resize();
   }
 
@@ -144,7 +148,7 @@ export class Viewer {
 
   /** Back to the standard view of the present camera. */
   resetView(): void {
-    this.#rig.setBox(this.#box());
+    if (this.#geometry) this.#rig.setBox(this.#box(this.#geometry));
     this.#rig.reset(performance.now());
     this.#touch();
   }
@@ -168,18 +172,16 @@ export class Viewer {
 
   set quality(quality: Quality) {
     this.#quality = quality;
-    const level = { auto: this.#software ? LOW : 0, low: LOW, high: 0 }[quality];
-    this.#governor = new Governor(level);
+    this.#governor = new Governor(this.#software ? LOW : 0);
     this.#applyLevel();
   }
 
   /**
-   * `frameMs`: median time between the last frames of a continuous motion, ms (0: none yet). `renderMs`:
+   * `frameMs`: median time between frames in the last continuous motion, ms (0: none yet). `renderMs`:
    * the JavaScript time of the last frame. `level`: index of the present quality, 0 the best.
    */
   get stats(): { frameMs: number; renderMs: number; level: number } {
-    const { frameMs, level } = this.#governor;
-    return { frameMs, renderMs: this.#renderMs, level };
+    return { frameMs: this.#governor.frameMs, renderMs: this.#renderMs, level: this.#level };
   }
 
   setTheme(theme: Theme): void {
@@ -201,10 +203,11 @@ export class Viewer {
     this.#balls.setBalls(balls, geometry);
     this.#geometry = geometry;
     if (!same) {
-      const box = this.#box();
+      const box = this.#box(geometry);
       this.#table.setGeometry(geometry, middle(box));
       this.#light(box);
       this.#rig.setBox(box);
+      this.#balls.setViewer(this.#rig.side);
     }
     this.#follow();
   }
@@ -241,7 +244,7 @@ export class Viewer {
    */
   setFan(points: Float64Array | null, paths: readonly Float32Array[] = []): void {
     if (points && this.#geometry) {
-      const { min, max } = this.#box();
+      const { min, max } = this.#box(this.#geometry);
       const size = this.#geometry.size;
       const origin: Point = size ? [0, 0] : [min[0], min[1]];
       this.#fan.set(points, paths, origin, size ?? [max[0] - min[0], max[1] - min[1]]);
@@ -311,21 +314,25 @@ export class Viewer {
     const start = performance.now();
     // Before the cameras move: what they change needs another frame.
     this.#dirty = false;
-    if (this.#quality === "auto" && this.#governor.frame(start)) this.#applyLevel();
+    this.#govern();
     this.#rig.update(start);
     this.#renderer.render(this.#scene, this.#rig.camera);
     this.#renderMs = performance.now() - start;
   }
 
-  /** The picture as PNG, as large as it is on the screen. */
-  async capture(): Promise<Blob> {
-    // Encoded in the same task: a canvas is cleared after it was shown.
+  /** The picture as PNG, with all shadows and `scale` (2) pixels per pixel of the page. */
+  async capture(scale = 2): Promise<Blob> {
+    this.#apply({ pixelRatio: scale, shadows: true, detail: "high" }, scale);
     this.render();
-    const blob = await new Promise<Blob | null>((resolve) =>
+    // Asked for in the same task: a canvas is cleared after it was shown.
+    const encoded = new Promise<Blob | null>((resolve) =>
       this.#canvas.toBlob(resolve, "image/png"),
     );
-    if (!blob)
-      throw new Error("The browser could not encode the picture; make the window smaller.");
+    this.#applyLevel();
+    const blob = await encoded;
+    if (!blob) {
+      throw new Error("The browser could not encode the picture; take it with a smaller scale.");
+    }
     return blob;
   }
 
@@ -335,12 +342,15 @@ export class Viewer {
     if (width === 0 || height === 0) return;
     this.#renderer.setSize(width, height, false);
     this.#rig.setAspect(width / height);
+    this.#balls.setViewer(this.#rig.side);
     this.#touch();
   }
 
   /** Gives everything back; the viewer cannot be used afterwards. */
   dispose(): void {
     this.#watcher.disconnect();
+    this.#canvas.removeEventListener("webglcontextrestored", this.#restored);
+    cancelAnimationFrame(this.#request);
     for (const part of [
       this.#rig,
       this.#table,
@@ -358,6 +368,8 @@ export class Viewer {
     }
     this.#renderer.dispose();
   }
+
+  readonly #restored = (): void => this.#touch();
 
   #touch(): void {
     this.#dirty = true;
@@ -390,10 +402,27 @@ export class Viewer {
     this.#rig.setAim(center, cue);
   }
 
+  /** Judges the time between two frames, if this is the browser's next one after the last picture. */
+  #govern(): void {
+    const frame = Number(document.timeline.currentTime);
+    const changed = this.#governor.frame(frame, frame === this.#nextFrame);
+    if (changed && this.#quality === "auto") this.#applyLevel();
+    cancelAnimationFrame(this.#request);
+    this.#request = requestAnimationFrame((time) => (this.#nextFrame = time));
+  }
+
   #applyLevel(): void {
-    const level = LEVELS[this.#governor.level]!;
+    this.#apply(LEVELS[this.#level]!, devicePixelRatio);
+  }
+
+  /** Index of the quality that is shown. */
+  get #level(): number {
+    return { auto: this.#governor.level, low: LOW, high: 0 }[this.#quality];
+  }
+
+  #apply(level: Level, screen: number): void {
     const shadows = level.shadows && this.#shadowsAllowed;
-    const ratio = Math.min(level.pixelRatio, devicePixelRatio);
+    const ratio = Math.min(level.pixelRatio, screen);
     if (this.#renderer.getPixelRatio() !== ratio) this.#renderer.setPixelRatio(ratio);
     this.#renderer.shadowMap.enabled = shadows;
     this.#lamp.castShadow = shadows;
@@ -417,8 +446,7 @@ export class Viewer {
   }
 
   /** What the cameras show: the table with its rails, or the balls on endless cloth. */
-  #box(): Box {
-    const geometry = this.#geometry!;
+  #box(geometry: Geometry): Box {
     if (geometry.size) {
       const [width, length] = geometry.size;
       const rail = geometry.rail_width ?? 0;
@@ -428,7 +456,7 @@ export class Viewer {
       };
     }
     const range = (axis: 0 | 1): [number, number] => {
-      const places = this.#infos.map((ball) => ball.position[axis]);
+      const places = this.#infos.length > 0 ? this.#infos.map((ball) => ball.position[axis]) : [0];
       const [low, high] = [Math.min(...places), Math.max(...places)];
       const missing = Math.max(ENDLESS_MARGIN, (ENDLESS_LEAST - (high - low)) / 2);
       return [low - missing, high + missing];

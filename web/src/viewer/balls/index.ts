@@ -33,16 +33,26 @@ import { skin } from "./skin";
 const SKIN = 256;
 /** Segments of a sphere around its equator. */
 const SEGMENTS = { high: 48, low: 24 };
+/** How far a ball's number leans from straight up towards the viewer, rad. */
+const LEAN = 0.3;
+
 /**
- * How a skin lies on a ball in the orientation "identity": its number looks up and a little to the right
- * long side, where the camera of the long view stands, and reads from there.
+ * How a skin lies on a ball in the orientation "identity": its number looks up, leans towards a viewer who
+ * stands in the direction `azimuth` (rad) from the table, and reads from there.
  */
-const FACING = new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), 0.3).multiply(
-  new Quaternion().setFromRotationMatrix(
-    // Text's right → +y, text's up → −x, out of the ball → +z.
-    new Matrix4().makeBasis(new Vector3(0, 1, 0), new Vector3(-1, 0, 0), new Vector3(0, 0, 1)),
-  ),
-);
+function facing(azimuth: number): Quaternion {
+  // Out of the ball → up; the text's top → away from a viewer in the direction +x.
+  const upright = new Matrix4().makeBasis(
+    new Vector3(0, 1, 0),
+    new Vector3(-1, 0, 0),
+    new Vector3(0, 0, 1),
+  );
+  return new Quaternion()
+    .setFromAxisAngle(new Vector3(0, 0, 1), azimuth)
+    .multiply(new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), LEAN))
+    .multiply(new Quaternion().setFromRotationMatrix(upright));
+}
+
 /** Radius of the soft shadow of a ball on the cloth, ball radii, and its darkness. */
 const BLOB = 1.55;
 const DARKNESS = 0.62;
@@ -75,6 +85,8 @@ export class Balls {
   #blobs: InstancedMesh | null = null;
   #bodies: Body[] = [];
   #detail: "high" | "low" = "high";
+  #viewer = 0;
+  readonly #facing = facing(0);
   #under: (x: number, y: number) => number | null = () => 0;
   readonly #matrix = new Matrix4();
   /** Sideways shift of a shadow per height of its ball, along x and y. */
@@ -130,7 +142,7 @@ export class Balls {
     if (this.#blobs?.count !== balls.length) this.#makeBlobs(balls.length);
     this.#bodies.forEach(({ info, mesh }) => {
       mesh.position.set(...info.position);
-      mesh.quaternion.copy(FACING);
+      mesh.quaternion.copy(this.#facing);
       mesh.visible = true;
     });
     this.#placeBlobs();
@@ -147,9 +159,18 @@ export class Balls {
       if (motion === OFF_TABLE) mesh.position.z = info.radius - FLOOR;
       const q = at + ORIENTATION;
       mesh.quaternion.set(states[q]!, states[q + 1]!, states[q + 2]!, states[q + 3]!);
-      mesh.quaternion.multiply(FACING);
+      mesh.quaternion.multiply(this.#facing);
     }
     this.#placeBlobs();
+  }
+
+  /** From where the numbers of balls that have not been turned read upright: `azimuth` (rad) from the table. */
+  setViewer(azimuth: number): void {
+    if (azimuth === this.#viewer) return;
+    this.#viewer = azimuth;
+    const undo = this.#facing.clone().invert();
+    this.#facing.copy(facing(azimuth));
+    for (const { mesh } of this.#bodies) mesh.quaternion.multiply(undo).multiply(this.#facing);
   }
 
   /** Real shadows need no strong blob; a little of it stays, where ball and cloth meet. */

@@ -25,7 +25,7 @@ const POOL: readonly (readonly [string, string])[] = [
   ["#e8701a", "#ff9d4d"],
   ["#12723f", "#63d897"],
   ["#7a2323", "#d98b80"],
-  ["#17181a", "#3a3d42"],
+  ["#17181a", "#a3a9b1"],
 ];
 
 const NAMED: Readonly<Record<string, readonly [body: string, path: string, dots: string]>> = {
@@ -38,7 +38,7 @@ const NAMED: Readonly<Record<string, readonly [body: string, path: string, dots:
   brown: ["#6b3f1d", "#cf9a68", ""],
   blue: ["#1d4fae", "#7fb2ff", ""],
   pink: ["#ee8fa5", "#ffb9c8", ""],
-  black: ["#17181a", "#3a3d42", ""],
+  black: ["#17181a", "#a3a9b1", ""],
   orange: ["#e8701a", "#ff9d4d", ""],
   purple: ["#56308f", "#c2a0ff", ""],
 };

@@ -109,7 +109,8 @@ export function apply(pose: Pose, camera: PerspectiveCamera, radius: number): vo
   camera.lookAt(target);
   camera.fov = (fov * 180) / Math.PI;
   camera.near = Math.max(0.04, distance - radius);
-  camera.far = distance + radius;
+  // The hand may go further away.
+  camera.far = 3 * distance + radius;
   camera.updateProjectionMatrix();
   camera.updateMatrixWorld();
 }

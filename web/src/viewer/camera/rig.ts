@@ -41,8 +41,6 @@ export class Rig {
     this.#controls.minDistance = NEAREST;
     this.#controls.addEventListener("change", changed);
     this.#controls.addEventListener("start", () => (this.#moved = true));
-    // The page stays scrollable by touch where the hand turns nothing.
-    element.style.touchAction = "none";
   }
 
   get mode(): CameraMode {
@@ -64,15 +62,18 @@ export class Rig {
     this.#controls.enabled = enabled && this.#mode === "orbit" && !this.#flight;
   }
 
+  /** Side of the table at the bottom of the view from above, rad from +x. */
+  get side(): number {
+    return top(this.#box, this.#aspect).azimuth;
+  }
+
   setMode(mode: CameraMode, instant: boolean, now: number): void {
     this.#mode = mode;
-    this.#moved = false;
     this.#go(instant, now);
   }
 
   /** The standard view of the present mode. */
   reset(now: number): void {
-    this.#moved = false;
     this.#go(false, now);
   }
 
@@ -118,12 +119,11 @@ export class Rig {
   }
 
   #go(instant: boolean, now: number): void {
+    const from = this.#moved ? poseOf(this.camera, this.#controls.target) : this.#pose;
     this.#controls.enabled = false;
-    if (instant || this.#reducedMotion) {
-      this.#land();
-      return;
-    }
-    this.#flight = { from: this.#current(), start: now };
+    this.#moved = false;
+    if (instant || this.#reducedMotion) this.#land();
+    else this.#flight = { from, start: now };
   }
 
   #land(): void {
@@ -141,11 +141,6 @@ export class Rig {
   /** Keeps a view that nobody is flying or turning in step with what it looks at. */
   #follow(): void {
     if (!this.#flight && !(this.#mode === "orbit" && this.#moved)) this.#land();
-  }
-
-  #current(): Pose {
-    const turned = this.#controls.target.lengthSq() > 0 && this.#moved;
-    return turned ? poseOf(this.camera, this.#controls.target) : this.#pose;
   }
 
   #set(pose: Pose): void {

@@ -8,7 +8,7 @@ import { raised, ring, Surface } from "./surface";
 /** Half the width and half the length of a diamond, m: as on most tables. */
 const SIGHT: Point = [0.0075, 0.0165];
 /** Width of a line on the cloth and radius of a spot, m. */
-const LINE_WIDTH = 0.0032;
+const LINE_WIDTH = 0.004;
 const SPOT_RADIUS = 0.0058;
 
 /** The diamonds, or null where the table has none. */

@@ -11,8 +11,6 @@ const RECESS = 0.014;
 const NOSE = 0.006;
 /** Width of the shade on the cloth at the foot of a cushion, m. */
 const FOOT_SHADE = 0.045;
-/** Length over which it fades at a pocket, m. */
-const SHADE_TAPER = 0.018;
 /** Cloth that is stretched over rubber is a little lighter than on the bed. */
 const CUSHION_TOP = 1.1;
 /** Depth of the holes, and of the cloth that is folded into them, m. */
@@ -86,22 +84,23 @@ export function solid(geometry: Geometry, plan: Outline): Solid {
   };
 }
 
-/** The shade along a cushion's nose, soft towards the cloth and at both ends. */
+/** The shade along a cushion's nose, soft towards the cloth; its ends are mitred. */
 function footShade(surface: Surface, line: readonly Point[], size: Point, width: number): void {
   const nose = line.filter((point) => Math.abs(beyond(point, size)) < JOIN);
   const [a, b] = [nose[0]!, nose.at(-1)!];
-  const taper = SHADE_TAPER / Math.hypot(b[0] - a[0], b[1] - a[1]);
-  // Beside a pocket the shade runs out; in a corner of two cushions it meets the other's.
-  const ends = line.length > nose.length ? 0 : 1;
-  const points = [0, taper, 1 - taper, 1].map((t): Point => [
-    a[0] + t * (b[0] - a[0]),
-    a[1] + t * (b[1] - a[1]),
-  ]);
-  const rows = [RECESS, 0, -0.4 * FOOT_SHADE, -FOOT_SHADE].map((distance) =>
-    raised(shifted(points, size, width, distance), LAYER),
+  const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  const rows = [RECESS, 0, -0.4 * FOOT_SHADE, -FOOT_SHADE].map((distance) => {
+    const mitre = Math.max(0, -distance / length);
+    const ends = [mitre, 1 - mitre].map((t): Point => [
+      a[0] + t * (b[0] - a[0]),
+      a[1] + t * (b[1] - a[1]),
+    ]);
+    return raised(shifted(ends, size, width, distance), LAYER);
+  });
+  surface.bands(
+    rows,
+    [0.6, 0.36, 0.12, 0].map((opacity): Shade => [0, opacity]),
   );
-  const darkness = [0.6, 0.36, 0.12, 0].map((opacity): Shade => [0, opacity]);
-  surface.bands(rows, darkness, (i) => (i === 0 || i === 3 ? ends : 1));
 }
 
 /** A pocket's wall, down from the leather on its top. */

@@ -38,15 +38,14 @@ export class Surface {
    * the second, one sees the bands from the left.
    *
    * @param shades - One per line, or one for all.
-   * @param fade - Opacity by the place along the lines, for lines that end softly.
    */
-  bands(lines: readonly Line[], shades: readonly Shade[] = [1], fade?: (point: number) => number) {
+  bands(lines: readonly Line[], shades: readonly Shade[] = [1]) {
     for (let row = 0; row + 1 < lines.length; row += 1) {
       const [above, below] = [lines[row]!, lines[row + 1]!];
       const first = this.#count;
       [above, below].forEach((line, side) => {
         const shade = shades[row + side] ?? shades[0]!;
-        line.forEach(([x, y, z], i) => this.#vertex(x, y, z, shade, fade?.(i)));
+        line.forEach(([x, y, z]) => this.#vertex(x, y, z, shade));
       });
       const width = above.length;
       for (let i = 0; i + 1 < width; i += 1) {
@@ -70,10 +69,10 @@ export class Surface {
     return this.#positions.length / 3;
   }
 
-  #vertex(x: number, y: number, z: number, shade: Shade, fade = 1): void {
+  #vertex(x: number, y: number, z: number, shade: Shade): void {
     const [brightness, opacity] = typeof shade === "number" ? [shade, 1] : shade;
     this.#positions.push(x, y, z);
-    this.#colors.push(brightness, brightness, brightness, opacity * fade);
+    this.#colors.push(brightness, brightness, brightness, opacity);
   }
 }
 
