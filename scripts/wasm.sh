@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the engine for browsers into web/src/engine/pkg: the WebAssembly, wasm-bindgen's glue, and
-# the same WebAssembly as a string in a module, for whoever bundles it. usage: scripts/wasm.sh
+# the same WebAssembly as a string in a module, which every bundler, Node and a page opened from disk
+# can load alike. usage: scripts/wasm.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -27,10 +28,10 @@ wasm=${CARGO_TARGET_DIR:-target}/$target/wasm/carom_wasm.wasm
 
 if [ ! "$out/embedded.js" -nt "$wasm" ]; then
     mkdir -p "$out"
-    wasm-bindgen "$wasm" --target web --omit-default-module-path --out-dir "$out"
+    wasm-bindgen "$wasm" --target web --omit-default-module-path --remove-name-section --out-dir "$out"
     {
-        echo "// The WebAssembly in Base64."
-        echo "export default \"$(base64 < "$out/carom_wasm_bg.wasm" | tr -d '\n')\";"
+        echo "// The WebAssembly, gzip, in Base64: a third of its size."
+        echo "export default \"$(gzip -9 -n < "$out/carom_wasm_bg.wasm" | base64 | tr -d '\n')\";"
     } > "$out/embedded.js"
     echo "declare const base64: string; export default base64;" > "$out/embedded.d.ts"
 fi

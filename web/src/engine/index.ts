@@ -11,13 +11,14 @@ export * from "./types.js";
  * call gives the same.
  * @throws WebAssembly.CompileError if the source is no WebAssembly.
  */
-export function load(source?: BufferSource | WebAssembly.Module): Promise<Engine> {
-  return loadFrom(source ?? bytes());
+export async function load(source?: BufferSource | WebAssembly.Module): Promise<Engine> {
+  return loadFrom(source ?? (await carried()));
 }
 
-function bytes(): Uint8Array<ArrayBuffer> {
+function carried(): Promise<ArrayBuffer> {
   const text = atob(embedded);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
-  return bytes;
+  const packed = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) packed[i] = text.charCodeAt(i);
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
 }
