@@ -53,7 +53,7 @@ def test_the_package_is_small_enough_to_ship() -> None:
         for p in folder.rglob("*")
         if p.is_file()
         and "__pycache__" not in p.parts
-        and p.suffix in {".py", ".so", ".pyi", ".pyd"}
+        and p.suffix in {".py", ".so", ".pyi", ".pyd", ".html"}
     ]
     assert any(p.name.startswith("_core") and p.suffix == ".so" for p in files)
     packed = sum(len(zlib.compress(p.read_bytes())) for p in files)

@@ -1,0 +1,104 @@
+/** The page outside `carom play`: a file on disk without a network, and a notebook's frame. */
+
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { afterAll, beforeAll } from "vitest";
+import type { TraceFile } from "../../src/engine/index.ts";
+import { expect, NATIVE, test } from "./fixture.ts";
+
+/** How long (ms) a page in a frame may take to start. */
+const STARTING = 30_000;
+
+let folder = "";
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), "carom-"));
+});
+afterAll(() => {
+  rmSync(folder, { recursive: true });
+});
+
+function address(name: string): string {
+  return pathToFileURL(join(folder, name)).href;
+}
+
+test("a page that carom --html wrote replays its shot from disk, without a network", async ({
+  open,
+}) => {
+  const arguments_ = ["break", "--game", "nine-ball", "--json", "--html", join(folder, "a b.html")];
+  const out = execFileSync(NATIVE, arguments_, { maxBuffer: 1e9 });
+  const native = JSON.parse(out.toString()) as TraceFile;
+  const page = await open({ url: address("a b.html"), offline: true });
+  expect(await page.title()).toBe("nine-ball break · carom");
+  const shown = await page.evaluate(() => {
+    const { mode, trace } = window.carom!.store.session;
+    return { mode, hash: trace?.hash, again: trace?.shot.simulate().hash };
+  });
+  expect(shown).toEqual({ mode: "replay", hash: native.hash, again: native.hash });
+  const fetched = await page.evaluate(() =>
+    performance
+      .getEntriesByType("resource")
+      .map((entry) => entry.name)
+      .filter((name) => !/^(data|blob):/.test(name)),
+  );
+  expect(fetched).toEqual([]);
+});
+
+test("a trace in a notebook plays in its frame and cannot reach out of it", async ({ browser }) => {
+  const program = `
+import carom
+trace = carom.break_shot("nine-ball").simulate()
+print(trace._repr_html_())
+`;
+  const frame = execFileSync(join(dirname(NATIVE), "python"), ["-c", program], { maxBuffer: 1e9 });
+  writeFileSync(join(folder, "notebook.html"), `<!doctype html><p>In [1]: trace</p>${frame.toString()}`);
+  const context = await browser.newContext({ offline: true });
+  const page = await context.newPage();
+  const errors: string[] = [];
+  page.on("console", (message) => {
+    if (message.type() === "error") errors.push(message.text());
+  });
+  page.on("pageerror", (error) => errors.push(error.message));
+  await page.goto(address("notebook.html"));
+  const inside = page.frames()[1]!;
+  await inside.waitForFunction(
+    () => performance.getEntriesByName("carom:interactive").length > 0,
+    undefined,
+    { timeout: STARTING },
+  );
+  await inside.getByRole("button", { name: "Play", exact: true }).click();
+  await inside.waitForFunction(() => window.carom!.store.session.time > 0.5);
+  const reached = await inside.evaluate(() => {
+    try {
+      return window.parent.document.body.textContent;
+    } catch {
+      return null;
+    }
+  });
+  expect(reached).toBeNull();
+  expect(errors).toEqual([]);
+  await context.close();
+});
+
+test("a shot in an exported page opens for aiming, whatever its balls are called", async ({
+  open,
+}) => {
+  const name = "</script><b>";
+  const program = `
+import sys, carom, carom.page
+shot = carom.Shot("wpa-9ft", {"cue": (0.6, 0.6), sys.argv[2]: (0.6, 1.8)}, carom.Strike(speed=2, azimuth=1.5))
+open(sys.argv[1], "w", encoding="utf-8").write(carom.page.html(shot))
+`;
+  const file = join(folder, "aim.html");
+  execFileSync(join(dirname(NATIVE), "python"), ["-c", program, file, name]);
+  expect(readFileSync(file, "utf-8")).not.toContain(name);
+  const page = await open({ url: address("aim.html") });
+  const [mode, ids] = await page.evaluate(() => {
+    const { session, document } = window.carom!.store;
+    return [session.mode, document.shot.balls.map((ball) => ball.id)];
+  });
+  expect(mode).toBe("aim");
+  expect(ids).toEqual(["cue", name]);
+});
