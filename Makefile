@@ -1,5 +1,6 @@
 # carom. `make` alone lists what there is. Every target sets itself up: a virtual environment in
-# .venv, Rust's output in target, nothing outside the checkout but the caches of pip and cargo.
+# .venv, Rust's output in target, web/node_modules, nothing outside the checkout but the caches of pip,
+# cargo and npm.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
@@ -13,26 +14,39 @@ PY := $(BIN)/python
 # Stamps: what they depend on is older than they are, or the step runs again.
 TOOLS := $(VENV)/.tools
 BUILT := $(VENV)/.built
-RUST_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-py -type f \
+RUST_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules crates/carom-py -type f \
                   \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \)) \
                 Cargo.toml Cargo.lock
+# npm writes this file last.
+MODULES := web/node_modules/.package-lock.json
+PAGE := python/carom/web/index.html
+PAGE_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-wasm web/src -type f \
+                  \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \) \
+                  -not -path 'web/src/engine/pkg/*') \
+                Cargo.toml Cargo.lock scripts/wasm.sh web/index.html web/vite.config.ts
 PYTEST := $(PY) -m pytest
 # maturin looks for cargo and itself on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
-.PHONY: help demo test stress bench bench-peer docs goldens lint fmt rust-test python-test setup clean
+.PHONY: help demo test stress bench bench-peer docs goldens lint fmt page rust-test web-test \
+        python-test setup clean
 
 help: ## List the targets.
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-demo: $(BUILT) ## A nine-ball break: the event table here, pictures in out/.
+demo: $(BUILT) $(PAGE) ## A nine-ball break: the event table here, pictures and a page to replay it in out/.
 	@mkdir -p out
-	@$(BIN)/carom shot shots/nine_ball_break.json --svg out/nine_ball_break.svg --png out/nine_ball_break.png
+	@$(BIN)/carom shot shots/nine_ball_break.json --svg out/nine_ball_break.svg \
+	  --png out/nine_ball_break.png --html out/nine_ball_break.html
 	@echo "Pictures: out/nine_ball_break.svg, out/nine_ball_break.png"
+	@echo "To look at it from all sides: open out/nine_ball_break.html, or $(BIN)/carom play"
 
-test: lint rust-test python-test ## Every test: Rust, Python, README snippets, lints.
+# What is missing is said before anything is built.
+test: ## Every test: Rust, the page, Python, README snippets, lints.
+	@bash scripts/prerequisites.sh tests
+	@$(MAKE) lint rust-test web-test python-test
 
-lint: $(BUILT) ## Formatting, lints and types.
+lint: $(BUILT) $(MODULES) ## Formatting, lints and types.
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --quiet -- -D warnings
 	@bash scripts/no_std.sh
@@ -40,13 +54,19 @@ lint: $(BUILT) ## Formatting, lints and types.
 	$(BIN)/ruff format --check --quiet .
 	$(BIN)/mypy
 	MYPYPATH=python $(PY) -m mypy.stubtest carom._core --concise
+	cd web && npm run --silent check
 
 rust-test: ## The Rust tests in debug; whole shots, 100 000 of them random, in release too.
 	@bash scripts/prerequisites.sh rust
 	cargo test --quiet --workspace --exclude carom-py
 	cargo test --quiet --release -p carom -p carom-check -p carom-rules --test simulate --test whole_shots --test random_play
 
-python-test: $(BUILT) ## The Python tests, the validation and the README's snippets.
+web-test: $(BUILT) $(PAGE) ## The page's tests, in Node and in Chromium.
+	@bash scripts/prerequisites.sh tests
+	cd web && npm run --silent test
+	cd web && npm run --silent e2e
+
+python-test: $(BUILT) $(PAGE) ## The Python tests, the validation and the README's snippets.
 	$(PYTEST) --quiet --durations=10
 
 stress: $(BUILT) ## The long randomised suites: 10 million shots and more (hours).
@@ -75,15 +95,19 @@ docs: $(BUILT) ## The documentation, into docs/_build.
 goldens: $(BUILT) ## Write the goldens anew, after a change of results on purpose.
 	$(PY) scripts/write_goldens.py
 
-fmt: $(TOOLS) ## Format everything.
+fmt: $(TOOLS) $(MODULES) ## Format everything.
 	cargo fmt --all
 	$(BIN)/ruff format --quiet .
 	$(BIN)/ruff check --quiet --fix .
+	cd web && npm run --silent format
 
-setup: $(BUILT) ## The virtual environment in .venv with carom and every tool in it.
+page: $(PAGE) ## The page that `carom play` opens, into python/carom/web.
+
+setup: $(BUILT) $(PAGE) ## The virtual environment in .venv with carom and every tool in it, and the page.
 
 clean: ## Remove everything that was built.
-	rm -rf $(VENV) target out dist docs/_build docs/gallery python/carom/*.so
+	rm -rf $(VENV) target out dist docs/_build docs/gallery python/carom/*.so \
+	  web/node_modules web/dist web/src/engine/pkg python/carom/web
 
 $(TOOLS): pyproject.toml scripts/prerequisites.sh
 	@bash scripts/prerequisites.sh
@@ -98,3 +122,15 @@ $(BUILT): $(TOOLS) $(RUST_SOURCES) pyproject.toml
 	@echo "Building carom (the first time takes a minute or two) ..." >&2
 	@$(PY) -m pip install --quiet --no-build-isolation --editable .
 	@touch $@
+
+$(MODULES): web/package.json web/package-lock.json
+	@bash scripts/prerequisites.sh page
+	@cd web && npm ci --no-audit --no-fund --loglevel=error
+	@touch $@
+
+$(PAGE): $(MODULES) $(PAGE_SOURCES)
+	@bash scripts/prerequisites.sh page
+	@echo "Building the page (the first time takes some minutes) ..." >&2
+	@cd web && npm run --silent build -- --logLevel warn
+	@mkdir -p $(@D)
+	@cp web/dist/index.html $@

@@ -103,7 +103,7 @@ export interface Spot {
 const ROOT = fileURLToPath(new URL("../../..", import.meta.url));
 
 /** The native engine's command: `CAROM`, else that of the checkout's virtual environment. */
-const NATIVE = process.env.CAROM ?? `${ROOT}.venv/bin/carom`;
+export const NATIVE = process.env.CAROM ?? `${ROOT}.venv/bin/carom`;
 
 /** What the native engine makes of a shot. */
 export function native(shot: ShotFile): TraceFile {
