@@ -4,6 +4,7 @@
 # can load alike. usage: scripts/wasm.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
+me=scripts/wasm.sh
 
 missing() { echo "carom: $1" >&2; exit 1; }
 
@@ -26,7 +27,7 @@ RUSTFLAGS="-C target-feature=+simd128" \
     cargo build --quiet --profile wasm -p carom-wasm --target "$target"
 wasm=${CARGO_TARGET_DIR:-target}/$target/wasm/carom_wasm.wasm
 
-if [ ! "$out/embedded.js" -nt "$wasm" ]; then
+if [ ! "$out/embedded.js" -nt "$wasm" ] || [ ! "$out/embedded.js" -nt "$me" ]; then
     mkdir -p "$out"
     wasm-bindgen "$wasm" --target web --omit-default-module-path --remove-name-section --out-dir "$out"
     {
