@@ -170,6 +170,24 @@ impl Tube<'_> {
         Sample { t, x, velocity, radius, radial_rate, f, g }
     }
 
+    /// How long a hop off the ring takes if f″ stays as it is: from where it touches and parts
+    /// until it comes back. A guess at where to look first.
+    #[inline(always)]
+    fn hop(&self, here: &Sample) -> Option<f64> {
+        let Sample { x, velocity, radius, radial_rate, f, g, .. } = here;
+        let touches = f.abs() <= TOUCH * (self.distance * self.distance);
+        if !touches || *g <= 0.0 || *radius == 0.0 {
+            return None;
+        }
+        let h = &self.motion.h;
+        let across = velocity[0] * velocity[0] + velocity[1] * velocity[1];
+        let pull = 2.0 * (x[0] * h[0] + x[1] * h[1]);
+        // ½f″, with ρρ″ = ẋ² + ẏ² − ρ′² + (x, y)·(ẍ, ÿ).
+        let bend = across + velocity[2] * velocity[2] + pull + 2.0 * (x[2] * h[2])
+            - self.ring / radius * (across - radial_rate * radial_rate + pull);
+        (bend < 0.0).then(|| -2.0 * g / bend)
+    }
+
     /// An f′/2 whose sign is a matter of roundings.
     #[inline(always)]
     fn graze(&self, here: &Sample) -> f64 {
@@ -177,6 +195,16 @@ impl Tube<'_> {
         GRAZE * (self.ring + self.distance) * (x + y + z)
     }
 }
+
+/// A squared gap below this share of R² is as good as zero: it is the rounding of its terms.
+const ROUNDING: f64 = 2.0 * f64::EPSILON;
+
+/// A squared gap below this share of R² is taken for a touch, where only speed depends on it.
+const TOUCH: f64 = 1e-9;
+
+/// How much further than a guessed hop is looked at once: far enough that it ends there, not so far that
+/// the signs of its derivatives are unsettled.
+const HOP_SPAN: f64 = 1.25;
 
 /// A ball that leaves the slate is on top of the lip's torus, and its normal speed there, zero, is known
 /// only as well as its position. What closes by no more than this does not fire if f is convex: it
@@ -205,7 +233,7 @@ fn walk(tube: &Tube<'_>, start: f64, end: f64) -> Option<f64> {
         return None;
     }
     let finest = (end - start) * FINEST;
-    let mut width = end - start;
+    let mut width = tube.hop(&here).map_or(end - start, |hop| HOP_SPAN * hop);
     loop {
         if here.f <= 0.0 && here.g < -tube.graze(&here) {
             return Some(here.t);
@@ -309,7 +337,12 @@ fn only_descent(tube: &Tube<'_>, open: &Sample, closed: &Sample) -> f64 {
         Some(step) => tube.sample(low + step),
         None => *closed,
     };
+    let rounding = ROUNDING * (tube.distance * tube.distance);
     for _ in 0..MAX_STEPS {
+        // Newton has got as near as f can tell; more steps would follow roundings.
+        if here.f.abs() <= rounding {
+            break;
+        }
         if here.f > 0.0 {
             low = here.t
         } else {

@@ -108,6 +108,13 @@ pub(super) fn below(
     if descent > from { crossing(descent) } else { None }
 }
 
+/// Whether a flight provably keeps below z = 0 in [`from`, `last`]: its Bernstein coefficients do.
+pub(super) fn keeps_below(path: &Motion<3>, [from, last]: [f64; 2]) -> bool {
+    let z = |t: f64| path.d[2] + t * (path.v[2] + t * path.h[2]);
+    let rise = 0.5 * (last - from) * (path.v[2] + 2.0 * (from * path.h[2]));
+    z(from) <= 0.0 && z(from) + rise <= 0.0 && z(last) <= 0.0
+}
+
 struct Straight {
     start: Vec2,
     end: Vec2,
@@ -179,7 +186,12 @@ impl Round {
         let wall = below(&self.path, 0.0, [span.from, span.to], |from| {
             first_touch_of_hole(&plan, self.ring - radius, from, span.to)
         });
-        let rim = first_ring_contact(&self.path, self.ring, radius, span.from, span.to);
+        // Below the rim the wall comes first.
+        let rim = if keeps_below(&self.path, [span.from, span.to]) {
+            None
+        } else {
+            first_ring_contact(&self.path, self.ring, radius, span.from, span.to)
+        };
         earlier(earlier(wall, rim), post)
     }
 

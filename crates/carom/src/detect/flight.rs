@@ -15,7 +15,7 @@
 use carom_roots::{Motion, first_crossing, first_ring_contact};
 
 use super::ball_table::TableFeature;
-use super::edge::{self, below, earlier, first_touch_of_hole, plan, relative};
+use super::edge::{self, below, earlier, first_touch_of_hole, keeps_below, plan, relative};
 use crate::math::Vec2;
 use crate::table::{Bounds, Capture, Shape, Table};
 
@@ -73,12 +73,14 @@ fn near_the_rails(
     let flight = Flight { table, radius, path };
     let mut first = First { found: None, last: horizon };
     flight.meet_planes(&mut first);
-    // Everything else is solved for one horizon, so that a mirrored path, which comes to the parts in
-    // another order, has the same bits. Only what cannot come first is left out.
-    let last = first.last;
-    if last < f64::INFINITY {
-        flight.meet_edges(&mut first, last);
+    // All lips are solved for one horizon, and then all edges for one, so that a mirrored path, which
+    // comes to them in another order, has the same bits. Only what cannot come first is left out. Lips
+    // come first: a hop on one ends there before it can come to anything else.
+    if first.last < f64::INFINITY {
+        let last = first.last;
         flight.meet_lips(&mut first, last);
+        let last = first.last;
+        flight.meet_edges(&mut first, last);
     }
     first.found
 }
@@ -230,18 +232,33 @@ impl Flight<'_> {
             if field.is_clear_of(&self.table.layout.mouths[k].bounds)
                 || self.is_mouth_line(k)
                 || track.is_clear_of_disc(pocket.center, pocket.radius + radius)
+                || track.is_within_disc(pocket.center, pocket.radius - radius)
             {
                 continue;
             }
-            let around = relative(path, pocket.center, 0.0);
-            let rim = first_ring_contact(&around, pocket.radius, radius, from, last);
-            let wall = below(path, 0.0, [from, last], |from| {
-                first_touch_of_hole(&plan(&around), pocket.radius - radius, from, last)
-            });
-            // Where the liner stands on it the wall is the liner's.
-            let free = |t: &f64| !self.is_at_liner(k, &around, *t);
-            first.offer(earlier(rim, wall.filter(free)), TableFeature::Lip(k as u8));
+            first.offer(self.first_touch_of_lip(k, [from, last]), TableFeature::Lip(k as u8));
         }
+    }
+
+    /// When the ball, no higher than a radius from `from` on, touches the edge of the hole of pocket `k`,
+    /// or its wall.
+    fn first_touch_of_lip(&self, k: usize, [from, last]: [f64; 2]) -> Option<f64> {
+        let (pocket, radius) = (&self.table.pockets[k], self.radius);
+        let around = relative(self.path, pocket.center, 0.0);
+        let plan = plan(&around);
+        let outwards = |from| first_touch_of_hole(&plan, pocket.radius - radius, from, last);
+        // Where the liner stands on it the wall is the liner's, which the ball does not come through.
+        let is_lined = |t: f64| self.is_at_liner(k, &around, t);
+        let until = match outwards(from) {
+            Some(t) if is_lined(t) && around.at(t)[2] <= self.table.cushion_height => t,
+            _ => last,
+        };
+        let wall = below(&around, 0.0, [from, last], outwards).filter(|t| !is_lined(*t));
+        // Below the slate's surface the wall comes before its edge.
+        if keeps_below(&around, [from, until]) {
+            return wall;
+        }
+        earlier(first_ring_contact(&around, pocket.radius, radius, from, until), wall)
     }
 
     /// Whether the centre, seen from the middle of pocket `k`, is in the angle of its liner's round wall.
@@ -283,12 +300,24 @@ impl Track {
                 let along = if along.dot(length) > 0.0 { along } else { -along };
                 beyond(normal, start) || beyond(along, end) || beyond(-along, start)
             }
-            Shape::Arc { center, radius: ring, .. }
-            | Shape::Hollow { center, radius: ring, .. } => {
+            Shape::Arc { center, radius: ring, .. } => {
                 self.is_clear_of_disc(center, ring + radius)
+            }
+            Shape::Hollow { center, radius: ring, start, end } => {
+                // The wall stands beyond a line through its beginning.
+                let along = |p: Vec2| end.dot(p - center);
+                let (a, b) = (along(self.from), along(self.to));
+                (if a > b { a } else { b }) + radius < ring * end.dot(start)
+                    || self.is_within_disc(center, ring - radius)
             }
             Shape::Plane { .. } => true,
         }
+    }
+
+    /// Whether the line keeps nearer than `distance` (m) to `center`: both its ends do.
+    fn is_within_disc(&self, center: Vec2, distance: f64) -> bool {
+        let nearer = |p: Vec2| (p - center).length_squared() < distance * distance;
+        distance > 0.0 && nearer(self.from) && nearer(self.to)
     }
 
     /// Whether the line keeps further than `distance` (m) from `center`: on one side of it, or ending before
