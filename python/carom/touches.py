@@ -8,9 +8,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 # Hops over an edge follow each other within this, s: the engine brings a ball back to the edge
-# after 6 ms at most. On the open slate a hop takes half as long as the one before, and the least
-# that is not left out takes 6 ms too, so that no run of them comes about.
-HOP_TIME = 7e-3
+# after 8 ms at most. On the open slate a hop takes half as long as the one before, and the least
+# that is not left out takes 6 ms, so that no run of them comes about.
+HOP_TIME = 9e-3
 # From so many on hops are a run.
 LEAST_RUN = 3
 

@@ -14,8 +14,8 @@ use crate::touch;
 
 /// How fast a ball that tips over an edge, or runs along a round one, may fall on to it and be thrown
 /// off it again: m/s, and m/s per m/s of its speed. What that takes comes out of its motion along, which
-/// no force at one point does. Twice the hops of 6 ms and of 0.04 rad that the engine promises.
-const TIPPING: [f64; 2] = [0.06, 0.06];
+/// no force at one point does. Twice the hops of 8 ms and of 0.04 rad that the engine promises.
+const TIPPING: [f64; 2] = [0.08, 0.06];
 
 /// By how much the wall of a liner may lean over its hole, rad: 15°, the back draft of a facing. It
 /// stands where an upright one does, but pushes a ball down as well.

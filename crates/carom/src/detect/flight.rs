@@ -300,9 +300,7 @@ impl Track {
                 let along = if along.dot(length) > 0.0 { along } else { -along };
                 beyond(normal, start) || beyond(along, end) || beyond(-along, start)
             }
-            Shape::Arc { center, radius: ring, .. } => {
-                self.is_clear_of_disc(center, ring + radius)
-            }
+            Shape::Arc { center, radius: ring, .. } => self.is_clear_of_disc(center, ring + radius),
             Shape::Hollow { center, radius: ring, start, end } => {
                 // The wall stands beyond a line through its beginning.
                 let along = |p: Vec2| end.dot(p - center);

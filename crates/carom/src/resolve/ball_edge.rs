@@ -9,11 +9,12 @@
 //! A ball that tips over an edge turns about it. Here it does so in small hops off the edge, each a
 //! parabola between two contacts, so that nothing but impacts and flight is needed, and the place
 //! where the ball leaves the edge emerges. Restitution alone would let the hops die out in ever
-//! more contacts. So a ball parts at least as fast as brings it back after [`HOP_TIME`], or after
-//! turning by [`HOP_ANGLE`] if that comes sooner; at most [`HOP_SHARE`] of its kinetic energy is
-//! used for that. The rest of its motion pays what the hop gains: velocity and spin shrink
-//! together, which keeps a ball that turns without slip so. Energy never rises; all hops together
-//! lose no more than the highest has, m·g·0.05 mm.
+//! more contacts. So a ball parts at least as fast as brings it back after [`HOP_TIME`], or, if that
+//! comes sooner, after [`PULL_SHARE`] of the time in which what holds it on the edge would be used
+//! up, but not before it has turned by [`HOP_ANGLE`]: the hops get shorter towards the place where it
+//! leaves. At most [`HOP_SHARE`] of its kinetic energy is used for that. The rest of its motion pays
+//! what the hop gains: velocity and spin shrink together, which keeps a ball that turns without slip
+//! so. Energy never rises; all hops together lose no more than the highest has, m·g·0.08 mm.
 //!
 //! In the mean over the hops the edge pushes as a smooth support would. So a ball that rolls on to
 //! it at speed v and does not slip leaves it where its centre stands at the angle θ from the
@@ -24,13 +25,21 @@ use super::{Body, SPIN_PER_IMPULSE, restitution};
 use crate::math::{Vec2, Vec3, sqrt};
 use crate::physics::Surface;
 
-/// How long a hop lasts at most, s; it is then 0.04 mm high. Longer, and a tipping ball would be
+/// How long a hop lasts at most, s; it is then 0.08 mm high. Longer, and a tipping ball would be
 /// seen to hop; shorter, and a slow one would need more contacts.
-pub const HOP_TIME: f64 = 6e-3;
+pub const HOP_TIME: f64 = 8e-3;
 
-/// How far a ball turns about the edge in a hop, rad: two degrees, which is how well
+/// How far a ball may always turn about the edge in a hop, rad: two degrees, which is how well
 /// the place where it leaves the edge is met.
 pub const HOP_ANGLE: f64 = 0.04;
+
+/// A hop may last this share of the time after which the ball would leave the edge if it turned on
+/// steadily. More, and it would not come back: it returns within 0.75 of that time or never.
+pub const PULL_SHARE: f64 = 0.33;
+
+/// What a ball sinks as it turns about an edge takes from gravity's pull on it, g cos θ − v²/R, at most
+/// so many times what it takes from g cos θ: v² grows by 10/7 of that if it rolls, by twice if it slides.
+const LOSS: f64 = 3.0;
 
 /// How far a ball goes around the axis of a round edge or wall in a hop, rad. It then parts with a
 /// twentieth of its speed along it; less, and a ball that runs around a hole would need more contacts.
@@ -64,7 +73,8 @@ impl Edge {
     }
 
     /// The parting speed, m/s, from which a ball that moves with `velocity` across the normal is brought
-    /// back within [`HOP_TIME`], [`HOP_ANGLE`] and [`ROUND_ANGLE`]; 0 if it flies off anyway.
+    /// back within [`HOP_TIME`], [`PULL_SHARE`] or [`HOP_ANGLE`], and [`ROUND_ANGLE`]; 0 if it flies off
+    /// anyway.
     fn hop_speed(&self, gravity: f64, velocity: Vec3) -> f64 {
         let along = velocity.xy().dot(self.along);
         let turning = (velocity.length_squared() - along * along).max(0.0);
@@ -73,8 +83,12 @@ impl Edge {
         if pull <= 0.0 {
             return 0.0;
         }
-        let within = |angle: f64, rate: f64| angle / rate.max(f64::MIN_POSITIVE);
-        let across = within(HOP_ANGLE, self.turn * sqrt(turning));
+        let within = |amount: f64, rate: f64| amount / rate.max(f64::MIN_POSITIVE);
+        let speed = sqrt(turning);
+        // It sinks faster as it turns: as fast as here is not what it will do in the hop.
+        let sinking = velocity.z.abs() + HOP_ANGLE * speed;
+        let loss = LOSS * gravity * self.turn * sinking;
+        let across = within(HOP_ANGLE, self.turn * speed).max(within(PULL_SHARE * pull, loss));
         let around = within(ROUND_ANGLE, self.bend.max(0.0) * along.abs());
         0.5 * pull * HOP_TIME.min(across).min(around)
     }

@@ -7,7 +7,7 @@ use super::PlacedBall;
 use crate::MotionState;
 use crate::error::Error;
 use crate::math::{Vec2, Vec3};
-use crate::table::{Placement, Table, nose_reach};
+use crate::table::{Capture, Placement, Pocket, Table, nose_reach};
 
 /// Refuses a ball that is not inside (see [`Table::place_check`] and [`Table::place_in_air`]). It is
 /// `balls[index]` of the file.
@@ -27,6 +27,19 @@ pub(super) fn check(index: usize, placed: &PlacedBall, table: &Table) -> Result<
                 "choose a radius of more than {:?} m, or a lower table.cushion_height",
                 0.5 * table.cushion_height
             ),
+        ));
+    }
+    let too_narrow = |p: &&Pocket| matches!(p.capture, Capture::DropCircle) && p.radius <= radius;
+    if let Some(pocket) = table.pockets.iter().find(too_narrow) {
+        return Err(Error::input(
+            format!("balls[{index}].radius"),
+            format!(
+                "a ball of radius {radius:?} m cannot fall into the {} pocket, whose hole has the radius \
+                 {:?} m",
+                pocket.name.name(),
+                pocket.radius
+            ),
+            "choose a smaller ball, or a larger hole_radius of the table's pockets",
         ));
     }
     let position = table.to_engine_frame(&placed.state).position;

@@ -51,7 +51,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
 
     /// Records an event of ball `i` alone, and finds what it does next.
     #[expect(clippy::too_many_arguments, reason = "one event, in full")]
-    fn happen<R: Recorder>(
+    #[inline(always)]
+    pub(super) fn happen<R: Recorder>(
         &mut self,
         i: usize,
         kind: EventKind,
@@ -87,8 +88,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let before = self.state(i, time);
         let hangs = self.is_too_slow_to_fall(i, &before, physics);
         let after = if hangs {
-            let spin = Vec3::new(0.0, 0.0, before.angular_velocity.z);
-            on_plane(before.position, Vec3::ZERO, spin, self.ball[i].radius)
+            self.hanging(i, &before, before.position.z)
         } else {
             BallState { motion: MotionState::Airborne, ..before }
         };
@@ -108,6 +108,13 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             (friction * friction * physics.gravity * radius).max(SLOWEST_FALL * SLOWEST_FALL);
         let surface = radius * radius * state.angular_velocity.xy().length_squared();
         state.velocity.length_squared().max(surface) < least
+    }
+
+    /// The state of ball `i` where rolling resistance has stopped it on a brink, its centre at `height`, m:
+    /// it may still spin.
+    fn hanging(&self, i: usize, state: &BallState, height: f64) -> BallState {
+        let spin = Vec3::new(0.0, 0.0, state.angular_velocity.z);
+        on_plane(state.position.xy().with_z(height), Vec3::ZERO, spin, self.ball[i].radius)
     }
 
     /// A ball comes down on the slate.
@@ -175,9 +182,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         if edge.normal.xy().length_squared() < ON_THE_BRINK * ON_THE_BRINK
             && self.is_too_slow_to_fall(i, &after, physics)
         {
-            let position = before.position.xy().with_z(self.ball[i].radius);
-            let spin = Vec3::new(0.0, 0.0, angular_velocity.z);
-            after = on_plane(position, Vec3::ZERO, spin, self.ball[i].radius);
+            after = self.hanging(i, &after, self.ball[i].radius);
         }
         let kind = EventKind::SlateCollision;
         let events = self.happen(i, kind, [before, after], time, table, physics, recorder);

@@ -115,17 +115,13 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let impact =
             Impact { before: &[before], balls: &[ball], normal: push, push, again, smooth: true };
         let [after] = impact.settle(strike);
-        self.begin(i, &after, time, physics);
         self.touched[i] = time;
-        recorder.record(&Event {
-            time,
-            kind: EventKind::RailCollision(part),
-            balls: &[i as u16],
-            before: &[before],
-            after: &[after],
-        });
-        self.find(&[i as u16], time, table);
-        if on_bed { 1 } else { 1 + self.catch(i, &after, time, table, physics, recorder) }
+        let kind = EventKind::RailCollision(part);
+        let events = self.happen(i, kind, [before, after], time, table, physics, recorder);
+        if on_bed {
+            return events;
+        }
+        events + self.catch(i, &after, time, table, physics, recorder)
     }
 
     /// Two balls meet.

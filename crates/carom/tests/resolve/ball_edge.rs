@@ -118,11 +118,11 @@ fn a_ball_that_rolls_slowly_over_an_edge_lifts_off_where_the_textbook_says() {
 
 #[test]
 fn a_ball_that_tips_over_an_edge_flies_as_one_that_was_held_on_it_with_the_same_friction() {
-    const LIFT_OFF: f64 = 0.06;
+    const LIFT_OFF: f64 = 0.08;
     /// m/s, of about 0.7.
-    const VELOCITY: f64 = 0.0015;
+    const VELOCITY: f64 = 0.0025;
     /// m/s, of about 0.3; without friction nothing gives back what the first hops took.
-    const SURFACE: f64 = 0.015;
+    const SURFACE: f64 = 0.02;
     /// m.
     const PLACE: f64 = 1e-4;
     for friction in [0.0, 0.2, 1.0] {
@@ -167,7 +167,7 @@ fn a_ball_that_rolls_fast_along_an_edge_tips_over_it_as_one_that_only_crosses_it
     let alone = tip(&edge(0.0), 0.1);
     let fast = tip_aslant(&edge(0.0), Vec2::new(0.1, 3.0));
     assert!(fast.contacts <= alone.contacts + 2, "{} contacts", fast.contacts);
-    assert_near(fast.cosine / alone.cosine, 1.0, 0.05);
+    assert_near(fast.cosine / alone.cosine, 1.0, 0.08);
     // Friction along the edge couples them; the hops stay as few.
     let rubbed = tip_aslant(&edge(0.2), Vec2::new(0.1, 3.0));
     assert!(rubbed.contacts > 10 && rubbed.contacts < 80, "{} contacts", rubbed.contacts);

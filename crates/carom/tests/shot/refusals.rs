@@ -264,6 +264,20 @@ fn a_nose_that_cannot_meet_a_ball_is_refused() {
 }
 
 #[test]
+fn a_ball_that_no_hole_lets_through_is_refused() {
+    const CUSTOM: &str = r#"{"width": 1.27, "length": 2.54, "pockets": "none"},
+        "physics": {"base": "pool"}"#;
+    let pool = |radius: f64| {
+        format!(r#""wpa-9ft", "physics": {{"base": "pool", "ball": {{"radius": {radius}}}}}"#)
+    };
+    // The corner's hole has a radius of 61.9 mm, the side's 63.5 mm.
+    for radius in [0.062, 0.07] {
+        refused(CUSTOM, &pool(radius), "balls[0].radius", &["cannot fall", "hole_radius"]);
+    }
+    assert!(Shot::from_json(&edited(CUSTOM, &pool(0.0618))).is_ok());
+}
+
+#[test]
 fn fits_are_refused_where_the_cushion_model_takes_none() {
     let fit = r#"{"a": 0.4, "b": 0.2, "c": 0}"#;
     for model in ["restitution", "mathavan-2010"] {
