@@ -1,19 +1,40 @@
-import { readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
 import { load } from "../../../src/engine/index.js";
+import { GOLDENS, read, shotFile } from "./files.js";
 
-const root = new URL("../../../../", import.meta.url);
-const read = (path: string) => readFileSync(new URL(path, root), "utf8");
-
-const goldens = JSON.parse(read("goldens/shots.json")) as Record<
-  string,
-  { events: number; hash: string }
->;
 const engine = await load();
 
 describe("every named shot has the native engine's events, to the bit", () => {
-  test.each(Object.entries(goldens))("%s", (name, golden) => {
-    const trace = engine.shot(read(`shots/${name}.json`)).simulate();
+  test.each(Object.entries(GOLDENS))("%s", (name, golden) => {
+    const trace = engine.shot(shotFile(name)).simulate();
     expect({ events: trace.events.length, hash: trace.hash }).toEqual(golden);
   });
+});
+
+interface NoiseGolden {
+  readonly shot: string;
+  readonly olympiad: number;
+  readonly seed: number;
+  readonly first: number;
+  readonly variants: readonly {
+    readonly strike: readonly number[];
+    readonly events: number;
+    readonly final: readonly number[];
+  }[];
+}
+
+const noiseGoldens = JSON.parse(read("goldens/noise.json")) as NoiseGolden[];
+
+test("execution noise draws the native engine's strikes, which end at its places, to the bit", () => {
+  expect(noiseGoldens).not.toHaveLength(0);
+  for (const { shot, olympiad, seed, first, variants } of noiseGoldens) {
+    const noise = engine.olympiad(olympiad);
+    const batch = engine.shot(shotFile(shot)).vary(noise, seed, first, variants.length);
+    variants.forEach(({ strike, events, final }, k) => {
+      expect([...batch.strikes.subarray(5 * k, 5 * k + 5)]).toEqual(strike);
+      expect(batch.events[k]).toBe(events);
+      const start = 3 * k * batch.balls;
+      expect([...batch.finalPosition.subarray(start, start + 3)]).toEqual(final);
+    });
+  }
 });

@@ -1,0 +1,177 @@
+import { describe, expect, test } from "vitest";
+import {
+  CaromError,
+  load,
+  OFF_TABLE,
+  ON_TABLE,
+  type Shot,
+  type Strike,
+} from "../../../src/engine/index.js";
+import { GOLDENS, shotFile } from "./files.js";
+
+const engine = await load();
+
+function refusal(call: () => unknown): CaromError {
+  try {
+    call();
+  } catch (error) {
+    if (error instanceof CaromError) return error;
+    throw error;
+  }
+  throw new Error("it was not refused");
+}
+
+describe("what the engine refuses it names, with the remedy", () => {
+  const pot = JSON.parse(shotFile("half_ball_cut")) as { balls: object[]; strike: object };
+  const but = (changes: object) => JSON.stringify({ ...pot, ...changes });
+  test.each([
+    ["{", "", /^not JSON: .*line 1, column 1/],
+    [but({ table: "wpa-10ft" }), "table", /wpa-9ft/],
+    [
+      but({ balls: [...pot.balls, { id: "8", position: [0.5, "x"] }] }),
+      "balls[2].position[1]",
+      /number/,
+    ],
+    [but({ strike: { ...pot.strike, side: 0.9 } }), "strike.side", /a miscue.*strike nearer/],
+    [but({ strike: { ...pot.strike, spin: 1 } }), "strike.spin", /unknown|no such|remove/],
+  ])("%#", (file, place, sentence) => {
+    const error = refusal(() => engine.shot(file));
+    expect(error.message).toMatch(sentence);
+    expect(error.place).toBe(place);
+    expect(error.message.startsWith(place)).toBe(true);
+  });
+
+  test("a shot at its cap of events carries its file", () => {
+    const file = { ...engine.breakShot("eight-ball").file, max_events: 10 };
+    const error = refusal(() => engine.shot(file).simulate());
+    expect(error.message).toMatch(/^max_events: the shot was stopped at its cap of 10 events/);
+    expect(JSON.parse(error.shot!)).toEqual(file);
+  });
+
+  test("games and seeds that are none", () => {
+    expect(refusal(() => engine.breakShot("curling")).message).toMatch(
+      /^game: there is no game "curling"; write one of eight-ball, nine-ball/,
+    );
+    expect(refusal(() => engine.breakShot("snooker", { seed: -1 })).place).toBe("seed");
+    expect(refusal(() => engine.breakShot("snooker", { seed: 0.5 })).place).toBe("seed");
+    expect(refusal(() => engine.breakShot("snooker", { table: "lawn" })).place).toBe("table");
+  });
+});
+
+test("a shot says what its file leaves to the physics", () => {
+  const shot = engine.shot(shotFile("snooker_pot"));
+  expect(shot.geometry.name).toBe("snooker-12ft");
+  expect(shot.geometry.pockets).toHaveLength(6);
+  const cue = shot.balls[shot.struck!]!;
+  expect(cue.radius).toBe(0.02625);
+  expect(cue.position[2]).toBe(cue.radius);
+  expect(shot.miscueLimit).toBeGreaterThan(0.4);
+  expect(shot.miscueLimit).toBeLessThan(0.6);
+  expect(engine.shot(shot.json()).json()).toBe(shot.json());
+});
+
+test("a shot without a strike has none to tell or to vary", () => {
+  const { format, table, balls } = engine.shot(shotFile("half_ball_cut")).file;
+  const shot = engine.shot({ format, table, balls });
+  expect([shot.struck, shot.strike]).toEqual([null, null]);
+  expect(refusal(() => shot.vary(engine.olympiad(), 0, 0, 1)).place).toBe("strike");
+});
+
+describe("withStrike", () => {
+  const shot = engine.shot(shotFile("masse"));
+  const strike = shot.strike!;
+
+  test("is the same shot as one read from its own file", () => {
+    const turned = shot.withStrike({ ...strike, azimuth: strike.azimuth + 0.1, side: 0.2 });
+    expect(engine.shot(turned.json()).simulate().hash).toBe(turned.simulate().hash);
+    expect(turned.file.strike!.side).toBe(0.2);
+    expect(turned.strike!.azimuth).toBeCloseTo(strike.azimuth + 0.1, 14);
+    expect(shot.strike).toEqual(strike);
+  });
+
+  test("refuses what a file would be refused for", () => {
+    const error = refusal(() => shot.withStrike({ ...strike, speed: 60 }));
+    expect(error.message).toBe("strike.speed: 60.0 is out of range; write a number in (0, 50] m/s");
+    expect(error.place).toBe("strike.speed");
+  });
+
+  test("takes tens of microseconds at most", () => {
+    const rack = engine.breakShot("snooker");
+    const meant = rack.strike!;
+    const times = Array.from({ length: 500 }, (_, k) => {
+      const started = performance.now();
+      rack.withStrike({ ...meant, speed: 1 + k / 1000 }).free();
+      return performance.now() - started;
+    });
+    times.sort((a, b) => a - b);
+    expect(times[250]).toBeLessThan(0.05);
+  });
+});
+
+describe("batches", () => {
+  /** Ends one by one, as rows of a batch have them. */
+  function ends(shot: Shot): { position: number[]; pocket: number[] } {
+    const trace = shot.simulate();
+    const names = shot.geometry.pockets.map((p) => p.name);
+    const file = JSON.parse(trace.json()) as { final: { id: string; position: number[] }[] };
+    const { pocketed, off_table } = trace.outcome;
+    return {
+      position: file.final.flatMap((b) => b.position),
+      pocket: file.final.map(({ id }) => {
+        const fell = pocketed.find(([ball]) => ball === id);
+        if (fell) return names.indexOf(fell[1]);
+        return off_table.includes(id) ? OFF_TABLE : ON_TABLE;
+      }),
+    };
+  }
+
+  test("of different shots have each shot's own end", () => {
+    const shots = Object.keys(GOLDENS).map((name) => engine.shot(shotFile(name)));
+    const batch = engine.simulate(shots);
+    expect(batch.errors.size).toBe(0);
+    expect(batch.shots).toBe(shots.length);
+    shots.forEach((shot, k) => {
+      const { position, pocket } = ends(shot);
+      const [from, to] = [k * batch.balls, k * batch.balls + shot.balls.length];
+      expect([...batch.finalPosition.subarray(3 * from, 3 * to)]).toEqual(position);
+      expect([...batch.pocket.subarray(from, to)]).toEqual(pocket);
+    });
+  });
+
+  test("of variants are the same in pieces", () => {
+    const shot = engine.shot(shotFile("half_ball_cut"));
+    const whole = shot.vary(engine.olympiad(2), 7, 0, 30);
+    const piece = shot.vary(engine.olympiad(2), 7, 20, 10);
+    expect(piece.strikes).toEqual(whole.strikes.subarray(100));
+    expect(piece.finalPosition).toEqual(whole.finalPosition.subarray(60 * whole.balls));
+  });
+
+  test("name the variants that could not be played", () => {
+    const shot = engine.shot(shotFile("half_ball_cut"));
+    const atTheLimit: Strike = { ...shot.strike!, side: 0.999 * shot.miscueLimit };
+    const batch = shot.withStrike(atTheLimit).vary(engine.olympiad(), 1, 0, 40);
+    expect(batch.errors.size).toBeGreaterThan(5);
+    for (const [k, text] of batch.errors) {
+      expect(text).toMatch(/miscue/);
+      expect(batch.events[k]).toBe(0);
+      expect(batch.finalPosition[3 * k * batch.balls]).toBeNaN();
+    }
+  });
+
+  test("refuse noise and counts that are none", () => {
+    const shot = engine.shot(shotFile("half_ball_cut"));
+    const noise = { ...engine.olympiad(), speed: -1 };
+    expect(refusal(() => shot.vary(noise, 0, 0, 1)).place).toBe("noise.speed");
+    expect(refusal(() => shot.vary(engine.olympiad(), 0, 0, 1.5)).place).toBe("count");
+  });
+});
+
+test("the engine knows its tables, physics, games and schemas", () => {
+  expect(engine.version).toMatch(/^carom \d+\.\d+\.\d+$/);
+  expect(engine.tables.map((t) => t.name)).toContain("carom-10ft");
+  expect(Object.keys(engine.physics)).toEqual(["pool", "snooker", "english", "carom", "ideal"]);
+  for (const game of engine.games)
+    expect(engine.breakShot(game).simulate().duration).toBeGreaterThan(1);
+  expect(engine.schema("shot")).toMatchObject({ title: "carom-shot/1" });
+  expect(engine.schema("trace")).toMatchObject({ title: "carom-trace/1" });
+});
