@@ -28,8 +28,8 @@ PYTEST := $(PY) -m pytest
 # maturin looks for cargo and itself on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
-.PHONY: help demo test stress bench bench-peer docs goldens lint fmt page rust-test web-test \
-        python-test setup clean
+.PHONY: help demo test stress bench bench-peer docs goldens lint fmt page picture \
+        rust-test web-test python-test setup clean
 
 help: ## List the targets.
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -94,6 +94,11 @@ docs: $(BUILT) ## The documentation, into docs/_build.
 
 goldens: $(BUILT) ## Write the goldens anew, after a change of results on purpose.
 	$(PY) scripts/write_goldens.py
+
+picture: $(BUILT) $(PAGE) ## The README's picture of the page, by Chromium.
+	@mkdir -p out
+	@$(BIN)/carom shot shots/nine_ball_break.json --html out/nine_ball_break.html > /dev/null
+	node web/scripts/picture.js out/nine_ball_break.html 0.8 docs/images/page.png
 
 fmt: $(TOOLS) $(MODULES) ## Format everything.
 	cargo fmt --all

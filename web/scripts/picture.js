@@ -1,0 +1,44 @@
+/**
+ * The README's picture of the page: a moment of a replay, seen from the side.
+ * usage: node picture.js PAGE SECONDS OUT, where PAGE was written by `carom shot --html`
+ */
+
+/* global performance, window -- inside the page */
+
+import process from "node:process";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const [page, seconds, out] = process.argv.slice(2);
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: [
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--no-first-run",
+  ],
+});
+try {
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 800 },
+    // No flights of the camera to wait for.
+    reducedMotion: "reduce",
+    offline: true,
+  });
+  const tab = await context.newPage();
+  await tab.goto(pathToFileURL(page).href);
+  await tab.waitForFunction(() => performance.getEntriesByName("carom:interactive").length > 0);
+  await tab.evaluate((time) => {
+    window.carom.viewer.quality = "high";
+    window.carom.store.setView({ camera: "orbit" });
+    window.carom.store.setSession({ time, playing: false });
+  }, Number(seconds));
+  await tab.waitForFunction(() => !window.carom.viewer.needsFrame);
+  await tab.screenshot({ path: out });
+} finally {
+  await browser.close();
+}
