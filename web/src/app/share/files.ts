@@ -1,0 +1,71 @@
+/** Files to open: dropped anywhere on the page, or chosen. */
+
+import { open } from "../actions.ts";
+import type { Context } from "../context.ts";
+import { h } from "../dom.ts";
+import type { Store } from "../store.ts";
+
+/** The largest file that is read, bytes: the longest trace that people have is a tenth of it. */
+const LARGEST = 50e6;
+
+/** Opens a shot file or a trace; what cannot be opened is refused in words and changes nothing. */
+export async function openFile(file: File, store: Store, context: Context): Promise<void> {
+  if (file.size > LARGEST) {
+    store.refuse(`${file.name} is too large (${(file.size / 1e6).toFixed(0)} MB) to be a shot.`);
+    return;
+  }
+  let text: string;
+  try {
+    text = await file.text();
+  } catch {
+    store.refuse(`${file.name} cannot be read: choose it again.`);
+    return;
+  }
+  if (open(store, context.engine, text)) context.announce(`${file.name} is opened.`);
+}
+
+/** A button that lets one choose a file. */
+export function openButton(store: Store, context: Context): HTMLElement {
+  const input = h("input", {
+    type: "file",
+    accept: ".json,application/json",
+    hidden: true,
+    "aria-label": "Shot or trace file",
+    id: "open-file",
+  });
+  input.addEventListener("change", () => {
+    const file = input.files?.[0];
+    input.value = ""; // the same file can be chosen again
+    if (file) void openFile(file, store, context);
+  });
+  const button = h(
+    "button",
+    { type: "button", class: "button", id: "open", onclick: () => input.click() },
+    "Open",
+  );
+  button.title = "Open a shot or trace file; or drop one on the page";
+  return h("span", {}, button, input);
+}
+
+/** Lets files be dropped on the page. */
+export function mountDrop(store: Store, context: Context): void {
+  const veil = h("div", { class: "drop", hidden: true, "aria-hidden": "true" }, "Drop to open");
+  document.body.append(veil);
+  const hasFile = (event: DragEvent): boolean => !!event.dataTransfer?.types.includes("Files");
+  addEventListener("dragover", (event) => {
+    if (!hasFile(event)) return;
+    event.preventDefault();
+    veil.hidden = false;
+  });
+  addEventListener("dragleave", (event) => {
+    if (!event.relatedTarget) veil.hidden = true; // out of the window
+  });
+  addEventListener("drop", (event) => {
+    veil.hidden = true;
+    if (!hasFile(event)) return;
+    event.preventDefault();
+    const files = event.dataTransfer?.files ?? [];
+    if (files.length > 1) store.refuse("Drop one file at a time.");
+    else if (files[0]) void openFile(files[0], store, context);
+  });
+}

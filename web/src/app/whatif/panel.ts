@@ -1,0 +1,180 @@
+/** The panel in which one asks what a player's errors do to the shot. */
+
+import "./panel.css";
+import type { Noise } from "../../engine/types.ts";
+import type { Context } from "../context.ts";
+import { h, uniqueId } from "../dom.ts";
+import { mountField } from "../field.ts";
+import type { State, Store } from "../store.ts";
+import { type Progress, Variants } from "./client.ts";
+import { FIRST_NOISE, PRESETS, presetOf, type Sigma, SIGMAS } from "./noise.ts";
+import { mountResult } from "./result.ts";
+import VariantsWorker from "./worker.ts?worker&inline";
+
+/** Variants per change of the shot: a chance of one half is then known to 1.6 %. */
+const COUNT = 1000;
+
+/** Ways of the struck ball that are drawn: more would cover each other. */
+const PATHS = 60;
+
+/** The largest seed that a number of JavaScript tells from its neighbours. */
+const LARGEST_SEED = Number.MAX_SAFE_INTEGER;
+
+/** The largest seed that a click draws: short enough to read out. */
+const LARGEST_DRAWN_SEED = 9999;
+
+export function mountWhatIf(root: HTMLElement, store: Store, context: Context): void {
+  const on = h("input", { type: "checkbox", id: uniqueId("noise"), role: "switch" });
+  on.addEventListener("change", () => {
+    const noise = on.checked ? FIRST_NOISE : null;
+    store.apply({ noise }, on.checked ? "simulate errors" : "no errors");
+  });
+  const intro = h(
+    "p",
+    { class: "hint" },
+    "Nobody strikes exactly as meant. Say how large your errors usually are, and see ",
+    `${COUNT} executions of this shot.`,
+  );
+  const settings = h("div", { class: "settings" });
+  const result = h("section", { "aria-label": "Result" });
+  root.append(
+    h(
+      "div",
+      { class: "switch row" },
+      on,
+      h("label", { for: on.id }, "Simulate errors of the player"),
+    ),
+    intro,
+    result,
+    settings,
+  );
+  mountSettings(settings, store, context);
+  const show = mountResult(result, context);
+
+  const ask = mountVariants(store, context, show);
+  const follow = (): void => {
+    const { noise } = store.document;
+    on.checked = noise !== null;
+    settings.hidden = result.hidden = noise === null;
+  };
+  store.subscribe((now, before) => {
+    follow();
+    if (asksAnew(now, before)) ask();
+  });
+  follow();
+  ask();
+}
+
+function asksAnew(now: State, before: State): boolean {
+  return now.document !== before.document || now.session.mode !== before.session.mode;
+}
+
+/** @returns A function that asks for variants of the present document, or for none. */
+function mountVariants(
+  store: Store,
+  { engine, viewer, loop }: Context,
+  show: (progress: Progress | string | null, store: Store) => void,
+): () => void {
+  let variants: Variants | null = null;
+  const progress = (so: Progress): void => {
+    viewer.setFan(so.tally.played(), [...so.paths]);
+    show(so, store);
+    loop.invalidate();
+  };
+  const clear = (words: string | null): void => {
+    viewer.setFan(null);
+    show(words, store);
+    loop.invalidate();
+  };
+  return () => {
+    const { noise, seed } = store.document;
+    const wanted = noise && store.session.mode === "aim";
+    if (!wanted) {
+      variants?.cancel();
+      if (!noise || variants) viewer.setFan(null);
+      return;
+    }
+    variants ??= new Variants(new VariantsWorker(), engine, { progress, refused: clear });
+    variants.ask(store.shot.file, noise, seed, COUNT, PATHS);
+  };
+}
+
+function mountSettings(root: HTMLElement, store: Store, context: Context): void {
+  const preset = h(
+    "select",
+    { id: uniqueId("preset") },
+    ...PRESETS.map(({ name }) => h("option", { value: name }, name)),
+    h("option", { value: "", disabled: true }, "Your own"),
+  );
+  preset.addEventListener("change", () => {
+    const chosen = PRESETS.find(({ name }) => name === preset.value);
+    if (chosen) store.apply({ noise: chosen.noise }, "errors of the player");
+  });
+  root.append(
+    h("h2", {}, "Standard deviations"),
+    h("div", { class: "row" }, h("label", { for: preset.id }, "Like"), preset),
+  );
+  for (const sigma of SIGMAS) mountSigma(root, store, context, sigma);
+  root.append(h("h2", {}, "Random numbers"), seedRow(store));
+  store.subscribe(() => {
+    const { noise } = store.document;
+    preset.value = (noise && presetOf(noise)?.name) ?? "";
+  });
+}
+
+function mountSigma(root: HTMLElement, store: Store, context: Context, sigma: Sigma): void {
+  const { key, label, unit, spoken, scale, max, step } = sigma;
+  mountField(root, store, context, {
+    label,
+    unit,
+    spoken,
+    digits: 4,
+    min: () => 0,
+    max: () => max,
+    step,
+    read: () => (store.document.noise?.[key] ?? 0) / scale,
+    write: (value, group) => {
+      const noise: Noise = { ...(store.document.noise ?? FIRST_NOISE), [key]: value * scale };
+      return value >= 0 && store.apply({ noise }, `error of ${label.toLowerCase()}`, group);
+    },
+  });
+}
+
+function seedRow(store: Store): HTMLElement {
+  const seed = h("input", {
+    type: "number",
+    id: uniqueId("seed"),
+    min: 0,
+    max: LARGEST_SEED,
+    step: 1,
+  });
+  seed.addEventListener("change", () => {
+    const value = Number(seed.value);
+    if (seed.value !== "" && Number.isInteger(value) && value >= 0 && value <= LARGEST_SEED) {
+      store.apply({ seed: value }, "seed");
+    } else {
+      store.refuse(`A seed is a whole number from 0 to ${LARGEST_SEED}.`);
+      seed.value = String(store.document.seed);
+    }
+  });
+  const draw = (): void => {
+    store.apply({ seed: Math.floor(Math.random() * (LARGEST_DRAWN_SEED + 1)) }, "seed");
+  };
+  const follow = (): void => {
+    seed.value = String(store.document.seed);
+  };
+  store.subscribe(follow);
+  follow();
+  return h(
+    "div",
+    {},
+    h(
+      "div",
+      { class: "row" },
+      h("label", { for: seed.id }, "Seed"),
+      seed,
+      h("button", { type: "button", class: "button", onclick: draw }, "Another"),
+    ),
+    h("p", { class: "hint" }, "The same seed draws the same errors, here and in Python."),
+  );
+}

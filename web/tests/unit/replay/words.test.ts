@@ -1,0 +1,47 @@
+import { describe, expect, test } from "vitest";
+import type { TraceEvent } from "../../../src/engine/types.ts";
+import { eventInWords, listInWords, rpm } from "../../../src/app/replay/words.ts";
+
+const event = (fields: object): TraceEvent =>
+  ({ time: 0, before: [], after: [], ...fields }) as unknown as TraceEvent;
+
+describe("an event in words", () => {
+  test.each([
+    [{ type: "cue-strike", balls: ["cue"] }, "cue strikes cue"],
+    [{ type: "ball-collision", balls: ["cue", "1", "2"] }, "cue, 1 and 2 collide"],
+    [{ type: "rail-collision", balls: ["8"], rail: "top", part: "nose" }, "8 hits the top rail"],
+    [
+      { type: "rail-collision", balls: ["8"], rail: "left-upper", part: "point" },
+      "8 hits the point of the left-upper rail",
+    ],
+    [
+      { type: "pocket-collision", balls: ["9"], pocket: "top-left" },
+      "9 drops into the top-left pocket",
+    ],
+    [
+      { type: "motion-transition", balls: ["1"], from: "sliding", to: "rolling" },
+      "1 stops sliding, starts rolling",
+    ],
+    [
+      { type: "motion-transition", balls: ["1"], from: "rolling", to: "stationary" },
+      "1 stops rolling",
+    ],
+    [{ type: "slate-collision", balls: ["cue"] }, "cue lands"],
+    [{ type: "off-table", balls: ["cue"] }, "cue leaves the table"],
+  ])("%o is %j", (fields, words) => {
+    expect(eventInWords(event(fields))).toBe(words);
+  });
+});
+
+test("a list has an and before its last", () => {
+  expect([[], ["a"], ["a", "b"], ["a", "b", "c"]].map(listInWords)).toStrictEqual([
+    "",
+    "a",
+    "a and b",
+    "a, b and c",
+  ]);
+});
+
+test("a turn a second is sixty a minute", () => {
+  expect(rpm(2 * Math.PI)).toBeCloseTo(60, 10);
+});

@@ -1,0 +1,101 @@
+import { beforeEach, describe, expect, test } from "vitest";
+import type { ShotFile } from "../../../src/engine/types.ts";
+import { type Progress, Variants } from "../../../src/app/whatif/client.ts";
+import { olympiad } from "../../../src/app/whatif/noise.ts";
+import type { FromWorker, ToWorker } from "../../../src/app/whatif/protocol.ts";
+
+const shot: ShotFile = {
+  format: "carom-shot/1",
+  table: "wpa-9ft",
+  balls: [{ id: "cue", position: [0.5, 1] }],
+};
+
+/** A worker that does nothing but note what it is told. */
+class Silence {
+  told: ToWorker[] = [];
+  onmessage: ((event: MessageEvent) => void) | null = null;
+  postMessage(message: ToWorker): void {
+    this.told.push(message);
+  }
+  terminate(): void {
+    this.told = [];
+  }
+  say(message: FromWorker): void {
+    this.onmessage?.({ data: message } as MessageEvent);
+  }
+  get generation(): number {
+    const last = this.told.at(-1);
+    return last && "generation" in last ? last.generation : -1;
+  }
+}
+
+const chunk = (generation: number, first: number, count: number): FromWorker => ({
+  kind: "chunk",
+  generation,
+  first,
+  count,
+  ends: new Float64Array(2 * count),
+  pockets: new Int8Array(count),
+  errors: new Map(),
+});
+
+describe("asking a worker", () => {
+  let worker: Silence;
+  let heard: Progress[];
+  let refused: string[];
+  let variants: Variants;
+  const module = {} as WebAssembly.Module;
+
+  beforeEach(() => {
+    worker = new Silence();
+    heard = [];
+    refused = [];
+    variants = new Variants(
+      worker,
+      { module },
+      {
+        progress: (p) => heard.push(p),
+        refused: (message) => refused.push(message),
+      },
+    );
+    variants.ask(shot, olympiad(1), 7, 4, 2);
+  });
+
+  test("hands it the compiled engine first", () => {
+    expect(worker.told[0]).toStrictEqual({ kind: "engine", module });
+    expect(worker.told[1]).toMatchObject({ kind: "simulate", seed: 7, count: 4, paths: 2 });
+  });
+
+  test("tells of every chunk, and when all are in", () => {
+    worker.say(chunk(worker.generation, 0, 2));
+    expect(heard.map(({ done }) => done)).toStrictEqual([false]);
+    worker.say(chunk(worker.generation, 2, 2));
+    expect(heard.at(-1)).toMatchObject({ done: true });
+    expect(heard.at(-1)?.tally.count).toBe(4);
+  });
+
+  test("does not hear what belongs to an earlier question", () => {
+    const stale = worker.generation;
+    variants.ask(shot, olympiad(2), 7, 4, 2);
+    worker.say(chunk(stale, 0, 4));
+    worker.say({ kind: "refused", generation: stale, message: "no" });
+    expect(heard).toStrictEqual([]);
+    expect(refused).toStrictEqual([]);
+    worker.say(chunk(worker.generation, 0, 1));
+    expect(heard[0]?.tally.count).toBe(1);
+  });
+
+  test("hears nothing after it was cancelled", () => {
+    const stale = worker.generation;
+    variants.cancel();
+    expect(worker.generation).toBeGreaterThan(stale);
+    worker.say(chunk(stale, 0, 4));
+    worker.say(chunk(worker.generation, 0, 4));
+    expect(heard).toStrictEqual([]);
+  });
+
+  test("hands on why the engine refuses", () => {
+    worker.say({ kind: "refused", generation: worker.generation, message: "no strike" });
+    expect(refused).toStrictEqual(["no strike"]);
+  });
+});
