@@ -1,6 +1,6 @@
 // The page's end of the worker.
 
-import type { Engine, Noise, ShotFile } from "../../engine/index.ts";
+import type { Engine, Noise, Shot } from "../../engine/index.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 import { Tally } from "./tally.ts";
 
@@ -38,7 +38,7 @@ export class Variants {
   }
 
   /** Asks for `count` variants of a shot, and for `paths` of the struck ball's ways. */
-  ask(shot: ShotFile, noise: Noise, seed: number, count: number, paths: number): void {
+  ask(shot: Shot, noise: Noise, seed: number, count: number, paths: number): void {
     const generation = ++this.#generation;
     this.#asked = performance.now();
     this.#progress = {
@@ -47,7 +47,7 @@ export class Variants {
       done: false,
       elapsed: 0,
     };
-    this.#send({ kind: "simulate", generation, shot, noise, seed, count, paths });
+    this.#send({ kind: "simulate", generation, shot: shot.json(), noise, seed, count, paths });
   }
 
   /** Forgets the question. */

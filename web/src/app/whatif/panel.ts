@@ -95,7 +95,7 @@ function mountVariants(
       return;
     }
     variants ??= new Variants(new VariantsWorker(), engine, { progress, refused: clear });
-    variants.ask(store.shot.file, noise, seed, COUNT, PATHS);
+    variants.ask(store.shot, noise, seed, COUNT, PATHS);
   };
 }
 

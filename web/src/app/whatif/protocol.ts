@@ -1,12 +1,13 @@
 // What the page and the worker say to each other.
 
-import type { Noise, ShotFile } from "../../engine/index.ts";
+import type { Noise } from "../../engine/index.ts";
 
 /** Many variants of one shot. */
 export interface Request {
   /** Grows with every request; what belongs to an earlier one is stale. */
   generation: number;
-  shot: ShotFile;
+  /** A `carom-shot/1`, as the engine writes it. */
+  shot: string;
   noise: Noise;
   /** Variant i of a seed is the same on every machine and in every order. */
   seed: number;

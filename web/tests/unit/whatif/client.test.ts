@@ -1,14 +1,11 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { ShotFile } from "../../../src/engine/types.ts";
+import type { Shot } from "../../../src/engine/types.ts";
 import { type Progress, Variants } from "../../../src/app/whatif/client.ts";
 import { olympiad } from "../../../src/app/whatif/noise.ts";
 import type { FromWorker, ToWorker } from "../../../src/app/whatif/protocol.ts";
 
-const shot: ShotFile = {
-  format: "carom-shot/1",
-  table: "wpa-9ft",
-  balls: [{ id: "cue", position: [0.5, 1] }],
-};
+const json = '{"format": "carom-shot/1"}';
+const shot = { json: () => json, balls: [{ id: "cue" }] } as unknown as Shot;
 
 /** A worker that does nothing but note what it is told. */
 class Silence {
@@ -63,7 +60,7 @@ describe("asking a worker", () => {
 
   test("hands it the compiled engine first", () => {
     expect(worker.told[0]).toStrictEqual({ kind: "engine", module });
-    expect(worker.told[1]).toMatchObject({ kind: "simulate", seed: 7, count: 4, paths: 2 });
+    expect(worker.told[1]).toMatchObject({ kind: "simulate", seed: 7, count: 4, paths: 2, shot: json });
   });
 
   test("tells of every chunk, and when all are in", () => {
