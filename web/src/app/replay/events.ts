@@ -7,6 +7,7 @@ import { momentsOf, seek } from "./control.ts";
 import { LOOKS, mark } from "./kinds.ts";
 import { latest } from "./moments.ts";
 import type { Show } from "./panel.ts";
+import { ballName } from "../words.ts";
 import { eventInWords } from "./words.ts";
 
 export function mountEvents(root: HTMLElement, store: Store): Show {
@@ -60,7 +61,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
 
   return (trace, ball, time) => {
     const { id } = trace.shot.balls[ball]!;
-    setText(onlyLabel, `Only those of ${id}`);
+    setText(onlyLabel, `Only those of ${ballName(id)}`);
     const wanted = only.checked ? id : null;
     if (trace !== shown) fill(trace);
     const rows = body.rows;

@@ -57,10 +57,9 @@ function mountNumbers(root: HTMLElement): Show {
   const motion = value("Motion");
   const position = value("Position");
   const speed = value("Speed");
-  const spin = value("Spin");
-  const axes = value("Spin about x, y, z");
   const energy = value("Energy");
   root.append(list);
+  const spin = mountSpin(root);
   let states = new Float64Array();
 
   return (trace, index, time) => {
@@ -74,8 +73,7 @@ function mountNumbers(root: HTMLElement): Show {
     setText(motion, MOTIONS[state[MOTION]!] ?? "");
     setText(position, `${triple(vector(POSITION), 3)} m`);
     setText(speed, `${v.toFixed(3)} m/s`);
-    setText(spin, `${omega.toFixed(1)} rad/s · ${rpm(omega).toFixed(0)} rpm`);
-    setText(axes, `${triple(vector(SPIN), 1)} rad/s`);
+    spin([...vector(SPIN), omega]);
     setText(energy, `${(1000 * kinetic(balls[index]!, v, omega)).toFixed(1)} mJ`);
   };
 }
@@ -85,6 +83,27 @@ function kinetic({ mass, radius }: BallInfo, speed: number, spin: number): numbe
   return 0.5 * mass * (speed ** 2 + INERTIA * (radius * spin) ** 2);
 }
 
+/** @returns A function that shows the components about x, y and z, and the magnitude, rad/s. */
+function mountSpin(root: HTMLElement): (spin: readonly number[]) => void {
+  const axes = ["about x", "about y", "about z (side)", "in all"];
+  const cells = axes.map(() => [h("td"), h("td")] as const);
+  const head = ["Spin", "rad/s", "rpm"].map((name) => h("th", { scope: "col" }, name));
+  const rows = axes.map((axis, i) => h("tr", {}, h("th", { scope: "row" }, axis), ...cells[i]!));
+  root.append(
+    h("table", { class: "spin" }, h("thead", {}, h("tr", {}, ...head)), h("tbody", {}, ...rows)),
+  );
+  return (spin) =>
+    cells.forEach(([radians, turns], i) => {
+      setText(radians, fixed(spin[i]!, 1));
+      setText(turns, fixed(rpm(spin[i]!), 0));
+    });
+}
+
 function triple(v: Float64Array, digits: number): string {
-  return Array.from(v, (x) => x.toFixed(digits).replace(/^-(0\.?0*)$/, "$1")).join(", ");
+  return Array.from(v, (x) => fixed(x, digits)).join(", ");
+}
+
+/** As `toFixed`, but nothing is "minus zero". */
+function fixed(x: number, digits: number): string {
+  return x.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 }

@@ -34,10 +34,13 @@ export function curve(frame: Frame, times: ArrayLike<number>, values: ArrayLike<
   return d;
 }
 
-/** The least "round" number (1, 2 or 5 times a power of ten) that is not below `value`. */
+/** Where axes end, times a power of ten. */
+const ROUND = [1, 1.5, 2, 3, 4, 5, 6, 8, 10] as const;
+
+/** The least round number that is not below `value`. */
 export function roundUp(value: number): number {
   if (!(value > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(value));
-  const step = [1, 2, 5, 10].find((s) => s * power >= value) ?? 10;
+  const step = ROUND.find((s) => s * power >= value) ?? 10;
   return step * power;
 }

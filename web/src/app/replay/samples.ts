@@ -1,6 +1,6 @@
 // A ball's speed and spin against time.
 
-import { STRIDE, type Trace } from "../../engine/index.ts";
+import { STRIDE, type Trace } from "../../engine/types.ts";
 import { SPIN, VELOCITY } from "./state.ts";
 
 /** A ball's motion at increasing times; at an impact twice, before and after it. */

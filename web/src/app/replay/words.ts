@@ -1,21 +1,23 @@
 // Events and states in words.
 
-import type { TraceEvent } from "../../engine/index.ts";
+import type { CushionPart, Motion, RailName, TraceEvent } from "../../engine/types.ts";
+import { ballName, placeName } from "../words.ts";
 
 /** What happens, as one reads it in the list of events and hears it from the slider. */
 export function eventInWords(event: TraceEvent): string {
-  const [first = ""] = event.balls;
+  const names = event.balls.map(ballName);
+  const [first = ""] = names;
   switch (event.type) {
     case "cue-strike":
       return `cue strikes ${first}`;
     case "ball-collision":
-      return `${listInWords(event.balls)} collide`;
+      return `${listInWords(names)} collide`;
     case "rail-collision":
       return `${first} hits ${railInWords(event.rail, event.part)}`;
     case "pocket-collision":
-      return `${first} drops into the ${event.pocket} pocket`;
+      return `${first} drops into the ${placeName(event.pocket)} pocket`;
     case "motion-transition":
-      return `${first} stops ${event.from}${event.to === "stationary" ? "" : `, starts ${event.to}`}`;
+      return `${first} ${transitionInWords(event.from, event.to)}`;
     case "slate-collision":
       return `${first} lands`;
     case "off-table":
@@ -23,8 +25,14 @@ export function eventInWords(event: TraceEvent): string {
   }
 }
 
-function railInWords(rail = "", part = "nose"): string {
-  const name = `the ${rail} rail`;
+function transitionInWords(from: Motion, to: Motion): string {
+  if (to === "stationary") return "comes to rest";
+  if (to === "airborne") return "leaves the cloth";
+  return `stops ${from}, starts ${to}`;
+}
+
+function railInWords(rail: RailName, part: CushionPart): string {
+  const name = `the ${placeName(rail)} rail`;
   return part === "nose" ? name : `the ${part} of ${name}`;
 }
 

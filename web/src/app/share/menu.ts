@@ -2,7 +2,7 @@
 
 import "./menu.css";
 import type { Context } from "../context.ts";
-import { h, icon, uniqueId } from "../dom.ts";
+import { type Child, h, icon, setText, uniqueId } from "../dom.ts";
 import type { Store } from "../store.ts";
 import { link } from "./address.ts";
 import { copy } from "./clipboard.ts";
@@ -16,74 +16,37 @@ const SHARE_ICON = "M12 15V4M8 7.5 12 4l4 3.5M5 12v7h14v-7";
 
 export function mountShare(root: HTMLElement, store: Store, context: Context): void {
   const title = h("h2", { id: uniqueId("share") }, "Share this shot");
-  const address = h("input", { type: "text", readonly: true, id: uniqueId("link") });
-  const noAddress = h(
-    "p",
-    { class: "hint" },
-    "Inside another page there is no address to share: copy the shot file instead.",
-  );
   const dialog = h("dialog", { id: "share-dialog", "aria-labelledby": title.id });
-  const copyButton = (label: string, what: string, text: () => string | null, id: string) =>
-    action(label, id, async () => {
-      const content = text();
-      if (content === null) return;
-      const done = await copy(content);
-      context.announce(
-        done ? `${what} copied.` : "The browser does not let the page copy: select the text.",
-      );
-    });
-  const linkRow = h(
-    "div",
-    { class: "row" },
-    h("label", { for: address.id, class: "unseen" }, "Link"),
-    address,
-    copyButton("Copy link", "Link", () => link(store), "copy-link"),
-  );
+  const close = action("Close", "close-share", () => dialog.close());
+  const copier = mountCopier();
+  const linkPart = mountLink(store, copier.copy);
   const shotText = (): string => `${toPrettyJson(store.shot.file)}\n`;
   dialog.append(
-    h(
-      "div",
-      { class: "head" },
-      title,
-      action("Close", "close-share", () => dialog.close()),
-    ),
-    h("section", {}, h("h3", {}, "Link with everything on this page"), linkRow, noAddress),
-    h(
-      "section",
-      {},
-      h("h3", {}, "Files"),
-      h(
-        "div",
-        { class: "row" },
-        copyButton(
-          "Copy as Python",
-          "Python program",
-          () => pythonProgram(store.shot.file),
-          "copy-python",
-        ),
-        copyButton("Copy shot file", "Shot file", shotText, "copy-shot"),
-        action("Download shot file", "download-shot", () => download(shotText(), "shot.json")),
-        action("Download trace", "download-trace", () => downloadTrace(store)),
+    h("div", { class: "head" }, title, close),
+    linkPart.section,
+    section(
+      "Files",
+      action("Copy as Python", "copy-python", () =>
+        copier.copy(pythonProgram(store.shot.file), "Python program"),
       ),
+      action("Copy shot file", "copy-shot", () => copier.copy(shotText(), "Shot file")),
+      action("Download shot file", "download-shot", () => download(shotText(), "shot.json")),
+      action("Download trace", "download-trace", () => copier.say(downloadTrace(store))),
     ),
-    h(
-      "section",
-      {},
-      h("h3", {}, "Picture of the table as you see it"),
+    section(
+      "Picture of the table as you see it",
       action("Download PNG", "download-png", async () => {
         download(await context.viewer.capture(), "carom.png");
       }),
     ),
     filmSection(store, context),
+    copier.root,
   );
   document.body.append(dialog);
-  address.addEventListener("focus", () => address.select());
 
   const open = (): void => {
-    const here = link(store);
-    linkRow.hidden = here === null;
-    noAddress.hidden = here !== null;
-    address.value = here ?? "";
+    linkPart.refresh();
+    copier.clear();
     dialog.showModal();
   };
   const share = h(
@@ -96,12 +59,75 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
   mountDrop(store, context);
 }
 
+function mountLink(
+  store: Store,
+  copyText: (text: string, what: string) => Promise<void>,
+): { section: HTMLElement; refresh: () => void } {
+  const address = h("input", { type: "text", readonly: true, id: uniqueId("link") });
+  address.addEventListener("focus", () => address.select());
+  const label = h("label", { for: address.id, class: "unseen" }, "Link");
+  const button = action("Copy link", "copy-link", () => copyText(address.value, "Link"));
+  const none = h(
+    "p",
+    { class: "hint" },
+    "Inside another page there is no address to share: copy the shot file instead.",
+  );
+  return {
+    section: section("Link with everything on this page", label, address, button, none),
+    refresh: () => {
+      const here = link(store);
+      address.value = here ?? "";
+      address.hidden = button.hidden = here === null;
+      none.hidden = here !== null;
+    },
+  };
+}
+
+interface Copier {
+  root: HTMLElement;
+  copy: (text: string, what: string) => Promise<void>;
+  say: (sentence: string) => void;
+  clear: () => void;
+}
+
+/** Says in the dialog what was copied; where the browser forbids it, shows the text to be copied. */
+function mountCopier(): Copier {
+  const said = h("p", { class: "said", role: "status" });
+  const text = h("textarea", { readonly: true, rows: 8, "aria-label": "Text to copy" });
+  const say = (sentence: string): void => {
+    setText(said, sentence);
+    text.hidden = true;
+  };
+  return {
+    root: h("div", {}, said, text),
+    say,
+    clear: () => say(""),
+    copy: async (content, what) => {
+      if (await copy(content)) {
+        say(`${what} copied.`);
+        return;
+      }
+      say("The browser does not let this page copy. Here is the text, selected:");
+      text.hidden = false;
+      text.value = content;
+      text.focus();
+      text.select();
+    },
+  };
+}
+
+function section(heading: string, ...children: Child[]): HTMLElement {
+  return h("section", {}, h("h3", {}, heading), h("div", { class: "row" }, ...children));
+}
+
 function action(label: string, id: string, run: () => unknown): HTMLButtonElement {
   return h("button", { type: "button", class: "button", id, onclick: () => void run() }, label);
 }
 
-function downloadTrace(store: Store): void {
+/** @returns What is to be said. */
+function downloadTrace(store: Store): string {
   const trace = store.session.trace ?? store.ghost.trace;
-  if (trace) download(`${trace.json()}\n`, "trace.json");
-  else store.refuse(store.ghost.error ?? "There is no trace of this shot.");
+  if (!trace) return store.ghost.error ?? "There is no trace of this shot.";
+  download(`${trace.json()}\n`, "trace.json");
+  return "Trace downloaded.";
 }

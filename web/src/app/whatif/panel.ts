@@ -49,7 +49,7 @@ export function mountWhatIf(root: HTMLElement, store: Store, context: Context): 
     settings,
   );
   mountSettings(settings, store, context);
-  const show = mountResult(result, context);
+  const show = mountResult(result);
 
   const ask = mountVariants(store, context, show);
   const follow = (): void => {

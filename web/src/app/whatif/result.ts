@@ -1,8 +1,8 @@
 /** What the variants say: how likely each ball drops. */
 
-import type { Context } from "../context.ts";
 import { h, setText, uniqueId } from "../dom.ts";
 import type { Store } from "../store.ts";
+import { ballName, sentence } from "../words.ts";
 import type { Progress } from "./client.ts";
 import { type Chance, chanceInWords } from "./statistics.ts";
 import type { Tally } from "./tally.ts";
@@ -12,7 +12,6 @@ const TELL_AFTER = 1000;
 
 export function mountResult(
   root: HTMLElement,
-  context: Context,
 ): (progress: Progress | string | null, store: Store) => void {
   const heading = h("h2", { id: uniqueId("chances") }, "Chance to drop");
   const body = h("tbody");
@@ -29,7 +28,8 @@ export function mountResult(
   const notes = h("p", { class: "notes" });
   const bar = h("progress", { max: 1, "aria-label": "Variants simulated" });
   const count = h("p", { class: "hint", id: "variants" });
-  root.append(heading, table, notes, bar, count);
+  const aloud = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
+  root.append(heading, table, notes, bar, count, aloud);
   let telling: ReturnType<typeof setTimeout> | undefined;
 
   return (progress, store) => {
@@ -48,7 +48,7 @@ export function mountResult(
     bar.hidden = done;
     setText(count, done ? `${tally.count} variants in ${elapsed.toFixed(0)} ms` : "Simulating …");
     count.dataset.done = String(done);
-    if (done) telling = setTimeout(() => context.announce(told(rows)), TELL_AFTER);
+    if (done) telling = setTimeout(() => setText(aloud, told(rows)), TELL_AFTER);
   };
 }
 
@@ -61,7 +61,7 @@ interface Row {
 function rowsOf(tally: Tally, store: Store): Row[] {
   const { balls, struck } = store.shot;
   const rows = balls.map(({ id }, index) => ({
-    name: index === struck ? `${id} (scratch)` : id,
+    name: index === struck ? `${ballName(id)} (scratch)` : ballName(id),
     chance: tally.pocketed(index),
     first: index === struck,
   }));
@@ -82,7 +82,9 @@ function rowElement({ name, chance }: Row): HTMLTableRowElement {
 function notesOf(tally: Tally, { shot }: Store): string[] {
   const notes = shot.balls.flatMap(({ id }, index) => {
     const off = tally.off(index);
-    return off.hits > 0 ? [`${id} leaves the table: ${chanceInWords(off)}.`] : [];
+    return off.hits > 0
+      ? [sentence(`${ballName(id)} leaves the table: ${chanceInWords(off)}`)]
+      : [];
   });
   if (tally.failed > 0) {
     notes.push(

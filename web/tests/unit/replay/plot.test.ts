@@ -20,7 +20,7 @@ describe("a plot", () => {
   });
 
   test("ends its axis at a round number that holds every value", () => {
-    expect([0.013, 1, 1.01, 3.3, 7, 480].map(roundUp)).toStrictEqual([0.02, 1, 2, 5, 10, 500]);
+    expect([0.013, 1, 1.01, 3.3, 7, 480].map(roundUp)).toStrictEqual([0.015, 1, 1.5, 4, 8, 500]);
     expect(roundUp(0)).toBe(1);
   });
 });

@@ -7,27 +7,37 @@ const event = (fields: object): TraceEvent =>
 
 describe("an event in words", () => {
   test.each([
-    [{ type: "cue-strike", balls: ["cue"] }, "cue strikes cue"],
-    [{ type: "ball-collision", balls: ["cue", "1", "2"] }, "cue, 1 and 2 collide"],
-    [{ type: "rail-collision", balls: ["8"], rail: "top", part: "nose" }, "8 hits the top rail"],
+    [{ type: "cue-strike", balls: ["cue"] }, "cue strikes the cue ball"],
+    [
+      { type: "ball-collision", balls: ["cue", "1", "2"] },
+      "the cue ball, ball 1 and ball 2 collide",
+    ],
+    [
+      { type: "rail-collision", balls: ["8"], rail: "top", part: "nose" },
+      "ball 8 hits the top rail",
+    ],
     [
       { type: "rail-collision", balls: ["8"], rail: "left-upper", part: "point" },
-      "8 hits the point of the left-upper rail",
+      "ball 8 hits the point of the left upper rail",
     ],
     [
       { type: "pocket-collision", balls: ["9"], pocket: "top-left" },
-      "9 drops into the top-left pocket",
+      "ball 9 drops into the top left pocket",
     ],
     [
       { type: "motion-transition", balls: ["1"], from: "sliding", to: "rolling" },
-      "1 stops sliding, starts rolling",
+      "ball 1 stops sliding, starts rolling",
     ],
     [
       { type: "motion-transition", balls: ["1"], from: "rolling", to: "stationary" },
-      "1 stops rolling",
+      "ball 1 comes to rest",
     ],
-    [{ type: "slate-collision", balls: ["cue"] }, "cue lands"],
-    [{ type: "off-table", balls: ["cue"] }, "cue leaves the table"],
+    [
+      { type: "motion-transition", balls: ["1"], from: "rolling", to: "airborne" },
+      "ball 1 leaves the cloth",
+    ],
+    [{ type: "slate-collision", balls: ["cue"] }, "the cue ball lands"],
+    [{ type: "off-table", balls: ["cue"] }, "the cue ball leaves the table"],
   ])("%o is %j", (fields, words) => {
     expect(eventInWords(event(fields))).toBe(words);
   });

@@ -60,7 +60,13 @@ describe("asking a worker", () => {
 
   test("hands it the compiled engine first", () => {
     expect(worker.told[0]).toStrictEqual({ kind: "engine", module });
-    expect(worker.told[1]).toMatchObject({ kind: "simulate", seed: 7, count: 4, paths: 2, shot: json });
+    expect(worker.told[1]).toMatchObject({
+      kind: "simulate",
+      seed: 7,
+      count: 4,
+      paths: 2,
+      shot: json,
+    });
   });
 
   test("tells of every chunk, and when all are in", () => {
