@@ -2,12 +2,13 @@
 
 import "./timeline.css";
 import type { Trace, TraceEvent } from "../../engine/types.ts";
+import { backToAiming, takeItFromHere } from "../actions.ts";
 import type { Context } from "../context.ts";
 import type { Session } from "../document.ts";
 import { h, icon, setText, svg } from "../dom.ts";
 import type { Store } from "../store.ts";
 import { advance, RATES } from "./clock.ts";
-import { leave, momentsOf, seek, stepBackwards, stepForwards, togglePlaying } from "./control.ts";
+import { momentsOf, seek, stepBackwards, stepForwards, togglePlaying } from "./control.ts";
 import { LANES, LOOKS } from "./kinds.ts";
 import { latest } from "./moments.ts";
 import { eventInWords, seconds } from "./words.ts";
@@ -39,7 +40,9 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     onclick: () => togglePlaying(store),
   });
   const { slider, marks, now, tip } = scrubber(store);
-  const clock = h("output", { class: "clock", "aria-label": "Time" });
+  const present = h("span");
+  const whole = h("span", { class: "whole" });
+  const clock = h("p", { class: "clock" }, present, whole);
   const said = h("p", { class: "said" });
 
   root.classList.add("timeline");
@@ -55,7 +58,12 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
       said,
       h(
         "button",
-        { type: "button", class: "button push", id: "leave-replay", onclick: () => leave(store) },
+        { type: "button", class: "button", onclick: () => takeItFromHere(store, context) },
+        "Take it from here",
+      ),
+      h(
+        "button",
+        { type: "button", class: "button", id: "leave-replay", onclick: () => backToAiming(store) },
         "Back to aiming",
       ),
     ),
@@ -89,7 +97,8 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
       `${seconds(time)} of ${seconds(trace.duration)}${words ? `, last: ${words}` : ""}`,
     );
     now.style.setProperty("--at", String(trace.duration > 0 ? time / trace.duration : 0));
-    setText(clock, `${seconds(time)} / ${seconds(trace.duration)}`);
+    setText(present, seconds(time));
+    setText(whole, ` / ${seconds(trace.duration)}`);
     setText(said, moment ? `${seconds(moment.time)}: ${words}` : "");
   }
 }

@@ -1,0 +1,106 @@
+import { readFileSync } from "node:fs";
+import { beforeAll, describe, expect, test } from "vitest";
+import { load, type Engine } from "../../../src/engine/index.ts";
+import { olympiad } from "../../../src/app/whatif/noise.ts";
+import type { FromWorker, Request } from "../../../src/app/whatif/protocol.ts";
+import { Tally } from "../../../src/app/whatif/tally.ts";
+import { simulate } from "../../../src/app/whatif/variants.ts";
+
+const ROOT = new URL("../../../../", import.meta.url);
+const read = (path: string): string => readFileSync(new URL(path, ROOT), "utf8");
+
+interface Golden {
+  shot: string;
+  olympiad: number;
+  seed: number;
+  first: number;
+  variants: { final: number[] }[];
+}
+const GOLDENS = JSON.parse(read("goldens/noise.json")) as Golden[];
+const HALF_BALL = GOLDENS[0]!;
+
+let engine: Engine;
+beforeAll(async () => {
+  engine = await load();
+});
+
+const request = (changes: Partial<Request>): Request => ({
+  generation: 1,
+  shot: read(`shots/${HALF_BALL.shot}.json`),
+  noise: olympiad(HALF_BALL.olympiad),
+  seed: HALF_BALL.seed,
+  count: 250,
+  paths: 5,
+  ...changes,
+});
+
+/** What a request is answered with; `patience` is how many pauses it takes to become stale. */
+async function answers(changes: Partial<Request> = {}, patience = Infinity): Promise<FromWorker[]> {
+  const sent: FromWorker[] = [];
+  let pauses = 0;
+  await simulate(engine, request(changes), {
+    send: (message) => sent.push(message),
+    isStale: () => pauses > patience,
+    pause: () => {
+      pauses += 1;
+      return Promise.resolve();
+    },
+  });
+  return sent;
+}
+
+const chunks = (sent: FromWorker[]) => sent.filter((message) => message.kind === "chunk");
+
+describe("the variants of a request", () => {
+  test("are the native engine's, to the bit", async () => {
+    expect(HALF_BALL.first).toBe(0);
+    const [chunk] = chunks(await answers());
+    const expected = HALF_BALL.variants.flatMap(({ final }) => final.slice(0, 2));
+    expect([...chunk!.ends.slice(0, expected.length)]).toStrictEqual(expected);
+  });
+
+  test("come in chunks, each once and in order", async () => {
+    const all = chunks(await answers());
+    expect(all.length).toBeGreaterThan(1);
+    let next = 0;
+    for (const { first, count } of all) {
+      expect(first).toBe(next);
+      next += count;
+    }
+    expect(next).toBe(250);
+  });
+
+  test("drop as often as one batch of them does", async () => {
+    const jump = read("shots/jump_shot.json");
+    const shot = engine.shot(jump);
+    const batch = shot.vary(olympiad(HALF_BALL.olympiad), HALF_BALL.seed, 0, 250);
+    const tally = new Tally(shot.balls.length, 250);
+    for (const chunk of chunks(await answers({ shot: jump }))) tally.add(chunk);
+    const drops = shot.balls.map(
+      (_, ball) => batch.pocket.filter((p, i) => p >= 0 && i % batch.balls === ball).length,
+    );
+    expect(shot.balls.map((_, ball) => tally.pocketed(ball).hits)).toStrictEqual(drops);
+    expect(Math.max(...drops)).toBeGreaterThan(0);
+  });
+
+  test("bring ways of the cue ball that end where the variants end", async () => {
+    const sent = await answers();
+    const paths = sent.find((message) => message.kind === "paths")!.paths;
+    const [{ ends }] = chunks(sent) as [{ ends: Float64Array }];
+    expect(paths).toHaveLength(5);
+    paths.forEach((path, k) => {
+      const [x, y] = path.slice(-4);
+      expect(Math.hypot(x! - ends[2 * k]!, y! - ends[2 * k + 1]!)).toBeLessThan(1e-6);
+    });
+  });
+
+  test("stop coming when nobody waits for them any more", async () => {
+    expect(chunks(await answers({}, 0))).toHaveLength(1);
+  });
+
+  test("of a shot that the engine refuses are refused in its words", async () => {
+    const [answer] = await answers({ noise: { ...olympiad(1), speed: -1 } });
+    expect(answer).toMatchObject({ kind: "refused", generation: 1 });
+    expect(answer).toHaveProperty("message", expect.stringContaining("noise.speed"));
+  });
+});
