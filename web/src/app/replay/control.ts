@@ -42,3 +42,8 @@ export function stepBackwards(store: Store): void {
   if (!trace) return;
   store.setSession({ playing: false, time: previous(momentsOf(trace), time)?.time ?? 0 });
 }
+
+/** Ends the replay: back to aiming at the shot as it was. */
+export function leave(store: Store): void {
+  store.setSession({ mode: "aim", trace: null, time: 0, playing: false });
+}

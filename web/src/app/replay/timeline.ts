@@ -2,13 +2,13 @@
 
 import "./timeline.css";
 import type { Trace, TraceEvent } from "../../engine/types.ts";
-import { backToAiming, takeItFromHere } from "../actions.ts";
+import { takeItFromHere } from "../actions.ts";
 import type { Context } from "../context.ts";
 import type { Session } from "../document.ts";
 import { h, icon, setText, svg } from "../dom.ts";
 import type { Store } from "../store.ts";
 import { advance, RATES } from "./clock.ts";
-import { momentsOf, seek, stepBackwards, stepForwards, togglePlaying } from "./control.ts";
+import { leave, momentsOf, seek, stepBackwards, stepForwards, togglePlaying } from "./control.ts";
 import { LANES, LOOKS } from "./kinds.ts";
 import { latest } from "./moments.ts";
 import { eventInWords, seconds } from "./words.ts";
@@ -63,7 +63,7 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
       ),
       h(
         "button",
-        { type: "button", class: "button", id: "leave-replay", onclick: () => backToAiming(store) },
+        { type: "button", class: "button", id: "leave-replay", onclick: () => leave(store) },
         "Back to aiming",
       ),
     ),

@@ -86,7 +86,7 @@ describe("the variants of a request", () => {
   test("bring ways of the cue ball that end where the variants end", async () => {
     const sent = await answers();
     const paths = sent.find((message) => message.kind === "paths")!.paths;
-    const [{ ends }] = chunks(sent) as [{ ends: Float64Array }];
+    const { ends } = chunks(sent)[0]!;
     expect(paths).toHaveLength(5);
     paths.forEach((path, k) => {
       const [x, y] = path.slice(-4);

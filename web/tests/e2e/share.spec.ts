@@ -1,0 +1,263 @@
+import { readFileSync } from "node:fs";
+import type { Page } from "playwright-core";
+import type { ShotFile, TraceFile } from "../../src/engine/index.ts";
+import { expect, native, picture, shotOf, test } from "./fixture.ts";
+import { python } from "./python.ts";
+
+const ROOT = new URL("../../../", import.meta.url);
+const read = (path: string): string => readFileSync(new URL(path, ROOT), "utf8");
+const example = (name: string): string => read(`shots/${name}.json`);
+const GOLDENS = JSON.parse(read("goldens/shots.json")) as Record<string, { hash: string }>;
+
+const CLIPBOARD = { permissions: ["clipboard-read", "clipboard-write"] };
+
+/** The hash of the shot that the page would play. */
+const hash = (page: Page) => page.evaluate(() => window.carom!.store.ghost.trace!.hash);
+
+async function openShare(page: Page): Promise<void> {
+  await page.getByRole("button", { name: "Share" }).click();
+}
+
+async function download(page: Page, button: string): Promise<{ name: string; content: Buffer }> {
+  const [file] = await Promise.all([
+    page.waitForEvent("download", { timeout: 60_000 }),
+    page.getByRole("button", { name: button }).click(),
+  ]);
+  return { name: file.suggestedFilename(), content: readFileSync(await file.path()) };
+}
+
+async function copied(page: Page, button: string): Promise<string> {
+  await page.getByRole("button", { name: button }).click();
+  await page.getByText(/copied\.$/).waitFor();
+  return page.evaluate(() => navigator.clipboard.readText());
+}
+
+/** Drops a file on the table. */
+async function drop(page: Page, name: string, content: string): Promise<void> {
+  const dataTransfer = await page.evaluateHandle(
+    ([fileName, text]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([text], fileName));
+      return data;
+    },
+    [name, content] as const,
+  );
+  for (const type of ["dragenter", "dragover", "drop"]) {
+    await page.dispatchEvent("#stage", type, { dataTransfer });
+  }
+}
+
+test("a link opens the same shot, noise, seed and view elsewhere", async ({ open }) => {
+  const page = await open(CLIPBOARD);
+  await page.evaluate(() => {
+    const { store } = window.carom!;
+    store.strike({ azimuth_deg: 71.23456789, side: 0.3, elevation_deg: 12.3 }, "aim");
+    const noise = { speed: 0.1, azimuth: 0.003, elevation: 0, side: 0.001, height: 0 };
+    store.apply({ noise, seed: 77 }, "noise");
+    store.setView({ units: "mph" });
+  });
+  await openShare(page);
+  const other = await open({ url: await copied(page, "Copy link") });
+  expect(await hash(other)).toBe(await hash(page));
+  expect(native(await shotOf(other)).hash).toBe(await hash(page));
+  const rest = (p: Page) =>
+    p.evaluate(() => {
+      const { document, view } = window.carom!.store;
+      return { noise: document.noise, seed: document.seed, view };
+    });
+  expect(await rest(other)).toEqual(await rest(page));
+  expect((await rest(other)).seed).toBe(77);
+});
+
+test("a link made during a replay opens at its instant", async ({ open }) => {
+  const page = await open(CLIPBOARD);
+  await page.getByRole("button", { name: "Shoot" }).click();
+  await page.getByRole("button", { name: "Pause" }).click();
+  await page.getByRole("button", { name: "Next event" }).click();
+  await openShare(page);
+  const other = await open({ url: await copied(page, "Copy link") });
+  const session = (p: Page) =>
+    p.evaluate(() => {
+      const { mode, time, playing } = window.carom!.store.session;
+      return { mode, time, playing };
+    });
+  expect(await session(other)).toEqual(await session(page));
+  expect((await session(other)).mode).toBe("replay");
+});
+
+test("every example shot opens by drop with its golden hash, and again after a reload", async ({
+  open,
+}) => {
+  const page = await open();
+  for (const [name, golden] of Object.entries(GOLDENS)) {
+    await drop(page, `${name}.json`, example(name));
+    await expect.poll(() => hash(page), { message: name }).toBe(golden.hash);
+    const link = await page.evaluate(() => location.hash);
+    // The address follows once the work rests.
+    await expect.poll(() => page.evaluate(() => location.hash)).not.toBe(link);
+    await page.reload();
+    await page.waitForFunction(() => window.carom);
+    expect(await hash(page), name).toBe(golden.hash);
+  }
+});
+
+test("the address follows the work without filling the way back", async ({ open }) => {
+  const page = await open();
+  const entries = await page.evaluate(() => history.length);
+  for (const speed of [1, 2, 3]) {
+    const link = await page.evaluate(() => location.hash);
+    await page.evaluate((s) => window.carom!.store.strike({ speed: s }, "speed"), speed);
+    await expect.poll(() => page.evaluate(() => location.hash)).not.toBe(link);
+  }
+  expect(await page.evaluate(() => location.hash)).toMatch(/^#s=1\./);
+  expect(await page.evaluate(() => history.length)).toBe(entries);
+});
+
+test("a broken link or one of another version is refused in words and stays in the address", async ({
+  open,
+}) => {
+  for (const [link, words] of [
+    ["#s=1.eNplkN2Owx", /damaged/],
+    ["#s=9.whatever", /another version/],
+  ] as const) {
+    const page = await open({ hash: link });
+    expect(await page.getByRole("alert").textContent()).toMatch(words);
+    expect(await page.evaluate(() => location.hash)).toBe(link);
+    // The page works all the same.
+    expect(await hash(page)).toMatch(/^[0-9a-f]{16}$/);
+  }
+});
+
+test("a link put into the address of an open page is opened, and undo takes it back", async ({
+  open,
+}) => {
+  const page = await open(CLIPBOARD);
+  const before = await hash(page);
+  await page.evaluate(() => window.carom!.store.strike({ speed: 3.21 }, "speed"));
+  const after = await hash(page);
+  await openShare(page);
+  const link = await copied(page, "Copy link");
+  await page.getByRole("button", { name: "Close" }).click();
+  await page.evaluate(() => window.carom!.store.undo());
+  await expect.poll(() => page.evaluate(() => location.hash)).not.toBe(new URL(link).hash);
+  await page.evaluate((url) => (location.hash = new URL(url).hash), link);
+  await expect.poll(() => hash(page)).toBe(after);
+  await page.evaluate(() => window.carom!.store.undo());
+  expect(await hash(page)).toBe(before);
+});
+
+test("the Python program runs as it stands and has the page's hash", async ({ open }) => {
+  const page = await open(CLIPBOARD);
+  await drop(page, "break.json", example("eight_ball_break"));
+  await expect.poll(() => hash(page)).toBe(GOLDENS["eight_ball_break"]!.hash);
+  await openShare(page);
+  const program = await copied(page, "Copy as Python");
+  const printed = python(`${program}\nprint("HASH", trace.hash)`);
+  expect(printed).toContain(`HASH ${await hash(page)}`);
+});
+
+test("shot file and trace are downloaded as the native engine reads and writes them", async ({
+  open,
+}) => {
+  const page = await open(CLIPBOARD);
+  await openShare(page);
+  await picture(page, "share");
+  const shot = await download(page, "Download shot file");
+  expect(shot.name).toBe("shot.json");
+  const trace = native(JSON.parse(shot.content.toString()) as ShotFile);
+  expect(trace.hash).toBe(await hash(page));
+  expect(await copied(page, "Copy shot file")).toBe(shot.content.toString());
+  const saved = await download(page, "Download trace");
+  const { events } = JSON.parse(saved.content.toString()) as TraceFile;
+  expect(events).toEqual(trace.events);
+});
+
+test("a trace dropped on the page is replayed", async ({ open }) => {
+  const page = await open();
+  const trace = native(JSON.parse(example("jump_shot")) as ShotFile);
+  await drop(page, "trace.json", JSON.stringify(trace));
+  await page.getByRole("slider", { name: "Time" }).waitFor();
+  expect(await page.locator("#hash").textContent()).toBe(GOLDENS["jump_shot"]!.hash);
+});
+
+test("a file can be chosen with a button", async ({ open }) => {
+  const page = await open();
+  const [chooser] = await Promise.all([
+    page.waitForEvent("filechooser"),
+    page.getByRole("button", { name: "Open" }).click(),
+  ]);
+  const buffer = Buffer.from(example("masse"));
+  await chooser.setFiles({ name: "masse.json", mimeType: "application/json", buffer });
+  await expect.poll(() => hash(page)).toBe(GOLDENS["masse"]!.hash);
+});
+
+test("a bad file is refused with the engine's reason, and nothing changes", async ({ open }) => {
+  const page = await open();
+  const before = await hash(page);
+  const overlapping = JSON.parse(example("stop_shot")) as { balls: { position: number[] }[] };
+  overlapping.balls[1]!.position = overlapping.balls[0]!.position;
+  for (const [content, words] of [
+    ["no JSON at all", /cannot be opened/],
+    ['{"format": "carom-shot/1", "table": "wpa-9ft"}', /balls/],
+    [JSON.stringify(overlapping), /balls\[1\]/],
+  ] as const) {
+    await drop(page, "bad.json", content);
+    await expect.poll(() => page.getByRole("alert").textContent()).toMatch(words);
+    expect(await hash(page)).toBe(before);
+  }
+});
+
+test("a picture of the table is exported as PNG", async ({ open }) => {
+  const page = await open();
+  await openShare(page);
+  const { content } = await download(page, "Download PNG");
+  expect(content.subarray(0, 8)).toEqual(Buffer.from("\x89PNG\r\n\x1a\n", "latin1"));
+  expect(content.length).toBeGreaterThan(20_000);
+});
+
+test("a film of the shot is exported, lasts as long, and the page is as before", async ({
+  open,
+}) => {
+  const page = await open();
+  await page.evaluate(() => window.carom!.store.strike({ speed: 0.5 }, "softly"));
+  const { duration } = native(await shotOf(page));
+  await openShare(page);
+  const { content } = await download(page, "Download film");
+  const shown = await page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const video = document.createElement("video");
+    video.src = URL.createObjectURL(new Blob([bytes]));
+    await new Promise((resolve, reject) => {
+      video.onloadeddata = resolve;
+      video.onerror = () => reject(new Error(video.error?.message));
+    });
+    return { length: video.duration, width: video.videoWidth };
+  }, content.toString("base64"));
+  // The last frame stands for half a second.
+  expect(shown.length).toBeGreaterThan(duration);
+  expect(shown.length).toBeLessThan(duration + 0.7);
+  expect(shown.width).toBeGreaterThan(300);
+  expect(await page.evaluate(() => window.carom!.store.session.mode)).toBe("aim");
+});
+
+test("a film can be cancelled", async ({ open }) => {
+  const page = await open();
+  await openShare(page);
+  await page.getByRole("button", { name: "Download film" }).click();
+  await page.getByRole("button", { name: "Cancel" }).click();
+  await page.getByText("Cancelled.").waitFor();
+  expect(await page.getByRole("button", { name: "Download film" }).isEnabled()).toBe(true);
+});
+
+test("where the clipboard is forbidden the text is shown, selected", async ({ open }) => {
+  const page = await open();
+  await page.evaluate(() => {
+    Object.defineProperty(navigator, "clipboard", { value: undefined });
+    document.execCommand = () => false;
+  });
+  await openShare(page);
+  await page.getByRole("button", { name: "Copy as Python" }).click();
+  const text = page.getByLabel("Text to copy");
+  expect(await text.inputValue()).toMatch(/^import carom/);
+  expect(await page.evaluate(() => getSelection()?.toString())).toMatch(/^import carom/);
+});

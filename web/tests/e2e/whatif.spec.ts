@@ -1,0 +1,119 @@
+import type { Page } from "playwright-core";
+import type { Noise } from "../../src/engine/index.ts";
+import { expect, picture, SMALL, test } from "./fixture.ts";
+import { python } from "./python.ts";
+
+/** The project's budget for the variants of a mid-game shot, ms. */
+const BUDGET = 300;
+
+const COUNT = 1000;
+
+async function turnOn(page: Page): Promise<void> {
+  await page.getByRole("tab", { name: "What if" }).click();
+  await page.getByRole("switch").check();
+  await finished(page);
+}
+
+async function finished(page: Page): Promise<void> {
+  await page.locator("#variants[data-done=true]").waitFor({ timeout: 20_000 });
+}
+
+/** What the table of chances says, by the ball's name. */
+async function chances(page: Page): Promise<Record<string, string>> {
+  return page.evaluate(() => {
+    const rows = document.querySelectorAll("table.chances tbody tr");
+    return Object.fromEntries([...rows].map((row) => [...row.children].map((c) => c.textContent)));
+  }) as Promise<Record<string, string>>;
+}
+
+/** In how many variants of a native batch each ball drops. */
+function nativeDrops(shot: string, noise: Noise, seed: number): number[] {
+  const program = `
+import carom, json, sys
+given = json.load(sys.stdin)
+shot = carom.Shot.from_json(given["shot"])
+result = shot.vary(carom.Noise(**given["noise"]), given["count"], seed=given["seed"])
+print(json.dumps([int(n) for n in (result.pocket >= 0).sum(axis=0)]))
+`;
+  const given = JSON.stringify({ shot, noise, seed, count: COUNT });
+  return JSON.parse(python(program, given)) as number[];
+}
+
+/** As the page says a chance of `hits` in `COUNT`, worked out anew. */
+function inWords(hits: number): string {
+  if (hits === 0) return "less than 0.3 %";
+  if (hits === COUNT) return "more than 99.7 %";
+  const p = hits / COUNT;
+  const error = Math.sqrt((p * (1 - p)) / COUNT);
+  return `${(100 * p).toFixed(1)} % ± ${(100 * error).toFixed(1)} %`;
+}
+
+test("the chances are those of a native batch with the same seed", async ({ open }) => {
+  const page = await open();
+  await turnOn(page);
+  const seed = page.getByLabel("Seed");
+  await seed.fill("12345");
+  await seed.press("Enter");
+  await page.waitForFunction(() => window.carom!.store.document.seed === 12345);
+  const given = await page.evaluate(() => {
+    const { shot, document } = window.carom!.store;
+    return { json: shot.json(), ids: shot.balls.map(({ id }) => id), noise: document.noise! };
+  });
+  const hits = nativeDrops(given.json, given.noise, 12345);
+  expect(Math.max(...hits)).toBeGreaterThan(0);
+  const names = given.ids.map((id) => (id === "cue" ? "the cue ball (scratch)" : `ball ${id}`));
+  const expected = Object.fromEntries(names.map((name, ball) => [name, inWords(hits[ball]!)]));
+  await expect.poll(() => chances(page)).toEqual(expected);
+  await picture(page, "whatif");
+});
+
+test("another noise gives other numbers, and the same one the same", async ({ open }) => {
+  const page = await open();
+  await turnOn(page);
+  const first = await chances(page);
+  await page.getByLabel("Like").selectOption("Olympiad × 2");
+  await expect.poll(() => chances(page)).not.toEqual(first);
+  await finished(page);
+  await page.getByLabel("Like").selectOption("Olympiad");
+  await expect.poll(() => chances(page)).toEqual(first);
+});
+
+test("a thousand variants of a mid-game shot come within the budget", async ({ open }) => {
+  const page = await open({ viewport: SMALL });
+  await turnOn(page);
+  const times: number[] = [];
+  for (let i = 0; i < 5; i++) {
+    const ms = await page.evaluate(async () => {
+      const { store } = window.carom!;
+      const said = document.querySelector<HTMLElement>("#variants")!;
+      said.dataset.done = "false";
+      store.strike({ azimuth_deg: store.document.shot.strike.azimuth_deg + 0.01 }, "aim");
+      while (said.dataset.done !== "true") await new Promise((resolve) => setTimeout(resolve, 5));
+      return /^(\d+) variants in (\d+) ms$/.exec(said.textContent)!.slice(1).map(Number);
+    });
+    expect(ms[0]).toBe(COUNT);
+    times.push(ms[1]!);
+  }
+  times.sort((a, b) => a - b);
+  expect(times[2]).toBeLessThan(BUDGET);
+});
+
+test("switched off, nothing is said any more; undo brings it back", async ({ open }) => {
+  const page = await open();
+  await turnOn(page);
+  await page.getByRole("switch").uncheck();
+  expect(await page.locator("table.chances").isVisible()).toBe(false);
+  await page.keyboard.press("Control+z");
+  await page.locator("table.chances").waitFor({ state: "visible" });
+  expect(await page.getByRole("switch").isChecked()).toBe(true);
+});
+
+test("a seed that is none is refused, and the old one stays", async ({ open }) => {
+  const page = await open();
+  await turnOn(page);
+  const seed = page.getByLabel("Seed");
+  await seed.fill("-3");
+  await seed.press("Enter");
+  expect(await page.getByRole("alert").textContent()).toMatch(/whole number/);
+  expect(await seed.inputValue()).toBe("0");
+});
