@@ -13,9 +13,12 @@ import { mountRefusal } from "./notices.ts";
 import { mountPhysicsPanel } from "./physics-panel.ts";
 import { mountState } from "./replay/panel.ts";
 import { mountTimeline } from "./replay/timeline.ts";
+import { mountAddress } from "./share/address.ts";
+import { mountShare } from "./share/menu.ts";
 import type { Store } from "./store.ts";
 import { mountTabs } from "./tabs.ts";
 import { mountTheme } from "./theme.ts";
+import { mountWhatIf } from "./whatif/panel.ts";
 
 /** The mount point with this id in index.html. */
 export function place(id: string): HTMLElement {
@@ -35,6 +38,9 @@ export function mountPage(store: Store, context: Context, welcome: boolean): voi
   mountPhysicsPanel(place("panel-physics"), store, context);
   mountState(place("panel-state"), store);
   mountTimeline(place("timeline"), store, context);
+  mountWhatIf(place("panel-whatif"), store, context);
+  mountShare(place("share"), store, context);
+  mountAddress(store, context);
   mountDock(place("shoot"), store, context);
   mountTake(place("take"), store, context);
   mountHistory(place("history"), store, context);

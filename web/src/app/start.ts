@@ -1,8 +1,10 @@
 /** What the page opens with: the document inside it, else its address, else a first shot. */
 
-import type { Engine, ShotFile } from "../engine/index.ts";
+import { CaromError, type Engine, type ShotFile } from "../engine/index.ts";
 import { documentOf, open } from "./actions.ts";
 import { FIRST_VIEW, type Document, type View } from "./document.ts";
+import { openedByAddress, showInstant } from "./share/address.ts";
+import { LinkError } from "./share/link.ts";
 import type { Store } from "./store.ts";
 
 export interface Opened {
@@ -29,7 +31,6 @@ const FIRST_SHOT: ShotFile = {
 
 export function opened(engine: Engine): Opened {
   const first = documentOf(FIRST_SHOT);
-  const none = () => undefined;
   const inside = document.getElementById("carom-document")?.textContent.trim() ?? "";
   if (inside !== "") {
     return {
@@ -41,5 +42,24 @@ export function opened(engine: Engine): Opened {
       },
     };
   }
-  return { document: first, view: FIRST_VIEW, welcome: true, then: none };
+  return openedByLink(engine, first) ?? { ...nothing(first), welcome: true };
+}
+
+function nothing(first: Document): Opened {
+  return { document: first, view: FIRST_VIEW, welcome: false, then: () => undefined };
+}
+
+/** What the address carries; null if nothing. A link that cannot be opened is refused in words. */
+function openedByLink(engine: Engine, first: Document): Opened | null {
+  try {
+    const link = openedByAddress();
+    if (!link) return null;
+    engine.shot(link.document.shot).free();
+    const { document, view, time } = link;
+    return { document, view, welcome: false, then: (store) => showInstant(store, time) };
+  } catch (error) {
+    if (!(error instanceof LinkError || error instanceof CaromError)) throw error;
+    const { message } = error;
+    return { ...nothing(first), then: (store) => store.refuse(message) };
+  }
 }

@@ -6,8 +6,7 @@ import { fileURLToPath } from "node:url";
 
 /** `CAROM_PYTHON`, else that of the checkout's virtual environment. */
 const PYTHON =
-  process.env["CAROM_PYTHON"] ??
-  fileURLToPath(new URL("../../../.venv/bin/python", import.meta.url));
+  process.env.CAROM_PYTHON ?? fileURLToPath(new URL("../../../.venv/bin/python", import.meta.url));
 
 /** What a program prints that is given `input`. */
 export function python(program: string, input = ""): string {

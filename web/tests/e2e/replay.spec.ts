@@ -110,7 +110,7 @@ test("an event is found on the timeline and in the list, and leads to its instan
   expect(await marks.count()).toBe(events.length);
   const last = (await marks.last().boundingBox())!;
   await page.mouse.move(last.x + last.width / 2, last.y + last.height / 2);
-  await page.locator(".tip").waitFor({ state: "visible" });
+  await page.locator(".event-tip").waitFor({ state: "visible" });
   await page.mouse.click(last.x + last.width / 2, last.y + last.height / 2);
   expect(await time(page)).toBe(events.at(-1)!.time);
 });

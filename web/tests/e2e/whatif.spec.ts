@@ -22,8 +22,9 @@ async function finished(page: Page): Promise<void> {
 async function chances(page: Page): Promise<Record<string, string>> {
   return page.evaluate(() => {
     const rows = document.querySelectorAll("table.chances tbody tr");
-    return Object.fromEntries([...rows].map((row) => [...row.children].map((c) => c.textContent)));
-  }) as Promise<Record<string, string>>;
+    const cells = [...rows].map((row) => [...row.children].map((cell) => cell.textContent));
+    return Object.fromEntries(cells) as Record<string, string>;
+  });
 }
 
 /** In how many variants of a native batch each ball drops. */

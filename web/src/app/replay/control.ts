@@ -14,10 +14,11 @@ export function momentsOf(trace: Trace | null): readonly Moment[] {
   return list;
 }
 
-/** Goes to a time of the replay (s), kept within the shot; a replay that runs goes on from there. */
+/** Pauses at a time of the replay (s), kept within the shot. */
 export function seek(store: Store, time: number): void {
   const { trace } = store.session;
-  if (trace) store.setSession({ time: Math.min(Math.max(time, 0), trace.duration) });
+  if (!trace) return;
+  store.setSession({ playing: false, time: Math.min(Math.max(time, 0), trace.duration) });
 }
 
 /** Pauses, or plays: from the start if the replay stands at its end. */

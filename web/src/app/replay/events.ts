@@ -43,7 +43,6 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
     body.replaceChildren(
       ...trace.events.map((event) => {
         const go = () => {
-          store.setSession({ playing: false });
           seek(store, event.time);
         };
         const words = h(

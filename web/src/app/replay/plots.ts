@@ -61,7 +61,7 @@ function mountPlot(root: HTMLElement, store: Store, { name, unit, lines }: Plot)
   const cursor = svg("path", { class: "cursor" });
   const high = h("span", { class: "high" });
   const low = h("span", { class: "low" });
-  const end = h("span", { class: "end" });
+  const end = h("span", { class: "until" });
   const picture = svg(
     "svg",
     { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", role: "img" },
@@ -90,7 +90,6 @@ function mountPlot(root: HTMLElement, store: Store, { name, unit, lines }: Plot)
   let frame: Frame = { width: WIDTH, height: HEIGHT, duration: 0, low: 0, high: 1 };
   picture.addEventListener("click", (event) => {
     const box = picture.getBoundingClientRect();
-    store.setSession({ playing: false });
     seek(store, ((event.clientX - box.left) / box.width) * frame.duration);
   });
 

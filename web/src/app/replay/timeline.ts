@@ -2,7 +2,6 @@
 
 import "./timeline.css";
 import type { Trace, TraceEvent } from "../../engine/types.ts";
-import { takeItFromHere } from "../actions.ts";
 import type { Context } from "../context.ts";
 import type { Session } from "../document.ts";
 import { h, icon, setText, svg } from "../dom.ts";
@@ -56,11 +55,6 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
       rates(store),
       clock,
       said,
-      h(
-        "button",
-        { type: "button", class: "button", onclick: () => takeItFromHere(store, context) },
-        "Take it from here",
-      ),
       h(
         "button",
         { type: "button", class: "button", id: "leave-replay", onclick: () => leave(store) },
@@ -142,7 +136,6 @@ interface Scrubber {
 function scrubber(store: Store): Scrubber {
   const slider = h("input", { type: "range", min: 0, step: "any", "aria-label": "Time" });
   slider.addEventListener("input", () => {
-    store.setSession({ playing: false });
     seek(store, Number(slider.value));
   });
   slider.addEventListener("keydown", (event) => {
@@ -157,7 +150,7 @@ function scrubber(store: Store): Scrubber {
     height: LANES * LANE_HEIGHT,
     "aria-hidden": "true", // the list of events says the same, to everybody
   });
-  const tip = h("div", { class: "tip", hidden: true, "aria-hidden": "true" });
+  const tip = h("div", { class: "event-tip", hidden: true, "aria-hidden": "true" });
   marks.addEventListener("pointermove", (event) => {
     const found = nearest(marks, store.session, event);
     tip.hidden = !found;
@@ -174,7 +167,6 @@ function scrubber(store: Store): Scrubber {
     const box = marks.getBoundingClientRect();
     const share = (event.clientX - box.left) / box.width;
     const found = nearest(marks, session, event);
-    store.setSession({ playing: false });
     seek(store, found?.event.time ?? share * (session.trace?.duration ?? 0));
   });
   const now = h("div", { class: "now", "aria-hidden": "true" });
@@ -185,7 +177,6 @@ function scrubber(store: Store): Scrubber {
 function sliderKey({ key, shiftKey }: KeyboardEvent): ((store: Store) => void) | null {
   const step = shiftKey ? FINE_STEP : STEP;
   const by = (change: number) => (store: Store) => {
-    store.setSession({ playing: false });
     seek(store, store.session.time + change);
   };
   switch (key) {

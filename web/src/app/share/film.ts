@@ -7,6 +7,7 @@ import { RATES } from "../replay/clock.ts";
 import type { Store } from "../store.ts";
 import { errorText } from "../words.ts";
 import { download } from "./download.ts";
+import { LOW } from "../../viewer/quality.ts";
 import { canFilm, film } from "./video.ts";
 
 /** Frames per second. */
@@ -74,7 +75,8 @@ async function record(
   const canvas = document.querySelector<HTMLCanvasElement>("#table")!;
   const states = new Float64Array(STRIDE * trace.shot.balls.length);
   const { quality } = viewer;
-  viewer.quality = "high";
+  // One and the same from the first frame to the last.
+  if (quality === "auto") viewer.quality = viewer.stats.level < LOW ? "high" : "low";
   viewer.setCue(null);
   viewer.setMarks([]);
   try {
