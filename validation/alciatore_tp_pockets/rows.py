@@ -1,7 +1,7 @@
 """Which paths a pocket accepts: against approach angle, offset and speed (proofs 3.5 to 3.8)."""
 
 import math
-from functools import cache
+from functools import cache, partial
 
 import carom
 import numpy as np
@@ -120,32 +120,33 @@ def steepest(pocket: Pocket, speed: float, up_to: float, **sections: JSON) -> fl
     return float(max(accepted, default=math.nan))
 
 
-@row(
-    "PO1",
-    "Side pocket, slow: the largest angle from its axis that goes in",
+#: A row of a proof's largest angle, of which the proof's own rule is not known.
+largest_angle = partial(
+    row,
     unit="°",
-    source="TP 3.5, with its own idealised rule",
     status="r",
-    published={"largest angle": 68.292},
     tolerance=absolute(0.05),
     rule_unknown=True,
     misses=("largest angle",),
+)
+
+
+@largest_angle(
+    "PO1",
+    "Side pocket, slow: the largest angle from its axis that goes in",
+    source="TP 3.5, with its own idealised rule",
+    published={"largest angle": 68.292},
     note="Ours: 1 mph at the mouth, facings and points that return nothing.",
 )
 def po1() -> list[float]:
     return [steepest(SIDE, TP_SPEEDS["slow"], 80.0, facing=DEAD)]
 
 
-@row(
+@largest_angle(
     "PO3",
     "Corner pocket, fast: the largest angle from its axis that goes in",
-    unit="°",
     source="TP 3.8, with its own idealised rule",
-    status="r",
     published={"largest angle": 59.841},
-    tolerance=absolute(0.05),
-    rule_unknown=True,
-    misses=("largest angle",),
     note="Ours: 7 mph at the mouth. A rail stands at 45° from the axis: nothing comes from beyond.",
 )
 def po3() -> list[float]:

@@ -10,6 +10,8 @@
 //! approaching, in one that was invented. On a path that leads farther than any table, positions are
 //! rounded in proportion, and the tolerance grows so.
 
+use std::ops::RangeInclusive;
+
 use carom_roots::Motion;
 
 use crate::double_double::DoubleDouble;
@@ -43,22 +45,75 @@ const MAX_HALVINGS: usize = 160;
 
 /// Judge `answer`; faults of less than `tolerance` (m, on a table) are right.
 pub fn judge<const N: usize>(case: &Case<N>, answer: Option<f64>, tolerance: f64) -> Verdict {
-    if answer.is_some_and(|t| !(0.0..=case.horizon).contains(&t)) {
-        return Verdict::OutOfRange;
+    Exact::new(case, tolerance).judge(answer)
+}
+
+/// A path and what it is to meet, known so well that an answer can be judged by it.
+pub(crate) trait Truth {
+    /// When a contact may be, s.
+    fn window(&self) -> RangeInclusive<f64>;
+
+    /// Depth below which a fault counts as none, m on a table.
+    fn tolerance(&self) -> f64;
+
+    /// How far the path has led by `t`: 1 on any table, in tables beyond it.
+    fn extent(&self, t: f64) -> f64;
+
+    /// Distance from touching at `t`, m, negative in an overlap.
+    fn gap(&self, t: f64) -> f64;
+
+    /// A number with the sign of the gap's rate at `t`.
+    fn rate(&self, t: f64) -> f64;
+
+    /// Every time in the window, or any at all, at which the gap may turn, ascending.
+    fn stationary_times(&self) -> Vec<f64>;
+
+    fn tolerance_at(&self, t: f64) -> f64 {
+        self.tolerance() * self.extent(t)
     }
-    let truth = Truth::new(case, tolerance);
-    let stationary = truth.stationary_times();
-    let end = answer.unwrap_or(case.horizon);
-    if let Some(depth) = truth.overlap_fallen_into(&stationary, end) {
-        return Verdict::Lost { depth };
+
+    fn judge(&self, answer: Option<f64>) -> Verdict {
+        let window = self.window();
+        if answer.is_some_and(|t| !window.contains(&t)) {
+            return Verdict::OutOfRange;
+        }
+        let stationary = self.stationary_times();
+        let end = answer.unwrap_or(*window.end());
+        if let Some(depth) = self.overlap_fallen_into(&stationary, end) {
+            return Verdict::Lost { depth };
+        }
+        let Some(t) = answer else { return Verdict::Right { gap: 0.0 } };
+        let gap = self.gap(t);
+        let clearance = gap.max(self.lift_to_approach(&stationary, t));
+        if clearance > self.tolerance_at(t) {
+            return Verdict::Invented { clearance };
+        }
+        Verdict::Right { gap: gap.abs() / self.extent(t) }
     }
-    let Some(t) = answer else { return Verdict::Right { gap: 0.0 } };
-    let gap = truth.gap(t);
-    let clearance = gap.max(truth.lift_to_approach(&stationary, t));
-    if clearance > truth.tolerance_at(t) {
-        return Verdict::Invented { clearance };
+
+    /// The first overlap beyond the tolerance that the bodies reach by falling, up to `end`.
+    fn overlap_fallen_into(&self, stationary: &[f64], end: f64) -> Option<f64> {
+        let from = *self.window().start();
+        let mut times = vec![from];
+        times.extend(stationary.iter().copied().filter(|&t| from < t && t < end));
+        // After the last stationary point the gap rises for ever.
+        if end.is_finite() {
+            times.push(end);
+        }
+        times.windows(2).find_map(|span| {
+            let depth = self.gap(span[0]).min(0.0) - self.gap(span[1]);
+            (depth > self.tolerance_at(span[1])).then_some(depth)
+        })
     }
-    Verdict::Right { gap: gap.abs() / truth.extent(t) }
+
+    /// How much the gap changes between t and the nearest time at which the bodies stop separating.
+    fn lift_to_approach(&self, stationary: &[f64], t: f64) -> f64 {
+        if self.rate(t) <= 0.0 {
+            return 0.0;
+        }
+        let here = self.gap(t);
+        stationary.iter().map(|&s| (self.gap(s) - here).abs()).fold(f64::INFINITY, f64::min)
+    }
 }
 
 fn dot<const N: usize>(a: [DoubleDouble; N], b: [DoubleDouble; N]) -> DoubleDouble {
@@ -70,7 +125,7 @@ fn dot<const N: usize>(a: [DoubleDouble; N], b: [DoubleDouble; N]) -> DoubleDoub
 }
 
 /// The motion in 106 bits.
-struct Truth<const N: usize> {
+struct Exact<const N: usize> {
     case: Case<N>,
     tolerance: f64,
     d: [DoubleDouble; N],
@@ -80,7 +135,7 @@ struct Truth<const N: usize> {
     g: [DoubleDouble; 4],
 }
 
-impl<const N: usize> Truth<N> {
+impl<const N: usize> Exact<N> {
     fn new(case: &Case<N>, tolerance: f64) -> Self {
         let Motion { d, v, h } = case.motion;
         let [d, v, h] = [d, v, h].map(|w| w.map(DoubleDouble::from));
@@ -91,14 +146,34 @@ impl<const N: usize> Truth<N> {
             times(3.0, dot(v, h)),
             times(2.0, dot(h, h)),
         ];
-        Truth { case: *case, tolerance, d, v, h, g }
+        Exact { case: *case, tolerance, d, v, h, g }
     }
 
-    fn tolerance_at(&self, t: f64) -> f64 {
-        self.tolerance * self.extent(t)
+    fn rate_root(&self, mut low: f64, mut high: f64) -> Option<f64> {
+        let rising = self.rate(high) > 0.0;
+        if rising == (self.rate(low) > 0.0) {
+            return None;
+        }
+        for _ in 0..MAX_HALVINGS {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if (self.rate(middle) > 0.0) == rising { high = middle } else { low = middle }
+        }
+        Some(high)
+    }
+}
+
+impl<const N: usize> Truth for Exact<N> {
+    fn window(&self) -> RangeInclusive<f64> {
+        0.0..=self.case.horizon
     }
 
-    /// How far the path has led by t: 1 on any table, in tables beyond it.
+    fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     fn extent(&self, t: f64) -> f64 {
         let size = |w: [f64; N]| w.iter().map(|x| x * x).sum::<f64>().sqrt();
         let Motion { d, v, h } = self.case.motion;
@@ -140,44 +215,6 @@ impl<const N: usize> Truth<N> {
         }
         ends.push(bound);
         ends.windows(2).filter_map(|span| self.rate_root(span[0], span[1])).collect()
-    }
-
-    fn rate_root(&self, mut low: f64, mut high: f64) -> Option<f64> {
-        let rising = self.rate(high) > 0.0;
-        if rising == (self.rate(low) > 0.0) {
-            return None;
-        }
-        for _ in 0..MAX_HALVINGS {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            if (self.rate(middle) > 0.0) == rising { high = middle } else { low = middle }
-        }
-        Some(high)
-    }
-
-    /// The first overlap beyond the tolerance that the bodies reach by falling, up to `end`.
-    fn overlap_fallen_into(&self, stationary: &[f64], end: f64) -> Option<f64> {
-        let mut times = vec![0.0];
-        times.extend(stationary.iter().copied().filter(|&t| 0.0 < t && t < end));
-        // After the last stationary point the gap rises for ever.
-        if end.is_finite() {
-            times.push(end);
-        }
-        times.windows(2).find_map(|span| {
-            let depth = self.gap(span[0]).min(0.0) - self.gap(span[1]);
-            (depth > self.tolerance_at(span[1])).then_some(depth)
-        })
-    }
-
-    /// How much the gap changes between t and the nearest time at which the bodies stop separating.
-    fn lift_to_approach(&self, stationary: &[f64], t: f64) -> f64 {
-        if self.rate(t) <= 0.0 {
-            return 0.0;
-        }
-        let here = self.gap(t);
-        stationary.iter().map(|&s| (self.gap(s) - here).abs()).fold(f64::INFINITY, f64::min)
     }
 }
 

@@ -6,35 +6,22 @@
 //! variations of its Bernstein coefficients (Descartes' rule: none means no root) in 106 bits. It has
 //! further roots, of no harm: between neighbours of them the gap is monotone.
 
+use std::ops::RangeInclusive;
+
 use carom_roots::Motion;
 
 use crate::double_double::DoubleDouble;
 use crate::families::LARGEST_TABLE;
-use crate::judge::Verdict;
+use crate::judge::{Truth, Verdict};
 use crate::ring_families::RingCase;
 
 /// Judge `answer`; faults of less than `tolerance` (m, on a table) are right.
 pub fn judge_ring(case: &RingCase, answer: Option<f64>, tolerance: f64) -> Verdict {
-    if answer.is_some_and(|t| !(case.from..=case.horizon).contains(&t)) {
-        return Verdict::OutOfRange;
-    }
-    let truth = Truth::new(case, tolerance);
-    let stationary = truth.stationary_times();
-    let end = answer.unwrap_or(case.horizon);
-    if let Some(depth) = truth.overlap_fallen_into(&stationary, end) {
-        return Verdict::Lost { depth };
-    }
-    let Some(t) = answer else { return Verdict::Right { gap: 0.0 } };
-    let gap = truth.gap(t);
-    let clearance = gap.max(truth.lift_to_approach(&stationary, t));
-    if clearance > truth.tolerance_at(t) {
-        return Verdict::Invented { clearance };
-    }
-    Verdict::Right { gap: gap.abs() / truth.extent(t) }
+    Exact::new(case, tolerance).judge(answer)
 }
 
 /// The path in 106 bits.
-struct Truth {
+struct Exact {
     case: RingCase,
     tolerance: f64,
     d: [DoubleDouble; 3],
@@ -65,23 +52,11 @@ fn sum(a: &[DoubleDouble], b: &[DoubleDouble]) -> Polynomial {
 /// its time changes the gap by δ² only, this is more than enough.
 const HALVINGS: u32 = 56;
 
-impl Truth {
+impl Exact {
     fn new(case: &RingCase, tolerance: f64) -> Self {
         let [d, v, h] =
             [case.motion.d, case.motion.v, case.motion.h].map(|w| w.map(DoubleDouble::from));
-        Truth { case: *case, tolerance, d, v, h }
-    }
-
-    fn tolerance_at(&self, t: f64) -> f64 {
-        self.tolerance * self.extent(t)
-    }
-
-    /// How far the path has led by t: 1 on any table, in tables beyond it.
-    fn extent(&self, t: f64) -> f64 {
-        let size = |w: [f64; 3]| w.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let Motion { d, v, h } = self.case.motion;
-        let extent = size(d) + t * (size(v) + t * size(h));
-        (extent / LARGEST_TABLE).max(1.0)
+        Exact { case: *case, tolerance, d, v, h }
     }
 
     fn at(&self, t: f64) -> [DoubleDouble; 3] {
@@ -92,24 +67,6 @@ impl Truth {
     fn velocity_at(&self, t: f64) -> [DoubleDouble; 3] {
         let twice = DoubleDouble::from(2.0 * t);
         [0, 1, 2].map(|i| self.v[i] + twice * self.h[i])
-    }
-
-    /// √((ρ − a)² + z²) − R, m.
-    fn gap(&self, t: f64) -> f64 {
-        let [x, y, z] = self.at(t);
-        let out = (x * x + y * y).sqrt() - DoubleDouble::from(self.case.ring);
-        let squared = out * out + z * z;
-        let distance = DoubleDouble::from(self.case.distance);
-        let sum = squared.value().sqrt() + self.case.distance;
-        (squared - distance * distance).value() / sum
-    }
-
-    /// The sign of the gap's rate: that of x·ẋ ρ − a(xẋ + yẏ), in m³/s.
-    fn rate(&self, t: f64) -> f64 {
-        let (x, w) = (self.at(t), self.velocity_at(t));
-        let level = x[0] * w[0] + x[1] * w[1];
-        let radius = (x[0] * x[0] + x[1] * x[1]).sqrt();
-        ((level + x[2] * w[2]) * radius - DoubleDouble::from(self.case.ring) * level).value()
     }
 
     /// The polynomial of degree ten, and its factor at the axis xẋ + yẏ, on the window scaled to [0, 1].
@@ -133,6 +90,41 @@ impl Truth {
         );
         [whole, level]
     }
+}
+
+impl Truth for Exact {
+    fn window(&self) -> RangeInclusive<f64> {
+        self.case.from..=self.case.horizon
+    }
+
+    fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    fn extent(&self, t: f64) -> f64 {
+        let size = |w: [f64; 3]| w.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let Motion { d, v, h } = self.case.motion;
+        let extent = size(d) + t * (size(v) + t * size(h));
+        (extent / LARGEST_TABLE).max(1.0)
+    }
+
+    /// √((ρ − a)² + z²) − R, m.
+    fn gap(&self, t: f64) -> f64 {
+        let [x, y, z] = self.at(t);
+        let out = (x * x + y * y).sqrt() - DoubleDouble::from(self.case.ring);
+        let squared = out * out + z * z;
+        let distance = DoubleDouble::from(self.case.distance);
+        let sum = squared.value().sqrt() + self.case.distance;
+        (squared - distance * distance).value() / sum
+    }
+
+    /// The sign of the gap's rate: that of x·ẋ ρ − a(xẋ + yẏ), in m³/s.
+    fn rate(&self, t: f64) -> f64 {
+        let (x, w) = (self.at(t), self.velocity_at(t));
+        let level = x[0] * w[0] + x[1] * w[1];
+        let radius = (x[0] * x[0] + x[1] * x[1]).sqrt();
+        ((level + x[2] * w[2]) * radius - DoubleDouble::from(self.case.ring) * level).value()
+    }
 
     /// Every time in the window at which the gap may turn, ascending.
     fn stationary_times(&self) -> Vec<f64> {
@@ -145,27 +137,6 @@ impl Truth {
         }
         times.sort_by(f64::total_cmp);
         times.into_iter().map(|u| from + u * (horizon - from)).collect()
-    }
-
-    /// The first overlap beyond the tolerance that the ball reaches by approaching, up to `end`.
-    fn overlap_fallen_into(&self, stationary: &[f64], end: f64) -> Option<f64> {
-        let from = self.case.from;
-        let mut times = vec![from];
-        times.extend(stationary.iter().copied().filter(|&t| from < t && t < end));
-        times.push(end);
-        times.windows(2).find_map(|span| {
-            let depth = self.gap(span[0]).min(0.0) - self.gap(span[1]);
-            (depth > self.tolerance_at(span[1])).then_some(depth)
-        })
-    }
-
-    /// How much the gap changes between t and the nearest time at which the ball stops parting.
-    fn lift_to_approach(&self, stationary: &[f64], t: f64) -> f64 {
-        if self.rate(t) <= 0.0 {
-            return 0.0;
-        }
-        let here = self.gap(t);
-        stationary.iter().map(|&s| (self.gap(s) - here).abs()).fold(f64::INFINITY, f64::min)
     }
 }
 
