@@ -17,6 +17,8 @@ export const LEVELS: readonly Level[] = [
   { pixelRatio: 0.8, shadows: false, detail: "low" },
   { pixelRatio: 0.66, shadows: false, detail: "low" },
 ];
+/** What a picture costs that will stand: full quality, whatever motion can afford. */
+export const STILL: Level = { pixelRatio: 2, shadows: true, detail: "high" };
 /** Where low quality begins: software rendering starts here. */
 export const LOW = 2;
 
@@ -88,4 +90,16 @@ export class Governor {
     this.#level -= 1;
     return true;
   }
+}
+
+/** Whether WebGL is drawn by the processor, as in virtual machines and in tests. */
+export function isSoftware(): boolean {
+  const context = document.createElement("canvas").getContext("webgl2");
+  if (!context) return false;
+  const names = context.getExtension("WEBGL_debug_renderer_info");
+  const name = String(
+    context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER),
+  );
+  context.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }

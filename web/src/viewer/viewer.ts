@@ -1,16 +1,6 @@
 /** A scene of a shot: table, balls, cue, paths, and what the app wants pointed out. */
 
-import {
-  Color,
-  DirectionalLight,
-  HemisphereLight,
-  PCFShadowMap,
-  Raycaster,
-  Scene,
-  Vector2,
-  Vector3,
-  WebGLRenderer,
-} from "three";
+import { Color, PCFShadowMap, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { Balls } from "./balls";
 import type { Box } from "./camera/pose";
 import { Rig } from "./camera/rig";
@@ -19,7 +9,8 @@ import { Cue } from "./overlay/cue";
 import { Fan } from "./overlay/fan";
 import { Lines } from "./overlay/lines";
 import { Marks } from "./overlay/marks";
-import { Governor, type Level, LEVELS, LOW } from "./quality";
+import { Lighting, SLANT } from "./lighting";
+import { Governor, isSoftware, type Level, LEVELS, LOW, STILL } from "./quality";
 import { Table } from "./table";
 import { reach } from "./table/outline";
 import { palette } from "./theme";
@@ -37,10 +28,10 @@ import {
   type Theme,
 } from "./types";
 
-/** Direction of the lamp's light, downwards; slanted, so that a ball in the air leaves its shadow. */
-const LIGHT = new Vector3(-0.3, 0.42, -1);
 /** Radius around a ball in which it can be picked, pixels: a finger is not a pointer. */
 const REACH = { touch: 24, mouse: 8 };
+/** Time without a change after which the picture that stands is drawn at full quality, ms. */
+const CALM = 400;
 /** Space around the balls on endless cloth, and the least that is shown of it, m. */
 const ENDLESS_MARGIN = 0.35;
 const ENDLESS_LEAST = 1.8;
@@ -65,11 +56,10 @@ export class Viewer {
   readonly #software: boolean;
   readonly #shadowsAllowed: boolean;
   readonly #scene = new Scene();
-  readonly #sky = new HemisphereLight();
-  readonly #lamp = new DirectionalLight();
+  readonly #lighting = new Lighting();
   readonly #room = room();
   readonly #table = new Table();
-  readonly #balls = new Balls(this.#room, [-LIGHT.x / LIGHT.z, -LIGHT.y / LIGHT.z]);
+  readonly #balls = new Balls(this.#room, SLANT);
   readonly #rig: Rig;
   readonly #ghosts = new Lines({ width: 1.8, opacity: 0.62, dash: [0.022, 0.014] });
   readonly #traces = new Lines({ width: 2.4, opacity: 0.92 });
@@ -90,6 +80,10 @@ export class Viewer {
   /** When the browser's first frame after the last picture began, ms; and the request to be told. */
   #nextFrame = NaN;
   #request = 0;
+  /** Whether the next picture is a still, whether the last one was, and what waits to ask for one. */
+  #calm = false;
+  #sharp = false;
+  #timer: ReturnType<typeof setTimeout> | undefined;
 
   /**
    * @param canvas - Sized by the page's style; the viewer follows.
@@ -105,14 +99,8 @@ export class Viewer {
     this.#shadowsAllowed = options.shadows ?? true;
     this.#rig = new Rig(canvas, options.reducedMotion ?? false, () => this.#touch());
     this.#governor = new Governor(this.#software ? LOW : 0);
-    this.#lamp.shadow.mapSize.set(2048, 2048);
-    this.#lamp.shadow.radius = 3;
-    this.#lamp.shadow.normalBias = 0.002;
-    this.#lamp.shadow.intensity = 0.75;
     this.#scene.add(
-      this.#sky,
-      this.#lamp,
-      this.#lamp.target,
+      this.#lighting.group,
       this.#table.group,
       this.#fan.group,
       this.#balls.group,
@@ -174,6 +162,7 @@ export class Viewer {
     this.#quality = quality;
     this.#governor = new Governor(this.#software ? LOW : 0);
     this.#applyLevel();
+    this.#touch();
   }
 
   /**
@@ -187,11 +176,7 @@ export class Viewer {
   setTheme(theme: Theme): void {
     const colors = palette(theme);
     this.#scene.background = new Color(colors.background);
-    this.#sky.color.set(0xffffff);
-    this.#sky.groundColor.set(0x6b675f);
-    this.#sky.intensity = colors.ambient;
-    this.#lamp.color.set(0xfff4e2);
-    this.#lamp.intensity = colors.lamp;
+    this.#lighting.setPalette(colors);
     this.#table.setPalette(colors);
     this.#touch();
   }
@@ -205,7 +190,7 @@ export class Viewer {
     if (!same) {
       const box = this.#box(geometry);
       this.#table.setGeometry(geometry, middle(box));
-      this.#light(box);
+      this.#lighting.fit(box);
       this.#rig.setBox(box);
       this.#balls.setViewer(this.#rig.side);
     }
@@ -309,26 +294,32 @@ export class Viewer {
     ];
   }
 
-  /** Draws; call it from a loop of animation frames while {@link needsFrame}. */
+  /**
+   * Draws; call it from a loop of animation frames while {@link needsFrame}. Where motion is drawn at
+   * less than full quality, a still follows when nothing has changed for a while.
+   */
   render(): void {
     const start = performance.now();
     // Before the cameras move: what they change needs another frame.
     this.#dirty = false;
-    this.#govern();
-    this.#rig.update(start);
-    this.#renderer.render(this.#scene, this.#rig.camera);
+    const still = this.#calm;
+    this.#calm = false;
+    this.#govern(still);
+    this.#draw();
     this.#renderMs = performance.now() - start;
+    this.#awaitCalm(still);
   }
 
   /** The picture as PNG, with all shadows and `scale` (2) pixels per pixel of the page. */
   async capture(scale = 2): Promise<Blob> {
-    this.#apply({ pixelRatio: scale, shadows: true, detail: "high" }, scale);
-    this.render();
+    this.#apply({ ...STILL, pixelRatio: scale }, scale);
+    this.#draw();
     // Asked for in the same task: a canvas is cleared after it was shown.
     const encoded = new Promise<Blob | null>((resolve) =>
       this.#canvas.toBlob(resolve, "image/png"),
     );
     this.#applyLevel();
+    this.render();
     const blob = await encoded;
     if (!blob) {
       throw new Error("The browser could not encode the picture; take it with a smaller scale.");
@@ -351,6 +342,7 @@ export class Viewer {
     this.#watcher.disconnect();
     this.#canvas.removeEventListener("webglcontextrestored", this.#restored);
     cancelAnimationFrame(this.#request);
+    clearTimeout(this.#timer);
     for (const part of [
       this.#rig,
       this.#table,
@@ -362,7 +354,7 @@ export class Viewer {
       this.#cue,
       this.#marks,
       this.#room,
-      this.#lamp,
+      this.#lighting,
     ]) {
       part.dispose();
     }
@@ -402,13 +394,38 @@ export class Viewer {
     this.#rig.setAim(center, cue);
   }
 
+  #draw(): void {
+    this.#rig.update(performance.now());
+    this.#renderer.render(this.#scene, this.#rig.camera);
+  }
+
   /** Judges the time between two frames, if this is the browser's next one after the last picture. */
-  #govern(): void {
+  #govern(still: boolean): void {
     const frame = Number(document.timeline.currentTime);
-    const changed = this.#governor.frame(frame, frame === this.#nextFrame);
-    if (changed && this.#quality === "auto") this.#applyLevel();
+    const changed = this.#governor.frame(frame, frame === this.#nextFrame && !still);
+    if (still) this.#apply(STILL, this.#stillRatio);
+    else if (this.#sharp || (changed && this.#quality === "auto")) this.#applyLevel();
+    this.#sharp = still;
+    this.#nextFrame = NaN;
     cancelAnimationFrame(this.#request);
-    this.#request = requestAnimationFrame((time) => (this.#nextFrame = time));
+    // The frame after a still is late for the still's sake.
+    if (!still) this.#request = requestAnimationFrame((time) => (this.#nextFrame = time));
+  }
+
+  /** Once nothing has changed for a while, the picture that stands is drawn at full quality. */
+  #awaitCalm(still: boolean): void {
+    clearTimeout(this.#timer);
+    if (still || this.#quality !== "auto" || this.#level === 0) return;
+    this.#timer = setTimeout(() => {
+      if (this.#dirty) return;
+      this.#calm = true;
+      this.#touch();
+    }, CALM);
+  }
+
+  /** Pixels per pixel of the page in stills: without smoothing, twice as many are the smoothing. */
+  get #stillRatio(): number {
+    return this.#software ? STILL.pixelRatio : devicePixelRatio;
   }
 
   #applyLevel(): void {
@@ -425,24 +442,9 @@ export class Viewer {
     const ratio = Math.min(level.pixelRatio, screen);
     if (this.#renderer.getPixelRatio() !== ratio) this.#renderer.setPixelRatio(ratio);
     this.#renderer.shadowMap.enabled = shadows;
-    this.#lamp.castShadow = shadows;
+    this.#lighting.shadows = shadows;
     this.#balls.setShadows(shadows);
     this.#balls.setDetail(level.detail);
-    this.#touch();
-  }
-
-  /** The lamp shines on all of the table. */
-  #light({ min, max }: Box): void {
-    const [x, y] = middle({ min, max });
-    const span = Math.hypot(max[0] - min[0], max[1] - min[1]) / 2;
-    const away = LIGHT.clone().normalize();
-    this.#lamp.target.position.set(x, y, 0);
-    this.#lamp.position.set(x, y, 0).addScaledVector(away, -4);
-    this.#lamp.target.updateMatrixWorld();
-    const { camera } = this.#lamp.shadow;
-    [camera.left, camera.right, camera.bottom, camera.top] = [-span, span, -span, span];
-    [camera.near, camera.far] = [4 - span, 4 + span];
-    camera.updateProjectionMatrix();
   }
 
   /** What the cameras show: the table with its rails, or the balls on endless cloth. */
@@ -472,16 +474,4 @@ function middle({ min, max }: Box): Point {
 
 function sameTable(a: Geometry, b: Geometry): boolean {
   return a === b || JSON.stringify(a) === JSON.stringify(b);
-}
-
-/** Whether WebGL is drawn by the processor, as in virtual machines and in tests. */
-function isSoftware(): boolean {
-  const context = document.createElement("canvas").getContext("webgl2");
-  if (!context) return false;
-  const names = context.getExtension("WEBGL_debug_renderer_info");
-  const name = String(
-    context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER),
-  );
-  context.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }

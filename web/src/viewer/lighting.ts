@@ -1,0 +1,59 @@
+/** The light: some from all around, and a lamp whose slanted shadows show how high a ball is. */
+
+import { DirectionalLight, Group, HemisphereLight, Vector3 } from "three";
+import type { Box } from "./camera/pose";
+import type { Palette } from "./theme";
+
+/** Direction of the lamp's light, downwards. */
+const DIRECTION = new Vector3(-0.3, 0.42, -1);
+/** Sideways shift of a shadow per height of what casts it, along x and y. */
+export const SLANT: readonly [number, number] = [
+  -DIRECTION.x / DIRECTION.z,
+  -DIRECTION.y / DIRECTION.z,
+];
+/** Distance of the lamp from the middle of the table, m: beyond all that casts a shadow. */
+const DISTANCE = 4;
+/** Side of the shadow map, texels: 2 mm each on a large table. */
+const SHADOW_MAP = 2048;
+
+export class Lighting {
+  readonly group = new Group();
+  readonly #sky = new HemisphereLight(0xffffff, 0x6b675f);
+  readonly #lamp = new DirectionalLight(0xfff4e2);
+
+  constructor() {
+    const { shadow } = this.#lamp;
+    shadow.mapSize.set(SHADOW_MAP, SHADOW_MAP);
+    shadow.radius = 3;
+    shadow.normalBias = 0.002;
+    shadow.intensity = 0.75;
+    this.group.add(this.#sky, this.#lamp, this.#lamp.target);
+  }
+
+  set shadows(cast: boolean) {
+    this.#lamp.castShadow = cast;
+  }
+
+  setPalette({ ambient, lamp }: Palette): void {
+    this.#sky.intensity = ambient;
+    this.#lamp.intensity = lamp;
+  }
+
+  /** Lets the lamp's shadows reach all of the table. */
+  fit({ min, max }: Box): void {
+    const [x, y] = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
+    const span = Math.hypot(max[0] - min[0], max[1] - min[1]) / 2;
+    const back = DIRECTION.clone().setLength(-DISTANCE);
+    this.#lamp.target.position.set(x, y, 0);
+    this.#lamp.position.set(x, y, 0).add(back);
+    const { camera } = this.#lamp.shadow;
+    [camera.left, camera.right, camera.bottom, camera.top] = [-span, span, -span, span];
+    [camera.near, camera.far] = [Math.max(0.1, DISTANCE - span), DISTANCE + span];
+    camera.updateProjectionMatrix();
+  }
+
+  dispose(): void {
+    this.#lamp.dispose();
+    this.#sky.dispose();
+  }
+}
