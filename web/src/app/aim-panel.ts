@@ -4,9 +4,9 @@ import { FINE, turn } from "./actions.ts";
 import { AZIMUTH_DIGITS, wrap } from "./angles.ts";
 import type { Context } from "./context.ts";
 import type { SpeedUnit } from "./document.ts";
-import { h, icon, uniqueId } from "./dom.ts";
+import { h, uniqueId } from "./dom.ts";
 import { mountFace } from "./face.ts";
-import { mountField } from "./field.ts";
+import { follow, mountField } from "./field.ts";
 import type { Store } from "./store.ts";
 import { round, speedFrom, speedIn, SPEED_UNITS } from "./units.ts";
 
@@ -117,15 +117,19 @@ function mountDirection(root: HTMLElement, store: Store, context: Context): void
     read: () => store.document.shot.strike.azimuth_deg,
     write: (value, group) => store.strike({ azimuth_deg: wrap(value) }, "aim", group),
   });
-  const arrow = (label: string, sign: number, path: string) => {
-    const press = () => {
-      turn(store, sign * TURN * (store.session.fine ? FINE : 1), `turn ${sign}`);
+  const degrees = () => TURN * (store.session.fine ? FINE : 1);
+  const arrow = (way: string, sign: number) => {
+    const onclick = () => {
+      turn(store, sign * degrees(), `turn ${sign}`);
     };
-    return h(
-      "button",
-      { type: "button", class: "button", "aria-label": label, title: label, onclick: press },
-      icon(path),
-    );
+    const button = h("button", { type: "button", class: "button", onclick });
+    follow(store, button, () => (sign > 0 ? `‹ ${degrees()}°` : `${degrees()}° ›`));
+    const name = () => {
+      button.setAttribute("aria-label", `Turn the cue ${way} by ${degrees()}°`);
+    };
+    store.subscribe(name);
+    name();
+    return button;
   };
   const fine = h(
     "button",
@@ -144,11 +148,7 @@ function mountDirection(root: HTMLElement, store: Store, context: Context): void
   };
   store.subscribe(show);
   show();
-  row.append(
-    arrow("Turn the cue left", 1, "M8 4L4 8l4 4M4 8h9a6 6 0 0 1 0 12h-3"),
-    arrow("Turn the cue right", -1, "M16 4l4 4-4 4M20 8h-9a6 6 0 0 0 0 12h3"),
-    fine,
-  );
+  row.append(arrow("left", 1), arrow("right", -1), fine);
   root.append(field, row);
 }
 

@@ -59,16 +59,11 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
   show();
 }
 
-/** Beside the replay's timeline: the way on. */
-export function mountTake(root: HTMLElement, store: Store, context: Context): void {
-  const take = () => {
+/** The way on from a replay, beside the way back. */
+export function mountTake(back: HTMLElement, store: Store, context: Context): void {
+  const onclick = () => {
     takeItFromHere(store, context);
   };
-  root.append(
-    h(
-      "button",
-      { type: "button", class: "button", id: "take-it", onclick: take },
-      "Take it from here",
-    ),
-  );
+  const attributes = { type: "button", class: "button push", id: "take-it", onclick };
+  back.before(h("button", attributes, "Take it from here"));
 }

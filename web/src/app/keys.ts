@@ -25,7 +25,7 @@ interface Tools {
 }
 
 interface Key {
-  /** As in `KeyboardEvent.key`, with "Mod+" for Ctrl or ⌘. */
+  /** As in `KeyboardEvent.key`, with "Mod+" for Ctrl or ⌘, and "Shift+" after it. */
   readonly keys: readonly string[];
   /** How the help names the keys. */
   readonly shown: readonly string[];
@@ -164,7 +164,7 @@ export const KEYS: readonly Key[] = [
     },
   },
   {
-    keys: ["Mod+Z", "Mod+y"],
+    keys: ["Mod+Shift+z", "Mod+y"],
     shown: ["Ctrl", "Shift", "Z"],
     help: "Redo",
     run: ({ store, context }) => {
@@ -194,7 +194,9 @@ export function mountKeys(table: HTMLElement, tools: Tools): void {
     const target = event.target as Element;
     const mod = event.ctrlKey || event.metaKey;
     if (target.closest(TYPED)) return;
-    const name = mod ? `Mod+${event.key}` : event.key;
+    const name = mod
+      ? `Mod+${event.shiftKey ? "Shift+" : ""}${event.key.toLowerCase()}`
+      : event.key;
     const found = KEYS.find(
       ({ keys, mode, table: only }) =>
         keys.includes(name) &&

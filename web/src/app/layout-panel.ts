@@ -1,7 +1,8 @@
 /** Which balls lie where: racks, the table, and every ball in numbers. */
 
 import type { Context } from "./context.ts";
-import { h, uniqueId } from "./dom.ts";
+import { look } from "../viewer/index.ts";
+import { h, svg, uniqueId } from "./dom.ts";
 import { mountField } from "./field.ts";
 import { placeBall } from "./gestures.ts";
 import { addBall, changeTable, nextId, rack, removeBall } from "./layout.ts";
@@ -105,7 +106,7 @@ function mountBalls(root: HTMLElement, store: Store, context: Context): void {
     const focused = list.contains(document.activeElement);
     const current = selected !== null && ids.includes(selected) ? selected : ids[0];
     list.replaceChildren(
-      ...ids.map((id) =>
+      ...ids.map((id, index) =>
         h(
           "button",
           {
@@ -119,6 +120,7 @@ function mountBalls(root: HTMLElement, store: Store, context: Context): void {
               store.setSession({ selected: id });
             },
           },
+          swatch(id, index),
           id,
         ),
       ),
@@ -199,6 +201,18 @@ export function aimAt(store: Store, id: string): void {
   if (!to || !from || to === from) return;
   const azimuth = azimuthTo([from[0], from[1]], [to[0], to[1]]);
   store.strike({ azimuth_deg: azimuth }, `aim at ${ballName(id)}`);
+}
+
+/** A ball's look beside its name; decoration. */
+function swatch(id: string, index: number): SVGSVGElement {
+  const { body, striped } = look(id, index);
+  return svg(
+    "svg",
+    { viewBox: "0 0 16 16", class: "swatch", "aria-hidden": "true" },
+    svg("circle", { cx: 8, cy: 8, r: 7, fill: striped ? "#f6f1e3" : body }),
+    striped && svg("path", { d: "M1.9 4.6h12.2a7 7 0 0 1 0 6.8H1.9a7 7 0 0 1 0-6.8", fill: body }),
+    svg("circle", { cx: 8, cy: 8, r: 7, class: "rim" }),
+  );
 }
 
 function words(name: string): string {

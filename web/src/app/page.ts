@@ -42,7 +42,7 @@ export function mountPage(store: Store, context: Context, welcome: boolean): voi
   mountShare(place("share"), store, context);
   mountAddress(store, context);
   mountDock(place("shoot"), store, context);
-  mountTake(place("take"), store, context);
+  mountTake(place("leave-replay"), store, context);
   mountHistory(place("history"), store, context);
   mountCamera(place("camera"), store, context);
   const showSteps = mountFirstUse(place("first-use"), store, welcome);

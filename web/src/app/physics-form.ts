@@ -91,8 +91,19 @@ function asObject(value: unknown): Values {
   return typeof value === "object" && value !== null ? (value as Values) : {};
 }
 
+const TITLES: Readonly<Record<string, string>> = {
+  ball_ball: "Ball on ball",
+  cloth: "Cloth",
+  cushion: "Cushions",
+  facing: "Pocket facings",
+  liner: "Pocket liners",
+  slate: "Bounces on slate",
+};
+
 /** `ball_ball` as a heading, `sliding_friction` as a label. */
 export function title(key: string): string {
+  const known = TITLES[key];
+  if (known !== undefined) return known;
   const text = key.replaceAll("_", " ");
   return text.charAt(0).toUpperCase() + text.slice(1);
 }

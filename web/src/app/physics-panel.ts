@@ -92,11 +92,11 @@ export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: C
 
   function groups(found: readonly Parameter[]): HTMLElement[] {
     const keys = [...new Set(found.map(({ path }) => path[0]!))];
-    return keys.map((key, index) => {
+    return keys.map((key) => {
       const inside = found.filter(({ path }) => path[0] === key);
       return h(
         "details",
-        { open: index === 0 },
+        { open: key === "cloth" },
         h("summary", {}, title(key)),
         ...inside.map((parameter) => row(parameter)),
       );

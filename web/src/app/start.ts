@@ -26,7 +26,7 @@ const FIRST_SHOT: ShotFile = {
     { id: "1", position: [0.35, 1.62] },
     { id: "3", position: [0.98, 0.9] },
   ],
-  strike: { ball: "cue", speed: 2.2, azimuth_deg: 68.4, height: -0.2 },
+  strike: { ball: "cue", speed: 2, azimuth_deg: 66.8, height: -0.2 },
 };
 
 export function opened(engine: Engine): Opened {

@@ -18,13 +18,16 @@ const TABS: readonly Tab[] = [
   { name: "whatif", label: "What if" },
 ];
 
+/** Where the style makes the panel a sheet: there a replay needs the room. */
+const PHONE = "(max-width: 760px)";
+
 const ARROWS: Readonly<Record<string, number>> = { ArrowLeft: -1, ArrowRight: 1 };
 
 export function mountTabs(root: HTMLElement, store: Store): void {
   const panel = root.closest<HTMLElement>(".panel")!;
   const body = (tab: Tab) => document.getElementById(`panel-${tab.name}`)!;
   let selected = "aim";
-  let beforeReplay = "aim";
+  const earlier = { tab: "aim", folded: false };
 
   const buttons = TABS.map((tab) => {
     const attributes = { type: "button", role: "tab", class: "tab", id: `tab-${tab.name}` };
@@ -50,13 +53,18 @@ export function mountTabs(root: HTMLElement, store: Store): void {
 
   function select(name: string): void {
     selected = name;
-    delete panel.dataset.folded;
+    fold(false);
     show();
+  }
+
+  function fold(on: boolean): void {
+    if (on) panel.dataset.folded = "true";
+    else delete panel.dataset.folded;
   }
 
   function click(tab: Tab): void {
     if (tab.name !== selected || panel.dataset.folded) select(tab.name);
-    else panel.dataset.folded = "true";
+    else fold(true);
   }
 
   root.addEventListener("keydown", (event) => {
@@ -72,14 +80,15 @@ export function mountTabs(root: HTMLElement, store: Store): void {
 
   store.subscribe((now, before) => {
     if (now.session.mode === before.session.mode) return;
-    const folded = panel.dataset.folded;
     if (now.session.mode === "replay") {
-      beforeReplay = selected;
+      earlier.tab = selected;
+      earlier.folded = panel.dataset.folded !== undefined;
       select("state");
+      fold(matchMedia(PHONE).matches);
     } else {
-      select(selected === "state" ? beforeReplay : selected);
+      select(selected === "state" ? earlier.tab : selected);
+      fold(earlier.folded);
     }
-    if (folded) panel.dataset.folded = folded;
   });
   show();
 }

@@ -1,0 +1,120 @@
+import type { Page } from "playwright-core";
+import { expect, onPage, picture, settled, shotOf, test } from "./fixture.ts";
+
+const ball = async (page: Page, id: string) =>
+  (await shotOf(page)).balls.find((one) => one.id === id)?.position;
+
+async function drag(page: Page, from: readonly number[], to: readonly number[]): Promise<void> {
+  const start = await onPage(page, from[0]!, from[1]!);
+  const end = await onPage(page, to[0]!, to[1]!);
+  await page.mouse.move(start.x, start.y);
+  await page.mouse.down();
+  await page.mouse.move(end.x, end.y, { steps: 6 });
+  await settled(page);
+}
+
+/** A pixel on the table, m. */
+const PIXEL = 0.004;
+
+test("a ball is dragged, undone and redone in one step each", async ({ open }) => {
+  const page = await open();
+  const before = (await ball(page, "3"))!;
+  await drag(page, before, [0.6, 0.4]);
+  await page.mouse.up();
+  const after = (await ball(page, "3"))!;
+  expect(Math.hypot(after[0] - 0.6, after[1] - 0.4)).toBeLessThan(PIXEL);
+  await page.getByRole("button", { name: "Undo: move ball 3" }).click();
+  expect(await ball(page, "3")).toEqual(before);
+  await page.keyboard.press("Control+Shift+z");
+  expect(await ball(page, "3")).toEqual(after);
+  await page.keyboard.press("Control+z");
+  expect(await ball(page, "3")).toEqual(before);
+});
+
+test("a ball dragged into another is refused where it is tried, and goes back", async ({
+  open,
+}) => {
+  const page = await open();
+  const before = (await ball(page, "3"))!;
+  const target = (await ball(page, "1"))!;
+  await drag(page, before, target);
+  const alert = page.getByRole("alert");
+  expect(await alert.textContent()).toMatch(/ball "3" overlaps|overlaps .* \("1"\)|overlaps/);
+  await picture(page, "refused");
+  await page.mouse.up();
+  await settled(page);
+  const after = (await ball(page, "3"))!;
+  expect(Math.hypot(after[0] - target[0], after[1] - target[1])).toBeGreaterThan(0.0571);
+  expect(
+    await page.evaluate(() => window.carom!.store.session.refusal?.attempt ?? null),
+  ).toBeNull();
+  // The reason stays until something is accepted.
+  expect(await alert.isVisible()).toBe(true);
+  await page.getByRole("application", { name: /^Table/ }).focus();
+  await page.keyboard.press("ArrowLeft");
+  expect(await alert.isVisible()).toBe(false);
+});
+
+test("racks, tables and balls come and go, and undo leads all the way back", async ({ open }) => {
+  const page = await open();
+  const first = await shotOf(page);
+  await page.getByRole("tab", { name: "Layout" }).click();
+  await page.getByLabel("Game").selectOption("nine-ball");
+  await page.getByLabel("Seed").fill("7");
+  await page.getByRole("button", { name: "Rack", exact: true }).click();
+  const racked = await shotOf(page);
+  expect(racked.balls).toHaveLength(10);
+  expect(
+    await page.evaluate(() => window.carom!.engine.breakShot("nine-ball", { seed: 7 }).file),
+  ).toEqual(racked);
+
+  await page.getByRole("radio", { name: "5", exact: true }).click();
+  await page.getByRole("button", { name: "Remove" }).click();
+  expect(await ball(page, "5")).toBeUndefined();
+  await page.getByLabel("New ball").fill("5");
+  await page.getByRole("button", { name: "Add ball" }).click();
+  expect(await ball(page, "5")).toBeDefined();
+  await page.getByLabel("Across").first().fill("0.3");
+  await page.getByLabel("Across").first().press("Enter");
+  expect((await ball(page, "5"))![0]).toBe(0.3);
+  await page.getByLabel("Across").first().fill("9");
+  await page.getByLabel("Across").first().press("Enter");
+  expect(await page.getByRole("alert").textContent()).toContain("outside the table");
+  expect((await ball(page, "5"))![0]).toBe(0.3);
+
+  await page.getByRole("combobox", { name: "Table" }).selectOption("wpa-8ft");
+  expect((await shotOf(page)).table).toBe("wpa-8ft");
+  for (let k = 0; k < 5; k += 1) await page.getByRole("button", { name: /^Undo: / }).click();
+  expect(await shotOf(page)).toEqual(first);
+  expect(await page.evaluate(() => window.carom!.store.undoLabel)).toBeNull();
+});
+
+test("every game can be racked on its table", async ({ open }) => {
+  const page = await open();
+  await page.getByRole("tab", { name: "Layout" }).click();
+  const games = await page.evaluate(() => window.carom!.engine.games);
+  expect(games.length).toBeGreaterThan(3);
+  for (const game of games) {
+    await page.getByLabel("Game").selectOption(game);
+    await page.getByRole("button", { name: "Rack", exact: true }).click();
+    await settled(page);
+    expect(await page.evaluate(() => window.carom!.store.undoLabel)).toBe(`rack ${game}`);
+  }
+});
+
+test("a parameter of the physics is changed, refused out of range, and put back", async ({
+  open,
+}) => {
+  const page = await open();
+  await page.getByRole("tab", { name: "Physics" }).click();
+  const field = page.getByRole("spinbutton", { name: "Sliding friction" });
+  await field.fill("0.3");
+  await field.press("Enter");
+  expect((await shotOf(page)).physics).toEqual({ cloth: { sliding_friction: 0.3 } });
+  await field.fill("-1");
+  await field.press("Enter");
+  expect(await page.getByRole("alert").textContent()).toContain("physics.cloth.sliding_friction");
+  expect((await shotOf(page)).physics).toEqual({ cloth: { sliding_friction: 0.3 } });
+  await page.getByRole("button", { name: "Put back Cloth sliding friction" }).click();
+  expect((await shotOf(page)).physics ?? {}).toEqual({});
+});

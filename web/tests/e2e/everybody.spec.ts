@@ -1,0 +1,119 @@
+import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
+import type { Page } from "playwright-core";
+import { DESKTOP, expect, onPage, PHONE, shotOf, test } from "./fixture.ts";
+
+const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+interface Violation {
+  readonly id: string;
+  readonly nodes: readonly { readonly html: string; readonly failureSummary?: string }[];
+}
+
+/** What axe finds wrong, one line each; empty is right. */
+async function violations(page: Page): Promise<string[]> {
+  await page.evaluate(AXE);
+  const found = await page.evaluate(async () => {
+    const { axe } = window as unknown as { axe: { run(): Promise<{ violations: Violation[] }> } };
+    return (await axe.run()).violations;
+  });
+  return found.flatMap(({ id, nodes }) =>
+    nodes.map(({ html, failureSummary = "" }) => `${id}: ${html} ${failureSummary}`),
+  );
+}
+
+for (const [name, viewport] of [
+  ["desktop", DESKTOP],
+  ["phone", PHONE],
+] as const) {
+  for (const colorScheme of ["light", "dark"] as const) {
+    test(`axe finds nothing on a ${name} in ${colorScheme}`, async ({ open }) => {
+      const page = await open({ viewport, colorScheme, firstSteps: true });
+      expect(await violations(page), "first steps").toEqual([]);
+      await page.getByRole("button", { name: "Skip" }).click();
+      for (const tab of ["Layout", "Physics", "What if", "Aim"]) {
+        await page.getByRole("tab", { name: tab }).click();
+        if (tab === "Layout") await page.getByRole("radio", { name: "9", exact: true }).click();
+        expect(await violations(page), tab).toEqual([]);
+      }
+      await page.getByRole("button", { name: "Help and keys" }).click();
+      expect(await violations(page), "help").toEqual([]);
+      await page.getByRole("button", { name: "Close" }).click();
+      await page.getByRole("button", { name: "Shoot" }).click();
+      await page.getByRole("button", { name: "Pause" }).click();
+      expect(await violations(page), "replay").toEqual([]);
+    });
+  }
+}
+
+test("tab reaches every control, and the one that has the focus shows it", async ({ open }) => {
+  const page = await open();
+  const reached = new Set<string>();
+  for (let k = 0; k < 60; k += 1) {
+    await page.keyboard.press("Tab");
+    const { name, ring } = await page.evaluate(() => {
+      const { activeElement: element } = document;
+      const style = element && getComputedStyle(element);
+      const label = element?.getAttribute("aria-label") ?? element?.textContent ?? "";
+      return { name: element === document.body ? "" : label, ring: style?.outlineStyle ?? "none" };
+    });
+    if (name === "") continue; // the browser's own controls
+    reached.add(name);
+    expect(ring, `focus ring of "${name}"`).not.toBe("none");
+  }
+  for (const name of ["Undo", "From above", "Shoot", "Aim", "Fine", "Help and keys"]) {
+    expect([...reached]).toContain(name);
+  }
+  expect([...reached].some((name) => name.startsWith("Table."))).toBe(true);
+});
+
+test("who asks for less motion sees the end of the shot at once, and can still play it", async ({
+  open,
+}) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await page.getByRole("button", { name: "Shoot" }).click();
+  const { time, duration, playing } = await page.evaluate(() => {
+    const { session } = window.carom!.store;
+    return { time: session.time, duration: session.trace!.duration, playing: session.playing };
+  });
+  expect([time, playing]).toEqual([duration, false]);
+});
+
+test("on a phone everything fits the width, and the sheet folds away for the table", async ({
+  open,
+}) => {
+  const page = await open({ viewport: PHONE });
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(PHONE.width);
+  const before = (await page.locator("#table").boundingBox())!.height;
+  await page.getByRole("tab", { name: "Aim" }).click();
+  const after = (await page.locator("#table").boundingBox())!.height;
+  expect(after).toBeGreaterThan(before + 100);
+  const spot = await onPage(page, 1, 2.2);
+  expect(spot.x).toBeGreaterThan(0);
+  expect(spot.x).toBeLessThan(PHONE.width);
+});
+
+test("the theme follows the system until one chooses", async ({ open }) => {
+  const page = await open({ colorScheme: "dark" });
+  const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
+  expect(await theme()).toBe("dark");
+  await page.getByRole("button", { name: "Theme: as the system" }).click();
+  expect(await theme()).toBe("light");
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.getByRole("button", { name: "Theme: light" }).click();
+  expect(await theme()).toBe("dark");
+});
+
+test("the first steps lead through the page once, and the help shows them again", async ({
+  open,
+}) => {
+  const page = await open({ firstSteps: true });
+  const steps = page.getByRole("region", { name: "First steps" });
+  for (let k = 0; k < 3; k += 1) await steps.getByRole("button", { name: "Next" }).click();
+  await steps.getByRole("button", { name: "Done" }).click();
+  expect(await steps.isVisible()).toBe(false);
+  await page.keyboard.press("?");
+  await page.getByRole("button", { name: "Show the first steps" }).click();
+  expect(await steps.isVisible()).toBe(true);
+  expect((await shotOf(page)).balls.length).toBeGreaterThan(1);
+});
