@@ -2,7 +2,7 @@ import { defineConfig } from "vitest/config";
 import { viteSingleFile } from "vite-plugin-singlefile";
 
 // The build is one HTML file that works from disk, in an iframe and without a network: JavaScript,
-// CSS, the WebAssembly (imported with `?inline`) and the worker (`?worker&inline`) are all inside.
+// CSS, the WebAssembly (a string in a module) and the worker (`?worker&inline`) are all inside.
 export default defineConfig({
   plugins: [viteSingleFile({ removeViteModuleLoader: true })],
   build: {
@@ -25,6 +25,16 @@ export default defineConfig({
           // One browser, one page at a time: software rendering needs the cores.
           fileParallelism: false,
           testTimeout: 30_000,
+          hookTimeout: 60_000,
+        },
+      },
+      {
+        extends: true,
+        test: {
+          name: "bench",
+          include: ["bench/**/*.bench.ts"],
+          globalSetup: "tests/e2e/setup.ts",
+          fileParallelism: false,
           hookTimeout: 60_000,
         },
       },

@@ -1,0 +1,182 @@
+/**
+ * Shots a second of the engine in WebAssembly, in Node and in Chromium, beside the native engine's:
+ * random mid-game layouts, one core, no traces. The native program is the plain build for the
+ * platform (no flags for this processor). Printed, and stored in benches/results/wasm.json.
+ */
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpus, tmpdir } from "node:os";
+import { fileURLToPath } from "node:url";
+import { gunzipSync, gzipSync } from "node:zlib";
+import { chromium } from "playwright-core";
+import { expect, inject, test } from "vitest";
+import { type Engine, load, type ShotFile } from "../src/engine/index.js";
+
+const ROOT = fileURLToPath(new URL("../../", import.meta.url));
+
+/** The bar: shots a second in WebAssembly over native ones. */
+const LEAST_RATIO = 0.5;
+
+/** Passes over all layouts in one measurement: half a second or so, for a clock of 10 ms. */
+const PASSES = 60;
+
+/**
+ * Measurements, in turns, of which the median counts. All are of processor time, so that other
+ * programs on the machine disturb little.
+ */
+const ROUNDS = 11;
+
+interface State {
+  readonly balls: Readonly<Record<string, readonly [number, number]>>;
+  readonly speed: number;
+  readonly azimuth_deg: number;
+  readonly elevation_deg: number;
+  readonly side: number;
+  readonly height: number;
+}
+
+function layouts(): string[] {
+  const packed = readFileSync(`${ROOT}python/carom/data/bench_states.json.gz`);
+  const { table, classes } = JSON.parse(gunzipSync(packed).toString()) as {
+    table: string;
+    classes: Record<string, State[]>;
+  };
+  return classes.random_eight_ball!.map(({ balls, ...strike }) => {
+    const file: ShotFile = {
+      format: "carom-shot/1",
+      table,
+      balls: Object.entries(balls).map(([id, position]) => ({ id, position })),
+      strike: { ball: "cue", ...strike },
+    };
+    return JSON.stringify(file);
+  });
+}
+
+/** The path of the program that plays a file's shots natively. */
+function nativeProgram(): string {
+  const command = ["build", "--quiet", "--profile", "bench", "-p", "carom"];
+  command.push("--example", "bench_shots", "--message-format", "json");
+  const built = execFileSync("cargo", command, {
+    cwd: ROOT,
+    encoding: "utf8",
+    maxBuffer: 64e6,
+    env: { ...process.env, RUSTFLAGS: "" },
+  });
+  for (const line of built.split("\n").filter(Boolean)) {
+    const { executable, target } = JSON.parse(line) as {
+      executable?: string | null;
+      target?: { name: string };
+    };
+    if (executable && target?.name === "bench_shots") return executable;
+  }
+  throw new Error("cargo built no bench_shots");
+}
+
+/** Processor time, ms, of `passes` passes of the native program, its start included. */
+function nativeTime(program: string, file: string, passes: number): number {
+  const timed = `TIMEFORMAT=%3U; time "$0" "$@" > /dev/null`;
+  const run = spawnSync("bash", ["-c", timed, program, file, String(passes)], { encoding: "utf8" });
+  const seconds = Number(run.stderr);
+  if (run.status !== 0 || !Number.isFinite(seconds)) throw new Error(run.stderr);
+  return seconds * 1e3;
+}
+
+function median(values: readonly number[]): number {
+  return values.toSorted((a, b) => a - b)[values.length >> 1]!;
+}
+
+declare global {
+  interface Window {
+    benchShots?: ReturnType<Engine["shot"]>[];
+  }
+}
+
+test("mid-game shots a second in WebAssembly are at least half of the native ones", async () => {
+  const files = layouts();
+  const shots = PASSES * files.length;
+  const engine = await load();
+  const ours = files.map((file) => engine.shot(file));
+  const program = nativeProgram();
+  const folder = mkdtempSync(`${tmpdir()}/carom-bench-`);
+  const list = `${folder}/shots.jsonl`;
+  writeFileSync(list, `${files.join("\n")}\n`);
+
+  const browser = await chromium.connect(inject("browser"));
+  const page = await browser.newPage();
+  await page.goto(inject("page"));
+  await page.waitForFunction(() => window.carom !== undefined);
+  await page.evaluate((texts) => {
+    window.benchShots = texts.map((text) => window.carom!.engine.shot(text));
+  }, files);
+  const inNode = (): number => {
+    const before = process.cpuUsage();
+    for (let pass = 0; pass < PASSES; pass++) engine.simulate(ours);
+    return process.cpuUsage(before).user / 1e3;
+  };
+  const session = await browser.newBrowserCDPSession();
+  const rendererTime = async (): Promise<number> => {
+    const { processInfo } = await session.send("SystemInfo.getProcessInfo");
+    const renderers = processInfo.filter((process) => process.type === "renderer");
+    return renderers.reduce((sum, { cpuTime }) => sum + cpuTime, 0) * 1e3;
+  };
+  const inChromium = async (): Promise<number> => {
+    const before = await rendererTime();
+    await page.evaluate((passes) => {
+      for (let pass = 0; pass < passes; pass++) window.carom!.engine.simulate(window.benchShots!);
+    }, PASSES);
+    return (await rendererTime()) - before;
+  };
+
+  // Until the browser's best compiler has had its turn.
+  inNode();
+  await inChromium();
+  const times = { native: [] as number[], node: [] as number[], chromium: [] as number[] };
+  for (let round = 0; round < ROUNDS; round++) {
+    times.native.push(nativeTime(program, list, PASSES + 1) - nativeTime(program, list, 1));
+    times.node.push(inNode());
+    times.chromium.push(await inChromium());
+  }
+  const version = browser.version();
+  await browser.close();
+  rmSync(folder, { recursive: true });
+
+  const perSecond = (which: keyof typeof times) => Math.round((shots / median(times[which])) * 1e3);
+  const wasm = readFileSync(`${ROOT}web/src/engine/pkg/carom_wasm_bg.wasm`);
+  const result = {
+    processor: cpus()[0]?.model,
+    node: process.version,
+    chromium: version,
+    shots_per_second: {
+      native: perSecond("native"),
+      node: perSecond("node"),
+      chromium: perSecond("chromium"),
+    },
+    ratio_to_native: {
+      node: round(median(times.native.map((native, i) => native / times.node[i]!))),
+      chromium: round(median(times.native.map((native, i) => native / times.chromium[i]!))),
+    },
+    wasm_bytes: { raw: wasm.length, gzip: gzipSync(wasm, { level: 9 }).length },
+    load_ms: round(median(await loadTimes(wasm))),
+  };
+  writeFileSync(`${ROOT}benches/results/wasm.json`, `${JSON.stringify(result, null, 2)}\n`);
+  console.log(result);
+  expect(result.ratio_to_native.node).toBeGreaterThan(LEAST_RATIO);
+  expect(result.ratio_to_native.chromium).toBeGreaterThan(LEAST_RATIO);
+}, 600_000);
+
+function round(value: number): number {
+  return Number(value.toPrecision(3));
+}
+
+/** Time to unpack and compile the engine, ms. */
+async function loadTimes(wasm: Uint8Array<ArrayBuffer>): Promise<number[]> {
+  const packed = gzipSync(wasm, { level: 9 });
+  const times: number[] = [];
+  for (let k = 0; k < 10; k++) {
+    const started = performance.now();
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    await WebAssembly.compile(await new Response(stream).arrayBuffer());
+    times.push(performance.now() - started);
+  }
+  return times;
+}
