@@ -41,6 +41,7 @@ export class Fan {
   constructor() {
     this.#ways.frustumCulled = false;
     this.#heat.renderOrder = 1;
+    this.#ways.renderOrder = 2;
     this.group.add(this.#heat, this.#ways);
     this.clear();
   }

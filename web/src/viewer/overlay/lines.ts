@@ -47,6 +47,8 @@ export class Lines {
     this.object = new LineSegments2(this.#geometry, this.#material);
     this.object.frustumCulled = false;
     this.object.visible = false;
+    // After the heat map.
+    this.object.renderOrder = 2;
   }
 
   /** Begins a new picture: what was there is gone. */

@@ -95,6 +95,8 @@ export class Table {
     mesh.receiveShadow = receives;
     mesh.castShadow = casts;
     mesh.matrixAutoUpdate = false;
+    // Before all that lies on it: also what is transparent, like endless cloth.
+    mesh.renderOrder = -1;
     this.#meshes.push(mesh);
     this.group.add(mesh);
   }

@@ -24,6 +24,17 @@ const CLOTH_GLSL = `
   vec2 off = (vPlace - area.xy) / area.zw;
   diffuseColor.rgb *= (1.0 + 0.9 * thread) * (1.06 - 0.17 * dot(off, off));`;
 
+/** Side of the squares on endless cloth, m: nothing else there tells how far it is. */
+const SQUARE = 0.5;
+
+/** Endless cloth: its lines are a pixel wide and vanish where they would crowd. */
+const ENDLESS_GLSL = `${CLOTH_GLSL}
+  vec2 square = vPlace / ${SQUARE.toFixed(1)};
+  vec2 pixel = fwidth(square);
+  vec2 near = abs(fract(square - 0.5) - 0.5) / pixel;
+  float crowd = clamp(0.12 / max(pixel.x, pixel.y) - 1.0, 0.0, 1.0);
+  diffuseColor.rgb *= 1.0 + 0.16 * crowd * (1.0 - min(min(near.x, near.y), 1.0));`;
+
 /** Wood: the grain runs along each rail; the jump in the corners makes the mitre. */
 const WOOD_GLSL = `
   vec2 rail = abs(vPlace - area.xy) - area.zw;
@@ -45,7 +56,7 @@ export class TableMaterials {
   readonly endless = this.#patterned(
     new MeshLambertMaterial({ vertexColors: true, transparent: true }),
     this.#weave,
-    CLOTH_GLSL,
+    ENDLESS_GLSL,
   );
   readonly wood = this.#patterned(
     new MeshPhongMaterial({ vertexColors: true, shininess: 60, specular: 0x2a241e }),

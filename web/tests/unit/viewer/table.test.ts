@@ -4,7 +4,7 @@ import { sightPlaces, sights, markings } from "../../../src/viewer/table/fitting
 import { type Outline, outline, signedArea } from "../../../src/viewer/table/outline";
 import { solid } from "../../../src/viewer/table/solid";
 import type { Geometry, Point } from "../../../src/viewer/types";
-import { label, RAILED } from "./tables";
+import { ENDLESS, label, RAILED, tableOf } from "./tables";
 
 /** Rounding of the tables' numbers, m. */
 const ROUNDING = 1e-6;
@@ -140,7 +140,7 @@ describe.each(
 
 test("where the mouth captures, the hole's far side closes the edge", () => {
   const table = RAILED.find(({ name }) => name === "wpa-9ft")!;
-  const plan = outline({ ...table, liners: [] });
+  const plan = outline(tableOf({ base: "wpa-9ft", pocket_model: "mouth-line" }));
   const walls = plan.runs.filter((run) => run.material === "liner");
   expect(walls).toHaveLength(6);
   const whole = outline(table).runs.filter((run) => run.material === "liner");
@@ -151,7 +151,5 @@ test("where the mouth captures, the hole's far side closes the edge", () => {
 });
 
 test("endless cloth is refused an outline", () => {
-  expect(() =>
-    outline({ name: null, size: null, cushion_height: 0, cushions: [], liners: [], pockets: [] }),
-  ).toThrow(/Unbounded cloth/);
+  expect(() => outline(ENDLESS)).toThrow(/Unbounded cloth/);
 });

@@ -1,12 +1,23 @@
-import type { Geometry } from "../../../src/viewer/types";
-import tables from "./tables.json";
+import { load } from "../../../src/engine/index.ts";
+import type { ShotFile } from "../../../src/engine/types.ts";
+import type { Geometry } from "../../../src/viewer/types.ts";
 
-/** Every preset, a plain rectangle and endless cloth. */
-export const TABLES = tables as unknown as readonly Geometry[];
+const engine = await load();
 
-/** Those with rails. */
-export const RAILED = TABLES.filter((table) => table.size !== null);
+/** The geometry of a table as a shot file has it. */
+export function tableOf(table: ShotFile["table"]): Geometry {
+  const balls = [{ id: "cue", position: [0.4, 0.4] as const }];
+  return engine.shot({ format: "carom-shot/1", table, balls }).geometry;
+}
 
-export function label({ name, size }: Geometry): string {
-  return name ?? (size ? "a plain rectangle" : "endless cloth");
+/** Every table with rails: the presets and a plain rectangle. */
+export const RAILED = [
+  ...engine.tables,
+  tableOf({ length: 2, width: 1, pockets: "none" }),
+] as const;
+
+export const ENDLESS = tableOf({ cloth: "unbounded" });
+
+export function label({ name }: Geometry): string {
+  return name ?? "a plain rectangle";
 }
