@@ -7,7 +7,7 @@ import { Tally } from "./tally.ts";
 /** What is known of a request so far. */
 export interface Progress {
   tally: Tally;
-  /** The struck ball's ways in some of the variants: each x, y, z, t … */
+  /** The struck ball's ways in some of the variants: x, y, z (m) per point of each. */
   paths: readonly Float32Array[];
   done: boolean;
   /** Since the request, ms. */
@@ -48,6 +48,11 @@ export class Variants {
       elapsed: 0,
     };
     this.#send({ kind: "simulate", generation, shot: shot.json(), noise, seed, count, paths });
+  }
+
+  /** What is known of the last question; null if there is none. */
+  get present(): Progress | null {
+    return this.#progress;
   }
 
   /** Forgets the question. */

@@ -76,10 +76,13 @@ function mountVariants(
   show: (progress: Progress | string | null, store: Store) => void,
 ): () => void {
   let variants: Variants | null = null;
-  const progress = (so: Progress): void => {
-    viewer.setFan(so.tally.played(), [...so.paths]);
-    show(so, store);
-    loop.invalidate();
+  // Once a frame, however many chunks came in.
+  const draw = (so: Progress): void => {
+    loop.input(draw, () => {
+      if (variants?.present !== so) return;
+      viewer.setFan(so.tally.played(), so.paths);
+      show(so, store);
+    });
   };
   const clear = (words: string | null): void => {
     viewer.setFan(null);
@@ -94,7 +97,7 @@ function mountVariants(
       if (!noise || variants) viewer.setFan(null);
       return;
     }
-    variants ??= new Variants(new VariantsWorker(), engine, { progress, refused: clear });
+    variants ??= new Variants(new VariantsWorker(), engine, { progress: draw, refused: clear });
     variants.ask(store.shot, noise, seed, COUNT, PATHS);
   };
 }

@@ -37,6 +37,6 @@ export interface Chunk {
 
 export type FromWorker =
   | ({ kind: "chunk" } & Chunk)
-  /** The struck ball's ways, each x, y, z, t … */
+  /** The struck ball's ways, each x, y, z (m) per point. */
   | { kind: "paths"; generation: number; paths: Float32Array[] }
   | { kind: "refused"; generation: number; message: string };

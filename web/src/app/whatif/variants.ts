@@ -13,7 +13,7 @@ const CHUNK = 100;
 /** How far a drawn path may be from the exact one, m: half a pixel of a whole table on a screen. */
 const PATH_TOLERANCE = 2e-3;
 
-/** The floats of a path's point: x, y, z, t. */
+/** Numbers of a polyline's point: x, y, z, t. */
 const POINT = 4;
 
 /** What the work needs of its surroundings. */
@@ -90,12 +90,20 @@ function cueBallPaths(shot: Shot, strikes: Float64Array, count: number): Float32
     try {
       const varied = shot.withStrike(strike);
       const trace = varied.simulate();
-      paths.push(Float32Array.from(trace.polyline(shot.struck!, PATH_TOLERANCE)));
+      paths.push(withoutTimes(trace.polyline(shot.struck!, PATH_TOLERANCE)));
       trace.free();
       varied.free();
     } catch (error) {
       if (!(error instanceof CaromError)) throw error;
     }
   }
-  return paths.filter((path) => path.length > POINT);
+  return paths;
+}
+
+function withoutTimes(polyline: Float64Array): Float32Array {
+  const way = new Float32Array((3 * polyline.length) / POINT);
+  for (let from = 0, to = 0; from < polyline.length; from += POINT, to += 3) {
+    way.set(polyline.subarray(from, from + 3), to);
+  }
+  return way;
 }

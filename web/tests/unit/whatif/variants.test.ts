@@ -89,7 +89,7 @@ describe("the variants of a request", () => {
     const { ends } = chunks(sent)[0]!;
     expect(paths).toHaveLength(5);
     paths.forEach((path, k) => {
-      const [x, y] = path.slice(-4);
+      const [x, y] = path.slice(-3);
       expect(Math.hypot(x! - ends[2 * k]!, y! - ends[2 * k + 1]!)).toBeLessThan(1e-6);
     });
   });
