@@ -55,7 +55,7 @@ export class Table {
     materials.area.set(width / 2, length / 2, width / 2, length / 2);
     const plan = outline(geometry);
     const body = solid(geometry, plan);
-    this.#add(body.cloth, materials.cloth, { receives: true });
+    this.#add(body.cloth, materials.cloth, { receives: true, order: -1 });
     this.#add(body.cushions, materials.cloth, { receives: true, casts: true });
     this.#add(body.wood, materials.wood, { receives: true });
     this.#add(body.frame, materials.frame);
@@ -86,17 +86,20 @@ export class Table {
     this.#floorMaterial.dispose();
   }
 
+  /**
+   * @param order - All of the table is drawn before what lies on it, also what is transparent; and the
+   * bed of cloth last, so that what is hidden below cushions and wood costs nothing.
+   */
   #add(
     geometry: BufferGeometry,
     material: Material,
-    { receives = false, casts = false } = {},
+    { receives = false, casts = false, order = -2 } = {},
   ): void {
     const mesh = new Mesh(geometry, material);
     mesh.receiveShadow = receives;
     mesh.castShadow = casts;
     mesh.matrixAutoUpdate = false;
-    // Before all that lies on it: also what is transparent, like endless cloth.
-    mesh.renderOrder = -1;
+    mesh.renderOrder = order;
     this.#meshes.push(mesh);
     this.group.add(mesh);
   }
