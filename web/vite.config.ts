@@ -12,8 +12,7 @@ export default defineConfig({
     reportCompressedSize: false,
     chunkSizeWarningLimit: 4000,
   },
-  // A classic script: a page on disk or in a sandbox has no origin, from which no module worker starts.
-  worker: { format: "iife" },
+  worker: { format: "es" },
   test: {
     projects: [
       { extends: true, test: { name: "unit", include: ["tests/unit/**/*.test.ts"] } },

@@ -27,7 +27,7 @@ export function mountHelp(dialog: HTMLDialogElement, showSteps: () => void): () 
     dialog.close();
   };
   dialog.append(
-    h("h2", { id: "help-title" }, "How to use this table"),
+    h("h2", { id: "help-title", tabindex: -1, autofocus: true }, "How to use this table"),
     h(
       "dl",
       { class: "ways" },

@@ -18,18 +18,17 @@ const LONGEST_PULL = 0.35;
 const RADIANS = Math.PI / 180;
 
 export interface SceneStats {
-  /** Time of the last ghost simulation, its words and paths not included, ms. */
-  ghostMs: number;
   /** Time of the last update of the scene, without drawing, ms. */
   sceneMs: number;
 }
 
 export class Scene {
-  readonly stats: SceneStats = { ghostMs: 0, sceneMs: 0 };
+  readonly stats: SceneStats = { sceneMs: 0 };
   readonly #store: Store;
   readonly #viewer: Viewer;
   #shown: State | null = null;
   #paths: Trace | null = null;
+  #style: "ghost" | "trace" = "ghost";
   #states = new Float64Array(0);
 
   constructor(store: Store, context: Pick<Context, "viewer" | "loop">) {
@@ -69,9 +68,7 @@ export class Scene {
 
   #aim({ document, session }: State): void {
     const { shot } = this.#store;
-    const start = performance.now();
     const { trace } = this.#store.ghost;
-    this.stats.ghostMs = performance.now() - start;
     const states = this.#buffer(shot.balls.length);
     shot.balls.forEach((ball, index) => {
       states.fill(0, index * STRIDE, (index + 1) * STRIDE);
@@ -111,7 +108,6 @@ export class Scene {
     });
     this.#viewer.setPaths(paths);
   }
-  #style: "ghost" | "trace" = "ghost";
 }
 
 /** Whether a way has any length. */

@@ -35,6 +35,8 @@ export type Listener = (now: State, before: State) => void;
 export interface Ghost {
   readonly trace: Trace | null;
   readonly error: string | null;
+  /** How long the engine took, ms. */
+  readonly milliseconds: number;
 }
 
 export class Store {
@@ -224,10 +226,12 @@ function sameButForStroke(a: AimedShot, b: AimedShot): boolean {
 }
 
 function simulate(shot: Shot): Ghost {
+  const start = performance.now();
+  const took = () => performance.now() - start;
   try {
-    return { trace: shot.simulate(), error: null };
+    return { trace: shot.simulate(), error: null, milliseconds: took() };
   } catch (error) {
     if (!(error instanceof CaromError)) throw error;
-    return { trace: null, error: error.message };
+    return { trace: null, error: error.message, milliseconds: took() };
   }
 }

@@ -60,7 +60,7 @@ test("racks, tables and balls come and go, and undo leads all the way back", asy
   const first = await shotOf(page);
   await page.getByRole("tab", { name: "Layout" }).click();
   await page.getByLabel("Game").selectOption("nine-ball");
-  await page.getByLabel("Seed").fill("7");
+  await page.locator("#panel-layout").getByLabel("Seed").fill("7");
   await page.getByRole("button", { name: "Rack", exact: true }).click();
   const racked = await shotOf(page);
   expect(racked.balls).toHaveLength(10);
