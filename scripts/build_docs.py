@@ -12,8 +12,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from carom import Shot
-from carom.picture import png
+from carom import Noise, Shot
+from carom.picture import evaluation, png
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
@@ -46,6 +46,8 @@ def draw_shots(folder: Path) -> None:
         trace = Shot.load(ROOT / "shots" / f"{name}.json").simulate()
         picture = png(trace, title=name.replace("_", " "), dots_per_inch=100)
         (folder / f"{name}.png").write_bytes(picture)
+    chances = Shot.load(ROOT / "shots" / "side_pocket_cut.json").evaluate(Noise.preset("club"))
+    (folder / "chances.png").write_bytes(evaluation.png(chances, title="side pocket cut"))
 
 
 if __name__ == "__main__":

@@ -17,6 +17,7 @@ from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
 from carom.errors import CaromError, EventCapError, InputError, PageError
 from carom.noise import Noise, NoisyResult
+from carom.plan import Chance, Evaluation
 from carom.racks import break_shot
 from carom.reference import schema, tables
 from carom.rules import Call, Frame, Ruling, rule_sets
@@ -27,6 +28,8 @@ __all__ = [
     "BatchResult",
     "Call",
     "CaromError",
+    "Chance",
+    "Evaluation",
     "EventCapError",
     "Frame",
     "InputError",

@@ -1,5 +1,6 @@
 """Rust's side of carom: conversions only. Private; the public face is the package around it."""
 
+from collections.abc import Callable
 from typing import Any, final
 
 import numpy as np
@@ -13,13 +14,16 @@ __all__ = [
     "break_shot",
     "check_noise",
     "draw_strikes",
+    "evaluate",
     "games",
+    "noise_presets",
     "olympiad",
     "rule_sets",
     "schema",
     "simulate_batch",
     "simulate_strikes",
     "tables",
+    "wilson",
 ]
 
 __version__: str
@@ -95,6 +99,19 @@ def draw_strikes(
     shot: Shot, noise: tuple[float, ...], seed: int, first: int, count: int
 ) -> NDArray[np.float64]: ...
 def olympiad(multiplier: float) -> list[float]: ...
+def noise_presets() -> list[tuple[str, list[float]]]: ...
+def evaluate(
+    shot: Shot,
+    noise: tuple[float, ...],
+    seed: int,
+    most: int,
+    level: float,
+    precision: tuple[float, tuple[str, str | None] | None] | None,
+    referee: tuple[Frame, tuple[str, str | None, str | None]] | None,
+    threads: int,
+    progress: Callable[[int], object],
+) -> dict[str, Any]: ...
+def wilson(hits: int, trials: int, level: float) -> tuple[float, float]: ...
 def break_shot(
     game: str, table: str | None, speed: float | None, seed: int, gap: float | None
 ) -> Shot: ...

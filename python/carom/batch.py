@@ -140,7 +140,7 @@ def in_chunks(
     pocket = np.full((count, balls), PADDING, dtype=np.int8)
     events = np.empty(count, dtype=np.int32)
     errors: dict[int, str] = {}
-    with _bar(count, show=progress) as advance:
+    with progress_bar(count, show=progress) as advance:
         for start in range(0, count, CHUNK):
             end = min(start + CHUNK, count)
             places, pockets, events[start:end], failed = run(start, end)
@@ -153,7 +153,10 @@ def in_chunks(
 
 
 @contextmanager
-def _bar(count: int, *, show: bool) -> Iterator[Callable[[int], object]]:
+def progress_bar(
+    count: int, *, show: bool, what: str = "shots"
+) -> Iterator[Callable[[int], object]]:
+    """A bar on stderr; what it yields is told how many more are done."""
     if not show:
         yield lambda _: None
         return
@@ -167,11 +170,11 @@ def _bar(count: int, *, show: bool) -> Iterator[Callable[[int], object]]:
     )
 
     with Progress(
-        TextColumn("shots"),
+        TextColumn(what),
         BarColumn(),
         MofNCompleteColumn(),
         TimeRemainingColumn(),
         console=Console(stderr=True),
     ) as bar:
-        task = bar.add_task("shots", total=count)
+        task = bar.add_task(what, total=count)
         yield lambda done: bar.advance(task, done)

@@ -59,6 +59,28 @@ class Noise:
         """
         return cls(*_core.olympiad(multiplier))
 
+    @classmethod
+    def preset(cls, name: str) -> Self:
+        """A level of play by its name, or the Olympiad's noise.
+
+        ``beginner``, ``casual``, ``club``, ``advanced`` and ``professional`` are **estimated**: no
+        study that we found gives the σ of what a cue does. ``olympiad`` is published.
+        A multiplier may follow: ``olympiad:0.5``.
+
+        Raises:
+            InputError: There is no such preset.
+        """
+        presets = dict(_core.noise_presets())
+        base, _, factor = str(name).partition(":")
+        if base not in presets:
+            known = ", ".join(presets)
+            raise InputError(f"noise: there is no preset {base!r}; there are: {known}")
+        try:
+            multiplier = float(factor or 1)
+        except ValueError:
+            raise InputError(f"noise: {factor!r} is no multiplier; write a number") from None
+        return cls(*presets[base]).scaled(multiplier)
+
     def scaled(self, multiplier: float) -> Self:
         """The same with every σ times ``multiplier``."""
         return type(self)(*(sigma * multiplier for sigma in astuple(self)))
@@ -101,9 +123,9 @@ def vary(
             f"noise: found a {type(noise).__name__}; give carom.Noise(...), "
             "for example carom.Noise.olympiad(1.0)"
         )
-    _whole("seed", seed)
-    _whole("first", first)
-    _whole("n", n, _WORD - first)
+    whole("seed", seed)
+    whole("first", first)
+    whole("n", n, _WORD - first)
     sigmas = astuple(noise)
     if shot.strike is None:
         raise InputError("strike: the shot has none that could be varied; give it one")
@@ -118,6 +140,7 @@ def vary(
     return NoisyResult(ends.final_position, ends.pocket, ends.events, ends.errors, *strikes)
 
 
-def _whole(name: str, value: int, end: int = _WORD) -> None:
+def whole(name: str, value: int, end: int = _WORD) -> None:
+    """Refuse what is no whole number in [0, end)."""
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < end:
         raise InputError(f"{name}: {value!r} is out of range; give a whole number in [0, {end})")

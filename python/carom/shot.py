@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
     from carom.batch import BatchResult
     from carom.noise import Noise, NoisyResult
+    from carom.plan import Evaluation
+    from carom.rules import Call, Frame
     from carom.trace import Trace
 
 
@@ -231,6 +233,59 @@ class Shot:
 
         return vary(
             self._core, noise, n, seed=seed, first=first, threads=threads, progress=progress
+        )
+
+    def evaluate(
+        self,
+        noise: Noise,
+        n: int = 10_000,
+        *,
+        seed: int = 0,
+        precision: float | None = None,
+        watch: str | tuple[str, str] | None = None,
+        frame: Frame | None = None,
+        call: Call | None = None,
+        level: float = 0.95,
+        threads: int | None = None,
+        progress: bool = False,
+    ) -> Evaluation:
+        """The chances of what comes out when a player means this strike.
+
+        The variants are those of ``vary`` with the same noise and seed.
+
+        Args:
+            noise: How far the strike strays.
+            n: How many variants, at most.
+            seed: Which random numbers, a whole number from 0 to 2⁶⁴ − 1.
+            precision: Stop as soon as half the width of the watched interval is at most this;
+                looked at after every 1024 variants. None plays all ``n``.
+            watch: Whose: a ball's id, ``(ball, pocket)``, ``"scratch"`` or ``"legal"``; None is
+                everything that is counted.
+            frame: The game in which it is played; it says what is legal, and must ask for this
+                shot: ``frame.shot(...)`` gives it.
+            call: What is announced to the frame.
+            level: Confidence of the intervals.
+            threads: How many; None is one per core. Results do not depend on it.
+            progress: Show a progress bar on stderr.
+
+        Raises:
+            InputError: The shot has no strike, a number is out of range, there is nothing such to
+                watch, or the frame asks for another shot.
+        """
+        from carom.plan import evaluate
+
+        return evaluate(
+            self,
+            noise,
+            n,
+            seed=seed,
+            precision=precision,
+            watch=watch,
+            frame=frame,
+            call=call,
+            level=level,
+            threads=threads,
+            progress=progress,
         )
 
     def show(self, *, height: int | None = None) -> None:

@@ -2,6 +2,7 @@
 
 use carom::Noise;
 use carom::batch::{self, BatchResult};
+use carom::noise::SKILLS;
 use carom::resolve::cue_ball::Strike;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -84,11 +85,19 @@ pub(crate) fn olympiad(multiplier: f64) -> [f64; 5] {
     [speed, azimuth, elevation, side, height]
 }
 
-fn noise_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Noise {
+/// The names of the presets, and their σ: speed, azimuth, elevation, side, height.
+#[pyfunction]
+pub(crate) fn noise_presets() -> Vec<(&'static str, [f64; 5])> {
+    let olympiad = ("olympiad", Noise::olympiad(1.0));
+    let all = SKILLS.into_iter().chain([olympiad]);
+    all.map(|(name, n)| (name, [n.speed, n.azimuth, n.elevation, n.side, n.height])).collect()
+}
+
+pub(crate) fn noise_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Noise {
     Noise { speed, azimuth, elevation, side, height }
 }
 
-fn count(threads: usize) -> Option<usize> {
+pub(crate) fn count(threads: usize) -> Option<usize> {
     (threads > 0).then_some(threads)
 }
 

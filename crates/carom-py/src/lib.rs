@@ -3,6 +3,7 @@
 mod batch;
 mod error;
 mod node;
+mod plan;
 mod reference;
 mod rules;
 mod shot;
@@ -16,7 +17,11 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::batch::{check_noise, draw_strikes, olympiad, simulate_batch, simulate_strikes};
+    use crate::batch::{
+        check_noise, draw_strikes, noise_presets, olympiad, simulate_batch, simulate_strikes,
+    };
+    #[pymodule_export]
+    use crate::plan::{evaluate, wilson};
     #[pymodule_export]
     use crate::reference::{break_shot, games, schema, tables};
     #[pymodule_export]

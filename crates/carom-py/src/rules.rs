@@ -16,7 +16,7 @@ type PlayArguments = ([f64; 5], Option<[f64; 2]>, (String, Option<String>, Optio
 
 /// A game in progress.
 #[pyclass(module = "carom._core")]
-pub(crate) struct Frame(carom_rules::Frame);
+pub(crate) struct Frame(pub(crate) carom_rules::Frame);
 
 impl Frame {
     fn play_of(&self, arguments: PlayArguments) -> Result<Play, Error> {

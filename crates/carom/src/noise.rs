@@ -39,6 +39,32 @@ const ANGLE: Range = Range::closed(0.0, core::f64::consts::PI, " rad");
 /// Largest σ of the cue's speed: that of the fastest breaks.
 const SPEED: Range = Range::closed(0.0, 15.0, " m/s");
 
+/// Levels of play, from the least.
+///
+/// **Estimated.** Tests of players order the levels, and show that the better ones also spread less (Pan,
+/// Komar & Kong, *Development of new 9-ball test protocols for assessing expertise in cue sports*, 2021;
+/// Haar, van Assel & Faisal, *Motor learning in real-world pool billiards*, 2020), but none that we found
+/// gives the σ of what a cue does. Directions halve from level to level, about the Olympiad's 0.125°; what
+/// they mean at the table is measured on the documentation's page of evaluations.
+pub const SKILLS: [(&str, Noise); 5] = [
+    ("beginner", skill(0.40, 0.60, 2.0, 3.0)),
+    ("casual", skill(0.25, 0.30, 1.5, 2.0)),
+    ("club", skill(0.15, 0.15, 1.0, 1.2)),
+    ("advanced", skill(0.10, 0.08, 0.6, 0.8)),
+    ("professional", skill(0.06, 0.04, 0.3, 0.4)),
+];
+
+/// σ of speed (m/s), azimuth and elevation (degrees), and of either tip offset (mm).
+const fn skill(speed: f64, azimuth: f64, elevation: f64, offset: f64) -> Noise {
+    Noise {
+        speed,
+        azimuth: radians(azimuth),
+        elevation: radians(elevation),
+        side: 0.001 * offset,
+        height: 0.001 * offset,
+    }
+}
+
 /// Standard deviations of a strike's errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Noise {
@@ -66,6 +92,12 @@ impl Noise {
             height: 0.000_5,
         }
         .scaled(multiplier)
+    }
+
+    /// The preset of that name: one of [`SKILLS`], or `olympiad`.
+    pub fn preset(name: &str) -> Option<Self> {
+        let skill = SKILLS.iter().find(|skill| skill.0 == name).map(|skill| skill.1);
+        skill.or_else(|| (name == "olympiad").then(|| Self::olympiad(1.0)))
     }
 
     /// The same with every σ times `multiplier`.

@@ -12,7 +12,7 @@ from typing import NoReturn
 import typer
 
 from carom import __version__
-from carom.cli import engine, play, reference, shots
+from carom.cli import engine, plan, play, reference, shots
 from carom.cli.output import say, say_json
 from carom.errors import EventCapError, InputError, PageError
 
@@ -30,6 +30,7 @@ app = typer.Typer(
 app.command("shot")(shots.shot)
 app.command("break")(shots.break_)
 app.command("play")(play.play)
+app.command("evaluate")(plan.evaluate)
 app.command("replay")(engine.replay)
 app.command("validate")(engine.validate)
 app.command("bench")(engine.bench)

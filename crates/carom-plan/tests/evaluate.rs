@@ -1,0 +1,146 @@
+//! Evaluations count what the variants do, and nothing else.
+
+use carom::batch::{OFF_TABLE, simulate_noisy};
+use carom::resolve::cue_ball::Strike;
+use carom::{Noise, Shot};
+use carom_plan::{Evaluation, Precision, Question, Referee, Watched, evaluate};
+use carom_rules::{Call, Frame, Options, Play, Rules};
+
+fn shot(name: &str) -> Shot {
+    let file = format!("{}/../../shots/{name}.json", env!("CARGO_MANIFEST_DIR"));
+    Shot::from_json(&std::fs::read_to_string(file).expect("a shot file")).expect("a shot")
+}
+
+fn question(most: usize) -> Question<'static> {
+    Question {
+        noise: Noise::olympiad(1.0),
+        seed: 7,
+        most,
+        level: 0.95,
+        precision: None,
+        referee: None,
+        threads: None,
+    }
+}
+
+fn answer(shot: &Shot, question: &Question<'_>) -> Evaluation {
+    evaluate(shot, question, &mut |_| true).expect("an evaluation")
+}
+
+#[test]
+fn counts_are_those_of_the_simulated_variants() {
+    let shot = shot("half_ball_cut");
+    let most = 2500;
+    let evaluation = answer(&shot, &question(most));
+    let ends =
+        simulate_noisy(&shot, &Noise::olympiad(1.0), 7, 0, most, None, &|_| ()).expect("ends");
+    assert_eq!(evaluation.variants, most as u64);
+    let mut fell = 0;
+    for ball in 0..ends.balls {
+        let column = || ends.pocket.iter().skip(ball).step_by(ends.balls);
+        for pocket in 0..evaluation.pockets {
+            let count = column().filter(|&&p| p == pocket as i8).count() as u64;
+            assert_eq!(evaluation.falls_into(ball, pocket), count);
+            fell += count;
+        }
+        let off = column().filter(|&&p| p == OFF_TABLE).count() as u64;
+        assert_eq!(evaluation.off_table[ball], off);
+    }
+    assert!(fell > 0, "a cut that is never potted tests nothing");
+    assert_eq!(evaluation.failed, ends.errors.len() as u64);
+    let cue = evaluation.cue_ball;
+    for (end, places) in evaluation.cue_ball_ends.iter().zip(ends.final_position.chunks(ends.balls))
+    {
+        assert!(end[0].is_nan() || *end == [places[cue][0], places[cue][1]]);
+    }
+}
+
+#[test]
+fn evaluations_are_the_same_for_any_number_of_threads() {
+    let shot = shot("half_ball_cut");
+    let alone = answer(&shot, &Question { threads: Some(1), ..question(1500) });
+    for threads in [Some(3), None] {
+        let together = answer(&shot, &Question { threads, ..question(1500) });
+        assert_eq!(alone.potted, together.potted);
+        assert_eq!(alone.ends[0].mean(), together.ends[0].mean());
+        let bits = |e: &Evaluation| {
+            e.cue_ball_ends.iter().flatten().map(|x| x.to_bits()).collect::<Vec<_>>()
+        };
+        assert_eq!(bits(&alone), bits(&together));
+    }
+}
+
+#[test]
+fn sampling_stops_when_the_interval_is_short_enough() {
+    let shot = shot("half_ball_cut");
+    let object = 1;
+    let precision = Precision { half_width: 0.015, watched: Watched::Ball(object) };
+    let evaluation = answer(&shot, &Question { precision: Some(precision), ..question(100_000) });
+    let interval = evaluation.interval(evaluation.falls(object));
+    assert!(interval.half_width() <= 0.015);
+    assert!(evaluation.variants < 100_000);
+    // One round less would not have done.
+    let before =
+        answer(&shot, &question(evaluation.variants as usize - carom_plan::evaluate::ROUND));
+    assert!(before.interval(before.falls(object)).half_width() > 0.015);
+}
+
+#[test]
+fn without_noise_every_variant_is_the_shot_itself() {
+    let shot = shot("draw_shot");
+    let evaluation = answer(&shot, &Question { noise: Noise::default(), ..question(10) });
+    let trace = shot.simulate().expect("a trace");
+    let fell = trace.outcome().pocketed.len() as u64;
+    assert_eq!(evaluation.potted.iter().sum::<u64>(), 10 * fell);
+}
+
+#[test]
+fn strikes_that_cannot_be_played_are_counted() {
+    let shot = shot("stop_shot");
+    let strike = Strike { side: 0.51, height: 0.0, ..shot.strike().expect("a strike").1 };
+    let shot = shot.with_strike(&strike).expect("a shot at the limit of the tip");
+    let evaluation = answer(&shot, &question(400));
+    assert!(evaluation.failed > 50 && evaluation.failed < 350, "{}", evaluation.failed);
+    assert!(evaluation.first_failure.is_some());
+}
+
+#[test]
+fn a_referee_says_what_is_legal() {
+    let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 3).expect("a frame");
+    let size = frame.base().table().size;
+    let strike = Strike {
+        speed: 8.0,
+        azimuth: core::f64::consts::FRAC_PI_2,
+        elevation: 0.0,
+        side: 0.0,
+        height: 0.0,
+    };
+    let play = Play::new(strike).from([0.5 * size.x, 0.2 * size.y]);
+    let shot = frame.shot(&play).expect("a break");
+    let referee = Some(Referee { frame: &frame, call: Call::Nothing });
+    let evaluation = answer(&shot, &Question { referee, ..question(200) });
+    let (legal, kept) =
+        (evaluation.legal.expect("a count"), evaluation.turn_kept.expect("a count"));
+    assert!(legal > 100, "a hard break is mostly legal, {legal}");
+    assert!(kept <= legal && kept > 0);
+
+    let foreign = self::shot("stop_shot");
+    let refused = evaluate(&foreign, &Question { referee, ..question(1) }, &mut |_| true);
+    assert!(refused.is_err());
+}
+
+#[test]
+fn nonsense_is_refused_by_name() {
+    let shot = shot("stop_shot");
+    let refuse = |question: Question<'_>| {
+        evaluate(&shot, &question, &mut |_| true).expect_err("nonsense").to_string()
+    };
+    assert!(refuse(Question { level: 1.0, ..question(1) }).starts_with("level: "));
+    let precision = |half_width, watched| Question {
+        precision: Some(Precision { half_width, watched }),
+        ..question(1)
+    };
+    assert!(refuse(precision(0.0, Watched::Scratch)).starts_with("precision: "));
+    assert!(refuse(precision(0.1, Watched::Ball(99))).starts_with("watch: "));
+    assert!(refuse(precision(0.1, Watched::Legal)).starts_with("watch: "));
+}

@@ -1,0 +1,233 @@
+"""The picture of an evaluation: where the cue ball goes, and where it comes to rest."""
+
+from __future__ import annotations
+
+import io
+import math
+from typing import TYPE_CHECKING, Any
+
+from carom.picture import _matplotlib, colors
+from carom.picture.canvas import DOTS_PER_INCH, LONG_SIDE_INCHES, to_svg
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from carom.plan import Evaluation
+    from carom.shot import Shot
+
+# Variants whose paths are drawn: enough to see how they fan out, few enough to see between them.
+FAN = 40
+# Cells of the heat map along the table's longer side.
+CELLS = 160
+# Width of the panel beside the table, inches, and its margin.
+PANEL_INCHES = 4.2
+MARGIN_INCHES = 0.2
+# The ellipse holds as much of a normal distribution as this many standard deviations, per axis.
+DEVIATIONS = 2.0
+
+
+def draw(evaluation: Evaluation, *, title: str | None = None) -> Figure:
+    """Draw a fan of variants and the heat of the cue ball's ends.
+
+    Args:
+        evaluation: What to draw.
+        title: Heading of the panel; the table's name without it.
+
+    Returns:
+        A matplotlib figure, not attached to any window.
+
+    Raises:
+        InputError: The cloth has no edges, so there is no table to draw.
+    """
+    from carom.errors import InputError
+
+    shot = evaluation.shot
+    geometry = shot.geometry()
+    if geometry["size"] is None:
+        raise InputError("table: a picture of chances needs a table with edges; choose another")
+    _matplotlib.prepare()
+    from matplotlib.figure import Figure
+
+    from carom.picture import table
+
+    left, bottom, right, top = table.bounds(geometry, [])
+    scale = LONG_SIDE_INCHES / max(top - bottom, right - left)
+    wide, tall = scale * (right - left), scale * (top - bottom)
+    paper = (wide + PANEL_INCHES + 3 * MARGIN_INCHES, tall + 2 * MARGIN_INCHES)
+    figure = Figure(figsize=paper, facecolor=colors.PAPER)
+    ax = figure.add_axes(
+        (
+            MARGIN_INCHES / paper[0],
+            MARGIN_INCHES / paper[1],
+            wide / paper[0],
+            tall / paper[1],
+        )
+    )
+    ax.set_axis_off()
+    ax.set_xlim(left, right)
+    ax.set_ylim(bottom, top)
+    table.draw_table(ax, geometry, (left, bottom, right, top))
+    _draw_heat(ax, evaluation, geometry["size"])
+    _draw_fan(ax, evaluation)
+    _draw_ellipse(ax, evaluation)
+    _draw_start(ax, shot)
+    figure.text(
+        (wide + 2 * MARGIN_INCHES) / paper[0],
+        1 - 1.5 * MARGIN_INCHES / paper[1],
+        f"{title or geometry['name'] or 'shot'}\n\n{evaluation}\n\n"
+        f"white: paths of the cue ball, {min(FAN, evaluation.n)} variants\n"
+        "glow: where it comes to rest\n"
+        f"ellipse: {DEVIATIONS:g} standard deviations",
+        va="top",
+        family="monospace",
+        fontsize=7.2,
+        color=colors.INK,
+    )
+    return figure
+
+
+def svg(evaluation: Evaluation, *, title: str | None = None) -> str:
+    """The picture as SVG text; the same text for the same evaluation."""
+    return to_svg(draw(evaluation, title=title))
+
+
+def png(evaluation: Evaluation, *, title: str | None = None) -> bytes:
+    """The picture as a PNG file's content."""
+    out = io.BytesIO()
+    figure = draw(evaluation, title=title)
+    figure.savefig(out, format="png", dpi=DOTS_PER_INCH, metadata={"Software": None})
+    return out.getvalue()
+
+
+def variants(shot: Shot, strikes: Any) -> list[Shot]:
+    """The shots of these strikes that can be played (rows of speed, azimuth, ..., as in Rust)."""
+    from carom.errors import InputError
+    from carom.shot import Shot
+
+    file = shot.to_dict()
+    for key in ("azimuth", "azimuth_deg", "elevation", "elevation_deg"):
+        file["strike"].pop(key, None)
+    played = []
+    for speed, azimuth, elevation, side, height in strikes.tolist():
+        strike = file["strike"] | {
+            "speed": speed,
+            "azimuth_deg": math.degrees(azimuth),
+            "elevation_deg": math.degrees(elevation),
+            "side": side,
+            "height": height,
+        }
+        try:
+            played.append(Shot.from_dict(file | {"strike": strike}))
+        except InputError:
+            # A miscue has no path to draw.
+            continue
+    return played
+
+
+def _draw_fan(ax: Axes, evaluation: Evaluation) -> None:
+    from dataclasses import astuple
+
+    from matplotlib.patches import PathPatch
+
+    from carom import _core
+    from carom.picture.balls import curve
+    from carom.picture.paths import routes
+
+    shot = evaluation.shot
+    drawn = min(FAN, evaluation.n)
+    strikes = _core.draw_strikes(shot._core, astuple(evaluation.noise), evaluation.seed, 0, drawn)
+    for index, variant in enumerate(variants(shot, strikes)):
+        trace = variant.simulate()
+        start = trace.at(0.0)
+        balls = [
+            {"id": name, "radius": radius, "position": place, "velocity": velocity}
+            for name, radius, place, velocity in zip(
+                variant.ids,
+                variant.radius.tolist(),
+                start.position.tolist(),
+                start.velocity.tolist(),
+                strict=True,
+            )
+        ]
+        for number, route in enumerate(routes(trace.to_dict(), balls)):
+            if not route.legs:
+                continue
+            own = number == evaluation.cue_ball
+            ax.add_patch(
+                PathPatch(
+                    curve([(leg.start, leg.control, leg.end) for leg in route.legs]),
+                    facecolor="none",
+                    edgecolor="white" if own else colors.look(route.id, number).path,
+                    alpha=0.28,
+                    linewidth=0.7,
+                    zorder=3,
+                    gid=f"fan-{index}-{route.id}",
+                )
+            )
+
+
+def _draw_heat(ax: Axes, evaluation: Evaluation, size: tuple[float, float]) -> None:
+    import numpy as np
+    from matplotlib.colors import LinearSegmentedColormap
+
+    ends = evaluation.cue_ball_ends
+    ends = ends[~np.isnan(ends[:, 0])]
+    if not len(ends):
+        return
+    width, length = size
+    cell = max(size) / CELLS
+    counts, _, _ = np.histogram2d(
+        ends[:, 0],
+        ends[:, 1],
+        bins=(max(1, round(width / cell)), max(1, round(length / cell))),
+        range=((0, width), (0, length)),
+    )
+    glow = LinearSegmentedColormap.from_list("glow", ["#ffb00000", "#ffb000c0", "#fff3c8ff"])
+    # By the root, so that what is rare can be seen beside what is not.
+    ax.imshow(
+        np.sqrt(counts.T),
+        origin="lower",
+        extent=(0, width, 0, length),
+        cmap=glow,
+        interpolation="bilinear",
+        zorder=2.4,
+        gid="heat",
+    )
+
+
+def _draw_ellipse(ax: Axes, evaluation: Evaluation) -> None:
+    import numpy as np
+    from matplotlib.patches import Ellipse
+
+    if evaluation.at_rest[evaluation.cue_ball] < 2:
+        return
+    spread, axes = np.linalg.eigh(evaluation.end_covariance[evaluation.cue_ball])
+    # Rounding may take a spread of nothing below it.
+    long, short = (2 * DEVIATIONS * math.sqrt(max(0.0, s)) for s in spread[::-1])
+    ax.add_patch(
+        Ellipse(
+            tuple(evaluation.end_mean[evaluation.cue_ball]),
+            long,
+            short,
+            angle=math.degrees(math.atan2(axes[1, 1], axes[0, 1])),
+            facecolor="none",
+            edgecolor="white",
+            linewidth=0.9,
+            linestyle="--",
+            zorder=5,
+            gid="ellipse",
+        )
+    )
+
+
+def _draw_start(ax: Axes, shot: Shot) -> None:
+    from carom.picture.balls import draw_ball, draw_cue
+
+    start = shot.simulate().at(0.0).position
+    struck = shot.to_dict()["strike"].get("ball", "cue")
+    for index, (name, radius) in enumerate(zip(shot.ids, shot.radius.tolist(), strict=True)):
+        place = (float(start[index, 0]), float(start[index, 1]))
+        draw_ball(ax, place, radius, colors.look(name, index))
+        if name == struck and shot.azimuth is not None:
+            draw_cue(ax, place, shot.azimuth, radius)

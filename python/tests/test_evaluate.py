@@ -1,0 +1,138 @@
+"""`Shot.evaluate`: counts of the variants, intervals, and when to stop."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import carom
+import numpy as np
+import pytest
+from carom import InputError, Noise, Shot
+from carom.picture import evaluation as picture
+
+if TYPE_CHECKING:
+    from conftest import CommandLine
+
+SHOTS = Path(__file__).parents[2] / "shots"
+CLUB = Noise.preset("club")
+
+
+@pytest.fixture(scope="module")
+def cut() -> Shot:
+    return Shot.load(SHOTS / "side_pocket_cut.json")
+
+
+def test_an_evaluation_counts_the_variants_of_the_same_seed(cut: Shot) -> None:
+    found = cut.evaluate(CLUB, 3000, seed=5)
+    ends = cut.vary(CLUB, 3000, seed=5)
+    for pocket in range(len(found.pockets)):
+        assert (found.potted[:, pocket] == (ends.pocket == pocket).sum(axis=0)).all()
+    assert (found.off_table == (ends.pocket == -2).sum(axis=0)).all()
+    rest = ends.pocket[:, 0] == -1
+    assert found.cue_ball_ends[rest].tolist() == ends.final_position[rest, 0, :2].tolist()
+    assert found.at_rest[0] == rest.sum()
+    lain = ends.final_position[rest, 0, :2]
+    assert np.allclose(found.end_mean[0], lain.mean(axis=0), rtol=0, atol=1e-12)
+    assert np.allclose(found.end_covariance[0], np.cov(lain.T), rtol=0, atol=1e-12)
+
+
+def test_threads_change_nothing(cut: Shot) -> None:
+    one, two = (cut.evaluate(CLUB, 2000, threads=threads) for threads in (1, 2))
+    assert one.to_dict() == two.to_dict()
+    assert one.cue_ball_ends.tobytes() == two.cue_ball_ends.tobytes()
+
+
+def test_chances_add_up(cut: Shot) -> None:
+    found = cut.evaluate(CLUB, 2000)
+    assert found.pot("1").count == sum(found.pocket("1", p).count for p in found.pockets)
+    chance = found.pocket("1", "right")
+    assert 0 <= chance.low <= chance.probability <= chance.high <= 1
+    assert float(chance) == chance.probability == chance.count / 2000
+
+
+def test_sampling_stops_at_the_wanted_precision(cut: Shot) -> None:
+    noise = Noise.preset("casual")
+    found = cut.evaluate(noise, 10**6, precision=0.01, watch=("1", "right"))
+    assert found.pocket("1", "right").half_width <= 0.01
+    assert 1024 < found.n < 10**6
+    again = cut.evaluate(noise, found.n)
+    assert again.to_dict() == found.to_dict()
+
+
+def test_a_better_player_pots_more(cut: Shot) -> None:
+    levels = ("beginner", "casual", "club", "advanced", "professional")
+    chances = [cut.evaluate(Noise.preset(level), 2000).pot("1").probability for level in levels]
+    assert chances == sorted(chances)
+    assert chances[0] < 0.8 < chances[-1]
+
+
+def test_a_frame_says_what_is_legal() -> None:
+    frame = carom.Frame("nine-ball", seed=3)
+    strike = carom.Strike(speed=9.0, azimuth=np.pi / 2)
+    shot = frame.shot(strike, cue_ball=(0.635, 0.5))
+    found = shot.evaluate(CLUB, 300, frame=frame)
+    assert found.legal is not None
+    assert found.turn_kept is not None
+    assert found.legal.count >= found.turn_kept.count > 0
+    assert "legal" in str(found)
+    with pytest.raises(InputError, match="frame: "):
+        shot.evaluate(CLUB, 300, frame=carom.Frame("nine-ball", seed=4))
+
+
+def test_presets_have_multipliers() -> None:
+    assert Noise.preset("olympiad:0.5") == Noise.olympiad(0.5)
+    for wrong in ("grandmaster", "club:much"):
+        with pytest.raises(InputError, match="noise: "):
+            Noise.preset(wrong)
+
+
+@pytest.mark.parametrize(
+    ("given", "place"),
+    [
+        ({"n": -1}, "n: "),
+        ({"seed": 2**64}, "seed: "),
+        ({"level": 0}, "level: "),
+        ({"level": "high"}, "level: "),
+        ({"precision": 0.7}, "precision: "),
+        ({"precision": 0.1, "watch": "99"}, "watch: "),
+        ({"precision": 0.1, "watch": ("1", "cellar")}, "watch: "),
+        ({"precision": 0.1, "watch": "legal"}, "watch: "),
+        ({"watch": "scratch"}, "watch: "),
+        ({"noise": 1.0}, "noise: "),
+        ({"threads": 0}, "threads: "),
+    ],
+)
+def test_nonsense_is_refused_by_name(cut: Shot, given: dict[str, Any], place: str) -> None:
+    with pytest.raises(InputError, match=f"^{place}"):
+        cut.evaluate(**({"noise": CLUB} | given))
+
+
+def test_balls_and_pockets_that_are_not_there_are_refused(cut: Shot) -> None:
+    found = cut.evaluate(CLUB, 10)
+    for ask in (lambda: found.pot("7"), lambda: found.pocket("1", "cellar")):
+        with pytest.raises(InputError, match="there is no"):
+            ask()
+
+
+def test_the_command_prints_the_table_and_json(run: CommandLine, tmp_path: Path) -> None:
+    file = str(SHOTS / "side_pocket_cut.json")
+    done = run("evaluate", file, "--noise", "club", "-n", "500")
+    assert done.returncode == 0
+    assert "1 into right" in done.stdout
+    drawn = tmp_path / "chances.svg"
+    done = run("evaluate", file, "--noise", "club", "-n", "500", "--json", "--svg", str(drawn))
+    found = json.loads(done.stdout)
+    assert found == Shot.load(file).evaluate(CLUB, 500).to_dict()
+    text = drawn.read_text()
+    for part in ("heat", "ellipse", "fan-0-cue"):
+        assert f'id="{part}"' in text
+    refused = run("evaluate", file, "--precision", "0.01", "--watch", "1:cellar")
+    assert refused.returncode == 2
+    assert "cellar" in refused.stderr
+
+
+def test_the_picture_is_the_same_each_time(cut: Shot) -> None:
+    found = cut.evaluate(CLUB, 100)
+    assert picture.svg(found) == picture.svg(found)
