@@ -37,7 +37,7 @@ export function filmSection(store: Store, context: Context): HTMLElement {
       const blob = await record(trace, Number(rate.value), store, context, signal, (share) => {
         bar.value = share;
       });
-      download(blob, blob.type === "video/mp4" ? "carom.mp4" : "carom.webm");
+      download(blob, "carom.mp4");
       setText(said, `The film is ready, ${(blob.size / 1e6).toFixed(1)} MB.`);
     } catch (error) {
       setText(said, signal.aborted ? "Cancelled." : errorText(error));

@@ -1,15 +1,6 @@
 // A film of the replay, encoded frame by frame: it does not stutter where drawing is slow.
 
-import {
-  BufferTarget,
-  CanvasSource,
-  getFirstEncodableVideoCodec,
-  Mp4OutputFormat,
-  Output,
-  Quality,
-  type VideoCodec,
-  WebMOutputFormat,
-} from "mediabunny";
+import { ArrayBufferTarget, Muxer } from "mp4-muxer";
 
 /** What to film. */
 export interface Film {
@@ -26,8 +17,23 @@ export interface Film {
   signal: AbortSignal;
 }
 
-/** In the order in which players are likely to understand them. */
-const CODECS: VideoCodec[] = ["avc", "vp9", "vp8"];
+/** What an MP4 may hold, in the order in which players are likely to understand it. */
+const CODECS = [
+  // H.264, high and baseline profile, level 5.1: up to 4096 × 2304.
+  { encode: "avc1.640033", mux: "avc" },
+  { encode: "avc1.420033", mux: "avc" },
+  // VP9, profile 0, level 5.1, 8 bit.
+  { encode: "vp09.00.51.08", mux: "vp9" },
+] as const;
+
+/** Bits per pixel and frame: flat cloth and few moving edges need little. */
+const BITS_PER_PIXEL = 0.2;
+
+/** Seconds between frames that need no other: where players can jump to. */
+const KEY_FRAMES = 1;
+
+/** Frames that may wait for the encoder. */
+const QUEUE = 4;
 
 /** Seconds for which the last frame stands. */
 const LAST_FRAME = 0.5;
@@ -42,8 +48,23 @@ export function frameCount(duration: number, rate: number, fps: number): number 
   return Math.ceil((duration / rate) * fps) + 1;
 }
 
+/** The first codec that the browser encodes at this size. */
+async function firstCodec(size: { width: number; height: number }, fps: number) {
+  const bitrate = Math.round(size.width * size.height * fps * BITS_PER_PIXEL);
+  for (const { encode, mux } of canFilm() ? CODECS : []) {
+    const config = { codec: encode, ...size, bitrate, framerate: fps };
+    if ((await VideoEncoder.isConfigSupported(config)).supported) return { config, mux };
+  }
+  throw new Error(
+    "This browser cannot encode a film: take a recent Chrome, Edge, Firefox or Safari.",
+  );
+}
+
+/** Microseconds, which encoders count in. */
+const micro = (seconds: number): number => Math.round(seconds * 1e6);
+
 /**
- * Encodes the film as MP4 or, where the browser lacks its encoder, WebM.
+ * Encodes the film as MP4.
  *
  * @throws {DOMException} "AbortError" when `signal` is aborted.
  * @throws {Error} The browser can encode no film of this size.
@@ -51,35 +72,47 @@ export function frameCount(duration: number, rate: number, fps: number): number 
 export async function film({ draw, canvas, ...film }: Film): Promise<Blob> {
   // Encoders want even sizes; WebGL's canvas may change its own while we film.
   const picture = document.createElement("canvas");
-  picture.width = canvas.width & ~1;
-  picture.height = canvas.height & ~1;
-  const pen = picture.getContext("2d");
-  const codec = canFilm()
-    ? await getFirstEncodableVideoCodec(CODECS, { width: picture.width, height: picture.height })
-    : null;
-  if (!codec || !pen) {
-    throw new Error(
-      "This browser cannot encode a film: take a recent Chrome, Edge, Firefox or Safari.",
-    );
-  }
-  const target = new BufferTarget();
-  const format = codec === "avc" ? new Mp4OutputFormat() : new WebMOutputFormat();
-  const output = new Output({ format, target });
-  const source = new CanvasSource(picture, { codec, quality: new Quality("high") });
-  output.addVideoTrack(source, { frameRate: film.fps });
-  await output.start();
-  const count = frameCount(film.duration, film.rate, film.fps);
-  for (let i = 0; i < count; i++) {
-    if (film.signal.aborted) {
-      await output.cancel();
+  const size = { width: canvas.width & ~1, height: canvas.height & ~1 };
+  Object.assign(picture, size);
+  const pen = picture.getContext("2d")!;
+  const { config, mux } = await firstCodec(size, film.fps);
+  const target = new ArrayBufferTarget();
+  const video = { codec: mux, ...size, frameRate: film.fps };
+  const muxer = new Muxer({ target, video, fastStart: "in-memory" });
+  let failure: DOMException | undefined;
+  const encoder = new VideoEncoder({
+    output: (chunk, meta) => muxer.addVideoChunk(chunk, meta),
+    error: (error) => (failure = error),
+  });
+  encoder.configure(config);
+  try {
+    const count = frameCount(film.duration, film.rate, film.fps);
+    for (let i = 0; i < count; i++) {
       film.signal.throwIfAborted();
+      if (failure) throw failure;
+      // From drawing to copying without a pause: WebGL forgets its picture when the page is shown.
+      draw(Math.min((i / film.fps) * film.rate, film.duration));
+      pen.drawImage(canvas, 0, 0, size.width, size.height);
+      const last = i === count - 1;
+      const frame = new VideoFrame(picture, {
+        timestamp: micro(i / film.fps),
+        duration: micro(last ? LAST_FRAME : 1 / film.fps),
+      });
+      encoder.encode(frame, { keyFrame: i % (KEY_FRAMES * film.fps) === 0 });
+      frame.close();
+      film.progress((i + 1) / count);
+      await room(encoder);
     }
-    // From drawing to copying without a pause: WebGL forgets its picture when the page is shown.
-    draw(Math.min((i / film.fps) * film.rate, film.duration));
-    pen.drawImage(canvas, 0, 0, picture.width, picture.height);
-    await source.add(i / film.fps, i === count - 1 ? LAST_FRAME : 1 / film.fps);
-    film.progress((i + 1) / count);
+    await encoder.flush();
+  } finally {
+    if (encoder.state !== "closed") encoder.close();
   }
-  await output.finalize();
-  return new Blob([target.buffer!], { type: format.mimeType });
+  muxer.finalize();
+  return new Blob([target.buffer], { type: "video/mp4" });
+}
+
+/** Waits until the encoder takes another frame, and lets the page breathe. */
+async function room(encoder: VideoEncoder): Promise<void> {
+  do await new Promise((done) => setTimeout(done));
+  while (encoder.encodeQueueSize > QUEUE && encoder.state === "configured");
 }
