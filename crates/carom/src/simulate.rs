@@ -9,6 +9,7 @@
 //! the shot. Balls that touch when one of them is hit are resolved together
 //! (`resolve/ball_ball/network.rs`).
 
+mod ball_set;
 mod candidates;
 mod cluster;
 mod flight;
@@ -25,6 +26,7 @@ use crate::motion::Path;
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 use crate::shot::Shot;
 use crate::{Ball, BallState, MotionState, Physics, Table};
+use ball_set::BallSet;
 use support::Support;
 
 /// Balls up to which the whole state stays in a processor's fastest memory; more are slower.
@@ -86,14 +88,16 @@ pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     /// First contact with another ball, infinite if none, and with which.
     contact: [f64; N],
     partner: [u16; N],
-    /// The earliest of the three.
+    /// The earliest of the three, infinite where there is no ball.
     soonest: [f64; N],
     /// When each ball was last in a contact, −∞ if never.
     touched: [f64; N],
     /// Whether each ball is off the slate: in flight, on a rail's top, in a hole.
     aloft: [bool; N],
-    /// First contact of every pair, symmetric.
+    /// First contact of every pair that may meet, symmetric.
     pair: [[f64; N]; N],
+    /// With whom each ball may.
+    may_meet: [BallSet; N],
     /// Whether the processor has vectors wide enough for [`row`].
     wide: bool,
     finder: PhantomData<F>,
@@ -174,6 +178,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             aloft: [false; N],
             wide: row::has_wide_vectors(),
             pair: [[f64::INFINITY; N]; N],
+            may_meet: [BallSet::EMPTY; N],
             finder: PhantomData,
         }
     }
@@ -223,9 +228,10 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             self.set(i, Path::new(&state, &placed.ball, cloth, *gravity), 0.0);
             self.contact[i] = f64::INFINITY;
             self.touched[i] = f64::NEG_INFINITY;
-            self.pair[i][..self.n].fill(f64::INFINITY);
+            self.may_meet[i] = BallSet::EMPTY;
         }
         self.lanes.leave[self.n..].fill(f64::NAN);
+        self.soonest[self.n..].fill(f64::INFINITY);
     }
 
     /// Strikes the resting ball `struck` at time 0.
@@ -312,27 +318,20 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// The earliest candidate in the total order of events.
     #[inline(always)]
     fn next(&self) -> Option<(f64, Next)> {
-        let mut time = f64::INFINITY;
-        let mut first = 0;
-        for (i, &t) in self.soonest[..self.n].iter().enumerate() {
-            if t < time {
-                time = t;
-                first = i;
-            }
-        }
+        let time = row::least(&self.soonest, self.n);
         if time == f64::INFINITY {
             return None;
         }
-        let mut next = self.candidate(first, time);
-        for i in first + 1..self.n {
-            if self.soonest[i] == time {
+        let mut next: Option<Next> = None;
+        for (i, &t) in self.soonest[..self.n].iter().enumerate() {
+            if t == time {
                 let other = self.candidate(i, time);
-                if other.rank() < next.rank() {
-                    next = other;
+                if next.is_none_or(|next| other.rank() < next.rank()) {
+                    next = Some(other);
                 }
             }
         }
-        Some((time, next))
+        next.map(|next| (time, next))
     }
 
     /// What ball `i` does at `time`, the time of its soonest candidate.

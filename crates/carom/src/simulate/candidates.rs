@@ -2,6 +2,7 @@
 
 use carom_roots::Motion;
 
+use super::ball_set::BallSet;
 use super::row::Open;
 use super::{Simulation, earlier};
 use crate::detect::ball_ball::ContactFinder;
@@ -35,18 +36,19 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// Finds anew, at `time`, the candidates of the balls in `touched`.
     #[inline(always)]
     pub(super) fn find(&mut self, touched: &[u16], time: f64, table: &Table) {
+        let mut forsaken = BallSet::EMPTY;
         for &i in touched {
             let i = usize::from(i);
             self.contact[i] = f64::INFINITY;
             self.partner[i] = NOBODY;
             self.find_self(i, time, table);
-            for j in 0..self.n {
-                self.pair[i][j] = f64::INFINITY;
-                self.pair[j][i] = f64::INFINITY;
-            }
+            forsaken = forsaken.and(self.may_meet[i]);
+            self.may_meet[i] = BallSet::EMPTY;
         }
         // Who was to meet a touched ball looks through what is left in its row.
-        for j in 0..self.n {
+        let changed = BallSet::of(touched);
+        for j in forsaken.balls() {
+            self.may_meet[j] = self.may_meet[j].without(changed);
             if holds(touched, self.partner[j]) {
                 self.choose_partner(j);
             }
@@ -156,6 +158,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     fn meet(&mut self, i: usize, j: usize, t: f64) {
         for (a, b) in [(i, j), (j, i)] {
             self.pair[a][b] = t;
+            self.may_meet[a] = self.may_meet[a].with(b);
             let b = b as u16;
             if t < self.contact[a] || (t == self.contact[a] && b < self.partner[a]) {
                 self.contact[a] = t;
@@ -170,7 +173,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     fn choose_partner(&mut self, i: usize) {
         let mut best = f64::INFINITY;
         let mut partner = NOBODY;
-        for (j, &t) in self.pair[i][..self.n].iter().enumerate() {
+        for j in self.may_meet[i].balls() {
+            let t = self.pair[i][j];
             if t < best {
                 best = t;
                 partner = j as u16;

@@ -77,6 +77,18 @@ impl<const N: usize> Open<N> {
     }
 }
 
+/// The least of the first `n` numbers, none of which is not a number, and perhaps of some behind them.
+#[inline(always)]
+pub(super) fn least<const N: usize>(numbers: &[f64; N], n: usize) -> f64 {
+    let mut least = [f64::INFINITY; BLOCK];
+    for block in numbers.chunks_exact(BLOCK).take(n.div_ceil(BLOCK)) {
+        for (least, &number) in least.iter_mut().zip(block) {
+            *least = earlier(number, *least);
+        }
+    }
+    least.into_iter().fold(f64::INFINITY, earlier)
+}
+
 /// Whether this processor has vectors wide enough to be worth it.
 pub(super) fn has_wide_vectors() -> bool {
     #[cfg(all(feature = "std", target_arch = "x86_64"))]

@@ -1,0 +1,66 @@
+//! A set of balls of one shot.
+
+use super::MAX_BALLS;
+
+/// Balls by their index, one bit each. An event changes few of all pairs: what it does not change is not
+/// looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct BallSet(u128);
+
+const _: () = assert!(MAX_BALLS <= u128::BITS as usize);
+
+impl BallSet {
+    pub(super) const EMPTY: Self = Self(0);
+
+    #[inline(always)]
+    pub(super) fn of(balls: &[u16]) -> Self {
+        balls.iter().fold(Self::EMPTY, |set, &ball| set.with(usize::from(ball)))
+    }
+
+    #[inline(always)]
+    pub(super) fn with(self, ball: usize) -> Self {
+        Self(self.0 | 1 << ball)
+    }
+
+    #[inline(always)]
+    pub(super) fn and(self, others: Self) -> Self {
+        Self(self.0 | others.0)
+    }
+
+    #[inline(always)]
+    pub(super) fn without(self, others: Self) -> Self {
+        Self(self.0 & !others.0)
+    }
+
+    /// The balls, in ascending order.
+    #[inline(always)]
+    pub(super) fn balls(self) -> impl Iterator<Item = usize> {
+        let mut left = self.0;
+        core::iter::from_fn(move || {
+            let first = left.trailing_zeros();
+            // Without the lowest bit; of none there is none.
+            left &= left.checked_sub(1)?;
+            Some(first as usize)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::BallSet;
+
+    #[test]
+    fn a_set_tells_its_balls_in_ascending_order() {
+        let set = BallSet::of(&[127, 3, 64, 0]);
+        assert!(set.balls().eq([0, 3, 64, 127]));
+        assert_eq!(BallSet::EMPTY.balls().next(), None);
+    }
+
+    #[test]
+    fn sets_are_joined_and_taken_from_each_other() {
+        let (a, b) = (BallSet::of(&[1, 2]), BallSet::of(&[2, 100]));
+        assert!(a.and(b).balls().eq([1, 2, 100]));
+        assert!(a.without(b).balls().eq([1]));
+        assert!(a.with(2).balls().eq([1, 2]));
+    }
+}
