@@ -53,7 +53,7 @@ pub fn first_meeting(
     {
         return landing.map(|t| (t, TableFeature::Slate));
     }
-    near_the_rails(table, radius, path, horizon)
+    near_the_rails(&Flight { table, radius, path, landing }, horizon)
 }
 
 /// Whether a steadily moving coordinate keeps within ±`limit` until `t`.
@@ -64,13 +64,7 @@ fn keeps_within(limit: f64, d: f64, v: f64, t: f64) -> bool {
 }
 
 /// What is met first among all.
-fn near_the_rails(
-    table: &Table,
-    radius: f64,
-    path: &Motion<3>,
-    horizon: f64,
-) -> Option<(f64, TableFeature)> {
-    let flight = Flight { table, radius, path };
+fn near_the_rails(flight: &Flight<'_>, horizon: f64) -> Option<(f64, TableFeature)> {
     let mut first = First { found: None, last: horizon };
     flight.meet_planes(&mut first);
     // All lips are solved for one horizon, and then all edges for one, so that a mirrored path, which
@@ -106,6 +100,8 @@ struct Flight<'a> {
     table: &'a Table,
     radius: f64,
     path: &'a Motion<3>,
+    /// When the ball comes down to the slate within the horizon, s.
+    landing: Option<f64>,
 }
 
 impl Flight<'_> {
@@ -126,22 +122,36 @@ impl Flight<'_> {
 
     fn meet_planes(&self, first: &mut First) {
         let (table, path) = (self.table, self.path);
+        let ground = self.landing.map(|t| match table.hole_at(self.place_ahead(t)) {
+            None => (self.landing, TableFeature::Slate),
+            Some(hole) => {
+                let depth = if path.d[2] > PASSED { 0.0 } else { -self.radius };
+                (self.descent_through(depth), TableFeature::Depth(hole))
+            }
+        });
+        let until = ground.and_then(|(t, _)| t).unwrap_or(first.last);
         let border = table.layout.border;
         for (d, v, border) in [(path.d[0], path.v[0], border.x), (path.d[1], path.v[1], border.y)] {
-            let t = first_crossing(border - d * v.signum(), -v.abs(), 0.0, first.last);
-            first.offer(t, TableFeature::Edge);
+            if !keeps_within(border, d, v, until) {
+                let t = first_crossing(border - d * v.signum(), -v.abs(), 0.0, first.last);
+                first.offer(t, TableFeature::Edge);
+            }
         }
-        if let Some(t) = self.descent_through(table.cushion_height + self.radius) {
+        if !self.keeps_under(table.cushion_height)
+            && let Some(t) = self.descent_through(table.cushion_height + self.radius)
+        {
             self.meet_tops(first, t);
         }
         self.cross_mouth_lines(first);
-        let Some(landing) = self.descent_through(self.radius) else { return };
-        let Some(hole) = table.hole_at(self.place_ahead(landing)) else {
-            first.offer(Some(landing), TableFeature::Slate);
-            return;
-        };
-        let depth = if path.d[2] > PASSED { 0.0 } else { -self.radius };
-        first.offer(self.descent_through(depth), TableFeature::Depth(hole));
+        if let Some((t, feature)) = ground {
+            first.offer(t, feature);
+        }
+    }
+
+    /// Whether the centre never rises to the height `z` (m).
+    fn keeps_under(&self, z: f64) -> bool {
+        let (room, rise, fall) = (z - self.path.d[2], self.path.v[2], -self.path.h[2]);
+        room > 0.0 && (rise <= 0.0 || rise * rise < 4.0 * (room * fall))
     }
 
     /// At `t` the ball comes down to the height of the rails' tops.
@@ -158,21 +168,23 @@ impl Flight<'_> {
         }
     }
 
-    fn is_mouth_line(&self, pocket: usize) -> bool {
-        matches!(self.table.pockets[pocket].capture, Capture::MouthLine { .. })
+    /// Whether the pockets capture by the mouth-line model: all do, or none.
+    fn has_mouth_lines(&self) -> bool {
+        let first = self.table.pockets.first();
+        first.is_some_and(|pocket| matches!(pocket.capture, Capture::MouthLine { .. }))
     }
 
     /// The lines from tip to tip, no higher than the rails' tops.
     fn cross_mouth_lines(&self, first: &mut First) {
+        if !self.has_mouth_lines() {
+            return;
+        }
         let (table, plan) = (self.table, plan(self.path));
         let top = table.cushion_height + self.radius;
         for (k, (pocket, mouth)) in table.pockets.iter().zip(&table.layout.mouths).enumerate() {
-            if self.is_mouth_line(k) {
-                let t =
-                    super::ball_pocket::through_gate(pocket, &mouth.gate, 0.0, &plan, first.last);
-                let low = |t: &f64| self.path.at(*t)[2] <= top;
-                first.offer(t.filter(low), TableFeature::Pocket(k as u8));
-            }
+            let t = super::ball_pocket::through_gate(pocket, &mouth.gate, 0.0, &plan, first.last);
+            let low = |t: &f64| self.path.at(*t)[2] <= top;
+            first.offer(t.filter(low), TableFeature::Pocket(k as u8));
         }
     }
 
@@ -192,10 +204,11 @@ impl Flight<'_> {
             }
             return;
         }
-        for nose in layout.noses {
+        for &nose in layout.nose_quadrants.near(&field) {
             self.meet_part(usize::from(nose), &field, first, last);
         }
-        for mouth in &layout.mouths {
+        for &k in layout.mouth_quadrants.near(&field) {
+            let mouth = &layout.mouths[usize::from(k)];
             if field.is_clear_of(&mouth.bounds) {
                 continue;
             }
@@ -223,14 +236,18 @@ impl Flight<'_> {
     /// The edges of the holes, and below the slate's surface their walls.
     fn meet_lips(&self, first: &mut First, last: f64) {
         let (path, radius) = (self.path, self.radius);
+        if self.has_mouth_lines() {
+            return;
+        }
         // Above the slate nothing of it is met but the plane.
-        let from = if path.d[2] > radius { self.descent_through(radius) } else { Some(0.0) };
+        let from = if path.d[2] > radius { self.landing } else { Some(0.0) };
         let Some(from) = from.filter(|t| *t < first.last) else { return };
         let track = Track::new(path, first.last);
         let field = track.bounds().grown(radius);
-        for (k, pocket) in self.table.pockets.iter().enumerate() {
+        for &k in self.table.layout.mouth_quadrants.near(&field) {
+            let k = usize::from(k);
+            let pocket = &self.table.pockets[k];
             if field.is_clear_of(&self.table.layout.mouths[k].bounds)
-                || self.is_mouth_line(k)
                 || track.is_clear_of_disc(pocket.center, pocket.radius + radius)
                 || track.is_within_disc(pocket.center, pocket.radius - radius)
             {

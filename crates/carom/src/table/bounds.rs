@@ -1,6 +1,10 @@
 //! Boxes around parts of the table, to turn away what is nowhere near.
 
-use super::Shape;
+use alloc::vec::Vec;
+
+use super::geometry::Layout;
+use super::{CushionPart, Part, Pocket, Shape};
+use crate::detect::ball_cushion::JOIN_OVERLAP;
 use crate::math::Vec2;
 
 /// An upright rectangle, m.
@@ -53,5 +57,103 @@ impl Bounds {
             || self.high.x < other.low.x
             || self.low.y > other.high.y
             || self.high.y < other.low.y
+    }
+}
+
+/// Which of some parts reach into each quadrant of the table: what keeps to one touches no others.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Quadrants {
+    /// Left and right at the bottom, left and right at the top.
+    parts: [Vec<u16>; 4],
+    all: Vec<u16>,
+}
+
+impl Quadrants {
+    /// Of parts, each with its box.
+    fn new(parts: impl Iterator<Item = (u16, Bounds)>) -> Self {
+        let mut quadrants = Self::default();
+        for (part, Bounds { low, high }) in parts {
+            let (beside, along) = ([low.x <= 0.0, high.x >= 0.0], [low.y <= 0.0, high.y >= 0.0]);
+            for (k, parts) in quadrants.parts.iter_mut().enumerate() {
+                if beside[k % 2] && along[k / 2] {
+                    parts.push(part);
+                }
+            }
+            quadrants.all.push(part);
+        }
+        quadrants
+    }
+
+    /// The parts that what keeps to `field` may touch, and some more, in the order in which they were given.
+    #[inline(always)]
+    pub(crate) fn near(&self, field: &Bounds) -> &[u16] {
+        let Bounds { low, high } = field;
+        let is_in_one = (low.x > 0.0 || high.x < 0.0) && (low.y > 0.0 || high.y < 0.0);
+        if !is_in_one {
+            return &self.all;
+        }
+        &self.parts[usize::from(low.x > 0.0) + 2 * usize::from(low.y > 0.0)]
+    }
+}
+
+impl Layout {
+    /// Gives the parts their boxes, every point, facing and liner to its pocket, and the mouths theirs.
+    pub(super) fn bound_parts(&mut self, cushions: &[CushionPart], pockets: &[Pocket]) {
+        // Straight parts are longer by the overlap at their joins.
+        let bounds = |c: &CushionPart| Bounds::of_shape(&c.shape).grown(JOIN_OVERLAP);
+        self.bounds = cushions.iter().map(bounds).collect();
+        for (mouth, pocket) in self.mouths.iter_mut().zip(pockets) {
+            mouth.bounds = Bounds::of([pocket.center]).grown(pocket.radius);
+        }
+        for (i, (cushion, bounds)) in cushions.iter().zip(&self.bounds).enumerate() {
+            if matches!(cushion.part, Part::Nose | Part::Top) {
+                continue;
+            }
+            let distance = |p: &Pocket| (p.center - bounds.middle()).length_squared();
+            let nearest = (0..pockets.len())
+                .min_by(|a, b| distance(&pockets[*a]).total_cmp(&distance(&pockets[*b])));
+            if let Some(k) = nearest {
+                self.mouths[k].all.push(i as u16);
+                self.mouths[k].bounds = self.mouths[k].bounds.with(bounds);
+            }
+        }
+        if pockets.is_empty() {
+            return;
+        }
+        let noses = self.noses.iter().map(|&i| (i, self.bounds[usize::from(i)]));
+        self.nose_quadrants = Quadrants::new(noses);
+        let mouths = self.mouths.iter().enumerate().map(|(k, mouth)| (k as u16, mouth.bounds));
+        self.mouth_quadrants = Quadrants::new(mouths);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bounds, Quadrants};
+    use crate::math::Vec2;
+
+    /// Around two points.
+    fn around(a: [f64; 2], b: [f64; 2]) -> Bounds {
+        Bounds::of([a, b].map(|[x, y]| Vec2::new(x, y)))
+    }
+
+    #[test]
+    fn what_keeps_to_a_quadrant_is_near_the_parts_that_reach_into_it() {
+        let bottom_left = around([-3.0, -3.0], [-1.0, -1.0]);
+        let bottom = around([-1.0, -2.0], [1.0, -1.0]);
+        let top_right = around([1.0, 1.0], [2.0, 2.0]);
+        let parts = [(4, top_right), (2, bottom_left), (7, bottom)];
+        let quadrants = Quadrants::new(parts.into_iter());
+        assert_eq!(quadrants.near(&around([-2.0, -2.0], [-1.0, -0.1])), [2, 7]);
+        assert_eq!(quadrants.near(&around([0.1, -2.0], [1.0, -0.1])), [7]);
+        assert_eq!(quadrants.near(&around([0.1, 0.1], [1.0, 0.2])), [4]);
+        assert!(quadrants.near(&around([-1.0, 0.1], [-0.1, 0.2])).is_empty());
+    }
+
+    #[test]
+    fn what_crosses_an_axis_may_be_near_any_part() {
+        let parts = [(0, around([1.0, 1.0], [2.0, 2.0])), (1, around([-2.0, 1.0], [-1.0, 2.0]))];
+        let quadrants = Quadrants::new(parts.into_iter());
+        assert_eq!(quadrants.near(&around([-0.1, 1.0], [0.0, 2.0])), [0, 1]);
     }
 }

@@ -7,13 +7,13 @@
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
 
+use super::bounds::Quadrants;
 use super::jaw::{Jaw, Place, RailFrame, hole_center, jaw, tangent_length};
 use super::opening::{Back, Liner, Openings, liner};
 use super::{
     Bounds, Capture, CushionPart, Part, Pocket, PocketDescription, PocketLayout, PocketModel,
     PocketName, Rail, Shape, Table, TableDescription, TableError, check,
 };
-use crate::detect::ball_cushion::JOIN_OVERLAP;
 use crate::math::Vec2;
 
 /// What of the geometry only detection needs.
@@ -42,6 +42,9 @@ pub(crate) struct Layout {
     pub(crate) openings: Option<Openings>,
     /// Boxes around the cushions' parts, in their order.
     pub(crate) bounds: Vec<Bounds>,
+    /// Where the noses and where the mouths are.
+    pub(crate) nose_quadrants: Quadrants,
+    pub(crate) mouth_quadrants: Quadrants,
 }
 
 /// A pocket's features, for detection.
@@ -58,28 +61,6 @@ pub(crate) struct Mouth {
     pub(crate) all: Vec<u16>,
     /// A box around them and the hole.
     pub(crate) bounds: Bounds,
-}
-
-impl Layout {
-    /// Gives every point, facing and liner to its pocket, and the mouths their boxes, once those of the
-    /// cushions' parts are there.
-    fn bound_mouths(&mut self, cushions: &[CushionPart], pockets: &[Pocket]) {
-        for (mouth, pocket) in self.mouths.iter_mut().zip(pockets) {
-            mouth.bounds = Bounds::of([pocket.center]).grown(pocket.radius);
-        }
-        for (i, (cushion, bounds)) in cushions.iter().zip(&self.bounds).enumerate() {
-            if matches!(cushion.part, Part::Nose | Part::Top) {
-                continue;
-            }
-            let distance = |p: &Pocket| (p.center - bounds.middle()).length_squared();
-            let nearest = (0..pockets.len())
-                .min_by(|a, b| distance(&pockets[*a]).total_cmp(&distance(&pockets[*b])));
-            if let Some(k) = nearest {
-                self.mouths[k].all.push(i as u16);
-                self.mouths[k].bounds = self.mouths[k].bounds.with(bounds);
-            }
-        }
-    }
 }
 
 /// A line across a pocket; a ball on the cloth that crosses it outwards is captured. With the drop-circle
@@ -172,6 +153,8 @@ impl Table {
                 tops: [0; 6],
                 openings: None,
                 bounds: Vec::new(),
+                nose_quadrants: Quadrants::default(),
+                mouth_quadrants: Quadrants::default(),
             },
         }
     }
@@ -200,10 +183,7 @@ impl Table {
             PocketLayout::Six => table.add_rails_and_pockets(half, description)?,
         }
         table.add_tops();
-        // Straight parts are longer by the overlap at their joins.
-        let bounds = |c: &CushionPart| Bounds::of_shape(&c.shape).grown(JOIN_OVERLAP);
-        table.layout.bounds = table.cushions.iter().map(bounds).collect();
-        table.layout.bound_mouths(&table.cushions, &table.pockets);
+        table.layout.bound_parts(&table.cushions, &table.pockets);
         Ok(table)
     }
 
