@@ -62,7 +62,8 @@ pub struct Outcome {
     /// pressed into it, is driven to that rail only when it has been 0.1 mm away and comes back. Balls
     /// pocketed or off the table, which the rules count as well, are listed elsewhere.
     pub driven_to_rail: Vec<u16>,
-    /// What the cue ball touched, in order.
+    /// What the cue ball touched, in order. Of the balls in a many-ball contact those that it met itself,
+    /// the nearest first.
     pub cue_ball_touched: Vec<Touched>,
     /// Balls that never come to rest, because friction is zero.
     pub never_resting: Vec<u16>,

@@ -27,6 +27,7 @@ use crate::resolve::cue_ball::{self, Strike, StrikeError};
 use crate::shot::Shot;
 use crate::{Ball, BallState, MotionState, Physics, Table};
 use ball_set::BallSet;
+pub(crate) use cluster::CLOSING_TIME;
 use support::Support;
 
 /// Balls up to which the whole state stays in a processor's fastest memory; more are slower.

@@ -9,6 +9,7 @@ use crate::event::{Event, Recorder};
 use crate::math::Vec2;
 use crate::motion::Path;
 use crate::shot::Shot;
+use crate::simulate::CLOSING_TIME;
 use crate::table::{Capture, Part, PocketName, Rail, TOUCH_TOLERANCE};
 use crate::trace::{TraceEvent, What};
 use crate::{BallState, MotionState};
@@ -63,7 +64,7 @@ impl<'a> Collector<'a> {
         }
         self.jumps.end(event, &self.tracks, &mut self.outcome.jumped);
         match event.what {
-            What::BallCollision => self.balls_collide(event.balls),
+            What::BallCollision => self.balls_collide(event),
             What::RailCollision { rail, part: Part::Nose | Part::Facing | Part::Point } => {
                 event.balls.iter().for_each(|&ball| self.ball_meets_rail(ball, rail));
             }
@@ -97,20 +98,46 @@ impl<'a> Collector<'a> {
         Track { since, path: Path::new(state, ball, &physics.cloth, physics.gravity) }
     }
 
-    fn balls_collide(&mut self, balls: &[u16]) {
-        let outcome = &mut self.outcome;
-        let Some(cue) = outcome.cue_ball else {
+    fn balls_collide(&mut self, event: &TraceEvent<'_>) {
+        let Some(cue) = self.outcome.cue_ball else {
             self.contact = true;
             return;
         };
-        if !among(balls, cue) {
-            return;
-        }
-        for &other in balls.iter().filter(|&&b| b != cue) {
-            outcome.first_contact = outcome.first_contact.or(Some(other));
-            outcome.cue_ball_touched.push(Touched::Ball(other));
-        }
+        let Some(me) = event.balls.iter().position(|&ball| ball == cue) else { return };
         self.contact = true;
+        let mut last = None;
+        // Nearest first; a pair is the usual case.
+        while let Some((gap, k)) = self.next_touched(event, me, last) {
+            let other = event.balls[k];
+            self.outcome.first_contact = self.outcome.first_contact.or(Some(other));
+            self.outcome.cue_ball_touched.push(Touched::Ball(other));
+            last = Some((gap, k));
+        }
+    }
+
+    /// Of the balls in a contact, the one that ball `me` of it touches itself next after `last`, by the
+    /// gap between them, m, then by its number there: in a many-ball contact most are reached through
+    /// others.
+    fn next_touched(
+        &self,
+        event: &TraceEvent<'_>,
+        me: usize,
+        last: Option<(f64, usize)>,
+    ) -> Option<(f64, usize)> {
+        let radius = |k: usize| self.shot.balls()[usize::from(event.balls[k])].ball.radius;
+        let mine = &event.before[me];
+        let mut next: Option<(f64, usize)> = None;
+        for (k, other) in event.before.iter().enumerate().filter(|(k, _)| *k != me) {
+            let gap = (other.position - mine.position).length() - radius(me) - radius(k);
+            let speed = (other.velocity - mine.velocity).length();
+            // Whoever is in the contact touches at least the nearest.
+            let touches = last.is_none() || gap <= TOUCH_TOLERANCE + CLOSING_TIME * speed;
+            let is_after = last.is_none_or(|last| last < (gap, k));
+            if touches && is_after && next.is_none_or(|next| (gap, k) < next) {
+                next = Some((gap, k));
+            }
+        }
+        next
     }
 
     fn ball_meets_rail(&mut self, ball: u16, rail: Rail) {

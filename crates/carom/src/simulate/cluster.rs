@@ -21,7 +21,7 @@ const NETWORK_SPEED: f64 = 1e-2;
 /// duration (Alciatore: 250 to 300 µs). A rack whose balls are 0.1 mm apart is hit by a break as if
 /// frozen, for the balls yield by 0.6 mm. Longer, and balls would seem to move before they are
 /// touched; shorter, and a hundredth of a millimetre would decide how a rack breaks.
-const CLOSING_TIME: f64 = 5e-5;
+pub(crate) const CLOSING_TIME: f64 = 5e-5;
 
 /// Slow contacts count as one instant up to this gap, m: the accuracy of their times. Wider, and
 /// balls would be thrown apart that do not touch; narrower, and a symmetric rack would be pushed

@@ -63,10 +63,28 @@ fn the_first_contact_is_the_cue_balls_and_not_the_tables() {
 }
 
 #[test]
-fn a_contact_of_several_balls_touches_each_of_them() {
+fn of_many_balls_in_a_contact_the_cue_ball_touches_those_that_it_meets_itself() {
+    // The cue ball, 2, lies against 0 and 3; 1 touches 3 alone; 4 is 0.2 mm away.
+    let d = 2.0 * RADIUS;
+    let apart = [[-d, 0.0], [2.0 * d, 0.0], [0.0, 0.0], [d, 0.0], [0.0, d + 2e-4]];
+    let places = apart.map(|[x, y]| [0.6 + x, 1.2 + y]);
+    let shot = placed("\"wpa-9ft\"", Some(2), &places);
+    let touched = |velocity: Vec3| {
+        let mut states: Vec<BallState> = shot.balls().iter().map(|b| b.state).collect();
+        states[2].velocity = velocity;
+        let mut collector = Collector::new(&shot);
+        collector.add(&event(0.0, HIT, &[0, 1, 2, 3, 4], &states, &states));
+        collector.finish(&[]).cue_ball_touched
+    };
+    let of = |balls: &[u16]| balls.iter().map(|&ball| Touched::Ball(ball)).collect::<Vec<_>>();
+    let slow = touched(Vec3::new(0.5, 0.0, 0.0));
+    assert!(slow.len() == 2 && of(&[0, 3]).iter().all(|t| slow.contains(t)), "{slow:?}");
+    let fast = touched(Vec3::new(8.0, 0.0, 0.0));
+    assert_eq!(fast.len(), 3, "0.2 mm close within the contact: {fast:?}");
+    assert_eq!(fast.last(), Some(&Touched::Ball(4)), "the nearest first");
+
     let outcome = collected(Some(1), &[(HIT, &[0, 1, 2])]);
-    assert_eq!(outcome.first_contact, Some(0));
-    assert_eq!(outcome.cue_ball_touched, [Touched::Ball(0), Touched::Ball(2)]);
+    assert_eq!(outcome.cue_ball_touched.len(), 1, "at least the nearest");
     let elsewhere = collected(Some(5), &[(HIT, &[0, 1, 2])]);
     assert_eq!(elsewhere.first_contact, None);
 }
