@@ -229,7 +229,7 @@ const FINEST: f64 = 1.0 / (1u64 << 60) as f64;
 fn walk(tube: &Tube<'_>, start: f64, end: f64) -> Option<f64> {
     let mut here = tube.sample(start);
     // Not a number, and no proof would ever be found.
-    if here.f.is_nan() || tube.sample(end).f.is_nan() {
+    if here.f.is_nan() || tube.motion.at(end).into_iter().any(f64::is_nan) {
         return None;
     }
     let finest = (end - start) * FINEST;

@@ -199,31 +199,35 @@ impl Flight<'_> {
         let Table { layout, pockets, .. } = self.table;
         let field = Track::new(self.path, first.last).bounds().grown(radius);
         if pockets.is_empty() {
-            for i in 0..layout.on_cloth {
-                self.meet_part(i, &field, first, last);
+            for (i, place) in layout.bounds[..layout.on_cloth].iter().enumerate() {
+                if !field.is_clear_of(place) {
+                    self.meet_part(i, first, last);
+                }
             }
             return;
         }
         for &nose in layout.nose_quadrants.near(&field) {
-            self.meet_part(usize::from(nose), &field, first, last);
+            let nose = usize::from(nose);
+            if !field.is_clear_of(&layout.bounds[nose]) {
+                self.meet_part(nose, first, last);
+            }
         }
         for &k in layout.mouth_quadrants.near(&field) {
             let mouth = &layout.mouths[usize::from(k)];
             if field.is_clear_of(&mouth.bounds) {
                 continue;
             }
-            for &part in &mouth.all {
-                self.meet_part(usize::from(part), &field, first, last);
+            for (part, place) in &mouth.all {
+                if !field.is_clear_of(place) {
+                    self.meet_part(usize::from(*part), first, last);
+                }
             }
         }
     }
 
-    /// One edge or wall; `field` is around the whole flight.
+    /// One edge or wall.
     #[inline(always)]
-    fn meet_part(&self, i: usize, field: &Bounds, first: &mut First, last: f64) {
-        if field.is_clear_of(&self.table.layout.bounds[i]) {
-            return;
-        }
+    fn meet_part(&self, i: usize, first: &mut First, last: f64) {
         let shape = &self.table.cushions[i].shape;
         if Track::new(self.path, first.last).is_clear_of(shape, self.radius) {
             return;

@@ -113,7 +113,7 @@ impl Layout {
             let nearest = (0..pockets.len())
                 .min_by(|a, b| distance(&pockets[*a]).total_cmp(&distance(&pockets[*b])));
             if let Some(k) = nearest {
-                self.mouths[k].all.push(i as u16);
+                self.mouths[k].all.push((i as u16, *bounds));
                 self.mouths[k].bounds = self.mouths[k].bounds.with(bounds);
             }
         }

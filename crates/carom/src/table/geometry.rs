@@ -57,8 +57,8 @@ pub(crate) struct Mouth {
     /// Seen from the hole's centre the liner's round wall stands where the cosine to the pocket's axis is
     /// greater than this.
     pub(crate) liner_from: f64,
-    /// Indices of all its points, facings and liners: what a flying ball can meet.
-    pub(crate) all: Vec<u16>,
+    /// All its points, facings and liners, what a flying ball can meet: index and box.
+    pub(crate) all: Vec<(u16, Bounds)>,
     /// A box around them and the hole.
     pub(crate) bounds: Bounds,
 }
