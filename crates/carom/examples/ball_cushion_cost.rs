@@ -30,6 +30,7 @@ fn main() {
         CushionModel::Restitution,
         CushionModel::Han2005,
         CushionModel::Stronge,
+        CushionModel::Factors,
         CushionModel::Mathavan2010,
     ] {
         let law = carom::physics::Cushion { model, ..pool.cushion };

@@ -121,6 +121,8 @@ pub enum CushionModel {
     Mathavan2010,
     /// Stronge's compliant contact.
     Stronge,
+    /// Constant factors on the velocity's two parts and on the spin, as in FastFiz.
+    Factors,
 }
 
 /// Restitution of the cushion: a number is `a` alone; a fit in the normal speed V is
@@ -156,6 +158,10 @@ pub struct Cushion {
     pub friction: CushionFriction,
     /// ω_t/ω_n of the `stronge` model, 1 to 2.
     pub frequency_ratio: f64,
+    /// Share of the speed along the rail that the `factors` model keeps, 0 to 1.
+    pub tangential_factor: f64,
+    /// Share of the spin that the `factors` model keeps, 0 to 1.
+    pub spin_factor: f64,
 }
 
 impl Cushion {

@@ -18,7 +18,7 @@ const BALL_FREQUENCY_RATIO: f64 = 1.70;
 
 impl Physics {
     /// The names that [`Physics::preset`] knows.
-    pub const PRESETS: [&str; 5] = ["pool", "snooker", "english", "carom", "ideal"];
+    pub const PRESETS: [&str; 6] = ["pool", "snooker", "english", "carom", "poolfiz", "ideal"];
 
     /// The preset of this name.
     pub fn preset(name: &str) -> Option<Self> {
@@ -27,6 +27,7 @@ impl Physics {
             "snooker" => Some(Self::snooker()),
             "english" => Some(Self::english()),
             "carom" => Some(Self::carom()),
+            "poolfiz" => Some(Self::poolfiz()),
             "ideal" => Some(Self::ideal()),
             _ => None,
         }
@@ -136,6 +137,54 @@ impl Physics {
         }
     }
 
+    /// Near the Computational Olympiad's engine, Poolfiz, as its successor FastFiz 0.2 has its figures
+    /// (`FastFiz.h`); docs/poolfiz.md says what is the same and what is not.
+    pub fn poolfiz() -> Self {
+        const GRAVITY: f64 = 9.81;
+        const RADIUS: f64 = 0.028575;
+        const SPIN_FRICTION: f64 = 0.044;
+        let pool = Self::pool();
+        Self {
+            gravity: GRAVITY,
+            // 5.57 oz, 2¼ in.
+            ball: Ball { mass: 0.16301, radius: RADIUS },
+            cloth: Cloth {
+                sliding_friction: 0.2,
+                rolling_friction: 0.015,
+                // Leckie & Greenspan 2005: dω_z/dt = −5μ_sp·g/(2R).
+                spin_deceleration: 2.5 * SPIN_FRICTION * GRAVITY / RADIUS,
+            },
+            // The normal velocities are exchanged.
+            ball_ball: BallBall {
+                model: BallBallModel::Frictional,
+                restitution: 1.0,
+                friction: SlipFriction::constant(0.01),
+                ..pool.ball_ball
+            },
+            cushion: Cushion {
+                model: CushionModel::Factors,
+                restitution: CushionRestitution { a: 0.6, b: 0.0, c: 0.0 },
+                friction: CushionFriction { a: 0.0, b: 0.0 },
+                tangential_factor: 0.9,
+                spin_factor: 0.1,
+                ..RAIL
+            },
+            // Its rails end without jaws; a ball that meets an end here meets rail.
+            facing: Surface { restitution: 0.6, friction: 0.0 },
+            // No ball leaves its cloth: the slate takes what a raised cue drives down.
+            slate: Surface { restitution: 0.0, friction: 0.0 },
+            // No squirt, and a tip that gives everything back.
+            cue: Cue {
+                mass: 0.6,
+                end_mass: 0.0,
+                tip_friction: 0.7,
+                tip: Tip::Restitution(1.0),
+                ..pool.cue
+            },
+            ..pool
+        }
+    }
+
     /// Pool without losses in collisions and without throw or squirt; the cloth is real.
     pub fn ideal() -> Self {
         let pool = Self::pool();
@@ -178,6 +227,8 @@ const RAIL: Cushion = Cushion {
     restitution: CushionRestitution { a: 0.9, b: 0.0, c: 0.0 },
     friction: CushionFriction { a: 0.175, b: 0.0 },
     frequency_ratio: 1.8,
+    tangential_factor: 1.0,
+    spin_factor: 1.0,
 };
 
 /// Cushions of a snooker table, fitted to the 31 filmed rebounds of a rolling ball that hits a nose
@@ -191,6 +242,8 @@ const SNOOKER_RAIL: Cushion = Cushion {
     restitution: CushionRestitution { a: 1.24, b: -0.132, c: 0.0066 },
     friction: CushionFriction { a: 0.38, b: 0.0 },
     frequency_ratio: 1.7,
+    tangential_factor: 1.0,
+    spin_factor: 1.0,
 };
 
 #[cfg(test)]
@@ -220,6 +273,16 @@ mod tests {
             let Tip::Restitution(e) = p.cue.tip else { panic!("{name}") };
             assert!((0.0..=1.0).contains(&e), "{name}");
         }
+    }
+
+    #[test]
+    fn poolfiz_balls_lose_their_spin_as_a_friction_of_0_044_takes_it() {
+        // The torque of μ_sp·m·g at the lever R over the inertia 2/5·m·R².
+        let p = Physics::poolfiz();
+        let alpha = p.cloth.spin_deceleration;
+        let inertia = 0.4 * p.ball.mass * p.ball.radius * p.ball.radius;
+        let friction = inertia * alpha / (p.ball.mass * p.gravity * p.ball.radius);
+        assert!((friction - 0.044).abs() < 1e-15);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use crate::physics::{
     CushionRestitution, Physics, SlipFriction, Surface, Tip,
 };
 
-/// A coefficient of restitution, or an efficiency.
+/// A coefficient of restitution, an efficiency, or a share that is kept.
 const FRACTION: Range = Range::closed(0.0, 1.0, "");
 /// A coefficient of friction.
 const FRICTION: Range = Range::not_negative("");
@@ -36,6 +36,7 @@ const CUSHION_MODELS: &[(&str, CushionModel)] = &[
     ("han-2005", CushionModel::Han2005),
     ("mathavan-2010", CushionModel::Mathavan2010),
     ("stronge", CushionModel::Stronge),
+    ("factors", CushionModel::Factors),
 ];
 
 /// Reads `physics`; `default` is the preset that belongs to the table.
@@ -143,7 +144,14 @@ fn slip_friction(at: &At<'_>, friction: &mut SlipFriction) -> Result<(), Error> 
 }
 
 fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
-    let fields = at.fields(&["model", "restitution", "friction", "frequency_ratio"])?;
+    let fields = at.fields(&[
+        "model",
+        "restitution",
+        "friction",
+        "frequency_ratio",
+        "tangential_factor",
+        "spin_factor",
+    ])?;
     if let Some(at) = fields.get("model") {
         law.model = at.choice("cushion model", CUSHION_MODELS)?;
         keep_what_the_model_takes(law);
@@ -154,6 +162,8 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
     if let Some(at) = fields.get("friction") {
         cushion_friction(&at, law.model, &mut law.friction)?;
     }
+    fields.number_into("tangential_factor", &FRACTION, &mut law.tangential_factor)?;
+    fields.number_into("spin_factor", &FRACTION, &mut law.spin_factor)?;
     fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
 }
 
@@ -330,6 +340,8 @@ fn write_cushion(cushion: &Cushion) -> Node {
         ("restitution", restitution),
         ("friction", friction),
         ("frequency_ratio", cushion.frequency_ratio.into()),
+        ("tangential_factor", cushion.tangential_factor.into()),
+        ("spin_factor", cushion.spin_factor.into()),
     ])
 }
 

@@ -4,10 +4,10 @@ use alloc::string::ToString;
 
 use super::description::INCH;
 use super::sheet::{Figure, PocketSheet, Sheet, Source, SpotPattern, figure};
-use super::{Table, TableDescription};
+use super::{PocketModel, Table, TableDescription};
 
 /// Names of the presets, in the order in which `carom tables` lists them.
-pub const PRESETS: [&str; 8] = [
+pub const PRESETS: [&str; 9] = [
     "wpa-9ft",
     "wpa-8ft",
     "bar-7ft",
@@ -16,6 +16,7 @@ pub const PRESETS: [&str; 8] = [
     "english-7ft",
     "carom-10ft",
     "carom-9ft",
+    "poolfiz",
 ];
 
 const WPA: Source = Source::RuleBook("WPA equipment specifications");
@@ -26,6 +27,8 @@ const BAPTO: Source = Source::RuleBook("BAPTO standard for UK pool tables");
 const SHOWOOD: Source = Source::Published("pooltool 0.6.0, table 7_foot_showood");
 const PT_SNOOKER: Source = Source::Published("pooltool 0.6.0, its snooker table");
 const MATHAVAN: Source = Source::Published("Mathavan, Jackson & Parkin 2010: h = 7R/5, R 26.25 mm");
+const FASTFIZ: Source = Source::Published("FastFiz 0.2, FastFiz.h");
+const BEHIND_THE_LINE: Source = Source::Estimated("behind the mouth line, never reached");
 const FOLLOWS: Source = Source::Estimated("the rule book leaves it open");
 const LIKE_WPA: Source = Source::Estimated("as on the WPA's tables");
 const LIKE_SNOOKER: Source =
@@ -70,6 +73,7 @@ const WPA_9FT: Sheet = Sheet {
     cushion_width: inches(2.0, WPA),
     // 4 to 7½ in; 5 in would not hold the holes of the side pockets.
     rail_width: inches(6.0, WPA),
+    pocket_model: PocketModel::DropCircle,
     pockets: Some([WPA_CORNER, WPA_SIDE]),
     sight_setback: Some(inches(3.6875, WPA)),
     head_string: Some(inches(25.0, WPA)),
@@ -155,6 +159,7 @@ const SNOOKER_12FT: Sheet = Sheet {
     cushion_height: figure(0.03675, MATHAVAN),
     cushion_width: figure(0.04763, PT_SNOOKER),
     rail_width: inches(6.0, LIKE_WPA),
+    pocket_model: PocketModel::DropCircle,
     pockets: Some([
         PocketSheet {
             mouth: figure(0.08014, PT_SNOOKER),
@@ -192,6 +197,7 @@ const ENGLISH_7FT: Sheet = Sheet {
     cushion_height: figure(0.03675 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
     cushion_width: figure(0.04763 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
     rail_width: inches(6.0, OUTSIDE_7FT),
+    pocket_model: PocketModel::DropCircle,
     pockets: Some([
         PocketSheet {
             // 1.6 balls.
@@ -227,6 +233,7 @@ const CAROM_10FT: Sheet = Sheet {
     cushion_height: figure(0.037, UMB),
     cushion_width: inches(2.0, DRAWN),
     rail_width: figure(0.125 + 2.0 * INCH, UMB),
+    pocket_model: PocketModel::DropCircle,
     pockets: None,
     sight_setback: Some(inches(3.6875, DRAWN)),
     head_string: Some(figure(0.71, Source::Memory)),
@@ -246,11 +253,56 @@ const CAROM_9FT: Sheet = Sheet {
     ..CAROM_10FT
 };
 
+/// A ball turns where its centre is R from a rail's line, so the nose stands as high as the centre;
+/// `RAIL_HEIGHT`, 40.005 mm, only says there which cues are in the way.
+const POOLFIZ: Sheet = Sheet {
+    name: "poolfiz",
+    length: figure(2.236, FASTFIZ),
+    width: figure(1.116, FASTFIZ),
+    cushion_height: figure(0.028575, FASTFIZ),
+    cushion_width: inches(2.0, BEHIND_THE_LINE),
+    rail_width: inches(6.0, BEHIND_THE_LINE),
+    pocket_model: PocketModel::MouthLine,
+    pockets: Some([
+        PocketSheet {
+            mouth: figure(0.11, FASTFIZ),
+            cut_angle_deg: figure(135.0, BEHIND_THE_LINE),
+            shelf: inches(1.0, BEHIND_THE_LINE),
+            hole_radius: figure(0.06, BEHIND_THE_LINE),
+            point_radius: figure(0.0, FASTFIZ),
+            throat: None,
+        },
+        PocketSheet {
+            mouth: figure(0.12, FASTFIZ),
+            cut_angle_deg: figure(90.0, BEHIND_THE_LINE),
+            shelf: figure(0.0, BEHIND_THE_LINE),
+            hole_radius: figure(0.065, BEHIND_THE_LINE),
+            point_radius: figure(0.0, FASTFIZ),
+            throat: None,
+        },
+    ]),
+    sight_setback: Some(inches(3.6875, DRAWN)),
+    // A quarter of the length.
+    head_string: Some(figure(0.559, FASTFIZ)),
+    d_radius: None,
+    black_spot: None,
+    spots: SpotPattern::Quarters,
+    physics: "poolfiz",
+};
+
 /// The figures of the preset `name`.
 pub(super) fn sheet(name: &str) -> Option<&'static Sheet> {
-    const SHEETS: [Sheet; 8] =
-        [WPA_9FT, WPA_8FT, BAR_7FT, SHOWOOD_7FT, SNOOKER_12FT, ENGLISH_7FT, CAROM_10FT, CAROM_9FT];
-    static ALL: [Sheet; 8] = SHEETS;
+    static ALL: [Sheet; 9] = [
+        WPA_9FT,
+        WPA_8FT,
+        BAR_7FT,
+        SHOWOOD_7FT,
+        SNOOKER_12FT,
+        ENGLISH_7FT,
+        CAROM_10FT,
+        CAROM_9FT,
+        POOLFIZ,
+    ];
     ALL.iter().find(|sheet| sheet.name == name)
 }
 

@@ -73,6 +73,7 @@ pub(super) struct Sheet {
     pub(super) cushion_height: Figure,
     pub(super) cushion_width: Figure,
     pub(super) rail_width: Figure,
+    pub(super) pocket_model: PocketModel,
     /// Corner and side.
     pub(super) pockets: Option<[PocketSheet; 2]>,
     pub(super) sight_setback: Option<Figure>,
@@ -120,7 +121,7 @@ impl Sheet {
             cushion_width: self.cushion_width.value,
             rail_width: self.rail_width.value,
             pockets: if self.pockets.is_some() { PocketLayout::Six } else { PocketLayout::None },
-            pocket_model: PocketModel::DropCircle,
+            pocket_model: self.pocket_model,
             corner_pocket: pocket(0),
             side_pocket: pocket(1),
             sights: self.sight_setback.map(|setback| Sights {

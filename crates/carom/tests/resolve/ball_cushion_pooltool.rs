@@ -32,6 +32,8 @@ fn largest_difference(data: &Value, kind: &str, name: &str, model: CushionModel,
         restitution: CushionRestitution { a: e, b: 0.0, c: 0.0 },
         friction: CushionFriction { a: f("f_c"), b: 0.0 },
         frequency_ratio: 1.7,
+        tangential_factor: 1.0,
+        spin_factor: 1.0,
     };
     let cloth =
         Cloth { sliding_friction: f("u_s"), rolling_friction: 0.01, spin_deceleration: 10.9 };

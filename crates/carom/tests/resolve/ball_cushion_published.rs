@@ -14,6 +14,8 @@ fn law(model: CushionModel, e: f64, mu: f64) -> Cushion {
         restitution: CushionRestitution { a: e, b: 0.0, c: 0.0 },
         friction: CushionFriction { a: mu, b: 0.0 },
         frequency_ratio: 1.7,
+        tangential_factor: 1.0,
+        spin_factor: 1.0,
     }
 }
 
@@ -246,6 +248,31 @@ fn tp_b_6_a_ball_that_stuns_on_every_rebound() {
         assert_close(travel(speed * MILE_PER_HOUR) / FOOT, feet, TOLERANCE * feet);
     }
     assert_close(travel(3.465 * MILE_PER_HOUR) / LEG, 2.0, 2.0 * TOLERANCE);
+}
+
+/// FastFiz.h: the speed along a rail × 0.9, against it × 0.6, the spin × 0.1.
+#[test]
+fn poolfiz_multiplies_the_two_speeds_and_the_spin() {
+    /// Of numbers up to 70.
+    const ROUNDING: f64 = 1e-13;
+    let physics = carom::Physics::poolfiz();
+    for on_bed in [true, false] {
+        let mut ball = Body {
+            velocity: Vec3::new(2.0, 1.0, 0.0),
+            angular_velocity: Vec3::new(-30.0, 50.0, 70.0),
+            mass: physics.ball.mass,
+            radius: physics.ball.radius,
+        };
+        resolve(&physics.cushion, &physics.cloth, nose(0.0), on_bed, &mut ball);
+        let expected = [(-1.2, 0.9), (-3.0, 5.0)];
+        let (v, w) = (ball.velocity, ball.angular_velocity);
+        for ((x, y), (a, b)) in expected.into_iter().zip([(v.x, v.y), (w.x, w.y)]) {
+            assert_close(a, x, ROUNDING);
+            assert_close(b, y, ROUNDING);
+        }
+        assert_close(w.z, 7.0, ROUNDING);
+        assert_eq!(v.z, 0.0);
+    }
 }
 
 #[test]

@@ -259,6 +259,18 @@ fn a_tip_cannot_have_both_restitution_and_efficiency() {
 }
 
 #[test]
+fn a_share_of_more_than_all_is_refused() {
+    for key in ["tangential_factor", "spin_factor"] {
+        refused(
+            BASE,
+            &format!(r#""cushion": {{"model": "factors", "{key}": 1.1}}"#),
+            &format!("physics.cushion.{key}"),
+            &["1.1"],
+        );
+    }
+}
+
+#[test]
 fn a_nose_that_cannot_meet_a_ball_is_refused() {
     refused("1.905]", "1.905], \"radius\": 0.01", "balls[1].radius", &["cushion nose"]);
 }
@@ -280,7 +292,7 @@ fn a_ball_that_no_hole_lets_through_is_refused() {
 #[test]
 fn fits_are_refused_where_the_cushion_model_takes_none() {
     let fit = r#"{"a": 0.4, "b": 0.2, "c": 0}"#;
-    for model in ["restitution", "mathavan-2010"] {
+    for model in ["restitution", "mathavan-2010", "factors"] {
         refused(
             BASE,
             &format!(r#""cushion": {{"model": "{model}", "restitution": {fit}}}"#),
@@ -288,7 +300,7 @@ fn fits_are_refused_where_the_cushion_model_takes_none() {
             &[model, "\"han-2005\" or \"stronge\""],
         );
     }
-    for model in ["restitution", "mathavan-2010", "stronge"] {
+    for model in ["restitution", "mathavan-2010", "stronge", "factors"] {
         refused(
             BASE,
             &format!(

@@ -13,7 +13,8 @@
 //! nothing back. (If it did, with restitution ½, a stunned pool ball would leave every rail at a
 //! fifth of its speed upwards, 8 mm high at 2 m/s.) `mathavan-2010` contains that together with
 //! the friction at the cloth, and leaves v_z at 0. `restitution` is made for the bed: the horizontal
-//! normal speed times −e, nothing else. In `han-2005` and `stronge` the slate takes the downward
+//! normal speed times −e, nothing else; so is `factors`, which multiplies the speed along the rail and
+//! the spin as well. In `han-2005` and `stronge` the slate takes the downward
 //! part of the nose's impulse, without friction, as their authors have it. An upward part, where
 //! friction at the nose lifts the ball more than the nose presses it, is a hop, and is kept.
 //!
@@ -36,6 +37,7 @@
 //! * **Mirror symmetry is exact.** Reversing the motion along the rail reverses the outcome's,
 //!   bit for bit.
 
+mod factors;
 mod han_2005;
 mod mathavan_2010;
 mod stronge;
@@ -178,6 +180,9 @@ fn aloft(law: &Cushion, impact: &Impact) -> Change {
         };
         match law.model {
             CushionModel::Restitution => impact.change((1.0 + e) * approach, Vec3::ZERO),
+            CushionModel::Factors => {
+                factors::resolve(impact, e, law.tangential_factor, law.spin_factor)
+            }
             CushionModel::Han2005 | CushionModel::Mathavan2010 => {
                 han_2005::resolve(impact, e, mu())
             }
@@ -199,6 +204,10 @@ fn on_the_bed(law: &Cushion, cloth: &Cloth, impact: &Impact) -> Change {
         let mu = || law.friction.at(velocity.dot(into.perp()).abs(), approach);
         let mut change = match law.model {
             CushionModel::Restitution => back((1.0 + e) * approach),
+            CushionModel::Factors => {
+                let level = Impact { normal: into.with_z(0.0), approach, ..*impact };
+                factors::resolve(&level, e, law.tangential_factor, law.spin_factor)
+            }
             CushionModel::Han2005 => han_2005::resolve(impact, e, mu()),
             CushionModel::Mathavan2010 => mathavan_2010::resolve(impact, &rail, cloth, e, mu()),
             CushionModel::Stronge => stronge::resolve(impact, e, mu(), law.frequency_ratio),
