@@ -80,9 +80,10 @@ stress: $(BUILT) ## The long randomised suites: 10 million shots and more (hours
 	$(PYTEST) -m stress
 	cargo run --release -p carom-check --bin stress
 
-bench: $(BUILT) ## The benchmarks; results under benches/results/.
+bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 	$(BIN)/carom bench
 	$(PY) benches/instructions.py
+	cd web && npm run --silent bench
 
 bench-peer: $(TOOLS) ## The same beside pooltool 0.6.0, in an environment of its own (1 GB).
 	@bash scripts/bench_peer.sh $(PY)

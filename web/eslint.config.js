@@ -4,7 +4,7 @@ import { defineConfig, globalIgnores } from "eslint/config";
 import ts from "typescript-eslint";
 
 export default defineConfig(
-  globalIgnores(["dist/", "src/engine/pkg/", "tests/e2e/out/"]),
+  globalIgnores(["dist/", "src/engine/pkg/", "src/engine/dist/", "tests/e2e/out/"]),
   js.configs.recommended,
   ts.configs.strictTypeChecked,
   ts.configs.stylisticTypeChecked,

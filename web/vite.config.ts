@@ -12,7 +12,8 @@ export default defineConfig({
     reportCompressedSize: false,
     chunkSizeWarningLimit: 4000,
   },
-  worker: { format: "es" },
+  // A classic script: a page on disk or in a sandbox has no origin, from which no module worker starts.
+  worker: { format: "iife" },
   test: {
     projects: [
       { extends: true, test: { name: "unit", include: ["tests/unit/**/*.test.ts"] } },

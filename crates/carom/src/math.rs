@@ -5,7 +5,7 @@
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
-pub use libm::{acos, asin, atan, atan2, cos, exp, log, pow, sin, tan};
+pub use libm::{acos, asin, atan, atan2, ceil, cos, exp, log, pow, sin, tan};
 
 /// √x, correctly rounded (IEEE 754), hence the same bits everywhere.
 #[inline(always)]

@@ -5,6 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { pathToFileURL } from "node:url";
+import type { Frame, Page } from "playwright-core";
 import { afterAll, beforeAll } from "vitest";
 import type { TraceFile } from "../../src/engine/index.ts";
 import { expect, NATIVE, test } from "./fixture.ts";
@@ -19,6 +20,13 @@ beforeAll(() => {
 afterAll(() => {
   rmSync(folder, { recursive: true });
 });
+
+/** Asks what if the player errs, and waits for the answer: from a worker, without an origin. */
+async function askWhatIf(inside: Page | Frame): Promise<void> {
+  await inside.getByRole("tab", { name: "What if" }).click();
+  await inside.getByText("Simulate errors").click();
+  await inside.locator("#panel-whatif td").first().waitFor();
+}
 
 function address(name: string): string {
   return pathToFileURL(join(folder, name)).href;
@@ -81,6 +89,8 @@ print(trace._repr_html_())
     }
   });
   expect(reached).toBeNull();
+  await inside.getByRole("button", { name: "Back to aiming" }).click();
+  await askWhatIf(inside);
   expect(errors).toEqual([]);
   await context.close();
 });
@@ -104,4 +114,5 @@ open(sys.argv[1], "w", encoding="utf-8").write(carom.page.html(shot))
   });
   expect(mode).toBe("aim");
   expect(ids).toEqual(["cue", name]);
+  await askWhatIf(page);
 });

@@ -182,8 +182,11 @@ test("shot file and trace are downloaded as the native engine reads and writes t
 
 test("a trace dropped on the page is replayed", async ({ open }) => {
   const page = await open();
-  const trace = native(JSON.parse(example("jump_shot")) as ShotFile);
-  await drop(page, "trace.json", JSON.stringify(trace));
+  const program = `
+import carom, json, sys
+print(json.dumps(carom.Shot.from_json(sys.stdin.read()).simulate().to_dict()))
+`;
+  await drop(page, "trace.json", python(program, example("jump_shot")));
   await page.getByRole("slider", { name: "Time" }).waitFor();
   expect(await page.locator("#hash").textContent()).toBe(GOLDENS.jump_shot!.hash);
 });

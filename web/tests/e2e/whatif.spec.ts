@@ -1,5 +1,6 @@
 import type { Page } from "playwright-core";
 import type { Noise } from "../../src/engine/index.ts";
+import { inject } from "vitest";
 import { expect, picture, SMALL, test } from "./fixture.ts";
 import { python } from "./python.ts";
 
@@ -117,4 +118,10 @@ test("a seed that is none is refused, and the old one stays", async ({ open }) =
   await seed.press("Enter");
   expect(await page.getByRole("alert").textContent()).toMatch(/whole number/);
   expect(await seed.inputValue()).toBe("0");
+});
+
+test("the worker starts in a page from disk as well", async ({ open }) => {
+  const page = await open({ url: `file://${inject("file")}` });
+  await turnOn(page);
+  expect(Object.keys(await chances(page)).length).toBeGreaterThan(1);
 });

@@ -94,31 +94,30 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     #[inline(always)]
     fn is_crowded(&self, a: usize, b: usize, time: f64) -> bool {
         let l = &self.lanes;
-        let place = |k: usize| {
-            let t = time - l.start[k];
-            let x = l.x[k] + t * (l.vx[k] + t * l.hx[k]);
-            let y = l.y[k] + t * (l.vy[k] + t * l.hy[k]);
-            [x, y, l.radius[k]]
-        };
         let faster = |v: &[f64; N], h: &[f64; N]| {
             let speed = |k: usize| v[k] + 2.0 * h[k] * (time - l.start[k]);
             (speed(a) - speed(b)).abs()
         };
         let fastest = faster(&l.vx, &l.hx) + faster(&l.vy, &l.hy);
         let near = TOUCH_TOLERANCE + CLOSING_TIME * fastest;
-        let with_reach = |[x, y, radius]: [f64; 3]| [x, y, radius + near];
-        let (p, q) = (with_reach(place(a)), with_reach(place(b)));
+        let (p, q) = (clearance(self.place(a, time), near), clearance(self.place(b, time), near));
         let mut clear = [0.0; N];
         for (k, clear) in clear.iter_mut().enumerate() {
-            let [x, y, radius] = place(k);
-            let far = |[px, py, reach]: [f64; 3]| {
-                let (dx, dy, reach) = (x - px, y - py, radius + reach);
-                dx * dx + dy * dy - reach * reach
-            };
-            *clear = earlier(far(p), far(q));
+            let place = self.place(k, time);
+            *clear = earlier(p(place), q(place));
         }
         // The two themselves are there.
         clear[..self.n].iter().map(|&clear| u32::from(clear <= 0.0)).sum::<u32>() > 2
+    }
+
+    /// Where ball `k` is on the table, and its radius: x, y, R.
+    #[inline(always)]
+    fn place(&self, k: usize, time: f64) -> [f64; 3] {
+        let l = &self.lanes;
+        let t = time - l.start[k];
+        let x = l.x[k] + t * (l.vx[k] + t * l.hx[k]);
+        let y = l.y[k] + t * (l.vy[k] + t * l.hy[k]);
+        [x, y, l.radius[k]]
     }
 
     /// Resolves the impact of `a` on `b` with all that they touch; `false`, and nothing is done,
@@ -153,11 +152,13 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 meeting.gap <= SAME_INSTANT_GAP && meeting.approach > 0.0
             }
         };
-        self.gather(&mut cluster, time, together);
+        // More than the gap of balls that act together, whatever the rounding.
+        let reach = 2.0 * TOUCH_TOLERANCE + CLOSING_TIME * first.approach;
+        self.gather(&mut cluster, time, reach, together);
         if cluster.size == 2 {
             return false;
         }
-        self.resolve_cluster(&mut cluster, together, physics);
+        self.resolve_cluster(&mut cluster, reach, together, physics);
         cluster.keep_struck();
         if cluster.size <= 2 {
             return false;
@@ -177,14 +178,25 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         true
     }
 
-    /// Adds every ball that acts `together` with one of the cluster's, and so on from those; then
-    /// puts them into the order of the shot.
-    fn gather(&self, cluster: &mut Cluster, time: f64, together: impl Fn(&Meeting) -> bool) {
+    /// Adds every ball that acts `together` with one of the cluster's, within `reach`, and so on
+    /// from those; then puts them into the order of the shot.
+    fn gather(
+        &self,
+        cluster: &mut Cluster,
+        time: f64,
+        reach: f64,
+        together: impl Fn(&Meeting) -> bool,
+    ) {
+        let places: [[f64; 3]; N] = core::array::from_fn(|k| self.place(k, time));
         let mut seen = 0;
         while seen < cluster.size {
-            for k in 0..self.n {
-                let known = cluster.balls().contains(&(k as u16));
-                if known || cluster.size == MAX_BODIES || !self.path[k].motion.in_play() {
+            let near = clearance(places[usize::from(cluster.balls[seen])], reach);
+            for (k, &place) in places[..self.n].iter().enumerate() {
+                if near(place) > 0.0
+                    || cluster.size == MAX_BODIES
+                    || cluster.balls().contains(&(k as u16))
+                    || !self.path[k].motion.in_play()
+                {
                     continue;
                 }
                 cluster.balls[cluster.size] = k as u16;
@@ -206,6 +218,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     fn resolve_cluster(
         &self,
         cluster: &mut Cluster,
+        reach: f64,
         together: impl Fn(&Meeting) -> bool,
         physics: &Physics,
     ) {
@@ -219,8 +232,16 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let bodies = &mut bodies[..size];
         let mut touches = [Touch { a: 0, b: 0, normal: Vec3::ZERO, gap: 0.0 }; MAX_CONTACTS];
         let mut count = 0;
+        let place = |k: usize| {
+            let at = cluster.before[k].position;
+            [at.x, at.y, self.ball[usize::from(cluster.balls[k])].radius]
+        };
         for p in 0..size {
+            let near = clearance(place(p), reach);
             for q in p + 1..size {
+                if near(place(q)) > 0.0 {
+                    continue;
+                }
                 let meeting = self.meeting_of(cluster, p, q);
                 if together(&meeting) && count < MAX_CONTACTS {
                     let (normal, gap) = (meeting.normal, meeting.gap);
@@ -252,6 +273,17 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             gap: distance - (radius(p) + radius(q)),
             approach: (a.velocity - b.velocity).dot(normal),
         }
+    }
+}
+
+/// How far another ball at [x, y, R] is clear of that at [px, py, radius] and `reach` around it, seen
+/// from above: a number that is positive where it is.
+#[inline(always)]
+fn clearance([px, py, radius]: [f64; 3], reach: f64) -> impl Fn([f64; 3]) -> f64 {
+    let near = radius + reach;
+    move |[x, y, radius]| {
+        let (dx, dy, near) = (x - px, y - py, radius + near);
+        dx * dx + dy * dy - near * near
     }
 }
 

@@ -9,7 +9,7 @@
 use alloc::vec::Vec;
 
 use super::{Piece, Trace};
-use crate::math::{Vec3, sin_cos, sqrt};
+use crate::math::{Vec3, ceil, sin_cos, sqrt};
 
 /// Longest turn in a Magnus step, rad. A break then errs by less than 1e-5 rad in all.
 const STEP: f64 = 0.1;
@@ -100,7 +100,7 @@ impl Stretch {
             return;
         }
         let fastest = self.spin.length().max(last.length());
-        let steps = (fastest * self.length / STEP).ceil().max(1.0);
+        let steps = ceil(fastest * self.length / STEP).max(1.0);
         self.step = self.length / steps;
         for k in 1..=(steps as usize) / STEPS_PER_KEY {
             let key = self.walk((k - 1) * STEPS_PER_KEY, STEPS_PER_KEY);

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::{Piece, Trace};
-use crate::math::{Vec3, sqrt};
+use crate::math::{Vec3, ceil, sqrt};
 use crate::motion::Path;
 
 /// A point of a ball's way.
@@ -59,7 +59,7 @@ fn follow(points: &mut Vec<Waypoint>, piece: &Piece, end: f64, tolerance: f64) {
         let bend = path.half_acceleration.cross(path.velocity).length();
         let chords = if bend > 0.0 {
             let longest = 2.0 * sqrt(tolerance * speed / bend);
-            ((to - from) / longest).ceil().clamp(1.0, MOST_CHORDS)
+            ceil((to - from) / longest).clamp(1.0, MOST_CHORDS)
         } else {
             1.0
         };

@@ -2,11 +2,13 @@
 
 import { open } from "../actions.ts";
 import type { Context } from "../context.ts";
-import { h } from "../dom.ts";
+import { h, icon } from "../dom.ts";
 import type { Store } from "../store.ts";
 
 /** The largest file that is read, bytes: the longest trace that people have is a tenth of it. */
 const LARGEST = 50e6;
+
+const OPEN_ICON = "M4 19V6h5l2 2h9v11zM4 11h16";
 
 /** Opens a shot file or a trace; what cannot be opened is refused in words and changes nothing. */
 export async function openFile(file: File, store: Store, context: Context): Promise<void> {
@@ -40,8 +42,15 @@ export function openButton(store: Store, context: Context): HTMLElement {
   });
   const button = h(
     "button",
-    { type: "button", class: "button", id: "open", onclick: () => input.click() },
-    "Open",
+    {
+      type: "button",
+      class: "button",
+      id: "open",
+      "aria-label": "Open",
+      onclick: () => input.click(),
+    },
+    icon(OPEN_ICON),
+    h("span", { class: "wide-only" }, "Open"),
   );
   button.title = "Open a shot or trace file; or drop one on the page";
   return h("span", {}, button, input);

@@ -51,9 +51,9 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
   };
   const share = h(
     "button",
-    { type: "button", class: "button", id: "share-button", onclick: open },
+    { type: "button", class: "button", id: "share-button", "aria-label": "Share", onclick: open },
     icon(SHARE_ICON),
-    "Share",
+    h("span", { class: "wide-only" }, "Share"),
   );
   root.append(openButton(store, context), share);
   mountDrop(store, context);

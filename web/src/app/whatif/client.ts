@@ -20,7 +20,7 @@ export interface Ear {
 }
 
 /** The part of a worker that the client needs. */
-export type Line = Pick<Worker, "postMessage" | "onmessage" | "terminate">;
+export type Line = Pick<Worker, "postMessage" | "onmessage" | "onerror" | "terminate">;
 
 /** Asks a worker for variants; a new question makes the one before it stale. */
 export class Variants {
@@ -34,6 +34,8 @@ export class Variants {
     this.#worker = worker;
     this.#ear = ear;
     worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#hear(data);
+    worker.onerror = () =>
+      ear.refused("This browser does not let the page simulate beside itself.");
     this.#send({ kind: "engine", module: engine.module });
   }
 

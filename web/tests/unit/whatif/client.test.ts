@@ -11,6 +11,7 @@ const shot = { json: () => json, balls: [{ id: "cue" }] } as unknown as Shot;
 class Silence {
   told: ToWorker[] = [];
   onmessage: ((event: MessageEvent) => void) | null = null;
+  onerror: (() => void) | null = null;
   postMessage(message: ToWorker): void {
     this.told.push(message);
   }
@@ -95,6 +96,11 @@ describe("asking a worker", () => {
     worker.say(chunk(stale, 0, 4));
     worker.say(chunk(worker.generation, 0, 4));
     expect(heard).toStrictEqual([]);
+  });
+
+  test("says so where no worker can be had", () => {
+    worker.onerror?.();
+    expect(refused).toHaveLength(1);
   });
 
   test("hands on why the engine refuses", () => {

@@ -1,0 +1,28 @@
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { expect, test, vi } from "vitest";
+import { read } from "./files.js";
+
+const ENGINE = fileURLToPath(new URL("../../../src/engine/index.js", import.meta.url));
+
+// A page's snippets build on each other, so a page is one program.
+test.each(["docs/javascript.md", "web/src/engine/README.md"])(
+  "the snippets of %s run one after the other",
+  async (page) => {
+    const snippets = [...read(page).matchAll(/^```js\n(.*?)^```/gms)].map((match) => match[1]!);
+    expect(snippets).not.toHaveLength(0);
+    const folder = mkdtempSync(`${tmpdir()}/carom-docs-`);
+    const program = `${folder}/page.mjs`;
+    writeFileSync(program, snippets.join("\n").replaceAll('"carom-engine"', `"${ENGINE}"`));
+    const said = vi.spyOn(console, "log").mockImplementation(() => undefined);
+    try {
+      await import(/* @vite-ignore */ pathToFileURL(program).href);
+      expect(said).toHaveBeenCalled();
+      for (const values of said.mock.calls) expect(values).not.toContain(undefined);
+    } finally {
+      said.mockRestore();
+      rmSync(folder, { recursive: true });
+    }
+  },
+);
