@@ -12,8 +12,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from carom import Noise, Shot
-from carom.picture import evaluation, png
+import numpy as np
+from carom import Noise, Shot, acceptance, break_statistics, position_map, pot_map
+from carom.picture import evaluation, maps, png
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
@@ -46,8 +47,18 @@ def draw_shots(folder: Path) -> None:
         trace = Shot.load(ROOT / "shots" / f"{name}.json").simulate()
         picture = png(trace, title=name.replace("_", " "), dots_per_inch=100)
         (folder / f"{name}.png").write_bytes(picture)
-    chances = Shot.load(ROOT / "shots" / "side_pocket_cut.json").evaluate(Noise.preset("club"))
-    (folder / "chances.png").write_bytes(evaluation.png(chances, title="side pocket cut"))
+    cut = Shot.load(ROOT / "shots" / "side_pocket_cut.json")
+    club = Noise.preset("club")
+    chances = evaluation.png(cut.evaluate(club), title="side pocket cut")
+    (folder / "chances.png").write_bytes(chances)
+    speeds, heights = np.linspace(0.8, 4.0, 65), np.linspace(-0.4, 0.4, 5)
+    for name, found in (
+        ("pot_map", pot_map(cut, "1", "right", noise=club)),
+        ("position_map", position_map(cut, "1", "right", speed=speeds, height=heights)),
+        ("acceptance", acceptance(cut, "top-left")),
+        ("breaks", break_statistics("nine-ball")),
+    ):
+        (folder / f"{name}.png").write_bytes(maps.png(found))
 
 
 if __name__ == "__main__":

@@ -16,16 +16,29 @@ from carom._core import __version__
 from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
 from carom.errors import CaromError, EventCapError, InputError, PageError
+from carom.maps import (
+    Acceptance,
+    BreakStatistics,
+    PositionMap,
+    PotMap,
+    acceptance,
+    break_statistics,
+    position_map,
+    pot_map,
+)
 from carom.noise import Noise, NoisyResult
 from carom.plan import Chance, Evaluation
 from carom.racks import break_shot
 from carom.reference import schema, tables
 from carom.rules import Call, Frame, Ruling, rule_sets
 from carom.shot import Shot
+from carom.solve import Solution
 from carom.trace import Snapshot, Trace
 
 __all__ = [
+    "Acceptance",
     "BatchResult",
+    "BreakStatistics",
     "Call",
     "CaromError",
     "Chance",
@@ -38,14 +51,21 @@ __all__ = [
     "NoisyResult",
     "PageError",
     "Physics",
+    "PositionMap",
+    "PotMap",
     "Ruling",
     "Shot",
     "Snapshot",
+    "Solution",
     "Strike",
     "Table",
     "Trace",
     "__version__",
+    "acceptance",
     "break_shot",
+    "break_statistics",
+    "position_map",
+    "pot_map",
     "rule_sets",
     "schema",
     "simulate_batch",

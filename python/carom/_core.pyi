@@ -11,17 +11,22 @@ __all__ = [
     "Shot",
     "Trace",
     "__version__",
+    "acceptance",
     "break_shot",
+    "breaks",
     "check_noise",
     "draw_strikes",
     "evaluate",
     "games",
     "noise_presets",
     "olympiad",
+    "position_map",
+    "pot_map",
     "rule_sets",
     "schema",
     "simulate_batch",
     "simulate_strikes",
+    "solve",
     "tables",
     "wilson",
 ]
@@ -111,6 +116,60 @@ def evaluate(
     threads: int,
     progress: Callable[[int], object],
 ) -> dict[str, Any]: ...
+def pot_map(
+    shot: Shot,
+    target: tuple[int, int],
+    cells: tuple[int, int],
+    noise: tuple[float, ...],
+    seed: int,
+    variants: int,
+    threads: int,
+    progress: Callable[[int], object],
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+def position_map(
+    shot: Shot,
+    target: tuple[int, int],
+    speeds: list[float],
+    spins: list[list[float]],
+    threads: int,
+    progress: Callable[[int], object],
+) -> tuple[NDArray[np.bool_], NDArray[np.float64], NDArray[np.float64]]: ...
+def acceptance(
+    shot: Shot,
+    pocket: int,
+    speeds: list[float],
+    angles: list[float],
+    offsets: list[float],
+    distance: float,
+    threads: int,
+    progress: Callable[[int], object],
+) -> NDArray[np.int8]: ...
+def breaks(
+    game: str,
+    table: str | None,
+    speed: float | None,
+    gap: float | None,
+    noise: tuple[float, ...],
+    seed: int,
+    first: int,
+    racks: int,
+    threads: int,
+) -> _Arrays: ...
+
+_Solved = tuple[list[float], str, str, list[float], int, int, tuple[float, float]]
+
+def solve(
+    shot: Shot,
+    pot: tuple[int, int | None] | None,
+    leave: tuple[tuple[float, float], float] | None,
+    first: int | None,
+    limits: tuple[float, ...],
+    counts: tuple[int, int, int, int],
+    noise: tuple[float, ...],
+    seed: int,
+    level: float,
+    threads: int,
+) -> list[_Solved]: ...
 def wilson(hits: int, trials: int, level: float) -> tuple[float, float]: ...
 def break_shot(
     game: str, table: str | None, speed: float | None, seed: int, gap: float | None

@@ -193,8 +193,8 @@ class Evaluation:
             "legal": self.legal_count,
             "turn_kept": self.turn_kept_count,
             "at_rest": self.at_rest.tolist(),
-            "end_mean": _or_null(self.end_mean.tolist()),
-            "end_covariance": _or_null(self.end_covariance.tolist()),
+            "end_mean": or_null(self.end_mean.tolist()),
+            "end_covariance": or_null(self.end_covariance.tolist()),
             "chances": {
                 what: {"probability": float(c), "low": c.low, "high": c.high}
                 for what, c in self.chances().items()
@@ -250,7 +250,7 @@ def evaluate(
     wanted = None
     if precision is not None:
         pair = (watch, None) if isinstance(watch, str) else watch
-        wanted = (_number("precision", precision), pair)
+        wanted = (number("precision", precision), pair)
     elif watch is not None:
         raise InputError("watch: nothing is to be watched without a precision; give one too")
     said = ("nothing", None, None) if call is None else (call.kind, call.ball, call.into)
@@ -268,7 +268,7 @@ def evaluate(
             astuple(noise),
             seed,
             n,
-            _number("level", level),
+            number("level", level),
             wanted,
             referee,
             thread_count(threads),
@@ -280,15 +280,16 @@ def evaluate(
     )
 
 
-def _number(name: str, value: object) -> float:
+def number(name: str, value: object) -> float:
+    """``value`` as a float, or a refusal that names it."""
     try:
         return float(value)  # type: ignore[arg-type] # refused below
     except (TypeError, ValueError):
         raise InputError(f"{name}: {value!r} is not a number; write one") from None
 
 
-def _or_null(value: Any) -> Any:
+def or_null(value: Any) -> Any:
     """The same with None for NaN, which JSON has not."""
     if isinstance(value, list):
-        return [_or_null(item) for item in value]
+        return [or_null(item) for item in value]
     return None if isinstance(value, float) and math.isnan(value) else value

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from carom.noise import Noise, NoisyResult
     from carom.plan import Evaluation
     from carom.rules import Call, Frame
+    from carom.solve import Solution
     from carom.trace import Trace
 
 
@@ -286,6 +287,69 @@ class Shot:
             level=level,
             threads=threads,
             progress=progress,
+        )
+
+    def solve(
+        self,
+        *,
+        pot: str | tuple[str, str] | None = None,
+        leave: tuple[Sequence[float], float] | None = None,
+        first: str | None = None,
+        noise: Noise | None = None,
+        wanted: int = 10,
+        of_a_way: int = 3,
+        n: int = 1000,
+        speed: tuple[float, float] = (0.5, 7.0),
+        offset: float = 0.45,
+        samples: int = 4096,
+        seed: int = 0,
+        level: float = 0.95,
+        threads: int | None = None,
+    ) -> list[Solution]:
+        """The strikes that do what is wanted, the likeliest first.
+
+        All that is named must come true, and the cue ball must stay on the table. Every direction
+        that geometry proposes (ghost balls, mirror images, other balls' flanks) and points spread
+        over all strikes are played, the nearest of every way refined until they do it exactly, and
+        what is left ranked by its chance. Of this shot's own strike only the struck ball and the
+        elevation count; the cue is raised where something is in its way.
+
+        Args:
+            pot: A ball that falls, or ``(ball, pocket)``.
+            leave: ``((x, y), radius)``: the cue ball comes to rest with its centre in this disc, m.
+            first: The ball that the cue ball touches before any other.
+            noise: Under which the strikes are ranked; the Olympiad's if None.
+            wanted: How many strikes.
+            of_a_way: How many of them over the same cushions and balls.
+            n: Variants that each chance is counted with.
+            speed: Least and greatest speed of the cue, m/s.
+            offset: Largest tip offset, ball radii; at most 95 % of the miscue limit.
+            samples: Points spread over all strikes.
+            seed: Which random numbers.
+            level: Confidence of the intervals.
+            threads: How many; None is one per core. Results do not depend on it.
+
+        Raises:
+            InputError: Nothing is wanted, there is no such ball or pocket, the shot has no strike,
+                or a number is out of range.
+        """
+        from carom.solve import solve
+
+        return solve(
+            self,
+            pot=pot,
+            leave=leave,
+            first=first,
+            noise=noise,
+            wanted=wanted,
+            of_a_way=of_a_way,
+            n=n,
+            speed=speed,
+            offset=offset,
+            samples=samples,
+            seed=seed,
+            level=level,
+            threads=threads,
         )
 
     def show(self, *, height: int | None = None) -> None:

@@ -276,12 +276,7 @@ impl Evaluation {
                 )
                 .reduce(|| (0, 0), |a, b| (a.0 + b.0, a.1 + b.1))
         };
-        let pool = threads.map(|n| rayon::ThreadPoolBuilder::new().num_threads(n).build());
-        let (legal, kept) = match pool {
-            Some(Ok(pool)) => pool.install(verdicts),
-            // No pool of that size to be had: the global one gives the same counts.
-            Some(Err(_)) | None => verdicts(),
-        };
+        let (legal, kept) = crate::with_threads(threads, verdicts);
         self.legal = self.legal.map(|count| count + legal);
         self.turn_kept = self.turn_kept.map(|count| count + kept);
     }

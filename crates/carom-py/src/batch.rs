@@ -11,7 +11,7 @@ use pyo3::types::PyDict;
 use crate::error::to_exception;
 use crate::shot::Shot;
 
-type Arrays<'py> = (
+pub(crate) type Arrays<'py> = (
     Bound<'py, PyArray3<f64>>,
     Bound<'py, PyArray2<i8>>,
     Bound<'py, PyArray1<i32>>,
@@ -101,7 +101,7 @@ pub(crate) fn count(threads: usize) -> Option<usize> {
     (threads > 0).then_some(threads)
 }
 
-fn arrays<'py>(py: Python<'py>, result: BatchResult) -> PyResult<Arrays<'py>> {
+pub(crate) fn arrays<'py>(py: Python<'py>, result: BatchResult) -> PyResult<Arrays<'py>> {
     let BatchResult { shots, balls, final_position, pocket, events, errors } = result;
     let texts = PyDict::new(py);
     for (index, error) in errors {

@@ -21,7 +21,7 @@ mod _core {
         check_noise, draw_strikes, noise_presets, olympiad, simulate_batch, simulate_strikes,
     };
     #[pymodule_export]
-    use crate::plan::{evaluate, wilson};
+    use crate::plan::{acceptance, breaks, evaluate, position_map, pot_map, solve, wilson};
     #[pymodule_export]
     use crate::reference::{break_shot, games, schema, tables};
     #[pymodule_export]

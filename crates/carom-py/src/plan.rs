@@ -1,11 +1,14 @@
-//! `_core.evaluate` and `_core.wilson`.
+//! `_core.evaluate`, `_core.solve`, the maps, and `_core.wilson`.
 
-use carom_plan::{Evaluation, Precision, Question, Referee, Watched};
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use carom::rack::{Break, Game, USUAL_GAP};
+use carom::resolve::cue_ball::Strike;
+use carom_plan::maps::{self, Accepted, Approaches, Errs};
+use carom_plan::{Disc, Evaluation, Goal, Precision, Question, Referee, Search, Watched};
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::batch::{count, noise_of};
+use crate::batch::{Arrays, arrays, count, noise_of};
 use crate::error::to_exception;
 use crate::rules::Frame;
 use crate::shot::Shot;
@@ -60,22 +63,33 @@ pub(crate) fn evaluate<'py>(
         referee: referee.as_ref().map(|(frame, call)| Referee { frame, call: *call }),
         threads: count(threads),
     };
-    // Between rounds Ctrl-C is heard.
+    let evaluation = told(py, &progress, |tell| {
+        carom_plan::evaluate(&shot, &question, &mut |played| tell(played as usize))
+    })?;
+    to_dict(py, &evaluation)
+}
+
+/// What `work` gives; what it tells goes to `progress`, and between two tellings Ctrl-C is heard.
+fn told<T: Send>(
+    py: Python<'_>,
+    progress: &Py<PyAny>,
+    work: impl FnOnce(&mut dyn FnMut(usize) -> bool) -> Result<T, carom::Error> + Send,
+) -> PyResult<T> {
     let mut interrupted = None;
-    let evaluation = py.detach(|| {
-        carom_plan::evaluate(&shot, &question, &mut |played| {
+    let found = py.detach(|| {
+        work(&mut |done| {
             let told = Python::attach(|py| {
                 py.check_signals()?;
-                progress.call1(py, (played,))
+                progress.call1(py, (done,))
             });
             interrupted = told.err();
             interrupted.is_none()
         })
     });
-    if let Some(error) = interrupted {
-        return Err(error);
+    match interrupted {
+        Some(error) => Err(error),
+        None => found.map_err(|e| to_exception(py, &e)),
     }
-    to_dict(py, &evaluation.map_err(|e| to_exception(py, &e))?)
 }
 
 fn to_dict<'py>(py: Python<'py>, evaluation: &Evaluation) -> PyResult<Bound<'py, PyDict>> {
@@ -109,6 +123,164 @@ fn to_dict<'py>(py: Python<'py>, evaluation: &Evaluation) -> PyResult<Bound<'py,
         PyArray1::from_vec(py, places).reshape([evaluation.cue_ball_ends.len(), 2])?;
     dict.set_item("cue_ball_ends", ends)?;
     Ok(dict)
+}
+
+/// How likely a pot is from each cell, and the azimuths: arrays (rows, columns).
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
+pub(crate) fn pot_map<'py>(
+    py: Python<'py>,
+    shot: &Shot,
+    target: (usize, usize),
+    cells: [usize; 2],
+    noise: [f64; 5],
+    seed: u64,
+    variants: u64,
+    threads: usize,
+    progress: Py<PyAny>,
+) -> PyResult<[Bound<'py, PyArray2<f64>>; 2]> {
+    let shot = shot.0.clone();
+    let errs = Errs { noise: noise_of(noise), seed, variants };
+    let map = told(py, &progress, |tell| {
+        maps::pot_map(&shot, target, cells, &errs, count(threads), tell)
+    })?;
+    let shape = [cells[1], cells[0]];
+    let grid = |values| PyArray1::from_vec(py, values).reshape(shape);
+    Ok([grid(map.chance)?, grid(map.azimuth)?])
+}
+
+type Positions<'py> =
+    (Bound<'py, PyArray2<bool>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray3<f64>>);
+
+/// Whether the ball falls, azimuth, and the cue ball's end, for each speed (rows) and spin (columns).
+#[pyfunction]
+pub(crate) fn position_map<'py>(
+    py: Python<'py>,
+    shot: &Shot,
+    target: (usize, usize),
+    speeds: Vec<f64>,
+    spins: Vec<[f64; 2]>,
+    threads: usize,
+    progress: Py<PyAny>,
+) -> PyResult<Positions<'py>> {
+    let shot = shot.0.clone();
+    let map = told(py, &progress, |tell| {
+        maps::position_map(&shot, target, &speeds, &spins, count(threads), tell)
+    })?;
+    let (rows, columns) = (speeds.len(), spins.len());
+    Ok((
+        PyArray1::from_vec(py, map.met).reshape([rows, columns])?,
+        PyArray1::from_vec(py, map.azimuth).reshape([rows, columns])?,
+        PyArray1::from_vec(py, map.end.into_flattened()).reshape([rows, columns, 2])?,
+    ))
+}
+
+/// 1 where the ball falls, 0 where it does not, −1 where it cannot start: (speeds, angles, offsets).
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
+pub(crate) fn acceptance<'py>(
+    py: Python<'py>,
+    shot: &Shot,
+    pocket: usize,
+    speeds: Vec<f64>,
+    angles: Vec<f64>,
+    offsets: Vec<f64>,
+    distance: f64,
+    threads: usize,
+    progress: Py<PyAny>,
+) -> PyResult<Bound<'py, PyArray3<i8>>> {
+    let shot = shot.0.clone();
+    let approaches = Approaches { angles: &angles, offsets: &offsets, speeds: &speeds, distance };
+    let found = told(py, &progress, |tell| {
+        maps::acceptance(&shot, pocket, &approaches, count(threads), tell)
+    })?;
+    let number = |accepted: Accepted| match accepted {
+        Accepted::Falls => 1,
+        Accepted::Stays => 0,
+        Accepted::Nowhere => -1,
+    };
+    let flat: Vec<i8> = found.into_iter().map(number).collect();
+    PyArray1::from_vec(py, flat).reshape([speeds.len(), angles.len(), offsets.len()])
+}
+
+/// Racks `first`.. of a game broken with errors: as `simulate_batch`.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
+pub(crate) fn breaks<'py>(
+    py: Python<'py>,
+    game: &str,
+    table: Option<String>,
+    speed: Option<f64>,
+    gap: Option<f64>,
+    noise: [f64; 5],
+    seed: u64,
+    first: u64,
+    racks: usize,
+    threads: usize,
+) -> PyResult<Arrays<'py>> {
+    let raise = |e| to_exception(py, &e);
+    let game = Game::parse(game).map_err(raise)?;
+    let opening =
+        Break { game, table: table.as_deref(), speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
+    let found =
+        py.detach(|| maps::breaks(&opening, &noise_of(noise), first, racks, count(threads)));
+    arrays(py, found.map_err(raise)?)
+}
+
+/// A solution: speed, azimuth, elevation, side, height; kind and words of its way; the cue ball's end; how
+/// often the goal was met, of how many variants, and the interval.
+type Solved = ([f64; 5], String, String, [f64; 2], u64, u64, (f64, f64));
+
+/// The strikes that meet a goal, the likeliest first. `pot`: ball, and pocket if it matters; `leave`: a disc's
+/// centre and radius; `first`: the ball to hit. `limits`: least and greatest speed, largest offset.
+/// `counts`: samples, variants, solutions wanted, of them by one way.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
+pub(crate) fn solve(
+    py: Python<'_>,
+    shot: &Shot,
+    pot: Option<(usize, Option<usize>)>,
+    leave: Option<([f64; 2], f64)>,
+    first: Option<usize>,
+    limits: [f64; 3],
+    counts: (usize, u64, usize, usize),
+    noise: [f64; 5],
+    seed: u64,
+    level: f64,
+    threads: usize,
+) -> PyResult<Vec<Solved>> {
+    let shot = shot.0.clone();
+    let leave = leave.map(|(center, radius)| Disc { center, radius });
+    let goal = Goal { pot, leave, first };
+    let [least, most, offset] = limits;
+    let (samples, variants, wanted, of_a_way) = counts;
+    let search = Search {
+        speed: [least, most],
+        offset,
+        samples,
+        noise: noise_of(noise),
+        seed,
+        variants,
+        wanted,
+        of_a_way,
+        level,
+        threads: count(threads),
+    };
+    let found = py.detach(|| carom_plan::solve(&shot, &goal, &search));
+    let solutions = found.map_err(|e| to_exception(py, &e))?;
+    let row = |s: carom_plan::Solution| {
+        let Strike { speed, azimuth, elevation, side, height } = s.strike;
+        (
+            [speed, azimuth, elevation, side, height],
+            s.way.kind(),
+            s.way.words(&shot),
+            s.cue_ball_end,
+            s.met,
+            s.variants,
+            (s.interval.low, s.interval.high),
+        )
+    };
+    Ok(solutions.into_iter().map(row).collect())
 }
 
 /// The Wilson interval of `hits` among `trials`.

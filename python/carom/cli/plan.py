@@ -1,16 +1,20 @@
-"""``carom evaluate``: the chances of a shot."""
+"""``carom evaluate``, ``solve``, ``map`` and ``stats``: questions about shots."""
 
 from __future__ import annotations
 
 import json as js
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from carom.cli.output import emit, read, save
 
+if TYPE_CHECKING:
+    from carom.picture.maps import Drawn
+
+File = Annotated[str, typer.Argument(metavar="FILE", help="A shot file; - is stdin.")]
 NoiseName = Annotated[
     str,
     typer.Option(
@@ -27,7 +31,7 @@ Json = Annotated[bool, typer.Option("--json", help="Print the answer as JSON.")]
 
 
 def evaluate(
-    file: Annotated[str, typer.Argument(metavar="FILE", help="A shot file; - is stdin.")],
+    file: File,
     noise: NoiseName = "olympiad",
     n: Annotated[int, typer.Option("-n", min=1, help="How many variants, at most.")] = 10_000,
     seed: Seed = 0,
@@ -49,13 +53,12 @@ def evaluate(
     from carom.picture import evaluation as picture
 
     shot = Shot.from_json(read(file))
-    ball, colon, pocket = (watch or "").partition(":")
     answer = shot.evaluate(
         Noise.preset(noise),
         n,
         seed=seed,
         precision=precision,
-        watch=(ball, pocket) if colon else watch,
+        watch=None if watch is None else _ball_and_pocket(watch),
         level=level,
         progress=sys.stderr.isatty(),
     )
@@ -65,3 +68,225 @@ def evaluate(
     if png is not None:
         save(png, picture.png(answer, title=title))
     emit(js.dumps(answer.to_dict()) if json else str(answer))
+
+
+def solve(
+    file: File,
+    pot: Annotated[
+        str | None, typer.Option(metavar="BALL[:POCKET]", help="A ball that falls.")
+    ] = None,
+    leave: Annotated[
+        str | None,
+        typer.Option(metavar="X,Y,R", help="A disc in which the cue ball comes to rest, m."),
+    ] = None,
+    first: Annotated[
+        str | None, typer.Option(metavar="BALL", help="The ball that is hit before any other.")
+    ] = None,
+    noise: NoiseName = "olympiad",
+    wanted: Annotated[int, typer.Option(min=1, help="How many strikes.")] = 10,
+    n: Annotated[int, typer.Option("-n", min=1, help="Variants behind each chance.")] = 1000,
+    seed: Seed = 0,
+    json: Json = False,
+) -> None:
+    """Print the strikes that do what is wanted, the likeliest first."""
+    from carom import Noise, Shot
+
+    shot = Shot.from_json(read(file))
+    found = shot.solve(
+        pot=None if pot is None else _ball_and_pocket(pot),
+        leave=None if leave is None else _disc(leave),
+        first=first,
+        noise=Noise.preset(noise),
+        wanted=wanted,
+        n=n,
+        seed=seed,
+    )
+    if json:
+        emit(js.dumps([solution.to_dict() for solution in found]))
+    else:
+        emit("\n".join(map(str, found)) or "no strike was found")
+
+
+maps = typer.Typer(help="Maps: one question asked over a grid.", no_args_is_help=True)
+stats = typer.Typer(help="Statistics of many shots.", no_args_is_help=True)
+
+
+@maps.command("pot")
+def map_pot(
+    file: File,
+    ball: Annotated[str, typer.Option(help="The ball that is to fall.")],
+    pocket: Annotated[str, typer.Option(help="Where.")],
+    noise: NoiseName = "olympiad",
+    columns: Annotated[int, typer.Option(min=1, help="Cells along the width.")] = 32,
+    n: Annotated[int, typer.Option("-n", min=1, help="Variants of each cell.")] = 200,
+    seed: Seed = 0,
+    json: Json = False,
+    svg: Svg = None,
+    png: Png = None,
+) -> None:
+    """Print how likely a pot is from every place of the cue ball."""
+    from carom import Noise, Shot, pot_map
+
+    shot = Shot.from_json(read(file))
+    found = pot_map(
+        shot,
+        ball,
+        pocket,
+        noise=Noise.preset(noise),
+        columns=columns,
+        n=n,
+        seed=seed,
+        progress=sys.stderr.isatty(),
+    )
+    rows = {"x": found.x, "y": found.y, "chance": found.chance, "azimuth": found.azimuth}
+    _show(found, rows, json=json, svg=svg, png=png)
+
+
+@maps.command("position")
+def map_position(
+    file: File,
+    ball: Annotated[str, typer.Option(help="The ball that is to fall.")],
+    pocket: Annotated[str, typer.Option(help="Where.")],
+    speed: Annotated[str, typer.Option(help="Speeds of the cue, m/s: FROM:TO:COUNT.")] = "0.8:4:65",
+    height: Annotated[
+        str, typer.Option(help="Contact heights, ball radii: FROM:TO:COUNT.")
+    ] = "-0.4:0.4:5",
+    side: Annotated[float, typer.Option(help="Contact point right of centre, ball radii.")] = 0.0,
+    json: Json = False,
+    svg: Svg = None,
+    png: Png = None,
+) -> None:
+    """Print where the cue ball ends with every speed and spin."""
+    from carom import Shot, position_map
+
+    found = position_map(
+        Shot.from_json(read(file)),
+        ball,
+        pocket,
+        speed=_steps("speed", speed),
+        height=_steps("height", height),
+        side=side,
+        progress=sys.stderr.isatty(),
+    )
+    rows = {
+        "speed": found.speed,
+        "side": found.side,
+        "height": found.height,
+        "falls": found.falls,
+        "azimuth": found.azimuth,
+        "end": found.end,
+    }
+    _show(found, rows, json=json, svg=svg, png=png)
+
+
+@maps.command("pocket")
+def map_pocket(
+    file: File,
+    pocket: Annotated[str, typer.Option(help="Which.")],
+    distance: Annotated[float, typer.Option(help="From the start to the mouth, m.")] = 0.3,
+    json: Json = False,
+    svg: Svg = None,
+    png: Png = None,
+) -> None:
+    """Print which balls that roll at a pocket of the file's table it takes."""
+    from carom import Shot, acceptance
+
+    shot = Shot.from_json(read(file))
+    found = acceptance(shot, pocket, distance=distance, progress=sys.stderr.isatty())
+    rows = {
+        "speed": found.speed,
+        "angle": found.angle,
+        "offset": found.offset,
+        "width": found.width,
+        "accepted": found.accepted,
+    }
+    _show(found, rows, json=json, svg=svg, png=png)
+
+
+@stats.command("break")
+def stats_break(
+    game: Annotated[str, typer.Option(help="As for carom break.")] = "nine-ball",
+    racks: Annotated[int, typer.Option("-n", min=1, help="How many.")] = 1000,
+    noise: NoiseName = "olympiad",
+    speed: Annotated[float | None, typer.Option(help="The cue's speed, m/s.")] = None,
+    table: Annotated[str | None, typer.Option(help="A table's preset.")] = None,
+    gap: Annotated[float | None, typer.Option(help="Mean gap between the balls, m.")] = None,
+    seed: Seed = 0,
+    json: Json = False,
+    svg: Svg = None,
+    png: Png = None,
+) -> None:
+    """Break many racks; print how often what falls."""
+    from carom import Noise, break_statistics
+
+    found = break_statistics(
+        game,
+        racks,
+        noise=Noise.preset(noise),
+        table=table,
+        speed=speed,
+        gap=gap,
+        seed=seed,
+        progress=sys.stderr.isatty(),
+    )
+    _draw(found, svg=svg, png=png)
+    emit(js.dumps(found.to_dict()) if json else str(found))
+
+
+def _show(
+    found: Drawn, rows: dict[str, Any], *, json: bool, svg: Path | None, png: Path | None
+) -> None:
+    """Pictures to files, numbers to stdout: as JSON, or the first axis as lines of text."""
+    from carom.plan import or_null
+
+    _draw(found, svg=svg, png=png)
+    if json:
+        emit(js.dumps({name: or_null(values.tolist()) for name, values in rows.items()}))
+        return
+    for name, values in rows.items():
+        if values.ndim <= 2 and name != "azimuth":
+            emit(f"{name}: {values.tolist()}" if values.ndim == 1 else f"{name}:")
+        if values.ndim == 2 and name != "azimuth":
+            lines = (" ".join(f"{value:6.3f}" for value in row) for row in values.tolist())
+            emit("\n".join(lines))
+
+
+def _draw(found: Drawn, *, svg: Path | None, png: Path | None) -> None:
+    from carom.picture import maps as picture
+
+    if svg is not None:
+        save(svg, picture.svg(found))
+    if png is not None:
+        save(png, picture.png(found))
+
+
+def _ball_and_pocket(text: str) -> str | tuple[str, str]:
+    ball, colon, pocket = text.partition(":")
+    return (ball, pocket) if colon else ball
+
+
+def _numbers(name: str, text: str, separator: str, shape: str) -> list[float]:
+    from carom.errors import InputError
+
+    try:
+        numbers = [float(part) for part in text.split(separator)]
+    except ValueError:
+        numbers = []
+    if len(numbers) != 3:
+        raise InputError(f"{name}: {text!r} is not {shape}; write three numbers")
+    return numbers
+
+
+def _disc(text: str) -> tuple[tuple[float, float], float]:
+    x, y, radius = _numbers("leave", text, ",", "X,Y,R")
+    return (x, y), radius
+
+
+def _steps(name: str, text: str) -> list[float]:
+    from carom.errors import InputError
+
+    start, end, count = _numbers(name, text, ":", "FROM:TO:COUNT")
+    if not (count.is_integer() and 1 <= count <= 10_000):
+        raise InputError(f"{name}: {count:g} is no count of steps; write 1 to 10000")
+    steps = max(1, int(count) - 1)
+    return [start + (end - start) * k / steps for k in range(int(count))]

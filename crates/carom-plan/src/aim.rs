@@ -1,0 +1,246 @@
+//! Where to aim: by geometry first, then by the engine.
+//!
+//! Geometry knows the ghost ball (where the cue ball must be to send a ball on a line) and mirror images
+//! (where a target seems to be behind a cushion). It knows nothing of throw, squirt, slip and of what spin
+//! does at a cushion: that is what [`refine`] finds, by playing the shot.
+
+use carom::Shot;
+use carom::math::{Vec2, asin, atan2};
+use carom::resolve::cue_ball::Strike;
+
+use crate::goal::{Attempt, Goal, Player};
+
+/// First steps of the refinement: azimuth (rad), speed (as a share), side and height (ball radii).
+const FIRST_STEPS: [f64; 4] = [4e-3, 0.05, 0.05, 0.05];
+/// It ends when the step of the azimuth is less than this, rad: 0.02 mm over the length of a table.
+const LEAST_STEP: f64 = 1e-5;
+/// Plays that one refinement may take.
+const MOST_PLAYS: u32 = 90;
+
+/// First step to the side from an azimuth that meets the goal, rad, and the most that is looked at: 3°.
+const FIRST_WIDTH: f64 = 2e-4;
+const MOST_WIDTH: f64 = 0.05;
+/// Halvings of the last step: the edge is known to a sixteenth of it.
+const HALVINGS: u32 = 4;
+
+/// Rays across a ball's apparent width along which it may be hit.
+const RAYS: usize = 24;
+
+/// Azimuths (rad) that geometry proposes for `goal`.
+pub(crate) fn azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
+    let scene = Scene::new(shot);
+    let mut points = Vec::new();
+    if let Some((ball, pocket)) = goal.pot {
+        scene.pots(ball, pocket, &mut points);
+    }
+    let mut found: Vec<f64> =
+        points.iter().map(|point| direction(scene.cue_ball(), *point)).collect();
+    if let Some(ball) = goal.first {
+        scene.hits(ball, &mut found);
+    }
+    found
+}
+
+/// The azimuth (rad) of the straight pot of `ball` into `pocket`, as geometry sees it.
+pub(crate) fn straight(shot: &Shot, ball: usize, pocket: usize) -> f64 {
+    let scene = Scene::new(shot);
+    let ghost = scene.ghost(ball, shot.table().pockets[pocket].center, scene.cue);
+    direction(scene.cue_ball(), ghost)
+}
+
+/// The balls and what their centres can reach, in the engine's frame.
+struct Scene<'a> {
+    shot: &'a Shot,
+    cue: usize,
+    places: Vec<Vec2>,
+}
+
+impl<'a> Scene<'a> {
+    fn new(shot: &'a Shot) -> Self {
+        let center = shot.table().center();
+        let places = shot.balls().iter().map(|b| b.state.position.xy() - center).collect();
+        Self { shot, cue: shot.cue_ball().unwrap_or_default(), places }
+    }
+
+    fn cue_ball(&self) -> Vec2 {
+        self.places[self.cue]
+    }
+
+    fn radius(&self, ball: usize) -> f64 {
+        self.shot.balls()[ball].ball.radius
+    }
+
+    /// The object balls.
+    fn objects(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.places.len()).filter(|ball| *ball != self.cue)
+    }
+
+    /// Where ball `by` must be when it sends `ball` to `target`.
+    fn ghost(&self, ball: usize, target: Vec2, by: usize) -> Vec2 {
+        let way = target - self.places[ball];
+        self.places[ball] - way * ((self.radius(ball) + self.radius(by)) / way.length())
+    }
+
+    /// `point`, and its images behind up to `cushions` of them, as the centre of `ball` sees them.
+    fn images(&self, point: Vec2, ball: usize, cushions: u32) -> Vec<Vec2> {
+        let table = self.shot.table();
+        let size = table.size;
+        let mut all = vec![point];
+        if !(size.x.is_finite() && size.y.is_finite()) {
+            return all;
+        }
+        let reach = table.reach(self.radius(ball));
+        let (x, y) = (size.x - 2.0 * reach, size.y - 2.0 * reach);
+        let mut last = vec![(point, 4)];
+        for _ in 0..cushions {
+            let mut next = Vec::new();
+            for (p, before) in last {
+                let mirrored = [
+                    Vec2::new(x - p.x, p.y),
+                    Vec2::new(-x - p.x, p.y),
+                    Vec2::new(p.x, y - p.y),
+                    Vec2::new(p.x, -y - p.y),
+                ];
+                next.extend(mirrored.into_iter().zip(0..).filter(|(_, side)| *side != before));
+            }
+            all.extend(next.iter().map(|(p, _)| *p));
+            last = next;
+        }
+        all
+    }
+
+    /// Points to send the cue ball at so that `ball` falls.
+    fn pots(&self, ball: usize, pocket: Option<usize>, points: &mut Vec<Vec2>) {
+        let pockets = self.shot.table().pockets.iter().enumerate();
+        for (_, hole) in pockets.filter(|(i, _)| pocket.is_none_or(|p| p == *i)) {
+            let targets = self.images(hole.center, ball, 2);
+            // Straight and banked, kicked, in combination.
+            points.extend(targets.iter().map(|target| self.ghost(ball, *target, self.cue)));
+            let ghost = self.ghost(ball, hole.center, self.cue);
+            points.extend(self.images(ghost, self.cue, 2).into_iter().skip(1));
+            for by in self.objects().filter(|by| *by != ball) {
+                for target in &targets[..targets.len().min(5)] {
+                    points.push(self.ghost(by, self.ghost(ball, *target, by), self.cue));
+                }
+            }
+        }
+        // Off another ball: which line that takes is for the engine to find.
+        let cue_ball = self.cue_ball();
+        for by in self.objects().filter(|by| *by != ball) {
+            points.extend(self.rays(by, self.places[by]).map(|azimuth| {
+                let (sin, cos) = carom::math::sin_cos(azimuth);
+                cue_ball + Vec2::new(cos, sin)
+            }));
+        }
+    }
+
+    /// Azimuths at which the cue ball may come to `ball`, straight or off up to two cushions.
+    fn hits(&self, ball: usize, found: &mut Vec<f64>) {
+        for image in self.images(self.places[ball], self.cue, 2) {
+            found.extend(self.rays(ball, image));
+        }
+    }
+
+    /// Azimuths across the apparent width of `ball`, were it at `place`.
+    fn rays(&self, ball: usize, place: Vec2) -> impl Iterator<Item = f64> + use<> {
+        let middle = direction(self.cue_ball(), place);
+        let reach = self.radius(self.cue) + self.radius(ball);
+        let distance = (place - self.cue_ball()).length();
+        let half = asin((reach / distance).min(1.0));
+        (0..RAYS).map(move |k| middle + half * ((2 * k + 1) as f64 / RAYS as f64 - 1.0))
+    }
+}
+
+fn direction(from: Vec2, to: Vec2) -> f64 {
+    let way = to - from;
+    atan2(way.y, way.x)
+}
+
+/// A strike, and what comes of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Tried {
+    pub(crate) strike: Strike,
+    pub(crate) attempt: Attempt,
+}
+
+/// What may change when a strike is refined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Free {
+    /// The azimuth alone.
+    Azimuth,
+    /// Azimuth, speed and both tip offsets.
+    All,
+}
+
+/// Makes a miss smaller: pattern search (Hooke & Jeeves 1961), one parameter at a time, steps halved where
+/// none helps.
+pub(crate) fn refine<const N: usize>(
+    player: &mut Player<'_, N>,
+    start: Tried,
+    free: Free,
+) -> Tried {
+    let mut best = start;
+    let mut steps = FIRST_STEPS;
+    let parameters = if free == Free::Azimuth { 1 } else { steps.len() };
+    let mut plays = 0;
+    while !best.attempt.is_met() && steps[0] > LEAST_STEP && plays < MOST_PLAYS {
+        let mut helped = false;
+        for (parameter, step) in steps.iter().enumerate().take(parameters) {
+            for sign in [1.0, -1.0] {
+                let strike = moved(&best.strike, parameter, sign * step);
+                plays += 1;
+                let Some(attempt) = player.play(&strike) else { continue };
+                if attempt.miss < best.attempt.miss {
+                    best = Tried { strike, attempt };
+                    helped = true;
+                    break;
+                }
+            }
+        }
+        if !helped {
+            steps.iter_mut().for_each(|step| *step *= 0.5);
+        }
+    }
+    best
+}
+
+fn moved(strike: &Strike, parameter: usize, by: f64) -> Strike {
+    let mut strike = *strike;
+    match parameter {
+        0 => strike.azimuth += by,
+        1 => strike.speed *= 1.0 + by,
+        2 => strike.side += by,
+        _ => strike.height += by,
+    }
+    strike
+}
+
+/// Moves the azimuth of a strike that meets its goal to the middle between those, on either side, that no
+/// longer do: what errs least often.
+pub(crate) fn center<const N: usize>(player: &mut Player<'_, N>, found: Tried) -> Tried {
+    let mut edge = |sign: f64| {
+        let turned = |by: f64| moved(&found.strike, 0, sign * by);
+        let mut meets = |by: f64| player.play(&turned(by)).is_some_and(|a| a.is_met());
+        let (mut inside, mut width) = (0.0, FIRST_WIDTH);
+        while width < MOST_WIDTH && meets(width) {
+            inside = width;
+            width *= 2.0;
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (inside + width);
+            if meets(middle) {
+                inside = middle;
+            } else {
+                width = middle;
+            }
+        }
+        inside
+    };
+    let (left, right) = (edge(1.0), edge(-1.0));
+    let strike = moved(&found.strike, 0, 0.5 * (left - right));
+    match player.play(&strike) {
+        Some(attempt) if attempt.is_met() => Tried { strike, attempt },
+        // The goal is met in several pieces, and the middle lies between two.
+        _ => found,
+    }
+}

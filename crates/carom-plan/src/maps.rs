@@ -1,0 +1,360 @@
+//! Maps: one question asked over a grid.
+//!
+//! Cells are worked on in parallel, a row at a time; no answer depends on the number of threads. `progress` is
+//! told after every row how many rows are done, and says whether to go on; what is not done by then stays
+//! NaN.
+
+use carom::batch::{self, BatchResult};
+use carom::event::{Event, EventKind, Recorder};
+use carom::math::{Vec2, Vec3};
+use carom::rack::{Break, break_shot};
+use carom::resolve::cue_ball::Strike;
+use carom::shot::PlacedBall;
+use carom::simulate::{MAX_BALLS, SMALL, Simulation};
+use carom::{BallState, Error, Noise, Shot};
+use rayon::prelude::*;
+
+use crate::aim::{Free, Tried, center, refine, straight};
+use crate::goal::{Goal, Player};
+
+/// Told how much is done; says whether to go on.
+pub type Progress<'a> = &'a mut dyn FnMut(usize) -> bool;
+
+/// How a player errs, and how many variants are counted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errs {
+    /// How far a strike strays.
+    pub noise: Noise,
+    /// Which random numbers.
+    pub seed: u64,
+    /// Variants of every cell; the same errors in each.
+    pub variants: u64,
+}
+
+/// The chance of a pot from every place of the cue ball.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PotMap {
+    /// Cells along x and y; cell (i, j) is at ((i + ½) width / columns, (j + ½) length / rows).
+    pub cells: [usize; 2],
+    /// The chance that the ball falls and the cue ball does not, row by row; NaN where the cue ball cannot
+    /// lie.
+    pub chance: Vec<f64>,
+    /// The azimuth that was aimed at, rad.
+    pub azimuth: Vec<f64>,
+}
+
+/// How likely `ball` is potted straight into `pocket` with the cue ball anywhere on the table, struck with
+/// `shot`'s own speed and spin. For every place the aim is refined until it pots exactly, and turned to the
+/// middle of what pots.
+///
+/// # Errors
+/// What [`Goal::check`] and [`Noise::check`] refuse, and a table without edges.
+pub fn pot_map(
+    shot: &Shot,
+    (ball, pocket): (usize, usize),
+    cells: [usize; 2],
+    errs: &Errs,
+    threads: Option<usize>,
+    progress: Progress<'_>,
+) -> Result<PotMap, Error> {
+    let goal = Goal { pot: Some((ball, Some(pocket))), ..Goal::default() };
+    goal.check(shot)?;
+    errs.noise.check()?;
+    let size = table_size(shot)?;
+    let [columns, rows] = cells;
+    let at = |k: usize, count: usize, size: f64| (k as f64 + 0.5) * size / count as f64;
+    let (mut chance, mut azimuth) =
+        (vec![f64::NAN; columns * rows], vec![f64::NAN; columns * rows]);
+    for row in 0..rows {
+        let found: Vec<[f64; 2]> = crate::with_threads(threads, || {
+            (0..columns)
+                .into_par_iter()
+                .map(|column| {
+                    let place = [at(column, columns, size.x), at(row, rows, size.y)];
+                    pot_from(shot, place, &goal, (ball, pocket), errs).unwrap_or([f64::NAN; 2])
+                })
+                .collect()
+        });
+        for (column, [share, aimed]) in found.into_iter().enumerate() {
+            chance[row * columns + column] = share;
+            azimuth[row * columns + column] = aimed;
+        }
+        if !progress(row + 1) {
+            break;
+        }
+    }
+    Ok(PotMap { cells, chance, azimuth })
+}
+
+/// Chance and azimuth with the cue ball at `place`; none where it cannot lie.
+fn pot_from(
+    shot: &Shot,
+    [x, y]: [f64; 2],
+    goal: &Goal,
+    (ball, pocket): (usize, usize),
+    errs: &Errs,
+) -> Option<[f64; 2]> {
+    let (cue_ball, strike) = shot.strike()?;
+    let mut balls = shot.balls().to_vec();
+    let z = balls[cue_ball].state.position.z;
+    balls[cue_ball].state.position = Vec3::new(x, y, z);
+    let moved = shot.with_balls(balls, Some((cue_ball, strike))).ok()?;
+    let aimed = Strike { azimuth: straight(&moved, ball, pocket), ..strike };
+    let (strike, met) = on_table(&moved, *goal, |player| {
+        let best = player.aim(aimed)?;
+        Some((best.strike, player.count(&best.strike, errs)))
+    })?;
+    Some([met as f64 / errs.variants as f64, strike.azimuth])
+}
+
+/// Where the cue ball ends with every speed and spin.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PositionMap {
+    /// Whether the ball falls and the cue ball does not: speed by speed, spin by spin.
+    pub met: Vec<bool>,
+    /// The azimuth, rad, with which it does; NaN for strikes that cannot be played.
+    pub azimuth: Vec<f64>,
+    /// Where the cue ball comes to rest, m.
+    pub end: Vec<[f64; 2]>,
+}
+
+/// Pots `ball` into `pocket` with each of `speeds` (m/s) and `spins` (side and height, ball radii), aimed anew
+/// each time, without noise.
+///
+/// # Errors
+/// What [`Goal::check`] refuses.
+pub fn position_map(
+    shot: &Shot,
+    (ball, pocket): (usize, usize),
+    speeds: &[f64],
+    spins: &[[f64; 2]],
+    threads: Option<usize>,
+    progress: Progress<'_>,
+) -> Result<PositionMap, Error> {
+    let goal = Goal { pot: Some((ball, Some(pocket))), ..Goal::default() };
+    goal.check(shot)?;
+    let mut map = PositionMap { met: Vec::new(), azimuth: Vec::new(), end: Vec::new() };
+    let geometric = straight(shot, ball, pocket);
+    for (row, &speed) in speeds.iter().enumerate() {
+        let found: Vec<Option<Tried>> = crate::with_threads(threads, || {
+            spins
+                .par_iter()
+                .map(|&[side, height]| {
+                    let (_, strike) = shot.strike()?;
+                    let strike = Strike { speed, azimuth: geometric, side, height, ..strike };
+                    on_table(shot, goal, |player| player.aim(strike))
+                })
+                .collect()
+        });
+        for tried in found {
+            map.met.push(tried.as_ref().is_some_and(|t| t.attempt.is_met()));
+            map.azimuth.push(tried.as_ref().map_or(f64::NAN, |t| t.strike.azimuth));
+            map.end.push(tried.map_or([f64::NAN; 2], |t| t.attempt.cue_ball_end));
+        }
+        if !progress(row + 1) {
+            break;
+        }
+    }
+    let cells = speeds.len() * spins.len();
+    map.met.resize(cells, false);
+    map.azimuth.resize(cells, f64::NAN);
+    map.end.resize(cells, [f64::NAN; 2]);
+    Ok(map)
+}
+
+/// A player of either size.
+struct AnyPlayer<'a> {
+    few: Option<Player<'a, SMALL>>,
+    many: Option<Player<'a, MAX_BALLS>>,
+}
+
+impl AnyPlayer<'_> {
+    fn aim(&mut self, strike: Strike) -> Option<Tried> {
+        match (&mut self.few, &mut self.many) {
+            (Some(player), _) => aim(player, strike),
+            (_, Some(player)) => aim(player, strike),
+            _ => None,
+        }
+    }
+
+    fn count(&mut self, strike: &Strike, errs: &Errs) -> u64 {
+        let Errs { noise, seed, variants } = errs;
+        match (&mut self.few, &mut self.many) {
+            (Some(player), _) => player.count(strike, noise, *seed, *variants),
+            (_, Some(player)) => player.count(strike, noise, *seed, *variants),
+            _ => 0,
+        }
+    }
+}
+
+fn on_table<T>(
+    shot: &Shot,
+    goal: Goal,
+    work: impl FnOnce(&mut AnyPlayer<'_>) -> Option<T>,
+) -> Option<T> {
+    let few = shot.balls().len() <= SMALL;
+    let mut player = AnyPlayer {
+        few: few.then(|| Player::new(shot, goal)),
+        many: (!few).then(|| Player::new(shot, goal)),
+    };
+    work(&mut player)
+}
+
+/// `strike` with the azimuth that comes nearest to the goal; none if it cannot be played.
+fn aim<const N: usize>(player: &mut Player<'_, N>, strike: Strike) -> Option<Tried> {
+    let attempt = player.play(&strike)?;
+    let best = refine(player, Tried { strike, attempt }, Free::Azimuth);
+    Some(if best.attempt.is_met() { center(player, best) } else { best })
+}
+
+/// What a pocket takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Accepted {
+    /// The ball falls into it.
+    Falls,
+    /// It does not.
+    Stays,
+    /// It cannot start there.
+    Nowhere,
+}
+
+/// From where balls roll at a pocket.
+#[derive(Clone, Copy, Debug)]
+pub struct Approaches<'a> {
+    /// Angles to the pocket's axis, rad; positive ones come from the right of it, seen from the pocket.
+    pub angles: &'a [f64],
+    /// How far to the right of the mouth's middle the line passes, m, seen along it.
+    pub offsets: &'a [f64],
+    /// Speeds at the start, m/s; the ball rolls.
+    pub speeds: &'a [f64],
+    /// From the start to the mouth's middle, m.
+    pub distance: f64,
+}
+
+/// Which balls, rolling at `pocket` of `shot`'s table, it takes: speed by speed, angle by angle, offset by
+/// offset. Only the table and the physics of `shot` count; the ball is the physics' own.
+///
+/// # Errors
+/// [`Error::Input`] if there is no such pocket, or for a distance that is not positive.
+pub fn acceptance(
+    shot: &Shot,
+    pocket: usize,
+    approaches: &Approaches<'_>,
+    threads: Option<usize>,
+    progress: Progress<'_>,
+) -> Result<Vec<Accepted>, Error> {
+    let Some(hole) = shot.table().pockets.get(pocket) else {
+        return Err(Error::input("pocket", format!("there is no pocket {pocket}"), "count from 0"));
+    };
+    if !(approaches.distance > 0.0 && approaches.distance.is_finite()) {
+        return Err(Error::input("distance", "it is no distance", "give a number of metres > 0"));
+    }
+    let mouth = (hole.mouth[0] + hole.mouth[1]) * 0.5 + shot.table().center();
+    let mut all = Vec::new();
+    for (row, &speed) in approaches.speeds.iter().enumerate() {
+        let roll = |cell: usize| {
+            let angle = approaches.angles[cell / approaches.offsets.len()];
+            let offset = approaches.offsets[cell % approaches.offsets.len()];
+            let (sin, cos) = carom::math::sin_cos(angle);
+            let way = hole.axis * cos + hole.axis.perp() * sin;
+            let start = mouth - way * approaches.distance - way.perp() * offset;
+            rolls_in(shot, pocket, start, way * speed)
+        };
+        let cells = approaches.angles.len() * approaches.offsets.len();
+        let found: Vec<Accepted> =
+            crate::with_threads(threads, || (0..cells).into_par_iter().map(roll).collect());
+        all.extend(found);
+        if !progress(row + 1) {
+            break;
+        }
+    }
+    let cells = approaches.speeds.len() * approaches.angles.len() * approaches.offsets.len();
+    all.resize(cells, Accepted::Nowhere);
+    Ok(all)
+}
+
+fn rolls_in(shot: &Shot, pocket: usize, start: Vec2, velocity: Vec2) -> Accepted {
+    let ball = shot.physics().ball;
+    let spin = velocity.perp() * (1.0 / ball.radius);
+    let state = BallState {
+        position: start.with_z(ball.radius),
+        velocity: velocity.with_z(0.0),
+        angular_velocity: spin.with_z(0.0),
+        ..BallState::default()
+    };
+    let placed = PlacedBall { id: "1".into(), ball, state };
+    let Ok(rolling) = shot.with_balls(vec![placed], None) else { return Accepted::Nowhere };
+    let mut fall = Fall(None);
+    let played = Simulation::<SMALL>::new().play(&rolling, &mut fall);
+    match (played, fall.0) {
+        (Ok(_), Some(into)) if into == pocket => Accepted::Falls,
+        (Ok(_), _) => Accepted::Stays,
+        (Err(_), _) => Accepted::Nowhere,
+    }
+}
+
+/// Notes which pocket a ball fell into.
+struct Fall(Option<usize>);
+
+impl Recorder for Fall {
+    const STATES: bool = false;
+
+    fn record(&mut self, event: &Event<'_>) {
+        if let EventKind::PocketCollision(pocket) = event.kind {
+            self.0 = Some(usize::from(pocket));
+        }
+    }
+}
+
+/// Breaks racks number `first`.. of the seed in `opening`, each with the strike that comes out of its own error:
+/// row k is rack `opening.seed` + `first` + k, struck with error number `first` + k of that seed. Racks have
+/// their balls in various orders; the columns have them as rack `opening.seed` has.
+///
+/// # Errors
+/// As [`break_shot`] and [`Noise::check`].
+pub fn breaks(
+    opening: &Break<'_>,
+    noise: &Noise,
+    first: u64,
+    count: usize,
+    threads: Option<usize>,
+) -> Result<BatchResult, Error> {
+    noise.check()?;
+    let columns = break_shot(opening)?;
+    let one = |k: u64| {
+        let seed = opening.seed.wrapping_add(k);
+        let shot = break_shot(&Break { seed, ..*opening })?;
+        let strikes = batch::draw_strikes(&shot, noise, opening.seed, k, 1)?;
+        let row = batch::simulate_strikes(&shot, &strikes, None, &|_| ());
+        Ok(reordered(row, &shot, &columns))
+    };
+    let rows: Result<Vec<BatchResult>, Error> = crate::with_threads(threads, || {
+        (0..count as u64).into_par_iter().map(|k| one(first.wrapping_add(k))).collect()
+    });
+    let mut all = BatchResult { shots: count, ..BatchResult::default() };
+    for (k, row) in rows?.into_iter().enumerate() {
+        all.balls = row.balls;
+        all.final_position.extend(row.final_position);
+        all.pocket.extend(row.pocket);
+        all.events.extend(row.events);
+        all.errors.extend(row.errors.into_iter().map(|(_, error)| (k, error)));
+    }
+    Ok(all)
+}
+
+/// The one row of `shot` with its balls in the order of `columns`.
+fn reordered(mut row: BatchResult, shot: &Shot, columns: &Shot) -> BatchResult {
+    let places: Vec<usize> =
+        columns.balls().iter().filter_map(|ball| shot.ball_index(&ball.id)).collect();
+    row.pocket = places.iter().map(|i| row.pocket[*i]).collect();
+    row.final_position = places.iter().map(|i| row.final_position[*i]).collect();
+    row
+}
+
+fn table_size(shot: &Shot) -> Result<Vec2, Error> {
+    let size = shot.table().size;
+    if size.x.is_finite() && size.y.is_finite() {
+        return Ok(size);
+    }
+    Err(Error::input("table", "the cloth has no edges", "choose a table"))
+}

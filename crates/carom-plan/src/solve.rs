@@ -1,0 +1,306 @@
+//! Which strikes do what is wanted: searched everywhere, refined, ranked by their chance.
+//!
+//! 1. **Everywhere.** Every azimuth that geometry proposes ([`crate::aim`]) with a few speeds and spins, and
+//!    points spread evenly over azimuth × speed × spin (the additive recurrence R of Roberts 2018), are
+//!    played. Each tells by how much it misses ([`Goal`]) and by which way ([`Way`]).
+//! 2. **Refined.** Of every way the nearest are refined until they meet the goal, and turned to the middle of
+//!    the azimuths that do.
+//! 3. **Ranked.** What is left is played many times under noise, all with the same errors, and sorted by how
+//!    often the goal is met.
+//!
+//! Nothing in this depends on the number of threads.
+
+use carom::math::{cos, exp, log, sin_cos, sqrt};
+use carom::noise::Noise;
+use carom::resolve::cue_ball::Strike;
+use carom::simulate::{MAX_BALLS, SMALL};
+use carom::{Error, Shot};
+use rayon::prelude::*;
+use std::collections::HashMap;
+
+use crate::aim::{Free, Tried, azimuths, center, refine};
+use crate::goal::{Goal, Player};
+use crate::interval::{Interval, wilson};
+use crate::way::Way;
+
+/// Speeds and spins that every azimuth of the geometry is tried with.
+const SPINS: usize = 16;
+/// Strikes of one way that are refined, the nearest, and ways that are, the simplest.
+const REFINED_OF_A_WAY: usize = 6;
+const REFINED_WAYS: usize = 96;
+/// Misses beyond this are not refined, m: steps of a degree do not bridge it.
+const TOO_FAR: f64 = 0.6;
+/// Variants for the first ranking; the best then get as many as were asked for.
+const FIRST_VARIANTS: u64 = 128;
+/// How many times more strikes than are wanted survive it.
+const SURVIVORS: usize = 3;
+/// Two strikes of one way are different when they differ by this much in speed (as a share) or in a tip
+/// offset (ball radii).
+const DIFFERENT: f64 = 0.15;
+/// A raised cue is raised this much more than it must be, rad (half a degree): to be seen to be clear.
+const CLEARANCE: f64 = 0.008_726_646_259_971_648;
+
+/// What may be tried, and how hard.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Search {
+    /// Least and greatest speed of the cue, m/s.
+    pub speed: [f64; 2],
+    /// Largest tip offset, ball radii; at most the miscue limit.
+    pub offset: f64,
+    /// Strikes spread over everything, besides those that geometry proposes.
+    pub samples: usize,
+    /// Under which the strikes are ranked.
+    pub noise: Noise,
+    /// Which random numbers.
+    pub seed: u64,
+    /// Variants that a chance is counted with.
+    pub variants: u64,
+    /// How many strikes are wanted.
+    pub wanted: usize,
+    /// How many of them by the same way.
+    pub of_a_way: usize,
+    /// Confidence of the intervals.
+    pub level: f64,
+    /// How many threads; all cores if none.
+    pub threads: Option<usize>,
+}
+
+impl Default for Search {
+    fn default() -> Self {
+        Self {
+            speed: [0.5, 7.0],
+            offset: 0.45,
+            samples: 4096,
+            noise: Noise::olympiad(1.0),
+            seed: 0,
+            variants: 1000,
+            wanted: 10,
+            of_a_way: 3,
+            level: 0.95,
+            threads: None,
+        }
+    }
+}
+
+/// A strike that does what is wanted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// It meets the goal when it is hit exactly.
+    pub strike: Strike,
+    /// By which way.
+    pub way: Way,
+    /// Where it leaves the cue ball, m.
+    pub cue_ball_end: [f64; 2],
+    /// In how many variants the goal was met.
+    pub met: u64,
+    /// Of how many.
+    pub variants: u64,
+    /// The interval of that chance.
+    pub interval: Interval,
+}
+
+/// The strikes that bring about `goal`, the likeliest first.
+///
+/// # Errors
+/// [`Error::Input`] for what [`Goal::check`] and [`Noise::check`] refuse, and for speeds, offsets or a level
+/// out of range.
+pub fn solve(shot: &Shot, goal: &Goal, search: &Search) -> Result<Vec<Solution>, Error> {
+    goal.check(shot)?;
+    search.check()?;
+    let work = || {
+        if shot.balls().len() <= SMALL {
+            Solver::<SMALL> { shot, goal, search }.run()
+        } else {
+            Solver::<MAX_BALLS> { shot, goal, search }.run()
+        }
+    };
+    Ok(crate::with_threads(search.threads, work))
+}
+
+impl Search {
+    fn check(&self) -> Result<(), Error> {
+        self.noise.check()?;
+        let refuse =
+            |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));
+        let [least, most] = self.speed;
+        if !(0.0 < least && least <= most && most <= 50.0) {
+            let what = format!("{least:?} to {most:?} m/s is no range of speeds");
+            return refuse("speed", what, "give 0 < least <= most <= 50");
+        }
+        if !(0.0..=1.0).contains(&self.offset) {
+            let what = format!("{:?} ball radii is off the ball", self.offset);
+            return refuse("offset", what, "give a number from 0 to 1");
+        }
+        if !(self.level > 0.0 && self.level < 1.0) {
+            let what = format!("{:?} is no confidence level", self.level);
+            return refuse("level", what, "give a number between 0 and 1, such as 0.95");
+        }
+        Ok(())
+    }
+}
+
+struct Solver<'a, const N: usize> {
+    shot: &'a Shot,
+    goal: &'a Goal,
+    search: &'a Search,
+}
+
+impl<const N: usize> Solver<'_, N> {
+    fn run(&self) -> Vec<Solution> {
+        let tried: Vec<Tried> = self.each(self.candidates(), |player, strike| {
+            let attempt = player.play(&strike)?;
+            Some(Tried { strike, attempt })
+        });
+        let refined = self.each(nearest(tried), |player, tried| {
+            let tried = refine(player, tried, Free::Azimuth);
+            let tried = refine(player, tried, Free::All);
+            if !tried.attempt.is_met() {
+                return None;
+            }
+            let strike = self.with_the_cue_clear(tried.strike)?;
+            let attempt = player.play(&strike).filter(|a| a.is_met())?;
+            Some(center(player, Tried { strike, attempt }))
+        });
+        self.rank(refined)
+    }
+
+    /// What `work` makes of each of `items`, in their order.
+    fn each<A: Send, B: Send>(
+        &self,
+        items: Vec<A>,
+        work: impl Fn(&mut Player<'_, N>, A) -> Option<B> + Sync,
+    ) -> Vec<B> {
+        let new = || Player::<N>::new(self.shot, *self.goal);
+        let all: Vec<Option<B>> =
+            items.into_par_iter().map_init(new, |player, item| work(player, item)).collect();
+        all.into_iter().flatten().collect()
+    }
+
+    fn candidates(&self) -> Vec<Strike> {
+        let elevation = self.shot.strike().map_or(0.0, |(_, strike)| strike.elevation);
+        let geometric = azimuths(self.shot, self.goal);
+        let aimed = geometric.iter().enumerate().flat_map(|(k, azimuth)| {
+            // Other spins for every azimuth, so that together they leave no gap.
+            (0..SPINS)
+                .map(move |i| self.strike(*azimuth, recurrence::<3>(k * SPINS + i), elevation))
+        });
+        let spread = (0..self.search.samples).map(|i| {
+            let [turn, rest @ ..] = recurrence::<4>(i);
+            self.strike(core::f64::consts::TAU * turn, rest, elevation)
+        });
+        aimed.chain(spread).collect()
+    }
+
+    /// The strike at a point of the unit cube: speed, then radius² and angle of the tip offset.
+    fn strike(&self, azimuth: f64, [speed, out, turn]: [f64; 3], elevation: f64) -> Strike {
+        let [least, most] = self.search.speed;
+        let largest = self.search.offset.min(0.95 * self.shot.miscue_limit());
+        let (sin, cos) = sin_cos(core::f64::consts::TAU * turn);
+        let offset = largest * sqrt(out);
+        Strike {
+            speed: least * exp(log(most / least) * speed),
+            azimuth,
+            elevation,
+            side: offset * cos,
+            height: offset * sin,
+        }
+    }
+
+    /// The same strike with the cue raised over what is in its way; none if nothing helps.
+    fn with_the_cue_clear(&self, strike: Strike) -> Option<Strike> {
+        let shot = self.shot.with_strike(&strike).ok()?;
+        if shot.cue_obstruction().is_none() {
+            return Some(strike);
+        }
+        let least = shot.least_elevation()?;
+        Some(Strike { elevation: least + CLEARANCE, ..strike })
+    }
+
+    fn rank(&self, refined: Vec<Tried>) -> Vec<Solution> {
+        let counted = |list: Vec<Tried>, variants: u64| {
+            let mut counted = self.each(list, |player, tried| {
+                let met =
+                    player.count(&tried.strike, &self.search.noise, self.search.seed, variants);
+                Some((met, tried))
+            });
+            counted.sort_by_key(|(met, _)| core::cmp::Reverse(*met));
+            counted
+        };
+        let first = counted(refined, FIRST_VARIANTS.min(self.search.variants));
+        let mut kept: Vec<Tried> = Vec::new();
+        let mut of_way: HashMap<Way, usize> = HashMap::new();
+        for (_, tried) in first {
+            let same_way = |other: &&Tried| other.attempt.way == tried.attempt.way;
+            let known =
+                kept.iter().filter(same_way).any(|other| are_alike(&other.strike, &tried.strike));
+            let count = of_way.entry(tried.attempt.way.clone()).or_default();
+            if !known
+                && *count < self.search.of_a_way
+                && kept.len() < SURVIVORS * self.search.wanted
+            {
+                *count += 1;
+                kept.push(tried);
+            }
+        }
+        let variants = self.search.variants;
+        let mut ranked = counted(kept, variants);
+        ranked.truncate(self.search.wanted);
+        ranked.into_iter().map(|(met, tried)| self.solution(met, tried)).collect()
+    }
+
+    fn solution(&self, met: u64, tried: Tried) -> Solution {
+        let variants = self.search.variants;
+        Solution {
+            strike: tried.strike,
+            cue_ball_end: tried.attempt.cue_ball_end,
+            way: tried.attempt.way,
+            met,
+            variants,
+            interval: wilson(met, variants, self.search.level),
+        }
+    }
+}
+
+/// Of every way the strikes that miss least; simple ways come first, since luck finds many of the others.
+fn nearest(mut tried: Vec<Tried>) -> Vec<Tried> {
+    tried.retain(|t| t.attempt.miss < TOO_FAR);
+    tried.sort_by(|a, b| {
+        let steps = |t: &Tried| t.attempt.way.steps.len();
+        steps(a).cmp(&steps(b)).then(a.attempt.miss.total_cmp(&b.attempt.miss))
+    });
+    let mut of_way: HashMap<Way, usize> = HashMap::new();
+    tried.retain(|t| {
+        let ways = of_way.len();
+        let known = of_way.contains_key(&t.attempt.way);
+        if !known && ways >= REFINED_WAYS {
+            return false;
+        }
+        let count = of_way.entry(t.attempt.way.clone()).or_default();
+        *count += 1;
+        *count <= REFINED_OF_A_WAY
+    });
+    tried
+}
+
+fn are_alike(a: &Strike, b: &Strike) -> bool {
+    (a.speed - b.speed).abs() < DIFFERENT * a.speed
+        && (a.side - b.side).abs() < DIFFERENT
+        && (a.height - b.height).abs() < DIFFERENT
+        && 1.0 - cos(a.azimuth - b.azimuth) < 0.5 * DIFFERENT * DIFFERENT
+}
+
+/// Point `index` of the additive recurrence of Roberts (2018): multiples of 1/φ, 1/φ², … with φ^(D+1) = φ + 1,
+/// modulo 1.
+fn recurrence<const D: usize>(index: usize) -> [f64; D] {
+    let mut phi = 2.0;
+    // The root is a fixed point that attracts: every step halves the error, and more.
+    for _ in 0..64 {
+        phi = carom::math::pow(1.0 + phi, 1.0 / (D as f64 + 1.0));
+    }
+    let mut factor = 1.0;
+    core::array::from_fn(|_| {
+        factor /= phi;
+        let x = 0.5 + factor * (index as f64 + 1.0);
+        x - x.floor()
+    })
+}

@@ -1,0 +1,407 @@
+"""Maps: one question asked over a grid, and statistics of breaks. Arrays out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import astuple, dataclass
+from typing import TYPE_CHECKING, Any
+
+from carom import _core
+from carom.batch import Arrays, BatchResult, in_chunks, progress_bar, thread_count
+from carom.errors import InputError
+from carom.noise import Noise, whole
+from carom.plan import Chance, number
+from carom.solve import ball_index, pocket_index
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    from carom.shot import Shot
+
+# Most cells along one side of a map, and variants of one cell.
+_MOST = 10**6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PotMap:
+    """The chance of a pot from every place of the cue ball.
+
+    Attributes:
+        shot: The shot whose cue ball is moved.
+        ball: The ball that is to fall,
+        pocket: and where.
+        x: Centres of the cells along the width, m, shape (columns,).
+        y: The same along the length, shape (rows,).
+        chance: That the ball falls and the cue ball does not, shape (rows, columns); NaN where
+            the cue ball cannot lie.
+        azimuth: Direction that is aimed at, rad, same shape.
+    """
+
+    shot: Shot
+    ball: str
+    pocket: str
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    chance: NDArray[np.float64]
+    azimuth: NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PositionMap:
+    """Where the cue ball ends with every speed and spin.
+
+    Attributes:
+        shot: The shot whose strike is changed.
+        ball: The ball that is to fall,
+        pocket: and where.
+        speed: The cue's speeds, m/s, shape (n_speeds,).
+        side: Contact points right of centre, ball radii, shape (n_spins,).
+        height: Contact points above centre, ball radii, shape (n_spins,).
+        falls: Whether the ball falls and the cue ball does not, bool, shape (n_speeds, n_spins).
+        azimuth: Direction that does it, rad, same shape; NaN for strikes that cannot be played.
+        end: Where the cue ball comes to rest, m, shape (n_speeds, n_spins, 2).
+    """
+
+    shot: Shot
+    ball: str
+    pocket: str
+    speed: NDArray[np.float64]
+    side: NDArray[np.float64]
+    height: NDArray[np.float64]
+    falls: NDArray[np.bool_]
+    azimuth: NDArray[np.float64]
+    end: NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Acceptance:
+    """What a pocket takes of the balls that roll at it.
+
+    Attributes:
+        pocket: Its name.
+        speed: Speeds at the start, m/s, shape (n_speeds,).
+        angle: Angles to the pocket's axis, rad, shape (n_angles,).
+        offset: Offsets of the line from the mouth's middle, m, shape (n_offsets,).
+        distance: From the start to the mouth's middle, m.
+        accepted: 1 where the ball falls, 0 where it does not, −1 where it cannot start; int8 of
+            shape (n_speeds, n_angles, n_offsets).
+    """
+
+    pocket: str
+    speed: NDArray[np.float64]
+    angle: NDArray[np.float64]
+    offset: NDArray[np.float64]
+    distance: float
+    accepted: NDArray[np.int8]
+
+    @property
+    def width(self) -> NDArray[np.float64]:
+        """How wide the pocket is: the offsets that are taken, m, shape (n_speeds, n_angles)."""
+        import numpy as np
+
+        step = np.ptp(self.offset) / (len(self.offset) - 1) if len(self.offset) > 1 else 0.0
+        taken: NDArray[np.float64] = (self.accepted == 1).sum(axis=2) * step
+        return taken
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BreakStatistics:
+    """What came of many breaks; ``print`` it for a table.
+
+    Attributes:
+        game: Which game.
+        ids: The balls' ids, the cue ball first.
+        pockets: The pockets' names.
+        level: Confidence of all intervals.
+        racks: Number of breaks.
+        potted: How many object balls fell, int64 of shape (racks,).
+        result: The ends of all of them, as ``simulate_batch`` has them.
+    """
+
+    game: str
+    ids: tuple[str, ...]
+    pockets: tuple[str, ...]
+    level: float
+    racks: int
+    potted: NDArray[np.int64]
+    result: BatchResult
+
+    def chances(self) -> dict[str, Chance]:
+        """What is asked of a break, in words."""
+        pocket = self.result.pocket
+        said = {
+            "a ball falls": (self.potted > 0).sum(),
+            "a ball falls, no scratch": ((self.potted > 0) & (pocket[:, 0] < 0)).sum(),
+            "scratch": (pocket[:, 0] >= 0).sum(),
+            "a ball off the table": (pocket == -2).any(axis=1).sum(),
+        }
+        # Numbered balls in the order of their numbers, whatever the rack's.
+        for ball in sorted(self.ids[1:], key=lambda ball: (len(ball), ball)):
+            said[f"{ball} falls"] = (pocket[:, self.ids.index(ball)] >= 0).sum()
+        for column, name in enumerate(self.pockets):
+            said[f"something into {name}"] = (pocket == column).any(axis=1).sum()
+        return {what: Chance.of(int(count), self.racks, self.level) for what, count in said.items()}
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON."""
+        import numpy as np
+
+        return {
+            "game": self.game,
+            "racks": self.racks,
+            "level": self.level,
+            "potted": np.bincount(self.potted).tolist(),
+            "chances": {
+                what: {"probability": float(c), "low": c.low, "high": c.high}
+                for what, c in self.chances().items()
+            },
+        }
+
+    def __str__(self) -> str:
+        import numpy as np
+
+        rows = [(what, str(chance)) for what, chance in self.chances().items()]
+        width = max(len(what) for what, _ in rows)
+        shares = np.bincount(self.potted) / max(1, self.racks)
+        fell = ", ".join(f"{count}: {100 * s:.1f} %" for count, s in enumerate(shares))
+        mean = self.potted.mean() if self.racks else float("nan")
+        title = f"{self.racks} breaks of {self.game}; intervals hold {100 * self.level:g} %"
+        lines = [title, f"  balls that fall: {mean:.2f} on average; {fell}"]
+        return "\n".join([*lines, *(f"  {what:<{width}}  {value}" for what, value in rows)])
+
+
+def pot_map(
+    shot: Shot,
+    ball: str,
+    pocket: str,
+    *,
+    noise: Noise | None = None,
+    columns: int = 32,
+    n: int = 200,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: bool = False,
+) -> PotMap:
+    """How likely a straight pot is with the cue ball anywhere on the table.
+
+    Speed and spin are the shot's own. For every place the direction is refined until it pots
+    exactly, throw and all, and turned to the middle of what pots; then ``n`` variants are played.
+
+    Args:
+        shot: Table, balls and strike.
+        ball: The ball that is to fall.
+        pocket: Where.
+        noise: How far a strike strays; the Olympiad's if None.
+        columns: Cells along the width; the cells are square.
+        n: Variants of each cell, with the same errors in all.
+        seed: Which random numbers.
+        threads: How many; None is one per core. Results do not depend on it.
+        progress: Show a progress bar on stderr.
+
+    Raises:
+        InputError: There is no such ball or pocket, no strike, or a number is out of range.
+    """
+    import numpy as np
+
+    where = (ball_index(shot, ball), pocket_index(shot, pocket))
+    sigmas = _sigmas(noise)
+    _count("columns", columns)
+    _count("n", n)
+    whole("seed", seed)
+    width, length = shot.geometry()["size"]
+    rows = max(1, round(columns * length / width))
+    with _rows(rows, show=progress) as tell:
+        chance, azimuth = _core.pot_map(
+            shot._core, where, (columns, rows), sigmas, seed, n, thread_count(threads), tell
+        )
+    return PotMap(
+        shot=shot,
+        ball=ball,
+        pocket=pocket,
+        x=(np.arange(columns) + 0.5) * width / columns,
+        y=(np.arange(rows) + 0.5) * length / rows,
+        chance=chance,
+        azimuth=azimuth,
+    )
+
+
+def position_map(
+    shot: Shot,
+    ball: str,
+    pocket: str,
+    *,
+    speed: ArrayLike,
+    height: ArrayLike = 0.0,
+    side: ArrayLike = 0.0,
+    threads: int | None = None,
+    progress: bool = False,
+) -> PositionMap:
+    """Where the cue ball ends when a ball is potted with every speed and spin, hit exactly.
+
+    Args:
+        shot: Table, balls, and which ball is struck.
+        ball: The ball that is to fall.
+        pocket: Where.
+        speed: The cue's speeds, m/s.
+        height: Contact points above centre, ball radii; broadcast against ``side``.
+        side: Contact points right of centre, ball radii.
+        threads: How many; None is one per core.
+        progress: Show a progress bar on stderr.
+
+    Raises:
+        InputError: There is no such ball or pocket, or the shapes do not broadcast.
+    """
+    import numpy as np
+
+    where = (ball_index(shot, ball), pocket_index(shot, pocket))
+    speeds = _flat("speed", speed)
+    try:
+        sides, heights = np.broadcast_arrays(_flat("side", side), _flat("height", height))
+    except ValueError:
+        raise InputError("side, height: shapes do not broadcast; make them agree") from None
+    spins = np.stack([sides, heights], axis=1).tolist()
+    with _rows(len(speeds), show=progress) as tell:
+        falls, azimuth, end = _core.position_map(
+            shot._core, where, speeds.tolist(), spins, thread_count(threads), tell
+        )
+    return PositionMap(shot, ball, pocket, speeds, sides, heights, falls, azimuth, end)
+
+
+def acceptance(
+    shot: Shot,
+    pocket: str,
+    *,
+    speed: ArrayLike = (0.5, 1.0, 2.0, 4.0),
+    angle: ArrayLike | None = None,
+    offset: ArrayLike | None = None,
+    distance: float = 0.3,
+    threads: int | None = None,
+    progress: bool = False,
+) -> Acceptance:
+    """Which balls that roll at a pocket it takes.
+
+    Args:
+        shot: Its table and physics count, its balls do not.
+        pocket: Which.
+        speed: Speeds at the start, m/s.
+        angle: Angles to the pocket's axis, rad; None is −60° to 60° by degrees.
+        offset: Offsets of the line from the mouth's middle, m, to the right seen along it; None is
+            −80 to 80 mm by millimetres.
+        distance: From the start to the mouth's middle, m.
+        threads: How many; None is one per core.
+        progress: Show a progress bar on stderr.
+
+    Raises:
+        InputError: There is no such pocket, or the distance is not positive.
+    """
+    import numpy as np
+
+    index = pocket_index(shot, pocket)
+    speeds = _flat("speed", speed)
+    angles = _flat("angle", np.radians(np.arange(-60, 61)) if angle is None else angle)
+    offsets = _flat("offset", np.arange(-80, 81) * 1e-3 if offset is None else offset)
+    reach = number("distance", distance)
+    with _rows(len(speeds), show=progress) as tell:
+        accepted = _core.acceptance(
+            shot._core,
+            index,
+            speeds.tolist(),
+            angles.tolist(),
+            offsets.tolist(),
+            reach,
+            thread_count(threads),
+            tell,
+        )
+    return Acceptance(pocket, speeds, angles, offsets, reach, accepted)
+
+
+def break_statistics(
+    game: str = "nine-ball",
+    racks: int = 1000,
+    *,
+    noise: Noise | None = None,
+    table: str | None = None,
+    speed: float | None = None,
+    gap: float | None = None,
+    seed: int = 0,
+    level: float = 0.95,
+    threads: int | None = None,
+    progress: bool = False,
+) -> BreakStatistics:
+    """Break many racks, each racked and struck a little otherwise.
+
+    Args:
+        game: As for ``break_shot``, like ``table``, ``speed`` and ``gap``.
+        racks: How many.
+        noise: How far each strike strays; the Olympiad's if None.
+        table: A preset's name; the game's own table if None.
+        speed: The cue's speed, m/s; the game's usual one if None.
+        gap: Mean gap between the balls, m; None is usual (0.1 mm).
+        seed: Of the first rack; the others count on from it.
+        level: Confidence of the intervals.
+        threads: How many; None is one per core.
+        progress: Show a progress bar on stderr.
+
+    Raises:
+        InputError: There is no such game or table, or a number is out of range.
+    """
+    import numpy as np
+
+    from carom.racks import break_shot
+
+    sigmas = _sigmas(noise)
+    _count("racks", racks)
+    whole("seed", seed)
+    one = break_shot(game, table=table, speed=speed, seed=seed, gap=gap)
+
+    def run(start: int, end: int) -> Arrays:
+        return _core.breaks(
+            game, table, speed, gap, sigmas, seed, start, end - start, thread_count(threads)
+        )
+
+    result = in_chunks(run, racks, len(one.ids), progress=progress)
+    potted: NDArray[np.int64] = (result.pocket[:, 1:] >= 0).sum(axis=1, dtype=np.int64)
+    pockets = tuple(p["name"] for p in one.geometry()["pockets"])
+    checked = number("level", level)
+    Chance.of(0, 1, checked)
+    return BreakStatistics(game, tuple(one.ids), pockets, checked, racks, potted, result)
+
+
+@contextmanager
+def _rows(count: int, *, show: bool) -> Iterator[Callable[[int], None]]:
+    with progress_bar(count, show=show, what="rows") as advance:
+        done = 0
+
+        def tell(so_far: int) -> None:
+            nonlocal done
+            advance(so_far - done)
+            done = so_far
+
+        yield tell
+
+
+def _sigmas(noise: Noise | None) -> tuple[float, ...]:
+    noise = Noise.olympiad() if noise is None else noise
+    if not isinstance(noise, Noise):
+        raise InputError(f"noise: found a {type(noise).__name__}; give carom.Noise(...)")
+    return astuple(noise)
+
+
+def _count(name: str, value: int) -> None:
+    whole(name, value, _MOST + 1)
+    if value < 1:
+        raise InputError(f"{name}: {value} leaves nothing to do; give at least 1")
+
+
+def _flat(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    import numpy as np
+
+    try:
+        array = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: not a number or an array of numbers; give one") from None
+    if array.ndim != 1 or not array.size or not np.isfinite(array).all():
+        raise InputError(f"{name}: give one finite number or a flat array of such")
+    return array

@@ -1,0 +1,214 @@
+"""Pictures of maps: potting chances, positions, what pockets take, and breaks."""
+
+from __future__ import annotations
+
+import io
+import math
+from typing import TYPE_CHECKING, Any
+
+from carom.picture import _matplotlib, colors
+from carom.picture.canvas import DOTS_PER_INCH, LONG_SIDE_INCHES, to_svg
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from carom.maps import Acceptance, BreakStatistics, PositionMap, PotMap
+    from carom.shot import Shot
+
+    Drawn = PotMap | PositionMap | Acceptance | BreakStatistics
+
+# Room beside the table for the scale, inches.
+SCALE_INCHES = 1.3
+# Curves and bars without a table, inches.
+CHART_INCHES = (7.2, 4.6)
+# How much of the table shows through a map of chances.
+MAP_ALPHA = 0.82
+
+
+def draw(found: Drawn, *, title: str | None = None) -> Figure:
+    """Draw a map or statistics, each in its own way.
+
+    Args:
+        found: What ``carom.pot_map`` and its like gave.
+        title: Heading; a usual one without it.
+
+    Returns:
+        A matplotlib figure, not attached to any window.
+    """
+    _matplotlib.prepare()
+    from carom.maps import Acceptance, PositionMap, PotMap
+
+    if isinstance(found, PotMap):
+        return _draw_pots(found, title or f"{found.ball} into {found.pocket}")
+    if isinstance(found, PositionMap):
+        return _draw_positions(found, title or f"after {found.ball} into {found.pocket}")
+    if isinstance(found, Acceptance):
+        return _draw_acceptance(found, title or f"what {found.pocket} takes")
+    return _draw_breaks(found, title or f"{found.racks} breaks of {found.game}")
+
+
+def svg(found: Drawn, *, title: str | None = None) -> str:
+    """The picture as SVG text; the same text for the same map."""
+    return to_svg(draw(found, title=title))
+
+
+def png(found: Drawn, *, title: str | None = None) -> bytes:
+    """The picture as a PNG file's content."""
+    out = io.BytesIO()
+    draw(found, title=title).savefig(
+        out, format="png", dpi=DOTS_PER_INCH, metadata={"Software": None}
+    )
+    return out.getvalue()
+
+
+def _draw_pots(found: PotMap, title: str) -> Figure:
+    figure, ax = _table(found.shot, title)
+    width, length = found.shot.geometry()["size"]
+    image = ax.imshow(
+        found.chance,
+        origin="lower",
+        extent=(0, width, 0, length),
+        cmap="viridis",
+        vmin=0,
+        vmax=1,
+        alpha=MAP_ALPHA,
+        zorder=2.4,
+        gid="chance",
+    )
+    bar = _scale(figure, ax, image, "chance of the pot")
+    bar.ax.yaxis.set_major_formatter(lambda x, _: f"{100 * x:.0f} %")
+    _balls(ax, found.shot, without_cue_ball=True)
+    return figure
+
+
+def _draw_positions(found: PositionMap, title: str) -> Figure:
+    from matplotlib import colormaps
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    figure, ax = _table(found.shot, title)
+    norm = Normalize(float(found.speed.min()), float(found.speed.max()))
+    paint = ScalarMappable(norm, colormaps["plasma"])
+    for column, (side, height) in enumerate(zip(found.side, found.height, strict=True)):
+        ends = found.end[:, column]
+        good = found.falls[:, column]
+        x, y = (_gapped(ends[:, axis], good) for axis in (0, 1))
+        ax.plot(x, y, color="white", alpha=0.35, linewidth=0.8, zorder=5, gid=f"spin-{column}")
+        ax.scatter(
+            ends[good, 0],
+            ends[good, 1],
+            c=found.speed[good],
+            cmap="plasma",
+            norm=norm,
+            s=9,
+            edgecolor="white",
+            linewidth=0.3,
+            zorder=5.5,
+        )
+        last = [(a, b) for (a, b), ok in zip(ends.tolist(), good, strict=True) if ok]
+        if last and len(found.height) <= 12:
+            ax.annotate(
+                f"{side:+.1f}/{height:+.1f}",
+                last[0],
+                xytext=(4, 2),
+                textcoords="offset points",
+                fontsize=5.5,
+                color="white",
+                zorder=7,
+            )
+    _scale(figure, ax, paint, "speed of the cue, m/s; labels: side/height")
+    _balls(ax, found.shot)
+    return figure
+
+
+def _gapped(values: Any, good: Any) -> list[float]:
+    """NaN where the ball does not fall: there the line breaks."""
+    return [float(v) if ok else math.nan for v, ok in zip(values, good, strict=True)]
+
+
+def _draw_acceptance(found: Acceptance, title: str) -> Figure:
+    import numpy as np
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=CHART_INCHES, facecolor=colors.PAPER, layout="constrained")
+    ax = figure.add_subplot(facecolor=colors.PAPER)
+    angles = np.degrees(found.angle)
+    for row, speed in enumerate(found.speed):
+        ax.plot(angles, 1e3 * found.width[row], label=f"{speed:g} m/s", gid=f"speed-{row}")
+    ax.set_xlabel("angle to the pocket's axis, degrees")
+    ax.set_ylabel("offsets that are taken, mm")
+    ax.set_ylim(bottom=0)
+    ax.set_title(title)
+    ax.legend(title="speed", frameon=False)
+    ax.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
+def _draw_breaks(found: BreakStatistics, title: str) -> Figure:
+    import numpy as np
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=CHART_INCHES, facecolor=colors.PAPER, layout="constrained")
+    fell, what = figure.subplots(1, 2, width_ratios=(1, 1.4))
+    counts = np.bincount(found.potted)
+    fell.bar(range(len(counts)), 100 * counts / found.racks, color=colors.CLOTH)
+    fell.set_xlabel("balls that fall")
+    fell.set_ylabel("breaks, %")
+    chances = found.chances()
+    names = list(chances)[::-1]
+    middle = [100 * float(chances[name]) for name in names]
+    errors = [
+        [m - 100 * chances[name].low for m, name in zip(middle, names, strict=True)],
+        [100 * chances[name].high - m for m, name in zip(middle, names, strict=True)],
+    ]
+    what.errorbar(middle, names, xerr=errors, fmt="o", markersize=3, color=colors.CLOTH)
+    what.set_xlabel(f"%, with intervals of {100 * found.level:g} %")
+    what.set_xlim(left=0)
+    what.tick_params(axis="y", labelsize=7)
+    for ax in (fell, what):
+        ax.set_facecolor(colors.PAPER)
+        ax.spines[["top", "right"]].set_visible(False)
+    figure.suptitle(title)
+    return figure
+
+
+def _table(shot: Shot, title: str) -> tuple[Figure, Axes]:
+    from matplotlib.figure import Figure
+
+    from carom.picture import table
+
+    geometry = shot.geometry()
+    left, bottom, right, top = table.bounds(geometry, [])
+    scale = LONG_SIDE_INCHES / max(top - bottom, right - left)
+    wide, tall = scale * (right - left), scale * (top - bottom)
+    paper = (wide + SCALE_INCHES, tall + 0.5)
+    figure = Figure(figsize=paper, facecolor=colors.PAPER)
+    ax = figure.add_axes((0.1 / paper[0], 0.1 / paper[1], wide / paper[0], tall / paper[1]))
+    ax.set_axis_off()
+    ax.set_xlim(left, right)
+    ax.set_ylim(bottom, top)
+    table.draw_table(ax, geometry, (left, bottom, right, top))
+    figure.text(0.1 / paper[0], 1 - 0.28 / paper[1], title, color=colors.INK, fontsize=11)
+    return figure, ax
+
+
+def _scale(figure: Figure, ax: Axes, image: Any, label: str) -> Any:
+    box = ax.get_position()
+    wide = figure.get_figwidth()
+    beside = figure.add_axes((box.x1 + 0.2 / wide, box.y0 + 0.1, 0.16 / wide, box.height - 0.2))
+    bar = figure.colorbar(image, cax=beside)
+    bar.set_label(label, color=colors.INK)
+    return bar
+
+
+def _balls(ax: Axes, shot: Shot, *, without_cue_ball: bool = False) -> None:
+    from carom.picture.balls import draw_ball
+
+    struck = shot.to_dict().get("strike", {}).get("ball")
+    for index, ball in enumerate(shot.to_dict()["balls"]):
+        if without_cue_ball and ball["id"] == struck:
+            continue
+        x, y, *_ = ball["position"]
+        radius = float(shot.radius[index])
+        draw_ball(ax, (x, y), radius, colors.look(ball["id"], index))

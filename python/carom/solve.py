@@ -1,0 +1,184 @@
+"""Which strike to play: searched everywhere, refined, ranked by its chance under noise."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import astuple, dataclass
+from typing import TYPE_CHECKING, Any
+
+from carom import _core
+from carom.batch import thread_count
+from carom.errors import InputError
+from carom.noise import Noise, whole
+from carom.plan import Chance, number
+
+if TYPE_CHECKING:
+    from carom.shot import Shot
+
+# Beyond these nobody waits for the answer.
+_MOST_SAMPLES = 10**7
+_MOST_VARIANTS = 10**7
+_MOST_WANTED = 10_000
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """A strike that does what is wanted when it is hit exactly.
+
+    Attributes:
+        shot: The shot with this strike, ready to simulate.
+        speed: The cue's speed, m/s.
+        azimuth: The cue's direction, rad.
+        elevation: Butt raised above horizontal, rad.
+        side: Contact point right of centre, ball radii.
+        height: Contact point above centre, ball radii.
+        kind: What players call the way: ``direct``, or those of ``kick``, ``carom``,
+            ``combination``, ``kiss``, ``bank`` that apply, joined by ``+``.
+        way: Its steps in words: rails and balls from the cue on.
+        cue_ball_end: Where it leaves the cue ball, m.
+        chance: How likely it does what is wanted under the noise.
+    """
+
+    shot: Shot
+    speed: float
+    azimuth: float
+    elevation: float
+    side: float
+    height: float
+    kind: str
+    way: str
+    cue_ball_end: tuple[float, float]
+    chance: Chance
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON."""
+        return {
+            "kind": self.kind,
+            "way": self.way,
+            "chance": float(self.chance),
+            "low": self.chance.low,
+            "high": self.chance.high,
+            "cue_ball_end": list(self.cue_ball_end),
+            "strike": self.shot.to_dict()["strike"],
+        }
+
+    def __str__(self) -> str:
+        return (
+            f"{self.chance}  {self.kind}: {self.way or '-'}; {self.speed:.2f} m/s, "
+            f"azimuth {math.degrees(self.azimuth):.2f}°, side {self.side:+.2f}, "
+            f"height {self.height:+.2f}, elevation {math.degrees(self.elevation):.1f}°"
+        )
+
+
+def solve(
+    shot: Shot,
+    *,
+    pot: str | tuple[str, str] | None,
+    leave: tuple[Sequence[float], float] | None,
+    first: str | None,
+    noise: Noise | None,
+    wanted: int,
+    of_a_way: int,
+    n: int,
+    speed: tuple[float, float],
+    offset: float,
+    samples: int,
+    seed: int,
+    level: float,
+    threads: int | None,
+) -> list[Solution]:
+    """``Shot.solve``."""
+    noise = Noise.olympiad() if noise is None else noise
+    if not isinstance(noise, Noise):
+        raise InputError(f"noise: found a {type(noise).__name__}; give carom.Noise(...)")
+    whole("seed", seed)
+    for name, value, most in (
+        ("n", n, _MOST_VARIANTS),
+        ("wanted", wanted, _MOST_WANTED),
+        ("of_a_way", of_a_way, _MOST_WANTED),
+        ("samples", samples, _MOST_SAMPLES),
+    ):
+        whole(name, value, most + 1)
+    found = _core.solve(
+        shot._core,
+        None if pot is None else target(shot, pot),
+        None if leave is None else _disc(leave),
+        None if first is None else ball_index(shot, first),
+        (*(number("speed", v) for v in speed), number("offset", offset)),
+        (samples, n, wanted, of_a_way),
+        astuple(noise),
+        seed,
+        number("level", level),
+        thread_count(threads),
+    )
+    return [_solution(shot, row) for row in found]
+
+
+def target(shot: Shot, pot: str | tuple[str, str]) -> tuple[int, int | None]:
+    """Ball and pocket by index; no pocket where any will do.
+
+    Raises:
+        InputError: There is no such ball or pocket.
+    """
+    ball, pocket = (pot, None) if isinstance(pot, str) else pot
+    return ball_index(shot, ball), None if pocket is None else pocket_index(shot, pocket)
+
+
+def ball_index(shot: Shot, ball: str) -> int:
+    """The place of a ball in the shot.
+
+    Raises:
+        InputError: There is no such ball.
+    """
+    ids = shot.ids
+    if ball not in ids:
+        raise InputError(f"ball: there is no {ball!r}; there are: {', '.join(ids)}")
+    return ids.index(ball)
+
+
+def pocket_index(shot: Shot, pocket: str) -> int:
+    """The place of a pocket in the table's list.
+
+    Raises:
+        InputError: There is no such pocket.
+    """
+    names = [p["name"] for p in shot.geometry()["pockets"]]
+    if pocket not in names:
+        known = ", ".join(names) or "none on this table"
+        raise InputError(f"pocket: there is no {pocket!r}; there are: {known}")
+    return names.index(pocket)
+
+
+def _disc(leave: tuple[Sequence[float], float]) -> tuple[tuple[float, float], float]:
+    try:
+        (x, y), radius = leave
+    except (TypeError, ValueError):
+        raise InputError(f"leave: {leave!r} is no disc; give ((x, y), radius) in m") from None
+    return (number("leave", x), number("leave", y)), number("leave", radius)
+
+
+def _solution(shot: Shot, row: Any) -> Solution:
+    from carom.shot import Shot
+
+    (speed, azimuth, elevation, side, height), kind, way, end, met, variants, (low, high) = row
+    file = shot.to_dict()
+    file["strike"] |= {
+        "speed": speed,
+        "azimuth_deg": math.degrees(azimuth),
+        "elevation_deg": math.degrees(elevation),
+        "side": side,
+        "height": height,
+    }
+    return Solution(
+        shot=Shot.from_dict(file),
+        speed=speed,
+        azimuth=azimuth,
+        elevation=elevation,
+        side=side,
+        height=height,
+        kind=kind,
+        way=way,
+        cue_ball_end=(end[0], end[1]),
+        chance=Chance(met, variants, low, high),
+    )

@@ -1,0 +1,138 @@
+"""Maps and solutions are what single shots say."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import carom
+import numpy as np
+import pytest
+from carom import InputError, Noise, Shot
+from carom.picture import maps as picture
+
+if TYPE_CHECKING:
+    from conftest import CommandLine
+
+FILE = Path(__file__).parents[2] / "shots" / "side_pocket_cut.json"
+CLUB = Noise.preset("club")
+
+
+@pytest.fixture(scope="module")
+def cut() -> Shot:
+    return Shot.load(FILE)
+
+
+def test_solutions_pot_and_leave_the_cue_ball_where_it_is_wanted(cut: Shot) -> None:
+    found = cut.solve(pot=("1", "right"), leave=((0.9, 1.8), 0.25), noise=CLUB, n=200)
+    assert found
+    for solution in found:
+        trace = solution.shot.simulate()
+        assert ["1", "right"] in trace.outcome.pocketed
+        end = trace.at(trace.duration).position[0]
+        assert np.hypot(end[0] - 0.9, end[1] - 1.8) <= 0.25 + 1e-6
+        assert np.allclose(end[:2], solution.cue_ball_end, rtol=0, atol=1e-6)
+    chances = [solution.chance.count for solution in found]
+    assert chances == sorted(chances, reverse=True)
+
+
+def test_the_rank_is_the_chance_that_an_evaluation_measures(cut: Shot) -> None:
+    best = cut.solve(pot=("1", "right"), noise=CLUB, n=1000, wanted=1)[0]
+    measured = best.shot.evaluate(CLUB, 1000).pocket("1", "right")
+    # A scratch is no success for `solve`, and the file's degrees round the azimuth.
+    assert abs(measured.count - best.chance.count) <= 20
+    assert best.kind == "direct"
+    assert "direct" in str(best)
+
+
+def test_a_ball_is_hit_first_or_not_at_all(cut: Shot) -> None:
+    found = cut.solve(first="1", noise=CLUB, n=100, wanted=3)
+    assert all(s.shot.simulate().outcome.first_contact == "1" for s in found)
+    assert len(found) == 3
+
+
+def test_maps_have_the_shapes_that_they_promise(cut: Shot) -> None:
+    pots = carom.pot_map(cut, "1", "right", noise=CLUB, columns=4, n=20)
+    assert pots.chance.shape == pots.azimuth.shape == (len(pots.y), len(pots.x)) == (8, 4)
+    ends = carom.position_map(cut, "1", "right", speed=[1.0, 2.0], height=[-0.3, 0.0, 0.3])
+    assert ends.falls.shape == (2, 3)
+    assert ends.end.shape == (2, 3, 2)
+    taken = carom.acceptance(cut, "left", speed=[1.0], angle=[0.0, 0.5])
+    assert taken.accepted.shape == (1, 2, 161)
+    assert taken.width[0, 0] > taken.width[0, 1] > 0
+
+
+def test_a_pot_map_is_what_evaluations_say(cut: Shot) -> None:
+    pots = carom.pot_map(cut, "1", "right", noise=CLUB, columns=4, n=200)
+    row, column = np.unravel_index(np.nanargmax(pots.chance), pots.chance.shape)
+    file = cut.to_dict()
+    file["balls"][0]["position"] = [pots.x[column], pots.y[row]]
+    file["strike"]["azimuth_deg"] = np.degrees(pots.azimuth[row, column])
+    found = Shot.from_dict(file).evaluate(CLUB, 200)
+    potted = found.pocket("1", "right").probability
+    assert abs(potted - found.scratch.probability - pots.chance[row, column]) < 0.03
+
+
+def test_breaks_count_every_ball_by_its_name() -> None:
+    found = carom.break_statistics("nine-ball", 60, noise=Noise(), seed=3)
+    for index in (0, 7, 59):
+        trace = carom.break_shot("nine-ball", seed=3 + index).simulate()
+        fell = {ball for ball, _ in trace.outcome.pocketed}
+        ours = {b for b, p in zip(found.ids, found.result.pocket[index], strict=True) if p >= 0}
+        assert ours == fell
+    chances = found.chances()
+    assert chances["a ball falls"].count == (found.potted > 0).sum()
+    assert "9 falls" in str(found)
+
+
+@pytest.mark.parametrize(
+    ("ask", "place"),
+    [
+        (lambda shot: shot.solve(), "goal: "),
+        (lambda shot: shot.solve(pot="7"), "ball: "),
+        (lambda shot: shot.solve(pot=("1", "cellar")), "pocket: "),
+        (lambda shot: shot.solve(pot="1", leave=3), "leave: "),
+        (lambda shot: shot.solve(pot="1", speed=(3.0, 1.0)), "speed: "),
+        (lambda shot: shot.solve(pot="1", noise=1), "noise: "),
+        (lambda shot: shot.solve(pot="cue"), "goal: "),
+        (lambda shot: carom.pot_map(shot, "1", "right", columns=0), "columns: "),
+        (lambda shot: carom.pot_map(shot, "7", "right"), "ball: "),
+        (lambda shot: carom.position_map(shot, "1", "right", speed="fast"), "speed: "),
+        (lambda shot: carom.acceptance(shot, "cellar"), "pocket: "),
+        (lambda shot: carom.acceptance(shot, "left", distance=0), "distance: "),
+        (lambda _: carom.break_statistics("croquet"), "game: "),
+        (lambda _: carom.break_statistics("nine-ball", 0), "racks: "),
+    ],
+)
+def test_nonsense_is_refused_by_name(cut: Shot, ask: Any, place: str) -> None:
+    with pytest.raises(InputError, match=f"^{place}"):
+        ask(cut)
+
+
+def test_the_commands_print_numbers_and_draw(run: CommandLine, tmp_path: Path) -> None:
+    drawn = tmp_path / "map.svg"
+    ball = ("--ball", "1", "--pocket", "right")
+    for words, key, part in (
+        (("map", "pot", str(FILE), *ball, "--columns", "4", "-n", "10"), "chance", "chance"),
+        (("map", "position", str(FILE), *ball, "--speed", "1:2:3"), "end", "spin-0"),
+        (("map", "pocket", str(FILE), "--pocket", "left"), "width", "speed-0"),
+        (("stats", "break", "-n", "20"), "chances", "axes_1"),
+    ):
+        done = run(*words, "--json", "--svg", str(drawn))
+        assert done.returncode == 0, done.stderr
+        assert key in json.loads(done.stdout)
+        assert f'id="{part}"' in drawn.read_text()
+        plain = run(*words)
+        assert plain.returncode == 0
+        assert len(plain.stdout.splitlines()) > 1
+    done = run("solve", str(FILE), "--pot", "1:right", "-n", "50", "--wanted", "2", "--json")
+    assert len(json.loads(done.stdout)) == 2
+    refused = run("solve", str(FILE), "--leave", "1,2")
+    assert refused.returncode == 2
+    assert refused.stderr.startswith("carom: leave: ")
+
+
+def test_pictures_are_the_same_each_time(cut: Shot) -> None:
+    found = carom.position_map(cut, "1", "right", speed=[1.0, 2.0])
+    assert picture.svg(found) == picture.svg(found)
