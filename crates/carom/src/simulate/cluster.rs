@@ -33,6 +33,9 @@ const SAME_INSTANT_GAP: f64 = 1e-14;
 /// counts as no speed at all.
 const SLOWEST: f64 = 1e-9;
 
+/// Balls that are looked at together, by vector instructions; every capacity is a multiple.
+const BLOCK: usize = 8;
+
 /// Balls that meet at one instant. More than fit follow in further events of that instant.
 struct Cluster {
     size: usize,
@@ -101,13 +104,18 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let fastest = faster(&l.vx, &l.hx) + faster(&l.vy, &l.hy);
         let near = TOUCH_TOLERANCE + CLOSING_TIME * fastest;
         let (p, q) = (clearance(self.place(a, time), near), clearance(self.place(b, time), near));
-        let mut clear = [0.0; N];
-        for (k, clear) in clear.iter_mut().enumerate() {
-            let place = self.place(k, time);
-            *clear = earlier(p(place), q(place));
+        let mut close = 0;
+        for first in (0..self.n).step_by(BLOCK) {
+            let mut clear = [0.0; BLOCK];
+            for (j, clear) in clear.iter_mut().enumerate() {
+                let place = self.place(first + j, time);
+                *clear = earlier(p(place), q(place));
+            }
+            let there = &clear[..BLOCK.min(self.n - first)];
+            close += there.iter().map(|&clear| u32::from(clear <= 0.0)).sum::<u32>();
         }
         // The two themselves are there.
-        clear[..self.n].iter().map(|&clear| u32::from(clear <= 0.0)).sum::<u32>() > 2
+        close > 2
     }
 
     /// Where ball `k` is on the table, and its radius: x, y, R.
