@@ -14,7 +14,7 @@ PY := $(BIN)/python
 # Stamps: what they depend on is older than they are, or the step runs again.
 TOOLS := $(VENV)/.tools
 BUILT := $(VENV)/.built
-RUST_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules crates/carom-plan crates/carom-py -type f \
+RUST_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules crates/carom-plan crates/carom-env crates/carom-py -type f \
                   \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \)) \
                 Cargo.toml Cargo.lock
 # npm writes this file last.

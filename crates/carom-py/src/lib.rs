@@ -1,6 +1,7 @@
 //! The Python module `carom._core`: conversions, no logic. The public face is `python/carom`.
 
 mod batch;
+mod env;
 mod error;
 mod node;
 mod plan;
@@ -20,6 +21,8 @@ mod _core {
     use crate::batch::{
         check_noise, draw_strikes, noise_presets, olympiad, simulate_batch, simulate_strikes,
     };
+    #[pymodule_export]
+    use crate::env::{VectorEnv, meanings, tasks};
     #[pymodule_export]
     use crate::plan::{acceptance, breaks, evaluate, position_map, pot_map, solve, wilson};
     #[pymodule_export]

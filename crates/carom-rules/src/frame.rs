@@ -89,6 +89,19 @@ impl Frame {
                 "choose a table with pockets, or three-cushion",
             ));
         }
+        Self::on_table(rules, options, base, seed)
+    }
+
+    /// A new frame of the same game on the same table, racked by `seed`: what [`Self::new`] would give,
+    /// without reading table and physics again.
+    ///
+    /// # Errors
+    /// None that [`Self::new`] has not had.
+    pub fn another(&self, seed: u64) -> Result<Self, Error> {
+        Self::on_table(self.rules, self.state.options, self.state.base.clone(), seed)
+    }
+
+    fn on_table(rules: Rules, options: Options, base: Shot, seed: u64) -> Result<Self, Error> {
         let layout = Layout::rack(rules.rack(), &base, seed)?;
         let fewest = layout.len();
         let mut state =
@@ -106,6 +119,39 @@ impl Frame {
             stalemates: 0,
             shots: 0,
         })
+    }
+
+    /// Goes on as if the break had left the balls at `places` (one for each ball of the layout, in the
+    /// file's frame, m; none for a ball that is down), and `player` shoots next: to begin in the middle of
+    /// a rack.
+    ///
+    /// # Errors
+    /// [`Error::Input`] but for eight-ball, nine-ball and ten-ball, for another number of places than of
+    /// balls, and if the ball that decides the game is down. Whether balls overlap, the next shot says.
+    pub fn scatter(&mut self, places: &[Option<[f64; 2]>], player: Player) -> Result<(), Error> {
+        let wrong = |what: String, remedy: &str| Err(Error::input("places", what, remedy));
+        let last = match self.rules {
+            Rules::EightBall => 8,
+            Rules::NineBall => 9,
+            Rules::TenBall => 10,
+            other => {
+                let what = format!("{} is not begun in the middle", other.name());
+                return wrong(what, "choose eight-ball, nine-ball or ten-ball");
+            }
+        };
+        if places.len() != self.state.layout.len() {
+            let what = format!("{} for {} balls", places.len(), self.state.layout.len());
+            return wrong(what, "give one for every ball");
+        }
+        if places[last].is_none() {
+            return wrong(format!("the {last} is down"), "put it on the table");
+        }
+        for (ball, place) in (0..).zip(places) {
+            self.state.layout.put(ball, *place);
+        }
+        self.fewest = self.state.layout.on_table().count();
+        self.request = self.law.after_break(&self.state, player);
+        Ok(())
     }
 
     /// Which game.
@@ -279,12 +325,38 @@ impl Frame {
         play: &Play,
     ) -> Result<(Ruling, Outcome), Error> {
         let shot = self.shot(play)?;
-        let mut witness = Witness::new(&shot);
+        self.play_shot(simulation, play, &shot)
+    }
+
+    /// [`Self::play_in`] with a shot that is made already: what [`Self::shot`] gave for the same cue ball's
+    /// place, whatever the strike and the call. For programs that look first at what a strike would do, and
+    /// call, or err, accordingly.
+    ///
+    /// # Errors
+    /// As [`Self::play`].
+    pub fn play_prepared(
+        &mut self,
+        simulation: &mut Simulation<SMALL>,
+        play: &Play,
+        prepared: &Shot,
+    ) -> Result<(Ruling, Outcome), Error> {
+        self.check_call(self.asked_turn()?, play.call)?;
+        self.play_shot(simulation, play, &prepared.with_strike(&play.strike)?)
+    }
+
+    /// `shot` is the shot that `play` is.
+    fn play_shot(
+        &mut self,
+        simulation: &mut Simulation<SMALL>,
+        play: &Play,
+        shot: &Shot,
+    ) -> Result<(Ruling, Outcome), Error> {
+        let mut witness = Witness::new(shot);
         let summary =
-            simulation.play(&shot, &mut witness).map_err(|failure| shot.explain(failure, None))?;
+            simulation.play(shot, &mut witness).map_err(|failure| shot.explain(failure, None))?;
         let last: Vec<BallState> =
             (0..shot.balls().len()).map(|i| simulation.state(i, summary.duration)).collect();
-        let (outcome, reached) = witness.finish(&shot, &last);
+        let (outcome, reached) = witness.finish(shot, &last);
         let last: Vec<BallState> =
             (0..).zip(&last).map(|(i, s)| shot.to_file_frame(i, s)).collect();
         Ok((self.rule(play, &outcome, reached, &last)?, outcome))

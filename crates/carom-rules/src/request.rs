@@ -83,6 +83,19 @@ impl Region {
         }
     }
 
+    /// Its bounding box: least and largest corner, in the file's frame, m.
+    pub fn bounds(self, table: &Table) -> [[f64; 2]; 2] {
+        let (size, line) = (table.size, head_string(table));
+        match self {
+            Self::Anywhere => [[0.0, 0.0], [size.x, size.y]],
+            Self::BehindHeadString => [[0.0, 0.0], [size.x, line]],
+            Self::TheD => {
+                let (middle, radius) = (spot_named(table, "brown", 0.2)[0], d_radius(table));
+                [[middle - radius, line - radius], [middle + radius, line]]
+            }
+        }
+    }
+
     /// Its name in files and in Python.
     pub const fn name(self) -> &'static str {
         match self {

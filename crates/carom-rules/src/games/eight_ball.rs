@@ -57,6 +57,11 @@ impl EightBall {
         pool::break_shot(breaker, Vec::new(), Calls::default())
     }
 
+    pub(crate) fn after_break(&mut self, state: &State, player: Player) -> Request {
+        *self = Self::default();
+        self.next(state, player, None)
+    }
+
     fn next(&self, state: &State, player: Player, hand: Option<Region>) -> Request {
         // On an open table any ball may be hit first (WPA 6.2 in 3.9).
         let on = self.group(player).map_or(Vec::new(), |group| {

@@ -200,6 +200,18 @@ impl Law {
         }
     }
 
+    /// The request after a break that decided nothing, with `player` to shoot.
+    pub(crate) fn after_break(&mut self, state: &State, player: Player) -> Request {
+        match self {
+            Self::EightBall(game) => game.after_break(state, player),
+            Self::Rotation(game) => game.after_break(state, player),
+            Self::StraightPool(game) => game.open(player),
+            Self::Snooker(game) => game.open(state, player),
+            Self::ThreeCushion(game) => game.open(player),
+            Self::Practice(game) => game.open(player),
+        }
+    }
+
     /// Rules on a shot, and says what is asked next.
     pub(crate) fn judge(
         &mut self,

@@ -33,6 +33,11 @@ impl Rotation {
         pool::break_shot(breaker, self.lowest(state), Calls::default())
     }
 
+    pub(crate) fn after_break(&mut self, state: &State, player: Player) -> Request {
+        self.is_break = false;
+        self.next(state, player, None, false)
+    }
+
     /// The ball on: the lowest on the table.
     fn lowest(&self, state: &State) -> Vec<BallIndex> {
         state.layout.on_table().find(|ball| *ball != CUE).into_iter().collect()

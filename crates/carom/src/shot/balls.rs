@@ -64,17 +64,18 @@ fn read_one(at: &At<'_>, default: &Ball) -> Result<PlacedBall, Error> {
 
     let at = fields.require("position", "[x, y] in m")?;
     let p = at.numbers(2, 3)?;
-    let height = height(at.place(), p.get(2).copied().unwrap_or(ball.radius), ball.radius)?;
+    let height =
+        height(|| at.place().into(), p.get(2).copied().unwrap_or(ball.radius), ball.radius)?;
 
     let position = Vec3::new(p[0], p[1], height);
     let mut state = BallState { position, ..BallState::default() };
     if let Some(at) = fields.get("velocity") {
         state.velocity = at.vector()?;
-        check_length(at.place(), state.velocity, LARGEST_SPEED, "m/s")?;
+        check_length(|| at.place().into(), state.velocity, LARGEST_SPEED, "m/s")?;
     }
     if let Some(at) = fields.get("angular_velocity") {
         state.angular_velocity = at.vector()?;
-        check_length(at.place(), state.angular_velocity, LARGEST_SPIN, "rad/s")?;
+        check_length(|| at.place().into(), state.angular_velocity, LARGEST_SPIN, "rad/s")?;
     }
     state.motion = motion(&state, ball.radius);
     Ok(PlacedBall { id, ball, state })
@@ -82,10 +83,10 @@ fn read_one(at: &At<'_>, default: &Ball) -> Result<PlacedBall, Error> {
 
 /// The height of a centre, m: exactly the radius where it is that but for [`TOUCH_TOLERANCE`], so
 /// that a ball either lies on the bed or does not.
-pub(super) fn height(place: &str, z: f64, radius: f64) -> Result<f64, Error> {
+pub(super) fn height(place: impl FnOnce() -> String, z: f64, radius: f64) -> Result<f64, Error> {
     if z < radius - TOUCH_TOLERANCE {
         return Err(Error::input(
-            place,
+            place(),
             format!(
                 "the ball is {} m deep in the slate: z = {z:?}, its radius {radius:?} m",
                 radius - z
@@ -108,18 +109,23 @@ pub(super) fn motion(state: &BallState, radius: f64) -> MotionState {
 
 /// Refuses velocities that are no numbers or out of range, of `balls[index]`.
 pub(super) fn check_speeds(index: usize, state: &BallState) -> Result<(), Error> {
-    let place = |key: &str| format!("balls[{index}].{key}");
-    check_length(&place("velocity"), state.velocity, LARGEST_SPEED, "m/s")?;
-    check_length(&place("angular_velocity"), state.angular_velocity, LARGEST_SPIN, "rad/s")
+    let place = |key: &'static str| move || format!("balls[{index}].{key}");
+    check_length(place("velocity"), state.velocity, LARGEST_SPEED, "m/s")?;
+    check_length(place("angular_velocity"), state.angular_velocity, LARGEST_SPIN, "rad/s")
 }
 
-fn check_length(place: &str, v: Vec3, most: f64, unit: &str) -> Result<(), Error> {
+fn check_length(
+    place: impl FnOnce() -> String,
+    v: Vec3,
+    most: f64,
+    unit: &str,
+) -> Result<(), Error> {
     let length = v.length();
     if length <= most {
         return Ok(());
     }
     let remedy = format!("write at most {most} {unit}");
-    Err(Error::input(place, format!("{length:?} {unit} is out of range"), remedy))
+    Err(Error::input(place(), format!("{length:?} {unit} is out of range"), remedy))
 }
 
 /// Refuses pairs that are deeper in one another than touching.

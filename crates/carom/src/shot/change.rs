@@ -84,8 +84,8 @@ impl Shot {
     ) -> Result<Self, Error> {
         balls::check_count(balls.len())?;
         for (i, PlacedBall { ball, state, .. }) in balls.iter_mut().enumerate() {
-            let place = format!("balls[{i}].position");
-            state.position.z = balls::height(&place, state.position.z, ball.radius)?;
+            let place = || format!("balls[{i}].position");
+            state.position.z = balls::height(place, state.position.z, ball.radius)?;
             balls::check_speeds(i, state)?;
             state.motion = balls::motion(state, ball.radius);
         }

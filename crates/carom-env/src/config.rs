@@ -1,0 +1,285 @@
+//! What an environment is asked to be.
+
+use carom::shot::Node;
+use carom::{Error, Noise};
+use carom_rules::{Options, Rules};
+
+use crate::action::Aim;
+use crate::opponent::Opponent;
+
+/// Object balls of a potting task at most; more are no layout but a heap.
+const MOST_BALLS: usize = 15;
+
+/// What is played.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// One shot at balls that lie anywhere: pot one.
+    Potting,
+    /// A frame of a game.
+    Game(Rules),
+    /// Two balls, a table without pockets: exactly three cushions.
+    SumToThree,
+}
+
+impl Task {
+    /// Every task.
+    pub const ALL: [Self; 6] = [
+        Self::Potting,
+        Self::Game(Rules::EightBall),
+        Self::Game(Rules::NineBall),
+        Self::Game(Rules::Snooker),
+        Self::Game(Rules::ThreeCushion),
+        Self::SumToThree,
+    ];
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Potting => "potting",
+            Self::Game(rules) => rules.name(),
+            Self::SumToThree => "sum-to-three",
+        }
+    }
+
+    /// The task of that name.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if there is none.
+    pub fn read(name: &str) -> Result<Self, Error> {
+        named(&Self::ALL, Self::name, "task", name)
+    }
+
+    /// Whether the cue ball can ever be in hand.
+    pub const fn has_hand(self) -> bool {
+        !matches!(self, Self::Potting | Self::SumToThree | Self::Game(Rules::ThreeCushion))
+    }
+
+    /// Whether a rack can be begun in the middle ([`carom_rules::Frame::scatter`]).
+    const fn can_be_scattered(self) -> bool {
+        matches!(self, Self::Game(Rules::EightBall | Rules::NineBall))
+    }
+
+    /// The object balls that a layout at random has at most.
+    const fn most_balls(self) -> usize {
+        match self {
+            Self::Game(Rules::NineBall) => 9,
+            _ => MOST_BALLS,
+        }
+    }
+}
+
+/// Which ball the potting task asks for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Target {
+    /// Any object ball.
+    #[default]
+    Any,
+    /// The one with the lowest number.
+    Lowest,
+}
+
+impl Target {
+    const ALL: [Self; 2] = [Self::Any, Self::Lowest];
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Any => "any",
+            Self::Lowest => "lowest",
+        }
+    }
+
+    /// The target of that name.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if there is none.
+    pub fn read(name: &str) -> Result<Self, Error> {
+        named(&Self::ALL, Self::name, "target", name)
+    }
+}
+
+/// When an environment whose episode has ended begins the next one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Autoreset {
+    /// At once: the step that ends an episode gives the next one's first observation, and the last one's
+    /// final observation besides.
+    #[default]
+    SameStep,
+    /// In the next step, whose action is ignored and whose reward is 0.
+    NextStep,
+    /// When it is told to.
+    Disabled,
+}
+
+impl Autoreset {
+    const ALL: [Self; 3] = [Self::SameStep, Self::NextStep, Self::Disabled];
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::SameStep => "same-step",
+            Self::NextStep => "next-step",
+            Self::Disabled => "disabled",
+        }
+    }
+
+    /// The mode of that name.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if there is none.
+    pub fn read(name: &str) -> Result<Self, Error> {
+        named(&Self::ALL, Self::name, "autoreset_mode", name)
+    }
+}
+
+/// What a shot earns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rewards {
+    /// The frame won; lost, its negative.
+    pub win: f64,
+    /// Each ball potted by a legal shot that was the shooter's to pot.
+    pub pot: f64,
+    /// A foul.
+    pub foul: f64,
+    /// A point more than the other player.
+    pub point: f64,
+    /// A shot that could not be played, or reached the cap on events.
+    pub failure: f64,
+}
+
+impl Rewards {
+    /// The usual ones of a task.
+    pub const fn of(task: Task) -> Self {
+        let none = Self { win: 0.0, pot: 0.0, foul: 0.0, point: 0.0, failure: -1.0 };
+        match task {
+            Task::Potting => Self { pot: 1.0, ..none },
+            Task::Game(Rules::Snooker) => Self { win: 1.0, point: 0.01, ..none },
+            Task::Game(Rules::ThreeCushion) | Task::SumToThree => Self { point: 1.0, ..none },
+            Task::Game(_) => Self { win: 1.0, pot: 0.1, foul: -0.1, ..none },
+        }
+    }
+}
+
+/// What an environment is asked to be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Config {
+    /// Errors of every strike, the opponent's too.
+    pub noise: Noise,
+    /// What the first action means.
+    pub aim: Aim,
+    /// The least and the largest speed of the cue, m/s.
+    pub speed: [f64; 2],
+    /// The largest elevation, rad.
+    pub elevation: f64,
+    /// Who plays player 1.
+    pub opponent: Opponent,
+    /// Object balls that lie at random at the start, least and most. Potting always has some (1 if none
+    /// are given); eight-ball and nine-ball begin with a rack if none are given.
+    pub balls: Option<[usize; 2]>,
+    /// Which ball the potting task asks for.
+    pub target: Target,
+    /// The table as a shot file has it; the task's own if none is given.
+    pub table: Option<Node>,
+    /// The physics as a shot file has it; the table's own if none is given.
+    pub physics: Option<Node>,
+    /// What is agreed on before a frame.
+    pub options: Options,
+    /// What a shot earns.
+    pub rewards: Rewards,
+    /// When the next episode begins.
+    pub autoreset: Autoreset,
+    /// How many threads step; all cores if none is given.
+    pub threads: Option<usize>,
+}
+
+impl Config {
+    /// The usual one of a task: no noise, no opponent.
+    pub fn of(task: Task) -> Self {
+        let target = match task {
+            Task::SumToThree => 10,
+            _ => Options::default().target,
+        };
+        Self {
+            noise: Noise::default(),
+            aim: Aim::default(),
+            speed: [0.2, 8.0],
+            elevation: 0.5,
+            opponent: Opponent::default(),
+            balls: None,
+            target: Target::default(),
+            table: None,
+            physics: None,
+            options: Options { target, ..Options::default() },
+            rewards: Rewards::of(task),
+            autoreset: Autoreset::default(),
+            threads: None,
+        }
+    }
+
+    pub(crate) fn check(&self, task: Task) -> Result<(), Error> {
+        self.noise.check()?;
+        let [slow, fast] = self.speed;
+        if !(0.0 < slow && slow <= fast && fast <= FASTEST) {
+            return Err(Error::input(
+                "speed",
+                format!("[{slow:?}, {fast:?}] m/s is out of range"),
+                format!("write two speeds in (0, {FASTEST}], the lower one first"),
+            ));
+        }
+        if !(0.0..=STEEPEST).contains(&self.elevation) {
+            return Err(Error::input(
+                "elevation",
+                format!("{:?} rad is out of range", self.elevation),
+                format!("write an angle in [0, {STEEPEST}]"),
+            ));
+        }
+        if task == Task::Potting && self.opponent != Opponent::None {
+            return Err(Error::input(
+                "opponent",
+                "the potting task has one shot and no opponent",
+                "leave it out",
+            ));
+        }
+        self.check_balls(task)
+    }
+
+    fn check_balls(&self, task: Task) -> Result<(), Error> {
+        let Some([least, most]) = self.balls else { return Ok(()) };
+        let wrong = |what: String, remedy: String| Err(Error::input("balls", what, remedy));
+        if task != Task::Potting && !task.can_be_scattered() {
+            let what = format!("{} is not begun in the middle", task.name());
+            return wrong(what, "leave it out".into());
+        }
+        if least < 1 || least > most || most > task.most_balls() {
+            let most_balls = task.most_balls();
+            return wrong(
+                format!("[{least}, {most}] is out of range"),
+                format!("write two numbers in [1, {most_balls}], the lower one first"),
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Cue speeds beyond this are no player's, m/s: the record is about 15.
+const FASTEST: f64 = 15.0;
+
+/// Elevations beyond this are near enough to upright that noise could carry a cue past it, rad (80°).
+pub(crate) const STEEPEST: f64 = 1.396;
+
+/// The value of that name.
+pub(crate) fn named<T: Copy>(
+    all: &[T],
+    name_of: impl Fn(T) -> &'static str,
+    place: &str,
+    name: &str,
+) -> Result<T, Error> {
+    all.iter().copied().find(|value| name_of(*value) == name).ok_or_else(|| {
+        let names: Vec<&str> = all.iter().map(|value| name_of(*value)).collect();
+        Error::input(
+            place,
+            format!("there is no \"{name}\""),
+            format!("write one of {}", names.join(", ")),
+        )
+    })
+}

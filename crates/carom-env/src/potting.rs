@@ -1,0 +1,131 @@
+//! One shot at balls that lie anywhere.
+
+use carom::event::{Event, EventKind, Recorder};
+use carom::simulate::{SMALL, Simulation};
+use carom::{Error, Shot};
+use carom_rules::{BallIndex, Calls, Piece, Player, Turn};
+
+use crate::config::{Config, Target};
+use crate::place;
+use crate::random::Dice;
+use crate::scene::{Bed, Ending, Played, Scene, Standing, Stroke, in_order};
+
+const CUE: BallIndex = 0;
+
+/// The cue ball and some object balls at random; the shot pots, or does not.
+#[derive(Clone)]
+pub(crate) struct Potting {
+    bed: Bed,
+    balls: [usize; 2],
+    target: Target,
+    turn: Turn,
+    over: bool,
+}
+
+impl Potting {
+    pub(crate) fn new(config: &Config) -> Result<Self, Error> {
+        let balls = config.balls.unwrap_or([1, 1]);
+        let ids = (0..=balls[1]).map(|i| if i == 0 { "cue".into() } else { i.to_string() });
+        let table = config.table.clone().unwrap_or_else(|| "wpa-9ft".into());
+        let bed = Bed::new(table, config.physics.clone(), ids)?;
+        if bed.base.table().pockets.is_empty() {
+            return Err(Error::input(
+                "table",
+                "nothing can be potted on a table without pockets",
+                "choose a table with pockets",
+            ));
+        }
+        let turn =
+            Turn { player: 0, cue: CUE, hand: None, on: Vec::new(), calls: Calls::default() };
+        Ok(Self { bed, balls, target: config.target, turn, over: true })
+    }
+}
+
+impl Scene for Potting {
+    fn base(&self) -> &Shot {
+        &self.bed.base
+    }
+
+    fn pieces(&self) -> &[Piece] {
+        &self.bed.pieces
+    }
+
+    fn place(&self, ball: BallIndex) -> Option<[f64; 2]> {
+        self.bed.places[usize::from(ball)]
+    }
+
+    fn turn(&self) -> Option<&Turn> {
+        (!self.over).then_some(&self.turn)
+    }
+
+    fn ending(&self) -> Option<Ending> {
+        self.over.then_some(Ending::Drawn)
+    }
+
+    fn standing(&self) -> Standing {
+        Standing { opening: !self.over, ..Standing::default() }
+    }
+
+    fn scores(&self) -> [i32; 2] {
+        [0; 2]
+    }
+
+    fn order(&self, _: Player) -> [BallIndex; SMALL] {
+        in_order()
+    }
+
+    fn restart(&mut self, seed: u64) -> Result<(), Error> {
+        let mut dice = Dice::of_layout(seed);
+        let [least, most] = self.balls;
+        let count = least + dice.below(most - least + 1);
+        let wanted: Vec<bool> = (0..=most).map(|ball| ball <= count).collect();
+        let table = self.bed.base.table();
+        self.bed.places = place::scattered(table, &self.bed.pieces, &wanted, &mut dice)
+            .ok_or_else(place::no_room)?;
+        self.turn.on.clear();
+        match self.target {
+            Target::Any => self.turn.on.extend(1..=count as BallIndex),
+            Target::Lowest => self.turn.on.push(1),
+        }
+        self.over = false;
+        Ok(())
+    }
+
+    fn play(
+        &mut self,
+        simulation: &mut Simulation<SMALL>,
+        stroke: &Stroke,
+    ) -> Result<Played, Error> {
+        self.over = true;
+        // Balls are on the table from the first to the last: their numbers are the shot's.
+        let mut gone = Gone::default();
+        self.bed.play(simulation, CUE, stroke.struck, &mut gone)?;
+        let fell = |ball: &BallIndex| gone.potted & (1 << ball) != 0;
+        let legal = gone.potted & (1 << CUE) == 0 && gone.thrown_off == 0;
+        let potted = legal && self.turn.on.iter().any(fell);
+        Ok(Played { legal, potted: potted.into(), points: [0; 2] })
+    }
+
+    fn boxed(&self) -> Box<dyn Scene> {
+        Box::new(self.clone())
+    }
+}
+
+/// Notes which balls left the table: bit k is ball k of the shot.
+#[derive(Default)]
+struct Gone {
+    potted: u32,
+    thrown_off: u32,
+}
+
+impl Recorder for Gone {
+    const STATES: bool = false;
+
+    fn record(&mut self, event: &Event<'_>) {
+        match event.kind {
+            EventKind::PocketCollision(_) => self.potted |= 1 << event.balls[0],
+            EventKind::OffTable => self.thrown_off |= 1 << event.balls[0],
+            _ => {}
+        }
+    }
+}

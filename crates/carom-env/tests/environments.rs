@@ -1,0 +1,208 @@
+//! Environments as a learner meets them.
+
+use carom::Noise;
+use carom_env::{Aim, Autoreset, CUSHIONS, Config, Opponent, Rewards, Target, Task, VectorEnv};
+use carom_rules::Rules;
+
+/// Actions at random, the same every time.
+fn actions(count: usize, seed: u64) -> Vec<f32> {
+    let mut state = seed;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (state >> 40) as f32 / (1_u32 << 23) as f32 - 1.0
+    };
+    (0..count).map(|_| next()).collect()
+}
+
+fn environments(task: Task, n: usize, config: Config) -> VectorEnv {
+    let mut vector = VectorEnv::new(task, n, 0, config).expect("a task");
+    let seeds: Vec<u64> = (0..n as u64).collect();
+    vector.reset(Some(&seeds), None).expect("seeds for all");
+    vector
+}
+
+/// Every number that comes of some steps at random, as bits.
+fn bits(task: Task, n: usize, steps: u64, threads: usize) -> Vec<u64> {
+    let config = Config { noise: Noise::olympiad(1.0), threads: Some(threads), ..Config::of(task) };
+    let mut vector = environments(task, n, config);
+    let mut bits = Vec::new();
+    for step in 0..steps {
+        let out = vector.step(&actions(n * vector.action_size(), step)).expect("a step");
+        bits.extend(out.observations.iter().map(|x| u64::from(x.to_bits())));
+        bits.extend(out.rewards.iter().map(|x| x.to_bits()));
+        bits.extend(out.players.iter().map(|x| *x as u64));
+    }
+    bits
+}
+
+#[test]
+fn the_bits_do_not_depend_on_the_threads() {
+    for task in Task::ALL {
+        assert_eq!(bits(task, 40, 3, 1), bits(task, 40, 3, 3), "{}", task.name());
+    }
+}
+
+#[test]
+fn every_observation_is_within_its_bounds_and_every_episode_goes_on_or_ends() {
+    for task in Task::ALL {
+        for opponent in [Opponent::None, Opponent::Random, Opponent::Potter] {
+            if task == Task::Potting && opponent != Opponent::None {
+                continue;
+            }
+            let mut config = Config { opponent, noise: Noise::olympiad(2.0), ..Config::of(task) };
+            config.options.patience = 10;
+            let mut vector = environments(task, 6, config);
+            let [low, high] = vector.observation_bounds();
+            for step in 0..20 {
+                let out = vector.step(&actions(6 * vector.action_size(), step)).expect("a step");
+                for row in out.observations.chunks(vector.observation_size()) {
+                    for ((x, low), high) in row.iter().zip(&low).zip(&high) {
+                        assert!((low..=high).contains(&x), "{}: {x}", task.name());
+                    }
+                }
+                assert!(out.rewards.iter().all(|reward| reward.is_finite()));
+                assert!(out.players.iter().all(|player| *player >= 0), "reset in the same step");
+                let both = out.terminated.iter().zip(&out.truncated).any(|(a, b)| *a && *b);
+                assert!(!both, "an episode ends in one way");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_ball_hit_full_is_potted_as_often_as_pockets_are_wide() {
+    let config = Config { aim: Aim::Relative, ..Config::of(Task::Potting) };
+    let n = 2000;
+    let mut vector = environments(Task::Potting, n, config);
+    let full: Vec<f32> = (0..n).flat_map(|_| [0.0, 0.0, 0.0, 0.0, -1.0]).collect();
+    let out = vector.step(&full).expect("a step");
+    let made = out.rewards.iter().filter(|reward| **reward == 1.0).count();
+    // A ball hit full goes straight on, and pockets take a few per cent of all directions.
+    assert!((n / 100..n / 5).contains(&made), "{made} of {n}");
+    assert!(out.terminated.iter().all(|ended| *ended), "one shot");
+}
+
+#[test]
+fn the_lowest_ball_is_harder_to_pot_than_any() {
+    let made = |target| {
+        let config = Config { target, balls: Some([5, 5]), ..Config::of(Task::Potting) };
+        let n = 3000;
+        let mut vector = environments(Task::Potting, n, config);
+        let out = vector.step(&actions(n * vector.action_size(), 1)).expect("a step");
+        out.rewards.iter().sum::<f64>()
+    };
+    assert!(made(Target::Lowest) < 0.6 * made(Target::Any));
+}
+
+#[test]
+fn eight_ball_begins_in_the_middle_with_as_many_balls_as_asked() {
+    let task = Task::Game(Rules::EightBall);
+    let config = Config { balls: Some([4, 9]), ..Config::of(task) };
+    let vector = environments(task, 200, config);
+    let mut seen = std::collections::BTreeSet::new();
+    for index in 0..200 {
+        let row = vector.observe(index, 0).expect("an environment");
+        let on_table: Vec<bool> = row.chunks(4).take(16).map(|ball| ball[2] == 1.0).collect();
+        assert!(on_table[0] && on_table[8], "cue ball and eight");
+        seen.insert(on_table[1..].iter().filter(|on| **on).count());
+    }
+    assert_eq!(seen.into_iter().collect::<Vec<_>>(), [4, 5, 6, 7, 8, 9]);
+}
+
+#[test]
+fn the_cue_ball_in_hand_is_put_where_the_action_says_or_beside() {
+    let task = Task::Game(Rules::NineBall);
+    let mut vector = environments(task, 1, Config::of(task));
+    // Gently along the width: where it was put is seen from its place across.
+    let action = [0.0, -1.0, 0.0, 0.0, -1.0, 0.4, 0.2];
+    let out = vector.step(&action).expect("a step");
+    let [x, y] = [out.observations[0], out.observations[1]];
+    // Behind the head string: y from 0 to a quarter of the length.
+    let wanted = [0.4, -1.0 + 0.5 * 0.6];
+    assert!(x > wanted[0] && x < wanted[0] + 0.4, "{x}");
+    assert!((y - wanted[1]).abs() < 1e-6, "{y}");
+}
+
+#[test]
+fn a_group_is_seen_first_by_its_player() {
+    let task = Task::Game(Rules::EightBall);
+    let config = Config {
+        balls: Some([9, 9]),
+        aim: Aim::Relative,
+        autoreset: Autoreset::Disabled,
+        ..Config::of(task)
+    };
+    let n = 300;
+    let mut vector = environments(task, n, config);
+    let out = vector.step(&actions(n * vector.action_size(), 4)).expect("a step");
+    let mut closed = 0;
+    let any_ball = 4 * 16 + 3;
+    for (index, row) in out.observations.chunks(vector.observation_size()).enumerate() {
+        if out.players[index] < 0 || row[any_ball] == 1.0 {
+            continue;
+        }
+        closed += 1;
+        let on = |balls: core::ops::Range<usize>| balls.filter(|k| row[4 * k + 3] == 1.0).count();
+        assert!(on(1..8) > 0 || on(8..9) == 1, "the own group, or the eight");
+        assert_eq!(on(9..16), 0, "nothing of the other's");
+    }
+    assert!(closed > 5, "{closed} tables are no more open");
+}
+
+#[test]
+fn three_cushions_score_in_sum_to_three_and_no_other_number() {
+    // Straight up the long string at the object ball: how many cushions are touched depends on the speed.
+    let n = 400;
+    let mut vector = environments(Task::SumToThree, n, Config::of(Task::SumToThree));
+    let shots: Vec<f32> =
+        (0..n).flat_map(|i| [0.5, 2.0 * i as f32 / n as f32 - 1.0, 0.0, 0.0, -1.0]).collect();
+    let out = vector.step(&shots).expect("a step");
+    let scored = out.rewards.iter().filter(|reward| **reward == 1.0).count();
+    assert_eq!(CUSHIONS, 3);
+    assert!(scored > n / 50 && scored < n / 2, "{scored} of {n}");
+    // Who scores goes on.
+    for (reward, player) in out.rewards.iter().zip(&out.players) {
+        assert_eq!(*player, i8::from(*reward == 0.0));
+    }
+}
+
+#[test]
+fn a_shot_that_is_never_played_to_its_end_is_truncated_with_a_penalty() {
+    // Cloth without friction: balls that move never stop.
+    let physics = carom::shot::Node::object([(
+        "cloth",
+        carom::shot::Node::object([
+            ("sliding_friction", 0.0.into()),
+            ("rolling_friction", 0.0.into()),
+        ]),
+    )]);
+    let config = Config {
+        physics: Some(physics),
+        table: Some("carom-10ft".into()),
+        rewards: Rewards { failure: -3.0, ..Rewards::of(Task::SumToThree) },
+        ..Config::of(Task::SumToThree)
+    };
+    let mut vector = environments(Task::SumToThree, 1, config);
+    let out = vector.step(&[0.3, 0.5, 0.0, 0.0, -1.0]).expect("a step");
+    assert_eq!((out.rewards[0], out.truncated[0], out.terminated[0]), (-3.0, true, false));
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_its_place() {
+    let refused = |task, config| match VectorEnv::new(task, 1, 0, config) {
+        Ok(_) => String::new(),
+        Err(error) => error.to_string(),
+    };
+    let potting = Config::of(Task::Potting);
+    let pocketless = Config { table: Some("carom-10ft".into()), ..potting.clone() };
+    assert!(refused(Task::Potting, pocketless).starts_with("table"));
+    let heap = Config { balls: Some([1, 40]), ..potting };
+    assert!(refused(Task::Potting, heap).starts_with("balls"));
+    let snooker = Task::Game(Rules::Snooker);
+    let middle = Config { balls: Some([4, 5]), ..Config::of(snooker) };
+    assert!(refused(snooker, middle).starts_with("balls"));
+    let mut vector = environments(Task::SumToThree, 2, Config::of(Task::SumToThree));
+    assert!(vector.step(&[0.0; 3]).is_err());
+    assert!(vector.reset(Some(&[1]), None).is_err());
+    assert!(vector.observe(2, 0).is_err() && vector.observe(0, 2).is_err());
+}

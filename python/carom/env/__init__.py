@@ -1,0 +1,47 @@
+"""Environments for learners: Gymnasium, native vectors that step in Rust, PettingZoo.
+
+    import gymnasium
+    import carom.env                                   # registers the environments
+
+    env = gymnasium.make("carom/Potting-v0", balls=3)
+    envs = gymnasium.make_vec("carom/EightBall-v0", num_envs=4096)
+    match = carom.env.aec("eight-ball")                # PettingZoo, two players
+
+Needs the extra: ``pip install carom[env]``.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+try:
+    import gymnasium  # noqa: F401
+except ImportError as error:
+    raise ImportError("carom.env needs Gymnasium: pip install 'carom[env]'") from error
+
+from carom.env.registry import ENVIRONMENTS, register
+from carom.env.settings import Rewards
+from carom.env.single import CaromEnv
+from carom.env.vector import CaromVectorEnv
+
+if TYPE_CHECKING:
+    from carom.env.match import CaromMatch
+
+__all__ = ["ENVIRONMENTS", "CaromEnv", "CaromVectorEnv", "Rewards", "aec"]
+
+register()
+
+
+def aec(game: str = "eight-ball", **settings: Any) -> CaromMatch:
+    """A match between two agents, for PettingZoo.
+
+    Args:
+        game: ``eight-ball``, ``nine-ball``, ``snooker``, ``three-cushion`` or ``sum-to-three``.
+        settings: As for the environments of Gymnasium, ``opponent`` excepted.
+
+    Returns:
+        A ``pettingzoo.AECEnv`` with the agents ``player_0`` and ``player_1``.
+    """
+    from carom.env.match import CaromMatch
+
+    return CaromMatch(game, **settings)

@@ -1,0 +1,114 @@
+"""Two agents at one table, as PettingZoo has it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+from pettingzoo import AECEnv
+
+from carom import _core
+from carom.env.render import frame
+from carom.env.settings import pack
+from carom.env.vector import spaces
+from carom.errors import InputError
+
+if TYPE_CHECKING:
+    from gymnasium.spaces import Box
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+
+class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
+    """A frame between ``player_0``, who begins, and ``player_1``.
+
+    Who shoots goes on until the rules give the table to the other: the same agent is often
+    selected several times in a row. A shot's reward goes to its shooter, and its negative to the
+    other: zero-sum.
+
+    Args:
+        game: Which, by the names of the tasks; potting is no match.
+        render_mode: ``rgb_array`` or None.
+        settings: See :func:`carom.env.settings.pack`; ``opponent`` has no meaning here.
+    """
+
+    metadata: ClassVar[dict[str, Any]] = {
+        "render_modes": ["rgb_array"],
+        "name": "carom_v0",
+        "is_parallelizable": False,
+        "render_fps": 1,
+    }
+
+    def __init__(
+        self, game: str = "eight-ball", *, render_mode: str | None = None, **settings: Any
+    ) -> None:
+        super().__init__()
+        if game == "potting":
+            raise InputError("game: potting has one player; choose a game, such as eight-ball")
+        if "opponent" in settings:
+            raise InputError("opponent: both players are agents here; leave it out")
+        packed = pack(autoreset_mode="disabled", **({"threads": 1} | settings))
+        self._core = _core.VectorEnv(game, 1, packed)
+        self.render_mode = render_mode
+        self.possible_agents = ["player_0", "player_1"]
+        self.agents: list[str] = []
+        seen, act = spaces(self._core)
+        self.observation_spaces = dict.fromkeys(self.possible_agents, seen)
+        self.action_spaces = dict.fromkeys(self.possible_agents, act)
+        self._seeded = False
+
+    def observation_space(self, agent: str) -> Box:
+        """The same for both."""
+        return self.observation_spaces[agent]
+
+    def action_space(self, agent: str) -> Box:
+        """The same for both."""
+        return self.action_spaces[agent]
+
+    def reset(self, seed: int | None = None, options: dict[str, Any] | None = None) -> None:
+        """Begins the first frame of ``seed``, or the next one of the seed of before."""
+        del options
+        if seed is None and not self._seeded:
+            seed = int(np.random.default_rng().integers(2**62))
+        self._seeded = True
+        self._core.reset(None if seed is None else [seed], None)
+        self.agents = list(self.possible_agents)
+        self.rewards = dict.fromkeys(self.agents, 0.0)
+        self._cumulative_rewards = dict.fromkeys(self.agents, 0.0)
+        self.terminations = dict.fromkeys(self.agents, False)
+        self.truncations = dict.fromkeys(self.agents, False)
+        self.infos: dict[str, dict[str, Any]] = {agent: {} for agent in self.agents}
+        self.agent_selection = self._next()
+
+    def observe(self, agent: str) -> Array:
+        """What ``agent`` sees, whether or not it shoots next."""
+        return self._core.observe(0, self.possible_agents.index(agent))
+
+    def step(self, action: Array | None) -> None:
+        """Plays a shot of the selected agent."""
+        shooter = self.agent_selection
+        if self.terminations[shooter] or self.truncations[shooter]:
+            self._was_dead_step(action)
+            return
+        self._cumulative_rewards[shooter] = 0.0
+        out = self._core.step(np.asarray(action, dtype=np.float32).reshape(1, -1))
+        reward = float(out["rewards"][0])
+        self.rewards = {agent: reward if agent == shooter else -reward for agent in self.agents}
+        self.terminations = dict.fromkeys(self.agents, bool(out["terminated"][0]))
+        self.truncations = dict.fromkeys(self.agents, bool(out["truncated"][0]))
+        self.infos = {agent: {} for agent in self.agents}
+        self.infos[shooter] = {key: out[key][0].item() for key in ("legal", "potted")}
+        self._accumulate_rewards()
+        self.agent_selection = self._next()
+
+    def render(self) -> Any:
+        """A picture of the table, uint8 of shape (height, width, 3), if the mode asks for one."""
+        return None if self.render_mode is None else frame(self._core.picture(0))
+
+    def close(self) -> None:
+        """Nothing is open."""
+
+    def _next(self) -> str:
+        player = self._core.player(0)
+        return self.agent_selection if player is None else self.possible_agents[player]

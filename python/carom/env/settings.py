@@ -1,0 +1,126 @@
+"""What an environment is asked to be, from Python's side to Rust's."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import astuple, dataclass
+from typing import Any
+
+from carom.build import Physics, Table
+from carom.errors import InputError
+from carom.noise import Noise
+
+
+@dataclass(frozen=True, slots=True)
+class Rewards:
+    """What a shot earns, from the view of the player who shoots.
+
+    Attributes:
+        win: The frame won; lost, its negative.
+        pot: Each ball potted by a legal shot that was the shooter's to pot.
+        foul: A foul.
+        point: Each point more than the other player gets by the shot.
+        failure: A shot that cannot be played, or whose simulation reaches its cap on events.
+    """
+
+    win: float = 0.0
+    pot: float = 0.0
+    foul: float = 0.0
+    point: float = 0.0
+    failure: float = -1.0
+
+
+def pack(
+    *,
+    noise: Noise | None = None,
+    aim: str = "absolute",
+    speed: tuple[float, float] = (0.2, 8.0),
+    max_elevation: float = 0.5,
+    opponent: str = "none",
+    balls: int | tuple[int, int] | None = None,
+    target_ball: str = "any",
+    table: Table | str | Mapping[str, Any] | None = None,
+    physics: Physics | str | Mapping[str, Any] | None = None,
+    target: int | None = None,
+    patience: int = 100,
+    rewards: Rewards | None = None,
+    autoreset_mode: str = "same-step",
+    threads: int | None = None,
+) -> dict[str, Any]:
+    """The settings of an environment as Rust takes them.
+
+    Args:
+        noise: Errors of every strike, the opponent's too; none if None.
+        aim: ``absolute``: the first action is the cue's direction, −1 to 1 for −π to π.
+            ``relative``: where the nearest ball on is hit, from its right edge (−1) to its left
+            edge (1).
+        speed: The least and the largest speed of the cue, m/s.
+        max_elevation: The largest elevation of the cue, rad; the action's lower half is level.
+        opponent: ``none``, ``random`` or ``potter``: who plays player 1.
+        balls: Object balls that lie at random at the start (a number, or least and most): for
+            potting (1 if None), eight-ball and nine-ball (a rack if None).
+        target_ball: In potting, ``any`` or ``lowest``.
+        table: As in a shot; the task's own if None.
+        physics: As in a shot; the table's own if None.
+        target: Points that win three-cushion (40 if None) and sum-to-three (10).
+        patience: Shots without progress that make a stalemate.
+        rewards: What a shot earns; the task's usual ones if None.
+        autoreset_mode: ``same-step``, ``next-step`` or ``disabled``; single environments never
+            reset by themselves.
+        threads: How many step; all cores if None. Results do not depend on it.
+
+    Raises:
+        InputError: A value has a wrong type. What is out of range, Rust refuses.
+    """
+    if isinstance(table, Table):
+        table = table.description
+    if isinstance(physics, Physics):
+        physics = physics.description
+    if noise is not None and not isinstance(noise, Noise):
+        raise InputError(
+            f"noise: found a {type(noise).__name__}; give carom.Noise(...), "
+            "for example carom.Noise.olympiad(1.0)"
+        )
+    if rewards is not None and not isinstance(rewards, Rewards):
+        raise InputError(
+            f"rewards: found a {type(rewards).__name__}; give carom.env.Rewards(...), "
+            "for example carom.env.Rewards(win=1.0)"
+        )
+    return {
+        "noise": astuple(noise or Noise()),
+        "aim": aim,
+        "speed": _pair("speed", speed),
+        "elevation": float(max_elevation),
+        "opponent": opponent,
+        "balls": None if balls is None else _whole_pair("balls", balls),
+        "target_ball": target_ball,
+        "table": table,
+        "physics": physics,
+        "target": target,
+        "patience": patience,
+        "rewards": None if rewards is None else _finite(astuple(rewards)),
+        "autoreset": autoreset_mode,
+        "threads": threads,
+    }
+
+
+def _pair(name: str, value: Sequence[float]) -> tuple[float, float]:
+    try:
+        low, high = value
+        return float(low), float(high)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: {value!r} is not a pair of numbers; write two") from None
+
+
+def _whole_pair(name: str, value: int | Sequence[int]) -> tuple[int, int]:
+    low, high = (value, value) if isinstance(value, int) else _pair(name, value)
+    if int(low) != low or int(high) != high or low < 0 or high < 0:
+        raise InputError(f"{name}: {value!r} is not a count, nor two; write whole numbers")
+    return int(low), int(high)
+
+
+def _finite(values: tuple[float, ...]) -> tuple[float, ...]:
+    if not all(math.isfinite(value) for value in values):
+        raise InputError(f"rewards: {values!r} are not all finite; write numbers")
+    return values

@@ -1,0 +1,69 @@
+"""One environment, as Gymnasium has it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import gymnasium
+import numpy as np
+
+from carom import _core
+from carom.env.render import frame
+from carom.env.settings import pack
+from carom.env.vector import spaces
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+
+class CaromEnv(gymnasium.Env[Any, Any]):
+    """One environment: the same as one of a ``CaromVectorEnv``, to the bit.
+
+    ``info`` has ``player`` (who shoots next; −1 at the end of an episode), ``legal`` (whether the
+    agent's shot was) and ``potted`` (balls that it potted and that were the shooter's to pot).
+
+    Args:
+        task: ``potting``, ``eight-ball``, ``nine-ball``, ``snooker``, ``three-cushion`` or
+            ``sum-to-three``.
+        render_mode: ``rgb_array`` or None.
+        settings: See :func:`carom.env.settings.pack`.
+    """
+
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 1}  # noqa: RUF012
+
+    def __init__(self, task: str, *, render_mode: str | None = None, **settings: Any) -> None:
+        settings.pop("autoreset_mode", None)
+        packed = pack(autoreset_mode="disabled", **({"threads": 1} | settings))
+        self._core = _core.VectorEnv(task, 1, packed)
+        self.render_mode = render_mode
+        self.observation_space, self.action_space = spaces(self._core)
+        self._seeded = False
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Array, dict[str, Any]]:
+        """Begins the first episode of ``seed``, or the next one of the seed of before."""
+        super().reset(seed=seed, options=options)
+        if seed is None and not self._seeded:
+            seed = int(self.np_random.integers(2**62))
+        self._seeded = True
+        observations = self._core.reset(None if seed is None else [seed], None)
+        return observations[0], {}
+
+    def step(self, action: Array) -> tuple[Array, float, bool, bool, dict[str, Any]]:
+        """Plays a shot; numbers of ``action`` beyond [−1, 1] are brought into it."""
+        out = self._core.step(np.asarray(action, dtype=np.float32).reshape(1, -1))
+        info = {key: out[key][0].item() for key in ("player", "legal", "potted")}
+        return (
+            out["observations"][0],
+            float(out["rewards"][0]),
+            bool(out["terminated"][0]),
+            bool(out["truncated"][0]),
+            info,
+        )
+
+    def render(self) -> Any:
+        """A picture of the table, uint8 of shape (height, width, 3), if the mode asks for one."""
+        return None if self.render_mode is None else frame(self._core.picture(0))

@@ -1,0 +1,133 @@
+"""Many environments at once, stepped in Rust on all cores."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from gymnasium.spaces import Box
+from gymnasium.utils.seeding import np_random
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space
+
+from carom import _core
+from carom.env.render import frame
+from carom.env.settings import pack
+from carom.errors import InputError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+_MODES = {
+    "same-step": AutoresetMode.SAME_STEP,
+    "next-step": AutoresetMode.NEXT_STEP,
+    "disabled": AutoresetMode.DISABLED,
+}
+
+
+def spaces(core: _core.VectorEnv) -> tuple[Box, Box]:
+    """The spaces of one environment's observations and actions."""
+    low, high = core.observation_bounds
+    action = Box(-1.0, 1.0, (core.action_size,), np.float32)
+    return Box(low, high, dtype=np.float32), action
+
+
+class CaromVectorEnv(VectorEnv[Any, Any, Any]):
+    """A row of environments of one task.
+
+    Environment ``i`` of a vector that is reset with seed ``s`` is the single environment reset with
+    ``s + i``, to the bit, for any number of threads.
+
+    ``info`` has arrays of one entry an environment: ``player`` (who shoots next; −1 at the end of
+    an episode), ``legal`` (whether the agent's shot was), ``potted`` (balls that it potted and
+    that were the shooter's to pot). In the mode ``same-step``, the steps that end episodes have
+    ``final_obs`` besides, and ``_final_obs`` says where.
+
+    Args:
+        task: ``potting``, ``eight-ball``, ``nine-ball``, ``snooker``, ``three-cushion`` or
+            ``sum-to-three``.
+        num_envs: How many.
+        render_mode: ``rgb_array`` or None.
+        autoreset_mode: When the next episode begins: ``same-step``, ``next-step`` or
+            ``disabled`` (then ``reset(options={"reset_mask": ...})`` does it), or Gymnasium's
+            ``AutoresetMode``.
+        settings: As for the single environment.
+    """
+
+    def __init__(
+        self,
+        task: str,
+        num_envs: int = 1,
+        *,
+        render_mode: str | None = None,
+        autoreset_mode: str | AutoresetMode = "same-step",
+        **settings: Any,
+    ) -> None:
+        if isinstance(autoreset_mode, AutoresetMode):
+            names = {mode: name for name, mode in _MODES.items()}
+            autoreset_mode = names[autoreset_mode]
+        if isinstance(num_envs, bool) or not isinstance(num_envs, int) or num_envs < 1:
+            raise InputError(f"num_envs: {num_envs!r} is not a count; give a whole number ≥ 1")
+        self._core = _core.VectorEnv(
+            task, num_envs, pack(autoreset_mode=autoreset_mode, **settings)
+        )
+        self.metadata = {
+            "render_modes": ["rgb_array"],
+            "render_fps": 1,
+            "autoreset_mode": _MODES[autoreset_mode],
+        }
+        self.num_envs = num_envs
+        self.render_mode = render_mode
+        self.single_observation_space, self.single_action_space = spaces(self._core)
+        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.action_space = batch_space(self.single_action_space, num_envs)
+        self._seeded = False
+
+    def reset(
+        self,
+        *,
+        seed: int | Sequence[int] | None = None,
+        options: dict[str, Any] | None = None,
+    ) -> tuple[Array, dict[str, Any]]:
+        """Begins an episode in every environment.
+
+        Args:
+            seed: Of environment 0 (environment i has ``seed + i``), or one for each; None goes on
+                with the seeds of before.
+            options: ``reset_mask``: an array that says which environments are reset; all if it
+                is not given.
+        """
+        mask = (options or {}).get("reset_mask")
+        seeds: list[int] | None = None
+        if seed is None and not self._seeded:
+            seed = int(np_random(None)[0].integers(2**62))
+        if seed is not None:
+            each = range(seed, seed + self.num_envs) if isinstance(seed, int) else seed
+            seeds = [int(one) % 2**64 for one in each]
+            self._seeded = True
+        if mask is not None:
+            mask = np.asarray(mask, dtype=np.bool_)
+        observations = self._core.reset(seeds, mask)
+        return observations, {}
+
+    def step(self, actions: Array) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
+        """Plays a shot in every environment.
+
+        Args:
+            actions: Shape (num_envs, action size); numbers beyond [−1, 1] are brought into it.
+        """
+        info = self._core.step(np.ascontiguousarray(actions, dtype=np.float32))
+        observations, rewards = info.pop("observations"), info.pop("rewards")
+        terminated, truncated = info.pop("terminated"), info.pop("truncated")
+        if "final_obs" in info:
+            info["_final_obs"] = terminated | truncated
+        return observations, rewards, terminated, truncated, info
+
+    def render(self) -> tuple[Array, ...] | None:
+        """A picture of every environment's table, if the render mode is ``rgb_array``."""
+        if self.render_mode is None:
+            return None
+        return tuple(frame(self._core.picture(index)) for index in range(self.num_envs))

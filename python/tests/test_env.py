@@ -1,0 +1,256 @@
+"""Environments for learners."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import warnings
+from typing import Any
+
+import carom
+import carom.env
+import gymnasium
+import numpy as np
+import pytest
+from carom.errors import InputError
+from gymnasium.utils.env_checker import check_env
+from gymnasium.vector import AutoresetMode
+from pettingzoo.test import api_test, seed_test
+
+NAMES = sorted(carom.env.ENVIRONMENTS)
+NOISE = carom.Noise.olympiad(1.0)
+
+
+def play(envs: Any, steps: int, seed: int = 3) -> list[np.ndarray[Any, Any]]:
+    """Everything that comes of some steps."""
+    random = np.random.default_rng(5)
+    shape = envs.action_space.shape
+    out = [envs.reset(seed=seed)[0]]
+    for _ in range(steps):
+        out += envs.step(random.uniform(-1, 1, shape).astype(np.float32))[:4]
+    return out
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_gymnasium_finds_nothing_wrong(name: str) -> None:
+    env = gymnasium.make(name, render_mode="rgb_array", noise=NOISE)
+    with warnings.catch_warnings():
+        # The checker recommends to test a wrapped environment's inside, which is what is given.
+        warnings.simplefilter("error")
+        check_env(env.unwrapped)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_observations_stay_within_their_bounds(name: str) -> None:
+    envs = gymnasium.make_vec(name, num_envs=16, noise=NOISE)
+    envs.action_space.seed(1)
+    observations, _ = envs.reset(seed=1)
+    for _ in range(30):
+        assert observations.dtype == np.float32
+        assert observations in envs.observation_space
+        observations, rewards, *_ = envs.step(envs.action_space.sample())
+        assert np.isfinite(rewards).all()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_environment_of_a_vector_is_the_single_one_with_its_seed(name: str) -> None:
+    envs = gymnasium.make_vec(name, num_envs=3, noise=NOISE, autoreset_mode="next-step")
+    single = gymnasium.make(name, noise=NOISE)
+    random = np.random.default_rng(2)
+    actions = random.uniform(-1, 1, (6, *envs.action_space.shape)).astype(np.float32)
+    first, _ = envs.reset(seed=7)
+    observation, _ = single.reset(seed=9)
+    np.testing.assert_array_equal(first[2], observation)
+    over = False
+    for action in actions:
+        row = [part[2] for part in envs.step(action)[:4]]
+        if over:
+            observation, over = single.reset()[0], False
+            np.testing.assert_array_equal(row[0], observation)
+            assert row[1:] == [0.0, False, False]
+            continue
+        observation, reward, terminated, truncated, _ = single.step(action[2])
+        np.testing.assert_array_equal(row[0], observation)
+        assert row[1:] == [reward, terminated, truncated]
+        over = terminated or truncated
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_bits_do_not_depend_on_the_threads(name: str) -> None:
+    runs = [
+        play(gymnasium.make_vec(name, num_envs=40, noise=NOISE, threads=threads), 6)
+        for threads in (1, 3)
+    ]
+    for one, other in zip(*runs, strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_another_seed_is_another_game() -> None:
+    envs = gymnasium.make_vec("carom/EightBall-v0", num_envs=4)
+    one, other = play(envs, 2, seed=3), play(envs, 2, seed=30)
+    assert any((a != b).any() for a, b in zip(one, other, strict=True))
+
+
+def test_make_vec_steps_in_rust() -> None:
+    envs = gymnasium.make_vec("carom/EightBall-v0", num_envs=8)
+    assert isinstance(envs.unwrapped, carom.env.CaromVectorEnv)
+    assert envs.metadata["autoreset_mode"] is AutoresetMode.SAME_STEP
+
+
+def test_in_the_same_step_the_end_is_seen_beside_the_new_beginning() -> None:
+    envs = gymnasium.make_vec("carom/Potting-v0", num_envs=5)
+    envs.reset(seed=0)
+    observations, _, terminated, _, info = envs.step(np.zeros(envs.action_space.shape))
+    # One shot, and it is over.
+    assert terminated.all()
+    assert info["_final_obs"].all()
+    assert (info["final_obs"] != observations).any(axis=1).all()
+
+
+def test_a_vector_that_does_not_reset_is_reset_by_mask() -> None:
+    envs = gymnasium.make_vec("carom/Potting-v0", num_envs=3, autoreset_mode="disabled")
+    first, _ = envs.reset(seed=0)
+    last, *_ = envs.step(np.zeros(envs.action_space.shape))
+    mask = np.array([True, False, True])
+    after, _ = envs.reset(options={"reset_mask": mask})
+    np.testing.assert_array_equal(after[1], last[1])
+    assert (after[mask] != last[mask]).any(axis=1).all()
+    assert (after[mask] != first[mask]).any(axis=1).all()
+
+
+def test_a_ball_that_is_aimed_at_is_often_potted_and_rewarded() -> None:
+    envs = gymnasium.make_vec("carom/Potting-v0", num_envs=2000, aim="relative")
+    envs.reset(seed=0)
+    actions = np.zeros(envs.action_space.shape, dtype=np.float32)
+    actions[:, 4] = -1
+    _, rewards, *_, info = envs.step(actions)
+    assert set(np.unique(rewards)) == {0.0, 1.0}
+    np.testing.assert_array_equal(rewards, (info["potted"] > 0).astype(float))
+    # Full on the ball: it goes somewhere along the line, seldom into a pocket.
+    assert 0.01 < rewards.mean() < 0.3
+
+
+def test_noise_makes_potting_harder() -> None:
+    def potted(noise: carom.Noise | None) -> float:
+        match = gymnasium.make_vec(
+            "carom/EightBall-v0", num_envs=300, opponent="potter", noise=noise, balls=(4, 6)
+        )
+        match.reset(seed=0)
+        wild = np.zeros(match.action_space.shape, dtype=np.float32)
+        return sum(float(match.step(wild)[1].sum()) for _ in range(5))
+
+    # The opponent earns what the agent loses.
+    assert potted(None) < potted(carom.Noise.olympiad(20.0))
+
+
+@pytest.mark.parametrize("opponent", ["random", "potter"])
+@pytest.mark.parametrize("name", ["carom/EightBall-v0", "carom/NineBall-v0", "carom/Snooker-v0"])
+def test_with_an_opponent_the_agent_always_shoots_next(name: str, opponent: str) -> None:
+    envs = gymnasium.make_vec(name, num_envs=8, opponent=opponent, noise=NOISE, patience=20)
+    envs.action_space.seed(0)
+    envs.reset(seed=0)
+    for _ in range(20):
+        *_, info = envs.step(envs.action_space.sample())
+        assert (info["player"] == 0).all()
+
+
+@pytest.mark.parametrize("name", ["carom/ThreeCushion-v0", "carom/SumToThree-v0"])
+def test_the_shooter_goes_on_after_a_point(name: str) -> None:
+    envs = gymnasium.make_vec(name, num_envs=200)
+    envs.action_space.seed(0)
+    envs.reset(seed=0)
+    player = np.zeros(200, dtype=np.int8)
+    scored = 0
+    for _ in range(10):
+        _, rewards, _, _, info = envs.step(envs.action_space.sample())
+        point = rewards > 0
+        np.testing.assert_array_equal(info["player"], np.where(point, player, 1 - player))
+        player = info["player"]
+        scored += point.sum()
+    # Blind shots score now and then.
+    assert scored > 5
+
+
+def test_episodes_end_even_if_nothing_is_hit() -> None:
+    envs = gymnasium.make_vec("carom/SumToThree-v0", num_envs=2, patience=5)
+    envs.reset(seed=0)
+    gentle = np.tile(np.float32([0, -1, 0, 0, -1]), (2, 1))
+    truncated = [envs.step(gentle)[3] for _ in range(5)]
+    assert not np.any(truncated[:4])
+    assert truncated[4].all()
+
+
+def test_numbers_out_of_bounds_and_nan_are_played_as_the_nearest() -> None:
+    envs = gymnasium.make_vec("carom/EightBall-v0", num_envs=1)
+    envs.reset(seed=0)
+    out = envs.step(np.full(envs.action_space.shape, 9.0, dtype=np.float32))
+    envs.reset(seed=0)
+    same = envs.step(np.ones(envs.action_space.shape, dtype=np.float32))
+    np.testing.assert_array_equal(out[0], same[0])
+    envs.reset(seed=0)
+    out = envs.step(np.full(envs.action_space.shape, np.nan, dtype=np.float32))
+    envs.reset(seed=0)
+    same = envs.step(np.zeros(envs.action_space.shape, dtype=np.float32))
+    np.testing.assert_array_equal(out[0], same[0])
+
+
+@pytest.mark.parametrize(
+    ("settings", "place"),
+    [
+        ({"balls": 0}, "balls"),
+        ({"balls": (3, 2)}, "balls"),
+        ({"balls": 99}, "balls"),
+        ({"balls": "many"}, "balls"),
+        ({"aim": "straight"}, "aim"),
+        ({"opponent": "potter"}, "opponent"),
+        ({"speed": (2.0, 1.0)}, "speed"),
+        ({"speed": 2.0}, "speed"),
+        ({"max_elevation": 2.0}, "elevation"),
+        ({"target_ball": "highest"}, "target"),
+        ({"table": "carom-10ft"}, "table"),
+        ({"noise": 1.0}, "noise"),
+        ({"rewards": 1.0}, "rewards"),
+    ],
+)
+def test_what_is_wrong_is_said_with_its_place(settings: dict[str, Any], place: str) -> None:
+    with pytest.raises(InputError, match=rf"^{place}"):
+        carom.env.CaromEnv("potting", **settings)
+
+
+def test_a_picture_is_an_array_of_pixels() -> None:
+    env = gymnasium.make("carom/Snooker-v0", render_mode="rgb_array")
+    env.reset(seed=0)
+    picture = env.render()
+    assert isinstance(picture, np.ndarray)
+    assert picture.dtype == np.uint8
+    assert picture.shape[2] == 3
+    # Many balls of many colours on green cloth.
+    assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 100
+
+
+@pytest.mark.parametrize("game", ["eight-ball", "three-cushion", "sum-to-three"])
+def test_pettingzoo_finds_nothing_wrong(game: str) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)
+        api_test(carom.env.aec(game), num_cycles=100)
+        seed_test(lambda: carom.env.aec(game), num_cycles=20)
+
+
+def test_a_match_is_a_zero_sum_game() -> None:
+    match = carom.env.aec("nine-ball", patience=10, noise=NOISE)
+    match.reset(seed=1)
+    for agent in match.agents:
+        match.action_space(agent).seed(1)
+    totals = dict.fromkeys(match.agents, 0.0)
+    for agent in match.agent_iter():
+        _, reward, terminated, truncated, _ = match.last()
+        totals[agent] += reward
+        done = terminated or truncated
+        match.step(None if done else match.action_space(agent).sample())
+    assert sum(totals.values()) == pytest.approx(0.0)
+    assert any(totals.values())
+
+
+def test_carom_is_imported_without_gymnasium() -> None:
+    code = "import sys, carom; assert not {'gymnasium', 'pettingzoo'} & set(sys.modules)"
+    subprocess.run([sys.executable, "-c", code], check=True)
