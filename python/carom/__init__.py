@@ -26,7 +26,7 @@ from carom.maps import (
     position_map,
     pot_map,
 )
-from carom.noise import Noise, NoisyResult
+from carom.noise import Noise, NoisyResult, Perception
 from carom.plan import Chance, Evaluation
 from carom.racks import break_shot
 from carom.reference import schema, tables
@@ -50,6 +50,7 @@ __all__ = [
     "Noise",
     "NoisyResult",
     "PageError",
+    "Perception",
     "Physics",
     "PositionMap",
     "PotMap",

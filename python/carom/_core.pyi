@@ -26,6 +26,7 @@ __all__ = [
     "pot_map",
     "rule_sets",
     "schema",
+    "see",
     "simulate_batch",
     "simulate_strikes",
     "solve",
@@ -119,6 +120,7 @@ def evaluate(
     threads: int,
     progress: Callable[[int], object],
 ) -> dict[str, Any]: ...
+def see(shot: Shot, position: float, seed: int, index: int) -> Shot: ...
 def pot_map(
     shot: Shot,
     target: tuple[int, int],

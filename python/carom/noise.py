@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from carom.shot import Shot
+
 # Seeds and indices are 64 bits wide.
 _WORD = 1 << 64
 
@@ -84,6 +86,38 @@ class Noise:
     def scaled(self, multiplier: float) -> Self:
         """The same with every σ times ``multiplier``."""
         return type(self)(*(sigma * multiplier for sigma in astuple(self)))
+
+
+@dataclass(frozen=True, slots=True)
+class Perception:
+    """How far from where they are a player sees the balls: Gaussian, each on its own.
+
+    Attributes:
+        position: Standard deviation of each coordinate of each ball, m.
+    """
+
+    position: float = 0.0
+
+    def see(self, shot: Shot, index: int = 0, *, seed: int = 0) -> Shot:
+        """The shot as it is seen: plan on it, and play the true one.
+
+        No ball is seen in another or outside the table; one that would be is seen nearer to where
+        it is. ``index`` and ``seed`` say which of all sights, the same on every platform.
+
+        Raises:
+            InputError: A number is out of range, or the strike cannot be played on what is seen.
+        """
+        from carom.shot import Shot
+
+        whole("index", index)
+        whole("seed", seed)
+        try:
+            position = float(self.position)
+        except (TypeError, ValueError):
+            raise InputError(
+                f"perception.position: {self.position!r} is not a number; write one"
+            ) from None
+        return Shot._wrap(_core.see(shot._core, position, seed, index))
 
 
 @dataclass(frozen=True, slots=True)

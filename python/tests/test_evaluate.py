@@ -109,6 +109,18 @@ def test_nonsense_is_refused_by_name(cut: Shot, given: dict[str, Any], place: st
         cut.evaluate(**({"noise": CLUB} | given))
 
 
+def test_what_is_seen_is_a_little_beside_what_is(cut: Shot) -> None:
+    sight = carom.Perception(position=0.003)
+    true = cut.simulate().at(0.0).position
+    off = np.array([sight.see(cut, k).simulate().at(0.0).position - true for k in range(200)])
+    assert np.std(off[:, :, :2]) == pytest.approx(0.003, rel=0.1)
+    assert (off[:, :, 2] == 0).all()
+    assert sight.see(cut, 5) == sight.see(cut, 5) != sight.see(cut, 5, seed=1)
+    for wrong in (-0.1, float("nan"), "near"):
+        with pytest.raises(InputError, match=r"^perception\.position: "):
+            carom.Perception(wrong).see(cut)  # type: ignore[arg-type]
+
+
 def test_balls_and_pockets_that_are_not_there_are_refused(cut: Shot) -> None:
     found = cut.evaluate(CLUB, 10)
     for ask in (lambda: found.pot("7"), lambda: found.pocket("1", "cellar")):

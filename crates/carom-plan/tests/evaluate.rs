@@ -1,6 +1,7 @@
 //! Evaluations count what the variants do, and nothing else.
 
 use carom::batch::{OFF_TABLE, simulate_noisy};
+use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
 use carom::{Noise, Shot};
 use carom_plan::{Evaluation, Precision, Question, Referee, Watched, evaluate};
@@ -143,4 +144,24 @@ fn nonsense_is_refused_by_name() {
     assert!(refuse(precision(0.0, Watched::Scratch)).starts_with("precision: "));
     assert!(refuse(precision(0.1, Watched::Ball(99))).starts_with("watch: "));
     assert!(refuse(precision(0.1, Watched::Legal)).starts_with("watch: "));
+}
+
+#[test]
+fn balls_are_seen_beside_where_they_are_and_never_in_one_another() {
+    let shot = shot("frozen_combination");
+    let sight = Perception { position: 0.002 };
+    let (mut sum, mut count) = (0.0, 0.0);
+    for index in 0..300 {
+        let seen = sight.draw(&shot, 3, index).expect("a valid shot, whatever is seen");
+        assert_eq!(seen, sight.draw(&shot, 3, index).expect("the same"));
+        // The first ball is drawn before any other has moved: only its neighbours can hold it.
+        let off = seen.balls()[0].state.position - shot.balls()[0].state.position;
+        sum += off.x * off.x + off.y * off.y;
+        count += 2.0;
+    }
+    let sigma = carom::math::sqrt(sum / count);
+    assert!((0.0017..0.0023).contains(&sigma), "{sigma}");
+    let clear = Perception::default().draw(&shot, 3, 0).expect("a shot");
+    assert_eq!(clear, shot);
+    assert!(Perception { position: -1.0 }.draw(&shot, 3, 0).is_err());
 }

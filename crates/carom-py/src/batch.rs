@@ -2,7 +2,7 @@
 
 use carom::Noise;
 use carom::batch::{self, BatchResult};
-use carom::noise::SKILLS;
+use carom::noise::{Perception, SKILLS};
 use carom::resolve::cue_ball::Strike;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -76,6 +76,19 @@ pub(crate) fn draw_strikes<'py>(
 #[pyfunction]
 pub(crate) fn check_noise(py: Python<'_>, noise: [f64; 5]) -> PyResult<()> {
     noise_of(noise).check().map_err(|e| to_exception(py, &e))
+}
+
+/// The shot as it is seen the time number `index`; `position`: σ of each coordinate, m.
+#[pyfunction]
+pub(crate) fn see(
+    py: Python<'_>,
+    shot: &Shot,
+    position: f64,
+    seed: u64,
+    index: u64,
+) -> PyResult<Shot> {
+    let seen = Perception { position }.draw(&shot.0, seed, index);
+    seen.map(|shot| Shot(shot.into())).map_err(|e| to_exception(py, &e))
 }
 
 /// The σ of the Computational Olympiad's noise: speed, azimuth, elevation, side, height.

@@ -19,7 +19,7 @@ mod _core {
 
     #[pymodule_export]
     use crate::batch::{
-        check_noise, draw_strikes, noise_presets, olympiad, simulate_batch, simulate_strikes,
+        check_noise, draw_strikes, noise_presets, olympiad, see, simulate_batch, simulate_strikes,
     };
     #[pymodule_export]
     use crate::env::{VectorEnv, meanings, tasks};

@@ -1,4 +1,5 @@
-//! Execution noise: how far a player's strike strays from what was meant.
+//! Execution noise: how far a player's strike strays from what was meant; and [`Perception`], how far from
+//! where they are the balls are seen.
 //!
 //! Every parameter of the strike errs by a Gaussian of its own, independent of the others, as in the
 //! Computational Olympiad (Archibald, Altman & Shoham, *Analysis of a winning computational
@@ -27,10 +28,13 @@ use chacha20::rand_core::{Rng, SeedableRng};
 use crate::error::Error;
 use crate::math::{log, radians, sin_cos, sqrt};
 use crate::resolve::cue_ball::Strike;
+use crate::shot::Shot;
 use crate::shot::read::Range;
 
 /// Tells these random numbers from all others that have the same seed.
 const PURPOSE: &[u8; 24] = b"carom: noise of a strike";
+/// The same of what is seen.
+const SIGHT_OF_BALLS: &[u8; 24] = b"carom: sight of a layout";
 
 /// Largest σ of a tip offset, m: a third of a ball's radius. Larger ones are in other units by mistake.
 const OFFSET: Range = Range::closed(0.0, 0.01, " m");
@@ -38,6 +42,9 @@ const OFFSET: Range = Range::closed(0.0, 0.01, " m");
 const ANGLE: Range = Range::closed(0.0, core::f64::consts::PI, " rad");
 /// Largest σ of the cue's speed: that of the fastest breaks.
 const SPEED: Range = Range::closed(0.0, 15.0, " m/s");
+
+/// Largest σ of a seen position, m: a ball's width and more.
+const SIGHT: Range = Range::closed(0.0, 0.1, " m");
 
 /// Levels of play, from the least.
 ///
@@ -142,20 +149,77 @@ impl Noise {
     }
 }
 
+/// How far from where they are a player sees the balls: independent Gaussian errors of x and y.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Perception {
+    /// Standard deviation of each coordinate of each ball, m.
+    pub position: f64,
+}
+
+/// A ball that would be seen where there is no room for it is seen half as far off, at most so many times;
+/// then where it is.
+const HALVINGS: u32 = 8;
+
+impl Perception {
+    /// Refuses what is no standard deviation.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a σ that is negative, not finite, or beyond all sense.
+    pub fn check(&self) -> Result<(), Error> {
+        SIGHT.check(|| "perception.position".into(), self.position)
+    }
+
+    /// `shot` as it is seen the time number `index` of this seed. No ball is seen in another or outside the
+    /// table: one that would be, in the order of the shot, is seen nearer to where it is.
+    ///
+    /// # Errors
+    /// As [`Self::check`], and what a strike that cannot be played on the seen balls is refused for.
+    pub fn draw(&self, shot: &Shot, seed: u64, index: u64) -> Result<Shot, Error> {
+        self.check()?;
+        let mut random = random(SIGHT_OF_BALLS, seed, index);
+        let mut balls = shot.balls().to_vec();
+        for i in 0..balls.len() {
+            let mut off = normal_pair(&mut random).map(|deviate| self.position * deviate);
+            let there = balls[i].state.position;
+            for _ in 0..HALVINGS {
+                balls[i].state.position.x = there.x + off[0];
+                balls[i].state.position.y = there.y + off[1];
+                if shot.with_balls(balls.clone(), None).is_ok() {
+                    break;
+                }
+                balls[i].state.position = there;
+                off = off.map(|x| 0.5 * x);
+            }
+        }
+        shot.with_balls(balls, shot.strike())
+    }
+}
+
 /// Six independent normal deviates, of mean 0 and variance 1.
 fn normal_deviates(seed: u64, index: u64) -> [f64; 6] {
-    let mut key = [0; 32];
-    key[..8].copy_from_slice(&seed.to_le_bytes());
-    key[8..].copy_from_slice(PURPOSE);
-    let mut random = ChaCha8Rng::from_seed(key);
-    random.set_stream(index);
+    let mut random = random(PURPOSE, seed, index);
     let mut deviates = [0.0; 6];
     for pair in deviates.chunks_exact_mut(2) {
-        let length = sqrt(-2.0 * log(positive_unit(&mut random)));
-        let (sin, cos) = sin_cos(TAU * positive_unit(&mut random));
-        pair.copy_from_slice(&[length * cos, length * sin]);
+        pair.copy_from_slice(&normal_pair(&mut random));
     }
     deviates
+}
+
+/// The random numbers of a purpose that belong to `index` of this seed.
+fn random(purpose: &[u8; 24], seed: u64, index: u64) -> ChaCha8Rng {
+    let mut key = [0; 32];
+    key[..8].copy_from_slice(&seed.to_le_bytes());
+    key[8..].copy_from_slice(purpose);
+    let mut random = ChaCha8Rng::from_seed(key);
+    random.set_stream(index);
+    random
+}
+
+/// Two independent normal deviates (Box & Muller 1958).
+fn normal_pair(random: &mut impl Rng) -> [f64; 2] {
+    let length = sqrt(-2.0 * log(positive_unit(random)));
+    let (sin, cos) = sin_cos(TAU * positive_unit(random));
+    [length * cos, length * sin]
 }
 
 /// Uniform in (0, 1], in steps of 2⁻⁵³: it has a logarithm.
