@@ -15,6 +15,7 @@ table's width, y along its length, z up from the slate.
 from carom._core import __version__
 from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
+from carom.cushions import CushionTable, bank_table, kick_table
 from carom.errors import CaromError, EventCapError, InputError, PageError
 from carom.maps import (
     Acceptance,
@@ -42,6 +43,7 @@ __all__ = [
     "Call",
     "CaromError",
     "Chance",
+    "CushionTable",
     "Evaluation",
     "EventCapError",
     "Frame",
@@ -63,8 +65,10 @@ __all__ = [
     "Trace",
     "__version__",
     "acceptance",
+    "bank_table",
     "break_shot",
     "break_statistics",
+    "kick_table",
     "position_map",
     "pot_map",
     "rule_sets",

@@ -256,9 +256,9 @@ def position_map(
     import numpy as np
 
     where = (ball_index(shot, ball), pocket_index(shot, pocket))
-    speeds = _flat("speed", speed)
+    speeds = flat("speed", speed)
     try:
-        sides, heights = np.broadcast_arrays(_flat("side", side), _flat("height", height))
+        sides, heights = np.broadcast_arrays(flat("side", side), flat("height", height))
     except ValueError:
         raise InputError("side, height: shapes do not broadcast; make them agree") from None
     spins = np.stack([sides, heights], axis=1).tolist()
@@ -299,9 +299,9 @@ def acceptance(
     import numpy as np
 
     index = pocket_index(shot, pocket)
-    speeds = _flat("speed", speed)
-    angles = _flat("angle", np.radians(np.arange(-60, 61)) if angle is None else angle)
-    offsets = _flat("offset", np.arange(-80, 81) * 1e-3 if offset is None else offset)
+    speeds = flat("speed", speed)
+    angles = flat("angle", np.radians(np.arange(-60, 61)) if angle is None else angle)
+    offsets = flat("offset", np.arange(-80, 81) * 1e-3 if offset is None else offset)
     reach = number("distance", distance)
     with _rows(len(speeds), show=progress) as tell:
         accepted = _core.acceptance(
@@ -395,7 +395,8 @@ def _count(name: str, value: int) -> None:
         raise InputError(f"{name}: {value} leaves nothing to do; give at least 1")
 
 
-def _flat(name: str, values: ArrayLike) -> NDArray[np.float64]:
+def flat(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """``values`` as a flat array of finite numbers, or a refusal that names it."""
     import numpy as np
 
     try:

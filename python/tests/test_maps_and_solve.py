@@ -86,6 +86,24 @@ def test_breaks_count_every_ball_by_its_name() -> None:
     assert "9 falls" in str(found)
 
 
+def test_kicks_and_banks_list_the_cushions_that_the_trace_meets(cut: Shot) -> None:
+    turns = np.radians([60.0, 100.0, 250.0])
+    kicks = carom.kick_table(cut, azimuth=turns, speed=[6.0], side=[0.0, 0.4])
+    assert kicks.contact.shape == (3, 1, 2, 3, 2)
+    file = cut.to_dict()
+    file["balls"] = file["balls"][:1]
+    file["strike"] |= {"azimuth_deg": 100.0, "speed": 6.0, "side": 0.4, "height": 0.0}
+    events = Shot.from_dict(file).simulate().events
+    met = [e for e in events if e.type == "rail-collision"][:3]
+    assert kicks.rail[1, 0, 1].tolist() == [e.rail for e in met]
+    assert kicks.contact[1, 0, 1].tolist() == [e.before[0]["position"][:2] for e in met]
+    # Side turns the way off the cushion.
+    assert not np.allclose(kicks.contact[1, 0, 0, 1], kicks.contact[1, 0, 1, 1], atol=0.01)
+    banks = carom.bank_table(cut, "1", azimuth=turns, speed=[1.0, 4.0], cushions=2)
+    assert banks.contact.shape == (3, 2, 1, 2, 2)
+    assert (banks.rail[:, 1, 0, 0] != "").all()
+
+
 @pytest.mark.parametrize(
     ("ask", "place"),
     [
@@ -101,6 +119,8 @@ def test_breaks_count_every_ball_by_its_name() -> None:
         (lambda shot: carom.position_map(shot, "1", "right", speed="fast"), "speed: "),
         (lambda shot: carom.acceptance(shot, "cellar"), "pocket: "),
         (lambda shot: carom.acceptance(shot, "left", distance=0), "distance: "),
+        (lambda shot: carom.bank_table(shot, "7"), "ball: "),
+        (lambda shot: carom.kick_table(shot, cushions=99), "cushions: "),
         (lambda _: carom.break_statistics("croquet"), "game: "),
         (lambda _: carom.break_statistics("nine-ball", 0), "racks: "),
     ],
@@ -117,6 +137,8 @@ def test_the_commands_print_numbers_and_draw(run: CommandLine, tmp_path: Path) -
         (("map", "pot", str(FILE), *ball, "--columns", "4", "-n", "10"), "chance", "chance"),
         (("map", "position", str(FILE), *ball, "--speed", "1:2:3"), "end", "spin-0"),
         (("map", "pocket", str(FILE), "--pocket", "left"), "width", "speed-0"),
+        (("map", "kick", str(FILE), "--azimuth", "0:90:3"), "contact", "way-0-0-0"),
+        (("map", "bank", str(FILE), "--ball", "1"), "rail", "way-0-0-0"),
         (("stats", "break", "-n", "20"), "chances", "axes_1"),
     ):
         done = run(*words, "--json", "--svg", str(drawn))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json as js
+import math
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -12,6 +13,7 @@ import typer
 from carom.cli.output import emit, read, save
 
 if TYPE_CHECKING:
+    from carom.cushions import CushionTable
     from carom.picture.maps import Drawn
 
 File = Annotated[str, typer.Argument(metavar="FILE", help="A shot file; - is stdin.")]
@@ -201,6 +203,81 @@ def map_pocket(
         "accepted": found.accepted,
     }
     _show(found, rows, json=json, svg=svg, png=png)
+
+
+@maps.command("kick")
+def map_kick(
+    file: File,
+    speed: Annotated[str, typer.Option(help="Speeds of the cue, m/s: FROM:TO:COUNT.")] = "1.5:5:3",
+    side: Annotated[
+        str, typer.Option(help="Contact points right of centre, ball radii: FROM:TO:COUNT.")
+    ] = "-0.4:0.4:3",
+    azimuth: Annotated[str, typer.Option(help="Directions, degrees: FROM:TO:COUNT.")] = "0:355:72",
+    cushions: Annotated[int, typer.Option(min=1, help="How many are listed.")] = 3,
+    json: Json = False,
+    svg: Svg = None,
+    png: Png = None,
+) -> None:
+    """Print where the struck ball meets the cushions, alone on the table."""
+    from carom import Shot, kick_table
+
+    found = kick_table(
+        Shot.from_json(read(file)),
+        azimuth=[math.radians(turn) for turn in _steps("azimuth", azimuth)],
+        speed=_steps("speed", speed),
+        side=_steps("side", side),
+        cushions=cushions,
+        progress=sys.stderr.isatty(),
+    )
+    _show_cushions(found, json=json, svg=svg, png=png)
+
+
+@maps.command("bank")
+def map_bank(
+    file: File,
+    ball: Annotated[str, typer.Option(help="Which ball.")],
+    speed: Annotated[str, typer.Option(help="Speeds of the ball, m/s: FROM:TO:COUNT.")] = "1:4:3",
+    azimuth: Annotated[str, typer.Option(help="Directions, degrees: FROM:TO:COUNT.")] = "0:355:72",
+    cushions: Annotated[int, typer.Option(min=1, help="How many are listed.")] = 2,
+    json: Json = False,
+    svg: Svg = None,
+    png: Png = None,
+) -> None:
+    """Print where a ball that is sent off without spin meets the cushions, alone on the table."""
+    from carom import Shot, bank_table
+
+    found = bank_table(
+        Shot.from_json(read(file)),
+        ball,
+        azimuth=[math.radians(turn) for turn in _steps("azimuth", azimuth)],
+        speed=_steps("speed", speed),
+        cushions=cushions,
+        progress=sys.stderr.isatty(),
+    )
+    _show_cushions(found, json=json, svg=svg, png=png)
+
+
+def _show_cushions(found: CushionTable, *, json: bool, svg: Path | None, png: Path | None) -> None:
+    from carom.plan import or_null
+
+    _draw(found, svg=svg, png=png)
+    if json:
+        rows = {
+            "azimuth": found.azimuth,
+            "speed": found.speed,
+            "side": found.side,
+            "contact": found.contact,
+            "rail": found.rail,
+        }
+        emit(js.dumps({name: or_null(values.tolist()) for name, values in rows.items()}))
+        return
+    emit("azimuth_deg speed side  cushions: rail (x, y) m")
+    for i, turn in enumerate(found.azimuth.tolist()):
+        for j, speed in enumerate(found.speed.tolist()):
+            for k, side in enumerate(found.side.tolist()):
+                met = zip(found.rail[i, j, k], found.contact[i, j, k].tolist(), strict=True)
+                words = ", ".join(f"{rail} ({x:.3f}, {y:.3f})" for rail, (x, y) in met if rail)
+                emit(f"{math.degrees(turn):11.2f} {speed:5.2f} {side:+.2f}  {words or '-'}")
 
 
 @stats.command("break")

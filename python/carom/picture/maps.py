@@ -13,10 +13,11 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from carom.cushions import CushionTable
     from carom.maps import Acceptance, BreakStatistics, PositionMap, PotMap
     from carom.shot import Shot
 
-    Drawn = PotMap | PositionMap | Acceptance | BreakStatistics
+    Drawn = PotMap | PositionMap | Acceptance | BreakStatistics | CushionTable
 
 # Room beside the table for the scale, inches.
 SCALE_INCHES = 1.3
@@ -37,8 +38,11 @@ def draw(found: Drawn, *, title: str | None = None) -> Figure:
         A matplotlib figure, not attached to any window.
     """
     _matplotlib.prepare()
+    from carom.cushions import CushionTable
     from carom.maps import Acceptance, PositionMap, PotMap
 
+    if isinstance(found, CushionTable):
+        return _draw_cushions(found, title or f"{found.ball} off the cushions")
     if isinstance(found, PotMap):
         return _draw_pots(found, title or f"{found.ball} into {found.pocket}")
     if isinstance(found, PositionMap):
@@ -118,6 +122,30 @@ def _draw_positions(found: PositionMap, title: str) -> Figure:
                 zorder=7,
             )
     _scale(figure, ax, paint, "speed of the cue, m/s; labels: side/height")
+    _balls(ax, found.shot)
+    return figure
+
+
+def _draw_cushions(found: CushionTable, title: str) -> Figure:
+    from matplotlib import colormaps
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import Normalize
+
+    figure, ax = _table(found.shot, title)
+    paint = ScalarMappable(
+        Normalize(float(found.speed.min()), float(found.speed.max())), colormaps["plasma"]
+    )
+    file = next(ball for ball in found.shot.to_dict()["balls"] if ball["id"] == found.ball)
+    start = file["position"][:2]
+    for i in range(len(found.azimuth)):
+        for j, speed in enumerate(found.speed.tolist()):
+            for k in range(len(found.side)):
+                x, y = zip(start, *found.contact[i, j, k].tolist(), strict=True)
+                ax.plot(
+                    x, y, color=paint.to_rgba(speed), alpha=0.5, linewidth=0.6, zorder=3,
+                    gid=f"way-{i}-{j}-{k}",
+                )  # fmt: skip
+    _scale(figure, ax, paint, "speed, m/s")
     _balls(ax, found.shot)
     return figure
 
