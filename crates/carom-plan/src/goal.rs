@@ -191,7 +191,11 @@ impl Listener {
             miss += LOST_CUE_BALL;
         }
         let target = self.goal.pot.map(|(ball, _)| ball).or(self.goal.first);
-        Attempt { miss, way: self.log.way(self.cue_ball, target, shot.table()), cue_ball_end: end }
+        let mut way = self.log.way(self.cue_ball, target, shot.table());
+        if let (None, Some(ball)) = (self.goal.pot, self.goal.first) {
+            way.end_at(ball);
+        }
+        Attempt { miss, way, cue_ball_end: end }
     }
 }
 

@@ -52,6 +52,14 @@ impl Way {
         if names.is_empty() { "direct".into() } else { names.join("+") }
     }
 
+    /// Leaves out what comes after the first contact with `ball`.
+    pub(crate) fn end_at(&mut self, ball: usize) {
+        let contact = |s: &Step| matches!(s, Step::Onto(b) if usize::from(*b) == ball);
+        if let Some(end) = self.steps.iter().position(contact) {
+            self.steps.truncate(end + 1);
+        }
+    }
+
     /// The steps in words: rails by name, balls by id.
     pub fn words(&self, shot: &Shot) -> String {
         let ball = |i: &u16| shot.balls()[usize::from(*i)].id.as_str();

@@ -76,10 +76,10 @@ fn a_pocket_takes_less_of_what_comes_fast_and_aslant() {
 #[test]
 fn breaks_without_noise_are_the_racks_own_ball_by_ball() {
     let opening = Break::new(Game::NineBall, 11);
-    let all = breaks(&opening, &Noise::default(), 0, 4, None).expect("breaks");
+    let all = breaks(&opening, &Noise::default(), 0, 20, None).expect("breaks");
     let columns = break_shot(&opening).expect("a break");
     let mut fell = 0;
-    for k in 0..4 {
+    for k in 0..20 {
         let shot = break_shot(&Break::new(Game::NineBall, 11 + k)).expect("a break");
         let trace = shot.simulate().expect("a trace");
         let row = &all.pocket[k as usize * all.balls..][..all.balls];
