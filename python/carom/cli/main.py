@@ -12,7 +12,7 @@ from typing import NoReturn
 import typer
 
 from carom import __version__
-from carom.cli import engine, plan, play, reference, shots
+from carom.cli import convert, engine, plan, play, reference, shots
 from carom.cli.output import say, say_json
 from carom.errors import EventCapError, InputError, PageError
 
@@ -37,6 +37,7 @@ app.add_typer(plan.stats, name="stats")
 app.command("replay")(engine.replay)
 app.command("validate")(engine.validate)
 app.command("bench")(engine.bench)
+app.command("import")(convert.import_)
 app.command("tables")(reference.tables)
 app.command("schema")(reference.schema)
 

@@ -1,0 +1,72 @@
+"""``carom import``: shots of other engines."""
+
+from __future__ import annotations
+
+import sys
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from carom.cli.output import emit, say
+
+
+class Format(StrEnum):
+    """Whose file it is."""
+
+    POOLTOOL = "pooltool"
+    FASTFIZ = "fastfiz"
+
+
+def import_(
+    file: Annotated[str, typer.Argument(metavar="FILE", help="The file; - is stdin.")],
+    format_: Annotated[
+        Format | None, typer.Option("--format", help="Whose it is; seen from the file without it.")
+    ] = None,
+    strike: Annotated[
+        str | None,
+        typer.Option(
+            metavar='"A B THETA PHI V"',
+            help="FastFiz's strike, not in a table state: mm, mm, degrees, degrees, m/s.",
+        ),
+    ] = None,
+) -> None:
+    """Print a pooltool system or a FastFiz table state as a shot file.
+
+    What could not be carried over is said on stderr.
+    """
+    from carom import convert
+    from carom.errors import InputError
+
+    data = sys.stdin.buffer.read() if file == "-" else Path(file).read_bytes()
+    if format_ is None:
+        # A table state begins with its number of balls, a system with a brace or no text at all.
+        format_ = Format.FASTFIZ if data.lstrip()[:1].isdigit() else Format.POOLTOOL
+    if format_ is Format.POOLTOOL:
+        if strike is not None:
+            raise InputError("--strike is for FastFiz; a pooltool system has its own strike")
+        made = convert.pooltool(data)
+    else:
+        made = convert.fastfiz(_text(data), None if strike is None else _numbers(strike))
+    for sentence in made.left_out:
+        say(sentence)
+    emit(made.shot.to_json())
+
+
+def _text(data: bytes) -> str:
+    from carom.errors import InputError
+
+    try:
+        return data.decode("ascii")
+    except UnicodeDecodeError:
+        raise InputError("the file is no text; a FastFiz table state is numbers") from None
+
+
+def _numbers(words: str) -> list[float]:
+    from carom.errors import InputError
+
+    try:
+        return [float(word) for word in words.replace(",", " ").split()]
+    except ValueError:
+        raise InputError(f"--strike: {words!r} is not five numbers: a b theta phi v") from None

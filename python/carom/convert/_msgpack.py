@@ -1,0 +1,48 @@
+"""MessagePack with NumPy arrays, as msgpack-numpy writes them.
+
+An array is a map with the keys ``nd``, ``type``, ``kind``, ``shape`` and ``data``, in bytes. What
+msgpack-numpy itself would unpickle (arrays of objects) is refused: a file from elsewhere must not
+run code.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from carom.errors import InputError
+
+
+def unpack(data: bytes) -> Any:
+    """The tree in ``data``, its arrays as nested lists.
+
+    Raises:
+        InputError: msgpack is not installed, or this is no MessagePack.
+    """
+    try:
+        import msgpack
+    except ImportError:
+        raise InputError(
+            "the file is MessagePack, and msgpack is not installed: "
+            "pip install 'carom[import]', or save the system as JSON"
+        ) from None
+    try:
+        return msgpack.unpackb(data, object_hook=_array)
+    except InputError:
+        raise
+    except Exception as error:  # noqa: BLE001 -- msgpack raises whatever its hook and parser raise
+        raise InputError(f"the file is no MessagePack: {error}") from None
+
+
+def _array(map_: dict[Any, Any]) -> Any:
+    if b"nd" not in map_:
+        return map_
+    import numpy as np
+
+    kind = map_[b"type"]
+    if map_.get(b"kind") or not isinstance(kind, str):
+        raise InputError("the file holds an array that is not of numbers; pooltool saves none")
+    dtype = np.dtype(kind)
+    if dtype.hasobject:
+        raise InputError("the file holds an array of objects; pooltool saves none")
+    values = np.frombuffer(map_[b"data"], dtype=dtype)
+    return values.reshape(map_[b"shape"]).tolist() if map_[b"nd"] else values[0].item()
