@@ -83,6 +83,7 @@ stress: $(BUILT) ## The long randomised suites: 10 million shots and more (hours
 bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 	$(BIN)/carom bench
 	$(PY) benches/instructions.py
+	$(PY) benches/environments.py
 	cd web && npm run --silent bench
 
 bench-peer: $(TOOLS) ## The same beside pooltool 0.6.0, in an environment of its own (1 GB).

@@ -55,6 +55,10 @@ impl Table {
         if let Some(pocket) = self.captured_at(position, reach, in_rails) {
             return Placement::OverHole { pocket };
         }
+        // Nothing that a ball on the cloth meets reaches in beyond the noses' lines.
+        if within(-reach - 2.0 * TOUCH_TOLERANCE) {
+            return Placement::Inside;
+        }
         let parts = self.parts_on_cloth().iter();
         let deepest = deepest(parts, |part| depth_in(part, position, reach, rubber));
         match deepest {
