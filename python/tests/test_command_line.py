@@ -277,6 +277,7 @@ def test_tables_prints_every_preset_with_its_dimensions(run: CommandLine) -> Non
         "english-7ft",
         "carom-10ft",
         "carom-9ft",
+        "poolfiz",
     ]
     done = run("tables")
     assert done.returncode == 0
