@@ -15,5 +15,6 @@ if ! HOME=$home "$venv/bin/python" -c 'import pooltool' 2>/dev/null; then
   # pip complains that pooltool pins other versions of panda3d and rich: that is why we are here.
   "${pip[@]}" install --group peer-needs
 fi
-"${pip[@]}" install .
-HOME=$home exec "$venv/bin/carom" bench --store benches/results
+"${pip[@]}" install ".[env]"
+HOME=$home "$venv/bin/carom" bench --store benches/results
+HOME=$home exec "$venv/bin/python" benches/environments.py

@@ -192,3 +192,34 @@ games! {
     random_three_cushion_ends: Rules::ThreeCushion;
     random_practice_ends: Rules::Practice;
 }
+
+#[test]
+fn a_rack_can_be_begun_in_the_middle() {
+    let frame = |rules| Frame::new(rules, Options::default(), None, None, 3).expect("a rack");
+    let mut middle = frame(Rules::NineBall);
+    let mut places = vec![None; 10];
+    for (ball, y) in [(0, 0.5), (4, 1.0), (9, 1.5)] {
+        places[ball] = Some([0.4, y]);
+    }
+    middle.scatter(&places, 1).expect("a nine that lies");
+    let turn = middle.turn().expect("a shot");
+    assert_eq!((turn.player, turn.hand, &turn.on[..]), (1, None, &[4][..]));
+    assert_eq!(middle.another(3).expect("the same rack").layout(), frame(Rules::NineBall).layout());
+    // Straight up the table: the four, with what was prepared for another strike.
+    let up = |speed| {
+        let azimuth = core::f64::consts::FRAC_PI_2;
+        Play::new(Strike { speed, azimuth, elevation: 0.0, side: 0.0, height: 0.0 })
+    };
+    let prepared = middle.shot(&up(1.0)).expect("a shot");
+    let mut same = middle.clone();
+    let mut simulation = Simulation::new();
+    let one = middle.play_prepared(&mut simulation, &up(3.0), &prepared).expect("it can be played");
+    assert_eq!(one, same.play(&up(3.0)).expect("it can be played"));
+    assert_eq!(middle.layout(), same.layout());
+
+    let mut nine_down = places.clone();
+    nine_down[9] = None;
+    assert!(same.scatter(&nine_down, 0).is_err());
+    assert!(same.scatter(&places[..9], 0).is_err());
+    assert!(frame(Rules::Snooker).scatter(&places, 0).is_err());
+}
