@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import subprocess
 import sys
 import warnings
@@ -19,6 +20,16 @@ from pettingzoo.test import api_test, seed_test
 
 NAMES = sorted(carom.env.ENVIRONMENTS)
 NOISE = carom.Noise.olympiad(1.0)
+
+# SHA-256 of five steps of sixteen environments.
+RESULTS = {
+    "carom/EightBall-v0": "8970ed94179fe8e7",
+    "carom/NineBall-v0": "58cd45a81c85ad5d",
+    "carom/Potting-v0": "54652ea9dcc8c0f1",
+    "carom/Snooker-v0": "275554f7f95baeea",
+    "carom/SumToThree-v0": "9a30aeeee246b15a",
+    "carom/ThreeCushion-v0": "cd0ebbbed66a9a9d",
+}
 
 
 def play(envs: Any, steps: int, seed: int = 3) -> list[np.ndarray[Any, Any]]:
@@ -83,6 +94,14 @@ def test_the_bits_do_not_depend_on_the_threads(name: str) -> None:
     ]
     for one, other in zip(*runs, strict=True):
         np.testing.assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_version_gives_the_results_it_has_always_given(name: str) -> None:
+    """Where this fails on purpose, the version in the name goes up, and the hash changes."""
+    envs = gymnasium.make_vec(name, num_envs=16, noise=NOISE)
+    run = hashlib.sha256(b"".join(part.tobytes() for part in play(envs, 5))).hexdigest()
+    assert {name: run[:16]} == {name: RESULTS[name]}
 
 
 def test_another_seed_is_another_game() -> None:
