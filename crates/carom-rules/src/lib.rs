@@ -6,7 +6,7 @@
 //! again, until it is over. Nothing is hidden in it: it can be cloned, so that a program can try a shot
 //! and go back.
 //!
-//! Each game is a file of [`games`]. A foul names the rule that forbids it ([`Foul::rule`]); the page
+//! Each game is a file of [`games`]. A foul names the rule that forbids it ([`Rules::rule`]); the page
 //! "Rules of the games" in the documentation says which rule books were read.
 
 mod facts;
