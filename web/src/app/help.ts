@@ -26,8 +26,9 @@ export function mountHelp(dialog: HTMLDialogElement, showSteps: () => void): () 
   const close = () => {
     dialog.close();
   };
+  const title = h("h2", { id: "help-title", tabindex: -1 }, "How to use this table");
   dialog.append(
-    h("h2", { id: "help-title", tabindex: -1, autofocus: true }, "How to use this table"),
+    title,
     h(
       "dl",
       { class: "ways" },
@@ -63,5 +64,7 @@ export function mountHelp(dialog: HTMLDialogElement, showSteps: () => void): () 
   );
   return () => {
     dialog.showModal();
+    // Not by the attribute `autofocus`, which browsers refuse in a frame of another origin.
+    title.focus();
   };
 }

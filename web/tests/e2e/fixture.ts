@@ -19,6 +19,8 @@ export interface OpenOptions extends BrowserContextOptions {
   readonly url?: string;
   /** Leaves the first steps where they are; else they are dismissed. */
   readonly firstSteps?: boolean;
+  /** Of the drawing; low unless a test is about pictures, for software draws them. */
+  readonly quality?: "auto" | "low" | "high";
 }
 
 interface Fixtures {
@@ -32,7 +34,7 @@ const STARTING = 15_000;
 
 /** Desktop window of the budgets: at this size software rendering must be fluid. */
 export const SMALL = { width: 800, height: 450 };
-export const DESKTOP = { width: 1280, height: 800 };
+export const DESKTOP = { width: 1000, height: 640 };
 export const PHONE = { width: 390, height: 844 };
 
 export const test = base.extend<Fixtures>({
@@ -44,7 +46,7 @@ export const test = base.extend<Fixtures>({
   },
   open: async ({ browser }, use) => {
     const errors: string[] = [];
-    await use(async ({ hash = "", url, firstSteps = false, ...options } = {}) => {
+    await use(async ({ hash = "", url, firstSteps = false, quality = "low", ...options } = {}) => {
       const context = await browser.newContext({ viewport: DESKTOP, ...options });
       const page = await context.newPage();
       page.on("console", (message) => {
@@ -57,8 +59,17 @@ export const test = base.extend<Fixtures>({
         undefined,
         { timeout: STARTING },
       );
-      const skip = page.getByRole("button", { name: "Skip" });
-      if (!firstSteps && (await skip.isVisible())) await skip.click();
+      await page.evaluate(
+        ([dismissed, level]) => {
+          window.carom!.viewer.quality = level;
+          if (dismissed) {
+            [...document.querySelectorAll("button")]
+              .find(({ textContent }) => textContent === "Skip")
+              ?.click();
+          }
+        },
+        [!firstSteps, quality] as const,
+      );
       return page;
     });
     expect(errors, "errors in the console").toEqual([]);
