@@ -23,12 +23,12 @@ PAGE := python/carom/web/index.html
 PAGE_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-wasm web/src -type f \
                   \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \) \
                   -not -path 'web/src/engine/pkg/*') \
-                Cargo.toml Cargo.lock scripts/wasm.sh web/index.html web/vite.config.ts
+                Cargo.toml Cargo.lock scripts/wasm.sh web/index.html web/vite.config.ts LICENSE-THIRD-PARTY
 PYTEST := $(PY) -m pytest
 # maturin looks for cargo and itself on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
-.PHONY: help demo test stress bench bench-peer docs goldens lint fmt page picture \
+.PHONY: help demo test stress bench bench-peer docs goldens licenses lint fmt page picture \
         rust-test web-test python-test setup clean
 
 help: ## List the targets.
@@ -55,6 +55,7 @@ lint: $(BUILT) $(MODULES) ## Formatting, lints and types.
 	$(BIN)/mypy
 	MYPYPATH=python $(PY) -m mypy.stubtest carom._core --concise
 	cd web && npm run --silent check
+	$(PY) scripts/write_licenses.py --check
 
 rust-test: ## The Rust tests in debug; whole shots, 100 000 of them random, in release too.
 	@bash scripts/prerequisites.sh rust
@@ -96,6 +97,9 @@ docs: $(BUILT) ## The documentation, into docs/_build.
 
 goldens: $(BUILT) ## Write the goldens anew, after a change of results on purpose.
 	$(PY) scripts/write_goldens.py
+
+licenses: $(BUILT) $(MODULES) ## Write the notices of what is built in, after a change of dependencies.
+	$(PY) scripts/write_licenses.py
 
 picture: $(BUILT) $(PAGE) ## The README's picture of the page, by Chromium.
 	@mkdir -p out

@@ -5,6 +5,8 @@ import { viteSingleFile } from "vite-plugin-singlefile";
 // CSS, the WebAssembly (a string in a module) and the worker (`?worker&inline`) are all inside.
 export default defineConfig({
   plugins: [viteSingleFile({ removeViteModuleLoader: true })],
+  // The licenses are at the checkout's root.
+  server: { fs: { allow: [".."] } },
   build: {
     target: ["chrome111", "firefox115", "safari16.4"],
     assetsInlineLimit: () => true,

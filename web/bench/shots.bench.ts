@@ -7,10 +7,11 @@ import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, tmpdir } from "node:os";
 import { fileURLToPath } from "node:url";
-import { gunzipSync, gzipSync } from "node:zlib";
+import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 import { expect, inject, test } from "vitest";
-import { type Engine, load, type ShotFile } from "../src/engine/index.js";
+import { type Engine, load } from "../src/engine/index.js";
+import { layouts } from "./layouts.ts";
 
 const ROOT = fileURLToPath(new URL("../../", import.meta.url));
 
@@ -25,32 +26,6 @@ const PASSES = 60;
  * programs on the machine disturb little.
  */
 const ROUNDS = 11;
-
-interface State {
-  readonly balls: Readonly<Record<string, readonly [number, number]>>;
-  readonly speed: number;
-  readonly azimuth_deg: number;
-  readonly elevation_deg: number;
-  readonly side: number;
-  readonly height: number;
-}
-
-function layouts(): string[] {
-  const packed = readFileSync(`${ROOT}python/carom/data/bench_states.json.gz`);
-  const { table, classes } = JSON.parse(gunzipSync(packed).toString()) as {
-    table: string;
-    classes: Record<string, State[]>;
-  };
-  return classes.random_eight_ball!.map(({ balls, ...strike }) => {
-    const file: ShotFile = {
-      format: "carom-shot/1",
-      table,
-      balls: Object.entries(balls).map(([id, position]) => ({ id, position })),
-      strike: { ball: "cue", ...strike },
-    };
-    return JSON.stringify(file);
-  });
-}
 
 /** The path of the program that plays a file's shots natively. */
 function nativeProgram(): string {

@@ -1,5 +1,6 @@
 /** The help: what one can do, and every key. */
 
+import licenses from "../../../LICENSE-THIRD-PARTY?raw";
 import { h } from "./dom.ts";
 import { KEYS } from "./keys.ts";
 
@@ -43,6 +44,12 @@ export function mountHelp(dialog: HTMLDialogElement, showSteps: () => void): () 
         h("dt", {}, ...shown.map((key) => h("kbd", {}, key))),
         h("dd", {}, help),
       ]),
+    ),
+    h(
+      "details",
+      { class: "licenses" },
+      h("summary", {}, "Software inside this page, and its licenses"),
+      h("pre", { tabindex: 0, "aria-label": "Licenses" }, licenses),
     ),
     h(
       "div",

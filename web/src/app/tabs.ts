@@ -21,7 +21,13 @@ const TABS: readonly Tab[] = [
 /** Where the style makes the panel a sheet: there a replay needs the room. */
 const PHONE = "(max-width: 760px)";
 
-const ARROWS: Readonly<Record<string, number>> = { ArrowLeft: -1, ArrowRight: 1 };
+/** Where the keys lead from a tab, of so many. */
+const KEYS: Readonly<Record<string, (at: number, tabs: number) => number>> = {
+  ArrowLeft: (at, tabs) => (at + tabs - 1) % tabs,
+  ArrowRight: (at, tabs) => (at + 1) % tabs,
+  Home: () => 0,
+  End: (_, tabs) => tabs - 1,
+};
 
 export function mountTabs(root: HTMLElement, store: Store): void {
   const panel = root.closest<HTMLElement>(".panel")!;
@@ -68,11 +74,11 @@ export function mountTabs(root: HTMLElement, store: Store): void {
   }
 
   root.addEventListener("keydown", (event) => {
-    const step = ARROWS[event.key];
-    if (step === undefined) return;
+    const go = KEYS[event.key];
+    if (!go) return;
     const tabs = TABS.filter(present);
     const at = tabs.findIndex((tab) => tab.name === selected);
-    const next = tabs[(at + step + tabs.length) % tabs.length]!;
+    const next = tabs[go(at, tabs.length)]!;
     select(next.name);
     document.getElementById(`tab-${next.name}`)?.focus();
     event.preventDefault();

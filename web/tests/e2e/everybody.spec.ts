@@ -5,6 +5,9 @@ import { DESKTOP, expect, onPage, PHONE, shotOf, test } from "./fixture.ts";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
+/** More than there are controls on the page: so many presses of Tab come round. */
+const CONTROLS = 90;
+
 interface Violation {
   readonly id: string;
   readonly nodes: readonly { readonly html: string; readonly failureSummary?: string }[];
@@ -34,11 +37,19 @@ for (const [name, viewport] of [
       for (const tab of ["Layout", "Physics", "What if", "Aim"]) {
         await page.getByRole("tab", { name: tab }).click();
         if (tab === "Layout") await page.getByRole("radio", { name: "9", exact: true }).click();
+        if (tab === "What if") {
+          await page.getByRole("switch").check();
+          await page.locator("#variants[data-done=true]").waitFor();
+        }
         expect(await violations(page), tab).toEqual([]);
       }
+      await page.getByRole("button", { name: "Share" }).click();
+      expect(await violations(page), "share").toEqual([]);
+      await page.keyboard.press("Escape");
       await page.getByRole("button", { name: "Help and keys" }).click();
+      await page.getByText("Software inside this page").click();
       expect(await violations(page), "help").toEqual([]);
-      await page.getByRole("button", { name: "Close" }).click();
+      await page.keyboard.press("Escape");
       await page.getByRole("button", { name: "Shoot" }).click();
       await page.getByRole("button", { name: "Pause" }).click();
       expect(await violations(page), "replay").toEqual([]);
@@ -65,6 +76,44 @@ test("tab reaches every control, and the one that has the focus shows it", async
     expect([...reached]).toContain(name);
   }
   expect([...reached].some((name) => name.startsWith("Table."))).toBe(true);
+});
+
+test("what if, replay and sharing work by keyboard alone", async ({ open }) => {
+  const page = await open();
+  /** Tabs on to a control, as one does who has no pointer, and presses a key there. */
+  const onto = async (name: RegExp, key: string): Promise<void> => {
+    for (let k = 0; k < CONTROLS; k += 1) {
+      await page.keyboard.press("Tab");
+      const focused = await page.evaluate(() => {
+        const element = document.activeElement;
+        const labels = [...((element as HTMLInputElement | null)?.labels ?? [])];
+        return [element?.ariaLabel, element?.textContent, ...labels.map((l) => l.textContent)];
+      });
+      if (!focused.some((label) => label && name.test(label))) continue;
+      await page.keyboard.press(key);
+      return;
+    }
+    throw new Error(`Tab does not reach ${String(name)}.`);
+  };
+  await onto(/^Aim$/, "End");
+  await onto(/^Simulate errors/, "Space");
+  await page.locator("#variants[data-done=true]").waitFor();
+  await onto(/^Share$/, "Enter");
+  await onto(/^Copy as Python$/, "Enter");
+  await page.getByText(/copied\.$|Here is the text/).waitFor();
+  await page.keyboard.press("Escape");
+  await onto(/^Shoot$/, "Enter");
+  await onto(/^Pause$/, "Enter");
+  await onto(/^Next event$/, "Enter");
+  await onto(/^Time$/, "End");
+  expect(
+    await page.evaluate(() => {
+      const { time, trace } = window.carom!.store.session;
+      return trace!.duration - time;
+    }),
+  ).toBe(0);
+  await onto(/^Take it from here$/, "Enter");
+  expect(await page.evaluate(() => window.carom!.store.session.mode)).toBe("aim");
 });
 
 test("who asks for less motion sees the end of the shot at once, and can still play it", async ({
