@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -30,6 +31,8 @@ def play(
     from carom.page import html
     from carom.serve import serve
 
+    # A shell that starts it in the background has it ignore the interrupt that ends it.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     document = None if file is None else _document(read(file))
     serve(html(document), port=port, browser=browser)
 
