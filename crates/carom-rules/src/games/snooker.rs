@@ -236,8 +236,7 @@ impl Snooker {
         hidden::hides_all(&state.layout, &on, |ball| ball == free)
     }
 
-    /// Whether the referee calls a miss: the ball on was not hit first (section 3, rule 14). Not if nothing
-    /// is to be gained by it: a player who needs snookers is believed.
+    /// Whether the ball on was not hit first, for which a miss can be called (section 3, rule 14).
     fn is_miss(&self, shot: &Played<'_>, allowed: &[BallIndex], touching: &[BallIndex]) -> bool {
         let hit = shot.facts.first_contact().is_some_and(|first| allowed.contains(&first));
         !hit && !touching.iter().any(|ball| allowed.contains(ball))

@@ -78,7 +78,7 @@ impl StraightPool {
         if state.scores[player] + ruling.points[player] >= state.options.target {
             return Request::Over { winner: Some(player), why: "the target was reached" };
         }
-        let hand = self.rack_fourteen(state, ruling);
+        let hand = Self::rack_fourteen(state, ruling);
         if facts.lost_cue_ball() {
             return Self::next(state, other, Some(Region::BehindHeadString));
         }
@@ -105,7 +105,7 @@ impl StraightPool {
 
     /// With one object ball left, or none, the others are racked again (WPA 4.4, 4.8). Returns where the
     /// cue ball is in hand then, if it is.
-    fn rack_fourteen(&self, state: &mut State, ruling: &mut Ruling) -> Option<Region> {
+    fn rack_fourteen(state: &mut State, ruling: &mut Ruling) -> Option<Region> {
         let left = state.layout.left(1..state.layout.len() as BallIndex);
         if left.len() > 1 {
             return None;
