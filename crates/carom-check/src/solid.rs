@@ -76,17 +76,14 @@ fn from_segment(p: Vec2, start: Vec2, end: Vec2) -> (f64, Vec2) {
 
 /// Distance from a convex polygon.
 fn from_polygon(p: Vec2, corners: &[Vec2]) -> (f64, Vec2) {
-    let mut inside = true;
-    let mut nearest = (f64::INFINITY, Vec2::ZERO);
-    for (k, &start) in corners.iter().enumerate() {
-        let end = corners[(k + 1) % corners.len()];
-        // Only an edge that has the point on its outer side can be the nearest.
-        if (end - start).cross(p - start) < 0.0 {
-            inside = false;
-            nearest = nearer(nearest, from_segment(p, start, end));
-        }
+    let edges = || corners.iter().zip(corners.iter().cycle().skip(1));
+    if edges().all(|(&start, &end)| (end - start).cross(p - start) >= 0.0) {
+        return (0.0, Vec2::ZERO);
     }
-    if inside { (0.0, Vec2::ZERO) } else { nearest }
+    // All edges, also those that have the point on their inner side: where two are in one line,
+    // rounding may have it outside only of the farther one.
+    let from_edges = edges().map(|(&start, &end)| from_segment(p, start, end));
+    from_edges.fold((f64::INFINITY, Vec2::ZERO), nearer)
 }
 
 /// Whether `q` lies in the cone from `from` counter-clockwise to `to`.

@@ -55,15 +55,18 @@ impl Cluster {
         &self.balls[..self.size]
     }
 
-    /// Leaves out the balls that the impact has not reached.
-    fn keep_struck(&mut self) {
+    /// Leaves out the balls that the impact of `first` on `second` has not reached. These two stay: a
+    /// ball hit from straight above is held by the slate, as it was.
+    fn keep_struck(&mut self, [first, second]: [u16; 2]) {
         let mut kept = 0;
         for k in 0..self.size {
-            let (before, after) = (&self.before[k], &self.after[k]);
-            if before.velocity != after.velocity
+            let (ball, before, after) = (self.balls[k], &self.before[k], &self.after[k]);
+            if ball == first
+                || ball == second
+                || before.velocity != after.velocity
                 || before.angular_velocity != after.angular_velocity
             {
-                self.balls[kept] = self.balls[k];
+                self.balls[kept] = ball;
                 self.before[kept] = self.before[k];
                 self.after[kept] = self.after[k];
                 kept += 1;
@@ -167,7 +170,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             return false;
         }
         self.resolve_cluster(&mut cluster, reach, together, physics);
-        cluster.keep_struck();
+        cluster.keep_struck([a as u16, b as u16]);
         if cluster.size <= 2 {
             return false;
         }
