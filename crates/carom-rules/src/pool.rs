@@ -5,7 +5,7 @@ use crate::frame::State;
 use crate::games::{Played, Rules};
 use crate::layout::{head_string, spot_named};
 use crate::request::{Calls, Region, Request, Turn};
-use crate::ruling::{Foul, Fouls, Ruling};
+use crate::ruling::{Foul, Fouls};
 use crate::{BallIndex, Player};
 
 /// The cue ball in every pool game.
@@ -70,15 +70,15 @@ pub(crate) fn driven(facts: &Facts) -> usize {
 }
 
 /// Counts the shooter's fouls in a row; whether this was the third.
-pub(crate) fn is_third_foul(state: &mut State, player: Player, legal: bool) -> bool {
+pub(crate) fn is_third_foul(state: &mut State, player: Player) -> bool {
     let fouls = &mut state.fouls[player];
-    *fouls = if legal { 0 } else { *fouls + 1 };
+    *fouls = if state.ruling.is_legal() { 0 } else { *fouls + 1 };
     *fouls == SERIOUS
 }
 
 /// Puts `ball` on the foot spot, or behind it (WPA 1.4).
-pub(crate) fn spot(state: &mut State, ball: BallIndex, ruling: &mut Ruling) {
-    let State { base, layout, .. } = state;
+pub(crate) fn spot(state: &mut State, ball: BallIndex) {
+    let State { base, layout, ruling, .. } = state;
     let foot = spot_named(base.table(), "foot", 0.75);
     layout.spot(ball, foot, CUE, base.table());
     ruling.spotted.push(ball);
@@ -96,7 +96,7 @@ pub(crate) fn shot(
     Request::Shot(Turn { player, cue: CUE, hand: hand.or(lost), on, calls })
 }
 
-/// The breaker's shot: the cue ball in hand behind the head string, nothing to call.
+/// The breaker's shot: the cue ball in hand behind the head string.
 pub(crate) fn break_shot(player: Player, on: Vec<BallIndex>, calls: Calls) -> Request {
     let hand = Some(Region::BehindHeadString);
     Request::Shot(Turn { player, cue: CUE, hand, on, calls })

@@ -4,8 +4,6 @@ use carom::Error;
 use carom::shot::Node;
 use carom::table::PocketName;
 
-use crate::games::eight_ball::Group;
-use crate::games::{Law, snooker};
 use crate::{BallIndex, Call, Frame, Request, Ruling, Turn};
 
 impl Frame {
@@ -21,7 +19,7 @@ impl Frame {
             ("fouls_in_a_row", Node::list(self.fouls_in_a_row().map(i64::from))),
             ("shots", i64::from(self.shots()).into()),
             ("balls", Node::Object(balls.collect())),
-            ("state", self.law_node()),
+            ("state", self.law().game().to_node()),
         ])
     }
 
@@ -143,35 +141,5 @@ impl Frame {
             ("on", self.ids(&turn.on)),
             ("calls", Node::list(allowed)),
         ])
-    }
-
-    /// What one game has and others have not.
-    fn law_node(&self) -> Node {
-        match self.law() {
-            Law::EightBall(game) => {
-                let group = |player| match game.group(player) {
-                    Some(Group::Solids) => Node::from("solids"),
-                    Some(Group::Stripes) => Node::from("stripes"),
-                    None => Node::Null,
-                };
-                Node::object([("groups", Node::List(vec![group(0), group(1)]))])
-            }
-            Law::Snooker(game) => {
-                let on = match game.on() {
-                    snooker::On::Red => "red",
-                    snooker::On::Color => "color",
-                    snooker::On::Sequence => "sequence",
-                };
-                Node::object([
-                    ("on", on.into()),
-                    ("free_ball", game.has_free_ball().into()),
-                    ("break", i64::from(game.run()).into()),
-                ])
-            }
-            Law::ThreeCushion(game) => {
-                Node::object([("innings", Node::list(game.innings().map(i64::from)))])
-            }
-            Law::Rotation(_) | Law::StraightPool(_) | Law::Practice(_) => Node::object([]),
-        }
     }
 }

@@ -28,6 +28,16 @@ pub enum Request {
     },
 }
 
+impl Request {
+    pub(crate) fn choice(player: Player, choices: &[Choice], why: &'static str) -> Self {
+        Self::Choice { player, choices: choices.to_vec(), why }
+    }
+
+    pub(crate) const fn won(winner: Player, why: &'static str) -> Self {
+        Self::Over { winner: Some(winner), why }
+    }
+}
+
 /// The shot that is asked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turn {
@@ -56,6 +66,16 @@ pub struct Calls {
     pub push_out: bool,
     /// One of the balls on must be nominated (snooker).
     pub nominate: bool,
+}
+
+impl Calls {
+    /// Nothing is announced.
+    pub(crate) const NONE: Self =
+        Self { pocket: false, safety: false, required: false, push_out: false, nominate: false };
+
+    /// A ball and its pocket are called, or a safety.
+    pub(crate) const REQUIRED: Self =
+        Self { pocket: true, safety: true, required: true, ..Self::NONE };
 }
 
 /// Where a cue ball in hand may be put.

@@ -8,15 +8,16 @@ pub mod straight_pool;
 pub mod three_cushion;
 
 use carom::Error;
-use carom::rack::Game;
+use carom::rack;
+use carom::shot::Node;
 
-use crate::Player;
 use crate::facts::Facts;
 use crate::frame::State;
 use crate::layout::Layout;
-use crate::play::Play;
+use crate::play::{Call, Play};
 use crate::request::{Choice, Request, Turn};
-use crate::ruling::{Foul, Ruling};
+use crate::ruling::Foul;
+use crate::{BallIndex, Player};
 
 /// A set of rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -78,14 +79,24 @@ impl Rules {
     }
 
     /// How its balls are racked.
-    pub const fn rack(self) -> Game {
+    pub const fn rack(self) -> rack::Game {
         match self {
-            Self::EightBall | Self::Practice => Game::EightBall,
-            Self::NineBall => Game::NineBall,
-            Self::TenBall => Game::TenBall,
-            Self::StraightPool => Game::StraightPool,
-            Self::Snooker => Game::Snooker,
-            Self::ThreeCushion => Game::ThreeCushion,
+            Self::EightBall | Self::Practice => rack::Game::EightBall,
+            Self::NineBall => rack::Game::NineBall,
+            Self::TenBall => rack::Game::TenBall,
+            Self::StraightPool => rack::Game::StraightPool,
+            Self::Snooker => rack::Game::Snooker,
+            Self::ThreeCushion => rack::Game::ThreeCushion,
+        }
+    }
+
+    /// The ball that decides the game, if it is one.
+    pub(crate) const fn deciding_ball(self) -> Option<BallIndex> {
+        match self {
+            Self::EightBall => Some(8),
+            Self::NineBall => Some(9),
+            Self::TenBall => Some(10),
+            _ => None,
         }
     }
 
@@ -158,6 +169,24 @@ pub(crate) struct Played<'a> {
     pub(crate) before: &'a Layout,
 }
 
+impl Played<'_> {
+    /// Who shot.
+    pub(crate) const fn player(&self) -> Player {
+        self.turn.player
+    }
+
+    /// Who did not.
+    pub(crate) const fn other(&self) -> Player {
+        1 - self.turn.player
+    }
+
+    /// The called ball, if it fell into the called pocket.
+    pub(crate) fn made(&self) -> Option<BallIndex> {
+        let Call::Pocket(ball, pocket) = self.play.call else { return None };
+        (self.facts.pocket_of(ball) == Some(pocket)).then_some(ball)
+    }
+}
+
 /// What a game remembers of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Law {
@@ -175,6 +204,20 @@ pub enum Law {
     Practice(practice::Practice),
 }
 
+/// The game that a law, shared or not, is of.
+macro_rules! any_game {
+    ($law:expr) => {
+        match $law {
+            Law::EightBall(game) => game,
+            Law::Rotation(game) => game,
+            Law::StraightPool(game) => game,
+            Law::Snooker(game) => game,
+            Law::ThreeCushion(game) => game,
+            Law::Practice(game) => game,
+        }
+    };
+}
+
 impl Law {
     pub(crate) fn new(rules: Rules) -> Self {
         match rules {
@@ -188,62 +231,33 @@ impl Law {
         }
     }
 
-    /// The first request, of the player who breaks.
-    pub(crate) fn open(&mut self, state: &mut State, breaker: Player) -> Request {
-        match self {
-            Self::EightBall(game) => game.open(breaker),
-            Self::Rotation(game) => game.open(state, breaker),
-            Self::StraightPool(game) => game.open(breaker),
-            Self::Snooker(game) => game.open(state, breaker),
-            Self::ThreeCushion(game) => game.open(breaker),
-            Self::Practice(game) => game.open(breaker),
-        }
+    pub(crate) fn game(&self) -> &dyn Game {
+        any_game!(self)
     }
+
+    pub(crate) fn game_mut(&mut self) -> &mut dyn Game {
+        any_game!(self)
+    }
+}
+
+/// What a game decides.
+pub(crate) trait Game {
+    /// The first request, of the player who breaks.
+    fn open(&mut self, state: &mut State, breaker: Player) -> Request;
 
     /// The request after a break that decided nothing, with `player` to shoot.
-    pub(crate) fn after_break(&mut self, state: &State, player: Player) -> Request {
-        match self {
-            Self::EightBall(game) => game.after_break(state, player),
-            Self::Rotation(game) => game.after_break(state, player),
-            Self::StraightPool(game) => game.open(player),
-            Self::Snooker(game) => game.open(state, player),
-            Self::ThreeCushion(game) => game.open(player),
-            Self::Practice(game) => game.open(player),
-        }
+    fn after_break(&mut self, state: &mut State, player: Player) -> Request {
+        self.open(state, player)
     }
 
-    /// Rules on a shot, and says what is asked next.
-    pub(crate) fn judge(
-        &mut self,
-        state: &mut State,
-        shot: &Played<'_>,
-        ruling: &mut Ruling,
-    ) -> Request {
-        match self {
-            Self::EightBall(game) => game.judge(state, shot, ruling),
-            Self::Rotation(game) => game.judge(state, shot, ruling),
-            Self::StraightPool(game) => game.judge(state, shot, ruling),
-            Self::Snooker(game) => game.judge(state, shot, ruling),
-            Self::ThreeCushion(game) => game.judge(state, shot, ruling),
-            Self::Practice(game) => game.judge(state, shot, ruling),
-        }
-    }
+    /// Rules on a shot, in the state's ruling, and says what is asked next.
+    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request;
 
     /// Carries out a choice, and says what is asked next.
-    pub(crate) fn choose(
-        &mut self,
-        state: &mut State,
-        player: Player,
-        choice: Choice,
-        ruling: &mut Ruling,
-    ) -> Request {
-        match self {
-            Self::EightBall(game) => game.choose(state, player, choice, ruling),
-            Self::Rotation(game) => game.choose(state, player, choice),
-            Self::StraightPool(game) => game.choose(state, player, choice, ruling),
-            Self::Snooker(game) => game.choose(state, player, choice),
-            Self::ThreeCushion(game) => game.choose(state, player, choice, ruling),
-            Self::Practice(game) => game.open(player),
-        }
+    fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request;
+
+    /// What this game keeps and others do not.
+    fn to_node(&self) -> Node {
+        Node::object([])
     }
 }

@@ -2,32 +2,30 @@
 
 use crate::Player;
 use crate::frame::State;
-use crate::games::Played;
+use crate::games::{Game, Played};
 use crate::pool::{self, CUE};
-use crate::request::{Calls, Region, Request};
-use crate::ruling::Ruling;
+use crate::request::{Calls, Choice, Region, Request};
 
 /// A practice table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Practice;
 
-impl Practice {
-    pub(crate) fn open(&mut self, player: Player) -> Request {
-        pool::break_shot(player, Vec::new(), Calls::default())
+impl Game for Practice {
+    fn open(&mut self, _: &mut State, player: Player) -> Request {
+        pool::break_shot(player, Vec::new(), Calls::NONE)
     }
 
-    pub(crate) fn judge(
-        &mut self,
-        state: &mut State,
-        shot: &Played<'_>,
-        ruling: &mut Ruling,
-    ) -> Request {
-        let player = shot.turn.player;
-        ruling.points[player] = shot.facts.potted().count() as i32;
+    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
+        let player = shot.player();
+        state.ruling.points[player] = shot.facts.potted().count() as i32;
         if state.layout.on_table().all(|ball| ball == CUE) {
-            return Request::Over { winner: Some(player), why: "all balls are down" };
+            return Request::won(player, "all balls are down");
         }
-        let hand = Some(Region::Anywhere);
-        pool::shot(state, player, hand, Vec::new(), Calls::default())
+        pool::shot(state, player, Some(Region::Anywhere), Vec::new(), Calls::NONE)
+    }
+
+    /// It asks for none.
+    fn choose(&mut self, state: &mut State, player: Player, _: Choice) -> Request {
+        self.open(state, player)
     }
 }

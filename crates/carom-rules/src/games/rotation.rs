@@ -1,11 +1,11 @@
 //! Nine-ball (WPA, section 2) and ten-ball (section 9): the lowest ball must be hit first.
 
 use crate::frame::State;
-use crate::games::Played;
+use crate::games::{Game, Played};
 use crate::play::Call;
 use crate::pool::{self, BALLS_TO_RAIL, CUE};
 use crate::request::{Calls, Choice, Region, Request};
-use crate::ruling::{Foul, Ruling};
+use crate::ruling::Foul;
 use crate::{BallIndex, Player};
 
 /// Nine-ball or ten-ball.
@@ -28,92 +28,70 @@ impl Rotation {
         Self { last: 10, called: true, is_break: true }
     }
 
-    pub(crate) fn open(&mut self, state: &State, breaker: Player) -> Request {
-        self.is_break = true;
-        pool::break_shot(breaker, self.lowest(state), Calls::default())
-    }
-
-    pub(crate) fn after_break(&mut self, state: &State, player: Player) -> Request {
-        self.is_break = false;
-        self.next(state, player, None, false)
-    }
-
     /// The ball on: the lowest on the table.
     fn lowest(&self, state: &State) -> Vec<BallIndex> {
         state.layout.on_table().find(|ball| *ball != CUE).into_iter().collect()
     }
 
     fn next(&self, state: &State, player: Player, hand: Option<Region>, push_out: bool) -> Request {
-        let calls = Calls {
-            pocket: self.called,
-            safety: self.called,
-            required: self.called,
-            push_out,
-            nominate: false,
-        };
+        let calls = if self.called { Calls::REQUIRED } else { Calls::NONE };
+        let calls = Calls { push_out, ..calls };
         pool::shot(state, player, hand, self.lowest(state), calls)
     }
+}
 
-    pub(crate) fn judge(
-        &mut self,
-        state: &mut State,
-        shot: &Played<'_>,
-        ruling: &mut Ruling,
-    ) -> Request {
-        let (facts, player) = (shot.facts, shot.turn.player);
-        let other = 1 - player;
+impl Game for Rotation {
+    fn open(&mut self, state: &mut State, breaker: Player) -> Request {
+        self.is_break = true;
+        pool::break_shot(breaker, self.lowest(state), Calls::NONE)
+    }
+
+    fn after_break(&mut self, state: &mut State, player: Player) -> Request {
+        self.is_break = false;
+        self.next(state, player, None, false)
+    }
+
+    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
+        let (facts, player, other) = (shot.facts, shot.player(), shot.other());
         let pushes = shot.play.call == Call::PushOut;
         let was_break = core::mem::take(&mut self.is_break);
-        ruling.fouls =
+        state.ruling.fouls =
             if pushes { pool::lost_balls(facts) } else { pool::standard_fouls(state, shot) };
         let potted = facts.potted().next().is_some();
         let soft = was_break && !potted && pool::driven(facts) < BALLS_TO_RAIL;
-        ruling.fouls.add_if(soft, Foul::SoftBreak);
+        state.ruling.fouls.add_if(soft, Foul::SoftBreak);
 
-        let legal = ruling.is_legal();
-        let third = pool::is_third_foul(state, player, legal);
-        let as_called = self.is_as_called(shot, was_break);
+        let legal = state.ruling.is_legal();
+        let third = pool::is_third_foul(state, player);
+        // A called ball in its pocket, whatever falls besides; after a called safety, nothing.
+        let as_called = !self.called || was_break || shot.made().is_some();
         if legal && !pushes && as_called && facts.pocket_of(self.last).is_some() {
             // On the break the ten does not win (WPA 9.3).
             if !(self.called && was_break) {
-                return Request::Over { winner: Some(player), why: "the last ball was pocketed" };
+                return Request::won(player, "the last ball was pocketed");
             }
         }
         if state.layout.is_down(self.last) {
-            pool::spot(state, self.last, ruling);
+            pool::spot(state, self.last);
         }
         if third {
-            return Request::Over { winner: Some(other), why: "three fouls in a row" };
+            return Request::won(other, "three fouls in a row");
         }
         if !legal {
             return self.next(state, other, Some(Region::Anywhere), false);
         }
+        let either = [Choice::PlayOn, Choice::PassBack];
         if pushes {
-            let choices = vec![Choice::PlayOn, Choice::PassBack];
-            return Request::Choice { player: other, choices, why: "after a push-out" };
+            return Request::choice(other, &either, "after a push-out");
         }
         if potted && !as_called {
-            let choices = vec![Choice::PlayOn, Choice::PassBack];
-            let why = "a ball was pocketed that was not called";
-            return Request::Choice { player: other, choices, why };
+            return Request::choice(other, &either, "a ball was pocketed that was not called");
         }
         let shooter = if potted && shot.play.call != Call::Safety { player } else { other };
         self.next(state, shooter, None, was_break)
     }
 
-    /// Whether what fell was called, where it must be: a called ball in its pocket, whatever falls
-    /// besides; after a called safety, nothing.
-    fn is_as_called(&self, shot: &Played<'_>, was_break: bool) -> bool {
-        if !self.called || was_break {
-            return true;
-        }
-        match shot.play.call {
-            Call::Pocket(ball, pocket) => shot.facts.pocket_of(ball) == Some(pocket),
-            _ => false,
-        }
-    }
-
-    pub(crate) fn choose(&mut self, state: &State, player: Player, choice: Choice) -> Request {
+    fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
         let shooter = if choice == Choice::PassBack { 1 - player } else { player };
         self.next(state, shooter, None, false)
     }

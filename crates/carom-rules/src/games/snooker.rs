@@ -1,12 +1,14 @@
 //! Snooker (WPBSA, Official Rules, section 3).
 
+use carom::shot::Node;
+
 use crate::facts::Touch;
 use crate::frame::State;
-use crate::games::Played;
+use crate::games::{Game, Played};
 use crate::layout::{Layout, distance, spot_named};
 use crate::play::Call;
 use crate::request::{Calls, Choice, Region, Request, Turn};
-use crate::ruling::{Foul, Ruling};
+use crate::ruling::{Foul, Fouls};
 use crate::{BallIndex, Player};
 
 mod hidden;
@@ -99,11 +101,6 @@ impl Snooker {
         self.run
     }
 
-    pub(crate) fn open(&mut self, state: &State, breaker: Player) -> Request {
-        *self = Self::default();
-        self.turn(state, breaker, Some(Region::TheD))
-    }
-
     fn turn(&self, state: &State, player: Player, hand: Option<Region>) -> Request {
         let lost = state.layout.is_down(CUE).then_some(Region::TheD);
         let nominate = self.free_ball || self.on == On::Color;
@@ -112,7 +109,7 @@ impl Snooker {
         } else {
             self.balls_on(&state.layout)
         };
-        let calls = Calls { nominate, ..Calls::default() };
+        let calls = Calls { nominate, ..Calls::NONE };
         Request::Shot(Turn { player, cue: CUE, hand: hand.or(lost), on, calls })
     }
 
@@ -148,52 +145,21 @@ impl Snooker {
         }
     }
 
-    pub(crate) fn judge(
-        &mut self,
-        state: &mut State,
-        shot: &Played<'_>,
-        ruling: &mut Ruling,
-    ) -> Request {
-        let player = shot.turn.player;
-        let allowed = self.allowed(shot);
-        let value_on = self.value_on(shot);
-        let touching = touching(shot.before);
-        let penalty = self.fouls(state, shot, &allowed, &touching, value_on, ruling);
-        let missed = self.is_miss(shot, &allowed, &touching);
-        let scored = if ruling.is_legal() { self.score(shot, value_on) } else { 0 };
-        self.spot_colors(state, shot, ruling);
-        if !ruling.is_legal() {
-            ruling.points[1 - player] = penalty;
-            state.fouls[player] += 1;
-            return self.after_foul(state, shot, ruling, missed);
-        }
-        ruling.points[player] = scored;
-        state.fouls[player] = 0;
-        self.misses = 0;
-        self.free_ball = false;
-        self.advance(state, scored > 0);
-        self.run = if scored > 0 { self.run + scored } else { 0 };
-        if let Some(end) = self.end(state, shot, ruling) {
-            return end;
-        }
-        self.turn(state, if scored > 0 { player } else { 1 - player }, None)
-    }
-
     /// Notes the fouls and returns their penalty.
     fn fouls(
         &self,
-        state: &State,
+        state: &mut State,
         shot: &Played<'_>,
         allowed: &[BallIndex],
         touching: &[BallIndex],
         value_on: i32,
-        ruling: &mut Ruling,
     ) -> i32 {
         let facts = shot.facts;
+        let mut fouls = Fouls::NONE;
         let mut concerned = LEAST_PENALTY.max(value_on);
         let mut foul = |committed: bool, foul, points: i32| {
             if committed {
-                ruling.fouls.add_if(true, foul);
+                fouls.add_if(true, foul);
                 concerned = concerned.max(points);
             }
         };
@@ -220,6 +186,7 @@ impl Snooker {
         if self.free_ball {
             foul(self.is_behind_free_ball(state, shot), Foul::SnookeredByFreeBall, 0);
         }
+        state.ruling.fouls = fouls;
         concerned
     }
 
@@ -264,8 +231,8 @@ impl Snooker {
     }
 
     /// Colours come back, but for the one that was the ball on in the sequence.
-    fn spot_colors(&self, state: &mut State, shot: &Played<'_>, ruling: &mut Ruling) {
-        let last = (self.on == On::Sequence && ruling.is_legal())
+    fn spot_colors(&self, state: &mut State, shot: &Played<'_>) {
+        let last = (self.on == On::Sequence && state.ruling.is_legal())
             .then(|| self.balls_on(shot.before).first().copied())
             .flatten();
         // The highest first (section 3, rule 7).
@@ -273,18 +240,12 @@ impl Snooker {
             let gone = !shot.before.is_down(ball) && state.layout.is_down(ball);
             if gone {
                 spot_color(state, ball);
-                ruling.spotted.push(ball);
+                state.ruling.spotted.push(ball);
             }
         }
     }
 
-    fn after_foul(
-        &mut self,
-        state: &mut State,
-        shot: &Played<'_>,
-        ruling: &Ruling,
-        missed: bool,
-    ) -> Request {
+    fn after_foul(&mut self, state: &mut State, shot: &Played<'_>, missed: bool) -> Request {
         let player = shot.turn.player;
         let other = 1 - player;
         let visible = !hidden::is_snookered(state.base.table(), shot.before, &self.allowed(shot));
@@ -295,7 +256,7 @@ impl Snooker {
             free_ball: self.free_ball,
         });
         self.run = 0;
-        if let Some(end) = self.end(state, shot, ruling) {
+        if let Some(end) = self.end(state, shot) {
             return end;
         }
         let behind = state.scores[player] + self.left_on_table(shot.before) < state.scores[other];
@@ -338,12 +299,12 @@ impl Snooker {
 
     /// With only the black left, the first score or foul ends the frame; if the scores are equal then, the
     /// black is spotted, and the next decides (section 3, rule 4).
-    fn end(&self, state: &mut State, shot: &Played<'_>, ruling: &Ruling) -> Option<Request> {
-        let decided = shot.before.left(1..=BLACK) == [BLACK] && ruling.points != [0, 0];
+    fn end(&self, state: &mut State, shot: &Played<'_>) -> Option<Request> {
+        let decided = shot.before.left(1..=BLACK) == [BLACK] && state.ruling.points != [0, 0];
         if !decided {
             return None;
         }
-        let scores = [0, 1].map(|player| state.scores[player] + ruling.points[player]);
+        let scores = [0, 1].map(|player| state.scores[player] + state.ruling.points[player]);
         if scores[0] != scores[1] {
             let winner = usize::from(scores[1] > scores[0]);
             return Some(Request::Over { winner: Some(winner), why: "the black decided" });
@@ -354,8 +315,41 @@ impl Snooker {
         let player = (state.next_seed() >> 32) as usize & 1;
         Some(self.turn(state, player, Some(Region::TheD)))
     }
+}
 
-    pub(crate) fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
+impl Game for Snooker {
+    fn open(&mut self, state: &mut State, breaker: Player) -> Request {
+        *self = Self::default();
+        self.turn(state, breaker, Some(Region::TheD))
+    }
+
+    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
+        let player = shot.player();
+        let allowed = self.allowed(shot);
+        let value_on = self.value_on(shot);
+        let touching = touching(shot.before);
+        let penalty = self.fouls(state, shot, &allowed, &touching, value_on);
+        let missed = self.is_miss(shot, &allowed, &touching);
+        let scored = if state.ruling.is_legal() { self.score(shot, value_on) } else { 0 };
+        self.spot_colors(state, shot);
+        if !state.ruling.is_legal() {
+            state.ruling.points[1 - player] = penalty;
+            state.fouls[player] += 1;
+            return self.after_foul(state, shot, missed);
+        }
+        state.ruling.points[player] = scored;
+        state.fouls[player] = 0;
+        self.misses = 0;
+        self.free_ball = false;
+        self.advance(state, scored > 0);
+        self.run = if scored > 0 { self.run + scored } else { 0 };
+        if let Some(end) = self.end(state, shot) {
+            return end;
+        }
+        self.turn(state, if scored > 0 { player } else { 1 - player }, None)
+    }
+
+    fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
         let other = 1 - player;
         match (choice, self.before.take()) {
             (Choice::Replace, Some(before)) => {
@@ -375,8 +369,19 @@ impl Snooker {
             }
         }
     }
+    fn to_node(&self) -> Node {
+        let on = match self.on {
+            On::Red => "red",
+            On::Color => "color",
+            On::Sequence => "sequence",
+        };
+        Node::object([
+            ("on", on.into()),
+            ("free_ball", self.free_ball.into()),
+            ("break", i64::from(self.run).into()),
+        ])
+    }
 }
-
 /// The balls that touch the cue ball.
 fn touching(layout: &Layout) -> Vec<BallIndex> {
     let Some(cue) = layout.place(CUE) else { return Vec::new() };

@@ -5,12 +5,11 @@ use carom::math::sqrt;
 use carom::rack::USUAL_GAP;
 
 use crate::frame::State;
-use crate::games::{Played, Rules};
+use crate::games::{Game, Played};
 use crate::layout::{Layout, distance, head_string, spot_named};
-use crate::play::Call;
 use crate::pool::{self, CUE};
 use crate::request::{Calls, Choice, Region, Request};
-use crate::ruling::{Foul, Ruling};
+use crate::ruling::Foul;
 use crate::{BallIndex, Player};
 
 /// Points for a foul (WPA 4.9), a breaking foul (4.11), and besides for the third foul in a row (6.14).
@@ -28,90 +27,35 @@ pub struct StraightPool {
 }
 
 impl StraightPool {
-    pub(crate) fn open(&mut self, breaker: Player) -> Request {
-        self.is_opening = true;
-        pool::break_shot(breaker, Vec::new(), Self::calls())
-    }
-
-    const fn calls() -> Calls {
-        Calls { pocket: true, safety: true, required: true, push_out: false, nominate: false }
-    }
-
     fn next(state: &State, player: Player, hand: Option<Region>) -> Request {
-        pool::shot(state, player, hand, Vec::new(), Self::calls())
-    }
-
-    pub(crate) fn judge(
-        &mut self,
-        state: &mut State,
-        shot: &Played<'_>,
-        ruling: &mut Ruling,
-    ) -> Request {
-        let (facts, player) = (shot.facts, shot.turn.player);
-        let other = 1 - player;
-        ruling.fouls = pool::standard_fouls(state, shot);
-        let made = match shot.play.call {
-            Call::Pocket(ball, pocket) => facts.pocket_of(ball) == Some(pocket),
-            _ => false,
-        };
-        let was_opening = core::mem::take(&mut self.is_opening);
-        let cue_driven = facts.driven.contains(&facts.cue);
-        let soft = was_opening && !made && !(pool::driven(facts) >= OPENING_BALLS && cue_driven);
-        ruling.fouls.add_if(soft, Foul::SoftBreak);
-        let legal = ruling.is_legal();
-        let scored = legal && made;
-        if scored {
-            ruling.points[player] = facts.potted().count() as i32;
-        }
-        for ball in facts.potted().filter(|_| !scored).chain(facts.thrown_off()) {
-            pool::spot(state, ball, ruling);
-        }
-        if soft {
-            return self.breaking_foul(state, player, ruling);
-        }
-        if !legal {
-            ruling.points[player] = STANDARD_FOUL;
-        }
-        if pool::is_third_foul(state, player, legal) {
-            return self.third_foul(state, player, ruling);
-        }
-        if state.scores[player] + ruling.points[player] >= state.options.target {
-            return Request::Over { winner: Some(player), why: "the target was reached" };
-        }
-        let hand = Self::rack_fourteen(state, ruling);
-        if facts.lost_cue_ball() {
-            return Self::next(state, other, Some(Region::BehindHeadString));
-        }
-        Self::next(state, if scored { player } else { other }, hand)
+        pool::shot(state, player, hand, Vec::new(), Calls::REQUIRED)
     }
 
     /// It does not count towards three fouls in a row (WPA 4.11).
-    fn breaking_foul(&mut self, state: &mut State, player: Player, ruling: &mut Ruling) -> Request {
-        ruling.points[player] = BREAKING_FOUL;
-        let (other, lost) = (1 - player, state.layout.is_down(CUE));
+    fn breaking_foul(state: &mut State, shot: &Played<'_>) -> Request {
+        state.ruling.points[shot.player()] = BREAKING_FOUL;
+        let lost = state.layout.is_down(CUE);
         let accept = if lost { Choice::PlayFromHand } else { Choice::PlayOn };
-        let choices = vec![accept, Choice::RebreakByOther];
-        Request::Choice { player: other, choices, why: "a breaking foul" }
+        Request::choice(shot.other(), &[accept, Choice::RebreakByOther], "a breaking foul")
     }
 
-    /// All balls are racked, and the offender breaks (WPA 6.14).
-    fn third_foul(&mut self, state: &mut State, player: Player, ruling: &mut Ruling) -> Request {
-        ruling.points[player] += SERIOUS_FOUL;
+    /// All balls are racked, and the offender breaks (WPA 4.11).
+    fn third_foul(&mut self, state: &mut State, player: Player) -> Request {
+        state.ruling.points[player] += SERIOUS_FOUL;
         state.fouls[player] = 0;
-        state.rack(Rules::StraightPool);
-        ruling.racked = true;
-        self.open(player)
+        state.rack();
+        self.open(state, player)
     }
 
     /// With one object ball left, or none, the others are racked again (WPA 4.4, 4.8). Returns where the
     /// cue ball is in hand then, if it is.
-    fn rack_fourteen(state: &mut State, ruling: &mut Ruling) -> Option<Region> {
+    fn rack_fourteen(state: &mut State) -> Option<Region> {
         let left = state.layout.left(1..state.layout.len() as BallIndex);
         if left.len() > 1 {
             return None;
         }
-        ruling.racked = true;
-        let fresh = state.fresh_rack(Rules::StraightPool);
+        state.ruling.racked = true;
+        let fresh = state.fresh_rack();
         let table = state.base.table().clone();
         let cue = state.layout.place(CUE);
         let last = left.first().and_then(|ball| Some((*ball, state.layout.place(*ball)?)));
@@ -132,19 +76,54 @@ impl StraightPool {
         }
         plan.hand
     }
+}
 
-    pub(crate) fn choose(
-        &mut self,
-        state: &mut State,
-        player: Player,
-        choice: Choice,
-        ruling: &mut Ruling,
-    ) -> Request {
+impl Game for StraightPool {
+    fn open(&mut self, _: &mut State, breaker: Player) -> Request {
+        self.is_opening = true;
+        pool::break_shot(breaker, Vec::new(), Calls::REQUIRED)
+    }
+
+    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
+        let (facts, player, other) = (shot.facts, shot.player(), shot.other());
+        state.ruling.fouls = pool::standard_fouls(state, shot);
+        let made = shot.made().is_some();
+        let was_opening = core::mem::take(&mut self.is_opening);
+        let cue_driven = facts.driven.contains(&facts.cue);
+        let soft = was_opening && !made && !(pool::driven(facts) >= OPENING_BALLS && cue_driven);
+        state.ruling.fouls.add_if(soft, Foul::SoftBreak);
+        let legal = state.ruling.is_legal();
+        let scored = legal && made;
+        if scored {
+            state.ruling.points[player] = facts.potted().count() as i32;
+        }
+        for ball in facts.potted().filter(|_| !scored).chain(facts.thrown_off()) {
+            pool::spot(state, ball);
+        }
+        if soft {
+            return Self::breaking_foul(state, shot);
+        }
+        if !legal {
+            state.ruling.points[player] = STANDARD_FOUL;
+        }
+        if pool::is_third_foul(state, player) {
+            return self.third_foul(state, player);
+        }
+        if state.scores[player] + state.ruling.points[player] >= state.options.target {
+            return Request::won(player, "the target was reached");
+        }
+        let hand = Self::rack_fourteen(state);
+        if facts.lost_cue_ball() {
+            return Self::next(state, other, Some(Region::BehindHeadString));
+        }
+        Self::next(state, if scored { player } else { other }, hand)
+    }
+
+    fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
         match choice {
             Choice::RebreakByOther => {
-                state.rack(Rules::StraightPool);
-                ruling.racked = true;
-                self.open(1 - player)
+                state.rack();
+                self.open(state, 1 - player)
             }
             Choice::PlayFromHand => Self::next(state, player, Some(Region::BehindHeadString)),
             _ => Self::next(state, player, None),

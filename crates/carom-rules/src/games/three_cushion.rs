@@ -1,11 +1,13 @@
 //! Three-cushion carom (UMB, World rules of carom billiard).
 
+use carom::shot::Node;
+
 use crate::facts::{Facts, Touch};
 use crate::frame::State;
-use crate::games::Played;
+use crate::games::{Game, Played};
 use crate::layout::{distance, spot_named};
 use crate::request::{Calls, Choice, Request, Turn};
-use crate::ruling::{Foul, Ruling};
+use crate::ruling::Foul;
 use crate::{BallIndex, Player};
 
 /// The white, the yellow and the red: players 0 and 1 play with the first two.
@@ -33,48 +35,6 @@ impl ThreeCushion {
         self.innings
     }
 
-    pub(crate) fn open(&mut self, breaker: Player) -> Request {
-        *self = Self { is_opening: true, ..Self::default() };
-        self.innings[breaker] = 1;
-        Request::Shot(Turn {
-            player: breaker,
-            cue: breaker as BallIndex,
-            hand: None,
-            on: vec![RED],
-            calls: Calls::default(),
-        })
-    }
-
-    pub(crate) fn judge(
-        &mut self,
-        state: &mut State,
-        shot: &Played<'_>,
-        ruling: &mut Ruling,
-    ) -> Request {
-        let (facts, player) = (shot.facts, shot.turn.player);
-        let was_opening = core::mem::take(&mut self.is_opening);
-        ruling.fouls.add_if(facts.off_table.contains(&facts.cue), Foul::CueBallOffTable);
-        ruling.fouls.add_if(facts.thrown_off().next().is_some(), Foul::BallOffTable);
-        let first = facts.first_contact();
-        let wrong = was_opening && first.is_some_and(|ball| ball != RED);
-        ruling.fouls.add_if(wrong, Foul::WrongBallFirst);
-        for &ball in &facts.off_table {
-            self.spot(state, ball, facts.cue, ruling);
-        }
-        let scored = ruling.is_legal() && is_carom(facts);
-        ruling.points[player] = scored.into();
-        let total = state.scores[player] + ruling.points[player];
-        if scored && total < state.options.target {
-            return self.next(state, player);
-        }
-        if let Some(over) = self.end(state, player, total) {
-            return over;
-        }
-        let other = 1 - player;
-        self.innings[other] += 1;
-        self.next(state, other)
-    }
-
     /// Both players have the same number of innings: player 1 may answer.
     fn end(&mut self, state: &State, player: Player, total: i32) -> Option<Request> {
         let target = state.options.target;
@@ -99,8 +59,8 @@ impl ThreeCushion {
         if Self::frozen(state, cue).is_empty() {
             return self.turn(player);
         }
-        let choices = vec![Choice::PlayOn, Choice::SpotFrozen];
-        Request::Choice { player, choices, why: "the cue ball touches another ball" }
+        let choices = [Choice::PlayOn, Choice::SpotFrozen];
+        Request::choice(player, &choices, "the cue ball touches another ball")
     }
 
     fn turn(&self, player: Player) -> Request {
@@ -109,7 +69,7 @@ impl ThreeCushion {
             cue: player as BallIndex,
             hand: None,
             on: Vec::new(),
-            calls: Calls::default(),
+            calls: Calls::NONE,
         })
     }
 
@@ -128,7 +88,7 @@ impl ThreeCushion {
 
     /// The red goes to the top spot, the shooter's ball to the bottom spot, the other to the middle one;
     /// if that is occupied, to the spot of the ball that occupies it.
-    fn spot(&self, state: &mut State, ball: BallIndex, cue: BallIndex, ruling: &mut Ruling) {
+    fn spot(&self, state: &mut State, ball: BallIndex, cue: BallIndex) {
         let table = state.base.table();
         let own = |ball: BallIndex| match ball {
             RED => spot_named(table, "foot", 0.75),
@@ -144,16 +104,50 @@ impl ThreeCushion {
             }
         }
         state.layout.put(ball, Some(place));
-        ruling.spotted.push(ball);
+        state.ruling.spotted.push(ball);
+    }
+}
+
+impl Game for ThreeCushion {
+    fn open(&mut self, _: &mut State, breaker: Player) -> Request {
+        *self = Self { is_opening: true, ..Self::default() };
+        self.innings[breaker] = 1;
+        Request::Shot(Turn {
+            player: breaker,
+            cue: breaker as BallIndex,
+            hand: None,
+            on: vec![RED],
+            calls: Calls::NONE,
+        })
     }
 
-    pub(crate) fn choose(
-        &mut self,
-        state: &mut State,
-        player: Player,
-        choice: Choice,
-        ruling: &mut Ruling,
-    ) -> Request {
+    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
+        let (facts, player) = (shot.facts, shot.player());
+        let fouls = &mut state.ruling.fouls;
+        let was_opening = core::mem::take(&mut self.is_opening);
+        fouls.add_if(facts.off_table.contains(&facts.cue), Foul::CueBallOffTable);
+        fouls.add_if(facts.thrown_off().next().is_some(), Foul::BallOffTable);
+        let first = facts.first_contact();
+        let wrong = was_opening && first.is_some_and(|ball| ball != RED);
+        fouls.add_if(wrong, Foul::WrongBallFirst);
+        for &ball in &facts.off_table {
+            self.spot(state, ball, facts.cue);
+        }
+        let scored = state.ruling.is_legal() && is_carom(facts);
+        state.ruling.points[player] = scored.into();
+        let total = state.scores[player] + state.ruling.points[player];
+        if scored && total < state.options.target {
+            return self.next(state, player);
+        }
+        if let Some(over) = self.end(state, player, total) {
+            return over;
+        }
+        let other = shot.other();
+        self.innings[other] += 1;
+        self.next(state, other)
+    }
+
+    fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
         let cue = player as BallIndex;
         if choice == Choice::SpotFrozen {
             let mut balls = Self::frozen(state, cue);
@@ -162,13 +156,15 @@ impl ThreeCushion {
                 state.layout.put(*ball, None);
             }
             for ball in balls {
-                self.spot(state, ball, cue, ruling);
+                self.spot(state, ball, cue);
             }
         }
         self.turn(player)
     }
+    fn to_node(&self) -> Node {
+        Node::object([("innings", Node::list(self.innings.map(i64::from)))])
+    }
 }
-
 /// Whether the cue ball touched three cushions or more before it first touched its second object ball.
 fn is_carom(facts: &Facts) -> bool {
     let mut cushions = 0;
