@@ -45,20 +45,23 @@ impl Trace {
 /// Adds points from the start of `piece`, without it, to the time `end`.
 ///
 /// Between the times t₀ and t₁ the path r₀ + vt + ht² is |h × v|/|c|·(t − t₀)(t₁ − t) from its chord,
-/// c = v + h(t₀ + t₁) being the mean velocity; at most |h × v|/c·Δt²/4. That is its distance from the
-/// segment too unless the ball turns back, so the instant of least speed is a point as well.
+/// c = v + h(t₀ + t₁) being the mean velocity; at most |h × v|/c·Δt²/4, and at most |h|·Δt²/4 however
+/// slow the ball. That is its distance from the segment too unless the ball turns back, so the instant
+/// of least speed is a point as well. Across h the ball moves evenly, with |h × v|/|h|: where that leads
+/// it no further than the tolerance, as when it rolls out straight, one chord will do.
 fn follow(points: &mut Vec<Waypoint>, piece: &Piece, end: f64, tolerance: f64) {
     let path = &piece.path;
     let length = end - piece.start;
     let slowest = slowest(path);
+    let curve = path.half_acceleration.length();
+    let bend = path.half_acceleration.cross(path.velocity).length();
     let cuts = [slowest.filter(|t| piece.start + t < end), Some(length)];
     let mut from = 0.0;
     for to in cuts.into_iter().flatten() {
         let nearest = slowest.map_or(0.0, |t| t.clamp(from, to));
         let speed = path.velocity_at(nearest).length();
-        let bend = path.half_acceleration.cross(path.velocity).length();
-        let chords = if bend > 0.0 {
-            let longest = 2.0 * sqrt(tolerance * speed / bend);
+        let chords = if bend * (to - from) > tolerance * curve {
+            let longest = 2.0 * sqrt(tolerance * (speed / bend).max(1.0 / curve));
             ceil((to - from) / longest).clamp(1.0, MOST_CHORDS)
         } else {
             1.0

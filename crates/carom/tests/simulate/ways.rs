@@ -203,6 +203,13 @@ fn straight_ways_need_two_points_and_curves_few() {
     let friction = 0.2 * 9.806_65;
     assert!((furthest - 1.0 / (2.0 * friction)).abs() < 1e-12, "{furthest}");
     assert!(way.len() <= 4, "{way:?}");
+    // Rolling out, its velocity and its friction are parallel but for rounding, in any direction.
+    for k in 0..64 {
+        let (x, y) = (cos(0.1 * f64::from(k)), sin(0.1 * f64::from(k)));
+        let rolling = lone([x, y, 0.0], [-y / RADIUS, x / RADIUS, 0.0], "");
+        let way = rolling.polyline(0, 1e-4);
+        assert!(way.len() <= 4, "at {k} tenths of a radian: {} points", way.len());
+    }
     let masse: usize = (0..2).map(|ball| trace("masse").polyline(ball, 5e-4).len()).sum();
     assert!((20..200).contains(&masse), "{masse} points");
 }

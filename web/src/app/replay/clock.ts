@@ -16,3 +16,20 @@ export const LONGEST_FRAME = 0.25;
 export function advance(time: number, elapsed: number, rate: number, duration: number): number {
   return Math.min(time + Math.min(Math.max(elapsed, 0), LONGEST_FRAME) * rate, duration);
 }
+
+/**
+ * Pictures for each new set of words and numbers beside a replay: at sixty pictures a second nobody
+ * reads faster, and where pictures are slow, words are the first to wait.
+ */
+export const PICTURES_PER_READING = 6;
+
+/** Says when it is time for new words. */
+export class Pace {
+  #pictures = 0;
+
+  /** Called once for every picture of a replay that plays on. */
+  due(): boolean {
+    this.#pictures = (this.#pictures + 1) % PICTURES_PER_READING;
+    return this.#pictures === 0;
+  }
+}

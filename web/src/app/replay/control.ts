@@ -1,5 +1,6 @@
 // What one can do with a replay, for buttons and keys alike.
 
+import type { Session } from "../document.ts";
 import type { Store } from "../store.ts";
 import { type Moment, moments, next, previous } from "./moments.ts";
 import type { Trace } from "../../engine/types.ts";
@@ -12,6 +13,13 @@ export function momentsOf(trace: Trace | null): readonly Moment[] {
   let list = found.get(trace);
   if (!list) found.set(trace, (list = moments(trace.events)));
   return list;
+}
+
+/** Whether a replay plays on and nothing but its time has changed. */
+export function playsOn(now: Session, before: Session): boolean {
+  return (
+    now.playing && before.playing && now.trace === before.trace && now.selected === before.selected
+  );
 }
 
 /** Pauses at a time of the replay (s), kept within the shot. */

@@ -4,6 +4,8 @@ import "./panel.css";
 import { MOTIONS, STRIDE, type BallInfo, type Trace } from "../../engine/types.ts";
 import { h, setText, uniqueId } from "../dom.ts";
 import type { Store } from "../store.ts";
+import { Pace } from "./clock.ts";
+import { playsOn } from "./control.ts";
 import { mountEvents } from "./events.ts";
 import { mountPlots } from "./plots.ts";
 import { length } from "./samples.ts";
@@ -27,9 +29,11 @@ export function mountState(root: HTMLElement, store: Store): void {
   const hash = h("code", { id: "hash" });
   root.append(h("p", { class: "hint" }, "Hash of this shot: ", hash));
 
+  const pace = new Pace();
   store.subscribe(({ session }, { session: before }) => {
     const { trace, time } = session;
     if (!trace || session === before) return;
+    if (playsOn(session, before) && !pace.due()) return;
     const { balls } = trace.shot;
     if (trace !== before.trace) {
       ball.replaceChildren(...balls.map(({ id }) => h("option", { value: id }, id)));

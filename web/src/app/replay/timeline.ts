@@ -6,8 +6,16 @@ import type { Context } from "../context.ts";
 import type { Session } from "../document.ts";
 import { h, icon, setText, svg } from "../dom.ts";
 import type { Store } from "../store.ts";
-import { advance, RATES } from "./clock.ts";
-import { leave, momentsOf, seek, stepBackwards, stepForwards, togglePlaying } from "./control.ts";
+import { advance, Pace, RATES } from "./clock.ts";
+import {
+  leave,
+  momentsOf,
+  playsOn,
+  seek,
+  stepBackwards,
+  stepForwards,
+  togglePlaying,
+} from "./control.ts";
 import { LANES, LOOKS } from "./kinds.ts";
 import { latest } from "./moments.ts";
 import { eventInWords, seconds } from "./words.ts";
@@ -43,6 +51,7 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
   const whole = h("span", { class: "whole" });
   const clock = h("p", { class: "clock" }, present, whole);
   const said = h("p", { class: "said" });
+  const pace = new Pace();
 
   root.classList.add("timeline");
   root.append(
@@ -69,8 +78,19 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     if (session.trace !== before.trace || session.selected !== before.selected) {
       drawMarks(marks, session);
     }
-    if (session !== before) show();
+    if (session === before) return;
+    point();
+    if (!playsOn(session, before) || pace.due()) show();
   });
+
+  /** Puts thumb and line to the present time. */
+  function point(): void {
+    const { trace, time } = store.session;
+    if (!trace) return;
+    slider.max = String(trace.duration);
+    slider.value = String(time);
+    now.style.setProperty("--at", String(trace.duration > 0 ? time / trace.duration : 0));
+  }
 
   function show(): void {
     const { trace, time, playing } = store.session;
@@ -84,13 +104,10 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
       play.title = label;
       play.replaceChildren(icon(playing ? ICONS.pause : ICONS.play));
     }
-    slider.max = String(trace.duration);
-    slider.value = String(time);
     slider.setAttribute(
       "aria-valuetext",
       `${seconds(time)} of ${seconds(trace.duration)}${words ? `, last: ${words}` : ""}`,
     );
-    now.style.setProperty("--at", String(trace.duration > 0 ? time / trace.duration : 0));
     setText(present, seconds(time));
     setText(whole, ` / ${seconds(trace.duration)}`);
     setText(said, moment ? `${seconds(moment.time)}: ${words}` : "");
