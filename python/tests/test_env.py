@@ -13,12 +13,23 @@ import carom.env
 import gymnasium
 import numpy as np
 import pytest
+from carom import _core
 from carom.errors import InputError
 from gymnasium.utils.env_checker import check_env
 from gymnasium.vector import AutoresetMode
 from pettingzoo.test import api_test, seed_test
 
 NAMES = sorted(carom.env.ENVIRONMENTS)
+TASKS = sorted(carom.env.ENVIRONMENTS.values())
+# Object balls on the table when a game begins in the middle: as asked, and besides.
+MIDDLES = {
+    "carom/EightBall-v0": (6, 0),
+    "carom/NineBall-v0": (3, 0),
+    "carom/TenBall-v0": (4, 0),
+    "carom/StraightPool-v0": (5, 0),
+    "carom/Snooker-v0": (2, 6),
+    "carom/ThreeCushion-v0": (2, 0),
+}
 NOISE = carom.Noise.olympiad(1.0)
 
 # SHA-256 of five steps of sixteen environments.
@@ -27,7 +38,9 @@ RESULTS = {
     "carom/NineBall-v0": "58cd45a81c85ad5d",
     "carom/Potting-v0": "54652ea9dcc8c0f1",
     "carom/Snooker-v0": "275554f7f95baeea",
+    "carom/StraightPool-v0": "c3b4ff0381033707",
     "carom/SumToThree-v0": "9a30aeeee246b15a",
+    "carom/TenBall-v0": "7f5f02ddfabf2e78",
     "carom/ThreeCushion-v0": "cd0ebbbed66a9a9d",
 }
 
@@ -102,6 +115,29 @@ def test_a_version_gives_the_results_it_has_always_given(name: str) -> None:
     envs = gymnasium.make_vec(name, num_envs=16, noise=NOISE)
     run = hashlib.sha256(b"".join(part.tobytes() for part in play(envs, 5))).hexdigest()
     assert {name: run[:16]} == {name: RESULTS[name]}
+
+
+def test_every_task_has_its_name_in_the_registry() -> None:
+    assert sorted(_core.tasks()) == TASKS
+
+
+@pytest.mark.parametrize("name", MIDDLES)
+def test_a_game_can_begin_in_the_middle(name: str) -> None:
+    balls, besides = MIDDLES[name]
+    envs = gymnasium.make_vec(name, num_envs=20, balls=balls, noise=NOISE, patience=10)
+    observations, _ = envs.reset(seed=0)
+    features = len(_core.meanings()[2])
+    seen = observations[:, :-features].reshape(20, -1, 4)
+    assert (seen[:, 1:, 2].sum(axis=1) == balls + besides).all()
+    # The cue ball lies where it is played from, another place each time.
+    assert len(np.unique(seen[:, 0, :2], axis=0)) == 20
+    assert (observations[:, -features : 3 - features] == 0).all()
+    ended = np.zeros(20, dtype=bool)
+    envs.action_space.seed(0)
+    for _ in range(40):
+        _, _, terminated, truncated, _ = envs.step(envs.action_space.sample())
+        ended |= terminated | truncated
+    assert ended.any()
 
 
 def test_another_seed_is_another_game() -> None:
@@ -247,7 +283,7 @@ def test_a_picture_is_an_array_of_pixels() -> None:
     assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 100
 
 
-@pytest.mark.parametrize("game", ["eight-ball", "three-cushion", "sum-to-three"])
+@pytest.mark.parametrize("game", [task for task in TASKS if task != "potting"])
 def test_pettingzoo_finds_nothing_wrong(game: str) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)

@@ -7,9 +7,6 @@ use carom_rules::{Options, Rules};
 use crate::action::Aim;
 use crate::opponent::Opponent;
 
-/// Object balls of a potting task at most; more are no layout but a heap.
-const MOST_BALLS: usize = 15;
-
 /// What is played.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
@@ -23,10 +20,12 @@ pub enum Task {
 
 impl Task {
     /// Every task.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 8] = [
         Self::Potting,
         Self::Game(Rules::EightBall),
         Self::Game(Rules::NineBall),
+        Self::Game(Rules::TenBall),
+        Self::Game(Rules::StraightPool),
         Self::Game(Rules::Snooker),
         Self::Game(Rules::ThreeCushion),
         Self::SumToThree,
@@ -54,16 +53,22 @@ impl Task {
         !matches!(self, Self::Potting | Self::SumToThree | Self::Game(Rules::ThreeCushion))
     }
 
-    /// Whether a rack can be begun in the middle ([`carom_rules::Frame::scatter`]).
-    const fn can_be_scattered(self) -> bool {
-        matches!(self, Self::Game(Rules::EightBall | Rules::NineBall))
+    /// Whether fouls cost points that the player may not have.
+    pub(crate) const fn has_negative_scores(self) -> bool {
+        matches!(self, Self::Game(Rules::StraightPool))
     }
 
-    /// The object balls that a layout at random has at most.
-    const fn most_balls(self) -> usize {
+    /// How many object balls can lie at random at the start, least and most; none where the start is always
+    /// the same. In snooker these are the reds, and the colours stand on their spots.
+    const fn balls_at_random(self) -> Option<[usize; 2]> {
         match self {
-            Self::Game(Rules::NineBall) => 9,
-            _ => MOST_BALLS,
+            Self::Potting | Self::Game(Rules::EightBall) => Some([1, 15]),
+            Self::Game(Rules::NineBall) => Some([1, 9]),
+            Self::Game(Rules::TenBall) => Some([1, 10]),
+            Self::Game(Rules::StraightPool) => Some([2, 15]),
+            Self::Game(Rules::Snooker) => Some([0, 15]),
+            Self::Game(Rules::ThreeCushion) => Some([2, 2]),
+            Self::Game(Rules::Practice) | Self::SumToThree => None,
         }
     }
 }
@@ -153,7 +158,9 @@ impl Rewards {
         let none = Self { win: 0.0, pot: 0.0, foul: 0.0, point: 0.0, failure: -1.0 };
         match task {
             Task::Potting => Self { pot: 1.0, ..none },
-            Task::Game(Rules::Snooker) => Self { win: 1.0, point: 0.01, ..none },
+            Task::Game(Rules::Snooker | Rules::StraightPool) => {
+                Self { win: 1.0, point: 0.01, ..none }
+            }
             Task::Game(Rules::ThreeCushion) | Task::SumToThree => Self { point: 1.0, ..none },
             Task::Game(_) => Self { win: 1.0, pot: 0.1, foul: -0.1, ..none },
         }
@@ -173,8 +180,10 @@ pub struct Config {
     pub elevation: f64,
     /// Who plays player 1.
     pub opponent: Opponent,
-    /// Object balls that lie at random at the start, least and most. Potting always has some (1 if none
-    /// are given); eight-ball and nine-ball begin with a rack if none are given.
+    /// Object balls that lie at random at the start, least and most. Potting always has some (1 if none are
+    /// given); a game begins with its rack if none are given, else in the middle, as
+    /// [`carom_rules::Frame::scatter`] has it. In snooker these are the reds (0 to 15; the colours stand on
+    /// their spots), in three-cushion both object balls.
     pub balls: Option<[usize; 2]>,
     /// Which ball the potting task asks for.
     pub target: Target,
@@ -197,6 +206,7 @@ impl Config {
     pub fn of(task: Task) -> Self {
         let target = match task {
             Task::SumToThree => 10,
+            Task::Game(Rules::StraightPool) => 100,
             _ => Options::default().target,
         };
         Self {
@@ -246,15 +256,14 @@ impl Config {
     fn check_balls(&self, task: Task) -> Result<(), Error> {
         let Some([least, most]) = self.balls else { return Ok(()) };
         let wrong = |what: String, remedy: String| Err(Error::input("balls", what, remedy));
-        if task != Task::Potting && !task.can_be_scattered() {
-            let what = format!("{} is not begun in the middle", task.name());
+        let Some([fewest, all]) = task.balls_at_random() else {
+            let what = format!("{} always begins in the same way", task.name());
             return wrong(what, "leave it out".into());
-        }
-        if least < 1 || least > most || most > task.most_balls() {
-            let most_balls = task.most_balls();
+        };
+        if least < fewest || least > most || most > all {
             return wrong(
                 format!("[{least}, {most}] is out of range"),
-                format!("write two numbers in [1, {most_balls}], the lower one first"),
+                format!("write two numbers in [{fewest}, {all}], the lower one first"),
             );
         }
         Ok(())

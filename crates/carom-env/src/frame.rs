@@ -1,6 +1,7 @@
 //! A frame of a game with a referee.
 
-use carom::event::{Event, EventKind, Recorder};
+use core::ops::Range;
+
 use carom::simulate::{SMALL, Simulation};
 use carom::{Error, Shot};
 use carom_rules::games::Law;
@@ -8,6 +9,7 @@ use carom_rules::games::eight_ball::Group;
 use carom_rules::{BallIndex, Call, Choice, Frame, Piece, Play, Player, Request, Rules, Turn};
 
 use crate::config::Config;
+use crate::notes::Notes;
 use crate::place;
 use crate::random::Dice;
 use crate::scene::{Ending, Played, Scene, Standing, Stroke, in_order};
@@ -81,7 +83,7 @@ impl FrameScene {
         balls: &[BallIndex],
     ) -> Call {
         let nothing = Self::nothing_foreseen(turn);
-        let mut foresight = Foresight::new(meant.cue_ball().unwrap_or_default());
+        let mut foresight = Notes::new(meant.cue_ball().unwrap_or_default());
         // Where nothing can be foreseen, nothing is promised.
         if nothing == Call::Nothing || simulation.play(meant, &mut foresight).is_err() {
             return nothing;
@@ -195,19 +197,22 @@ impl Scene for FrameScene {
         self.failed = false;
         let Some([least, most]) = self.balls else { return Ok(()) };
         let mut dice = Dice::of_layout(seed);
-        let last = if self.frame.rules() == Rules::EightBall { 8 } else { 9 };
-        let mut wanted = vec![false; self.frame.layout().len()];
-        wanted[0] = true;
-        wanted[last] = true;
-        let mut missing = least + dice.below(most - least + 1) - 1;
+        let layout = self.frame.layout();
+        let (always, others, spotted) = placed_at_random(self.frame.rules(), layout.len());
+        let mut wanted = vec![false; layout.len()];
+        always.iter().for_each(|ball| wanted[*ball] = true);
+        let mut missing = least + dice.below(most - least + 1) - (always.len() - 1);
         while missing > 0 {
-            let ball = 1 + dice.below(wanted.len() - 1);
+            let ball = others.start + dice.below(others.len());
             missing -= usize::from(!wanted[ball]);
             wanted[ball] = true;
         }
+        let stands = |ball| spotted.contains(&usize::from(ball));
+        let mut places: Vec<_> = (0..layout.len() as BallIndex)
+            .map(|ball| layout.place(ball).filter(|_| stands(ball)))
+            .collect();
         let table = self.frame.base().table();
-        let places = place::scattered(table, self.frame.layout().pieces(), &wanted, &mut dice)
-            .ok_or_else(place::no_room)?;
+        place::scatter(table, layout.pieces(), &wanted, &mut places, &mut dice)?;
         self.frame.scatter(&places, 0)
     }
 
@@ -226,40 +231,18 @@ impl Scene for FrameScene {
     }
 }
 
-/// What a shot would do.
-struct Foresight {
-    cue: u16,
-    first_contact: Option<u16>,
-    pots: [(u16, u8); SMALL],
+/// Of a game that begins in the middle, with `count` balls: which of them lie at random in any case, among
+/// which the others are drawn that do, and which stand where they are racked.
+const fn placed_at_random(
+    rules: Rules,
     count: usize,
-}
-
-impl Foresight {
-    const fn new(cue: usize) -> Self {
-        Self { cue: cue as u16, first_contact: None, pots: [(0, 0); SMALL], count: 0 }
-    }
-
-    /// Balls of the shot and the pockets that took them, in order.
-    fn pots(&self) -> impl Iterator<Item = (u16, u8)> + '_ {
-        self.pots[..self.count].iter().copied()
-    }
-}
-
-impl Recorder for Foresight {
-    const STATES: bool = false;
-
-    fn record(&mut self, event: &Event<'_>) {
-        match event.kind {
-            EventKind::BallCollision
-                if self.first_contact.is_none() && event.balls.contains(&self.cue) =>
-            {
-                self.first_contact = event.balls.iter().copied().find(|b| *b != self.cue);
-            }
-            EventKind::PocketCollision(pocket) => {
-                self.pots[self.count] = (event.balls[0], pocket);
-                self.count += 1;
-            }
-            _ => {}
-        }
+) -> (&'static [usize], Range<usize>, Range<usize>) {
+    match rules {
+        Rules::EightBall => (&[0, 8], 1..count, 0..0),
+        Rules::NineBall => (&[0, 9], 1..count, 0..0),
+        Rules::TenBall => (&[0, 10], 1..count, 0..0),
+        Rules::Snooker => (&[0], 1..16, 16..count),
+        Rules::ThreeCushion => (&[0, 1, 2], 0..0, 0..0),
+        Rules::StraightPool | Rules::Practice => (&[0], 1..count, 0..0),
     }
 }

@@ -20,6 +20,7 @@ mod action;
 mod config;
 mod environment;
 mod frame;
+mod notes;
 mod observe;
 mod opponent;
 mod place;
@@ -31,7 +32,7 @@ mod vector;
 
 pub use action::{ACTIONS, ACTIONS_WITHOUT_HAND, Aim};
 pub use config::{Autoreset, Config, Rewards, Target, Task};
-pub use observe::{BALL_FEATURES, FEATURES, POSITION_BOUND};
+pub use observe::{BALL_FEATURES, FEATURES, POSITION_BOUND, SCORE_BOUND};
 pub use opponent::Opponent;
 pub use sum_to_three::CUSHIONS;
 pub use vector::{Transitions, VectorEnv};

@@ -34,23 +34,29 @@ pub const FEATURES: [&str; 11] = [
 /// No number seen is larger: a ball in a pocket's jaws lies beyond the noses.
 pub const POSITION_BOUND: f32 = 1.25;
 
+/// No score seen is larger; in straight pool, where fouls cost points, none is less than its negative.
+pub const SCORE_BOUND: f32 = 1.25;
+
 /// How many numbers are seen of `balls` balls.
 pub(crate) const fn size(balls: usize) -> usize {
     BALL_FEATURES.len() * balls + FEATURES.len()
 }
 
 /// The least of each number.
-pub(crate) fn low(balls: usize) -> Vec<f32> {
+pub(crate) fn low(balls: usize, least_score: f32) -> Vec<f32> {
     let ball = [-POSITION_BOUND, -POSITION_BOUND, 0.0, 0.0];
-    // Nobody's score falls below 0 in the games that have environments.
-    core::iter::repeat_n(ball, balls).flatten().chain(FEATURES.map(|_| 0.0)).collect()
+    let rest = FEATURES.map(|name| match name {
+        "own_score" | "other_score" => least_score,
+        _ => 0.0,
+    });
+    core::iter::repeat_n(ball, balls).flatten().chain(rest).collect()
 }
 
 /// The largest of each number.
 pub(crate) fn high(balls: usize) -> Vec<f32> {
     let ball = [POSITION_BOUND, POSITION_BOUND, 1.0, 1.0];
     let rest = FEATURES.map(|name| match name {
-        "own_score" | "other_score" => POSITION_BOUND,
+        "own_score" | "other_score" => SCORE_BOUND,
         _ => 1.0,
     });
     core::iter::repeat_n(ball, balls).flatten().chain(rest).collect()
@@ -84,7 +90,8 @@ pub(crate) fn write(scene: &dyn Scene, viewer: Player, out: &mut [f32]) {
     let standing = scene.standing();
     let flag = |is: bool| f32::from(u8::from(is));
     let hand = |region| flag(turn.is_some_and(|turn| turn.hand == Some(region)));
-    let number = |x: f64, most: f32| (x as f32).clamp(0.0, most);
+    let score = |x: f64| (x as f32).clamp(-SCORE_BOUND, SCORE_BOUND);
+    let fouls = |x: f64| (x as f32).min(1.0);
     rest.copy_from_slice(&[
         hand(Region::Anywhere),
         hand(Region::BehindHeadString),
@@ -92,10 +99,10 @@ pub(crate) fn write(scene: &dyn Scene, viewer: Player, out: &mut [f32]) {
         flag(turn.is_some_and(|turn| turn.on.is_empty())),
         flag(turn.is_some_and(|turn| turn.calls.nominate)),
         flag(standing.opening),
-        number(standing.scores[viewer], POSITION_BOUND),
-        number(standing.scores[1 - viewer], POSITION_BOUND),
-        number(standing.fouls[viewer], 1.0),
-        number(standing.fouls[1 - viewer], 1.0),
+        score(standing.scores[viewer]),
+        score(standing.scores[1 - viewer]),
+        fouls(standing.fouls[viewer]),
+        fouls(standing.fouls[1 - viewer]),
         flag(turn.is_some_and(|turn| turn.player == viewer)),
     ]);
 }

@@ -71,37 +71,44 @@ pub(crate) fn nearest(
     tried.into_iter().find(|place| is_legal(*place))
 }
 
-/// Places at random for the balls marked in `wanted`, none for the others. None if there is no room.
-pub(crate) fn scattered(
+/// Finds places at random for the balls marked in `wanted`, on the table of `table` with what has a place in
+/// `places` already.
+///
+/// # Errors
+/// [`Error::Input`] if there is no room.
+pub(crate) fn scatter(
     table: &Table,
     pieces: &[Piece],
     wanted: &[bool],
+    places: &mut [Option<[f64; 2]>],
     dice: &mut Dice,
-) -> Option<Vec<Option<[f64; 2]>>> {
-    'layout: for _ in 0..TRIES {
-        let mut places: Vec<Option<[f64; 2]>> = vec![None; pieces.len()];
-        for ball in (0..pieces.len()).filter(|ball| wanted[*ball]) {
-            let radius = pieces[ball].ball.radius;
-            let place = (0..TRIES).find_map(|_| {
-                let place = [dice.between(0.0, table.size.x), dice.between(0.0, table.size.y)];
-                let free = pieces.iter().zip(&places).all(|(other, there)| {
-                    there.is_none_or(|there| {
-                        distance(place, there) > radius + other.ball.radius + GAP
-                    })
-                });
-                (free && is_on_bed(table, place, radius)).then_some(place)
-            });
-            if place.is_none() {
-                continue 'layout;
-            }
-            places[ball] = place;
+) -> Result<(), Error> {
+    for _ in 0..TRIES {
+        let is_whole = (0..pieces.len()).filter(|ball| wanted[*ball]).all(|ball| {
+            places[ball] = find(table, pieces, places, pieces[ball].ball.radius, dice);
+            places[ball].is_some()
+        });
+        if is_whole {
+            return Ok(());
         }
-        return Some(places);
+        (0..pieces.len()).filter(|ball| wanted[*ball]).for_each(|ball| places[ball] = None);
     }
-    None
+    Err(Error::input("balls", "there is no room for so many", "ask for fewer, or a larger table"))
 }
 
-/// What is wrong if [`scattered`] finds nothing.
-pub(crate) fn no_room() -> Error {
-    Error::input("balls", "there is no room for so many", "ask for fewer, or a larger table")
+/// A place at random for a ball of `radius` (m) beside those that have one.
+fn find(
+    table: &Table,
+    pieces: &[Piece],
+    places: &[Option<[f64; 2]>],
+    radius: f64,
+    dice: &mut Dice,
+) -> Option<[f64; 2]> {
+    (0..TRIES).find_map(|_| {
+        let place = [dice.between(0.0, table.size.x), dice.between(0.0, table.size.y)];
+        let is_free = pieces.iter().zip(places).all(|(other, there)| {
+            there.is_none_or(|there| distance(place, there) > radius + other.ball.radius + GAP)
+        });
+        (is_free && is_on_bed(table, place, radius)).then_some(place)
+    })
 }

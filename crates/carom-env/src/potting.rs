@@ -1,11 +1,11 @@
 //! One shot at balls that lie anywhere.
 
-use carom::event::{Event, EventKind, Recorder};
 use carom::simulate::{SMALL, Simulation};
 use carom::{Error, Shot};
 use carom_rules::{BallIndex, Calls, Piece, Player, Turn};
 
 use crate::config::{Config, Target};
+use crate::notes::Notes;
 use crate::place;
 use crate::random::Dice;
 use crate::scene::{Bed, Ending, Played, Scene, Standing, Stroke, in_order};
@@ -80,8 +80,8 @@ impl Scene for Potting {
         let count = least + dice.below(most - least + 1);
         let wanted: Vec<bool> = (0..=most).map(|ball| ball <= count).collect();
         let table = self.bed.base.table();
-        self.bed.places = place::scattered(table, &self.bed.pieces, &wanted, &mut dice)
-            .ok_or_else(place::no_room)?;
+        self.bed.places.fill(None);
+        place::scatter(table, &self.bed.pieces, &wanted, &mut self.bed.places, &mut dice)?;
         self.turn.on.clear();
         match self.target {
             Target::Any => self.turn.on.extend(1..=count as BallIndex),
@@ -98,34 +98,15 @@ impl Scene for Potting {
     ) -> Result<Played, Error> {
         self.over = true;
         // Balls are on the table from the first to the last: their numbers are the shot's.
-        let mut gone = Gone::default();
-        self.bed.play(simulation, CUE, stroke.struck, &mut gone)?;
-        let fell = |ball: &BallIndex| gone.potted & (1 << ball) != 0;
-        let legal = gone.potted & (1 << CUE) == 0 && gone.thrown_off == 0;
-        let potted = legal && self.turn.on.iter().any(fell);
+        let mut notes = Notes::new(CUE.into());
+        self.bed.play(simulation, CUE, stroke.struck, &mut notes)?;
+        let fell = |ball: BallIndex| notes.pots().any(|(down, _)| down == u16::from(ball));
+        let legal = !fell(CUE) && !notes.left_table;
+        let potted = legal && self.turn.on.iter().any(|ball| fell(*ball));
         Ok(Played { legal, potted: potted.into(), points: [0; 2] })
     }
 
     fn boxed(&self) -> Box<dyn Scene> {
         Box::new(self.clone())
-    }
-}
-
-/// Notes which balls left the table: bit k is ball k of the shot.
-#[derive(Default)]
-struct Gone {
-    potted: u32,
-    thrown_off: u32,
-}
-
-impl Recorder for Gone {
-    const STATES: bool = false;
-
-    fn record(&mut self, event: &Event<'_>) {
-        match event.kind {
-            EventKind::PocketCollision(_) => self.potted |= 1 << event.balls[0],
-            EventKind::OffTable => self.thrown_off |= 1 << event.balls[0],
-            _ => {}
-        }
     }
 }

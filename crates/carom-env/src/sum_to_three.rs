@@ -4,12 +4,12 @@
 //! The definition is that of pooltool's ruleset `sum_to_three`. It says nothing of a ball that leaves the
 //! table; here that scores nothing, and the ball comes back to its spot.
 
-use carom::event::{Event, EventKind, Recorder};
 use carom::simulate::{SMALL, Simulation};
 use carom::{Error, Shot};
 use carom_rules::{BallIndex, Calls, Piece, Player, Turn};
 
 use crate::config::Config;
+use crate::notes::Notes;
 use crate::random::Dice;
 use crate::scene::{Bed, Ending, Played, Scene, Standing, Stroke, in_order};
 
@@ -143,14 +143,15 @@ impl Scene for SumToThree {
         stroke: &Stroke,
     ) -> Result<Played, Error> {
         let player = self.turn.player;
-        let mut count = Count::default();
+        let mut notes = Notes::new(CUE.into());
         self.opening = false;
-        if let Err(error) = self.bed.play(simulation, CUE, stroke.struck, &mut count) {
+        if let Err(error) = self.bed.play(simulation, CUE, stroke.struck, &mut notes) {
             self.ending = Some(Ending::Stalemate);
             return Err(error);
         }
         self.bring_back();
-        let scored = count.touched && count.cushions == CUSHIONS && !count.left;
+        let touched = notes.first_contact.is_some();
+        let scored = touched && notes.cushions == CUSHIONS && !notes.left_table;
         let mut points = [0; 2];
         points[player] = scored.into();
         self.scores[player] += points[player];
@@ -162,31 +163,10 @@ impl Scene for SumToThree {
         } else if !scored {
             self.turn.player = 1 - player;
         }
-        Ok(Played { legal: !count.left, potted: 0, points })
+        Ok(Played { legal: !notes.left_table, potted: 0, points })
     }
 
     fn boxed(&self) -> Box<dyn Scene> {
         Box::new(self.clone())
-    }
-}
-
-/// Counts what scores.
-#[derive(Default)]
-struct Count {
-    touched: bool,
-    cushions: u32,
-    left: bool,
-}
-
-impl Recorder for Count {
-    const STATES: bool = false;
-
-    fn record(&mut self, event: &Event<'_>) {
-        match event.kind {
-            EventKind::BallCollision => self.touched = true,
-            EventKind::RailCollision(_) => self.cushions += 1,
-            EventKind::OffTable => self.left = true,
-            _ => {}
-        }
     }
 }

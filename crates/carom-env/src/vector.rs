@@ -10,7 +10,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use crate::action::{ACTIONS, ACTIONS_WITHOUT_HAND};
 use crate::config::{Autoreset, Config, Task};
 use crate::environment::{self, Environment, Step};
-use crate::observe;
+use crate::observe::{self, SCORE_BOUND};
 
 /// Environments that one thread takes at a time: some hundred microseconds of work, so that handing them
 /// out costs nothing and the threads still end together.
@@ -96,7 +96,8 @@ impl VectorEnv {
 
     /// The least and the largest number at every place of an observation.
     pub fn observation_bounds(&self) -> [Vec<f32>; 2] {
-        [observe::low(self.balls), observe::high(self.balls)]
+        let least_score = if self.task.has_negative_scores() { -SCORE_BOUND } else { 0.0 };
+        [observe::low(self.balls, least_score), observe::high(self.balls)]
     }
 
     /// Begins a new episode in every environment (in those that `mask` marks, if it is given), and tells

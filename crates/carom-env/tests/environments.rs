@@ -1,7 +1,9 @@
 //! Environments as a learner meets them.
 
 use carom::Noise;
-use carom_env::{Aim, Autoreset, CUSHIONS, Config, Opponent, Rewards, Target, Task, VectorEnv};
+use carom_env::{
+    Aim, Autoreset, CUSHIONS, Config, FEATURES, Opponent, Rewards, Target, Task, VectorEnv,
+};
 use carom_rules::Rules;
 
 /// Actions at random, the same every time.
@@ -95,18 +97,52 @@ fn the_lowest_ball_is_harder_to_pot_than_any() {
 }
 
 #[test]
-fn eight_ball_begins_in_the_middle_with_as_many_balls_as_asked() {
-    let task = Task::Game(Rules::EightBall);
-    let config = Config { balls: Some([4, 9]), ..Config::of(task) };
-    let vector = environments(task, 200, config);
-    let mut seen = std::collections::BTreeSet::new();
-    for index in 0..200 {
-        let row = vector.observe(index, 0).expect("an environment");
-        let on_table: Vec<bool> = row.chunks(4).take(16).map(|ball| ball[2] == 1.0).collect();
-        assert!(on_table[0] && on_table[8], "cue ball and eight");
-        seen.insert(on_table[1..].iter().filter(|on| **on).count());
+fn games_begin_in_the_middle_with_as_many_balls_as_asked() {
+    // The balls that are always there, besides the cue ball.
+    for (rules, balls, always) in [
+        (Rules::EightBall, [4, 9], &[8][..]),
+        (Rules::NineBall, [2, 5], &[9]),
+        (Rules::TenBall, [1, 10], &[10]),
+        (Rules::StraightPool, [2, 15], &[]),
+        (Rules::Snooker, [0, 6], &[16, 17, 18, 19, 20, 21]),
+        (Rules::ThreeCushion, [2, 2], &[1, 2]),
+    ] {
+        let task = Task::Game(rules);
+        let count = 300;
+        let vector = environments(task, count, Config { balls: Some(balls), ..Config::of(task) });
+        let mut seen = std::collections::BTreeSet::new();
+        let mut places = std::collections::HashSet::new();
+        for index in 0..count {
+            let row = vector.observe(index, 0).expect("an environment");
+            let (seen_balls, rest) = row.split_at(row.len() - FEATURES.len());
+            let on_table: Vec<bool> = seen_balls.chunks(4).map(|ball| ball[2] == 1.0).collect();
+            assert!(on_table[0], "the cue ball");
+            assert!(always.iter().all(|ball| on_table[*ball]), "{}", task.name());
+            // Neither in hand nor an opening shot.
+            assert_eq!([rest[0], rest[1], rest[2], rest[5]], [0.0; 4], "{}", task.name());
+            places.insert([row[0].to_bits(), row[1].to_bits()]);
+            let spotted = if rules == Rules::Snooker { 6 } else { 0 };
+            seen.insert(on_table[1..].iter().filter(|on| **on).count() - spotted);
+        }
+        let asked: Vec<usize> = (balls[0]..=balls[1]).collect();
+        assert_eq!(seen.into_iter().collect::<Vec<_>>(), asked, "{}", task.name());
+        assert_eq!(places.len(), count, "every layout is another");
     }
-    assert_eq!(seen.into_iter().collect::<Vec<_>>(), [4, 5, 6, 7, 8, 9]);
+}
+
+#[test]
+fn in_the_middle_of_snooker_the_colours_stand_on_their_spots() {
+    let task = Task::Game(Rules::Snooker);
+    let config = |balls| Config { balls, ..Config::of(task) };
+    let colors = |balls| {
+        let vector = environments(task, 1, config(balls));
+        vector.observe(0, 0).expect("an environment")[4 * 16..4 * 22].to_vec()
+    };
+    let racked = colors(None);
+    assert_eq!(colors(Some([3, 3])), racked);
+    // Without reds the yellow is on.
+    let on: Vec<f32> = colors(Some([0, 0])).chunks(4).map(|ball| ball[3]).collect();
+    assert_eq!(on, [1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
 }
 
 #[test]
@@ -198,9 +234,16 @@ fn what_cannot_be_is_refused_with_its_place() {
     assert!(refused(Task::Potting, pocketless).starts_with("table"));
     let heap = Config { balls: Some([1, 40]), ..potting };
     assert!(refused(Task::Potting, heap).starts_with("balls"));
-    let snooker = Task::Game(Rules::Snooker);
-    let middle = Config { balls: Some([4, 5]), ..Config::of(snooker) };
-    assert!(refused(snooker, middle).starts_with("balls"));
+    for (task, balls) in [
+        (Task::SumToThree, [2, 2]),
+        (Task::Game(Rules::ThreeCushion), [1, 2]),
+        (Task::Game(Rules::StraightPool), [1, 5]),
+        (Task::Game(Rules::TenBall), [1, 11]),
+        (Task::Game(Rules::Snooker), [0, 16]),
+    ] {
+        let middle = Config { balls: Some(balls), ..Config::of(task) };
+        assert!(refused(task, middle).starts_with("balls"), "{}", task.name());
+    }
     let mut vector = environments(Task::SumToThree, 2, Config::of(Task::SumToThree));
     assert!(vector.step(&[0.0; 3]).is_err());
     assert!(vector.reset(Some(&[1]), None).is_err());

@@ -1,5 +1,6 @@
 //! A game in progress.
 
+mod middle;
 mod play;
 mod progress;
 mod state;
@@ -70,34 +71,6 @@ impl Frame {
         let request = law.game_mut().open(&mut state, 0);
         let progress = Progress::new(&state);
         Ok(Self { rules, law, state, request, progress, shots: 0 })
-    }
-
-    /// Goes on as if the break had left the balls at `places` (one for each ball of the layout, in the
-    /// file's frame, m; none for a ball that is down), and `player` shoots next: to begin in the middle of
-    /// a rack.
-    ///
-    /// # Errors
-    /// [`Error::Input`] but for eight-ball, nine-ball and ten-ball, for another number of places than of
-    /// balls, and if the ball that decides the game is down. Whether balls overlap, the next shot says.
-    pub fn scatter(&mut self, places: &[Option<[f64; 2]>], player: Player) -> Result<(), Error> {
-        let wrong = |what: String, remedy: &str| Err(Error::input("places", what, remedy));
-        let Some(last) = self.rules.deciding_ball().map(usize::from) else {
-            let what = format!("{} is not begun in the middle", self.rules.name());
-            return wrong(what, "choose eight-ball, nine-ball or ten-ball");
-        };
-        if places.len() != self.state.layout.len() {
-            let what = format!("{} for {} balls", places.len(), self.state.layout.len());
-            return wrong(what, "give one for every ball");
-        }
-        if places[last].is_none() {
-            return wrong(format!("the {last} is down"), "put it on the table");
-        }
-        for (ball, place) in (0..).zip(places) {
-            self.state.layout.put(ball, *place);
-        }
-        self.progress.restart(&self.state);
-        self.request = self.law.game_mut().after_break(&mut self.state, player);
-        Ok(())
     }
 
     /// Which game.

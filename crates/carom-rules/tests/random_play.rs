@@ -223,3 +223,50 @@ fn a_rack_can_be_begun_in_the_middle() {
     assert!(same.scatter(&places[..9], 0).is_err());
     assert!(frame(Rules::Snooker).scatter(&places, 0).is_err());
 }
+
+#[test]
+fn every_game_goes_on_from_the_middle_with_what_is_on_there() {
+    // The racked balls themselves, some of them taken away: what is on, and what is called.
+    let begun = |rules: Rules, down: &[usize]| {
+        let mut frame = Frame::new(rules, Options::default(), None, None, 3).expect("a rack");
+        let count = frame.layout().len() as u8;
+        let mut places: Vec<_> = (0..count).map(|ball| frame.layout().place(ball)).collect();
+        // Where the rack has no place for the cue ball because it is in hand.
+        places[0] = places[0].or(Some([0.3, 0.3]));
+        down.iter().for_each(|ball| places[*ball] = None);
+        frame.scatter(&places, 1).map(|()| frame)
+    };
+    let all_reds: Vec<usize> = (1..=15).collect();
+    let to_blue: Vec<usize> = (1..=18).collect();
+    for (rules, down, on, nominates) in [
+        (Rules::EightBall, &[1, 2][..], &[][..], false),
+        (Rules::TenBall, &[1, 2], &[3], false),
+        (Rules::StraightPool, &[1, 2, 3], &[], false),
+        (Rules::Snooker, &all_reds[..13], &[14, 15], false),
+        (Rules::Snooker, &all_reds, &[16], false),
+        (Rules::Snooker, &to_blue, &[19], false),
+        (Rules::ThreeCushion, &[], &[], false),
+        (Rules::Practice, &[3], &[], false),
+    ] {
+        let frame = begun(rules, down).expect("a game that goes on");
+        let turn = frame.turn().expect("a shot");
+        let found = (turn.player, turn.hand, &turn.on[..], turn.calls.nominate);
+        assert_eq!(found, (1, None, on, nominates), "{}", rules.name());
+        assert_eq!(frame.layout().on_table().count(), frame.layout().len() - down.len());
+    }
+    let all_but_one: Vec<usize> = (1..15).collect();
+    for (rules, down) in [
+        (Rules::EightBall, &[8][..]),
+        (Rules::TenBall, &[10]),
+        (Rules::StraightPool, &all_but_one),
+        (Rules::Snooker, &[1, 16]),
+        (Rules::Snooker, &[21]),
+        (Rules::ThreeCushion, &[1]),
+    ] {
+        let refused = begun(rules, down).expect_err("a game that cannot be so").to_string();
+        assert!(refused.starts_with("places: "), "{refused}");
+    }
+    let blue_before_green: Vec<usize> = (1..=16).chain([19]).collect();
+    let refused = begun(Rules::Snooker, &blue_before_green).expect_err("an order").to_string();
+    assert!(refused.contains("5 points"), "{refused}");
+}

@@ -36,7 +36,8 @@ def aec(game: str = "eight-ball", **settings: Any) -> CaromMatch:
     """A match between two agents, for PettingZoo.
 
     Args:
-        game: ``eight-ball``, ``nine-ball``, ``snooker``, ``three-cushion`` or ``sum-to-three``.
+        game: ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``, ``snooker``,
+            ``three-cushion`` or ``sum-to-three``.
         settings: As for the environments of Gymnasium, ``opponent`` excepted.
 
     Returns:

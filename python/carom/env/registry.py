@@ -9,6 +9,8 @@ ENVIRONMENTS = {
     "carom/Potting-v0": "potting",
     "carom/EightBall-v0": "eight-ball",
     "carom/NineBall-v0": "nine-ball",
+    "carom/TenBall-v0": "ten-ball",
+    "carom/StraightPool-v0": "straight-pool",
     "carom/Snooker-v0": "snooker",
     "carom/ThreeCushion-v0": "three-cushion",
     "carom/SumToThree-v0": "sum-to-three",

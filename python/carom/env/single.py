@@ -25,8 +25,8 @@ class CaromEnv(gymnasium.Env[Any, Any]):
     agent's shot was) and ``potted`` (balls that it potted and that were the shooter's to pot).
 
     Args:
-        task: ``potting``, ``eight-ball``, ``nine-ball``, ``snooker``, ``three-cushion`` or
-            ``sum-to-three``.
+        task: ``potting``, ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``,
+            ``snooker``, ``three-cushion`` or ``sum-to-three``.
         render_mode: ``rgb_array`` or None.
         settings: See :func:`carom.env.settings.pack`.
     """

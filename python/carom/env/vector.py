@@ -47,8 +47,8 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
     ``final_obs`` besides, and ``_final_obs`` says where.
 
     Args:
-        task: ``potting``, ``eight-ball``, ``nine-ball``, ``snooker``, ``three-cushion`` or
-            ``sum-to-three``.
+        task: ``potting``, ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``,
+            ``snooker``, ``three-cushion`` or ``sum-to-three``.
         num_envs: How many.
         render_mode: ``rgb_array`` or None.
         autoreset_mode: When the next episode begins: ``same-step``, ``next-step`` or

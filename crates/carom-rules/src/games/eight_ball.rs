@@ -123,7 +123,7 @@ impl Game for EightBall {
         pool::break_shot(breaker, Vec::new(), Calls::NONE)
     }
 
-    fn after_break(&mut self, state: &mut State, player: Player) -> Request {
+    fn middle(&mut self, state: &State, player: Player) -> Request {
         *self = Self::default();
         self.next(state, player, None)
     }

@@ -245,10 +245,9 @@ pub(crate) trait Game {
     /// The first request, of the player who breaks.
     fn open(&mut self, state: &mut State, breaker: Player) -> Request;
 
-    /// The request after a break that decided nothing, with `player` to shoot.
-    fn after_break(&mut self, state: &mut State, player: Player) -> Request {
-        self.open(state, player)
-    }
+    /// The request in the middle of a game of which nothing is known but where the balls lie, with `player`
+    /// to shoot.
+    fn middle(&mut self, state: &State, player: Player) -> Request;
 
     /// Rules on a shot, in the state's ruling, and says what is asked next.
     fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request;

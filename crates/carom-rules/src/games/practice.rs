@@ -15,6 +15,10 @@ impl Game for Practice {
         pool::break_shot(player, Vec::new(), Calls::NONE)
     }
 
+    fn middle(&mut self, state: &State, player: Player) -> Request {
+        pool::shot(state, player, None, Vec::new(), Calls::NONE)
+    }
+
     fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
         let player = shot.player();
         state.ruling.points[player] = shot.facts.potted().count() as i32;

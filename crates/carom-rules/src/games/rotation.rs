@@ -46,7 +46,7 @@ impl Game for Rotation {
         pool::break_shot(breaker, self.lowest(state), Calls::NONE)
     }
 
-    fn after_break(&mut self, state: &mut State, player: Player) -> Request {
+    fn middle(&mut self, state: &State, player: Player) -> Request {
         self.is_break = false;
         self.next(state, player, None, false)
     }

@@ -14,10 +14,10 @@ use crate::{BallIndex, Player};
 mod hidden;
 
 const CUE: BallIndex = 0;
-const REDS: core::ops::RangeInclusive<BallIndex> = 1..=15;
+pub(crate) const REDS: core::ops::RangeInclusive<BallIndex> = 1..=15;
 const YELLOW: BallIndex = 16;
-const BLACK: BallIndex = 21;
-const COLORS: core::ops::RangeInclusive<BallIndex> = YELLOW..=BLACK;
+pub(crate) const BLACK: BallIndex = 21;
+pub(crate) const COLORS: core::ops::RangeInclusive<BallIndex> = YELLOW..=BLACK;
 
 /// The least penalty for a foul.
 const LEAST_PENALTY: i32 = 4;
@@ -321,6 +321,12 @@ impl Game for Snooker {
     fn open(&mut self, state: &mut State, breaker: Player) -> Request {
         *self = Self::default();
         self.turn(state, breaker, Some(Region::TheD))
+    }
+
+    fn middle(&mut self, state: &State, player: Player) -> Request {
+        let on = if state.layout.left(REDS).is_empty() { On::Sequence } else { On::Red };
+        *self = Self { on, ..Self::default() };
+        self.turn(state, player, None)
     }
 
     fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {

@@ -84,6 +84,11 @@ impl Game for StraightPool {
         pool::break_shot(breaker, Vec::new(), Calls::REQUIRED)
     }
 
+    fn middle(&mut self, state: &State, player: Player) -> Request {
+        *self = Self::default();
+        Self::next(state, player, None)
+    }
+
     fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
         let (facts, player, other) = (shot.facts, shot.player(), shot.other());
         state.ruling.fouls = pool::standard_fouls(state, shot);

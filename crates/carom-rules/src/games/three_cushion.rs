@@ -121,6 +121,12 @@ impl Game for ThreeCushion {
         })
     }
 
+    fn middle(&mut self, _: &State, player: Player) -> Request {
+        *self = Self::default();
+        self.innings[player] = 1;
+        self.turn(player)
+    }
+
     fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
         let (facts, player) = (shot.facts, shot.player());
         let fouls = &mut state.ruling.fouls;
