@@ -58,14 +58,15 @@ def pack(
         speed: The least and the largest speed of the cue, m/s.
         max_elevation: The largest elevation of the cue, rad; the action's lower half is level.
         opponent: ``none``, ``random`` or ``potter``: who plays player 1.
-        balls: Object balls that lie at random at the start (a number, or least and most): in potting
-            1 if None; the games begin with a rack if None, else in the middle, nobody ahead. In
-            snooker these are the reds, and the colours stand on their spots; three-cushion has 2;
-            sum-to-three always begins in its own way.
+        balls: Object balls that lie at random at the start, a number, or least and most. In
+            potting 1 if None; the games begin with a rack if None, else in the middle, nobody
+            ahead. In snooker these are the reds, and the colours stand on their spots;
+            three-cushion has 2; sum-to-three always begins in its own way.
         target_ball: In potting, ``any`` or ``lowest``.
         table: As in a shot; the task's own if None.
         physics: As in a shot; the table's own if None.
-        target: Points that win straight pool (100 if None), three-cushion (40) and sum-to-three (10).
+        target: Points that win straight pool (100 if None), three-cushion (40) and sum-to-three
+            (10).
         patience: Shots without progress that make a stalemate.
         rewards: What a shot earns; the task's usual ones if None.
         autoreset_mode: ``same-step``, ``next-step`` or ``disabled``; single environments never
