@@ -34,6 +34,7 @@ from carom.reference import schema, tables
 from carom.rules import Call, Frame, Ruling, rule_sets
 from carom.shot import Shot
 from carom.solve import Solution
+from carom.sweeps import Sweep, sweep
 from carom.trace import Snapshot, Trace
 
 __all__ = [
@@ -61,6 +62,7 @@ __all__ = [
     "Snapshot",
     "Solution",
     "Strike",
+    "Sweep",
     "Table",
     "Trace",
     "__version__",
@@ -74,5 +76,6 @@ __all__ = [
     "rule_sets",
     "schema",
     "simulate_batch",
+    "sweep",
     "tables",
 ]

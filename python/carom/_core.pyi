@@ -22,8 +22,11 @@ __all__ = [
     "meanings",
     "noise_presets",
     "olympiad",
+    "play_rows",
+    "points",
     "position_map",
     "pot_map",
+    "quantiles",
     "rule_sets",
     "schema",
     "see",
@@ -120,6 +123,21 @@ def evaluate(
     threads: int,
     progress: Callable[[int], object],
 ) -> dict[str, Any]: ...
+def play_rows(
+    layouts: list[Shot],
+    layout: NDArray[np.int32],
+    columns: list[tuple[str, NDArray[np.float64] | tuple[list[Any], NDArray[np.int32]]]],
+    strike: list[tuple[str, NDArray[np.float64]]],
+    noise: tuple[tuple[float, ...], int, NDArray[np.int64]] | None,
+    balls: int,
+    facts: bool,
+) -> dict[str, Any]: ...
+def points(
+    sequence: str, seed: int, index: NDArray[np.int64], dimensions: int
+) -> NDArray[np.float64]: ...
+def quantiles(
+    distribution: str, a: list[float], b: list[float], u: NDArray[np.float64]
+) -> NDArray[np.float64]: ...
 def see(shot: Shot, position: float, seed: int, index: int) -> Shot: ...
 def pot_map(
     shot: Shot,

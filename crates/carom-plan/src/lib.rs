@@ -11,6 +11,7 @@ pub mod interval;
 pub mod maps;
 pub mod moments;
 pub mod solve;
+pub mod sweep;
 pub mod way;
 
 pub use evaluate::{Evaluation, Precision, Question, Referee, Watched, evaluate};

@@ -8,6 +8,7 @@ mod plan;
 mod reference;
 mod rules;
 mod shot;
+mod sweep;
 mod trace;
 
 use pyo3::prelude::*;
@@ -31,6 +32,8 @@ mod _core {
     use crate::rules::{Frame, rule_sets};
     #[pymodule_export]
     use crate::shot::Shot;
+    #[pymodule_export]
+    use crate::sweep::{play_rows, points, quantiles};
     #[pymodule_export]
     use crate::trace::Trace;
 

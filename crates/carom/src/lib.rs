@@ -18,6 +18,7 @@ pub mod outcome;
 pub mod physics;
 pub mod rack;
 pub mod resolve;
+pub mod sample;
 pub mod schema;
 pub mod shot;
 pub mod simulate;

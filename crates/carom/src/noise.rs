@@ -206,7 +206,7 @@ fn normal_deviates(seed: u64, index: u64) -> [f64; 6] {
 }
 
 /// The random numbers of a purpose that belong to `index` of this seed.
-fn random(purpose: &[u8; 24], seed: u64, index: u64) -> ChaCha8Rng {
+pub(crate) fn random(purpose: &[u8; 24], seed: u64, index: u64) -> ChaCha8Rng {
     let mut key = [0; 32];
     key[..8].copy_from_slice(&seed.to_le_bytes());
     key[8..].copy_from_slice(purpose);

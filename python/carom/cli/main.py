@@ -12,7 +12,7 @@ from typing import NoReturn
 import typer
 
 from carom import __version__
-from carom.cli import convert, engine, plan, play, reference, shots
+from carom.cli import convert, engine, plan, play, reference, shots, sweep
 from carom.cli.output import say, say_json
 from carom.errors import EventCapError, InputError, PageError
 
@@ -34,6 +34,7 @@ app.command("evaluate")(plan.evaluate)
 app.command("solve")(plan.solve)
 app.add_typer(plan.maps, name="map")
 app.add_typer(plan.stats, name="stats")
+app.command("sweep")(sweep.sweep)
 app.command("replay")(engine.replay)
 app.command("validate")(engine.validate)
 app.command("bench")(engine.bench)

@@ -12,6 +12,7 @@ mod change;
 mod json;
 mod node;
 mod obstruction;
+mod path;
 mod physics;
 mod place;
 pub(crate) mod read;
@@ -23,6 +24,7 @@ use alloc::string::String;
 use alloc::sync::Arc;
 
 pub use node::Node;
+pub use path::Path;
 pub use physics::write as physics_to_node;
 pub use strike::{Policy, StrikePolicy};
 

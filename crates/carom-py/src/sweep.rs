@@ -1,0 +1,196 @@
+//! `_core.play_rows`, `_core.points` and `_core.quantiles`.
+
+use carom::sample::{Distribution, Sequence};
+use carom::shot::{Node, Path};
+use carom_plan::sweep::{self, Column, Facts, Played, Rows, STRIKE, Values};
+use numpy::{
+    PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
+};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::batch::noise_of;
+use crate::error::{InputError, to_exception};
+use crate::node::from_python;
+use crate::shot::Shot;
+
+/// Numbers of shape (n,), lists of shape (n, width), or indices of shape (n,) into a list of values.
+#[derive(FromPyObject)]
+pub(crate) enum Given<'py> {
+    Numbers(PyReadonlyArrayDyn<'py, f64>),
+    Choices(Vec<Bound<'py, PyAny>>, PyReadonlyArray1<'py, i32>),
+}
+
+enum Kept<'py> {
+    Numbers(usize, PyReadonlyArrayDyn<'py, f64>),
+    Choices(Vec<Node>, PyReadonlyArray1<'py, i32>),
+}
+
+impl<'py> Kept<'py> {
+    fn new(given: Given<'py>) -> PyResult<Self> {
+        Ok(match given {
+            Given::Numbers(numbers) => {
+                let width = numbers.as_array().shape().get(1).copied().unwrap_or(0);
+                Self::Numbers(width, numbers)
+            }
+            Given::Choices(choices, index) => {
+                let choices = choices.iter().map(from_python).collect::<PyResult<_>>()?;
+                Self::Choices(choices, index)
+            }
+        })
+    }
+
+    fn values(&self) -> PyResult<Values<'_>> {
+        Ok(match self {
+            Self::Numbers(0, numbers) => Values::Numbers(numbers.as_slice()?),
+            Self::Numbers(width, numbers) => Values::Lists(*width, numbers.as_slice()?),
+            Self::Choices(choices, index) => Values::Choices(choices, index.as_slice()?),
+        })
+    }
+}
+
+/// σ as in `draw_strikes`, seed, indices of shape (n,).
+type Noisy<'py> = ([f64; 5], u64, PyReadonlyArray1<'py, i64>);
+
+/// The name of a number among the facts, and how to get it.
+type Fact = (&'static str, fn(&Facts) -> i16);
+
+/// What came of rows of parameters, as a dict of arrays of shape (n,), or (n, balls) where it is per ball.
+/// `layout`: shape (n,), indices into `layouts`; `columns`: paths and values; `strike`: keys of a strike
+/// and numbers of shape (n,). All arrays are contiguous.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
+pub(crate) fn play_rows<'py>(
+    py: Python<'py>,
+    layouts: Vec<PyRef<'py, Shot>>,
+    layout: PyReadonlyArray1<'py, i32>,
+    columns: Vec<(String, Given<'py>)>,
+    strike: Vec<(String, PyReadonlyArray1<'py, f64>)>,
+    noise: Option<Noisy<'py>>,
+    balls: usize,
+    facts: bool,
+) -> PyResult<Bound<'py, PyDict>> {
+    let raise = |error| to_exception(py, &error);
+    let layouts: Vec<_> = layouts.iter().map(|shot| shot.0.clone()).collect();
+    let layouts: Vec<&carom::Shot> = layouts.iter().map(|shot| &**shot).collect();
+    let kept = columns
+        .into_iter()
+        .map(|(path, given)| Ok((Path::parse(&path).map_err(raise)?, Kept::new(given)?)))
+        .collect::<PyResult<Vec<_>>>()?;
+    let columns = kept
+        .iter()
+        .map(|(path, kept)| Ok(Column { path, values: kept.values()? }))
+        .collect::<PyResult<Vec<_>>>()?;
+    let strike = strike
+        .iter()
+        .map(|(name, numbers)| {
+            let key = STRIKE.iter().position(|key| key == name);
+            let key = key.ok_or_else(|| InputError::new_err(format!("{name}: no such number")))?;
+            Ok((key, numbers.as_slice()?))
+        })
+        .collect::<PyResult<Vec<_>>>()?;
+    let noise = match &noise {
+        Some((sigmas, seed, index)) => Some((noise_of(*sigmas), *seed, index.as_slice()?)),
+        None => None,
+    };
+    let rows = Rows {
+        layouts: &layouts,
+        layout: layout.as_slice()?,
+        columns: &columns,
+        strike: &strike,
+        noise,
+    };
+    let played = py.detach(|| sweep::play(&rows, balls, facts));
+    to_dict(py, played)
+}
+
+fn to_dict(py: Python<'_>, played: Played) -> PyResult<Bound<'_, PyDict>> {
+    let Played { balls, events, duration, pocket, end, cue_ball, strike, facts, errors } = played;
+    let n = events.len();
+    let dict = PyDict::new(py);
+    dict.set_item("events", PyArray1::from_vec(py, events))?;
+    dict.set_item("duration", PyArray1::from_vec(py, duration))?;
+    dict.set_item("pocket", PyArray1::from_vec(py, pocket).reshape([n, balls])?)?;
+    dict.set_item("cue_ball", PyArray1::from_vec(py, cue_ball))?;
+    for (name, values) in ["end_x", "end_y", "end_z"].into_iter().zip(end) {
+        dict.set_item(name, PyArray1::from_vec(py, values).reshape([n, balls])?)?;
+    }
+    for (name, values) in STRIKE.into_iter().zip(strike).filter(|(_, v)| !v.is_empty()) {
+        dict.set_item(format!("played_{name}"), PyArray1::from_vec(py, values))?;
+    }
+    if !facts.is_empty() {
+        let scratch = PyArray1::from_iter(py, facts.iter().map(|f| f.scratch));
+        dict.set_item("scratch", scratch)?;
+        let numbers: [Fact; 8] = [
+            ("first_contact", |f| f.first_contact),
+            ("rails_before_contact", |f| f.rails_before_contact),
+            ("rails_after_contact", |f| f.rails_after_contact),
+            ("driven_to_rail", |f| f.driven_to_rail),
+            ("balls_touched", |f| f.balls_touched),
+            ("rails_before_second_ball", |f| f.rails_before_second_ball),
+            ("jumped", |f| f.jumped),
+            ("hanging", |f| f.hanging),
+        ];
+        for (name, number) in numbers {
+            dict.set_item(name, PyArray1::from_iter(py, facts.iter().map(number)))?;
+        }
+    }
+    let texts = PyDict::new(py);
+    for (row, error) in errors {
+        texts.set_item(row, error.to_string())?;
+    }
+    dict.set_item("errors", texts)?;
+    Ok(dict)
+}
+
+/// Points of the unit cube, shape (n, dimensions): those of `seed` with the given indices. `sequence` is
+/// `random` or `even`.
+#[pyfunction]
+pub(crate) fn points<'py>(
+    py: Python<'py>,
+    sequence: &str,
+    seed: u64,
+    index: PyReadonlyArray1<'py, i64>,
+    dimensions: usize,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let sequence = match sequence {
+        "random" => Sequence::Random,
+        "even" => Sequence::Even,
+        _ => return Err(InputError::new_err("sequence: write \"random\" or \"even\"")),
+    };
+    let index = index.as_slice()?;
+    let mut all = vec![0.0; index.len() * dimensions];
+    if dimensions > 0 {
+        for (point, &index) in all.chunks_exact_mut(dimensions).zip(index) {
+            sequence.point(seed, index as u64, point);
+        }
+    }
+    PyArray1::from_vec(py, all).reshape([index.len(), dimensions])
+}
+
+/// The values of a distribution that have the shares `u` in (0, 1), shape (n, k), column by column:
+/// `uniform` from a to b, `log_uniform` from a to b, or `normal` with mean a and σ b; a and b: shape (k,).
+#[pyfunction]
+pub(crate) fn quantiles<'py>(
+    py: Python<'py>,
+    distribution: &str,
+    a: Vec<f64>,
+    b: Vec<f64>,
+    u: PyReadonlyArray2<'py, f64>,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let of = match distribution {
+        "uniform" => Distribution::Uniform,
+        "log_uniform" => Distribution::LogUniform,
+        "normal" => Distribution::Normal,
+        _ => return Err(InputError::new_err(format!("{distribution}: no such distribution"))),
+    };
+    let columns: Vec<Distribution> = a.into_iter().zip(b).map(|(a, b)| of(a, b)).collect();
+    let u = u.as_array();
+    let shape = [u.nrows(), columns.len()];
+    let rows = u.rows().into_iter();
+    let all = rows.flat_map(|row| {
+        let pairs = columns.iter().zip(row.to_vec());
+        pairs.map(|(column, u)| column.quantile(u)).collect::<Vec<_>>()
+    });
+    PyArray1::from_vec(py, all.collect()).reshape(shape)
+}

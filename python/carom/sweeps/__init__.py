@@ -1,0 +1,13 @@
+"""Tables of shots: any grid or sample of parameters × layouts × physics, to Parquet.
+
+sweep = carom.Sweep.load("sweep.json")       # or Sweep.from_dict({...})
+sweep.run("out")                             # Parquet; after a kill the same call goes on
+sweep.table()                                # a small one, in memory
+
+Needs pyarrow: ``pip install 'carom[sweep]'``; with Ray ``pip install 'carom[ray]'``.
+"""
+
+from carom.sweeps.report import Report
+from carom.sweeps.table import Sweep, sweep
+
+__all__ = ["Report", "Sweep", "sweep"]

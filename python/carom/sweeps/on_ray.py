@@ -1,0 +1,98 @@
+"""A sweep on Ray: the same function of the same rows, by processes on one machine or on many."""
+
+from __future__ import annotations
+
+import logging
+import warnings
+from collections.abc import Generator
+from typing import TYPE_CHECKING, Any
+
+from carom.sweeps.arrow import pa
+from carom.sweeps.parts import CHUNK, Parts, Receipt
+
+if TYPE_CHECKING:
+    from carom.sweeps.table import Sweep
+
+# Tasks that Ray is given at most: it keeps all of them in its books.
+_MOST_TASKS = 10_000
+
+
+def start(address: bool | str, threads: int) -> None:
+    """Start Ray here on so many cores, or join the cluster at ``address``; once is enough.
+
+    Raises:
+        ImportError: Ray is not installed.
+        ConnectionError: There is no cluster at that address.
+    """
+    ray = _ray()
+    if ray.is_initialized():
+        return
+    quiet = {"log_to_driver": False, "logging_level": logging.ERROR}
+    if isinstance(address, str):
+        ray.init(address=address, **quiet)
+    else:
+        ray.init(address="local", num_cpus=threads, include_dashboard=False, **quiet)
+
+
+def write(sweep: Sweep, parts: Parts, missing: list[int]) -> Generator[Receipt]:
+    """Write parts by Ray's workers, whose machines all see the folder.
+
+    Files are put there whole or not at all, and are functions of the sweep and their number: when a
+    worker is killed Ray gives its parts to another one, which writes the same files.
+    """
+    if not missing:
+        return
+    data = _ray_data()
+
+    def work(batch: pa.Table) -> pa.Table:
+        receipts = [_receipt(sweep, parts, part) for part in batch["part"].to_pylist()]
+        columns = {name: [getattr(r, name) for r in receipts] for name in Receipt.__slots__}
+        return pa.table(columns)
+
+    tasks = min(len(missing), _MOST_TASKS)
+    wanted = data.from_arrow(pa.table({"part": missing})).repartition(tasks)
+    done = wanted.map_batches(work, batch_size=1, batch_format="pyarrow")
+    for batch in done.iter_batches(batch_size=None, batch_format="pyarrow", prefetch_batches=0):
+        yield from (Receipt(**row) for row in batch.to_pylist())
+
+
+def _receipt(sweep: Sweep, parts: Parts, part: int) -> Receipt:
+    # Done already by a worker that was killed later in the same task.
+    if parts.path(part).exists():
+        return parts.receipt(sweep, part)
+    return parts.write(sweep, part)
+
+
+def dataset(sweep: Sweep) -> Any:
+    """``Sweep.dataset``."""
+    data = _ray_data()
+
+    def work(batch: pa.Table) -> pa.Table:
+        # Ray's blocks are consecutive numbers, and stay in order.
+        first, last = batch["id"][0].as_py(), batch["id"][-1].as_py()
+        rows = sweep.play(sweep.parameters(first, last + 1))
+        return pa.Table.from_batches([rows])
+
+    return data.range(len(sweep)).map_batches(work, batch_size=CHUNK, batch_format="pyarrow")
+
+
+def _ray() -> Any:
+    try:
+        with warnings.catch_warnings():
+            # Ray's own, of no use to who reads them here.
+            warnings.simplefilter("ignore")
+            import ray
+    except ImportError as error:
+        raise ImportError("carom sweep --ray needs Ray: pip install 'carom[ray]'") from error
+    return ray
+
+
+def _ray_data() -> Any:
+    _ray()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        import ray.data
+
+        context = ray.data.DataContext.get_current()
+    context.enable_progress_bars = False
+    return ray.data

@@ -1,0 +1,184 @@
+"""Parts of a table: a file of Parquet each, written whole or not at all."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import os
+import socket
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from carom import __version__
+from carom.errors import InputError
+from carom.sweeps.arrow import pa, pq
+
+if TYPE_CHECKING:
+    from carom.sweeps.table import Sweep
+
+# Rows that go to Rust in one call; between calls Ctrl-C is heard. Tens of milliseconds of work.
+CHUNK = 16_384
+# Rows of a part, at most and at least: some tens of megabytes in memory, a second of work; and
+# enough for a file to be worth opening.
+MOST_ROWS = 131_072
+LEAST_ROWS = 4096
+# Parts that a small sweep has at least, so that all cores have some.
+PARTS = 16
+# Specs longer than this, such as those of a thousand layouts, stand in the folder only, bytes.
+LONGEST_SPEC = 65_536
+UNFINISHED = ".unfinished"
+
+_counter = itertools.count()
+
+
+class StoppedError(Exception):
+    """A part was given up half-way, because the run is to end."""
+
+
+@dataclass(frozen=True, slots=True)
+class Receipt:
+    """A part that lies complete in the folder.
+
+    Attributes:
+        part: Its number.
+        rows: How many rows it has.
+        failed: Of these, how many could not be played.
+        bytes: Size of the file.
+        worker: Process that wrote it; 0 if it was there already.
+    """
+
+    part: int
+    rows: int
+    failed: int
+    bytes: int
+    worker: int
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """How the rows of a sweep lie in files.
+
+    Attributes:
+        folder: Where.
+        rows: Of the whole sweep.
+        part_rows: Of each part but the last.
+    """
+
+    folder: Path
+    rows: int
+    part_rows: int
+
+    def __len__(self) -> int:
+        return math.ceil(self.rows / self.part_rows)
+
+    def path(self, part: int) -> Path:
+        """The file of a part."""
+        return self.folder / f"part-{part:06}.parquet"
+
+    def range(self, part: int) -> tuple[int, int]:
+        """The first row of a part, and the first that is not in it."""
+        start = part * self.part_rows
+        return start, min(start + self.part_rows, self.rows)
+
+    def write(self, sweep: Sweep, part: int, go_on: Callable[[], bool] = lambda: True) -> Receipt:
+        """Play a part and put its file into the folder.
+
+        A pure function of sweep and part: whoever does it again after a kill writes the same file.
+
+        Raises:
+            StoppedError: ``go_on`` said no.
+        """
+        start, stop = self.range(part)
+        table = play_rows(sweep, start, stop, go_on)
+        table = table.replace_schema_metadata(metadata(sweep, start, table))
+        path = self.path(part)
+        # A name that no other process takes, on no machine that sees the folder.
+        name = f"{path.name}.{socket.gethostname()}-{os.getpid()}-{next(_counter)}{UNFINISHED}"
+        unfinished = path.with_name(name)
+        try:
+            pq.write_table(table, unfinished, **_encoding(table.schema))
+            with unfinished.open("rb+") as file:
+                os.fsync(file.fileno())
+            unfinished.replace(path)
+        finally:
+            unfinished.unlink(missing_ok=True)
+        return self.receipt(sweep, part, worker=os.getpid())
+
+    def receipt(self, sweep: Sweep, part: int, worker: int = 0) -> Receipt:
+        """What the file of a part says about itself.
+
+        Raises:
+            InputError: It is not that part of this sweep, or it is broken.
+        """
+        path = self.path(part)
+        try:
+            found = pq.read_metadata(path)
+        except (pa.ArrowInvalid, OSError) as error:
+            remedy = "delete the file, and it is written anew"
+            raise InputError(f"{path}: it cannot be read ({error}); {remedy}") from None
+        said = found.metadata or {}
+        start, stop = self.range(part)
+        wanted = {
+            b"carom.version": __version__,
+            b"carom.sweep.sha256": sweep.sha256,
+            b"carom.sweep.first_row": str(start),
+        }
+        same = all(said.get(key) == value.encode() for key, value in wanted.items())
+        if not same or found.num_rows != stop - start:
+            remedy = "delete the file, and it is written anew, or choose another folder"
+            raise InputError(f"{path}: it is not part {part} of this sweep; {remedy}")
+        failed = int(said[b"carom.sweep.failed"])
+        return Receipt(part, stop - start, failed, path.stat().st_size, worker)
+
+    def tidy(self) -> None:
+        """Remove what killed writers have left behind."""
+        for path in self.folder.glob(f"*{UNFINISHED}"):
+            path.unlink(missing_ok=True)
+
+
+def default_rows(rows: int) -> int:
+    """Rows of a part, which depend on the sweep alone: never on the machine."""
+    return min(max(math.ceil(rows / PARTS), LEAST_ROWS), MOST_ROWS)
+
+
+def play_rows(
+    sweep: Sweep, start: int, stop: int, go_on: Callable[[], bool] = lambda: True
+) -> pa.Table:
+    """Rows ``start`` up to ``stop``."""
+    batches = []
+    for first in range(start, stop, CHUNK):
+        if not go_on():
+            raise StoppedError
+        batches.append(sweep.play(sweep.parameters(first, min(first + CHUNK, stop))))
+    return pa.Table.from_batches(batches, schema=sweep.schema)
+
+
+def metadata(sweep: Sweep, first_row: int, table: pa.Table) -> dict[str, str]:
+    """What a file says about itself."""
+    failed = len(table) - table["error"].null_count
+    said = {
+        "carom.version": __version__,
+        "carom.sweep.sha256": sweep.sha256,
+        "carom.sweep.first_row": str(first_row),
+        "carom.sweep.failed": str(failed),
+    }
+    spec = sweep.to_json()
+    return said | ({"carom.sweep": spec} if len(spec) <= LONGEST_SPEC else {})
+
+
+def _encoding(schema: pa.Schema) -> dict[str, object]:
+    # Numbers that are all different gain nothing by a dictionary, but by having their bytes sorted.
+    split = [name for name in schema.names if name == "duration" or _is_place(name)]
+    leaves = {name: f"{name}.list.element" if name.startswith("end_") else name for name in split}
+    others = [name for name in schema.names if name not in split]
+    return {
+        "compression": "zstd",
+        "use_dictionary": others,
+        "use_byte_stream_split": list(leaves.values()),
+    }
+
+
+def _is_place(name: str) -> bool:
+    return name.startswith(("end_", "cue_end_", "played_"))

@@ -1,0 +1,249 @@
+"""Rows of a sweep: their parameters from their numbers, and what comes of them."""
+
+from __future__ import annotations
+
+from dataclasses import astuple
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom import _core
+from carom.errors import InputError
+from carom.sweeps import spec as specs
+from carom.sweeps.arrow import pa
+from carom.sweeps.columns import FACTS, OUTCOMES, PER_BALL, PLAYED
+from carom.sweeps.spec import Draw, Grid, Parameter, Spec
+
+Indices = NDArray[np.int64]
+# Rows over the whole sweep that are tried before it begins.
+PROBES = 64
+
+
+class Player:
+    """Makes and plays the rows of a spec."""
+
+    def __init__(self, spec: Spec) -> None:
+        self.spec = spec
+        self.balls = spec.balls
+        self.layouts = [shot._core for shot in spec.layouts]
+        self.ids = list(dict.fromkeys(ball for shot in spec.layouts for ball in shot.ids))
+        # The number that an id has among all ids, for each layout and ball.
+        self.id_of = np.full((len(spec.layouts), self.balls), -1, dtype=np.int16)
+        for row, shot in zip(self.id_of, spec.layouts, strict=True):
+            row[: len(shot.ids)] = [self.ids.index(ball) for ball in shot.ids]
+        self.parameter_schema = pa.schema(self._parameter_fields())
+        self.schema = pa.schema([*self._parameter_fields(), *self._outcome_fields()])
+
+    def parameters(self, start: int, stop: int) -> pa.RecordBatch:
+        """Rows ``start`` up to ``stop``: the rows' numbers and parameters."""
+        spec = self.spec
+        row = np.arange(start, stop, dtype=np.int64)
+        point, variant = np.divmod(row, spec.variants)
+        cell, sample = np.divmod(point, spec.samples)
+        columns: dict[str, pa.Array] = {}
+        for grid in reversed(spec.grids):
+            cell, step = np.divmod(cell, grid.count)
+            columns[grid.name] = self._grid_column(grid, step)
+        columns |= self._drawn_columns(sample if spec.paired else point)
+        columns |= {
+            "row": pa.array(row),
+            "layout": pa.array(cell.astype(np.int32)),
+            "sample": pa.array(sample),
+            "variant": pa.array(variant),
+        }
+        arrays = [columns[name] for name in self.parameter_schema.names]
+        return pa.RecordBatch.from_arrays(arrays, schema=self.parameter_schema)
+
+    def play(self, batch: pa.RecordBatch) -> pa.RecordBatch:
+        """The rows of ``batch`` and what comes of them."""
+        spec = self.spec
+        layout = _numpy(batch["layout"])
+        strike, columns = [], []
+        for parameter in spec.parameters:
+            key = parameter.path.removeprefix("strike.")
+            column = batch[parameter.name]
+            if key in specs.STRIKE and parameter.kind == "number":
+                strike.append((key, _numpy(column)))
+            else:
+                columns.append((parameter.path, _values(parameter, column)))
+        noise = None
+        if spec.noise is not None:
+            row = _numpy(batch["row"])
+            index = row % (spec.samples * spec.variants) if spec.paired else row
+            noise = (astuple(spec.noise), spec.seed, index)
+        facts = not set(FACTS).isdisjoint(spec.columns)
+        found = _core.play_rows(self.layouts, layout, columns, strike, noise, self.balls, facts)
+        return self._with_outcomes(batch, layout, found)
+
+    def check(self) -> None:
+        """Refuse a sweep of whose rows, tried here and there, none can be played.
+
+        Raises:
+            InputError: With what is wrong with the first.
+        """
+        last = self.spec.rows - 1
+        rows = sorted({last * i // max(PROBES - 1, 1) for i in range(PROBES)})
+        first = None
+        for row in rows:
+            error = self.play(self.parameters(row, row + 1))["error"][0].as_py()
+            if error is None:
+                return
+            first = first or error
+        raise InputError(f"no row can be played; the first one: {first}")
+
+    def _parameter_fields(self) -> list[pa.Field]:
+        spec = self.spec
+        fields = [_field("row", pa.int64(), "number of the row")]
+        fields.append(_field("layout", pa.int32(), "which of the spec's shots"))
+        if spec.draws:
+            fields.append(_field("sample", pa.int64(), "which draw"))
+        if spec.noise is not None:
+            fields.append(_field("variant", pa.int64(), "which error of the strike"))
+        return fields + [_field(p.name, _type(p), p.path) for p in spec.parameters]
+
+    def _outcome_fields(self) -> list[pa.Field]:
+        fields = [_field(name, self._outcome_type(name), OUTCOMES[name]) for name in self.columns]
+        return [*fields, _field("error", pa.string(), "why it could not be played; else null")]
+
+    @property
+    def columns(self) -> list[str]:
+        """The outcomes that are kept."""
+        return [n for n in self.spec.columns if n not in PLAYED or self.spec.noise is not None]
+
+    def _outcome_type(self, name: str) -> pa.DataType:
+        match name:
+            case "events":
+                return pa.int32()
+            case "pocket":
+                return pa.list_(pa.int8(), self.balls)
+            case "end_x" | "end_y" | "end_z":
+                return pa.list_(pa.float64(), self.balls)
+            case "first_contact":
+                return pa.dictionary(pa.int16(), pa.string())
+            case "scratch":
+                return pa.bool_()
+        return pa.int16() if name in FACTS else pa.float64()
+
+    def _grid_column(self, grid: Grid, step: Indices) -> pa.Array:
+        if grid.steps is not None:
+            start, stop, count = grid.steps
+            along = start + (stop - start) * (step / max(count - 1, 1))
+            return pa.array(np.where(step == count - 1, stop if count > 1 else start, along))
+        return self._listed(grid, step)
+
+    def _listed(self, parameter: Parameter, index: Indices) -> pa.Array:
+        """The values of these indices into the parameter's own list."""
+        match parameter.kind:
+            case "number":
+                return pa.array(np.array(parameter.values)[index])
+            case "list":
+                return _lists(np.array(parameter.values)[index])
+        texts = [specs.as_text(value) for value in parameter.values]
+        return pa.DictionaryArray.from_arrays(pa.array(index.astype(np.int32)), pa.array(texts))
+
+    def _drawn_columns(self, index: Indices) -> dict[str, pa.Array]:
+        draws = self.spec.draws
+        if not draws:
+            return {}
+        points = _core.points(
+            self.spec.sequence, self.spec.seed, index, sum(draw.width for draw in draws)
+        )
+        columns, at = {}, 0
+        for draw in draws:
+            share = points[:, at : at + draw.width]
+            at += draw.width
+            columns[draw.name] = self._drawn_column(draw, share)
+        return columns
+
+    def _drawn_column(self, draw: Draw, share: NDArray[np.float64]) -> pa.Array:
+        if draw.distribution == "choice":
+            index = (share[:, 0] * len(draw.values)).astype(np.int64)
+            return self._listed(draw, index)
+        found = _core.quantiles(draw.distribution, list(draw.a), list(draw.b), share)
+        return _lists(found) if draw.kind == "list" else pa.array(found[:, 0])
+
+    def _with_outcomes(
+        self, batch: pa.RecordBatch, layout: NDArray[np.int32], found: dict[str, Any]
+    ) -> pa.RecordBatch:
+        errors: dict[int, str] = found["errors"]
+        failed = np.zeros(len(layout), dtype=np.bool_)
+        failed[list(errors)] = True
+        arrays = [batch[name] for name in self.parameter_schema.names]
+        arrays += [self._outcome(name, found, layout, failed) for name in self.columns]
+        texts = pa.nulls(len(layout), pa.string())
+        if errors:
+            texts = pa.array([errors.get(i) for i in range(len(layout))], pa.string())
+        return pa.RecordBatch.from_arrays([*arrays, texts], schema=self.schema)
+
+    def _outcome(
+        self,
+        name: str,
+        found: dict[str, Any],
+        layout: NDArray[np.int32],
+        failed: NDArray[np.bool_],
+    ) -> pa.Array:
+        if name in PER_BALL:
+            values: NDArray[Any] = found[name]
+            # In layouts with fewer balls than the largest.
+            missing = (self.id_of < 0)[layout] if (self.id_of < 0).any() else None
+            return _lists(values, missing, failed)
+        if name in ("cue_end_x", "cue_end_y"):
+            cue = found["cue_ball"]
+            values = found[name.removeprefix("cue_")][np.arange(len(cue)), cue]
+            return pa.array(values, mask=failed | (cue < 0))
+        if name == "first_contact":
+            ball = found[name]
+            ids = self.id_of[layout, ball]
+            index = pa.array(ids, mask=failed | (ball < 0))
+            return pa.DictionaryArray.from_arrays(index, pa.array(self.ids))
+        values = found[name]
+        if name in PLAYED:
+            # A strike that fails was drawn all the same, unless that which was meant is at fault.
+            return pa.array(values, mask=np.isnan(values))
+        missing = failed | (values < 0) if name == "rails_before_second_ball" else failed
+        return pa.array(values, mask=missing)
+
+
+def _field(name: str, kind: pa.DataType, meaning: str) -> pa.Field:
+    return pa.field(name, kind, metadata={"is": meaning})
+
+
+def _type(parameter: Parameter) -> pa.DataType:
+    match parameter.kind:
+        case "number":
+            return pa.float64()
+        case "list":
+            return pa.list_(pa.float64(), parameter.width)
+    return pa.dictionary(pa.int32(), pa.string())
+
+
+def _lists(
+    values: NDArray[Any],
+    missing: NDArray[np.bool_] | None = None,
+    failed: NDArray[np.bool_] | None = None,
+) -> pa.Array:
+    """Lists from shape (n, size): null where ``failed``, and items where ``missing``."""
+    items = pa.array(values.ravel(), mask=None if missing is None else missing.ravel())
+    mask = pa.array(failed) if failed is not None and failed.any() else None
+    return pa.FixedSizeListArray.from_arrays(items, values.shape[1], mask=mask)
+
+
+def _numpy(column: pa.Array) -> NDArray[Any]:
+    found: NDArray[Any] = column.to_numpy(zero_copy_only=False)
+    return np.ascontiguousarray(found)
+
+
+def _values(parameter: Parameter, column: pa.Array) -> Any:
+    """A column as the engine takes it: an array, or choices and indices."""
+    match parameter.kind:
+        case "number":
+            return _numpy(column)
+        case "list":
+            return _numpy(column.flatten()).reshape(len(column), -1)
+    # Whoever made the batch may have its own dictionary, or none.
+    if not pa.types.is_dictionary(column.type):
+        column = column.dictionary_encode()
+    by_text = {specs.as_text(value): value for value in parameter.values}
+    choices = [by_text[text] for text in column.dictionary.to_pylist()]
+    return choices, _numpy(column.indices.cast(pa.int32()))

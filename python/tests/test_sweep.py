@@ -1,0 +1,515 @@
+"""`carom sweep`: rows are functions of the spec and their number; a kill changes nothing."""
+
+from __future__ import annotations
+
+import copy
+import hashlib
+import json
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import carom
+import duckdb
+import numpy as np
+import polars as pl
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+from carom import InputError, Sweep
+from scipy import special, stats
+
+ROOT = Path(__file__).parents[2]
+CUT = ROOT / "shots" / "side_pocket_cut.json"
+# How often a correct generator fails a test of its distribution.
+SIGNIFICANCE = 1e-4
+
+Spec = dict[str, Any]
+
+
+@pytest.fixture
+def spec(pot: dict[str, Any]) -> Spec:
+    """Two layouts, a grid of speeds and of physics, a drawn azimuth."""
+    other = copy.deepcopy(pot)
+    other["balls"].append({"id": "8", "position": [0.9, 1.2]})
+    return {
+        "format": "carom-sweep/1",
+        "shots": [pot, other],
+        "vary": {
+            "strike.speed": {"from": 1.0, "to": 3.0, "count": 5},
+            "physics.cloth.sliding_friction": {"grid": [0.15, 0.2]},
+            "strike.azimuth_deg": {"uniform": [85, 95]},
+        },
+        "samples": 10,
+        "seed": 4,
+    }
+
+
+def hashes(folder: Path) -> dict[str, str]:
+    return {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in folder.glob("*.parquet")}
+
+
+def read(folder: Path) -> pa.Table:
+    return pa.concat_tables([pq.read_table(p) for p in sorted(folder.glob("*.parquet"))])
+
+
+# What a row is.
+
+
+def test_a_row_is_the_shot_file_with_its_values_in_it(spec: Spec) -> None:
+    sweep = Sweep.from_dict({**spec, "columns": [*carom.sweeps.columns.OUTCOMES]})
+    table = sweep.table()
+    assert len(table) == len(sweep) == 2 * 5 * 2 * 10
+    for row in table.to_pylist()[::13]:
+        file = copy.deepcopy(spec["shots"][row["layout"]])
+        file["strike"] |= {"speed": row["speed"], "azimuth_deg": row["azimuth_deg"]}
+        friction = row["physics_cloth_sliding_friction"]
+        file["physics"] = {"base": file["physics"], "cloth": {"sliding_friction": friction}}
+        shot = carom.Shot.from_dict(file)
+        trace = shot.simulate()
+        outcome = trace.outcome
+        balls = len(shot.ids)
+        end = trace.at(trace.duration).position
+        ends = np.array([row["end_x"], row["end_y"], row["end_z"]], dtype=float).T
+        assert (ends[:balls] == end).all()
+        assert np.isnan(ends[balls:]).all()
+        assert (row["cue_end_x"], row["cue_end_y"]) == tuple(end[0, :2])
+        assert row["events"] == len(trace.events)
+        assert row["duration"] == trace.duration
+        assert row["first_contact"] == outcome["first_contact"]
+        assert row["scratch"] == outcome["cue_ball_scratched"]
+        names = [pocket["name"] for pocket in shot.geometry()["pockets"]]
+        fallen = {ball: names.index(pocket) for ball, pocket in outcome["pocketed"]}
+        assert row["pocket"][:balls] == [fallen.get(ball, -1) for ball in shot.ids]
+        assert row["rails_before_contact"] == len(outcome["rails_before_first_contact"])
+        touches = outcome["rails_after_first_contact"].values()
+        assert row["rails_after_contact"] == sum(map(len, touches))
+        assert row["driven_to_rail"] == len(outcome["driven_to_rail"])
+        assert row["error"] is None
+
+
+def test_rows_stand_in_c_order_of_layout_grids_and_sample(spec: Spec) -> None:
+    table = Sweep.from_dict(spec).parameters()
+    row = np.arange(200)
+    assert table["row"].to_pylist() == row.tolist()
+    assert table["layout"].to_pylist() == (row // 100).tolist()
+    assert table["speed"].to_pylist() == (1.0 + 0.5 * (row // 20 % 5)).tolist()
+    friction = table["physics_cloth_sliding_friction"].to_numpy()
+    assert (friction == np.where(row // 10 % 2, 0.2, 0.15)).all()
+    assert table["sample"].to_pylist() == (row % 10).tolist()
+
+
+def test_a_row_has_the_same_bits_alone_and_among_others(spec: Spec) -> None:
+    sweep = Sweep.from_dict(spec | {"noise": "olympiad", "variants": 3})
+    whole = sweep.table()
+    for start, stop in ((0, 1), (17, 18), (123, 456), (599, 600)):
+        assert sweep.table(start, stop).equals(whole.slice(start, stop - start))
+
+
+def test_the_order_of_the_rows_that_are_played_does_not_matter(spec: Spec) -> None:
+    spec["vary"]["physics.ball_ball.model"] = {"grid": ["elastic", "compliant"]}
+    sweep = Sweep.from_dict(spec | {"noise": "olympiad", "variants": 2})
+    order = np.random.default_rng(1).permutation(len(sweep))
+    mixed = sweep.play(sweep.parameters().take(pa.array(order)))
+    straight = pa.Table.from_batches([sweep.play(sweep.parameters())])
+    assert pa.Table.from_batches([mixed]).sort_by("row").equals(straight)
+
+
+def test_the_ends_of_a_range_are_met_to_the_bit(pot: dict[str, Any]) -> None:
+    vary = {"strike.speed": {"from": 0.1, "to": 0.7, "count": 7}}
+    sweep = Sweep.from_dict({"format": "carom-sweep/1", "shots": pot, "vary": vary})
+    speeds = sweep.parameters()["speed"].to_pylist()
+    assert (speeds[0], speeds[-1], len(speeds)) == (0.1, 0.7, 7)
+    assert np.diff(speeds) == pytest.approx(0.1)
+
+
+def test_any_value_of_a_shot_file_may_vary(pot: dict[str, Any]) -> None:
+    vary = {
+        "table": {"grid": ["wpa-9ft", {"base": "wpa-9ft", "cushion_height": 0.037}]},
+        "physics": {"grid": ["pool", "ideal"]},
+        "physics.cloth.rolling_friction": {"grid": [0.005, 0.01], "name": "rolling"},
+        "balls.1.position": {"uniform": [[0.3, 1.5], [0.9, 2.0]]},
+        "balls.cue.position[0]": {"uniform": [0.3, 0.9]},
+        "strike.side": {"choice": [-0.2, 0.2]},
+        "strike.obstruction": {"choice": ["report", "refuse"]},
+    }
+    spec = {"format": "carom-sweep/1", "shots": pot, "vary": vary, "samples": 20}
+    sweep = Sweep.from_dict(spec)
+    for row in sweep.table(0, len(sweep)).to_pylist()[::7]:
+        file = copy.deepcopy(pot)
+        table, physics = row["table"], row["physics"]
+        file["table"] = json.loads(table) if table.startswith("{") else table
+        file["physics"] = {"base": physics, "cloth": {"rolling_friction": row["rolling"]}}
+        file["balls"][1]["position"] = row["balls_1_position"]
+        file["balls"][0]["position"][0] = row["balls_cue_position_0"]
+        file["strike"] |= {"side": row["side"], "obstruction": row["obstruction"]}
+        trace = carom.Shot.from_dict(file).simulate()
+        assert row["duration"] == trace.duration
+        assert row["end_x"] == trace.at(trace.duration).position[:, 0].tolist()
+
+
+def test_noise_plays_the_variants_that_the_shot_has(pot: dict[str, Any]) -> None:
+    shot = carom.Shot.from_dict(pot)
+    spec = {"format": "carom-sweep/1", "shots": shot, "noise": "club", "variants": 50, "seed": 9}
+    table = Sweep.from_dict(spec).table()
+    result = shot.vary(carom.Noise.preset("club"), 50, seed=9)
+    assert table["played_speed"].to_pylist() == result.speed.tolist()
+    assert np.degrees(result.azimuth) == pytest.approx(table["played_azimuth_deg"].to_numpy())
+    assert table["events"].to_pylist() == result.events.tolist()
+    assert np.array(table["end_y"].to_pylist()).tolist() == result.final_position[..., 1].tolist()
+
+
+def test_paired_draws_are_the_same_at_every_point_of_the_grids(spec: Spec) -> None:
+    noisy = spec | {"noise": "club", "variants": 2}
+    drawn = {}
+    for paired in (False, True):
+        table = Sweep.from_dict(noisy | {"paired": paired}).table()
+        for name in ("azimuth_deg", "played_side"):
+            drawn[name, paired] = np.array(table[name].to_pylist()).reshape(20, 20)
+    for name in ("azimuth_deg", "played_side"):
+        assert (drawn[name, True] == drawn[name, True][0]).all()
+        assert (drawn[name, False][0] != drawn[name, False][1]).any()
+
+
+def test_draws_have_the_distributions_that_were_asked_for(pot: dict[str, Any]) -> None:
+    vary = {
+        "strike.speed": {"log_uniform": [0.5, 8]},
+        "strike.azimuth_deg": {"normal": [90, 2.5]},
+        "strike.side": {"uniform": [-0.3, 0.5]},
+        "physics.ball_ball.model": {"choice": ["elastic", "frictional", "compliant"]},
+    }
+    spec = {"format": "carom-sweep/1", "shots": pot, "vary": vary, "samples": 5000}
+    for sequence in ("random", "even"):
+        table = Sweep.from_dict(spec | {"sequence": sequence}).parameters()
+        for name, shape in (
+            ("speed", stats.loguniform(0.5, 8)),
+            ("azimuth_deg", stats.norm(90, 2.5)),
+            ("side", stats.uniform(-0.3, 0.8)),
+        ):
+            assert stats.kstest(table[name].to_numpy(), shape.cdf).pvalue > SIGNIFICANCE
+        counts = table["physics_ball_ball_model"].value_counts().field("counts").to_pylist()
+        assert stats.chisquare(counts).pvalue > SIGNIFICANCE
+
+
+def test_normal_draws_are_the_quantiles_that_scipy_has() -> None:
+    share = np.concatenate([np.linspace(1e-6, 1 - 1e-6, 10_001), [1e-300, 1e-16]])[:, None]
+    ours = carom._core.quantiles("normal", [0.0], [1.0], share)
+    # Both claim to be right to about 1 part in 10¹⁶ of their own formulas.
+    assert ours[:, 0] == pytest.approx(special.ndtri(share[:, 0]), rel=4e-15, abs=1e-15)
+
+
+def test_rows_that_cannot_be_played_say_why_and_are_null(pot: dict[str, Any]) -> None:
+    vary = {"strike.side": {"grid": [0.0, 0.95]}, "balls.1.position[1]": {"grid": [1.9, 0.64]}}
+    table = Sweep.from_dict({"format": "carom-sweep/1", "shots": pot, "vary": vary}).table()
+    good, overlap, miscue, both = table.to_pylist()
+    assert good["error"] is None
+    assert "overlaps" in overlap["error"]
+    assert "miscue" in miscue["error"]
+    assert "overlaps" in both["error"]
+    parameters = {"row", "layout", "side", "balls_1_position_1", "error"}
+    for row in (overlap, miscue, both):
+        assert all(value is None for name, value in row.items() if name not in parameters)
+    assert all(good[name] is not None for name in ("pocket", "end_x", "events", "first_contact"))
+
+
+def test_a_strike_that_only_the_row_can_play_is_played(pot: dict[str, Any]) -> None:
+    # The file's own strike is a miscue with the slippery tip, the first row's is none.
+    pot["strike"]["side"] = 0.4
+    vary = {"physics.cue.tip_friction": {"grid": [0.2, 0.7]}, "strike.side": {"grid": [0.1, 0.4]}}
+    table = Sweep.from_dict({"format": "carom-sweep/1", "shots": pot, "vary": vary}).table()
+    assert [error is None for error in table["error"].to_pylist()] == [True, False, True, True]
+
+
+# Errors.
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"format": "carom-shot/1"}, r'^format: .*write "carom-sweep/1"'),
+        ({"sample": 3}, r"^sample: unknown key; did you mean `samples`"),
+        ({"shots": []}, r"^shots: the list is empty"),
+        ({"shots": ["nowhere/*.json"]}, r"^shots\[0\]: no file is called"),
+        ({"shots": [{"format": "carom-shot/1"}]}, r"^shots\[0\]: table: the key is missing"),
+        ({"vary": {"stroke.speed": {"grid": [1]}}}, r"^vary.stroke.speed: .*did you mean `strike`"),
+        (
+            {"vary": {"strike.speed": [1, 2]}},
+            r"^vary.strike.speed: found a list of 2; write",
+        ),
+        ({"vary": {"strike.speed": {"grid": []}}}, r"^vary.strike.speed.grid: found a list of 0"),
+        ({"vary": {"strike.speed": {"from": 1, "to": 2}}}, r"^vary.strike.speed: it does not say"),
+        ({"vary": {"strike.speed": {"grids": [1]}}}, r"^vary.strike.speed.grids: unknown key; did"),
+        (
+            {"vary": {"strike.speed": {"from": 1, "to": 2, "count": 0}}},
+            r"^vary.strike.speed.count: found the number 0; write a whole number from 1",
+        ),
+        (
+            {"vary": {"strike.speed": {"uniform": [2, 1]}}},
+            r"^vary.strike.speed.uniform\[1\]: 1.0",
+        ),
+        ({"vary": {"strike.speed": {"normal": [2, -1]}}}, r"^vary.strike.speed.normal\[1\]: -1.0"),
+        ({"vary": {"strike.speed": {"log_uniform": [0, 1]}}}, r"log_uniform\[0\]: 0.0 has no log"),
+        ({"vary": {"balls.cue.id": {"grid": ["a"]}}}, r"^vary.balls.cue.id: which balls there are"),
+        ({"vary": {"table.row": {"grid": [1], "name": "row"}}}, r'a column "row" is there already'),
+        (
+            {
+                "vary": {
+                    "physics.cloth.sliding_friction": {"grid": [0.2]},
+                    "physics": {"grid": ["pool"]},
+                }
+            },
+            r"^vary.physics: it would overwrite physics.cloth.sliding_friction; write it before",
+        ),
+        ({"samples": 0}, r"^samples: found the number 0"),
+        ({"samples": True}, r"^samples: found true"),
+        ({"vary": {}, "samples": 5}, r"^samples: nothing is drawn"),
+        ({"seed": -1}, r"^seed: found the number -1"),
+        ({"sequence": "sobol"}, r"^sequence: there is no sequence 'sobol'"),
+        ({"variants": 5}, r"^variants: without noise"),
+        ({"noise": "amateur"}, r"^noise: there is no preset 'amateur'"),
+        ({"noise": {"azimuth": 0.1}}, r"^noise.azimuth: unknown key; did you mean `azimuth_deg`"),
+        ({"paired": 1}, r"^paired: found the number 1"),
+        ({"columns": ["pockets"]}, r"^columns\[0\]: .*did you mean `pocket`"),
+    ],
+)
+def test_what_makes_no_sense_is_refused_with_its_place(
+    spec: Spec, change: Spec, message: str
+) -> None:
+    with pytest.raises(InputError, match=message):
+        Sweep.from_dict({**spec, **change})
+
+
+def test_a_missing_number_of_samples_is_asked_for(spec: Spec) -> None:
+    del spec["samples"]
+    with pytest.raises(InputError, match=r"^samples: the key is missing, and strike.azimuth_deg"):
+        Sweep.from_dict(spec)
+
+
+def test_a_sweep_of_which_no_row_can_be_played_is_refused(spec: Spec, tmp_path: Path) -> None:
+    spec["vary"]["physics.cloth.slippery"] = {"grid": [1]}
+    with pytest.raises(InputError, match=r"no row can be played.*physics.cloth.slippery: unknown"):
+        carom.sweep(spec, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ('{"a": 1, "a": 2}', r"^a: the key stands twice"),
+        ('{"seed": NaN}', r"^NaN is no number"),
+        ("[1,", r"^line 1, column 4"),
+        ("[]", r"^the spec: found a list of 0"),
+    ],
+)
+def test_text_that_is_no_spec_is_refused(text: str, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        Sweep.from_json(text)
+
+
+# Files.
+
+
+def test_the_same_files_for_any_number_of_threads(spec: Spec, tmp_path: Path) -> None:
+    for threads in (1, 3):
+        report = carom.sweep(spec, tmp_path / str(threads), threads=threads, part_rows=37)
+        assert (report.rows, report.parts, report.parts_before) == (200, 6, 0)
+    assert hashes(tmp_path / "1") == hashes(tmp_path / "3")
+    assert len(hashes(tmp_path / "1")) == 6
+
+
+def test_the_same_rows_in_parts_of_any_size(spec: Spec, tmp_path: Path) -> None:
+    whole = Sweep.from_dict(spec).table()
+    for rows in (1, 64, 1000):
+        carom.sweep(spec, tmp_path / str(rows), part_rows=rows)
+        assert read(tmp_path / str(rows)).equals(whole)
+
+
+def test_a_file_says_which_sweep_it_is_of(spec: Spec, tmp_path: Path) -> None:
+    sweep = Sweep.from_dict(spec)
+    sweep.run(tmp_path, part_rows=100)
+    said = pq.read_metadata(tmp_path / "part-000001.parquet").metadata
+    assert said[b"carom.version"].decode() == carom.__version__
+    assert said[b"carom.sweep.sha256"].decode() == sweep.sha256
+    assert said[b"carom.sweep.first_row"] == b"100"
+    again = Sweep.from_json(said[b"carom.sweep"].decode())
+    assert again.sha256 == sweep.sha256
+    manifest = json.loads((tmp_path / "sweep.json").read_text(encoding="utf-8"))
+    assert Sweep.from_dict(manifest["spec"]).sha256 == sweep.sha256
+    field = pq.read_schema(tmp_path / "part-000000.parquet").field("duration")
+    assert field.metadata[b"is"] == b"time of the last event, s"
+
+
+def test_only_what_is_missing_is_played_again(spec: Spec, tmp_path: Path) -> None:
+    carom.sweep(spec, tmp_path, part_rows=25)
+    before = hashes(tmp_path)
+    times = {p.name: p.stat().st_mtime_ns for p in tmp_path.glob("*.parquet")}
+    gone = {"part-000000.parquet", "part-000005.parquet"}
+    for name in gone:
+        (tmp_path / name).unlink()
+    (tmp_path / "part-000005.parquet.elsewhere-1-0.unfinished").write_bytes(b"half")
+    report = carom.sweep(spec, tmp_path)
+    assert (report.parts, report.parts_before, report.rows) == (8, 6, 200)
+    assert hashes(tmp_path) == before
+    for path in tmp_path.glob("*.parquet"):
+        assert (path.stat().st_mtime_ns == times[path.name]) == (path.name not in gone)
+    assert not list(tmp_path.glob("*.unfinished"))
+
+
+def test_a_folder_of_another_sweep_is_refused(spec: Spec, tmp_path: Path) -> None:
+    carom.sweep(spec, tmp_path, part_rows=100)
+    with pytest.raises(InputError, match="another sweep"):
+        carom.sweep(spec | {"seed": 5}, tmp_path)
+    with pytest.raises(InputError, match="parts of 100 rows, and 50 are asked for"):
+        carom.sweep(spec, tmp_path, part_rows=50)
+    manifest = tmp_path / "sweep.json"
+    said = json.loads(manifest.read_text(encoding="utf-8"))
+    manifest.write_text(json.dumps(said | {"carom": "0.0.1"}), encoding="utf-8")
+    with pytest.raises(InputError, match=r"begun by carom 0\.0\.1"):
+        carom.sweep(spec, tmp_path)
+    manifest.unlink()
+    with pytest.raises(InputError, match="belongs to no sweep"):
+        carom.sweep(spec, tmp_path)
+
+
+def test_a_broken_or_strange_part_is_refused_by_name(spec: Spec, tmp_path: Path) -> None:
+    carom.sweep(spec, tmp_path, part_rows=100)
+    second = tmp_path / "part-000001.parquet"
+    second.write_bytes((tmp_path / "part-000000.parquet").read_bytes())
+    with pytest.raises(InputError, match="it is not part 1 of this sweep"):
+        carom.sweep(spec, tmp_path)
+    second.write_bytes(b"PAR1")
+    with pytest.raises(InputError, match=r"part-000001.parquet: it cannot be read"):
+        carom.sweep(spec, tmp_path)
+
+
+def test_two_runs_do_not_write_in_one_folder(spec: Spec, tmp_path: Path) -> None:
+    fcntl = pytest.importorskip("fcntl")
+    carom.sweep(spec, tmp_path)
+    with (tmp_path / "sweep.json").open() as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        with pytest.raises(InputError, match="another run writes there"):
+            carom.sweep(spec, tmp_path)
+
+
+def slow(spec: Spec) -> Spec:
+    """A sweep of some seconds."""
+    return spec | {"shots": [str(ROOT / "shots" / "eight_ball_break.json")], "samples": 1000}
+
+
+def started(spec: Spec, folder: Path) -> subprocess.Popen[bytes]:
+    """`carom sweep` on its way, with some parts done and some not."""
+    (folder / "spec.json").write_text(json.dumps(spec), encoding="utf-8")
+    command = [sys.executable, "-m", "carom", "sweep", "spec.json", "--out", "out"]
+    command += ["--part-rows", "500"]
+    process = subprocess.Popen(command, cwd=folder, stderr=subprocess.PIPE)
+    deadline = time.monotonic() + 60
+    while len(list((folder / "out").glob("*.parquet"))) < 3:
+        assert process.poll() is None
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+    return process
+
+
+@pytest.mark.parametrize("how", ["SIGKILL", "SIGTERM", "SIGINT"])
+def test_a_killed_run_goes_on_with_nothing_lost_or_doubled(
+    spec: Spec, tmp_path: Path, how: str
+) -> None:
+    spec = slow(spec)
+    process = started(spec, tmp_path)
+    process.send_signal(getattr(signal, how))
+    process.communicate(timeout=60)
+    done = hashes(tmp_path / "out")
+    report = carom.sweep(spec, tmp_path / "out")
+    assert 3 <= report.parts_before == len(done) < report.parts == 20
+    after = hashes(tmp_path / "out")
+    assert done.items() <= after.items()
+    table = read(tmp_path / "out")
+    assert table["row"].to_pylist() == list(range(10_000))
+    assert table.slice(6_000, 300).equals(Sweep.from_dict(spec).table(6_000, 6_300))
+    assert not list((tmp_path / "out").glob("*.unfinished"))
+
+
+def test_ctrl_c_ends_with_130_and_says_how_to_go_on(spec: Spec, tmp_path: Path) -> None:
+    process = started(slow(spec), tmp_path)
+    process.send_signal(signal.SIGINT)
+    _, told = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert told.decode() == "carom: stopped; the same command goes on from here\n"
+    assert not list((tmp_path / "out").glob("*.unfinished"))
+
+
+def test_memory_does_not_grow_with_the_number_of_rows(tmp_path: Path) -> None:
+    # On many threads more parts are under way at once; what is asked is whether they are let go.
+    program = (
+        "import sys, resource, carom\n"
+        "spec = {'format': 'carom-sweep/1', 'shots': sys.argv[1], 'samples': int(sys.argv[2]),\n"
+        "        'vary': {'strike.speed': {'uniform': [1, 3]}}}\n"
+        "carom.sweep(spec, sys.argv[3], threads=2, part_rows=10_000)\n"
+        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)\n"
+    )
+    peaks = []
+    for samples in (60_000, 300_000):
+        command = [
+            sys.executable,
+            "-c",
+            program,
+            str(CUT),
+            str(samples),
+            str(tmp_path / str(samples)),
+        ]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        peaks.append(int(done.stdout))
+    # Five times the rows; a tenth more is what an allocator may scatter.
+    assert peaks[1] < 1.1 * peaks[0]
+
+
+# Queries.
+
+
+def test_duckdb_and_polars_read_the_same_table(spec: Spec, tmp_path: Path) -> None:
+    carom.sweep(spec, tmp_path, part_rows=50)
+    files = str(tmp_path / "*.parquet")
+    table = Sweep.from_dict(spec).table()
+    ones = table.filter(pa.compute.equal(table["first_contact"], "1"))
+    sql = "SELECT count(*), sum(end_x[1]) FROM read_parquet(?) WHERE first_contact = '1'"
+    count, total = duckdb.execute(sql, [files]).fetchone() or (0, 0.0)
+    ours = sum(row[0] for row in ones["end_x"].to_pylist())
+    assert (count, total) == (len(ones), pytest.approx(ours))
+    frame = pl.scan_parquet(files).filter(pl.col("first_contact") == "1")
+    found = frame.select(pl.len(), pl.col("end_x").arr.get(0).sum()).collect().row(0)
+    assert found == (len(ones), pytest.approx(ours))
+
+
+# The command.
+
+
+def test_the_command_writes_the_table_and_prints_a_summary(
+    spec: Spec, tmp_path: Path, run: Callable[..., subprocess.CompletedProcess[str]]
+) -> None:
+    (tmp_path / "shot.json").write_text(json.dumps(spec["shots"][0]), encoding="utf-8")
+    (tmp_path / "spec.json").write_text(json.dumps(spec | {"shots": "shot.json"}), encoding="utf-8")
+    done = run("sweep", "spec.json", "--out", "out", "--json")
+    assert (done.returncode, done.stderr) == (0, "")
+    report = json.loads(done.stdout)
+    assert (report["rows"], report["parts"], report["failed"]) == (100, 1, 0)
+    assert len(read(tmp_path / "out")) == 100
+    again = run("sweep", "-", "--out", "out", stdin=(tmp_path / "spec.json").read_bytes())
+    assert again.returncode == 0
+    assert "1 of the parts were there already" in again.stdout
+
+
+def test_the_command_refuses_a_bad_spec_with_2(
+    run: Callable[..., subprocess.CompletedProcess[str]],
+) -> None:
+    done = run("sweep", "-", "--out", "out", stdin='{"format": "carom-sweep/1"}')
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("carom: shots: the key is missing")
+
+
+def test_carom_is_imported_without_pyarrow() -> None:
+    program = "import carom, sys; assert 'pyarrow' not in sys.modules, 'slow to import'"
+    subprocess.run([sys.executable, "-c", program], check=True)
