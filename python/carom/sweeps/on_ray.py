@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import math
 import warnings
 from collections.abc import Generator
 from typing import TYPE_CHECKING, Any
@@ -49,8 +50,9 @@ def write(sweep: Sweep, parts: Parts, missing: list[int]) -> Generator[Receipt]:
         columns = {name: [getattr(r, name) for r in receipts] for name in Receipt.__slots__}
         return pa.table(columns)
 
-    tasks = min(len(missing), _MOST_TASKS)
-    wanted = data.from_arrow(pa.table({"part": missing})).repartition(tasks)
+    each = math.ceil(len(missing) / _MOST_TASKS)
+    tasks = [pa.table({"part": missing[i : i + each]}) for i in range(0, len(missing), each)]
+    wanted = data.from_arrow(tasks)
     done = wanted.map_batches(work, batch_size=1, batch_format="pyarrow")
     for batch in done.iter_batches(batch_size=None, batch_format="pyarrow", prefetch_batches=0):
         yield from (Receipt(**row) for row in batch.to_pylist())
@@ -67,13 +69,18 @@ def dataset(sweep: Sweep) -> Any:
     """``Sweep.dataset``."""
     data = _ray_data()
 
-    def work(batch: pa.Table) -> pa.Table:
-        # Ray's blocks are consecutive numbers, and stay in order.
-        first, last = batch["id"][0].as_py(), batch["id"][-1].as_py()
-        rows = sweep.play(sweep.parameters(first, last + 1))
-        return pa.Table.from_batches([rows])
+    def work(block: pa.Table) -> Generator[pa.Table]:
+        # A block is a run of consecutive numbers.
+        first, last = block["id"][0].as_py(), block["id"][-1].as_py()
+        for start in range(first, last + 1, CHUNK):
+            stop = min(start + CHUNK, last + 1)
+            yield pa.Table.from_batches([sweep.play(sweep.parameters(start, stop))])
 
-    return data.range(len(sweep)).map_batches(work, batch_size=CHUNK, batch_format="pyarrow")
+    blocks = min(math.ceil(len(sweep) / CHUNK), _MOST_TASKS)
+    numbers = data.range(len(sweep), override_num_blocks=blocks)
+    made = numbers.map_batches(work, batch_size=None, batch_format="pyarrow")
+    made.context.execution_options.preserve_order = True
+    return made
 
 
 def _ray() -> Any:
@@ -95,4 +102,5 @@ def _ray_data() -> Any:
 
         context = ray.data.DataContext.get_current()
     context.enable_progress_bars = False
+    logging.getLogger("ray.data").setLevel(logging.ERROR)
     return ray.data

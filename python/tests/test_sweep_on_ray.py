@@ -1,0 +1,103 @@
+"""`carom sweep --ray`: the same files as here, also when a worker is killed half-way.
+
+In a process of its own, since Ray leaves threads, handlers and warnings behind.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from carom import Sweep
+
+ROOT = Path(__file__).parents[2]
+
+pytest.importorskip("ray", reason="the extra `ray` is not installed")
+
+PROGRAM = """
+import json, os, signal, sys
+import pyarrow as pa
+from carom import Sweep
+from carom.sweeps import on_ray
+
+sweep = Sweep.load("spec.json")
+killed = []
+write = on_ray.write
+
+def write_and_kill(*arguments):
+    for receipt in write(*arguments):
+        if not killed:
+            # It has begun with another part by now.
+            os.kill(receipt.worker, signal.SIGKILL)
+            killed.append(receipt.worker)
+        yield receipt
+
+on_ray.write = write_and_kill
+report = sweep.run("killed", threads=2, part_rows=1000, ray=True)
+on_ray.write = write
+for k in (3, 5):
+    os.remove(f"killed/part-{k:06}.parquet")
+again = sweep.run("killed", ray=True)
+
+rows = list(sweep.dataset().iter_batches(batch_size=None, batch_format="pyarrow"))
+pa.parquet.write_table(pa.concat_tables(rows), "dataset.parquet")
+print(json.dumps({"killed": killed, "first": report.to_dict(), "again": again.to_dict()}))
+"""
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, Any]]:
+    """A folder in which Ray has played a sweep, a worker killed half-way, and its report."""
+    folder = tmp_path_factory.mktemp("ray")
+    spec = {
+        "format": "carom-sweep/1",
+        "shots": str(ROOT / "shots" / "eight_ball_break.json"),
+        "vary": {"strike.speed": {"uniform": [6, 10]}},
+        "samples": 16_000,
+        "noise": "olympiad",
+    }
+    (folder / "spec.json").write_text(json.dumps(spec), encoding="utf-8")
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    report: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
+    return folder, report
+
+
+def hashes(folder: Path) -> dict[str, str]:
+    return {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in folder.iterdir()}
+
+
+def test_a_killed_worker_changes_no_bit_of_any_file(ran: tuple[Path, dict[str, Any]]) -> None:
+    folder, report = ran
+    assert len(report["killed"]) == 1
+    # Two at a time, and one that has taken the place of the killed one.
+    assert report["first"]["workers"] >= 3
+    assert (report["first"]["rows"], report["first"]["parts"]) == (16_000, 16)
+    Sweep.load(folder / "spec.json").run(folder / "here", part_rows=1000)
+    assert hashes(folder / "killed") == hashes(folder / "here")
+
+
+def test_ray_goes_on_where_a_run_has_ended(ran: tuple[Path, dict[str, Any]]) -> None:
+    _, report = ran
+    assert report["again"]["parts_before"] == 14
+    assert report["again"]["rows"] == 16_000
+
+
+def test_a_dataset_of_ray_has_the_same_rows_in_order(ran: tuple[Path, dict[str, Any]]) -> None:
+    import pyarrow.parquet as pq
+
+    folder, _ = ran
+    found = pq.read_table(folder / "dataset.parquet")
+    assert found.equals(Sweep.load(folder / "spec.json").table())
