@@ -13,12 +13,15 @@ __all__ = [
     "VectorEnv",
     "__version__",
     "acceptance",
+    "bank_table",
     "break_shot",
     "breaks",
     "check_noise",
+    "check_perception",
     "draw_strikes",
     "evaluate",
     "games",
+    "kick_table",
     "meanings",
     "noise_presets",
     "olympiad",
@@ -31,6 +34,7 @@ __all__ = [
     "schema",
     "see",
     "simulate_batch",
+    "simulate_seen",
     "simulate_strikes",
     "solve",
     "tables",
@@ -45,6 +49,8 @@ _Play = tuple[
     tuple[float, ...] | None,
     tuple[str, str | None, str | None],
 ]
+
+_Errs = tuple[tuple[float, ...], float, int, int, float | None, float]
 
 @final
 class Frame:
@@ -106,6 +112,15 @@ _Arrays = tuple[NDArray[np.float64], NDArray[np.int8], NDArray[np.int32], dict[i
 
 def simulate_batch(shots: list[Shot], threads: int) -> _Arrays: ...
 def simulate_strikes(shot: Shot, strikes: NDArray[np.float64], threads: int) -> _Arrays: ...
+def simulate_seen(
+    shot: Shot,
+    strikes: NDArray[np.float64],
+    position: float,
+    seed: int,
+    first: int,
+    threads: int,
+) -> _Arrays: ...
+def check_perception(position: float) -> None: ...
 def check_noise(noise: tuple[float, ...]) -> None: ...
 def draw_strikes(
     shot: Shot, noise: tuple[float, ...], seed: int, first: int, count: int
@@ -115,6 +130,7 @@ def noise_presets() -> list[tuple[str, list[float]]]: ...
 def evaluate(
     shot: Shot,
     noise: tuple[float, ...],
+    position: float,
     seed: int,
     most: int,
     level: float,
@@ -143,12 +159,35 @@ def pot_map(
     shot: Shot,
     target: tuple[int, int],
     cells: tuple[int, int],
-    noise: tuple[float, ...],
-    seed: int,
-    variants: int,
+    errs: _Errs,
     threads: int,
     progress: Callable[[int], object],
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+) -> tuple[
+    NDArray[np.float64],
+    NDArray[np.float64],
+    NDArray[np.float64],
+    NDArray[np.int64],
+    NDArray[np.float64],
+]: ...
+def kick_table(
+    shot: Shot,
+    azimuths: list[float],
+    speeds: list[float],
+    sides: list[float],
+    height: float,
+    most: int,
+    threads: int,
+    progress: Callable[[int], object],
+) -> tuple[list[str], NDArray[np.float64]]: ...
+def bank_table(
+    shot: Shot,
+    ball: int,
+    azimuths: list[float],
+    speeds: list[float],
+    most: int,
+    threads: int,
+    progress: Callable[[int], object],
+) -> tuple[list[str], NDArray[np.float64]]: ...
 def position_map(
     shot: Shot,
     target: tuple[int, int],
@@ -187,11 +226,10 @@ def solve(
     leave: tuple[tuple[float, float], float] | None,
     first: int | None,
     limits: tuple[float, ...],
-    counts: tuple[int, int, int, int],
-    noise: tuple[float, ...],
-    seed: int,
-    level: float,
+    counts: tuple[int, int, int],
+    errs: _Errs,
     threads: int,
+    progress: Callable[[str, int, int], object],
 ) -> list[_Solved]: ...
 def wilson(hits: int, trials: int, level: float) -> tuple[float, float]: ...
 def break_shot(

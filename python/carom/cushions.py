@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from carom.batch import progress_bar
-from carom.errors import InputError
+from carom import _core
+from carom.batch import thread_count
 from carom.maps import flat
 from carom.noise import whole
+from carom.plan import number, so_far
 from carom.solve import ball_index
 
 if TYPE_CHECKING:
@@ -56,6 +55,7 @@ def kick_table(
     side: ArrayLike = (-0.4, 0.0, 0.4),
     height: float = 0.0,
     cushions: int = 3,
+    threads: int | None = None,
     progress: bool = False,
 ) -> CushionTable:
     """Where the struck ball of a shot meets the cushions, with nothing else on the table.
@@ -67,27 +67,27 @@ def kick_table(
         side: Contact points right of centre, ball radii.
         height: Contact point above centre, ball radii.
         cushions: How many are listed.
+        threads: How many; None is one per core. Results do not depend on it.
         progress: Show a progress bar on stderr.
 
     Raises:
         InputError: The shot has no strike, or one of these cannot be played.
     """
-    file = shot.to_dict()
-    if "strike" not in file:
-        raise InputError("strike: the shot has none; it says which ball is struck")
-    struck = file["strike"]["ball"]
-    file["balls"] = [ball for ball in file["balls"] if ball["id"] == struck]
-
-    def make(turn: float, fast: float, aside: float) -> dict[str, Any]:
-        strike = {
-            "azimuth_deg": math.degrees(turn),
-            "speed": fast,
-            "side": aside,
-            "height": height,
-        }
-        return file | {"strike": file["strike"] | strike}
-
-    return _table(shot, struck, make, azimuth, speed, side, cushions, progress=progress)
+    turns, speeds, sides = _turns(azimuth), flat("speed", speed), flat("side", side)
+    whole("cushions", cushions, _MOST_CUSHIONS + 1)
+    with so_far(len(turns), show=progress, what="directions") as tell:
+        found = _core.kick_table(
+            shot._core,
+            turns.tolist(),
+            speeds.tolist(),
+            sides.tolist(),
+            number("height", height),
+            cushions,
+            thread_count(threads),
+            tell,
+        )
+    struck = shot.to_dict()["strike"]["ball"]
+    return _table(shot, struck, (turns, speeds, sides), cushions, found)
 
 
 def bank_table(
@@ -97,6 +97,7 @@ def bank_table(
     azimuth: ArrayLike | None = None,
     speed: ArrayLike = (1.0, 2.0, 4.0),
     cushions: int = 2,
+    threads: int | None = None,
     progress: bool = False,
 ) -> CushionTable:
     """Where a ball that is sent off without spin meets the cushions, alone on the table.
@@ -107,62 +108,46 @@ def bank_table(
         azimuth: Directions in which it starts, rad; None is every 5°.
         speed: Its speeds at the start, m/s; it slides first, as a ball that was hit does.
         cushions: How many are listed.
+        threads: How many; None is one per core. Results do not depend on it.
         progress: Show a progress bar on stderr.
 
     Raises:
         InputError: There is no such ball, or a number is out of range.
     """
-    file = shot.to_dict()
-    file.pop("strike", None)
-    own = file["balls"][ball_index(shot, ball)]
+    index = ball_index(shot, ball)
+    turns, speeds = _turns(azimuth), flat("speed", speed)
+    whole("cushions", cushions, _MOST_CUSHIONS + 1)
+    with so_far(len(turns), show=progress, what="directions") as tell:
+        found = _core.bank_table(
+            shot._core,
+            index,
+            turns.tolist(),
+            speeds.tolist(),
+            cushions,
+            thread_count(threads),
+            tell,
+        )
+    return _table(shot, ball, (turns, speeds, flat("side", 0.0)), cushions, found)
 
-    def make(turn: float, fast: float, _: float) -> dict[str, Any]:
-        velocity = [fast * math.cos(turn), fast * math.sin(turn), 0.0]
-        return file | {"balls": [own | {"velocity": velocity}]}
 
-    return _table(shot, ball, make, azimuth, speed, 0.0, cushions, progress=progress)
+def _turns(azimuth: ArrayLike | None) -> NDArray[np.float64]:
+    import numpy as np
+
+    return flat("azimuth", np.radians(np.arange(0, 360, 5)) if azimuth is None else azimuth)
 
 
 def _table(
     shot: Shot,
     ball: str,
-    make: Callable[[float, float, float], dict[str, Any]],
-    azimuth: ArrayLike | None,
-    speed: ArrayLike,
-    side: ArrayLike,
+    axes: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]],
     cushions: int,
-    *,
-    progress: bool,
+    found: tuple[list[str], NDArray[np.float64]],
 ) -> CushionTable:
     import numpy as np
 
-    from carom.shot import Shot
-
-    whole("cushions", cushions, _MOST_CUSHIONS + 1)
-    turns = flat("azimuth", np.radians(np.arange(0, 360, 5)) if azimuth is None else azimuth)
-    speeds, sides = flat("speed", speed), flat("side", side)
-    shape = (len(turns), len(speeds), len(sides), cushions)
-    contact = np.full((*shape, 2), np.nan)
-    rails = np.full(shape, "", dtype="U16")
-    with progress_bar(len(turns), show=progress, what="directions") as advance:
-        for i, turn in enumerate(turns.tolist()):
-            for j, fast in enumerate(speeds.tolist()):
-                for k, aside in enumerate(sides.tolist()):
-                    trace = Shot.from_dict(make(turn, fast, aside)).simulate()
-                    for n, (rail, place) in enumerate(_noses(trace.events, cushions)):
-                        rails[i, j, k, n] = rail
-                        contact[i, j, k, n] = place
-            advance(1)
-    return CushionTable(shot, ball, turns, speeds, sides, contact, rails)
-
-
-def _noses(events: list[Any], most: int) -> list[tuple[str, list[float]]]:
-    """Rail and centre at the first ``most`` noses, up to the first jaw."""
-    found: list[tuple[str, list[float]]] = []
-    for event in events:
-        if event["type"] != "rail-collision" or len(found) == most:
-            continue
-        if event["part"] != "nose":
-            break
-        found.append((event["rail"], event["before"][0]["position"][:2]))
-    return found
+    rails, contact = found
+    shape = (*map(len, axes), cushions)
+    names = np.array(rails, dtype="U16").reshape(shape)
+    turns, speeds, sides = axes
+    places = contact.reshape((*shape, 2))
+    return CushionTable(shot, ball, turns, speeds, sides, places, names)

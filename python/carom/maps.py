@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from dataclasses import astuple, dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
-from carom.batch import Arrays, BatchResult, in_chunks, progress_bar, thread_count
+from carom.batch import Arrays, BatchResult, in_chunks, thread_count
 from carom.errors import InputError
-from carom.noise import Noise, whole
-from carom.plan import Chance, number
+from carom.noise import Noise, Perception, sigmas_of, whole
+from carom.plan import Chance, errs, number, so_far
 from carom.solve import ball_index, pocket_index
 
 if TYPE_CHECKING:
@@ -22,6 +21,8 @@ if TYPE_CHECKING:
 
 # Most cells along one side of a map, and variants of one cell.
 _MOST = 10**6
+# Racks between two looks at the precision.
+_LOOK = 1024
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,6 +37,9 @@ class PotMap:
         y: The same along the length, shape (rows,).
         chance: That the ball falls and the cue ball does not, shape (rows, columns); NaN where
             the cue ball cannot lie.
+        low: Lower end of its confidence interval, same shape,
+        high: and the upper end.
+        n: Variants behind it, int64, same shape; 0 where the cue ball cannot lie.
         azimuth: Direction that is aimed at, rad, same shape.
     """
 
@@ -45,6 +49,9 @@ class PotMap:
     x: NDArray[np.float64]
     y: NDArray[np.float64]
     chance: NDArray[np.float64]
+    low: NDArray[np.float64]
+    high: NDArray[np.float64]
+    n: NDArray[np.int64]
     azimuth: NDArray[np.float64]
 
 
@@ -144,6 +151,11 @@ class BreakStatistics:
             said[f"something into {name}"] = (pocket == column).any(axis=1).sum()
         return {what: Chance.of(int(count), self.racks, self.level) for what, count in said.items()}
 
+    @property
+    def half_width(self) -> float:
+        """Half the width of the widest of all intervals."""
+        return max(chance.half_width for chance in self.chances().values())
+
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON."""
         import numpy as np
@@ -178,9 +190,12 @@ def pot_map(
     pocket: str,
     *,
     noise: Noise | None = None,
+    perception: Perception | None = None,
     columns: int = 32,
     n: int = 200,
+    precision: float | None = None,
     seed: int = 0,
+    level: float = 0.95,
     threads: int | None = None,
     progress: bool = False,
 ) -> PotMap:
@@ -194,9 +209,13 @@ def pot_map(
         ball: The ball that is to fall.
         pocket: Where.
         noise: How far a strike strays; the Olympiad's if None.
+        perception: How far from where they are seen the balls truly lie; see ``Shot.evaluate``.
         columns: Cells along the width; the cells are square.
-        n: Variants of each cell, with the same errors in all.
+        n: Variants of each cell, with the same errors in all, at most.
+        precision: Stop counting in a cell when half its interval's width is at most this; looked at
+            after every 128 variants. None plays all ``n``.
         seed: Which random numbers.
+        level: Confidence of the intervals.
         threads: How many; None is one per core. Results do not depend on it.
         progress: Show a progress bar on stderr.
 
@@ -206,15 +225,14 @@ def pot_map(
     import numpy as np
 
     where = (ball_index(shot, ball), pocket_index(shot, pocket))
-    sigmas = _sigmas(noise)
     _count("columns", columns)
     _count("n", n)
-    whole("seed", seed)
+    sampling = errs(noise, perception, seed, n, precision, level)
     width, length = shot.geometry()["size"]
     rows = max(1, round(columns * length / width))
-    with _rows(rows, show=progress) as tell:
-        chance, azimuth = _core.pot_map(
-            shot._core, where, (columns, rows), sigmas, seed, n, thread_count(threads), tell
+    with so_far(rows, show=progress, what="rows") as tell:
+        chance, low, high, counted, azimuth = _core.pot_map(
+            shot._core, where, (columns, rows), sampling, thread_count(threads), tell
         )
     return PotMap(
         shot=shot,
@@ -223,6 +241,9 @@ def pot_map(
         x=(np.arange(columns) + 0.5) * width / columns,
         y=(np.arange(rows) + 0.5) * length / rows,
         chance=chance,
+        low=low,
+        high=high,
+        n=counted,
         azimuth=azimuth,
     )
 
@@ -262,7 +283,7 @@ def position_map(
     except ValueError:
         raise InputError("side, height: shapes do not broadcast; make them agree") from None
     spins = np.stack([sides, heights], axis=1).tolist()
-    with _rows(len(speeds), show=progress) as tell:
+    with so_far(len(speeds), show=progress, what="speeds") as tell:
         falls, azimuth, end = _core.position_map(
             shot._core, where, speeds.tolist(), spins, thread_count(threads), tell
         )
@@ -303,7 +324,7 @@ def acceptance(
     angles = flat("angle", np.radians(np.arange(-60, 61)) if angle is None else angle)
     offsets = flat("offset", np.arange(-80, 81) * 1e-3 if offset is None else offset)
     reach = number("distance", distance)
-    with _rows(len(speeds), show=progress) as tell:
+    with so_far(len(speeds), show=progress, what="speeds") as tell:
         accepted = _core.acceptance(
             shot._core,
             index,
@@ -325,6 +346,7 @@ def break_statistics(
     table: str | None = None,
     speed: float | None = None,
     gap: float | None = None,
+    precision: float | None = None,
     seed: int = 0,
     level: float = 0.95,
     threads: int | None = None,
@@ -334,11 +356,13 @@ def break_statistics(
 
     Args:
         game: As for ``break_shot``, like ``table``, ``speed`` and ``gap``.
-        racks: How many.
+        racks: How many, at most.
         noise: How far each strike strays; the Olympiad's if None.
         table: A preset's name; the game's own table if None.
         speed: The cue's speed, m/s; the game's usual one if None.
         gap: Mean gap between the balls, m; None is usual (0.1 mm).
+        precision: Stop when half the width of every chance's interval is at most this; looked at
+            after every 1024 racks. None breaks all ``racks``.
         seed: Of the first rack; the others count on from it.
         level: Confidence of the intervals.
         threads: How many; None is one per core.
@@ -351,42 +375,53 @@ def break_statistics(
 
     from carom.racks import break_shot
 
-    sigmas = _sigmas(noise)
+    sigmas = sigmas_of(noise)
     _count("racks", racks)
     whole("seed", seed)
     one = break_shot(game, table=table, speed=speed, seed=seed, gap=gap)
+
+    checked = number("level", level)
+    Chance.of(0, 1, checked)
+    pockets = tuple(p["name"] for p in one.geometry()["pockets"])
+    wanted = None if precision is None else number("precision", precision)
+    if wanted is not None and not 0 < wanted < 0.5:
+        raise InputError(f"precision: {wanted!r} is no half-width; give a number such as 0.01")
 
     def run(start: int, end: int) -> Arrays:
         return _core.breaks(
             game, table, speed, gap, sigmas, seed, start, end - start, thread_count(threads)
         )
 
-    result = in_chunks(run, racks, len(one.ids), progress=progress)
-    potted: NDArray[np.int64] = (result.pocket[:, 1:] >= 0).sum(axis=1, dtype=np.int64)
-    pockets = tuple(p["name"] for p in one.geometry()["pockets"])
-    checked = number("level", level)
-    Chance.of(0, 1, checked)
-    return BreakStatistics(game, tuple(one.ids), pockets, checked, racks, potted, result)
+    def statistics(result: BatchResult) -> BreakStatistics:
+        fell: NDArray[np.int64] = (result.pocket[:, 1:] >= 0).sum(axis=1, dtype=np.int64)
+        return BreakStatistics(game, tuple(one.ids), pockets, checked, len(result), fell, result)
+
+    parts: list[BatchResult] = []
+    with so_far(racks, show=progress, what="racks") as tell:
+        for start in range(0, racks, _LOOK):
+            end = min(start + _LOOK, racks)
+            parts.append(_part(run, start, end, len(one.ids)))
+            tell(end)
+            if wanted is not None and statistics(_joined(parts)).half_width <= wanted:
+                break
+    return statistics(_joined(parts))
 
 
-@contextmanager
-def _rows(count: int, *, show: bool) -> Iterator[Callable[[int], None]]:
-    with progress_bar(count, show=show, what="rows") as advance:
-        done = 0
-
-        def tell(so_far: int) -> None:
-            nonlocal done
-            advance(so_far - done)
-            done = so_far
-
-        yield tell
+def _part(run: Callable[[int, int], Arrays], start: int, end: int, balls: int) -> BatchResult:
+    part = in_chunks(lambda a, b: run(start + a, start + b), end - start, balls, progress=False)
+    errors = {start + row: text for row, text in part.errors.items()}
+    return replace(part, errors=errors)
 
 
-def _sigmas(noise: Noise | None) -> tuple[float, ...]:
-    noise = Noise.olympiad() if noise is None else noise
-    if not isinstance(noise, Noise):
-        raise InputError(f"noise: found a {type(noise).__name__}; give carom.Noise(...)")
-    return astuple(noise)
+def _joined(parts: list[BatchResult]) -> BatchResult:
+    import numpy as np
+
+    return BatchResult(
+        np.concatenate([part.final_position for part in parts]),
+        np.concatenate([part.pocket for part in parts]),
+        np.concatenate([part.events for part in parts]),
+        {row: text for part in parts for row, text in part.errors.items()},
+    )
 
 
 def _count(name: str, value: int) -> None:

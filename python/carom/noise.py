@@ -1,4 +1,4 @@
-"""Execution noise: how far a player's strike strays from what was meant."""
+"""How a player errs: strikes stray from what was meant, balls lie beside where they are seen."""
 
 from __future__ import annotations
 
@@ -92,17 +92,33 @@ class Noise:
 class Perception:
     """How far from where they are a player sees the balls: Gaussian, each on its own.
 
+    Given to ``Shot.evaluate`` and its like, the shot is what the player sees and plans on, and each
+    variant has the balls where they may truly lie: to err about one is to err about the other.
+
     Attributes:
         position: Standard deviation of each coordinate of each ball, m.
+
+    Raises:
+        InputError: It is negative, not finite, or more than 0.1 m.
     """
 
     position: float = 0.0
 
+    def __post_init__(self) -> None:
+        try:
+            object.__setattr__(self, "position", float(self.position))
+        except (TypeError, ValueError):
+            raise InputError(
+                f"perception.position: {self.position!r} is not a number; write one"
+            ) from None
+        _core.check_perception(self.position)
+
     def see(self, shot: Shot, index: int = 0, *, seed: int = 0) -> Shot:
-        """The shot as it is seen: plan on it, and play the true one.
+        """The shot with the balls a little beside where they are.
 
         No ball is seen in another or outside the table; one that would be is seen nearer to where
-        it is. ``index`` and ``seed`` say which of all sights, the same on every platform.
+        it is: half as far off, or a quarter, ... ``index`` and ``seed`` say which of all sights,
+        the same on every platform.
 
         Raises:
             InputError: A number is out of range, or the strike cannot be played on what is seen.
@@ -111,13 +127,7 @@ class Perception:
 
         whole("index", index)
         whole("seed", seed)
-        try:
-            position = float(self.position)
-        except (TypeError, ValueError):
-            raise InputError(
-                f"perception.position: {self.position!r} is not a number; write one"
-            ) from None
-        return Shot._wrap(_core.see(shot._core, position, seed, index))
+        return Shot._wrap(_core.see(shot._core, self.position, seed, index))
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,6 +154,7 @@ def vary(
     noise: Noise,
     n: int,
     *,
+    perception: Perception | None,
     seed: int,
     first: int,
     threads: int | None,
@@ -152,15 +163,10 @@ def vary(
     """``Shot.vary``."""
     import numpy as np
 
-    if not isinstance(noise, Noise):
-        raise InputError(
-            f"noise: found a {type(noise).__name__}; give carom.Noise(...), "
-            "for example carom.Noise.olympiad(1.0)"
-        )
+    sigmas, position = sigmas_of(noise), position_of(perception)
     whole("seed", seed)
     whole("first", first)
     whole("n", n, _WORD - first)
-    sigmas = astuple(noise)
     if shot.strike is None:
         raise InputError("strike: the shot has none that could be varied; give it one")
     strikes = np.empty((5, n))
@@ -168,10 +174,34 @@ def vary(
     def run(start: int, end: int) -> Arrays:
         rows = _core.draw_strikes(shot, sigmas, seed, first + start, end - start)
         strikes[:, start:end] = rows.T
-        return _core.simulate_strikes(shot, rows, thread_count(threads))
+        if position == 0.0:
+            return _core.simulate_strikes(shot, rows, thread_count(threads))
+        return _core.simulate_seen(shot, rows, position, seed, first + start, thread_count(threads))
 
     ends = in_chunks(run, n, len(shot), progress=progress)
     return NoisyResult(ends.final_position, ends.pocket, ends.events, ends.errors, *strikes)
+
+
+def sigmas_of(noise: Noise | None) -> tuple[float, ...]:
+    """The σ as Rust takes them; the Olympiad's if None."""
+    noise = Noise.olympiad() if noise is None else noise
+    if not isinstance(noise, Noise):
+        raise InputError(
+            f"noise: found a {type(noise).__name__}; give carom.Noise(...), "
+            'for example carom.Noise.preset("club")'
+        )
+    return astuple(noise)
+
+
+def position_of(perception: Perception | None) -> float:
+    """The σ of positions, m; 0 if None."""
+    if perception is None:
+        return 0.0
+    if not isinstance(perception, Perception):
+        raise InputError(
+            f"perception: found a {type(perception).__name__}; give carom.Perception(position=...)"
+        )
+    return perception.position
 
 
 def whole(name: str, value: int, end: int = _WORD) -> None:

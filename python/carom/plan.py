@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import astuple, dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
 from carom.batch import progress_bar, thread_count
 from carom.errors import InputError
-from carom.noise import Noise, whole
+from carom.noise import Noise, Perception, position_of, sigmas_of, whole
 
 if TYPE_CHECKING:
     import numpy as np
@@ -67,6 +69,7 @@ class Evaluation:
     Attributes:
         shot: The shot as it was meant.
         noise: How far its strike strayed.
+        perception: How far from where they were seen the balls lay.
         seed: Which random numbers.
         n: Variants played.
         level: Confidence of all intervals.
@@ -87,6 +90,7 @@ class Evaluation:
 
     shot: Shot
     noise: Noise
+    perception: Perception
     seed: int
     n: int
     level: float
@@ -184,6 +188,7 @@ class Evaluation:
             "seed": self.seed,
             "level": self.level,
             "noise": dict(zip(_SIGMAS, astuple(self.noise), strict=True)),
+            "perception": {"position": self.perception.position},
             "balls": self.shot.ids,
             "pockets": list(self.pockets),
             "potted": self.potted.tolist(),
@@ -230,6 +235,7 @@ def evaluate(
     noise: Noise,
     n: int,
     *,
+    perception: Perception | None,
     seed: int,
     precision: float | None,
     watch: str | tuple[str, str] | None,
@@ -240,11 +246,7 @@ def evaluate(
     progress: bool,
 ) -> Evaluation:
     """``Shot.evaluate``."""
-    if not isinstance(noise, Noise):
-        raise InputError(
-            f"noise: found a {type(noise).__name__}; give carom.Noise(...), "
-            'for example carom.Noise.preset("club")'
-        )
+    sigmas, position = sigmas_of(noise), position_of(perception)
     whole("seed", seed)
     whole("n", n, _MOST + 1)
     wanted = None
@@ -255,17 +257,11 @@ def evaluate(
         raise InputError("watch: nothing is to be watched without a precision; give one too")
     said = ("nothing", None, None) if call is None else (call.kind, call.ball, call.into)
     referee = None if frame is None else (frame._core, said)
-    with progress_bar(n, show=progress) as advance:
-        played = 0
-
-        def tell(so_far: int) -> None:
-            nonlocal played
-            advance(so_far - played)
-            played = so_far
-
+    with so_far(n, show=progress) as tell:
         found = _core.evaluate(
             shot._core,
-            astuple(noise),
+            sigmas,
+            position,
             seed,
             n,
             number("level", level),
@@ -276,7 +272,48 @@ def evaluate(
         )
     pockets = tuple(pocket["name"] for pocket in shot.geometry()["pockets"])
     return Evaluation(
-        shot=shot, noise=noise, seed=seed, level=float(level), pockets=pockets, **found
+        shot=shot,
+        noise=noise,
+        perception=Perception(position),
+        seed=seed,
+        level=float(level),
+        pockets=pockets,
+        **found,
+    )
+
+
+@contextmanager
+def so_far(count: int, *, show: bool, what: str = "shots") -> Iterator[Callable[[int], None]]:
+    """A bar on stderr; what it yields is told how many are done."""
+    with progress_bar(count, show=show, what=what) as advance:
+        told = 0
+
+        def tell(done: int) -> None:
+            nonlocal told
+            advance(done - told)
+            told = done
+
+        yield tell
+
+
+def errs(
+    noise: Noise | None,
+    perception: Perception | None,
+    seed: int,
+    n: int,
+    precision: float | None,
+    level: float,
+) -> tuple[tuple[float, ...], float, int, int, float | None, float]:
+    """How a player errs and how well a chance is to be known, as Rust takes it."""
+    whole("seed", seed)
+    half_width = None if precision is None else number("precision", precision)
+    return (
+        sigmas_of(noise),
+        position_of(perception),
+        seed,
+        n,
+        half_width,
+        number("level", level),
     )
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from carom.batch import BatchResult
-    from carom.noise import Noise, NoisyResult
+    from carom.noise import Noise, NoisyResult, Perception
     from carom.plan import Evaluation
     from carom.rules import Call, Frame
     from carom.solve import Solution
@@ -205,6 +205,7 @@ class Shot:
         noise: Noise,
         n: int,
         *,
+        perception: Perception | None = None,
         seed: int = 0,
         first: int = 0,
         threads: int | None = None,
@@ -218,6 +219,7 @@ class Shot:
         Args:
             noise: How far the strike strays.
             n: How many variants.
+            perception: How far from where they are seen the balls truly lie, as in ``evaluate``.
             seed: Which random numbers, a whole number from 0 to 2⁶⁴ − 1.
             first: Index of the first variant, so that long runs can be continued.
             threads: How many; None is one per core.
@@ -233,7 +235,14 @@ class Shot:
         from carom.noise import vary
 
         return vary(
-            self._core, noise, n, seed=seed, first=first, threads=threads, progress=progress
+            self._core,
+            noise,
+            n,
+            perception=perception,
+            seed=seed,
+            first=first,
+            threads=threads,
+            progress=progress,
         )
 
     def evaluate(
@@ -241,6 +250,7 @@ class Shot:
         noise: Noise,
         n: int = 10_000,
         *,
+        perception: Perception | None = None,
         seed: int = 0,
         precision: float | None = None,
         watch: str | tuple[str, str] | None = None,
@@ -252,11 +262,14 @@ class Shot:
     ) -> Evaluation:
         """The chances of what comes out when a player means this strike.
 
-        The variants are those of ``vary`` with the same noise and seed.
+        The variants are those of ``vary`` with the same noise, perception and seed.
 
         Args:
             noise: How far the strike strays.
             n: How many variants, at most.
+            perception: How far from where they are seen the balls truly lie. The shot is what the
+                player sees and plans on; every variant has a layout of its own around it, as
+                ``Perception.see`` draws it. The tip meets the cue ball where that truly is.
             seed: Which random numbers, a whole number from 0 to 2⁶⁴ − 1.
             precision: Stop as soon as half the width of the watched interval is at most this;
                 looked at after every 1024 variants. None plays all ``n``.
@@ -279,6 +292,7 @@ class Shot:
             self,
             noise,
             n,
+            perception=perception,
             seed=seed,
             precision=precision,
             watch=watch,
@@ -296,15 +310,18 @@ class Shot:
         leave: tuple[Sequence[float], float] | None = None,
         first: str | None = None,
         noise: Noise | None = None,
+        perception: Perception | None = None,
         wanted: int = 10,
         of_a_way: int = 3,
         n: int = 1000,
+        precision: float | None = None,
         speed: tuple[float, float] = (0.5, 7.0),
         offset: float = 0.45,
         samples: int = 4096,
         seed: int = 0,
         level: float = 0.95,
         threads: int | None = None,
+        progress: bool = False,
     ) -> list[Solution]:
         """The strikes that do what is wanted, the likeliest first.
 
@@ -319,15 +336,19 @@ class Shot:
             leave: ``((x, y), radius)``: the cue ball comes to rest with its centre in this disc, m.
             first: The ball that the cue ball touches before any other.
             noise: Under which the strikes are ranked; the Olympiad's if None.
+            perception: How far from where they are seen the balls truly lie when they are.
             wanted: How many strikes.
             of_a_way: How many of them over the same cushions and balls.
-            n: Variants that each chance is counted with.
+            n: Variants that each chance is counted with, at most.
+            precision: Stop counting a chance when half its interval's width is at most this;
+                looked at after every 128 variants. None plays all ``n``.
             speed: Least and greatest speed of the cue, m/s.
             offset: Largest tip offset, ball radii; at most 95 % of the miscue limit.
             samples: Points spread over all strikes.
             seed: Which random numbers.
             level: Confidence of the intervals.
             threads: How many; None is one per core. Results do not depend on it.
+            progress: Show a progress bar on stderr.
 
         Raises:
             InputError: Nothing is wanted, there is no such ball or pocket, the shot has no strike,
@@ -341,15 +362,18 @@ class Shot:
             leave=leave,
             first=first,
             noise=noise,
+            perception=perception,
             wanted=wanted,
             of_a_way=of_a_way,
             n=n,
+            precision=precision,
             speed=speed,
             offset=offset,
             samples=samples,
             seed=seed,
             level=level,
             threads=threads,
+            progress=progress,
         )
 
     def show(self, *, height: int | None = None) -> None:

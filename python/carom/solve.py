@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import astuple, dataclass
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
-from carom.batch import thread_count
+from carom.batch import progress_bar, thread_count
 from carom.errors import InputError
-from carom.noise import Noise, whole
-from carom.plan import Chance, number
+from carom.noise import Noise, Perception, whole
+from carom.plan import Chance, errs, number
 
 if TYPE_CHECKING:
     from carom.shot import Shot
@@ -78,21 +79,21 @@ def solve(
     leave: tuple[Sequence[float], float] | None,
     first: str | None,
     noise: Noise | None,
+    perception: Perception | None,
     wanted: int,
     of_a_way: int,
     n: int,
+    precision: float | None,
     speed: tuple[float, float],
     offset: float,
     samples: int,
     seed: int,
     level: float,
     threads: int | None,
+    progress: bool,
 ) -> list[Solution]:
     """``Shot.solve``."""
-    noise = Noise.olympiad() if noise is None else noise
-    if not isinstance(noise, Noise):
-        raise InputError(f"noise: found a {type(noise).__name__}; give carom.Noise(...)")
-    whole("seed", seed)
+    sampling = errs(noise, perception, seed, n, precision, level)
     for name, value, most in (
         ("n", n, _MOST_VARIANTS),
         ("wanted", wanted, _MOST_WANTED),
@@ -100,19 +101,37 @@ def solve(
         ("samples", samples, _MOST_SAMPLES),
     ):
         whole(name, value, most + 1)
-    found = _core.solve(
-        shot._core,
-        None if pot is None else target(shot, pot),
-        None if leave is None else _disc(leave),
-        None if first is None else ball_index(shot, first),
-        (*(number("speed", v) for v in speed), number("offset", offset)),
-        (samples, n, wanted, of_a_way),
-        astuple(noise),
-        seed,
-        number("level", level),
-        thread_count(threads),
-    )
+    with _stages(show=progress) as tell:
+        found = _core.solve(
+            shot._core,
+            None if pot is None else target(shot, pot),
+            None if leave is None else _disc(leave),
+            None if first is None else ball_index(shot, first),
+            (*(number("speed", v) for v in speed), number("offset", offset)),
+            (samples, wanted, of_a_way),
+            sampling,
+            thread_count(threads),
+            tell,
+        )
     return [_solution(shot, row) for row in found]
+
+
+@contextmanager
+def _stages(*, show: bool) -> Iterator[Callable[[str, int, int], None]]:
+    """A bar on stderr for each stage of a search."""
+    with ExitStack() as bars:
+        told: dict[str, tuple[Callable[[int], object], int]] = {}
+
+        def tell(stage: str, done: int, count: int) -> None:
+            if stage not in told:
+                bars.close()
+                bar = progress_bar(count, show=show, what=f"{stage} strikes")
+                told[stage] = bars.enter_context(bar), 0
+            advance, before = told[stage]
+            advance(done - before)
+            told[stage] = advance, done
+
+        yield tell
 
 
 def target(shot: Shot, pot: str | tuple[str, str]) -> tuple[int, int | None]:

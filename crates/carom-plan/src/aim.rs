@@ -164,12 +164,28 @@ pub(crate) struct Tried {
 }
 
 /// What may change when a strike is refined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Free {
     /// The azimuth alone.
     Azimuth,
-    /// Azimuth, speed and both tip offsets.
-    All,
+    /// Azimuth, and within these limits speed and both tip offsets.
+    Within(Limits),
+}
+
+/// Which strikes may be found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Limits {
+    /// Least and greatest speed, m/s.
+    pub(crate) speed: [f64; 2],
+    /// Largest tip offset, ball radii.
+    pub(crate) offset: f64,
+}
+
+impl Free {
+    fn allows(self, strike: &Strike) -> bool {
+        let Self::Within(Limits { speed: [least, most], offset }) = self else { return true };
+        (least..=most).contains(&strike.speed) && strike.offset() <= offset
+    }
 }
 
 /// Makes a miss smaller: pattern search (Hooke & Jeeves 1961), one parameter at a time, steps halved where
@@ -188,6 +204,9 @@ pub(crate) fn refine<const N: usize>(
         for (parameter, step) in steps.iter().enumerate().take(parameters) {
             for sign in [1.0, -1.0] {
                 let strike = moved(&best.strike, parameter, sign * step);
+                if !free.allows(&strike) {
+                    continue;
+                }
                 plays += 1;
                 let Some(attempt) = player.play(&strike) else { continue };
                 if attempt.miss < best.attempt.miss {

@@ -9,22 +9,33 @@
 //! seed changes.
 
 use carom::batch::{self, BatchResult, OFF_TABLE, PADDING};
-use carom::simulate::{SMALL, Simulation};
+use carom::noise::Perception;
+use carom::resolve::cue_ball::Strike;
 use carom::{Error, Noise, Shot};
-use carom_rules::{Call, Frame, Play, Request};
 use rayon::prelude::*;
 
+use crate::errs::{check_half_width, check_level};
 use crate::interval::{Interval, wilson};
 use crate::moments::Moments;
+use crate::referee::{Referee, Refereed, Verdicts};
+use crate::threads::Threads;
 
 /// Variants between two looks at the precision: a few milliseconds of work.
 pub const ROUND: usize = 1024;
+/// Rounds at once where nobody looks: the threads wait less often for each other.
+const UNWATCHED: usize = 4;
+/// Strikes that one thread draws at a time, some tens of microseconds of work.
+const DRAWN: usize = 128;
 
 /// What is asked about a shot.
 #[derive(Clone, Copy, Debug)]
 pub struct Question<'a> {
     /// How far the strike strays.
     pub noise: Noise,
+    /// How far from where they are seen the balls truly lie. The shot is what the player sees and plans
+    /// on; every variant has a layout of its own around it. The tip meets the cue ball where that truly is:
+    /// errors of the contact point are the noise's.
+    pub perception: Perception,
     /// Which random numbers.
     pub seed: u64,
     /// Variants to play, at most.
@@ -92,15 +103,6 @@ impl Watched {
     }
 }
 
-/// A game in which the shot is played.
-#[derive(Clone, Copy, Debug)]
-pub struct Referee<'a> {
-    /// The frame; it asks for the shot.
-    pub frame: &'a Frame,
-    /// What the player announces.
-    pub call: Call,
-}
-
 /// What came of a shot's variants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evaluation {
@@ -135,29 +137,31 @@ pub struct Evaluation {
 /// says whether to go on.
 ///
 /// # Errors
-/// [`Error::Input`] if the shot has no strike, for a noise that [`Noise::check`] refuses, for a level or a
-/// half-width out of range, for something watched that does not exist, and if the referee's frame does not
-/// ask for this shot. A variant that cannot be played is no error: it is counted.
+/// [`Error::Input`] if the shot has no strike, for what [`Noise::check`] and [`Perception::check`] refuse, for a
+/// level or a half-width out of range, for something watched that does not exist, and if the referee's frame
+/// does not ask for this shot. A variant that cannot be played is no error: it is counted.
 pub fn evaluate(
     shot: &Shot,
     question: &Question<'_>,
     progress: &mut dyn FnMut(u64) -> bool,
 ) -> Result<Evaluation, Error> {
     check(shot, question)?;
-    let place = question.referee.map(|referee| place_of_cue_ball(shot, &referee)).transpose()?;
+    let refereed = question.referee.map(|referee| Refereed::new(shot, referee)).transpose()?;
+    let threads = Threads::new(question.threads);
+    let round = if question.precision.is_some() { ROUND } else { UNWATCHED * ROUND };
     let mut evaluation = Evaluation::nothing_yet(shot, question);
     while (evaluation.variants as usize) < question.most {
         let first = evaluation.variants;
-        let count = ROUND.min(question.most - first as usize);
-        let strikes = batch::draw_strikes(shot, &question.noise, question.seed, first, count)?;
-        let ends = batch::simulate_strikes(shot, &strikes, question.threads, &|_| ());
-        evaluation.count(&ends);
-        if let (Some(referee), Some(place)) = (&question.referee, place) {
-            let plays: Vec<Play> = strikes
-                .into_iter()
-                .map(|strike| Play { strike, cue_ball: place, call: referee.call })
-                .collect();
-            evaluation.rule(referee.frame, &plays, question.threads);
+        let count = round.min(question.most - first as usize);
+        let strikes = threads.run(|| drawn(shot, question, first, count));
+        if let Some(refereed) = &refereed {
+            let Question { perception, seed, .. } = question;
+            let (ends, verdicts) = refereed.simulate(&strikes, perception, *seed, first, &threads);
+            evaluation.count(&ends);
+            evaluation.rule(verdicts);
+        } else {
+            let ends = threads.run(|| unrefereed(shot, &strikes, question, first))?;
+            evaluation.count(&ends);
         }
         let precise = question.precision.is_some_and(|p| evaluation.is_precise(&p));
         if !progress(evaluation.variants) || precise {
@@ -167,21 +171,37 @@ pub fn evaluate(
     Ok(evaluation)
 }
 
+/// The strikes of variants `first`.., as [`batch::draw_strikes`] has them.
+fn drawn(shot: &Shot, question: &Question<'_>, first: u64, count: usize) -> Vec<Strike> {
+    let Some((ball, meant)) = shot.strike() else { return Vec::new() };
+    let radius = shot.balls()[ball].ball.radius;
+    let strikes = (0..count).into_par_iter().with_min_len(DRAWN);
+    strikes.map(|k| question.noise.draw(&meant, radius, question.seed, first + k as u64)).collect()
+}
+
+fn unrefereed(
+    shot: &Shot,
+    strikes: &[Strike],
+    question: &Question<'_>,
+    first: u64,
+) -> Result<BatchResult, Error> {
+    let Question { perception, seed, .. } = question;
+    if perception.position == 0.0 {
+        return Ok(batch::simulate_strikes(shot, strikes, None, &|_| ()));
+    }
+    batch::simulate_seen(shot, strikes, perception, *seed, first, None, &|_| ())
+}
+
 fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
     question.noise.check()?;
+    question.perception.check()?;
     let refuse = |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));
     if shot.strike().is_none() {
         return refuse("strike", "the shot has none that could be varied".into(), "give it one");
     }
-    if !(question.level > 0.0 && question.level < 1.0) {
-        let what = format!("{:?} is no confidence level", question.level);
-        return refuse("level", what, "give a number between 0 and 1, such as 0.95");
-    }
+    check_level(question.level)?;
     let Some(Precision { half_width, watched }) = question.precision else { return Ok(()) };
-    if !(half_width > 0.0 && half_width < 0.5) {
-        let what = format!("{half_width:?} is no half-width of a probability's interval");
-        return refuse("precision", what, "give a number between 0 and 0.5, such as 0.01");
-    }
+    check_half_width(half_width)?;
     let (balls, pockets) = (shot.balls().len(), shot.table().pockets.len());
     match watched {
         Watched::Ball(ball) | Watched::Pocket(ball, _) if ball >= balls => {
@@ -197,27 +217,6 @@ fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
         ),
         _ => Ok(()),
     }
-}
-
-/// Where the player puts the cue ball, if it is in hand.
-fn place_of_cue_ball(shot: &Shot, referee: &Referee<'_>) -> Result<Option<[f64; 2]>, Error> {
-    let Some((cue_ball, strike)) = shot.strike() else { return Ok(None) };
-    let lies = shot.balls()[cue_ball].state.position;
-    let in_hand = referee.frame.turn().is_some_and(|turn| turn.hand.is_some());
-    let place = in_hand.then_some([lies.x, lies.y]);
-    let asked = referee.frame.shot(&Play { strike, cue_ball: place, call: referee.call })?;
-    // The strike's angles may differ by the rounding of degrees.
-    if asked.balls() != shot.balls()
-        || asked.table() != shot.table()
-        || asked.physics() != shot.physics()
-    {
-        return Err(Error::input(
-            "frame",
-            "it asks for a shot with other balls, table or physics",
-            "evaluate the shot that the frame gives: frame.shot(...)",
-        ));
-    }
-    Ok(place)
 }
 
 impl Evaluation {
@@ -266,19 +265,9 @@ impl Evaluation {
         }
     }
 
-    fn rule(&mut self, frame: &Frame, plays: &[Play], threads: Option<usize>) {
-        let verdicts = || -> (u64, u64) {
-            plays
-                .par_iter()
-                .map_init(
-                    || Box::new(Simulation::<SMALL>::new()),
-                    |simulation, play| verdict(frame.clone(), simulation, play),
-                )
-                .reduce(|| (0, 0), |a, b| (a.0 + b.0, a.1 + b.1))
-        };
-        let (legal, kept) = crate::with_threads(threads, verdicts);
-        self.legal = self.legal.map(|count| count + legal);
-        self.turn_kept = self.turn_kept.map(|count| count + kept);
+    fn rule(&mut self, verdicts: Verdicts) {
+        self.legal = self.legal.map(|count| count + verdicts.legal);
+        self.turn_kept = self.turn_kept.map(|count| count + verdicts.turn_kept);
     }
 
     fn is_precise(&self, wanted: &Precision) -> bool {
@@ -312,16 +301,4 @@ impl Evaluation {
     pub fn interval(&self, count: u64) -> Interval {
         wilson(count, self.variants, self.level)
     }
-}
-
-/// Whether the play is legal, and whether the turn stays; each 0 or 1.
-fn verdict(mut frame: Frame, simulation: &mut Simulation<SMALL>, play: &Play) -> (u64, u64) {
-    let player = frame.player();
-    let Ok((ruling, _)) = frame.play_in(simulation, play) else { return (0, 0) };
-    let kept = match frame.request() {
-        Request::Shot(turn) => Some(turn.player) == player,
-        Request::Choice { .. } => false,
-        Request::Over { winner, .. } => winner.is_some() && *winner == player,
-    };
-    (u64::from(ruling.is_legal()), u64::from(kept))
 }

@@ -4,8 +4,9 @@ use carom::event::{Event, EventKind, Recorder};
 use carom::math::Vec2;
 use carom::resolve::cue_ball::Strike;
 use carom::simulate::Simulation;
-use carom::{Error, MotionState, Noise, Shot};
+use carom::{Error, MotionState, Shot};
 
+use crate::errs::{Chance, Errs};
 use crate::way::{Log, Way};
 
 /// A miss where the cue ball is lost, which no goal wants, m: more than a table is long, so that nothing
@@ -257,16 +258,28 @@ impl<'a, const N: usize> Player<'a, N> {
         Some(listener.finish(self.shot, &self.simulation, played.ok()?.duration))
     }
 
-    /// In how many of the variants of `strike` the goal is met.
-    pub(crate) fn count(
-        &mut self,
-        strike: &Strike,
-        noise: &Noise,
-        seed: u64,
-        variants: u64,
-    ) -> u64 {
-        let radius = self.fresh.radius[self.fresh.cue_ball];
-        let drawn = |k| noise.draw(strike, radius, seed, k);
-        (0..variants).filter(|k| self.play(&drawn(*k)).is_some_and(|a| a.is_met())).count() as u64
+    /// What comes of `strike` where the balls lie as `seen` has them; none if it cannot be played.
+    fn play_on(&mut self, seen: &Shot, strike: &Strike) -> Option<Attempt> {
+        let (ball, _) = seen.strike()?;
+        let mut listener = Listener::new(seen, self.fresh.goal);
+        let played = self.simulation.play_strike(seen, Some((ball, *strike)), &mut listener);
+        Some(listener.finish(seen, &self.simulation, played.ok()?.duration))
+    }
+
+    /// The chance that `strike` meets the goal.
+    pub(crate) fn chance(&mut self, strike: &Strike, errs: &Errs) -> Chance {
+        let struck = self.fresh.cue_ball;
+        let radius = self.fresh.radius[struck];
+        errs.count(|k| {
+            let strike = errs.noise.draw(strike, radius, errs.seed, k);
+            let attempt = if errs.perception.position == 0.0 {
+                self.play(&strike)
+            } else {
+                let places = errs.perception.places(self.shot, errs.seed, k);
+                let seen = self.shot.with_balls(places, Some((struck, strike))).ok();
+                seen.and_then(|seen| self.play_on(&seen, &strike))
+            };
+            attempt.is_some_and(|a| a.is_met())
+        })
     }
 }

@@ -15,30 +15,21 @@ use carom::{BallState, Error, Noise, Shot};
 use rayon::prelude::*;
 
 use crate::aim::{Free, Tried, center, refine, straight};
+use crate::errs::{Chance, Errs};
 use crate::goal::{Goal, Player};
+use crate::threads::Threads;
 
 /// Told how much is done; says whether to go on.
 pub type Progress<'a> = &'a mut dyn FnMut(usize) -> bool;
-
-/// How a player errs, and how many variants are counted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Errs {
-    /// How far a strike strays.
-    pub noise: Noise,
-    /// Which random numbers.
-    pub seed: u64,
-    /// Variants of every cell; the same errors in each.
-    pub variants: u64,
-}
 
 /// The chance of a pot from every place of the cue ball.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PotMap {
     /// Cells along x and y; cell (i, j) is at ((i + ½) width / columns, (j + ½) length / rows).
     pub cells: [usize; 2],
-    /// The chance that the ball falls and the cue ball does not, row by row; NaN where the cue ball cannot
-    /// lie.
-    pub chance: Vec<f64>,
+    /// The chance that the ball falls and the cue ball does not, row by row; of no variants where the cue
+    /// ball cannot lie.
+    pub chance: Vec<Chance>,
     /// The azimuth that was aimed at, rad.
     pub azimuth: Vec<f64>,
 }
@@ -48,7 +39,7 @@ pub struct PotMap {
 /// middle of what pots.
 ///
 /// # Errors
-/// What [`Goal::check`] and [`Noise::check`] refuse, and a table without edges.
+/// What [`Goal::check`] and [`Errs::check`] refuse, and a table without edges.
 pub fn pot_map(
     shot: &Shot,
     (ball, pocket): (usize, usize),
@@ -59,24 +50,26 @@ pub fn pot_map(
 ) -> Result<PotMap, Error> {
     let goal = Goal { pot: Some((ball, Some(pocket))), ..Goal::default() };
     goal.check(shot)?;
-    errs.noise.check()?;
+    errs.check()?;
     let size = table_size(shot)?;
+    let threads = Threads::new(threads);
     let [columns, rows] = cells;
     let at = |k: usize, count: usize, size: f64| (k as f64 + 0.5) * size / count as f64;
     let (mut chance, mut azimuth) =
-        (vec![f64::NAN; columns * rows], vec![f64::NAN; columns * rows]);
+        (vec![Chance::default(); columns * rows], vec![f64::NAN; columns * rows]);
     for row in 0..rows {
-        let found: Vec<[f64; 2]> = crate::with_threads(threads, || {
+        let found: Vec<Option<(Chance, f64)>> = threads.run(|| {
             (0..columns)
                 .into_par_iter()
                 .map(|column| {
                     let place = [at(column, columns, size.x), at(row, rows, size.y)];
-                    pot_from(shot, place, &goal, (ball, pocket), errs).unwrap_or([f64::NAN; 2])
+                    pot_from(shot, place, &goal, (ball, pocket), errs)
                 })
                 .collect()
         });
-        for (column, [share, aimed]) in found.into_iter().enumerate() {
-            chance[row * columns + column] = share;
+        for (column, cell) in found.into_iter().enumerate() {
+            let Some((counted, aimed)) = cell else { continue };
+            chance[row * columns + column] = counted;
             azimuth[row * columns + column] = aimed;
         }
         if !progress(row + 1) {
@@ -93,18 +86,17 @@ fn pot_from(
     goal: &Goal,
     (ball, pocket): (usize, usize),
     errs: &Errs,
-) -> Option<[f64; 2]> {
+) -> Option<(Chance, f64)> {
     let (cue_ball, strike) = shot.strike()?;
     let mut balls = shot.balls().to_vec();
     let z = balls[cue_ball].state.position.z;
     balls[cue_ball].state.position = Vec3::new(x, y, z);
     let moved = shot.with_balls(balls, Some((cue_ball, strike))).ok()?;
     let aimed = Strike { azimuth: straight(&moved, ball, pocket), ..strike };
-    let (strike, met) = on_table(&moved, *goal, |player| {
+    on_table(&moved, *goal, |player| {
         let best = player.aim(aimed)?;
-        Some((best.strike, player.count(&best.strike, errs)))
-    })?;
-    Some([met as f64 / errs.variants as f64, strike.azimuth])
+        Some((player.chance(&best.strike, errs), best.strike.azimuth))
+    })
 }
 
 /// Where the cue ball ends with every speed and spin.
@@ -135,8 +127,9 @@ pub fn position_map(
     goal.check(shot)?;
     let mut map = PositionMap { met: Vec::new(), azimuth: Vec::new(), end: Vec::new() };
     let geometric = straight(shot, ball, pocket);
+    let threads = Threads::new(threads);
     for (row, &speed) in speeds.iter().enumerate() {
-        let found: Vec<Option<Tried>> = crate::with_threads(threads, || {
+        let found: Vec<Option<Tried>> = threads.run(|| {
             spins
                 .par_iter()
                 .map(|&[side, height]| {
@@ -177,12 +170,11 @@ impl AnyPlayer<'_> {
         }
     }
 
-    fn count(&mut self, strike: &Strike, errs: &Errs) -> u64 {
-        let Errs { noise, seed, variants } = errs;
+    fn chance(&mut self, strike: &Strike, errs: &Errs) -> Chance {
         match (&mut self.few, &mut self.many) {
-            (Some(player), _) => player.count(strike, noise, *seed, *variants),
-            (_, Some(player)) => player.count(strike, noise, *seed, *variants),
-            _ => 0,
+            (Some(player), _) => player.chance(strike, errs),
+            (_, Some(player)) => player.chance(strike, errs),
+            _ => Chance::default(),
         }
     }
 }
@@ -250,6 +242,7 @@ pub fn acceptance(
         return Err(Error::input("distance", "it is no distance", "give a number of metres > 0"));
     }
     let mouth = (hole.mouth[0] + hole.mouth[1]) * 0.5 + shot.table().center();
+    let threads = Threads::new(threads);
     let mut all = Vec::new();
     for (row, &speed) in approaches.speeds.iter().enumerate() {
         let roll = |cell: usize| {
@@ -261,8 +254,7 @@ pub fn acceptance(
             rolls_in(shot, pocket, start, way * speed)
         };
         let cells = approaches.angles.len() * approaches.offsets.len();
-        let found: Vec<Accepted> =
-            crate::with_threads(threads, || (0..cells).into_par_iter().map(roll).collect());
+        let found: Vec<Accepted> = threads.run(|| (0..cells).into_par_iter().map(roll).collect());
         all.extend(found);
         if !progress(row + 1) {
             break;
@@ -328,9 +320,8 @@ pub fn breaks(
         let row = batch::simulate_strikes(&shot, &strikes, None, &|_| ());
         Ok(reordered(row, &shot, &columns))
     };
-    let rows: Result<Vec<BatchResult>, Error> = crate::with_threads(threads, || {
-        (0..count as u64).into_par_iter().map(|k| one(first.wrapping_add(k))).collect()
-    });
+    let rows: Result<Vec<BatchResult>, Error> = Threads::new(threads)
+        .run(|| (0..count as u64).into_par_iter().map(|k| one(first.wrapping_add(k))).collect());
     let mut all = BatchResult { shots: count, ..BatchResult::default() };
     for (k, row) in rows?.into_iter().enumerate() {
         all.balls = row.balls;

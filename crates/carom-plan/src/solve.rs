@@ -11,16 +11,17 @@
 //! Nothing in this depends on the number of threads.
 
 use carom::math::{cos, exp, log, sin_cos, sqrt};
-use carom::noise::Noise;
 use carom::resolve::cue_ball::Strike;
 use carom::simulate::{MAX_BALLS, SMALL};
 use carom::{Error, Shot};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-use crate::aim::{Free, Tried, azimuths, center, refine};
+use crate::aim::{Free, Limits, Tried, azimuths, center, refine};
+use crate::errs::{Chance, Errs};
 use crate::goal::{Goal, Player};
-use crate::interval::{Interval, wilson};
+use crate::interval::Interval;
+use crate::threads::Threads;
 use crate::way::Way;
 
 /// Speeds and spins that every azimuth of the geometry is tried with.
@@ -37,6 +38,8 @@ const SURVIVORS: usize = 3;
 /// Two strikes of one way are different when they differ by this much in speed (as a share) or in a tip
 /// offset (ball radii).
 const DIFFERENT: f64 = 0.15;
+/// No strike is farther off the middle than this share of the miscue limit.
+const NEAREST_MISCUE: f64 = 0.95;
 /// A raised cue is raised this much more than it must be, rad (half a degree): to be seen to be clear.
 const CLEARANCE: f64 = 0.008_726_646_259_971_648;
 
@@ -45,22 +48,16 @@ const CLEARANCE: f64 = 0.008_726_646_259_971_648;
 pub struct Search {
     /// Least and greatest speed of the cue, m/s.
     pub speed: [f64; 2],
-    /// Largest tip offset, ball radii; at most the miscue limit.
+    /// Largest tip offset, ball radii; at most 95 % of the miscue limit.
     pub offset: f64,
     /// Strikes spread over everything, besides those that geometry proposes.
     pub samples: usize,
-    /// Under which the strikes are ranked.
-    pub noise: Noise,
-    /// Which random numbers.
-    pub seed: u64,
-    /// Variants that a chance is counted with.
-    pub variants: u64,
+    /// Under which the strikes are ranked, and how well their chances are to be known.
+    pub errs: Errs,
     /// How many strikes are wanted.
     pub wanted: usize,
     /// How many of them by the same way.
     pub of_a_way: usize,
-    /// Confidence of the intervals.
-    pub level: f64,
     /// How many threads; all cores if none.
     pub threads: Option<usize>,
 }
@@ -71,12 +68,9 @@ impl Default for Search {
             speed: [0.5, 7.0],
             offset: 0.45,
             samples: 4096,
-            noise: Noise::olympiad(1.0),
-            seed: 0,
-            variants: 1000,
+            errs: Errs::default(),
             wanted: 10,
             of_a_way: 3,
-            level: 0.95,
             threads: None,
         }
     }
@@ -91,35 +85,53 @@ pub struct Solution {
     pub way: Way,
     /// Where it leaves the cue ball, m.
     pub cue_ball_end: [f64; 2],
-    /// In how many variants the goal was met.
-    pub met: u64,
-    /// Of how many.
-    pub variants: u64,
-    /// The interval of that chance.
+    /// How likely the goal is met.
+    pub chance: Chance,
+    /// The interval of that.
     pub interval: Interval,
 }
 
-/// The strikes that bring about `goal`, the likeliest first.
+/// What a search is at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Strikes are tried everywhere.
+    Search,
+    /// The nearest are refined.
+    Refine,
+    /// What is left is sifted by a few variants.
+    Sift,
+    /// The best are ranked by their chance.
+    Rank,
+}
+
+/// Told a stage, how many of its strikes are done and how many there are; says whether to go on.
+pub type Progress<'a> = &'a mut dyn FnMut(Stage, usize, usize) -> bool;
+
+/// The strikes that bring about `goal`, the likeliest first; none if `progress` stopped the search.
 ///
 /// # Errors
-/// [`Error::Input`] for what [`Goal::check`] and [`Noise::check`] refuse, and for speeds, offsets or a level
-/// out of range.
-pub fn solve(shot: &Shot, goal: &Goal, search: &Search) -> Result<Vec<Solution>, Error> {
+/// [`Error::Input`] for what [`Goal::check`] and [`Errs::check`] refuse, and for speeds or offsets out of
+/// range.
+pub fn solve(
+    shot: &Shot,
+    goal: &Goal,
+    search: &Search,
+    progress: Progress<'_>,
+) -> Result<Vec<Solution>, Error> {
     goal.check(shot)?;
     search.check()?;
-    let work = || {
-        if shot.balls().len() <= SMALL {
-            Solver::<SMALL> { shot, goal, search }.run()
-        } else {
-            Solver::<MAX_BALLS> { shot, goal, search }.run()
-        }
+    let threads = Threads::new(search.threads);
+    let found = if shot.balls().len() <= SMALL {
+        Solver::<SMALL> { shot, goal, search, threads, progress }.run()
+    } else {
+        Solver::<MAX_BALLS> { shot, goal, search, threads, progress }.run()
     };
-    Ok(crate::with_threads(search.threads, work))
+    Ok(found.unwrap_or_default())
 }
 
 impl Search {
     fn check(&self) -> Result<(), Error> {
-        self.noise.check()?;
+        self.errs.check()?;
         let refuse =
             |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));
         let [least, most] = self.speed;
@@ -131,10 +143,6 @@ impl Search {
             let what = format!("{:?} ball radii is off the ball", self.offset);
             return refuse("offset", what, "give a number from 0 to 1");
         }
-        if !(self.level > 0.0 && self.level < 1.0) {
-            let what = format!("{:?} is no confidence level", self.level);
-            return refuse("level", what, "give a number between 0 and 1, such as 0.95");
-        }
         Ok(())
     }
 }
@@ -143,37 +151,59 @@ struct Solver<'a, const N: usize> {
     shot: &'a Shot,
     goal: &'a Goal,
     search: &'a Search,
+    threads: Threads,
+    progress: Progress<'a>,
 }
 
 impl<const N: usize> Solver<'_, N> {
-    fn run(&self) -> Vec<Solution> {
-        let tried: Vec<Tried> = self.each(self.candidates(), |player, strike| {
+    /// None if it was stopped.
+    fn run(&mut self) -> Option<Vec<Solution>> {
+        let tried = self.each(Stage::Search, self.candidates(), |player, strike| {
             let attempt = player.play(&strike)?;
             Some(Tried { strike, attempt })
-        });
-        let refined = self.each(nearest(tried), |player, tried| {
+        })?;
+        let (shot, free) = (self.shot, Free::Within(self.limits()));
+        let refined = self.each(Stage::Refine, nearest(tried), |player, tried| {
             let tried = refine(player, tried, Free::Azimuth);
-            let tried = refine(player, tried, Free::All);
+            let tried = refine(player, tried, free);
             if !tried.attempt.is_met() {
                 return None;
             }
-            let strike = self.with_the_cue_clear(tried.strike)?;
+            let strike = with_the_cue_clear(shot, tried.strike)?;
             let attempt = player.play(&strike).filter(|a| a.is_met())?;
             Some(center(player, Tried { strike, attempt }))
-        });
+        })?;
         self.rank(refined)
     }
 
-    /// What `work` makes of each of `items`, in their order.
-    fn each<A: Send, B: Send>(
-        &self,
+    /// What `work` makes of each of `items`, in their order; none if it was stopped.
+    fn each<A: Send + Sync + Clone, B: Send>(
+        &mut self,
+        stage: Stage,
         items: Vec<A>,
         work: impl Fn(&mut Player<'_, N>, A) -> Option<B> + Sync,
-    ) -> Vec<B> {
-        let new = || Player::<N>::new(self.shot, *self.goal);
-        let all: Vec<Option<B>> =
-            items.into_par_iter().map_init(new, |player, item| work(player, item)).collect();
-        all.into_iter().flatten().collect()
+    ) -> Option<Vec<B>> {
+        let (shot, goal) = (self.shot, *self.goal);
+        let mut all = Vec::new();
+        let mut done = 0;
+        for some in items.chunks(stage.at_once() * self.threads.count()) {
+            let made: Vec<Option<B>> = self.threads.run(|| {
+                some.par_iter()
+                    .map_init(|| Player::<N>::new(shot, goal), |player, a| work(player, a.clone()))
+                    .collect()
+            });
+            all.extend(made.into_iter().flatten());
+            done += some.len();
+            if !(self.progress)(stage, done, items.len()) {
+                return None;
+            }
+        }
+        Some(all)
+    }
+
+    fn limits(&self) -> Limits {
+        let offset = self.search.offset.min(NEAREST_MISCUE * self.shot.miscue_limit());
+        Limits { speed: self.search.speed, offset }
     }
 
     fn candidates(&self) -> Vec<Strike> {
@@ -193,8 +223,7 @@ impl<const N: usize> Solver<'_, N> {
 
     /// The strike at a point of the unit cube: speed, then radius² and angle of the tip offset.
     fn strike(&self, azimuth: f64, [speed, out, turn]: [f64; 3], elevation: f64) -> Strike {
-        let [least, most] = self.search.speed;
-        let largest = self.search.offset.min(0.95 * self.shot.miscue_limit());
+        let Limits { speed: [least, most], offset: largest } = self.limits();
         let (sin, cos) = sin_cos(core::f64::consts::TAU * turn);
         let offset = largest * sqrt(out);
         Strike {
@@ -206,27 +235,10 @@ impl<const N: usize> Solver<'_, N> {
         }
     }
 
-    /// The same strike with the cue raised over what is in its way; none if nothing helps.
-    fn with_the_cue_clear(&self, strike: Strike) -> Option<Strike> {
-        let shot = self.shot.with_strike(&strike).ok()?;
-        if shot.cue_obstruction().is_none() {
-            return Some(strike);
-        }
-        let least = shot.least_elevation()?;
-        Some(Strike { elevation: least + CLEARANCE, ..strike })
-    }
-
-    fn rank(&self, refined: Vec<Tried>) -> Vec<Solution> {
-        let counted = |list: Vec<Tried>, variants: u64| {
-            let mut counted = self.each(list, |player, tried| {
-                let met =
-                    player.count(&tried.strike, &self.search.noise, self.search.seed, variants);
-                Some((met, tried))
-            });
-            counted.sort_by_key(|(met, _)| core::cmp::Reverse(*met));
-            counted
-        };
-        let first = counted(refined, FIRST_VARIANTS.min(self.search.variants));
+    fn rank(&mut self, refined: Vec<Tried>) -> Option<Vec<Solution>> {
+        let errs = self.search.errs;
+        let few = Errs { variants: FIRST_VARIANTS.min(errs.variants), half_width: None, ..errs };
+        let first = self.counted(Stage::Sift, refined, &few)?;
         let mut kept: Vec<Tried> = Vec::new();
         let mut of_way: HashMap<Way, usize> = HashMap::new();
         for (_, tried) in first {
@@ -242,23 +254,51 @@ impl<const N: usize> Solver<'_, N> {
                 kept.push(tried);
             }
         }
-        let variants = self.search.variants;
-        let mut ranked = counted(kept, variants);
+        let mut ranked = self.counted(Stage::Rank, kept, &errs)?;
         ranked.truncate(self.search.wanted);
-        ranked.into_iter().map(|(met, tried)| self.solution(met, tried)).collect()
-    }
-
-    fn solution(&self, met: u64, tried: Tried) -> Solution {
-        let variants = self.search.variants;
-        Solution {
+        let solution = |(chance, tried): (Chance, Tried)| Solution {
             strike: tried.strike,
             cue_ball_end: tried.attempt.cue_ball_end,
             way: tried.attempt.way,
-            met,
-            variants,
-            interval: wilson(met, variants, self.search.level),
+            chance,
+            interval: chance.interval(errs.level),
+        };
+        Some(ranked.into_iter().map(solution).collect())
+    }
+
+    /// The chances of all, the greatest first.
+    fn counted(
+        &mut self,
+        stage: Stage,
+        list: Vec<Tried>,
+        errs: &Errs,
+    ) -> Option<Vec<(Chance, Tried)>> {
+        let mut counted = self
+            .each(stage, list, |player, tried| Some((player.chance(&tried.strike, errs), tried)))?;
+        counted.sort_by(|(a, _), (b, _)| b.compare(*a));
+        Some(counted)
+    }
+}
+
+impl Stage {
+    /// How many strikes a thread gets between two tellings: some milliseconds of work.
+    const fn at_once(self) -> usize {
+        match self {
+            Self::Search => 512,
+            Self::Refine | Self::Sift => 16,
+            Self::Rank => 4,
         }
     }
+}
+
+/// The same strike with the cue raised over what is in its way; none if nothing helps.
+fn with_the_cue_clear(shot: &Shot, strike: Strike) -> Option<Strike> {
+    let shot = shot.with_strike(&strike).ok()?;
+    if shot.cue_obstruction().is_none() {
+        return Some(strike);
+    }
+    let least = shot.least_elevation()?;
+    Some(Strike { elevation: least + CLEARANCE, ..strike })
 }
 
 /// Of every way the strikes that miss least; simple ways come first, since luck finds many of the others.

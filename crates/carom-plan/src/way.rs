@@ -13,8 +13,10 @@ const LONGEST: usize = 8;
 /// One step of a [`Way`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Step {
-    /// Off the nose of this rail; the jaws of a pocket are no step.
+    /// Off the nose of this rail.
     Cushion(Rail),
+    /// Off a jaw at the end of this rail, and on to something else: what rattles and falls makes no step.
+    Jaw(Rail),
     /// The motion goes on with this ball.
     Onto(u16),
     /// The ball that moves goes on, off this one.
@@ -34,10 +36,9 @@ impl Way {
     pub fn kind(&self) -> String {
         let handed = self.steps.iter().filter(|s| matches!(s, Step::Onto(_))).count();
         let first = self.steps.iter().position(|s| matches!(s, Step::Onto(_)));
-        let last = self.steps.iter().rposition(|s| matches!(s, Step::Onto(_)));
         let before = &self.steps[..first.unwrap_or(self.steps.len())];
-        let after = last.map_or(&[][..], |last| &self.steps[last + 1..]);
-        let cushion = |s: &Step| matches!(s, Step::Cushion(_));
+        let after = first.map_or(&[][..], |first| &self.steps[first + 1..]);
+        let cushion = |s: &Step| matches!(s, Step::Cushion(_) | Step::Jaw(_));
         let off = |s: &Step| matches!(s, Step::Off(_));
         let names: Vec<&str> = [
             (before.iter().any(cushion), "kick"),
@@ -68,6 +69,7 @@ impl Way {
             .iter()
             .map(|step| match step {
                 Step::Cushion(rail) => format!("{} rail", rail.name()),
+                Step::Jaw(rail) => format!("{} jaw", rail.name()),
                 Step::Onto(i) => ball(i).into(),
                 Step::Off(i) => format!("off {}", ball(i)),
             })
@@ -120,6 +122,8 @@ impl Log {
                     let part = &table.cushions[usize::from(cushion)];
                     if part.part == Part::Nose {
                         steps.push(Step::Cushion(part.rail));
+                    } else if !steps.is_empty() && steps.last() != Some(&Step::Jaw(part.rail)) {
+                        steps.push(Step::Jaw(part.rail));
                     }
                 }
                 Contact::Balls(pair) => {
@@ -149,12 +153,14 @@ mod tests {
 
     #[test]
     fn ways_have_the_names_that_players_give_them() {
-        use Step::{Cushion, Off, Onto};
+        use Step::{Cushion, Jaw, Off, Onto};
         for (steps, kind) in [
             (vec![Onto(1)], "direct"),
             (vec![Onto(1), Cushion(Rail::Left)], "bank"),
             (vec![Cushion(Rail::Left), Onto(1)], "kick"),
+            (vec![Jaw(Rail::Left), Onto(1)], "kick"),
             (vec![Onto(2), Onto(1)], "combination"),
+            (vec![Onto(2), Cushion(Rail::Top), Onto(1)], "combination+bank"),
             (vec![Off(2), Onto(1)], "carom"),
             (vec![Onto(1), Off(2)], "kiss"),
             (

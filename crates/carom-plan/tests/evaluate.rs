@@ -15,6 +15,7 @@ fn shot(name: &str) -> Shot {
 fn question(most: usize) -> Question<'static> {
     Question {
         noise: Noise::olympiad(1.0),
+        perception: Perception::default(),
         seed: 7,
         most,
         level: 0.95,
@@ -131,12 +132,76 @@ fn a_referee_says_what_is_legal() {
 }
 
 #[test]
+fn a_referee_changes_nothing_about_what_is_counted() {
+    let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 3).expect("a frame");
+    let place = [0.5 * frame.base().table().size.x, 0.5];
+    let strike = Strike { speed: 8.0, azimuth: 1.57, elevation: 0.02, side: 0.0, height: 0.1 };
+    let shot = frame.shot(&Play::new(strike).from(place)).expect("a break");
+    let perception = Perception { position: 0.001 };
+    for perception in [Perception::default(), perception] {
+        let asked = Question { perception, ..question(150) };
+        let alone = answer(&shot, &asked);
+        let referee = Some(Referee { frame: &frame, call: Call::Nothing });
+        let ruled = answer(&shot, &Question { referee, ..asked });
+        assert_eq!(alone.potted, ruled.potted);
+        assert_eq!(alone.off_table, ruled.off_table);
+        assert_eq!(alone.ends, ruled.ends);
+        assert_eq!((alone.failed, &alone.first_failure), (ruled.failed, &ruled.first_failure));
+        assert!(ruled.potted.iter().sum::<u64>() > 0, "breaks that pot nothing test nothing");
+    }
+}
+
+#[test]
+fn who_sees_badly_pots_less_though_every_strike_is_hit_exactly() {
+    let shot = shot("side_pocket_cut");
+    let (object, variants) = (1, 2000);
+    let fell = [0.0, 0.001, 0.004].map(|position| {
+        let perception = Perception { position };
+        let asked = Question { noise: Noise::default(), perception, ..question(variants) };
+        answer(&shot, &asked).falls(object)
+    });
+    assert_eq!(fell[0], variants as u64, "without any error it always falls");
+    assert!(fell[0] > fell[1] && fell[1] > fell[2], "{fell:?}");
+}
+
+#[test]
+fn every_variant_is_the_strike_played_on_the_layout_of_its_own_number() {
+    let shot = shot("frozen_combination");
+    let perception = Perception { position: 0.003 };
+    let noise = Noise::olympiad(1.0);
+    let asked = Question { noise, perception, ..question(60) };
+    let evaluation = answer(&shot, &asked);
+    let (struck, meant) = shot.strike().expect("a strike");
+    let radius = shot.balls()[struck].ball.radius;
+    let mut fell = vec![0; shot.balls().len()];
+    for k in 0..60 {
+        let strike = noise.draw(&meant, radius, 7, k);
+        let seen = shot.with_balls(perception.places(&shot, 7, k), Some((struck, strike)));
+        let Ok(trace) = seen.and_then(|seen| seen.simulate()) else { continue };
+        for (ball, _) in &trace.outcome().pocketed {
+            fell[usize::from(*ball)] += 1;
+        }
+    }
+    assert!(fell.iter().sum::<u64>() > 0, "a combination that is never potted tests nothing");
+    for (ball, count) in fell.into_iter().enumerate() {
+        assert_eq!(evaluation.falls(ball), count);
+    }
+    for threads in [1, 3] {
+        let again = answer(&shot, &Question { threads: Some(threads), ..asked });
+        assert_eq!(again.potted, evaluation.potted);
+        assert_eq!(again.ends, evaluation.ends);
+    }
+}
+
+#[test]
 fn nonsense_is_refused_by_name() {
     let shot = shot("stop_shot");
     let refuse = |question: Question<'_>| {
         evaluate(&shot, &question, &mut |_| true).expect_err("nonsense").to_string()
     };
     assert!(refuse(Question { level: 1.0, ..question(1) }).starts_with("level: "));
+    let perception = Perception { position: -0.001 };
+    assert!(refuse(Question { perception, ..question(1) }).starts_with("perception.position: "));
     let precision = |half_width, watched| Question {
         precision: Some(Precision { half_width, watched }),
         ..question(1)

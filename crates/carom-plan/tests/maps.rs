@@ -2,7 +2,8 @@
 
 use carom::rack::{Break, Game, break_shot};
 use carom::{Noise, Shot};
-use carom_plan::maps::{Accepted, Approaches, Errs, acceptance, breaks, position_map, pot_map};
+use carom_plan::Errs;
+use carom_plan::maps::{Accepted, Approaches, acceptance, breaks, position_map, pot_map};
 
 const TOP_RIGHT: usize = 5;
 
@@ -15,16 +16,29 @@ fn cut() -> Shot {
 
 #[test]
 fn pots_are_likely_from_behind_the_ball_and_impossible_from_before_it() {
-    let errs = Errs { noise: Noise::olympiad(1.0), seed: 1, variants: 60 };
+    let errs = Errs { seed: 1, variants: 60, ..Errs::default() };
     let map = pot_map(&cut(), (1, TOP_RIGHT), [6, 12], &errs, None, &mut |_| true).expect("a map");
     let at = |x: f64, y: f64| {
         let (column, row) = ((x / 1.27 * 6.0) as usize, (y / 2.54 * 12.0) as usize);
-        map.chance[row * 6 + column]
+        map.chance[row * 6 + column].share()
     };
     assert!(at(0.6, 1.4) > 0.9, "straight behind it: {}", at(0.6, 1.4));
     assert!(at(1.2, 2.3) < 0.05, "between ball and pocket: {}", at(1.2, 2.3));
     assert!(at(0.1, 0.1) < at(0.6, 1.4), "nearer is easier");
-    assert!(map.chance.iter().all(|c| c.is_nan() || (0.0..=1.0).contains(c)));
+    assert!(map.chance.iter().all(|c| [0, 60].contains(&c.variants) && c.met <= c.variants));
+}
+
+#[test]
+fn cells_that_are_nearly_certain_take_fewer_variants() {
+    let errs = Errs { variants: 4000, half_width: Some(0.04), ..Errs::default() };
+    let map = pot_map(&cut(), (1, TOP_RIGHT), [3, 6], &errs, None, &mut |_| true).expect("a map");
+    let mut spent = Vec::new();
+    for chance in map.chance.iter().filter(|c| c.variants > 0) {
+        assert!(chance.interval(0.95).half_width() <= 0.04, "{chance:?}");
+        spent.push(chance.variants);
+    }
+    let (least, most) = (spent.iter().min(), spent.iter().max());
+    assert!(least < most && most < Some(&4000), "{least:?} {most:?}");
 }
 
 #[test]

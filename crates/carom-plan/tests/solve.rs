@@ -1,7 +1,7 @@
 //! What is solved is brought about, and the likeliest comes first.
 
 use carom::Shot;
-use carom_plan::{Disc, Goal, Search, Solution, solve};
+use carom_plan::{Disc, Errs, Goal, Search, Solution, Stage};
 
 fn shot(text: &str) -> Shot {
     Shot::from_json(text).expect("a shot")
@@ -18,13 +18,22 @@ fn cut() -> Shot {
 }
 
 fn search() -> Search {
-    Search { variants: 300, samples: 2048, ..Search::default() }
+    Search { errs: errs(300), samples: 2048, ..Search::default() }
+}
+
+fn errs(variants: u64) -> Errs {
+    Errs { variants, ..Errs::default() }
+}
+
+fn solve(shot: &Shot, goal: &Goal, search: &Search) -> Result<Vec<Solution>, carom::Error> {
+    carom_plan::solve(shot, goal, search, &mut |_, _, _| true)
 }
 
 fn assert_in_order(solutions: &[Solution]) {
-    assert!(solutions.windows(2).all(|pair| pair[0].met >= pair[1].met));
+    let share = |solution: &Solution| solution.chance.share();
+    assert!(solutions.windows(2).all(|pair| share(&pair[0]) >= share(&pair[1])));
     for solution in solutions {
-        let share = solution.met as f64 / solution.variants as f64;
+        let share = share(solution);
         assert!(solution.interval.low <= share && share <= solution.interval.high);
     }
 }
@@ -46,46 +55,19 @@ fn every_solution_pots_when_it_is_played() {
     assert_in_order(&solutions);
     let best = &solutions[0];
     assert_eq!(best.way.kind(), "direct");
-    assert!(best.met * 10 > best.variants * 8, "an easy cut, {best:?}");
-}
-
-fn kinds(shot: &Shot, ball: usize) -> Vec<String> {
-    let goal = Goal { pot: Some((ball, None)), ..Goal::default() };
-    let all = Search { wanted: 40, of_a_way: 1, ..search() };
-    let solutions = solve(shot, &goal, &all).expect("solutions");
-    solutions.iter().map(|s| s.way.kind()).collect()
+    assert!(best.chance.share() > 0.8, "an easy cut, {best:?}");
 }
 
 #[test]
-fn banks_and_kicks_are_found_too() {
-    let found = kinds(&cut(), 1);
-    for kind in ["direct", "bank", "kick"] {
-        assert!(found.iter().any(|k| k == kind), "no {kind} among {found:?}");
+fn no_strike_is_outside_what_may_be_tried() {
+    let goal = Goal { pot: Some((1, None)), ..Goal::default() };
+    let all = Search { wanted: 40, speed: [1.5, 3.0], offset: 0.2, ..search() };
+    let solutions = solve(&cut(), &goal, &all).expect("solutions");
+    assert!(!solutions.is_empty());
+    for strike in solutions.iter().map(|s| s.strike) {
+        assert!((1.5..=3.0).contains(&strike.speed), "{strike:?}");
+        assert!(strike.offset() <= 0.2, "{strike:?}");
     }
-}
-
-#[test]
-fn combinations_are_found_too() {
-    let shot = shot(
-        r#"{"format": "carom-shot/1", "table": "wpa-9ft",
-            "balls": [{"id": "cue", "position": [0.6, 1.8]}, {"id": "1", "position": [1.1, 2.37]},
-                      {"id": "2", "position": [0.95, 2.22]}],
-            "strike": {"ball": "cue", "speed": 2.0, "azimuth_deg": 60.0}}"#,
-    );
-    let found = kinds(&shot, 1);
-    assert!(found.iter().any(|k| k == "combination"), "{found:?}");
-}
-
-#[test]
-fn caroms_are_found_too() {
-    let shot = shot(
-        r#"{"format": "carom-shot/1", "table": "wpa-9ft",
-            "balls": [{"id": "cue", "position": [0.6, 1.6]}, {"id": "1", "position": [1.19, 2.46]},
-                      {"id": "2", "position": [0.75, 2.0]}],
-            "strike": {"ball": "cue", "speed": 2.0, "azimuth_deg": 60.0}}"#,
-    );
-    let found = kinds(&shot, 1);
-    assert!(found.iter().any(|k| k == "carom"), "{found:?}");
 }
 
 #[test]
@@ -128,7 +110,7 @@ fn a_snooker_is_escaped() {
 #[test]
 fn threads_change_nothing() {
     let goal = Goal { pot: Some((1, None)), ..Goal::default() };
-    let few = Search { samples: 512, variants: 100, ..search() };
+    let few = Search { samples: 512, errs: errs(100), ..search() };
     let alone = solve(&cut(), &goal, &Search { threads: Some(1), ..few }).expect("solutions");
     let together = solve(&cut(), &goal, &Search { threads: Some(2), ..few }).expect("solutions");
     assert_eq!(alone, together);
@@ -145,4 +127,50 @@ fn nonsense_is_refused() {
     refuse(Goal { pot: Some((0, None)), ..Goal::default() });
     refuse(Goal { pot: Some((1, Some(6))), ..Goal::default() });
     refuse(Goal { leave: Some(Disc { center: [0.0, 0.0], radius: 0.0 }), ..Goal::default() });
+}
+
+#[test]
+fn chances_are_counted_until_they_are_known_as_well_as_is_wanted() {
+    let goal = Goal { pot: Some((1, Some(5))), ..Goal::default() };
+    let errs = Errs { half_width: Some(0.03), ..errs(5000) };
+    let few = Search { samples: 512, errs, ..search() };
+    let solutions = solve(&cut(), &goal, &few).expect("solutions");
+    assert_in_order(&solutions);
+    for solution in &solutions {
+        assert!(solution.interval.half_width() <= 0.03, "{solution:?}");
+    }
+    let spent = |s: &Solution| s.chance.variants;
+    let most = solutions.iter().map(spent).max();
+    assert!(solutions.iter().map(spent).min() < most && most < Some(5000));
+}
+
+#[test]
+fn who_sees_badly_has_lower_chances() {
+    let goal = Goal { pot: Some((1, Some(5))), ..Goal::default() };
+    let best = |position| {
+        let perception = carom::noise::Perception { position };
+        let errs = Errs { perception, ..errs(300) };
+        let few = Search { samples: 512, errs, ..search() };
+        solve(&cut(), &goal, &few).expect("solutions")[0].chance.share()
+    };
+    assert!(best(0.0) > best(0.004) + 0.1);
+}
+
+#[test]
+fn a_search_tells_how_far_it_is_and_can_be_stopped() {
+    let goal = Goal { pot: Some((1, None)), ..Goal::default() };
+    let few = Search { samples: 512, errs: errs(100), ..search() };
+    let mut told = Vec::new();
+    carom_plan::solve(&cut(), &goal, &few, &mut |stage, done, of| {
+        told.push((stage, done, of));
+        true
+    })
+    .expect("solutions");
+    for stage in [Stage::Search, Stage::Refine, Stage::Sift, Stage::Rank] {
+        let last = told.iter().rfind(|(s, ..)| *s == stage).expect("every stage is told");
+        assert_eq!(last.1, last.2, "{stage:?} is done in the end");
+    }
+    assert!(told.iter().filter(|(stage, ..)| *stage == Stage::Search).count() > 1);
+    let stopped = carom_plan::solve(&cut(), &goal, &few, &mut |stage, _, _| stage == Stage::Search);
+    assert_eq!(stopped.expect("no error"), []);
 }

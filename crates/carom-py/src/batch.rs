@@ -1,4 +1,4 @@
-//! `_core.simulate_batch`, `_core.simulate_strikes` and `_core.draw_strikes`.
+//! `_core.simulate_batch`, `_core.simulate_strikes`, and what errs.
 
 use carom::Noise;
 use carom::batch::{self, BatchResult};
@@ -39,20 +39,39 @@ pub(crate) fn simulate_strikes<'py>(
     strikes: PyReadonlyArray2<'py, f64>,
     threads: usize,
 ) -> PyResult<Arrays<'py>> {
-    let strikes: Vec<Strike> = strikes
-        .as_array()
-        .rows()
-        .into_iter()
-        .map(|row| Strike {
-            speed: row[0],
-            azimuth: row[1],
-            elevation: row[2],
-            side: row[3],
-            height: row[4],
-        })
-        .collect();
+    let strikes = strikes_of(&strikes);
     let result = py.detach(|| batch::simulate_strikes(&shot.0, &strikes, count(threads), &|_| ()));
     arrays(py, result)
+}
+
+/// The same on layouts number `first`.. of `seed`; `position`: σ of each coordinate of each ball, m.
+#[pyfunction]
+pub(crate) fn simulate_seen<'py>(
+    py: Python<'py>,
+    shot: &Shot,
+    strikes: PyReadonlyArray2<'py, f64>,
+    position: f64,
+    seed: u64,
+    first: u64,
+    threads: usize,
+) -> PyResult<Arrays<'py>> {
+    let strikes = strikes_of(&strikes);
+    let (perception, threads) = (Perception { position }, count(threads));
+    let result = py.detach(|| {
+        batch::simulate_seen(&shot.0, &strikes, &perception, seed, first, threads, &|_| ())
+    });
+    arrays(py, result.map_err(|e| to_exception(py, &e))?)
+}
+
+fn strikes_of(rows: &PyReadonlyArray2<'_, f64>) -> Vec<Strike> {
+    let strike = |row: numpy::ndarray::ArrayView1<'_, f64>| Strike {
+        speed: row[0],
+        azimuth: row[1],
+        elevation: row[2],
+        side: row[3],
+        height: row[4],
+    };
+    rows.as_array().rows().into_iter().map(strike).collect()
 }
 
 /// Strikes number `first`.. of `seed` that come out when the shot's own is meant: rows as
@@ -70,6 +89,12 @@ pub(crate) fn draw_strikes<'py>(
         .map_err(|e| to_exception(py, &e))?;
     let row = |s: Strike| [s.speed, s.azimuth, s.elevation, s.side, s.height];
     PyArray1::from_vec(py, strikes.into_iter().flat_map(row).collect()).reshape([count, 5])
+}
+
+/// Refuses what is no σ of positions, m.
+#[pyfunction]
+pub(crate) fn check_perception(py: Python<'_>, position: f64) -> PyResult<()> {
+    Perception { position }.check().map_err(|e| to_exception(py, &e))
 }
 
 /// Refuses what is no noise; the σ as `draw_strikes` takes them.

@@ -3,6 +3,7 @@
 mod batch;
 mod env;
 mod error;
+mod maps;
 mod node;
 mod plan;
 mod reference;
@@ -20,12 +21,15 @@ mod _core {
 
     #[pymodule_export]
     use crate::batch::{
-        check_noise, draw_strikes, noise_presets, olympiad, see, simulate_batch, simulate_strikes,
+        check_noise, check_perception, draw_strikes, noise_presets, olympiad, see, simulate_batch,
+        simulate_seen, simulate_strikes,
     };
     #[pymodule_export]
     use crate::env::{VectorEnv, meanings, tasks};
     #[pymodule_export]
-    use crate::plan::{acceptance, breaks, evaluate, position_map, pot_map, solve, wilson};
+    use crate::maps::{acceptance, bank_table, breaks, kick_table, position_map, pot_map};
+    #[pymodule_export]
+    use crate::plan::{evaluate, solve, wilson};
     #[pymodule_export]
     use crate::reference::{break_shot, games, schema, tables};
     #[pymodule_export]

@@ -1,14 +1,15 @@
-//! `_core.evaluate`, `_core.solve`, the maps, and `_core.wilson`.
+//! `_core.evaluate`, `_core.solve`, and `_core.wilson`.
 
-use carom::rack::{Break, Game, USUAL_GAP};
+use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
-use carom_plan::maps::{self, Accepted, Approaches, Errs};
-use carom_plan::{Disc, Evaluation, Goal, Precision, Question, Referee, Search, Watched};
-use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use carom_plan::{
+    Disc, Errs, Evaluation, Goal, Precision, Question, Referee, Search, Stage, Watched,
+};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::batch::{Arrays, arrays, count, noise_of};
+use crate::batch::{count, noise_of};
 use crate::error::to_exception;
 use crate::rules::Frame;
 use crate::shot::Shot;
@@ -17,9 +18,17 @@ use crate::shot::Shot;
 type Watch = (String, Option<String>);
 /// Kind, ball, pocket.
 type CallArguments = (String, Option<String>, Option<String>);
+/// Noise as in `draw_strikes`, σ of positions (m), seed, variants, half-width wanted, level.
+pub(crate) type ErrsArguments = ([f64; 5], f64, u64, u64, Option<f64>, f64);
+
+pub(crate) fn errs_of(arguments: ErrsArguments) -> Errs {
+    let (noise, position, seed, variants, half_width, level) = arguments;
+    let perception = Perception { position };
+    Errs { noise: noise_of(noise), perception, seed, variants, half_width, level }
+}
 
 /// What comes of a shot's variants, as plain values and arrays. `noise` as in `draw_strikes`;
-/// `precision`: half-width, and what is watched (everything if None); `progress` is called with the number
+/// `position`: σ of positions, m; `precision`: half-width, and what is watched (everything if None); `progress` is called with the number
 /// of variants after every round.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
@@ -27,6 +36,7 @@ pub(crate) fn evaluate<'py>(
     py: Python<'py>,
     shot: &Shot,
     noise: [f64; 5],
+    position: f64,
     seed: u64,
     most: usize,
     level: f64,
@@ -56,6 +66,7 @@ pub(crate) fn evaluate<'py>(
         .map_err(raise)?;
     let question = Question {
         noise: noise_of(noise),
+        perception: Perception { position },
         seed,
         most,
         level,
@@ -63,24 +74,28 @@ pub(crate) fn evaluate<'py>(
         referee: referee.as_ref().map(|(frame, call)| Referee { frame, call: *call }),
         threads: count(threads),
     };
-    let evaluation = told(py, &progress, |tell| {
-        carom_plan::evaluate(&shot, &question, &mut |played| tell(played as usize))
+    let evaluation = told(py, |tell| {
+        carom_plan::evaluate(&shot, &question, &mut |played| {
+            tell(&|py| progress.call1(py, (played,)))
+        })
     })?;
     to_dict(py, &evaluation)
 }
 
-/// What `work` gives; what it tells goes to `progress`, and between two tellings Ctrl-C is heard.
-fn told<T: Send>(
+/// Calls into Python to tell something; says whether to go on.
+pub(crate) type Tell<'a> = &'a mut dyn FnMut(&dyn Fn(Python<'_>) -> PyResult<Py<PyAny>>) -> bool;
+
+/// What `work` gives; it tells how far it is, and between two tellings Ctrl-C is heard.
+pub(crate) fn told<T: Send>(
     py: Python<'_>,
-    progress: &Py<PyAny>,
-    work: impl FnOnce(&mut dyn FnMut(usize) -> bool) -> Result<T, carom::Error> + Send,
+    work: impl FnOnce(Tell<'_>) -> Result<T, carom::Error> + Send,
 ) -> PyResult<T> {
     let mut interrupted = None;
     let found = py.detach(|| {
-        work(&mut |done| {
+        work(&mut |call| {
             let told = Python::attach(|py| {
                 py.check_signals()?;
-                progress.call1(py, (done,))
+                call(py)
             });
             interrupted = told.err();
             interrupted.is_none()
@@ -125,115 +140,14 @@ fn to_dict<'py>(py: Python<'py>, evaluation: &Evaluation) -> PyResult<Bound<'py,
     Ok(dict)
 }
 
-/// How likely a pot is from each cell, and the azimuths: arrays (rows, columns).
-#[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
-pub(crate) fn pot_map<'py>(
-    py: Python<'py>,
-    shot: &Shot,
-    target: (usize, usize),
-    cells: [usize; 2],
-    noise: [f64; 5],
-    seed: u64,
-    variants: u64,
-    threads: usize,
-    progress: Py<PyAny>,
-) -> PyResult<[Bound<'py, PyArray2<f64>>; 2]> {
-    let shot = shot.0.clone();
-    let errs = Errs { noise: noise_of(noise), seed, variants };
-    let map = told(py, &progress, |tell| {
-        maps::pot_map(&shot, target, cells, &errs, count(threads), tell)
-    })?;
-    let shape = [cells[1], cells[0]];
-    let grid = |values| PyArray1::from_vec(py, values).reshape(shape);
-    Ok([grid(map.chance)?, grid(map.azimuth)?])
-}
-
-type Positions<'py> =
-    (Bound<'py, PyArray2<bool>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray3<f64>>);
-
-/// Whether the ball falls, azimuth, and the cue ball's end, for each speed (rows) and spin (columns).
-#[pyfunction]
-pub(crate) fn position_map<'py>(
-    py: Python<'py>,
-    shot: &Shot,
-    target: (usize, usize),
-    speeds: Vec<f64>,
-    spins: Vec<[f64; 2]>,
-    threads: usize,
-    progress: Py<PyAny>,
-) -> PyResult<Positions<'py>> {
-    let shot = shot.0.clone();
-    let map = told(py, &progress, |tell| {
-        maps::position_map(&shot, target, &speeds, &spins, count(threads), tell)
-    })?;
-    let (rows, columns) = (speeds.len(), spins.len());
-    Ok((
-        PyArray1::from_vec(py, map.met).reshape([rows, columns])?,
-        PyArray1::from_vec(py, map.azimuth).reshape([rows, columns])?,
-        PyArray1::from_vec(py, map.end.into_flattened()).reshape([rows, columns, 2])?,
-    ))
-}
-
-/// 1 where the ball falls, 0 where it does not, −1 where it cannot start: (speeds, angles, offsets).
-#[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
-pub(crate) fn acceptance<'py>(
-    py: Python<'py>,
-    shot: &Shot,
-    pocket: usize,
-    speeds: Vec<f64>,
-    angles: Vec<f64>,
-    offsets: Vec<f64>,
-    distance: f64,
-    threads: usize,
-    progress: Py<PyAny>,
-) -> PyResult<Bound<'py, PyArray3<i8>>> {
-    let shot = shot.0.clone();
-    let approaches = Approaches { angles: &angles, offsets: &offsets, speeds: &speeds, distance };
-    let found = told(py, &progress, |tell| {
-        maps::acceptance(&shot, pocket, &approaches, count(threads), tell)
-    })?;
-    let number = |accepted: Accepted| match accepted {
-        Accepted::Falls => 1,
-        Accepted::Stays => 0,
-        Accepted::Nowhere => -1,
-    };
-    let flat: Vec<i8> = found.into_iter().map(number).collect();
-    PyArray1::from_vec(py, flat).reshape([speeds.len(), angles.len(), offsets.len()])
-}
-
-/// Racks `first`.. of a game broken with errors: as `simulate_batch`.
-#[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
-pub(crate) fn breaks<'py>(
-    py: Python<'py>,
-    game: &str,
-    table: Option<String>,
-    speed: Option<f64>,
-    gap: Option<f64>,
-    noise: [f64; 5],
-    seed: u64,
-    first: u64,
-    racks: usize,
-    threads: usize,
-) -> PyResult<Arrays<'py>> {
-    let raise = |e| to_exception(py, &e);
-    let game = Game::parse(game).map_err(raise)?;
-    let opening =
-        Break { game, table: table.as_deref(), speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
-    let found =
-        py.detach(|| maps::breaks(&opening, &noise_of(noise), first, racks, count(threads)));
-    arrays(py, found.map_err(raise)?)
-}
-
 /// A solution: speed, azimuth, elevation, side, height; kind and words of its way; the cue ball's end; how
 /// often the goal was met, of how many variants, and the interval.
 type Solved = ([f64; 5], String, String, [f64; 2], u64, u64, (f64, f64));
 
 /// The strikes that meet a goal, the likeliest first. `pot`: ball, and pocket if it matters; `leave`: a disc's
 /// centre and radius; `first`: the ball to hit. `limits`: least and greatest speed, largest offset.
-/// `counts`: samples, variants, solutions wanted, of them by one way.
+/// `counts`: samples, solutions wanted, of them by one way. `progress` is called with the stage's name, how
+/// many of its strikes are done, and how many there are.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
 pub(crate) fn solve(
@@ -243,31 +157,30 @@ pub(crate) fn solve(
     leave: Option<([f64; 2], f64)>,
     first: Option<usize>,
     limits: [f64; 3],
-    counts: (usize, u64, usize, usize),
-    noise: [f64; 5],
-    seed: u64,
-    level: f64,
+    counts: (usize, usize, usize),
+    errs: ErrsArguments,
     threads: usize,
+    progress: Py<PyAny>,
 ) -> PyResult<Vec<Solved>> {
     let shot = shot.0.clone();
     let leave = leave.map(|(center, radius)| Disc { center, radius });
     let goal = Goal { pot, leave, first };
     let [least, most, offset] = limits;
-    let (samples, variants, wanted, of_a_way) = counts;
+    let (samples, wanted, of_a_way) = counts;
     let search = Search {
         speed: [least, most],
         offset,
         samples,
-        noise: noise_of(noise),
-        seed,
-        variants,
+        errs: errs_of(errs),
         wanted,
         of_a_way,
-        level,
         threads: count(threads),
     };
-    let found = py.detach(|| carom_plan::solve(&shot, &goal, &search));
-    let solutions = found.map_err(|e| to_exception(py, &e))?;
+    let solutions = told(py, |tell| {
+        carom_plan::solve(&shot, &goal, &search, &mut |stage, done, of| {
+            tell(&|py| progress.call1(py, (name_of(stage), done, of)))
+        })
+    })?;
     let row = |s: carom_plan::Solution| {
         let Strike { speed, azimuth, elevation, side, height } = s.strike;
         (
@@ -275,12 +188,21 @@ pub(crate) fn solve(
             s.way.kind(),
             s.way.words(&shot),
             s.cue_ball_end,
-            s.met,
-            s.variants,
+            s.chance.met,
+            s.chance.variants,
             (s.interval.low, s.interval.high),
         )
     };
     Ok(solutions.into_iter().map(row).collect())
+}
+
+const fn name_of(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Search => "searching",
+        Stage::Refine => "refining",
+        Stage::Sift => "sifting",
+        Stage::Rank => "ranking",
+    }
 }
 
 /// The Wilson interval of `hits` among `trials`.

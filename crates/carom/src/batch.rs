@@ -1,11 +1,13 @@
 //! Many shots at once, without traces: the same results in the same order for any number of
 //! threads.
 
+use alloc::borrow::Cow;
 use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::error::Error;
 use crate::event::{Event, EventKind, Recorder};
+use crate::noise::Perception;
 use crate::resolve::cue_ball::Strike;
 use crate::simulate::{MAX_BALLS, SMALL, Simulation};
 use crate::{MotionState, Noise, Shot};
@@ -51,7 +53,7 @@ pub fn simulate_batch<S: AsRef<Shot> + Sync>(
     let balls = shots.iter().map(|s| s.as_ref().balls.len()).max().unwrap_or(0);
     run(shots.len(), balls, threads, done, &|k| {
         let shot = shots[k].as_ref();
-        Ok((shot, shot.strike))
+        Ok((Cow::Borrowed(shot), shot.strike))
     })
 }
 
@@ -68,8 +70,32 @@ pub fn simulate_strikes(
     run(strikes.len(), shot.balls.len(), threads, done, &|k| {
         let strike = strikes[k];
         shot.resolve_strike(&strike)?;
-        Ok((shot, Some((struck, strike))))
+        Ok((Cow::Borrowed(shot), Some((struck, strike))))
     })
+}
+
+/// As [`simulate_strikes`], with the balls beside where `shot` has them: strike k is played on layout
+/// number `first` + k of this seed, as [`Perception::places`] draws it. `shot` is then what the player sees
+/// and plans on, the layouts are where the balls may truly lie: to err about one is to err about the other.
+///
+/// # Errors
+/// As [`Perception::check`].
+pub fn simulate_seen(
+    shot: &Shot,
+    strikes: &[Strike],
+    perception: &Perception,
+    seed: u64,
+    first: u64,
+    threads: Option<usize>,
+    done: &(dyn Fn(usize) + Sync),
+) -> Result<BatchResult, Error> {
+    perception.check()?;
+    let struck = shot.strike.as_ref().map_or(0, |(ball, _)| *ball);
+    Ok(run(strikes.len(), shot.balls.len(), threads, done, &|k| {
+        let strike = Some((struck, strikes[k]));
+        let places = perception.places(shot, seed, first.wrapping_add(k as u64));
+        Ok((Cow::Owned(shot.with_balls(places, strike)?), strike))
+    }))
 }
 
 /// Simulates `count` of the strikes that come out when `shot`'s own is meant: row k is the strike
@@ -117,7 +143,8 @@ pub fn draw_strikes(
 }
 
 /// What shot `k` is.
-type Item<'a> = dyn Fn(usize) -> Result<(&'a Shot, Option<(usize, Strike)>), Error> + Sync + 'a;
+type Item<'a> =
+    dyn Fn(usize) -> Result<(Cow<'a, Shot>, Option<(usize, Strike)>), Error> + Sync + 'a;
 
 fn run(
     shots: usize,
@@ -225,11 +252,11 @@ fn play_rows<const N: usize>(
             let row = &mut pocket[..shot.balls.len()];
             row.fill(ON_TABLE);
             let summary = simulation
-                .play_strike(shot, strike, &mut Pockets { row })
+                .play_strike(&shot, strike, &mut Pockets { row })
                 .map_err(|failure| shot.explain(failure, strike.as_ref().map(|(_, s)| s)))?;
             *events = summary.events as i32;
             for (i, place) in position[..shot.balls.len()].iter_mut().enumerate() {
-                let state = simulation.file_state(i, shot, summary.duration);
+                let state = simulation.file_state(i, &shot, summary.duration);
                 *place = state.position.to_array();
                 if state.motion == MotionState::OffTable {
                     pocket[i] = OFF_TABLE;

@@ -20,6 +20,7 @@
 //! ball or slips off it (the latter only if the shot does not ask for miscues to be played:
 //! `strike.miscue`).
 
+use alloc::vec::Vec;
 use core::f64::consts::TAU;
 
 use chacha20::ChaCha8Rng;
@@ -28,8 +29,8 @@ use chacha20::rand_core::{Rng, SeedableRng};
 use crate::error::Error;
 use crate::math::{log, radians, sin_cos, sqrt};
 use crate::resolve::cue_ball::Strike;
-use crate::shot::Shot;
 use crate::shot::read::Range;
+use crate::shot::{self, PlacedBall, Shot};
 
 /// Tells these random numbers from all others that have the same seed.
 const PURPOSE: &[u8; 24] = b"carom: noise of a strike";
@@ -169,13 +170,19 @@ impl Perception {
         SIGHT.check(|| "perception.position".into(), self.position)
     }
 
-    /// `shot` as it is seen the time number `index` of this seed. No ball is seen in another or outside the
-    /// table: one that would be, in the order of the shot, is seen nearer to where it is.
+    /// `shot` as it is seen the time number `index` of this seed; the balls are those of [`Self::places`].
     ///
     /// # Errors
     /// As [`Self::check`], and what a strike that cannot be played on the seen balls is refused for.
     pub fn draw(&self, shot: &Shot, seed: u64, index: u64) -> Result<Shot, Error> {
         self.check()?;
+        shot.with_balls(self.places(shot, seed, index), shot.strike())
+    }
+
+    /// The balls of `shot` as they are seen the time number `index` of this seed. No ball is seen in
+    /// another or outside the table: one that would be, in the order of the shot, is seen nearer to where it
+    /// is.
+    pub fn places(&self, shot: &Shot, seed: u64, index: u64) -> Vec<PlacedBall> {
         let mut random = random(SIGHT_OF_BALLS, seed, index);
         let mut balls = shot.balls().to_vec();
         for i in 0..balls.len() {
@@ -184,14 +191,14 @@ impl Perception {
             for _ in 0..HALVINGS {
                 balls[i].state.position.x = there.x + off[0];
                 balls[i].state.position.y = there.y + off[1];
-                if shot.with_balls(balls.clone(), None).is_ok() {
+                if shot::fits(i, &balls, shot.table()) {
                     break;
                 }
                 balls[i].state.position = there;
                 off = off.map(|x| 0.5 * x);
             }
         }
-        shot.with_balls(balls, shot.strike())
+        balls
     }
 }
 

@@ -26,6 +26,22 @@ NoiseName = Annotated[
         "a multiplier may follow, olympiad:0.5.",
     ),
 ]
+Sight = Annotated[
+    float,
+    typer.Option(
+        "--perception",
+        metavar="SIGMA",
+        help="How far from where they are seen the balls truly lie: σ of each coordinate, m.",
+    ),
+]
+Precise = Annotated[
+    float | None,
+    typer.Option(
+        "--precision",
+        help="Stop counting a chance when half its interval's width is at most this.",
+    ),
+]
+Level = Annotated[float, typer.Option(help="Confidence of the intervals.")]
 Seed = Annotated[int, typer.Option(help="Which random numbers.")]
 Svg = Annotated[Path | None, typer.Option("--svg", metavar="OUT", help="Write a picture (SVG).")]
 Png = Annotated[Path | None, typer.Option("--png", metavar="OUT", help="Write a picture (PNG).")]
@@ -35,6 +51,7 @@ Json = Annotated[bool, typer.Option("--json", help="Print the answer as JSON.")]
 def evaluate(
     file: File,
     noise: NoiseName = "olympiad",
+    perception: Sight = 0.0,
     n: Annotated[int, typer.Option("-n", min=1, help="How many variants, at most.")] = 10_000,
     seed: Seed = 0,
     precision: Annotated[
@@ -45,30 +62,30 @@ def evaluate(
         str | None,
         typer.Option(metavar="WHAT", help="A ball, BALL:POCKET or scratch; else everything."),
     ] = None,
-    level: Annotated[float, typer.Option(help="Confidence of the intervals.")] = 0.95,
+    level: Level = 0.95,
     json: Json = False,
     svg: Svg = None,
     png: Png = None,
 ) -> None:
     """Print the chances of a shot when its player means it but does not hit it exactly."""
-    from carom import Noise, Shot
+    from carom import Noise, Perception, Shot
     from carom.picture import evaluation as picture
 
     shot = Shot.from_json(read(file))
     answer = shot.evaluate(
         Noise.preset(noise),
         n,
+        perception=Perception(perception),
         seed=seed,
         precision=precision,
         watch=None if watch is None else _ball_and_pocket(watch),
         level=level,
         progress=sys.stderr.isatty(),
     )
-    title = "shot" if file == "-" else Path(file).stem.replace("_", " ").replace("-", " ")
     if svg is not None:
-        save(svg, picture.svg(answer, title=title))
+        save(svg, picture.svg(answer, title=_title(file)))
     if png is not None:
-        save(png, picture.png(answer, title=title))
+        save(png, picture.png(answer, title=_title(file)))
     emit(js.dumps(answer.to_dict()) if json else str(answer))
 
 
@@ -85,24 +102,54 @@ def solve(
         str | None, typer.Option(metavar="BALL", help="The ball that is hit before any other.")
     ] = None,
     noise: NoiseName = "olympiad",
+    perception: Sight = 0.0,
     wanted: Annotated[int, typer.Option(min=1, help="How many strikes.")] = 10,
-    n: Annotated[int, typer.Option("-n", min=1, help="Variants behind each chance.")] = 1000,
+    of_a_way: Annotated[
+        int, typer.Option(min=1, help="How many of them over the same cushions and balls.")
+    ] = 3,
+    n: Annotated[
+        int, typer.Option("-n", min=1, help="Variants behind each chance, at most.")
+    ] = 1000,
+    precision: Precise = None,
+    speed: Annotated[
+        str, typer.Option(metavar="LEAST:MOST", help="Speeds of the cue that are tried, m/s.")
+    ] = "0.5:7",
+    samples: Annotated[
+        int, typer.Option(min=1, help="Strikes tried besides those that geometry proposes.")
+    ] = 4096,
     seed: Seed = 0,
+    level: Level = 0.95,
     json: Json = False,
+    svg: Svg = None,
+    png: Png = None,
 ) -> None:
     """Print the strikes that do what is wanted, the likeliest first."""
-    from carom import Noise, Shot
+    from carom import Noise, Perception, Shot
+    from carom.picture import solutions as picture
 
     shot = Shot.from_json(read(file))
+    area = None if leave is None else _disc(leave)
+    least, most = _numbers("speed", speed, ":", "LEAST:MOST", 2)
     found = shot.solve(
         pot=None if pot is None else _ball_and_pocket(pot),
-        leave=None if leave is None else _disc(leave),
+        leave=area,
         first=first,
         noise=Noise.preset(noise),
+        perception=Perception(perception),
         wanted=wanted,
+        of_a_way=of_a_way,
         n=n,
+        precision=precision,
+        speed=(least, most),
+        samples=samples,
         seed=seed,
+        level=level,
+        progress=sys.stderr.isatty(),
     )
+    if svg is not None:
+        save(svg, picture.svg(shot, found, leave=area, title=_title(file)))
+    if png is not None:
+        save(png, picture.png(shot, found, leave=area, title=_title(file)))
     if json:
         emit(js.dumps([solution.to_dict() for solution in found]))
     else:
@@ -119,15 +166,18 @@ def map_pot(
     ball: Annotated[str, typer.Option(help="The ball that is to fall.")],
     pocket: Annotated[str, typer.Option(help="Where.")],
     noise: NoiseName = "olympiad",
+    perception: Sight = 0.0,
     columns: Annotated[int, typer.Option(min=1, help="Cells along the width.")] = 32,
-    n: Annotated[int, typer.Option("-n", min=1, help="Variants of each cell.")] = 200,
+    n: Annotated[int, typer.Option("-n", min=1, help="Variants of each cell, at most.")] = 200,
+    precision: Precise = None,
     seed: Seed = 0,
+    level: Level = 0.95,
     json: Json = False,
     svg: Svg = None,
     png: Png = None,
 ) -> None:
     """Print how likely a pot is from every place of the cue ball."""
-    from carom import Noise, Shot, pot_map
+    from carom import Noise, Perception, Shot, pot_map
 
     shot = Shot.from_json(read(file))
     found = pot_map(
@@ -135,12 +185,17 @@ def map_pot(
         ball,
         pocket,
         noise=Noise.preset(noise),
+        perception=Perception(perception),
         columns=columns,
         n=n,
+        precision=precision,
         seed=seed,
+        level=level,
         progress=sys.stderr.isatty(),
     )
-    rows = {"x": found.x, "y": found.y, "chance": found.chance, "azimuth": found.azimuth}
+    rows = {name: getattr(found, name) for name in ("x", "y", "chance", "azimuth")}
+    if json:
+        rows |= {name: getattr(found, name) for name in ("low", "high", "n")}
     _show(found, rows, json=json, svg=svg, png=png)
 
 
@@ -283,12 +338,14 @@ def _show_cushions(found: CushionTable, *, json: bool, svg: Path | None, png: Pa
 @stats.command("break")
 def stats_break(
     game: Annotated[str, typer.Option(help="As for carom break.")] = "nine-ball",
-    racks: Annotated[int, typer.Option("-n", min=1, help="How many.")] = 1000,
+    racks: Annotated[int, typer.Option("-n", min=1, help="How many, at most.")] = 1000,
     noise: NoiseName = "olympiad",
     speed: Annotated[float | None, typer.Option(help="The cue's speed, m/s.")] = None,
     table: Annotated[str | None, typer.Option(help="A table's preset.")] = None,
     gap: Annotated[float | None, typer.Option(help="Mean gap between the balls, m.")] = None,
+    precision: Precise = None,
     seed: Seed = 0,
+    level: Level = 0.95,
     json: Json = False,
     svg: Svg = None,
     png: Png = None,
@@ -303,7 +360,9 @@ def stats_break(
         table=table,
         speed=speed,
         gap=gap,
+        precision=precision,
         seed=seed,
+        level=level,
         progress=sys.stderr.isatty(),
     )
     _draw(found, svg=svg, png=png)
@@ -342,15 +401,19 @@ def _ball_and_pocket(text: str) -> str | tuple[str, str]:
     return (ball, pocket) if colon else ball
 
 
-def _numbers(name: str, text: str, separator: str, shape: str) -> list[float]:
+def _title(file: str) -> str:
+    return "shot" if file == "-" else Path(file).stem.replace("_", " ").replace("-", " ")
+
+
+def _numbers(name: str, text: str, separator: str, shape: str, count: int = 3) -> list[float]:
     from carom.errors import InputError
 
     try:
         numbers = [float(part) for part in text.split(separator)]
     except ValueError:
         numbers = []
-    if len(numbers) != 3:
-        raise InputError(f"{name}: {text!r} is not {shape}; write three numbers")
+    if len(numbers) != count:
+        raise InputError(f"{name}: {text!r} is not {shape}; write {count} numbers")
     return numbers
 
 

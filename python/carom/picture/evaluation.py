@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import io
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from carom.picture import _matplotlib, colors
-from carom.picture.canvas import DOTS_PER_INCH, LONG_SIDE_INCHES, to_svg
+from carom.picture import colors
+from carom.picture.canvas import DOTS_PER_INCH, to_svg
+from carom.picture.sheet import MARGIN_INCHES, sheet
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,9 +21,8 @@ if TYPE_CHECKING:
 FAN = 40
 # Cells of the heat map along the table's longer side.
 CELLS = 160
-# Width of the panel beside the table, inches, and its margin.
+# Width of the panel beside the table, inches.
 PANEL_INCHES = 4.2
-MARGIN_INCHES = 0.2
 # The ellipse holds as much of a normal distribution as this many standard deviations, per axis.
 DEVIATIONS = 2.0
 
@@ -40,41 +40,16 @@ def draw(evaluation: Evaluation, *, title: str | None = None) -> Figure:
     Raises:
         InputError: The cloth has no edges, so there is no table to draw.
     """
-    from carom.errors import InputError
-
     shot = evaluation.shot
     geometry = shot.geometry()
-    if geometry["size"] is None:
-        raise InputError("table: a picture of chances needs a table with edges; choose another")
-    _matplotlib.prepare()
-    from matplotlib.figure import Figure
-
-    from carom.picture import table
-
-    left, bottom, right, top = table.bounds(geometry, [])
-    scale = LONG_SIDE_INCHES / max(top - bottom, right - left)
-    wide, tall = scale * (right - left), scale * (top - bottom)
-    paper = (wide + PANEL_INCHES + 3 * MARGIN_INCHES, tall + 2 * MARGIN_INCHES)
-    figure = Figure(figsize=paper, facecolor=colors.PAPER)
-    ax = figure.add_axes(
-        (
-            MARGIN_INCHES / paper[0],
-            MARGIN_INCHES / paper[1],
-            wide / paper[0],
-            tall / paper[1],
-        )
-    )
-    ax.set_axis_off()
-    ax.set_xlim(left, right)
-    ax.set_ylim(bottom, top)
-    table.draw_table(ax, geometry, (left, bottom, right, top))
+    figure, ax = sheet(shot, PANEL_INCHES)
     _draw_heat(ax, evaluation, geometry["size"])
     _draw_fan(ax, evaluation)
     _draw_ellipse(ax, evaluation)
     _draw_start(ax, shot)
     figure.text(
-        (wide + 2 * MARGIN_INCHES) / paper[0],
-        1 - 1.5 * MARGIN_INCHES / paper[1],
+        1 - PANEL_INCHES / figure.get_figwidth(),
+        1 - 1.5 * MARGIN_INCHES / figure.get_figheight(),
         f"{title or geometry['name'] or 'shot'}\n\n{evaluation}\n\n"
         f"white: paths of the cue ball, {min(FAN, evaluation.n)} variants\n"
         "glow: where it comes to rest\n"
@@ -100,25 +75,30 @@ def png(evaluation: Evaluation, *, title: str | None = None) -> bytes:
     return out.getvalue()
 
 
-def variants(shot: Shot, strikes: Any) -> list[Shot]:
-    """The shots of these strikes that can be played (rows of speed, azimuth, ..., as in Rust)."""
+def variants(evaluation: Evaluation, count: int) -> list[Shot]:
+    """Those of the first ``count`` variants that can be played."""
+    from dataclasses import astuple
+
+    from carom import _core
     from carom.errors import InputError
     from carom.shot import Shot
 
-    file = shot.to_dict()
-    for key in ("azimuth", "azimuth_deg", "elevation", "elevation_deg"):
-        file["strike"].pop(key, None)
+    shot, seed = evaluation.shot, evaluation.seed
+    strikes = _core.draw_strikes(shot._core, astuple(evaluation.noise), seed, 0, count)
     played = []
-    for speed, azimuth, elevation, side, height in strikes.tolist():
-        strike = file["strike"] | {
-            "speed": speed,
-            "azimuth_deg": math.degrees(azimuth),
-            "elevation_deg": math.degrees(elevation),
-            "side": side,
-            "height": height,
-        }
+    for index, (speed, azimuth, elevation, side, height) in enumerate(strikes.tolist()):
         try:
-            played.append(Shot.from_dict(file | {"strike": strike}))
+            file = evaluation.perception.see(shot, index, seed=seed).to_dict()
+            for key in ("azimuth", "azimuth_deg", "elevation", "elevation_deg"):
+                file["strike"].pop(key, None)
+            file["strike"] |= {
+                "speed": speed,
+                "azimuth_deg": math.degrees(azimuth),
+                "elevation_deg": math.degrees(elevation),
+                "side": side,
+                "height": height,
+            }
+            played.append(Shot.from_dict(file))
         except InputError:
             # A miscue has no path to draw.
             continue
@@ -126,18 +106,12 @@ def variants(shot: Shot, strikes: Any) -> list[Shot]:
 
 
 def _draw_fan(ax: Axes, evaluation: Evaluation) -> None:
-    from dataclasses import astuple
-
     from matplotlib.patches import PathPatch
 
-    from carom import _core
     from carom.picture.balls import curve
     from carom.picture.paths import routes
 
-    shot = evaluation.shot
-    drawn = min(FAN, evaluation.n)
-    strikes = _core.draw_strikes(shot._core, astuple(evaluation.noise), evaluation.seed, 0, drawn)
-    for index, variant in enumerate(variants(shot, strikes)):
+    for index, variant in enumerate(variants(evaluation, min(FAN, evaluation.n))):
         trace = variant.simulate()
         start = trace.at(0.0)
         balls = [

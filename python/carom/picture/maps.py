@@ -7,7 +7,8 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from carom.picture import _matplotlib, colors
-from carom.picture.canvas import DOTS_PER_INCH, LONG_SIDE_INCHES, to_svg
+from carom.picture.canvas import DOTS_PER_INCH, to_svg
+from carom.picture.sheet import sheet
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -67,7 +68,7 @@ def png(found: Drawn, *, title: str | None = None) -> bytes:
 
 
 def _draw_pots(found: PotMap, title: str) -> Figure:
-    figure, ax = _table(found.shot, title)
+    figure, ax = sheet(found.shot, SCALE_INCHES, heading=title)
     width, length = found.shot.geometry()["size"]
     image = ax.imshow(
         found.chance,
@@ -91,7 +92,7 @@ def _draw_positions(found: PositionMap, title: str) -> Figure:
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    figure, ax = _table(found.shot, title)
+    figure, ax = sheet(found.shot, SCALE_INCHES, heading=title)
     norm = Normalize(float(found.speed.min()), float(found.speed.max()))
     paint = ScalarMappable(norm, colormaps["plasma"])
     for column, (side, height) in enumerate(zip(found.side, found.height, strict=True)):
@@ -131,7 +132,7 @@ def _draw_cushions(found: CushionTable, title: str) -> Figure:
     from matplotlib.cm import ScalarMappable
     from matplotlib.colors import Normalize
 
-    figure, ax = _table(found.shot, title)
+    figure, ax = sheet(found.shot, SCALE_INCHES, heading=title)
     paint = ScalarMappable(
         Normalize(float(found.speed.min()), float(found.speed.max())), colormaps["plasma"]
     )
@@ -199,26 +200,6 @@ def _draw_breaks(found: BreakStatistics, title: str) -> Figure:
         ax.spines[["top", "right"]].set_visible(False)
     figure.suptitle(title)
     return figure
-
-
-def _table(shot: Shot, title: str) -> tuple[Figure, Axes]:
-    from matplotlib.figure import Figure
-
-    from carom.picture import table
-
-    geometry = shot.geometry()
-    left, bottom, right, top = table.bounds(geometry, [])
-    scale = LONG_SIDE_INCHES / max(top - bottom, right - left)
-    wide, tall = scale * (right - left), scale * (top - bottom)
-    paper = (wide + SCALE_INCHES, tall + 0.5)
-    figure = Figure(figsize=paper, facecolor=colors.PAPER)
-    ax = figure.add_axes((0.1 / paper[0], 0.1 / paper[1], wide / paper[0], tall / paper[1]))
-    ax.set_axis_off()
-    ax.set_xlim(left, right)
-    ax.set_ylim(bottom, top)
-    table.draw_table(ax, geometry, (left, bottom, right, top))
-    figure.text(0.1 / paper[0], 1 - 0.28 / paper[1], title, color=colors.INK, fontsize=11)
-    return figure, ax
 
 
 def _scale(figure: Figure, ax: Axes, image: Any, label: str) -> Any:

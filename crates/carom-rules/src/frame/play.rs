@@ -1,6 +1,7 @@
 //! Playing a shot: what is asked is checked, what happened is ruled on.
 
 use carom::outcome::Outcome;
+use carom::resolve::cue_ball::Strike;
 use carom::simulate::{SMALL, Simulation};
 use carom::trace::What;
 use carom::{BallState, Error, MotionState, Shot, Trace};
@@ -124,7 +125,8 @@ impl Frame {
         play: &Play,
     ) -> Result<(Ruling, Outcome), Error> {
         let shot = self.shot(play)?;
-        self.play_shot(simulation, play, &shot)
+        let (ruling, outcome, _) = self.play_shot(simulation, play, &shot, shot.strike())?;
+        Ok((ruling, outcome))
     }
 
     /// [`Self::play_in`] with a shot that is made already: what [`Self::shot`] gave for the same cue ball's
@@ -140,25 +142,47 @@ impl Frame {
         prepared: &Shot,
     ) -> Result<(Ruling, Outcome), Error> {
         self.check_call(self.asked_turn()?, play.call)?;
-        self.play_shot(simulation, play, &prepared.with_strike(&play.strike)?)
+        let shot = prepared.with_strike(&play.strike)?;
+        let (ruling, outcome, _) = self.play_shot(simulation, play, &shot, shot.strike())?;
+        Ok((ruling, outcome))
     }
 
-    /// `shot` is the shot that `play` is.
+    /// [`Self::play_prepared`] with the strike to the last bit, on balls that may lie a little beside where
+    /// the frame has them. Tells as well where they came to rest, before any was spotted: the final states
+    /// in the file's frame, in the order of `prepared`.
+    ///
+    /// # Errors
+    /// As [`Self::play`].
+    pub fn play_beside(
+        &mut self,
+        simulation: &mut Simulation<SMALL>,
+        play: &Play,
+        prepared: &Shot,
+    ) -> Result<(Ruling, Outcome, Vec<BallState>), Error> {
+        self.check_call(self.asked_turn()?, play.call)?;
+        prepared.resolve_strike(&play.strike)?;
+        let strike = prepared.strike().map(|(ball, _)| (ball, play.strike));
+        self.play_shot(simulation, play, prepared, strike)
+    }
+
+    /// `shot` with this strike is the shot that `play` is.
     fn play_shot(
         &mut self,
         simulation: &mut Simulation<SMALL>,
         play: &Play,
         shot: &Shot,
-    ) -> Result<(Ruling, Outcome), Error> {
+        strike: Option<(usize, Strike)>,
+    ) -> Result<(Ruling, Outcome, Vec<BallState>), Error> {
         let mut witness = Witness::new(shot);
-        let summary =
-            simulation.play(shot, &mut witness).map_err(|failure| shot.explain(failure, None))?;
+        let summary = simulation
+            .play_strike(shot, strike, &mut witness)
+            .map_err(|failure| shot.explain(failure, strike.as_ref().map(|(_, s)| s)))?;
         let last: Vec<BallState> =
             (0..shot.balls().len()).map(|i| simulation.state(i, summary.duration)).collect();
         let (outcome, reached) = witness.finish(shot, &last);
         let last: Vec<BallState> =
             (0..).zip(&last).map(|(i, s)| shot.to_file_frame(i, s)).collect();
-        Ok((self.rule(play, &outcome, reached, &last)?, outcome))
+        Ok((self.rule(play, &outcome, reached, &last)?, outcome, last))
     }
 
     /// Rules on a shot that was simulated elsewhere: `trace` is of the shot that [`Self::shot`] gives for

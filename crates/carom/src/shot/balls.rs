@@ -54,6 +54,14 @@ pub(super) fn check(balls: &[PlacedBall], table: &Table) -> Result<(), Error> {
     check_overlaps(balls)
 }
 
+/// Whether ball `index` is inside the table and in no other ball.
+pub(crate) fn fits(index: usize, balls: &[PlacedBall], table: &Table) -> bool {
+    let ball = &balls[index];
+    let mut others = balls.iter().enumerate().filter(|(i, _)| *i != index);
+    others.all(|(_, other)| depth(ball, other) <= TOUCH_TOLERANCE)
+        && super::place::check(index, ball, table).is_ok()
+}
+
 fn read_one(at: &At<'_>, default: &Ball) -> Result<PlacedBall, Error> {
     let fields = at.fields(KEYS)?;
     let id = fields.require("id", "a text that no other ball has")?;

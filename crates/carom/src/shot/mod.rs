@@ -23,6 +23,7 @@ use alloc::format;
 use alloc::string::String;
 use alloc::sync::Arc;
 
+pub(crate) use balls::fits;
 pub use node::Node;
 pub use path::Path;
 pub use physics::write as physics_to_node;
