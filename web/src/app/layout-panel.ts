@@ -5,8 +5,9 @@ import { look } from "../viewer/index.ts";
 import { h, svg, uniqueId } from "./dom.ts";
 import { mountField } from "./field.ts";
 import { placeBall } from "./gestures.ts";
-import { addBall, changeTable, nextId, rack, removeBall } from "./layout.ts";
+import { addBall, nextId, rack, removeBall } from "./layout.ts";
 import type { Store } from "./store.ts";
+import { mountTable } from "./table-panel.ts";
 import { azimuthTo } from "./angles.ts";
 import { ballName } from "./words.ts";
 
@@ -55,23 +56,6 @@ function mountRacks(root: HTMLElement, store: Store, { engine }: Context): void 
   store.subscribe((now, before) => {
     if (now.document.seed !== before.document.seed) seed.value = String(now.document.seed);
   });
-}
-
-function mountTable(root: HTMLElement, store: Store, { engine }: Context): void {
-  const tables = engine.tables.flatMap((table) => (table.name ? [table.name] : []));
-  const own = option("", "The file’s own");
-  const select = h("select", {}, own, ...tables.map((name) => option(name)));
-  select.addEventListener("change", () => {
-    if (select.value === "" || !changeTable(store, engine, select.value)) show();
-  });
-  function show(): void {
-    const { table } = store.document.shot;
-    own.hidden = typeof table === "string";
-    select.value = typeof table === "string" ? table : "";
-  }
-  store.subscribe(show);
-  show();
-  root.append(h("h2", {}, "Table"), labelled("Table", select));
 }
 
 function mountBalls(root: HTMLElement, store: Store, context: Context): void {

@@ -118,3 +118,54 @@ test("a parameter of the physics is changed, refused out of range, and put back"
   await page.getByRole("button", { name: "Put back Cloth sliding friction" }).click();
   expect((await shotOf(page)).physics ?? {}).toEqual({});
 });
+
+test("a table's dimensions are changed, refused with the reason, put back and undone", async ({
+  open,
+}) => {
+  const page = await open();
+  await page.getByRole("tab", { name: "Layout" }).click();
+  await page.getByText("Dimensions", { exact: true }).click();
+  const table = async () => (await shotOf(page)).table;
+  const write = async (name: string, value: string, nth = 0) => {
+    const field = page.getByRole("spinbutton", { name, exact: true }).nth(nth);
+    await field.fill(value);
+    await field.press("Enter");
+  };
+  const refusal = page.getByRole("alert");
+
+  await page.getByText("Corner pockets", { exact: true }).click();
+  await write("Mouth", "0.125");
+  expect(await table()).toEqual({ base: "wpa-9ft", corner_pocket: { mouth: 0.125 } });
+  const mouth = await page.evaluate(() =>
+    window.carom!.store.shot.geometry.dimensions!.find(({ key }) => key === "corner_pocket.mouth"),
+  );
+  expect(mouth?.value).toBe(0.125);
+
+  await write("Mouth", "-1");
+  expect(await refusal.textContent()).toContain("table.corner_pocket.mouth");
+  await write("Mouth", "0.4");
+  expect(await refusal.textContent()).toContain("corner_pocket.shelf");
+  // A ball of the first shot lies 0.98 m from the left cushion.
+  await write("Width", "0.9");
+  expect(await refusal.textContent()).toContain("balls[3].position");
+  expect(await table()).toEqual({ base: "wpa-9ft", corner_pocket: { mouth: 0.125 } });
+  await page.getByRole("button", { name: "Put back corner pockets mouth" }).click();
+  expect(await table()).toBe("wpa-9ft");
+
+  await write("Length", "2");
+  expect(await table()).toMatchObject({
+    base: "wpa-9ft",
+    length: 2,
+    markings: { head_string: 0.5 },
+  });
+  await page.getByRole("button", { name: "Put all back" }).click();
+  expect(await table()).toBe("wpa-9ft");
+  await page.getByRole("combobox", { name: "Pocket model" }).selectOption("mouth-line");
+  expect(await table()).toEqual({ base: "wpa-9ft", pocket_model: "mouth-line" });
+  await page.locator("body").press("Control+z");
+  await page.locator("body").press("Control+z");
+  expect(await table()).toMatchObject({ length: 2 });
+  expect(await page.getByRole("spinbutton", { name: "Length", exact: true }).inputValue()).toBe(
+    "2",
+  );
+});

@@ -6,14 +6,14 @@ import {
   valueAt,
   withoutValue,
   withValue,
-} from "../../../src/app/physics-form.ts";
+} from "../../../src/app/parameters.ts";
 
 const engine = await load();
 const schema = engine.schema("shot");
 
 test("the form has every number and choice of every preset", () => {
   for (const [name, values] of Object.entries(engine.physics)) {
-    const found = new Set(parameters(schema, values).map(({ path }) => path.join(".")));
+    const found = new Set(parameters(schema, "physics", values).map(({ path }) => path.join(".")));
     expect(found, name).toEqual(new Set(leaves(values)));
   }
 });
@@ -28,7 +28,10 @@ function leaves(values: object, above: readonly string[] = []): string[] {
 
 test("units come from the schema's own words", () => {
   const units = new Map(
-    parameters(schema, engine.physics.pool!).map(({ path, unit }) => [path.join("."), unit]),
+    parameters(schema, "physics", engine.physics.pool!).map(({ path, unit }) => [
+      path.join("."),
+      unit,
+    ]),
   );
   expect(units.get("gravity")).toBe("m/s²");
   expect(units.get("ball.mass")).toBe("kg");

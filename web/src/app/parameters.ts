@@ -1,16 +1,19 @@
-/** The physics of a shot file, as a form sees them. Pure: the schema says what there is. */
+/** Physics or table of a shot file, as a form sees them. Pure: the schema says what there is. */
 
 export type Values = Readonly<Record<string, unknown>>;
 
 /** One thing to set. */
 export interface Parameter {
-  /** Keys from `physics` down, such as `ball_ball`, `friction`, `a`. */
+  /** Keys from the part down, such as `ball_ball`, `friction`, `a`. */
   readonly path: readonly string[];
   readonly kind: "number" | "choice";
   readonly choices: readonly string[];
   readonly description: string;
   readonly unit: string;
 }
+
+/** A part of the shot file that starts from a preset. */
+export type Part = "physics" | "table";
 
 interface Schema {
   readonly type?: string;
@@ -21,27 +24,37 @@ interface Schema {
   readonly $ref?: string;
 }
 
-/** Units that the schema's descriptions end in, before the first semicolon. */
-const UNIT = /(?:^|, )(kg|m\/s²|rad\/s²|s\/m|m)(?=[.;]|$)/;
+/** Units that the schema's descriptions end in, before the first sign of punctuation. */
+const UNIT = /(?:^|, )(kg|m\/s²|rad\/s²|s\/m|m|degrees)(?=[.,:;]|$)/;
 
-/** Everything that the schema knows of physics and that `values` has, in the schema's order. */
-export function parameters(schema: object, values: Values): Parameter[] {
-  const physics = (schema as { $defs: Record<string, Schema> }).$defs.physics;
-  const object = physics?.oneOf?.find((choice) => choice.type === "object");
-  return Object.entries(object?.properties ?? {}).flatMap(([key, part]) =>
-    key === "base" ? [] : collect([key], part, values[key]),
+/** Everything that the schema knows of a part and that `values` has, in the schema's order. */
+export function parameters(schema: object, part: Part, values: Values): Parameter[] {
+  const { $defs } = schema as { $defs: Record<string, Schema> };
+  const object = $defs[part]?.oneOf?.find(({ properties }) => properties?.base);
+  return Object.entries(object?.properties ?? {}).flatMap(([key, inner]) =>
+    key === "base" ? [] : collect($defs, [key], inner, values[key]),
   );
 }
 
-function collect(path: readonly string[], schema: Schema, value: unknown): Parameter[] {
-  const description = schema.description ?? "";
-  const common = { path, description, unit: UNIT.exec(description)?.[1] ?? "", choices: [] };
-  if (schema.enum) return [{ ...common, kind: "choice", choices: schema.enum }];
+function collect(
+  $defs: Readonly<Record<string, Schema>>,
+  path: readonly string[],
+  schema: Schema,
+  value: unknown,
+): Parameter[] {
+  const said = schema.description ?? "";
+  const unit = UNIT.exec(said)?.[1] ?? "";
+  // The unit stands beside the number already.
+  const common = { path, description: said.replace(UNIT, ""), unit, choices: [] };
+  if (schema.enum && value !== undefined) {
+    return [{ ...common, kind: "choice", choices: schema.enum }];
+  }
   if (typeof value === "number") return [{ ...common, kind: "number" }];
   if (typeof value !== "object" || value === null) return [];
-  const fit = schema.oneOf?.find((choice) => choice.type === "object") ?? schema;
-  return Object.entries(fit.properties ?? {}).flatMap(([key, part]) =>
-    collect([...path, key], part, (value as Values)[key]),
+  const full = schema.$ref ? $defs[schema.$ref.replace("#/$defs/", "")] : schema;
+  const fit = full?.oneOf?.find((choice) => choice.type === "object") ?? full;
+  return Object.entries(fit?.properties ?? {}).flatMap(([key, inner]) =>
+    collect($defs, [...path, key], inner, (value as Values)[key]),
   );
 }
 
@@ -98,6 +111,9 @@ const TITLES: Readonly<Record<string, string>> = {
   facing: "Pocket facings",
   liner: "Pocket liners",
   slate: "Bounces on slate",
+  corner_pocket: "Corner pockets",
+  side_pocket: "Side pockets",
+  cut_angle_deg: "Cut angle",
 };
 
 /** `ball_ball` as a heading, `sliding_friction` as a label. */
