@@ -85,6 +85,7 @@ bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 	$(BIN)/carom bench
 	$(PY) benches/instructions.py
 	$(PY) benches/environments.py
+	$(PY) benches/questions.py
 	cd web && npm run --silent bench
 
 bench-peer: $(TOOLS) ## The same beside pooltool 0.6.0, in an environment of its own (1 GB).

@@ -7,17 +7,29 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
-from carom import Noise, Shot, acceptance, break_statistics, position_map, pot_map
-from carom.picture import evaluation, maps, png
+from carom import (
+    Noise,
+    Shot,
+    acceptance,
+    bank_table,
+    break_statistics,
+    kick_table,
+    position_map,
+    pot_map,
+)
+from carom.picture import png, save
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
+# As the tests find them.
+SNIPPET = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
 SHOTS = ("jump_shot", "rail_top_landing", "off_the_table", "masse", "spit_out")
 
 
@@ -30,6 +42,7 @@ def main(folder: Path) -> int:
         [sys.executable, ROOT / "scripts" / "validation_gallery.py", gallery], check=True
     )
     draw_shots(gallery / "shots")
+    run_snippets(DOCS / "guide-coach.md", gallery / "coach")
     pages = folder / "html"
     command = [sys.executable, "-m", "sphinx", "--quiet", "--fail-on-warning", "--keep-going"]
     command += ["--builder", "html", "--doctree-dir", folder / "doctrees", DOCS, pages]
@@ -49,16 +62,27 @@ def draw_shots(folder: Path) -> None:
         (folder / f"{name}.png").write_bytes(picture)
     cut = Shot.load(ROOT / "shots" / "side_pocket_cut.json")
     club = Noise.preset("club")
-    chances = evaluation.png(cut.evaluate(club), title="side pocket cut")
-    (folder / "chances.png").write_bytes(chances)
+    save(cut.evaluate(club), folder / "chances.png", title="side pocket cut")
     speeds, heights = np.linspace(0.8, 4.0, 65), np.linspace(-0.4, 0.4, 5)
     for name, found in (
+        ("solutions", cut.solve(pot=("1", "right"), noise=club, of_a_way=2)),
         ("pot_map", pot_map(cut, "1", "right", noise=club)),
         ("position_map", position_map(cut, "1", "right", speed=speeds, height=heights)),
         ("acceptance", acceptance(cut, "top-left")),
+        ("kicks", kick_table(cut, azimuth=np.radians([60, 100, 140, 180]), speed=[2.0, 4.0])),
+        ("banks", bank_table(cut, "1", azimuth=np.radians(np.arange(0, 360, 15)), cushions=1)),
         ("breaks", break_statistics("nine-ball")),
     ):
-        (folder / f"{name}.png").write_bytes(maps.png(found))
+        save(found, folder / f"{name}.png")
+
+
+def run_snippets(page: Path, folder: Path) -> None:
+    """Runs the Python of a page in a folder; what it draws there the page shows."""
+    folder.mkdir()
+    program = "\n".join(SNIPPET.findall(page.read_text(encoding="utf-8")))
+    subprocess.run(
+        [sys.executable, "-c", program], check=True, cwd=folder, stdout=subprocess.DEVNULL
+    )
 
 
 if __name__ == "__main__":

@@ -101,6 +101,7 @@ def test_presets_have_multipliers() -> None:
         ({"precision": 0.1, "watch": "legal"}, "watch: "),
         ({"watch": "scratch"}, "watch: "),
         ({"noise": 1.0}, "noise: "),
+        ({"perception": 0.002}, "perception: "),
         ({"threads": 0}, "threads: "),
     ],
 )
@@ -119,6 +120,36 @@ def test_what_is_seen_is_a_little_beside_what_is(cut: Shot) -> None:
     for wrong in (-0.1, float("nan"), "near"):
         with pytest.raises(InputError, match=r"^perception\.position: "):
             carom.Perception(wrong).see(cut)  # type: ignore[arg-type]
+
+
+def test_who_sees_the_balls_beside_where_they_are_pots_less(cut: Shot) -> None:
+    sights = [carom.Perception(position) for position in (0.0, 0.001, 0.004)]
+    made = [cut.evaluate(CLUB, 2000, perception=sight).pot("1").count for sight in sights]
+    assert made[0] > made[1] > made[2]
+    assert made[0] == cut.evaluate(CLUB, 2000).pot("1").count
+
+
+def test_variants_with_sight_are_those_that_an_evaluation_counts(cut: Shot) -> None:
+    sight = carom.Perception(0.003)
+    found = cut.evaluate(CLUB, 1500, perception=sight, seed=5)
+    ends = cut.vary(CLUB, 1500, perception=sight, seed=5)
+    for pocket in range(len(found.pockets)):
+        assert (found.potted[:, pocket] == (ends.pocket == pocket).sum(axis=0)).all()
+    later = cut.vary(CLUB, 500, perception=sight, seed=5, first=1000)
+    assert later.final_position.tobytes() == ends.final_position[1000:].tobytes()
+    one = cut.evaluate(CLUB, 1500, perception=sight, seed=5, threads=1)
+    assert one.to_dict() == found.to_dict()
+    assert found.to_dict()["perception"] == {"position": 0.003}
+
+
+def test_a_frame_changes_nothing_about_what_is_counted() -> None:
+    frame = carom.Frame("nine-ball", seed=3)
+    shot = frame.shot(carom.Strike(speed=9.0, azimuth=np.pi / 2), cue_ball=(0.635, 0.5))
+    for sight in (None, carom.Perception(0.001)):
+        alone = shot.evaluate(CLUB, 200, perception=sight)
+        ruled = shot.evaluate(CLUB, 200, perception=sight, frame=frame)
+        assert alone.potted.tolist() == ruled.potted.tolist()
+        assert alone.end_mean.tobytes() == ruled.end_mean.tobytes()
 
 
 def test_balls_and_pockets_that_are_not_there_are_refused(cut: Shot) -> None:
@@ -140,6 +171,10 @@ def test_the_command_prints_the_table_and_json(run: CommandLine, tmp_path: Path)
     text = drawn.read_text()
     for part in ("heat", "ellipse", "fan-0-cue"):
         assert f'id="{part}"' in text
+    sight = ("--perception", "0.003")
+    done = run("evaluate", file, "--noise", "club", "-n", "500", *sight, "--json")
+    seen = Shot.load(file).evaluate(CLUB, 500, perception=carom.Perception(0.003))
+    assert json.loads(done.stdout) == seen.to_dict()
     refused = run("evaluate", file, "--precision", "0.01", "--watch", "1:cellar")
     assert refused.returncode == 2
     assert "cellar" in refused.stderr

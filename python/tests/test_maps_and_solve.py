@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from carom import InputError, Noise, Shot
 from carom.picture import maps as picture
+from carom.picture import save, solutions
 
 if TYPE_CHECKING:
     from conftest import CommandLine
@@ -50,6 +51,64 @@ def test_a_ball_is_hit_first_or_not_at_all(cut: Shot) -> None:
     found = cut.solve(first="1", noise=CLUB, n=100, wanted=3)
     assert all(s.shot.simulate().outcome.first_contact == "1" for s in found)
     assert len(found) == 3
+
+
+def test_chances_are_counted_until_they_are_known(cut: Shot) -> None:
+    found = cut.solve(pot=("1", "right"), noise=CLUB, n=3000, precision=0.04, samples=256)
+    assert all(s.chance.half_width <= 0.04 for s in found)
+    assert len({s.chance.trials for s in found}) > 1
+    pots = carom.pot_map(cut, "1", "right", noise=CLUB, columns=3, n=3000, precision=0.04)
+    known = pots.n > 0
+    assert ((pots.high - pots.low)[known] <= 0.08).all()
+    assert np.isnan(pots.low[~known]).all()
+    assert 128 <= pots.n[known].min() < pots.n[known].max() < 3000
+    breaks = carom.break_statistics("nine-ball", 10_000, noise=CLUB, precision=0.032)
+    assert breaks.half_width <= 0.032
+    assert breaks.racks == len(breaks.potted) == 1024
+    again = carom.break_statistics("nine-ball", 1024, noise=CLUB)
+    assert again.to_dict() == breaks.to_dict()
+
+
+def test_solutions_and_maps_reckon_with_eyes_that_err(cut: Shot) -> None:
+    sight = carom.Perception(0.004)
+    ask = {"pot": ("1", "right"), "noise": CLUB, "n": 300, "wanted": 1, "samples": 256}
+    clear, blurred = (cut.solve(**ask, perception=p)[0].chance for p in (None, sight))
+    assert clear.count > blurred.count
+    maps = [
+        carom.pot_map(cut, "1", "right", noise=CLUB, perception=p, columns=4, n=60)
+        for p in (None, sight)
+    ]
+    assert np.nanmean(maps[0].chance) > np.nanmean(maps[1].chance)
+
+
+def test_the_picture_of_solutions_has_each_way_with_its_chance(cut: Shot, tmp_path: Path) -> None:
+    area = ((0.9, 1.8), 0.25)
+    found = cut.solve(pot=("1", "right"), leave=area, noise=CLUB, n=100, samples=256)
+    text = solutions.svg(cut, found, leave=area)
+    assert 'id="leave"' in text
+    for index in range(1, min(len(found), solutions.SHOWN) + 1):
+        assert f'id="way-{index}-cue"' in text
+        assert f'id="chance-{index}"' in text
+    assert f'id="way-{solutions.SHOWN + 1}-cue"' not in text
+    assert text == solutions.svg(cut, found, leave=area)
+    assert "way-1" not in solutions.svg(cut, [])
+    save(found, tmp_path / "ways.svg", leave=area)
+    assert (tmp_path / "ways.svg").read_text() == solutions.svg(cut, found, leave=area)
+
+
+def test_whatever_is_found_can_be_saved_as_a_picture(cut: Shot, tmp_path: Path) -> None:
+    for found in (
+        cut.simulate(),
+        cut.evaluate(CLUB, 50),
+        carom.kick_table(cut, azimuth=[1.0]),
+        carom.acceptance(cut, "left", speed=[1.0], angle=[0.0, 0.1]),
+    ):
+        save(found, tmp_path / "found.png")
+        assert (tmp_path / "found.png").read_bytes().startswith(b"\x89PNG")
+    with pytest.raises(InputError, match=r"^path: "):
+        save(cut.simulate(), tmp_path / "found.gif")
+    with pytest.raises(InputError, match=r"^found: "):
+        save([], tmp_path / "found.png")
 
 
 def test_maps_have_the_shapes_that_they_promise(cut: Shot) -> None:
@@ -113,6 +172,11 @@ def test_kicks_and_banks_list_the_cushions_that_the_trace_meets(cut: Shot) -> No
         (lambda shot: shot.solve(pot="1", leave=3), "leave: "),
         (lambda shot: shot.solve(pot="1", speed=(3.0, 1.0)), "speed: "),
         (lambda shot: shot.solve(pot="1", noise=1), "noise: "),
+        (lambda shot: shot.solve(pot="1", perception=1), "perception: "),
+        (lambda shot: shot.solve(pot="1", precision=0.5), "precision: "),
+        (lambda shot: carom.pot_map(shot, "1", "right", precision="fine"), "precision: "),
+        (lambda shot: carom.pot_map(shot, "1", "right", level=2), "level: "),
+        (lambda _: carom.break_statistics(precision=0), "precision: "),
         (lambda shot: shot.solve(pot="cue"), "goal: "),
         (lambda shot: carom.pot_map(shot, "1", "right", columns=0), "columns: "),
         (lambda shot: carom.pot_map(shot, "7", "right"), "ball: "),
@@ -148,8 +212,12 @@ def test_the_commands_print_numbers_and_draw(run: CommandLine, tmp_path: Path) -
         plain = run(*words)
         assert plain.returncode == 0
         assert len(plain.stdout.splitlines()) > 1
-    done = run("solve", str(FILE), "--pot", "1:right", "-n", "50", "--wanted", "2", "--json")
-    assert len(json.loads(done.stdout)) == 2
+    ask = ("solve", str(FILE), "--pot", "1:right", "-n", "50", "--wanted", "2", "--speed", "1:3")
+    done = run(*ask, "--json", "--svg", str(drawn))
+    found = json.loads(done.stdout)
+    assert len(found) == 2
+    assert all(1 <= solution["strike"]["speed"] <= 3 for solution in found)
+    assert 'id="way-2-cue"' in drawn.read_text()
     refused = run("solve", str(FILE), "--leave", "1,2")
     assert refused.returncode == 2
     assert refused.stderr.startswith("carom: leave: ")

@@ -13,6 +13,10 @@ import typer
 from carom.cli.output import emit, read, save
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from matplotlib.figure import Figure
+
     from carom.cushions import CushionTable
     from carom.picture.maps import Drawn
 
@@ -69,7 +73,7 @@ def evaluate(
 ) -> None:
     """Print the chances of a shot when its player means it but does not hit it exactly."""
     from carom import Noise, Perception, Shot
-    from carom.picture import evaluation as picture
+    from carom.picture.evaluation import draw
 
     shot = Shot.from_json(read(file))
     answer = shot.evaluate(
@@ -82,10 +86,7 @@ def evaluate(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    if svg is not None:
-        save(svg, picture.svg(answer, title=_title(file)))
-    if png is not None:
-        save(png, picture.png(answer, title=_title(file)))
+    _draw(lambda: draw(answer, title=_title(file)), svg=svg, png=png)
     emit(js.dumps(answer.to_dict()) if json else str(answer))
 
 
@@ -125,7 +126,7 @@ def solve(
 ) -> None:
     """Print the strikes that do what is wanted, the likeliest first."""
     from carom import Noise, Perception, Shot
-    from carom.picture import solutions as picture
+    from carom.picture.solutions import draw
 
     shot = Shot.from_json(read(file))
     area = None if leave is None else _disc(leave)
@@ -146,10 +147,7 @@ def solve(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    if svg is not None:
-        save(svg, picture.svg(shot, found, leave=area, title=_title(file)))
-    if png is not None:
-        save(png, picture.png(shot, found, leave=area, title=_title(file)))
+    _draw(lambda: draw(shot, found, leave=area, title=_title(file)), svg=svg, png=png)
     if json:
         emit(js.dumps([solution.to_dict() for solution in found]))
     else:
@@ -313,9 +311,10 @@ def map_bank(
 
 
 def _show_cushions(found: CushionTable, *, json: bool, svg: Path | None, png: Path | None) -> None:
+    from carom.picture.maps import draw
     from carom.plan import or_null
 
-    _draw(found, svg=svg, png=png)
+    _draw(lambda: draw(found), svg=svg, png=png)
     if json:
         rows = {
             "azimuth": found.azimuth,
@@ -352,6 +351,7 @@ def stats_break(
 ) -> None:
     """Break many racks; print how often what falls."""
     from carom import Noise, break_statistics
+    from carom.picture.maps import draw
 
     found = break_statistics(
         game,
@@ -365,7 +365,7 @@ def stats_break(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    _draw(found, svg=svg, png=png)
+    _draw(lambda: draw(found), svg=svg, png=png)
     emit(js.dumps(found.to_dict()) if json else str(found))
 
 
@@ -373,9 +373,10 @@ def _show(
     found: Drawn, rows: dict[str, Any], *, json: bool, svg: Path | None, png: Path | None
 ) -> None:
     """Pictures to files, numbers to stdout: as JSON, or the first axis as lines of text."""
+    from carom.picture.maps import draw
     from carom.plan import or_null
 
-    _draw(found, svg=svg, png=png)
+    _draw(lambda: draw(found), svg=svg, png=png)
     if json:
         emit(js.dumps({name: or_null(values.tolist()) for name, values in rows.items()}))
         return
@@ -387,13 +388,13 @@ def _show(
             emit("\n".join(lines))
 
 
-def _draw(found: Drawn, *, svg: Path | None, png: Path | None) -> None:
-    from carom.picture import maps as picture
+def _draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) -> None:
+    from carom.picture.canvas import to_png, to_svg
 
     if svg is not None:
-        save(svg, picture.svg(found))
+        save(svg, to_svg(figure()))
     if png is not None:
-        save(png, picture.png(found))
+        save(png, to_png(figure()))
 
 
 def _ball_and_pocket(text: str) -> str | tuple[str, str]:

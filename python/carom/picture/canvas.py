@@ -178,8 +178,11 @@ def to_svg(figure: Figure) -> str:
 
 def png(trace: Trace, *, title: str | None = None, dots_per_inch: int = DOTS_PER_INCH) -> bytes:
     """The picture as a PNG file's content."""
+    return to_png(draw(trace, title=title), dots_per_inch=dots_per_inch)
+
+
+def to_png(figure: Figure, *, dots_per_inch: int = DOTS_PER_INCH) -> bytes:
+    """A figure as a PNG file's content."""
     out = io.BytesIO()
-    draw(trace, title=title).savefig(
-        out, format="png", dpi=dots_per_inch, metadata={"Software": None}
-    )
+    figure.savefig(out, format="png", dpi=dots_per_inch, metadata={"Software": None})
     return out.getvalue()

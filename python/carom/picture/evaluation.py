@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import io
 import math
 from typing import TYPE_CHECKING
 
 from carom.picture import colors
-from carom.picture.canvas import DOTS_PER_INCH, to_svg
+from carom.picture.canvas import to_png, to_svg
 from carom.picture.sheet import MARGIN_INCHES, sheet
 
 if TYPE_CHECKING:
@@ -69,10 +68,7 @@ def svg(evaluation: Evaluation, *, title: str | None = None) -> str:
 
 def png(evaluation: Evaluation, *, title: str | None = None) -> bytes:
     """The picture as a PNG file's content."""
-    out = io.BytesIO()
-    figure = draw(evaluation, title=title)
-    figure.savefig(out, format="png", dpi=DOTS_PER_INCH, metadata={"Software": None})
-    return out.getvalue()
+    return to_png(draw(evaluation, title=title))
 
 
 def variants(evaluation: Evaluation, count: int) -> list[Shot]:

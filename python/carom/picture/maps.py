@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import io
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from carom.picture import _matplotlib, colors
-from carom.picture.canvas import DOTS_PER_INCH, to_svg
+from carom.picture.canvas import to_png, to_svg
 from carom.picture.sheet import sheet
 
 if TYPE_CHECKING:
@@ -18,7 +17,7 @@ if TYPE_CHECKING:
     from carom.maps import Acceptance, BreakStatistics, PositionMap, PotMap
     from carom.shot import Shot
 
-    Drawn = PotMap | PositionMap | Acceptance | BreakStatistics | CushionTable
+    Drawn: TypeAlias = PotMap | PositionMap | Acceptance | BreakStatistics | CushionTable
 
 # Room beside the table for the scale, inches.
 SCALE_INCHES = 1.3
@@ -60,11 +59,7 @@ def svg(found: Drawn, *, title: str | None = None) -> str:
 
 def png(found: Drawn, *, title: str | None = None) -> bytes:
     """The picture as a PNG file's content."""
-    out = io.BytesIO()
-    draw(found, title=title).savefig(
-        out, format="png", dpi=DOTS_PER_INCH, metadata={"Software": None}
-    )
-    return out.getvalue()
+    return to_png(draw(found, title=title))
 
 
 def _draw_pots(found: PotMap, title: str) -> Figure:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import io
 import math
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from carom.picture import colors
-from carom.picture.canvas import DOTS_PER_INCH, to_svg
+from carom.picture.canvas import to_png, to_svg
 from carom.picture.sheet import MARGIN_INCHES, sheet
 
 if TYPE_CHECKING:
@@ -86,10 +85,7 @@ def png(
     title: str | None = None,
 ) -> bytes:
     """The picture as a PNG file's content."""
-    out = io.BytesIO()
-    figure = draw(shot, solutions, leave=leave, title=title)
-    figure.savefig(out, format="png", dpi=DOTS_PER_INCH, metadata={"Software": None})
-    return out.getvalue()
+    return to_png(draw(shot, solutions, leave=leave, title=title))
 
 
 def _draw_area(ax: Axes, leave: tuple[Sequence[float], float]) -> None:

@@ -1,0 +1,145 @@
+"""What the questions take: chances of mid-game shots, a search, maps.
+
+    python benches/questions.py
+
+`evaluate` is asked for 10 000 variants of every mid-game eight-ball shot of the benchmark's states,
+the Computational Olympiad's noise on each: by the wall clock on all cores, which is what its user
+waits for, and by the processor on one thread, which other work disturbs less. What other work does
+not disturb at all are the instructions of a variant, counted by valgrind where it is installed. The
+rest is timed on one shot of ``shots/``. The result is kept in ``benches/results/questions.json``.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import carom
+import numpy as np
+from carom.bench import report, states
+
+ROOT = Path(__file__).resolve().parents[1]
+STORED = ROOT / "benches" / "results" / "questions.json"
+VARIANTS = 10_000
+#: What `evaluate` of so many variants must stay under, on all cores, ms.
+BAR = 60.0
+#: The fastest of so many runs is kept: the others had more company.
+ROUNDS = 3
+#: Variants of each shot under valgrind; the difference is free of start and parsing.
+COUNTED = (8, 40)
+
+
+def main() -> int:
+    """Measures, prints, stores."""
+    result: dict[str, Any] = report.where() | {"variants": VARIANTS, "cores": os.cpu_count()}
+    result["evaluate"] = evaluations()
+    result |= instructions()
+    result["others_ms"] = others()
+    print(json.dumps(result, indent=2))
+    worst = result["evaluate"]["wall_ms"]["worst"]
+    print(f"bar: {BAR:g} ms on all cores; the slowest shot takes {worst:g} ms")
+    STORED.parent.mkdir(parents=True, exist_ok=True)
+    STORED.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+    return 0
+
+
+def evaluations() -> dict[str, Any]:
+    """Times of `evaluate` over the mid-game states: median, 90th percentile and worst, ms."""
+    noise, seen = carom.Noise.olympiad(1.0), carom.Perception(position=0.001)
+    shots = [carom.Shot.from_dict(s.shot_file()) for s in states.load()["random_eight_ball"]]
+    asked: dict[str, Callable[[carom.Shot], object]] = {
+        "wall_ms": lambda shot: shot.evaluate(noise, VARIANTS),
+        "one_thread_ms": lambda shot: shot.evaluate(noise, VARIANTS, threads=1),
+        "with_perception_wall_ms": lambda shot: shot.evaluate(noise, VARIANTS, perception=seen),
+    }
+    result: dict[str, Any] = {
+        "shots": len(shots),
+        "balls": round(float(np.mean([len(shot.ids) for shot in shots])), 1),
+    }
+    for name, ask in asked.items():
+        clock = time.process_time if name == "one_thread_ms" else time.perf_counter
+        times = [fastest(lambda shot=shot, ask=ask: ask(shot), clock) for shot in shots]
+        result[name] = {
+            "median": round(median(times), 1),
+            "percentile_90": round(float(np.percentile(times, 90)), 1),
+            "worst": round(max(times), 1),
+        }
+    return result
+
+
+def instructions() -> dict[str, int]:
+    """Instructions of a variant, drawing, playing and counting together."""
+    if shutil.which("valgrind") is None:
+        print("valgrind is not installed: instructions were not counted", file=sys.stderr)
+        return {}
+    command = ["cargo", "build", "--quiet", "--profile", "bench", "-p", "carom-plan"]
+    command += ["--example", "chances", "--message-format", "json"]
+    command += ["--manifest-path", str(ROOT / "Cargo.toml")]
+    built = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    program = next(
+        message["executable"]
+        for message in map(json.loads, built.splitlines())
+        if message.get("executable") and message["target"]["name"] == "chances"
+    )
+    members = states.load()["random_eight_ball"]
+    with tempfile.TemporaryDirectory() as folder:
+        shots = Path(folder) / "shots"
+        lines = (json.dumps(state.shot_file()) + "\n" for state in members)
+        shots.write_text("".join(lines), encoding="utf-8")
+        few, many = (counted(program, shots, variants) for variants in COUNTED)
+    variants = len(members) * (COUNTED[1] - COUNTED[0])
+    return {"instructions_per_variant": round((many - few) / variants)}
+
+
+def counted(program: str, shots: Path, variants: int) -> int:
+    """Instructions of the whole program."""
+    command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null"]
+    done = subprocess.run(
+        [*command, program, str(shots), str(variants)], check=True, capture_output=True, text=True
+    )
+    collected = re.search(r"Collected\s*:\s*(\d+)", done.stderr)
+    if collected is None:
+        raise SystemExit(f"callgrind did not say what it counted:\n{done.stderr}")
+    return int(collected.group(1))
+
+
+def others() -> dict[str, float]:
+    """What the other questions about one shot take by the wall clock, ms."""
+    shot = carom.Shot.load(ROOT / "shots" / "side_pocket_cut.json")
+    speeds, heights = np.linspace(0.8, 4.0, 65), np.linspace(-0.4, 0.4, 5)
+    asked: dict[str, Callable[[], object]] = {
+        "solve": lambda: shot.solve(pot=("1", "right")),
+        "pot_map_2048_cells": lambda: carom.pot_map(shot, "1", "right", columns=32),
+        "position_map_325_cells": lambda: carom.position_map(
+            shot, "1", "right", speed=speeds, height=heights
+        ),
+        "acceptance_77924_balls": lambda: carom.acceptance(shot, "top-left"),
+        "kick_table_648_kicks": lambda: carom.kick_table(shot),
+        "bank_table_216_banks": lambda: carom.bank_table(shot, "1"),
+        "break_statistics_1000_racks": lambda: carom.break_statistics("nine-ball", 1000),
+    }
+    return {name: round(fastest(ask, time.perf_counter), 1) for name, ask in asked.items()}
+
+
+def fastest(ask: Callable[[], object], clock: Callable[[], float]) -> float:
+    """The fastest of some runs, ms."""
+    times = []
+    for _ in range(ROUNDS):
+        start = clock()
+        ask()
+        times.append(clock() - start)
+    return 1e3 * min(times)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
