@@ -185,6 +185,8 @@ pub fn play(rows: &Rows<'_>, balls: usize, facts: bool) -> Played {
 struct Player<'a, const N: usize> {
     rows: &'a Rows<'a>,
     facts: bool,
+    /// A referee for each layout who has looked at its balls, which takes longer than to be copied.
+    referees: Vec<Option<OutcomeRecorder<'a>>>,
     simulation: Box<Simulation<N>>,
     /// The last shot that was made of a layout and values, and for which row.
     made: Option<(usize, Shot)>,
@@ -207,7 +209,9 @@ impl<'a, const N: usize> Player<'a, N> {
             facts: vec![Facts::default(); if facts { n } else { 0 }],
             errors: Vec::new(),
         };
-        Self { rows, facts, simulation: Box::new(Simulation::new()), made: None, played }
+        let referees = vec![None; rows.layouts.len()];
+        let simulation = Box::new(Simulation::new());
+        Self { rows, facts, referees, simulation, made: None, played }
     }
 
     fn play(mut self) -> Played {
@@ -223,9 +227,14 @@ impl<'a, const N: usize> Player<'a, N> {
 
     fn row(&mut self, row: usize) -> Result<(), Error> {
         let rows = self.rows;
-        let layout = rows.layouts[rows.layout[row] as usize];
+        let number = rows.layout[row] as usize;
+        let layout = rows.layouts[number];
         if rows.columns.is_empty() {
-            return self.shot(row, layout);
+            let referee = self.facts.then(|| {
+                let looked = &mut self.referees[number];
+                looked.get_or_insert_with(|| OutcomeRecorder::new(layout)).clone()
+            });
+            return self.shot(row, layout, referee);
         }
         let again = |&(other, _): &(usize, Shot)| {
             rows.layout[other] == rows.layout[row]
@@ -235,7 +244,8 @@ impl<'a, const N: usize> Player<'a, N> {
             Some(made) => made,
             None => (row, self.make(row, layout)?),
         };
-        let result = self.shot(row, &made.1);
+        let referee = self.facts.then(|| OutcomeRecorder::new(&made.1));
+        let result = self.shot(row, &made.1, referee);
         self.made = Some(made);
         result
     }
@@ -259,9 +269,14 @@ impl<'a, const N: usize> Player<'a, N> {
     }
 
     /// Plays `shot` with the row's strike.
-    fn shot(&mut self, row: usize, shot: &Shot) -> Result<(), Error> {
+    fn shot(
+        &mut self,
+        row: usize,
+        shot: &Shot,
+        referee: Option<OutcomeRecorder<'_>>,
+    ) -> Result<(), Error> {
         let Some((struck, own)) = shot.strike() else {
-            return self.simulate(row, shot, None);
+            return self.simulate(row, shot, None, referee);
         };
         let mut numbers = [own.speed, own.azimuth, own.elevation, own.side, own.height];
         for &(key, values) in self.rows.strike {
@@ -281,7 +296,7 @@ impl<'a, const N: usize> Player<'a, N> {
             }
             shot.resolve_strike(&strike)?;
         }
-        self.simulate(row, shot, Some((struck, strike)))
+        self.simulate(row, shot, Some((struck, strike)), referee)
     }
 
     fn simulate(
@@ -289,14 +304,15 @@ impl<'a, const N: usize> Player<'a, N> {
         row: usize,
         shot: &Shot,
         strike: Option<(usize, Strike)>,
+        referee: Option<OutcomeRecorder<'_>>,
     ) -> Result<(), Error> {
         let count = shot.balls().len();
         let first = row * self.played.balls;
         let pockets = &mut self.played.pocket[first..][..count];
         pockets.fill(ON_TABLE);
         let explain = |failure| shot.explain(failure, strike.as_ref().map(|(_, s)| s));
-        let Summary { duration, events } = if self.facts {
-            let mut ears = Ears { pockets, referee: OutcomeRecorder::new(shot) };
+        let Summary { duration, events } = if let Some(referee) = referee {
+            let mut ears = Ears { pockets, referee };
             let played = self.simulation.play_strike(shot, strike, &mut ears).map_err(explain)?;
             let last = |i| self.simulation.state(i, played.duration);
             let last: Vec<_> = (0..count).map(last).collect();
