@@ -127,6 +127,17 @@ def test_the_ends_of_a_range_are_met_to_the_bit(pot: dict[str, Any]) -> None:
     assert np.diff(speeds) == pytest.approx(0.1)
 
 
+def test_relative_values_are_added_to_the_own_numbers_of_each_layout(spec: Spec) -> None:
+    spec["shots"][1]["strike"]["azimuth_deg"] = 80.0
+    spec["vary"] = {"strike.azimuth_deg": {"grid": [-1.5, 0.0], "relative": True}}
+    del spec["samples"]
+    relative = Sweep.from_dict(spec).table()
+    assert relative["azimuth_deg_offset"].to_pylist() == [-1.5, 0.0, -1.5, 0.0]
+    spec["vary"] = {"strike.azimuth_deg": {"grid": [88.5, 90.0, 78.5, 80.0]}}
+    absolute = Sweep.from_dict(spec).table().take([0, 1, 6, 7])
+    assert relative["end_x"].equals(absolute["end_x"])
+
+
 def test_any_value_of_a_shot_file_may_vary(pot: dict[str, Any]) -> None:
     vary = {
         "table": {"grid": ["wpa-9ft", {"base": "wpa-9ft", "cushion_height": 0.037}]},
@@ -253,6 +264,10 @@ def test_a_strike_that_only_the_row_can_play_is_played(pot: dict[str, Any]) -> N
         ),
         ({"vary": {"strike.speed": {"normal": [2, -1]}}}, r"^vary.strike.speed.normal\[1\]: -1.0"),
         ({"vary": {"strike.speed": {"log_uniform": [0, 1]}}}, r"log_uniform\[0\]: 0.0 has no log"),
+        (
+            {"vary": {"table.length": {"grid": [1], "relative": True}}},
+            r"^vary.table.length.relative: only numbers of a strike",
+        ),
         ({"vary": {"balls.cue.id": {"grid": ["a"]}}}, r"^vary.balls.cue.id: which balls there are"),
         ({"vary": {"table.row": {"grid": [1], "name": "row"}}}, r'a column "row" is there already'),
         (
@@ -326,6 +341,16 @@ def test_the_same_rows_in_parts_of_any_size(spec: Spec, tmp_path: Path) -> None:
     for rows in (1, 64, 1000):
         carom.sweep(spec, tmp_path / str(rows), part_rows=rows)
         assert read(tmp_path / str(rows)).equals(whole)
+
+
+def test_parts_of_several_row_groups_have_the_same_rows(
+    spec: Spec, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("carom.sweeps.parts.GROUP", 32)
+    carom.sweep(spec, tmp_path, part_rows=150)
+    file = pq.ParquetFile(tmp_path / "part-000000.parquet")
+    assert [file.metadata.row_group(k).num_rows for k in range(5)] == [32, 32, 32, 32, 22]
+    assert read(tmp_path).equals(Sweep.from_dict(spec).table())
 
 
 def test_a_file_says_which_sweep_it_is_of(spec: Spec, tmp_path: Path) -> None:

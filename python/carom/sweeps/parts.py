@@ -20,8 +20,10 @@ if TYPE_CHECKING:
 
 # Rows that go to Rust in one call; between calls Ctrl-C is heard. Tens of milliseconds of work.
 CHUNK = 16_384
-# Rows of a part, at most and at least: some tens of megabytes in memory, a second of work; and
-# enough for a file to be worth opening.
+# Rows of a row group: some tens of megabytes, all that a writer holds in memory.
+GROUP = 131_072
+# Rows of a part if nothing else is said, at most and at least: about a second of work, so that
+# little is lost by a kill; and enough for a file to be worth opening.
 MOST_ROWS = 131_072
 LEAST_ROWS = 4096
 # Parts that a small sweep has at least, so that all cores have some.
@@ -90,21 +92,28 @@ class Parts:
         Raises:
             StoppedError: ``go_on`` said no.
         """
-        start, stop = self.range(part)
-        table = play_rows(sweep, start, stop, go_on)
-        table = table.replace_schema_metadata(metadata(sweep, start, table))
         path = self.path(part)
         # A name that no other process takes, on no machine that sees the folder.
         name = f"{path.name}.{socket.gethostname()}-{os.getpid()}-{next(_counter)}{UNFINISHED}"
         unfinished = path.with_name(name)
         try:
-            pq.write_table(table, unfinished, **_encoding(table.schema))
+            self._play_into(unfinished, sweep, part, go_on)
             with unfinished.open("rb+") as file:
                 os.fsync(file.fileno())
             unfinished.replace(path)
         finally:
             unfinished.unlink(missing_ok=True)
         return self.receipt(sweep, part, worker=os.getpid())
+
+    def _play_into(self, path: Path, sweep: Sweep, part: int, go_on: Callable[[], bool]) -> None:
+        first, end = self.range(part)
+        failed = 0
+        with pq.ParquetWriter(path, sweep.schema, **_encoding(sweep.schema)) as file:
+            for start in range(first, end, GROUP):
+                table = play_rows(sweep, start, min(start + GROUP, end), go_on)
+                failed += len(table) - table["error"].null_count
+                file.write_table(table, row_group_size=GROUP)
+            file.add_key_value_metadata(metadata(sweep, first, failed))
 
     def receipt(self, sweep: Sweep, part: int, worker: int = 0) -> Receipt:
         """What the file of a part says about itself.
@@ -155,9 +164,8 @@ def play_rows(
     return pa.Table.from_batches(batches, schema=sweep.schema)
 
 
-def metadata(sweep: Sweep, first_row: int, table: pa.Table) -> dict[str, str]:
+def metadata(sweep: Sweep, first_row: int, failed: int) -> dict[str, str]:
     """What a file says about itself."""
-    failed = len(table) - table["error"].null_count
     said = {
         "carom.version": __version__,
         "carom.sweep.sha256": sweep.sha256,

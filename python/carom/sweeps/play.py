@@ -32,6 +32,9 @@ class Player:
         self.id_of = np.full((len(spec.layouts), self.balls), -1, dtype=np.int16)
         for row, shot in zip(self.id_of, spec.layouts, strict=True):
             row[: len(shot.ids)] = [self.ids.index(ball) for ball in shot.ids]
+        # The layouts' own strikes, in their files' units.
+        files = [shot.to_dict().get("strike", {}) for shot in spec.layouts]
+        self.own = np.array([[strike.get(key, 0.0) for key in specs.STRIKE] for strike in files])
         self.parameter_schema = pa.schema(self._parameter_fields())
         self.schema = pa.schema([*self._parameter_fields(), *self._outcome_fields()])
 
@@ -64,7 +67,10 @@ class Player:
             key = parameter.path.removeprefix("strike.")
             column = batch[parameter.name]
             if key in specs.STRIKE and parameter.kind == "number":
-                strike.append((key, _numpy(column)))
+                numbers = _numpy(column)
+                if parameter.relative:
+                    numbers = self.own[layout, specs.STRIKE.index(key)] + numbers
+                strike.append((key, numbers))
             else:
                 columns.append((parameter.path, _values(parameter, column)))
         noise = None
@@ -100,7 +106,10 @@ class Player:
             fields.append(_field("sample", pa.int64(), "which draw"))
         if spec.noise is not None:
             fields.append(_field("variant", pa.int64(), "which error of the strike"))
-        return fields + [_field(p.name, _type(p), p.path) for p in spec.parameters]
+        return fields + [
+            _field(p.name, _type(p), f"{p.path}, added to the layout's" if p.relative else p.path)
+            for p in spec.parameters
+        ]
 
     def _outcome_fields(self) -> list[pa.Field]:
         fields = [_field(name, self._outcome_type(name), OUTCOMES[name]) for name in self.columns]

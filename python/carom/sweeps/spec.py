@@ -33,6 +33,7 @@ _KEYS = (
     "columns",
 )
 _STEPS = ("from", "to", "count")
+_OPTIONS = ("name", "relative")
 _DISTRIBUTIONS = ("uniform", "log_uniform", "normal")
 _WAYS = "grid, from + to + count, uniform, log_uniform, normal, choice"
 _SIGMAS = {
@@ -58,6 +59,7 @@ class Grid:
         path: Where it stands in the shot file.
         name: Of its column.
         kind: What a value is.
+        relative: Whether a value is added to the layout's own number, which is one of a strike.
         values: All of them; empty where they are ``steps``.
         steps: From, to, count: as many values, evenly spaced, both ends included.
     """
@@ -65,6 +67,7 @@ class Grid:
     path: str
     name: str
     kind: Kind
+    relative: bool
     values: tuple[Any, ...] = ()
     steps: tuple[float, float, int] | None = None
 
@@ -87,6 +90,7 @@ class Draw:
         path: Where it stands in the shot file.
         name: Of its column.
         kind: What a value is.
+        relative: Whether a value is added to the layout's own number, which is one of a strike.
         distribution: ``uniform``, ``log_uniform``, ``normal``, or ``choice``.
         a: First parameter of the distribution (from, mean), for each number of a list.
         b: Second (to, σ).
@@ -96,6 +100,7 @@ class Draw:
     path: str
     name: str
     kind: Kind
+    relative: bool
     distribution: str
     a: tuple[float, ...] = ()
     b: tuple[float, ...] = ()
@@ -285,16 +290,27 @@ def _check_path(place: str, path: str) -> None:
 
 
 def _parameter(place: str, path: str, how: Any) -> Parameter:
-    found = read.fields(place, how, ("grid", *_STEPS, *_DISTRIBUTIONS, "choice", "name"))
-    name = found.pop("name", None) or column_name(path)
+    found = read.fields(place, how, ("grid", *_STEPS, *_DISTRIBUTIONS, "choice", *_OPTIONS))
+    relative = found.pop("relative", False)
+    if not isinstance(relative, bool):
+        read.refuse(f"{place}.relative", f"found {read.describe(relative)}", "write true or false")
+    name = found.pop("name", None) or column_name(path) + ("_offset" if relative else "")
     if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
         read.refuse(f"{place}.name", f"found {read.describe(name)}", "write letters, digits and _")
     if name in (*_TAKEN, *OUTCOMES):
         read.refuse(place, f'a column "{name}" is there already', 'give it another "name"')
+    parameter = _how(place, path, name, relative, found)
+    if relative and (path.removeprefix("strike.") not in STRIKE or parameter.kind != "number"):
+        what = "only numbers of a strike vary about the layout's own"
+        read.refuse(f"{place}.relative", what, f"write strike.{', strike.'.join(STRIKE)}")
+    return parameter
+
+
+def _how(place: str, path: str, name: str, relative: bool, found: dict[str, Any]) -> Parameter:
     if set(found) == set(_STEPS):
         ends = read.number(f"{place}.from", found["from"]), read.number(f"{place}.to", found["to"])
         count = read.whole(f"{place}.count", found["count"], 1, _MOST_STEPS)
-        return Grid(path, name, "number", steps=(*ends, count))
+        return Grid(path, name, "number", relative, steps=(*ends, count))
     if len(found) != 1 or not set(found).isdisjoint(_STEPS):
         read.refuse(place, "it does not say in which one way this varies", f"write one of {_WAYS}")
     ((way, value),) = found.items()
@@ -302,12 +318,13 @@ def _parameter(place: str, path: str, how: Any) -> Parameter:
     if way in ("grid", "choice"):
         kind, values = _values(at, value)
         if way == "grid":
-            return Grid(path, name, kind, values)
-        return Draw(path, name, kind, way, values=values)
-    return _drawn(at, path, name, way, value)
+            return Grid(path, name, kind, relative, values)
+        return Draw(path, name, kind, relative, way, values=values)
+    kind, a, b = _drawn(at, way, value)
+    return Draw(path, name, kind, relative, way, a, b)
 
 
-def _drawn(place: str, path: str, name: str, way: str, value: Any) -> Draw:
+def _drawn(place: str, way: str, value: Any) -> tuple[Kind, tuple[float, ...], tuple[float, ...]]:
     meaning = "[mean, sigma]" if way == "normal" else "[from, to]"
     if not isinstance(value, list | tuple) or len(value) != 2:
         read.refuse(place, f"found {read.describe(value)}", f"write {meaning}")
@@ -325,7 +342,7 @@ def _drawn(place: str, path: str, name: str, way: str, value: Any) -> Draw:
             read.refuse(at, f"{high!r} is less than {low!r}", "write the smaller one first")
         if way == "log_uniform" and low <= 0:
             read.refuse(f"{place}[0]", f"{low!r} has no logarithm", "write a number > 0")
-    return Draw(path, name, kind, way, a, b)
+    return kind, a, b
 
 
 def _values(place: str, value: Any) -> tuple[Kind, tuple[Any, ...]]:

@@ -1,0 +1,136 @@
+"""Rows a second of a sweep, its memory, and what Ray adds on the same cores.
+
+    python benches/sweep.py [ROWS]
+
+Ten million mid-game shots (the benchmark's 400 layouts, their strikes with the Computational
+Olympiad's noise) go to Parquet by the threads of one process, then by Ray's workers on as many
+cores; Ray's start is told apart. The files of both are compared. Beside it stand the same shots in
+a batch, which writes nothing, and a sweep without a referee's facts. Every run is a process of its
+own. The result is kept in ``benches/results/sweep.json``.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+from carom import Shot, Sweep, simulate_batch
+from carom.bench import report, states
+
+ROOT = Path(__file__).resolve().parents[1]
+STORED = ROOT / "benches" / "results" / "sweep.json"
+ROWS = 10_000_000
+#: What this must reach: the most that Ray may add.
+BAR_OVERHEAD = 0.15
+#: Shots of the batch, and rows of the sweep without facts: as a share of all rows.
+SHARE = 0.1
+#: Columns for which nobody needs to know what touched what.
+WITHOUT_FACTS = ["events", "duration", "pocket", "end_x", "end_y"]
+
+
+def main(rows: int) -> int:
+    """Measures, prints, stores."""
+    result: dict[str, Any] = report.where()
+    with tempfile.TemporaryDirectory() as folder:
+        here = child("here", rows, folder)
+        ray = child("ray", rows, folder)
+        small = round(rows * SHARE)
+        plain = child("plain", small, folder)
+        batch = child("batch", small, folder)
+    if here.pop("files") != ray.pop("files"):
+        raise SystemExit("the files that Ray wrote differ from those that were written here")
+    result |= {
+        "cores": os.cpu_count(),
+        "here": here,
+        "ray": ray,
+        "without_facts": {k: v for k, v in plain.items() if k != "files"},
+        "batch": batch,
+        "ray_overhead": round(ray["seconds"] / here["seconds"] - 1, 4),
+    }
+    print(json.dumps(result, indent=2))
+    print(f"bar: Ray adds under {BAR_OVERHEAD:.0%}")
+    STORED.parent.mkdir(parents=True, exist_ok=True)
+    STORED.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+    return 0
+
+
+def child(what: str, rows: int, folder: str) -> dict[str, Any]:
+    """One measurement, in a process of its own."""
+    command = [sys.executable, __file__, what, str(rows), folder]
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True)
+    found: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
+    print(what, {k: v for k, v in found.items() if k != "files"}, file=sys.stderr)
+    return found
+
+
+def measure(what: str, rows: int, folder: Path) -> dict[str, Any]:
+    """What the child does."""
+    return batch(rows) if what == "batch" else sweep(what, rows, folder / what)
+
+
+def sweep(what: str, rows: int, folder: Path) -> dict[str, Any]:
+    """Rows a second, memory, size; the files' hashes, and then no files."""
+    shots = [state.shot_file() for state in states.load()["random_eight_ball"]]
+    spec: dict[str, Any] = {
+        "format": "carom-sweep/1",
+        "shots": shots,
+        "noise": "olympiad",
+        "variants": rows // len(shots),
+    }
+    if what == "plain":
+        spec["columns"] = WITHOUT_FACTS
+    made = Sweep.from_dict(spec)
+    begun = time.process_time()
+    done = made.run(folder, ray=what == "ray")
+    result: dict[str, Any] = {
+        "rows": done.rows,
+        "failed": done.failed,
+        "parts": done.parts,
+        "seconds": round(done.seconds, 2),
+        "rows_per_second": round(done.rows / done.seconds),
+        "bytes_per_row": round(done.bytes / done.rows, 1),
+    }
+    if what == "ray":
+        result |= {"workers": done.workers, "start_seconds": round(done.ray_start_seconds or 0, 2)}
+    else:
+        processor = time.process_time() - begun
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        result |= {
+            "rows_per_core_second": round(done.rows / processor),
+            "peak_megabytes": round(peak / 1024),
+        }
+    result["files"] = {}
+    for path in sorted(folder.glob("*.parquet")):
+        result["files"][path.name] = hashlib.sha256(path.read_bytes()).hexdigest()
+        path.unlink()
+    return result
+
+
+def batch(rows: int) -> dict[str, Any]:
+    """The benchmark's mid-game shots, as they are, in a batch."""
+    members = [Shot.from_dict(s.shot_file()) for s in states.load()["random_eight_ball"]]
+    shots = members * (rows // len(members))
+    simulate_batch(members)
+    begun = time.perf_counter(), time.process_time()
+    simulate_batch(shots)
+    wall, processor = time.perf_counter() - begun[0], time.process_time() - begun[1]
+    return {
+        "rows": len(shots),
+        "rows_per_second": round(len(shots) / wall),
+        "rows_per_core_second": round(len(shots) / processor),
+    }
+
+
+if __name__ == "__main__":
+    if len(sys.argv) == 4:
+        print(json.dumps(measure(sys.argv[1], int(sys.argv[2]), Path(sys.argv[3]))))
+        sys.exit(0)
+    sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else ROWS))
