@@ -60,7 +60,7 @@ def main() -> int:
 def steps() -> dict[str, Any]:
     """Steps a second by the wall clock, and processor time of a step."""
     envs = gymnasium.make_vec(
-        "carom/EightBall-v0",
+        "carom/EightBall-v1",
         num_envs=ENVIRONMENTS,
         balls=(4, 9),
         noise=carom.Noise.olympiad(1.0),

@@ -181,7 +181,11 @@ class Frame:
 
     @property
     def state(self) -> Record:
-        """What this game has and others have not: ``groups``, ``on``, ``break``, ``innings``."""
+        """What this game has and others have not.
+
+        ``groups`` in eight-ball; ``on``, ``free_ball``, ``break`` and ``points_left`` (the most
+        that the balls on the table are worth) in snooker; ``innings`` in three-cushion.
+        """
         return Record(self.to_dict()["state"])
 
     def shot(
@@ -227,6 +231,14 @@ class Frame:
             InputError: No choice is asked, or not this one.
         """
         return Ruling._read(self._core.choose(choice))
+
+    def concede(self) -> Ruling:
+        """The player whose turn it is gives up, and the other wins.
+
+        Raises:
+            InputError: The frame is over.
+        """
+        return Ruling._read(self._core.concede())
 
     def __repr__(self) -> str:
         request = self.request

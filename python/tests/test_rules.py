@@ -93,3 +93,13 @@ def test_every_game_begins_and_can_be_printed(game: str) -> None:
     call = None if "nothing" in frame.request.calls else carom.Call.safety()
     shot = frame.shot(strike, cue_ball=places[frame.request.in_hand], call=call)
     assert set(shot.ids) == set(frame.balls)
+
+
+def test_who_concedes_loses() -> None:
+    frame = carom.Frame("snooker")
+    assert frame.state.points_left == 147
+    assert frame.concede().legal
+    assert frame.over
+    assert frame.request.winner == 1
+    with pytest.raises(carom.InputError, match="concede: the frame is over"):
+        frame.concede()

@@ -78,6 +78,11 @@ impl Frame {
         to_python(py, &self.0.ruling_node(&ruling))
     }
 
+    fn concede<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let ruling = self.0.concede().map_err(|e| to_exception(py, &e))?;
+        to_python(py, &self.0.ruling_node(&ruling))
+    }
+
     fn copy(&self) -> Self {
         Self(self.0.clone())
     }

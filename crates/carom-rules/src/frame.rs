@@ -147,6 +147,11 @@ impl Frame {
         self.state.scores = scores;
     }
 
+    /// What one game has and others have not.
+    pub(crate) fn law_node(&self) -> Node {
+        self.law.game().to_node(&self.state)
+    }
+
     /// Answers a choice.
     ///
     /// # Errors
@@ -174,6 +179,18 @@ impl Frame {
         Ok(self.settle(request))
     }
 
+    /// The player whose turn it is gives up, and the other wins (WPA 1.11; WPBSA, section 2, rule 1; UMB,
+    /// article 26).
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the frame is over.
+    pub fn concede(&mut self) -> Result<Ruling, Error> {
+        let player = self
+            .player()
+            .ok_or_else(|| Error::input("concede", "the frame is over", "begin a new frame"))?;
+        Ok(self.settle(Request::won(1 - player, "the other player conceded")))
+    }
+
     /// Carries out what the ruling says, and sees to it that a frame without progress ends.
     fn settle(&mut self, request: Request) -> Ruling {
         self.request = request;
@@ -197,6 +214,11 @@ impl Frame {
     fn begin_again(&mut self) {
         self.state.rack();
         self.state.fouls = [0; 2];
+        if self.rules.is_nullified_by_stalemate() {
+            let State { scores, ruling, .. } = &mut self.state;
+            ruling.points = [0, 1].map(|player| ruling.points[player] - scores[player]);
+            *scores = [0; 2];
+        }
         self.progress.restart(&self.state);
         self.law = Law::new(self.rules);
         self.request = self.law.game_mut().open(&mut self.state, 0);

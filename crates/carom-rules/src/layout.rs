@@ -9,9 +9,8 @@ use carom::{Ball, BallState, Error, Shot, Table};
 
 use crate::BallIndex;
 
-/// A ball spotted behind another is put against it; from the cue ball, which it must not touch, it is
-/// kept this far away, m: a sheet of paper.
-const OFF_THE_CUE_BALL: f64 = 1e-4;
+/// A spotted ball is kept this far from a ball that it must not touch, m: a sheet of paper.
+const KEPT_OFF: f64 = 1e-4;
 
 /// What rounding may take from a distance, m.
 const ROUNDING: f64 = 1e-12;
@@ -107,8 +106,14 @@ impl Layout {
 
     /// Whether `ball` could lie at `place` touching no other ball.
     pub(crate) fn is_free(&self, ball: BallIndex, place: [f64; 2]) -> bool {
+        self.in_the_way(ball, place).is_none()
+    }
+
+    /// A ball that `ball` would touch at `place`.
+    pub(crate) fn in_the_way(&self, ball: BallIndex, place: [f64; 2]) -> Option<BallIndex> {
         let radius = self.pieces[usize::from(ball)].ball.radius;
-        self.others(ball).all(|(_, there, other)| distance(place, there) > radius + other)
+        let touches = |there, other| distance(place, there) <= radius + other;
+        self.others(ball).find(|(_, there, other)| touches(*there, *other)).map(|(i, ..)| i)
     }
 
     /// The other balls on the table: number, centre, radius.
@@ -119,15 +124,31 @@ impl Layout {
         })
     }
 
+    /// The balls that touch `ball`: nearer to it than `tolerance`, m.
+    pub(crate) fn touching(&self, ball: BallIndex, tolerance: f64) -> Vec<BallIndex> {
+        let Some(place) = self.place(ball) else { return Vec::new() };
+        let reach = self.pieces[usize::from(ball)].ball.radius + tolerance;
+        let touches = |there, radius| distance(place, there) <= reach + radius;
+        let others = self.others(ball).filter(|(_, there, radius)| touches(*there, *radius));
+        others.map(|(other, ..)| other).collect()
+    }
+
     /// Puts `ball` on the line from `spot` up the table (to the foot rail), as near to the spot as the
-    /// other balls allow; where there is no room, on the line down the table (WPA 1.4).
-    pub(crate) fn spot(&mut self, ball: BallIndex, spot: [f64; 2], cue: BallIndex, table: &Table) {
+    /// other balls allow; where there is no room, on the line down the table (WPA 1.4; WPBSA, section 3,
+    /// rule 7). It may touch other balls, but not those that it `keeps_off`.
+    pub(crate) fn spot(
+        &mut self,
+        ball: BallIndex,
+        spot: [f64; 2],
+        table: &Table,
+        keeps_off: impl Fn(BallIndex) -> bool,
+    ) {
         let radius = self.pieces[usize::from(ball)].ball.radius;
         self.put(ball, None);
-        let up = self.first_free(ball, spot, cue, 1.0, table.size.y - table.reach(radius));
-        let place = up.or_else(|| self.first_free(ball, spot, cue, -1.0, table.reach(radius)));
+        let up = self.first_free(ball, spot, &keeps_off, 1.0, table.size.y - table.reach(radius));
+        let down = || self.first_free(ball, spot, &keeps_off, -1.0, table.reach(radius));
         // A line full of balls from end to end does not occur: there are not enough of them.
-        self.put(ball, Some(place.unwrap_or(spot)));
+        self.put(ball, Some(up.or_else(down).unwrap_or(spot)));
     }
 
     /// The first place along the line x = spot[0], from `spot` in `direction`, up to y = `end`.
@@ -135,7 +156,7 @@ impl Layout {
         &self,
         ball: BallIndex,
         [x, mut y]: [f64; 2],
-        cue: BallIndex,
+        keeps_off: &dyn Fn(BallIndex) -> bool,
         direction: f64,
         end: f64,
     ) -> Option<[f64; 2]> {
@@ -143,8 +164,7 @@ impl Layout {
         // Every ball is passed at most once.
         for _ in 0..=self.pieces.len() {
             let blocking = self.others(ball).find_map(|(i, there, other)| {
-                let gap = if i == cue { OFF_THE_CUE_BALL } else { 0.0 };
-                let reach = radius + other + gap;
+                let reach = radius + other + if keeps_off(i) { KEPT_OFF } else { 0.0 };
                 (distance([x, y], there) < reach - ROUNDING).then_some((there, reach))
             });
             let Some((there, reach)) = blocking else {

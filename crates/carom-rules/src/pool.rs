@@ -1,6 +1,6 @@
 //! What the pool games share: standard fouls, spotting, a shot's turn.
 
-use crate::facts::Facts;
+use crate::facts::{Facts, Touch};
 use crate::frame::State;
 use crate::games::{Played, Rules};
 use crate::layout::{head_string, spot_named};
@@ -28,16 +28,16 @@ pub(crate) const fn rule(rules: Rules, foul: Foul) -> &'static str {
         Foul::SoftBreak => match rules {
             Rules::EightBall => "WPA 3.3",
             Rules::TenBall => "WPA 9.3",
-            Rules::StraightPool => "WPA 4.3",
+            Rules::StraightPool => "WPA 4.10",
             _ => "WPA 2.3",
         },
         _ => "",
     }
 }
 
-/// The standard fouls (WPA 6.1 to 6.3, 6.5, 6.11) of a shot in which one of the turn's balls on must be
-/// hit first; any, if it names none. What depends on the player's body and hands cannot happen here.
-pub(crate) fn standard_fouls(state: &State, shot: &Played<'_>) -> Fouls {
+/// The standard fouls (WPA 6.1 to 6.3, 6.5) of a shot in which one of the turn's balls on must be hit
+/// first; any, if it names none. What depends on the player's body and hands cannot happen here.
+pub(crate) fn standard_fouls(shot: &Played<'_>) -> Fouls {
     let (turn, facts) = (shot.turn, shot.facts);
     let mut fouls = lost_balls(facts);
     let first = facts.first_contact();
@@ -45,14 +45,50 @@ pub(crate) fn standard_fouls(state: &State, shot: &Played<'_>) -> Fouls {
     if let Some(first) = first {
         let wrong = !turn.on.is_empty() && !turn.on.contains(&first);
         fouls.add_if(wrong, Foul::WrongBallFirst);
-        let still = facts.potted().next().is_none() && !facts.rail_after_contact;
-        fouls.add_if(still && facts.off_table.is_empty(), Foul::NoRailAfterContact);
-        let line = head_string(state.base.table());
-        let hidden = shot.before.place(first).is_some_and(|[_, y]| y < line);
-        let from_behind = turn.hand == Some(Region::BehindHeadString);
-        fouls.add_if(from_behind && hidden && facts.cue_reached < line, Foul::BehindHeadString);
+        // What leaves the bed of the table was driven to a rail (WPA 8.4).
+        let driven = facts.rail_after_contact || facts.pocketed.len() + facts.off_table.len() > 0;
+        fouls.add_if(!driven, Foul::NoRailAfterContact);
     }
     fouls
+}
+
+/// Play from behind the head string (WPA 6.11).
+pub(crate) struct FromBehind {
+    /// The first ball hit was behind the string, and the cue ball had not crossed it.
+    pub(crate) hit_behind: bool,
+    /// The cue ball neither crossed the string nor touched a ball that was not behind it.
+    pub(crate) stayed: bool,
+}
+
+impl FromBehind {
+    pub(crate) fn of(state: &State, shot: &Played<'_>) -> Self {
+        let (facts, line) = (shot.facts, head_string(state.base.table()));
+        let restricted = shot.turn.hand == Some(Region::BehindHeadString);
+        let is_behind = |ball| shot.before.place(ball).is_some_and(|[_, y]| y < line);
+        let mut balls = facts.touched.iter().filter_map(|touch| match touch {
+            Touch::Ball(ball) => Some(*ball),
+            Touch::Rail(_) => None,
+        });
+        let first_behind = facts.first_contact().is_some_and(is_behind);
+        Self {
+            hit_behind: restricted && first_behind && facts.cue_reached < line,
+            stayed: restricted && facts.cue_farthest < line && balls.all(is_behind),
+        }
+    }
+
+    pub(crate) const fn is_foul(&self) -> bool {
+        self.hit_behind || self.stayed
+    }
+}
+
+/// With the cue ball in hand behind the head string and all `legal` balls behind it as well, the one nearest
+/// to the string may be spotted (WPA 1.5): which that is.
+pub(crate) fn nearest_behind(state: &State, legal: &[BallIndex]) -> Option<BallIndex> {
+    let line = head_string(state.base.table());
+    let height = |ball: BallIndex| state.layout.place(ball).map_or(0.0, |[_, y]| y);
+    let all_behind = legal.iter().all(|ball| height(*ball) < line);
+    let nearest = || legal.iter().copied().max_by(|a, b| height(*a).total_cmp(&height(*b)));
+    if all_behind { nearest() } else { None }
 }
 
 /// The fouls that a push-out leaves in force (WPA 2.4).
@@ -62,11 +98,6 @@ pub(crate) fn lost_balls(facts: &Facts) -> Fouls {
     fouls.add_if(facts.off_table.contains(&facts.cue), Foul::CueBallOffTable);
     fouls.add_if(facts.thrown_off().next().is_some(), Foul::BallOffTable);
     fouls
-}
-
-/// Object balls driven to a rail.
-pub(crate) fn driven(facts: &Facts) -> usize {
-    facts.driven.iter().filter(|ball| **ball != facts.cue).count()
 }
 
 /// Counts the shooter's fouls in a row; whether this was the third.
@@ -80,7 +111,7 @@ pub(crate) fn is_third_foul(state: &mut State, player: Player) -> bool {
 pub(crate) fn spot(state: &mut State, ball: BallIndex) {
     let State { base, layout, ruling, .. } = state;
     let foot = spot_named(base.table(), "foot", 0.75);
-    layout.spot(ball, foot, CUE, base.table());
+    layout.spot(ball, foot, base.table(), |other| other == CUE);
     ruling.spotted.push(ball);
 }
 

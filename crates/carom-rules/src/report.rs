@@ -19,7 +19,7 @@ impl Frame {
             ("fouls_in_a_row", Node::list(self.fouls_in_a_row().map(i64::from))),
             ("shots", i64::from(self.shots()).into()),
             ("balls", Node::Object(balls.collect())),
-            ("state", self.law().game().to_node()),
+            ("state", self.law_node()),
         ])
     }
 

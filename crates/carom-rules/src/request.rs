@@ -160,11 +160,13 @@ pub enum Choice {
     Replace,
     /// Spot the balls that touch the cue ball, and shoot (three-cushion).
     SpotFrozen,
+    /// Spot the legal ball nearest to the head string, and shoot from behind it (pool).
+    SpotNearest,
 }
 
 impl Choice {
     /// Every choice.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::PlayOn,
         Self::PlayFromHand,
         Self::PassBack,
@@ -173,6 +175,7 @@ impl Choice {
         Self::SpotEight,
         Self::Replace,
         Self::SpotFrozen,
+        Self::SpotNearest,
     ];
 
     /// Its name in files and in Python.
@@ -186,6 +189,7 @@ impl Choice {
             Self::SpotEight => "spot-eight",
             Self::Replace => "replace",
             Self::SpotFrozen => "spot-frozen",
+            Self::SpotNearest => "spot-nearest",
         }
     }
 

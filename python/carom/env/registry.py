@@ -7,12 +7,12 @@ import gymnasium
 # A version goes up when the same actions give other results.
 ENVIRONMENTS = {
     "carom/Potting-v0": "potting",
-    "carom/EightBall-v0": "eight-ball",
+    "carom/EightBall-v1": "eight-ball",
     "carom/NineBall-v0": "nine-ball",
     "carom/TenBall-v0": "ten-ball",
     "carom/StraightPool-v0": "straight-pool",
-    "carom/Snooker-v0": "snooker",
-    "carom/ThreeCushion-v0": "three-cushion",
+    "carom/Snooker-v1": "snooker",
+    "carom/ThreeCushion-v1": "three-cushion",
     "carom/SumToThree-v0": "sum-to-three",
 }
 

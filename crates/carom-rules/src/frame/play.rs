@@ -3,7 +3,6 @@
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
 use carom::simulate::{SMALL, Simulation};
-use carom::trace::What;
 use carom::{BallState, Error, MotionState, Shot, Trace};
 
 use super::Frame;
@@ -165,31 +164,11 @@ impl Frame {
         self.play_shot(simulation, play, prepared, strike)
     }
 
-    /// `shot` with this strike is the shot that `play` is.
-    fn play_shot(
-        &mut self,
-        simulation: &mut Simulation<SMALL>,
-        play: &Play,
-        shot: &Shot,
-        strike: Option<(usize, Strike)>,
-    ) -> Result<(Ruling, Outcome, Vec<BallState>), Error> {
-        let mut witness = Witness::new(shot);
-        let summary = simulation
-            .play_strike(shot, strike, &mut witness)
-            .map_err(|failure| shot.explain(failure, strike.as_ref().map(|(_, s)| s)))?;
-        let last: Vec<BallState> =
-            (0..shot.balls().len()).map(|i| simulation.state(i, summary.duration)).collect();
-        let (outcome, reached) = witness.finish(shot, &last);
-        let last: Vec<BallState> =
-            (0..).zip(&last).map(|(i, s)| shot.to_file_frame(i, s)).collect();
-        Ok((self.rule(play, &outcome, reached, &last)?, outcome, last))
-    }
-
     /// Rules on a shot that was simulated elsewhere: `trace` is of the shot that [`Self::shot`] gives for
-    /// `play`.
+    /// `play`. A trace does not keep all that a referee looks at, so the shot is played once more.
     ///
     /// # Errors
-    /// As [`Self::shot`], and [`Error::Input`] if `trace` is of another shot.
+    /// As [`Self::play`], and [`Error::Input`] if `trace` is of another shot.
     pub fn apply(&mut self, play: &Play, trace: &Trace) -> Result<Ruling, Error> {
         if *trace.shot() != self.shot(play)? {
             return Err(Error::input(
@@ -198,37 +177,40 @@ impl Frame {
                 "simulate the shot that the frame gives for this play",
             ));
         }
-        let cue = trace.shot().cue_ball().unwrap_or_default() as u16;
-        let mut reached = f64::NEG_INFINITY;
-        for event in trace.events() {
-            let Some(k) = event.balls.iter().position(|ball| *ball == cue) else { continue };
-            reached = reached.max(event.before[k].position.y);
-            if event.what == What::BallCollision {
-                break;
-            }
-        }
-        self.rule(play, trace.outcome(), reached, trace.last())
+        let shot = trace.shot();
+        let played = self.play_shot(&mut Simulation::new(), play, shot, shot.strike())?;
+        Ok(played.0)
     }
 
-    /// `last` are the final states, in the file's frame.
-    fn rule(
+    /// `shot` with this strike is the shot that `play` is. The last are the final states, in the file's
+    /// frame.
+    fn play_shot(
         &mut self,
+        simulation: &mut Simulation<SMALL>,
         play: &Play,
-        outcome: &Outcome,
-        cue_reached: f64,
-        last: &[BallState],
-    ) -> Result<Ruling, Error> {
+        shot: &Shot,
+        strike: Option<(usize, Strike)>,
+    ) -> Result<(Ruling, Outcome, Vec<BallState>), Error> {
         let turn = self.asked_turn()?.clone();
+        let mut witness = Witness::new(shot);
+        let summary = simulation
+            .play_strike(shot, strike, &mut witness)
+            .map_err(|failure| shot.explain(failure, strike.as_ref().map(|(_, s)| s)))?;
+        let last: Vec<BallState> =
+            (0..shot.balls().len()).map(|i| simulation.state(i, summary.duration)).collect();
+
         let layout = &mut self.state.layout;
         layout.put(turn.cue, play.cue_ball.or_else(|| layout.place(turn.cue)));
         let balls: Vec<BallIndex> = layout.on_table().collect();
-        let facts = Facts::new(outcome, &balls, turn.cue, cue_reached);
-        let started = layout.clone();
-        for (&ball, state) in balls.iter().zip(last) {
+        let before = layout.clone();
+        let (outcome, facts) = witness.finish(&balls, &last, 0.5 * shot.table().size.y);
+        let last: Vec<BallState> =
+            (0..).zip(&last).map(|(i, state)| shot.to_file_frame(i, state)).collect();
+        for (&ball, state) in balls.iter().zip(&last) {
             let gone = matches!(state.motion, MotionState::Pocketed | MotionState::OffTable);
             layout.put(ball, (!gone).then_some([state.position.x, state.position.y]));
         }
-        Ok(self.decide(&turn, play, &facts, &started))
+        Ok((self.decide(&turn, play, &facts, &before), outcome, last))
     }
 
     /// Rules on what happened; the balls already lie where they came to rest.

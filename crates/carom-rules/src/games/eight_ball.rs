@@ -4,7 +4,8 @@ use carom::shot::Node;
 
 use crate::frame::State;
 use crate::games::{Game, Played};
-use crate::pool::{self, BALLS_TO_RAIL, CUE};
+use crate::layout::Layout;
+use crate::pool::{self, BALLS_TO_RAIL};
 use crate::request::{Calls, Choice, Region, Request};
 use crate::ruling::Foul;
 use crate::{BallIndex, Player};
@@ -43,6 +44,8 @@ impl Group {
 pub struct EightBall {
     /// Who has the solids; nobody while the table is open.
     solids_of: Option<Player>,
+    /// Who broke, or will.
+    breaker: Player,
     is_break: bool,
 }
 
@@ -53,13 +56,23 @@ impl EightBall {
         Some(if solids == player { Group::Solids } else { Group::Stripes })
     }
 
+    /// The balls of which one must be hit first. On an open table any but the eight may be (WPA 3.4); the
+    /// eight too, once a group is off the table, for it may be claimed (2025: 4.4).
+    fn balls_on(&self, layout: &Layout, player: Player) -> Vec<BallIndex> {
+        let left = |group: Group| layout.left(group.balls());
+        match self.group(player) {
+            Some(group) if left(group).is_empty() => vec![EIGHT],
+            Some(group) => left(group),
+            None => {
+                let claimed =
+                    [Group::Solids, Group::Stripes].into_iter().any(|g| left(g).is_empty());
+                layout.left((1..=15).filter(|ball| *ball != EIGHT || claimed))
+            }
+        }
+    }
+
     fn next(&self, state: &State, player: Player, hand: Option<Region>) -> Request {
-        // On an open table any ball may be hit first (WPA 6.2 in 3.9).
-        let on = self.group(player).map_or(Vec::new(), |group| {
-            let mine = state.layout.left(group.balls());
-            if mine.is_empty() { vec![EIGHT] } else { mine }
-        });
-        pool::shot(state, player, hand, on, Calls::REQUIRED)
+        pool::shot(state, player, hand, self.balls_on(&state.layout, player), Calls::REQUIRED)
     }
 
     /// The eight is off the table (WPA 3.8): it wins if it was called, on, and pocketed by a legal shot.
@@ -69,7 +82,7 @@ impl EightBall {
             lost("the eight was driven off the table")
         } else if !state.ruling.is_legal() {
             lost("the eight was pocketed with a foul")
-        } else if shot.turn.on != [EIGHT] {
+        } else if !shot.turn.on.contains(&EIGHT) {
             lost("the eight was pocketed before the group was cleared")
         } else if shot.made() != Some(EIGHT) {
             lost("the eight was pocketed in an uncalled pocket")
@@ -81,45 +94,43 @@ impl EightBall {
     /// WPA 3.3.
     fn judge_break(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
         let (facts, player, other) = (shot.facts, shot.player(), shot.other());
-        let eight_fell = facts.pocket_of(EIGHT).is_some();
-        if state.layout.is_down(EIGHT) && !eight_fell {
+        let fouled = !state.ruling.is_legal();
+        let eight = [Choice::SpotEight, Choice::Rebreak];
+        if facts.pocket_of(EIGHT).is_some() {
+            return if fouled {
+                Request::choice(other, &eight, "the eight was pocketed with a foul")
+            } else {
+                Request::choice(player, &eight, "the eight was pocketed on the break")
+            };
+        }
+        if state.layout.is_down(EIGHT) {
             pool::spot(state, EIGHT);
         }
-        let (spot, again) = (Choice::SpotEight, Choice::Rebreak);
-        if !state.ruling.is_legal() {
-            // No rail at all is part of a break too soft, which is the lesser matter.
-            let why = "a foul on the break";
-            let from_hand = Choice::PlayFromHand;
-            if eight_fell {
-                return Request::choice(
-                    other,
-                    &[spot, again],
-                    "the eight was pocketed with a foul",
-                );
-            }
-            if facts.lost_cue_ball() {
-                return Request::choice(other, &[from_hand], why);
-            }
-            return Request::choice(other, &[Choice::PlayOn, from_hand], why);
+        let potted = facts.potted().next().is_some();
+        let soft = !potted && facts.balls_driven() < BALLS_TO_RAIL;
+        state.ruling.fouls.add_if(soft, Foul::SoftBreak);
+        if !fouled && !soft {
+            return self.next(state, if potted { player } else { other }, None);
         }
-        if eight_fell {
-            return Request::choice(player, &[spot, again], "the eight was pocketed on the break");
-        }
-        if facts.potted().next().is_some() {
-            return self.next(state, player, None);
-        }
-        if pool::driven(facts) < BALLS_TO_RAIL {
-            state.ruling.fouls.add_if(true, Foul::SoftBreak);
-            let choices = [Choice::PlayOn, again, Choice::RebreakByOther];
-            return Request::choice(other, &choices, "too few balls were driven to a rail");
-        }
-        self.next(state, other, None)
+        let nearest = pool::nearest_behind(state, &self.balls_on(&state.layout, other));
+        let choices: Vec<Choice> = [
+            (!facts.lost_cue_ball(), Choice::PlayOn),
+            (fouled, Choice::PlayFromHand),
+            (fouled && nearest.is_some(), Choice::SpotNearest),
+            (soft, Choice::Rebreak),
+            (soft, Choice::RebreakByOther),
+        ]
+        .into_iter()
+        .filter_map(|(offered, choice)| offered.then_some(choice))
+        .collect();
+        let why = if soft { "too few balls were driven to a rail" } else { "a foul on the break" };
+        Request::Choice { player: other, choices, why }
     }
 }
 
 impl Game for EightBall {
     fn open(&mut self, _: &mut State, breaker: Player) -> Request {
-        *self = Self { solids_of: None, is_break: true };
+        *self = Self { solids_of: None, breaker, is_break: true };
         pool::break_shot(breaker, Vec::new(), Calls::NONE)
     }
 
@@ -129,7 +140,9 @@ impl Game for EightBall {
     }
 
     fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
-        state.ruling.fouls = pool::standard_fouls(state, shot);
+        state.ruling.fouls = pool::standard_fouls(shot);
+        let from_behind = pool::FromBehind::of(state, shot);
+        state.ruling.fouls.add_if(from_behind.is_foul(), Foul::BehindHeadString);
         if core::mem::take(&mut self.is_break) {
             return self.judge_break(state, shot);
         }
@@ -158,15 +171,22 @@ impl Game for EightBall {
             }
             Choice::SpotEight => {
                 pool::spot(state, EIGHT);
-                let lost = state.layout.is_down(CUE);
-                self.next(state, player, hand.filter(|_| lost))
+                // Who did not break chooses after a foul (WPA 3.3f).
+                self.next(state, player, hand.filter(|_| player != self.breaker))
+            }
+            Choice::SpotNearest => {
+                let on = self.balls_on(&state.layout, player);
+                if let Some(nearest) = pool::nearest_behind(state, &on) {
+                    pool::spot(state, nearest);
+                }
+                self.next(state, player, hand)
             }
             Choice::PlayFromHand => self.next(state, player, hand),
             _ => self.next(state, player, None),
         }
     }
 
-    fn to_node(&self) -> Node {
+    fn to_node(&self, _: &State) -> Node {
         let group = |player| match self.group(player) {
             Some(Group::Solids) => Node::from("solids"),
             Some(Group::Stripes) => Node::from("stripes"),

@@ -113,6 +113,11 @@ impl Rules {
         !matches!(self, Self::ThreeCushion | Self::Practice)
     }
 
+    /// Whether scores are lost when the balls are racked again (WPBSA, section 3, rule 16).
+    pub(crate) const fn is_nullified_by_stalemate(self) -> bool {
+        matches!(self, Self::Snooker)
+    }
+
     /// The number of the rule that forbids `foul` in this game, where the rule book has it; empty where
     /// the rule is implemented from general knowledge.
     pub const fn rule(self, foul: Foul) -> &'static str {
@@ -121,7 +126,8 @@ impl Rules {
                 crate::pool::rule(self, foul)
             }
             Self::Snooker => snooker::rule(foul),
-            Self::ThreeCushion | Self::Practice => "",
+            Self::ThreeCushion => three_cushion::rule(foul),
+            Self::Practice => "",
         }
     }
 }
@@ -256,7 +262,7 @@ pub(crate) trait Game {
     fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request;
 
     /// What this game keeps and others do not.
-    fn to_node(&self) -> Node {
+    fn to_node(&self, _: &State) -> Node {
         Node::object([])
     }
 }

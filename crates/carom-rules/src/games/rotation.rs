@@ -56,20 +56,19 @@ impl Game for Rotation {
         let pushes = shot.play.call == Call::PushOut;
         let was_break = core::mem::take(&mut self.is_break);
         state.ruling.fouls =
-            if pushes { pool::lost_balls(facts) } else { pool::standard_fouls(state, shot) };
+            if pushes { pool::lost_balls(facts) } else { pool::standard_fouls(shot) };
         let potted = facts.potted().next().is_some();
-        let soft = was_break && !potted && pool::driven(facts) < BALLS_TO_RAIL;
+        let soft = was_break && !potted && facts.balls_driven() < BALLS_TO_RAIL;
         state.ruling.fouls.add_if(soft, Foul::SoftBreak);
 
         let legal = state.ruling.is_legal();
         let third = pool::is_third_foul(state, player);
-        // A called ball in its pocket, whatever falls besides; after a called safety, nothing.
+        // A called ball in its pocket, whatever falls besides; after a called safety, nothing (WPA 9.7).
         let as_called = !self.called || was_break || shot.made().is_some();
-        if legal && !pushes && as_called && facts.pocket_of(self.last).is_some() {
-            // On the break the ten does not win (WPA 9.3).
-            if !(self.called && was_break) {
-                return Request::won(player, "the last ball was pocketed");
-            }
+        // The ten wins called, and as the last ball (WPA 9.8); the nine whenever it falls (2.5).
+        let wins = !self.called || (shot.turn.on == [self.last] && shot.made() == Some(self.last));
+        if wins && legal && !pushes && facts.pocket_of(self.last).is_some() {
+            return Request::won(player, "the last ball was pocketed");
         }
         if state.layout.is_down(self.last) {
             pool::spot(state, self.last);

@@ -1,17 +1,19 @@
 //! Snooker (WPBSA, Official Rules, section 3).
 
+mod hidden;
+mod spots;
+mod stroke;
+
 use carom::shot::Node;
 
-use crate::facts::Touch;
 use crate::frame::State;
 use crate::games::{Game, Played};
-use crate::layout::{Layout, distance, spot_named};
-use crate::play::Call;
+use crate::layout::Layout;
 use crate::request::{Calls, Choice, Region, Request, Turn};
-use crate::ruling::{Foul, Fouls};
+use crate::ruling::Foul;
 use crate::{BallIndex, Player};
 
-mod hidden;
+use stroke::Stroke;
 
 const CUE: BallIndex = 0;
 pub(crate) const REDS: core::ops::RangeInclusive<BallIndex> = 1..=15;
@@ -19,33 +21,25 @@ const YELLOW: BallIndex = 16;
 pub(crate) const BLACK: BallIndex = 21;
 pub(crate) const COLORS: core::ops::RangeInclusive<BallIndex> = YELLOW..=BLACK;
 
-/// The least penalty for a foul.
-const LEAST_PENALTY: i32 = 4;
-
-/// Failures in a row to hit a ball that could be seen that lose the frame, after a warning (section 3,
-/// rule 14).
+/// Misses in a row with a full ball in sight that lose the frame (section 3, rule 14d).
 const MISSES: u32 = 3;
-
-/// Balls nearer than this touch, m: the same that the shot file calls touching.
-const TOUCHING: f64 = carom::table::TOUCH_TOLERANCE;
 
 /// Points for `ball`.
 pub const fn value(ball: BallIndex) -> i32 {
     if ball >= YELLOW { ball as i32 - 14 } else { 1 }
 }
 
-/// The rule's place in the WPBSA's rules of snooker, section 3.
+/// The place in the WPBSA's rules of snooker, section 3, that sets the penalty.
 pub(crate) const fn rule(foul: Foul) -> &'static str {
     match foul {
-        Foul::Scratch
-        | Foul::CueBallOffTable
-        | Foul::NoContact
-        | Foul::WrongBallFirst
-        | Foul::BallOffTable
-        | Foul::WrongBallPocketed
-        | Foul::Jump
-        | Foul::Push
-        | Foul::SnookeredByFreeBall => "WPBSA 3.10",
+        Foul::NoContact => "WPBSA 3.10(a)(vi)",
+        Foul::Scratch => "WPBSA 3.10(a)(vii)",
+        Foul::SnookeredByFreeBall => "WPBSA 3.10(a)(viii)",
+        Foul::Jump => "WPBSA 3.10(a)(ix)",
+        Foul::WrongBallPocketed => "WPBSA 3.10(b)(iii)",
+        Foul::WrongBallFirst => "WPBSA 3.10(b)(iv)",
+        Foul::Push => "WPBSA 3.10(b)(v)",
+        Foul::CueBallOffTable | Foul::BallOffTable => "WPBSA 3.10(b)(vii)",
         _ => "",
     }
 }
@@ -70,7 +64,7 @@ pub struct Snooker {
     free_ball: bool,
     /// Points of the present break.
     run: i32,
-    /// Misses in a row that the player could have avoided.
+    /// Misses in a row from the same position with a full ball in sight.
     misses: u32,
     /// Before the last foul: to put the balls back.
     before: Option<Before>,
@@ -122,133 +116,38 @@ impl Snooker {
         }
     }
 
-    /// Points for the ball on.
-    fn value_on(&self, shot: &Played<'_>) -> i32 {
-        match (self.on, shot.play.call) {
-            (On::Red, _) => 1,
-            (On::Color, Call::On(ball)) => value(ball),
-            (On::Color, _) => value(BLACK),
-            (On::Sequence, _) => self.balls_on(shot.before).first().map_or(0, |b| value(*b)),
-        }
-    }
-
-    /// The balls that may be hit first and pocketed in this shot.
-    fn allowed(&self, shot: &Played<'_>) -> Vec<BallIndex> {
-        match (self.on, self.free_ball, shot.play.call) {
-            (On::Color, _, Call::On(ball)) => vec![ball],
-            (_, true, Call::On(ball)) => {
-                let mut allowed = self.balls_on(shot.before);
-                allowed.push(ball);
-                allowed
-            }
-            _ => self.balls_on(shot.before),
-        }
-    }
-
-    /// Notes the fouls and returns their penalty.
-    fn fouls(
-        &self,
-        state: &mut State,
-        shot: &Played<'_>,
-        allowed: &[BallIndex],
-        touching: &[BallIndex],
-        value_on: i32,
-    ) -> i32 {
-        let facts = shot.facts;
-        let mut fouls = Fouls::NONE;
-        let mut concerned = LEAST_PENALTY.max(value_on);
-        let mut foul = |committed: bool, foul, points: i32| {
-            if committed {
-                fouls.add_if(true, foul);
-                concerned = concerned.max(points);
-            }
-        };
-        foul(facts.is_scratch(), Foul::Scratch, 0);
-        foul(facts.off_table.contains(&CUE), Foul::CueBallOffTable, 0);
-        let first = facts.first_contact();
-        // Who plays away from a touching ball that is on has hit it.
-        let played_away = touching.iter().any(|ball| allowed.contains(ball));
-        foul(first.is_none() && !played_away, Foul::NoContact, 0);
-        if let Some(first) = first {
-            let pushed =
-                touching.contains(&first) && facts.touched.first() == Some(&Touch::Ball(first));
-            foul(pushed, Foul::Push, value(first));
-            let wrong = !allowed.contains(&first) && !played_away;
-            foul(wrong, Foul::WrongBallFirst, value(first));
-        }
-        for ball in facts.potted() {
-            foul(!allowed.contains(&ball), Foul::WrongBallPocketed, value(ball));
-        }
-        for ball in facts.thrown_off() {
-            foul(true, Foul::BallOffTable, value(ball));
-        }
-        foul(facts.jumped, Foul::Jump, 0);
-        if self.free_ball {
-            foul(self.is_behind_free_ball(state, shot), Foul::SnookeredByFreeBall, 0);
-        }
-        state.ruling.fouls = fouls;
-        concerned
-    }
-
-    /// Whether a legal shot would leave the other player snookered by the free ball; only pink and black
-    /// may (section 3, rule 12).
-    fn is_behind_free_ball(&self, state: &State, shot: &Played<'_>) -> bool {
-        let Call::On(free) = shot.play.call else { return false };
-        let on = self.balls_on(&state.layout);
-        let few = state.layout.on_table().filter(|ball| *ball != CUE).count() <= 2;
-        let fell = shot.facts.pocketed.iter().any(|(ball, _)| *ball == free);
-        if few || fell || on.contains(&free) || state.layout.is_down(CUE) {
-            return false;
-        }
-        hidden::hides_all(&state.layout, &on, |ball| ball == free)
-    }
-
-    /// Whether the ball on was not hit first, for which a miss can be called (section 3, rule 14).
-    fn is_miss(&self, shot: &Played<'_>, allowed: &[BallIndex], touching: &[BallIndex]) -> bool {
-        let hit = shot.facts.first_contact().is_some_and(|first| allowed.contains(&first));
-        !hit && !touching.iter().any(|ball| allowed.contains(ball))
+    /// The most points that the balls are worth: a black with every red, then the colours. Who is behind by
+    /// more needs penalty points.
+    fn worth(&self, layout: &Layout) -> i32 {
+        let reds = layout.left(REDS).len() as i32;
+        let colors: i32 = layout.left(COLORS).into_iter().map(value).sum();
+        let black = if self.on == On::Color { value(BLACK) } else { 0 };
+        reds * (1 + value(BLACK)) + black + colors
     }
 
     /// Points of a legal shot: every red, or the ball on; a free ball counts as the ball on.
-    fn score(&self, shot: &Played<'_>, value_on: i32) -> i32 {
+    fn score(&self, shot: &Played<'_>, stroke: &Stroke) -> i32 {
         let potted = shot.facts.potted().count() as i32;
         match self.on {
             On::Red => potted,
-            // The ball on and a free ball that fall together count once (section 3, rule 12).
+            // The ball on and a free ball that fall together count once (rule 12e).
             _ if potted == 0 => 0,
-            _ => value_on,
+            _ => stroke.value,
         }
     }
 
-    /// What is on after a legal shot.
-    fn advance(&mut self, state: &State, scored: bool) {
-        let reds = !state.layout.left(REDS).is_empty();
+    /// What is on after a shot: a colour after a red, else a red, or the sequence once the reds are gone.
+    fn advance(&mut self, state: &State, after_red: bool) {
+        self.free_ball = false;
         self.on = match self.on {
-            On::Red if scored => On::Color,
-            _ if reds => On::Red,
-            _ => On::Sequence,
+            On::Red if after_red => On::Color,
+            _ if state.layout.left(REDS).is_empty() => On::Sequence,
+            _ => On::Red,
         };
     }
 
-    /// Colours come back, but for the one that was the ball on in the sequence.
-    fn spot_colors(&self, state: &mut State, shot: &Played<'_>) {
-        let last = (self.on == On::Sequence && state.ruling.is_legal())
-            .then(|| self.balls_on(shot.before).first().copied())
-            .flatten();
-        // The highest first (section 3, rule 7).
-        for ball in COLORS.rev().filter(|ball| Some(*ball) != last) {
-            let gone = !shot.before.is_down(ball) && state.layout.is_down(ball);
-            if gone {
-                spot_color(state, ball);
-                state.ruling.spotted.push(ball);
-            }
-        }
-    }
-
-    fn after_foul(&mut self, state: &mut State, shot: &Played<'_>, missed: bool) -> Request {
-        let player = shot.turn.player;
-        let other = 1 - player;
-        let visible = !hidden::is_snookered(state.base.table(), shot.before, &self.allowed(shot));
+    fn after_foul(&mut self, state: &mut State, shot: &Played<'_>, stroke: &Stroke) -> Request {
+        let other = shot.other();
         self.before = Some(Before {
             layout: shot.before.clone(),
             turn: shot.turn.clone(),
@@ -256,65 +155,59 @@ impl Snooker {
             free_ball: self.free_ball,
         });
         self.run = 0;
+        let worth_before = self.worth(shot.before);
+        self.advance(state, false);
         if let Some(end) = self.end(state, shot) {
             return end;
         }
-        let behind = state.scores[player] + self.left_on_table(shot.before) < state.scores[other];
-        let miss = missed && state.options.miss && !behind && self.on_enough(shot);
-        self.misses = if miss && visible { self.misses + 1 } else { 0 };
+        let is_open = lead(state.scores) < worth_before
+            && lead(scores_after(state)) < self.worth(&state.layout);
+        // After one with a full ball in sight another from there is a miss at any score (rule 14d).
+        let misses = state.options.miss && stroke.missed && (is_open || self.misses > 0);
+        self.misses = if misses && stroke.full_ball { self.misses + 1 } else { 0 };
         if self.misses >= MISSES {
-            let why = "three misses in a row with a ball in sight";
-            return Request::Over { winner: Some(other), why };
+            return Request::won(other, "three misses in a row with a ball in sight");
         }
-        self.free_ball = false;
-        // A colour after a red is no more on; the reds are, or the sequence.
-        self.on = if state.layout.left(REDS).is_empty() { On::Sequence } else { On::Red };
         let on = self.balls_on(&state.layout);
-        let snookered = hidden::is_snookered(state.base.table(), &state.layout, &on);
-        self.free_ball = snookered;
-        let mut choices = vec![Choice::PlayOn, Choice::PassBack];
-        if miss {
-            choices.push(Choice::Replace);
-        }
-        let why = match (miss, snookered) {
+        self.free_ball = hidden::is_snookered(state.base.table(), &state.layout, &on);
+        let why = match (misses, self.free_ball) {
             (true, true) => "a foul and a miss, and a free ball",
             (true, false) => "a foul and a miss",
             (false, true) => "a foul, and a free ball",
             (false, false) => "a foul",
         };
-        Request::Choice { player: other, choices, why }
-    }
-
-    /// A miss is called only while more than the black is left.
-    fn on_enough(&self, shot: &Played<'_>) -> bool {
-        shot.before.on_table().filter(|ball| *ball != CUE).count() > 1
-    }
-
-    /// The most points that the balls on the table are worth: a black with every red, then the colours.
-    fn left_on_table(&self, layout: &Layout) -> i32 {
-        let reds = layout.left(REDS).len() as i32;
-        let colors: i32 = layout.left(COLORS).into_iter().map(value).sum();
-        reds * (1 + value(BLACK)) + colors
+        let choices = [Choice::PlayOn, Choice::PassBack, Choice::Replace];
+        Request::choice(other, if misses { &choices } else { &choices[..2] }, why)
     }
 
     /// With only the black left, the first score or foul ends the frame; if the scores are equal then, the
-    /// black is spotted, and the next decides (section 3, rule 4).
+    /// black is spotted, the lot says who chooses, and the next score or foul decides (rule 4).
     fn end(&self, state: &mut State, shot: &Played<'_>) -> Option<Request> {
         let decided = shot.before.left(1..=BLACK) == [BLACK] && state.ruling.points != [0, 0];
         if !decided {
             return None;
         }
-        let scores = [0, 1].map(|player| state.scores[player] + state.ruling.points[player]);
+        let scores = scores_after(state);
         if scores[0] != scores[1] {
             let winner = usize::from(scores[1] > scores[0]);
-            return Some(Request::Over { winner: Some(winner), why: "the black decided" });
+            return Some(Request::won(winner, "the black decided"));
         }
-        spot_color(state, BLACK);
         state.layout.put(CUE, None);
-        // The lot falls on one of the two by the seed.
-        let player = (state.next_seed() >> 32) as usize & 1;
-        Some(self.turn(state, player, Some(Region::TheD)))
+        spots::put_back(state, [BLACK]);
+        let lot = (state.next_seed() >> 32) as usize & 1;
+        let choices = [Choice::PlayOn, Choice::PassBack];
+        Some(Request::choice(lot, &choices, "the scores are equal: the black is played for"))
     }
+}
+
+/// By how much one player leads.
+const fn lead(scores: [i32; 2]) -> i32 {
+    (scores[0] - scores[1]).abs()
+}
+
+/// The scores with what the ruling gives.
+fn scores_after(state: &State) -> [i32; 2] {
+    [0, 1].map(|player| state.scores[player] + state.ruling.points[player])
 }
 
 impl Game for Snooker {
@@ -330,33 +223,37 @@ impl Game for Snooker {
     }
 
     fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
-        let player = shot.player();
-        let allowed = self.allowed(shot);
-        let value_on = self.value_on(shot);
-        let touching = touching(shot.before);
-        let penalty = self.fouls(state, shot, &allowed, &touching, value_on);
-        let missed = self.is_miss(shot, &allowed, &touching);
-        let scored = if state.ruling.is_legal() { self.score(shot, value_on) } else { 0 };
-        self.spot_colors(state, shot);
-        if !state.ruling.is_legal() {
-            state.ruling.points[1 - player] = penalty;
+        let (player, other) = (shot.player(), shot.other());
+        let stroke = Stroke::of(self, shot);
+        let (fouls, penalty) = stroke.fouls(self, state, shot);
+        state.ruling.fouls = fouls;
+        let legal = fouls.is_empty();
+        let scored = if legal { self.score(shot, &stroke) } else { 0 };
+
+        // In the sequence the ball on stays down.
+        let stays =
+            if legal && self.on == On::Sequence { self.balls_on(shot.before) } else { vec![] };
+        let gone = |ball: &BallIndex| !shot.before.is_down(*ball) && state.layout.is_down(*ball);
+        let back: Vec<_> = COLORS.filter(gone).filter(|ball| !stays.contains(ball)).collect();
+        spots::put_back(state, back);
+
+        if !legal {
+            state.ruling.points[other] = penalty;
             state.fouls[player] += 1;
-            return self.after_foul(state, shot, missed);
+            return self.after_foul(state, shot, &stroke);
         }
         state.ruling.points[player] = scored;
         state.fouls[player] = 0;
         self.misses = 0;
-        self.free_ball = false;
         self.advance(state, scored > 0);
         self.run = if scored > 0 { self.run + scored } else { 0 };
         if let Some(end) = self.end(state, shot) {
             return end;
         }
-        self.turn(state, if scored > 0 { player } else { 1 - player }, None)
+        self.turn(state, if scored > 0 { player } else { other }, None)
     }
 
     fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
-        let other = 1 - player;
         match (choice, self.before.take()) {
             (Choice::Replace, Some(before)) => {
                 state.layout = before.layout;
@@ -365,9 +262,10 @@ impl Game for Snooker {
                 Request::Shot(Turn { hand: None, ..before.turn })
             }
             (Choice::PassBack, _) => {
+                // A free ball is for who takes the table (rule 12f).
                 self.free_ball = false;
                 self.misses = 0;
-                self.turn(state, other, None)
+                self.turn(state, 1 - player, None)
             }
             _ => {
                 self.misses = 0;
@@ -375,7 +273,8 @@ impl Game for Snooker {
             }
         }
     }
-    fn to_node(&self) -> Node {
+
+    fn to_node(&self, state: &State) -> Node {
         let on = match self.on {
             On::Red => "red",
             On::Color => "color",
@@ -385,41 +284,7 @@ impl Game for Snooker {
             ("on", on.into()),
             ("free_ball", self.free_ball.into()),
             ("break", i64::from(self.run).into()),
+            ("points_left", i64::from(self.worth(&state.layout)).into()),
         ])
-    }
-}
-/// The balls that touch the cue ball.
-fn touching(layout: &Layout) -> Vec<BallIndex> {
-    let Some(cue) = layout.place(CUE) else { return Vec::new() };
-    let radius = |ball: BallIndex| layout.pieces()[usize::from(ball)].ball.radius;
-    let touches = |ball: &BallIndex| {
-        let reach = radius(CUE) + radius(*ball) + TOUCHING;
-        *ball != CUE && layout.place(*ball).is_some_and(|place| distance(place, cue) <= reach)
-    };
-    layout.on_table().filter(touches).collect()
-}
-
-/// A colour goes to its spot; if that is occupied, to the highest that is free; if none is, as near to its
-/// own as possible, towards the top cushion (section 3, rule 7).
-fn spot_color(state: &mut State, ball: BallIndex) {
-    let table = state.base.table().clone();
-    let own = spot_of(&table, ball);
-    state.layout.put(ball, None);
-    let free = [ball].into_iter().chain(COLORS.rev());
-    let place = free.map(|b| spot_of(&table, b)).find(|spot| state.layout.is_free(ball, *spot));
-    match place {
-        Some(place) => state.layout.put(ball, Some(place)),
-        None => state.layout.spot(ball, own, CUE, &table),
-    }
-}
-
-fn spot_of(table: &carom::Table, ball: BallIndex) -> [f64; 2] {
-    match ball {
-        16 => spot_named(table, "yellow", 0.2),
-        17 => spot_named(table, "green", 0.2),
-        18 => spot_named(table, "brown", 0.2),
-        19 => spot_named(table, "blue", 0.5),
-        20 => spot_named(table, "pink", 0.75),
-        _ => spot_named(table, "black", 10.0 / 11.0),
     }
 }

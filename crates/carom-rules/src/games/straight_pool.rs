@@ -12,7 +12,7 @@ use crate::request::{Calls, Choice, Region, Request};
 use crate::ruling::Foul;
 use crate::{BallIndex, Player};
 
-/// Points for a foul (WPA 4.9), a breaking foul (4.11), and besides for the third foul in a row (6.14).
+/// Points for a foul (WPA 4.9), a breaking foul (4.10), and besides for the third foul in a row (4.11).
 const STANDARD_FOUL: i32 = -1;
 const BREAKING_FOUL: i32 = -2;
 const SERIOUS_FOUL: i32 = -15;
@@ -29,6 +29,19 @@ pub struct StraightPool {
 impl StraightPool {
     fn next(state: &State, player: Player, hand: Option<Region>) -> Request {
         pool::shot(state, player, hand, Vec::new(), Calls::REQUIRED)
+    }
+
+    /// The cue ball is in hand behind the head string.
+    fn from_hand(state: &State, player: Player) -> Request {
+        if pool::nearest_behind(state, &Self::left(state)).is_some() {
+            let choices = [Choice::PlayFromHand, Choice::SpotNearest];
+            return Request::choice(player, &choices, "all balls are behind the head string");
+        }
+        Self::next(state, player, Some(Region::BehindHeadString))
+    }
+
+    fn left(state: &State) -> Vec<BallIndex> {
+        state.layout.left(1..state.layout.len() as BallIndex)
     }
 
     /// It does not count towards three fouls in a row (WPA 4.11).
@@ -50,7 +63,7 @@ impl StraightPool {
     /// With one object ball left, or none, the others are racked again (WPA 4.4, 4.8). Returns where the
     /// cue ball is in hand then, if it is.
     fn rack_fourteen(state: &mut State) -> Option<Region> {
-        let left = state.layout.left(1..state.layout.len() as BallIndex);
+        let left = Self::left(state);
         if left.len() > 1 {
             return None;
         }
@@ -91,11 +104,14 @@ impl Game for StraightPool {
 
     fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
         let (facts, player, other) = (shot.facts, shot.player(), shot.other());
-        state.ruling.fouls = pool::standard_fouls(state, shot);
+        state.ruling.fouls = pool::standard_fouls(shot);
+        let from_behind = pool::FromBehind::of(state, shot);
+        state.ruling.fouls.add_if(from_behind.is_foul(), Foul::BehindHeadString);
         let made = shot.made().is_some();
         let was_opening = core::mem::take(&mut self.is_opening);
-        let cue_driven = facts.driven.contains(&facts.cue);
-        let soft = was_opening && !made && !(pool::driven(facts) >= OPENING_BALLS && cue_driven);
+        let driven =
+            facts.balls_driven() >= OPENING_BALLS && facts.is_cue_ball_driven_after_contact();
+        let soft = was_opening && !made && !driven;
         state.ruling.fouls.add_if(soft, Foul::SoftBreak);
         let legal = state.ruling.is_legal();
         let scored = legal && made;
@@ -118,8 +134,9 @@ impl Game for StraightPool {
             return Request::won(player, "the target was reached");
         }
         let hand = Self::rack_fourteen(state);
-        if facts.lost_cue_ball() {
-            return Self::next(state, other, Some(Region::BehindHeadString));
+        // WPA 4.9.
+        if facts.lost_cue_ball() || from_behind.stayed {
+            return Self::from_hand(state, other);
         }
         Self::next(state, if scored { player } else { other }, hand)
     }
@@ -130,7 +147,13 @@ impl Game for StraightPool {
                 state.rack();
                 self.open(state, 1 - player)
             }
-            Choice::PlayFromHand => Self::next(state, player, Some(Region::BehindHeadString)),
+            Choice::PlayFromHand | Choice::SpotNearest => {
+                let nearest = pool::nearest_behind(state, &Self::left(state));
+                if let Some(ball) = nearest.filter(|_| choice == Choice::SpotNearest) {
+                    pool::spot(state, ball);
+                }
+                Self::next(state, player, Some(Region::BehindHeadString))
+            }
             _ => Self::next(state, player, None),
         }
     }
@@ -184,12 +207,12 @@ impl Intermediate {
         if !cue_in_rack {
             return stay;
         }
-        if is_on(head, place) {
-            Self { cue_ball: Some(center), ..stay }
-        } else if place[1] < head_string(table) {
-            Self { cue_ball: Some(head), ..stay }
-        } else {
+        if place[1] >= head_string(table) {
             Self { hand, ..stay }
+        } else if is_on(head, place) {
+            Self { cue_ball: Some(center), ..stay }
+        } else {
+            Self { cue_ball: Some(head), ..stay }
         }
     }
 }

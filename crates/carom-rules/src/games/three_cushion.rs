@@ -1,11 +1,13 @@
 //! Three-cushion carom (UMB, World rules of carom billiard).
 
+use carom::Table;
 use carom::shot::Node;
+use carom::table::{Rail, TOUCH_TOLERANCE};
 
 use crate::facts::{Facts, Touch};
 use crate::frame::State;
 use crate::games::{Game, Played};
-use crate::layout::{distance, spot_named};
+use crate::layout::{Layout, spot_named};
 use crate::request::{Calls, Choice, Request, Turn};
 use crate::ruling::Foul;
 use crate::{BallIndex, Player};
@@ -13,12 +15,21 @@ use crate::{BallIndex, Player};
 /// The white, the yellow and the red: players 0 and 1 play with the first two.
 const RED: BallIndex = 2;
 
-/// Cushions that the cue ball must have touched before it touches the second object ball (UMB, article
-/// on the three-cushion game).
+/// Cushions that the cue ball must have touched before it touches the second object ball (article 83).
 const CUSHIONS: usize = 3;
 
 /// Balls nearer than this touch, m: what eye and lamp cannot tell apart.
 const FROZEN: f64 = 1e-9;
+
+/// The article of the UMB's World rules of carom billiard (1 January 1989).
+pub(crate) const fn rule(foul: Foul) -> &'static str {
+    match foul {
+        Foul::WrongBallFirst => "UMB 23",
+        Foul::Push => "UMB 27",
+        Foul::CueBallOffTable | Foul::BallOffTable => "UMB 28",
+        _ => "",
+    }
+}
 
 /// A match of three-cushion.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,147 +46,144 @@ impl ThreeCushion {
         self.innings
     }
 
-    /// Both players have the same number of innings: player 1 may answer.
-    fn end(&mut self, state: &State, player: Player, total: i32) -> Option<Request> {
-        let target = state.options.target;
-        if player == 0 {
-            self.last_inning |= total >= target;
-            return None;
-        }
-        if total < target && !self.last_inning {
-            return None;
-        }
-        let (zero, one) = (state.scores[0], total);
-        let winner = match zero.cmp(&one) {
-            core::cmp::Ordering::Greater => Some(0),
-            core::cmp::Ordering::Less => Some(1),
-            core::cmp::Ordering::Equal => None,
-        };
-        Some(Request::Over { winner, why: "the target was reached in equal innings" })
+    /// An inning that begins from the starting position, with the red to be hit first (article 23).
+    fn starting_shot(&mut self, player: Player) -> Request {
+        self.is_opening = true;
+        self.innings[player] += 1;
+        Self::turn(player, vec![RED])
     }
 
-    fn next(&self, state: &State, player: Player) -> Request {
-        let cue = player as BallIndex;
-        if Self::frozen(state, cue).is_empty() {
-            return self.turn(player);
+    /// What follows on the end of the inning of `player`, who has `total` points then. Both players have the
+    /// same number of innings: player 1 may answer, from the starting position.
+    fn end_inning(&mut self, state: &mut State, player: Player, total: i32) -> Request {
+        let reached = total >= state.options.target;
+        if player == 0 && reached {
+            self.last_inning = true;
+            state.rack();
+            let (start, head) = (state.layout.place(0), state.layout.place(1));
+            state.layout.put(0, head);
+            state.layout.put(1, start);
+            return self.starting_shot(1);
+        }
+        if player == 1 && (reached || self.last_inning) {
+            let zero = state.scores[0];
+            let winner = (zero != total).then_some(usize::from(total > zero));
+            let why = "the target was reached in equal innings";
+            return Request::Over { winner, why };
+        }
+        self.innings[1 - player] += 1;
+        Self::next(state, 1 - player)
+    }
+
+    fn next(state: &State, player: Player) -> Request {
+        if state.layout.touching(player as BallIndex, FROZEN).is_empty() {
+            return Self::turn(player, Vec::new());
         }
         let choices = [Choice::PlayOn, Choice::SpotFrozen];
         Request::choice(player, &choices, "the cue ball touches another ball")
     }
 
-    fn turn(&self, player: Player) -> Request {
-        Request::Shot(Turn {
-            player,
-            cue: player as BallIndex,
-            hand: None,
-            on: Vec::new(),
-            calls: Calls::NONE,
-        })
+    fn turn(player: Player, on: Vec<BallIndex>) -> Request {
+        let cue = player as BallIndex;
+        Request::Shot(Turn { player, cue, hand: None, on, calls: Calls::NONE })
     }
 
-    /// The balls that touch the cue ball.
-    fn frozen(state: &State, cue: BallIndex) -> Vec<BallIndex> {
-        let layout = &state.layout;
-        let Some(there) = layout.place(cue) else { return Vec::new() };
-        let radius = |ball: BallIndex| layout.pieces()[usize::from(ball)].ball.radius;
-        let touches = |ball: &BallIndex| {
-            layout
-                .place(*ball)
-                .is_some_and(|place| distance(place, there) <= radius(cue) + radius(*ball) + FROZEN)
-        };
-        layout.on_table().filter(|ball| *ball != cue).filter(touches).collect()
-    }
-
-    /// The red goes to the top spot, the shooter's ball to the bottom spot, the other to the middle one;
-    /// if that is occupied, to the spot of the ball that occupies it.
-    fn spot(&self, state: &mut State, ball: BallIndex, cue: BallIndex) {
+    /// Spots `balls` for `player`, who shoots next: the red on the foot spot, the own ball on the head spot,
+    /// the other in the middle; where a ball lies in the way, on the spot of that ball.
+    fn spot(state: &mut State, balls: &[BallIndex], player: Player) {
         let table = state.base.table();
         let own = |ball: BallIndex| match ball {
             RED => spot_named(table, "foot", 0.75),
-            _ if ball == cue => spot_named(table, "head", 0.25),
+            _ if usize::from(ball) == player => spot_named(table, "head", 0.25),
             _ => spot_named(table, "center", 0.5),
         };
-        let mut place = own(ball);
-        // Three balls have three spots: one of them is free.
-        for other in [ball, RED, cue, 1 - cue.min(1)] {
-            if state.layout.is_free(ball, own(other)) {
-                place = own(other);
-                break;
-            }
+        let State { layout, ruling, .. } = state;
+        for &ball in balls {
+            layout.put(ball, None);
         }
-        state.layout.put(ball, Some(place));
-        state.ruling.spotted.push(ball);
+        for &ball in balls {
+            let mut place = own(ball);
+            // Of three balls two can lie in the way.
+            for _ in 0..2 {
+                place = layout.in_the_way(ball, place).map_or(place, own);
+            }
+            layout.put(ball, Some(place));
+            ruling.spotted.push(ball);
+        }
     }
 }
 
 impl Game for ThreeCushion {
     fn open(&mut self, _: &mut State, breaker: Player) -> Request {
-        *self = Self { is_opening: true, ..Self::default() };
-        self.innings[breaker] = 1;
-        Request::Shot(Turn {
-            player: breaker,
-            cue: breaker as BallIndex,
-            hand: None,
-            on: vec![RED],
-            calls: Calls::NONE,
-        })
+        *self = Self::default();
+        self.starting_shot(breaker)
     }
 
     fn middle(&mut self, _: &State, player: Player) -> Request {
         *self = Self::default();
         self.innings[player] = 1;
-        self.turn(player)
+        Self::turn(player, Vec::new())
     }
 
     fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
         let (facts, player) = (shot.facts, shot.player());
-        let fouls = &mut state.ruling.fouls;
+        let frozen = shot.before.touching(facts.cue, FROZEN);
+        let pushed = |touch: &Touch| matches!(touch, Touch::Ball(ball) if frozen.contains(ball));
         let was_opening = core::mem::take(&mut self.is_opening);
+        let wrong = was_opening && facts.first_contact().is_some_and(|ball| ball != RED);
+        let fouls = &mut state.ruling.fouls;
         fouls.add_if(facts.off_table.contains(&facts.cue), Foul::CueBallOffTable);
         fouls.add_if(facts.thrown_off().next().is_some(), Foul::BallOffTable);
-        let first = facts.first_contact();
-        let wrong = was_opening && first.is_some_and(|ball| ball != RED);
         fouls.add_if(wrong, Foul::WrongBallFirst);
-        for &ball in &facts.off_table {
-            self.spot(state, ball, facts.cue);
-        }
-        let scored = state.ruling.is_legal() && is_carom(facts);
+        fouls.add_if(facts.touched.first().is_some_and(pushed), Foul::Push);
+        Self::spot(state, &facts.off_table, shot.other());
+
+        let frozen_to = frozen_to(state.base.table(), shot.before, facts.cue);
+        let scored = state.ruling.is_legal() && is_carom(facts, &frozen_to);
         state.ruling.points[player] = scored.into();
         let total = state.scores[player] + state.ruling.points[player];
         if scored && total < state.options.target {
-            return self.next(state, player);
+            return Self::next(state, player);
         }
-        if let Some(over) = self.end(state, player, total) {
-            return over;
-        }
-        let other = shot.other();
-        self.innings[other] += 1;
-        self.next(state, other)
+        self.end_inning(state, player, total)
     }
 
     fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
-        let cue = player as BallIndex;
         if choice == Choice::SpotFrozen {
-            let mut balls = Self::frozen(state, cue);
+            let cue = player as BallIndex;
+            let mut balls = state.layout.touching(cue, FROZEN);
             balls.push(cue);
-            for ball in &balls {
-                state.layout.put(*ball, None);
-            }
-            for ball in balls {
-                self.spot(state, ball, cue);
-            }
+            Self::spot(state, &balls, player);
         }
-        self.turn(player)
+        Self::turn(player, Vec::new())
     }
-    fn to_node(&self) -> Node {
+
+    fn to_node(&self, _: &State) -> Node {
         Node::object([("innings", Node::list(self.innings.map(i64::from)))])
     }
 }
-/// Whether the cue ball touched three cushions or more before it first touched its second object ball.
-fn is_carom(facts: &Facts) -> bool {
+
+/// The rails to which `ball` is frozen.
+fn frozen_to(table: &Table, layout: &Layout, ball: BallIndex) -> Vec<Rail> {
+    let Some([x, y]) = layout.place(ball) else { return Vec::new() };
+    let reach = table.reach(layout.pieces()[usize::from(ball)].ball.radius) + TOUCH_TOLERANCE;
+    let near = [
+        (x, Rail::Left),
+        (table.size.x - x, Rail::Right),
+        (y, Rail::Bottom),
+        (table.size.y - y, Rail::Top),
+    ];
+    near.into_iter().filter(|(distance, _)| *distance <= reach).map(|(_, rail)| rail).collect()
+}
+
+/// Whether the cue ball touched three cushions or more before it first touched its second object ball. To
+/// be pressed against a cushion that it is `frozen_to` does not count.
+fn is_carom(facts: &Facts, frozen_to: &[Rail]) -> bool {
     let mut cushions = 0;
     let mut first = None;
-    for touch in &facts.touched {
+    let pressed = |touch: &Touch| matches!(touch, Touch::Rail(rail) if frozen_to.contains(rail));
+    let skipped = usize::from(facts.touched.first().is_some_and(pressed));
+    for touch in &facts.touched[skipped..] {
         match (*touch, first) {
             (Touch::Rail(_), _) => cushions += 1,
             (Touch::Ball(ball), None) => first = Some(ball),

@@ -98,7 +98,7 @@ fn a_scratch_on_the_break_puts_the_cue_ball_in_hand_behind_the_head_string() {
 #[test]
 fn a_ball_off_the_table_on_the_break_stays_off_and_the_eight_is_spotted() {
     let mut scene = Scene::of(Rules::EightBall);
-    let ruling = scene.play(Call::Nothing, hit(&[1]).losing(5).losing(8));
+    let ruling = scene.play(Call::Nothing, hit(&[1]).losing(5).losing(8).driving(&[1, 2]));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
     assert_eq!(ruling.spotted, [8]);
     assert!(scene.is_down(5) && !scene.is_down(8));
@@ -117,9 +117,110 @@ fn the_table_stays_open_until_a_called_ball_falls() {
 }
 
 #[test]
-fn on_an_open_table_any_ball_may_be_hit_first() {
+fn on_an_open_table_any_ball_but_the_eight_may_be_hit_first() {
+    for first in [1, 9] {
+        let mut scene = open_table();
+        assert!(scene.play(Call::Pocket(9, CORNER), hit(&[first, 9])).is_legal());
+    }
     let mut scene = open_table();
-    assert!(scene.play(Call::Pocket(9, CORNER), hit(&[8, 9])).is_legal());
+    let ruling = scene.play(Call::Pocket(9, CORNER), hit(&[8, 9]).potting(9, CORNER));
+    assert_fouls(&ruling, &[Foul::WrongBallFirst]);
+    assert_eq!(group(&scene, 0), None, "a foul decides no group");
+    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+}
+
+#[test]
+fn on_an_open_table_a_group_that_is_gone_may_be_claimed_for_the_eight() {
+    let claiming = || {
+        let mut scene = open_table().without([1, 2, 4, 5, 6, 7]);
+        scene.play(Call::Safety, hit(&[9]));
+        assert!(scene.asks(1).on.contains(&8));
+        scene
+    };
+    let mut scene = claiming();
+    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
+    scene.is_won_by(1);
+    let mut scene = claiming();
+    scene.play(Call::Pocket(9, SIDE), hit(&[8]).potting(8, SIDE));
+    scene.is_won_by(0);
+}
+
+#[test]
+fn a_soft_break_that_is_a_foul_besides_may_be_racked_again_or_played_from_hand() {
+    let mut scene = Scene::of(Rules::EightBall);
+    let ruling = scene.play(Call::Nothing, hit(&[1]).driving(&[1]).potting(0, CORNER));
+    assert_fouls(&ruling, &[Foul::Scratch, Foul::SoftBreak]);
+    scene.offers(1, &[Choice::PlayFromHand, Choice::Rebreak, Choice::RebreakByOther]);
+
+    let mut scene = Scene::of(Rules::EightBall);
+    let ruling = scene.play(Call::Nothing, hit(&[]).no_rail());
+    assert_fouls(&ruling, &[Foul::NoContact, Foul::SoftBreak]);
+    let all = [Choice::PlayOn, Choice::PlayFromHand, Choice::Rebreak, Choice::RebreakByOther];
+    scene.offers(1, &all);
+}
+
+#[test]
+fn balls_off_the_table_count_as_driven_to_a_rail() {
+    let mut scene = Scene::of(Rules::EightBall);
+    let ruling = scene.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]).losing(4));
+    assert_fouls(&ruling, &[Foul::BallOffTable]);
+}
+
+#[test]
+fn the_eight_on_a_break_with_any_foul_gives_the_cue_ball_in_hand() {
+    let mut scene = Scene::of(Rules::EightBall);
+    let ruling = scene.play(Call::Nothing, hit(&[1]).potting(8, SIDE).losing(4));
+    assert_fouls(&ruling, &[Foul::BallOffTable]);
+    let mut racked = Scene(scene.0.clone());
+    assert_eq!(scene.choose(Choice::SpotEight).spotted, [8]);
+    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+    assert!(racked.choose(Choice::Rebreak).racked);
+    racked.asks(1);
+}
+
+#[test]
+fn a_scratch_after_a_contact_is_no_second_foul_for_want_of_a_rail() {
+    let mut scene = solids();
+    let ruling = scene.play(Call::Pocket(2, CORNER), hit(&[2]).no_rail().potting(0, SIDE));
+    assert_fouls(&ruling, &[Foul::Scratch]);
+}
+
+#[test]
+fn a_called_ball_of_the_other_group_ends_the_turn() {
+    let mut scene = solids();
+    assert!(scene.play(Call::Pocket(9, SIDE), hit(&[2, 9]).potting(9, SIDE)).is_legal());
+    scene.asks(1);
+    assert!(scene.is_down(9));
+}
+
+#[test]
+fn the_eight_with_the_last_ball_of_the_group_loses() {
+    let mut scene = solids().without([2, 4, 5, 6]);
+    scene.play(Call::Pocket(7, CORNER), hit(&[7]).potting(7, CORNER).potting(8, SIDE));
+    scene.is_won_by(1);
+}
+
+#[test]
+fn fouls_are_not_counted() {
+    let mut scene = solids();
+    for _ in 0..4 {
+        scene.play(Call::Safety, hit(&[]));
+        scene.play(Call::Safety, hit(&[9]));
+    }
+    assert_eq!(scene.0.fouls_in_a_row(), [0, 0]);
+}
+
+#[test]
+fn with_all_legal_balls_behind_the_head_string_the_nearest_may_be_spotted() {
+    let mut scene =
+        Scene::of(Rules::EightBall).without((1..=15).filter(|b| ![3, 8, 9].contains(b)));
+    scene.0.put(3, Some([0.3, 0.3]));
+    scene.0.put(9, Some([0.9, 0.4]));
+    scene.play(Call::Nothing, hit(&[3]).driving(&[1, 2, 4, 5]).potting(0, CORNER));
+    scene.offers(1, &[Choice::PlayFromHand, Choice::SpotNearest]);
+    assert_eq!(scene.choose(Choice::SpotNearest).spotted, [9]);
+    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+    assert_eq!(scene.0.layout().place(3), Some([0.3, 0.3]));
 }
 
 #[test]
@@ -215,4 +316,17 @@ fn behind_the_head_string_a_ball_there_must_not_be_hit_directly() {
     scene.choose(Choice::PlayFromHand);
     scene.0.put(9, Some([0.3, 0.3]));
     assert!(scene.play(Call::Pocket(9, SIDE), hit(&[9]).reaching(1.2)).is_legal());
+}
+
+#[test]
+fn behind_the_head_string_the_cue_ball_must_come_out_or_touch_a_ball_that_is() {
+    let from_hand = || {
+        let mut scene = Scene::of(Rules::EightBall);
+        scene.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
+        scene.choose(Choice::PlayFromHand);
+        scene
+    };
+    let ruling = from_hand().play(Call::Safety, hit(&[]).staying_below(0.6));
+    assert_fouls(&ruling, &[Foul::NoContact, Foul::BehindHeadString]);
+    assert!(from_hand().play(Call::Safety, hit(&[9]).staying_below(0.6)).is_legal());
 }

@@ -1,6 +1,7 @@
 //! Every rule in a scene of its own: what happened in a shot is told, not simulated.
 
 mod eight_ball;
+mod endings;
 mod rotation;
 mod snooker;
 mod straight_pool;
@@ -10,10 +11,14 @@ use carom::resolve::cue_ball::Strike;
 use carom::table::{PocketName, Rail};
 
 use crate::facts::Touch;
+use crate::layout::distance;
 use crate::{
     BallIndex, Call, Choice, Facts, Foul, Frame, Options, Play, Player, Request, Rules, Ruling,
     Turn,
 };
+
+/// A ball so near to a spot, m, is on it.
+const SPOTTED: f64 = 1e-6;
 
 const CORNER: PocketName = PocketName::TopLeft;
 const SIDE: PocketName = PocketName::Right;
@@ -23,7 +28,11 @@ struct Scene(Frame);
 
 impl Scene {
     fn of(rules: Rules) -> Self {
-        Self(Frame::new(rules, Options::default(), None, None, 1).expect("the game's own table"))
+        Self::with(rules, Options::default())
+    }
+
+    fn with(rules: Rules, options: Options) -> Self {
+        Self(Frame::new(rules, options, None, None, 1).expect("the game's own table"))
     }
 
     fn turn(&self) -> &Turn {
@@ -67,6 +76,13 @@ impl Scene {
         self
     }
 
+    #[track_caller]
+    fn lies_at(&self, ball: BallIndex, expected: [f64; 2]) {
+        let place = self.0.layout().place(ball).expect("it is on the table");
+        let off = distance(place, expected);
+        assert!(off < SPOTTED, "{ball} lies at {place:?}, {off} m from {expected:?}");
+    }
+
     fn is_down(&self, ball: BallIndex) -> bool {
         self.0.layout().is_down(ball)
     }
@@ -98,13 +114,15 @@ impl Scene {
 /// What happened in a shot.
 struct Shot(Facts);
 
-/// The cue ball touched `balls`, in this order, and something was driven to a rail.
+/// The cue ball touched `balls`, in this order, then a rail.
 fn hit(balls: &[BallIndex]) -> Shot {
+    let balls = balls.iter().map(|ball| Touch::Ball(*ball));
     Shot(Facts {
-        touched: balls.iter().map(|ball| Touch::Ball(*ball)).collect(),
+        touched: balls.chain([Touch::Rail(Rail::Top)]).collect(),
         driven: vec![0],
         rail_after_contact: true,
         cue_reached: 10.0,
+        cue_farthest: 10.0,
         ..Facts::default()
     })
 }
@@ -113,6 +131,7 @@ impl Shot {
     /// Nothing was driven to a rail.
     fn no_rail(mut self) -> Self {
         self.0.driven.clear();
+        self.0.touched.retain(|touch| matches!(touch, Touch::Ball(_)));
         self.0.rail_after_contact = false;
         self
     }
@@ -134,8 +153,16 @@ impl Shot {
         self
     }
 
-    fn jumping(mut self) -> Self {
+    /// The cue ball jumped over a ball before it touched one, or (`first` is false) after that.
+    fn jumping(mut self, first: bool) -> Self {
         self.0.jumped = true;
+        self.0.jumped_first = first;
+        self
+    }
+
+    /// The cue ball never came farther up the table.
+    fn staying_below(mut self, y: f64) -> Self {
+        (self.0.cue_reached, self.0.cue_farthest) = (y, y);
         self
     }
 

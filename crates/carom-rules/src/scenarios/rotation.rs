@@ -123,13 +123,65 @@ fn ten_ball_is_called_and_what_falls_uncalled_is_the_others_choice() {
 }
 
 #[test]
+fn the_ten_called_before_the_others_are_gone_is_spotted_and_the_shooter_goes_on() {
+    let mut scene = past_the_push(Rules::TenBall);
+    let ruling = scene.play(Call::Pocket(10, SIDE), hit(&[1, 10]).potting(10, SIDE));
+    assert_eq!(ruling.spotted, [10]);
+    scene.asks(1);
+    let mut scene = past_the_push(Rules::TenBall);
+    let happened = hit(&[1]).potting(1, CORNER).potting(10, SIDE);
+    assert_eq!(scene.play(Call::Pocket(1, CORNER), happened).spotted, [10]);
+    assert_eq!(scene.asks(1).on, [2]);
+}
+
+#[test]
+fn a_safety_that_pockets_a_ball_is_the_others_choice() {
+    let mut scene = past_the_push(Rules::TenBall);
+    assert!(scene.play(Call::Safety, hit(&[1]).potting(1, SIDE)).is_legal());
+    scene.offers(0, &[Choice::PlayOn, Choice::PassBack]);
+    scene.choose(Choice::PassBack);
+    assert_eq!(scene.asks(1).on, [2]);
+    let mut scene = past_the_push(Rules::TenBall);
+    scene.play(Call::Safety, hit(&[1]));
+    scene.asks(0);
+}
+
+#[test]
+fn the_last_ball_comes_back_after_a_foul_on_the_break_and_off_the_table() {
+    for (rules, last) in [(Rules::NineBall, 9), (Rules::TenBall, 10)] {
+        let mut scene = Scene::of(rules);
+        let happened = hit(&[1]).potting(last, SIDE).potting(0, CORNER);
+        assert_eq!(scene.play(Call::Nothing, happened).spotted, [last]);
+        assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+        let mut scene = past_the_push(rules);
+        let call = if rules == Rules::TenBall { Call::Safety } else { Call::Nothing };
+        let ruling = scene.play(call, hit(&[1]).losing(last));
+        assert_fouls(&ruling, &[Foul::BallOffTable]);
+        assert_eq!(ruling.spotted, [last]);
+    }
+}
+
+#[test]
+fn after_a_push_out_the_other_may_play_too() {
+    for rules in [Rules::NineBall, Rules::TenBall] {
+        let mut scene = after_break(rules);
+        scene.play(Call::PushOut, hit(&[3]).no_rail().potting(3, SIDE));
+        scene.choose(Choice::PlayOn);
+        assert!(!scene.asks(1).calls.push_out, "one push-out a rack");
+        assert!(scene.is_down(3));
+    }
+}
+
+#[test]
 fn the_ten_wins_called_but_not_on_the_break_and_not_by_luck() {
     let mut scene = Scene::of(Rules::TenBall);
     assert_eq!(scene.play(Call::Nothing, hit(&[1]).potting(10, SIDE)).spotted, [10]);
     scene.asks(0);
-    let mut scene = past_the_push(Rules::TenBall);
-    scene.play(Call::Pocket(10, SIDE), hit(&[1, 10]).potting(10, SIDE));
-    scene.is_won_by(1);
+    let mut scene = past_the_push(Rules::TenBall).without(1..=9);
+    scene.play(Call::Safety, hit(&[10]));
+    assert_eq!(scene.asks(0).on, [10]);
+    scene.play(Call::Pocket(10, SIDE), hit(&[10]).potting(10, SIDE));
+    scene.is_won_by(0);
     let mut scene = past_the_push(Rules::TenBall);
     let ruling = scene.play(Call::Pocket(1, SIDE), hit(&[1, 10]).potting(10, SIDE));
     assert_eq!(ruling.spotted, [10]);

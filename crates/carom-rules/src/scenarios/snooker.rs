@@ -3,7 +3,7 @@
 use super::{CORNER, SIDE, Scene, assert_fouls, hit};
 use crate::games::Law;
 use crate::games::snooker::{On, Snooker};
-use crate::{Call, Choice, Foul, Region, Rules};
+use crate::{Call, Choice, Foul, Options, Region, Rules};
 
 const RED: u8 = 1;
 const YELLOW: u8 = 16;
@@ -12,6 +12,7 @@ const BLUE: u8 = 19;
 const PINK: u8 = 20;
 const BLACK: u8 = 21;
 const NOTHING: Call = Call::Nothing;
+const BLACK_SPOT: [f64; 2] = [0.889, 3.569 - 0.324];
 
 fn game(scene: &Scene) -> &Snooker {
     match scene.0.law() {
@@ -108,7 +109,12 @@ fn a_scratch_gives_the_cue_ball_in_the_d() {
 #[test]
 fn to_jump_over_a_ball_is_a_foul() {
     let mut scene = Scene::of(Rules::Snooker);
-    assert_fouls(&scene.play(NOTHING, hit(&[RED]).jumping()), &[Foul::Jump]);
+    assert_fouls(&scene.play(NOTHING, hit(&[RED]).jumping(true)), &[Foul::Jump]);
+    let mut scene = Scene::of(Rules::Snooker);
+    assert!(
+        scene.play(NOTHING, hit(&[RED]).jumping(false)).is_legal(),
+        "after a contact it is none"
+    );
 }
 
 #[test]
@@ -139,6 +145,79 @@ fn no_miss_is_called_when_the_ball_on_was_hit_first() {
     let mut scene = Scene::of(Rules::Snooker);
     scene.play(NOTHING, hit(&[RED]).potting(0, SIDE));
     scene.offers(1, &[Choice::PlayOn, Choice::PassBack]);
+}
+
+/// A foul of player 0 that hits no ball on, at these scores: whether it is a miss.
+fn is_miss_at(scores: [i32; 2], options: Options) -> bool {
+    let mut scene = Scene::with(Rules::Snooker, options).without(2..=15);
+    scene.0.set_scores(scores);
+    scene.play(NOTHING, hit(&[]));
+    match scene.0.request() {
+        crate::Request::Choice { choices, .. } => choices.contains(&Choice::Replace),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn no_miss_is_called_when_a_player_needs_penalty_points_or_the_scores_could_be_equal() {
+    // A red and the colours are worth 35.
+    let rules = Options::default();
+    assert!(is_miss_at([0, 0], rules));
+    assert!(is_miss_at([0, 30], rules), "34 behind after the foul");
+    assert!(!is_miss_at([0, 31], rules), "35 behind after the foul");
+    assert!(!is_miss_at([0, 36], rules), "36 behind before it");
+    assert!(is_miss_at([34, 0], rules));
+    assert!(!is_miss_at([35, 0], rules), "the other could be equal");
+    assert!(!is_miss_at([0, 0], Options { miss: false, ..rules }), "it was agreed on");
+}
+
+#[test]
+fn after_a_miss_with_a_full_ball_in_sight_another_is_one_at_any_score() {
+    let mut scene = Scene::of(Rules::Snooker).without(2..=15);
+    scene.0.put(RED, Some([0.5, 2.4]));
+    scene.0.set_scores([0, 30]);
+    for _ in 0..2 {
+        scene.play(NOTHING, hit(&[]));
+        scene.choose(Choice::Replace);
+        assert_eq!(scene.asks(0).hand, None, "it stands where it was played from");
+    }
+    assert_eq!(scene.0.scores(), [0, 38]);
+    scene.play(NOTHING, hit(&[]));
+    scene.is_won_by(1);
+}
+
+#[test]
+fn misses_start_again_when_the_balls_are_not_put_back() {
+    let mut scene = Scene::of(Rules::Snooker);
+    for choice in [Choice::Replace, Choice::PassBack, Choice::Replace, Choice::Replace] {
+        scene.play(NOTHING, hit(&[BLACK]));
+        scene.choose(choice);
+        scene.asks(0);
+    }
+    scene.play(NOTHING, hit(&[BLACK]));
+    scene.is_won_by(1);
+}
+
+#[test]
+fn misses_without_a_full_ball_in_sight_never_lose_the_frame() {
+    let mut scene = snookered();
+    scene.choose(Choice::PassBack);
+    for _ in 0..4 {
+        scene.play(NOTHING, hit(&[YELLOW]));
+        scene.choose(Choice::Replace);
+    }
+    scene.asks(1);
+}
+
+#[test]
+fn points_left_are_a_black_with_every_red_and_the_colors() {
+    let left = |scene: &Scene| match scene.0.law_node().get("points_left") {
+        Some(carom::shot::Node::Integer(points)) => *points,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(left(&Scene::of(Rules::Snooker)), 147);
+    assert_eq!(left(&after_a_red()), 146);
+    assert_eq!(left(&on_the_colors()), 27);
 }
 
 #[test]
@@ -175,6 +254,70 @@ fn who_is_snookered_after_a_foul_has_a_free_ball() {
 }
 
 #[test]
+fn a_free_ball_must_be_hit_first_and_a_ball_on_is_none() {
+    let mut scene = snookered();
+    scene.choose(Choice::PlayOn);
+    let mut red = Scene(scene.0.clone());
+    let ruling = scene.play(Call::On(BLUE), hit(&[RED]).potting(RED, SIDE));
+    assert_fouls(&ruling, &[Foul::WrongBallFirst]);
+    assert_eq!(ruling.points, [0, 4]);
+    assert_eq!(red.play(Call::On(RED), hit(&[RED]).potting(RED, SIDE)).points, [1, 0]);
+}
+
+#[test]
+fn a_free_ball_and_a_red_that_fall_count_one_each() {
+    let mut scene = snookered();
+    scene.choose(Choice::PlayOn);
+    let happened = hit(&[BLUE]).potting(RED, SIDE).potting(BLUE, CORNER);
+    let ruling = scene.play(Call::On(BLUE), happened);
+    assert!(ruling.is_legal(), "nobody is left behind the free ball: {ruling:?}");
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([2, 0], &[BLUE][..]));
+    assert_eq!(game(&scene).on(), On::Color);
+}
+
+/// Player 1 on the yellow with a free ball: the blue lies between.
+fn free_ball_on_the_colors() -> Scene {
+    let mut scene = on_the_colors();
+    scene.0.put(0, Some([0.889, 0.9]));
+    scene.0.put(BLUE, Some([0.889, 1.0]));
+    scene.0.put(YELLOW, Some([0.889, 2.4]));
+    scene.play(NOTHING, hit(&[GREEN]));
+    scene.choose(Choice::PlayOn);
+    assert!(game(&scene).has_free_ball());
+    scene
+}
+
+#[test]
+fn a_free_ball_in_the_sequence_has_the_value_of_the_ball_on_and_comes_back() {
+    let mut scene = free_ball_on_the_colors();
+    let ruling = scene.play(Call::On(BLUE), hit(&[BLUE]).potting(BLUE, SIDE));
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 2], &[BLUE][..]));
+    assert_eq!(scene.asks(1).on, [YELLOW]);
+
+    let mut scene = free_ball_on_the_colors();
+    let happened = hit(&[BLUE]).potting(BLUE, SIDE).potting(YELLOW, CORNER);
+    let ruling = scene.play(Call::On(BLUE), happened);
+    assert_eq!(
+        (ruling.points, &ruling.spotted[..]),
+        ([0, 2], &[BLUE][..]),
+        "only the ball on counts"
+    );
+    assert_eq!(scene.asks(1).on, [GREEN]);
+}
+
+#[test]
+fn the_pink_may_be_left_in_front_of_the_black_as_a_free_ball() {
+    let mut scene = on_the_colors().without(YELLOW..BLUE).without([BLUE]);
+    scene.0.put(0, Some([0.889, 0.9]));
+    scene.0.put(BLACK, Some([0.889, 1.0]));
+    scene.0.put(PINK, Some([0.889, 2.4]));
+    scene.play(NOTHING, hit(&[BLACK]));
+    scene.choose(Choice::PlayOn);
+    assert!(game(&scene).has_free_ball());
+    assert!(scene.play(Call::On(BLACK), hit(&[BLACK])).is_legal());
+}
+
+#[test]
 fn who_is_passed_the_shot_back_has_no_free_ball() {
     let mut scene = snookered();
     scene.choose(Choice::PassBack);
@@ -199,9 +342,89 @@ fn a_color_whose_spot_is_occupied_goes_to_the_highest_free_spot() {
     scene.0.put(BLACK, Some([0.3, 1.2]));
     let ruling = scene.play(Call::On(BLUE), hit(&[BLUE]).potting(BLUE, SIDE));
     assert_eq!(ruling.spotted, [BLUE]);
-    let black_spot = [0.889, 3.569 - 0.324];
-    let there = scene.0.layout().place(BLUE).expect("it is spotted");
-    assert!((there[0] - black_spot[0]).abs() < 1e-3 && (there[1] - black_spot[1]).abs() < 1e-3);
+    scene.lies_at(BLUE, BLACK_SPOT);
+}
+
+#[test]
+fn of_two_colors_each_goes_to_its_own_spot_if_it_can_and_then_the_highest_first() {
+    let mut scene = after_a_red();
+    let own = scene.0.layout().clone();
+    // A red on the black's spot: the highest free one is the pink's, but for the pink.
+    scene.0.put(BLACK, Some([0.3, 1.2]));
+    scene.0.put(2, Some(BLACK_SPOT));
+    let happened = hit(&[BLACK]).potting(BLACK, SIDE).potting(PINK, SIDE).potting(GREEN, SIDE);
+    let ruling = scene.play(Call::On(BLACK), happened);
+    assert_fouls(&ruling, &[Foul::WrongBallPocketed]);
+    assert_eq!(ruling.points, [0, 7]);
+    for ball in [PINK, GREEN] {
+        assert_eq!(scene.0.layout().place(ball), own.place(ball));
+    }
+    let lies = scene.0.layout().place(BLACK).expect("it is spotted");
+    assert!(
+        lies[0] == BLACK_SPOT[0] && lies[1] > BLACK_SPOT[1],
+        "all spots are occupied: {lies:?}"
+    );
+    let gap = lies[1] - BLACK_SPOT[1] - 2.0 * scene.0.base().physics().ball.radius;
+    assert!(gap > 0.0 && gap < 1e-3, "near its own, touching no ball: {gap}");
+}
+
+#[test]
+fn where_there_is_no_room_above_its_spot_a_color_goes_below() {
+    let mut scene = after_a_red();
+    let diameter = 2.0 * scene.0.base().physics().ball.radius;
+    scene.0.put(BLACK, Some([0.3, 1.2]));
+    for (ball, up) in [(2, 0.0), (3, 1.1), (4, 2.2), (5, 3.3), (6, 4.4), (7, 5.4)] {
+        scene.0.put(ball, Some([BLACK_SPOT[0], BLACK_SPOT[1] + up * diameter]));
+    }
+    scene.play(Call::On(BLACK), hit(&[BLACK]).potting(BLACK, SIDE));
+    let lies = scene.0.layout().place(BLACK).expect("it is spotted");
+    assert!(lies[0] == BLACK_SPOT[0] && lies[1] < BLACK_SPOT[1], "{lies:?}");
+}
+
+#[test]
+fn balls_off_the_table_come_back_but_for_reds_and_the_cue_ball_is_in_the_d() {
+    let mut scene = Scene::of(Rules::Snooker);
+    let own = scene.0.layout().place(BLUE);
+    let ruling = scene.play(NOTHING, hit(&[RED]).losing(RED).losing(BLUE).losing(0));
+    assert_fouls(&ruling, &[Foul::CueBallOffTable, Foul::BallOffTable]);
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 5], &[BLUE][..]));
+    assert!(scene.is_down(RED));
+    assert_eq!(scene.0.layout().place(BLUE), own);
+    scene.choose(Choice::PassBack);
+    assert_eq!(scene.asks(0).hand, Some(Region::TheD), "who is asked to play again plays from it");
+}
+
+/// The cue ball touches `ball`, a red is elsewhere.
+fn touching(ball: u8) -> Scene {
+    let mut scene = Scene::of(Rules::Snooker);
+    scene.play(NOTHING, hit(&[RED]));
+    let diameter = 2.0 * scene.0.base().physics().ball.radius;
+    scene.0.put(0, Some([0.5, 1.0]));
+    scene.0.put(ball, Some([0.5 + diameter, 1.0]));
+    scene
+}
+
+#[test]
+fn who_plays_away_from_a_touching_ball_that_is_on_has_hit_it() {
+    assert!(touching(2).play(NOTHING, hit(&[]).touching(&[-1])).is_legal());
+    assert!(touching(2).play(NOTHING, hit(&[]).touching(&[-1, 19])).is_legal(), "whatever is next");
+    assert!(touching(2).play(NOTHING, hit(&[]).touching(&[-1, 2])).is_legal());
+}
+
+#[test]
+fn to_move_a_touching_ball_is_a_push() {
+    let ruling = touching(2).play(NOTHING, hit(&[2]));
+    assert_fouls(&ruling, &[Foul::Push]);
+    assert_eq!(ruling.points, [4, 0]);
+    let ruling = touching(PINK).play(NOTHING, hit(&[PINK]));
+    assert_fouls(&ruling, &[Foul::WrongBallFirst, Foul::Push]);
+    assert_eq!(ruling.points, [6, 0]);
+}
+
+#[test]
+fn who_plays_away_from_a_touching_ball_that_is_not_on_must_hit_one_that_is() {
+    assert!(touching(BLUE).play(NOTHING, hit(&[3])).is_legal());
+    assert_fouls(&touching(BLUE).play(NOTHING, hit(&[])), &[Foul::NoContact]);
 }
 
 /// Only the black is left, player 0 to shoot with `lead` points more than the other.
@@ -228,8 +451,20 @@ fn a_tie_is_decided_by_the_black_on_its_spot() {
     let mut scene = black_ball(-7);
     scene.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE));
     assert_eq!(scene.0.scores(), [20, 20]);
-    assert_eq!((scene.turn().hand, &scene.turn().on[..]), (Some(Region::TheD), &[BLACK][..]));
-    let player = scene.turn().player;
-    scene.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE));
-    scene.is_won_by(player);
+    scene.lies_at(BLACK, BLACK_SPOT);
+    let lot = scene.0.player().expect("the lot says who chooses");
+    scene.offers(lot, &[Choice::PlayOn, Choice::PassBack]);
+    for (choice, player) in [(Choice::PlayOn, lot), (Choice::PassBack, 1 - lot)] {
+        let mut chosen = Scene(scene.0.clone());
+        chosen.choose(choice);
+        let turn = chosen.asks(player);
+        assert_eq!((turn.hand, &turn.on[..]), (Some(Region::TheD), &[BLACK][..]));
+        let mut fouled = Scene(chosen.0.clone());
+        chosen.play(NOTHING, hit(&[BLACK]));
+        chosen.asks(1 - player);
+        chosen.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE));
+        chosen.is_won_by(1 - player);
+        fouled.play(NOTHING, hit(&[]));
+        fouled.is_won_by(1 - player);
+    }
 }

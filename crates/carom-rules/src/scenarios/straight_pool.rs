@@ -27,6 +27,107 @@ fn the_opening_break_drives_the_cue_ball_and_two_balls_to_a_rail() {
 }
 
 #[test]
+fn on_the_opening_break_the_cue_ball_meets_a_rail_after_the_rack() {
+    let mut scene = Scene::of(Rules::StraightPool);
+    let ruling = scene.play(SAFE, hit(&[]).driving(&[1, 2]).touching(&[-1, 5]));
+    assert_fouls(&ruling, &[Foul::SoftBreak]);
+    let mut scene = Scene::of(Rules::StraightPool);
+    assert!(scene.play(SAFE, hit(&[]).driving(&[1, 2]).touching(&[5, -1])).is_legal());
+}
+
+#[test]
+fn on_the_opening_break_pocketed_balls_were_driven_to_a_rail() {
+    let mut scene = Scene::of(Rules::StraightPool);
+    let ruling = scene.play(SAFE, hit(&[5]).driving(&[1]).potting(2, SIDE));
+    assert!(ruling.is_legal());
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[2][..]));
+}
+
+#[test]
+fn a_called_ball_opens_also_if_the_shot_is_a_foul() {
+    let mut scene = Scene::of(Rules::StraightPool);
+    let happened = hit(&[5]).driving(&[]).potting(5, CORNER).potting(0, SIDE);
+    let ruling = scene.play(Call::Pocket(5, CORNER), happened);
+    assert_fouls(&ruling, &[Foul::Scratch]);
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([-1, 0], &[5][..]));
+    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+}
+
+#[test]
+fn a_breaking_foul_absorbs_a_scratch_and_is_not_one_of_three() {
+    let mut scene = Scene::of(Rules::StraightPool);
+    let ruling = scene.play(SAFE, hit(&[5]).driving(&[]).potting(0, SIDE));
+    assert_fouls(&ruling, &[Foul::Scratch, Foul::SoftBreak]);
+    assert_eq!(ruling.points, [-2, 0]);
+    assert_eq!(scene.0.fouls_in_a_row(), [0, 0]);
+    scene.offers(1, &[Choice::PlayFromHand, Choice::RebreakByOther]);
+    scene.choose(Choice::PlayFromHand);
+    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+}
+
+#[test]
+fn who_does_not_come_out_from_behind_the_head_string_gives_the_cue_ball_in_hand() {
+    let scratched = || {
+        let mut scene = opened();
+        scene.play(SAFE, hit(&[3]).potting(0, SIDE));
+        scene.0.put(3, Some([0.3, 0.3]));
+        scene
+    };
+    let mut scene = scratched();
+    let ruling = scene.play(SAFE, hit(&[3]).staying_below(0.5));
+    assert_fouls(&ruling, &[Foul::BehindHeadString]);
+    assert_eq!(ruling.points, [-1, 0]);
+    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+    let mut scene = scratched();
+    assert_fouls(&scene.play(SAFE, hit(&[3]).reaching(0.5)), &[Foul::BehindHeadString]);
+    assert_eq!(scene.asks(1).hand, None, "it came out later");
+}
+
+#[test]
+fn with_all_balls_behind_the_head_string_the_nearest_may_be_spotted() {
+    let scratched = || {
+        let mut scene = opened().without(3..=15);
+        scene.0.put(1, Some([0.3, 0.3]));
+        scene.0.put(2, Some([0.9, 0.4]));
+        scene.play(SAFE, hit(&[1]).potting(0, SIDE));
+        scene.offers(0, &[Choice::PlayFromHand, Choice::SpotNearest]);
+        scene
+    };
+    let mut scene = scratched();
+    assert_eq!(scene.choose(Choice::SpotNearest).spotted, [2]);
+    scene.lies_at(2, FOOT);
+    assert_eq!(scene.asks(0).hand, Some(Region::BehindHeadString));
+    let mut scene = scratched();
+    assert!(scene.choose(Choice::PlayFromHand).spotted.is_empty());
+    scene.asks(0);
+}
+
+#[test]
+fn spotted_balls_stand_behind_each_other_on_the_long_string() {
+    let mut scene = opened().without(1..=15);
+    for ball in [1, 2, 3] {
+        scene.0.put(ball, Some([0.2, 0.3 * f64::from(ball)]));
+    }
+    scene.0.put(0, Some([0.635, 1.93]));
+    let ruling = scene.play(SAFE, hit(&[1]).losing(2).potting(1, SIDE));
+    assert_eq!(ruling.spotted, [1, 2]);
+    let (diameter, table) = (2.0 * scene.0.base().physics().ball.radius, FOOT);
+    let [one, two] = [1, 2].map(|ball| scene.0.layout().place(ball).expect("it is spotted"));
+    assert!(one[0] == table[0] && two[0] == table[0], "on the long string");
+    let off = one[1] - 1.93 - diameter;
+    assert!(off > 0.0 && off < 1e-3, "behind the cue ball without touching it: {off}");
+    assert!((two[1] - one[1] - diameter).abs() < super::SPOTTED, "against the other");
+}
+
+#[test]
+fn balls_pocketed_on_a_safety_come_back() {
+    let mut scene = opened();
+    let ruling = scene.play(SAFE, hit(&[3]).potting(3, CORNER));
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[3][..]));
+    scene.asks(0);
+}
+
+#[test]
 fn every_ball_of_a_legal_called_shot_counts_one() {
     let mut scene = opened();
     let ruling = scene.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, CORNER).potting(7, SIDE));
@@ -124,7 +225,10 @@ fn the_special_cases_of_racking_fourteen() {
     // The cue ball in the rack: in hand, on the head spot, or on the center spot.
     assert_eq!(fourteen_down(7, FAR, IN_RACK).turn().hand, Some(Region::BehindHeadString));
     assert_eq!(fourteen_down(7, [0.3, 0.3], IN_RACK).0.layout().place(0), Some(HEAD));
-    assert_eq!(fourteen_down(7, HEAD, IN_RACK).0.layout().place(0), Some(CENTER));
+    let blocking = [HEAD[0], HEAD[1] - 0.01];
+    assert_eq!(fourteen_down(7, blocking, IN_RACK).0.layout().place(0), Some(CENTER));
+    let on_the_string = fourteen_down(7, HEAD, IN_RACK);
+    assert_eq!(on_the_string.turn().hand, Some(Region::BehindHeadString), "not behind it (4.8d)");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! UMB.
 
 use super::{Scene, assert_fouls, hit};
-use crate::{Call, Choice, Foul, Frame, Options, Request, Rules};
+use crate::{Call, Choice, Foul, Options, Request, Rules};
 
 const NOTHING: Call = Call::Nothing;
 
@@ -55,6 +55,80 @@ fn balls_off_the_table_are_spotted_and_no_point_is_scored() {
     assert!(!scene.is_down(2) && !scene.is_down(0));
 }
 
+const FOOT: [f64; 2] = [0.71, 2.13];
+const HEAD: [f64; 2] = [0.71, 0.71];
+const CENTER: [f64; 2] = [0.71, 1.42];
+
+#[test]
+fn a_ball_off_the_table_goes_to_its_spot_as_the_next_player_sees_it() {
+    for (ball, spot) in [(2, FOOT), (0, CENTER), (1, HEAD)] {
+        let mut scene = Scene::of(Rules::ThreeCushion);
+        for (other, place) in [(0, [0.3, 0.3]), (1, [1.0, 1.0]), (2, [0.3, 2.5])] {
+            scene.0.put(other, Some(place));
+        }
+        let ruling = scene.play(NOTHING, hit(&[2]).losing(ball));
+        assert_eq!(ruling.spotted, [ball]);
+        scene.lies_at(ball, spot);
+        scene.asks(1);
+    }
+}
+
+#[test]
+fn an_occupied_spot_is_left_for_that_of_the_ball_in_the_way() {
+    let mut scene = Scene::of(Rules::ThreeCushion);
+    scene.0.put(0, Some([0.3, 0.3]));
+    scene.0.put(2, Some([0.3, 1.0]));
+    scene.0.put(1, Some([FOOT[0] + 0.02, FOOT[1]]));
+    scene.play(NOTHING, hit(&[2]).losing(2));
+    scene.lies_at(2, HEAD);
+
+    let mut scene = Scene::of(Rules::ThreeCushion);
+    for (ball, place) in [(2, [0.3, 1.0]), (1, FOOT), (0, HEAD)] {
+        scene.0.put(ball, Some(place));
+    }
+    scene.play(NOTHING, hit(&[2]).losing(2));
+    scene.lies_at(2, CENTER);
+}
+
+#[test]
+fn to_play_at_a_frozen_ball_is_a_foul_and_to_play_away_is_none() {
+    let frozen = || {
+        let mut scene = Scene::of(Rules::ThreeCushion);
+        let radius = scene.0.base().physics().ball.radius;
+        scene.0.put(1, Some([0.7, 1.0]));
+        scene.0.put(2, Some([0.7 + 2.0 * radius, 1.0]));
+        scene.play(NOTHING, hit(&[2]));
+        scene.choose(Choice::PlayOn);
+        scene.asks(1);
+        scene
+    };
+    let mut scene = frozen();
+    let ruling = scene.play(NOTHING, hit(&[]).touching(&[2, -1, -1, -1, 0]));
+    assert_fouls(&ruling, &[Foul::Push]);
+    assert_eq!(ruling.points, [0, 0]);
+    let mut scene = frozen();
+    let ruling = scene.play(NOTHING, hit(&[]).touching(&[-1, -1, -1, 2, 0]));
+    assert!(ruling.is_legal());
+    assert_eq!(ruling.points, [0, 1]);
+}
+
+#[test]
+fn a_cushion_to_which_the_cue_ball_is_frozen_does_not_count() {
+    let from_the_top = |order: &[i32]| {
+        let mut scene = Scene::of(Rules::ThreeCushion);
+        scene.play(NOTHING, hit(&[2]));
+        let table = scene.0.base().table();
+        let reach = table.reach(scene.0.base().physics().ball.radius);
+        let place = [0.5, table.size.y - reach];
+        scene.0.put(1, Some(place));
+        scene.play(NOTHING, hit(&[]).touching(order)).points[1]
+    };
+    assert_eq!(from_the_top(&[-1, -1, -1, 2, 0]), 0);
+    assert_eq!(from_the_top(&[-1, 2, -1, -1, 0]), 0);
+    assert_eq!(from_the_top(&[-1, -1, -1, -1, 2, 0]), 1);
+    assert_eq!(from_the_top(&[2, -1, -1, -1, 0]), 1);
+}
+
 #[test]
 fn frozen_balls_may_be_spotted() {
     let mut scene = Scene::of(Rules::ThreeCushion);
@@ -63,21 +137,26 @@ fn frozen_balls_may_be_spotted() {
     scene.0.put(2, Some([0.7 + 2.0 * radius, 1.0]));
     scene.play(NOTHING, hit(&[2]));
     scene.offers(1, &[Choice::PlayOn, Choice::SpotFrozen]);
-    assert_eq!(scene.choose(Choice::SpotFrozen).spotted.len(), 2);
+    let third = scene.0.layout().place(0);
+    assert_eq!(scene.choose(Choice::SpotFrozen).spotted, [2, 1]);
+    scene.lies_at(2, FOOT);
+    scene.lies_at(1, HEAD);
+    assert_eq!(scene.0.layout().place(0), third, "the third ball stays");
     scene.asks(1);
 }
 
 #[test]
 fn the_second_player_has_an_inning_to_answer() {
-    let options = Options { target: 2, ..Options::default() };
-    let frame = Frame::new(Rules::ThreeCushion, options, None, None, 1).expect("its own table");
-    let mut scene = Scene(frame);
+    let mut scene = Scene::with(Rules::ThreeCushion, Options { target: 2, ..Options::default() });
+    let start = scene.0.layout().clone();
     for _ in 0..2 {
         let point = carom(&scene);
         scene.play(NOTHING, point);
     }
+    assert_eq!(scene.asks(1).on, [2], "it is a starting shot");
+    let place = |ball| scene.0.layout().place(ball);
+    assert_eq!([place(1), place(0), place(2)], [0, 1, 2].map(|ball| start.place(ball)));
     let mut drawn = Scene(scene.0.clone());
-    scene.asks(1);
     scene.play(NOTHING, hit(&[2]));
     scene.is_won_by(0);
     for _ in 0..2 {

@@ -190,6 +190,11 @@ impl<'a> OutcomeRecorder<'a> {
         Self { collector: Collector::new(shot), before: Vec::new(), after: Vec::new() }
     }
 
+    /// What is known after the events so far.
+    pub const fn so_far(&self) -> &Outcome {
+        &self.collector.outcome
+    }
+
     /// The outcome, once `last` are the balls' final states in the engine's frame.
     pub fn finish(self, last: &[BallState]) -> Outcome {
         let shot = self.collector.shot;

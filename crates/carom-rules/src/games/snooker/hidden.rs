@@ -1,4 +1,4 @@
-//! Is a player snookered? (WPBSA, section 2, rule 15.)
+//! Is a player snookered? (WPBSA, section 2, rule 17.)
 
 use carom::Table;
 use carom::math::{Vec2, sqrt};
@@ -63,12 +63,32 @@ fn is_open(
     let across = Vec2::new(-way.y, way.x) * (reach / (length * length));
     [1.0, -1.0].into_iter().all(|side| {
         let path = (along + across * side) * tangent;
-        layout.on_table().filter(|b| *b != CUE && *b != target && blocking(*b)).all(|ball| {
-            let place = layout.place(ball).unwrap_or(from);
-            let to = Vec2::new(place[0] - from[0], place[1] - from[1]);
-            let nearest = (to.dot(path) / path.length_squared()).clamp(0.0, 1.0);
-            (to - path * nearest).length() >= radius(CUE) + radius(ball) - ROUNDING
-        })
+        is_clear(layout, from, path, |ball| ball != target && blocking(ball))
+    })
+}
+
+/// Whether one of the balls `on` can be hit full in a straight line.
+pub(super) fn is_full_ball_open(layout: &Layout, on: &[BallIndex]) -> bool {
+    let Some(from) = layout.place(CUE) else { return false };
+    on.iter().filter_map(|target| layout.place(*target)).any(|there| {
+        let path = Vec2::new(there[0] - from[0], there[1] - from[1]);
+        is_clear(layout, from, path, |ball| !on.contains(&ball))
+    })
+}
+
+/// Whether the cue ball can go from `from` along `path` past all balls that are `blocking`.
+fn is_clear(
+    layout: &Layout,
+    from: [f64; 2],
+    path: Vec2,
+    blocking: impl Fn(BallIndex) -> bool,
+) -> bool {
+    let radius = |ball: BallIndex| layout.pieces()[usize::from(ball)].ball.radius;
+    layout.on_table().filter(|ball| *ball != CUE && blocking(*ball)).all(|ball| {
+        let place = layout.place(ball).unwrap_or(from);
+        let to = Vec2::new(place[0] - from[0], place[1] - from[1]);
+        let nearest = (to.dot(path) / path.length_squared()).clamp(0.0, 1.0);
+        (to - path * nearest).length() >= radius(CUE) + radius(ball) - ROUNDING
     })
 }
 
