@@ -70,7 +70,7 @@ def draw_shots(folder: Path) -> None:
         ("position_map", position_map(cut, "1", "right", speed=speeds, height=heights)),
         ("acceptance", acceptance(cut, "top-left")),
         ("kicks", kick_table(cut, azimuth=np.radians([60, 100, 140, 180]), speed=[2.0, 4.0])),
-        ("banks", bank_table(cut, "1", azimuth=np.radians(np.arange(0, 360, 15)), cushions=1)),
+        ("banks", bank_table(cut, "1", azimuth=np.radians(np.arange(5, 360, 30)))),
         ("breaks", break_statistics("nine-ball")),
     ):
         save(found, folder / f"{name}.png")

@@ -67,7 +67,7 @@ class Solution:
     def __str__(self) -> str:
         return (
             f"{self.chance}  {self.kind}: {self.way or '-'}; {self.speed:.2f} m/s, "
-            f"azimuth {math.degrees(self.azimuth):.2f}°, side {self.side:+.2f}, "
+            f"azimuth {math.degrees(self.azimuth) % 360:.2f}°, side {self.side:+.2f}, "
             f"height {self.height:+.2f}, elevation {math.degrees(self.elevation):.1f}°"
         )
 

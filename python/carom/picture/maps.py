@@ -10,8 +10,11 @@ from carom.picture.canvas import to_png, to_svg
 from carom.picture.sheet import sheet
 
 if TYPE_CHECKING:
+    import numpy as np
     from matplotlib.axes import Axes
+    from matplotlib.cm import ScalarMappable
     from matplotlib.figure import Figure
+    from numpy.typing import NDArray
 
     from carom.cushions import CushionTable
     from carom.maps import Acceptance, BreakStatistics, PositionMap, PotMap
@@ -78,18 +81,13 @@ def _draw_pots(found: PotMap, title: str) -> Figure:
     )
     bar = _scale(figure, ax, image, "chance of the pot")
     bar.ax.yaxis.set_major_formatter(lambda x, _: f"{100 * x:.0f} %")
-    _balls(ax, found.shot, without_cue_ball=True)
+    _balls(ax, found.shot, without=_struck(found.shot))
     return figure
 
 
 def _draw_positions(found: PositionMap, title: str) -> Figure:
-    from matplotlib import colormaps
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-
     figure, ax = sheet(found.shot, SCALE_INCHES, heading=title)
-    norm = Normalize(float(found.speed.min()), float(found.speed.max()))
-    paint = ScalarMappable(norm, colormaps["plasma"])
+    paint = _paint(found.speed)
     for column, (side, height) in enumerate(zip(found.side, found.height, strict=True)):
         ends = found.end[:, column]
         good = found.falls[:, column]
@@ -99,8 +97,9 @@ def _draw_positions(found: PositionMap, title: str) -> Figure:
             ends[good, 0],
             ends[good, 1],
             c=found.speed[good],
-            cmap="plasma",
-            norm=norm,
+            cmap=paint.cmap,
+            vmin=found.speed.min(),
+            vmax=found.speed.max(),
             s=9,
             edgecolor="white",
             linewidth=0.3,
@@ -110,10 +109,10 @@ def _draw_positions(found: PositionMap, title: str) -> Figure:
         if last and len(found.height) <= 12:
             ax.annotate(
                 f"{side:+.1f}/{height:+.1f}",
-                last[0],
+                last[-1],
                 xytext=(4, 2),
                 textcoords="offset points",
-                fontsize=5.5,
+                fontsize=6.5,
                 color="white",
                 zorder=7,
             )
@@ -123,27 +122,53 @@ def _draw_positions(found: PositionMap, title: str) -> Figure:
 
 
 def _draw_cushions(found: CushionTable, title: str) -> Figure:
-    from matplotlib import colormaps
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import Normalize
-
     figure, ax = sheet(found.shot, SCALE_INCHES, heading=title)
-    paint = ScalarMappable(
-        Normalize(float(found.speed.min()), float(found.speed.max())), colormaps["plasma"]
-    )
+    # One colour bar: for the speeds where there are several, else for the sides.
+    by_speed = len(found.speed) > 1 or len(found.side) == 1
+    paint = _paint(found.speed if by_speed else found.side)
     file = next(ball for ball in found.shot.to_dict()["balls"] if ball["id"] == found.ball)
     start = file["position"][:2]
     for i in range(len(found.azimuth)):
         for j, speed in enumerate(found.speed.tolist()):
-            for k in range(len(found.side)):
+            for k, side in enumerate(found.side.tolist()):
                 x, y = zip(start, *found.contact[i, j, k].tolist(), strict=True)
                 ax.plot(
-                    x, y, color=paint.to_rgba(speed), alpha=0.5, linewidth=0.6, zorder=3,
+                    x,
+                    y,
+                    color=paint.to_rgba(speed if by_speed else side),
+                    linestyle=_dashes(side) if by_speed else "solid",
+                    marker="o",
+                    markersize=1.6,
+                    alpha=0.8,
+                    linewidth=0.9,
+                    zorder=3,
                     gid=f"way-{i}-{j}-{k}",
-                )  # fmt: skip
-    _scale(figure, ax, paint, "speed, m/s")
-    _balls(ax, found.shot)
+                )
+    label = "contact point right of centre, ball radii"
+    if by_speed:
+        label = "speed, m/s"
+        if len(found.side) > 1:
+            label += "; dashed: left side, dotted: right side"
+    _scale(figure, ax, paint, label)
+    _balls(ax, found.shot, only=found.ball)
     return figure
+
+
+def _dashes(side: float) -> Any:
+    """Solid without side, dashed with left, dotted with right."""
+    return "solid" if side == 0 else (0, (5, 2)) if side < 0 else (0, (1, 1.2))
+
+
+def _paint(values: NDArray[np.float64]) -> ScalarMappable:
+    """Colours from the least to the greatest value that can be seen on the cloth."""
+    import numpy as np
+    from matplotlib import colormaps
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import ListedColormap, Normalize
+
+    # The dark end of the map is darker than the cloth.
+    bright = ListedColormap(colormaps["plasma"](np.linspace(0.42, 1.0, 256)))
+    return ScalarMappable(Normalize(float(values.min()), float(values.max())), bright)
 
 
 def _gapped(values: Any, good: Any) -> list[float]:
@@ -206,12 +231,16 @@ def _scale(figure: Figure, ax: Axes, image: Any, label: str) -> Any:
     return bar
 
 
-def _balls(ax: Axes, shot: Shot, *, without_cue_ball: bool = False) -> None:
+def _struck(shot: Shot) -> str | None:
+    struck: str | None = shot.to_dict().get("strike", {}).get("ball")
+    return struck
+
+
+def _balls(ax: Axes, shot: Shot, *, without: str | None = None, only: str | None = None) -> None:
     from carom.picture.balls import draw_ball
 
-    struck = shot.to_dict().get("strike", {}).get("ball")
     for index, ball in enumerate(shot.to_dict()["balls"]):
-        if without_cue_ball and ball["id"] == struck:
+        if ball["id"] == without or only not in {None, ball["id"]}:
             continue
         x, y, *_ = ball["position"]
         radius = float(shot.radius[index])

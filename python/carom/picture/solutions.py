@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from carom.picture.paths import Route
+    from carom.plan import Chance
     from carom.shot import Shot
     from carom.solve import Solution
 
@@ -128,7 +129,7 @@ def _draw_way(ax: Axes, solution: Solution, index: int, labels: _Labels) -> None
             _draw_route(ax, route, index, own=route.id == struck)
         if route.id == struck:
             _draw_end(ax, route, index)
-            labels.put(f"{index + 1}: {100 * float(solution.chance):.0f} %", route.end, index)
+            labels.put(f"{index + 1}: {_percent(solution.chance)}", route.end, index)
 
 
 def _draw_route(ax: Axes, route: Route, index: int, *, own: bool) -> None:
@@ -164,6 +165,14 @@ def _draw_end(ax: Axes, route: Route, index: int) -> None:
             zorder=5 - 0.01 * index,
         )
     )
+
+
+def _percent(chance: Chance) -> str:
+    """In whole per cent, but never certain or impossible if it is not."""
+    if chance.count == chance.trials or not chance.count:
+        return f"{100 * float(chance):.0f} %"
+    share = 100 * float(chance)
+    return ">99 %" if share > 99 else "<1 %" if share < 1 else f"{share:.0f} %"
 
 
 class _Labels:
@@ -246,7 +255,7 @@ def _draw_list(figure: Figure, shown: list[Solution], title: str) -> None:
         raised = math.degrees(solution.elevation)
         lines = (
             *wrap(f"{solution.kind}: {solution.way}" if solution.way else solution.kind, LINE),
-            f"{solution.speed:.2f} m/s, azimuth {math.degrees(solution.azimuth):.1f}°",
+            f"{solution.speed:.2f} m/s, azimuth {math.degrees(solution.azimuth) % 360:.1f}°",
             f"side {solution.side:+.2f}, height {solution.height:+.2f}"
             + (f", elevation {raised:.1f}°" if raised else ""),
         )
