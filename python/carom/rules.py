@@ -126,6 +126,30 @@ class Frame:
             physics = physics.description
         self._core = _core.Frame(game, table, physics, seed, (target, miss, patience))
 
+    @classmethod
+    def of_shot(
+        cls, game: str, shot: Shot, *, target: int = 40, miss: bool = True, patience: int = 100
+    ) -> Frame:
+        """A frame that goes on with the balls of a shot, as if nothing else had happened.
+
+        Balls that the shot does not have are down, and player 0 shoots from where the cue ball
+        lies: nobody has a point, a group or a foul; in eight-ball the table is open. Table and
+        physics are the shot's, its strike does not count.
+
+        Args:
+            game: As for a new frame, like ``target``, ``miss`` and ``patience``.
+            shot: Whose balls.
+            target: Points that win.
+            miss: Whether a foul and a miss is called in snooker.
+            patience: Shots in a row without progress that make a stalemate.
+
+        Raises:
+            InputError: The game has no such balls, or would be over with them.
+        """
+        frame = Frame.__new__(cls)
+        frame._core = _core.Frame.of_shot(game, shot._core, (target, miss, patience))
+        return frame
+
     def copy(self) -> Frame:
         """The same frame once more: to try a shot and go back."""
         twin = Frame.__new__(Frame)

@@ -81,6 +81,42 @@ def test_a_frame_says_what_is_legal() -> None:
         shot.evaluate(CLUB, 300, frame=carom.Frame("nine-ball", seed=4))
 
 
+def test_a_frame_can_go_on_with_the_balls_of_a_shot() -> None:
+    balls = {"9": (0.3, 2.0), "cue": (0.5, 1.2), "5": (0.9, 1.9)}
+    shot = carom.Shot("wpa-9ft", balls, carom.Strike(2.0, np.radians(60)))
+    frame = carom.Frame.of_shot("nine-ball", shot)
+    assert frame.player == 0
+    assert frame.balls == balls
+    asked = frame.shot(carom.Strike(2.0, np.radians(60)))
+    found = asked.evaluate(CLUB, 500, frame=frame)
+    # The 5 is the lowest ball: whoever hits it first and drives something to a rail is legal.
+    assert found.legal is not None
+    assert found.legal.probability > 0.9
+    assert found.turn_kept is not None
+    assert found.turn_kept.count == found.pot("5").count - found.scratch.count
+    for wrong, place in (
+        ({"cue": (0.5, 1.2), "5": (0.9, 1.9)}, "places: "),
+        ({"cue": (0.5, 1.2), "9": (0.9, 1.9), "12": (0.3, 0.3)}, "balls"),
+    ):
+        with pytest.raises(InputError, match=place):
+            carom.Frame.of_shot("nine-ball", carom.Shot("wpa-9ft", wrong))
+
+
+def test_the_command_knows_what_is_legal(run: CommandLine, tmp_path: Path) -> None:
+    balls = {"8": (0.3, 2.0), "cue": (0.5, 1.2), "5": (0.9, 1.9)}
+    file = tmp_path / "shot.json"
+    carom.Shot("wpa-9ft", balls, carom.Strike(2.0, np.radians(60))).save(file)
+    ask = ("evaluate", str(file), "-n", "300", "--game", "eight-ball", "--json")
+    done = run(*ask, "--call", "5:top-right", "--watch", "legal", "--precision", "0.2")
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert found["legal"] > 250
+    assert "turn kept" in found["chances"]
+    silent = run(*ask)
+    assert silent.returncode == 2
+    assert silent.stderr.startswith("carom: call: ")
+
+
 def test_presets_have_multipliers() -> None:
     assert Noise.preset("olympiad:0.5") == Noise.olympiad(0.5)
     for wrong in ("grandmaster", "club:much"):

@@ -49,6 +49,21 @@ impl Frame {
             .map_err(|e| to_exception(py, &e))
     }
 
+    /// A frame that goes on with the balls of a shot.
+    #[staticmethod]
+    fn of_shot(
+        py: Python<'_>,
+        game: &str,
+        shot: &Shot,
+        options: (i32, bool, u32),
+    ) -> PyResult<Self> {
+        let (target, miss, patience) = options;
+        let options = Options { target, miss, patience };
+        let frame = Rules::read(game)
+            .and_then(|rules| carom_rules::Frame::of_shot(rules, options, &shot.0));
+        frame.map(Self).map_err(|e| to_exception(py, &e))
+    }
+
     fn to_object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.0.to_node())
     }

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
+    from carom import Call, Frame, Shot
     from carom.cushions import CushionTable
     from carom.picture.maps import Drawn
 
@@ -64,7 +65,17 @@ def evaluate(
     ] = None,
     watch: Annotated[
         str | None,
-        typer.Option(metavar="WHAT", help="A ball, BALL:POCKET or scratch; else everything."),
+        typer.Option(
+            metavar="WHAT", help="A ball, BALL:POCKET, scratch or legal; else everything."
+        ),
+    ] = None,
+    game: Annotated[
+        str | None,
+        typer.Option(help="A game whose rules say what is legal, as if played up to this shot."),
+    ] = None,
+    call: Annotated[
+        str | None,
+        typer.Option(metavar="WHAT", help="With a game: BALL:POCKET, a ball on, or safety."),
     ] = None,
     level: Level = 0.95,
     json: Json = False,
@@ -76,6 +87,8 @@ def evaluate(
     from carom.picture.evaluation import draw
 
     shot = Shot.from_json(read(file))
+    announced = None if call is None else _call(call)
+    shot, frame = (shot, None) if game is None else _in_game(shot, game, announced)
     answer = shot.evaluate(
         Noise.preset(noise),
         n,
@@ -83,6 +96,8 @@ def evaluate(
         seed=seed,
         precision=precision,
         watch=None if watch is None else _ball_and_pocket(watch),
+        frame=frame,
+        call=announced,
         level=level,
         progress=sys.stderr.isatty(),
     )
@@ -400,6 +415,27 @@ def _draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) -
 def _ball_and_pocket(text: str) -> str | tuple[str, str]:
     ball, colon, pocket = text.partition(":")
     return (ball, pocket) if colon else ball
+
+
+def _call(text: str) -> Call:
+    from carom import Call
+
+    ball, colon, pocket = text.partition(":")
+    if colon:
+        return Call.pocket(ball, pocket)
+    return Call.safety() if text == "safety" else Call.on(text)
+
+
+def _in_game(shot: Shot, game: str, call: Call | None) -> tuple[Shot, Frame]:
+    """The same shot as the frame asks for it, which may have the balls in another order."""
+    from carom import Frame, Strike
+    from carom.errors import InputError
+
+    strike = shot._core.strike
+    if strike is None:
+        raise InputError("strike: the shot has none that could be varied; give it one")
+    frame = Frame.of_shot(game, shot)
+    return frame.shot(Strike(*strike), call=call), frame
 
 
 def _title(file: str) -> str:

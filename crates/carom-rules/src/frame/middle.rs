@@ -1,15 +1,42 @@
 //! Frames that begin in the middle.
 
-use carom::Error;
+use carom::shot::PlacedBall;
+use carom::{Error, MotionState, Shot};
 
 use super::Frame;
-use crate::games::{Rules, snooker};
+use crate::games::{Options, Rules, snooker};
 use crate::{BallIndex, Player};
 
 /// With fewer object balls straight pool racks the others again (WPA 4.4).
 const LEAST_IN_STRAIGHT_POOL: usize = 2;
 
 impl Frame {
+    /// A frame on the table and under the physics of `shot` that goes on, as [`Self::scatter`] has it, with the
+    /// balls where the shot has them; player 0 shoots. Balls that the shot does not have are down.
+    ///
+    /// # Errors
+    /// As [`Self::new`] and [`Self::scatter`], and [`Error::Input`] for balls that the game does not have, that
+    /// have another mass or radius there, that move, or are in the air.
+    pub fn of_shot(rules: Rules, options: Options, shot: &Shot) -> Result<Self, Error> {
+        let file = shot.to_node();
+        let (table, physics) = (file.get("table").cloned(), file.get("physics").cloned());
+        let mut frame = Self::new(rules, options, table, physics, 0)?;
+        let mut places = vec![None; frame.layout().len()];
+        for (i, PlacedBall { id, ball, state }) in shot.balls().iter().enumerate() {
+            let index = usize::from(frame.ball(id, &format!("balls[{i}].id"))?);
+            let wrong = |what: &str, remedy| Err(Error::input(format!("balls[{i}]"), what, remedy));
+            if *ball != frame.layout().pieces()[index].ball {
+                return wrong("mass or radius are not the game's", "leave them out");
+            }
+            if state.motion != MotionState::Stationary {
+                return wrong("it moves, and all is at rest when a shot is asked", "let it rest");
+            }
+            places[index] = Some([state.position.x, state.position.y]);
+        }
+        frame.scatter(&places, 0)?;
+        Ok(frame)
+    }
+
     /// Goes on with the balls at `places` (one for each ball of the layout, in the file's frame, m; none for
     /// a ball that is down), and `player` shoots next, from where the cue ball lies: to begin in the middle.
     /// It is as if nothing else had happened: scores and fouls stay as they are, in eight-ball the table is
