@@ -41,8 +41,55 @@ pub fn cannot_touch(
     distance: f64,
     horizon: f64,
 ) -> bool {
-    // Selected, not `min`, which has its own rule for NaN and costs three instructions for it.
-    let t = if horizon < LONGEST { horizon } else { LONGEST };
+    passes_by(dx, dy, vx, vy, hx, hy, distance, horizon)
+        | keeps_off(dx, dy, vx, vy, hx, hy, distance, horizon)
+}
+
+/// A horizon to compute with. Selected, not `min`, which has its own rule for NaN and costs three
+/// instructions for it.
+#[inline(always)]
+fn finite(horizon: f64) -> f64 {
+    if horizon < LONGEST { horizon } else { LONGEST }
+}
+
+/// The corridor of [`cannot_touch`], or a pair that is not there: cheapest, and for most pairs enough.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)] // as above
+pub(crate) fn passes_by(
+    dx: f64,
+    dy: f64,
+    vx: f64,
+    vy: f64,
+    hx: f64,
+    hy: f64,
+    distance: f64,
+    horizon: f64,
+) -> bool {
+    let t = finite(horizon);
+    let across = dx * vy - dy * vx;
+    let across_later = across + (t * t) * (hx * vy - hy * vx);
+    let width = distance * distance * (vx * vx + vy * vy);
+    let corridor = (across * across > width)
+        & (across_later * across_later > width)
+        & (across * across_later > 0.0);
+    let absent = (horizon < 0.0) | horizon.is_nan();
+    corridor | absent
+}
+
+/// The sign and the axis of [`cannot_touch`].
+#[inline(always)]
+#[allow(clippy::too_many_arguments)] // as above
+pub(crate) fn keeps_off(
+    dx: f64,
+    dy: f64,
+    vx: f64,
+    vy: f64,
+    hx: f64,
+    hy: f64,
+    distance: f64,
+    horizon: f64,
+) -> bool {
+    let t = finite(horizon);
     let squared = distance * distance;
     let dd = dx * dx + dy * dy;
     let dv = dx * vx + dy * vy;
@@ -56,13 +103,6 @@ pub fn cannot_touch(
     let least_g2 = if g2 < 0.0 { g2 } else { 0.0 };
     let sign = (dv + t * (least_g1 + t * least_g2) >= 0.0) & (dd >= TOUCHING * squared);
 
-    let across = dx * vy - dy * vx;
-    let across_later = across + (t * t) * (hx * vy - hy * vx);
-    let width = squared * vv;
-    let corridor = (across * across > width)
-        & (across_later * across_later > width)
-        & (across * across_later > 0.0);
-
     // The quadratic |d|² + (d·v)t + (d·h)t² against D|d|, at both ends and at a least point between.
     let reach = squared * dd;
     let later = dd + t * (dv + t * dh);
@@ -74,8 +114,7 @@ pub fn cannot_touch(
         & (later * later > reach)
         & (!least_is_inside | least_is_beyond);
 
-    let absent = (horizon < 0.0) | horizon.is_nan();
-    sign | corridor | axis | absent
+    sign | axis
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! A row of pairs, turned away together by the proofs of [`crate::cannot_touch`].
 
-use crate::reject::cannot_touch;
+use crate::reject::{keeps_off, passes_by};
 
 /// A row of `L` pairs as structure of arrays: the motions of one body relative to `L` others.
 ///
@@ -27,27 +27,44 @@ pub struct Row<const L: usize> {
 }
 
 impl<const L: usize> Row<L> {
-    /// For each lane, whether [`cannot_touch`] holds.
+    /// For each lane, whether [`crate::cannot_touch`] holds.
     ///
     /// Inlined into its caller, so that a caller compiled for wider vectors gets them.
     #[inline(always)]
     pub fn cannot_touch(&self) -> [bool; L] {
-        // A loop: the closure of `array::from_fn` may be left out of line, and then is compiled for
+        // Loops: the closure of `array::from_fn` may be left out of line, and then is compiled for
         // narrow vectors.
         let mut result = [false; L];
         for (i, result) in result.iter_mut().enumerate() {
-            *result = cannot_touch(
-                self.dx[i],
-                self.dy[i],
-                self.vx[i],
-                self.vy[i],
-                self.hx[i],
-                self.hy[i],
-                self.distance[i],
-                self.horizon[i],
-            );
+            *result = self.ask(passes_by, i);
+        }
+        // Most rows are far from the path: of them the corridor turns away every lane.
+        if result == [true; L] {
+            return result;
+        }
+        for (i, result) in result.iter_mut().enumerate() {
+            *result |= self.ask(keeps_off, i);
         }
         result
+    }
+
+    /// A proof about lane `i`.
+    #[inline(always)]
+    fn ask(
+        &self,
+        proof: impl Fn(f64, f64, f64, f64, f64, f64, f64, f64) -> bool,
+        i: usize,
+    ) -> bool {
+        proof(
+            self.dx[i],
+            self.dy[i],
+            self.vx[i],
+            self.vy[i],
+            self.hx[i],
+            self.hy[i],
+            self.distance[i],
+            self.horizon[i],
+        )
     }
 }
 

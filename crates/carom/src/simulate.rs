@@ -324,14 +324,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             return None;
         }
         let mut next: Option<Next> = None;
-        for (i, &t) in self.soonest[..self.n].iter().enumerate() {
-            if t == time {
-                let other = self.candidate(i, time);
-                if next.is_none_or(|next| other.rank() < next.rank()) {
-                    next = Some(other);
-                }
+        row::each_equal(&self.soonest, self.n, time, |i| {
+            let other = self.candidate(i, time);
+            if next.is_none_or(|next| other.rank() < next.rank()) {
+                next = Some(other);
             }
-        }
+        });
         next.map(|next| (time, next))
     }
 

@@ -89,12 +89,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
         let mut open = Open::NONE;
         if F::PROOFS {
-            open.look(&self.lanes, i, self.n, time, self.wide);
+            open.look(&mut self.lanes, i, self.n, time, self.wide);
         } else {
-            open.fill(self.n);
+            open.fill(self.n, i);
         }
         for &j in open.balls() {
-            if usize::from(j) == i || holds(done, j) {
+            if holds(done, j) {
                 continue;
             }
             let j = usize::from(j);

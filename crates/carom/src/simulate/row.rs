@@ -25,45 +25,62 @@ impl<const N: usize> Open<N> {
         &self.balls[..self.count]
     }
 
-    /// Fills itself with the first `n` balls.
+    /// Fills itself with the first `n` balls but ball `i`.
     #[inline(always)]
-    pub(super) fn fill(&mut self, n: usize) {
-        for j in 0..n {
-            self.balls[j] = j as u16;
+    pub(super) fn fill(&mut self, n: usize, i: usize) {
+        self.count = 0;
+        for j in (0..n).filter(|&j| j != i) {
+            self.balls[self.count] = j as u16;
+            self.count += 1;
         }
-        self.count = n;
     }
 
     /// Fills itself with the balls that ball `i` could meet, among the first `n`.
     #[inline(always)]
-    pub(super) fn look(&mut self, lanes: &Lanes<N>, i: usize, n: usize, time: f64, wide: bool) {
+    pub(super) fn look(&mut self, lanes: &mut Lanes<N>, i: usize, n: usize, time: f64, wide: bool) {
+        // Its own lane is no pair.
+        let leave = core::mem::replace(&mut lanes.leave[i], f64::NAN);
+        self.look_along(lanes, (i, leave), n, time, wide);
+        lanes.leave[i] = leave;
+    }
+
+    /// The ball and when it leaves its path.
+    #[inline(always)]
+    fn look_along(
+        &mut self,
+        lanes: &Lanes<N>,
+        ball: (usize, f64),
+        n: usize,
+        time: f64,
+        wide: bool,
+    ) {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
         if wide {
             // SAFETY: `wide` is only true where the processor has AVX2 (`has_wide_vectors`).
             // Measured: a third of all time of an eight-ball break is saved.
             #[allow(unsafe_code)]
             unsafe {
-                self.look_avx2(lanes, i, n, time);
+                self.look_avx2(lanes, ball, n, time);
             }
             return;
         }
         let _ = wide;
-        self.look_plain(lanes, i, n, time);
+        self.look_plain(lanes, ball, n, time);
     }
 
     /// The same bits: no operation is fused, none is reordered; there are only more lanes.
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[target_feature(enable = "avx2")]
-    fn look_avx2(&mut self, lanes: &Lanes<N>, i: usize, n: usize, time: f64) {
-        self.look_plain(lanes, i, n, time);
+    fn look_avx2(&mut self, lanes: &Lanes<N>, ball: (usize, f64), n: usize, time: f64) {
+        self.look_plain(lanes, ball, n, time);
     }
 
     #[inline(always)]
-    fn look_plain(&mut self, lanes: &Lanes<N>, i: usize, n: usize, time: f64) {
+    fn look_plain(&mut self, lanes: &Lanes<N>, ball: (usize, f64), n: usize, time: f64) {
         self.count = 0;
         let mut from = 0;
         while from < n {
-            let turned_away = lanes.row(i, from, time).cannot_touch();
+            let turned_away = lanes.row(ball, from, time).cannot_touch();
             if turned_away != [true; BLOCK] {
                 for (k, away) in turned_away.into_iter().enumerate() {
                     if !away {
@@ -89,6 +106,25 @@ pub(super) fn least<const N: usize>(numbers: &[f64; N], n: usize) -> f64 {
     least.into_iter().fold(f64::INFINITY, earlier)
 }
 
+/// Calls `visit` with the place of each of the first `n` numbers, and perhaps of some behind them, that
+/// is `number` to the bit: integers compare in one instruction, which jumps.
+#[inline(always)]
+pub(super) fn each_equal<const N: usize>(
+    numbers: &[f64; N],
+    n: usize,
+    number: f64,
+    mut visit: impl FnMut(usize),
+) {
+    let bits = number.to_bits();
+    for (block, numbers) in numbers.chunks_exact(BLOCK).take(n.div_ceil(BLOCK)).enumerate() {
+        for (k, number) in numbers.iter().enumerate() {
+            if number.to_bits() == bits {
+                visit(BLOCK * block + k);
+            }
+        }
+    }
+}
+
 /// Whether this processor has vectors wide enough to be worth it.
 pub(super) fn has_wide_vectors() -> bool {
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
@@ -98,9 +134,10 @@ pub(super) fn has_wide_vectors() -> bool {
 }
 
 impl<const N: usize> Lanes<N> {
-    /// The motions of the [`BLOCK`] balls from `from` on relative to ball `i`, as of `time`.
+    /// The motions of the [`BLOCK`] balls from `from` on relative to ball `i`, which leaves its path at
+    /// `leave`, as of `time`.
     #[inline(always)]
-    fn row(&self, i: usize, from: usize, time: f64) -> Row<BLOCK> {
+    fn row(&self, (i, leave): (usize, f64), from: usize, time: f64) -> Row<BLOCK> {
         let age = time - self.start[i];
         let (x, vx) = advanced(self.x[i], self.vx[i], self.hx[i], age);
         let (y, vy) = advanced(self.y[i], self.vy[i], self.hy[i], age);
@@ -126,7 +163,7 @@ impl<const N: usize> Lanes<N> {
             row.hx[k] = self.hx[j] - self.hx[i];
             row.hy[k] = self.hy[j] - self.hy[i];
             row.distance[k] = self.radius[i] + self.radius[j];
-            row.horizon[k] = earlier(self.leave[i], self.leave[j]) - time;
+            row.horizon[k] = earlier(leave, self.leave[j]) - time;
         }
         row
     }
