@@ -229,7 +229,8 @@ const FINEST: f64 = 1.0 / (1u64 << 60) as f64;
 fn walk(tube: &Tube<'_>, start: f64, end: f64) -> Option<f64> {
     let mut here = tube.sample(start);
     // Not a number, and no proof would ever be found.
-    if here.f.is_nan() || tube.motion.at(end).into_iter().any(f64::is_nan) {
+    let [x, y, z] = tube.motion.at(end);
+    if here.f.is_nan() | x.is_nan() | y.is_nan() | z.is_nan() {
         return None;
     }
     let finest = (end - start) * FINEST;
@@ -263,7 +264,7 @@ fn walk(tube: &Tube<'_>, start: f64, end: f64) -> Option<f64> {
 fn search(tube: &Tube<'_>, here: &Sample, there: &Sample) -> Outcome {
     let span = Span::new(tube, here, there);
     let apart = here.f > 0.0;
-    if apart && span.is_clear() {
+    if apart && there.f > 0.0 && span.is_clear() {
         return Outcome::Passed;
     }
     match span.shape() {

@@ -83,6 +83,10 @@ impl<'a> Span<'a> {
     pub(super) fn shape(&self) -> Shape {
         let Span { tube, here, there, width: w, g, .. } = self;
         let ring = tube.ring;
+        // Where f′ has two signs it is neither below nor above zero throughout.
+        if (here.g < 0.0) != (there.g < 0.0) {
+            return self.curvature();
+        }
         let h = &tube.motion.h;
         let drop = 2.0 * w * sqrt(h[0] * h[0] + h[1] * h[1]);
         let rates = [

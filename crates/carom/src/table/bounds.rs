@@ -16,11 +16,12 @@ pub(crate) struct Bounds {
 
 impl Bounds {
     /// Around all `points`.
+    #[inline]
     pub(crate) fn of<const N: usize>(points: [Vec2; N]) -> Self {
         let first = points[0];
         points.iter().fold(Self { low: first, high: first }, |b, p| Self {
-            low: Vec2::new(b.low.x.min(p.x), b.low.y.min(p.y)),
-            high: Vec2::new(b.high.x.max(p.x), b.high.y.max(p.y)),
+            low: Vec2::new(lesser(b.low.x, p.x), lesser(b.low.y, p.y)),
+            high: Vec2::new(greater(b.high.x, p.x), greater(b.high.y, p.y)),
         })
     }
 
@@ -58,6 +59,17 @@ impl Bounds {
             || self.low.y > other.high.y
             || self.high.y < other.low.y
     }
+}
+
+/// One instruction, where `f64::min` takes several for what is not a number.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+#[inline(always)]
+fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// Which of some parts reach into each quadrant of the table: what keeps to one touches no others.
