@@ -198,8 +198,7 @@ struct Link {
     a: usize,
     b: usize,
     normal: Vec3,
-    /// Two unit vectors in the tangent plane, with **n** × the first = the second.
-    across: [Vec3; 2],
+    across: Across,
     /// Approach speed and slip at the start.
     approach: f64,
     slip: Vec2,
@@ -237,7 +236,7 @@ impl Link {
         let surface = (a.angular_velocity * a.radius + b.angular_velocity * b.radius) * per_speed;
         let approach = velocity.dot(n);
         let length = units.length();
-        let across = tangents(n);
+        let across = Across::of(n);
         let mobility = units.mass / a.mass + units.mass / b.mass;
         Self {
             a: usize::from(touch.a),
@@ -246,7 +245,7 @@ impl Link {
             across,
             approach,
             now: approach,
-            slip: slip(across, velocity, surface),
+            slip: across.slip(velocity, surface),
             stiffness: stiffness(a, b) * sqrt(length) * units.time * units.time / units.mass,
             mass: 1.0 / mobility,
             mobility,
@@ -258,24 +257,40 @@ impl Link {
     }
 }
 
-/// Two unit vectors across the normal, of which the first is horizontal.
-fn tangents(normal: Vec3) -> [Vec3; 2] {
-    let level = normal.xy();
-    let length = level.length();
-    let first = if length > 0.0 {
-        (level.perp() * (1.0 / length)).with_z(0.0)
-    } else {
-        Vec3::new(1.0, 0.0, 0.0)
-    };
-    [first, normal.cross(first)]
+/// Two unit vectors in the tangent plane, with **n** × the first = the second.
+#[derive(Clone, Copy, Default)]
+struct Across {
+    /// Horizontal.
+    first: Vec2,
+    second: Vec3,
 }
 
-/// The components of the slip along the two tangents: of what the first ball's centre moves at over
-/// the second's, and of the sum of their Rω.
-#[inline(always)]
-fn slip(across: [Vec3; 2], velocity: Vec3, surface: Vec3) -> Vec2 {
-    let [t, u] = across;
-    Vec2::new(velocity.dot(t) + surface.dot(u), velocity.dot(u) - surface.dot(t))
+impl Across {
+    fn of(normal: Vec3) -> Self {
+        let level = normal.xy();
+        let length = level.length();
+        let first =
+            if length > 0.0 { level.perp() * (1.0 / length) } else { Vec2::new(1.0, 0.0) };
+        Self { first, second: normal.cross(first.with_z(0.0)) }
+    }
+
+    /// The components of the slip: of what the first ball's centre moves at over the second's, and of
+    /// the sum of their Rω.
+    #[inline(always)]
+    fn slip(&self, velocity: Vec3, surface: Vec3) -> Vec2 {
+        let Self { first, second } = *self;
+        Vec2::new(
+            velocity.xy().dot(first) + surface.dot(second),
+            velocity.dot(second) - surface.xy().dot(first),
+        )
+    }
+
+    /// The vector with these components.
+    #[inline(always)]
+    fn vector(&self, x: f64, y: f64) -> Vec3 {
+        let level = self.first * x + self.second.xy() * y;
+        level.with_z(self.second.z * y)
+    }
 }
 
 /// How friction holds: not at all, by stopping the slip, or by a spring.
@@ -300,7 +315,8 @@ fn follow<const GRIP: u8>(
         stirred |= u64::from(link.approach != 0.0) << k;
     }
     for _ in 0..MAX_STEPS {
-        let (mut pushed, mut meeting, mut liveliest) = (0_u32, f64::INFINITY, 0.0_f64);
+        let (mut pushed, mut meeting, mut liveliest) = (0_u32, f64::INFINITY, 0.0);
+        let ahead = AHEAD * step.length;
         for k in Bits(stirred) {
             let link = &mut links[k];
             let (a, b) = (&balls[link.a % BITS], &balls[link.b % BITS]);
@@ -309,20 +325,21 @@ fn follow<const GRIP: u8>(
             let (speedup, last) = (approach - link.now, link.speedup);
             (link.now, link.speedup) = (approach, speedup);
             link.depth += approach * drift;
-            let depth = link.depth + AHEAD * step.length * (speedup + TREND * (speedup - last));
+            let depth = link.depth + ahead * (speedup + TREND * (speedup - last));
             if depth <= 0.0 {
                 link.presses = false;
                 if approach > STILL {
-                    liveliest = liveliest.max(approach * approach);
+                    liveliest = larger(liveliest, approach * approach);
                     if link.touches {
-                        meeting = meeting.min((-link.depth).max(0.0) / approach);
+                        let time = larger(-link.depth, 0.0) / approach;
+                        meeting = if time < meeting { time } else { meeting };
                     }
                 }
                 continue;
             }
             let spring = link.stiffness * sqrt(depth);
             let tension = 0.8 * spring * link.mobility * depth * depth;
-            liveliest = liveliest.max(approach * approach + tension);
+            liveliest = larger(liveliest, approach * approach + tension);
             let normal = link.press(law, &step, approach, spring * depth);
             if normal == 0.0 {
                 continue;
@@ -330,11 +347,10 @@ fn follow<const GRIP: u8>(
             let mut push = link.normal * normal;
             let mut turn = Vec3::ZERO;
             if GRIP != SMOOTH {
-                let slip = link.slip + slip(link.across, velocity, a.surface + b.surface);
+                let slip = link.slip + link.across.slip(velocity, a.surface + b.surface);
                 let friction = link.rub::<GRIP>(law, &step, slip, normal, spring);
-                let [t, u] = link.across;
-                push += t * friction.x + u * friction.y;
-                turn = snap(u * friction.x - t * friction.y);
+                push += link.across.vector(friction.x, friction.y);
+                turn = snap(link.across.vector(-friction.y, friction.x));
             }
             let push = snap(push);
             pushed |= bit(link.a) | bit(link.b);
@@ -432,7 +448,7 @@ impl Link {
         }
         let e = restitution::effective(law.restitution, self.fastest * step.speed);
         let open = e * e;
-        full * open + stopping.max(0.0) * (1.0 - open)
+        full * open + larger(stopping, 0.0) * (1.0 - open)
     }
 
     /// The friction impulse of one step on b, `spring` being F/δ.
@@ -503,6 +519,12 @@ fn apply(law: &BallBall, units: &Units, balls: &[Ball], bodies: &mut [Body]) {
 /// The bit that stands for a ball; there are at most [`MAX_BODIES`], fewer than 32.
 fn bit(ball: usize) -> u32 {
     1 << ball
+}
+
+/// One instruction, where `f64::max` takes several for what is not a number.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 fn snap(v: Vec3) -> Vec3 {
