@@ -269,8 +269,7 @@ impl Across {
     fn of(normal: Vec3) -> Self {
         let level = normal.xy();
         let length = level.length();
-        let first =
-            if length > 0.0 { level.perp() * (1.0 / length) } else { Vec2::new(1.0, 0.0) };
+        let first = if length > 0.0 { level.perp() * (1.0 / length) } else { Vec2::new(1.0, 0.0) };
         Self { first, second: normal.cross(first.with_z(0.0)) }
     }
 
