@@ -2,7 +2,7 @@
 
 import { clearTheCue, shoot, takeItFromHere } from "./actions.ts";
 import type { Context } from "./context.ts";
-import { h, icon, setText } from "./dom.ts";
+import { h, icon, setText, shortened } from "./dom.ts";
 import type { Store } from "./store.ts";
 import { obstruction, summary } from "./words.ts";
 
@@ -64,6 +64,7 @@ export function mountTake(back: HTMLElement, store: Store, context: Context): vo
   const onclick = () => {
     takeItFromHere(store, context);
   };
-  const attributes = { type: "button", class: "button push", id: "take-it", onclick };
-  back.before(h("button", attributes, "Take it from here"));
+  const name = "Take it from here";
+  const attributes = { type: "button", class: "button", id: "take-it", "aria-label": name };
+  back.before(h("button", { ...attributes, onclick }, ...shortened(name, "From here")));
 }

@@ -59,3 +59,8 @@ export function icon(path: string): SVGSVGElement {
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
+
+/** What a button says where there is room for its whole name, and where there is not. */
+export function shortened(name: string, short: string): HTMLElement[] {
+  return [h("span", { class: "long" }, name), h("span", { class: "short" }, short)];
+}

@@ -4,7 +4,7 @@ import "./timeline.css";
 import type { Trace, TraceEvent } from "../../engine/types.ts";
 import type { Context } from "../context.ts";
 import type { Session } from "../document.ts";
-import { h, icon, setText, svg } from "../dom.ts";
+import { h, icon, setText, shortened, svg } from "../dom.ts";
 import type { Store } from "../store.ts";
 import { advance, Pace, RATES } from "./clock.ts";
 import {
@@ -64,11 +64,7 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
       rates(store),
       clock,
       said,
-      h(
-        "button",
-        { type: "button", class: "button", id: "leave-replay", onclick: () => leave(store) },
-        "Back to aiming",
-      ),
+      h("div", { class: "ways-on" }, leaveButton(store)),
     ),
     h("div", { class: "scrubber" }, marks, slider, now, tip),
   );
@@ -126,6 +122,15 @@ function tick(store: Store, elapsed: number): boolean {
 function button(label: string, path: string, onclick: () => void): HTMLButtonElement {
   const attributes = { type: "button", class: "button", "aria-label": label, title: label };
   return h("button", { ...attributes, onclick }, icon(path));
+}
+
+function leaveButton(store: Store): HTMLButtonElement {
+  const name = "Back to aiming";
+  const attributes = { type: "button", class: "button", id: "leave-replay", "aria-label": name };
+  const onclick = () => {
+    leave(store);
+  };
+  return h("button", { ...attributes, onclick }, ...shortened(name, "Back"));
 }
 
 function rates(store: Store): HTMLSelectElement {
