@@ -108,7 +108,7 @@ class Parts:
     def _play_into(self, path: Path, sweep: Sweep, part: int, go_on: Callable[[], bool]) -> None:
         first, end = self.range(part)
         failed = 0
-        with pq.ParquetWriter(path, sweep.schema, **_encoding(sweep.schema)) as file:
+        with pq.ParquetWriter(path, sweep.schema, **_encoding(sweep)) as file:
             for start in range(first, end, GROUP):
                 table = play_rows(sweep, start, min(start + GROUP, end), go_on)
                 failed += len(table) - table["error"].null_count
@@ -176,17 +176,22 @@ def metadata(sweep: Sweep, first_row: int, failed: int) -> dict[str, str]:
     return said | ({"carom.sweep": spec} if len(spec) <= LONGEST_SPEC else {})
 
 
-def _encoding(schema: pa.Schema) -> dict[str, object]:
-    # Numbers that are all different gain nothing by a dictionary, but by having their bytes sorted.
-    split = [name for name in schema.names if name == "duration" or _is_place(name)]
-    leaves = {name: f"{name}.list.element" if name.startswith("end_") else name for name in split}
-    others = [name for name in schema.names if name not in split]
+def _encoding(sweep: Sweep) -> dict[str, object]:
+    """How columns are packed: measured on mid-game shots, a quarter smaller than as by default."""
+    draws = (d for d in sweep.spec.draws if d.kind == "number" and d.distribution != "choice")
+    drawn = {draw.name for draw in draws}
+    split = {name for name in sweep.schema.names if name in drawn or _is_measured(name)}
+    encodings = dict.fromkeys(split, "BYTE_STREAM_SPLIT") | {"row": "DELTA_BINARY_PACKED"}
+    # Balls that were not hit end where they were: zstd finds them in the plain bytes.
+    plain = {name for name in sweep.schema.names if name.startswith("end_")}
+    few = [name for name in sweep.schema.names if name not in encodings and name not in plain]
     return {
         "compression": "zstd",
-        "use_dictionary": others,
-        "use_byte_stream_split": list(leaves.values()),
+        "use_dictionary": ["pocket.list.element" if name == "pocket" else name for name in few],
+        "column_encoding": encodings,
     }
 
 
-def _is_place(name: str) -> bool:
-    return name.startswith(("end_", "cue_end_", "played_"))
+def _is_measured(name: str) -> bool:
+    """Whether no two rows have the same number, whose bytes pack better when they are sorted."""
+    return name == "duration" or name.startswith(("cue_end_", "played_"))
