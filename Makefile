@@ -85,6 +85,7 @@ bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 	$(BIN)/carom bench
 	$(PY) benches/instructions.py
 	$(PY) benches/environments.py
+	$(PY) benches/sweep.py
 	$(PY) benches/questions.py
 	cd web && npm run --silent bench
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -128,6 +129,11 @@ def thread_count(threads: int | None) -> int:
     if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
         raise InputError(f"threads: {threads!r} is not a count; give a whole number ≥ 1 or None")
     return threads
+
+
+def cores(threads: int | None) -> int:
+    """How many threads that is here."""
+    return thread_count(threads) or os.cpu_count() or 1
 
 
 def in_chunks(

@@ -22,10 +22,14 @@ pytest.importorskip("ray", reason="the extra `ray` is not installed")
 PROGRAM = """
 import json, os, signal, sys
 import pyarrow as pa
-from carom import Sweep
+from carom import InputError, Sweep
 from carom.sweeps import on_ray
 
 sweep = Sweep.load("spec.json")
+try:
+    sweep.run("nowhere", ray="auto")
+except InputError as error:
+    refused = str(error)
 killed = []
 write = on_ray.write
 
@@ -46,7 +50,8 @@ again = sweep.run("killed", ray=True)
 
 rows = list(sweep.dataset().iter_batches(batch_size=None, batch_format="pyarrow"))
 pa.parquet.write_table(pa.concat_tables(rows), "dataset.parquet")
-print(json.dumps({"killed": killed, "first": report.to_dict(), "again": again.to_dict()}))
+reports = {"first": report.to_dict(), "again": again.to_dict()}
+print(json.dumps({"refused": refused, "killed": killed, **reports}))
 """
 
 
@@ -87,6 +92,11 @@ def test_a_killed_worker_changes_no_bit_of_any_file(ran: tuple[Path, dict[str, A
     assert (report["first"]["rows"], report["first"]["parts"]) == (16_000, 16)
     Sweep.load(folder / "spec.json").run(folder / "here", part_rows=1000)
     assert hashes(folder / "killed") == hashes(folder / "here")
+
+
+def test_an_address_without_a_cluster_is_refused(ran: tuple[Path, dict[str, Any]]) -> None:
+    _, report = ran
+    assert report["refused"].startswith("address: no Ray cluster answers at 'auto'; start one")
 
 
 def test_ray_goes_on_where_a_run_has_ended(ran: tuple[Path, dict[str, Any]]) -> None:

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import logging
 import math
+import socket
 import warnings
 from collections.abc import Generator
 from typing import TYPE_CHECKING, Any
 
+from carom import __version__
+from carom.errors import InputError
 from carom.sweeps.arrow import pa
 from carom.sweeps.parts import CHUNK, Parts, Receipt
 
@@ -22,15 +25,18 @@ def start(address: bool | str, threads: int) -> None:
     """Start Ray here on so many cores, or join the cluster at ``address``; once is enough.
 
     Raises:
-        ImportError: Ray is not installed.
-        ConnectionError: There is no cluster at that address.
+        InputError: Ray is not installed, or there is no cluster at that address.
     """
     ray = _ray()
     if ray.is_initialized():
         return
     quiet = {"log_to_driver": False, "logging_level": logging.ERROR}
     if isinstance(address, str):
-        ray.init(address=address, **quiet)
+        try:
+            ray.init(address=address, **quiet)
+        except ConnectionError:
+            remedy = "start one (ray start --head), or leave the address out to start Ray here"
+            raise InputError(f"address: no Ray cluster answers at {address!r}; {remedy}") from None
     else:
         ray.init(address="local", num_cpus=threads, include_dashboard=False, **quiet)
 
@@ -44,8 +50,10 @@ def write(sweep: Sweep, parts: Parts, missing: list[int]) -> Generator[Receipt]:
     if not missing:
         return
     data = _ray_data()
+    version = __version__
 
     def work(batch: pa.Table) -> pa.Table:
+        _check_version(version)
         receipts = [_receipt(sweep, parts, part) for part in batch["part"].to_pylist()]
         columns = {name: [getattr(r, name) for r in receipts] for name in Receipt.__slots__}
         return pa.table(columns)
@@ -58,6 +66,15 @@ def write(sweep: Sweep, parts: Parts, missing: list[int]) -> Generator[Receipt]:
         yield from (Receipt(**row) for row in batch.to_pylist())
 
 
+def _check_version(wanted: str) -> None:
+    """Refuse to work on a machine with another version, whose results may differ."""
+    if __version__ != wanted:
+        host = socket.gethostname()
+        raise InputError(
+            f"{host} has carom {__version__}, and the run is of {wanted}; install the same"
+        )
+
+
 def _receipt(sweep: Sweep, parts: Parts, part: int) -> Receipt:
     # Done already by a worker that was killed later in the same task.
     if parts.path(part).exists():
@@ -68,8 +85,10 @@ def _receipt(sweep: Sweep, parts: Parts, part: int) -> Receipt:
 def dataset(sweep: Sweep) -> Any:
     """``Sweep.dataset``."""
     data = _ray_data()
+    version = __version__
 
     def work(block: pa.Table) -> Generator[pa.Table]:
+        _check_version(version)
         # A block is a run of consecutive numbers.
         first, last = block["id"][0].as_py(), block["id"][-1].as_py()
         for start in range(first, last + 1, CHUNK):
@@ -89,8 +108,8 @@ def _ray() -> Any:
             # Ray's own, of no use to who reads them here.
             warnings.simplefilter("ignore")
             import ray
-    except ImportError as error:
-        raise ImportError("carom sweep --ray needs Ray: pip install 'carom[ray]'") from error
+    except ImportError:
+        raise InputError("this needs Ray: pip install 'carom[ray]'") from None
     return ray
 
 

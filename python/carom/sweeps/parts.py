@@ -7,6 +7,7 @@ import math
 import os
 import socket
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -153,15 +154,29 @@ def default_rows(rows: int) -> int:
 
 
 def play_rows(
-    sweep: Sweep, start: int, stop: int, go_on: Callable[[], bool] = lambda: True
+    sweep: Sweep,
+    start: int,
+    stop: int,
+    go_on: Callable[[], bool] = lambda: True,
+    *,
+    threads: int = 1,
 ) -> pa.Table:
-    """Rows ``start`` up to ``stop``."""
-    batches = []
-    for first in range(start, stop, CHUNK):
+    """Rows ``start`` up to ``stop``.
+
+    Raises:
+        StoppedError: ``go_on`` said no.
+    """
+
+    def chunk(first: int) -> pa.RecordBatch:
         if not go_on():
             raise StoppedError
-        batches.append(sweep.play(sweep.parameters(first, min(first + CHUNK, stop))))
-    return pa.Table.from_batches(batches, schema=sweep.schema)
+        return sweep.play(sweep.parameters(first, min(first + CHUNK, stop)))
+
+    firsts = range(start, stop, CHUNK)
+    if threads == 1:
+        return pa.Table.from_batches(map(chunk, firsts), schema=sweep.schema)
+    with ThreadPoolExecutor(threads) as pool:
+        return pa.Table.from_batches(pool.map(chunk, firsts), schema=sweep.schema)
 
 
 def metadata(sweep: Sweep, first_row: int, failed: int) -> dict[str, str]:

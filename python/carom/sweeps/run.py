@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import time
 from collections.abc import Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
@@ -13,7 +12,7 @@ from threading import Event
 from typing import TYPE_CHECKING
 
 from carom import __version__
-from carom.batch import progress_bar, thread_count
+from carom.batch import cores, progress_bar
 from carom.errors import InputError
 from carom.sweeps import read
 from carom.sweeps.parts import UNFINISHED, Parts, Receipt, default_rows
@@ -39,7 +38,7 @@ def run(
     progress: bool,
 ) -> Report:
     """``Sweep.run``."""
-    threads = thread_count(threads) or os.cpu_count() or 1
+    threads = cores(threads)
     if part_rows is not None:
         read.whole("part_rows", part_rows, 1)
     begun = time.perf_counter()

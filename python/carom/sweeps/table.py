@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
+from carom.batch import cores
 from carom.errors import InputError
 from carom.shot import read_text
 from carom.sweeps import read
@@ -102,7 +103,9 @@ class Sweep:
         """
         return self._player.play(batch)
 
-    def table(self, start: int = 0, stop: int | None = None) -> pa.Table:
+    def table(
+        self, start: int = 0, stop: int | None = None, *, threads: int | None = None
+    ) -> pa.Table:
         """Rows ``start`` up to ``stop``, in memory.
 
         Raises:
@@ -110,7 +113,7 @@ class Sweep:
         """
         from carom.sweeps.parts import play_rows
 
-        return play_rows(self, *self._range(start, stop))
+        return play_rows(self, *self._range(start, stop), threads=cores(threads))
 
     def run(
         self,
