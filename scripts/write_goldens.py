@@ -1,4 +1,4 @@
-"""Write the goldens anew: event count and hash of every shot in shots/, and some noisy variants.
+"""Write the goldens anew: event count and hash of every shot in shots/, noisy variants, and games.
 
 The pictures in the README show results too, and are drawn anew.
 
@@ -8,7 +8,10 @@ python scripts/write_goldens.py
 from __future__ import annotations
 
 import json
+import math
+import random
 from pathlib import Path
+from typing import Any
 
 import carom
 from carom import picture
@@ -17,6 +20,7 @@ ROOT = Path(__file__).parents[1]
 # Shot, multiple of the Olympiad's noise, seed, first index. The second is beyond 32 bits.
 NOISES = (("half_ball_cut", 1.0, 42, 0), ("nine_ball_break", 0.5, (1 << 53) - 1, 1 << 40))
 VARIANTS = 8
+MOVES = 12
 PICTURES = ("nine_ball_break", "jump_shot")
 
 
@@ -29,6 +33,7 @@ def main() -> None:
     rows = ",\n".join(f"  {json.dumps(name)}: {json.dumps(row)}" for name, row in goldens.items())
     (ROOT / "goldens" / "shots.json").write_text(f"{{\n{rows}\n}}\n", encoding="utf-8")
     (ROOT / "goldens" / "noise.json").write_text(_noise(), encoding="utf-8")
+    (ROOT / "goldens" / "games.json").write_text(_games(), encoding="utf-8")
     for name in PICTURES:
         trace = carom.Shot.load(ROOT / "shots" / f"{name}.json").simulate()
         drawn = picture.png(trace, title=name.replace("_", " "))
@@ -54,6 +59,86 @@ def _noise() -> str:
         lines = ",\n".join(f"    {json.dumps(variant)}" for variant in variants)
         goldens.append(f'  {json.dumps(head)[:-1]}, "variants": [\n{lines}\n  ]}}')
     return "[\n" + ",\n".join(goldens) + "\n]\n"
+
+
+def _games() -> str:
+    games = []
+    for seed, game in enumerate(carom.rule_sets()):
+        frame = carom.Frame(game, seed=seed)
+        moves = _moves(frame, random.Random(seed))
+        head = {"game": game, "seed": seed}
+        lines = ",\n".join(f"    {json.dumps(move)}" for move in moves)
+        end = json.dumps(frame.to_dict())
+        games.append(f'  {json.dumps(head)[:-1]}, "moves": [\n{lines}\n  ], "end": {end}}}')
+    return "[\n" + ",\n".join(games) + "\n]\n"
+
+
+def _moves(frame: carom.Frame, chance: random.Random) -> list[dict[str, Any]]:
+    """Play at random: each move, the ruling on it, and the hash of its shot."""
+    moves: list[dict[str, Any]] = []
+    while len(moves) < MOVES and not frame.over:
+        request = frame.request
+        if request["kind"] == "choice":
+            choice = chance.choice(request["choices"])
+            moves.append({"choice": choice, "ruling": _plain(frame.choose(choice))})
+            continue
+        numbers: dict[str, Any] = {
+            "speed": chance.uniform(1.0, 8.0),
+            "azimuth": chance.uniform(-math.pi, math.pi),
+            "elevation": 0.0,
+            "side": chance.uniform(-0.3, 0.3),
+            "height": chance.uniform(-0.3, 0.3),
+        }
+        strike, call = carom.Strike(**numbers), _call(frame, chance)
+        place = _place(frame, chance, strike, call) if request["in_hand"] else None
+        ruling = frame.play(strike, cue_ball=place, call=call)
+        assert ruling.trace is not None
+        play: dict[str, Any] = {"strike": numbers}
+        if place is not None:
+            play["cue_ball"] = place
+        if call is not None:
+            said = {"kind": call.kind, "ball": call.ball, "into": call.into}
+            play["call"] = {key: value for key, value in said.items() if value is not None}
+        moves.append({"play": play, "hash": ruling.trace.hash, "ruling": _plain(ruling)})
+    return moves
+
+
+def _call(frame: carom.Frame, chance: random.Random) -> carom.Call | None:
+    request = frame.request
+    kind = chance.choice(request["calls"])
+    if kind == "nothing":
+        return None
+    if kind == "on":
+        return carom.Call.on(chance.choice(request["on"]))
+    if kind == "pocket":
+        balls = [ball for ball in frame.balls if ball != request["cue_ball"]]
+        return carom.Call.pocket(chance.choice(request["on"] or balls), "top-left")
+    return carom.Call.safety() if kind == "safety" else carom.Call.push_out()
+
+
+def _place(
+    frame: carom.Frame, chance: random.Random, strike: carom.Strike, call: carom.Call | None
+) -> list[float]:
+    """A place that is behind every head string and in every D, and free."""
+    while True:
+        x, y = chance.uniform(0.61, 0.66), chance.uniform(0.5, 0.6)
+        if frame.game == "snooker":
+            x, y = x + 0.25, y + 0.13
+        try:
+            frame.shot(strike, cue_ball=(x, y), call=call)
+        except carom.InputError:
+            continue
+        return [x, y]
+
+
+def _plain(ruling: carom.Ruling) -> dict[str, Any]:
+    return {
+        "legal": ruling.legal,
+        "fouls": [dict(foul) for foul in ruling.fouls],
+        "points": list(ruling.points),
+        "spotted": list(ruling.spotted),
+        "racked": ruling.racked,
+    }
 
 
 if __name__ == "__main__":

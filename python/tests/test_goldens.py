@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import carom
 import numpy as np
@@ -15,6 +16,8 @@ GOLDENS = {
     name: (golden["events"], golden["hash"])
     for name, golden in json.loads((ROOT / "goldens" / "shots.json").read_text()).items()
 }
+
+GAMES = json.loads((ROOT / "goldens" / "games.json").read_text())
 
 
 def test_every_example_shot_has_a_golden() -> None:
@@ -36,3 +39,28 @@ def test_a_batch_of_all_examples_ends_in_the_same_bits(threads: int) -> None:
         final = np.array([ball["position"] for ball in shot.simulate().to_dict()["final"]])
         assert result.events[index] == events
         assert result.final_position[index, : len(final)].tobytes() == final.tobytes()
+
+
+@pytest.mark.parametrize("golden", GAMES, ids=lambda golden: golden["game"])
+def test_the_moves_of_a_game_get_the_rulings_that_they_have_always_got(
+    golden: dict[str, Any],
+) -> None:
+    frame = carom.Frame(golden["game"], seed=golden["seed"])
+    for move in golden["moves"]:
+        ruling = _answer(frame, move)
+        if "hash" in move:
+            assert ruling.trace is not None
+            assert ruling.trace.hash == move["hash"]
+        said = move["ruling"]
+        assert [ruling.legal, ruling.racked] == [said["legal"], said["racked"]]
+        assert [list(ruling.fouls), list(ruling.points)] == [said["fouls"], said["points"]]
+        assert list(ruling.spotted) == said["spotted"]
+    assert json.loads(json.dumps(frame.to_dict())) == golden["end"]
+
+
+def _answer(frame: carom.Frame, move: dict[str, Any]) -> carom.Ruling:
+    if "choice" in move:
+        return frame.choose(move["choice"])
+    play = move["play"]
+    call = carom.Call(**play["call"]) if "call" in play else None
+    return frame.play(carom.Strike(**play["strike"]), cue_ball=play.get("cue_ball"), call=call)

@@ -2,7 +2,9 @@
 
 use carom::Noise;
 use carom::batch::{BatchResult, draw_strikes, simulate_batch, simulate_strikes};
+use carom::noise::SKILLS;
 use carom::resolve::cue_ball::Strike;
+use carom::shot::Node;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -38,6 +40,19 @@ impl Shots {
 pub fn olympiad(multiplier: f64) -> Vec<f64> {
     let Noise { speed, azimuth, elevation, side, height } = Noise::olympiad(multiplier);
     vec![speed, azimuth, elevation, side, height]
+}
+
+/// The presets of execution noise, JSON: name and σ of speed, azimuth, elevation, side, height. Levels of
+/// play from the least, then the Olympiad.
+#[wasm_bindgen(js_name = noisePresets)]
+pub fn noise_presets() -> String {
+    let olympiad = ("olympiad", Noise::olympiad(1.0));
+    let presets = SKILLS.into_iter().chain([olympiad]);
+    let node = |(name, n): (&str, Noise)| {
+        let sigmas = [n.speed, n.azimuth, n.elevation, n.side, n.height];
+        Node::List(vec![name.into(), Node::list(sigmas)])
+    };
+    Node::list(presets.map(node)).to_json()
 }
 
 #[wasm_bindgen]

@@ -4,6 +4,7 @@
 pub mod batch;
 pub mod error;
 pub mod reference;
+pub mod rules;
 pub mod shot;
 pub mod trace;
 

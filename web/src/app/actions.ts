@@ -4,6 +4,7 @@ import type { BallEntry, Engine, Noise, ShotFile, StrikeEntry, Trace } from "../
 import { wrap } from "./angles.ts";
 import type { Context } from "./context.ts";
 import type { AimedShot, Document } from "./document.ts";
+import { playShot } from "./game/play.ts";
 import type { Store } from "./store.ts";
 import { ballName, errorText, obstruction, raised } from "./words.ts";
 
@@ -22,12 +23,19 @@ export function aimed(file: ShotFile): AimedShot {
 
 /** A document about a shot file. */
 export function documentOf(file: ShotFile, noise: Noise | null = null, seed = 0): Document {
-  return { shot: aimed(file), noise, seed };
+  return { shot: aimed(file), noise, seed, game: null };
 }
 
 /** Plays the ghost: the shot as it is aimed. */
 export function shoot(store: Store, context: Context): void {
   if (store.session.mode === "replay") return;
+  if (store.document.game) {
+    // With less motion one sees at once what the game asks next; the shot can be watched again.
+    playShot(store, context, (trace) => {
+      if (!context.reducedMotion()) replay(store, trace);
+    });
+    return;
+  }
   const { trace, error } = store.ghost;
   if (!trace) {
     store.refuse(`This cannot be shot. ${error ?? ""}`);
@@ -46,7 +54,7 @@ export function replay(store: Store, trace: Trace, time = 0, playing = true): vo
 /** Makes the end of the replayed shot the new layout. */
 export function takeItFromHere(store: Store, context: Context): void {
   const { trace } = store.session;
-  if (!trace) return;
+  if (!trace || store.document.game) return;
   const left = trace.shot.balls.filter((_, index) => !gone(trace, index));
   const cue = store.document.shot.strike.ball;
   const struck = left.some(({ id }) => id === cue) ? cue : left[0]?.id;
@@ -111,16 +119,17 @@ export function open(store: Store, engine: Engine, json: string): boolean {
     const format = (JSON.parse(json) as { format?: unknown }).format;
     if (format === "carom-trace/1") {
       const trace = engine.trace(json);
-      const opened = store.apply(startOf(trace.shot.file), "open a trace");
+      const opened = store.apply({ ...startOf(trace.shot.file), game: null }, "open a trace");
       if (opened) replay(store, trace, 0, false);
       return opened;
     }
     const { file } = engine.shot(json);
     const moving = file.balls.some((ball) => ball.velocity ?? ball.angular_velocity);
-    if (!moving || file.strike) return store.apply({ shot: aimed(file) }, "open a shot");
+    if (!moving || file.strike)
+      return store.apply({ shot: aimed(file), game: null }, "open a shot");
     // Balls that move cannot be aimed at; one can watch them, and take it from where they end.
     const trace = engine.shot(json).simulate();
-    const opened = store.apply(startOf(file), "open a shot");
+    const opened = store.apply({ ...startOf(file), game: null }, "open a shot");
     if (opened) replay(store, trace, 0, false);
     return opened;
   } catch (error) {

@@ -3,6 +3,7 @@
 import { clearTheCue, shoot, takeItFromHere } from "./actions.ts";
 import type { Context } from "./context.ts";
 import { h, icon, setText, shortened } from "./dom.ts";
+import { canAim } from "./game/play.ts";
 import type { Store } from "./store.ts";
 import { obstruction, summary } from "./words.ts";
 
@@ -38,7 +39,8 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
   let timer: ReturnType<typeof setTimeout> | undefined;
 
   function show(): void {
-    if (store.session.mode !== "aim") return;
+    root.hidden = !canAim(store, context.engine);
+    if (store.session.mode !== "aim" || root.hidden) return;
     const { trace, error } = store.ghost;
     const obstacle = trace ? obstruction(trace.outcome) : null;
     setText(text, trace ? summary(trace).join(" ") : (error ?? ""));
@@ -66,5 +68,9 @@ export function mountTake(back: HTMLElement, store: Store, context: Context): vo
   };
   const name = "Take it from here";
   const attributes = { type: "button", class: "button", id: "take-it", "aria-label": name };
-  back.before(h("button", { ...attributes, onclick }, ...shortened(name, "From here")));
+  const take = h("button", { ...attributes, onclick }, ...shortened(name, "From here"));
+  back.before(take);
+  store.subscribe(({ document }) => {
+    take.hidden = document.game !== null;
+  });
 }

@@ -1,6 +1,7 @@
 /** What a page is about: the document with its history, and the session around it. */
 
 import type { Noise, ShotFile, StrikeEntry, Trace } from "../engine/index.ts";
+import type { Game } from "./game/game.ts";
 
 /** A shot file that has a strike: what one can aim with. */
 export type AimedShot = ShotFile & { readonly strike: StrikeEntry };
@@ -12,6 +13,8 @@ export interface Document {
   readonly noise: Noise | null;
   /** Seed of the what-ifs' random numbers and of racks. */
   readonly seed: number;
+  /** The game in which the shot is played; null: a free table. */
+  readonly game: Game | null;
 }
 
 export type Theme = "auto" | "light" | "dark";

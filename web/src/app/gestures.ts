@@ -8,6 +8,7 @@ import type { Point } from "../engine/index.ts";
 import { FINE, turn } from "./actions.ts";
 import { azimuthTo, round4, sweep } from "./angles.ts";
 import type { Context } from "./context.ts";
+import { tapBall, tapPocket } from "./game/play.ts";
 import type { Store } from "./store.ts";
 import { ballName } from "./words.ts";
 
@@ -150,12 +151,15 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
   function tap(held: Drag, event: PointerEvent): void {
     const balls = store.session.trace?.shot.balls ?? store.shot.balls;
     if (held.ball !== null) {
-      store.setSession({ selected: balls[held.ball]!.id });
+      const { id } = balls[held.ball]!;
+      store.setSession({ selected: id });
+      if (store.session.mode === "aim") tapBall(store, context.engine, id);
       return;
     }
     const { point } = pointOf(event);
     const struck = store.shot.struck;
     if (!point || struck === null || store.session.mode === "replay") return;
+    if (tapPocket(store, context.engine, point)) return;
     const [x, y] = ballAt(struck).position;
     store.strike({ azimuth_deg: azimuthTo([x, y], point) }, "aim", held.group);
   }

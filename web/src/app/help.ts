@@ -17,6 +17,10 @@ const WAYS: readonly (readonly [string, string])[] = [
     "Drag them. Where a ball cannot lie it turns red, the reason is said, and it goes back.",
   ],
   [
+    "Play a game",
+    "Under Game two people play a frame with a referee. Tap a ball and a pocket to call them; undo takes shots back.",
+  ],
+  [
     "Everything else",
     "Racks, tables and balls are under Layout; models and coefficients under Physics.",
   ],

@@ -5,6 +5,7 @@ import { load } from "../engine/index.ts";
 import { Viewer } from "../viewer/index.ts";
 import type { Context } from "./context.ts";
 import { FrameLoop } from "./frame.ts";
+import { referee } from "./game/referee.ts";
 import { mountNotices } from "./notices.ts";
 import { mountPage, place } from "./page.ts";
 import { Scene } from "./scene.ts";
@@ -18,7 +19,7 @@ const REDUCED_MOTION = matchMedia("(prefers-reduced-motion: reduce)");
 async function start(): Promise<void> {
   const engine = await load();
   const first = opened(engine);
-  const store = new Store(engine, first.document, first.view);
+  const store = new Store(referee(engine), first.document, first.view);
   let draw = () => false;
   const loop = new FrameLoop(() => draw());
   const viewer = new Viewer(place("table") as HTMLCanvasElement, {

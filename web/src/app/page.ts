@@ -4,6 +4,8 @@ import { mountAimPanel } from "./aim-panel.ts";
 import type { Context } from "./context.ts";
 import { mountDock, mountTake } from "./dock.ts";
 import { mountFirstUse } from "./first-use.ts";
+import { mountBar } from "./game/bar.ts";
+import { mountGame } from "./game/panel.ts";
 import { mountGestures } from "./gestures.ts";
 import { mountCamera, mountHistory, mountPageMenu } from "./header.ts";
 import { mountHelp } from "./help.ts";
@@ -39,6 +41,8 @@ export function mountPage(store: Store, context: Context, welcome: boolean): voi
   mountState(place("panel-state"), store);
   mountTimeline(place("timeline"), store, context);
   mountWhatIf(place("panel-whatif"), store, context);
+  mountGame(place("panel-game"), store, context);
+  mountBar(place("game-bar"), store, context);
   mountShare(place("share"), store, context);
   mountAddress(store, context);
   mountDock(place("shoot"), store, context);

@@ -1,9 +1,12 @@
 /** Keeps the viewer's scene as the state says: the only place that tells it what to show. */
 
-import { STRIDE, type Trace } from "../engine/index.ts";
+import { STRIDE, type Engine, type Trace } from "../engine/index.ts";
 import type { CuePose, Mark, Viewer } from "../viewer/index.ts";
 import type { Context } from "./context.ts";
 import type { AimedShot } from "./document.ts";
+import { areasOf } from "./game/areas.ts";
+import type { Game } from "./game/game.ts";
+import { canAim, standing } from "./game/play.ts";
 import type { State, Store } from "./store.ts";
 
 /** How far (m) a drawn path may be from the exact one: under a pixel at any zoom worth having. */
@@ -26,14 +29,18 @@ export class Scene {
   readonly stats: SceneStats = { sceneMs: 0 };
   readonly #store: Store;
   readonly #viewer: Viewer;
+  readonly #engine: Engine;
   #shown: State | null = null;
+  /** The game whose areas are drawn. */
+  #game: Game | null = null;
   #paths: Trace | null = null;
   #style: "ghost" | "trace" = "ghost";
   #states = new Float64Array(0);
 
-  constructor(store: Store, context: Pick<Context, "viewer" | "loop">) {
+  constructor(store: Store, context: Pick<Context, "viewer" | "loop" | "engine">) {
     this.#store = store;
     this.#viewer = context.viewer;
+    this.#engine = context.engine;
     store.subscribe(() => {
       context.loop.invalidate();
     });
@@ -64,11 +71,13 @@ export class Scene {
     this.#setPaths(trace, "trace");
     this.#viewer.setCue(null);
     this.#viewer.setMarks([]);
+    this.#pointOut(null);
   }
 
   #aim({ document, session }: State): void {
     const { shot } = this.#store;
-    const { trace } = this.#store.ghost;
+    const aims = canAim(this.#store, this.#engine);
+    const trace = aims ? this.#store.ghost.trace : null;
     const states = this.#buffer(shot.balls.length);
     shot.balls.forEach((ball, index) => {
       states.fill(0, index * STRIDE, (index + 1) * STRIDE);
@@ -79,13 +88,24 @@ export class Scene {
     if (refused) states.set(refused.position, refused.index * STRIDE);
     this.#setBalls(states);
     this.#setPaths(trace, "ghost");
-    this.#viewer.setCue(shot.struck === null ? null : pose(document.shot, shot.struck));
+    this.#viewer.setCue(aims && shot.struck !== null ? pose(document.shot, shot.struck) : null);
     this.#viewer.setMarks([
       ...(trace ? marks(trace) : []),
       ...(refused
         ? [{ position: place(states, refused.index), kind: "refused", ball: refused.index }]
         : []),
     ]);
+    this.#pointOut(document.game);
+  }
+
+  /** What a game points out on the cloth; null: nothing. */
+  #pointOut(game: Game | null): void {
+    if (game === this.#game) return;
+    this.#game = game;
+    const progress = standing(this.#store, this.#engine);
+    const { geometry, balls } = this.#store.shot;
+    const areas = game && progress ? areasOf(game, progress, geometry, balls[0]?.radius ?? 0) : [];
+    this.#viewer.setAreas(areas);
   }
 
   #buffer(balls: number): Float64Array {

@@ -3,6 +3,7 @@
 import { CaromError, type Engine, type ShotFile } from "../engine/index.ts";
 import { documentOf, open } from "./actions.ts";
 import { FIRST_VIEW, type Document, type View } from "./document.ts";
+import { referee } from "./game/referee.ts";
 import { openedByAddress, showInstant } from "./share/address.ts";
 import { LinkError } from "./share/link.ts";
 import type { Store } from "./store.ts";
@@ -54,9 +55,9 @@ function openedByLink(engine: Engine, first: Document): Opened | null {
   try {
     const link = openedByAddress();
     if (!link) return null;
-    engine.shot(link.document.shot).free();
     const { document, view, time } = link;
-    return { document, view, welcome: false, then: (store) => showInstant(store, time) };
+    referee(engine).shot(document.shot, document.game).free();
+    return { document, view, welcome: false, then: (store) => showInstant(store, engine, time) };
   } catch (error) {
     if (!(error instanceof LinkError || error instanceof CaromError)) throw error;
     const { message } = error;

@@ -15,11 +15,12 @@ import {
   type Session,
   type View,
 } from "./document.ts";
+import type { Game } from "./game/game.ts";
 import { History } from "./history.ts";
 
-/** What the store needs of the engine: to read a shot, or to be told why not. */
+/** What the store needs of the engine: to read a shot, or to be told why not. In a game the referee, too. */
 export interface Compiler {
-  shot(file: AimedShot): Shot;
+  shot(file: AimedShot, game: Game | null): Shot;
 }
 
 export interface State {
@@ -51,7 +52,7 @@ export class Store {
   /** @throws CaromError if the engine refuses `document`. */
   constructor(compiler: Compiler, document: Document, view: View = FIRST_VIEW) {
     this.#compiler = compiler;
-    this.#shot = compiler.shot(document.shot);
+    this.#shot = compiler.shot(document.shot, document.game);
     this.#history = new History(document);
     this.#view = view;
   }
@@ -100,7 +101,7 @@ export class Store {
     const before = this.state;
     const patch = typeof change === "function" ? change(before.document) : change;
     const next: Document = { ...before.document, ...patch };
-    if (next.shot !== before.document.shot && !this.#compile(next.shot)) {
+    if (isOtherShot(next, before.document) && !this.#compile(next)) {
       this.#notify(before);
       return false;
     }
@@ -157,22 +158,24 @@ export class Store {
     return () => this.#listeners.delete(listener);
   }
 
-  #compile(file: AimedShot): boolean {
+  #compile(document: Document): boolean {
     try {
-      this.#adopt(this.#read(file));
+      this.#adopt(this.#read(document));
       return true;
     } catch (error) {
       if (!(error instanceof CaromError)) throw error;
-      const refusal = { message: error.message, place: error.place, attempt: file };
+      const refusal = { message: error.message, place: error.place, attempt: document.shot };
       this.#session = { ...this.#session, refusal };
       return false;
     }
   }
 
   /** Where only the stroke differs, the engine need not read the whole file again. */
-  #read(file: AimedShot): Shot {
-    const now = this.document.shot;
-    if (!sameButForStroke(now, file)) return this.#compiler.shot(file);
+  #read({ shot: file, game }: Document): Shot {
+    const now = this.document;
+    if (game !== now.game || !sameButForStroke(now.shot, file)) {
+      return this.#compiler.shot(file, game);
+    }
     const { speed, azimuth_deg, elevation_deg = 0, side = 0, height = 0 } = file.strike;
     return this.#shot.withStrike({
       speed,
@@ -196,9 +199,8 @@ export class Store {
   #travel(step: () => boolean): boolean {
     const before = this.state;
     if (!step()) return false;
-    if (this.document.shot !== before.document.shot) {
-      this.#adopt(this.#compiler.shot(this.document.shot));
-    }
+    const now = this.document;
+    if (isOtherShot(now, before.document)) this.#adopt(this.#compiler.shot(now.shot, now.game));
     this.#session = { ...this.#session, ...AIMING, refusal: null };
     this.#notify(before);
     return true;
@@ -212,6 +214,11 @@ export class Store {
 
 /** A changed document is something new to aim at: a replay of the old one would mislead. */
 const AIMING = { mode: "aim", trace: null, time: 0, playing: false } as const;
+
+/** Whether the engine, or the referee, must look at a document again. */
+function isOtherShot(a: Document, b: Document): boolean {
+  return a.shot !== b.shot || a.game !== b.game;
+}
 
 const RADIANS_PER_DEGREE = Math.PI / 180;
 

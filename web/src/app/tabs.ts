@@ -8,13 +8,16 @@ interface Tab {
   readonly label: string;
   /** Only there while a shot is replayed. */
   readonly replay?: boolean;
+  /** Only there on a free table: in a game nothing in it may be changed. */
+  readonly free?: boolean;
 }
 
 const TABS: readonly Tab[] = [
   { name: "state", label: "Replay", replay: true },
   { name: "aim", label: "Aim" },
-  { name: "layout", label: "Layout" },
-  { name: "physics", label: "Physics" },
+  { name: "layout", label: "Layout", free: true },
+  { name: "physics", label: "Physics", free: true },
+  { name: "game", label: "Game" },
   { name: "whatif", label: "What if" },
 ];
 
@@ -44,7 +47,8 @@ export function mountTabs(root: HTMLElement, store: Store): void {
   });
   root.append(...buttons);
 
-  const present = (tab: Tab) => !tab.replay || store.session.mode === "replay";
+  const present = ({ replay, free }: Tab) =>
+    (!replay || store.session.mode === "replay") && (!free || store.document.game === null);
 
   function show(): void {
     TABS.forEach((tab, index) => {
@@ -84,6 +88,12 @@ export function mountTabs(root: HTMLElement, store: Store): void {
     event.preventDefault();
   });
 
+  store.subscribe((now, before) => {
+    if ((now.document.game === null) === (before.document.game === null)) return;
+    if (now.document.game) earlier.tab = "game";
+    if (now.session.mode === "aim") select("game");
+    else show();
+  });
   store.subscribe((now, before) => {
     if (now.session.mode === before.session.mode) return;
     if (now.session.mode === "replay") {

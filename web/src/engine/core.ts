@@ -8,11 +8,17 @@ import {
   type BallInfo,
   type Batch,
   type BreakOptions,
+  type Choice,
   type Engine,
+  type Frame,
+  type FrameOptions,
+  type FrameState,
   type Geometry,
   type Noise,
   type NoisyBatch,
   type Outcome,
+  type Play,
+  type Ruling,
   type Shot,
   type ShotFile,
   type Strike,
@@ -69,9 +75,11 @@ function whole(name: string, value: number): bigint {
 class WasmEngine implements Engine {
   readonly version = wasm.version();
   readonly games: readonly string[] = wasm.games();
+  readonly ruleSets: readonly string[] = wasm.ruleSets();
   readonly module: WebAssembly.Module;
   #tables: readonly Geometry[] | undefined;
   #physics: Engine["physics"] | undefined;
+  #noises: Engine["noisePresets"] | undefined;
 
   constructor(module: WebAssembly.Module) {
     this.module = module;
@@ -113,19 +121,47 @@ class WasmEngine implements Engine {
   }
 
   olympiad(multiplier = 1): Noise {
-    const [speed, azimuth, elevation, side, height] = wasm.olympiad(multiplier);
-    return {
-      speed: speed!,
-      azimuth: azimuth!,
-      elevation: elevation!,
-      side: side!,
-      height: height!,
-    };
+    return named(wasm.olympiad(multiplier));
+  }
+
+  get noisePresets() {
+    return (this.#noises ??= Object.fromEntries(
+      (JSON.parse(wasm.noisePresets()) as [string, number[]][]).map(([name, sigmas]) => [
+        name,
+        named(sigmas),
+      ]),
+    ));
+  }
+
+  usualTable(game: string): string {
+    return checked(() => wasm.usualTable(game));
+  }
+
+  frame(game: string, options: FrameOptions = {}): Frame {
+    const { table, physics, seed = 0, target = 40, miss = true, patience = 100 } = options;
+    const json = (value: unknown) => (value === undefined ? undefined : JSON.stringify(value));
+    const start = whole("seed", seed);
+    return new WasmFrame(
+      checked(
+        () => new wasm.Frame(game, json(table), json(physics), start, target, miss, patience),
+      ),
+    );
   }
 
   schema(kind: "shot" | "trace"): object {
     return JSON.parse(kind === "shot" ? wasm.shotSchema() : wasm.traceSchema()) as object;
   }
+}
+
+/** A strike, or the σ of one, from the engine's five numbers. */
+function named(numbers: ArrayLike<number>): Strike {
+  return {
+    speed: numbers[0]!,
+    azimuth: numbers[1]!,
+    elevation: numbers[2]!,
+    side: numbers[3]!,
+    height: numbers[4]!,
+  };
 }
 
 function handleOf(shot: Shot): wasm.Shot {
@@ -174,14 +210,7 @@ class WasmShot implements Shot {
   get strike(): Strike | null {
     const numbers = this.handle.strike();
     if (numbers === undefined) return null;
-    const [speed, azimuth, elevation, side, height] = numbers;
-    return {
-      speed: speed!,
-      azimuth: azimuth!,
-      elevation: elevation!,
-      side: side!,
-      height: height!,
-    };
+    return named(numbers);
   }
 
   get miscueLimit() {
@@ -286,5 +315,66 @@ class WasmTrace implements Trace {
 
   free() {
     this.#handle.free();
+  }
+}
+
+class WasmFrame implements Frame {
+  readonly #handle: wasm.Frame;
+  #state: FrameState | undefined;
+
+  constructor(handle: wasm.Frame) {
+    this.#handle = handle;
+  }
+
+  get state() {
+    return (this.#state ??= JSON.parse(this.#handle.toJson()) as FrameState);
+  }
+
+  get handBounds() {
+    const box = this.#handle.handBounds();
+    if (box === undefined) return null;
+    const [left, bottom, right, top] = box;
+    return [[left!, bottom!] as const, [right!, top!] as const] as const;
+  }
+
+  shot(play: Play): Shot {
+    return withArguments(play, (given) => new WasmShot(checked(() => this.#handle.shot(given))));
+  }
+
+  play(play: Play) {
+    const played = withArguments(play, (given) => checked(() => this.#handle.play(given)));
+    this.#state = undefined;
+    const ruling = JSON.parse(played.ruling()) as Ruling;
+    return { ruling, trace: new WasmTrace(played.intoTrace()) };
+  }
+
+  choose(choice: Choice): Ruling {
+    const ruling = checked(() => this.#handle.choose(choice));
+    this.#state = undefined;
+    return JSON.parse(ruling) as Ruling;
+  }
+
+  copy(): Frame {
+    return new WasmFrame(this.#handle.copy());
+  }
+
+  free() {
+    this.#handle.free();
+  }
+}
+
+function withArguments<T>(
+  { strike, cue_ball, call }: Play,
+  use: (given: wasm.PlayArguments) => T,
+): T {
+  const { speed, azimuth, elevation, side, height } = strike;
+  const numbers = Float64Array.of(speed, azimuth, elevation, side, height);
+  const place = cue_ball && Float64Array.from(cue_ball);
+  const { kind = "nothing", ball, into } = call ?? {};
+  const given = new wasm.PlayArguments(numbers, place, kind, ball, into);
+  try {
+    return use(given);
+  } finally {
+    given.free();
   }
 }

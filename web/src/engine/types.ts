@@ -4,6 +4,10 @@
  * from the slate.
  */
 
+import type { Frame, FrameOptions } from "./rules.js";
+
+export * from "./rules.js";
+
 export type Point = readonly [x: number, y: number];
 export type Vector = readonly [x: number, y: number, z: number];
 
@@ -365,6 +369,17 @@ export interface Engine {
   simulate(shots: readonly Shot[]): Batch;
   /** The Computational Olympiad's noise times `multiplier`; its tournaments: 0.5, 1 and 2. */
   olympiad(multiplier?: number): Noise;
+  /**
+   * Presets of execution noise by name: levels of play from "beginner" to "professional" (estimated),
+   * then "olympiad" (published).
+   */
+  readonly noisePresets: Readonly<Record<string, Noise>>;
+  /** Games that have a referee here. */
+  readonly ruleSets: readonly string[];
+  /** The table that a game is played on if nothing else is said. @throws CaromError as `frame`. */
+  usualTable(game: string): string;
+  /** Racks a frame of one of the `ruleSets`. @throws CaromError for what makes no sense. */
+  frame(game: string, options?: FrameOptions): Frame;
   /** The JSON Schema of a file. */
   schema(kind: "shot" | "trace"): object;
 }

@@ -2,5 +2,5 @@
 
 export { look, type Look } from "./balls/look";
 export { STRIDE } from "./types";
-export type { BallPath, CameraMode, CuePose, Mark, Pick, Quality, Theme } from "./types";
+export type { Area, BallPath, CameraMode, CuePose, Mark, Pick, Quality, Theme } from "./types";
 export { Viewer, type ViewerOptions } from "./viewer";

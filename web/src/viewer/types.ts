@@ -53,6 +53,12 @@ export interface Mark {
   ball?: number;
 }
 
+/** A part of the cloth to point out: its outline, x, y (m) per corner, filled lightly in `color`. */
+export interface Area {
+  readonly outline: readonly (readonly [x: number, y: number])[];
+  readonly color: string;
+}
+
 /** What lies under a point of the screen. */
 export interface Pick {
   ball: number | null;

@@ -5,6 +5,7 @@ import { Balls } from "./balls";
 import type { Box } from "./camera/pose";
 import { Rig } from "./camera/rig";
 import { room } from "./environment";
+import { Areas } from "./overlay/areas";
 import { Cue } from "./overlay/cue";
 import { Fan } from "./overlay/fan";
 import { Lines } from "./overlay/lines";
@@ -15,6 +16,7 @@ import { Table } from "./table";
 import { reach } from "./table/outline";
 import { palette } from "./theme";
 import {
+  type Area,
   type BallInfo,
   type BallPath,
   type CameraMode,
@@ -66,6 +68,7 @@ export class Viewer {
   readonly #aim = new Lines({ width: 1.1, opacity: 0.3 });
   readonly #fan = new Fan();
   readonly #cue = new Cue();
+  readonly #areas = new Areas();
   readonly #marks = new Marks();
   readonly #watcher: ResizeObserver;
   #governor: Governor;
@@ -102,6 +105,7 @@ export class Viewer {
     this.#scene.add(
       this.#lighting.group,
       this.#table.group,
+      this.#areas.group,
       this.#fan.group,
       this.#balls.group,
       this.#ghosts.object,
@@ -246,6 +250,11 @@ export class Viewer {
     this.#touch();
   }
 
+  setAreas(areas: readonly Area[]): void {
+    this.#areas.set(areas);
+    this.#touch();
+  }
+
   setMarks(marks: readonly Mark[]): void {
     this.#marks.set(marks, this.#balls);
     this.#touch();
@@ -350,6 +359,7 @@ export class Viewer {
       this.#ghosts,
       this.#traces,
       this.#aim,
+      this.#areas,
       this.#fan,
       this.#cue,
       this.#marks,

@@ -59,7 +59,7 @@ test("racks, tables and balls come and go, and undo leads all the way back", asy
   const page = await open();
   const first = await shotOf(page);
   await page.getByRole("tab", { name: "Layout" }).click();
-  await page.getByLabel("Game").selectOption("nine-ball");
+  await page.locator("#panel-layout").getByLabel("Game").selectOption("nine-ball");
   await page.locator("#panel-layout").getByLabel("Seed").fill("7");
   await page.getByRole("button", { name: "Rack", exact: true }).click();
   const racked = await shotOf(page);
@@ -95,7 +95,7 @@ test("every game can be racked on its table", async ({ open }) => {
   const games = await page.evaluate(() => window.carom!.engine.games);
   expect(games.length).toBeGreaterThan(3);
   for (const game of games) {
-    await page.getByLabel("Game").selectOption(game);
+    await page.locator("#panel-layout").getByLabel("Game").selectOption(game);
     await page.getByRole("button", { name: "Rack", exact: true }).click();
     await settled(page);
     expect(await page.evaluate(() => window.carom!.store.undoLabel)).toBe(`rack ${game}`);

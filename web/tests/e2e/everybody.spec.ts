@@ -34,7 +34,7 @@ for (const [name, viewport] of [
       const page = await open({ viewport, colorScheme, firstSteps: true });
       expect(await violations(page), "first steps").toEqual([]);
       await page.getByRole("button", { name: "Skip" }).click();
-      for (const tab of ["Layout", "Physics", "What if", "Aim"]) {
+      for (const tab of ["Layout", "Physics", "What if", "Game", "Aim"]) {
         await page.getByRole("tab", { name: tab }).click();
         if (tab === "Layout") await page.getByRole("radio", { name: "9", exact: true }).click();
         if (tab === "What if") {
@@ -53,6 +53,24 @@ for (const [name, viewport] of [
       await page.getByRole("button", { name: "Shoot" }).click();
       await page.getByRole("button", { name: "Pause" }).click();
       expect(await violations(page), "replay").toEqual([]);
+    });
+
+    test(`axe finds nothing in a game on a ${name} in ${colorScheme}`, async ({ open }) => {
+      const page = await open({ viewport, colorScheme, reducedMotion: "reduce" });
+      await page.getByRole("tab", { name: "Game" }).click();
+      const panel = page.locator("#panel-game");
+      await panel.getByLabel("Game", { exact: true }).selectOption("straight-pool");
+      await panel.getByRole("button", { name: "Start the game" }).click();
+      await panel.getByRole("button", { name: "Ball and pocket" }).click();
+      await panel.getByLabel("Ball", { exact: true }).selectOption("3");
+      expect(await violations(page), "a call").toEqual([]);
+      await panel.getByRole("button", { name: "Safety" }).click();
+      await page.evaluate(() => {
+        window.carom!.store.strike({ speed: 0.5 }, "a soft break");
+      });
+      await page.getByRole("button", { name: "Shoot" }).click();
+      await page.getByRole("button", { name: "Rack again, Player 1 breaks" }).waitFor();
+      expect(await violations(page), "a choice").toEqual([]);
     });
   }
 }

@@ -1,8 +1,10 @@
 /** The address bar: it follows the work, and a link that is put into it is opened. */
 
+import type { Engine } from "../../engine/types.ts";
 import { aimed, replay } from "../actions.ts";
 import type { Context } from "../context.ts";
 import type { Document, View } from "../document.ts";
+import { standing } from "../game/play.ts";
 import type { Store } from "../store.ts";
 import { LinkError } from "./link.ts";
 import { type Shared, stateFromFragment, stateToFragment } from "./state.ts";
@@ -31,8 +33,8 @@ export function openedByAddress(): Opened | null {
   return shared && open(shared);
 }
 
-function open({ shot, noise, seed, view, time }: Shared): Opened {
-  return { document: { shot: aimed(shot), noise, seed }, view, time };
+function open({ shot, noise, seed, game, view, time }: Shared): Opened {
+  return { document: { shot: aimed(shot), noise, seed, game }, view, time };
 }
 
 /** The page's address with its present state; null where it has none that others can open. */
@@ -80,12 +82,13 @@ export function mountAddress(store: Store, context: Context): void {
 function show(store: Store, context: Context, { document, view, time }: Opened): void {
   if (!store.apply(document, "open a link")) return;
   store.setView(view);
-  showInstant(store, time);
+  showInstant(store, context.engine, time);
   context.announce("The link is opened. Undo brings back what was here.");
 }
 
 /** Shows the instant of the replay that a link was made at. */
-export function showInstant(store: Store, time: number | null): void {
-  const { trace } = store.ghost;
+export function showInstant(store: Store, engine: Engine, time: number | null): void {
+  // In a game it is the last shot that was watched.
+  const trace = store.document.game ? standing(store, engine)?.trace : store.ghost.trace;
   if (time !== null && trace) replay(store, trace, Math.min(time, trace.duration), false);
 }

@@ -2,6 +2,7 @@
 
 import type { Noise, ShotFile } from "../../engine/types.ts";
 import { FIRST_VIEW, type View } from "../document.ts";
+import type { Game } from "../game/game.ts";
 import type { State } from "../store.ts";
 import { fromFragment, isLink, LinkError, toFragment } from "./link.ts";
 
@@ -10,6 +11,8 @@ export interface Shared {
   readonly shot: ShotFile;
   readonly noise: Noise | null;
   readonly seed: number;
+  /** Its moves are as yet unchecked as well. */
+  readonly game: Game | null;
   readonly view: View;
   /** Time of the replay (s); null while aiming. */
   readonly time: number | null;
@@ -36,6 +39,7 @@ export function stateToFragment(shot: ShotFile, { document, view, session }: Sta
     shot,
     ...(document.noise && { noise: document.noise }),
     ...(document.seed !== 0 && { seed: document.seed }),
+    ...(document.game && { game: document.game }),
     ...(changed.length > 0 && { view: Object.fromEntries(changed.map((key) => [key, view[key]])) }),
     ...(session.mode === "replay" && { time: session.time }),
   });
@@ -55,6 +59,7 @@ export function stateFromFragment(fragment: string): Shared | null {
     shot: data.shot as unknown as ShotFile,
     noise: noiseOf(data.noise),
     seed: typeof seed === "number" && Number.isSafeInteger(seed) && seed >= 0 ? seed : 0,
+    game: gameOf(data.game),
     view: viewOf(data.view),
     time: typeof time === "number" && time >= 0 ? time : null,
   };
@@ -70,6 +75,31 @@ function noiseOf(data: unknown): Noise | null {
     return [key, sigma] as const;
   });
   return Object.fromEntries(entries) as unknown as Noise;
+}
+
+/** A game in the shape that the page writes; whether its moves are allowed, the referee says. */
+function gameOf(data: unknown): Game | null {
+  if (data === undefined || data === null) return null;
+  const isPair = (value: unknown, type: (one: unknown) => boolean) =>
+    Array.isArray(value) && value.length === 2 && value.every(type);
+  const isText = (value: unknown) => typeof value === "string";
+  if (isRecord(data) && isRecord(data.setup) && Array.isArray(data.moves)) {
+    const { rules, options, names, skills } = data.setup;
+    const isSound =
+      isText(rules) &&
+      isRecord(options) &&
+      isPair(names, isText) &&
+      isPair(skills, (skill) => skill === null || isText(skill)) &&
+      (data.call === null || isRecord(data.call)) &&
+      data.moves.every(isMove);
+    if (isSound) return data as unknown as Game;
+  }
+  throw new LinkError("The game in this link is not one that this page can read.");
+}
+
+function isMove(move: unknown): boolean {
+  if (!isRecord(move)) return false;
+  return typeof move.choice === "string" || (isRecord(move.play) && isRecord(move.play.strike));
 }
 
 /** Choices that this page does not know are its own first ones: a view is no reason to refuse. */

@@ -1,38 +1,48 @@
 // Execution noise as the page offers and shows it.
 
-import type { Noise } from "../../engine/types.ts";
+import type { Engine, Noise } from "../../engine/types.ts";
 
 const RADIANS = Math.PI / 180;
-
-/** The Computational Olympiad's σ (Archibald, Altman & Shoham 2009), times `multiplier`. */
-export function olympiad(multiplier: number): Noise {
-  return {
-    speed: 0.075 * multiplier,
-    azimuth: 0.125 * RADIANS * multiplier,
-    elevation: 0.1 * RADIANS * multiplier,
-    side: 0.0005 * multiplier,
-    height: 0.0005 * multiplier,
-  };
-}
 
 export interface Preset {
   readonly name: string;
   readonly noise: Noise;
 }
 
-/** The Olympiad's tournaments were played at half, once and twice its noise. */
-export const PRESETS: readonly Preset[] = [
-  { name: "Olympiad × ½", noise: olympiad(0.5) },
-  { name: "Olympiad", noise: olympiad(1) },
-  { name: "Olympiad × 2", noise: olympiad(2) },
-];
+/** Presets of one origin, under what it is called. */
+export interface Presets {
+  readonly origin: string;
+  readonly presets: readonly Preset[];
+}
 
-/** What one is shown first. */
-export const FIRST_NOISE = olympiad(1);
+/** The engine's presets: levels of play, and the Olympiad at the strengths of its tournaments. */
+export function presetsOf(engine: Pick<Engine, "noisePresets" | "olympiad">): readonly Presets[] {
+  const levels = Object.entries(engine.noisePresets).filter(([name]) => name !== "olympiad");
+  return [
+    {
+      origin: "Players (estimated)",
+      presets: levels.map(([name, noise]) => ({ name: capital(name), noise })),
+    },
+    {
+      origin: "Computational Olympiad",
+      presets: [
+        { name: "Olympiad × ½", noise: engine.olympiad(0.5) },
+        { name: "Olympiad", noise: engine.olympiad(1) },
+        { name: "Olympiad × 2", noise: engine.olympiad(2) },
+      ],
+    },
+  ];
+}
+
+function capital(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
 
 /** The preset that a noise is, if it is one. */
-export function presetOf(noise: Noise): Preset | undefined {
-  return PRESETS.find((preset) => SIGMAS.every(({ key }) => preset.noise[key] === noise[key]));
+export function presetOf(noise: Noise, known: readonly Presets[]): Preset | undefined {
+  return known
+    .flatMap(({ presets }) => presets)
+    .find((preset) => SIGMAS.every(({ key }) => preset.noise[key] === noise[key]));
 }
 
 /** A σ as the page shows it. */

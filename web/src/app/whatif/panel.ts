@@ -5,9 +5,10 @@ import type { Noise } from "../../engine/types.ts";
 import type { Context } from "../context.ts";
 import { h, uniqueId } from "../dom.ts";
 import { mountField } from "../field.ts";
+import { canAim } from "../game/play.ts";
 import type { State, Store } from "../store.ts";
 import { type Progress, Variants } from "./client.ts";
-import { FIRST_NOISE, PRESETS, presetOf, type Sigma, SIGMAS } from "./noise.ts";
+import { presetOf, presetsOf, type Sigma, SIGMAS } from "./noise.ts";
 import { mountResult } from "./result.ts";
 import VariantsWorker from "./worker.ts?worker&inline";
 
@@ -26,7 +27,7 @@ const LARGEST_DRAWN_SEED = 9999;
 export function mountWhatIf(root: HTMLElement, store: Store, context: Context): void {
   const on = h("input", { type: "checkbox", id: uniqueId("noise"), role: "switch" });
   on.addEventListener("change", () => {
-    const noise = on.checked ? FIRST_NOISE : null;
+    const noise = on.checked ? context.engine.olympiad() : null;
     store.apply({ noise }, on.checked ? "simulate errors" : "no errors");
   });
   const intro = h(
@@ -91,7 +92,7 @@ function mountVariants(
   };
   return () => {
     const { noise, seed } = store.document;
-    const wanted = noise && store.session.mode === "aim";
+    const wanted = noise && store.session.mode === "aim" && canAim(store, engine);
     if (!wanted) {
       variants?.cancel();
       if (!noise || variants) viewer.setFan(null);
@@ -103,14 +104,23 @@ function mountVariants(
 }
 
 function mountSettings(root: HTMLElement, store: Store, context: Context): void {
+  const known = presetsOf(context.engine);
+  const groups = known.map(({ origin, presets }) =>
+    h(
+      "optgroup",
+      { label: origin },
+      ...presets.map(({ name }) => h("option", { value: name }, name)),
+    ),
+  );
   const preset = h(
     "select",
     { id: uniqueId("preset") },
-    ...PRESETS.map(({ name }) => h("option", { value: name }, name)),
+    ...groups,
     h("option", { value: "", disabled: true }, "Your own"),
   );
   preset.addEventListener("change", () => {
-    const chosen = PRESETS.find(({ name }) => name === preset.value);
+    const all = known.flatMap(({ presets }) => presets);
+    const chosen = all.find(({ name }) => name === preset.value);
     if (chosen) store.apply({ noise: chosen.noise }, "errors of the player");
   });
   root.append(
@@ -121,7 +131,7 @@ function mountSettings(root: HTMLElement, store: Store, context: Context): void 
   root.append(h("h2", {}, "Random numbers"), seedRow(store));
   store.subscribe(() => {
     const { noise } = store.document;
-    preset.value = (noise && presetOf(noise)?.name) ?? "";
+    preset.value = (noise && presetOf(noise, known)?.name) ?? "";
   });
 }
 
@@ -137,7 +147,10 @@ function mountSigma(root: HTMLElement, store: Store, context: Context, sigma: Si
     step,
     read: () => (store.document.noise?.[key] ?? 0) / scale,
     write: (value, group) => {
-      const noise: Noise = { ...(store.document.noise ?? FIRST_NOISE), [key]: value * scale };
+      const noise: Noise = {
+        ...(store.document.noise ?? context.engine.olympiad()),
+        [key]: value * scale,
+      };
       return value >= 0 && store.apply({ noise }, `error of ${label.toLowerCase()}`, group);
     },
   });

@@ -4,8 +4,9 @@ import { FIRST_SESSION, FIRST_VIEW } from "../../../src/app/document.ts";
 import type { State } from "../../../src/app/store.ts";
 import { LinkError, toFragment } from "../../../src/app/share/link.ts";
 import { stateFromFragment, stateToFragment } from "../../../src/app/share/state.ts";
-import { olympiad } from "../../../src/app/whatif/noise.ts";
+import type { Game } from "../../../src/app/game/game.ts";
 
+const noise = { speed: 0.075, azimuth: 0.002, elevation: 0.001, side: 0.0005, height: 0.0005 };
 const strike = { ball: "cue", speed: 2, azimuth_deg: 90 };
 const shot = {
   format: "carom-shot/1",
@@ -14,8 +15,27 @@ const shot = {
   strike,
 } satisfies ShotFile;
 
+const game: Game = {
+  setup: {
+    rules: "nine-ball",
+    options: { seed: 7 },
+    names: ["Ann", "Bea"],
+    skills: [null, "club"],
+  },
+  moves: [
+    {
+      play: {
+        strike: { speed: 8, azimuth: 1.5707963267948966, elevation: 0, side: 0, height: 0 },
+        cue_ball: [0.635, 0.6],
+      },
+    },
+    { choice: "play-on" },
+  ],
+  call: { kind: "push-out" },
+};
+
 const state: State = {
-  document: { shot, noise: null, seed: 0 },
+  document: { shot, noise: null, seed: 0, game: null },
   view: FIRST_VIEW,
   session: FIRST_SESSION,
 };
@@ -27,16 +47,16 @@ describe("the state in a link", () => {
       shot,
       noise: null,
       seed: 0,
+      game: null,
       view: FIRST_VIEW,
       time: null,
     });
   });
 
-  test("brings back noise, seed, view and the instant of the replay", () => {
-    const noise = olympiad(1);
+  test("brings back noise, seed, game, view and the instant of the replay", () => {
     const view = { theme: "dark", camera: "cue", units: "mph" } as const;
     const full: State = {
-      document: { shot, noise, seed: 12345 },
+      document: { shot, noise, seed: 12345, game },
       view,
       session: { ...FIRST_SESSION, mode: "replay", time: 1.234567890123456 },
     };
@@ -44,6 +64,7 @@ describe("the state in a link", () => {
       shot,
       noise,
       seed: 12345,
+      game,
       view,
       time: 1.234567890123456,
     });
@@ -59,9 +80,24 @@ describe("the state in a link", () => {
       expect(() => stateFromFragment(toFragment(data))).toThrow(/no shot/);
     }
     for (const speed of [-1, "fast", undefined]) {
-      const noise = { ...olympiad(1), speed };
-      expect(() => stateFromFragment(toFragment({ shot, noise }))).toThrow(LinkError);
-      expect(() => stateFromFragment(toFragment({ shot, noise }))).toThrow(/"speed"/);
+      const odd = toFragment({ shot, noise: { ...noise, speed } });
+      expect(() => stateFromFragment(odd)).toThrow(LinkError);
+      expect(() => stateFromFragment(odd)).toThrow(/"speed"/);
+    }
+  });
+
+  test("with a game that is none is refused", () => {
+    const { setup, moves, call } = game;
+    for (const odd of [
+      3,
+      {},
+      { setup, call },
+      { setup: { ...setup, names: ["Ann"] }, moves, call },
+      { setup: { ...setup, skills: [1, 2] }, moves, call },
+      { setup, moves: [{ play: {} }], call },
+      { setup, moves, call: "safety" },
+    ]) {
+      expect(() => stateFromFragment(toFragment({ shot, game: odd }))).toThrow(/game in this link/);
     }
   });
 

@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Shot } from "../../../src/engine/types.ts";
 import { type Progress, Variants } from "../../../src/app/whatif/client.ts";
-import { olympiad } from "../../../src/app/whatif/noise.ts";
 import type { FromWorker, ToWorker } from "../../../src/app/whatif/protocol.ts";
 
 const json = '{"format": "carom-shot/1"}';
+const noise = { speed: 0.1, azimuth: 0.002, elevation: 0.001, side: 0.0005, height: 0.0005 };
 const shot = { json: () => json, balls: [{ id: "cue" }] } as unknown as Shot;
 
 /** A worker that does nothing but note what it is told. */
@@ -56,7 +56,7 @@ describe("asking a worker", () => {
         refused: (message) => refused.push(message),
       },
     );
-    variants.ask(shot, olympiad(1), 7, 4, 2);
+    variants.ask(shot, noise, 7, 4, 2);
   });
 
   test("hands it the compiled engine first", () => {
@@ -80,7 +80,7 @@ describe("asking a worker", () => {
 
   test("does not hear what belongs to an earlier question", () => {
     const stale = worker.generation;
-    variants.ask(shot, olympiad(2), 7, 4, 2);
+    variants.ask(shot, { ...noise, speed: 0.2 }, 7, 4, 2);
     worker.say(chunk(stale, 0, 4));
     worker.say({ kind: "refused", generation: stale, message: "no" });
     expect(heard).toStrictEqual([]);

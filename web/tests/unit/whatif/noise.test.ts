@@ -1,21 +1,39 @@
 import { expect, test } from "vitest";
-import { olympiad, PRESETS, presetOf, SIGMAS } from "../../../src/app/whatif/noise.ts";
+import { load } from "../../../src/engine/index.ts";
+import { presetOf, presetsOf, SIGMAS } from "../../../src/app/whatif/noise.ts";
+
+const engine = await load();
+const PRESETS = presetsOf(engine);
+const ALL = PRESETS.flatMap(({ presets }) => presets);
 
 test("the Olympiad's noise is that of its rules, in SI units", () => {
-  const { speed, azimuth, elevation, side, height } = olympiad(1);
+  const { speed, azimuth, elevation, side, height } = engine.olympiad();
   expect([speed, side, height]).toStrictEqual([0.075, 0.0005, 0.0005]);
   expect((azimuth * 180) / Math.PI).toBeCloseTo(0.125, 14);
   expect((elevation * 180) / Math.PI).toBeCloseTo(0.1, 14);
 });
 
 test("a preset is known again, and a noise of one's own is none", () => {
-  for (const preset of PRESETS) expect(presetOf({ ...preset.noise })).toBe(preset);
-  expect(presetOf({ ...olympiad(1), side: 0 })).toBeUndefined();
+  for (const preset of ALL) expect(presetOf({ ...preset.noise }, PRESETS)).toBe(preset);
+  expect(presetOf({ ...engine.olympiad(), side: 0 }, PRESETS)).toBeUndefined();
 });
 
 test("every preset fits on the sliders, and every σ has one", () => {
-  expect(SIGMAS.map(({ key }) => key).sort()).toStrictEqual(Object.keys(olympiad(1)).sort());
-  for (const { noise } of PRESETS) {
+  expect(SIGMAS.map(({ key }) => key).sort()).toStrictEqual(Object.keys(engine.olympiad()).sort());
+  for (const { noise } of ALL) {
     for (const { key, scale, max } of SIGMAS) expect(noise[key] / scale).toBeLessThanOrEqual(max);
   }
+});
+
+test("levels of play stand from the widest errors to the smallest", () => {
+  const [players] = PRESETS;
+  expect(players!.presets.map(({ name }) => name)).toStrictEqual([
+    "Beginner",
+    "Casual",
+    "Club",
+    "Advanced",
+    "Professional",
+  ]);
+  const azimuths = players!.presets.map(({ noise }) => noise.azimuth);
+  expect(azimuths).toStrictEqual([...azimuths].sort((a, b) => b - a));
 });

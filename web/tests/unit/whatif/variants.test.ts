@@ -1,7 +1,6 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 import { load, type Engine } from "../../../src/engine/index.ts";
-import { olympiad } from "../../../src/app/whatif/noise.ts";
 import type { FromWorker, Request } from "../../../src/app/whatif/protocol.ts";
 import { Tally } from "../../../src/app/whatif/tally.ts";
 import { simulate } from "../../../src/app/whatif/variants.ts";
@@ -27,7 +26,7 @@ beforeAll(async () => {
 const request = (changes: Partial<Request>): Request => ({
   generation: 1,
   shot: read(`shots/${HALF_BALL.shot}.json`),
-  noise: olympiad(HALF_BALL.olympiad),
+  noise: engine.olympiad(HALF_BALL.olympiad),
   seed: HALF_BALL.seed,
   count: 250,
   paths: 5,
@@ -73,7 +72,7 @@ describe("the variants of a request", () => {
   test("drop as often as one batch of them does", async () => {
     const jump = read("shots/jump_shot.json");
     const shot = engine.shot(jump);
-    const batch = shot.vary(olympiad(HALF_BALL.olympiad), HALF_BALL.seed, 0, 250);
+    const batch = shot.vary(engine.olympiad(HALF_BALL.olympiad), HALF_BALL.seed, 0, 250);
     const tally = new Tally(shot.balls.length, 250);
     for (const chunk of chunks(await answers({ shot: jump }))) tally.add(chunk);
     const drops = shot.balls.map(
@@ -99,7 +98,7 @@ describe("the variants of a request", () => {
   });
 
   test("of a shot that the engine refuses are refused in its words", async () => {
-    const [answer] = await answers({ noise: { ...olympiad(1), speed: -1 } });
+    const [answer] = await answers({ noise: { ...engine.olympiad(), speed: -1 } });
     expect(answer).toMatchObject({ kind: "refused", generation: 1 });
     expect(answer).toHaveProperty("message", expect.stringContaining("noise.speed"));
   });

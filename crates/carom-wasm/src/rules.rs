@@ -1,0 +1,164 @@
+//! `Frame`: games with a referee.
+
+use carom::Error;
+use carom::resolve::cue_ball::Strike;
+use carom::shot::Node;
+use carom_rules::{Choice, Options, Play, Rules};
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::error::to_exception;
+use crate::shot::Shot;
+use crate::trace::Trace;
+
+/// The names of all rule sets.
+#[wasm_bindgen(js_name = ruleSets)]
+pub fn rule_sets() -> Vec<String> {
+    Rules::ALL.iter().map(|rules| rules.name().into()).collect()
+}
+
+/// The table that a game is played on, if nothing else is said.
+#[wasm_bindgen(js_name = usualTable)]
+pub fn usual_table(game: &str) -> Result<String, JsValue> {
+    let rules = Rules::read(game).map_err(|e| to_exception(&e))?;
+    Ok(rules.rack().table().into())
+}
+
+/// A game in progress.
+#[wasm_bindgen]
+pub struct Frame(carom_rules::Frame);
+
+/// What a player does: strike (speed, azimuth, elevation, side, height), the cue ball's place if it is
+/// in hand, the call (kind, ball, pocket).
+#[wasm_bindgen]
+pub struct PlayArguments {
+    strike: Strike,
+    cue_ball: Option<[f64; 2]>,
+    call: String,
+    ball: Option<String>,
+    pocket: Option<String>,
+}
+
+#[wasm_bindgen]
+impl PlayArguments {
+    /// A play.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        strike: &[f64],
+        cue_ball: Option<Vec<f64>>,
+        call: String,
+        ball: Option<String>,
+        pocket: Option<String>,
+    ) -> Result<Self, JsValue> {
+        let [speed, azimuth, elevation, side, height] = *strike else {
+            return Err(js_sys::RangeError::new("strike: five numbers are wanted").into());
+        };
+        let strike = Strike { speed, azimuth, elevation, side, height };
+        let two = |place: Vec<f64>| {
+            <[f64; 2]>::try_from(place)
+                .map_err(|_| js_sys::RangeError::new("cue_ball: two numbers are wanted"))
+        };
+        Ok(Self { strike, cue_ball: cue_ball.map(two).transpose()?, call, ball, pocket })
+    }
+}
+
+/// What came of a shot.
+#[wasm_bindgen]
+pub struct Played {
+    ruling: String,
+    trace: carom::Trace,
+}
+
+#[wasm_bindgen]
+impl Played {
+    /// The referee's ruling, JSON.
+    pub fn ruling(&self) -> String {
+        self.ruling.clone()
+    }
+
+    /// What happened.
+    #[wasm_bindgen(js_name = intoTrace)]
+    pub fn into_trace(self) -> Trace {
+        Trace::new(self.trace)
+    }
+}
+
+impl Frame {
+    fn play_of(&self, arguments: &PlayArguments) -> Result<Play, Error> {
+        let PlayArguments { strike, cue_ball, call, ball, pocket } = arguments;
+        let call = self.0.call(call, ball.as_deref(), pocket.as_deref())?;
+        Ok(Play { strike: *strike, cue_ball: *cue_ball, call })
+    }
+
+    fn play_checked(&mut self, arguments: &PlayArguments) -> Result<Played, Error> {
+        let play = self.play_of(arguments)?;
+        let trace = self.0.shot(&play)?.simulate()?;
+        let ruling = self.0.apply(&play, &trace)?;
+        Ok(Played { ruling: self.0.ruling_node(&ruling).to_json(), trace })
+    }
+}
+
+#[wasm_bindgen]
+impl Frame {
+    /// Racks a frame. `table` and `physics` are JSON, as a shot file has them under these keys.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        game: &str,
+        table: Option<String>,
+        physics: Option<String>,
+        seed: u64,
+        target: i32,
+        miss: bool,
+        patience: u32,
+    ) -> Result<Self, JsValue> {
+        let read = |json: Option<String>| json.map(|text| Node::from_json(&text)).transpose();
+        let frame = || {
+            let options = Options { target, miss, patience };
+            carom_rules::Frame::new(
+                Rules::read(game)?,
+                options,
+                read(table)?,
+                read(physics)?,
+                seed,
+            )
+        };
+        frame().map(Self).map_err(|e| to_exception(&e))
+    }
+
+    /// Everything there is to know of the frame, JSON.
+    #[wasm_bindgen(js_name = toJson)]
+    pub fn to_json(&self) -> String {
+        self.0.to_node().to_json()
+    }
+
+    /// The box around the region in which the cue ball may be put: left, bottom, right, top (m); none
+    /// where it is not in hand.
+    #[wasm_bindgen(js_name = handBounds)]
+    pub fn hand_bounds(&self) -> Option<Vec<f64>> {
+        let region = self.0.turn()?.hand?;
+        Some(region.bounds(self.0.base().table()).as_flattened().to_vec())
+    }
+
+    /// The shot that `play` would be.
+    pub fn shot(&self, play: &PlayArguments) -> Result<Shot, JsValue> {
+        let shot = self.play_of(play).and_then(|play| self.0.shot(&play));
+        shot.map(|shot| Shot(shot.into())).map_err(|e| to_exception(&e))
+    }
+
+    /// Plays a shot.
+    pub fn play(&mut self, play: &PlayArguments) -> Result<Played, JsValue> {
+        self.play_checked(play).map_err(|e| to_exception(&e))
+    }
+
+    /// Answers a choice; the ruling as JSON.
+    pub fn choose(&mut self, choice: &str) -> Result<String, JsValue> {
+        let chosen = Choice::read(choice).and_then(|choice| self.0.choose(choice));
+        let ruling = chosen.map_err(|e| to_exception(&e))?;
+        Ok(self.0.ruling_node(&ruling).to_json())
+    }
+
+    /// The same frame once more.
+    pub fn copy(&self) -> Self {
+        Self(self.0.clone())
+    }
+}

@@ -1,0 +1,125 @@
+/** Below the table while a game is on: score, whose turn it is, the last ruling, and choices. */
+
+import "./game.css";
+import type { FrameState } from "../../engine/types.ts";
+import type { Context } from "../context.ts";
+import { h, setText } from "../dom.ts";
+import { leave } from "../replay/control.ts";
+import type { Store } from "../store.ts";
+import type { Game } from "./game.ts";
+import { choose, standing, startGame } from "./play.ts";
+import {
+  choiceInWords,
+  gameName,
+  isForOne,
+  headline,
+  other,
+  requestInWords,
+  rulingInWords,
+} from "./words.ts";
+
+/** How long (ms) the end of a shot stands before the game goes on. */
+const REST = 700;
+
+export function mountBar(root: HTMLElement, store: Store, context: Context): void {
+  const { engine } = context;
+  const score = h("p", { class: "score" });
+  const title = h("strong");
+  const asked = h("span");
+  const ruling = h("p", { class: "ruling" });
+  const said = h("div", { role: "status", "aria-live": "polite" }, ruling);
+  said.append(h("p", { class: "asked" }, title, " ", asked));
+  const answers = h("div", { class: "row answers" });
+  root.append(score, said, answers);
+
+  function show(): void {
+    const { game } = store.document;
+    root.hidden = game === null;
+    const progress = standing(store, engine);
+    if (!game || !progress) return;
+    const watching = store.session.mode === "replay";
+    const last = progress.steps.at(-1);
+    // Who watches a shot is not told how it ends.
+    const state = watching && last && "play" in last.move ? last.before : progress.frame.state;
+    const { names } = game.setup;
+    showScore(score, game, state);
+    const told = watching || !last ? "" : rulingInWords(last, names);
+    const { request } = state;
+    const over = request.kind === "over";
+    const known = request.kind === "choice" && told.includes(request.why);
+    setText(ruling, told);
+    ruling.dataset.foul = String(!watching && last?.ruling.legal === false);
+    setText(title, watching || over ? "" : `${headline(request, names)}.`);
+    setText(asked, watching || over || known ? "" : requestInWords(state, game.call));
+    showAnswers(answers, watching ? null : state, game);
+  }
+
+  function showAnswers(row: HTMLElement, state: FrameState | null, game: Game): void {
+    const request = state?.request;
+    const buttons: HTMLElement[] = [];
+    if (request?.kind === "choice") {
+      const opponent = game.setup.names[other(request.player)];
+      for (const choice of request.choices) {
+        const text = choiceInWords(choice, opponent);
+        const label = text.charAt(0).toUpperCase() + text.slice(1);
+        buttons.push(answer(label, () => choose(store, context, choice)));
+      }
+    } else if (request?.kind === "over") {
+      const seed = (game.setup.options.seed ?? 0) + 1;
+      const setup = { ...game.setup, options: { ...game.setup.options, seed } };
+      buttons.push(answer("Another frame", () => startGame(store, context, setup)));
+    }
+    row.hidden = buttons.length === 0;
+    const same =
+      [...row.children].map((b) => b.textContent).join() ===
+      buttons.map((b) => b.textContent).join();
+    if (!same) row.replaceChildren(...buttons);
+  }
+
+  let resting: ReturnType<typeof setTimeout> | undefined;
+  store.subscribe((now, before) => {
+    const { session, document } = now;
+    if (document.game !== before.document.game || session.mode !== before.session.mode) show();
+    if (session === before.session) return;
+    clearTimeout(resting);
+    const { trace, playing, time } = session;
+    const ended = trace && before.session.playing && !playing && time >= trace.duration;
+    if (document.game && ended) resting = setTimeout(() => leave(store), REST);
+  });
+  show();
+}
+
+function answer(text: string, onclick: () => void): HTMLButtonElement {
+  return h("button", { type: "button", class: "button primary", onclick }, text);
+}
+
+function showScore(root: HTMLElement, { setup }: Game, state: FrameState): void {
+  const { request, scores } = state;
+  const active = request.kind === "over" ? request.winner : request.player;
+  const side = (player: 0 | 1) =>
+    h(
+      "span",
+      { class: "side", "data-active": String(active === player) },
+      h("span", { class: "name" }, setup.names[player]),
+      ...extras(state, player),
+    );
+  const points = COUNTED.has(state.game)
+    ? h("span", { class: "points" }, isForOne(state.game) ? `${scores[0]}` : scores.join(" : "))
+    : h("span", { class: "points" }, "–");
+  const players = isForOne(state.game) ? [side(0), points] : [side(0), points, side(1)];
+  root.replaceChildren(...players, h("span", { class: "hint push" }, gameName(state.game)));
+}
+
+/** Games whose players have points. */
+const COUNTED = new Set(["straight-pool", "snooker", "three-cushion", "practice"]);
+
+/** What is to be known of a player beside the score. */
+function extras({ state, fouls_in_a_row: fouls }: FrameState, player: 0 | 1): HTMLElement[] {
+  const said: string[] = [];
+  const group = state.groups?.[player];
+  if (group) said.push(group);
+  const innings = state.innings?.[player];
+  if (innings !== undefined) said.push(`${innings} ${innings === 1 ? "inning" : "innings"}`);
+  if (fouls[player] > 1) said.push(`${fouls[player]} fouls in a row`);
+  return said.map((text) => h("span", { class: "hint" }, text));
+}

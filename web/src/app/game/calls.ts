@@ -1,0 +1,134 @@
+/** The controls with which a player announces a shot. */
+
+import type { Call, ShotRequest } from "../../engine/types.ts";
+import type { Context } from "../context.ts";
+import { h, setText, uniqueId } from "../dom.ts";
+import type { Store } from "../store.ts";
+import { placeName } from "../words.ts";
+import { announceCall, askedShot, shownCall } from "./play.ts";
+import { callInWords } from "./words.ts";
+
+type Kind = ShotRequest["calls"][number];
+
+const KINDS: Readonly<Record<Kind, string>> = {
+  nothing: "Nothing",
+  pocket: "Ball and pocket",
+  safety: "Safety",
+  "push-out": "Push-out",
+  on: "Ball on",
+};
+
+/** A game's section of its own; hidden where there is nothing to announce. */
+export function mountCalls(root: HTMLElement, store: Store, context: Context): void {
+  const { engine } = context;
+  const kinds = h("div", { class: "row kinds", role: "group", "aria-label": "Announce" });
+  const ball = h("select", { id: uniqueId("called-ball") });
+  const pocket = h("select", { id: uniqueId("called-pocket") });
+  const ballRow = labelled("Ball", ball);
+  const pocketRow = labelled("Pocket", pocket);
+  const shown = h("button", { type: "button", class: "button" });
+  const hint = h("p", { class: "hint" }, "Or tap ball and pocket on the table.");
+  root.append(
+    h("h2", {}, "Announce"),
+    kinds,
+    h("div", { class: "pair halves" }, ballRow, pocketRow),
+    h("div", { class: "row" }, shown),
+    hint,
+  );
+
+  ball.addEventListener("change", write);
+  pocket.addEventListener("change", write);
+  shown.addEventListener("click", () => {
+    const call = shownCall(store, engine);
+    if (call) announceCall(store, call);
+  });
+
+  /** What the two lists say. */
+  function write(): void {
+    const asked = askedShot(store, engine);
+    if (!asked) return;
+    if (asked.calls.includes("on")) {
+      announceCall(store, ball.value ? { kind: "on", ball: ball.value } : null);
+      return;
+    }
+    announceCall(store, {
+      kind: "pocket",
+      ...(ball.value && { ball: ball.value }),
+      ...(pocket.value && { into: pocket.value as NonNullable<Call["into"]> }),
+    });
+  }
+
+  function say(kind: Kind): void {
+    if (kind === "nothing") announceCall(store, null);
+    else if (kind === "pocket") announceCall(store, shownCall(store, engine) ?? { kind });
+    else announceCall(store, { kind });
+  }
+
+  function show(): void {
+    const asked = store.session.mode === "aim" ? askedShot(store, engine) : null;
+    root.hidden = !asked || asked.calls.every((kind) => kind === "nothing");
+    if (!asked || root.hidden) return;
+    const { call } = store.document.game!;
+    const nominates = asked.calls.includes("on");
+    kinds.hidden = nominates;
+    showKinds(asked, call);
+    ballRow.hidden = !nominates && call?.kind !== "pocket";
+    pocketRow.hidden = call?.kind !== "pocket";
+    hint.hidden = ballRow.hidden;
+    fill(ball, ballsToCall(store, asked), call?.ball ?? "");
+    const pockets = store.shot.geometry.pockets.map(({ name }) => name);
+    fill(pocket, pockets, call?.into ?? "", placeName);
+    const suggested = shownCall(store, engine);
+    shown.hidden = !suggested || JSON.stringify(suggested) === JSON.stringify(call);
+    if (suggested) setText(shown, `As the lines show: ${callInWords(suggested)}`);
+  }
+
+  function showKinds({ calls }: ShotRequest, call: Call | null): void {
+    const now = call?.kind ?? "nothing";
+    if (kinds.dataset.kinds !== calls.join()) {
+      kinds.dataset.kinds = calls.join();
+      const button = (kind: Kind) =>
+        h(
+          "button",
+          { type: "button", class: "button", "data-kind": kind, onclick: () => say(kind) },
+          KINDS[kind],
+        );
+      kinds.replaceChildren(...calls.map(button));
+    }
+    for (const button of kinds.querySelectorAll<HTMLElement>("button")) {
+      button.setAttribute("aria-pressed", String(button.dataset.kind === now));
+    }
+  }
+
+  store.subscribe((now, before) => {
+    if (now.document === before.document && now.session.mode === before.session.mode) return;
+    context.loop.input(root, show);
+  });
+  show();
+}
+
+/** Balls that may be called or nominated. */
+function ballsToCall(store: Store, { calls, on, cue_ball }: ShotRequest): readonly string[] {
+  if (calls.includes("on")) return on;
+  return store.shot.balls.map(({ id }) => id).filter((id) => id !== cue_ball);
+}
+
+/** Fills a list where it has other items than before, and chooses one. */
+function fill(
+  list: HTMLSelectElement,
+  values: readonly string[],
+  value: string,
+  text: (value: string) => string = (same) => same,
+): void {
+  const key = values.join();
+  if (list.dataset.values !== key) {
+    list.dataset.values = key;
+    const option = (item: string) => h("option", { value: item }, text(item));
+    list.replaceChildren(h("option", { value: "" }, "–"), ...values.map(option));
+  }
+  list.value = value;
+}
+
+function labelled(text: string, control: HTMLElement): HTMLElement {
+  return h("div", { class: "labelled" }, h("label", { for: control.id }, text), control);
+}

@@ -1,0 +1,141 @@
+/** The panel of a game: before it, how it begins; in it, what the player can do and what was done. */
+
+import { replay } from "../actions.ts";
+import type { Context } from "../context.ts";
+import { h, setText } from "../dom.ts";
+import { mountField } from "../field.ts";
+import { placeBall } from "../gestures.ts";
+import type { Store } from "../store.ts";
+import { mountCalls } from "./calls.ts";
+import { endGame, standing } from "./play.ts";
+import type { Step } from "./progress.ts";
+import { handOf } from "./referee.ts";
+import { mountSetup } from "./setup.ts";
+import { callInWords, gameName, isForOne, rulingInWords } from "./words.ts";
+
+export function mountGame(root: HTMLElement, store: Store, context: Context): void {
+  const setup = h("div");
+  const table = h("div");
+  root.append(setup, table);
+  mountSetup(setup, store, context);
+  mountHeading(table, store);
+  const hand = h("section");
+  const calls = h("section");
+  table.append(hand, calls);
+  mountHand(hand, store, context);
+  mountCalls(calls, store, context);
+  mountSheet(table, store, context);
+
+  const show = (): void => {
+    setup.hidden = store.document.game !== null;
+    table.hidden = !setup.hidden;
+  };
+  store.subscribe(show);
+  show();
+}
+
+/** Which game is on, and between whom. */
+function mountHeading(root: HTMLElement, store: Store): void {
+  const title = h("h2");
+  const hint = h("p", { class: "hint" });
+  root.append(title, hint);
+  store.subscribe(({ document: { game } }) => {
+    if (!game) return;
+    const { rules, options, names, skills } = game.setup;
+    const all = names.map((name, k) => name + (skills[k] ? ` (${skills[k]})` : ""));
+    const players = isForOne(rules) ? all.slice(0, 1) : all;
+    setText(title, gameName(rules));
+    setText(hint, `${players.join(" against ")}, rack ${options.seed ?? 0}`);
+  });
+}
+
+/** A cue ball in hand, in numbers: for who does not drag it. */
+function mountHand(root: HTMLElement, store: Store, context: Context): void {
+  const { engine } = context;
+  const hand = () => {
+    const progress = standing(store, engine);
+    const id = progress && handOf(progress);
+    return store.shot.balls.find((ball) => ball.id === id);
+  };
+  const bounds = () => standing(store, engine)?.frame.handBounds;
+  root.append(
+    h("h2", {}, "Cue ball in hand"),
+    h(
+      "p",
+      { class: "hint" },
+      "Drag it within the marked part of the table, or write where it lies.",
+    ),
+  );
+  for (const [label, index] of [
+    ["Across", 0],
+    ["Along", 1],
+  ] as const) {
+    mountField(root, store, context, {
+      label,
+      unit: "m",
+      spoken: "metres",
+      digits: 4,
+      min: () => bounds()?.[0][index] ?? 0,
+      max: () => bounds()?.[1][index] ?? 1,
+      step: 0.001,
+      read: () => hand()?.position[index] ?? 0,
+      write: (value, group) => {
+        const ball = hand();
+        if (!ball) return false;
+        const [x, y] = ball.position;
+        return placeBall(store, ball.id, index === 0 ? [value, y] : [x, value], group);
+      },
+    });
+  }
+  const show = (): void => {
+    root.hidden = hand() === undefined;
+  };
+  store.subscribe(show);
+  show();
+}
+
+/** Every move with its ruling, the last one first. */
+function mountSheet(root: HTMLElement, store: Store, context: Context): void {
+  const list = h("ol", { class: "sheet", reversed: true });
+  const watch = h("button", { type: "button", class: "button" }, "Watch the last shot again");
+  watch.addEventListener("click", () => {
+    const trace = standing(store, context.engine)?.trace;
+    if (!trace) return;
+    const still = context.reducedMotion();
+    replay(store, trace, still ? trace.duration : 0, !still);
+  });
+  const end = h("button", { type: "button", class: "button" }, "End the game");
+  end.addEventListener("click", () => endGame(store));
+  const heading = h("h2", {}, "Shots");
+  root.append(heading, list, h("div", { class: "row" }, watch, end));
+
+  const show = (): void => {
+    const { game } = store.document;
+    const progress = standing(store, context.engine);
+    if (!game || !progress || store.session.mode === "replay") return;
+    heading.hidden = list.hidden = progress.steps.length === 0;
+    watch.hidden = progress.trace === null;
+    const items = progress.steps.map((step) =>
+      h(
+        "li",
+        { "data-foul": String(!step.ruling.legal) },
+        rulingInWords(step, game.setup.names),
+        called(step),
+      ),
+    );
+    list.replaceChildren(...items.reverse());
+  };
+  store.subscribe((now, before) => {
+    if (now.document.game !== before.document.game || now.session.mode !== before.session.mode) {
+      show();
+    }
+  });
+  show();
+}
+
+/** What was called into a pocket, or nominated: the ruling says the rest. */
+function called({ move }: Step): HTMLElement | false {
+  const call = "play" in move ? move.play.call : undefined;
+  if (call?.kind !== "pocket" && call?.kind !== "on") return false;
+  return h("span", { class: "hint" }, ` Called: ${callInWords(call)}.`);
+}

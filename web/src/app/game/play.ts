@@ -1,0 +1,214 @@
+/** What players do, whatever they do it with. */
+
+import {
+  type Call,
+  CaromError,
+  type Choice,
+  type Engine,
+  type PocketName,
+  type Point,
+  type Shot,
+  type ShotRequest,
+  type Strike,
+} from "../../engine/index.ts";
+import type { Context } from "../context.ts";
+import type { Store } from "../store.ts";
+import { firstAim } from "./aim.ts";
+import { type Game, type Move, newGame, type Setup } from "./game.ts";
+import { after, type Progress, progressOf, remember } from "./progress.ts";
+import { choiceInWords, gameName, other } from "./words.ts";
+
+/** Executions that are drawn for one shot: the first is played that can be, for some are miscues. */
+const DRAWN = 16;
+
+/** How far around a pocket's centre a tap means the pocket, in radii of the pocket. */
+const POCKET_REACH = 1.6;
+
+/** How the game stands; null where none is on. */
+export function standing(store: Store, engine: Engine): Progress | null {
+  const { game } = store.document;
+  return game && progressOf(engine, game);
+}
+
+/** The shot that the game asks, or null. */
+export function askedShot(store: Store, engine: Engine): ShotRequest | null {
+  const request = standing(store, engine)?.frame.state.request;
+  return request?.kind === "shot" ? request : null;
+}
+
+/** Whether one can aim: always, but where a game asks for something else. */
+export function canAim(store: Store, engine: Engine): boolean {
+  return store.document.game === null || askedShot(store, engine) !== null;
+}
+
+export function startGame(store: Store, context: Context, setup: Setup): boolean {
+  const { engine } = context;
+  const game = newGame(setup);
+  try {
+    const shot = firstAim(engine, game, progressOf(engine, game));
+    if (!store.apply({ game, shot }, `start ${setup.rules}`)) return false;
+    context.announce(`${gameName(setup.rules)}: ${setup.names[0]} begins.`);
+    return true;
+  } catch (error) {
+    return refused(store, error);
+  }
+}
+
+/** The balls stay as they lie, and everything may be moved again. */
+export function endGame(store: Store): void {
+  store.apply({ game: null }, "end the game");
+}
+
+/**
+ * Plays the shot that is aimed.
+ *
+ * @param show Called with the trace of the shot, once the document has gone on.
+ */
+export function playShot(
+  store: Store,
+  { engine }: Context,
+  show: (trace: NonNullable<Progress["trace"]>) => void,
+): void {
+  const { game } = store.document;
+  const asked = askedShot(store, engine);
+  if (!game || !asked) {
+    store.refuse("No shot is asked now: the game waits for something else.");
+    return;
+  }
+  const incomplete = lacking(game.call);
+  if (incomplete) {
+    store.refuse(incomplete);
+    return;
+  }
+  const { shot } = store;
+  const [x, y] = shot.balls[shot.struck!]!.position;
+  try {
+    const play = {
+      strike: executed(engine, shot, game, asked),
+      ...(asked.in_hand !== null && { cue_ball: [x, y] as const }),
+      ...(game.call && { call: game.call }),
+    };
+    const progress = move(store, engine, { play }, `${game.setup.names[asked.player]}’s shot`);
+    if (progress?.trace) show(progress.trace);
+  } catch (error) {
+    refused(store, error);
+  }
+}
+
+/** Answers a choice. */
+export function choose(store: Store, { engine }: Context, choice: Choice): void {
+  const { game } = store.document;
+  const request = standing(store, engine)?.frame.state.request;
+  if (!game || request?.kind !== "choice") return;
+  const { names } = game.setup;
+  const said = choiceInWords(choice, names[other(request.player)]);
+  try {
+    move(store, engine, { choice }, `${names[request.player]}: ${said}`);
+  } catch (error) {
+    refused(store, error);
+  }
+}
+
+/** @throws CaromError if the move is not allowed. */
+function move(store: Store, engine: Engine, made: Move, label: string): Progress | null {
+  const game = store.document.game!;
+  const progress = after(progressOf(engine, game), made);
+  const next: Game = { ...game, moves: [...game.moves, made], call: null };
+  remember(next, progress);
+  store.settle();
+  return store.apply({ game: next, shot: firstAim(engine, next, progress) }, label)
+    ? progress
+    : null;
+}
+
+/** The strike that comes out when the aimed one is meant. */
+function executed(engine: Engine, shot: Shot, game: Game, { player }: ShotRequest): Strike {
+  const skill = game.setup.skills[player];
+  const noise = skill === null ? undefined : engine.noisePresets[skill];
+  const meant = shot.strike!;
+  if (!noise) return meant;
+  const { strikes, errors } = shot.vary(
+    noise,
+    game.setup.options.seed ?? 0,
+    game.moves.length * DRAWN,
+    DRAWN,
+  );
+  const played = Array.from({ length: DRAWN }, (_, k) => k).find((k) => !errors.has(k));
+  if (played === undefined) return meant;
+  const [speed, azimuth, elevation, side, height] = strikes.subarray(5 * played);
+  return {
+    speed: speed!,
+    azimuth: azimuth!,
+    elevation: elevation!,
+    side: side!,
+    height: height!,
+  };
+}
+
+/** What a call lacks, as a request; null if nothing. */
+function lacking(call: Call | null): string | null {
+  if (call?.kind !== "pocket") return null;
+  if (call.ball === undefined) return "Call the ball too: tap it, or choose it under Game.";
+  if (call.into === undefined) return "Call the pocket too: tap it, or choose it under Game.";
+  return null;
+}
+
+/** Announces something for the shot that is aimed; null takes it back. */
+export function announceCall(store: Store, call: Call | null): void {
+  const { game } = store.document;
+  if (!game || JSON.stringify(game.call) === JSON.stringify(call)) return;
+  store.apply({ game: { ...game, call } }, call ? "call" : "take the call back", "call");
+}
+
+/** A tap on a ball: it is called, or nominated, where that is asked. */
+export function tapBall(store: Store, engine: Engine, ball: string): void {
+  const asked = askedShot(store, engine);
+  if (!asked || ball === asked.cue_ball) return;
+  if (asked.calls.includes("on") && asked.on.includes(ball)) {
+    announceCall(store, { kind: "on", ball });
+  } else if (asked.calls.includes("pocket")) {
+    const { call } = store.document.game!;
+    const into = call?.kind === "pocket" ? call.into : undefined;
+    announceCall(store, { kind: "pocket", ball, ...(into && { into }) });
+  }
+}
+
+/** @returns Whether the tap was on a pocket that could be called, and is now. */
+export function tapPocket(store: Store, engine: Engine, point: Point): boolean {
+  const asked = askedShot(store, engine);
+  if (!asked?.calls.includes("pocket")) return false;
+  const into = pocketAt(store.shot, point);
+  if (!into) return false;
+  const { call } = store.document.game!;
+  const ball = call?.kind === "pocket" ? call.ball : undefined;
+  announceCall(store, { kind: "pocket", ...(ball !== undefined && { ball }), into });
+  return true;
+}
+
+function pocketAt({ geometry }: Shot, [x, y]: Point): PocketName | null {
+  const found = geometry.pockets.find(
+    ({ center, radius }) => Math.hypot(x - center[0], y - center[1]) < POCKET_REACH * radius,
+  );
+  return found?.name ?? null;
+}
+
+/** What one would call if all went as the lines show; null if they show nothing to call. */
+export function shownCall(store: Store, engine: Engine): Call | null {
+  const asked = askedShot(store, engine);
+  const outcome = asked && store.ghost.trace?.outcome;
+  if (!outcome) return null;
+  const { first_contact: first } = outcome;
+  if (asked.calls.includes("on")) {
+    return first !== null && asked.on.includes(first) ? { kind: "on", ball: first } : null;
+  }
+  if (!asked.calls.includes("pocket")) return null;
+  const falls = outcome.pocketed.filter(([ball]) => ball !== asked.cue_ball);
+  const drop = falls.find(([ball]) => asked.on.includes(ball)) ?? falls[0];
+  return drop ? { kind: "pocket", ball: drop[0], into: drop[1] } : null;
+}
+
+function refused(store: Store, error: unknown): false {
+  if (!(error instanceof CaromError)) throw error;
+  store.refuse(error.message);
+  return false;
+}

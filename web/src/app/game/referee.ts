@@ -1,0 +1,119 @@
+/** Sees to it that in a game nothing is moved that must not be. */
+
+import {
+  type BallEntry,
+  CaromError,
+  type Engine,
+  type Point,
+  type Shot,
+} from "../../engine/index.ts";
+import type { AimedShot } from "../document.ts";
+import { ballName } from "../words.ts";
+import type { Game } from "./game.ts";
+import { anyShot, type Progress, progressOf } from "./progress.ts";
+
+/** What the store asks before it takes a document. */
+export function referee(engine: Engine): { shot(file: AimedShot, game: Game | null): Shot } {
+  return {
+    shot: (file, game) => {
+      if (game) check(file, progressOf(engine, game));
+      const shot = engine.shot(file);
+      if (game) checkHand(file, progressOf(engine, game));
+      return shot;
+    },
+  };
+}
+
+function check(file: AimedShot, progress: Progress): void {
+  const { start, frame } = progress;
+  const { request } = frame.state;
+  if (!same(file.table, start.table) || !same(file.physics, start.physics)) {
+    throw new CaromError(
+      "In a game table and physics stay as they are: end the game first, under Game.",
+      "table",
+    );
+  }
+  const hand = handOf(progress);
+  const there = file.balls.filter(({ id }) => id !== hand);
+  const expected = layoutOf(progress).filter(({ id }) => id !== hand);
+  const moved = expected.find((ball, k) => !same(there[k], ball));
+  if (moved || there.length !== expected.length) {
+    const may = hand === null ? "" : `; only ${ballName(hand)} is in hand`;
+    throw new CaromError(
+      `In a game the balls stay where they lie${may}. End the game to move them, under Game.`,
+      `balls[${file.balls.findIndex(({ id }) => id === moved?.id)}].position`,
+    );
+  }
+  if (request.kind === "shot" && file.strike.ball !== request.cue_ball) {
+    throw new CaromError(`In this game ${ballName(request.cue_ball)} is struck.`, "strike.ball");
+  }
+}
+
+/** A cue ball in hand must lie in its region. */
+function checkHand(file: AimedShot, progress: Progress): void {
+  const hand = handOf(progress);
+  const ball = file.balls.find(({ id }) => id === hand);
+  if (hand === null) return;
+  if (!ball) throw new CaromError(`Put ${ballName(hand)} on the table: it is in hand.`, "balls");
+  const { position } = ball;
+  const own = progress.start.balls.find(({ id }) => id === hand);
+  if (!same(ball, { ...own, position })) {
+    throw new CaromError(
+      `In a game ${ballName(hand)} stays as it is, wherever it is put.`,
+      "balls",
+    );
+  }
+  anyShot(progress.frame, [position[0], position[1]]).free();
+}
+
+/** The cue ball's id if it is in hand. */
+export function handOf({ frame }: Progress): string | null {
+  const { request } = frame.state;
+  return request.kind === "shot" && request.in_hand !== null ? request.cue_ball : null;
+}
+
+/** The balls as they lie, in the order in which the engine has them. */
+export function layoutOf({ start, frame }: Progress): BallEntry[] {
+  const { balls } = frame.state;
+  const lying = start.balls.flatMap((ball) => {
+    const position = balls[ball.id];
+    return position ? [{ ...ball, position }] : [];
+  });
+  // A frame can end without a ball on the table, a shot file cannot be without one.
+  return lying.length > 0 ? lying : [start.balls[0]!];
+}
+
+/** Where the cue ball could be put, nearest to where it is usually put. */
+export function freePlace({ start, frame }: Progress, id: string): Point | null {
+  const box = frame.handBounds;
+  const usual = start.balls.find((ball) => ball.id === id)?.position;
+  if (!box || !usual) return null;
+  const distance = ([x, y]: Point) => Math.hypot(x - usual[0], y - usual[1]);
+  const places = [[usual[0], usual[1]] as const, ...grid(box)];
+  places.sort((a, b) => distance(a) - distance(b));
+  return places.find((place) => accepts(frame, place)) ?? null;
+}
+
+/** Places tried along each side of the region. */
+const TRIED = 16;
+
+function grid([[left, bottom], [right, top]]: readonly [Point, Point]): Point[] {
+  const steps = Array.from({ length: TRIED }, (_, k) => (k + 0.5) / TRIED);
+  return steps.flatMap((s) =>
+    steps.map((t) => [left + s * (right - left), bottom + t * (top - bottom)] as const),
+  );
+}
+
+function accepts(frame: Progress["frame"], place: Point): boolean {
+  try {
+    anyShot(frame, place).free();
+    return true;
+  } catch (error) {
+    if (error instanceof CaromError) return false;
+    throw error;
+  }
+}
+
+function same(a: unknown, b: unknown): boolean {
+  return a === b || JSON.stringify(a) === JSON.stringify(b);
+}

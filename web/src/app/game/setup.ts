@@ -1,0 +1,159 @@
+/** The form that begins a game. */
+
+import type { FrameOptions } from "../../engine/types.ts";
+import type { Context } from "../context.ts";
+import { h, uniqueId } from "../dom.ts";
+import type { Store } from "../store.ts";
+import type { Setup } from "./game.ts";
+import { startGame } from "./play.ts";
+import { gameName, isForOne } from "./words.ts";
+
+/** Largest seed that a click draws: short enough to read out. */
+const SEEDS = 10_000;
+
+/** Longest name that the score has room for. */
+const NAME_LENGTH = 20;
+
+/** Games that are played to a number of points. */
+const TO_A_TARGET = new Set(["straight-pool", "three-cushion"]);
+
+/** The table of the page, with its physics, instead of a preset. */
+const THIS_TABLE = "this";
+
+export function mountSetup(root: HTMLElement, store: Store, context: Context): void {
+  const { engine } = context;
+  const rules = select(engine.ruleSets.map((name) => [name, gameName(name)]));
+  const usual = h("option", { value: "" });
+  const table = h("select", { id: uniqueId("table") }, usual);
+  for (const { name } of engine.tables) if (name) table.append(h("option", { value: name }, name));
+  table.append(h("option", { value: THIS_TABLE }, "This one, with its physics"));
+  const seed = number(drawn(), 0);
+  const target = number(40, 1);
+  const miss = h("input", { type: "checkbox", id: uniqueId("miss"), checked: true });
+  const names = [0, 1].map((player) => name(player)) as [HTMLInputElement, HTMLInputElement];
+  const levels = Object.keys(engine.noisePresets);
+  const skills = [0, 1].map(() =>
+    select([["", "None"], ...levels.map((level): [string, string] => [level, capital(level)])]),
+  ) as [HTMLSelectElement, HTMLSelectElement];
+
+  const targetRow = labelled("Points that win", target);
+  const missRow = h("div", { class: "switch row" }, miss, label(miss, "Call a foul and a miss"));
+  const players = [0, 1].map((k) =>
+    h(
+      "div",
+      { class: "pair player" },
+      labelled(`Player ${k + 1}`, names[k]!),
+      labelled("Errors", skills[k]!),
+    ),
+  );
+  const start = (): void => {
+    const options = readOptions();
+    if (options) startGame(store, context, { rules: rules.value, options, ...chosen() });
+  };
+  root.append(
+    h("h2", {}, "Play a game"),
+    h("p", { class: "hint" }, "Two players at this table, and a referee who knows the rules."),
+    labelled("Game", rules),
+    labelled("Table", table),
+    targetRow,
+    missRow,
+    h("div", { class: "pair" }, labelled("Seed of the rack", seed), shuffle()),
+    h("h2", {}, "Players"),
+    ...players,
+    h(
+      "p",
+      { class: "hint" },
+      "With errors a shot strays from what is aimed, like that of a player of this level. ",
+      "The levels are estimates; the Olympiad’s numbers are published.",
+    ),
+    h("div", { class: "row end" }, primary("Start the game", start)),
+  );
+
+  function shuffle(): HTMLElement {
+    const button = h("button", { type: "button", class: "button shuffle" }, "Shuffle");
+    button.addEventListener("click", () => {
+      seed.value = String(drawn());
+    });
+    return button;
+  }
+
+  function chosen(): Pick<Setup, "names" | "skills"> {
+    const read = (k: 0 | 1) => names[k].value.trim() || `Player ${k + 1}`;
+    const skill = (k: 0 | 1) => skills[k].value || null;
+    return { names: [read(0), read(1)], skills: [skill(0), skill(1)] };
+  }
+
+  function readOptions(): FrameOptions | null {
+    const [start, points] = [whole(seed, 0), whole(target, 1)];
+    if (start === null) store.refuse("Seed: write a whole number that is not negative.");
+    else if (points === null) store.refuse("Points that win: write a whole number above 0.");
+    if (start === null || points === null) return null;
+    return {
+      ...tableOptions(),
+      seed: start,
+      ...(TO_A_TARGET.has(rules.value) && { target: points }),
+      ...(rules.value === "snooker" && { miss: miss.checked }),
+    };
+  }
+
+  function tableOptions(): Pick<FrameOptions, "table" | "physics"> {
+    if (table.value === "") return {};
+    if (table.value !== THIS_TABLE) return { table: table.value };
+    const { table: own, physics } = store.document.shot;
+    return { table: own, ...(physics !== undefined && { physics }) };
+  }
+
+  const show = (): void => {
+    usual.textContent = `The game’s own (${engine.usualTable(rules.value)})`;
+    targetRow.hidden = !TO_A_TARGET.has(rules.value);
+    missRow.hidden = rules.value !== "snooker";
+    players[1]!.hidden = isForOne(rules.value);
+  };
+  rules.addEventListener("change", show);
+  rules.value = "nine-ball";
+  show();
+}
+
+function drawn(): number {
+  return Math.floor(Math.random() * SEEDS);
+}
+
+function capital(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+function select(options: readonly (readonly [value: string, text: string])[]): HTMLSelectElement {
+  const items = options.map(([value, text]) => h("option", { value }, text));
+  return h("select", { id: uniqueId("choose") }, ...items);
+}
+
+function number(value: number, min: number): HTMLInputElement {
+  return h("input", { type: "number", id: uniqueId("number"), min, step: 1, value });
+}
+
+function name(player: number): HTMLInputElement {
+  return h("input", {
+    type: "text",
+    id: uniqueId("name"),
+    value: `Player ${player + 1}`,
+    maxlength: NAME_LENGTH,
+    autocomplete: "off",
+  });
+}
+
+function whole(input: HTMLInputElement, least: number): number | null {
+  const value = Number(input.value);
+  return input.value.trim() !== "" && Number.isSafeInteger(value) && value >= least ? value : null;
+}
+
+function label(control: HTMLElement, text: string): HTMLElement {
+  return h("label", { for: control.id }, text);
+}
+
+function labelled(text: string, control: HTMLElement): HTMLElement {
+  return h("div", { class: "labelled" }, label(control, text), control);
+}
+
+function primary(text: string, onclick: () => void): HTMLButtonElement {
+  return h("button", { type: "button", class: "button primary", onclick }, text);
+}

@@ -1,0 +1,66 @@
+/** Parts of the cloth that are pointed out: where a ball may be put, what is called. */
+
+import { DoubleSide, Group, Mesh, MeshBasicMaterial, Shape, ShapeGeometry } from "three";
+import { LAYER } from "../table/solid";
+import type { Area } from "../types";
+import { Lines } from "./lines";
+
+/** How much of the cloth's colour an area takes away. */
+const FILLED = 0.16;
+
+/** Above the cloth and what is painted on it, m. */
+const HEIGHT = 2 * LAYER;
+
+export class Areas {
+  readonly group = new Group();
+  readonly #borders = new Lines({ width: 1.6, opacity: 0.85, dash: [0.03, 0.016] });
+  #fills: Mesh<ShapeGeometry, MeshBasicMaterial>[] = [];
+
+  constructor() {
+    this.group.add(this.#borders.object);
+  }
+
+  set(areas: readonly Area[]): void {
+    this.#clear();
+    for (const { outline, color } of areas) {
+      const [first] = outline;
+      if (!first) continue;
+      this.#fills.push(fill(outline, color));
+      const closed = [...outline, first].flatMap(([x, y]) => [x, y, HEIGHT]);
+      this.#borders.add(closed, 3, color);
+    }
+    if (this.#fills.length > 0) this.group.add(...this.#fills);
+    this.#borders.commit();
+  }
+
+  dispose(): void {
+    this.#clear();
+    this.#borders.dispose();
+  }
+
+  #clear(): void {
+    for (const mesh of this.#fills) {
+      this.group.remove(mesh);
+      mesh.geometry.dispose();
+      mesh.material.dispose();
+    }
+    this.#fills = [];
+    this.#borders.clear();
+  }
+}
+
+function fill(outline: Area["outline"], color: string): Mesh<ShapeGeometry, MeshBasicMaterial> {
+  const shape = new Shape();
+  outline.forEach(([x, y], k) => (k === 0 ? shape.moveTo(x, y) : shape.lineTo(x, y)));
+  const material = new MeshBasicMaterial({
+    color,
+    transparent: true,
+    opacity: FILLED,
+    side: DoubleSide,
+    depthWrite: false,
+  });
+  const mesh = new Mesh(new ShapeGeometry(shape), material);
+  mesh.position.z = HEIGHT;
+  mesh.renderOrder = 1;
+  return mesh;
+}

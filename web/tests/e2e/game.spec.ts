@@ -1,0 +1,248 @@
+import type { Page } from "playwright-core";
+import { expect, onPage, picture, settled, shotOf, test } from "./fixture.ts";
+
+/** A rack whose usual break pockets the nine: a frame of one shot. */
+const NINE_ON_THE_BREAK = 1;
+
+interface Begun {
+  readonly game?: string;
+  readonly seed?: number;
+  readonly names?: readonly [string, string];
+}
+
+async function begin(page: Page, { game, seed = 7, names = ["Ann", "Bea"] }: Begun = {}) {
+  await page.getByRole("tab", { name: "Game" }).click();
+  const panel = page.locator("#panel-game");
+  if (game) await panel.getByLabel("Game", { exact: true }).selectOption(game);
+  await panel.getByLabel("Player 1").fill(names[0]);
+  await panel.getByLabel("Player 2").fill(names[1]);
+  await panel.getByLabel("Seed of the rack").fill(String(seed));
+  await panel.getByRole("button", { name: "Start the game" }).click();
+}
+
+/** Softly past everything: a foul in every game but practice. */
+async function foul(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    window.carom!.store.strike({ speed: 0.5, azimuth_deg: 180 }, "aim");
+  });
+  await page.getByRole("button", { name: "Shoot" }).click();
+}
+
+const bar = (page: Page) => page.locator("#game-bar").innerText();
+
+function stateOf(page: Page) {
+  return page.evaluate(() => {
+    const { store } = window.carom!;
+    const { game, shot } = store.document;
+    return { moves: game?.moves ?? null, balls: shot.balls, call: game?.call ?? null };
+  });
+}
+
+test("two people play a frame of nine-ball to its end, and another", async ({ open }) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await begin(page, { seed: NINE_ON_THE_BREAK });
+  expect(await bar(page)).toMatch(/Ann to shoot\. Ball 1 is on\..*behind the head string/s);
+  await picture(page, "game");
+  await page.getByRole("button", { name: "Shoot" }).click();
+  await expect.poll(() => bar(page)).toMatch(/Ann wins: the last ball was pocketed/);
+  await page.getByRole("button", { name: "Shoot" }).waitFor({ state: "hidden" });
+  await page.getByRole("button", { name: "Another frame" }).click();
+  expect(await bar(page)).toMatch(/Ann to shoot/);
+  expect((await stateOf(page)).moves).toEqual([]);
+});
+
+test("who watches a shot is told the ruling when it is over, not before", async ({ open }) => {
+  const page = await open();
+  await begin(page);
+  await page.evaluate(() => {
+    window.carom!.store.strike({ speed: 0.6, azimuth_deg: 180 }, "aim");
+  });
+  await page.getByRole("button", { name: "Shoot" }).click();
+  await page.getByRole("button", { name: "Pause" }).waitFor();
+  expect(await bar(page)).not.toMatch(/Foul/);
+  expect(await page.getByRole("button", { name: "Take it from here" }).isVisible()).toBe(false);
+  await expect.poll(() => bar(page), { timeout: 20_000 }).toMatch(/Foul by Ann: no ball was hit/);
+  await page.getByRole("tab", { name: "Game" }).click();
+  await page.getByRole("button", { name: "Watch the last shot again" }).click();
+  await page.getByRole("button", { name: "Pause" }).waitFor();
+  await page.keyboard.press("Escape");
+  expect(await bar(page)).toMatch(/Bea to shoot/);
+});
+
+test("the played shot is the one that was shown, to the bit", async ({ open }) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await begin(page, { seed: 11 });
+  const shown = await page.evaluate(() => {
+    const { store } = window.carom!;
+    store.strike({ azimuth_deg: 90.1234, side: 0.123, elevation_deg: 3.3 }, "aim");
+    return store.ghost.trace!.hash;
+  });
+  await page.getByRole("button", { name: "Shoot" }).click();
+  await page.getByRole("button", { name: "Watch the last shot again" }).click();
+  expect(await page.locator("#hash").textContent()).toBe(shown);
+});
+
+test("a foul gives ball in hand; the cue ball stays in its region, and the others where they lie", async ({
+  open,
+}) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await begin(page, { game: "snooker" });
+  expect(await bar(page)).toMatch(/A red is on\. The cue ball is in hand, in the D\./);
+  const before = await stateOf(page);
+  const drag = async (from: readonly number[], to: readonly [number, number]): Promise<void> => {
+    const [a, b] = [await onPage(page, from[0]!, from[1]!), await onPage(page, ...to)];
+    await page.mouse.move(a.x, a.y);
+    await page.mouse.down();
+    await page.mouse.move((a.x + b.x) / 2, (a.y + b.y) / 2);
+    await page.mouse.move(b.x, b.y);
+    await settled(page);
+  };
+  const place = (id: string) => before.balls.find((ball) => ball.id === id)!.position;
+  await drag(place("cue"), [0.7, 1.5]);
+  expect(await page.getByRole("alert").textContent()).toMatch(/in the D/);
+  await page.mouse.up();
+  expect((await stateOf(page)).balls).toEqual(before.balls);
+  await drag(place("blue"), [0.5, 1.5]);
+  expect(await page.getByRole("alert").textContent()).toMatch(/balls stay where they lie/);
+  await page.mouse.up();
+  expect((await stateOf(page)).balls).toEqual(before.balls);
+  await drag(place("cue"), [0.8, 0.65]);
+  await page.mouse.up();
+  const [x, y] = (await stateOf(page)).balls[0]!.position;
+  expect(x).toBeCloseTo(0.8, 1);
+  expect(y).toBeCloseTo(0.65, 1);
+  await picture(page, "game-snooker");
+});
+
+test("after a foul of nine-ball the cue ball is in hand, to be put anywhere by keyboard", async ({
+  open,
+}) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await begin(page);
+  await foul(page);
+  expect(await bar(page)).toMatch(/Foul by Ann: no ball was hit \(WPA 6\.3\)/);
+  expect(await bar(page)).toMatch(/Bea to shoot\..*in hand, anywhere on the table/s);
+  const along = page.locator("#panel-game").getByRole("spinbutton", { name: "Along" });
+  await along.fill("1.2");
+  await along.press("Enter");
+  expect((await shotOf(page)).balls[0]!.position[1]).toBe(1.2);
+  await along.fill("9");
+  await along.press("Enter");
+  await page.getByRole("alert").waitFor();
+  expect((await shotOf(page)).balls[0]!.position[1]).toBe(1.2);
+});
+
+test("who may choose is asked, and the answer is carried out", async ({ open }) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await begin(page, { game: "eight-ball" });
+  await page.evaluate(() => {
+    window.carom!.store.strike({ speed: 1 }, "a soft break");
+  });
+  await page.getByRole("button", { name: "Shoot" }).click();
+  expect(await bar(page)).toMatch(/too few balls were driven to a rail \(WPA 3\.3\).*Bea decides/s);
+  await page.getByRole("button", { name: "Shoot" }).waitFor({ state: "hidden" });
+  await picture(page, "game-choice");
+  await page.getByRole("button", { name: "Rack again and break" }).click();
+  expect(await bar(page)).toMatch(/Bea: rack again and break\. The balls are racked again\./);
+  expect(await bar(page)).toMatch(/Bea to shoot/);
+  expect((await shotOf(page)).balls).toHaveLength(16);
+});
+
+test("a ball and its pocket are called by a tap on each, and a shot without a call is refused", async ({
+  open,
+}) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await begin(page, { game: "straight-pool" });
+  expect(await bar(page)).toMatch(/Call a ball and its pocket, or a safety/);
+  await page.getByRole("button", { name: "Shoot" }).click();
+  expect(await page.getByRole("alert").textContent()).toMatch(/nothing is called/);
+  const tap = async (x: number, y: number): Promise<void> => {
+    const spot = await onPage(page, x, y);
+    await page.mouse.click(spot.x, spot.y);
+    await settled(page);
+  };
+  const azimuth = (await shotOf(page)).strike!.azimuth_deg;
+  const five = (await shotOf(page)).balls.find(({ id }) => id === "5")!.position;
+  await tap(five[0], five[1]);
+  await page.getByRole("button", { name: "Shoot" }).click();
+  expect(await page.getByRole("alert").textContent()).toMatch(/Call the pocket too/);
+  const [x, y] = await page.evaluate(
+    () =>
+      window.carom!.store.shot.geometry.pockets.find(({ name }) => name === "top-right")!.center,
+  );
+  await tap(x, y);
+  expect((await stateOf(page)).call).toEqual({ kind: "pocket", ball: "5", into: "top-right" });
+  expect(await bar(page)).toMatch(/Called: ball 5, top right pocket/);
+  expect((await shotOf(page)).strike!.azimuth_deg).toBe(azimuth);
+  await picture(page, "game-call");
+  await page.getByRole("button", { name: "Safety" }).click();
+  await page.getByRole("button", { name: "Shoot" }).click();
+  await expect.poll(async () => (await stateOf(page)).moves?.length).toBe(1);
+});
+
+test("undo takes a shot back, redo plays it again, and the link opens the same game", async ({
+  open,
+}) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await begin(page);
+  await foul(page);
+  const after = await stateOf(page);
+  await page.getByRole("button", { name: "Undo: Ann’s shot" }).click();
+  expect((await stateOf(page)).moves).toEqual([]);
+  expect(await bar(page)).toMatch(/Ann to shoot/);
+  await page.getByRole("button", { name: "Redo: Ann’s shot" }).click();
+  expect(await stateOf(page)).toEqual(after);
+  await page.getByRole("button", { name: "Share" }).click();
+  const link = await page.getByLabel("Link", { exact: true }).inputValue();
+  const other = await open({ hash: new URL(link).hash, reducedMotion: "reduce" });
+  expect(await stateOf(other)).toEqual(after);
+  expect(await bar(other)).toBe(await bar(page));
+});
+
+test("a link whose moves the rules do not allow is refused, and tells the move", async ({
+  open,
+}) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await begin(page, { game: "eight-ball" });
+  await foul(page);
+  const hash = await page.evaluate(() => {
+    const { game } = window.carom!.store.document;
+    return JSON.stringify(game);
+  });
+  const broken = hash.replace('"cue_ball":[0.635,', '"cue_ball":[0.635,9+').replace("9+", "9");
+  expect(broken).not.toBe(hash);
+  const refused = await page.evaluate((text) => {
+    const { store } = window.carom!;
+    const game = JSON.parse(text) as NonNullable<typeof store.document.game>;
+    return [store.apply({ game }, "try"), store.session.refusal?.message] as const;
+  }, broken);
+  expect(refused[0]).toBe(false);
+  expect(refused[1]).toMatch(/^Move 1 of this game: cue_ball: .* behind the head string/);
+});
+
+test("ending the game frees the table again", async ({ open }) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await begin(page);
+  expect(await page.getByRole("tab", { name: "Layout" }).isVisible()).toBe(false);
+  await page.getByRole("button", { name: "End the game" }).click();
+  expect(await page.locator("#game-bar").isVisible()).toBe(false);
+  await page.getByRole("tab", { name: "Layout" }).click();
+  await page.getByRole("radio", { name: "9", exact: true }).click();
+  await page.getByRole("button", { name: "Remove" }).click();
+  expect((await shotOf(page)).balls).toHaveLength(9);
+});
+
+test("with errors a shot strays, and is the same for the same seed", async ({ open }) => {
+  const play = async (): Promise<unknown> => {
+    const page = await open({ reducedMotion: "reduce" });
+    await page.getByRole("tab", { name: "Game" }).click();
+    await page.locator("#panel-game").getByLabel("Errors").first().selectOption("beginner");
+    await begin(page);
+    await page.getByRole("button", { name: "Shoot" }).click();
+    const [move] = (await stateOf(page)).moves!;
+    return move;
+  };
+  const first = (await play()) as { play: { strike: { speed: number } } };
+  expect(first.play.strike.speed).not.toBe(8);
+  expect(await play()).toEqual(first);
+});

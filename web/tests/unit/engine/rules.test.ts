@@ -1,0 +1,136 @@
+import { describe, expect, test } from "vitest";
+import {
+  CaromError,
+  type Choice,
+  type FrameState,
+  load,
+  type Play,
+  type Ruling,
+  type Strike,
+} from "../../../src/engine/index.js";
+import { read } from "./files.js";
+
+const engine = await load();
+
+type Move = ({ readonly play: Play; readonly hash: string } | { readonly choice: Choice }) & {
+  readonly ruling: Ruling;
+};
+
+interface Golden {
+  readonly game: string;
+  readonly seed: number;
+  readonly moves: readonly Move[];
+  readonly end: FrameState;
+}
+
+const GAMES = JSON.parse(read("goldens/games.json")) as Golden[];
+
+const STRIKE: Strike = { speed: 8, azimuth: Math.PI / 2, elevation: 0, side: 0, height: 0 };
+
+describe("the same moves get the native engine's rulings, and its shots to the bit", () => {
+  test.each(GAMES.map((golden) => [golden.game, golden] as const))("%s", (game, golden) => {
+    const frame = engine.frame(game, { seed: golden.seed });
+    for (const move of golden.moves) {
+      if ("choice" in move) {
+        expect(frame.choose(move.choice)).toEqual(move.ruling);
+        continue;
+      }
+      const { ruling, trace } = frame.play(move.play);
+      expect(ruling).toEqual(move.ruling);
+      expect(trace.hash).toBe(move.hash);
+      trace.free();
+    }
+    expect(frame.state).toEqual(golden.end);
+  });
+
+  test("every game is among them, and a choice too", () => {
+    expect(GAMES.map(({ game }) => game)).toEqual(engine.ruleSets);
+    expect(GAMES.flatMap(({ moves }) => moves).some((move) => "choice" in move)).toBe(true);
+  });
+});
+
+test("a copy goes its own way", () => {
+  const frame = engine.frame("nine-ball", { seed: 7 });
+  const before = frame.state;
+  const twin = frame.copy();
+  twin.play({ strike: STRIKE });
+  expect(twin.state.shots).toBe(1);
+  expect(frame.state).toEqual(before);
+});
+
+test("the shot of a play is the one that is played", () => {
+  const frame = engine.frame("eight-ball", { seed: 3 });
+  const play: Play = { strike: STRIKE, cue_ball: [0.6, 0.5] };
+  const shot = frame.shot(play);
+  expect(shot.simulate().hash).toBe(frame.copy().play(play).trace.hash);
+  // What a shot file of it says is the same shot.
+  expect(engine.shot(shot.json()).simulate().hash).toBe(shot.simulate().hash);
+});
+
+test("the region of a cue ball in hand has its box; out of it, and in another ball, it is refused", () => {
+  const pool = engine.frame("nine-ball");
+  expect(pool.handBounds).toEqual([
+    [0, 0],
+    [1.27, 0.635],
+  ]);
+  const refusal = (cue_ball: readonly [number, number]) => {
+    try {
+      pool.play({ strike: STRIKE, cue_ball });
+      return null;
+    } catch (error) {
+      return error as CaromError;
+    }
+  };
+  expect(refusal([0.6, 0.7])).toMatchObject({ name: "CaromError", place: "cue_ball" });
+  expect(refusal([0.6, 0.7])?.message).toMatch(/behind the head string/);
+  expect(refusal([0.6, -0.1])).toBeInstanceOf(CaromError);
+  expect(pool.state.shots).toBe(0);
+  expect(engine.frame("three-cushion").handBounds).toBeNull();
+  const [[left, bottom], [right, top]] = engine.frame("snooker").handBounds!;
+  expect(right - left).toBeCloseTo(0.584, 12);
+  expect(top - bottom).toBeCloseTo(0.292, 12);
+});
+
+test("what cannot be called, chosen or racked is refused with its place", () => {
+  const place = (attempt: () => unknown) => {
+    try {
+      attempt();
+      return null;
+    } catch (error) {
+      return (error as CaromError).place;
+    }
+  };
+  const nine = engine.frame("nine-ball");
+  const straight = engine.frame("straight-pool");
+  const pocket = (ball: string, into: "top-left") => ({ kind: "pocket", ball, into }) as const;
+  expect(place(() => nine.play({ strike: STRIKE, call: { kind: "push-out" } }))).toBe("call");
+  expect(place(() => straight.play({ strike: STRIKE }))).toBe("call");
+  expect(place(() => straight.play({ strike: STRIKE, call: pocket("x", "top-left") }))).toBe(
+    "call.ball",
+  );
+  expect(place(() => nine.choose("rebreak"))).toBe("choice");
+  expect(place(() => engine.frame("croquet"))).toBe("game");
+  expect(place(() => engine.frame("snooker", { table: "carom-match" }))).toBe("table");
+  expect(place(() => engine.frame("snooker", { seed: -1 }))).toBe("seed");
+  expect(place(() => engine.frame("three-cushion", { target: 0 }))).toBe("options.target");
+  expect(place(() => engine.usualTable("croquet"))).toBe("game");
+});
+
+test("table and physics are as in a shot file", () => {
+  const frame = engine.frame("nine-ball", { table: "wpa-8ft", physics: { cloth: {} }, seed: 1 });
+  const { file } = frame.shot({ strike: STRIKE });
+  expect(file.table).toBe("wpa-8ft");
+  expect(file.physics).toEqual({ cloth: {} });
+});
+
+test("presets of noise are the engine's: levels of play, then the Olympiad", () => {
+  expect(Object.keys(engine.noisePresets)).toEqual([
+    "beginner",
+    "casual",
+    "club",
+    "advanced",
+    "professional",
+    "olympiad",
+  ]);
+  expect(engine.noisePresets.olympiad).toEqual(engine.olympiad());
+});

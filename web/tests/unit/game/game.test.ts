@@ -1,0 +1,304 @@
+import { describe, expect, test } from "vitest";
+import { CaromError, load, type Strike } from "../../../src/engine/index.ts";
+import { documentOf } from "../../../src/app/actions.ts";
+import type { Context } from "../../../src/app/context.ts";
+import { areasOf } from "../../../src/app/game/areas.ts";
+import { type Game, newGame, type Setup } from "../../../src/app/game/game.ts";
+import {
+  announceCall,
+  askedShot,
+  canAim,
+  choose,
+  endGame,
+  playShot,
+  shownCall,
+  standing,
+  startGame,
+  tapBall,
+  tapPocket,
+} from "../../../src/app/game/play.ts";
+import { progressOf } from "../../../src/app/game/progress.ts";
+import { freePlace, handOf, referee } from "../../../src/app/game/referee.ts";
+import { Store } from "../../../src/app/store.ts";
+
+const engine = await load();
+
+const said: string[] = [];
+const context = { engine, announce: (text: string) => said.push(text) } as unknown as Context;
+
+const SHOT = {
+  format: "carom-shot/1",
+  table: "wpa-9ft",
+  balls: [{ id: "cue", position: [0.5, 0.6] }],
+  strike: { ball: "cue", speed: 2, azimuth_deg: 80 },
+} as const;
+
+function setup(rules: string, more: Partial<Setup> = {}): Setup {
+  return { rules, options: { seed: 7 }, names: ["Ann", "Bea"], skills: [null, null], ...more };
+}
+
+function begun(rules: string, more: Partial<Setup> = {}): Store {
+  const store = new Store(referee(engine), documentOf(SHOT));
+  expect(startGame(store, context, setup(rules, more))).toBe(true);
+  return store;
+}
+
+/** Softly along the table, away from every ball: a foul wherever one must hit something. */
+function foul(store: Store): void {
+  store.strike({ speed: 0.3, azimuth_deg: 180 }, "aim");
+  shootOnce(store);
+}
+
+/** @returns The hash of the shot; null if it was refused. */
+function shootOnce(store: Store): string | null {
+  let hash: string | null = null;
+  playShot(store, context, (trace) => (hash = trace.hash));
+  return hash;
+}
+
+const refusal = (store: Store) => store.session.refusal?.message ?? "";
+const request = (store: Store) => standing(store, engine)!.frame.state.request;
+
+describe("a game", () => {
+  test.each(engine.ruleSets)("of %s begins with a shot that can be aimed at", (rules) => {
+    const store = begun(rules);
+    expect(canAim(store, engine)).toBe(true);
+    expect(store.document.shot.strike.ball).toBe(askedShot(store, engine)!.cue_ball);
+    expect(store.ghost.trace).not.toBeNull();
+  });
+
+  test("plays the shot that is shown, to the bit, wherever it is aimed", () => {
+    for (const azimuth of [10.1234, 77.7777, 181.003, 359.9]) {
+      const store = begun("nine-ball");
+      store.strike({ azimuth_deg: azimuth, side: 0.31, elevation_deg: 7.7 }, "aim");
+      const shown = store.ghost.trace!.hash;
+      expect(shootOnce(store)).toBe(shown);
+    }
+  });
+
+  test("goes on with the balls where they end, and is taken back by undo", () => {
+    const store = begun("nine-ball");
+    const before = store.document;
+    shootOnce(store);
+    const { frame, steps, trace } = standing(store, engine)!;
+    expect(steps).toHaveLength(1);
+    expect(store.undoLabel).toBe("Ann’s shot");
+    const lying = Object.fromEntries(
+      store.shot.balls.map(({ id, position: [x, y] }) => [id, [x, y]]),
+    );
+    expect(lying).toEqual(frame.state.balls);
+    expect(trace!.shot.balls).toHaveLength(10);
+    store.undo();
+    expect(store.document).toBe(before);
+    store.redo();
+    // What is known of a move is not found out again.
+    expect(standing(store, engine)!.trace).toBe(trace);
+  });
+
+  test("ends: then nothing is shot, and it can be left", () => {
+    // The usual break of this rack pockets the nine.
+    const store = begun("nine-ball", { options: { seed: 1 } });
+    shootOnce(store);
+    expect(request(store)).toMatchObject({ kind: "over", winner: 0 });
+    expect(canAim(store, engine)).toBe(false);
+    expect(shootOnce(store)).toBeNull();
+    expect(refusal(store)).toMatch(/No shot is asked now/);
+    endGame(store);
+    expect(store.document.game).toBeNull();
+    expect(canAim(store, engine)).toBe(true);
+  });
+
+  test("played again from its moves stands the same", () => {
+    const store = begun("snooker");
+    foul(store);
+    choose(store, context, "play-on");
+    shootOnce(store);
+    const game = store.document.game!;
+    const copy = JSON.parse(JSON.stringify(game)) as Game;
+    const [a, b] = [progressOf(engine, game), progressOf(engine, copy)];
+    expect(b).not.toBe(a);
+    expect(b.frame.state).toEqual(a.frame.state);
+    expect(b.steps).toEqual(a.steps);
+    expect(b.trace!.hash).toBe(a.trace!.hash);
+  });
+
+  test("with a set-up or a move that is none is refused, and tells which", () => {
+    expect(() => progressOf(engine, newGame(setup("croquet")))).toThrow(CaromError);
+    const store = new Store(referee(engine), documentOf(SHOT));
+    expect(startGame(store, context, setup("snooker", { options: { table: "carom-match" } }))).toBe(
+      false,
+    );
+    expect(refusal(store)).toMatch(/^table/);
+    const moves = [{ choice: "rebreak" as const }];
+    expect(() => progressOf(engine, { ...newGame(setup("nine-ball")), moves })).toThrow(
+      /^Move 1 of this game: choice/,
+    );
+  });
+});
+
+describe("the referee", () => {
+  test("lets nothing be moved, added, removed or changed but a cue ball in hand", () => {
+    const store = begun("nine-ball");
+    const { shot } = store.document;
+    const [cue, one] = [shot.balls[0]!, shot.balls[1]!];
+    const without = shot.balls.filter((ball) => ball !== one);
+    const tries = [
+      { ...shot, balls: [cue, { ...one, position: [0.3, 0.3] as const }, ...without.slice(1)] },
+      { ...shot, balls: without },
+      { ...shot, balls: [...shot.balls, { id: "x", position: [0.3, 1.0] as const }] },
+      { ...shot, balls: [{ ...cue, mass: 0.2 }, ...shot.balls.slice(1)] },
+      { ...shot, table: "wpa-8ft" },
+      { ...shot, physics: "poolfiz" },
+      { ...shot, strike: { ...shot.strike, ball: "1" } },
+    ];
+    const refused = tries.map((next) => {
+      expect(store.apply({ shot: next }, "try")).toBe(false);
+      expect(store.document.shot).toBe(shot);
+      return refusal(store);
+    });
+    expect(refused.slice(0, 3).every((text) => text.includes("balls stay where they lie"))).toBe(
+      true,
+    );
+    expect(refused[4]).toMatch(/table and physics stay/);
+    expect(refused[6]).toMatch(/the cue ball is struck/);
+  });
+
+  test("keeps a cue ball in hand in its region, and off the others", () => {
+    const store = begun("nine-ball");
+    const put = (x: number, y: number) =>
+      store.apply(({ shot }) => {
+        const [cue, ...others] = shot.balls;
+        return { shot: { ...shot, balls: [{ ...cue!, position: [x, y] }, ...others] } };
+      }, "move");
+    expect(put(0.3, 0.3)).toBe(true);
+    expect(put(0.3, 0.7)).toBe(false);
+    expect(refusal(store)).toMatch(/behind the head string/);
+    shootOnce(store);
+    foul(store);
+    const hand = handOf(standing(store, engine)!);
+    expect(hand).toBe("cue");
+    expect(put(0.3, 1.9)).toBe(true);
+    const other = store.shot.balls[1]!.position;
+    expect(put(other[0], other[1])).toBe(false);
+  });
+
+  test("finds a free place for a cue ball that is down", () => {
+    const store = begun("snooker");
+    const progress = standing(store, engine)!;
+    const place = freePlace(progress, "cue")!;
+    expect(place).toEqual(store.document.shot.balls[0]!.position);
+    expect(freePlace(progress, "blue")).not.toBeNull();
+    expect(freePlace(standing(begun("three-cushion"), engine)!, "cue")).toBeNull();
+  });
+});
+
+describe("calls", () => {
+  test("are made by a tap on a ball and one on a pocket, in any order", () => {
+    const store = begun("straight-pool");
+    const pocket = store.shot.geometry.pockets.find(({ name }) => name === "left")!;
+    expect(tapPocket(store, engine, pocket.center)).toBe(true);
+    expect(shootOnce(store)).toBeNull();
+    expect(refusal(store)).toMatch(/Call the ball too/);
+    tapBall(store, engine, "cue");
+    expect(store.document.game!.call).toEqual({ kind: "pocket", into: "left" });
+    tapBall(store, engine, "4");
+    expect(store.document.game!.call).toEqual({ kind: "pocket", ball: "4", into: "left" });
+    expect(tapPocket(store, engine, [0.6, 1.2])).toBe(false);
+    expect(shootOnce(store)).not.toBeNull();
+    expect(store.document.game!.moves[0]).toMatchObject({
+      play: { call: { kind: "pocket", ball: "4", into: "left" } },
+    });
+    // The next player begins without a call.
+    expect(store.document.game!.call).toBeNull();
+  });
+
+  test("that the game does not ask for are not made by taps, and refused when shot", () => {
+    const store = begun("nine-ball");
+    tapBall(store, engine, "4");
+    expect(tapPocket(store, engine, store.shot.geometry.pockets[0]!.center)).toBe(false);
+    expect(store.document.game!.call).toBeNull();
+    announceCall(store, { kind: "push-out" });
+    expect(shootOnce(store)).toBeNull();
+    expect(refusal(store)).toMatch(/push-out is allowed in the first shot/);
+  });
+
+  test("can be what the lines show", () => {
+    const store = begun("straight-pool");
+    expect(shownCall(begun("nine-ball"), engine)).toBeNull();
+    store.strike({ speed: 9, azimuth_deg: 90 }, "aim");
+    const drop = store.ghost.trace!.outcome.pocketed.find(([ball]) => ball !== "cue");
+    const call = drop ? { kind: "pocket", ball: drop[0], into: drop[1] } : null;
+    expect(shownCall(store, engine)).toEqual(call);
+  });
+});
+
+test("a choice is answered with what was offered", () => {
+  const store = begun("eight-ball");
+  store.strike({ speed: 1 }, "a soft break");
+  shootOnce(store);
+  expect(request(store)).toMatchObject({ kind: "choice", player: 1 });
+  expect(canAim(store, engine)).toBe(false);
+  choose(store, context, "spot-eight");
+  expect(refusal(store)).toMatch(/not among the choices/);
+  choose(store, context, "rebreak");
+  expect(request(store)).toMatchObject({ kind: "shot", player: 1, in_hand: "behind-head-string" });
+  expect(store.undoLabel).toBe("Bea: rack again and break");
+  expect(store.document.shot.strike.speed).toBe(8);
+});
+
+describe("errors of a player", () => {
+  const strike = (store: Store): Strike => {
+    shootOnce(store);
+    const [move] = store.document.game!.moves;
+    return (move as { play: { strike: Strike } }).play.strike;
+  };
+
+  test("move the strike of who has them, the same way for the same seed", () => {
+    const exact = strike(begun("nine-ball"));
+    const erring = strike(begun("nine-ball", { skills: ["beginner", null] }));
+    expect(erring).not.toEqual(exact);
+    expect(strike(begun("nine-ball", { skills: ["beginner", null] }))).toEqual(erring);
+    expect(strike(begun("nine-ball", { skills: [null, "beginner"] }))).toEqual(exact);
+  });
+
+  test("are those that the engine draws", () => {
+    const store = begun("nine-ball", { skills: ["club", null] });
+    const { strikes } = store.shot.vary(engine.noisePresets.club!, 7, 0, 1);
+    expect(Object.values(strike(store))).toEqual([...strikes]);
+  });
+
+  test("with which the shot could not be played are drawn again", () => {
+    for (const seed of [1, 2, 3, 4, 5]) {
+      const store = begun("nine-ball", { options: { seed }, skills: ["beginner", null] });
+      store.strike({ side: 0.45, height: 0.1 }, "far out");
+      expect(shootOnce(store), refusal(store)).not.toBeNull();
+    }
+  });
+});
+
+describe("on the cloth", () => {
+  const areas = (store: Store) =>
+    areasOf(store.document.game!, standing(store, engine)!, store.shot.geometry, 0.028);
+
+  test("the region of the cue ball in hand is marked: a half disk for the D", () => {
+    const [d] = areas(begun("snooker"));
+    expect(d!.outline.length).toBeGreaterThan(20);
+    expect(Math.max(...d!.outline.map(([, y]) => y))).toBeCloseTo(0.737, 9);
+    const [kitchen] = areas(begun("eight-ball"));
+    expect(kitchen!.outline).toEqual([
+      [0, 0],
+      [1.27, 0],
+      [1.27, 0.635],
+      [0, 0.635],
+    ]);
+  });
+
+  test("what is called, and a few balls that are on, are ringed", () => {
+    const store = begun("straight-pool");
+    expect(areas(store)).toHaveLength(1);
+    announceCall(store, { kind: "pocket", ball: "4", into: "left" });
+    expect(areas(store)).toHaveLength(3);
+    // The region and the one.
+    expect(areas(begun("nine-ball"))).toHaveLength(2);
+  });
+});
