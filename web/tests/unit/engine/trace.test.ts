@@ -153,6 +153,9 @@ test("what was freed is gone, and what came from it lives on", () => {
   expect(shot.simulate().statesAt(1)).toEqual(states);
 });
 
+/** What the shots of the traces may take (bytes) until the garbage collector comes round. */
+const SHOTS = 1e6;
+
 test("memory that is freed is used again", async () => {
   const { memory } = await initialised({ module_or_path: engine.module });
   const shot = engine.breakShot("eight-ball");
@@ -167,5 +170,5 @@ test("memory that is freed is used again", async () => {
   const before = memory.buffer.byteLength;
   // Kept, these traces would take tens of megabytes.
   rounds(200);
-  expect(memory.buffer.byteLength).toBe(before);
+  expect(memory.buffer.byteLength - before).toBeLessThan(SHOTS);
 });
