@@ -114,13 +114,7 @@ impl Frame {
         let read = |json: Option<String>| json.map(|text| Node::from_json(&text)).transpose();
         let frame = || {
             let options = Options { target, miss, patience };
-            carom_rules::Frame::new(
-                Rules::read(game)?,
-                options,
-                read(table)?,
-                read(physics)?,
-                seed,
-            )
+            carom_rules::Frame::new(Rules::read(game)?, options, read(table)?, read(physics)?, seed)
         };
         frame().map(Self).map_err(|e| to_exception(&e))
     }

@@ -82,35 +82,45 @@ test("the played shot is the one that was shown, to the bit", async ({ open }) =
   expect(await page.locator("#hash").textContent()).toBe(shown);
 });
 
-test("a foul gives ball in hand; the cue ball stays in its region, and the others where they lie", async ({
-  open,
-}) => {
+/** Drags from one place of the table to another, and holds on there. */
+async function drag(
+  page: Page,
+  from: readonly number[],
+  to: readonly [number, number],
+): Promise<void> {
+  const [a, b] = [await onPage(page, from[0]!, from[1]!), await onPage(page, ...to)];
+  await page.mouse.move(a.x, a.y);
+  await page.mouse.down();
+  await page.mouse.move(b.x, b.y);
+  await settled(page);
+}
+
+test("a cue ball in hand can be dragged within its region, and no further", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce", viewport: SMALL });
   await begin(page, { game: "snooker" });
   expect(await bar(page)).toMatch(/A red is on\. The cue ball is in hand, in the D\./);
-  const before = await stateOf(page);
-  const drag = async (from: readonly number[], to: readonly [number, number]): Promise<void> => {
-    const [a, b] = [await onPage(page, from[0]!, from[1]!), await onPage(page, ...to)];
-    await page.mouse.move(a.x, a.y);
-    await page.mouse.down();
-    await page.mouse.move(b.x, b.y);
-    await settled(page);
-  };
-  const place = (id: string) => before.balls.find((ball) => ball.id === id)!.position;
-  await drag(place("cue"), [0.7, 1.5]);
+  const { balls } = await stateOf(page);
+  await drag(page, balls[0]!.position, [0.7, 1.5]);
   expect(await page.getByRole("alert").textContent()).toMatch(/in the D/);
   await page.mouse.up();
-  expect((await stateOf(page)).balls).toEqual(before.balls);
-  await drag(place("blue"), [0.5, 1.5]);
-  expect(await page.getByRole("alert").textContent()).toMatch(/balls stay where they lie/);
-  await page.mouse.up();
-  expect((await stateOf(page)).balls).toEqual(before.balls);
-  await drag(place("cue"), [0.8, 0.65]);
+  expect((await stateOf(page)).balls).toEqual(balls);
+  await drag(page, balls[0]!.position, [0.8, 0.65]);
   await page.mouse.up();
   const [x, y] = (await stateOf(page)).balls[0]!.position;
   expect(x).toBeCloseTo(0.8, 1);
   expect(y).toBeCloseTo(0.65, 1);
   await picture(page, "game-snooker");
+});
+
+test("the other balls stay where they lie, and the page says why", async ({ open }) => {
+  const page = await open({ reducedMotion: "reduce", viewport: SMALL });
+  await begin(page, { game: "three-cushion" });
+  const { balls } = await stateOf(page);
+  const red = balls.find(({ id }) => id === "red")!;
+  await drag(page, red.position, [0.5, 1.5]);
+  expect(await page.getByRole("alert").textContent()).toMatch(/balls stay where they lie/);
+  await page.mouse.up();
+  expect((await stateOf(page)).balls).toEqual(balls);
 });
 
 test("after a foul of nine-ball the cue ball is in hand, to be put anywhere by keyboard", async ({
