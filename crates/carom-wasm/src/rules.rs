@@ -119,6 +119,21 @@ impl Frame {
         frame().map(Self).map_err(|e| to_exception(&e))
     }
 
+    /// A frame that goes on with the balls of a shot.
+    #[wasm_bindgen(js_name = ofShot)]
+    pub fn of_shot(
+        game: &str,
+        shot: &Shot,
+        target: i32,
+        miss: bool,
+        patience: u32,
+    ) -> Result<Self, JsValue> {
+        let options = Options { target, miss, patience };
+        let frame = Rules::read(game)
+            .and_then(|rules| carom_rules::Frame::of_shot(rules, options, &shot.0));
+        frame.map(Self).map_err(|e| to_exception(&e))
+    }
+
     /// Everything there is to know of the frame, JSON.
     #[wasm_bindgen(js_name = toJson)]
     pub fn to_json(&self) -> String {
@@ -148,6 +163,12 @@ impl Frame {
     pub fn choose(&mut self, choice: &str) -> Result<String, JsValue> {
         let chosen = Choice::read(choice).and_then(|choice| self.0.choose(choice));
         let ruling = chosen.map_err(|e| to_exception(&e))?;
+        Ok(self.0.ruling_node(&ruling).to_json())
+    }
+
+    /// The player whose turn it is gives up; the ruling as JSON.
+    pub fn concede(&mut self) -> Result<String, JsValue> {
+        let ruling = self.0.concede().map_err(|e| to_exception(&e))?;
         Ok(self.0.ruling_node(&ruling).to_json())
     }
 

@@ -13,6 +13,7 @@ import {
   type Frame,
   type FrameOptions,
   type FrameState,
+  type FrameTerms,
   type Geometry,
   type Noise,
   type NoisyBatch,
@@ -29,6 +30,8 @@ import {
 
 export * from "./error.js";
 export * from "./types.js";
+
+const USUAL_TERMS: Required<FrameTerms> = { target: 40, miss: true, patience: 100 };
 
 let loaded: Promise<Engine> | undefined;
 
@@ -138,7 +141,8 @@ class WasmEngine implements Engine {
   }
 
   frame(game: string, options: FrameOptions = {}): Frame {
-    const { table, physics, seed = 0, target = 40, miss = true, patience = 100 } = options;
+    const { table, physics, seed = 0 } = options;
+    const { target, miss, patience } = { ...USUAL_TERMS, ...options };
     const json = (value: unknown) => (value === undefined ? undefined : JSON.stringify(value));
     const start = whole("seed", seed);
     return new WasmFrame(
@@ -146,6 +150,12 @@ class WasmEngine implements Engine {
         () => new wasm.Frame(game, json(table), json(physics), start, target, miss, patience),
       ),
     );
+  }
+
+  frameOf(game: string, shot: Shot, terms: FrameTerms = {}): Frame {
+    const { target, miss, patience } = { ...USUAL_TERMS, ...terms };
+    const handle = handleOf(shot);
+    return new WasmFrame(checked(() => wasm.Frame.ofShot(game, handle, target, miss, patience)));
   }
 
   schema(kind: "shot" | "trace"): object {
@@ -350,6 +360,12 @@ class WasmFrame implements Frame {
 
   choose(choice: Choice): Ruling {
     const ruling = checked(() => this.#handle.choose(choice));
+    this.#state = undefined;
+    return JSON.parse(ruling) as Ruling;
+  }
+
+  concede(): Ruling {
+    const ruling = checked(() => this.#handle.concede());
     this.#state = undefined;
     return JSON.parse(ruling) as Ruling;
   }

@@ -35,7 +35,8 @@ export type Choice =
   | "rebreak-by-other"
   | "spot-eight"
   | "replace"
-  | "spot-frozen";
+  | "spot-frozen"
+  | "spot-nearest";
 
 /** The shot that is asked. */
 export interface ShotRequest {
@@ -87,6 +88,8 @@ export interface FrameState {
     readonly on?: "red" | "color" | "sequence";
     readonly free_ball?: boolean;
     readonly break?: number;
+    /** Snooker: the most that the balls on the table are worth. */
+    readonly points_left?: number;
     /** Three-cushion: innings of each player. */
     readonly innings?: readonly [number, number];
   };
@@ -105,19 +108,23 @@ export interface Ruling {
   readonly racked: boolean;
 }
 
-export interface FrameOptions {
-  /** As in a shot file; default: the game's own. */
-  readonly table?: string | Readonly<Record<string, unknown>>;
-  /** As in a shot file; default: the table's own. */
-  readonly physics?: string | Readonly<Record<string, unknown>>;
-  /** Which of the random racks. Default 0. */
-  readonly seed?: number;
+/** What players can agree on before a frame. */
+export interface FrameTerms {
   /** Points that win straight pool and three-cushion. Default 40. */
   readonly target?: number;
   /** Whether a foul and a miss is called in snooker. Default true. */
   readonly miss?: boolean;
   /** Shots in a row without progress that make a stalemate. Default 100. */
   readonly patience?: number;
+}
+
+export interface FrameOptions extends FrameTerms {
+  /** As in a shot file; default: the game's own. */
+  readonly table?: string | Readonly<Record<string, unknown>>;
+  /** As in a shot file; default: the table's own. */
+  readonly physics?: string | Readonly<Record<string, unknown>>;
+  /** Which of the random racks. Default 0. */
+  readonly seed?: number;
 }
 
 /**
@@ -142,6 +149,8 @@ export interface Frame {
   play(play: Play): { readonly ruling: Ruling; readonly trace: Trace };
   /** Answers a choice. @throws CaromError if none is asked, or not this one. */
   choose(choice: Choice): Ruling;
+  /** The player whose turn it is gives up, and the other wins. @throws CaromError if it is over. */
+  concede(): Ruling;
   /** The same frame once more: to try a shot and go back. */
   copy(): Frame;
   /** Gives the memory back at once; else the garbage collector does. Nothing works afterwards. */

@@ -4,7 +4,7 @@
  * from the slate.
  */
 
-import type { Frame, FrameOptions } from "./rules.js";
+import type { Frame, FrameOptions, FrameTerms } from "./rules.js";
 
 export * from "./rules.js";
 
@@ -380,6 +380,12 @@ export interface Engine {
   usualTable(game: string): string;
   /** Racks a frame of one of the `ruleSets`. @throws CaromError for what makes no sense. */
   frame(game: string, options?: FrameOptions): Frame;
+  /**
+   * A frame that goes on with the balls of a shot, on its table: player 0 shoots from where the cue
+   * ball lies, and balls that the shot does not have are down.
+   * @throws CaromError if the game has no such balls, or would be over with them.
+   */
+  frameOf(game: string, shot: Shot, terms?: FrameTerms): Frame;
   /** The JSON Schema of a file. */
   schema(kind: "shot" | "trace"): object;
 }

@@ -28,12 +28,12 @@ export function firstAim(engine: Engine, game: Game, progress: Progress): AimedS
 
 /** Whether the balls lie as they were racked. */
 function isBreak({ steps }: Progress): boolean {
-  return steps.every((step) => "choice" in step.move) || (steps.at(-1)?.ruling.racked ?? false);
+  return steps.every(({ move }) => !("play" in move)) || (steps.at(-1)?.ruling.racked ?? false);
 }
 
 function usualBreak(engine: Engine, { setup }: Game): AimedShot | null {
   const { table, seed = 0 } = setup.options;
-  if (typeof table === "object" || !engine.games.includes(setup.rules)) return null;
+  if (setup.from || typeof table === "object" || !engine.games.includes(setup.rules)) return null;
   try {
     const shot = engine.breakShot(setup.rules, { seed, ...(table !== undefined && { table }) });
     const { file } = shot;

@@ -66,7 +66,7 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
       }
     } else if (request?.kind === "over") {
       const seed = (game.setup.options.seed ?? 0) + 1;
-      const setup = { ...game.setup, options: { ...game.setup.options, seed } };
+      const setup = { ...game.setup, from: null, options: { ...game.setup.options, seed } };
       buttons.push(answer("Another frame", () => startGame(store, context, setup)));
     }
     row.hidden = buttons.length === 0;

@@ -1,6 +1,6 @@
 /** A game as the document keeps it: how it began, and every move. All else follows from these. */
 
-import type { Call, Choice, FrameOptions, Play } from "../../engine/types.ts";
+import type { Call, Choice, FrameOptions, Play, ShotFile } from "../../engine/types.ts";
 
 /** Seats: who begins, and the other. */
 export type Pair<T> = readonly [T, T];
@@ -9,12 +9,15 @@ export interface Setup {
   /** One of the engine's rule sets. */
   readonly rules: string;
   readonly options: FrameOptions;
+  /** The balls, table and physics with which it goes on; null: the balls are racked. */
+  readonly from: ShotFile | null;
   readonly names: Pair<string>;
   /** Whose errors each player makes: a preset of execution noise, or null for none. */
   readonly skills: Pair<string | null>;
 }
 
-export type Move = { readonly play: Play } | { readonly choice: Choice };
+export type Move =
+  { readonly play: Play } | { readonly choice: Choice } | { readonly concede: true };
 
 /** Immutable. Two games with the same `moves` object are at the same point of the same frame. */
 export interface Game {

@@ -7,7 +7,7 @@ import { mountField } from "../field.ts";
 import { placeBall } from "../gestures.ts";
 import type { Store } from "../store.ts";
 import { mountCalls } from "./calls.ts";
-import { endGame, standing } from "./play.ts";
+import { concede, endGame, standing } from "./play.ts";
 import type { Step } from "./progress.ts";
 import { handOf } from "./referee.ts";
 import { mountSetup } from "./setup.ts";
@@ -41,11 +41,11 @@ function mountHeading(root: HTMLElement, store: Store): void {
   root.append(title, hint);
   store.subscribe(({ document: { game } }) => {
     if (!game) return;
-    const { rules, options, names, skills } = game.setup;
+    const { rules, options, from, names, skills } = game.setup;
     const all = names.map((name, k) => name + (skills[k] ? ` (${skills[k]})` : ""));
     const players = isForOne(rules) ? all.slice(0, 1) : all;
     setText(title, gameName(rules));
-    setText(hint, `${players.join(" against ")}, rack ${options.seed ?? 0}`);
+    setText(hint, `${players.join(" against ")}${from ? "" : `, rack ${options.seed ?? 0}`}`);
   });
 }
 
@@ -106,8 +106,10 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
   });
   const end = h("button", { type: "button", class: "button" }, "End the game");
   end.addEventListener("click", () => endGame(store));
+  const give = h("button", { type: "button", class: "button" }, "Concede");
+  give.addEventListener("click", () => concede(store, context));
   const heading = h("h2", {}, "Shots");
-  root.append(heading, list, h("div", { class: "row" }, watch, end));
+  root.append(heading, list, h("div", { class: "row" }, watch, give, end));
 
   const show = (): void => {
     const { game } = store.document;
@@ -115,6 +117,7 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
     if (!game || !progress || store.session.mode === "replay") return;
     heading.hidden = list.hidden = progress.steps.length === 0;
     watch.hidden = progress.trace === null;
+    give.hidden = progress.frame.state.request.kind === "over" || isForOne(game.setup.rules);
     const items = progress.steps.map((step) =>
       h(
         "li",

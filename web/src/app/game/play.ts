@@ -16,7 +16,7 @@ import type { Store } from "../store.ts";
 import { firstAim } from "./aim.ts";
 import { type Game, type Move, newGame, type Setup } from "./game.ts";
 import { after, type Progress, progressOf, remember } from "./progress.ts";
-import { choiceInWords, gameName, other } from "./words.ts";
+import { choiceInWords, other } from "./words.ts";
 
 /** Executions that are drawn for one shot: the first is played that can be, for some are miscues. */
 const DRAWN = 16;
@@ -41,14 +41,11 @@ export function canAim(store: Store, engine: Engine): boolean {
   return store.document.game === null || askedShot(store, engine) !== null;
 }
 
-export function startGame(store: Store, context: Context, setup: Setup): boolean {
-  const { engine } = context;
+export function startGame(store: Store, { engine }: Context, setup: Setup): boolean {
   const game = newGame(setup);
   try {
     const shot = firstAim(engine, game, progressOf(engine, game));
-    if (!store.apply({ game, shot }, `start ${setup.rules}`)) return false;
-    context.announce(`${gameName(setup.rules)}: ${setup.names[0]} begins.`);
-    return true;
+    return store.apply({ game, shot }, `start ${setup.rules}`);
   } catch (error) {
     return refused(store, error);
   }
@@ -107,6 +104,14 @@ export function choose(store: Store, { engine }: Context, choice: Choice): void 
   } catch (error) {
     refused(store, error);
   }
+}
+
+/** The player whose turn it is gives up. */
+export function concede(store: Store, { engine }: Context): void {
+  const request = standing(store, engine)?.frame.state.request;
+  if (!request || request.kind === "over") return;
+  const { names } = store.document.game!.setup;
+  move(store, engine, { concede: true }, `${names[request.player]} concedes`);
 }
 
 /** @throws CaromError if the move is not allowed. */

@@ -14,7 +14,7 @@ import {
   type Strike,
   type Trace,
 } from "../../engine/index.ts";
-import type { Game, Move } from "./game.ts";
+import type { Game, Move, Setup } from "./game.ts";
 
 /** A move that was made, and what came of it. */
 export interface Step {
@@ -58,10 +58,8 @@ export function progressOf(engine: Engine, game: Game): Progress {
 }
 
 function replayed(engine: Engine, { setup, moves }: Game): Progress {
-  const frame = engine.frame(setup.rules, setup.options);
-  const first = anyShot(frame);
-  let progress: Progress = { frame, start: first.file, steps: [], trace: null };
-  first.free();
+  const frame = begun(engine, setup);
+  let progress: Progress = { frame, start: startOf(engine, setup, frame), steps: [], trace: null };
   moves.forEach((move, index) => {
     const before = progress;
     try {
@@ -76,6 +74,39 @@ function replayed(engine: Engine, { setup, moves }: Game): Progress {
   return progress;
 }
 
+function begun(engine: Engine, { rules, options, from }: Setup): Frame {
+  if (from === null) return engine.frame(rules, options);
+  const shot = engine.shot(from);
+  try {
+    return engine.frameOf(rules, shot, options);
+  } finally {
+    shot.free();
+  }
+}
+
+/** Every ball of the game: those that are down at the start, too, for they can be racked again. */
+function startOf(engine: Engine, { rules, options, from }: Setup, frame: Frame): ShotFile {
+  const file = fileOf(frame);
+  if (from === null) return file;
+  const { table, physics } = file;
+  const racked = engine.frame(rules, {
+    ...options,
+    table,
+    ...(physics !== undefined && { physics }),
+  });
+  const all = fileOf(racked).balls;
+  racked.free();
+  const there = new Map(file.balls.map((ball) => [ball.id, ball]));
+  return { ...file, balls: all.map((ball) => there.get(ball.id) ?? ball) };
+}
+
+function fileOf(frame: Frame): ShotFile {
+  const shot = anyShot(frame);
+  const { file } = shot;
+  shot.free();
+  return file;
+}
+
 /**
  * How a game stands after one move more.
  *
@@ -87,8 +118,8 @@ export function after({ frame, start, steps, trace }: Progress, move: Move): Pro
   const { player } = before.request;
   const next = frame.copy();
   try {
-    if ("choice" in move) {
-      const ruling = next.choose(move.choice);
+    if (!("play" in move)) {
+      const ruling = "choice" in move ? next.choose(move.choice) : next.concede();
       const step = { move, player, before, after: next.state, ruling, potted: [] };
       return { frame: next, start, steps: [...steps, step], trace };
     }

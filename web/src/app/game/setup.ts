@@ -17,6 +17,9 @@ const NAME_LENGTH = 20;
 /** Games that are played to a number of points. */
 const TO_A_TARGET = new Set(["straight-pool", "three-cushion"]);
 
+/** No rack: the frame goes on with what is on the page. */
+const AS_THEY_LIE = "lie";
+
 /** The table of the page, with its physics, instead of a preset. */
 const THIS_TABLE = "this";
 
@@ -36,6 +39,12 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
     select([["", "None"], ...levels.map((level): [string, string] => [level, capital(level)])]),
   ) as [HTMLSelectElement, HTMLSelectElement];
 
+  const start = select([
+    ["", "A new rack"],
+    [AS_THEY_LIE, "The balls as they lie, on this table"],
+  ]);
+  const tableRow = labelled("Table", table);
+  const seedRow = h("div", { class: "pair" }, labelled("Seed of the rack", seed), shuffle());
   const targetRow = labelled("Points that win", target);
   const missRow = h("div", { class: "switch row" }, miss, label(miss, "Call a foul and a miss"));
   const players = [0, 1].map((k) =>
@@ -46,18 +55,20 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
       labelled("Errors", skills[k]!),
     ),
   );
-  const start = (): void => {
+  const begin = (): void => {
     const options = readOptions();
-    if (options) startGame(store, context, { rules: rules.value, options, ...chosen() });
+    const from = start.value === AS_THEY_LIE ? store.shot.file : null;
+    if (options) startGame(store, context, { rules: rules.value, options, from, ...chosen() });
   };
   root.append(
     h("h2", {}, "Play a game"),
     h("p", { class: "hint" }, "Two players at this table, and a referee who knows the rules."),
     labelled("Game", rules),
-    labelled("Table", table),
+    labelled("Begin with", start),
+    tableRow,
+    seedRow,
     targetRow,
     missRow,
-    h("div", { class: "pair" }, labelled("Seed of the rack", seed), shuffle()),
     h("h2", {}, "Players"),
     ...players,
     h(
@@ -66,7 +77,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
       "With errors a shot strays from what is aimed, like that of a player of this level. ",
       "The levels are estimates; the Olympiad’s numbers are published.",
     ),
-    h("div", { class: "row end" }, primary("Start the game", start)),
+    h("div", { class: "row end" }, primary("Start the game", begin)),
   );
 
   function shuffle(): HTMLElement {
@@ -84,20 +95,20 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   }
 
   function readOptions(): FrameOptions | null {
-    const [start, points] = [whole(seed, 0), whole(target, 1)];
-    if (start === null) store.refuse("Seed: write a whole number that is not negative.");
+    const [rack, points] = [whole(seed, 0), whole(target, 1)];
+    if (rack === null) store.refuse("Seed: write a whole number that is not negative.");
     else if (points === null) store.refuse("Points that win: write a whole number above 0.");
-    if (start === null || points === null) return null;
+    if (rack === null || points === null) return null;
     return {
       ...tableOptions(),
-      seed: start,
+      seed: rack,
       ...(TO_A_TARGET.has(rules.value) && { target: points }),
       ...(rules.value === "snooker" && { miss: miss.checked }),
     };
   }
 
   function tableOptions(): Pick<FrameOptions, "table" | "physics"> {
-    if (table.value === "") return {};
+    if (table.value === "" || start.value === AS_THEY_LIE) return {};
     if (table.value !== THIS_TABLE) return { table: table.value };
     const { table: own, physics } = store.document.shot;
     return { table: own, ...(physics !== undefined && { physics }) };
@@ -106,10 +117,12 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   const show = (): void => {
     usual.textContent = `The game’s own (${engine.usualTable(rules.value)})`;
     targetRow.hidden = !TO_A_TARGET.has(rules.value);
+    tableRow.hidden = seedRow.hidden = start.value === AS_THEY_LIE;
     missRow.hidden = rules.value !== "snooker";
     players[1]!.hidden = isForOne(rules.value);
   };
   rules.addEventListener("change", show);
+  start.addEventListener("change", show);
   rules.value = "nine-ball";
   show();
 }

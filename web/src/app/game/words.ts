@@ -91,7 +91,9 @@ export function rulingInWords(step: Step, names: Pair<string>): string {
   const { move, player, ruling, after } = step;
   const name = names[player];
   const said: string[] = [];
-  if ("choice" in move) said.push(`${name}: ${choiceInWords(move.choice, names[other(player)])}`);
+  if ("concede" in move) said.push(`${name} concedes`);
+  else if ("choice" in move)
+    said.push(`${name}: ${choiceInWords(move.choice, names[other(player)])}`);
   else if (ruling.legal) said.push(`${name}: ${legalInWords(step.potted, move.play.call)}`);
   else said.push(`Foul by ${name}: ${ruling.fouls.map(foulInWords).join("; ")}`);
   said.push(...points(ruling, names));
@@ -142,6 +144,7 @@ export function choiceInWords(choice: Choice, opponent: string): string {
     "spot-eight": "spot the eight and shoot",
     replace: `put the balls back, ${opponent} shoots again`,
     "spot-frozen": "spot the touching balls and shoot",
+    "spot-nearest": "spot the nearest ball and shoot from behind the head string",
   };
   return words[choice];
 }

@@ -84,10 +84,11 @@ function gameOf(data: unknown): Game | null {
     Array.isArray(value) && value.length === 2 && value.every(type);
   const isText = (value: unknown) => typeof value === "string";
   if (isRecord(data) && isRecord(data.setup) && Array.isArray(data.moves)) {
-    const { rules, options, names, skills } = data.setup;
+    const { rules, options, from, names, skills } = data.setup;
     const isSound =
       isText(rules) &&
       isRecord(options) &&
+      (from === null || isRecord(from)) &&
       isPair(names, isText) &&
       isPair(skills, (skill) => skill === null || isText(skill)) &&
       (data.call === null || isRecord(data.call)) &&
@@ -99,7 +100,11 @@ function gameOf(data: unknown): Game | null {
 
 function isMove(move: unknown): boolean {
   if (!isRecord(move)) return false;
-  return typeof move.choice === "string" || (isRecord(move.play) && isRecord(move.play.strike));
+  return (
+    typeof move.choice === "string" ||
+    move.concede === true ||
+    (isRecord(move.play) && isRecord(move.play.strike))
+  );
 }
 
 /** Choices that this page does not know are its own first ones: a view is no reason to refuse. */

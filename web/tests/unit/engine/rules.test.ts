@@ -58,6 +58,24 @@ test("a copy goes its own way", () => {
   expect(frame.state).toEqual(before);
 });
 
+test("a frame goes on with the balls of a shot, until one concedes", () => {
+  const shot = engine.shot({
+    format: "carom-shot/1",
+    table: "wpa-9ft",
+    balls: [
+      { id: "cue", position: [0.5, 0.6] },
+      { id: "9", position: [0.6, 1.6] },
+    ],
+  });
+  const frame = engine.frameOf("nine-ball", shot);
+  expect(frame.state.balls).toEqual({ cue: [0.5, 0.6], 9: [0.6, 1.6] });
+  expect(frame.state.request).toMatchObject({ kind: "shot", player: 0, in_hand: null, on: ["9"] });
+  expect(frame.concede().legal).toBe(true);
+  expect(frame.state.request).toMatchObject({ kind: "over", winner: 1 });
+  expect(() => frame.concede()).toThrow(CaromError);
+  expect(() => engine.frameOf("snooker", shot)).toThrow(CaromError);
+});
+
 test("the shot of a play is the one that is played", () => {
   const frame = engine.frame("eight-ball", { seed: 3 });
   const play: Play = { strike: STRIKE, cue_ball: [0.6, 0.5] };

@@ -9,6 +9,7 @@ import {
   askedShot,
   canAim,
   choose,
+  concede,
   endGame,
   playShot,
   shownCall,
@@ -34,7 +35,14 @@ const SHOT = {
 } as const;
 
 function setup(rules: string, more: Partial<Setup> = {}): Setup {
-  return { rules, options: { seed: 7 }, names: ["Ann", "Bea"], skills: [null, null], ...more };
+  return {
+    rules,
+    options: { seed: 7 },
+    from: null,
+    names: ["Ann", "Bea"],
+    skills: [null, null],
+    ...more,
+  };
 }
 
 function begun(rules: string, more: Partial<Setup> = {}): Store {
@@ -229,6 +237,41 @@ describe("calls", () => {
     const drop = store.ghost.trace!.outcome.pocketed.find(([ball]) => ball !== "cue");
     const call = drop ? { kind: "pocket", ball: drop[0], into: drop[1] } : null;
     expect(shownCall(store, engine)).toEqual(call);
+  });
+});
+
+describe("a game that goes on with the balls as they lie", () => {
+  const LAST_TWO = {
+    format: "carom-shot/1",
+    table: "wpa-9ft",
+    balls: [
+      { id: "cue", position: [0.635, 1.4] },
+      { id: "9", position: [0.95, 2.2] },
+    ],
+    strike: { ball: "cue", speed: 2.5, azimuth_deg: 70 },
+  } as const;
+
+  test("is won with the last ball, and lost by who concedes", () => {
+    const store = begun("nine-ball", { from: LAST_TWO });
+    expect(store.shot.balls.map(({ id }) => id)).toEqual(["cue", "9"]);
+    expect(askedShot(store, engine)).toMatchObject({ player: 0, in_hand: null, on: ["9"] });
+    concede(store, context);
+    expect(request(store)).toMatchObject({ kind: "over", winner: 1 });
+    expect(store.undoLabel).toBe("Ann concedes");
+    concede(store, context);
+    expect(store.document.game!.moves).toHaveLength(1);
+  });
+
+  test("has the balls that are down too, should they be racked again", () => {
+    const store = begun("nine-ball", { from: LAST_TWO });
+    expect(standing(store, engine)!.start.balls).toHaveLength(10);
+    expect(store.document.shot.balls).toHaveLength(2);
+  });
+
+  test("is refused where the game has no such balls", () => {
+    const store = new Store(referee(engine), documentOf(SHOT));
+    expect(startGame(store, context, setup("nine-ball", { from: SHOT }))).toBe(false);
+    expect(refusal(store)).not.toBe("");
   });
 });
 

@@ -19,6 +19,7 @@ const game: Game = {
   setup: {
     rules: "nine-ball",
     options: { seed: 7 },
+    from: null,
     names: ["Ann", "Bea"],
     skills: [null, "club"],
   },
