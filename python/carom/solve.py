@@ -67,8 +67,8 @@ class Solution:
     def __str__(self) -> str:
         return (
             f"{self.chance}  {self.kind}: {self.way or '-'}; {self.speed:.2f} m/s, "
-            f"azimuth {math.degrees(self.azimuth) % 360:.2f}°, side {self.side:+.2f}, "
-            f"height {self.height:+.2f}, elevation {math.degrees(self.elevation):.1f}°"
+            f"azimuth {math.degrees(self.azimuth) % 360:.2f}°, side {signed(self.side)}, "
+            f"height {signed(self.height)}, elevation {math.degrees(self.elevation):.1f}°"
         )
 
 
@@ -114,6 +114,11 @@ def solve(
             tell,
         )
     return [_solution(shot, row) for row in found]
+
+
+def signed(offset: float) -> str:
+    """With its sign, to a hundredth; what is rounded to nothing has a plus."""
+    return f"{round(offset, 2) + 0.0:+.2f}"
 
 
 @contextmanager

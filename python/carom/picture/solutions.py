@@ -231,6 +231,8 @@ def _draw_balls(ax: Axes, shot: Shot) -> None:
 def _draw_list(figure: Figure, shown: list[Solution], title: str) -> None:
     from matplotlib.patches import Circle
 
+    from carom.solve import signed
+
     wide, tall = figure.get_size_inches()
     panel = figure.add_axes((1 - PANEL_INCHES / wide, 0, PANEL_INCHES / wide, 1))
     panel.set_xlim(0, PANEL_INCHES)
@@ -256,7 +258,7 @@ def _draw_list(figure: Figure, shown: list[Solution], title: str) -> None:
         lines = (
             *wrap(f"{solution.kind}: {solution.way}" if solution.way else solution.kind, LINE),
             f"{solution.speed:.2f} m/s, azimuth {math.degrees(solution.azimuth) % 360:.1f}°",
-            f"side {solution.side:+.2f}, height {solution.height:+.2f}"
+            f"side {signed(solution.side)}, height {signed(solution.height)}"
             + (f", elevation {raised:.1f}°" if raised else ""),
         )
         panel.text(
