@@ -12,7 +12,6 @@ rest is timed on one shot of ``shots/``. The result is kept in ``benches/results
 from __future__ import annotations
 
 import json
-import os
 import re
 import shutil
 import subprocess
@@ -41,7 +40,7 @@ COUNTED = (8, 40)
 
 def main() -> int:
     """Measures, prints, stores."""
-    result: dict[str, Any] = report.where() | {"variants": VARIANTS, "cores": os.cpu_count()}
+    result: dict[str, Any] = report.where() | {"variants": VARIANTS}
     result["evaluate"] = evaluations()
     result |= instructions()
     result["others_ms"] = others()
