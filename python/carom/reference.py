@@ -6,6 +6,7 @@ import json
 from typing import Any, Literal
 
 from carom import _core
+from carom.errors import InputError
 
 
 def tables() -> list[dict[str, Any]]:
@@ -16,11 +17,20 @@ def tables() -> list[dict[str, Any]]:
     return _core.tables()
 
 
-def schema(kind: Literal["shot", "trace"] = "shot") -> dict[str, Any]:
-    """The JSON Schema of the shot file or of the trace.
+def schema(kind: Literal["shot", "trace", "sweep"] = "shot") -> dict[str, Any]:
+    """The JSON Schema of the shot file, of the trace, or of a sweep's spec.
 
     Raises:
         InputError: There is no such file.
     """
-    result: dict[str, Any] = json.loads(_core.schema(kind))
+    if kind == "sweep":
+        # Here, since it takes time to import.
+        from importlib.resources import files
+
+        text = files("carom").joinpath("data", "carom-sweep-1.json").read_text(encoding="utf-8")
+    elif kind in ("shot", "trace"):
+        text = _core.schema(kind)
+    else:
+        raise InputError(f'there is no schema "{kind}"; write "shot", "trace" or "sweep"')
+    result: dict[str, Any] = json.loads(text)
     return result

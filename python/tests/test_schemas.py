@@ -9,7 +9,8 @@ from typing import Any
 import carom
 import jsonschema
 import pytest
-from carom import InputError, Shot
+from carom import InputError, Shot, Sweep
+from carom.sweeps.columns import OUTCOMES
 
 SHOTS = sorted((Path(__file__).parents[2] / "shots").glob("*.json"))
 
@@ -72,6 +73,58 @@ def test_what_the_schema_refuses_the_engine_refuses_too(
     assert not shot_file.is_valid(broken)
     with pytest.raises(InputError):
         Shot.from_dict(broken)
+
+
+SPEC = {
+    "format": "carom-sweep/1",
+    "shots": ["shots/*.json"],
+    "vary": {
+        "strike.speed": {"from": 1, "to": 2, "count": 3},
+        "strike.side": {"normal": [0, 0.1], "relative": True, "name": "english"},
+        "balls.cue.position": {"uniform": [[0.2, 0.2], [1.0, 1.0]]},
+        "physics": {"grid": ["pool", {"base": "pool"}]},
+    },
+    "samples": 10,
+    "sequence": "even",
+    "noise": {"azimuth_deg": 0.1},
+    "variants": 2,
+    "columns": ["pocket"],
+}
+
+BROKEN_SPECS: dict[str, dict[str, Any]] = {
+    "an unknown key": {"sample": 10},
+    "another format": {"format": "carom-sweep/9"},
+    "no shots": {"shots": []},
+    "a path that no shot file has": {"vary": {"stroke.speed": {"grid": [1]}}},
+    "two ways at once": {"vary": {"strike.speed": {"grid": [1], "uniform": [1, 2]}}},
+    "steps without an end": {"vary": {"strike.speed": {"from": 1, "count": 2}}},
+    "a single end": {"vary": {"strike.speed": {"uniform": [1]}}},
+    "a name with a blank": {"vary": {"strike.speed": {"grid": [1], "name": "the speed"}}},
+    "no samples": {"samples": 0},
+    "an unknown sequence": {"sequence": "sobol"},
+    "an unknown error": {"noise": {"azimuth": 0.1}},
+    "an unknown column": {"columns": ["pockets"]},
+}
+
+
+@pytest.mark.parametrize("what", BROKEN_SPECS)
+def test_what_the_schema_of_a_sweep_refuses_is_refused_when_it_is_read(
+    what: str, pot: dict[str, Any]
+) -> None:
+    schema = carom.schema("sweep")
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    whole = SPEC | {"shots": pot}
+    for good in (SPEC, whole, Sweep.from_dict(whole).to_dict()):
+        validator.validate(good)
+    assert not validator.is_valid(whole | BROKEN_SPECS[what])
+    with pytest.raises(InputError):
+        Sweep.from_dict(whole | BROKEN_SPECS[what])
+
+
+def test_a_schema_knows_every_column_of_a_sweep() -> None:
+    known = carom.schema("sweep")["properties"]["columns"]["items"]["enum"]
+    assert known == list(OUTCOMES)
 
 
 def test_a_schema_that_does_not_exist_is_refused() -> None:

@@ -24,9 +24,9 @@ def tables(
 
 
 def schema(
-    kind: Annotated[str, typer.Argument(metavar="[shot|trace]", help="Which file.")] = "shot",
+    kind: Annotated[str, typer.Argument(metavar="[shot|trace|sweep]", help="Which file.")] = "shot",
 ) -> None:
-    """Print the JSON Schema of the shot file or of the trace."""
+    """Print the JSON Schema of the shot file, of the trace or of a sweep's spec."""
     from carom import schema as schema_of
 
     emit(js.dumps(schema_of(kind), indent=2))  # type: ignore[arg-type] # checked there
