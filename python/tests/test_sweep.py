@@ -21,6 +21,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 from carom import InputError, Sweep
+from carom.sweeps.columns import OUTCOMES
 from scipy import special, stats
 
 ROOT = Path(__file__).parents[2]
@@ -61,7 +62,7 @@ def read(folder: Path) -> pa.Table:
 
 
 def test_a_row_is_the_shot_file_with_its_values_in_it(spec: Spec) -> None:
-    sweep = Sweep.from_dict({**spec, "columns": [*carom.sweeps.columns.OUTCOMES]})
+    sweep = Sweep.from_dict({**spec, "columns": [*OUTCOMES]})
     table = sweep.table()
     assert len(table) == len(sweep) == 2 * 5 * 2 * 10
     for row in table.to_pylist()[::13]:

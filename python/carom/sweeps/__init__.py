@@ -7,7 +7,6 @@ sweep.table()                                # a small one, in memory
 Needs pyarrow: ``pip install 'carom[sweep]'``; with Ray ``pip install 'carom[ray]'``.
 """
 
-from carom.sweeps.report import Report
 from carom.sweeps.table import Sweep, sweep
 
-__all__ = ["Report", "Sweep", "sweep"]
+__all__ = ["Sweep", "sweep"]

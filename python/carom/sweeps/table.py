@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any, Self
 from carom.batch import cores
 from carom.errors import InputError
 from carom.shot import read_text
-from carom.sweeps import read
-from carom.sweeps.spec import Spec, load
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
     from carom.sweeps.report import Report
+    from carom.sweeps.spec import Spec
+
+# All else of the package is imported where it is needed: `import carom` shall be quick.
 
 
 class Sweep:
@@ -31,7 +32,6 @@ class Sweep:
     spec: Spec
 
     def __init__(self, spec: Spec) -> None:
-        # Here, since it needs pyarrow, and `import carom` shall be quick.
         from carom.sweeps.play import Player
 
         self.spec = spec
@@ -55,7 +55,9 @@ class Sweep:
             OSError: A file cannot be read.
             InputError: It is no valid spec.
         """
-        return cls.from_dict(read.parse(text), folder=folder)
+        from carom.sweeps.read import parse
+
+        return cls.from_dict(parse(text), folder=folder)
 
     @classmethod
     def from_dict(cls, spec: Mapping[str, Any], *, folder: str | os.PathLike[str] = ".") -> Self:
@@ -65,6 +67,8 @@ class Sweep:
             OSError: A file cannot be read.
             InputError: It is no valid spec.
         """
+        from carom.sweeps.spec import load
+
         return cls(load(spec, Path(folder)))
 
     def to_dict(self) -> dict[str, Any]:
