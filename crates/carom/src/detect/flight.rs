@@ -87,11 +87,15 @@ struct First {
 }
 
 impl First {
-    fn offer(&mut self, t: Option<f64>, feature: TableFeature) {
-        if let Some(t) = t
-            && (t < self.last || (self.found.is_none() && t <= self.last))
-        {
-            *self = Self { found: Some((t, feature)), last: t };
+    /// Returns whether `t` is the earliest so far.
+    #[inline(always)]
+    fn offer(&mut self, t: Option<f64>, feature: TableFeature) -> bool {
+        match t {
+            Some(t) if t < self.last || (self.found.is_none() && t <= self.last) => {
+                *self = Self { found: Some((t, feature)), last: t };
+                true
+            }
+            _ => false,
         }
     }
 }
@@ -197,11 +201,12 @@ impl Flight<'_> {
             return;
         }
         let Table { layout, pockets, .. } = self.table;
-        let field = Track::new(self.path, first.last).bounds().grown(radius);
+        let mut track = Track::new(self.path, first.last);
+        let field = track.bounds().grown(radius);
         if pockets.is_empty() {
             for (i, place) in layout.bounds[..layout.on_cloth].iter().enumerate() {
                 if !field.is_clear_of(place) {
-                    self.meet_part(i, first, last);
+                    self.meet_part(i, first, &mut track, last);
                 }
             }
             return;
@@ -209,7 +214,7 @@ impl Flight<'_> {
         for &nose in layout.nose_quadrants.near(&field) {
             let nose = usize::from(nose);
             if !field.is_clear_of(&layout.bounds[nose]) {
-                self.meet_part(nose, first, last);
+                self.meet_part(nose, first, &mut track, last);
             }
         }
         for &k in layout.mouth_quadrants.near(&field) {
@@ -219,22 +224,24 @@ impl Flight<'_> {
             }
             for (part, place) in &mouth.all {
                 if !field.is_clear_of(place) {
-                    self.meet_part(usize::from(*part), first, last);
+                    self.meet_part(usize::from(*part), first, &mut track, last);
                 }
             }
         }
     }
 
-    /// One edge or wall.
+    /// One edge or wall; `track` is that of the path until what is met first so far.
     #[inline(always)]
-    fn meet_part(&self, i: usize, first: &mut First, last: f64) {
+    fn meet_part(&self, i: usize, first: &mut First, track: &mut Track, last: f64) {
         let shape = &self.table.cushions[i].shape;
-        if Track::new(self.path, first.last).is_clear_of(shape, self.radius) {
+        if track.is_clear_of(shape, self.radius) {
             return;
         }
         let height = self.table.cushion_height;
         let t = edge::first_touch(shape, height, self.radius, self.path, last);
-        first.offer(t, TableFeature::Cushion(i as u16));
+        if first.offer(t, TableFeature::Cushion(i as u16)) {
+            *track = Track::new(self.path, first.last);
+        }
     }
 
     /// The edges of the holes, and below the slate's surface their walls.
