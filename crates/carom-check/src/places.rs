@@ -23,6 +23,15 @@ const SMOOTH: f64 = 1e-11;
 /// A ball that comes to a lip slower than this, m/s, may stop there, however smooth the cloth.
 const HANGS_BELOW: f64 = 1e-3;
 
+/// So far over a lip, in radii, a slow ball may hang as if it stood on the slate: `ON_THE_BRINK` there.
+const BRINK: f64 = 1.000_001e-4;
+
+/// How far a ball that hangs over the lip there comes up to stand on the slate, m.
+pub(crate) fn raised(solid: &Solid, state: &BallState, radius: f64) -> f64 {
+    let over = solid.over_hole(state.position.xy());
+    if over > 0.0 && over <= BRINK * radius { 0.5 * over * over / radius } else { 0.0 }
+}
+
 /// What a ball stands on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ground {
@@ -155,6 +164,11 @@ impl Judge<'_> {
         (p.x.abs() - self.solid.border.x).max(p.y.abs() - self.solid.border.y)
     }
 
+    /// How far over a hole ball `k` of the event may stand, m.
+    fn on_brink(&self, k: usize) -> f64 {
+        TABLE_GAP + BRINK * self.radius(k)
+    }
+
     /// Nothing jumps where a motion state ends by itself.
     fn goes_on(&self, from: MotionState, to: MotionState) -> Option<String> {
         let (before, after) = (self.event.before[0], self.event.after[0]);
@@ -166,7 +180,8 @@ impl Judge<'_> {
             return Some(format!("the flight of ball {ball} ends by itself"));
         }
         let p = before.position.xy();
-        let at_lip = self.solid.over_hole(p).abs() <= TABLE_GAP;
+        let over = self.solid.over_hole(p);
+        let at_lip = (-TABLE_GAP..=self.on_brink(0)).contains(&over);
         if to == MotionState::Airborne {
             let at_edge = match ground(self.solid, &before, radius) {
                 Some(Ground::Bed) => at_lip,
@@ -198,7 +213,7 @@ impl Judge<'_> {
             let p = s.position.xy();
             let over = self.solid.over_hole(p);
             let supported = match ground(self.solid, s, self.radius(k)) {
-                Some(Ground::Bed) => over <= TABLE_GAP,
+                Some(Ground::Bed) => over <= self.on_brink(k),
                 Some(Ground::Top) => self.solid.beside_tops(p) <= TABLE_GAP,
                 None => false,
             };

@@ -133,9 +133,10 @@ fn alone(shot: &Shot, free: &Party, other: &Party, normal: Vec3) -> Result<(), (
         );
         if size > most { Err((excess, text)) } else { Ok(()) }
     };
-    // Balanced on top of another, a ball is taken to lean; the press that parts them does too.
+    // Balanced on top of another, a ball is taken to lean: the blow is up to 2·LEAN off the line of
+    // centres. Where a press parts them, which is along that line, the blow is up to twice what is left.
     let upright = normal.xy().length_squared() < LEAN * LEAN;
-    let leaning = if upright { 2.5 * LEAN * free.push.length() } else { 0.0 };
+    let leaning = if upright { 4.0 * LEAN * free.push.length() } else { 0.0 };
     // The arm of the contact is Rn: I Δω = Rn × J. It tells the part of J across n.
     let about_normal = free.turn.dot(normal).abs();
     wrong(about_normal, free.turn_rounding, "angular momentum about the line of centres")?;

@@ -7,7 +7,7 @@ use carom::event::{Event, EventKind};
 use carom::shot::Shot;
 use carom::{Ball, BallState, MotionState};
 
-use crate::places::TABLE_GAP;
+use crate::places::{self, TABLE_GAP};
 use crate::solid::Solid;
 
 /// Relative rounding that is let pass in sums over the balls of an event.
@@ -42,7 +42,8 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
         }
         // A ball that comes to stand on something is put at its very height.
         let moved = (event.before[k].position - s.position).length();
-        if moved > TABLE_GAP && s.motion != MotionState::Pocketed {
+        let most = TABLE_GAP + places::raised(solid, s, balls[k].radius);
+        if moved > most && s.motion != MotionState::Pocketed {
             let ball = event.balls[k];
             return Some(format!("ball {ball} jumps by {moved:e} m at {:?}", event.kind));
         }
