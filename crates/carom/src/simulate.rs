@@ -33,6 +33,9 @@ use support::Support;
 /// Balls up to which the whole state stays in a processor's fastest memory; more are slower.
 pub const SMALL: usize = 24;
 
+/// Every capacity is a multiple of this: the doubles of the widest vector register.
+const CAPACITY_STEP: usize = 8;
+
 /// Most balls that a shot can have.
 pub const MAX_BALLS: usize = 128;
 
@@ -73,6 +76,19 @@ pub fn simulate<R: Recorder>(shot: &Shot, recorder: &mut R) -> Result<Summary, S
 }
 
 /// The mutable state of a shot of at most `N` balls. Reusable: [`Simulation::load`] starts anew.
+///
+/// `N` is a multiple of 8, since balls are looked at in rows of vector registers, and at most
+/// [`MAX_BALLS`]; other numbers do not compile. [`SMALL`] is the usual one.
+///
+/// ```
+/// # use carom::simulate::Simulation;
+/// let pair: Simulation<8> = Simulation::new();
+/// ```
+///
+/// ```compile_fail
+/// # use carom::simulate::Simulation;
+/// let odd: Simulation<7> = Simulation::new();
+/// ```
 #[derive(Clone, Debug)]
 pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     n: usize,
@@ -154,6 +170,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
 
     /// An empty table.
     pub fn new() -> Self {
+        const {
+            assert!(
+                N > 0 && N.is_multiple_of(CAPACITY_STEP) && N <= MAX_BALLS,
+                "Simulation<N>: N must be a multiple of 8 from 8 to MAX_BALLS; SMALL is the usual one"
+            );
+        }
         Self {
             n: 0,
             ball: [Ball { mass: 0.0, radius: 0.0 }; N],

@@ -30,6 +30,11 @@ impl Frozen {
             let above = position.z - table.cushion_height;
             let radius = placed.ball.radius;
             let reach = radius + TOUCH_TOLERANCE;
+            // No cushion reaches in beyond the noses' lines.
+            let inner = table.layout.half - Vec2::new(reach, reach);
+            if position.x.abs() < inner.x && position.y.abs() < inner.y {
+                continue;
+            }
             for cushion in &table.cushions {
                 let Some((away, distance)) = across(cushion, position.xy(), reach) else {
                     continue;

@@ -10,6 +10,8 @@ use crate::detect::ball_ball::touching_distance;
 /// capacity.
 const BLOCK: usize = 4;
 
+const _: () = assert!(super::CAPACITY_STEP.is_multiple_of(BLOCK));
+
 /// Balls that could not be turned away, in ascending order.
 #[derive(Clone, Debug)]
 pub(super) struct Open<const N: usize> {
