@@ -19,6 +19,7 @@ try:
 except ImportError as error:
     raise ImportError("carom.env needs Gymnasium: pip install 'carom[env]'") from error
 
+from carom import _core
 from carom.env.registry import ENVIRONMENTS, register
 from carom.env.settings import Rewards
 from carom.env.single import CaromEnv
@@ -27,7 +28,19 @@ from carom.env.vector import CaromVectorEnv
 if TYPE_CHECKING:
     from carom.env.match import CaromMatch
 
-__all__ = ["ENVIRONMENTS", "CaromEnv", "CaromVectorEnv", "Rewards", "aec"]
+__all__ = [
+    "ACTIONS",
+    "BALL_FEATURES",
+    "ENVIRONMENTS",
+    "FEATURES",
+    "CaromEnv",
+    "CaromVectorEnv",
+    "Rewards",
+    "aec",
+]
+
+#: What the numbers of an action mean; what is seen of each ball; and what is seen after the balls.
+ACTIONS, BALL_FEATURES, FEATURES = (tuple(names) for names in _core.meanings())
 
 register()
 
