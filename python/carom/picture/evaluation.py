@@ -50,6 +50,7 @@ def draw(evaluation: Evaluation, *, title: str | None = None) -> Figure:
         1 - PANEL_INCHES / figure.get_figwidth(),
         1 - 1.5 * MARGIN_INCHES / figure.get_figheight(),
         f"{title or geometry['name'] or 'shot'}\n\n{evaluation}\n\n"
+        f"{_errors(evaluation)}\n\n"
         f"white: paths of the cue ball, {min(FAN, evaluation.n)} variants\n"
         "glow: where it comes to rest\n"
         f"ellipse: {DEVIATIONS:g} standard deviations",
@@ -99,6 +100,19 @@ def variants(evaluation: Evaluation, count: int) -> list[Shot]:
             # A miscue has no path to draw.
             continue
     return played
+
+
+def _errors(evaluation: Evaluation) -> str:
+    """How the player errs, in words."""
+    noise = evaluation.noise
+    said = (
+        f"σ of the strike: {noise.speed:.3g} m/s, direction {math.degrees(noise.azimuth):.3g}°,\n"
+        f"  elevation {math.degrees(noise.elevation):.3g}°, "
+        f"tip {1e3 * noise.side:.3g} and {1e3 * noise.height:.3g} mm"
+    )
+    if evaluation.perception.position:
+        said += f"\nσ of where balls are seen: {1e3 * evaluation.perception.position:.3g} mm"
+    return said
 
 
 def _draw_fan(ax: Axes, evaluation: Evaluation) -> None:
