@@ -67,6 +67,24 @@ def nine_ball_trace(nine_ball: carom.Shot) -> carom.Trace:
     return nine_ball.simulate()
 
 
+@pytest.fixture
+def spec(pot: dict[str, Any]) -> dict[str, Any]:
+    """A sweep of two layouts, a grid of speeds and of physics, a drawn azimuth."""
+    other = copy.deepcopy(pot)
+    other["balls"].append({"id": "8", "position": [0.9, 1.2]})
+    return {
+        "format": "carom-sweep/1",
+        "shots": [pot, other],
+        "vary": {
+            "strike.speed": {"from": 1.0, "to": 3.0, "count": 5},
+            "physics.cloth.sliding_friction": {"grid": [0.15, 0.2]},
+            "strike.azimuth_deg": {"uniform": [85, 95]},
+        },
+        "samples": 10,
+        "seed": 4,
+    }
+
+
 class CommandLine:
     """Runs ``carom`` in a process of its own."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 import os
 import socket
 from collections.abc import Callable
@@ -74,11 +73,12 @@ class Parts:
     part_rows: int
 
     def __len__(self) -> int:
-        return math.ceil(self.rows / self.part_rows)
+        return (self.rows + self.part_rows - 1) // self.part_rows
 
     def path(self, part: int) -> Path:
         """The file of a part."""
-        return self.folder / f"part-{part:06}.parquet"
+        digits = max(6, len(str(len(self) - 1)))
+        return self.folder / f"part-{part:0{digits}}.parquet"
 
     def range(self, part: int) -> tuple[int, int]:
         """The first row of a part, and the first that is not in it."""
@@ -150,7 +150,7 @@ class Parts:
 
 def default_rows(rows: int) -> int:
     """Rows of a part, which depend on the sweep alone: never on the machine."""
-    return min(max(math.ceil(rows / PARTS), LEAST_ROWS), MOST_ROWS)
+    return min(max(rows // PARTS + 1, LEAST_ROWS), MOST_ROWS)
 
 
 def play_rows(

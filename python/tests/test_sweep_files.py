@@ -1,0 +1,258 @@
+"""`carom sweep` writes parts whole or not at all: a kill changes nothing."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import carom
+import duckdb
+import polars as pl
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+from carom import InputError, Sweep
+from carom.sweeps.parts import Parts
+
+ROOT = Path(__file__).parents[2]
+RACK = ROOT / "shots" / "eight_ball_break.json"
+
+Spec = dict[str, Any]
+
+
+def hashes(folder: Path) -> dict[str, str]:
+    return {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in folder.glob("*.parquet")}
+
+
+def read(folder: Path) -> pa.Table:
+    return pa.concat_tables([pq.read_table(p) for p in sorted(folder.glob("*.parquet"))])
+
+
+# Files.
+
+
+def test_the_same_files_for_any_number_of_threads(spec: Spec, tmp_path: Path) -> None:
+    for threads in (1, 3):
+        report = carom.sweep(spec, tmp_path / str(threads), threads=threads, part_rows=37)
+        assert (report.rows, report.parts, report.parts_before) == (200, 6, 0)
+    assert hashes(tmp_path / "1") == hashes(tmp_path / "3")
+    assert len(hashes(tmp_path / "1")) == 6
+
+
+def test_the_same_rows_in_parts_of_any_size(spec: Spec, tmp_path: Path) -> None:
+    whole = Sweep.from_dict(spec).table()
+    for rows in (1, 64, 1000):
+        carom.sweep(spec, tmp_path / str(rows), part_rows=rows)
+        assert read(tmp_path / str(rows)).equals(whole)
+
+
+def test_the_parts_of_the_largest_tables_are_counted_and_sorted(tmp_path: Path) -> None:
+    parts = Parts(tmp_path, rows=10**17 + 1, part_rows=10**5)
+    assert len(parts) == 10**12 + 1
+    assert parts.range(10**12) == (10**17, 10**17 + 1)
+    names = [parts.path(k).name for k in (0, 9, 10**6, 10**12)]
+    assert names == sorted(names)
+
+
+def test_parts_of_several_row_groups_have_the_same_rows(
+    spec: Spec, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("carom.sweeps.parts.GROUP", 32)
+    carom.sweep(spec, tmp_path, part_rows=150)
+    file = pq.ParquetFile(tmp_path / "part-000000.parquet")
+    assert [file.metadata.row_group(k).num_rows for k in range(5)] == [32, 32, 32, 32, 22]
+    assert read(tmp_path).equals(Sweep.from_dict(spec).table())
+
+
+def test_a_file_says_which_sweep_it_is_of(spec: Spec, tmp_path: Path) -> None:
+    sweep = Sweep.from_dict(spec)
+    sweep.run(tmp_path, part_rows=100)
+    said = pq.read_metadata(tmp_path / "part-000001.parquet").metadata
+    assert said[b"carom.version"].decode() == carom.__version__
+    assert said[b"carom.sweep.sha256"].decode() == sweep.sha256
+    assert said[b"carom.sweep.first_row"] == b"100"
+    again = Sweep.from_json(said[b"carom.sweep"].decode())
+    assert again.sha256 == sweep.sha256
+    manifest = json.loads((tmp_path / "sweep.json").read_text(encoding="utf-8"))
+    assert Sweep.from_dict(manifest["spec"]).sha256 == sweep.sha256
+    field = pq.read_schema(tmp_path / "part-000000.parquet").field("duration")
+    assert field.metadata[b"is"] == b"time of the last event, s"
+
+
+def test_only_what_is_missing_is_played_again(spec: Spec, tmp_path: Path) -> None:
+    carom.sweep(spec, tmp_path, part_rows=25)
+    before = hashes(tmp_path)
+    times = {p.name: p.stat().st_mtime_ns for p in tmp_path.glob("*.parquet")}
+    gone = {"part-000000.parquet", "part-000005.parquet"}
+    for name in gone:
+        (tmp_path / name).unlink()
+    (tmp_path / "part-000005.parquet.elsewhere-1-0.unfinished").write_bytes(b"half")
+    report = carom.sweep(spec, tmp_path)
+    assert (report.parts, report.parts_before, report.rows) == (8, 6, 200)
+    assert hashes(tmp_path) == before
+    for path in tmp_path.glob("*.parquet"):
+        assert (path.stat().st_mtime_ns == times[path.name]) == (path.name not in gone)
+    assert not list(tmp_path.glob("*.unfinished"))
+
+
+def test_a_folder_of_another_sweep_is_refused(spec: Spec, tmp_path: Path) -> None:
+    carom.sweep(spec, tmp_path, part_rows=100)
+    with pytest.raises(InputError, match="another sweep"):
+        carom.sweep(spec | {"seed": 5}, tmp_path)
+    with pytest.raises(InputError, match="parts of 100 rows, and 50 are asked for"):
+        carom.sweep(spec, tmp_path, part_rows=50)
+    manifest = tmp_path / "sweep.json"
+    said = json.loads(manifest.read_text(encoding="utf-8"))
+    manifest.write_text(json.dumps(said | {"carom": "0.0.1"}), encoding="utf-8")
+    with pytest.raises(InputError, match=r"begun by carom 0\.0\.1"):
+        carom.sweep(spec, tmp_path)
+    manifest.unlink()
+    with pytest.raises(InputError, match="belongs to no sweep"):
+        carom.sweep(spec, tmp_path)
+
+
+def test_a_broken_or_strange_part_is_refused_by_name(spec: Spec, tmp_path: Path) -> None:
+    carom.sweep(spec, tmp_path, part_rows=100)
+    second = tmp_path / "part-000001.parquet"
+    second.write_bytes((tmp_path / "part-000000.parquet").read_bytes())
+    with pytest.raises(InputError, match="it is not part 1 of this sweep"):
+        carom.sweep(spec, tmp_path)
+    second.write_bytes(b"PAR1")
+    with pytest.raises(InputError, match=r"part-000001.parquet: it cannot be read"):
+        carom.sweep(spec, tmp_path)
+
+
+def test_two_runs_do_not_write_in_one_folder(spec: Spec, tmp_path: Path) -> None:
+    fcntl = pytest.importorskip("fcntl")
+    carom.sweep(spec, tmp_path)
+    with (tmp_path / "sweep.json").open() as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        with pytest.raises(InputError, match="another run writes there"):
+            carom.sweep(spec, tmp_path)
+
+
+def slow(spec: Spec) -> Spec:
+    """A sweep of some seconds."""
+    return spec | {"shots": [str(RACK)], "samples": 1000}
+
+
+def started(spec: Spec, folder: Path) -> subprocess.Popen[bytes]:
+    """`carom sweep` on its way, with some parts done and some not."""
+    (folder / "spec.json").write_text(json.dumps(spec), encoding="utf-8")
+    command = [sys.executable, "-m", "carom", "sweep", "spec.json", "--out", "out"]
+    command += ["--part-rows", "500"]
+    process = subprocess.Popen(command, cwd=folder, stderr=subprocess.PIPE)
+    deadline = time.monotonic() + 60
+    while len(list((folder / "out").glob("*.parquet"))) < 3:
+        assert process.poll() is None
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+    return process
+
+
+@pytest.mark.parametrize("how", ["SIGKILL", "SIGTERM", "SIGINT"])
+def test_a_killed_run_goes_on_with_nothing_lost_or_doubled(
+    spec: Spec, tmp_path: Path, how: str
+) -> None:
+    spec = slow(spec)
+    process = started(spec, tmp_path)
+    process.send_signal(getattr(signal, how))
+    process.communicate(timeout=60)
+    done = hashes(tmp_path / "out")
+    report = carom.sweep(spec, tmp_path / "out")
+    assert 3 <= report.parts_before == len(done) < report.parts == 20
+    after = hashes(tmp_path / "out")
+    assert done.items() <= after.items()
+    table = read(tmp_path / "out")
+    assert table["row"].to_pylist() == list(range(10_000))
+    assert table.slice(6_000, 300).equals(Sweep.from_dict(spec).table(6_000, 6_300))
+    assert not list((tmp_path / "out").glob("*.unfinished"))
+
+
+def test_ctrl_c_ends_with_130_and_says_how_to_go_on(spec: Spec, tmp_path: Path) -> None:
+    process = started(slow(spec), tmp_path)
+    process.send_signal(signal.SIGINT)
+    _, told = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert told.decode() == "carom: stopped; the same command goes on from here\n"
+    assert not list((tmp_path / "out").glob("*.unfinished"))
+
+
+def test_memory_does_not_grow_with_the_number_of_rows(tmp_path: Path) -> None:
+    # On many threads more parts are under way at once; what is asked is whether they are let go.
+    program = (
+        "import sys, resource, carom\n"
+        "spec = {'format': 'carom-sweep/1', 'shots': sys.argv[1], 'samples': int(sys.argv[2]),\n"
+        "        'vary': {'strike.speed': {'uniform': [0.1, 0.3]}}}\n"
+        "carom.sweep(spec, sys.argv[3], threads=2, part_rows=10_000)\n"
+        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)\n"
+    )
+    peaks = []
+    for samples in (60_000, 300_000):
+        command = [
+            sys.executable,
+            "-c",
+            program,
+            str(RACK),
+            str(samples),
+            str(tmp_path / str(samples)),
+        ]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        peaks.append(int(done.stdout))
+    # Sixteen balls, none of which is hit: the rows that are more would take half as much again.
+    assert peaks[1] < 1.2 * peaks[0]
+
+
+# Queries.
+
+
+def test_duckdb_and_polars_read_the_same_table(spec: Spec, tmp_path: Path) -> None:
+    carom.sweep(spec, tmp_path, part_rows=50)
+    files = str(tmp_path / "*.parquet")
+    table = Sweep.from_dict(spec).table()
+    ones = table.filter(pa.compute.equal(table["first_contact"], "1"))
+    sql = "SELECT count(*), sum(end_x[1]) FROM read_parquet(?) WHERE first_contact = '1'"
+    count, total = duckdb.execute(sql, [files]).fetchone() or (0, 0.0)
+    ours = sum(row[0] for row in ones["end_x"].to_pylist())
+    assert (count, total) == (len(ones), pytest.approx(ours))
+    frame = pl.scan_parquet(files).filter(pl.col("first_contact") == "1")
+    found = frame.select(pl.len(), pl.col("end_x").arr.get(0).sum()).collect().row(0)
+    assert found == (len(ones), pytest.approx(ours))
+
+
+# The command.
+
+
+def test_the_command_writes_the_table_and_prints_a_summary(
+    spec: Spec, tmp_path: Path, run: Callable[..., subprocess.CompletedProcess[str]]
+) -> None:
+    (tmp_path / "shot.json").write_text(json.dumps(spec["shots"][0]), encoding="utf-8")
+    (tmp_path / "spec.json").write_text(json.dumps(spec | {"shots": "shot.json"}), encoding="utf-8")
+    done = run("sweep", "spec.json", "--out", "out", "--json")
+    assert (done.returncode, done.stderr) == (0, "")
+    report = json.loads(done.stdout)
+    assert (report["rows"], report["parts"], report["failed"]) == (100, 1, 0)
+    assert len(read(tmp_path / "out")) == 100
+    again = run("sweep", "-", "--out", "out", stdin=(tmp_path / "spec.json").read_bytes())
+    assert again.returncode == 0
+    assert "1 of the parts were there already" in again.stdout
+
+
+def test_the_command_refuses_a_bad_spec_with_2(
+    run: Callable[..., subprocess.CompletedProcess[str]],
+) -> None:
+    done = run("sweep", "-", "--out", "out", stdin='{"format": "carom-sweep/1"}')
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("carom: shots: the key is missing")
+
+
+def test_carom_is_imported_without_pyarrow() -> None:
+    program = "import carom, sys; assert 'pyarrow' not in sys.modules, 'slow to import'"
+    subprocess.run([sys.executable, "-c", program], check=True)
