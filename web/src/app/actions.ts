@@ -113,38 +113,57 @@ export function redo(store: Store, context: Context): void {
   context.announce(store.redo() ? `Done again: ${label ?? ""}` : "There is nothing to do again.");
 }
 
+/** What a file holds: a shot to aim, and what is to be watched first, if anything. */
+export interface Held {
+  readonly shot: AimedShot;
+  readonly trace: Trace | null;
+}
+
+/**
+ * Reads a shot file or a trace.
+ *
+ * @throws CaromError for what the engine refuses, SyntaxError for what is no JSON.
+ */
+export function held(engine: Engine, json: string): Held {
+  const format = (JSON.parse(json) as { format?: unknown } | null)?.format;
+  if (format === "carom-trace/1") {
+    const trace = engine.trace(json);
+    return { shot: startOf(trace.shot.file), trace };
+  }
+  const shot = engine.shot(json);
+  const { file } = shot;
+  const moving = file.balls.some((ball) => ball.velocity ?? ball.angular_velocity);
+  if (!moving || file.strike) return { shot: aimed(file), trace: null };
+  // Balls that move cannot be aimed at; one can watch them, and take it from where they end.
+  return { shot: startOf(file), trace: shot.simulate() };
+}
+
+/** Why a file cannot be opened, in words. */
+export function notOpened(error: unknown): string {
+  const why = error instanceof SyntaxError ? `It is no JSON: ${error.message}` : errorText(error);
+  return `This file cannot be opened. ${why}`;
+}
+
 /** Opens a shot file or a trace, from JSON. Refused files leave everything as it is. */
 export function open(store: Store, engine: Engine, json: string): boolean {
   try {
-    const format = (JSON.parse(json) as { format?: unknown }).format;
-    if (format === "carom-trace/1") {
-      const trace = engine.trace(json);
-      const opened = store.apply({ ...startOf(trace.shot.file), game: null }, "open a trace");
-      if (opened) replay(store, trace, 0, false);
-      return opened;
-    }
-    const { file } = engine.shot(json);
-    const moving = file.balls.some((ball) => ball.velocity ?? ball.angular_velocity);
-    if (!moving || file.strike)
-      return store.apply({ shot: aimed(file), game: null }, "open a shot");
-    // Balls that move cannot be aimed at; one can watch them, and take it from where they end.
-    const trace = engine.shot(json).simulate();
-    const opened = store.apply({ ...startOf(file), game: null }, "open a shot");
-    if (opened) replay(store, trace, 0, false);
+    const { shot, trace } = held(engine, json);
+    const opened = store.apply({ shot, game: null }, trace ? "open a trace" : "open a shot");
+    if (opened && trace) replay(store, trace, 0, false);
     return opened;
   } catch (error) {
-    store.refuse(`This file cannot be opened. ${errorText(error)}`);
+    store.refuse(notOpened(error));
     return false;
   }
 }
 
 /** The layout of a file whose balls may move, at rest. */
-function startOf(file: ShotFile): { shot: AimedShot } {
+function startOf(file: ShotFile): AimedShot {
   const balls = file.balls.map((ball) => {
     const still: { -readonly [K in keyof BallEntry]: BallEntry[K] } = { ...ball };
     delete still.velocity;
     delete still.angular_velocity;
     return file.strike ? ball : still;
   });
-  return { shot: aimed({ ...file, balls }) };
+  return aimed({ ...file, balls });
 }

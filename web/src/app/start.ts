@@ -1,7 +1,7 @@
 /** What the page opens with: the document inside it, else its address, else a first shot. */
 
 import { CaromError, type Engine, type ShotFile } from "../engine/index.ts";
-import { documentOf, open } from "./actions.ts";
+import { documentOf, held, notOpened, replay } from "./actions.ts";
 import { FIRST_VIEW, type Document, type View } from "./document.ts";
 import { referee } from "./game/referee.ts";
 import { openedByAddress, showInstant } from "./share/address.ts";
@@ -33,17 +33,24 @@ const FIRST_SHOT: ShotFile = {
 export function opened(engine: Engine): Opened {
   const first = documentOf(FIRST_SHOT);
   const inside = document.getElementById("carom-document")?.textContent.trim() ?? "";
-  if (inside !== "") {
+  if (inside !== "") return openedInside(engine, first, inside);
+  return openedByLink(engine, first) ?? { ...nothing(first), welcome: true };
+}
+
+/** What stands in the page itself: nothing comes before it that undo could lead to. */
+function openedInside(engine: Engine, first: Document, json: string): Opened {
+  try {
+    const { shot, trace } = held(engine, json);
+    engine.shot(shot).free();
     return {
-      document: first,
-      view: FIRST_VIEW,
-      welcome: false,
+      ...nothing({ ...first, shot }),
       then: (store) => {
-        open(store, engine, inside);
+        if (trace) replay(store, trace, 0, false);
       },
     };
+  } catch (error) {
+    return { ...nothing(first), then: (store) => store.refuse(notOpened(error)) };
   }
-  return openedByLink(engine, first) ?? { ...nothing(first), welcome: true };
 }
 
 function nothing(first: Document): Opened {
