@@ -22,7 +22,7 @@ const TABS: readonly Tab[] = [
 ];
 
 /** Where the style makes the panel a sheet: there a replay needs the room. */
-const PHONE = "(max-width: 760px)";
+const SHEET = "(max-width: 760px) and (min-height: 480px), (max-width: 639px)";
 
 /** Where the keys lead from a tab, of so many. */
 const KEYS: Readonly<Record<string, (at: number, tabs: number) => number>> = {
@@ -100,7 +100,7 @@ export function mountTabs(root: HTMLElement, store: Store): void {
       earlier.tab = selected;
       earlier.folded = panel.dataset.folded !== undefined;
       select("state");
-      fold(matchMedia(PHONE).matches);
+      fold(matchMedia(SHEET).matches);
     } else {
       select(selected === "state" ? earlier.tab : selected);
       fold(earlier.folded);
