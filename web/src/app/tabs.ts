@@ -10,6 +10,8 @@ interface Tab {
   readonly replay?: boolean;
   /** Only there on a free table: in a game nothing in it may be changed. */
   readonly free?: boolean;
+  /** Not there while a shot is replayed on a free table: for six tabs there is no room. */
+  readonly waits?: boolean;
 }
 
 const TABS: readonly Tab[] = [
@@ -17,7 +19,7 @@ const TABS: readonly Tab[] = [
   { name: "aim", label: "Aim" },
   { name: "layout", label: "Layout", free: true },
   { name: "physics", label: "Physics", free: true },
-  { name: "game", label: "Game" },
+  { name: "game", label: "Game", waits: true },
   { name: "whatif", label: "What if" },
 ];
 
@@ -47,8 +49,10 @@ export function mountTabs(root: HTMLElement, store: Store): void {
   });
   root.append(...buttons);
 
-  const present = ({ replay, free }: Tab) =>
-    (!replay || store.session.mode === "replay") && (!free || store.document.game === null);
+  const present = ({ replay, free, waits }: Tab) => {
+    const [replayed, playing] = [store.session.mode === "replay", store.document.game !== null];
+    return !(replay && !replayed) && !(free && playing) && !(waits && replayed && !playing);
+  };
 
   function show(): void {
     TABS.forEach((tab, index) => {

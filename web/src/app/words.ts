@@ -11,7 +11,8 @@ const TOLERANCE = WORTH_A_WORD / 10;
 
 /** A ball's name within a sentence. */
 export function ballName(id: string): string {
-  return /^\d+$/.test(id) ? `ball ${id}` : `the ${id}${id === "cue" ? " ball" : ""}`;
+  if (/^\d+$/.test(id)) return `ball ${id}`;
+  return /^[a-z]+-\d+$/.test(id) ? id.replace("-", " ") : `the ${id}${id === "cue" ? " ball" : ""}`;
 }
 
 /** A rail's or pocket's name within a sentence. */

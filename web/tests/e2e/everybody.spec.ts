@@ -62,7 +62,7 @@ for (const [name, viewport] of [
       await panel.getByLabel("Game", { exact: true }).selectOption("straight-pool");
       await panel.getByRole("button", { name: "Start the game" }).click();
       await panel.getByRole("button", { name: "Ball and pocket" }).click();
-      await panel.getByLabel("Ball", { exact: true }).selectOption("3");
+      await panel.getByLabel("Called ball").selectOption("3");
       expect(await violations(page), "a call").toEqual([]);
       await panel.getByRole("button", { name: "Safety" }).click();
       await page.evaluate(() => {
@@ -96,10 +96,9 @@ test("tab reaches every control, and the one that has the focus shows it", async
   expect([...reached].some((name) => name.startsWith("Table."))).toBe(true);
 });
 
-test("what if, replay and sharing work by keyboard alone", async ({ open }) => {
-  const page = await open();
-  /** Tabs on to a control, as one does who has no pointer, and presses a key there. */
-  const onto = async (name: RegExp, key: string): Promise<void> => {
+/** @returns Tabs on to a control, as one does who has no pointer, and presses a key there. */
+function byKeyboard(page: Page): (name: RegExp, key: string) => Promise<void> {
+  return async (name, key) => {
     for (let k = 0; k < CONTROLS; k += 1) {
       await page.keyboard.press("Tab");
       const focused = await page.evaluate(() => {
@@ -113,6 +112,31 @@ test("what if, replay and sharing work by keyboard alone", async ({ open }) => {
     }
     throw new Error(`Tab does not reach ${String(name)}.`);
   };
+}
+
+test("two shots and a choice of a game are made by keyboard alone", async ({ open }) => {
+  const page = await open({ reducedMotion: "reduce" });
+  const onto = byKeyboard(page);
+  const moves = () => page.evaluate(() => window.carom!.store.document.game!.moves.length);
+  await onto(/^Aim$/, "ArrowLeft");
+  await page.keyboard.press("ArrowLeft");
+  await onto(/^Game$/, "s"); // as one types in a list: straight pool
+  await onto(/^Start the game$/, "Enter");
+  await onto(/^Safety$/, "Space");
+  await onto(/^Table\./, "ArrowDown");
+  // A soft break is a foul.
+  for (let k = 0; k < 19; k += 1) await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Enter");
+  expect(await moves()).toBe(1);
+  await onto(/breaks$/, "Enter");
+  expect(await moves()).toBe(2);
+  // The table has the focus again.
+  expect(await page.evaluate(() => document.activeElement?.id)).toBe("table");
+});
+
+test("what if, replay and sharing work by keyboard alone", async ({ open }) => {
+  const page = await open();
+  const onto = byKeyboard(page);
   await onto(/^Aim$/, "End");
   await onto(/^Simulate errors/, "Space");
   await page.locator("#variants[data-done=true]").waitFor();

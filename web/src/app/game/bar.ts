@@ -29,7 +29,7 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
   const ruling = h("p", { class: "ruling" });
   const said = h("div", { role: "status", "aria-live": "polite" }, ruling);
   said.append(h("p", { class: "asked" }, title, " ", asked));
-  const answers = h("div", { class: "row answers" });
+  const answers = h("div", { class: "row answers", hidden: true });
   root.append(score, said, answers);
 
   function show(): void {
@@ -69,11 +69,12 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
       const setup = { ...game.setup, from: null, options: { ...game.setup.options, seed } };
       buttons.push(answer("Another frame", () => startGame(store, context, setup)));
     }
+    const texts = (all: Iterable<Element>) => [...all].map((button) => button.textContent).join();
+    if (texts(row.children) === texts(buttons)) return;
+    // The button that was pressed is gone: what comes next is at the table.
+    if (row.contains(document.activeElement)) document.getElementById("table")?.focus();
+    row.replaceChildren(...buttons);
     row.hidden = buttons.length === 0;
-    const same =
-      [...row.children].map((b) => b.textContent).join() ===
-      buttons.map((b) => b.textContent).join();
-    if (!same) row.replaceChildren(...buttons);
   }
 
   let resting: ReturnType<typeof setTimeout> | undefined;

@@ -24,8 +24,10 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
   const kinds = h("div", { class: "row kinds", role: "group", "aria-label": "Announce" });
   const ball = h("select", { id: uniqueId("called-ball") });
   const pocket = h("select", { id: uniqueId("called-pocket") });
-  const ballRow = labelled("Ball", ball);
-  const pocketRow = labelled("Pocket", pocket);
+  const ballLabel = h("label", { for: ball.id });
+  const ballRow = h("div", { class: "labelled" }, ballLabel, ball);
+  const pocketLabel = h("label", { for: pocket.id }, "Called pocket");
+  const pocketRow = h("div", { class: "labelled" }, pocketLabel, pocket);
   const shown = h("button", { type: "button", class: "button" });
   const hint = h("p", { class: "hint" }, "Or tap ball and pocket on the table.");
   root.append(
@@ -71,6 +73,7 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
     const { call } = store.document.game!;
     const nominates = asked.calls.includes("on");
     kinds.hidden = nominates;
+    setText(ballLabel, nominates ? "Nominated ball" : "Called ball");
     showKinds(asked, call);
     ballRow.hidden = !nominates && call?.kind !== "pocket";
     pocketRow.hidden = call?.kind !== "pocket";
@@ -127,8 +130,4 @@ function fill(
     list.replaceChildren(h("option", { value: "" }, "–"), ...values.map(option));
   }
   list.value = value;
-}
-
-function labelled(text: string, control: HTMLElement): HTMLElement {
-  return h("div", { class: "labelled" }, h("label", { for: control.id }, text), control);
 }

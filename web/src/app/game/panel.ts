@@ -30,7 +30,14 @@ export function mountGame(root: HTMLElement, store: Store, context: Context): vo
     setup.hidden = store.document.game !== null;
     table.hidden = !setup.hidden;
   };
-  store.subscribe(show);
+  store.subscribe((now, before) => {
+    if ((now.document.game === null) === (before.document.game === null)) return;
+    const focused = root.contains(document.activeElement);
+    show();
+    root.scrollTop = 0;
+    // The button that was pressed is gone with its form.
+    if (focused) document.getElementById("table")?.focus();
+  });
   show();
 }
 
