@@ -48,7 +48,7 @@ BAR_STEPS = 100_000
 BAR_RATIO = 500
 BAR_RULES = 0.05
 #: The functions of carom-rules that rule on a shot; all the rest of it prepares and plays one.
-RULES = ("carom_rules::facts::Facts::new", "Law::judge", "Frame::settle")
+RULES = ("carom_rules::facts::Facts::new", "games::Game>::judge", "Frame::settle")
 #: Environments and steps under valgrind, which is fifty times slower.
 COUNTED = ("256", "4", "1")
 
