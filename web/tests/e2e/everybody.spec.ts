@@ -1,7 +1,7 @@
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
-import { DESKTOP, expect, onPage, PHONE, shotOf, test } from "./fixture.ts";
+import { DESKTOP, expect, onPage, PHONE, settled, shotOf, test } from "./fixture.ts";
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -182,6 +182,34 @@ test("on a phone everything fits the width, and the sheet folds away for the tab
   const spot = await onPage(page, 1, 2.2);
   expect(spot.x).toBeGreaterThan(0);
   expect(spot.x).toBeLessThan(PHONE.width);
+});
+
+test("at every width all that is to be pressed is on the screen, and a bar's last buttons stand together", async ({
+  open,
+}) => {
+  const page = await open({ reducedMotion: "reduce" });
+  const beyond = () =>
+    page.evaluate(() =>
+      [...document.querySelectorAll(".top button, .tab, .dock button, .dock select")]
+        .filter((element) => element.getBoundingClientRect().right > innerWidth + 1)
+        .map((element) => element.textContent),
+    );
+  const top = async (id: string) => (await page.locator(id).boundingBox())!.y;
+  for (const mode of ["aim", "replay"]) {
+    if (mode === "replay") await page.getByRole("button", { name: "Shoot" }).click();
+    for (const [width, height] of [
+      [320, 568],
+      [667, 375],
+      [761, 600],
+      [800, 450],
+      [1280, 720],
+    ] as const) {
+      await page.setViewportSize({ width, height });
+      await settled(page);
+      expect(await beyond(), `${mode} at ${width} px`).toEqual([]);
+      if (mode === "replay") expect(await top("#take-it")).toBe(await top("#leave-replay"));
+    }
+  }
 });
 
 test("the theme follows the system until one chooses", async ({ open }) => {
