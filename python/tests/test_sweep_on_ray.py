@@ -111,3 +111,18 @@ def test_a_dataset_of_ray_has_the_same_rows_in_order(ran: tuple[Path, dict[str, 
     folder, _ = ran
     found = pq.read_table(folder / "dataset.parquet")
     assert found.equals(Sweep.load(folder / "spec.json").table())
+
+
+@pytest.mark.parametrize("parts", [0, 1, 5, 77, 1000, 200_000])
+@pytest.mark.parametrize("cores", [1, 2, 64])
+def test_tasks_begin_large_end_small_and_have_every_part_once_in_order(
+    parts: int, cores: int
+) -> None:
+    from carom.sweeps.on_ray import _tasks
+
+    tasks = list(_tasks(list(range(parts)), cores))
+    assert [part for task in tasks for part in task] == list(range(parts))
+    sizes = [len(task) for task in tasks]
+    assert sizes == sorted(sizes, reverse=True)
+    assert not sizes or sizes[-1] == 1
+    assert len(tasks) <= 10_000 + 12 * cores

@@ -7,6 +7,7 @@ import math
 import socket
 import warnings
 from collections.abc import Generator
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from carom import __version__
@@ -17,8 +18,13 @@ from carom.sweeps.parts import CHUNK, Parts, Receipt
 if TYPE_CHECKING:
     from carom.sweeps.table import Sweep
 
-# Tasks that Ray is given at most: it keeps all of them in its books.
+# Large tasks that Ray is given at most: it keeps all of them in its books.
 _MOST_TASKS = 10_000
+# Parts of a task at most: some ten seconds of work, beside which the quarter of a second that a
+# core waits for its next task is little.
+_MOST_PARTS = 8
+# Tasks that are left for each core when they begin to shrink, so that all cores end together.
+_LAST_TASKS = 3
 
 
 def start(address: bool | str, threads: int) -> None:
@@ -39,6 +45,19 @@ def start(address: bool | str, threads: int) -> None:
             raise InputError(f"address: no Ray cluster answers at {address!r}; {remedy}") from None
     else:
         ray.init(address="local", num_cpus=threads, include_dashboard=False, **quiet)
+    _wake()
+
+
+def _wake() -> None:
+    """Let every worker load what it will need, and Ray Data what it keeps beside them."""
+
+    def load(batch: pa.Table) -> pa.Table:
+        import_module("carom.sweeps.play")
+        return batch
+
+    cores = _cores()
+    numbers = _ray_data().range(cores, override_num_blocks=cores)
+    numbers.map_batches(load, batch_format="pyarrow").materialize()
 
 
 def write(sweep: Sweep, parts: Parts, missing: list[int]) -> Generator[Receipt]:
@@ -58,9 +77,7 @@ def write(sweep: Sweep, parts: Parts, missing: list[int]) -> Generator[Receipt]:
         columns = {name: [getattr(r, name) for r in receipts] for name in Receipt.__slots__}
         return pa.table(columns)
 
-    each = math.ceil(len(missing) / _MOST_TASKS)
-    tasks = [pa.table({"part": missing[i : i + each]}) for i in range(0, len(missing), each)]
-    wanted = data.from_arrow(tasks)
+    wanted = data.from_arrow([pa.table({"part": task}) for task in _tasks(missing, _cores())])
     done = wanted.map_batches(work, batch_size=1, batch_format="pyarrow")
     for batch in done.iter_batches(batch_size=None, batch_format="pyarrow", prefetch_batches=0):
         yield from (Receipt(**row) for row in batch.to_pylist())
@@ -73,6 +90,17 @@ def _check_version(wanted: str) -> None:
         raise InputError(
             f"{host} has carom {__version__}, and the run is of {wanted}; install the same"
         )
+
+
+def _tasks(parts: list[int], cores: int) -> Generator[list[int]]:
+    """Parts in the order in which they are begun, many at once first and one by one at the end."""
+    most = max(_MOST_PARTS, math.ceil(len(parts) / _MOST_TASKS))
+    begun = 0
+    while begun < len(parts):
+        share = (len(parts) - begun) // (_LAST_TASKS * cores)
+        size = min(max(share, 1), most)
+        yield parts[begun : begun + size]
+        begun += size
 
 
 def _receipt(sweep: Sweep, parts: Parts, part: int) -> Receipt:
@@ -100,6 +128,10 @@ def dataset(sweep: Sweep) -> Any:
     made = numbers.map_batches(work, batch_size=None, batch_format="pyarrow")
     made.context.execution_options.preserve_order = True
     return made
+
+
+def _cores() -> int:
+    return int(_ray().cluster_resources().get("CPU", 1))
 
 
 def _ray() -> Any:
