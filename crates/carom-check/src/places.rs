@@ -26,6 +26,9 @@ const HANGS_BELOW: f64 = 1e-3;
 /// So far over a lip, in radii, a slow ball may hang as if it stood on the slate: `ON_THE_BRINK` there.
 const BRINK: f64 = 1.000_001e-4;
 
+/// A ball at the edge of a rail's top is beyond it after so much more of its way, m.
+const STEP: f64 = 1e-9;
+
 /// How far a ball that hangs over the lip there comes up to stand on the slate, m.
 pub(crate) fn raised(solid: &Solid, state: &BallState, radius: f64) -> f64 {
     let over = solid.over_hole(state.position.xy());
@@ -180,23 +183,23 @@ impl Judge<'_> {
             return Some(format!("the flight of ball {ball} ends by itself"));
         }
         let p = before.position.xy();
-        let over = self.solid.over_hole(p);
-        let at_lip = (-TABLE_GAP..=self.on_brink(0)).contains(&over);
-        if to == MotionState::Airborne {
-            let at_edge = match ground(self.solid, &before, radius) {
-                Some(Ground::Bed) => at_lip,
-                Some(Ground::Top) => self.solid.beside_tops(p) <= TABLE_GAP,
-                None => false,
-            };
-            if !at_edge {
-                return Some(format!("ball {ball} takes off where there is ground"));
+        let at_edge = match ground(self.solid, &before, radius) {
+            Some(Ground::Bed) => (-TABLE_GAP..=self.on_brink(0)).contains(&self.solid.over_hole(p)),
+            Some(Ground::Top) => {
+                let way = before.velocity.xy();
+                let on = p + way * (STEP / way.length());
+                self.solid.beside_tops(p) <= TABLE_GAP && self.solid.beside_tops(on) > 0.0
             }
+            None => false,
+        };
+        if to == MotionState::Airborne && !at_edge {
+            return Some(format!("ball {ball} takes off where there is ground"));
         }
         let jump = (after.velocity - before.velocity).length();
         let speed = before.velocity.length();
         let holding = self.shot.physics().cloth.rolling_friction
             * (self.shot.physics().gravity * radius).sqrt();
-        let hangs = at_lip
+        let hangs = at_edge
             && after.velocity.length() == 0.0
             && speed <= holding.max(HANGS_BELOW) * (1.0 + SMOOTH);
         (jump > SMOOTH * (1.0 + speed) && !hangs)

@@ -135,3 +135,16 @@ fn a_ball_that_leans_on_top_of_another_and_is_pressed_off_is_judged_right() {
             {"id": "4", "position": [0.8450361694857669, 0.7641792741923771, 0.2548831946835596]}]"#,
     );
 }
+
+/// Seen: a ball rolls on a rail's top back to its edge, at 4 mm/s, and stops there. The engine was right:
+/// rolling friction holds so slow a ball on any edge, and the judge knew it of the lips of holes alone.
+#[test]
+fn a_ball_that_stops_on_the_edge_of_a_top_is_judged_right() {
+    assert_right(
+        "\"wpa-8ft\"",
+        "stronge",
+        r#"[{"id": "0", "position": [1.0628399618092603, 1.6467013179760484, 0.09867492139303582],
+             "velocity": [1.2093450973450157, -3.410443631189193, 0.39559563213667887],
+             "angular_velocity": [18.401457386263818, -27.737267080282688, -25.100173189834937]}]"#,
+    );
+}
