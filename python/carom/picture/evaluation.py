@@ -86,8 +86,6 @@ def variants(evaluation: Evaluation, count: int) -> list[Shot]:
     for index, (speed, azimuth, elevation, side, height) in enumerate(strikes.tolist()):
         try:
             file = evaluation.perception.see(shot, index, seed=seed).to_dict()
-            for key in ("azimuth", "azimuth_deg", "elevation", "elevation_deg"):
-                file["strike"].pop(key, None)
             file["strike"] |= {
                 "speed": speed,
                 "azimuth_deg": math.degrees(azimuth),
