@@ -1,4 +1,4 @@
-"""`carom sweep --ray`: the same files as here, also when a worker is killed half-way.
+"""`carom sweep --ray`: the same files as here, also when a worker or a machine is lost half-way.
 
 In a process of its own, since Ray leaves threads, handlers and warnings behind.
 """
@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import hashlib
 import json
+import socket
 import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
+import carom
 import pytest
 from carom import Sweep
 
@@ -55,20 +57,68 @@ print(json.dumps({"refused": refused, "killed": killed, **reports}))
 """
 
 
-@pytest.fixture(scope="module")
-def ran(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, Any]]:
-    """A folder in which Ray has played a sweep, a worker killed half-way, and its report."""
-    folder = tmp_path_factory.mktemp("ray")
+CLUSTER = """
+import json, os, pathlib, sys
+import ray
+from carom import InputError, Sweep
+from carom.sweeps import on_ray
+from ray.cluster_utils import Cluster
+
+sweep = Sweep.load("spec.json")
+cluster = Cluster(initialize_head=True, head_node_args={"num_cpus": 1})
+to_lose = cluster.add_node(num_cpus=1)
+cluster.add_node(num_cpus=1)
+cluster.wait_for_nodes()
+# As on any cluster, the machines' processes were started elsewhere.
+os.makedirs("elsewhere")
+os.chdir("elsewhere")
+lost = []
+write = on_ray.write
+
+def write_and_lose(*arguments):
+    for receipt in write(*arguments):
+        if not lost:
+            cluster.remove_node(to_lose, allow_graceful=False)
+            lost.append(to_lose.node_id)
+        yield receipt
+
+on_ray.write = write_and_lose
+report = sweep.run("lost", part_rows=1000, ray=cluster.address)
+on_ray.write = write
+left = sum(node["Alive"] for node in ray.nodes())
+
+# Another carom on the machines, or one that cannot be loaded.
+refused = []
+for text in ("__version__ = '0.0.1'", "raise ImportError('none here')"):
+    (pathlib.Path("other") / "carom" / "sweeps").mkdir(parents=True, exist_ok=True)
+    pathlib.Path("other/carom/__init__.py").write_text(text)
+    pathlib.Path("other/carom/sweeps/play.py").write_text("")
+    ray.shutdown()
+    other = {"env_vars": {"PYTHONPATH": os.path.abspath("other"), "N": str(len(refused))}}
+    ray.init(address=cluster.address, runtime_env=other, log_to_driver=False)
+    for ask in (lambda: sweep.run("refused", ray="auto"), lambda: sweep.dataset()):
+        try:
+            ask()
+        except InputError as error:
+            refused.append(str(error))
+ray.shutdown()
+cluster.shutdown()
+print(json.dumps({"left": left, "refused": refused, "report": report.to_dict()}))
+"""
+
+
+def played(folder: Path, program: str, samples: int) -> dict[str, Any]:
+    """What a program prints that stands in a folder with a spec."""
     spec = {
         "format": "carom-sweep/1",
         "shots": str(ROOT / "shots" / "eight_ball_break.json"),
         "vary": {"strike.speed": {"uniform": [6, 10]}},
-        "samples": 16_000,
+        "samples": samples,
         "noise": "olympiad",
     }
     (folder / "spec.json").write_text(json.dumps(spec), encoding="utf-8")
     done = subprocess.run(
-        [sys.executable, "-c", PROGRAM],
+        [sys.executable, "-c", program],
         cwd=folder,
         capture_output=True,
         text=True,
@@ -76,8 +126,22 @@ def ran(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, Any]]
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    report: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
-    return folder, report
+    said: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
+    return said
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, Any]]:
+    """A folder in which Ray has played a sweep, a worker killed half-way, and its report."""
+    folder = tmp_path_factory.mktemp("ray")
+    return folder, played(folder, PROGRAM, 16_000)
+
+
+@pytest.fixture(scope="module")
+def on_machines(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, Any]]:
+    """The same by a cluster of three machines, of which one is lost."""
+    folder = tmp_path_factory.mktemp("machines")
+    return folder, played(folder, CLUSTER, 24_000)
 
 
 def hashes(folder: Path) -> dict[str, str]:
@@ -111,6 +175,33 @@ def test_a_dataset_of_ray_has_the_same_rows_in_order(ran: tuple[Path, dict[str, 
     folder, _ = ran
     found = pq.read_table(folder / "dataset.parquet")
     assert found.equals(Sweep.load(folder / "spec.json").table())
+
+
+def test_a_machine_that_is_lost_changes_no_bit_of_any_file(
+    on_machines: tuple[Path, dict[str, Any]],
+) -> None:
+    folder, said = on_machines
+    assert said["left"] == 2
+    assert (said["report"]["rows"], said["report"]["parts"]) == (24_000, 24)
+    Sweep.load(folder / "spec.json").run(folder / "here", part_rows=1000)
+    assert hashes(folder / "elsewhere" / "lost") == hashes(folder / "here")
+
+
+def test_a_machine_without_this_very_carom_is_refused_by_its_name(
+    on_machines: tuple[Path, dict[str, Any]],
+) -> None:
+    _, said = on_machines
+    host, needs = socket.gethostname(), f"every machine needs carom[ray] {carom.__version__}"
+    other = f"{host} has carom 0.0.1; {needs}"
+    none = f"{host} cannot load carom (none here); {needs}"
+    assert [text.split(",")[0] for text in said["refused"]] == [other, other, none, none]
+
+
+def test_a_machine_that_does_not_see_the_folder_is_refused(tmp_path: Path) -> None:
+    from carom.sweeps.on_ray import _check_folder
+
+    with pytest.raises(carom.InputError, match=r"does not see .*choose a folder that all machines"):
+        _check_folder(tmp_path / "nowhere" / "sign")
 
 
 @pytest.mark.parametrize("parts", [0, 1, 5, 77, 1000, 200_000])
