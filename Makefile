@@ -138,7 +138,7 @@ $(BUILT): $(TOOLS) $(RUST_SOURCES) pyproject.toml
 
 $(MODULES): web/package.json web/package-lock.json
 	@bash scripts/prerequisites.sh page
-	@cd web && npm ci --no-audit --no-fund --loglevel=error
+	@cd web && npm ci --no-audit --no-fund --no-update-notifier --loglevel=error >/dev/null
 	@touch $@
 
 $(PAGE): $(MODULES) $(PAGE_SOURCES)
