@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Self
 
 from carom import _core
 from carom.batch import Arrays, BatchResult, in_chunks, thread_count
+from carom.build import Strike
 from carom.errors import InputError
 
 if TYPE_CHECKING:
@@ -86,6 +87,23 @@ class Noise:
     def scaled(self, multiplier: float) -> Self:
         """The same with every σ times ``multiplier``."""
         return type(self)(*(sigma * multiplier for sigma in astuple(self)))
+
+    def draw(self, shot: Shot, index: int = 0, *, seed: int = 0) -> Strike:
+        """The strike that comes out when a player means that of ``shot``.
+
+        It is that of variant ``index`` of ``Shot.vary`` with the same seed. It may be one that
+        cannot be played: a miscue, a speed ≤ 0.
+
+        Raises:
+            InputError: The shot has no strike, or a number is out of range.
+        """
+        whole("index", index)
+        whole("seed", seed)
+        (row,) = _core.draw_strikes(shot._core, astuple(self), seed, index, 1)
+        speed, azimuth, elevation, side, height = row.tolist()
+        meant = shot.to_dict()["strike"]
+        obstruction = meant.get("obstruction", Strike.obstruction)
+        return Strike(speed, azimuth, elevation, side, height, meant["ball"], obstruction)
 
 
 @dataclass(frozen=True, slots=True)

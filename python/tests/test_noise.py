@@ -70,6 +70,23 @@ def test_a_variant_is_the_shot_struck_as_its_arrays_say(pot: dict[str, Any]) -> 
     assert again.pocket.tolist() == result.pocket.tolist()
 
 
+def test_a_drawn_strike_is_that_of_its_variant_to_the_bit(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict({**pot, "strike": {**pot["strike"], "obstruction": "refuse"}})
+    noise = Noise.olympiad(2.0)
+    variants = shot.vary(noise, 20, seed=3, first=7)
+    drawn = [noise.draw(shot, 7 + k, seed=3) for k in range(20)]
+    assert [[getattr(s, name) for name in STRIKE] for s in drawn] == strikes_of(variants).tolist()
+    assert {(s.ball, s.obstruction) for s in drawn} == {(pot["strike"]["ball"], "refuse")}
+
+
+def test_no_strike_is_drawn_around_none(pot: dict[str, Any]) -> None:
+    still = Shot.from_dict({key: value for key, value in pot.items() if key != "strike"})
+    with pytest.raises(InputError, match="strike: the shot has none"):
+        Noise.olympiad().draw(still)
+    with pytest.raises(InputError, match="index: -1 is out of range"):
+        Noise.olympiad().draw(Shot.from_dict(pot), -1)
+
+
 def test_offsets_err_in_metres_whatever_the_ball(pot: dict[str, Any]) -> None:
     pool = Shot.from_dict(pot)
     small = Shot.from_dict({**pot, "physics": {"base": "pool", "ball": {"radius": 0.02}}})
