@@ -35,11 +35,14 @@ impl<const L: usize> Row<L> {
         // Loops: the closure of `array::from_fn` may be left out of line, and then is compiled for
         // narrow vectors.
         let mut result = [false; L];
+        let mut all = true;
         for (i, result) in result.iter_mut().enumerate() {
             *result = self.ask(passes_by, i);
+            all &= *result;
         }
-        // Most rows are far from the path: of them the corridor turns away every lane.
-        if result == [true; L] {
+        // Most rows are far from the path: of them the corridor turns away every lane. Asked of a flag:
+        // one vector test, where comparing arrays would pack them first.
+        if all {
             return result;
         }
         for (i, result) in result.iter_mut().enumerate() {

@@ -133,7 +133,8 @@ struct Lanes<const N: usize> {
     /// When the path began, s.
     start: [f64; N],
     /// Until when it holds, s: the earlier of transition and meeting for a ball that moves,
-    /// infinite for one that rests, NaN where there is no ball or it is out of play.
+    /// infinite for one that rests, NaN where there is no ball, it is out of play, or its path is so new
+    /// that its own row has not been looked at.
     leave: [f64; N],
     radius: [f64; N],
 }
@@ -376,9 +377,10 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         physics: &Physics,
         recorder: &mut R,
     ) -> u32 {
-        let path = self.path[i];
+        let path = &self.path[i];
         let before = path.at(path.duration);
         let after = path.successor();
+        let moved = path.moves();
         recorder.record(&Event {
             time,
             kind: EventKind::MotionTransition { from: before.motion, to: after.motion },
@@ -390,10 +392,11 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             return 1 + self.retire(i, &after, time, table, physics, recorder);
         }
         self.begin(i, &after, time, physics);
-        if path.moves() {
+        if moved {
             self.find(&[i as u16], time, table);
         } else {
             self.find_self(i, time, table);
+            self.enter_lanes(i);
         }
         1
     }
@@ -414,6 +417,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.lanes.hx[i] = path.half_acceleration.x;
         self.lanes.hy[i] = path.half_acceleration.y;
         self.lanes.start[i] = time;
+        self.lanes.leave[i] = f64::NAN;
         self.aloft[i] = path.motion == MotionState::Airborne || path.position.z != path.radius;
         self.path[i] = path;
     }

@@ -17,19 +17,18 @@ const NOBODY: u16 = u16::MAX;
 impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// Finds every ball's candidates at time 0.
     pub(super) fn find_all(&mut self, table: &Table) {
-        let mut moving = [0; N];
-        let mut count = 0;
         for i in 0..self.n {
             self.partner[i] = NOBODY;
             self.find_self(i, 0.0, table);
-            if self.path[i].moves() {
-                moving[count] = i as u16;
-                count += 1;
+            if !self.path[i].moves() {
+                self.enter_lanes(i);
             }
         }
         // A resting ball has no row of its own: its pairs are in the rows of those that move.
-        for (k, &i) in moving[..count].iter().enumerate() {
-            self.find_row(usize::from(i), 0.0, &moving[..k]);
+        for i in 0..self.n {
+            if self.path[i].moves() {
+                self.find_row(i, 0.0);
+            }
         }
     }
 
@@ -53,8 +52,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 self.choose_partner(j);
             }
         }
-        for (k, &i) in touched.iter().enumerate() {
-            self.find_row(usize::from(i), time, &touched[..k]);
+        for &i in touched {
+            self.find_row(usize::from(i), time);
         }
     }
 
@@ -64,7 +63,6 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let path = &self.path[i];
         self.transition[i] = self.lanes.start[i] + path.duration;
         self.meeting[i] = f64::INFINITY;
-        self.lanes.leave[i] = if path.motion.in_play() { f64::INFINITY } else { f64::NAN };
         if path.moves() {
             debug_assert_eq!(self.lanes.start[i], time);
             let meeting = if self.aloft[i] {
@@ -76,31 +74,44 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 self.meeting[i] = time + t;
                 self.feature[i] = feature;
             }
-            self.lanes.leave[i] = earlier(self.transition[i], self.meeting[i]);
         }
         self.soonest[i] = earlier(earlier(self.transition[i], self.meeting[i]), self.contact[i]);
     }
 
-    /// First contacts of ball `i` with all balls but those in `done`.
+    /// Puts ball `i` into the lanes, so that it is in the rows of other balls; 
     #[inline(always)]
-    fn find_row(&mut self, i: usize, time: f64, done: &[u16]) {
+    pub(super) fn enter_lanes(&mut self, i: usize) {
+        self.lanes.leave[i] = self.leaves_at(i);
+    }
+
+    /// Until when other balls may rely on the path of ball `i`: see [`Lanes::leave`](super::Lanes).
+    #[inline(always)]
+    fn leaves_at(&self, i: usize) -> f64 {
+        let path = &self.path[i];
+        if path.moves() {
+            earlier(self.transition[i], self.meeting[i])
+        } else if path.motion.in_play() {
+            f64::INFINITY
+        } else {
+            f64::NAN
+        }
+    }
+
+    /// First contacts of ball `i`, which is not in the lanes yet, with all that are; then it enters them.
+    #[inline(always)]
+    fn find_row(&mut self, i: usize, time: f64) {
         if !self.path[i].motion.in_play() {
             return;
         }
         let mut open = Open::NONE;
         if F::PROOFS {
-            open.look(&mut self.lanes, i, self.n, time, self.wide);
+            open.look(&self.lanes, (i, self.leaves_at(i)), self.n, time, self.wide);
         } else {
-            open.fill(self.n, i);
+            open.fill(&self.lanes, self.n);
         }
+        self.enter_lanes(i);
         for &j in open.balls() {
-            if holds(done, j) {
-                continue;
-            }
             let j = usize::from(j);
-            if !self.path[j].motion.in_play() {
-                continue;
-            }
             let (motion, distance, horizon) = self.lanes.pair(i, j, time);
             let contact = if self.aloft[i] || self.aloft[j] {
                 self.first_contact_aloft(i, j, &motion, time, horizon)

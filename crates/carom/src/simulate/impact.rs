@@ -71,7 +71,13 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             return self.land_on_top(i, part, &before, time, table, physics, recorder);
         }
         let ball = self.ball[i];
-        let law = &if kind == Part::Nose { physics.cushion } else { physics.cushion_of(kind) };
+        let other;
+        let law = if kind == Part::Nose {
+            &physics.cushion
+        } else {
+            other = physics.cushion_of(kind);
+            &other
+        };
         let support = Support::under(&before);
         let on_bed = !self.aloft[i];
         let feature = TableFeature::Cushion(part);

@@ -27,28 +27,20 @@ impl<const N: usize> Open<N> {
         &self.balls[..self.count]
     }
 
-    /// Fills itself with the first `n` balls but ball `i`.
+    /// Fills itself with all that are in the lanes, among the first `n`.
     #[inline(always)]
-    pub(super) fn fill(&mut self, n: usize, i: usize) {
+    pub(super) fn fill(&mut self, lanes: &Lanes<N>, n: usize) {
         self.count = 0;
-        for j in (0..n).filter(|&j| j != i) {
+        for j in (0..n).filter(|&j| !lanes.leave[j].is_nan()) {
             self.balls[self.count] = j as u16;
             self.count += 1;
         }
     }
 
-    /// Fills itself with the balls that ball `i` could meet, among the first `n`.
+    /// Fills itself with the balls that `ball` could meet, among the first `n`: the ball and when it leaves
+    /// its path, where its own lane does not say so yet.
     #[inline(always)]
-    pub(super) fn look(&mut self, lanes: &mut Lanes<N>, i: usize, n: usize, time: f64, wide: bool) {
-        // Its own lane is no pair.
-        let leave = core::mem::replace(&mut lanes.leave[i], f64::NAN);
-        self.look_along(lanes, (i, leave), n, time, wide);
-        lanes.leave[i] = leave;
-    }
-
-    /// The ball and when it leaves its path.
-    #[inline(always)]
-    fn look_along(
+    pub(super) fn look(
         &mut self,
         lanes: &Lanes<N>,
         ball: (usize, f64),
@@ -84,11 +76,10 @@ impl<const N: usize> Open<N> {
         while from < n {
             let turned_away = lanes.row(ball, from, time).cannot_touch();
             if turned_away != [true; BLOCK] {
+                // No jumps: which ball is in the way nobody can guess.
                 for (k, away) in turned_away.into_iter().enumerate() {
-                    if !away {
-                        self.balls[self.count] = (from + k) as u16;
-                        self.count += 1;
-                    }
+                    self.balls[self.count] = (from + k) as u16;
+                    self.count += usize::from(!away);
                 }
             }
             from += BLOCK;
