@@ -27,28 +27,30 @@ pub struct Row<const L: usize> {
 }
 
 impl<const L: usize> Row<L> {
-    /// For each lane, whether [`crate::cannot_touch`] holds.
+    /// For each lane, whether it is open: [`crate::cannot_touch`] does not hold. `None` if no lane is.
     ///
     /// Inlined into its caller, so that a caller compiled for wider vectors gets them.
     #[inline(always)]
-    pub fn cannot_touch(&self) -> [bool; L] {
+    pub fn open(&self) -> Option<[bool; L]> {
         // Loops: the closure of `array::from_fn` may be left out of line, and then is compiled for
-        // narrow vectors.
-        let mut result = [false; L];
-        let mut all = true;
-        for (i, result) in result.iter_mut().enumerate() {
-            *result = self.ask(passes_by, i);
-            all &= *result;
+        // narrow vectors. Whether any lane is open is asked of a flag: one vector test, where
+        // comparing arrays would pack them first.
+        let mut open = [false; L];
+        let mut any = false;
+        for (i, open) in open.iter_mut().enumerate() {
+            *open = !self.ask(passes_by, i);
+            any |= *open;
         }
-        // Most rows are far from the path: of them the corridor turns away every lane. Asked of a flag:
-        // one vector test, where comparing arrays would pack them first.
-        if all {
-            return result;
+        // Most rows are far from the path: of them the corridor turns away every lane.
+        if !any {
+            return None;
         }
-        for (i, result) in result.iter_mut().enumerate() {
-            *result |= self.ask(keeps_off, i);
+        any = false;
+        for (i, open) in open.iter_mut().enumerate() {
+            *open &= !self.ask(keeps_off, i);
+            any |= *open;
         }
-        result
+        any.then_some(open)
     }
 
     /// A proof about lane `i`.
@@ -88,6 +90,7 @@ mod tests {
             distance: [1.0; 5],
             horizon: [2.0, 2.0, 2.0, 0.5, f64::NAN],
         };
-        assert_eq!(row.cannot_touch(), [false, true, true, true, true]);
+        assert_eq!(row.open(), Some([true, false, false, false, false]));
+        assert_eq!(Row { horizon: [f64::NAN; 5], ..row }.open(), None);
     }
 }

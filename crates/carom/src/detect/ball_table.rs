@@ -38,12 +38,28 @@ pub enum TableFeature {
 ///
 /// A cushion is met when the ball touches it and approaches, a pocket when it captures the ball
 /// ([`ball_cushion`], [`ball_pocket`]). `horizon` may be infinite.
+#[inline(always)]
 pub fn first_meeting(
     table: &Table,
     radius: f64,
     path: &Motion<2>,
     horizon: f64,
 ) -> Option<(f64, TableFeature)> {
+    let [d, v, h] = [path.d, path.v, path.h].map(|[x, y]| Vec2::new(x, y));
+    meeting(table, radius, d, v, h, horizon)
+}
+
+/// The path by value, in registers: of one in memory, written number by number just now, the processor
+/// would read pairs, and wait until they are there.
+fn meeting(
+    table: &Table,
+    radius: f64,
+    d: Vec2,
+    v: Vec2,
+    h: Vec2,
+    horizon: f64,
+) -> Option<(f64, TableFeature)> {
+    let path = &Motion { d: [d.x, d.y], v: [v.x, v.y], h: [h.x, h.y] };
     let layout = &table.layout;
     let reach = table.reach(radius);
     let inner = Vec2::new(layout.half.x - reach, layout.half.y - reach);

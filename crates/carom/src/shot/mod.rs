@@ -135,7 +135,7 @@ impl Shot {
             None => DEFAULT_MAX_EVENTS,
         };
         let shot = Self {
-            table: table.into(),
+            table,
             physics: physics.into(),
             balls: balls.into(),
             strike,

@@ -2,6 +2,7 @@
 
 use alloc::format;
 use alloc::string::String;
+use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 use super::read::{At, Fields, Range};
@@ -38,10 +39,10 @@ const KEYS: &[&str] = &[
 ];
 
 /// Reads `table`; also the name of the physics preset that belongs to it.
-pub(super) fn read(at: &At<'_>) -> Result<(Table, String), Error> {
+pub(super) fn read(at: &At<'_>) -> Result<(Arc<Table>, String), Error> {
     if !at.is_object() {
         let name = at.text("a table preset's name, or an object {...}")?;
-        let table = Table::preset(name).ok_or_else(|| unknown_preset(at, name))?;
+        let table = Table::shared_preset(name).ok_or_else(|| unknown_preset(at, name))?;
         let physics = table.description.as_ref().map_or(UNBOUNDED_PHYSICS, |d| &d.physics).into();
         return Ok((table, physics));
     }
@@ -63,15 +64,15 @@ pub(super) fn read(at: &At<'_>) -> Result<(Table, String), Error> {
     build(at, description)
 }
 
-fn build(at: &At<'_>, description: TableDescription) -> Result<(Table, String), Error> {
+fn build(at: &At<'_>, description: TableDescription) -> Result<(Arc<Table>, String), Error> {
     let physics = description.physics.clone();
     let table = Table::from_description(&description).map_err(|TableError { key, problem }| {
         Error::input(format!("{}.{key}", at.place()), problem, "")
     })?;
-    Ok((table, physics))
+    Ok((table.into(), physics))
 }
 
-fn unbounded(fields: &Fields<'_>, cloth: &At<'_>) -> Result<(Table, String), Error> {
+fn unbounded(fields: &Fields<'_>, cloth: &At<'_>) -> Result<(Arc<Table>, String), Error> {
     cloth.choice("cloth", &[("unbounded", ())])?;
     if let Some(key) = KEYS.iter().find(|&&key| key != "cloth" && fields.get(key).is_some()) {
         return Err(fields.get(key).unwrap_or_else(|| cloth.clone()).refuse(
@@ -79,7 +80,7 @@ fn unbounded(fields: &Fields<'_>, cloth: &At<'_>) -> Result<(Table, String), Err
             "leave the key out, or leave `cloth` out",
         ));
     }
-    Ok((Table::unbounded(), UNBOUNDED_PHYSICS.into()))
+    Ok((Table::unbounded().into(), UNBOUNDED_PHYSICS.into()))
 }
 
 fn base(at: &At<'_>) -> Result<TableDescription, Error> {

@@ -7,9 +7,10 @@ use crate::detect::ball_ball::ContactFinder;
 use crate::detect::ball_table::TableFeature;
 use crate::event::{Event, EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
-use crate::physics::Surface;
+use crate::physics::{Cushion, Surface};
 use crate::resolve::ball_ball::held;
-use crate::resolve::{self, Body, ball_edge, ball_slate};
+use crate::resolve::ball_edge::{self, Edge};
+use crate::resolve::{self, Body, ball_slate};
 use crate::table::Part;
 use crate::{Ball, BallState, MotionState, Physics, Table};
 
@@ -91,28 +92,13 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 ((into * sqrt(1.0 - sin * sin)).with_z(sin), into.with_z(0.0))
             }
         };
-        let is_wall = kind == Part::Liner && normal.z == 0.0;
         let cloth = &physics.cloth;
         let strike = |press: f64| {
             let mut body = body(&before, &ball);
             body.velocity += push * press;
             match &edge {
-                Some(edge) if edge.presses(physics.gravity, &body) => {
-                    let (e, mu) = (law.restitution.at(0.0), law.friction.a);
-                    let surface = Surface { restitution: e, friction: mu };
-                    ball_edge::resolve(&surface, physics.gravity, edge, &mut body);
-                }
-                _ => {
-                    let mut thrown = body;
-                    let normal = if is_wall { leaning(normal) } else { normal };
-                    resolve::ball_cushion::resolve(law, cloth, normal, on_bed, &mut thrown);
-                    // A ball that falls along a wall does not come against its slope.
-                    if is_wall && thrown.velocity.dot(push) > 0.0 {
-                        thrown = body;
-                        resolve::ball_cushion::resolve(law, cloth, push, on_bed, &mut thrown);
-                    }
-                    body = thrown;
-                }
+                None => resolve::ball_cushion::resolve(law, cloth, normal, true, &mut body),
+                Some(edge) => meet_edge(law, physics, edge, kind == Part::Liner, &mut body),
             }
             [support.settled(&before, body.velocity, body.angular_velocity, &ball, physics)]
         };
@@ -217,6 +203,29 @@ pub(super) fn body(state: &BallState, ball: &Ball) -> Body {
         mass: ball.mass,
         radius: ball.radius,
     }
+}
+
+/// A ball off the slate meets `edge`: it is pressed on it, or thrown off.
+#[cold]
+fn meet_edge(law: &Cushion, physics: &Physics, edge: &Edge, is_liner: bool, ball: &mut Body) {
+    if edge.presses(physics.gravity, ball) {
+        let (e, mu) = (law.restitution.at(0.0), law.friction.a);
+        let surface = Surface { restitution: e, friction: mu };
+        ball_edge::resolve(&surface, physics.gravity, edge, ball);
+        return;
+    }
+    let throw = |normal: Vec3| {
+        let mut thrown = *ball;
+        resolve::ball_cushion::resolve(law, &physics.cloth, normal, false, &mut thrown);
+        thrown
+    };
+    let is_wall = is_liner && edge.normal.z == 0.0;
+    let mut thrown = throw(if is_wall { leaning(edge.normal) } else { edge.normal });
+    // A ball that falls along a wall does not come against its slope.
+    if is_wall && thrown.velocity.dot(edge.normal) > 0.0 {
+        thrown = throw(edge.normal);
+    }
+    *ball = thrown;
 }
 
 /// The normal of a liner's wall, given the horizontal one.

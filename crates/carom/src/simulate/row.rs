@@ -74,12 +74,11 @@ impl<const N: usize> Open<N> {
         self.count = 0;
         let mut from = 0;
         while from < n {
-            let turned_away = lanes.row(ball, from, time).cannot_touch();
-            if turned_away != [true; BLOCK] {
+            if let Some(open) = lanes.row(ball, from, time).open() {
                 // No jumps: which ball is in the way nobody can guess.
-                for (k, away) in turned_away.into_iter().enumerate() {
+                for (k, open) in open.into_iter().enumerate() {
                     self.balls[self.count] = (from + k) as u16;
-                    self.count += usize::from(!away);
+                    self.count += usize::from(open);
                 }
             }
             from += BLOCK;

@@ -1,6 +1,7 @@
 //! The tables known by name. Every figure bears its source; `docs/tables.md` lists them.
 
 use alloc::string::ToString;
+use alloc::sync::Arc;
 
 use super::description::INCH;
 use super::sheet::{Figure, PocketSheet, Sheet, Source, SpotPattern, figure};
@@ -320,5 +321,24 @@ impl Table {
         let mut table = Self::from_description(&TableDescription::preset(name)?).ok()?;
         table.name = Some(name.to_string());
         Some(table)
+    }
+
+    /// The preset of that name, one for all shots on it: who plays one after another finds the table in
+    /// the processor's cache. (Without the standard library: a new one.)
+    pub(crate) fn shared_preset(name: &str) -> Option<Arc<Self>> {
+        #[cfg(feature = "std")]
+        {
+            use std::sync::OnceLock;
+            static TABLES: [OnceLock<Arc<Table>>; PRESETS.len()] =
+                [const { OnceLock::new() }; PRESETS.len()];
+            let shared = &TABLES[PRESETS.iter().position(|&preset| preset == name)?];
+            if shared.get().is_none() {
+                let table = Self::preset(name)?;
+                return Some(shared.get_or_init(|| table.into()).clone());
+            }
+            shared.get().cloned()
+        }
+        #[cfg(not(feature = "std"))]
+        Self::preset(name).map(Arc::new)
     }
 }

@@ -152,6 +152,7 @@ impl CushionFriction {
 /// unit vector from the ball's centre to the point that it touches; `on_bed` says whether the ball
 /// stands on the bed (then the normal has a horizontal part, and the velocity no vertical one). A
 /// ball that does not approach is left alone.
+#[inline(always)]
 pub fn resolve(law: &Cushion, cloth: &Cloth, normal: Vec3, on_bed: bool, ball: &mut Body) {
     let impact = Impact {
         normal,
@@ -169,6 +170,7 @@ pub fn resolve(law: &Cushion, cloth: &Cloth, normal: Vec3, on_bed: bool, ball: &
 }
 
 /// Off the bed: the model's outcome along the normal.
+#[cold]
 fn aloft(law: &Cushion, impact: &Impact) -> Change {
     let approach = impact.approach;
     let reflection = impact.change(2.0 * approach, Vec3::ZERO);

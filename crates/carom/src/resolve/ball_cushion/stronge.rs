@@ -7,6 +7,7 @@ use crate::resolve::stronge;
 
 /// What one impact changes, with restitution `e` along the contact's normal, friction `mu`, and
 /// `ratio` the tangential frequency over the normal one.
+#[inline(always)]
 pub(super) fn resolve(impact: &Impact, e: f64, mu: f64, ratio: f64) -> Change {
     let slip = impact.slip();
     let speed = sqrt(slip.length_squared());
