@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import hashlib
+import pickle
 import subprocess
 import sys
 import warnings
@@ -15,8 +17,10 @@ import numpy as np
 import pytest
 from carom import _core
 from carom.errors import InputError
+from gymnasium.error import ResetNeeded
 from gymnasium.utils.env_checker import check_env
-from gymnasium.vector import AutoresetMode
+from gymnasium.vector import AsyncVectorEnv, AutoresetMode, SyncVectorEnv
+from gymnasium.wrappers import vector
 from pettingzoo.test import api_test, seed_test
 
 NAMES = sorted(carom.env.ENVIRONMENTS)
@@ -162,6 +166,81 @@ def test_in_the_same_step_the_end_is_seen_beside_the_new_beginning() -> None:
     assert (info["final_obs"] != observations).any(axis=1).all()
 
 
+def test_in_the_same_step_the_end_is_told_as_gymnasium_tells_it() -> None:
+    settings = {"balls": 2, "noise": NOISE, "patience": 6}
+    ours = gymnasium.make_vec("carom/NineBall-v0", num_envs=3, **settings)
+    theirs = SyncVectorEnv(
+        [lambda: gymnasium.make("carom/NineBall-v0", **settings)] * 3,
+        autoreset_mode=AutoresetMode.SAME_STEP,
+    )
+    random = np.random.default_rng(0)
+    np.testing.assert_array_equal(ours.reset(seed=5)[0], theirs.reset(seed=5)[0])
+    ends = 0
+    for _ in range(60):
+        actions = random.uniform(-1, 1, ours.action_space.shape).astype(np.float32)
+        (*row, info), (*wanted, said) = ours.step(actions), theirs.step(actions)
+        for one, other in zip(row, wanted, strict=True):
+            np.testing.assert_array_equal(one, other)
+        assert ("final_info" in info) == ("final_info" in said)
+        if "final_info" not in said:
+            continue
+        ended = said["_final_obs"]
+        ends += ended.sum()
+        for mask in ("_final_obs", "_final_info"):
+            np.testing.assert_array_equal(info[mask], said[mask])
+        np.testing.assert_array_equal(info["final_obs"][ended], np.stack(said["final_obs"][ended]))
+        assert set(info["final_info"]) == set(said["final_info"])
+        for key, value in said["final_info"].items():
+            np.testing.assert_array_equal(info["final_info"][key], value)
+            assert (info["final_info"][key].dtype == bool) == (value.dtype == bool)
+    assert ends > 5
+
+
+@pytest.mark.parametrize("name", ["carom/SumToThree-v0", "carom/NineBall-v0"])
+def test_episodes_of_a_vector_have_a_limit_if_gymnasium_is_told_one(name: str) -> None:
+    envs = gymnasium.make_vec(name, num_envs=2, max_episode_steps=3)
+    envs.reset(seed=0)
+    gentle = np.full(envs.action_space.shape, -0.9, dtype=np.float32)
+    truncated = [envs.step(gentle)[3].tolist() for _ in range(6)]
+    assert truncated == [[False] * 2, [False] * 2, [True] * 2] * 2
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_deep_copy_goes_on_by_itself_from_the_same_place(name: str) -> None:
+    env = gymnasium.make(name, noise=NOISE)
+    env.reset(seed=4)
+    env.action_space.seed(0)
+    one, other = env.action_space.sample(), env.action_space.sample()
+    tried = copy.deepcopy(env).step(one)
+    copy.deepcopy(env).step(other)
+    again = env.step(one)
+    np.testing.assert_array_equal(tried[0], again[0])
+    assert tried[1:] == again[1:]
+
+
+def test_an_environment_in_play_says_why_it_is_not_pickled() -> None:
+    with pytest.raises(TypeError, match=r"send what makes it.*copy\.deepcopy"):
+        pickle.dumps(gymnasium.make("carom/Potting-v0"))
+
+
+def test_gymnasiums_vectors_and_wrappers_take_the_environments() -> None:
+    def make() -> gymnasium.Env[Any, Any]:
+        return gymnasium.make("carom/NineBall-v0", balls=2)
+
+    ours = gymnasium.make_vec("carom/NineBall-v0", num_envs=3, balls=2, autoreset_mode="next-step")
+    rows = [play(envs, 8) for envs in (SyncVectorEnv([make] * 3), AsyncVectorEnv([make] * 3), ours)]
+    for one, two, three in zip(*rows, strict=True):
+        np.testing.assert_array_equal(one, two)
+        np.testing.assert_array_equal(one, three)
+    for wrapper in (
+        vector.RecordEpisodeStatistics,
+        vector.NormalizeObservation,
+        vector.NormalizeReward,
+        vector.FlattenObservation,
+    ):
+        play(wrapper(ours), 8)
+
+
 def test_a_vector_that_does_not_reset_is_reset_by_mask() -> None:
     envs = gymnasium.make_vec("carom/Potting-v0", num_envs=3, autoreset_mode="disabled")
     first, _ = envs.reset(seed=0)
@@ -260,7 +339,19 @@ def test_numbers_out_of_bounds_and_nan_are_played_as_the_nearest() -> None:
         ({"opponent": "potter"}, "opponent"),
         ({"speed": (2.0, 1.0)}, "speed"),
         ({"speed": 2.0}, "speed"),
-        ({"max_elevation": 2.0}, "elevation"),
+        ({"max_elevation": 2.0}, "max_elevation"),
+        ({"max_elevation": "steep"}, "max_elevation"),
+        ({"balls": True}, "balls"),
+        ({"balls": 2.5}, "balls"),
+        ({"balls": (1, 2, 3)}, "balls"),
+        ({"threads": -1}, "threads"),
+        ({"patience": 2.5}, "patience"),
+        ({"target": "many"}, "target"),
+        ({"max_episode_steps": 0}, "max_episode_steps"),
+        ({"aim": None}, "aim"),
+        ({"opponent": None}, "opponent"),
+        ({"nois": NOISE}, 'nois: there is no such setting; did you mean "noise"'),
+        ({"render_mode": "human"}, "render_mode"),
         ({"target_ball": "highest"}, "target"),
         ({"table": "carom-10ft"}, "table"),
         ({"noise": 1.0}, "noise"),
@@ -270,6 +361,50 @@ def test_numbers_out_of_bounds_and_nan_are_played_as_the_nearest() -> None:
 def test_what_is_wrong_is_said_with_its_place(settings: dict[str, Any], place: str) -> None:
     with pytest.raises(InputError, match=rf"^{place}"):
         carom.env.CaromEnv("potting", **settings)
+
+
+def test_counts_of_numpy_are_counts() -> None:
+    three = np.int64(3)
+    envs = gymnasium.make_vec("carom/NineBall-v0", num_envs=three, balls=three)
+    same = gymnasium.make_vec("carom/NineBall-v0", num_envs=3, balls=3)
+    for one, other in zip(play(envs, 2, seed=three), play(same, 2), strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize("shape", [(7,), (7, 2), (14,), (3, 7), (2, 5)])
+def test_actions_of_another_shape_are_refused(shape: tuple[int, ...]) -> None:
+    envs = gymnasium.make_vec("carom/NineBall-v0", num_envs=2)
+    envs.reset(seed=0)
+    with pytest.raises(InputError, match=r"^actions: found the shape .*; give \(2, 7\)"):
+        envs.step(np.zeros(shape))
+
+
+@pytest.mark.parametrize("seed", [-1, 2**64, 1.5, "x", [1], [1, None], [1, -1]])
+def test_seeds_that_are_none_are_refused(seed: Any) -> None:
+    envs = gymnasium.make_vec("carom/NineBall-v0", num_envs=2)
+    with pytest.raises(InputError, match=r"^seeds?: "):
+        envs.reset(seed=seed)
+
+
+@pytest.mark.parametrize("mask", [[True], "xx", [0, 1], [[True, False]]])
+def test_masks_that_are_none_are_refused(mask: Any) -> None:
+    envs = gymnasium.make_vec("carom/NineBall-v0", num_envs=2, autoreset_mode="disabled")
+    envs.reset(seed=0)
+    with pytest.raises(InputError, match=r"^reset_mask: "):
+        envs.reset(options={"reset_mask": mask})
+
+
+@pytest.mark.parametrize(
+    "env",
+    [
+        carom.env.CaromEnv("nine-ball"),
+        carom.env.CaromVectorEnv("nine-ball", 1),
+        carom.env.aec("nine-ball"),
+    ],
+)
+def test_nothing_is_played_before_a_reset(env: Any) -> None:
+    with pytest.raises(ResetNeeded, match="reset"):
+        env.step(np.zeros((1, 7)))
 
 
 def test_a_picture_is_an_array_of_pixels() -> None:

@@ -195,6 +195,8 @@ pub struct Config {
     pub options: Options,
     /// What a shot earns.
     pub rewards: Rewards,
+    /// Steps after which an episode is truncated; no limit if none is given.
+    pub max_steps: Option<u32>,
     /// When the next episode begins.
     pub autoreset: Autoreset,
     /// How many threads step; all cores if none is given.
@@ -221,6 +223,7 @@ impl Config {
             physics: None,
             options: Options { target, ..Options::default() },
             rewards: Rewards::of(task),
+            max_steps: None,
             autoreset: Autoreset::default(),
             threads: None,
         }
@@ -238,10 +241,13 @@ impl Config {
         }
         if !(0.0..=STEEPEST).contains(&self.elevation) {
             return Err(Error::input(
-                "elevation",
+                "max_elevation",
                 format!("{:?} rad is out of range", self.elevation),
                 format!("write an angle in [0, {STEEPEST}]"),
             ));
+        }
+        if self.max_steps == Some(0) {
+            return Err(Error::input("max_episode_steps", "0 is out of range", "write at least 1"));
         }
         if task == Task::Potting && self.opponent != Opponent::None {
             return Err(Error::input(

@@ -2,7 +2,7 @@
 
 use carom::Error;
 use carom::simulate::{SMALL, Simulation};
-use carom_rules::Player;
+use carom_rules::{Player, Turn};
 
 use crate::action;
 use crate::config::{Config, Task};
@@ -39,10 +39,13 @@ pub(crate) struct Step {
 }
 
 /// One environment.
+#[derive(Clone)]
 pub(crate) struct Environment {
     seed: u64,
     episode: u64,
     episode_seed: u64,
+    /// Steps of this episode.
+    steps: u32,
     /// Shots of this episode, the opponent's too.
     shots: u64,
     pub(crate) scene: Box<dyn Scene>,
@@ -54,7 +57,16 @@ pub(crate) struct Environment {
 
 impl Environment {
     pub(crate) fn new(scene: Box<dyn Scene>, seed: u64) -> Self {
-        Self { seed, episode: 0, episode_seed: 0, shots: 0, scene, ended: true, shooter: 0 }
+        Self {
+            seed,
+            episode: 0,
+            episode_seed: 0,
+            steps: 0,
+            shots: 0,
+            scene,
+            ended: true,
+            shooter: 0,
+        }
     }
 
     /// Begins the first episode of `seed`.
@@ -71,12 +83,17 @@ impl Environment {
 
     fn begin(&mut self) -> Result<(), Error> {
         self.episode_seed = episode_seed(self.seed, self.episode);
-        self.shots = 0;
+        (self.steps, self.shots) = (0, 0);
         self.shooter = 0;
         self.ended = true;
         self.scene.restart(self.episode_seed)?;
         self.ended = false;
         Ok(())
+    }
+
+    /// The next shot; none at the end of an episode.
+    pub(crate) fn next(&self) -> Option<&Turn> {
+        self.scene.turn().filter(|_| !self.ended)
     }
 
     /// Whose eyes the agent sees with.
@@ -91,7 +108,7 @@ impl Environment {
         observe::write(&*self.scene, viewer, out);
     }
 
-    /// Plays `action`, and what the opponent replies.
+    /// Plays `action`, and what the opponent replies. Nothing after the end of an episode.
     pub(crate) fn step(
         &mut self,
         config: &Config,
@@ -99,7 +116,7 @@ impl Environment {
         action: &[f32],
     ) -> Step {
         let mut step = Step::default();
-        let Some(turn) = self.scene.turn() else {
+        let Some(turn) = self.next() else {
             self.ended = true;
             return Step { truncated: true, ..step };
         };
@@ -117,6 +134,9 @@ impl Environment {
             Some(Ending::Won(_) | Ending::Drawn) => step.terminated = !step.truncated,
             None => {}
         }
+        self.steps += 1;
+        step.truncated |=
+            !step.terminated && config.max_steps.is_some_and(|most| self.steps >= most);
         self.ended = step.terminated || step.truncated;
         step
     }

@@ -84,6 +84,12 @@ pub(crate) trait Scene: Send + Sync {
     fn boxed(&self) -> Box<dyn Scene>;
 }
 
+impl Clone for Box<dyn Scene> {
+    fn clone(&self) -> Self {
+        self.as_ref().boxed()
+    }
+}
+
 impl dyn Scene + '_ {
     /// The other balls on the table: number, centre (m, in the file's frame), radius (m).
     pub(crate) fn others(

@@ -1,5 +1,7 @@
 //! Many environments at once.
 
+use std::sync::Arc;
+
 use carom::Error;
 use carom::shot::Node;
 use carom::simulate::{SMALL, Simulation};
@@ -41,13 +43,15 @@ pub struct Transitions {
     pub potted: Vec<u8>,
 }
 
-/// A row of environments of one task.
+/// A row of environments of one task. A clone goes on by itself from where the row is: to try an action,
+/// and forget it.
+#[derive(Clone)]
 pub struct VectorEnv {
     task: Task,
     config: Config,
     balls: usize,
     environments: Vec<Environment>,
-    pool: Option<ThreadPool>,
+    pool: Option<Arc<ThreadPool>>,
 }
 
 impl VectorEnv {
@@ -66,7 +70,7 @@ impl VectorEnv {
         let pool = threads.transpose().map_err(|e| {
             Error::input("threads", format!("{e}"), "ask for fewer, or leave it out")
         })?;
-        let mut vector = Self { task, config, balls, environments, pool };
+        let mut vector = Self { task, config, balls, environments, pool: pool.map(Arc::new) };
         // A layout that does not fit is found here, not in the middle of a run.
         if let Some(first) = vector.environments.first_mut() {
             first.seed(seed)?;
@@ -200,7 +204,7 @@ impl VectorEnv {
     /// # Errors
     /// [`Error::Input`] if there is no such environment.
     pub fn player(&self, index: usize) -> Result<Option<Player>, Error> {
-        Ok(self.environment(index)?.scene.turn().map(|turn| turn.player))
+        Ok(self.environment(index)?.next().map(|turn| turn.player))
     }
 
     /// What a picture of environment `index` needs: its table, its balls (id, radius in m, and place in m) and
@@ -268,7 +272,7 @@ fn advance(
         }
     }
     environment.observe(environment.viewer(config), seen);
-    (step, environment.scene.turn().map_or(-1, |turn| turn.player as i8))
+    (step, environment.next().map_or(-1, |turn| turn.player as i8))
 }
 
 /// The next episode. Should a layout not fit, the next one does; where none of some does, the table is too

@@ -224,6 +224,39 @@ fn a_shot_that_is_never_played_to_its_end_is_truncated_with_a_penalty() {
 }
 
 #[test]
+fn a_clone_goes_on_by_itself_from_where_its_row_is() {
+    for task in Task::ALL {
+        let config = Config { noise: Noise::olympiad(1.0), ..Config::of(task) };
+        let mut vector = environments(task, 4, config);
+        let width = 4 * vector.action_size();
+        vector.step(&actions(width, 1)).expect("a step");
+        let (mut tried, mut other) = (vector.clone(), vector.clone());
+        let out = tried.step(&actions(width, 2)).expect("a step");
+        assert_ne!(other.step(&actions(width, 3)).expect("a step"), out, "{}", task.name());
+        assert_eq!(vector.step(&actions(width, 2)).expect("a step"), out, "{}", task.name());
+    }
+}
+
+#[test]
+fn an_episode_of_too_many_steps_is_truncated_and_goes_on_no_more() {
+    let task = Task::Game(Rules::ThreeCushion);
+    let config = Config { max_steps: Some(3), autoreset: Autoreset::Disabled, ..Config::of(task) };
+    let mut vector = environments(task, 2, config);
+    let width = 2 * vector.action_size();
+    for step in 1..=3 {
+        let out = vector.step(&actions(width, step)).expect("a step");
+        assert_eq!((out.truncated[0], out.terminated[0]), (step == 3, false));
+    }
+    assert_eq!(vector.player(0).expect("an environment"), None);
+    let seen = vector.observe(0, 0).expect("an environment");
+    let out = vector.step(&actions(width, 4)).expect("a step");
+    assert!(out.truncated[0] && out.rewards[0] == 0.0 && out.players[0] == -1);
+    assert_eq!(vector.observe(0, 0).expect("an environment"), seen);
+    let refused = VectorEnv::new(task, 1, 0, Config { max_steps: Some(0), ..Config::of(task) });
+    assert!(refused.is_err_and(|error| error.to_string().starts_with("max_episode_steps")));
+}
+
+#[test]
 fn what_cannot_be_is_refused_with_its_place() {
     let refused = |task, config| match VectorEnv::new(task, 1, 0, config) {
         Ok(_) => String::new(),

@@ -8,6 +8,7 @@ use carom_env::{
 };
 use carom_rules::Options;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -30,6 +31,7 @@ struct Settings<'py> {
     target: Option<i32>,
     patience: u32,
     rewards: Option<[f64; 5]>,
+    max_steps: Option<u32>,
     autoreset: String,
     threads: Option<usize>,
 }
@@ -69,6 +71,7 @@ impl Settings<'_> {
             rewards: self.rewards.map_or(usual.rewards, |[win, pot, foul, point, failure]| {
                 Rewards { win, pot, foul, point, failure }
             }),
+            max_steps: self.max_steps,
             autoreset: Autoreset::read(&self.autoreset)?,
             threads: self.threads,
         })
@@ -153,6 +156,19 @@ impl VectorEnv {
 
     fn picture<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.0.picture(index).map_err(|e| to_exception(py, &e))?)
+    }
+
+    /// What `copy.deepcopy` asks for: the same row once more, which goes on by itself.
+    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
+        Self(self.0.clone())
+    }
+
+    /// What `pickle` asks for.
+    fn __reduce__(&self) -> PyResult<()> {
+        Err(PyTypeError::new_err(
+            "an environment in play cannot be pickled; send what makes it, such as \
+             functools.partial(gymnasium.make, name), or copy it by copy.deepcopy",
+        ))
     }
 
     #[getter]

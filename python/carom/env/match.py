@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
+from gymnasium.error import ResetNeeded
 from pettingzoo import AECEnv
 
 from carom import _core
-from carom.env.render import frame
+from carom.env.render import check_mode, frame
 from carom.env.settings import pack
 from carom.env.vector import spaces
 from carom.errors import InputError
@@ -50,7 +51,7 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
             raise InputError("opponent: both players are agents here; leave it out")
         packed = pack(autoreset_mode="disabled", **({"threads": 1} | settings))
         self._core = _core.VectorEnv(game, 1, packed)
-        self.render_mode = render_mode
+        self.render_mode = check_mode(render_mode)
         self.possible_agents = ["player_0", "player_1"]
         self.agents: list[str] = []
         seen, act = spaces(self._core)
@@ -83,10 +84,14 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
 
     def observe(self, agent: str) -> Array:
         """What ``agent`` sees, whether or not it shoots next."""
+        if agent not in self.possible_agents:
+            raise InputError(f"agent: there is no {agent!r}; write player_0 or player_1")
         return self._core.observe(0, self.possible_agents.index(agent))
 
     def step(self, action: Array | None) -> None:
         """Plays a shot of the selected agent."""
+        if not self._seeded:
+            raise ResetNeeded("call reset before step")
         shooter = self.agent_selection
         if self.terminations[shooter] or self.truncations[shooter]:
             self._was_dead_step(action)

@@ -4,12 +4,27 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from carom.errors import InputError
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
 # Pixels along the longer side.
 LONG_SIDE = 600
+
+
+def check_mode(render_mode: str | None) -> str | None:
+    """The mode itself.
+
+    Raises:
+        InputError: It is another than ``rgb_array`` or None.
+    """
+    if render_mode not in (None, "rgb_array"):
+        raise InputError(
+            f'render_mode: there is no "{render_mode}"; write "rgb_array", or leave it out'
+        )
+    return render_mode
 
 
 def frame(picture: dict[str, Any]) -> NDArray[np.uint8]:

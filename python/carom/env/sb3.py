@@ -81,7 +81,9 @@ class SB3VecEnv(VecEnv):  # type: ignore[misc]
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
         ended = np.flatnonzero(done)
         if len(ended):
-            last = self._view(more["final_obs"][ended])
+            rows = more["final_obs"][ended]
+            # In Gymnasium's own vectors each row is an object.
+            last = self._view(np.stack(rows) if rows.dtype == object else rows)
             for row, index in enumerate(ended):
                 infos[index] = {
                     "terminal_observation": last[row],

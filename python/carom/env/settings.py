@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import difflib
 import math
+import operator
 from collections.abc import Mapping, Sequence
 from dataclasses import astuple, dataclass
 from typing import Any
@@ -10,6 +12,9 @@ from typing import Any
 from carom.build import Physics, Table
 from carom.errors import InputError
 from carom.noise import Noise
+
+# The largest count that Rust takes.
+_LARGEST = 2**31 - 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,8 +50,10 @@ def pack(
     target: int | None = None,
     patience: int = 100,
     rewards: Rewards | None = None,
+    max_episode_steps: int | None = None,
     autoreset_mode: str = "same-step",
     threads: int | None = None,
+    **unknown: Any,
 ) -> dict[str, Any]:
     """The settings of an environment as Rust takes them.
 
@@ -69,13 +76,18 @@ def pack(
             (10).
         patience: Shots without progress that make a stalemate.
         rewards: What a shot earns; the task's usual ones if None.
+        max_episode_steps: Steps after which an episode is truncated; no limit if None.
         autoreset_mode: ``same-step``, ``next-step`` or ``disabled``; single environments never
             reset by themselves.
         threads: How many step; all cores if None. Results do not depend on it.
+        unknown: Refused.
 
     Raises:
-        InputError: A value has a wrong type. What is out of range, Rust refuses.
+        InputError: There is no such setting, or a value has a wrong type. What is out of range,
+            Rust refuses.
     """
+    for name in unknown:
+        raise InputError(_no_such(name))
     if isinstance(table, Table):
         table = table.description
     if isinstance(physics, Physics):
@@ -92,20 +104,53 @@ def pack(
         )
     return {
         "noise": astuple(noise or Noise()),
-        "aim": aim,
+        "aim": str(aim),
         "speed": _pair("speed", speed),
-        "elevation": float(max_elevation),
-        "opponent": opponent,
+        "elevation": _number("max_elevation", max_elevation),
+        "opponent": str(opponent),
         "balls": None if balls is None else _whole_pair("balls", balls),
-        "target_ball": target_ball,
+        "target_ball": str(target_ball),
         "table": table,
         "physics": physics,
-        "target": target,
-        "patience": patience,
+        "target": None if target is None else whole("target", target, _LARGEST),
+        "patience": whole("patience", patience, _LARGEST),
         "rewards": None if rewards is None else _finite(astuple(rewards)),
-        "autoreset": autoreset_mode,
-        "threads": threads,
+        "max_steps": (
+            None
+            if max_episode_steps is None
+            else whole("max_episode_steps", max_episode_steps, _LARGEST)
+        ),
+        "autoreset": str(autoreset_mode),
+        "threads": None if threads is None else whole("threads", threads, _LARGEST),
     }
+
+
+def whole(name: str, value: Any, most: int) -> int:
+    """A count from 0 to ``most``, NumPy's as well.
+
+    Raises:
+        InputError: It is none.
+    """
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        raise InputError(f"{name}: {value!r} is not a whole number; write one")
+    number = operator.index(value)
+    if not 0 <= number <= most:
+        raise InputError(f"{name}: {number} is out of range; write a number from 0 to {most}")
+    return number
+
+
+def _no_such(name: str) -> str:
+    known = [*(pack.__kwdefaults__ or {}), "render_mode"]
+    near = difflib.get_close_matches(name, known, 1)
+    meant = f'did you mean "{near[0]}"? ' if near else ""
+    return f"{name}: there is no such setting; {meant}(known: {', '.join(known)})"
+
+
+def _number(name: str, value: Any) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: {value!r} is not a number; write one") from None
 
 
 def _pair(name: str, value: Sequence[float]) -> tuple[float, float]:
@@ -117,10 +162,15 @@ def _pair(name: str, value: Sequence[float]) -> tuple[float, float]:
 
 
 def _whole_pair(name: str, value: int | Sequence[int]) -> tuple[int, int]:
-    low, high = (value, value) if isinstance(value, int) else _pair(name, value)
-    if int(low) != low or int(high) != high or low < 0 or high < 0:
-        raise InputError(f"{name}: {value!r} is not a count, nor two; write whole numbers")
-    return int(low), int(high)
+    try:
+        low, high = value  # type: ignore[misc]
+    except TypeError:
+        low = high = value
+    except ValueError:
+        raise InputError(
+            f"{name}: {value!r} is not a count, nor two; write whole numbers"
+        ) from None
+    return whole(name, low, _LARGEST), whole(name, high, _LARGEST)
 
 
 def _finite(values: tuple[float, ...]) -> tuple[float, ...]:

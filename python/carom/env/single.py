@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 import gymnasium
 import numpy as np
+from gymnasium.error import ResetNeeded
 
 from carom import _core
-from carom.env.render import frame
+from carom.env.render import check_mode, frame
 from carom.env.settings import pack
 from carom.env.vector import spaces
 
@@ -23,6 +24,7 @@ class CaromEnv(gymnasium.Env[Any, Any]):
 
     ``info`` has ``player`` (who shoots next; −1 at the end of an episode), ``legal`` (whether the
     agent's shot was) and ``potted`` (balls that it potted and that were the shooter's to pot).
+    ``copy.deepcopy`` gives an environment that goes on by itself from the same place.
 
     Args:
         task: ``potting``, ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``,
@@ -37,7 +39,7 @@ class CaromEnv(gymnasium.Env[Any, Any]):
         settings.pop("autoreset_mode", None)
         packed = pack(autoreset_mode="disabled", **({"threads": 1} | settings))
         self._core = _core.VectorEnv(task, 1, packed)
-        self.render_mode = render_mode
+        self.render_mode = check_mode(render_mode)
         self.observation_space, self.action_space = spaces(self._core)
         self._seeded = False
 
@@ -54,6 +56,8 @@ class CaromEnv(gymnasium.Env[Any, Any]):
 
     def step(self, action: Array) -> tuple[Array, float, bool, bool, dict[str, Any]]:
         """Plays a shot; numbers of ``action`` beyond [−1, 1] are brought into it."""
+        if not self._seeded:
+            raise ResetNeeded("call reset before step")
         out = self._core.step(np.asarray(action, dtype=np.float32).reshape(1, -1))
         info = {key: out[key][0].item() for key in ("player", "legal", "potted")}
         return (

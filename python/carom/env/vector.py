@@ -6,14 +6,15 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from gymnasium.error import ResetNeeded
 from gymnasium.spaces import Box
 from gymnasium.utils.seeding import np_random
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from carom import _core
-from carom.env.render import frame
-from carom.env.settings import pack
+from carom.env.render import check_mode, frame
+from carom.env.settings import pack, whole
 from carom.errors import InputError
 
 if TYPE_CHECKING:
@@ -26,6 +27,10 @@ _MODES = {
     "next-step": AutoresetMode.NEXT_STEP,
     "disabled": AutoresetMode.DISABLED,
 }
+
+
+# More than fit into any memory.
+_MOST = 2**31 - 1
 
 
 def spaces(core: _core.VectorEnv) -> tuple[Box, Box]:
@@ -44,7 +49,11 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
     ``info`` has arrays of one entry an environment: ``player`` (who shoots next; −1 at the end of
     an episode), ``legal`` (whether the agent's shot was), ``potted`` (balls that it potted and
     that were the shooter's to pot). In the mode ``same-step``, the steps that end episodes have
-    ``final_obs`` besides, and ``_final_obs`` says where.
+    besides what Gymnasium has there: ``final_obs``, the old episode's last rows, shape
+    (num_envs, observation size), 0 where none has ended; ``final_info``, its last ``player``,
+    ``legal`` and ``potted``; and the masks ``_final_obs`` and ``_final_info``. ``player`` itself is
+    then the new episode's. ``copy.deepcopy`` gives a vector that goes on by itself from the same
+    place.
 
     Args:
         task: ``potting``, ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``,
@@ -69,8 +78,9 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
         if isinstance(autoreset_mode, AutoresetMode):
             names = {mode: name for name, mode in _MODES.items()}
             autoreset_mode = names[autoreset_mode]
-        if isinstance(num_envs, bool) or not isinstance(num_envs, int) or num_envs < 1:
-            raise InputError(f"num_envs: {num_envs!r} is not a count; give a whole number ≥ 1")
+        num_envs = whole("num_envs", num_envs, _MOST)
+        if num_envs == 0:
+            raise InputError("num_envs: 0 is out of range; write at least 1")
         self._core = _core.VectorEnv(
             task, num_envs, pack(autoreset_mode=autoreset_mode, **settings)
         )
@@ -80,7 +90,7 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
             "autoreset_mode": _MODES[autoreset_mode],
         }
         self.num_envs = num_envs
-        self.render_mode = render_mode
+        self.render_mode = check_mode(render_mode)
         self.single_observation_space, self.single_action_space = spaces(self._core)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
@@ -105,11 +115,15 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
         if seed is None and not self._seeded:
             seed = int(np_random(None)[0].integers(2**62))
         if seed is not None:
-            each = range(seed, seed + self.num_envs) if isinstance(seed, int) else seed
-            seeds = [int(one) % 2**64 for one in each]
+            seeds = self._seeds(seed)
             self._seeded = True
         if mask is not None:
-            mask = np.asarray(mask, dtype=np.bool_)
+            mask = np.asarray(mask)
+            if mask.dtype != np.bool_ or mask.shape != (self.num_envs,):
+                raise InputError(
+                    f"reset_mask: found {mask.dtype} of shape {mask.shape}; "
+                    f"give booleans of shape ({self.num_envs},)"
+                )
         observations = self._core.reset(seeds, mask)
         return observations, {}
 
@@ -118,12 +132,26 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
 
         Args:
             actions: Shape (num_envs, action size); numbers beyond [−1, 1] are brought into it.
+
+        Raises:
+            InputError: The actions have another shape.
+            ResetNeeded: The vector was never reset.
         """
-        info = self._core.step(np.ascontiguousarray(actions, dtype=np.float32))
+        if not self._seeded:
+            raise ResetNeeded("call reset before step")
+        actions = np.ascontiguousarray(actions, dtype=np.float32)
+        if actions.shape != self.action_space.shape:
+            wanted = self.action_space.shape
+            raise InputError(f"actions: found the shape {actions.shape}; give {wanted}")
+        info = self._core.step(actions)
         observations, rewards = info.pop("observations"), info.pop("rewards")
         terminated, truncated = info.pop("terminated"), info.pop("truncated")
         if "final_obs" in info:
-            info["_final_obs"] = terminated | truncated
+            ended = terminated | truncated
+            last: dict[str, Array] = {"player": np.where(ended, np.int8(-1), np.int8(0))}
+            last |= {key: info[key] * ended for key in ("legal", "potted")}
+            info["final_info"] = last | {f"_{key}": ended for key in last}
+            info["_final_obs"] = info["_final_info"] = ended
         return observations, rewards, terminated, truncated, info
 
     def render(self) -> tuple[Array, ...] | None:
@@ -131,3 +159,9 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
         if self.render_mode is None:
             return None
         return tuple(frame(self._core.picture(index)) for index in range(self.num_envs))
+
+    def _seeds(self, seed: int | Sequence[int]) -> list[int]:
+        if isinstance(seed, Sequence | np.ndarray):
+            return [whole("seed", one, 2**64 - 1) for one in seed]
+        first = whole("seed", seed, 2**64 - 1)
+        return [one % 2**64 for one in range(first, first + self.num_envs)]
