@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
@@ -27,7 +28,7 @@ _LOOK = 1024
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PotMap:
-    """The chance of a pot from every place of the cue ball.
+    """The chance of a pot from every place of the cue ball; ``print`` it for a table.
 
     Attributes:
         shot: The shot whose cue ball is moved.
@@ -54,10 +55,18 @@ class PotMap:
     n: NDArray[np.int64]
     azimuth: NDArray[np.float64]
 
+    def __str__(self) -> str:
+        lines = [f"{self.ball} into {self.pocket}, %, from x (bottom line) and y (left) in cm"]
+        for y, row in zip(self.y[::-1].tolist(), self.chance[::-1].tolist(), strict=True):
+            cells = ("  -" if math.isnan(chance) else f"{100 * chance:3.0f}" for chance in row)
+            lines.append(f"{100 * y:4.0f}  " + " ".join(cells))
+        lines.append("      " + " ".join(f"{100 * x:3.0f}" for x in self.x.tolist()))
+        return "\n".join(lines)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PositionMap:
-    """Where the cue ball ends with every speed and spin.
+    """Where the cue ball ends with every speed and spin; ``print`` it for a table.
 
     Attributes:
         shot: The shot whose strike is changed.
@@ -81,10 +90,25 @@ class PositionMap:
     azimuth: NDArray[np.float64]
     end: NDArray[np.float64]
 
+    def __str__(self) -> str:
+        lines = ["speed   side height azimuth_deg falls  cue ball ends at x, y in m"]
+        for k, (side, height) in enumerate(
+            zip(self.side.tolist(), self.height.tolist(), strict=True)
+        ):
+            for j, speed in enumerate(self.speed.tolist()):
+                turn = math.degrees(self.azimuth[j, k]) % 360
+                if math.isnan(turn):
+                    found = f"{'-':>11} -"
+                else:
+                    x, y = self.end[j, k].tolist()
+                    found = f"{turn:11.2f} {'yes' if self.falls[j, k] else 'no':5}  {x:.3f} {y:.3f}"
+                lines.append(f"{speed:5.2f} {side:+6.2f} {height:+6.2f} {found}")
+        return "\n".join(lines)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Acceptance:
-    """What a pocket takes of the balls that roll at it.
+    """What a pocket takes of the balls that roll at it; ``print`` it for a table.
 
     Attributes:
         pocket: Its name.
@@ -92,8 +116,8 @@ class Acceptance:
         angle: Angles to the pocket's axis, rad, shape (n_angles,).
         offset: Offsets of the line from the mouth's middle, m, shape (n_offsets,).
         distance: From the start to the mouth's middle, m.
-        accepted: 1 where the ball falls, 0 where it does not, −1 where it cannot start; int8 of
-            shape (n_speeds, n_angles, n_offsets).
+        accepted: 1 where the ball falls without going away first, 0 where it does not, −1 where it
+            cannot start; int8 of shape (n_speeds, n_angles, n_offsets).
     """
 
     pocket: str
@@ -111,6 +135,17 @@ class Acceptance:
         step = np.ptp(self.offset) / (len(self.offset) - 1) if len(self.offset) > 1 else 0.0
         taken: NDArray[np.float64] = (self.accepted == 1).sum(axis=2) * step
         return taken
+
+    def __str__(self) -> str:
+        lines = [
+            f"how wide {self.pocket} is, mm, by the angle to its axis in degrees and the speed",
+            " angle" + "".join(f"{f'{speed:g} m/s':>10}" for speed in self.speed.tolist()),
+        ]
+        for angle, widths in zip(self.angle.tolist(), self.width.T.tolist(), strict=True):
+            lines.append(
+                f"{math.degrees(angle):6.1f}" + "".join(f"{1e3 * width:10.0f}" for width in widths)
+            )
+        return "\n".join(lines)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -218,9 +218,35 @@ def test_the_commands_print_numbers_and_draw(run: CommandLine, tmp_path: Path) -
     assert len(found) == 2
     assert all(1 <= solution["strike"]["speed"] <= 3 for solution in found)
     assert 'id="way-2-cue"' in drawn.read_text()
+    best = tmp_path / "best.json"
+    assert run(*ask, "--best", str(best)).returncode == 0
+    assert Shot.load(best).to_dict()["strike"] == found[0]["strike"]
     refused = run("solve", str(FILE), "--leave", "1,2")
     assert refused.returncode == 2
     assert refused.stderr.startswith("carom: leave: ")
+
+
+def test_maps_print_as_tables_that_lie_as_the_table_does(cut: Shot) -> None:
+    pots = carom.pot_map(cut, "1", "right", noise=CLUB, columns=4, n=20)
+    _, *rows, places = str(pots).splitlines()
+    assert [int(x) for x in places.split()] == [round(100 * x) for x in pots.x]
+    assert [int(row.split()[0]) for row in rows] == [round(100 * y) for y in pots.y[::-1]]
+    highest = [float("nan") if cell == "-" else int(cell) / 100 for cell in rows[0].split()[1:]]
+    np.testing.assert_allclose(highest, pots.chance[-1], atol=0.0051)
+
+    ends = carom.position_map(cut, "1", "right", speed=[1.0, 2.0], height=[-0.3, 0.3])
+    _, *rows = str(ends).splitlines()
+    assert [row.split()[:3] for row in rows[:2]] == [
+        ["1.00", "+0.00", "-0.30"],
+        ["2.00", "+0.00", "-0.30"],
+    ]
+    last = rows[-1].split()
+    assert last[4] == ("yes" if ends.falls[-1, -1] else "no")
+    assert [float(x) for x in last[5:]] == pytest.approx(ends.end[-1, -1], abs=6e-4)
+
+    taken = carom.acceptance(cut, "left", speed=[1.0], angle=np.radians([-10.0, 0.0]))
+    widths = [float(row.split()[1]) for row in str(taken).splitlines()[2:]]
+    assert widths == pytest.approx(1e3 * taken.width[0], abs=0.6)
 
 
 def test_pictures_are_the_same_each_time(cut: Shot) -> None:

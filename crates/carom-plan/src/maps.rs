@@ -202,7 +202,7 @@ fn aim<const N: usize>(player: &mut Player<'_, N>, strike: Strike) -> Option<Tri
 /// What a pocket takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Accepted {
-    /// The ball falls into it.
+    /// The ball falls into it, and was never farther from its mouth than at the start.
     Falls,
     /// It does not.
     Stays,
@@ -241,7 +241,7 @@ pub fn acceptance(
     if !(approaches.distance > 0.0 && approaches.distance.is_finite()) {
         return Err(Error::input("distance", "it is no distance", "give a number of metres > 0"));
     }
-    let mouth = (hole.mouth[0] + hole.mouth[1]) * 0.5 + shot.table().center();
+    let mouth = (hole.mouth[0] + hole.mouth[1]) * 0.5;
     let threads = Threads::new(threads);
     let mut all = Vec::new();
     for (row, &speed) in approaches.speeds.iter().enumerate() {
@@ -250,8 +250,8 @@ pub fn acceptance(
             let offset = approaches.offsets[cell % approaches.offsets.len()];
             let (sin, cos) = carom::math::sin_cos(angle);
             let way = hole.axis * cos + hole.axis.perp() * sin;
-            let start = mouth - way * approaches.distance - way.perp() * offset;
-            rolls_in(shot, pocket, start, way * speed)
+            let back = way * approaches.distance + way.perp() * offset;
+            rolls_in(shot, pocket, mouth, back, way * speed)
         };
         let cells = approaches.angles.len() * approaches.offsets.len();
         let found: Vec<Accepted> = threads.run(|| (0..cells).into_par_iter().map(roll).collect());
@@ -265,8 +265,11 @@ pub fn acceptance(
     Ok(all)
 }
 
-fn rolls_in(shot: &Shot, pocket: usize, start: Vec2, velocity: Vec2) -> Accepted {
+/// Whether `pocket` takes a ball that rolls with `velocity` from `back` before the middle of its `mouth`, which is
+/// in the engine's frame.
+fn rolls_in(shot: &Shot, pocket: usize, mouth: Vec2, back: Vec2, velocity: Vec2) -> Accepted {
     let ball = shot.physics().ball;
+    let start = mouth - back + shot.table().center();
     let spin = velocity.perp() * (1.0 / ball.radius);
     let state = BallState {
         position: start.with_z(ball.radius),
@@ -276,24 +279,38 @@ fn rolls_in(shot: &Shot, pocket: usize, start: Vec2, velocity: Vec2) -> Accepted
     };
     let placed = PlacedBall { id: "1".into(), ball, state };
     let Ok(rolling) = shot.with_balls(vec![placed], None) else { return Accepted::Nowhere };
-    let mut fall = Fall(None);
+    let mut fall = Fall { mouth, reach: back.length() + LEFT, into: None, left: false };
     let played = Simulation::<SMALL>::new().play(&rolling, &mut fall);
-    match (played, fall.0) {
-        (Ok(_), Some(into)) if into == pocket => Accepted::Falls,
+    match (played, fall.into) {
+        (Ok(_), Some(into)) if into == pocket && !fall.left => Accepted::Falls,
         (Ok(_), _) => Accepted::Stays,
         (Err(_), _) => Accepted::Nowhere,
     }
 }
 
-/// Notes which pocket a ball fell into.
-struct Fall(Option<usize>);
+/// A ball is away from a pocket when it is farther from it than at the start by this, m: far above rounding, far
+/// below a table.
+const LEFT: f64 = 1e-3;
+
+/// Notes which pocket a ball fell into, and whether it went away first: around the table and back is no matter of
+/// the jaws.
+struct Fall {
+    mouth: Vec2,
+    /// How far a ball is that has left, m.
+    reach: f64,
+    into: Option<usize>,
+    left: bool,
+}
 
 impl Recorder for Fall {
-    const STATES: bool = false;
+    const STATES: bool = true;
 
     fn record(&mut self, event: &Event<'_>) {
+        // Who comes back turns somewhere, and that is an event.
+        let away = |state: &BallState| (state.position.xy() - self.mouth).length();
+        self.left |= event.before.iter().any(|state| away(state) > self.reach);
         if let EventKind::PocketCollision(pocket) = event.kind {
-            self.0 = Some(usize::from(pocket));
+            self.into = Some(usize::from(pocket));
         }
     }
 }

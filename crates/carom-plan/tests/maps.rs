@@ -88,6 +88,19 @@ fn a_pocket_takes_less_of_what_comes_fast_and_aslant() {
 }
 
 #[test]
+fn a_ball_that_comes_back_from_around_the_table_is_not_taken() {
+    // 61° is nearly the table's diagonal: off both cushions, to the other corner and back.
+    let approaches = Approaches {
+        angles: &[16.0_f64.to_radians()],
+        offsets: &[-0.06, 0.0],
+        speeds: &[4.0],
+        distance: 0.3,
+    };
+    let found = acceptance(&cut(), TOP_RIGHT, &approaches, None, &mut |_| true).expect("curves");
+    assert_eq!(found, [Accepted::Stays, Accepted::Falls]);
+}
+
+#[test]
 fn breaks_without_noise_are_the_racks_own_ball_by_ball() {
     let opening = Break::new(Game::NineBall, 11);
     let all = breaks(&opening, &Noise::default(), 0, 20, None).expect("breaks");

@@ -135,6 +135,10 @@ def solve(
     ] = 4096,
     seed: Seed = 0,
     level: Level = 0.95,
+    best: Annotated[
+        Path | None,
+        typer.Option(metavar="OUT", help="Write the likeliest of them as a shot file."),
+    ] = None,
     json: Json = False,
     svg: Svg = None,
     png: Png = None,
@@ -163,6 +167,8 @@ def solve(
         progress=sys.stderr.isatty(),
     )
     _draw(lambda: draw(shot, found, leave=area, title=_title(file)), svg=svg, png=png)
+    if best is not None and found:
+        found[0].shot.save(best)
     if json:
         emit(js.dumps([solution.to_dict() for solution in found]))
     else:
@@ -206,9 +212,8 @@ def map_pot(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    rows = {name: getattr(found, name) for name in ("x", "y", "chance", "azimuth")}
-    if json:
-        rows |= {name: getattr(found, name) for name in ("low", "high", "n")}
+    names = ("x", "y", "chance", "azimuth", "low", "high", "n")
+    rows = {name: getattr(found, name) for name in names}
     _show(found, rows, json=json, svg=svg, png=png)
 
 
@@ -387,20 +392,15 @@ def stats_break(
 def _show(
     found: Drawn, rows: dict[str, Any], *, json: bool, svg: Path | None, png: Path | None
 ) -> None:
-    """Pictures to files, numbers to stdout: as JSON, or the first axis as lines of text."""
+    """Pictures to files, numbers to stdout: the rows as JSON, or a table of text."""
     from carom.picture.maps import draw
     from carom.plan import or_null
 
     _draw(lambda: draw(found), svg=svg, png=png)
     if json:
         emit(js.dumps({name: or_null(values.tolist()) for name, values in rows.items()}))
-        return
-    for name, values in rows.items():
-        if values.ndim <= 2 and name != "azimuth":
-            emit(f"{name}: {values.tolist()}" if values.ndim == 1 else f"{name}:")
-        if values.ndim == 2 and name != "azimuth":
-            lines = (" ".join(f"{value:6.3f}" for value in row) for row in values.tolist())
-            emit("\n".join(lines))
+    else:
+        emit(str(found))
 
 
 def _draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) -> None:

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 SCALE_INCHES = 1.3
 # Curves and bars without a table, inches.
 CHART_INCHES = (7.2, 4.6)
-# How much of the table shows through a map of chances.
-MAP_ALPHA = 0.82
+# Above the cloth and below what is on it, so that the colours are those of the scale.
+MAP_LAYER = 1.15
 
 
 def draw(found: Drawn, *, title: str | None = None) -> Figure:
@@ -75,8 +75,7 @@ def _draw_pots(found: PotMap, title: str) -> Figure:
         cmap="viridis",
         vmin=0,
         vmax=1,
-        alpha=MAP_ALPHA,
-        zorder=2.4,
+        zorder=MAP_LAYER,
         gid="chance",
     )
     bar = _scale(figure, ax, image, "chance of the pot")
@@ -88,7 +87,8 @@ def _draw_pots(found: PotMap, title: str) -> Figure:
 def _draw_positions(found: PositionMap, title: str) -> Figure:
     figure, ax = sheet(found.shot, SCALE_INCHES, heading=title)
     paint = _paint(found.speed)
-    for column, (side, height) in enumerate(zip(found.side, found.height, strict=True)):
+    what, labels = _spins(found)
+    for column, label in enumerate(labels):
         ends = found.end[:, column]
         good = found.falls[:, column]
         x, y = (_gapped(ends[:, axis], good) for axis in (0, 1))
@@ -108,17 +108,31 @@ def _draw_positions(found: PositionMap, title: str) -> Figure:
         last = [(a, b) for (a, b), ok in zip(ends.tolist(), good, strict=True) if ok]
         if last and len(found.height) <= 12:
             ax.annotate(
-                f"{side:+.1f}/{height:+.1f}",
+                label,
                 last[-1],
                 xytext=(4, 2),
                 textcoords="offset points",
                 fontsize=6.5,
                 color="white",
+                bbox={"boxstyle": "round,pad=0.15", "facecolor": colors.CLOTH, "linewidth": 0},
                 zorder=7,
             )
-    _scale(figure, ax, paint, "speed of the cue, m/s; labels: side/height")
+    _scale(figure, ax, paint, f"speed of the cue, m/s; labels: {what}, ball radii")
     _balls(ax, found.shot)
     return figure
+
+
+def _spins(found: PositionMap) -> tuple[str, list[str]]:
+    """What the labels of the lines say, and the labels: of side and height what is not the same."""
+    sides, heights = (
+        [f"{value:+.2g}" if value else "0" for value in spin] for spin in (found.side, found.height)
+    )
+    if len(set(sides)) == 1:
+        return "height of the tip", heights
+    if len(set(heights)) == 1:
+        return "side", sides
+    both = zip(sides, heights, strict=True)
+    return "side and height", [f"{side} {height}" for side, height in both]
 
 
 def _draw_cushions(found: CushionTable, title: str) -> Figure:

@@ -241,7 +241,8 @@ def _draw_list(figure: Figure, shown: list[Solution], title: str) -> None:
     panel.set_axis_off()
     top = tall - MARGIN_INCHES
     panel.text(0.1, top, title, fontsize=12, fontweight="bold", color=colors.INK, va="top")
-    said = "solid: the cue ball · dashed: what it sends off" if shown else "no strike was found"
+    said = "solid: the cue ball · dashed: what it sends off\nside, height: in ball radii"
+    said = said if shown else "no strike was found"
     panel.text(0.1, top - 0.32, said, fontsize=7, color=colors.FAINT_INK, va="top")
     for index, solution in enumerate(shown):
         y = top - 0.75 - index * ENTRY_INCHES
