@@ -5,7 +5,7 @@ use carom::math::{Vec2, sqrt};
 
 use super::CUE;
 use crate::BallIndex;
-use crate::layout::{Layout, head_string, spot_named};
+use crate::layout::{Layout, distance, head_string, spot_named};
 use crate::request::d_radius;
 
 /// A cue ball in hand is tried at so many places across the D, and half as many along it.
@@ -24,14 +24,17 @@ pub(super) fn is_snookered(table: &Table, layout: &Layout, on: &[BallIndex]) -> 
     }
 }
 
-/// Whether those of the balls that are `blocking` obstruct a straight shot at every ball `on`, wholly or
-/// in part.
-pub(super) fn hides_all(
-    layout: &Layout,
-    on: &[BallIndex],
-    blocking: impl Fn(BallIndex) -> bool,
-) -> bool {
-    layout.place(CUE).is_some_and(|place| hides(layout, place, on, &blocking))
+/// Whether `ball` is what the cue ball is snookered by: at every ball `on` it obstructs a straight shot, wholly
+/// or in part, and is the nearest of those that do (section 2, rule 17b, c).
+pub(super) fn is_snookered_by(layout: &Layout, ball: BallIndex, on: &[BallIndex]) -> bool {
+    let Some(from) = layout.place(CUE) else { return false };
+    let way = |ball| layout.place(ball).map_or(f64::INFINITY, |there| distance(from, there));
+    let obstructs = |ball, target| !is_open(layout, from, target, &|other| other == ball);
+    on.iter().all(|target| {
+        let nearer = |other: &BallIndex| way(*other) < way(ball);
+        let mut nearer = layout.on_table().filter(|b| *b != CUE && !on.contains(b)).filter(nearer);
+        obstructs(ball, *target) && !nearer.any(|other| obstructs(other, *target))
+    })
 }
 
 fn hides(

@@ -99,6 +99,6 @@ impl Stroke {
         if few || goes_on || on.contains(&free) || state.layout.is_down(CUE) {
             return false;
         }
-        hidden::hides_all(&state.layout, &on, |ball| ball == free)
+        hidden::is_snookered_by(&state.layout, free, &on)
     }
 }
