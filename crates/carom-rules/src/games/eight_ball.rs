@@ -5,6 +5,7 @@ use carom::shot::Node;
 use crate::frame::State;
 use crate::games::{Game, Played};
 use crate::layout::Layout;
+use crate::play::Call;
 use crate::pool::{self, BALLS_TO_RAIL};
 use crate::request::{Calls, Choice, Region, Request};
 use crate::ruling::Foul;
@@ -57,7 +58,7 @@ impl EightBall {
     }
 
     /// The balls of which one must be hit first. On an open table any but the eight may be (WPA 3.4); the
-    /// eight too, once a group is off the table, for it may be claimed (2025: 4.4).
+    /// eight too, once a group is off the table, for it may be claimed (2025: 4.4), by calling the eight.
     fn balls_on(&self, layout: &Layout, player: Player) -> Vec<BallIndex> {
         let left = |group: Group| layout.left(group.balls());
         match self.group(player) {
@@ -73,6 +74,19 @@ impl EightBall {
 
     fn next(&self, state: &State, player: Player, hand: Option<Region>) -> Request {
         pool::shot(state, player, hand, self.balls_on(&state.layout, player), Calls::REQUIRED)
+    }
+
+    /// Whether a ball of the other kind was hit first than the call on an open table asks for: who calls the
+    /// eight claims the group that is gone, and hits the eight; who calls another ball does not.
+    fn is_against_call(&self, shot: &Played<'_>) -> bool {
+        let is_open = self.solids_of.is_none() && shot.turn.on.contains(&EIGHT);
+        let first = shot.facts.first_contact();
+        match shot.play.call {
+            Call::Pocket(ball, _) if is_open => {
+                first.is_some_and(|first| (first == EIGHT) != (ball == EIGHT))
+            }
+            _ => false,
+        }
     }
 
     /// The eight is off the table (WPA 3.8): it wins if it was called, on, and pocketed by a legal shot.
@@ -143,6 +157,7 @@ impl Game for EightBall {
         state.ruling.fouls = pool::standard_fouls(shot);
         let from_behind = pool::FromBehind::of(state, shot);
         state.ruling.fouls.add_if(from_behind.is_foul(), Foul::BehindHeadString);
+        state.ruling.fouls.add_if(self.is_against_call(shot), Foul::WrongBallFirst);
         if core::mem::take(&mut self.is_break) {
             return self.judge_break(state, shot);
         }

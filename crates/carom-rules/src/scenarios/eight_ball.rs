@@ -146,6 +146,114 @@ fn on_an_open_table_a_group_that_is_gone_may_be_claimed_for_the_eight() {
 }
 
 #[test]
+fn who_claims_a_group_that_is_gone_hits_the_eight_and_who_does_not_hits_another_ball() {
+    let open = || {
+        let mut scene = open_table().without([1, 2, 4, 5, 6, 7]);
+        scene.play(Call::Safety, hit(&[9]));
+        scene
+    };
+    let mut scene = open();
+    let ruling = scene.play(Call::Pocket(8, SIDE), hit(&[9, 8]).potting(8, SIDE));
+    assert_fouls(&ruling, &[Foul::WrongBallFirst]);
+    scene.is_won_by(0);
+    let mut scene = open();
+    let ruling = scene.play(Call::Pocket(9, SIDE), hit(&[8, 9]).potting(9, SIDE));
+    assert_fouls(&ruling, &[Foul::WrongBallFirst]);
+    assert_eq!(group(&scene, 1), None);
+    for first in [8, 9] {
+        assert!(open().play(Call::Safety, hit(&[first])).is_legal());
+    }
+    let mut scene = open_table().without((1..=15).filter(|ball| *ball != 8));
+    scene.play(Call::Safety, hit(&[8]));
+    assert_eq!(scene.asks(1).on, [8], "nothing else is left");
+    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
+    scene.is_won_by(1);
+}
+
+#[test]
+fn of_two_groups_that_fall_the_called_ball_decides() {
+    let mut scene = open_table();
+    let happened = hit(&[1, 9]).potting(1, SIDE).potting(9, CORNER);
+    scene.play(Call::Pocket(9, CORNER), happened);
+    assert_eq!(group(&scene, 0), Some(Group::Stripes));
+    scene.asks(0);
+}
+
+#[test]
+fn a_safety_on_an_open_table_decides_no_group_whatever_falls() {
+    let mut scene = open_table();
+    scene.play(Call::Safety, hit(&[1]).potting(1, SIDE));
+    assert_eq!(group(&scene, 0), None);
+    scene.asks(1);
+}
+
+#[test]
+fn a_group_that_the_other_player_cleared_is_cleared() {
+    let mut scene = solids().without([10, 11, 12, 13, 14, 15]);
+    scene.play(Call::Pocket(2, SIDE), hit(&[2, 9]).potting(9, CORNER));
+    assert_eq!(scene.asks(1).on, [8]);
+    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
+    scene.is_won_by(1);
+}
+
+#[test]
+fn the_eight_on_a_safety_loses() {
+    let mut scene = on_the_eight();
+    scene.play(Call::Safety, hit(&[8]).potting(8, SIDE));
+    scene.is_won_by(1);
+    let mut scene = open_table();
+    scene.play(Call::Pocket(8, SIDE), hit(&[9, 8]).potting(8, SIDE));
+    scene.is_won_by(1);
+}
+
+#[test]
+fn on_the_eight_another_ball_first_is_a_foul() {
+    let mut scene = on_the_eight();
+    let ruling = scene.play(Call::Pocket(8, SIDE), hit(&[9, 8]).potting(8, SIDE));
+    assert_fouls(&ruling, &[Foul::WrongBallFirst]);
+    scene.is_won_by(1);
+}
+
+#[test]
+fn balls_of_the_own_group_off_the_table_stay_off_and_count_as_gone() {
+    let mut scene = solids().without([2, 4, 5, 6]);
+    let ruling = scene.play(Call::Pocket(7, CORNER), hit(&[7]).losing(7));
+    assert_fouls(&ruling, &[Foul::BallOffTable]);
+    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+    scene.play(Call::Safety, hit(&[9]));
+    assert_eq!(scene.asks(0).on, [8]);
+}
+
+#[test]
+fn who_breaks_again_has_the_breakers_choices() {
+    let mut scene = Scene::of(Rules::EightBall);
+    scene.play(Call::Nothing, hit(&[1]).driving(&[1]));
+    scene.choose(Choice::Rebreak);
+    scene.play(Call::Nothing, hit(&[1]).potting(8, SIDE));
+    scene.offers(1, &[Choice::SpotEight, Choice::Rebreak]);
+    scene.choose(Choice::SpotEight);
+    assert_eq!(scene.asks(1).hand, None);
+}
+
+#[test]
+fn after_a_foul_on_the_break_the_table_may_be_played_as_it_lies() {
+    let mut scene = Scene::of(Rules::EightBall);
+    scene.play(Call::Nothing, hit(&[1]).potting(3, SIDE).losing(4));
+    scene.choose(Choice::PlayOn);
+    assert_eq!(scene.asks(1).hand, None);
+    assert!(scene.turn().calls.required && group(&scene, 1).is_none());
+}
+
+#[test]
+fn the_head_string_binds_in_the_first_shot_after_the_break_alone() {
+    let mut scene = solids();
+    scene.play(Call::Safety, hit(&[2]).potting(0, CORNER));
+    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+    scene.0.put(9, Some([0.3, 0.3]));
+    assert!(scene.play(Call::Safety, hit(&[9]).staying_below(0.4)).is_legal());
+}
+
+#[test]
 fn a_soft_break_that_is_a_foul_besides_may_be_racked_again_or_played_from_hand() {
     let mut scene = Scene::of(Rules::EightBall);
     let ruling = scene.play(Call::Nothing, hit(&[1]).driving(&[1]).potting(0, CORNER));
