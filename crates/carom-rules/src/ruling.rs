@@ -29,6 +29,8 @@ pub enum Foul {
     Push,
     /// The cue ball was left behind the free ball (snooker).
     SnookeredByFreeBall,
+    /// The starting shot went to a cushion before the red (three-cushion).
+    IndirectStart,
 }
 
 impl Foul {
@@ -47,6 +49,7 @@ impl Foul {
             Self::Jump => "the cue ball jumped over a ball",
             Self::Push => "a touching ball was moved",
             Self::SnookeredByFreeBall => "the free ball was left in the way",
+            Self::IndirectStart => "the starting shot went to a cushion before the red",
         }
     }
 }
@@ -56,7 +59,7 @@ impl Foul {
 pub struct Fouls(u16);
 
 impl Fouls {
-    const ALL: [Foul; 12] = [
+    const ALL: [Foul; 13] = [
         Foul::Scratch,
         Foul::CueBallOffTable,
         Foul::NoContact,
@@ -69,6 +72,7 @@ impl Fouls {
         Foul::Jump,
         Foul::Push,
         Foul::SnookeredByFreeBall,
+        Foul::IndirectStart,
     ];
 
     /// None.

@@ -35,6 +35,11 @@ impl State {
         Ok(Self { options, base, layout, scores, fouls, ruling, rules, seed, racks: 1 })
     }
 
+    /// The scores with what the ruling gives.
+    pub(crate) fn scores_after(&self) -> [i32; 2] {
+        [0, 1].map(|player| self.scores[player] + self.ruling.points[player])
+    }
+
     /// Racks the balls, another way each time.
     pub(crate) fn rack(&mut self) {
         self.layout = self.fresh_rack();

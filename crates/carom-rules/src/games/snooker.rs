@@ -161,7 +161,7 @@ impl Snooker {
             return end;
         }
         let is_open = lead(state.scores) < worth_before
-            && lead(scores_after(state)) < self.worth(&state.layout);
+            && lead(state.scores_after()) < self.worth(&state.layout);
         // After one with a full ball in sight another from there is a miss at any score (rule 14d).
         let misses = state.options.miss && stroke.missed && (is_open || self.misses > 0);
         self.misses = if misses && stroke.full_ball { self.misses + 1 } else { 0 };
@@ -187,7 +187,7 @@ impl Snooker {
         if !decided {
             return None;
         }
-        let scores = scores_after(state);
+        let scores = state.scores_after();
         if scores[0] != scores[1] {
             let winner = usize::from(scores[1] > scores[0]);
             return Some(Request::won(winner, "the black decided"));
@@ -203,11 +203,6 @@ impl Snooker {
 /// By how much one player leads.
 const fn lead(scores: [i32; 2]) -> i32 {
     (scores[0] - scores[1]).abs()
-}
-
-/// The scores with what the ruling gives.
-fn scores_after(state: &State) -> [i32; 2] {
-    [0, 1].map(|player| state.scores[player] + state.ruling.points[player])
 }
 
 impl Game for Snooker {

@@ -130,7 +130,7 @@ impl Game for StraightPool {
         if pool::is_third_foul(state, player) {
             return self.third_foul(state, player);
         }
-        if state.scores[player] + state.ruling.points[player] >= state.options.target {
+        if state.scores_after()[player] >= state.options.target {
             return Request::won(player, "the target was reached");
         }
         let hand = Self::rack_fourteen(state);

@@ -24,7 +24,7 @@ const FROZEN: f64 = 1e-9;
 /// The article of the UMB's World rules of carom billiard (1 January 1989).
 pub(crate) const fn rule(foul: Foul) -> &'static str {
     match foul {
-        Foul::WrongBallFirst => "UMB 23",
+        Foul::WrongBallFirst | Foul::IndirectStart => "UMB 23",
         Foul::Push => "UMB 27",
         Foul::CueBallOffTable | Foul::BallOffTable => "UMB 28",
         _ => "",
@@ -35,8 +35,6 @@ pub(crate) const fn rule(foul: Foul) -> &'static str {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ThreeCushion {
     is_opening: bool,
-    /// Player 0 has reached the target: player 1 has one more inning.
-    last_inning: bool,
     innings: [u32; 2],
 }
 
@@ -46,33 +44,36 @@ impl ThreeCushion {
         self.innings
     }
 
-    /// An inning that begins from the starting position, with the red to be hit first (article 23).
+    /// An inning that begins from the starting position, with the red to be attacked directly (article 23).
     fn starting_shot(&mut self, player: Player) -> Request {
         self.is_opening = true;
         self.innings[player] += 1;
         Self::turn(player, vec![RED])
     }
 
-    /// What follows on the end of the inning of `player`, who has `total` points then. Both players have the
-    /// same number of innings: player 1 may answer, from the starting position.
-    fn end_inning(&mut self, state: &mut State, player: Player, total: i32) -> Request {
-        let reached = total >= state.options.target;
-        if player == 0 && reached {
-            self.last_inning = true;
-            state.rack();
-            let (start, head) = (state.layout.place(0), state.layout.place(1));
-            state.layout.put(0, head);
-            state.layout.put(1, start);
-            return self.starting_shot(1);
+    /// What follows on the end of the inning of `player`, with these scores then. Both players have the same
+    /// number of innings (article 29): who has had one less may answer, from the starting position.
+    fn end_inning(&mut self, state: &mut State, player: Player, scores: [i32; 2]) -> Request {
+        let other = 1 - player;
+        if scores.iter().all(|score| *score < state.options.target) {
+            self.innings[other] += 1;
+            return Self::next(state, other);
         }
-        if player == 1 && (reached || self.last_inning) {
-            let zero = state.scores[0];
-            let winner = (zero != total).then_some(usize::from(total > zero));
-            let why = "the target was reached in equal innings";
-            return Request::Over { winner, why };
+        if self.innings[other] < self.innings[player] {
+            Self::starting_position(state, other);
+            return self.starting_shot(other);
         }
-        self.innings[1 - player] += 1;
-        Self::next(state, 1 - player)
+        let winner = (scores[0] != scores[1]).then_some(usize::from(scores[1] > scores[0]));
+        Request::Over { winner, why: "the target was reached in equal innings" }
+    }
+
+    /// The red on the foot spot, the ball of `player` on a starting spot, the other's on the head spot.
+    fn starting_position(state: &mut State, player: Player) {
+        state.rack();
+        let [start, head] = [0, 1].map(|ball| state.layout.place(ball));
+        let own = player as BallIndex;
+        state.layout.put(own, start);
+        state.layout.put(1 - own, head);
     }
 
     fn next(state: &State, player: Player) -> Request {
@@ -130,22 +131,24 @@ impl Game for ThreeCushion {
         let frozen = shot.before.touching(facts.cue, FROZEN);
         let pushed = |touch: &Touch| matches!(touch, Touch::Ball(ball) if frozen.contains(ball));
         let was_opening = core::mem::take(&mut self.is_opening);
-        let wrong = was_opening && facts.first_contact().is_some_and(|ball| ball != RED);
+        let first = facts.first_contact().filter(|_| was_opening);
+        let indirect = first == Some(RED) && facts.touched.first() != Some(&Touch::Ball(RED));
         let fouls = &mut state.ruling.fouls;
         fouls.add_if(facts.off_table.contains(&facts.cue), Foul::CueBallOffTable);
         fouls.add_if(facts.thrown_off().next().is_some(), Foul::BallOffTable);
-        fouls.add_if(wrong, Foul::WrongBallFirst);
+        fouls.add_if(first.is_some_and(|ball| ball != RED), Foul::WrongBallFirst);
+        fouls.add_if(indirect, Foul::IndirectStart);
         fouls.add_if(facts.touched.first().is_some_and(pushed), Foul::Push);
         Self::spot(state, &facts.off_table, shot.other());
 
         let frozen_to = frozen_to(state.base.table(), shot.before, facts.cue);
         let scored = state.ruling.is_legal() && is_carom(facts, &frozen_to);
         state.ruling.points[player] = scored.into();
-        let total = state.scores[player] + state.ruling.points[player];
-        if scored && total < state.options.target {
+        let scores = state.scores_after();
+        if scored && scores[player] < state.options.target {
             return Self::next(state, player);
         }
-        self.end_inning(state, player, total)
+        self.end_inning(state, player, scores)
     }
 
     fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {

@@ -1,7 +1,7 @@
 //! UMB.
 
 use super::{Scene, assert_fouls, hit};
-use crate::{Call, Choice, Foul, Options, Request, Rules};
+use crate::{Call, Choice, Foul, Frame, Options, Request, Rules};
 
 const NOTHING: Call = Call::Nothing;
 
@@ -13,6 +13,8 @@ fn carom(scene: &Scene) -> super::Shot {
 
 fn played(order: &[i32]) -> i32 {
     let mut scene = Scene::of(Rules::ThreeCushion);
+    let point = carom(&scene);
+    scene.play(NOTHING, point);
     scene.play(NOTHING, hit(&[]).touching(order)).points[0]
 }
 
@@ -21,6 +23,9 @@ fn a_carom_needs_three_cushions_before_the_second_ball() {
     assert_eq!(played(&[2, -1, -1, -1, 1]), 1);
     assert_eq!(played(&[-1, -1, -1, 2, 1]), 1);
     assert_eq!(played(&[-1, 2, -1, 2, -1, 1]), 1, "the first ball may be hit again");
+    assert_eq!(played(&[1, -1, -1, 1, -1, 2, 1]), 1, "a kiss after the third cushion");
+    assert_eq!(played(&[1, 2, -1, -1, -1, 2]), 0, "the second ball was met before");
+    assert_eq!(played(&[2, -1, -1, -1, -1, -1, 1]), 1, "more than three");
     assert_eq!(played(&[2, -1, -1, 1, -1]), 0);
     assert_eq!(played(&[2, -1, -1, -1]), 0);
     assert_eq!(played(&[-1, -1, -1]), 0);
@@ -43,6 +48,16 @@ fn the_opening_shot_goes_to_the_red_first() {
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
     assert_eq!(ruling.points, [0, 0]);
     scene.asks(1);
+}
+
+#[test]
+fn the_starting_shot_attacks_the_red_directly() {
+    let mut scene = Scene::of(Rules::ThreeCushion);
+    let ruling = scene.play(NOTHING, hit(&[]).touching(&[-1, -1, -1, 2, 1]));
+    assert_fouls(&ruling, &[Foul::IndirectStart]);
+    assert_eq!((ruling.points, scene.0.rules().rule(Foul::IndirectStart)), ([0, 0], "UMB 23"));
+    scene.asks(1);
+    assert!(scene.play(NOTHING, hit(&[]).touching(&[-1, 2])).is_legal(), "it is no starting shot");
 }
 
 #[test]
@@ -143,6 +158,63 @@ fn frozen_balls_may_be_spotted() {
     scene.lies_at(1, HEAD);
     assert_eq!(scene.0.layout().place(0), third, "the third ball stays");
     scene.asks(1);
+}
+
+#[test]
+fn a_cue_ball_frozen_to_both_others_has_all_three_spotted() {
+    let mut scene = Scene::of(Rules::ThreeCushion);
+    let diameter = 2.0 * scene.0.base().physics().ball.radius;
+    for (ball, x) in [(0, 0.7 - diameter), (1, 0.7), (2, 0.7 + diameter)] {
+        scene.0.put(ball, Some([x, 1.0]));
+    }
+    scene.play(NOTHING, hit(&[2]));
+    scene.choose(Choice::SpotFrozen);
+    for (ball, spot) in [(0, CENTER), (1, HEAD), (2, FOOT)] {
+        scene.lies_at(ball, spot);
+    }
+}
+
+#[test]
+fn balls_frozen_to_each_other_but_not_to_the_cue_ball_stay() {
+    let mut scene = Scene::of(Rules::ThreeCushion);
+    let diameter = 2.0 * scene.0.base().physics().ball.radius;
+    scene.0.put(0, Some([0.7 - diameter, 1.0]));
+    scene.0.put(2, Some([0.7, 1.0]));
+    scene.play(NOTHING, hit(&[2]));
+    scene.asks(1);
+}
+
+#[test]
+fn a_table_with_pockets_is_refused() {
+    let table = Some("wpa-9ft".into());
+    let refused = Frame::new(Rules::ThreeCushion, Options::default(), table, None, 1);
+    let message = refused.expect_err("a ball could fall").to_string();
+    assert!(message.starts_with("table: three-cushion is played on a table without pockets"));
+}
+
+#[test]
+fn who_reaches_the_target_in_the_second_inning_of_a_pair_has_won() {
+    let options = Options { target: 1, ..Options::default() };
+    let mut scene = Scene::with(Rules::ThreeCushion, options);
+    scene.play(NOTHING, hit(&[2]));
+    let point = carom(&scene);
+    scene.play(NOTHING, point);
+    scene.is_won_by(1);
+}
+
+#[test]
+fn in_a_match_that_player_1_begins_it_is_player_0_who_answers() {
+    let options = Options { target: 1, ..Options::default() };
+    let mut scene = Scene::with(Rules::ThreeCushion, options);
+    let start = scene.0.layout().clone();
+    let places: Vec<_> = (0..3).map(|ball| start.place(ball)).collect();
+    scene.0.scatter(&places, 1).expect("three balls");
+    let point = carom(&scene);
+    scene.play(NOTHING, point);
+    assert_eq!(scene.asks(0).on, [2], "it is a starting shot");
+    assert_eq!(*scene.0.layout(), start);
+    scene.play(NOTHING, hit(&[2]));
+    scene.is_won_by(1);
 }
 
 #[test]
