@@ -46,12 +46,14 @@ impl Frame {
     ) -> Result<Self, Error> {
         options.check()?;
         let base = base(rules, table, physics)?;
-        if rules.needs_pockets() && base.table().pockets.is_empty() {
-            return Err(Error::input(
-                "table",
-                format!("{} is played on a table with pockets", rules.name()),
-                "choose a table with pockets, or three-cushion",
-            ));
+        let refuse = |which, remedy| {
+            let what = format!("{} is played on a table {which} pockets", rules.name());
+            Err(Error::input("table", what, remedy))
+        };
+        match (rules.needs_pockets(), base.table().pockets.is_empty()) {
+            (true, true) => return refuse("with", "choose a table with pockets, or three-cushion"),
+            (false, false) => return refuse("without", "choose a table without, or another game"),
+            _ => {}
         }
         Self::on_table(rules, options, base, seed)
     }
@@ -176,7 +178,7 @@ impl Frame {
             ));
         }
         let request = self.law.game_mut().choose(&mut self.state, player, choice);
-        Ok(self.settle(request))
+        Ok(self.settle(request, 0))
     }
 
     /// The player whose turn it is gives up, and the other wins (WPA 1.11; WPBSA, section 2, rule 1; UMB,
@@ -188,17 +190,19 @@ impl Frame {
         let player = self
             .player()
             .ok_or_else(|| Error::input("concede", "the frame is over", "begin a new frame"))?;
-        Ok(self.settle(Request::won(1 - player, "the other player conceded")))
+        Ok(self.settle(Request::won(1 - player, "the other player conceded"), 0))
     }
 
-    /// Carries out what the ruling says, and sees to it that a frame without progress ends.
-    fn settle(&mut self, request: Request) -> Ruling {
+    /// Carries out what the ruling on so many `shots` (one, or none for a choice) says, and sees to it that a
+    /// frame without progress ends.
+    fn settle(&mut self, request: Request, shots: u32) -> Ruling {
+        self.shots += shots;
         self.request = request;
         for (score, points) in self.state.scores.iter_mut().zip(self.state.ruling.points) {
             *score += points;
         }
         if !self.is_over() {
-            match self.progress.follow(self.rules, &self.state) {
+            match self.progress.follow(self.rules, &self.state, shots) {
                 Some(Stalemate::Again) => self.begin_again(),
                 Some(Stalemate::End) => {
                     let why = "nobody got on: a stalemate";

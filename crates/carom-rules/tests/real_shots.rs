@@ -47,3 +47,84 @@ fn to_jump_over_a_ball_that_is_not_on_is_a_foul_though_the_red_is_hit_first() {
     let level = over_the_blue(0.0);
     assert!(level.fouls.has(Foul::WrongBallFirst) && !level.fouls.has(Foul::Jump), "{level:?}");
 }
+
+/// Two balls of a game that touch, the cue ball below `ball`, and `others`; struck at this azimuth.
+fn from_contact(rules: Rules, ball: usize, others: &[(usize, [f64; 2])], azimuth: f64) -> Ruling {
+    let mut frame = frame(rules);
+    let diameter = 2.0 * frame.base().physics().ball.radius;
+    let mut places = vec![None; frame.layout().len()];
+    places[0] = Some([0.5, 1.0]);
+    places[ball] = Some([0.5, 1.0 + diameter]);
+    others.iter().for_each(|(other, place)| places[*other] = Some(*place));
+    frame.scatter(&places, 0).expect("a game that goes on");
+    let strike = Strike { speed: 2.0, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
+    frame.play(&Play::new(strike)).expect("it can be played").0
+}
+
+#[test]
+fn in_pool_who_shoots_at_a_touching_ball_has_hit_it_and_who_shoots_away_has_not() {
+    let nine = |ball, other, azimuth| {
+        let ruling = from_contact(Rules::NineBall, ball, &[(other, [0.2, 0.3])], azimuth);
+        ruling.fouls.iter().collect::<Vec<_>>()
+    };
+    assert_eq!(nine(1, 9, UP), []);
+    assert_eq!(nine(1, 9, 0.0), [Foul::NoContact]);
+    assert_eq!(nine(9, 1, UP), [Foul::WrongBallFirst]);
+    assert_eq!(nine(1, 9, -UP), [], "it comes back to the ball from the rail");
+}
+
+#[test]
+fn in_snooker_who_shoots_at_a_touching_ball_pushes_and_who_shoots_away_has_hit_it() {
+    let colors: Vec<(usize, [f64; 2])> =
+        (16..22).map(|color| (color, [1.0, 0.1 * color as f64])).collect();
+    let red = |azimuth| from_contact(Rules::Snooker, 1, &colors, azimuth);
+    assert_eq!(red(UP).fouls.iter().collect::<Vec<_>>(), [Foul::Push]);
+    assert_eq!(red(UP).points, [0, 4]);
+    // Across, and a little away from it.
+    assert!(red(-0.1).is_legal(), "it touches nothing but rails");
+}
+
+#[test]
+fn in_three_cushion_who_shoots_at_a_frozen_ball_fouls() {
+    let red = |azimuth| from_contact(Rules::ThreeCushion, 2, &[(1, [1.0, 2.0])], azimuth);
+    assert!(red(UP).fouls.has(Foul::Push));
+    assert!(red(0.0).is_legal() && red(-UP).is_legal());
+}
+
+#[test]
+fn a_ball_frozen_to_a_rail_and_pressed_into_it_is_not_driven_to_it() {
+    let fouls = |gap: f64, speed| {
+        let mut frame = frame(Rules::NineBall);
+        let top = {
+            let table = frame.base().table();
+            table.size.y - table.reach(frame.base().physics().ball.radius)
+        };
+        let mut places = vec![None; 10];
+        for (ball, place) in [(0, [0.4, 1.8]), (1, [0.4, top - gap]), (9, [0.2, 0.3])] {
+            places[ball] = Some(place);
+        }
+        frame.scatter(&places, 0).expect("a game that goes on");
+        let strike = Strike { speed, azimuth: UP, elevation: 0.0, side: 0.0, height: 0.0 };
+        let ruling = frame.play(&Play::new(strike)).expect("it can be played").0;
+        ruling.fouls.iter().collect::<Vec<_>>()
+    };
+    assert_eq!(fouls(0.0, 0.9), [Foul::NoRailAfterContact]);
+    assert_eq!(fouls(0.001, 0.9), [], "it was not frozen");
+    assert_eq!(fouls(0.0, 3.0), [], "the cue ball comes to the other end");
+}
+
+#[test]
+fn a_ball_jumped_over_is_not_hit_in_pool_and_no_foul() {
+    let mut frame = frame(Rules::NineBall);
+    let mut places = vec![None; 10];
+    for (ball, place) in [(0, [0.6, 0.8]), (2, [0.6, 0.95]), (1, [0.6, 2.0]), (9, [0.2, 0.3])] {
+        places[ball] = Some(place);
+    }
+    frame.scatter(&places, 0).expect("a game that goes on");
+    let strike = |elevation| Strike { speed: 3.0, azimuth: UP, elevation, side: 0.0, height: 0.0 };
+    let mut level = frame.clone();
+    let level = level.play(&Play::new(strike(0.0))).expect("it can be played").0;
+    assert!(level.fouls.has(Foul::WrongBallFirst));
+    let over = frame.play(&Play::new(strike(0.9))).expect("it can be played").0;
+    assert!(over.is_legal(), "{over:?}");
+}

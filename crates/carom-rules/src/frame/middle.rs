@@ -43,15 +43,19 @@ impl Frame {
     /// open, in snooker reds are on while there are any, then the colours in their order.
     ///
     /// # Errors
-    /// [`Error::Input`] for another number of places than of balls, and for balls that are not there
-    /// though the game would be over, or would have put them back: the 8, the 9, the 10 in their games;
-    /// all but one in straight pool; in snooker the black, or colours that are not the next of their order
-    /// or go before the last red; any in three-cushion. Whether balls overlap, the next shot says.
+    /// [`Error::Input`] for another number of places than of balls, another player than 0 and 1, and for
+    /// balls that are not there though the game would be over, or would have put them back: the 8, the 9,
+    /// the 10 in their games; all but one in straight pool; in snooker the black, or colours that are not
+    /// the next of their order or go before the last red; any in three-cushion. Whether balls overlap, the
+    /// next shot says.
     pub fn scatter(&mut self, places: &[Option<[f64; 2]>], player: Player) -> Result<(), Error> {
         let wrong = |what: String, remedy: &str| Err(Error::input("places", what, remedy));
         if places.len() != self.state.layout.len() {
             let what = format!("{} for {} balls", places.len(), self.state.layout.len());
             return wrong(what, "give one for every ball");
+        }
+        if player > 1 {
+            return Err(Error::input("player", format!("{player} does not play"), "write 0 or 1"));
         }
         if let Some(what) = missing(self.rules, places) {
             return wrong(what, "put them on the table");

@@ -66,7 +66,7 @@ impl Frame {
                 Ok(())
             }
             Call::Safety if !calls.safety => {
-                wrong("no safety is called in this game", "leave the call out")
+                wrong("no safety is called in this shot", "leave the call out")
             }
             Call::PushOut if !calls.push_out => wrong(
                 "a push-out is allowed in the first shot after a legal break alone",
@@ -100,7 +100,8 @@ impl Frame {
             let what = format!("[{:?}, {:?}] is not {}", place[0], place[1], region.words());
             return wrong(what, "put it there");
         }
-        if !self.state.layout.is_free(turn.cue, place) {
+        // Where it lies it may stay, even against another ball.
+        if put.is_some() && !self.state.layout.is_free(turn.cue, place) {
             return wrong("it would touch another ball".into(), "put it where there is room");
         }
         Ok(())
@@ -221,10 +222,9 @@ impl Frame {
         facts: &Facts,
         before: &Layout,
     ) -> Ruling {
-        self.shots += 1;
         let shot = Played { turn, play, facts, before };
         let request = self.law.game_mut().judge(&mut self.state, &shot);
-        self.settle(request)
+        self.settle(request, 1)
     }
 }
 

@@ -34,14 +34,17 @@ impl Progress {
         self.fewest = Self::left(state);
     }
 
-    /// A shot or choice is over: is it a stalemate (WPA 1.12)?
-    pub(super) fn follow(&mut self, rules: Rules, state: &State) -> Option<Stalemate> {
+    /// A choice (`shots` is 0) or a shot is over: is it a stalemate (WPA 1.12)?
+    pub(super) fn follow(&mut self, rules: Rules, state: &State, shots: u32) -> Option<Stalemate> {
         let left = Self::left(state);
+        if state.ruling.racked {
+            self.fewest = left;
+        }
         let better = (0..2).any(|player| state.scores[player] > self.best[player]);
         let progress = if rules.is_scored_by_shots() { better } else { left < self.fewest };
         self.fewest = self.fewest.min(left);
         self.best = [0, 1].map(|player| self.best[player].max(state.scores[player]));
-        self.idle = if progress { 0 } else { self.idle + 1 };
+        self.idle = if progress { 0 } else { self.idle + shots };
         if self.idle < state.options.patience {
             return None;
         }

@@ -1,7 +1,7 @@
 //! How a frame ends that nobody wins at the table.
 
-use super::{Scene, hit};
-use crate::{Call, Options, Request, Rules};
+use super::{CORNER, SIDE, Scene, hit};
+use crate::{Call, Choice, Options, Request, Rules};
 
 #[test]
 fn who_concedes_loses_whether_a_shot_or_a_choice_is_asked() {
@@ -60,7 +60,20 @@ fn a_stalemate_takes_the_points_of_snooker_but_not_of_straight_pool() {
     let mut scene = Scene::with(Rules::StraightPool, options);
     scene.play(Call::Safety, hit(&[1]).no_rail());
     assert_eq!(scene.0.scores(), [-2, 0]);
-    scene.choose(crate::Choice::PlayOn);
-    assert!(idle(&mut scene, 3));
+    scene.choose(Choice::PlayOn);
+    assert!(!idle(&mut scene, 3), "a choice is no shot");
+    assert!(idle(&mut scene, 1));
     assert_eq!(scene.0.scores(), [-2, 0]);
+}
+
+#[test]
+fn balls_that_were_racked_again_can_be_progress_again() {
+    let mut scene = Scene::with(Rules::EightBall, Options { patience: 3, ..Options::default() });
+    let happened = hit(&[1]).potting(8, SIDE).potting(1, CORNER).potting(2, CORNER);
+    scene.play(Call::Nothing, happened);
+    scene.choose(Choice::Rebreak);
+    idle(&mut scene, 2);
+    scene.play(Call::Safety, hit(&[1]).potting(1, CORNER));
+    assert!(!idle(&mut scene, 2), "the 1 fell: that is progress");
+    assert!(idle(&mut scene, 1));
 }

@@ -1,7 +1,9 @@
 //! WPA, sections 2 and 9.
 
+use carom::resolve::cue_ball::Strike;
+
 use super::{CORNER, SIDE, Scene, assert_fouls, hit};
-use crate::{Call, Choice, Foul, Region, Rules};
+use crate::{Call, Choice, Foul, Play, Region, Rules};
 
 /// After a legal break that pocketed the 5: player 0 goes on.
 fn after_break(rules: Rules) -> Scene {
@@ -186,4 +188,130 @@ fn the_ten_wins_called_but_not_on_the_break_and_not_by_luck() {
     let ruling = scene.play(Call::Pocket(1, SIDE), hit(&[1, 10]).potting(10, SIDE));
     assert_eq!(ruling.spotted, [10]);
     scene.offers(0, &[Choice::PlayOn, Choice::PassBack]);
+}
+
+#[test]
+fn after_a_foul_on_the_break_nobody_pushes_out() {
+    for rules in [Rules::NineBall, Rules::TenBall] {
+        for happened in [hit(&[1]).potting(3, SIDE).losing(4), hit(&[1]).driving(&[1]), hit(&[])] {
+            let mut scene = Scene::of(rules);
+            assert!(!scene.play(Call::Nothing, happened).is_legal());
+            let turn = scene.asks(1);
+            assert_eq!((turn.hand, turn.calls.push_out), (Some(Region::Anywhere), false));
+        }
+    }
+}
+
+#[test]
+fn after_a_push_out_the_incoming_player_may_not_push_again() {
+    let mut scene = after_break(Rules::NineBall);
+    scene.play(Call::PushOut, hit(&[]).no_rail());
+    scene.choose(Choice::PlayOn);
+    scene.play(Call::Nothing, hit(&[1]));
+    assert!(!scene.asks(0).calls.push_out);
+}
+
+#[test]
+fn a_ball_thrown_off_in_a_push_out_is_a_foul() {
+    let mut scene = after_break(Rules::NineBall);
+    let ruling = scene.play(Call::PushOut, hit(&[2]).losing(2));
+    assert_fouls(&ruling, &[Foul::BallOffTable]);
+    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+}
+
+#[test]
+fn a_third_foul_loses_though_the_nine_falls() {
+    let mut scene = past_the_push(Rules::NineBall);
+    for _ in 0..2 {
+        scene.play(Call::Nothing, hit(&[2]));
+        scene.play(Call::Nothing, hit(&[1]));
+    }
+    assert_eq!(scene.play(Call::Nothing, hit(&[2]).potting(9, SIDE)).spotted, [9]);
+    scene.is_won_by(0);
+}
+
+#[test]
+fn a_foul_on_the_break_is_the_first_of_three() {
+    let mut scene = Scene::of(Rules::NineBall);
+    scene.play(Call::Nothing, hit(&[1]).potting(0, SIDE));
+    for _ in 0..2 {
+        scene.play(Call::Nothing, hit(&[1]));
+        scene.play(Call::Nothing, hit(&[1]).no_rail());
+    }
+    scene.is_won_by(1);
+}
+
+#[test]
+fn any_ball_keeps_the_turn_in_nine_ball_and_the_lowest_left_is_on() {
+    let mut scene = past_the_push(Rules::NineBall);
+    assert!(scene.play(Call::Nothing, hit(&[1, 6]).potting(6, SIDE)).is_legal());
+    assert_eq!(scene.asks(1).on, [1]);
+    scene.play(Call::Nothing, hit(&[1, 2]).potting(2, SIDE).potting(1, CORNER));
+    assert_eq!(scene.asks(1).on, [3]);
+}
+
+#[test]
+fn the_nine_comes_back_behind_the_ball_on_the_foot_spot() {
+    let mut scene = past_the_push(Rules::NineBall).without([1, 2, 4, 6, 7, 8]);
+    let foot = [0.635, 1.905];
+    scene.0.put(3, Some(foot));
+    scene.0.put(9, Some([0.3, 1.0]));
+    let ruling = scene.play(Call::Nothing, hit(&[3]).potting(9, SIDE));
+    assert_eq!(ruling.spotted, [9]);
+    let diameter = 2.0 * scene.0.base().physics().ball.radius;
+    scene.lies_at(9, [foot[0], foot[1] + diameter]);
+}
+
+#[test]
+fn in_ten_ball_a_foul_takes_precedence_over_what_was_not_called() {
+    let mut scene = past_the_push(Rules::TenBall);
+    let ruling = scene.play(Call::Pocket(1, CORNER), hit(&[2]).potting(3, SIDE));
+    assert_fouls(&ruling, &[Foul::WrongBallFirst]);
+    assert_eq!(scene.asks(0).hand, Some(Region::Anywhere));
+}
+
+#[test]
+fn in_ten_ball_any_ball_may_be_called_if_the_lowest_is_hit_first() {
+    let mut scene = past_the_push(Rules::TenBall);
+    scene.play(Call::Pocket(4, SIDE), hit(&[1, 4]).potting(4, SIDE));
+    assert_eq!(scene.asks(1).on, [1]);
+}
+
+#[test]
+fn the_last_ten_in_another_pocket_is_spotted_and_is_the_others_choice() {
+    let mut scene = past_the_push(Rules::TenBall).without(1..=9);
+    scene.play(Call::Safety, hit(&[10]));
+    let ruling = scene.play(Call::Pocket(10, SIDE), hit(&[10]).potting(10, CORNER));
+    assert_eq!(ruling.spotted, [10]);
+    scene.offers(1, &[Choice::PlayOn, Choice::PassBack]);
+    scene.choose(Choice::PassBack);
+    assert_eq!(scene.asks(0).on, [10]);
+}
+
+#[test]
+fn the_ten_in_a_push_out_or_with_a_foul_is_spotted() {
+    let mut scene = after_break(Rules::TenBall);
+    assert_eq!(scene.play(Call::PushOut, hit(&[10]).potting(10, SIDE)).spotted, [10]);
+    scene.offers(1, &[Choice::PlayOn, Choice::PassBack]);
+    let mut scene = past_the_push(Rules::TenBall).without(1..=9);
+    scene.play(Call::Safety, hit(&[10]));
+    let happened = hit(&[10]).potting(10, SIDE).potting(0, CORNER);
+    assert_eq!(scene.play(Call::Pocket(10, SIDE), happened).spotted, [10]);
+    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+}
+
+#[test]
+fn a_cue_ball_in_hand_may_stay_where_it_lies_even_against_another_ball() {
+    let mut scene = past_the_push(Rules::NineBall);
+    scene.play(Call::Nothing, hit(&[2]));
+    assert_eq!(scene.asks(0).hand, Some(Region::Anywhere));
+    let diameter = 2.0 * scene.0.base().physics().ball.radius;
+    // Less than is seen to overlap.
+    let against = [0.3 + (1.0 - 1e-12) * diameter, 1.0];
+    scene.0.put(9, Some([0.3, 1.0]));
+    scene.0.put(0, Some(against));
+    let strike = Strike { speed: 1.0, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
+    assert!(scene.0.shot(&Play::new(strike)).is_ok());
+    let refused = scene.0.shot(&Play::new(strike).from(against)).expect_err("it is put there");
+    assert!(refused.to_string().starts_with("cue_ball: it would touch"));
 }

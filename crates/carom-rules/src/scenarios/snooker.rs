@@ -468,3 +468,213 @@ fn a_tie_is_decided_by_the_black_on_its_spot() {
         fouled.is_won_by(1 - player);
     }
 }
+
+#[test]
+fn the_nearest_ball_in_the_way_is_the_one_that_snookers() {
+    let behind = |nearer| {
+        let mut scene = snookered();
+        scene.choose(Choice::PlayOn);
+        // The blue hides the red, and so does the pink: before or behind it.
+        scene.0.put(BLUE, Some([0.889, 1.2]));
+        scene.0.put(PINK, Some([0.889, if nearer { 1.05 } else { 1.5 }]));
+        scene.play(Call::On(BLUE), hit(&[BLUE]))
+    };
+    assert_fouls(&behind(false), &[Foul::SnookeredByFreeBall]);
+    assert!(behind(true).is_legal(), "the pink is the effective snookering ball");
+}
+
+#[test]
+fn behind_different_balls_for_different_reds_nobody_is_snookered_by_the_free_ball() {
+    let mut scene = snookered();
+    scene.choose(Choice::PlayOn);
+    scene.0.put(2, Some([0.3, 0.9]));
+    scene.0.put(PINK, Some([0.6, 0.9]));
+    let mut alone = Scene(scene.0.clone());
+    assert!(scene.play(Call::On(BLUE), hit(&[BLUE])).is_legal());
+    alone.0.put(2, None);
+    assert_fouls(&alone.play(Call::On(BLUE), hit(&[BLUE])), &[Foul::SnookeredByFreeBall]);
+}
+
+#[test]
+fn a_snooker_made_with_another_ball_than_the_free_ball_is_allowed() {
+    let mut scene = snookered();
+    scene.choose(Choice::PlayOn);
+    assert!(scene.play(Call::On(PINK), hit(&[PINK])).is_legal(), "the blue hides the red");
+    assert!(!game(&scene).has_free_ball(), "a free ball follows on a foul alone");
+    scene.asks(1);
+}
+
+#[test]
+fn a_ball_that_hides_one_edge_gives_a_free_ball() {
+    let with_blue_at = |x: f64| {
+        let mut scene = Scene::of(Rules::Snooker).without(2..=15);
+        scene.play(NOTHING, hit(&[RED]));
+        scene.0.put(0, Some([0.889, 0.9]));
+        scene.0.put(RED, Some([0.889, 2.4]));
+        scene.0.put(BLUE, Some([x, 1.6]));
+        scene.play(NOTHING, hit(&[YELLOW]));
+        scene.choose(Choice::PlayOn);
+        game(&scene).has_free_ball()
+    };
+    let diameter = 2.0 * Scene::of(Rules::Snooker).0.base().physics().ball.radius;
+    assert!(with_blue_at(0.889 + diameter), "one edge is hidden");
+    // The way to the extreme edge is a diameter off the middle at the red, and half of that here.
+    assert!(!with_blue_at(0.889 + 1.6 * diameter));
+}
+
+#[test]
+fn the_free_ball_for_the_last_red_is_followed_by_a_color_and_the_red_stays() {
+    let mut scene = snookered();
+    scene.choose(Choice::PlayOn);
+    scene.play(Call::On(BLUE), hit(&[BLUE]).potting(BLUE, SIDE));
+    scene.play(Call::On(BLACK), hit(&[BLACK]).potting(BLACK, SIDE));
+    assert_eq!((scene.asks(0).on.clone(), game(&scene).run()), (vec![RED], 8));
+}
+
+#[test]
+fn after_the_color_that_follows_the_last_red_the_yellow_is_on() {
+    let mut scene = Scene::of(Rules::Snooker).without(2..=15);
+    scene.play(NOTHING, hit(&[RED]).potting(RED, SIDE));
+    assert_eq!(scene.turn().on.len(), 6, "any colour");
+    assert!(scene.play(Call::On(GREEN), hit(&[GREEN])).is_legal());
+    assert_eq!(scene.asks(1).on, [YELLOW]);
+    let mut scene = Scene::of(Rules::Snooker).without(2..=15);
+    scene.play(NOTHING, hit(&[RED]).potting(RED, SIDE));
+    let ruling = scene.play(Call::On(GREEN), hit(&[GREEN]).potting(GREEN, SIDE));
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([3, 0], &[GREEN][..]));
+    assert_eq!(scene.asks(0).on, [YELLOW]);
+}
+
+#[test]
+fn the_last_red_with_a_foul_leaves_the_yellow_on() {
+    let mut scene = Scene::of(Rules::Snooker).without(2..=15);
+    let ruling = scene.play(NOTHING, hit(&[RED]).potting(RED, SIDE).potting(0, CORNER));
+    assert_eq!(ruling.points, [0, 4], "the red does not count");
+    scene.choose(Choice::PlayOn);
+    assert_eq!(scene.asks(1).on, [YELLOW]);
+}
+
+#[test]
+fn the_dearest_of_several_fouls_is_paid_once() {
+    let paid = |happened| Scene::of(Rules::Snooker).play(NOTHING, happened).points;
+    assert_eq!(paid(hit(&[BLUE]).potting(PINK, SIDE).potting(0, CORNER)), [0, 6]);
+    assert_eq!(paid(hit(&[YELLOW]).potting(GREEN, SIDE)), [0, 4]);
+    assert_eq!(paid(hit(&[RED]).potting(RED, SIDE).potting(BLACK, CORNER).losing(BLUE)), [0, 7]);
+    let mut scene = after_a_red();
+    assert_eq!(scene.play(Call::On(PINK), hit(&[])).points, [0, 6], "the color nominated");
+    let mut scene = after_a_red();
+    let ruling = scene.play(Call::On(BLACK), hit(&[2]).potting(0, SIDE));
+    assert_fouls(&ruling, &[Foul::Scratch, Foul::WrongBallFirst]);
+    assert_eq!(ruling.points, [0, 7]);
+}
+
+#[test]
+fn the_next_color_falling_too_is_a_foul_and_both_come_back() {
+    let mut scene = on_the_colors();
+    scene.0.put(0, Some([1.5, 0.5]));
+    let happened = hit(&[YELLOW]).potting(YELLOW, SIDE).potting(GREEN, CORNER);
+    let ruling = scene.play(NOTHING, happened);
+    assert_fouls(&ruling, &[Foul::WrongBallPocketed]);
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 4], &[YELLOW, GREEN][..]));
+    scene.choose(Choice::PlayOn);
+    assert_eq!(scene.asks(1).on, [YELLOW]);
+}
+
+#[test]
+fn who_plays_again_after_a_foul_on_a_color_is_on_a_red() {
+    let mut scene = after_a_red();
+    scene.play(Call::On(BLUE), hit(&[BLUE]).potting(0, SIDE));
+    scene.choose(Choice::PassBack);
+    let turn = scene.asks(0);
+    assert_eq!((turn.hand, turn.on.len(), turn.calls.nominate), (Some(Region::TheD), 14, false));
+}
+
+#[test]
+fn with_the_balls_put_back_another_color_may_be_nominated_and_a_free_ball_is_one_again() {
+    let mut scene = after_a_red();
+    scene.play(Call::On(BLUE), hit(&[2]));
+    scene.choose(Choice::Replace);
+    assert!(scene.play(Call::On(PINK), hit(&[PINK])).is_legal());
+
+    let mut scene = snookered();
+    scene.choose(Choice::PlayOn);
+    scene.play(Call::On(BLUE), hit(&[YELLOW]));
+    scene.choose(Choice::Replace);
+    assert!(game(&scene).has_free_ball());
+    assert!(scene.play(Call::On(GREEN), hit(&[GREEN])).is_legal());
+}
+
+#[test]
+fn after_a_miss_the_cue_ball_in_hand_is_put_back_where_it_was_played_from() {
+    let mut scene = Scene::of(Rules::Snooker);
+    scene.play(NOTHING, hit(&[BLACK]));
+    scene.choose(Choice::Replace);
+    let turn = scene.asks(0);
+    assert_eq!(turn.hand, None);
+    assert!(!scene.is_down(0) && turn.on.len() == 15);
+}
+
+#[test]
+fn with_all_spots_occupied_colors_wait_in_line_the_highest_first() {
+    let mut scene = after_a_red();
+    let table = scene.0.layout().clone();
+    let colors = [YELLOW, GREEN, 18, BLUE, PINK, BLACK];
+    for (red, color) in (2..).zip(colors) {
+        scene.0.put(red, table.place(color));
+        scene.0.put(color, Some([0.2 + 0.1 * f64::from(red), 1.2]));
+    }
+    let happened = hit(&[PINK]).potting(PINK, SIDE).potting(BLUE, SIDE);
+    let ruling = scene.play(Call::On(PINK), happened);
+    assert_eq!((ruling.points, ruling.fouls.has(Foul::WrongBallPocketed)), ([0, 6], true));
+    for color in [BLUE, PINK] {
+        let (spot, lies) = (table.place(color), scene.0.layout().place(color));
+        let (spot, lies) = (spot.expect("a spot"), lies.expect("it is spotted"));
+        assert!(lies[0] == spot[0] && lies[1] > spot[1], "{color}: {lies:?}");
+        assert!(scene.0.layout().is_free(color, lies), "it touches nothing");
+    }
+}
+
+#[test]
+fn a_cue_ball_in_the_d_does_not_occupy_a_spot() {
+    let mut scene = on_the_colors();
+    scene.0.put(0, Some([0.889, 1.0]));
+    let own = scene.0.layout().place(YELLOW);
+    let ruling = scene.play(NOTHING, hit(&[GREEN]).potting(YELLOW, SIDE).potting(0, CORNER));
+    assert_eq!(ruling.spotted, [YELLOW]);
+    assert_eq!(scene.0.layout().place(YELLOW), own);
+}
+
+#[test]
+fn to_pot_the_last_black_and_the_cue_ball_costs_seven_and_ends_the_frame() {
+    let mut scene = black_ball(7);
+    let ruling = scene.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE).potting(0, CORNER));
+    assert_eq!(ruling.points, [0, 7]);
+    assert!(matches!(scene.0.request(), crate::Request::Choice { .. }), "the scores are equal");
+    let mut scene = black_ball(6);
+    scene.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE).potting(0, CORNER));
+    scene.is_won_by(1);
+}
+
+#[test]
+fn a_legal_shot_at_the_last_black_without_a_score_goes_on() {
+    let mut scene = black_ball(30);
+    scene.play(NOTHING, hit(&[BLACK]));
+    assert_eq!(scene.asks(1).on, [BLACK]);
+}
+
+#[test]
+fn a_touching_color_is_hit_if_it_is_nominated_and_not_if_another_is() {
+    let nominating = |color, order: &[i32]| {
+        let mut scene = after_a_red();
+        let diameter = 2.0 * scene.0.base().physics().ball.radius;
+        scene.0.put(0, Some([0.5, 1.0]));
+        scene.0.put(BLUE, Some([0.5 + diameter, 1.0]));
+        scene.play(Call::On(color), hit(&[]).touching(order))
+    };
+    assert!(nominating(BLUE, &[-1]).is_legal());
+    assert!(nominating(PINK, &[20]).is_legal());
+    let ruling = nominating(PINK, &[-1]);
+    assert_fouls(&ruling, &[Foul::NoContact]);
+    assert_eq!(ruling.points, [0, 6]);
+    assert_fouls(&nominating(PINK, &[19, 20]), &[Foul::WrongBallFirst, Foul::Push]);
+}

@@ -1,7 +1,7 @@
 //! WPA, section 4.
 
 use super::{CORNER, SIDE, Scene, assert_fouls, hit};
-use crate::{BallIndex, Call, Choice, Foul, Region, Rules};
+use crate::{BallIndex, Call, Choice, Foul, Options, Region, Rules};
 
 const SAFE: Call = Call::Safety;
 
@@ -239,4 +239,104 @@ fn with_the_fifteenth_ball_pocketed_too_all_are_racked() {
     assert_eq!(ruling.points, [0, 2]);
     assert!(!scene.0.layout().is_free(0, FOOT), "a ball on the foot spot");
     scene.asks(1);
+}
+
+#[test]
+fn a_breaker_repeats_until_the_break_is_good_and_loses_two_each_time() {
+    let mut scene = Scene::of(Rules::StraightPool);
+    for times in 1..=4 {
+        scene.play(SAFE, hit(&[5]).driving(&[]));
+        assert_eq!(scene.0.scores(), [-2 * times, 0]);
+        scene.choose(Choice::RebreakByOther);
+        assert_eq!(scene.asks(0).hand, Some(Region::BehindHeadString));
+    }
+    assert!(scene.play(SAFE, hit(&[5]).driving(&[1, 2])).is_legal());
+    scene.asks(1);
+}
+
+#[test]
+fn who_accepts_after_a_breaking_foul_plays_without_the_opening_requirements() {
+    let mut scene = Scene::of(Rules::StraightPool);
+    scene.play(SAFE, hit(&[5]).driving(&[]));
+    scene.choose(Choice::PlayOn);
+    assert!(scene.play(SAFE, hit(&[5])).is_legal());
+    scene.asks(0);
+}
+
+#[test]
+fn a_ball_that_was_not_called_saves_the_shot_from_a_foul_without_a_rail() {
+    let mut scene = opened();
+    let ruling = scene.play(Call::Pocket(3, CORNER), hit(&[3]).no_rail().potting(7, SIDE));
+    assert!(ruling.is_legal());
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[7][..]));
+    scene.asks(0);
+}
+
+#[test]
+fn a_legal_shot_forgives_fouls_and_the_third_is_only_in_a_row() {
+    let mut scene = opened();
+    for legal in [false, false, true, false, false] {
+        let happened = if legal { hit(&[3]) } else { hit(&[3]).no_rail() };
+        scene.play(SAFE, happened);
+        scene.play(SAFE, hit(&[3]));
+    }
+    assert_eq!((scene.0.fouls_in_a_row(), scene.0.scores()), ([0, 2], [0, -4]));
+    assert_eq!(scene.play(SAFE, hit(&[]).no_rail()).points, [0, -16]);
+    scene.asks(1);
+}
+
+#[test]
+fn after_the_third_foul_the_opening_requirements_are_in_force_again() {
+    let mut scene = opened();
+    for _ in 0..2 {
+        scene.play(SAFE, hit(&[3]).no_rail());
+        scene.play(SAFE, hit(&[3]));
+    }
+    scene.play(SAFE, hit(&[3]).potting(0, SIDE).potting(5, CORNER));
+    assert_eq!(scene.0.layout().on_table().count(), 16, "all are racked");
+    assert_fouls(&scene.play(SAFE, hit(&[5]).driving(&[1])), &[Foul::SoftBreak]);
+    scene.offers(0, &[Choice::PlayOn, Choice::RebreakByOther]);
+}
+
+#[test]
+fn balls_off_the_table_are_a_foul_and_come_back_though_the_called_ball_fell() {
+    let mut scene = opened();
+    let happened = hit(&[3]).potting(3, CORNER).losing(4);
+    let ruling = scene.play(Call::Pocket(3, CORNER), happened);
+    assert_fouls(&ruling, &[Foul::BallOffTable]);
+    assert_eq!((ruling.points, &ruling.spotted[..]), ([0, -1], &[3, 4][..]));
+    assert_eq!(scene.asks(0).hand, None);
+}
+
+#[test]
+fn the_last_but_one_ball_with_a_foul_racks_nothing() {
+    let mut scene = opened().without(3..=15);
+    scene.0.put(1, Some([0.3, 1.3]));
+    scene.0.put(2, Some([0.9, 1.3]));
+    let happened = hit(&[1]).potting(1, CORNER).potting(0, SIDE);
+    let ruling = scene.play(Call::Pocket(1, CORNER), happened);
+    assert!(!ruling.racked);
+    assert_eq!(ruling.spotted, [1]);
+}
+
+#[test]
+fn with_both_last_balls_down_a_cue_ball_in_the_rack_is_in_hand() {
+    let mut scene = opened().without(3..=15);
+    scene.0.put(1, Some([0.3, 1.3]));
+    scene.0.put(2, Some([0.9, 1.3]));
+    scene.0.put(0, Some(IN_RACK));
+    let happened = hit(&[1, 2]).potting(1, CORNER).potting(2, SIDE);
+    let ruling = scene.play(Call::Pocket(1, CORNER), happened);
+    assert_eq!((ruling.points, ruling.racked), ([0, 2], true));
+    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+    assert!(scene.play(SAFE, hit(&[5])).is_legal(), "it is no opening break");
+}
+
+#[test]
+fn the_target_wins_though_the_rack_is_not_finished() {
+    let options = Options { target: 2, ..Options::default() };
+    let mut scene = Scene::with(Rules::StraightPool, options);
+    let happened = hit(&[5]).potting(5, CORNER).potting(6, SIDE);
+    scene.play(Call::Pocket(5, CORNER), happened);
+    scene.is_won_by(0);
 }
