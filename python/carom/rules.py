@@ -156,6 +156,12 @@ class Frame:
         twin._core = self._core.copy()
         return twin
 
+    # Without these the copy module would give a second name for the same game.
+    __copy__ = copy
+
+    def __deepcopy__(self, _: dict[int, Any]) -> Frame:
+        return self.copy()
+
     def to_dict(self) -> dict[str, Any]:
         """Everything that the properties say, as plain values."""
         return self._core.to_object()

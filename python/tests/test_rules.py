@@ -1,6 +1,8 @@
 """Frames of every game from Python: the referee itself is tested in Rust."""
 
+import copy
 import math
+from collections.abc import Callable
 
 import carom
 import pytest
@@ -80,6 +82,22 @@ def test_what_is_not_allowed_is_refused_and_changes_nothing() -> None:
     with pytest.raises(carom.InputError, match=r"options\.target: 0 is out of range"):
         carom.Frame("straight-pool", target=0)
     assert frame.to_dict() == before
+
+
+@pytest.mark.parametrize("copied", [carom.Frame.copy, copy.copy, copy.deepcopy])
+def test_what_is_played_on_a_copy_leaves_the_frame_alone(
+    copied: Callable[[carom.Frame], carom.Frame],
+) -> None:
+    frame = carom.Frame("nine-ball", seed=2)
+    before, twin = frame.to_dict(), copied(frame)
+    twin.play(carom.Strike(speed=5.0, azimuth=math.pi / 2), cue_ball=(0.6, 0.5))
+    assert twin.to_dict()["shots"] == 1
+    assert frame.to_dict() == before
+
+
+def test_three_cushion_is_refused_on_a_table_with_pockets() -> None:
+    with pytest.raises(carom.InputError, match="table: three-cushion is played on a table without"):
+        carom.Frame("three-cushion", table="wpa-9ft")
 
 
 @pytest.mark.parametrize("game", carom.rule_sets())
