@@ -66,7 +66,7 @@ def main() -> int:
 def vector(**more: Any) -> Any:
     """The environments that are stepped."""
     return gymnasium.make_vec(
-        "carom/EightBall-v1",
+        "carom/EightBall-v2",
         num_envs=ENVIRONMENTS,
         balls=(4, 9),
         noise=NOISE,

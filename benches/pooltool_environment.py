@@ -1,6 +1,6 @@
 """The step of an environment for learners that is built on pooltool, as lean as it can be.
 
-It plays what ``carom/EightBall-v1`` plays with ``aim="relative"``: the same layouts, the same kind
+It plays what ``carom/EightBall-v2`` plays with ``aim="relative"``: the same layouts, the same kind
 of action, errors of the same size. It takes the balls as they came to rest from shot to shot. Only
 the referee is missing: whatever ball may be hit first, an episode ends with the eight or with the
 last of the other balls, and nothing is called, so that a shot is simulated once, not twice.
@@ -33,7 +33,7 @@ class EightBall:
     """One environment.
 
     Args:
-        layouts: Observations of ``carom/EightBall-v1`` on the same table: its episodes begin with
+        layouts: Observations of ``carom/EightBall-v2`` on the same table: its episodes begin with
             them, one after the other.
         noise: Errors of every strike.
         seed: Of the errors.

@@ -7,12 +7,12 @@ import gymnasium
 # A version goes up when the same actions give other results.
 ENVIRONMENTS = {
     "carom/Potting-v0": "potting",
-    "carom/EightBall-v1": "eight-ball",
+    "carom/EightBall-v2": "eight-ball",
     "carom/NineBall-v0": "nine-ball",
-    "carom/TenBall-v0": "ten-ball",
-    "carom/StraightPool-v0": "straight-pool",
-    "carom/Snooker-v1": "snooker",
-    "carom/ThreeCushion-v1": "three-cushion",
+    "carom/TenBall-v1": "ten-ball",
+    "carom/StraightPool-v1": "straight-pool",
+    "carom/Snooker-v2": "snooker",
+    "carom/ThreeCushion-v2": "three-cushion",
     "carom/SumToThree-v0": "sum-to-three",
 }
 
