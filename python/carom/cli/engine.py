@@ -54,7 +54,7 @@ def validate(
         str | None, typer.Argument(metavar="[NAME]", help="One paper; all without it.")
     ] = None,
 ) -> None:
-    """Print published numbers, ours, their difference and the tolerance."""
+    """Print published numbers beside ours, and the tolerance."""
     from carom import validation
 
     if name is not None and name not in validation.papers():
@@ -70,7 +70,10 @@ def bench(
         typer.Option(metavar="DIR", help="Write the JSON there; in a checkout, benches/results."),
     ] = None,
 ) -> None:
-    """Measure how fast the engine is here, beside pooltool where that is installed."""
+    """Measure how fast the engine is here.
+
+    Beside pooltool where that is installed.
+    """
     from carom import bench as benchmark
 
     raise typer.Exit(benchmark.run(json=json, store=store))

@@ -82,7 +82,7 @@ def evaluate(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print the chances of a shot when its player means it but does not hit it exactly."""
+    """Print the chances of a shot whose player errs."""
     from carom import Noise, Perception, Shot
     from carom.picture.evaluation import draw
 
@@ -183,7 +183,7 @@ stats = typer.Typer(help="Statistics of many shots.", no_args_is_help=True)
 def map_pot(
     file: File,
     ball: Annotated[str, typer.Option(help="The ball that is to fall.")],
-    pocket: Annotated[str, typer.Option(help="Where.")],
+    pocket: Annotated[str, typer.Option(help="Where; carom tables has the names.")],
     noise: NoiseName = "olympiad",
     perception: Sight = 0.0,
     columns: Annotated[int, typer.Option(min=1, help="Cells along the width.")] = 32,
@@ -221,7 +221,7 @@ def map_pot(
 def map_position(
     file: File,
     ball: Annotated[str, typer.Option(help="The ball that is to fall.")],
-    pocket: Annotated[str, typer.Option(help="Where.")],
+    pocket: Annotated[str, typer.Option(help="Where; carom tables has the names.")],
     speed: Annotated[str, typer.Option(help="Speeds of the cue, m/s: FROM:TO:COUNT.")] = "0.8:4:65",
     height: Annotated[
         str, typer.Option(help="Contact heights, ball radii: FROM:TO:COUNT.")
@@ -257,13 +257,13 @@ def map_position(
 @maps.command("pocket")
 def map_pocket(
     file: File,
-    pocket: Annotated[str, typer.Option(help="Which.")],
+    pocket: Annotated[str, typer.Option(help="Which; carom tables has the names.")],
     distance: Annotated[float, typer.Option(help="From the start to the mouth, m.")] = 0.3,
     json: Json = False,
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print which balls that roll at a pocket of the file's table it takes."""
+    """Print which balls that roll at a pocket it takes."""
     from carom import Shot, acceptance
 
     shot = Shot.from_json(read(file))
@@ -291,7 +291,7 @@ def map_kick(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print where the struck ball meets the cushions, alone on the table."""
+    """Print where the struck ball, alone, meets the cushions."""
     from carom import Shot, kick_table
 
     found = kick_table(
@@ -316,7 +316,7 @@ def map_bank(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print where a ball that is sent off without spin meets the cushions, alone on the table."""
+    """Print where a ball without spin, alone, meets the cushions."""
     from carom import Shot, bank_table
 
     found = bank_table(

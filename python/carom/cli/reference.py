@@ -26,7 +26,7 @@ def tables(
 def schema(
     kind: Annotated[str, typer.Argument(metavar="[shot|trace|sweep]", help="Which file.")] = "shot",
 ) -> None:
-    """Print the JSON Schema of the shot file, of the trace or of a sweep's spec."""
+    """Print the JSON Schema of a shot, a trace or a sweep."""
     from carom import schema as schema_of
 
     emit(js.dumps(schema_of(kind), indent=2))  # type: ignore[arg-type] # checked there

@@ -32,7 +32,7 @@ def sweep(
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print the summary as JSON.")] = False,
 ) -> None:
-    """Play a table of shots into files of Parquet; the same command goes on after a kill."""
+    """Play a table of shots to Parquet; after a kill, go on."""
     from carom import Sweep
 
     spec = Sweep.from_json(read(file)) if file == "-" else Sweep.load(file)
