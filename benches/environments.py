@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -23,6 +22,7 @@ from pathlib import Path
 from statistics import fmean, median
 from typing import Any
 
+import callgrind
 import carom
 import carom.env
 import gymnasium
@@ -108,33 +108,20 @@ def steps() -> dict[str, Any]:
 
 def rules() -> dict[str, Any]:
     """The rules' share of a step's instructions."""
-    if shutil.which("valgrind") is None:
+    if not callgrind.is_installed():
         print("valgrind is not installed: the rules' share was not counted", file=sys.stderr)
         return {}
-    command = ["cargo", "build", "--quiet", "--profile", "bench", "-p", "carom-env"]
-    command += ["--example", "steps", "--message-format", "json"]
-    command += ["--manifest-path", str(ROOT / "Cargo.toml")]
-    built = run(command)
-    program = next(
-        message["executable"]
-        for message in map(json.loads, built.splitlines())
-        if message.get("executable") and message["target"]["name"] == "steps"
-    )
+    program = callgrind.build("carom-env", "steps")
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "callgrind.out"
-        count = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}"]
-        run([*count, program, "eight-ball", *COUNTED])
-        table = run(["callgrind_annotate", "--inclusive=yes", "--threshold=100", str(out)])
+        callgrind.count(program, "eight-ball", *COUNTED, out=out)
+        command = ["callgrind_annotate", "--inclusive=yes", "--threshold=100", str(out)]
+        table = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     inclusive = re.findall(r"^ *([\d,]+) .*?:(\S.*?)(?: \[.*\])?$", table, re.MULTILINE)
     costs = [(int(cost.replace(",", "")), name) for cost, name in inclusive]
     step = most(costs, "VectorEnv::step")
     share = sum(most(costs, name) for name in RULES) / step
     return {"instructions_per_step": step // 1024, "rules_share": round(share, 4)}
-
-
-def run(command: list[str]) -> str:
-    """What the command prints."""
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
 def most(costs: list[tuple[int, str]], name: str) -> int:

@@ -10,14 +10,13 @@ The counts are those of the processor that valgrind presents: AVX2 at most.
 from __future__ import annotations
 
 import json
-import re
-import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 from typing import Any
 
+import callgrind
 from carom.bench import states
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -29,13 +28,13 @@ PASSES = 3
 
 def main() -> int:
     """Counts, compares, stores."""
-    if shutil.which("valgrind") is None:
+    if not callgrind.is_installed():
         print("valgrind is not installed, so instructions were not counted: apt install valgrind")
         return 0
-    program = build()
+    program = callgrind.build("carom", "bench_shots")
     with tempfile.TemporaryDirectory() as folder:
         counts = {
-            name: count(program, write(members, Path(folder) / name))
+            name: count(program, callgrind.write(members, Path(folder) / name))
             for name, members in states.load().items()
         }
     compare(counts, last_commits())
@@ -44,30 +43,10 @@ def main() -> int:
     return 0
 
 
-def build() -> Path:
-    """Builds the program that plays shots, and tells where it is."""
-    command = ["cargo", "build", "--quiet", "--profile", "bench", "-p", "carom"]
-    command += ["--example", "bench_shots", "--message-format", "json"]
-    built = subprocess.run(command, check=True, cwd=ROOT, stdout=subprocess.PIPE, text=True).stdout
-    messages = map(json.loads, built.splitlines())
-    return next(
-        Path(message["executable"])
-        for message in messages
-        if message.get("executable") and message["target"]["name"] == "bench_shots"
-    )
-
-
-def write(members: list[states.State], path: Path) -> Path:
-    """Writes shots, one in a line."""
-    lines = (json.dumps(state.shot_file()) + "\n" for state in members)
-    path.write_text("".join(lines), encoding="utf-8")
-    return path
-
-
 def count(program: Path, shots: Path) -> dict[str, float]:
     """Mean instructions per shot and per event of the shots in a file."""
-    once, _, _ = callgrind(program, shots, 1)
-    more, played, events = callgrind(program, shots, 1 + PASSES)
+    once, _, _ = passed(program, shots, 1)
+    more, played, events = passed(program, shots, 1 + PASSES)
     total = (more - once) / PASSES
     return {
         "instructions_per_shot": round(total / played),
@@ -76,16 +55,11 @@ def count(program: Path, shots: Path) -> dict[str, float]:
     }
 
 
-def callgrind(program: Path, shots: Path, passes: int) -> tuple[int, int, int]:
+def passed(program: Path, shots: Path, passes: int) -> tuple[int, int, int]:
     """Instructions of the whole program; shots and events of one pass."""
-    command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null"]
-    command += [str(program), str(shots), str(passes)]
-    done = subprocess.run(command, check=True, capture_output=True, text=True)
-    collected = re.search(r"Collected\s*:\s*(\d+)", done.stderr)
-    if collected is None:
-        sys.exit(f"callgrind did not say what it counted:\n{done.stderr}")
-    played, events = map(int, done.stdout.split())
-    return int(collected.group(1)), played, events
+    instructions, printed = callgrind.count(program, shots, passes)
+    played, events = map(int, printed.split())
+    return instructions, played, events
 
 
 def last_commits() -> dict[str, Any]:

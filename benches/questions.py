@@ -12,9 +12,6 @@ rest is timed on one shot of ``shots/``. The result is kept in ``benches/results
 from __future__ import annotations
 
 import json
-import re
-import shutil
-import subprocess
 import sys
 import tempfile
 import time
@@ -23,6 +20,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+import callgrind
 import carom
 import numpy as np
 from carom.bench import report, states
@@ -78,38 +76,16 @@ def evaluations() -> dict[str, Any]:
 
 def instructions() -> dict[str, int]:
     """Instructions of a variant, drawing, playing and counting together."""
-    if shutil.which("valgrind") is None:
+    if not callgrind.is_installed():
         print("valgrind is not installed: instructions were not counted", file=sys.stderr)
         return {}
-    command = ["cargo", "build", "--quiet", "--profile", "bench", "-p", "carom-plan"]
-    command += ["--example", "chances", "--message-format", "json"]
-    command += ["--manifest-path", str(ROOT / "Cargo.toml")]
-    built = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-    program = next(
-        message["executable"]
-        for message in map(json.loads, built.splitlines())
-        if message.get("executable") and message["target"]["name"] == "chances"
-    )
+    program = callgrind.build("carom-plan", "chances")
     members = states.load()["random_eight_ball"]
     with tempfile.TemporaryDirectory() as folder:
-        shots = Path(folder) / "shots"
-        lines = (json.dumps(state.shot_file()) + "\n" for state in members)
-        shots.write_text("".join(lines), encoding="utf-8")
-        few, many = (counted(program, shots, variants) for variants in COUNTED)
+        shots = callgrind.write(members, Path(folder) / "shots")
+        few, many = (callgrind.count(program, shots, variants)[0] for variants in COUNTED)
     variants = len(members) * (COUNTED[1] - COUNTED[0])
     return {"instructions_per_variant": round((many - few) / variants)}
-
-
-def counted(program: str, shots: Path, variants: int) -> int:
-    """Instructions of the whole program."""
-    command = ["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null"]
-    done = subprocess.run(
-        [*command, program, str(shots), str(variants)], check=True, capture_output=True, text=True
-    )
-    collected = re.search(r"Collected\s*:\s*(\d+)", done.stderr)
-    if collected is None:
-        raise SystemExit(f"callgrind did not say what it counted:\n{done.stderr}")
-    return int(collected.group(1))
 
 
 def others() -> dict[str, float]:
@@ -118,6 +94,7 @@ def others() -> dict[str, float]:
     speeds, heights = np.linspace(0.8, 4.0, 65), np.linspace(-0.4, 0.4, 5)
     asked: dict[str, Callable[[], object]] = {
         "solve": lambda: shot.solve(pot=("1", "right")),
+        "solve_with_jumps": lambda: shot.solve(pot=("1", "right"), elevation=1.2),
         "pot_map_2048_cells": lambda: carom.pot_map(shot, "1", "right", columns=32),
         "position_map_325_cells": lambda: carom.position_map(
             shot, "1", "right", speed=speeds, height=heights

@@ -76,6 +76,7 @@ class Shot:
     def to_json(self) -> str: ...
     def geometry(self) -> dict[str, Any]: ...
     def simulate(self) -> Trace: ...
+    def with_strike(self, strike: tuple[float, ...]) -> Shot: ...
     @property
     def ids(self) -> list[str]: ...
     @property
@@ -228,7 +229,7 @@ def solve(
     pot: tuple[int, int | None] | None,
     leave: tuple[tuple[float, float], float] | None,
     first: int | None,
-    limits: tuple[float, ...],
+    limits: tuple[tuple[float, ...], float | None],
     counts: tuple[int, int, int],
     errs: _Errs,
     threads: int,

@@ -25,7 +25,8 @@ CHUNK = 8192
 # ``pocket`` where a shot has no such ball.
 PADDING = -3
 
-_VARIABLES = ("speed", "azimuth", "elevation", "side", "height")
+# The parameters of a strike, in the order in which Rust has them.
+VARIABLES = ("speed", "azimuth", "elevation", "side", "height")
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,11 +87,8 @@ def vary(
     """``Shot.batch``."""
     import numpy as np
 
-    own = shot.strike
-    if own is None:
-        raise InputError("strike: the shot has none that could be varied; give it one")
     columns = []
-    for name, default in zip(_VARIABLES, own, strict=True):
+    for name, default in zip(VARIABLES, own_strike(shot), strict=True):
         value = given[name]
         try:
             columns.append(np.asarray(default if value is None else value, dtype=np.float64))
@@ -100,7 +98,7 @@ def vary(
         full = np.broadcast_arrays(*columns)
     except ValueError:
         shapes = ", ".join(
-            f"{name} {column.shape}" for name, column in zip(_VARIABLES, columns, strict=True)
+            f"{name} {column.shape}" for name, column in zip(VARIABLES, columns, strict=True)
         )
         raise InputError(f"shapes do not broadcast: {shapes}; make them agree") from None
     strikes = np.ascontiguousarray(np.stack([column.ravel() for column in full], axis=1))
@@ -109,6 +107,17 @@ def vary(
         return _core.simulate_strikes(shot, strikes[start:end], thread_count(threads))
 
     return in_chunks(run, len(strikes), len(shot), progress=progress)
+
+
+def own_strike(shot: _core.Shot) -> tuple[float, float, float, float, float]:
+    """The strike that is to be varied: speed, azimuth, elevation, side, height.
+
+    Raises:
+        InputError: The shot has none.
+    """
+    if shot.strike is None:
+        raise InputError("strike: the shot has none that could be varied; give it one")
+    return shot.strike
 
 
 def _core_of(shot: Any, index: int) -> _core.Shot:

@@ -6,7 +6,7 @@ from dataclasses import astuple, dataclass, fields
 from typing import TYPE_CHECKING, Self
 
 from carom import _core
-from carom.batch import Arrays, BatchResult, in_chunks, thread_count
+from carom.batch import Arrays, BatchResult, in_chunks, own_strike, thread_count
 from carom.build import Strike
 from carom.errors import InputError
 
@@ -185,8 +185,7 @@ def vary(
     whole("seed", seed)
     whole("first", first)
     whole("n", n, _WORD - first)
-    if shot.strike is None:
-        raise InputError("strike: the shot has none that could be varied; give it one")
+    own_strike(shot)
     strikes = np.empty((5, n))
 
     def run(start: int, end: int) -> Arrays:

@@ -146,6 +146,44 @@ class Shot:
         strike = self._core.strike
         return None if strike is None else strike[2]
 
+    def with_strike(
+        self,
+        *,
+        speed: float | None = None,
+        azimuth: float | None = None,
+        side: float | None = None,
+        height: float | None = None,
+        elevation: float | None = None,
+    ) -> Self:
+        """The same shot struck otherwise; what is None stays as in this shot.
+
+        A shot is always what its file says. Therefore angles are kept as the degrees that a file
+        holds, which moves one in ten by its last bit; what ``azimuth`` and ``elevation`` then say
+        is kept exactly, and simulated exactly as ``batch`` does.
+
+        Args:
+            speed: The cue's speed, m/s.
+            azimuth: The cue's direction, counter-clockwise from +x, rad.
+            side: Contact point right of centre, ball radii.
+            height: Contact point above centre, ball radii.
+            elevation: Butt raised above horizontal, rad.
+
+        Raises:
+            InputError: The shot has no strike, or this one cannot be played: a number is out of
+                range, the tip would slip off, or the cue would pass through something and the shot
+                has ``"obstruction": "refuse"``.
+        """
+        from carom.batch import VARIABLES, own_strike
+        from carom.plan import number
+
+        given = (speed, azimuth, elevation, side, height)
+        own = own_strike(self._core)
+        strike = tuple(
+            default if value is None else number(name, value)
+            for name, value, default in zip(VARIABLES, given, own, strict=True)
+        )
+        return self._wrap(self._core.with_strike(strike))
+
     def geometry(self) -> dict[str, Any]:
         """The table's dimensions, cushions and pockets, m, origin at the bottom left corner."""
         return self._core.geometry()
@@ -317,6 +355,7 @@ class Shot:
         precision: float | None = None,
         speed: tuple[float, float] = (0.5, 7.0),
         offset: float = 0.45,
+        elevation: float | None = None,
         samples: int = 4096,
         seed: int = 0,
         level: float = 0.95,
@@ -329,7 +368,8 @@ class Shot:
         that geometry proposes (ghost balls, mirror images, other balls' flanks) and points spread
         over all strikes are played, the nearest of every way refined until they do it exactly, and
         what is left ranked by its chance. Of this shot's own strike only the struck ball and the
-        elevation count; the cue is raised where something is in its way.
+        elevation count; the cue is raised where something is in its way, and with ``elevation`` to
+        jump over balls or to curve around them.
 
         Args:
             pot: A ball that falls, or ``(ball, pocket)``.
@@ -344,6 +384,8 @@ class Shot:
                 looked at after every 128 variants. None plays all ``n``.
             speed: Least and greatest speed of the cue, m/s.
             offset: Largest tip offset, ball radii; at most 95 % of the miscue limit.
+            elevation: How far the cue may be raised, rad, for jumps and massés: they are tried
+                besides strikes at the shot's elevation. None tries only those.
             samples: Points spread over all strikes.
             seed: Which random numbers.
             level: Confidence of the intervals.
@@ -369,6 +411,7 @@ class Shot:
             precision=precision,
             speed=speed,
             offset=offset,
+            elevation=elevation,
             samples=samples,
             seed=seed,
             level=level,

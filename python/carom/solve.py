@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
-from carom.batch import progress_bar, thread_count
+from carom.batch import VARIABLES, progress_bar, thread_count
 from carom.errors import InputError
 from carom.noise import Noise, Perception, whole
 from carom.plan import Chance, errs, number
@@ -28,15 +28,16 @@ class Solution:
     """A strike that does what is wanted when it is hit exactly.
 
     Attributes:
-        shot: The shot with this strike, ready to simulate.
+        shot: The shot with this strike: the very one that was judged, ready to simulate.
         speed: The cue's speed, m/s.
         azimuth: The cue's direction, rad.
         elevation: Butt raised above horizontal, rad.
         side: Contact point right of centre, ball radii.
         height: Contact point above centre, ball radii.
-        kind: What players call the way: ``direct``, or those of ``kick``, ``carom``,
-            ``combination``, ``kiss``, ``bank`` that apply, joined by ``+``.
-        way: Its steps in words: rails and balls from the cue on.
+        kind: What players call the way: ``direct``, or those of ``jump``, ``massé``, ``kick``,
+            ``carom``, ``combination``, ``kiss``, ``bank`` that apply, joined by ``+``.
+        way: Its steps in words: rails and balls from the cue on, and which resting balls it leads
+            over (``jump``) or on a curve around (``massé``).
         cue_ball_end: Where it leaves the cue ball, m.
         chance: How likely it does what is wanted under the noise.
     """
@@ -86,6 +87,7 @@ def solve(
     precision: float | None,
     speed: tuple[float, float],
     offset: float,
+    elevation: float | None,
     samples: int,
     seed: int,
     level: float,
@@ -107,7 +109,10 @@ def solve(
             None if pot is None else target(shot, pot),
             None if leave is None else _disc(leave),
             None if first is None else ball_index(shot, first),
-            (*(number("speed", v) for v in speed), number("offset", offset)),
+            (
+                (*(number("speed", v) for v in speed), number("offset", offset)),
+                None if elevation is None else number("elevation", elevation),
+            ),
             (samples, wanted, of_a_way),
             sampling,
             thread_count(threads),
@@ -183,24 +188,11 @@ def _disc(leave: tuple[Sequence[float], float]) -> tuple[tuple[float, float], fl
 
 
 def _solution(shot: Shot, row: Any) -> Solution:
-    from carom.shot import Shot
-
-    (speed, azimuth, elevation, side, height), kind, way, end, met, variants, (low, high) = row
-    file = shot.to_dict()
-    file["strike"] |= {
-        "speed": speed,
-        "azimuth_deg": math.degrees(azimuth),
-        "elevation_deg": math.degrees(elevation),
-        "side": side,
-        "height": height,
-    }
+    strike, kind, way, end, met, variants, (low, high) = row
+    named = dict(zip(VARIABLES, strike, strict=True))
     return Solution(
-        shot=Shot.from_dict(file),
-        speed=speed,
-        azimuth=azimuth,
-        elevation=elevation,
-        side=side,
-        height=height,
+        shot=shot.with_strike(**named),
+        **named,
         kind=kind,
         way=way,
         cue_ball_end=(end[0], end[1]),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -41,8 +42,9 @@ def test_solutions_pot_and_leave_the_cue_ball_where_it_is_wanted(cut: Shot) -> N
 def test_the_rank_is_the_chance_that_an_evaluation_measures(cut: Shot) -> None:
     best = cut.solve(pot=("1", "right"), noise=CLUB, n=1000, wanted=1)[0]
     measured = best.shot.evaluate(CLUB, 1000).pocket("1", "right")
-    # A scratch is no success for `solve`, and the file's degrees round the azimuth.
-    assert abs(measured.count - best.chance.count) <= 20
+    # A scratch is no success for `solve`.
+    assert 0 <= measured.count - best.chance.count <= 20
+    assert (best.shot.azimuth, best.shot.elevation) == (best.azimuth, best.elevation)
     assert best.kind == "direct"
     assert "direct" in str(best)
 
@@ -51,6 +53,20 @@ def test_a_ball_is_hit_first_or_not_at_all(cut: Shot) -> None:
     found = cut.solve(first="1", noise=CLUB, n=100, wanted=3)
     assert all(s.shot.simulate().outcome.first_contact == "1" for s in found)
     assert len(found) == 3
+
+
+def test_with_a_raised_cue_balls_in_the_way_are_jumped_or_passed_on_a_curve() -> None:
+    balls = {"cue": (0.5, 0.5), "1": (0.5, 1.2), "8": (0.5, 0.8)}
+    hidden = Shot("wpa-9ft", balls, carom.Strike(speed=2.0, azimuth=math.pi / 2))
+    ask = {"first": "1", "noise": CLUB, "n": 100, "wanted": 40, "of_a_way": 1, "samples": 512}
+    assert all("kick" in s.kind for s in hidden.solve(**ask))
+    ways = {s.way: s for s in hidden.solve(**ask, elevation=math.radians(70))}
+    jump, curve = ways["over 8, 1"], ways["around 8, 1"]
+    assert (jump.kind, curve.kind) == ("jump", "massé")
+    assert ["cue", "8"] in jump.shot.simulate().outcome.jumped
+    first = next(e for e in curve.shot.simulate().events if e.type == "ball-collision")
+    assert first.balls == ["cue", "1"]
+    assert 0 < jump.elevation <= math.radians(70)
 
 
 def test_chances_are_counted_until_they_are_known(cut: Shot) -> None:
@@ -172,6 +188,8 @@ def test_kicks_and_banks_list_the_cushions_that_the_trace_meets(cut: Shot) -> No
         (lambda shot: shot.solve(pot="1", leave=3), "leave: "),
         (lambda shot: shot.solve(pot="1", speed=(3.0, 1.0)), "speed: "),
         (lambda shot: shot.solve(pot="1", noise=1), "noise: "),
+        (lambda shot: shot.solve(pot="1", elevation="high"), "elevation: "),
+        (lambda shot: shot.solve(pot="1", elevation=2.0), "elevation: "),
         (lambda shot: shot.solve(pot="1", perception=1), "perception: "),
         (lambda shot: shot.solve(pot="1", precision=0.5), "precision: "),
         (lambda shot: carom.pot_map(shot, "1", "right", precision="fine"), "precision: "),
@@ -221,6 +239,9 @@ def test_the_commands_print_numbers_and_draw(run: CommandLine, tmp_path: Path) -
     best = tmp_path / "best.json"
     assert run(*ask, "--best", str(best)).returncode == 0
     assert Shot.load(best).to_dict()["strike"] == found[0]["strike"]
+    raised = run("solve", str(FILE), "--pot", "1:right", "-n", "50", "--elevation", "95")
+    assert raised.returncode == 2
+    assert raised.stderr.startswith("carom: elevation: ")
     refused = run("solve", str(FILE), "--leave", "1,2")
     assert refused.returncode == 2
     assert refused.stderr.startswith("carom: leave: ")

@@ -241,6 +241,55 @@ def test_a_strike_in_no_direction_is_refused_by_its_place(azimuth: Any) -> None:
         Shot("wpa-9ft", {"cue": (0.6, 0.6)}, Strike(speed=1.0, azimuth=azimuth))
 
 
+def test_struck_otherwise_only_what_is_named_changes(pot: dict[str, Any]) -> None:
+    pot["strike"] |= {"height": 0.25, "obstruction": "refuse"}
+    shot = Shot.from_dict(pot)
+    assert shot.with_strike() == shot
+    pot["strike"] |= {"speed": 3.5, "side": -0.125, "azimuth_deg": 12.25, "elevation_deg": 8.0}
+    struck = shot.with_strike(
+        speed=3.5, azimuth=math.radians(12.25), side=-0.125, elevation=math.radians(8.0)
+    )
+    assert struck.to_dict() == pot
+    assert shot.to_dict()["strike"]["speed"] == 2.0
+
+
+def test_a_shot_struck_otherwise_ends_as_its_batch_to_the_bit(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    for step in range(40):
+        asked = {"speed": 1.0 + 0.1 * step, "azimuth": 1.4 + 0.01 * step, "side": 0.01 * step}
+        struck = shot.with_strike(**asked, elevation=0.003 * step)
+        assert struck.azimuth is not None
+        assert abs(struck.azimuth - asked["azimuth"]) <= math.ulp(asked["azimuth"])
+        angles = {"azimuth": struck.azimuth, "elevation": struck.elevation}
+        ends = shot.batch(**(asked | angles))
+        final = [state["position"] for state in struck.simulate().to_dict()["final"]]
+        assert ends.final_position[0].tolist() == final
+        assert Shot.from_json(struck.to_json()).azimuth == struck.azimuth
+        assert struck.with_strike(**angles) == struck
+
+
+@pytest.mark.parametrize(
+    ("strike", "place"),
+    [
+        ({"speed": "fast"}, "speed: "),
+        ({"speed": 0.0}, "strike.speed: "),
+        ({"azimuth": math.nan}, "strike.azimuth: "),
+        ({"elevation": -0.1}, "strike.elevation: "),
+        ({"side": 0.9}, "strike.side: a miscue"),
+    ],
+)
+def test_a_strike_that_cannot_be_played_is_refused(
+    pot: dict[str, Any], strike: dict[str, Any], place: str
+) -> None:
+    with pytest.raises(InputError, match=f"^{place}"):
+        Shot.from_dict(pot).with_strike(**strike)
+
+
+def test_what_is_not_struck_is_not_struck_otherwise(endless: dict[str, Any]) -> None:
+    with pytest.raises(InputError, match=r"^strike: the shot has none"):
+        Shot.from_dict(endless).with_strike(speed=1.0)
+
+
 def test_a_list_that_holds_itself_is_refused(pot: dict[str, Any]) -> None:
     loop: list[Any] = []
     loop.append(loop)

@@ -10,8 +10,9 @@ use carom::resolve::cue_ball::Strike;
 
 use crate::goal::{Attempt, Goal, Player};
 
-/// First steps of the refinement: azimuth (rad), speed (as a share), side and height (ball radii).
-const FIRST_STEPS: [f64; 4] = [4e-3, 0.05, 0.05, 0.05];
+/// First steps of the refinement: azimuth (rad), speed (as a share), side and height (ball radii), elevation
+/// (rad).
+const FIRST_STEPS: [f64; 5] = [4e-3, 0.05, 0.05, 0.05, 0.02];
 /// It ends when the step of the azimuth is less than this, rad: 0.02 mm over the length of a table.
 const LEAST_STEP: f64 = 1e-5;
 /// Plays that one refinement may take.
@@ -39,6 +40,19 @@ pub(crate) fn azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
         scene.hits(ball, &mut found);
     }
     found
+}
+
+/// Straight azimuths (rad) to the ball that is wanted, from which massés turn away.
+pub(crate) fn straight_azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
+    let scene = Scene::new(shot);
+    let mut points = Vec::new();
+    if let Some((ball, pocket)) = goal.pot {
+        let wanted = |i: usize| pocket.is_none_or(|p| p == i);
+        let pockets = shot.table().pockets.iter().enumerate().filter(|(i, _)| wanted(*i));
+        points.extend(pockets.map(|(_, hole)| scene.ghost(ball, hole.center, scene.cue)));
+    }
+    points.extend(goal.first.map(|ball| scene.places[ball]));
+    points.into_iter().map(|point| direction(scene.cue_ball(), point)).collect()
 }
 
 /// The azimuth (rad) of the straight pot of `ball` into `pocket`, as geometry sees it.
@@ -168,7 +182,7 @@ pub(crate) struct Tried {
 pub(crate) enum Free {
     /// The azimuth alone.
     Azimuth,
-    /// Azimuth, and within these limits speed and both tip offsets.
+    /// Azimuth, and within these limits all else.
     Within(Limits),
 }
 
@@ -179,12 +193,17 @@ pub(crate) struct Limits {
     pub(crate) speed: [f64; 2],
     /// Largest tip offset, ball radii.
     pub(crate) offset: f64,
+    /// Least and greatest elevation, rad.
+    pub(crate) elevation: [f64; 2],
 }
 
 impl Free {
     fn allows(self, strike: &Strike) -> bool {
-        let Self::Within(Limits { speed: [least, most], offset }) = self else { return true };
-        (least..=most).contains(&strike.speed) && strike.offset() <= offset
+        let Self::Within(Limits { speed, offset, elevation }) = self else { return true };
+        let within = |[least, most]: [f64; 2], value| (least..=most).contains(&value);
+        within(speed, strike.speed)
+            && strike.offset() <= offset
+            && within(elevation, strike.elevation)
     }
 }
 
@@ -197,7 +216,12 @@ pub(crate) fn refine<const N: usize>(
 ) -> Tried {
     let mut best = start;
     let mut steps = FIRST_STEPS;
-    let parameters = if free == Free::Azimuth { 1 } else { steps.len() };
+    let parameters = match free {
+        Free::Azimuth => 1,
+        // Where the elevation is given, nothing is to be had of it.
+        Free::Within(Limits { elevation: [least, most], .. }) if least == most => 4,
+        Free::Within(_) => steps.len(),
+    };
     let mut plays = 0;
     while !best.attempt.is_met() && steps[0] > LEAST_STEP && plays < MOST_PLAYS {
         let mut helped = false;
@@ -229,7 +253,8 @@ fn moved(strike: &Strike, parameter: usize, by: f64) -> Strike {
         0 => strike.azimuth += by,
         1 => strike.speed *= 1.0 + by,
         2 => strike.side += by,
-        _ => strike.height += by,
+        3 => strike.height += by,
+        _ => strike.elevation += by,
     }
     strike
 }

@@ -7,6 +7,7 @@ use carom::simulate::Simulation;
 use carom::{Error, MotionState, Shot};
 
 use crate::errs::{Chance, Errs};
+use crate::places::{Places, distance};
 use crate::way::{Log, Way};
 
 /// A miss where the cue ball is lost, which no goal wants, m: more than a table is long, so that nothing
@@ -105,9 +106,7 @@ pub(crate) struct Listener {
     /// Centres of the pockets that count.
     targets: Vec<(usize, Vec2)>,
     log: Log,
-    /// Where each ball was at its last event.
-    last: Vec<Vec2>,
-    radius: Vec<f64>,
+    places: Places,
     /// Least distance of the potted ball's path from a target.
     pot: f64,
     potted: bool,
@@ -119,17 +118,17 @@ pub(crate) struct Listener {
 
 impl Listener {
     pub(crate) fn new(shot: &Shot, goal: Goal) -> Self {
-        let center = shot.table().center();
+        let cue_ball = shot.cue_ball().unwrap_or_default();
+        let places = Places::new(shot);
         let wanted = |i: usize| goal.pot.is_some_and(|(_, pocket)| pocket.is_none_or(|p| p == i));
         let pockets = shot.table().pockets.iter().enumerate();
         let targets = pockets.filter(|(i, _)| wanted(*i)).map(|(i, p)| (i, p.center)).collect();
         Self {
             goal,
-            cue_ball: shot.cue_ball().unwrap_or_default(),
+            cue_ball,
             targets,
-            log: Log::default(),
-            last: shot.balls().iter().map(|b| b.state.position.xy() - center).collect(),
-            radius: shot.balls().iter().map(|b| b.ball.radius).collect(),
+            log: Log::new(cue_ball, &places),
+            places,
             pot: f64::INFINITY,
             potted: false,
             moved: false,
@@ -145,7 +144,7 @@ impl Listener {
 
     /// Ball `i` has come from where it was last to `to`.
     fn follow(&mut self, i: usize, to: Vec2) {
-        let from = std::mem::replace(&mut self.last[i], to);
+        let from = self.places.go(i, to);
         if self.goal.pot.is_some_and(|(ball, _)| ball == i) {
             for (_, target) in &self.targets {
                 self.pot = self.pot.min(distance(from, to, *target));
@@ -157,8 +156,8 @@ impl Listener {
             && searching
             && let Some(ball) = self.reached()
         {
-            let reach = self.radius[i] + self.radius[ball];
-            self.gap = self.gap.min((distance(from, to, self.last[ball]) - reach).max(0.0));
+            let reach = self.places.radius(i) + self.places.radius(ball);
+            self.gap = self.gap.min((distance(from, to, self.places.last(ball)) - reach).max(0.0));
         }
     }
 
@@ -169,7 +168,7 @@ impl Listener {
         simulation: &Simulation<N>,
         duration: f64,
     ) -> Attempt {
-        for i in 0..self.last.len() {
+        for i in 0..self.places.count() {
             let end = simulation.state(i, duration).position.xy();
             self.follow(i, end);
         }
@@ -183,7 +182,7 @@ impl Listener {
             && self.first_touched != Some(ball)
         {
             // Another ball in the way is a miss even where the gap has closed.
-            miss += self.gap.max(self.radius[ball]);
+            miss += self.gap.max(self.places.radius(ball));
         }
         if let Some(Disc { center: [x, y], radius }) = self.goal.leave {
             miss += (Vec2::new(end[0] - x, end[1] - y).length() - radius).max(0.0);
@@ -192,7 +191,7 @@ impl Listener {
             miss += LOST_CUE_BALL;
         }
         let target = self.goal.pot.map(|(ball, _)| ball).or(self.goal.first);
-        let mut way = self.log.way(self.cue_ball, target, shot.table());
+        let mut way = self.log.way(target, shot.table());
         if let (None, Some(ball)) = (self.goal.pot, self.goal.first) {
             way.end_at(ball);
         }
@@ -200,22 +199,15 @@ impl Listener {
     }
 }
 
-/// From a point to a straight path.
-fn distance(from: Vec2, to: Vec2, point: Vec2) -> f64 {
-    let (along, beside) = (to - from, point - from);
-    let squared = along.length_squared();
-    let share = if squared > 0.0 { (along.dot(beside) / squared).clamp(0.0, 1.0) } else { 0.0 };
-    (beside - along * share).length()
-}
-
 impl Recorder for Listener {
     const STATES: bool = true;
 
     fn record(&mut self, event: &Event<'_>) {
+        self.log.add(event, &self.places);
         for (ball, state) in event.balls.iter().zip(event.before) {
             self.follow(usize::from(*ball), state.position.xy());
         }
-        self.log.add(event);
+        self.places.settle(event);
         let has = |ball: usize| event.balls.iter().any(|b| usize::from(*b) == ball);
         match event.kind {
             EventKind::BallCollision => {
@@ -269,7 +261,7 @@ impl<'a, const N: usize> Player<'a, N> {
     /// The chance that `strike` meets the goal.
     pub(crate) fn chance(&mut self, strike: &Strike, errs: &Errs) -> Chance {
         let struck = self.fresh.cue_ball;
-        let radius = self.fresh.radius[struck];
+        let radius = self.fresh.places.radius(struck);
         errs.count(|k| {
             let strike = errs.noise.draw(strike, radius, errs.seed, k);
             let attempt = if errs.perception.position == 0.0 {

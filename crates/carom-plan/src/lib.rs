@@ -14,6 +14,7 @@ pub mod goal;
 pub mod interval;
 pub mod maps;
 pub mod moments;
+mod places;
 pub mod referee;
 pub mod solve;
 pub mod sweep;

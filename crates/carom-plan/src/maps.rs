@@ -52,31 +52,37 @@ pub fn pot_map(
     goal.check(shot)?;
     errs.check()?;
     let size = table_size(shot)?;
-    let threads = Threads::new(threads);
     let [columns, rows] = cells;
     let at = |k: usize, count: usize, size: f64| (k as f64 + 0.5) * size / count as f64;
-    let (mut chance, mut azimuth) =
-        (vec![Chance::default(); columns * rows], vec![f64::NAN; columns * rows]);
+    let mut found = by_rows(rows, columns, threads, progress, |row, column| {
+        let place = [at(column, columns, size.x), at(row, rows, size.y)];
+        pot_from(shot, place, &goal, (ball, pocket), errs)
+    });
+    found.resize(rows * columns, None);
+    let known = found.into_iter().map(|cell| cell.unwrap_or((Chance::default(), f64::NAN)));
+    let (chance, azimuth) = known.unzip();
+    Ok(PotMap { cells, chance, azimuth })
+}
+
+/// What `cell` gives for every row and column, row by row; less if `progress` stopped it.
+fn by_rows<T: Send>(
+    rows: usize,
+    columns: usize,
+    threads: Option<usize>,
+    progress: Progress<'_>,
+    cell: impl Fn(usize, usize) -> T + Sync,
+) -> Vec<T> {
+    let threads = Threads::new(threads);
+    let mut all = Vec::with_capacity(rows * columns);
     for row in 0..rows {
-        let found: Vec<Option<(Chance, f64)>> = threads.run(|| {
-            (0..columns)
-                .into_par_iter()
-                .map(|column| {
-                    let place = [at(column, columns, size.x), at(row, rows, size.y)];
-                    pot_from(shot, place, &goal, (ball, pocket), errs)
-                })
-                .collect()
-        });
-        for (column, cell) in found.into_iter().enumerate() {
-            let Some((counted, aimed)) = cell else { continue };
-            chance[row * columns + column] = counted;
-            azimuth[row * columns + column] = aimed;
-        }
+        let found: Vec<T> =
+            threads.run(|| (0..columns).into_par_iter().map(|column| cell(row, column)).collect());
+        all.extend(found);
         if !progress(row + 1) {
             break;
         }
     }
-    Ok(PotMap { cells, chance, azimuth })
+    all
 }
 
 /// Chance and azimuth with the cue ball at `place`; none where it cannot lie.
@@ -125,33 +131,19 @@ pub fn position_map(
 ) -> Result<PositionMap, Error> {
     let goal = Goal { pot: Some((ball, Some(pocket))), ..Goal::default() };
     goal.check(shot)?;
+    let azimuth = straight(shot, ball, pocket);
+    let mut found = by_rows(speeds.len(), spins.len(), threads, progress, |row, column| {
+        let ([side, height], (_, own)) = (spins[column], shot.strike()?);
+        let strike = Strike { speed: speeds[row], azimuth, side, height, ..own };
+        on_table(shot, goal, |player| player.aim(strike))
+    });
+    found.resize(speeds.len() * spins.len(), None);
     let mut map = PositionMap { met: Vec::new(), azimuth: Vec::new(), end: Vec::new() };
-    let geometric = straight(shot, ball, pocket);
-    let threads = Threads::new(threads);
-    for (row, &speed) in speeds.iter().enumerate() {
-        let found: Vec<Option<Tried>> = threads.run(|| {
-            spins
-                .par_iter()
-                .map(|&[side, height]| {
-                    let (_, strike) = shot.strike()?;
-                    let strike = Strike { speed, azimuth: geometric, side, height, ..strike };
-                    on_table(shot, goal, |player| player.aim(strike))
-                })
-                .collect()
-        });
-        for tried in found {
-            map.met.push(tried.as_ref().is_some_and(|t| t.attempt.is_met()));
-            map.azimuth.push(tried.as_ref().map_or(f64::NAN, |t| t.strike.azimuth));
-            map.end.push(tried.map_or([f64::NAN; 2], |t| t.attempt.cue_ball_end));
-        }
-        if !progress(row + 1) {
-            break;
-        }
+    for tried in found {
+        map.met.push(tried.as_ref().is_some_and(|t| t.attempt.is_met()));
+        map.azimuth.push(tried.as_ref().map_or(f64::NAN, |t| t.strike.azimuth));
+        map.end.push(tried.map_or([f64::NAN; 2], |t| t.attempt.cue_ball_end));
     }
-    let cells = speeds.len() * spins.len();
-    map.met.resize(cells, false);
-    map.azimuth.resize(cells, f64::NAN);
-    map.end.resize(cells, [f64::NAN; 2]);
     Ok(map)
 }
 
@@ -242,26 +234,15 @@ pub fn acceptance(
         return Err(Error::input("distance", "it is no distance", "give a number of metres > 0"));
     }
     let mouth = (hole.mouth[0] + hole.mouth[1]) * 0.5;
-    let threads = Threads::new(threads);
-    let mut all = Vec::new();
-    for (row, &speed) in approaches.speeds.iter().enumerate() {
-        let roll = |cell: usize| {
-            let angle = approaches.angles[cell / approaches.offsets.len()];
-            let offset = approaches.offsets[cell % approaches.offsets.len()];
-            let (sin, cos) = carom::math::sin_cos(angle);
-            let way = hole.axis * cos + hole.axis.perp() * sin;
-            let back = way * approaches.distance + way.perp() * offset;
-            rolls_in(shot, pocket, mouth, back, way * speed)
-        };
-        let cells = approaches.angles.len() * approaches.offsets.len();
-        let found: Vec<Accepted> = threads.run(|| (0..cells).into_par_iter().map(roll).collect());
-        all.extend(found);
-        if !progress(row + 1) {
-            break;
-        }
-    }
-    let cells = approaches.speeds.len() * approaches.angles.len() * approaches.offsets.len();
-    all.resize(cells, Accepted::Nowhere);
+    let Approaches { angles, offsets, speeds, distance } = *approaches;
+    let cells = angles.len() * offsets.len();
+    let mut all = by_rows(speeds.len(), cells, threads, progress, |row, cell| {
+        let (angle, offset) = (angles[cell / offsets.len()], offsets[cell % offsets.len()]);
+        let (sin, cos) = carom::math::sin_cos(angle);
+        let way = hole.axis * cos + hole.axis.perp() * sin;
+        rolls_in(shot, pocket, mouth, way * distance + way.perp() * offset, way * speeds[row])
+    });
+    all.resize(speeds.len() * cells, Accepted::Nowhere);
     Ok(all)
 }
 

@@ -2,13 +2,15 @@
 //!
 //! 1. **Everywhere.** Every azimuth that geometry proposes ([`crate::aim`]) with a few speeds and spins, and
 //!    points spread evenly over azimuth × speed × spin (the additive recurrence R of Roberts 2018), are
-//!    played. Each tells by how much it misses ([`Goal`]) and by which way ([`Way`]).
+//!    played; where the cue may be raised, also over its elevation. Each tells by how much it misses ([`Goal`]) and by which way ([`Way`]).
 //! 2. **Refined.** Of every way the nearest are refined until they meet the goal, and turned to the middle of
 //!    the azimuths that do.
 //! 3. **Ranked.** What is left is played many times under noise, all with the same errors, and sorted by how
 //!    often the goal is met.
 //!
 //! Nothing in this depends on the number of threads.
+
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 use carom::math::{cos, exp, log, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
@@ -17,7 +19,7 @@ use carom::{Error, Shot};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-use crate::aim::{Free, Limits, Tried, azimuths, center, refine};
+use crate::aim::{Free, Limits, Tried, azimuths, center, refine, straight_azimuths};
 use crate::errs::{Chance, Errs};
 use crate::goal::{Goal, Player};
 use crate::interval::Interval;
@@ -26,6 +28,10 @@ use crate::way::Way;
 
 /// Speeds and spins that every azimuth of the geometry is tried with.
 const SPINS: usize = 16;
+/// Speeds and elevations that it is tried with where the cue may be raised.
+const JUMPS: usize = 32;
+/// Massés that are tried for every straight azimuth, half of them from either side.
+const MASSES: usize = 1024;
 /// Strikes of one way that are refined, the nearest, and ways that are, the simplest.
 const REFINED_OF_A_WAY: usize = 6;
 const REFINED_WAYS: usize = 96;
@@ -35,8 +41,8 @@ const TOO_FAR: f64 = 0.6;
 const FIRST_VARIANTS: u64 = 128;
 /// How many times more strikes than are wanted survive it.
 const SURVIVORS: usize = 3;
-/// Two strikes of one way are different when they differ by this much in speed (as a share) or in a tip
-/// offset (ball radii).
+/// Two strikes of one way are different when they differ by this much in speed (as a share), in a tip offset
+/// (ball radii), or in an angle (rad).
 const DIFFERENT: f64 = 0.15;
 /// No strike is farther off the middle than this share of the miscue limit.
 const NEAREST_MISCUE: f64 = 0.95;
@@ -50,6 +56,9 @@ pub struct Search {
     pub speed: [f64; 2],
     /// Largest tip offset, ball radii; at most 95 % of the miscue limit.
     pub offset: f64,
+    /// How far the cue may be raised, rad, for jumps and massés, which are tried besides strikes at the shot's
+    /// own elevation. Without it nothing is tried but those.
+    pub elevation: Option<f64>,
     /// Strikes spread over everything, besides those that geometry proposes.
     pub samples: usize,
     /// Under which the strikes are ranked, and how well their chances are to be known.
@@ -67,6 +76,7 @@ impl Default for Search {
         Self {
             speed: [0.5, 7.0],
             offset: 0.45,
+            elevation: None,
             samples: 4096,
             errs: Errs::default(),
             wanted: 10,
@@ -143,6 +153,12 @@ impl Search {
             let what = format!("{:?} ball radii is off the ball", self.offset);
             return refuse("offset", what, "give a number from 0 to 1");
         }
+        if let Some(elevation) = self.elevation
+            && !(0.0..FRAC_PI_2).contains(&elevation)
+        {
+            let what = format!("no cue is raised by {elevation:?} rad");
+            return refuse("elevation", what, "give at least 0 and less than a right angle");
+        }
         Ok(())
     }
 }
@@ -171,7 +187,11 @@ impl<const N: usize> Solver<'_, N> {
             }
             let strike = with_the_cue_clear(shot, tried.strike)?;
             let attempt = player.play(&strike).filter(|a| a.is_met())?;
-            Some(center(player, Tried { strike, attempt }))
+            let centered = center(player, Tried { strike, attempt });
+            // What is judged is what a shot's file can hold, so that whoever plays it sees the same.
+            let (_, strike) = shot.with_strike(&centered.strike).ok()?.strike()?;
+            let attempt = player.play(&strike).filter(|a| a.is_met())?;
+            Some(Tried { strike, attempt })
         })?;
         self.rank(refined)
     }
@@ -203,11 +223,13 @@ impl<const N: usize> Solver<'_, N> {
 
     fn limits(&self) -> Limits {
         let offset = self.search.offset.min(NEAREST_MISCUE * self.shot.miscue_limit());
-        Limits { speed: self.search.speed, offset }
+        let own = self.shot.strike().map_or(0.0, |(_, strike)| strike.elevation);
+        let most = self.search.elevation.map_or(own, |most| most.max(own));
+        Limits { speed: self.search.speed, offset, elevation: [own, most] }
     }
 
     fn candidates(&self) -> Vec<Strike> {
-        let elevation = self.shot.strike().map_or(0.0, |(_, strike)| strike.elevation);
+        let [elevation, most] = self.limits().elevation;
         let geometric = azimuths(self.shot, self.goal);
         let aimed = geometric.iter().enumerate().flat_map(|(k, azimuth)| {
             // Other spins for every azimuth, so that together they leave no gap.
@@ -216,15 +238,51 @@ impl<const N: usize> Solver<'_, N> {
         });
         let spread = (0..self.search.samples).map(|i| {
             let [turn, rest @ ..] = recurrence::<4>(i);
-            self.strike(core::f64::consts::TAU * turn, rest, elevation)
+            self.strike(TAU * turn, rest, elevation)
         });
-        aimed.chain(spread).collect()
+        let mut all: Vec<Strike> = aimed.chain(spread).collect();
+        if most > elevation {
+            all.extend(self.raised(&geometric));
+        }
+        all
+    }
+
+    /// Jumps, massés, and strikes spread over everything, with the cue raised above the shot's own elevation.
+    fn raised(&self, geometric: &[f64]) -> Vec<Strike> {
+        let [least, most] = self.limits().elevation;
+        let elevation = |share: f64| least + (most - least) * share;
+        // A ball that is struck in the middle keeps its line.
+        let jumps = geometric.iter().enumerate().flat_map(|(k, azimuth)| {
+            (0..JUMPS).map(move |i| {
+                let [speed, share] = recurrence::<2>(k * JUMPS + i);
+                self.strike(*azimuth, [speed, 0.0, 0.0], elevation(share))
+            })
+        });
+        // One that is struck low on the right goes left first, by less than the cue is raised, and then curves
+        // to the right.
+        let masses = straight_azimuths(self.shot, self.goal).into_iter().flat_map(|azimuth| {
+            (0..MASSES).map(move |i| {
+                let [speed, share, out, low, away] = recurrence::<5>(i);
+                let elevation = elevation(share);
+                let (turn, low) = (elevation * away, 0.25 * low);
+                if i % 2 == 0 {
+                    self.strike(azimuth + turn, [speed, out, 1.0 - low], elevation)
+                } else {
+                    self.strike(azimuth - turn, [speed, out, 0.5 + low], elevation)
+                }
+            })
+        });
+        let spread = (0..self.search.samples).map(|i| {
+            let [turn, share, rest @ ..] = recurrence::<5>(i);
+            self.strike(TAU * turn, rest, elevation(share))
+        });
+        jumps.chain(masses).chain(spread).collect()
     }
 
     /// The strike at a point of the unit cube: speed, then radius² and angle of the tip offset.
     fn strike(&self, azimuth: f64, [speed, out, turn]: [f64; 3], elevation: f64) -> Strike {
-        let Limits { speed: [least, most], offset: largest } = self.limits();
-        let (sin, cos) = sin_cos(core::f64::consts::TAU * turn);
+        let Limits { speed: [least, most], offset: largest, .. } = self.limits();
+        let (sin, cos) = sin_cos(TAU * turn);
         let offset = largest * sqrt(out);
         Strike {
             speed: least * exp(log(most / least) * speed),
@@ -326,6 +384,7 @@ fn are_alike(a: &Strike, b: &Strike) -> bool {
     (a.speed - b.speed).abs() < DIFFERENT * a.speed
         && (a.side - b.side).abs() < DIFFERENT
         && (a.height - b.height).abs() < DIFFERENT
+        && (a.elevation - b.elevation).abs() < DIFFERENT
         && 1.0 - cos(a.azimuth - b.azimuth) < 0.5 * DIFFERENT * DIFFERENT
 }
 

@@ -1,8 +1,12 @@
 //! How motion comes from the cue to the ball that counts: which cushions, which balls.
 
+use carom::MotionState;
 use carom::event::{Event, EventKind};
+use carom::math::Vec2;
 use carom::table::{Part, Rail};
 use carom::{Shot, Table};
+
+use crate::places::Places;
 
 /// Slower balls count as resting, m/s: a neighbour's breath.
 const RESTING: f64 = 1e-9;
@@ -21,6 +25,11 @@ pub enum Step {
     Onto(u16),
     /// The ball that moves goes on, off this one.
     Off(u16),
+    /// It flies over this one, which rests.
+    Over(u16),
+    /// The struck ball comes to what it first meets on a curve: this ball, which rests, stands in the straight
+    /// line.
+    Around(u16),
 }
 
 /// How motion came from the cue to the ball that counts, from the strike on.
@@ -31,8 +40,8 @@ pub struct Way {
 }
 
 impl Way {
-    /// What players call it: `direct`, or those of `kick`, `carom`, `combination`, `kiss`, `bank` that apply,
-    /// joined by `+`.
+    /// What players call it: `direct`, or those of `jump`, `massé`, `kick`, `carom`, `combination`, `kiss`,
+    /// `bank` that apply, joined by `+`. A slight massé is a swerve to them.
     pub fn kind(&self) -> String {
         let handed = self.steps.iter().filter(|s| matches!(s, Step::Onto(_))).count();
         let first = self.steps.iter().position(|s| matches!(s, Step::Onto(_)));
@@ -40,7 +49,11 @@ impl Way {
         let after = first.map_or(&[][..], |first| &self.steps[first + 1..]);
         let cushion = |s: &Step| matches!(s, Step::Cushion(_) | Step::Jaw(_));
         let off = |s: &Step| matches!(s, Step::Off(_));
+        let over = |s: &Step| matches!(s, Step::Over(_));
+        let around = |s: &Step| matches!(s, Step::Around(_));
         let names: Vec<&str> = [
+            (self.steps.iter().any(over), "jump"),
+            (self.steps.iter().any(around), "massé"),
             (before.iter().any(cushion), "kick"),
             (before.iter().any(off), "carom"),
             (handed > 1, "combination"),
@@ -72,38 +85,62 @@ impl Way {
                 Step::Jaw(rail) => format!("{} jaw", rail.name()),
                 Step::Onto(i) => ball(i).into(),
                 Step::Off(i) => format!("off {}", ball(i)),
+                Step::Over(i) => format!("over {}", ball(i)),
+                Step::Around(i) => format!("around {}", ball(i)),
             })
             .collect();
         words.join(", ")
     }
 }
 
-/// One contact.
-#[derive(Clone, Copy, Debug)]
+/// What a way may be made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Contact {
     /// A ball and a cushion.
     Cushion(u16, u16),
     /// Two balls, and whether each moved before.
     Balls([(u16, bool); 2]),
+    /// A ball passes another.
+    Passed(u16, Step),
 }
 
 /// The contacts of a shot, in order.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Log(Vec<Contact>);
+#[derive(Clone, Debug)]
+pub(crate) struct Log {
+    cue_ball: usize,
+    /// Where that lies, until it has met something.
+    start: Option<Vec2>,
+    contacts: Vec<Contact>,
+}
 
 impl Log {
-    pub(crate) fn add(&mut self, event: &Event<'_>) {
+    pub(crate) fn new(cue_ball: usize, places: &Places) -> Self {
+        Self { cue_ball, start: Some(places.last(cue_ball)), contacts: Vec::new() }
+    }
+
+    /// Notes an event; `places` are those before it.
+    pub(crate) fn add(&mut self, event: &Event<'_>, places: &Places) {
+        for (ball, state) in event.balls.iter().zip(event.before) {
+            if state.motion == MotionState::Airborne {
+                let (i, to) = (usize::from(*ball), state.position.xy());
+                for under in places.in_the_way(i, places.last(i), to, event.balls) {
+                    self.contacts.push(Contact::Passed(*ball, Step::Over(under)));
+                }
+            }
+        }
         match event.kind {
             EventKind::RailCollision(cushion) => {
-                self.0.push(Contact::Cushion(event.balls[0], cushion));
+                self.meet(event, places);
+                self.contacts.push(Contact::Cushion(event.balls[0], cushion));
             }
             EventKind::BallCollision => {
+                self.meet(event, places);
                 let speed = |k: usize| event.before[k].velocity.length();
                 let fastest =
                     (0..event.balls.len()).fold(0, |a, b| if speed(b) > speed(a) { b } else { a });
                 // In a many-ball contact all that rest get their motion from the one that comes.
                 for k in (0..event.balls.len()).filter(|k| *k != fastest) {
-                    self.0.push(Contact::Balls(
+                    self.contacts.push(Contact::Balls(
                         [fastest, k].map(|k| (event.balls[k], speed(k) > RESTING)),
                     ));
                 }
@@ -112,11 +149,28 @@ impl Log {
         }
     }
 
-    /// How motion came to `target` from the strike on `cue_ball`; without a target, the cue ball's own way.
-    pub(crate) fn way(&self, cue_ball: usize, target: Option<usize>, table: &Table) -> Way {
-        let mut current = target.unwrap_or(cue_ball) as u16;
+    /// The first contact of the cue ball, if `event` is that: around which balls it has come.
+    fn meet(&mut self, event: &Event<'_>, places: &Places) {
+        let own = event.balls.iter().position(|ball| usize::from(*ball) == self.cue_ball);
+        if let Some(own) = own
+            && let Some(from) = self.start.take()
+        {
+            let to = event.before[own].position.xy();
+            let cue_ball = self.cue_ball as u16;
+            for other in places.in_the_way(self.cue_ball, from, to, event.balls) {
+                let over = |c: &Contact| *c == Contact::Passed(cue_ball, Step::Over(other));
+                if !self.contacts.iter().any(over) {
+                    self.contacts.push(Contact::Passed(cue_ball, Step::Around(other)));
+                }
+            }
+        }
+    }
+
+    /// How motion came to `target` from the strike; without a target, the cue ball's own way.
+    pub(crate) fn way(&self, target: Option<usize>, table: &Table) -> Way {
+        let mut current = target.unwrap_or(self.cue_ball) as u16;
         let mut steps = Vec::new();
-        for contact in self.0.iter().rev() {
+        for contact in self.contacts.iter().rev() {
             match *contact {
                 Contact::Cushion(ball, cushion) if ball == current => {
                     let part = &table.cushions[usize::from(cushion)];
@@ -138,7 +192,13 @@ impl Log {
                         current = other;
                     }
                 }
-                Contact::Cushion(..) => (),
+                Contact::Passed(ball, step) if ball == current => {
+                    // One ball may be flown over in several hops.
+                    if steps.last() != Some(&step) {
+                        steps.push(step);
+                    }
+                }
+                Contact::Cushion(..) | Contact::Passed(..) => (),
             }
         }
         steps.reverse();
@@ -153,9 +213,11 @@ mod tests {
 
     #[test]
     fn ways_have_the_names_that_players_give_them() {
-        use Step::{Cushion, Jaw, Off, Onto};
+        use Step::{Around, Cushion, Jaw, Off, Onto, Over};
         for (steps, kind) in [
             (vec![Onto(1)], "direct"),
+            (vec![Over(2), Onto(1)], "jump"),
+            (vec![Around(2), Onto(1), Cushion(Rail::Left)], "massé+bank"),
             (vec![Onto(1), Cushion(Rail::Left)], "bank"),
             (vec![Cushion(Rail::Left), Onto(1)], "kick"),
             (vec![Jaw(Rail::Left), Onto(1)], "kick"),

@@ -108,6 +108,18 @@ fn a_snooker_is_escaped() {
 }
 
 #[test]
+fn what_is_judged_is_what_the_file_of_the_shot_holds() {
+    let goal = Goal { pot: Some((1, None)), ..Goal::default() };
+    let few = Search { samples: 512, errs: errs(100), ..search() };
+    for Solution { strike, cue_ball_end, .. } in solve(&cut(), &goal, &few).expect("solutions") {
+        let struck = cut().with_strike(&strike).expect("a shot");
+        assert_eq!(struck.strike(), Some((0, strike)));
+        let end = struck.simulate().expect("a trace").last()[0].position;
+        assert_eq!([end.x, end.y], cue_ball_end);
+    }
+}
+
+#[test]
 fn threads_change_nothing() {
     let goal = Goal { pot: Some((1, None)), ..Goal::default() };
     let few = Search { samples: 512, errs: errs(100), ..search() };
@@ -127,6 +139,12 @@ fn nonsense_is_refused() {
     refuse(Goal { pot: Some((0, None)), ..Goal::default() });
     refuse(Goal { pot: Some((1, Some(6))), ..Goal::default() });
     refuse(Goal { leave: Some(Disc { center: [0.0, 0.0], radius: 0.0 }), ..Goal::default() });
+    let goal = Goal { pot: Some((1, None)), ..Goal::default() };
+    for elevation in [-0.1, core::f64::consts::FRAC_PI_2, f64::NAN] {
+        let raised = Search { elevation: Some(elevation), ..search() };
+        let error = solve(&shot, &goal, &raised).expect_err("no elevation of a cue");
+        assert!(error.to_string().starts_with("elevation: "), "{error}");
+    }
 }
 
 #[test]

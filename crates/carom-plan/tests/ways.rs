@@ -6,6 +6,8 @@ use carom_plan::{Disc, Errs, Goal, Search, Solution, solve};
 const TOP_RIGHT: usize = 5;
 /// Less than this is luck.
 const LUCK: f64 = 0.1;
+/// How far the cue may be raised for jumps and massés, rad.
+const RAISED: f64 = 1.2;
 
 fn shot(balls: &[(&str, [f64; 2])]) -> Shot {
     let balls: Vec<String> = balls
@@ -20,11 +22,24 @@ fn shot(balls: &[(&str, [f64; 2])]) -> Shot {
     Shot::from_json(&text).expect("a shot")
 }
 
-/// All that is found, each played once more: it does what it says.
-fn found(shot: &Shot, goal: Goal) -> Vec<Solution> {
+fn search() -> Search {
     let errs = Errs { variants: 200, ..Errs::default() };
-    let search = Search { errs, samples: 2048, wanted: 40, of_a_way: 1, ..Search::default() };
-    let solutions = solve(shot, &goal, &search, &mut |_, _, _| true).expect("solutions");
+    Search { errs, samples: 2048, wanted: 40, of_a_way: 1, ..Search::default() }
+}
+
+/// All that is found.
+fn found(shot: &Shot, goal: Goal) -> Vec<Solution> {
+    solutions(shot, goal, &search())
+}
+
+/// The same with jumps and massés.
+fn found_raised(shot: &Shot, goal: Goal) -> Vec<Solution> {
+    solutions(shot, goal, &Search { elevation: Some(RAISED), ..search() })
+}
+
+/// What a search finds, each played once more: it does what it says.
+fn solutions(shot: &Shot, goal: Goal, search: &Search) -> Vec<Solution> {
+    let solutions = solve(shot, &goal, search, &mut |_, _, _| true).expect("solutions");
     for solution in &solutions {
         let again = shot.with_strike(&solution.strike).expect("a shot");
         let trace = again.simulate().expect("a trace");
@@ -135,4 +150,50 @@ fn a_snooker_is_escaped_to_where_the_cue_ball_is_wanted() {
         let (dx, dy) = (x - area.center[0], y - area.center[1]);
         assert!(dx * dx + dy * dy <= area.radius * area.radius, "{solution:?}");
     }
+}
+
+/// Blocked by a ball: the straight way to the pot, and that to the ball.
+fn blocked() -> Shot {
+    shot(&[("cue", [0.4, 0.75]), ("1", [0.9, 1.9]), ("2", [0.57, 1.13])])
+}
+
+#[test]
+fn where_a_ball_blocks_the_line_the_cue_ball_jumps_over_it_if_the_cue_may_be_raised() {
+    let goal = Goal { first: Some(1), ..pot(1, TOP_RIGHT) };
+    for solution in found(&blocked(), goal) {
+        assert!(is_of(&solution, "kick"), "{solution:?}");
+    }
+    let solutions = found_raised(&blocked(), goal);
+    let jump = solutions.iter().find(|s| s.way.kind() == "jump").expect("a jump");
+    assert_eq!(jump.way.words(&blocked()), "over 2, 1");
+    assert!(jump.chance.share() > LUCK, "{jump:?}");
+    assert!((0.2..=RAISED).contains(&jump.strike.elevation), "{jump:?}");
+}
+
+#[test]
+fn what_is_called_a_jump_has_jumped_and_what_is_called_a_masse_has_curved() {
+    let hidden = shot(&[("cue", [0.5, 0.5]), ("1", [0.5, 1.2]), ("8", [0.5, 0.8])]);
+    let solutions = found_raised(&hidden, Goal { first: Some(1), ..Goal::default() });
+    for solution in &solutions {
+        let played = hidden.with_strike(&solution.strike).and_then(|shot| shot.simulate());
+        let trace = played.expect("a trace");
+        let jumped = trace.outcome().jumped.contains(&(0, 2));
+        assert!(!is_of(solution, "jump") || jumped, "{solution:?}");
+        assert!(is_of(solution, "massé") || jumped || is_of(solution, "kick"), "{solution:?}");
+    }
+    let curved = solutions.iter().find(|s| s.way.kind() == "massé").expect("a massé");
+    assert_eq!(curved.way.words(&hidden), "around 8, 1");
+    assert!(curved.chance.share() > 0.5, "{curved:?}");
+    // Hit low on the side to which it curves, and sent off to the other.
+    let left = curved.strike.azimuth - core::f64::consts::FRAC_PI_2;
+    assert!(left * curved.strike.side > 0.0 && curved.strike.height < 0.0, "{curved:?}");
+}
+
+#[test]
+fn a_cue_that_may_not_be_raised_changes_nothing() {
+    let few = Search { samples: 512, ..search() };
+    let goal = pot(1, TOP_RIGHT);
+    let own = solutions(&blocked(), goal, &few);
+    let least = Search { elevation: Some(0.0), ..few };
+    assert_eq!(own, solutions(&blocked(), goal, &least));
 }

@@ -1,5 +1,7 @@
 //! `_core.simulate_batch`, `_core.simulate_strikes`, and what errs.
 
+use std::array::from_fn;
+
 use carom::Noise;
 use carom::batch::{self, BatchResult};
 use carom::noise::{Perception, SKILLS};
@@ -9,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::to_exception;
-use crate::shot::Shot;
+use crate::shot::{Shot, strike_of};
 
 pub(crate) type Arrays<'py> = (
     Bound<'py, PyArray3<f64>>,
@@ -64,13 +66,7 @@ pub(crate) fn simulate_seen<'py>(
 }
 
 fn strikes_of(rows: &PyReadonlyArray2<'_, f64>) -> Vec<Strike> {
-    let strike = |row: numpy::ndarray::ArrayView1<'_, f64>| Strike {
-        speed: row[0],
-        azimuth: row[1],
-        elevation: row[2],
-        side: row[3],
-        height: row[4],
-    };
+    let strike = |row: numpy::ndarray::ArrayView1<'_, f64>| strike_of(from_fn(|k| row[k]));
     rows.as_array().rows().into_iter().map(strike).collect()
 }
 

@@ -145,7 +145,8 @@ fn to_dict<'py>(py: Python<'py>, evaluation: &Evaluation) -> PyResult<Bound<'py,
 type Solved = ([f64; 5], String, String, [f64; 2], u64, u64, (f64, f64));
 
 /// The strikes that meet a goal, the likeliest first. `pot`: ball, and pocket if it matters; `leave`: a disc's
-/// centre and radius; `first`: the ball to hit. `limits`: least and greatest speed, largest offset.
+/// centre and radius; `first`: the ball to hit. `limits`: least and greatest speed, largest offset,
+/// greatest elevation if the cue may be raised.
 /// `counts`: samples, solutions wanted, of them by one way. `progress` is called with the stage's name, how
 /// many of its strikes are done, and how many there are.
 #[pyfunction]
@@ -156,7 +157,7 @@ pub(crate) fn solve(
     pot: Option<(usize, Option<usize>)>,
     leave: Option<([f64; 2], f64)>,
     first: Option<usize>,
-    limits: [f64; 3],
+    limits: ([f64; 3], Option<f64>),
     counts: (usize, usize, usize),
     errs: ErrsArguments,
     threads: usize,
@@ -165,11 +166,12 @@ pub(crate) fn solve(
     let shot = shot.0.clone();
     let leave = leave.map(|(center, radius)| Disc { center, radius });
     let goal = Goal { pot, leave, first };
-    let [least, most, offset] = limits;
+    let ([least, most, offset], elevation) = limits;
     let (samples, wanted, of_a_way) = counts;
     let search = Search {
         speed: [least, most],
         offset,
+        elevation,
         samples,
         errs: errs_of(errs),
         wanted,

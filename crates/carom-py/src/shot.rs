@@ -2,11 +2,16 @@
 
 use std::sync::Arc;
 
+use carom::resolve::cue_ball::Strike;
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
 use crate::node::{from_python, to_python};
 use crate::trace::Trace;
+
+pub(crate) fn strike_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Strike {
+    Strike { speed, azimuth, elevation, side, height }
+}
 
 /// A validated shot; immutable, shared, never copied.
 #[pyclass(frozen, module = "carom._core")]
@@ -64,6 +69,12 @@ impl Shot {
     fn strike(&self) -> Option<(f64, f64, f64, f64, f64)> {
         let (_, s) = self.0.strike()?;
         Some((s.speed, s.azimuth, s.elevation, s.side, s.height))
+    }
+
+    /// The same shot struck otherwise: speed, azimuth, elevation, side, height.
+    fn with_strike(&self, py: Python<'_>, strike: [f64; 5]) -> PyResult<Self> {
+        let shot = self.0.with_strike(&strike_of(strike)).map_err(|e| to_exception(py, &e))?;
+        Ok(Self(shot.into()))
     }
 
     fn __len__(&self) -> usize {

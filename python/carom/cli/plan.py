@@ -130,6 +130,13 @@ def solve(
     speed: Annotated[
         str, typer.Option(metavar="LEAST:MOST", help="Speeds of the cue that are tried, m/s.")
     ] = "0.5:7",
+    elevation: Annotated[
+        float | None,
+        typer.Option(
+            metavar="DEGREES",
+            help="How far the cue may be raised for jumps and massés, which are tried as well.",
+        ),
+    ] = None,
     samples: Annotated[
         int, typer.Option(min=1, help="Strikes tried besides those that geometry proposes.")
     ] = 4096,
@@ -161,6 +168,7 @@ def solve(
         n=n,
         precision=precision,
         speed=(least, most),
+        elevation=None if elevation is None else math.radians(elevation),
         samples=samples,
         seed=seed,
         level=level,
@@ -429,13 +437,11 @@ def _call(text: str) -> Call:
 def _in_game(shot: Shot, game: str, call: Call | None) -> tuple[Shot, Frame]:
     """The same shot as the frame asks for it, which may have the balls in another order."""
     from carom import Frame, Strike
-    from carom.errors import InputError
+    from carom.batch import own_strike
 
-    strike = shot._core.strike
-    if strike is None:
-        raise InputError("strike: the shot has none that could be varied; give it one")
+    strike = Strike(*own_strike(shot._core))
     frame = Frame.of_shot(game, shot)
-    return frame.shot(Strike(*strike), call=call), frame
+    return frame.shot(strike, call=call), frame
 
 
 def _title(file: str) -> str:

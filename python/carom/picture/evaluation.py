@@ -77,23 +77,16 @@ def variants(evaluation: Evaluation, count: int) -> list[Shot]:
     from dataclasses import astuple
 
     from carom import _core
+    from carom.batch import VARIABLES
     from carom.errors import InputError
-    from carom.shot import Shot
 
     shot, seed = evaluation.shot, evaluation.seed
     strikes = _core.draw_strikes(shot._core, astuple(evaluation.noise), seed, 0, count)
     played = []
-    for index, (speed, azimuth, elevation, side, height) in enumerate(strikes.tolist()):
+    for index, strike in enumerate(strikes.tolist()):
         try:
-            file = evaluation.perception.see(shot, index, seed=seed).to_dict()
-            file["strike"] |= {
-                "speed": speed,
-                "azimuth_deg": math.degrees(azimuth),
-                "elevation_deg": math.degrees(elevation),
-                "side": side,
-                "height": height,
-            }
-            played.append(Shot.from_dict(file))
+            seen = evaluation.perception.see(shot, index, seed=seed)
+            played.append(seen.with_strike(**dict(zip(VARIABLES, strike, strict=True))))
         except InputError:
             # A miscue has no path to draw.
             continue

@@ -52,22 +52,31 @@ Kind = Literal["number", "list", "choice"]
 
 
 @dataclass(frozen=True, slots=True)
-class Grid:
-    """A parameter that takes each of some values.
+class _Varied:
+    """What varies.
 
     Attributes:
         path: Where it stands in the shot file.
         name: Of its column.
         kind: What a value is.
         relative: Whether a value is added to the layout's own number, which is one of a strike.
-        values: All of them; empty where they are ``steps``.
-        steps: From, to, count: as many values, evenly spaced, both ends included.
     """
 
     path: str
     name: str
     kind: Kind
     relative: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Grid(_Varied):
+    """A parameter that takes each of some values.
+
+    Attributes:
+        values: All of them; empty where they are ``steps``.
+        steps: From, to, count: as many values, evenly spaced, both ends included.
+    """
+
     values: tuple[Any, ...] = ()
     steps: tuple[float, float, int] | None = None
 
@@ -83,24 +92,16 @@ class Grid:
 
 
 @dataclass(frozen=True, slots=True)
-class Draw:
+class Draw(_Varied):
     """A parameter that is drawn.
 
     Attributes:
-        path: Where it stands in the shot file.
-        name: Of its column.
-        kind: What a value is.
-        relative: Whether a value is added to the layout's own number, which is one of a strike.
         distribution: ``uniform``, ``log_uniform``, ``normal``, or ``choice``.
         a: First parameter of the distribution (from, mean), for each number of a list.
         b: Second (to, σ).
         values: What is chosen from.
     """
 
-    path: str
-    name: str
-    kind: Kind
-    relative: bool
     distribution: str
     a: tuple[float, ...] = ()
     b: tuple[float, ...] = ()
