@@ -46,16 +46,28 @@ impl Frame {
     ) -> Result<Self, Error> {
         options.check()?;
         let base = base(rules, table, physics)?;
-        let refuse = |which, remedy| {
-            let what = format!("{} is played on a table {which} pockets", rules.name());
-            Err(Error::input("table", what, remedy))
+        let refuse = |what: &str, remedy| {
+            Err(Error::input("table", format!("{} {what}", rules.name()), remedy))
         };
         match (rules.needs_pockets(), base.table().pockets.is_empty()) {
-            (true, true) => return refuse("with", "choose a table with pockets, or three-cushion"),
-            (false, false) => return refuse("without", "choose a table without, or another game"),
+            (true, true) => refuse(
+                "is played on a table with pockets",
+                "choose a table with pockets, or three-cushion",
+            )?,
+            (false, false) => refuse(
+                "is played on a table without pockets",
+                "choose a table without, or another game",
+            )?,
             _ => {}
         }
-        Self::on_table(rules, options, base, seed)
+        let frame = Self::on_table(rules, options, base, seed)?;
+        if frame.base().with_balls(frame.layout().placed(), None).is_err() {
+            refuse(
+                "has a rack that does not fit on it",
+                "choose a larger table, or smaller balls",
+            )?;
+        }
+        Ok(frame)
     }
 
     /// A new frame of the same game on the same table, racked by `seed`: what [`Self::new`] would give,

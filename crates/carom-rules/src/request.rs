@@ -1,8 +1,9 @@
 //! What is asked next, and of whom.
 
+use carom::rack::snooker_spots;
 use carom::{Error, Table};
 
-use crate::layout::{distance, head_string, spot_named};
+use crate::layout::{distance, head_string};
 use crate::{BallIndex, Player};
 
 /// What the frame asks next.
@@ -92,25 +93,24 @@ pub enum Region {
 impl Region {
     /// Whether a centre at `place` (m, in the file's frame) is in the region.
     pub fn holds(self, table: &Table, place: [f64; 2]) -> bool {
-        let line = head_string(table);
         match self {
             Self::Anywhere => true,
-            Self::BehindHeadString => place[1] < line,
+            Self::BehindHeadString => place[1] < head_string(table),
             Self::TheD => {
-                let center = [spot_named(table, "brown", 0.2)[0], line];
-                place[1] <= line && distance(place, center) <= d_radius(table)
+                let (center, radius) = the_d(table);
+                place[1] <= center[1] && distance(place, center) <= radius
             }
         }
     }
 
     /// Its bounding box: least and largest corner, in the file's frame, m.
     pub fn bounds(self, table: &Table) -> [[f64; 2]; 2] {
-        let (size, line) = (table.size, head_string(table));
+        let size = table.size;
         match self {
             Self::Anywhere => [[0.0, 0.0], [size.x, size.y]],
-            Self::BehindHeadString => [[0.0, 0.0], [size.x, line]],
+            Self::BehindHeadString => [[0.0, 0.0], [size.x, head_string(table)]],
             Self::TheD => {
-                let (middle, radius) = (spot_named(table, "brown", 0.2)[0], d_radius(table));
+                let ([middle, line], radius) = the_d(table);
                 [[middle - radius, line - radius], [middle + radius, line]]
             }
         }
@@ -135,10 +135,12 @@ impl Region {
     }
 }
 
-/// Radius of the D, m; a sixth of the width where the table has none marked (WPBSA: 292 of 1778 mm).
-pub(crate) fn d_radius(table: &Table) -> f64 {
+/// The D: its middle on the baulk line, where the brown stands (file's frame, m), and its radius, m; from the brown
+/// to the yellow, where the table has none marked.
+pub(crate) fn the_d(table: &Table) -> ([f64; 2], f64) {
+    let [[yellow, _], _, brown, ..] = snooker_spots(table);
     let marked = table.description.as_ref().and_then(|d| d.markings.d_radius);
-    marked.unwrap_or(table.size.x / 6.0)
+    (brown, marked.unwrap_or(yellow - brown[0]))
 }
 
 /// A decision that a player can be asked for.

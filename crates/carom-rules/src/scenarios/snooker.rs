@@ -5,7 +5,7 @@ mod free_ball;
 use super::{CORNER, SIDE, Scene, assert_fouls, hit};
 use crate::games::Law;
 use crate::games::snooker::{On, Snooker};
-use crate::{Call, Choice, Foul, Options, Region, Rules};
+use crate::{Call, Choice, Foul, Frame, Options, Region, Rules};
 
 const RED: u8 = 1;
 const YELLOW: u8 = 16;
@@ -511,4 +511,34 @@ fn a_touching_color_is_hit_if_it_is_nominated_and_not_if_another_is() {
     assert_fouls(&ruling, &[Foul::NoContact]);
     assert_eq!(ruling.points, [0, 6]);
     assert_fouls(&nominating(PINK, &[19, 20]), &[Foul::WrongBallFirst, Foul::Push]);
+}
+
+fn on(table: &str) -> Result<Frame, carom::Error> {
+    Frame::new(Rules::Snooker, Options::default(), Some(table.into()), None, 1)
+}
+
+#[test]
+fn a_rack_that_does_not_fit_on_the_table_is_refused() {
+    let refused = on("bar-7ft").expect_err("the black would stand among the reds").to_string();
+    assert!(refused.starts_with("table: snooker has a rack that does not fit"), "{refused}");
+}
+
+#[test]
+fn on_every_table_with_pockets_colors_come_back_where_they_stood() {
+    for table in ["wpa-9ft", "english-7ft", "snooker-12ft", "poolfiz"] {
+        let begun = Scene(on(table).unwrap_or_else(|e| panic!("{table}: {e}")));
+        let own = begun.0.layout().clone();
+        for color in YELLOW..=BLACK {
+            let mut scene = Scene(begun.0.clone());
+            scene.play(NOTHING, hit(&[RED]).potting(RED, CORNER));
+            scene.play(Call::On(color), hit(&[color]).potting(color, SIDE));
+            assert_eq!(scene.0.layout().place(color), own.place(color), "{color} on {table}");
+        }
+        let brown = own.place(18).expect("it stands on its spot");
+        let radius = begun.0.base().physics().ball.radius;
+        let behind = [brown[0], brown[1] - 3.0 * radius];
+        let (turn, on) = (begun.asks(0), begun.0.base().table());
+        let region = turn.hand.expect("the first shot is from the D");
+        assert!(region.holds(on, behind) && !region.holds(on, [brown[0], brown[1] + radius]));
+    }
 }

@@ -141,6 +141,34 @@ pub fn rack(
     Ok(balls)
 }
 
+/// Where the colours of snooker stand on `table`, from the yellow to the black (file's frame, m): on the spots
+/// that it has for them, else where a snooker table would have them, in proportion.
+pub fn snooker_spots(table: &Table) -> [[f64; 2]; 6] {
+    let [middle, baulk] = spot(table, "brown", 0.2);
+    let [yellow, _] = spot(table, "yellow", 0.2);
+    let d = if yellow > middle { yellow - middle } else { 0.15 * table.size.x };
+    // A black spot alone is that of English pool, where snooker has the pink.
+    let black = marked(table, "black").filter(|_| marked(table, "pink").is_some());
+    [
+        [mirrored(middle, d), baulk],
+        [mirrored(middle, -d), baulk],
+        [middle, baulk],
+        spot(table, "blue", 0.5),
+        spot(table, "pink", 0.75),
+        black.unwrap_or([middle, 10.0 / 11.0 * table.size.y]),
+    ]
+}
+
+/// The spot of that name, or else the point at `fraction` of the length on the middle line.
+fn spot(table: &Table, name: &str, fraction: f64) -> [f64; 2] {
+    marked(table, name).unwrap_or([0.5 * table.size.x, fraction * table.size.y])
+}
+
+fn marked(table: &Table, name: &str) -> Option<[f64; 2]> {
+    let description = table.description.as_ref()?;
+    Some(description.markings.spots.iter().find(|s| s.name == name)?.position)
+}
+
 /// The table and the balls that are laid on it.
 struct Lay<'a> {
     table: &'a Table,
@@ -175,17 +203,6 @@ impl<'a> Lay<'a> {
         Ok(Self { table, radius, gap })
     }
 
-    /// The spot of that name, or else the point at `fraction` of the length on the middle line.
-    fn spot(&self, name: &str, fraction: f64) -> [f64; 2] {
-        let marked = self.marked(name);
-        marked.unwrap_or([0.5 * self.table.size.x, fraction * self.table.size.y])
-    }
-
-    fn marked(&self, name: &str) -> Option<[f64; 2]> {
-        let description = self.table.description.as_ref()?;
-        Some(description.markings.spots.iter().find(|s| s.name == name)?.position)
-    }
-
     fn head_string(&self) -> f64 {
         let marked = self.table.description.as_ref().and_then(|d| d.markings.head_string);
         marked.unwrap_or(0.25 * self.table.size.y)
@@ -204,9 +221,9 @@ impl<'a> Lay<'a> {
     /// The apex stands on the foot spot. On English tables it is the 8 that stands on its spot, two
     /// rows behind (WEPF).
     fn apex(&self, game: Game) -> [f64; 2] {
-        match (game, self.marked("foot"), self.marked("black")) {
+        match (game, marked(self.table, "foot"), marked(self.table, "black")) {
             (Game::EightBall, None, Some([x, y])) => [x, y - 2.0 * self.row()],
-            _ => self.spot("foot", 0.75),
+            _ => spot(self.table, "foot", 0.75),
         }
     }
 
@@ -241,33 +258,22 @@ impl<'a> Lay<'a> {
     }
 
     fn snooker(&self, balls: &mut Vec<RackedBall>, random: &mut Pcg64) {
-        let [middle, baulk] = self.spot("brown", 0.2);
-        let [yellow, _] = self.spot("yellow", 0.2);
-        let d = if yellow > middle { yellow - middle } else { 0.15 * self.table.size.x };
+        let spots @ [yellow, _, [middle, baulk], _, [pink_x, pink], _] = snooker_spots(self.table);
         // In the D, between brown and yellow, as most players break.
-        balls.push((String::from("cue"), [middle + 0.5 * d, baulk]));
-        let [pink_x, pink] = self.spot("pink", 0.75);
+        balls.push((String::from("cue"), [middle + 0.5 * (yellow[0] - middle), baulk]));
         let apex = [pink_x, pink + 2.0 * self.radius + PINK_GAP.max(self.gap)];
         let reds = self.triangle(apex, &[1, 2, 3, 4, 5], random);
         balls.extend(reds.into_iter().enumerate().map(|(i, p)| (format!("red-{}", i + 1), p)));
-        for (name, place) in [
-            ("yellow", [mirrored(middle, d), baulk]),
-            ("green", [mirrored(middle, -d), baulk]),
-            ("brown", [middle, baulk]),
-            ("blue", self.spot("blue", 0.5)),
-            ("pink", [pink_x, pink]),
-            ("black", self.spot("black", 10.0 / 11.0)),
-        ] {
-            balls.push((String::from(name), place));
-        }
+        let names = ["yellow", "green", "brown", "blue", "pink", "black"].map(String::from);
+        balls.extend(names.into_iter().zip(spots));
     }
 
     fn three_cushion(&self, balls: &mut Vec<RackedBall>) {
-        let [x, y] = self.spot("head", 0.25);
+        let [x, y] = spot(self.table, "head", 0.25);
         let offset = THREE_CUSHION_OFFSET.min(0.25 * self.table.size.x);
         balls.push((String::from("cue"), [mirrored(x, offset), y]));
         balls.push((String::from("yellow"), [x, y]));
-        balls.push((String::from("red"), self.spot("foot", 0.75)));
+        balls.push((String::from("red"), spot(self.table, "foot", 0.75)));
     }
 }
 

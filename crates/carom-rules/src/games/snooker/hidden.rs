@@ -5,8 +5,8 @@ use carom::math::{Vec2, sqrt};
 
 use super::CUE;
 use crate::BallIndex;
-use crate::layout::{Layout, distance, head_string, spot_named};
-use crate::request::d_radius;
+use crate::layout::{Layout, distance};
+use crate::request::the_d;
 
 /// A cue ball in hand is tried at so many places across the D, and half as many along it.
 const TRIALS: u32 = 12;
@@ -96,8 +96,7 @@ fn is_clear(
 }
 
 fn places_in_the_d(table: &Table) -> impl Iterator<Item = [f64; 2]> {
-    let (line, radius) = (head_string(table), d_radius(table));
-    let middle = spot_named(table, "brown", 0.2)[0];
+    let ([middle, line], radius) = the_d(table);
     let step = 2.0 * radius / f64::from(TRIALS);
     (0..=TRIALS / 2).flat_map(move |row| {
         (0..=TRIALS).filter_map(move |column| {

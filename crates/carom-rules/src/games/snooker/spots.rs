@@ -1,11 +1,11 @@
 //! Where colours come back (WPBSA, section 3, rule 7).
 
 use carom::Table;
+use carom::rack::snooker_spots;
 
-use super::COLORS;
+use super::{COLORS, YELLOW};
 use crate::BallIndex;
 use crate::frame::State;
-use crate::layout::spot_named;
 
 /// Spots those of the colours `balls`, which are off the table. Each goes to its own spot; those whose spot
 /// is occupied, the highest first, to the highest spot that is free; if none is, as near to their own as
@@ -36,13 +36,6 @@ pub(super) fn put_back(state: &mut State, balls: impl IntoIterator<Item = BallIn
     }
 }
 
-fn spot_of(table: &Table, ball: BallIndex) -> [f64; 2] {
-    match ball {
-        16 => spot_named(table, "yellow", 0.2),
-        17 => spot_named(table, "green", 0.2),
-        18 => spot_named(table, "brown", 0.2),
-        19 => spot_named(table, "blue", 0.5),
-        20 => spot_named(table, "pink", 0.75),
-        _ => spot_named(table, "black", 10.0 / 11.0),
-    }
+fn spot_of(table: &Table, color: BallIndex) -> [f64; 2] {
+    snooker_spots(table)[usize::from(color - YELLOW)]
 }
