@@ -30,6 +30,7 @@ __all__ = [
     "position_map",
     "pot_map",
     "quantiles",
+    "row_shot",
     "rule_sets",
     "schema",
     "see",
@@ -50,6 +51,14 @@ _Play = tuple[
     tuple[str, str | None, str | None],
 ]
 
+# Layouts, which of them, paths and values, keys of a strike and numbers, noise.
+_Rows = tuple[
+    list[Shot],
+    NDArray[np.int32],
+    list[tuple[str, NDArray[np.float64] | tuple[list[Any], NDArray[np.int32]]]],
+    list[tuple[str, NDArray[np.float64]]],
+    tuple[tuple[float, ...], int, NDArray[np.int64]] | None,
+]
 _Errs = tuple[tuple[float, ...], float, int, int, float | None, float]
 
 @final
@@ -143,15 +152,8 @@ def evaluate(
     threads: int,
     progress: Callable[[int], object],
 ) -> dict[str, Any]: ...
-def play_rows(
-    layouts: list[Shot],
-    layout: NDArray[np.int32],
-    columns: list[tuple[str, NDArray[np.float64] | tuple[list[Any], NDArray[np.int32]]]],
-    strike: list[tuple[str, NDArray[np.float64]]],
-    noise: tuple[tuple[float, ...], int, NDArray[np.int64]] | None,
-    balls: int,
-    facts: bool,
-) -> dict[str, Any]: ...
+def play_rows(rows: _Rows, balls: int, facts: bool) -> dict[str, Any]: ...
+def row_shot(rows: _Rows) -> Shot: ...
 def points(
     sequence: str, seed: int, index: NDArray[np.int64], dimensions: int
 ) -> NDArray[np.float64]: ...

@@ -56,6 +56,37 @@ def test_a_row_is_the_shot_file_with_its_values_in_it(spec: Spec) -> None:
         assert row["error"] is None
 
 
+def test_the_shot_of_a_row_ends_as_the_row_does(spec: Spec) -> None:
+    sweep = Sweep.from_dict(spec)
+    for row in sweep.table().to_pylist()[::17]:
+        shot = sweep.shot(row["row"])
+        trace = shot.simulate()
+        assert len(trace.events) == row["events"]
+        end = trace.at(trace.duration).position[:, :2]
+        ends = np.array([row["end_x"], row["end_y"]], dtype=float).T
+        assert (ends[: len(shot.ids)] == end).all()
+
+
+def test_the_shot_of_a_row_with_noise_has_the_strike_that_came_out(spec: Spec) -> None:
+    sweep = Sweep.from_dict({**spec, "noise": "olympiad", "variants": 2})
+    for row in sweep.table().to_pylist()[::29]:
+        strike = sweep.shot(row["row"]).to_dict()["strike"]
+        for key in ("speed", "azimuth_deg", "elevation_deg", "side", "height"):
+            # Angles come back from the degrees of a file.
+            assert strike[key] == pytest.approx(row[f"played_{key}"], rel=1e-15, abs=0)
+
+
+def test_the_shot_of_a_row_that_cannot_be_played_is_refused_with_its_error(spec: Spec) -> None:
+    vary = {"strike.side": {"grid": [0.1, 0.95]}}
+    sweep = Sweep.from_dict({**spec, "vary": vary, "samples": 1})
+    error = sweep.table()["error"][1].as_py()
+    with pytest.raises(InputError) as refused:
+        sweep.shot(1)
+    assert str(refused.value) == error
+    with pytest.raises(InputError, match="the sweep has rows 0 to"):
+        sweep.shot(len(sweep))
+
+
 def test_rows_stand_in_c_order_of_layout_grids_and_sample(spec: Spec) -> None:
     table = Sweep.from_dict(spec).parameters()
     row = np.arange(200)

@@ -34,6 +34,37 @@ pub struct Rows<'a> {
     pub noise: Option<(Noise, u64, &'a [i64])>,
 }
 
+impl<'a> Rows<'a> {
+    /// The layout with the row's values in it.
+    fn make(&self, row: usize, layout: &Shot) -> Result<Shot, Error> {
+        let strike = (self.strike.iter())
+            .map(|&(key, numbers)| Ok((Path::parse(&format!("strike.{}", STRIKE[key]))?, numbers)))
+            .collect::<Result<Vec<_>, Error>>()?;
+        let column = |column: &Column<'a>| (column.path, column.values.at(row));
+        let mut values: Vec<_> = self.columns.iter().map(column).collect();
+        match layout.with_values(values.clone()) {
+            // Rows that only differ in their strikes share what was made. The layout's own strike may be
+            // one that cannot be played here, and the row's one that can.
+            Err(_) if !strike.is_empty() => {
+                values.extend(strike.iter().map(|(path, n)| (path, Node::Number(n[row]))));
+                layout.with_values(values)
+            }
+            made => made,
+        }
+    }
+
+    /// The strike that is meant: a shot's own, with the row's numbers.
+    fn meant(&self, row: usize, own: Strike) -> Strike {
+        let mut numbers = [own.speed, own.azimuth, own.elevation, own.side, own.height];
+        for &(key, values) in self.strike {
+            let is_angle = STRIKE[key].ends_with("_deg");
+            numbers[key] = if is_angle { radians(values[row]) } else { values[row] };
+        }
+        let [speed, azimuth, elevation, side, height] = numbers;
+        Strike { speed, azimuth, elevation, side, height }
+    }
+}
+
 /// Values that are put into a layout at one path.
 #[derive(Clone, Copy, Debug)]
 pub struct Column<'a> {
@@ -182,6 +213,25 @@ pub fn play(rows: &Rows<'_>, balls: usize, facts: bool) -> Played {
     }
 }
 
+/// The shot of one row: its layout with the row's values, and the strike that is played. The strike's angles
+/// are kept as in [`Shot::with_strike`], which moves some by one rounding.
+///
+/// # Errors
+/// [`Error::Input`] as in [`Played::errors`].
+pub fn shot(rows: &Rows<'_>, row: usize) -> Result<Shot, Error> {
+    let layout = rows.layouts[rows.layout[row] as usize];
+    let made = rows.make(row, layout)?;
+    let Some((struck, own)) = made.strike() else {
+        return Ok(made);
+    };
+    let meant = rows.meant(row, own);
+    made.resolve_strike(&meant)?;
+    let played = rows.noise.map_or(meant, |(noise, seed, index)| {
+        noise.draw(&meant, made.balls()[struck].ball.radius, seed, index[row] as u64)
+    });
+    made.with_strike(&played)
+}
+
 struct Player<'a, const N: usize> {
     rows: &'a Rows<'a>,
     facts: bool,
@@ -242,30 +292,12 @@ impl<'a, const N: usize> Player<'a, N> {
         };
         let made = match self.made.take().filter(again) {
             Some(made) => made,
-            None => (row, self.make(row, layout)?),
+            None => (row, rows.make(row, layout)?),
         };
         let referee = self.facts.then(|| OutcomeRecorder::new(&made.1));
         let result = self.shot(row, &made.1, referee);
         self.made = Some(made);
         result
-    }
-
-    /// The layout with the row's values in it.
-    fn make(&self, row: usize, layout: &Shot) -> Result<Shot, Error> {
-        let strike = (self.rows.strike.iter())
-            .map(|&(key, numbers)| Ok((Path::parse(&format!("strike.{}", STRIKE[key]))?, numbers)))
-            .collect::<Result<Vec<_>, Error>>()?;
-        let column = |column: &Column<'a>| (column.path, column.values.at(row));
-        let mut values: Vec<(&Path, Node)> = self.rows.columns.iter().map(column).collect();
-        match layout.with_values(values.clone()) {
-            // Rows that only differ in their strikes share what was made. The layout's own strike may be
-            // one that cannot be played here, and the row's one that can.
-            Err(_) if !strike.is_empty() => {
-                values.extend(strike.iter().map(|(path, n)| (path, Node::Number(n[row]))));
-                layout.with_values(values)
-            }
-            made => made,
-        }
     }
 
     /// Plays `shot` with the row's strike.
@@ -278,13 +310,7 @@ impl<'a, const N: usize> Player<'a, N> {
         let Some((struck, own)) = shot.strike() else {
             return self.simulate(row, shot, None, referee);
         };
-        let mut numbers = [own.speed, own.azimuth, own.elevation, own.side, own.height];
-        for &(key, values) in self.rows.strike {
-            let is_angle = STRIKE[key].ends_with("_deg");
-            numbers[key] = if is_angle { radians(values[row]) } else { values[row] };
-        }
-        let [speed, azimuth, elevation, side, height] = numbers;
-        let mut strike = Strike { speed, azimuth, elevation, side, height };
+        let mut strike = self.rows.meant(row, own);
         shot.resolve_strike(&strike)?;
         if let Some((noise, seed, index)) = self.rows.noise {
             let radius = shot.balls()[struck].ball.radius;

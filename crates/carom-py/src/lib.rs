@@ -37,7 +37,7 @@ mod _core {
     #[pymodule_export]
     use crate::shot::Shot;
     #[pymodule_export]
-    use crate::sweep::{play_rows, points, quantiles};
+    use crate::sweep::{play_rows, points, quantiles, row_shot};
     #[pymodule_export]
     use crate::trace::Trace;
 

@@ -1,4 +1,4 @@
-//! `_core.play_rows`, `_core.points` and `_core.quantiles`.
+//! `_core.play_rows`, `_core.row_shot`, `_core.points` and `_core.quantiles`.
 
 use carom::sample::{Distribution, Sequence};
 use carom::shot::{Node, Path};
@@ -55,21 +55,40 @@ type Noisy<'py> = ([f64; 5], u64, PyReadonlyArray1<'py, i64>);
 /// The name of a number among the facts, and how to get it.
 type Fact = (&'static str, fn(&Facts) -> i16);
 
-/// What came of rows of parameters, as a dict of arrays of shape (n,), or (n, balls) where it is per ball.
-/// `layout`: shape (n,), indices into `layouts`; `columns`: paths and values; `strike`: keys of a strike
-/// and numbers of shape (n,). All arrays are contiguous.
+/// Rows of parameters: layouts; which of them each row is, shape (n,); paths and values; keys of a strike and
+/// numbers of shape (n,); noise. All arrays are contiguous.
+type Asked<'py> = (
+    Vec<PyRef<'py, Shot>>,
+    PyReadonlyArray1<'py, i32>,
+    Vec<(String, Given<'py>)>,
+    Vec<(String, PyReadonlyArray1<'py, f64>)>,
+    Option<Noisy<'py>>,
+);
+
+/// What came of rows, as a dict of arrays of shape (n,), or (n, balls) where it is per ball.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
 pub(crate) fn play_rows<'py>(
     py: Python<'py>,
-    layouts: Vec<PyRef<'py, Shot>>,
-    layout: PyReadonlyArray1<'py, i32>,
-    columns: Vec<(String, Given<'py>)>,
-    strike: Vec<(String, PyReadonlyArray1<'py, f64>)>,
-    noise: Option<Noisy<'py>>,
+    rows: Asked<'py>,
     balls: usize,
     facts: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
+    let played = with_rows(py, rows, |rows| py.detach(|| sweep::play(rows, balls, facts)))?;
+    to_dict(py, played)
+}
+
+/// The shot that the first of the rows is.
+#[pyfunction]
+pub(crate) fn row_shot<'py>(py: Python<'py>, rows: Asked<'py>) -> PyResult<Shot> {
+    let shot = with_rows(py, rows, |rows| sweep::shot(rows, 0))?;
+    shot.map(|shot| Shot(shot.into())).map_err(|error| to_exception(py, &error))
+}
+
+fn with_rows<'py, T>(
+    py: Python<'py>,
+    (layouts, layout, columns, strike, noise): Asked<'py>,
+    answer: impl FnOnce(&Rows<'_>) -> T,
+) -> PyResult<T> {
     let raise = |error| to_exception(py, &error);
     let layouts: Vec<_> = layouts.iter().map(|shot| shot.0.clone()).collect();
     let layouts: Vec<&carom::Shot> = layouts.iter().map(|shot| &**shot).collect();
@@ -93,15 +112,13 @@ pub(crate) fn play_rows<'py>(
         Some((sigmas, seed, index)) => Some((noise_of(*sigmas), *seed, index.as_slice()?)),
         None => None,
     };
-    let rows = Rows {
+    Ok(answer(&Rows {
         layouts: &layouts,
         layout: layout.as_slice()?,
         columns: &columns,
         strike: &strike,
         noise,
-    };
-    let played = py.detach(|| sweep::play(&rows, balls, facts));
-    to_dict(py, played)
+    }))
 }
 
 fn to_dict(py: Python<'_>, played: Played) -> PyResult<Bound<'_, PyDict>> {

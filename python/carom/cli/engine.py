@@ -18,7 +18,7 @@ def replay(
         bool, typer.Option("--check", help="Compare every bit with the saved trace.")
     ] = False,
 ) -> None:
-    """Simulate the shot of a saved trace again."""
+    """Simulate the shot of a saved trace again; print the trace."""
     from carom import Trace
 
     text = read(file)

@@ -60,6 +60,21 @@ class Player:
 
     def play(self, batch: pa.RecordBatch) -> pa.RecordBatch:
         """The rows of ``batch`` and what comes of them."""
+        rows = self._rows(batch)
+        facts = not set(FACTS).isdisjoint(self.spec.columns)
+        found = _core.play_rows(rows, self.balls, facts)
+        return self._with_outcomes(batch, _numpy(batch["layout"]), found)
+
+    def shot(self, row: int) -> _core.Shot:
+        """The shot that a row is.
+
+        Raises:
+            InputError: It cannot be played.
+        """
+        return _core.row_shot(self._rows(self.parameters(row, row + 1)))
+
+    def _rows(self, batch: pa.RecordBatch) -> _core._Rows:
+        """Rows of parameters as Rust takes them."""
         spec = self.spec
         layout = _numpy(batch["layout"])
         strike, columns = [], []
@@ -78,9 +93,7 @@ class Player:
             row = _numpy(batch["row"])
             index = row % (spec.samples * spec.variants) if spec.paired else row
             noise = (astuple(spec.noise), spec.seed, index)
-        facts = not set(FACTS).isdisjoint(spec.columns)
-        found = _core.play_rows(self.layouts, layout, columns, strike, noise, self.balls, facts)
-        return self._with_outcomes(batch, layout, found)
+        return self.layouts, layout, columns, strike, noise
 
     def check(self) -> None:
         """Refuse a sweep of whose rows, tried here and there, none can be played.

@@ -15,6 +15,7 @@ from carom.shot import read_text
 if TYPE_CHECKING:
     import pyarrow as pa
 
+    from carom.shot import Shot
     from carom.sweeps.report import Report
     from carom.sweeps.spec import Spec
 
@@ -118,6 +119,20 @@ class Sweep:
         from carom.sweeps.parts import play_rows
 
         return play_rows(self, *self._range(start, stop), threads=cores(threads))
+
+    def shot(self, row: int) -> Shot:
+        """The shot that a row is, to be looked at or simulated with a trace.
+
+        With noise its strike is the one that came out. Its angles are the degrees that a file can
+        hold, which moves some by one rounding.
+
+        Raises:
+            InputError: There is no such row, or it cannot be played.
+        """
+        from carom.shot import Shot
+
+        self._range(row, row + 1)
+        return Shot._wrap(self._player.shot(row))
 
     def run(
         self,
