@@ -29,3 +29,9 @@ pub use moments::Moments;
 pub use referee::Referee;
 pub use solve::{Search, Solution, Stage, solve};
 pub use way::{Step, Way};
+
+/// The examples of the documentation's page on Rust, which are tested with this crate, since it knows the engine and
+/// the games.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/rust.md")]
+struct Documentation;

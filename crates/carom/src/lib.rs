@@ -2,6 +2,39 @@
 //!
 //! Every ball follows a closed-form path until the next event, whose time is solved, never
 //! stepped (Leckie & Greenspan 2006). SI units and radians throughout.
+//!
+#![cfg_attr(feature = "json", doc = "```")]
+#![cfg_attr(not(feature = "json"), doc = "```ignore")]
+//! use carom::Shot;
+//!
+//! # fn main() -> Result<(), carom::Error> {
+//! let shot = Shot::from_json(
+//!     r#"{
+//!         "format": "carom-shot/1",
+//!         "table": "wpa-9ft",
+//!         "balls": [{"id": "cue", "position": [0.45, 0.75]}, {"id": "8", "position": [0.80, 1.45]}],
+//!         "strike": {"ball": "cue", "speed": 1.84, "azimuth_deg": 62.92, "side": 0.07, "height": -0.23}
+//!     }"#,
+//! )?;
+//! let trace = shot.simulate()?;
+//! let [(ball, pocket)] = trace.outcome().pocketed[..] else { panic!("the 8 falls") };
+//! assert_eq!((shot.balls()[usize::from(ball)].id.as_str(), pocket.name()), ("8", "top-right"));
+//! let quarter = trace.at(0.25)?; // every ball's exact state after 0.25 s
+//! assert!(quarter[0].velocity.length() < 1.84 * 1.5);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! - [`Shot`]: everything that is decided before a shot starts, read from a file ([`Shot::from_json`]) or a tree of
+//!   values; [`rack`] sets the balls up. [`Table`] and [`Physics`] are what it is played on.
+//! - [`Shot::simulate`] gives a [`Trace`]: all events, the state at any time, ways to draw. Who wants only the
+//!   [`Outcome`] or nothing but the end listens to [`simulate()`] with a recorder of [`event`], without allocating.
+//! - [`batch`]: many shots on all cores; [`noise`]: how far a player's strike strays.
+//! - [`error`]: bad input is refused with the place and the remedy.
+//! - Inside: [`motion`], when what meets ([`detect`]), and what happens then ([`resolve`]).
+//!
+//! The same shot gives the same bits on every platform, with or without the features `std` (hardware square roots,
+//! wide vectors), `json` (files) and `parallel` (batches on all cores).
 #![cfg_attr(not(feature = "std"), no_std)]
 
 extern crate alloc;

@@ -67,6 +67,11 @@ function checked<T>(call: () => T): T {
 }
 
 /** A number that the engine counts with. */
+/** JSON of a file that is text or a value; undefined has none, and becomes null, which the engine refuses. */
+function asText(file: unknown): string {
+  return typeof file === "string" ? file : JSON.stringify(file === undefined ? null : file);
+}
+
 function whole(name: string, value: number): bigint {
   if (Number.isSafeInteger(value) && value >= 0) return BigInt(value);
   throw new CaromError(
@@ -97,13 +102,11 @@ class WasmEngine implements Engine {
   }
 
   shot(file: string | ShotFile): Shot {
-    const text = typeof file === "string" ? file : JSON.stringify(file);
-    return new WasmShot(checked(() => wasm.Shot.fromJson(text)));
+    return new WasmShot(checked(() => wasm.Shot.fromJson(asText(file))));
   }
 
   trace(file: string | TraceFile): Trace {
-    const text = typeof file === "string" ? file : JSON.stringify(file);
-    return new WasmTrace(checked(() => wasm.Trace.fromJson(text)));
+    return new WasmTrace(checked(() => wasm.Trace.fromJson(asText(file))));
   }
 
   breakShot(game: string, options: BreakOptions = {}): Shot {
@@ -315,7 +318,8 @@ class WasmTrace implements Trace {
   polyline(ball: number, tolerance: number): Float64Array {
     const balls = this.shot.balls.length;
     if (!Number.isInteger(ball) || ball < 0 || ball >= balls) {
-      throw new RangeError(`there is no ball ${ball}; write an index from 0 to ${balls - 1}`);
+      const given = JSON.stringify(ball);
+      throw new RangeError(`there is no ball ${given}; write an index from 0 to ${balls - 1}`);
     }
     if (!(tolerance > 0)) {
       throw new RangeError(`the tolerance ${tolerance} m is out of range; write one above 0`);

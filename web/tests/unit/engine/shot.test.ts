@@ -26,6 +26,7 @@ describe("what the engine refuses it names, with the remedy", () => {
   const but = (changes: object) => JSON.stringify({ ...pot, ...changes });
   test.each([
     ["{", "", /^not JSON: .*line 1, column 1/],
+    [undefined as never, "", /^found null; write an object/],
     [but({ table: "wpa-10ft" }), "table", /wpa-9ft/],
     [
       but({ balls: [...pot.balls, { id: "8", position: [0.5, "x"] }] }),
