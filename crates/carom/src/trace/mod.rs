@@ -192,13 +192,13 @@ impl Trace {
     /// the end, the final state.
     ///
     /// # Errors
-    /// [`Error::Input`] if `time` is negative or NaN.
+    /// [`Error::Input`] if `time` is negative or not finite.
     pub fn at(&self, time: f64) -> Result<Vec<BallState>, Error> {
-        if time.is_nan() || time < 0.0 {
+        if !(time >= 0.0 && time.is_finite()) {
             return Err(Error::input(
                 "time",
                 format!("there is nothing at {time:?} s"),
-                "ask for a time ≥ 0",
+                "ask for a finite time ≥ 0",
             ));
         }
         let mut states: Vec<(f64, BallState)> =

@@ -146,7 +146,7 @@ fn trace_is_quiet(trace: &Trace, time: f64, i: u16) -> bool {
 #[test]
 fn a_time_before_the_shot_is_refused() {
     let trace = played("follow_shot");
-    for time in [-1e-300, f64::NAN, f64::NEG_INFINITY] {
+    for time in [-1e-300, f64::NAN, f64::NEG_INFINITY, f64::INFINITY] {
         let e = trace.at(time).expect_err("no such time");
         assert!(e.is_bad_input() && e.to_string().starts_with("time: "), "{e}");
     }
