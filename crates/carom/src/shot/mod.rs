@@ -106,15 +106,13 @@ impl Shot {
     /// [`Error::Input`] with one sentence that names the place, what is wrong there, and what
     /// would be right.
     pub fn from_node(file: Node) -> Result<Self, Error> {
-        let fields = At::root(&file).fields(&[
-            "format",
-            "table",
-            "physics",
-            "balls",
-            "strike",
-            "max_events",
-        ])?;
-        fields.require("format", &format!("\"{FORMAT}\""))?.choice("format", &[(FORMAT, ())])?;
+        let root = At::root(&file);
+        // Before the keys: those of a trace or of a later format are no slips.
+        root.known_fields()?
+            .require("format", &format!("\"{FORMAT}\""))?
+            .choice("format", &[(FORMAT, ())])?;
+        let fields =
+            root.fields(&["format", "table", "physics", "balls", "strike", "max_events"])?;
         let (table, default_physics) =
             table::read(&fields.require("table", "a table preset's name, or an object {...}")?)?;
         let mut physics = physics::read(fields.get("physics").as_ref(), &default_physics)?;

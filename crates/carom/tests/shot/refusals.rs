@@ -62,6 +62,14 @@ fn an_unknown_key_is_refused_with_the_nearest_known_one() {
 }
 
 #[test]
+fn a_file_of_another_format_is_no_shot_with_unknown_keys() {
+    let trace = r#""format": "carom-trace/1", "engine": "carom 0.1.0""#;
+    refused(r#""format": "carom-shot/1""#, trace, "format", &["carom-trace/1", "carom-shot/1"]);
+    let later = r#""format": "carom-shot/2", "players": 2"#;
+    refused(r#""format": "carom-shot/1""#, later, "format", &["carom-shot/2"]);
+}
+
+#[test]
 fn a_missing_key_is_refused() {
     refused("\"format\": \"carom-shot/1\",", "", "format", &["missing", "carom-shot/1"]);
     refused("\"speed\": 2.0, ", "", "strike.speed", &["missing"]);
