@@ -231,13 +231,13 @@ impl<const N: usize> Solver<'_, N> {
     fn candidates(&self) -> Vec<Strike> {
         let [elevation, most] = self.limits().elevation;
         let geometric = azimuths(self.shot, self.goal);
+        let (in_three, in_four) = (recurrence::<3>(), recurrence::<4>());
         let aimed = geometric.iter().enumerate().flat_map(|(k, azimuth)| {
             // Other spins for every azimuth, so that together they leave no gap.
-            (0..SPINS)
-                .map(move |i| self.strike(*azimuth, recurrence::<3>(k * SPINS + i), elevation))
+            (0..SPINS).map(move |i| self.strike(*azimuth, in_three(k * SPINS + i), elevation))
         });
         let spread = (0..self.search.samples).map(|i| {
-            let [turn, rest @ ..] = recurrence::<4>(i);
+            let [turn, rest @ ..] = in_four(i);
             self.strike(TAU * turn, rest, elevation)
         });
         let mut all: Vec<Strike> = aimed.chain(spread).collect();
@@ -251,10 +251,11 @@ impl<const N: usize> Solver<'_, N> {
     fn raised(&self, geometric: &[f64]) -> Vec<Strike> {
         let [least, most] = self.limits().elevation;
         let elevation = |share: f64| least + (most - least) * share;
+        let (in_two, in_five) = (recurrence::<2>(), recurrence::<5>());
         // A ball that is struck in the middle keeps its line.
         let jumps = geometric.iter().enumerate().flat_map(|(k, azimuth)| {
             (0..JUMPS).map(move |i| {
-                let [speed, share] = recurrence::<2>(k * JUMPS + i);
+                let [speed, share] = in_two(k * JUMPS + i);
                 self.strike(*azimuth, [speed, 0.0, 0.0], elevation(share))
             })
         });
@@ -262,7 +263,7 @@ impl<const N: usize> Solver<'_, N> {
         // to the right.
         let masses = straight_azimuths(self.shot, self.goal).into_iter().flat_map(|azimuth| {
             (0..MASSES).map(move |i| {
-                let [speed, share, out, low, away] = recurrence::<5>(i);
+                let [speed, share, out, low, away] = in_five(i);
                 let elevation = elevation(share);
                 let (turn, low) = (elevation * away, 0.25 * low);
                 if i % 2 == 0 {
@@ -273,7 +274,7 @@ impl<const N: usize> Solver<'_, N> {
             })
         });
         let spread = (0..self.search.samples).map(|i| {
-            let [turn, share, rest @ ..] = recurrence::<5>(i);
+            let [turn, share, rest @ ..] = in_five(i);
             self.strike(TAU * turn, rest, elevation(share))
         });
         jumps.chain(masses).chain(spread).collect()
@@ -388,18 +389,23 @@ fn are_alike(a: &Strike, b: &Strike) -> bool {
         && 1.0 - cos(a.azimuth - b.azimuth) < 0.5 * DIFFERENT * DIFFERENT
 }
 
-/// Point `index` of the additive recurrence of Roberts (2018): multiples of 1/φ, 1/φ², … with φ^(D+1) = φ + 1,
-/// modulo 1.
-fn recurrence<const D: usize>(index: usize) -> [f64; D] {
+/// The points of the additive recurrence of Roberts (2018), by their index: multiples of 1/φ, 1/φ², … with
+/// φ^(D+1) = φ + 1, modulo 1.
+fn recurrence<const D: usize>() -> impl Fn(usize) -> [f64; D] + Copy {
     let mut phi = 2.0;
     // The root is a fixed point that attracts: every step halves the error, and more.
     for _ in 0..64 {
         phi = carom::math::pow(1.0 + phi, 1.0 / (D as f64 + 1.0));
     }
     let mut factor = 1.0;
-    core::array::from_fn(|_| {
+    let steps: [f64; D] = core::array::from_fn(|_| {
         factor /= phi;
-        let x = 0.5 + factor * (index as f64 + 1.0);
-        x - x.floor()
-    })
+        factor
+    });
+    move |index| {
+        steps.map(|step| {
+            let x = 0.5 + step * (index as f64 + 1.0);
+            x - x.floor()
+        })
+    }
 }
