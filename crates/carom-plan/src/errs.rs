@@ -70,7 +70,10 @@ impl Errs {
 }
 
 /// Refuses what is no confidence level.
-pub(crate) fn check_level(level: f64) -> Result<(), Error> {
+///
+/// # Errors
+/// [`Error::Input`] unless it is between 0 and 1.
+pub fn check_level(level: f64) -> Result<(), Error> {
     if level > 0.0 && level < 1.0 {
         return Ok(());
     }

@@ -21,7 +21,7 @@ pub mod sweep;
 mod threads;
 pub mod way;
 
-pub use errs::{Chance, Errs};
+pub use errs::{Chance, Errs, check_level};
 pub use evaluate::{Evaluation, Precision, Question, Watched, evaluate};
 pub use goal::{Disc, Goal};
 pub use interval::{Interval, wilson};

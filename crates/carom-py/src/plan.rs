@@ -209,7 +209,8 @@ const fn name_of(stage: Stage) -> &'static str {
 
 /// The Wilson interval of `hits` among `trials`.
 #[pyfunction]
-pub(crate) fn wilson(hits: u64, trials: u64, level: f64) -> (f64, f64) {
+pub(crate) fn wilson(py: Python<'_>, hits: u64, trials: u64, level: f64) -> PyResult<(f64, f64)> {
+    carom_plan::check_level(level).map_err(|e| to_exception(py, &e))?;
     let interval = carom_plan::wilson(hits, trials, level);
-    (interval.low, interval.high)
+    Ok((interval.low, interval.high))
 }
