@@ -3,7 +3,8 @@
 use carom::shot::Node;
 use pyo3::prelude::*;
 use pyo3::types::{
-    PyBool, PyDict, PyFloat, PyFrozenSet, PyInt, PyIterator, PyList, PyMapping, PySet, PyString,
+    PyBool, PyByteArray, PyBytes, PyDict, PyFloat, PyFrozenSet, PyInt, PyIterator, PyList,
+    PyMapping, PySet, PyString,
 };
 
 use crate::error::InputError;
@@ -44,6 +45,10 @@ fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<
     if let Ok(mapping) = value.cast::<PyMapping>() {
         return read_mapping(mapping, place, depth);
     }
+    // Bytes can be counted like a list of numbers, and nobody means one.
+    if value.cast::<PyBytes>().is_ok() || value.cast::<PyByteArray>().is_ok() {
+        return Err(refuse(place, "found bytes", "write a text, or numbers"));
+    }
     // A set has no order: whoever writes one for a position does not know what is x.
     let ordered = value.cast::<PySet>().is_err() && value.cast::<PyFrozenSet>().is_err();
     if let (true, Ok(items)) = (ordered, value.try_iter()) {
@@ -53,12 +58,12 @@ fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<
     if ["bool", "bool_"].contains(&&*value.get_type().name()?.to_string_lossy()) {
         return Ok(Node::Bool(value.is_truthy()?));
     }
-    // NumPy's scalars are neither of Python's numbers, but say what they are worth.
-    if value.hasattr("__index__")? {
-        return Ok(Node::Integer(value.call_method0("__index__")?.extract()?));
-    }
-    if value.hasattr("__float__")? {
-        return Ok(Node::Number(value.call_method0("__float__")?.extract()?));
+    // NumPy's scalars are neither of Python's numbers, but say what they are worth. An array without axes
+    // has both methods, and refuses the first where it holds a fraction.
+    for method in ["__index__", "__float__"] {
+        if let Ok(number) = value.call_method0(method) {
+            return read(&number, place, depth + 1);
+        }
     }
     let kind = value.get_type().name()?;
     Err(refuse(place, &format!("found a {kind}"), "write plain dicts, lists, strings and numbers"))
