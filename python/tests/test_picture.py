@@ -245,6 +245,28 @@ def test_ids_with_markup_do_not_break_a_picture(endless: dict[str, Any]) -> None
     ElementTree.fromstring(picture.svg(trace))
 
 
+@pytest.mark.parametrize("name", ["$$", r"$\frac$", "\x1b[31m", "\x00", "8\n", "\N{BILLIARDS}"])
+def test_a_ball_and_a_picture_may_be_called_anything(endless: dict[str, Any], name: str) -> None:
+    endless["balls"][0]["id"] = name
+    trace = Shot.from_dict(endless).simulate()
+    ElementTree.fromstring(picture.svg(trace, title=name))
+    assert picture.png(trace, title=name).startswith(b"\x89PNG")
+
+
+def test_an_answer_about_a_ball_with_any_name_can_be_drawn(
+    pot: dict[str, Any], tmp_path: Path
+) -> None:
+    pot["balls"][1]["id"] = "$$"
+    shot = Shot.from_dict(pot)
+    for found in (
+        shot.evaluate(carom.Noise(), 8),
+        shot.solve(pot="$$", samples=256, n=8),
+        carom.bank_table(shot, "$$", azimuth=[1.0]),
+    ):
+        picture.save(found, tmp_path / "a.svg", title="$\\foo$")
+        ElementTree.parse(tmp_path / "a.svg")
+
+
 def test_pool_balls_look_as_they_are_sold() -> None:
     assert look("9", 0).striped
     assert not look("8", 0).striped

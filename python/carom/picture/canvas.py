@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import io
+import warnings
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from carom.picture import _matplotlib, colors
+from carom.picture._matplotlib import as_written
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from matplotlib.figure import Figure
 
     from carom.trace import Trace
@@ -133,7 +138,7 @@ def compose(
         side.set_ylim(view.top - view.height, view.top)
         raised = elevation if view.route.id == struck else None
         draw_side(side, view, ways, trace["events"], geometry, raised)
-    return figure
+    return as_written(figure)
 
 
 def draw_table(geometry: dict[str, Any]) -> Figure:
@@ -171,7 +176,7 @@ def to_svg(figure: Figure) -> str:
 
     out = io.StringIO()
     # Without a fixed salt and date the same picture would be a different file each time.
-    with rc_context({"svg.hashsalt": "carom", "svg.fonttype": "path"}):
+    with rc_context({"svg.hashsalt": "carom", "svg.fonttype": "path"}), _any_glyph():
         figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
     return out.getvalue()
 
@@ -184,5 +189,14 @@ def png(trace: Trace, *, title: str | None = None, dots_per_inch: int = DOTS_PER
 def to_png(figure: Figure, *, dots_per_inch: int = DOTS_PER_INCH) -> bytes:
     """A figure as a PNG file's content."""
     out = io.BytesIO()
-    figure.savefig(out, format="png", dpi=dots_per_inch, metadata={"Software": None})
+    with _any_glyph():
+        figure.savefig(out, format="png", dpi=dots_per_inch, metadata={"Software": None})
     return out.getvalue()
+
+
+@contextmanager
+def _any_glyph() -> Iterator[None]:
+    """A letter that the font lacks becomes a box, of which nobody needs to be told."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
+        yield

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from carom.picture import colors
+from carom.picture._matplotlib import as_written
 from carom.picture.canvas import to_png, to_svg
 from carom.picture.sheet import MARGIN_INCHES, sheet
 
@@ -59,7 +60,7 @@ def draw(evaluation: Evaluation, *, title: str | None = None) -> Figure:
         fontsize=7.2,
         color=colors.INK,
     )
-    return figure
+    return as_written(figure)
 
 
 def svg(evaluation: Evaluation, *, title: str | None = None) -> str:

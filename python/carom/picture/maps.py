@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from carom.picture import _matplotlib, colors
+from carom.picture._matplotlib import as_written
 from carom.picture.canvas import to_png, to_svg
 from carom.picture.sheet import sheet
 
@@ -41,6 +42,10 @@ def draw(found: Drawn, *, title: str | None = None) -> Figure:
         A matplotlib figure, not attached to any window.
     """
     _matplotlib.prepare()
+    return as_written(_draw(found, title))
+
+
+def _draw(found: Drawn, title: str | None) -> Figure:
     from carom.cushions import CushionTable
     from carom.maps import Acceptance, PositionMap, PotMap
 

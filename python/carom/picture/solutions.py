@@ -7,6 +7,7 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 from carom.picture import colors
+from carom.picture._matplotlib import as_written
 from carom.picture.canvas import to_png, to_svg
 from carom.picture.sheet import MARGIN_INCHES, sheet
 
@@ -64,7 +65,7 @@ def draw(
         _draw_way(ax, solution, index, labels)
     _draw_balls(ax, shot)
     _draw_list(figure, shown, title or shot.geometry()["name"] or "shot")
-    return figure
+    return as_written(figure)
 
 
 def svg(
