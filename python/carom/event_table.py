@@ -22,6 +22,11 @@ _RIGHT = {0, 1}
 SEEN = 1e-3
 
 
+def printable(text: str) -> str:
+    """A text in one line that does nothing to a terminal, whatever a ball or a file is called."""
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
+
+
 def rows(trace: dict[str, Any]) -> list[tuple[str, ...]]:
     """Rows of text under ``HEADINGS``: one per event, or per run of hops over an edge."""
     return [row for _, row in _lines(trace)]
@@ -50,7 +55,7 @@ def _lines(trace: dict[str, Any]) -> list[tuple[str, tuple[str, ...]]]:
             str(run[0] + 1),
             f"{first['time']:.4f}",
             first["type"],
-            " ".join(first["balls"]),
+            " ".join(map(printable, first["balls"])),
             where,
             _speeds(first["before"], last["after"]),
         )
@@ -145,7 +150,7 @@ def summary(trace: dict[str, Any]) -> list[str]:
         lines.append("jumped: " + ", ".join(f"{ball} over {other}" for ball, other in jumped))
     if outcome.get("cue_obstructed"):
         lines.append(f"the cue would pass through: {outcome['cue_obstructed']}{_remedy(outcome)}")
-    return lines
+    return list(map(printable, lines))
 
 
 def _in_pockets(pairs: list[tuple[str, str]]) -> str:

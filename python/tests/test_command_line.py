@@ -128,6 +128,64 @@ def test_a_picture_that_cannot_be_written_is_bad_input(run: CommandLine, file: P
     refused(run("shot", str(file), "--svg", "no/such/folder.svg"), "no/such/folder.svg")
 
 
+def test_a_full_disk_is_said_of_the_file_that_it_is_full_for(run: CommandLine, file: Path) -> None:
+    refused(run("shot", str(file), "--svg", "/dev/full"), "/dev/full")
+    refused(run("shot", str(file), "--png", "/dev/full"), "/dev/full")
+
+
+@pytest.mark.parametrize(
+    ("command", "word"),
+    [
+        ("shot - <&-", "stdin: it is closed"),
+        ("import - <&-", "stdin: it is closed"),
+        ("shot {} >&-", "stdout: it is closed"),
+        ("shot {} --json >&-", "stdout: it is closed"),
+        ("shot nowhere.json 2>&-", ""),
+    ],
+)
+def test_a_closed_stream_is_one_sentence_at_most(file: Path, command: str, word: str) -> None:
+    done = subprocess.run(
+        ["bash", "-c", f"{sys.executable} -m carom {command.format(file)}"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert len(done.stderr.splitlines()) == (1 if word else 0)
+    assert word in done.stderr
+
+
+def test_whatever_a_file_and_a_ball_are_called_the_answer_is_one_line(
+    run: CommandLine, pot: dict[str, Any]
+) -> None:
+    refused(run("shot", "no\nwhere\x1b[31m.json"), r"no\nwhere\x1b[31m.json")
+    pot["balls"][1]["id"] = "\x1b[31m\n"
+    done = run("shot", "-", stdin=json.dumps(pot))
+    assert "\x1b" not in done.stdout
+    assert r"first contact: \x1b[31m\n" in done.stdout.splitlines()
+
+
+def test_a_call_without_a_game_is_bad_input(run: CommandLine, file: Path) -> None:
+    refused(run("evaluate", str(file), "--call", "safety"), "--call", "--game")
+
+
+def test_a_folder_that_cannot_be_made_is_said_before_anything_is_measured(run: CommandLine) -> None:
+    refused(run("bench", "--store", "/dev/null/results"), "/dev/null/results")
+
+
+def test_nesting_without_end_is_bad_input(run: CommandLine) -> None:
+    deep = "[" * 100_000
+    for command in (["shot"], ["replay"], ["sweep", "--out", "out"], ["import"]):
+        refused(run(*command, "-", stdin=deep))
+    refused(run("import", "-", stdin=b"\x91" * 100_000))
+
+
+def test_a_trace_where_a_shot_is_wanted_is_said_to_be_one(run: CommandLine, file: Path) -> None:
+    trace = run("shot", str(file), "--json").stdout
+    refused(run("shot", "-", stdin=trace), "format", "carom-trace/1", "carom-shot/1")
+
+
 def test_an_unknown_option_is_bad_input(run: CommandLine, file: Path) -> None:
     done = run("shot", str(file), "--jsn")
     assert done.returncode == 2

@@ -30,6 +30,9 @@ def run(*, json: bool = False, store: Path | None = None) -> int:
     from carom.bench import report
     from carom.cli.output import emit
 
+    if store is not None:
+        # Before measuring takes its minutes: a folder that cannot be made is said at once.
+        store.mkdir(parents=True, exist_ok=True)
     talk = Console(stderr=True)
     result = measure(talk)
     if json:

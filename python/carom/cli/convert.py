@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from enum import StrEnum
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from carom.cli.output import emit, say
+from carom.cli.output import emit, read_bytes, say
 
 
 class Format(StrEnum):
@@ -39,7 +37,7 @@ def import_(
     from carom import convert
     from carom.errors import InputError
 
-    data = sys.stdin.buffer.read() if file == "-" else Path(file).read_bytes()
+    data = read_bytes(file)
     if format_ is None:
         # A table state begins with its number of balls, a system with a brace or no text at all.
         format_ = Format.FASTFIZ if data.lstrip()[:1].isdigit() else Format.POOLTOOL

@@ -12,7 +12,7 @@ from typing import NoReturn
 import typer
 
 from carom import __version__
-from carom.cli import convert, engine, plan, play, reference, shots, sweep
+from carom.cli import INTERRUPTED, convert, engine, plan, play, reference, shots, sweep
 from carom.cli.output import say, say_json
 from carom.errors import EventCapError, InputError, PageError
 
@@ -58,7 +58,7 @@ def _options(
     del version
 
 
-def main() -> NoReturn:
+def run() -> NoReturn:
     """Run the command line and exit the process."""
     if hasattr(signal, "SIGPIPE"):
         # `carom shot ... | head` ends quietly, as every filter does.
@@ -92,7 +92,7 @@ def _run() -> int:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 2
     except KeyboardInterrupt:
-        return 130
+        return INTERRUPTED
     except BaseException:  # noqa: BLE001 -- a panic in Rust is no Exception
         return _our_bug()
     return 0

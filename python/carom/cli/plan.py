@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.output import emit, read, save
+from carom.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -86,6 +87,8 @@ def evaluate(
     from carom import Noise, Perception, Shot
     from carom.picture.evaluation import draw
 
+    if call is not None and game is None:
+        raise InputError("--call: there is no game to announce it in; give --game too")
     shot = Shot.from_json(read(file))
     announced = None if call is None else _call(call)
     shot, frame = (shot, None) if game is None else _in_game(shot, game, announced)
@@ -449,8 +452,6 @@ def _title(file: str) -> str:
 
 
 def _numbers(name: str, text: str, separator: str, shape: str, count: int = 3) -> list[float]:
-    from carom.errors import InputError
-
     try:
         numbers = [float(part) for part in text.split(separator)]
     except ValueError:
@@ -466,8 +467,6 @@ def _disc(text: str) -> tuple[tuple[float, float], float]:
 
 
 def _steps(name: str, text: str) -> list[float]:
-    from carom.errors import InputError
-
     start, end, count = _numbers(name, text, ":", "FROM:TO:COUNT")
     if not (count.is_integer() and 1 <= count <= 10_000):
         raise InputError(f"{name}: {count:g} is no count of steps; write 1 to 10000")

@@ -42,7 +42,7 @@ def _document(text: str) -> Shot | Trace:
 
     try:
         file = json.loads(text)
-    except ValueError:
+    except (ValueError, RecursionError):
         file = None
     if isinstance(file, dict) and str(file.get("format", "")).startswith("carom-trace"):
         return Trace.from_json(text)
