@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
+from carom.arguments import array, thread_count
 from carom.errors import InputError
 
 if TYPE_CHECKING:
@@ -67,7 +67,13 @@ def simulate_batch(
 
     Returns:
         Arrays in the order of ``shots``, padded to the shot with the most balls.
+
+    Raises:
+        InputError: One of them is no shot, or ``threads`` no count. A shot that reaches its cap of
+            events does not raise: it is in ``errors`` of the result.
     """
+    if not isinstance(shots, Iterable):
+        raise InputError(f"shots: found a {type(shots).__name__}; give a list of carom.Shot")
     cores = [_core_of(shot, index) for index, shot in enumerate(shots)]
     balls = max((len(core) for core in cores), default=0)
 
@@ -90,10 +96,7 @@ def vary(
     columns = []
     for name, default in zip(VARIABLES, own_strike(shot), strict=True):
         value = given[name]
-        try:
-            columns.append(np.asarray(default if value is None else value, dtype=np.float64))
-        except (TypeError, ValueError):
-            raise InputError(f"{name}: not a number or an array of numbers; give one") from None
+        columns.append(array(name, default if value is None else value))
     try:
         full = np.broadcast_arrays(*columns)
     except ValueError:
@@ -129,20 +132,6 @@ def _core_of(shot: Any, index: int) -> _core.Shot:
             "for example carom.Shot.from_dict(...)"
         )
     return shot._core
-
-
-def thread_count(threads: int | None) -> int:
-    """``threads`` as Rust takes it: 0 is one per core."""
-    if threads is None:
-        return 0
-    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
-        raise InputError(f"threads: {threads!r} is not a count; give a whole number ≥ 1 or None")
-    return threads
-
-
-def cores(threads: int | None) -> int:
-    """How many threads that is here."""
-    return thread_count(threads) or os.cpu_count() or 1
 
 
 def in_chunks(

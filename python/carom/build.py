@@ -83,7 +83,8 @@ class Layout:
     @classmethod
     def at(cls, positions: Mapping[str, Sequence[float]]) -> Self:
         """Balls at rest, by id: ``Layout.at({"cue": (0.6, 0.6), "1": (0.6, 1.9)})``, in m."""
-        return cls(tuple({"id": i, "position": list(p)} for i, p in positions.items()))
+        # What is no place is for the engine to refuse, which knows where it stands.
+        return cls(tuple({"id": i, "position": p} for i, p in positions.items()))
 
     @classmethod
     def rack(
@@ -144,6 +145,6 @@ class Strike:
 def _degrees(angle: Any) -> Any:
     try:
         return math.degrees(angle)
-    except TypeError:
+    except (TypeError, OverflowError):
         # No number: for the engine to refuse, which knows its place.
         return angle

@@ -6,11 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from carom import _core
-from carom.batch import thread_count
-from carom.maps import flat
-from carom.noise import whole
-from carom.plan import number, so_far
-from carom.solve import ball_index
+from carom.arguments import flat, number, thread_count, whole
+from carom.plan import so_far
+from carom.solve import a_shot, ball_index
 
 if TYPE_CHECKING:
     import numpy as np
@@ -74,10 +72,10 @@ def kick_table(
         InputError: The shot has no strike, or one of these cannot be played.
     """
     turns, speeds, sides = _turns(azimuth), flat("speed", speed), flat("side", side)
-    whole("cushions", cushions, _MOST_CUSHIONS + 1)
+    cushions = whole("cushions", cushions, _MOST_CUSHIONS + 1, low=1)
     with so_far(len(turns), show=progress, what="directions") as tell:
         found = _core.kick_table(
-            shot._core,
+            a_shot(shot)._core,
             turns.tolist(),
             speeds.tolist(),
             sides.tolist(),
@@ -115,8 +113,8 @@ def bank_table(
         InputError: There is no such ball, or a number is out of range.
     """
     index = ball_index(shot, ball)
-    turns, speeds = _turns(azimuth), flat("speed", speed)
-    whole("cushions", cushions, _MOST_CUSHIONS + 1)
+    turns, speeds = _turns(azimuth), flat("speed", speed, above=0.0)
+    cushions = whole("cushions", cushions, _MOST_CUSHIONS + 1, low=1)
     with so_far(len(turns), show=progress, what="directions") as tell:
         found = _core.bank_table(
             shot._core,

@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
-from carom.batch import Arrays, BatchResult, in_chunks, thread_count
+from carom.arguments import flat, number, text, thread_count, whole
+from carom.batch import Arrays, BatchResult, in_chunks
 from carom.errors import InputError
-from carom.noise import Noise, Perception, sigmas_of, whole
-from carom.plan import Chance, errs, number, so_far
+from carom.noise import Noise, Perception, sigmas_of
+from carom.plan import Chance, errs, so_far
 from carom.solve import ball_index, pocket_index
 
 if TYPE_CHECKING:
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 # Most cells along one side of a map, and variants of one cell.
 _MOST = 10**6
+# Cells along the width, of less than a millimetre: more are no map but an empty memory.
+_MOST_COLUMNS = 2048
 # Racks between two looks at the precision.
 _LOOK = 1024
 
@@ -260,8 +263,7 @@ def pot_map(
     import numpy as np
 
     where = (ball_index(shot, ball), pocket_index(shot, pocket))
-    _count("columns", columns)
-    _count("n", n)
+    columns, n = _count("columns", columns, _MOST_COLUMNS), _count("n", n)
     sampling = errs(noise, perception, seed, n, precision, level)
     width, length = shot.geometry()["size"]
     rows = max(1, round(columns * length / width))
@@ -355,7 +357,7 @@ def acceptance(
     import numpy as np
 
     index = pocket_index(shot, pocket)
-    speeds = flat("speed", speed)
+    speeds = flat("speed", speed, above=0.0)
     angles = flat("angle", np.radians(np.arange(-60, 61)) if angle is None else angle)
     offsets = flat("offset", np.arange(-80, 81) * 1e-3 if offset is None else offset)
     reach = number("distance", distance)
@@ -411,8 +413,9 @@ def break_statistics(
     from carom.racks import break_shot
 
     sigmas = sigmas_of(noise)
-    _count("racks", racks)
-    whole("seed", seed)
+    game, racks, seed = text("game", game), _count("racks", racks), whole("seed", seed)
+    speed = None if speed is None else number("speed", speed)
+    gap = None if gap is None else number("gap", gap)
     one = break_shot(game, table=table, speed=speed, seed=seed, gap=gap)
 
     checked = number("level", level)
@@ -459,20 +462,5 @@ def _joined(parts: list[BatchResult]) -> BatchResult:
     )
 
 
-def _count(name: str, value: int) -> None:
-    whole(name, value, _MOST + 1)
-    if value < 1:
-        raise InputError(f"{name}: {value} leaves nothing to do; give at least 1")
-
-
-def flat(name: str, values: ArrayLike) -> NDArray[np.float64]:
-    """``values`` as a flat array of finite numbers, or a refusal that names it."""
-    import numpy as np
-
-    try:
-        array = np.atleast_1d(np.asarray(values, dtype=np.float64))
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: not a number or an array of numbers; give one") from None
-    if array.ndim != 1 or not array.size or not np.isfinite(array).all():
-        raise InputError(f"{name}: give one finite number or a flat array of such")
-    return array
+def _count(name: str, value: int, most: int = _MOST) -> int:
+    return whole(name, value, most + 1, low=1)

@@ -6,7 +6,8 @@ from dataclasses import astuple, dataclass, fields
 from typing import TYPE_CHECKING, Self
 
 from carom import _core
-from carom.batch import Arrays, BatchResult, in_chunks, own_strike, thread_count
+from carom.arguments import WORD, instance, number, text, thread_count, whole
+from carom.batch import Arrays, BatchResult, in_chunks, own_strike
 from carom.build import Strike
 from carom.errors import InputError
 
@@ -15,9 +16,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from carom.shot import Shot
-
-# Seeds and indices are 64 bits wide.
-_WORD = 1 << 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,13 +42,8 @@ class Noise:
 
     def __post_init__(self) -> None:
         for field in fields(self):
-            value = getattr(self, field.name)
-            try:
-                object.__setattr__(self, field.name, float(value))
-            except (TypeError, ValueError):
-                raise InputError(
-                    f"noise.{field.name}: {value!r} is not a number; write one"
-                ) from None
+            value = number(f"noise.{field.name}", getattr(self, field.name))
+            object.__setattr__(self, field.name, value)
         _core.check_noise(astuple(self))
 
     @classmethod
@@ -60,7 +53,7 @@ class Noise:
         σ: offsets 0.5 mm each, elevation 0.1°, azimuth 0.125°, speed 0.075 m/s (Archibald, Altman
         & Shoham, *Analysis of a winning computational billiards player*, 2009).
         """
-        return cls(*_core.olympiad(multiplier))
+        return cls(*_core.olympiad(number("multiplier", multiplier)))
 
     @classmethod
     def preset(cls, name: str) -> Self:
@@ -74,19 +67,20 @@ class Noise:
             InputError: There is no such preset.
         """
         presets = dict(_core.noise_presets())
-        base, _, factor = str(name).partition(":")
+        base, colon, factor = text("noise", name, '"club"').partition(":")
         if base not in presets:
             known = ", ".join(presets)
             raise InputError(f"noise: there is no preset {base!r}; there are: {known}")
         try:
-            multiplier = float(factor or 1)
+            multiplier = float(factor) if colon else 1.0
         except ValueError:
             raise InputError(f"noise: {factor!r} is no multiplier; write a number") from None
         return cls(*presets[base]).scaled(multiplier)
 
     def scaled(self, multiplier: float) -> Self:
         """The same with every σ times ``multiplier``."""
-        return type(self)(*(sigma * multiplier for sigma in astuple(self)))
+        factor = number("multiplier", multiplier)
+        return type(self)(*(sigma * factor for sigma in astuple(self)))
 
     def draw(self, shot: Shot, index: int = 0, *, seed: int = 0) -> Strike:
         """The strike that comes out when a player means that of ``shot``.
@@ -97,9 +91,11 @@ class Noise:
         Raises:
             InputError: The shot has no strike, or a number is out of range.
         """
-        whole("index", index)
-        whole("seed", seed)
-        (row,) = _core.draw_strikes(shot._core, astuple(self), seed, index, 1)
+        from carom.shot import Shot
+
+        core = instance("shot", shot, Shot, "carom.Shot.from_dict(...)")._core
+        index, seed = whole("index", index), whole("seed", seed)
+        (row,) = _core.draw_strikes(core, astuple(self), seed, index, 1)
         speed, azimuth, elevation, side, height = row.tolist()
         meant = shot.to_dict()["strike"]
         obstruction = meant.get("obstruction", Strike.obstruction)
@@ -123,12 +119,7 @@ class Perception:
     position: float = 0.0
 
     def __post_init__(self) -> None:
-        try:
-            object.__setattr__(self, "position", float(self.position))
-        except (TypeError, ValueError):
-            raise InputError(
-                f"perception.position: {self.position!r} is not a number; write one"
-            ) from None
+        object.__setattr__(self, "position", number("perception.position", self.position))
         _core.check_perception(self.position)
 
     def see(self, shot: Shot, index: int = 0, *, seed: int = 0) -> Shot:
@@ -143,9 +134,10 @@ class Perception:
         """
         from carom.shot import Shot
 
-        whole("index", index)
-        whole("seed", seed)
-        return Shot._wrap(_core.see(shot._core, self.position, seed, index))
+        core = instance("shot", shot, Shot, "carom.Shot.from_dict(...)")._core
+        return Shot._wrap(
+            _core.see(core, self.position, whole("seed", seed), whole("index", index))
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,9 +174,8 @@ def vary(
     import numpy as np
 
     sigmas, position = sigmas_of(noise), position_of(perception)
-    whole("seed", seed)
-    whole("first", first)
-    whole("n", n, _WORD - first)
+    seed, first = whole("seed", seed), whole("first", first)
+    n = whole("n", n, WORD - first)
     own_strike(shot)
     strikes = np.empty((5, n))
 
@@ -202,26 +193,11 @@ def vary(
 def sigmas_of(noise: Noise | None) -> tuple[float, ...]:
     """The σ as Rust takes them; the Olympiad's if None."""
     noise = Noise.olympiad() if noise is None else noise
-    if not isinstance(noise, Noise):
-        raise InputError(
-            f"noise: found a {type(noise).__name__}; give carom.Noise(...), "
-            'for example carom.Noise.preset("club")'
-        )
-    return astuple(noise)
+    return astuple(instance("noise", noise, Noise, 'carom.Noise.preset("club")'))
 
 
 def position_of(perception: Perception | None) -> float:
     """The σ of positions, m; 0 if None."""
     if perception is None:
         return 0.0
-    if not isinstance(perception, Perception):
-        raise InputError(
-            f"perception: found a {type(perception).__name__}; give carom.Perception(position=...)"
-        )
-    return perception.position
-
-
-def whole(name: str, value: int, end: int = _WORD) -> None:
-    """Refuse what is no whole number in [0, end)."""
-    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value < end:
-        raise InputError(f"{name}: {value!r} is out of range; give a whole number in [0, {end})")
+    return instance("perception", perception, Perception, "carom.Perception(0.002)").position

@@ -9,9 +9,10 @@ from dataclasses import astuple, dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
-from carom.batch import progress_bar, thread_count
+from carom.arguments import instance, number, text, thread_count, whole
+from carom.batch import progress_bar
 from carom.errors import InputError
-from carom.noise import Noise, Perception, position_of, sigmas_of, whole
+from carom.noise import Noise, Perception, position_of, sigmas_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -247,16 +248,14 @@ def evaluate(
 ) -> Evaluation:
     """``Shot.evaluate``."""
     sigmas, position = sigmas_of(noise), position_of(perception)
-    whole("seed", seed)
-    whole("n", n, _MOST + 1)
+    seed, n = whole("seed", seed), whole("n", n, _MOST + 1)
     wanted = None
     if precision is not None:
-        pair = (watch, None) if isinstance(watch, str) else watch
+        pair = None if watch is None else ball_and_pocket("watch", watch)
         wanted = (number("precision", precision), pair)
     elif watch is not None:
         raise InputError("watch: nothing is to be watched without a precision; give one too")
-    said = ("nothing", None, None) if call is None else (call.kind, call.ball, call.into)
-    referee = None if frame is None else (frame._core, said)
+    referee = _referee(frame, call)
     with so_far(n, show=progress) as tell:
         found = _core.evaluate(
             shot._core,
@@ -282,6 +281,29 @@ def evaluate(
     )
 
 
+def _referee(
+    frame: Frame | None, call: Call | None
+) -> tuple[_core.Frame, tuple[str, str | None, str | None]] | None:
+    """The frame that rules, and what is announced to it."""
+    from carom.rules import Frame, said
+
+    if frame is None:
+        if call is not None:
+            raise InputError("call: there is no game to announce it in; give its frame too")
+        return None
+    return instance("frame", frame, Frame, "carom.Frame.of_shot(...)")._core, said(call)
+
+
+def ball_and_pocket(name: str, value: Any) -> tuple[str, str | None]:
+    """A ball's id, and a pocket's name where one is given."""
+    if isinstance(value, tuple | list) and len(value) == 2:
+        ball, pocket = value
+        return text(f"{name}[0]", ball, "a ball's id"), text(
+            f"{name}[1]", pocket, "a pocket's name"
+        )
+    return text(name, value, "a ball's id, or give (ball, pocket)"), None
+
+
 @contextmanager
 def so_far(count: int, *, show: bool, what: str = "shots") -> Iterator[Callable[[int], None]]:
     """A bar on stderr; what it yields is told how many are done."""
@@ -305,24 +327,15 @@ def errs(
     level: float,
 ) -> tuple[tuple[float, ...], float, int, int, float | None, float]:
     """How a player errs and how well a chance is to be known, as Rust takes it."""
-    whole("seed", seed)
     half_width = None if precision is None else number("precision", precision)
     return (
         sigmas_of(noise),
         position_of(perception),
-        seed,
+        whole("seed", seed),
         n,
         half_width,
         number("level", level),
     )
-
-
-def number(name: str, value: object) -> float:
-    """``value`` as a float, or a refusal that names it."""
-    try:
-        return float(value)  # type: ignore[arg-type] # refused below
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: {value!r} is not a number; write one") from None
 
 
 def or_null(value: Any) -> Any:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from carom import _core
-from carom.errors import InputError
+from carom.arguments import number, text, whole
 from carom.shot import Shot
 
 
@@ -28,6 +28,12 @@ def break_shot(
     Raises:
         InputError: There is no such game or table, or a value is out of range.
     """
-    if not 0 <= seed < 2**64:
-        raise InputError(f"seed: {seed} is out of range; give a whole number from 0 to 2**64 - 1")
-    return Shot._wrap(_core.break_shot(game, table, speed, seed, gap))
+    return Shot._wrap(
+        _core.break_shot(
+            text("game", game, '"nine-ball"'),
+            None if table is None else text("table", table, "a preset's name"),
+            None if speed is None else number("speed", speed),
+            whole("seed", seed),
+            None if gap is None else number("gap", gap),
+        )
+    )

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Self
 
 from carom import _core
+from carom.arguments import instance, number, numbers, text, truth, whole
 from carom.build import Physics, Strike, Table
 from carom.shot import Shot
 from carom.trace import Record, Trace
@@ -28,6 +29,13 @@ class Call:
     kind: str
     ball: str | None = None
     into: str | None = None
+
+    def __post_init__(self) -> None:
+        text("call.kind", self.kind, '"pocket"')
+        if self.ball is not None:
+            text("call.ball", self.ball, "its id")
+        if self.into is not None:
+            text("call.pocket", self.into, "its name")
 
     @classmethod
     def pocket(cls, ball: str, pocket: str) -> Self:
@@ -124,7 +132,13 @@ class Frame:
             table = table.description
         if isinstance(physics, Physics):
             physics = physics.description
-        self._core = _core.Frame(game, table, physics, seed, (target, miss, patience))
+        self._core = _core.Frame(
+            text("game", game, '"nine-ball"'),
+            table,
+            physics,
+            whole("seed", seed),
+            _options(target, miss, patience),
+        )
 
     @classmethod
     def of_shot(
@@ -147,7 +161,11 @@ class Frame:
             InputError: The game has no such balls, or would be over with them.
         """
         frame = Frame.__new__(cls)
-        frame._core = _core.Frame.of_shot(game, shot._core, (target, miss, patience))
+        frame._core = _core.Frame.of_shot(
+            text("game", game, '"nine-ball"'),
+            instance("shot", shot, Shot, "carom.Shot.from_dict(...)")._core,
+            _options(target, miss, patience),
+        )
         return frame
 
     def copy(self) -> Frame:
@@ -260,7 +278,7 @@ class Frame:
         Raises:
             InputError: No choice is asked, or not this one.
         """
-        return Ruling._read(self._core.choose(choice))
+        return Ruling._read(self._core.choose(text("choice", choice, "one of request.choices")))
 
     def concede(self) -> Ruling:
         """The player whose turn it is gives up, and the other wins.
@@ -283,10 +301,30 @@ def _arguments(
     tuple[float, ...] | None,
     tuple[str, str | None, str | None],
 ]:
-    numbers = (strike.speed, strike.azimuth, strike.elevation, strike.side, strike.height)
-    place = None if cue_ball is None else tuple(float(x) for x in cue_ball)
-    said = ("nothing", None, None) if call is None else (call.kind, call.ball, call.into)
-    return numbers, place, said
+    instance("strike", strike, Strike, "carom.Strike(speed=2.0, azimuth=1.57)")
+    speed, azimuth, elevation, side, height = (
+        number(f"strike.{key}", getattr(strike, key))
+        for key in ("speed", "azimuth", "elevation", "side", "height")
+    )
+    place = None if cue_ball is None else numbers("cue_ball", cue_ball, 2)
+    return (speed, azimuth, elevation, side, height), place, said(call)
+
+
+def said(call: Call | None) -> tuple[str, str | None, str | None]:
+    """What is announced, as Rust takes it."""
+    if call is None:
+        return "nothing", None, None
+    instance("call", call, Call, 'carom.Call.pocket("1", "left")')
+    return call.kind, call.ball, call.into
+
+
+def _options(target: int, miss: bool, patience: int) -> tuple[int, bool, int]:
+    # As Rust has them: 32 bits, one of them for a sign.
+    return (
+        whole("options.target", target, 1 << 31),
+        truth("options.miss", miss),
+        whole("options.patience", patience, 1 << 32),
+    )
 
 
 def rule_sets() -> list[str]:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 import carom
-from carom import _core
+from carom import _core, arguments
 from carom._core import Shot as CoreShot
 from carom.build import Layout, Physics, Strike, Table
 from carom.errors import InputError
@@ -92,7 +92,7 @@ class Shot:
         Raises:
             InputError: It is no valid shot.
         """
-        return cls._wrap(_core.Shot.from_json(text))
+        return cls._wrap(_core.Shot.from_json(arguments.text("text", text)))
 
     @classmethod
     def from_dict(cls, file: Mapping[str, Any]) -> Self:
@@ -174,12 +174,11 @@ class Shot:
                 has ``"obstruction": "refuse"``.
         """
         from carom.batch import VARIABLES, own_strike
-        from carom.plan import number
 
         given = (speed, azimuth, elevation, side, height)
         own = own_strike(self._core)
         strike = tuple(
-            default if value is None else number(name, value)
+            default if value is None else arguments.number(name, value)
             for name, value, default in zip(VARIABLES, given, own, strict=True)
         )
         return self._wrap(self._core.with_strike(strike))

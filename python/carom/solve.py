@@ -9,10 +9,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
-from carom.batch import VARIABLES, progress_bar, thread_count
+from carom.arguments import instance, number, numbers, text, thread_count, whole
+from carom.batch import VARIABLES, progress_bar
 from carom.errors import InputError
-from carom.noise import Noise, Perception, whole
-from carom.plan import Chance, errs, number
+from carom.noise import Noise, Perception
+from carom.plan import Chance, ball_and_pocket, errs
 
 if TYPE_CHECKING:
     from carom.shot import Shot
@@ -95,14 +96,13 @@ def solve(
     progress: bool,
 ) -> list[Solution]:
     """``Shot.solve``."""
+    n = whole("n", n, _MOST_VARIANTS + 1, low=1)
     sampling = errs(noise, perception, seed, n, precision, level)
-    for name, value, most in (
-        ("n", n, _MOST_VARIANTS),
-        ("wanted", wanted, _MOST_WANTED),
-        ("of_a_way", of_a_way, _MOST_WANTED),
-        ("samples", samples, _MOST_SAMPLES),
-    ):
-        whole(name, value, most + 1)
+    counts = (
+        whole("samples", samples, _MOST_SAMPLES + 1),
+        whole("wanted", wanted, _MOST_WANTED + 1, low=1),
+        whole("of_a_way", of_a_way, _MOST_WANTED + 1, low=1),
+    )
     with _stages(show=progress) as tell:
         found = _core.solve(
             shot._core,
@@ -110,10 +110,10 @@ def solve(
             None if leave is None else _disc(leave),
             None if first is None else ball_index(shot, first),
             (
-                (*(number("speed", v) for v in speed), number("offset", offset)),
+                (*numbers("speed", speed, 2), number("offset", offset)),
                 None if elevation is None else number("elevation", elevation),
             ),
-            (samples, wanted, of_a_way),
+            counts,
             sampling,
             thread_count(threads),
             tell,
@@ -150,7 +150,7 @@ def target(shot: Shot, pot: str | tuple[str, str]) -> tuple[int, int | None]:
     Raises:
         InputError: There is no such ball or pocket.
     """
-    ball, pocket = (pot, None) if isinstance(pot, str) else pot
+    ball, pocket = ball_and_pocket("pot", pot)
     return ball_index(shot, ball), None if pocket is None else pocket_index(shot, pocket)
 
 
@@ -160,10 +160,21 @@ def ball_index(shot: Shot, ball: str) -> int:
     Raises:
         InputError: There is no such ball.
     """
-    ids = shot.ids
-    if ball not in ids:
+    ids = a_shot(shot).ids
+    if text("ball", ball, "its id") not in ids:
         raise InputError(f"ball: there is no {ball!r}; there are: {', '.join(ids)}")
     return ids.index(ball)
+
+
+def a_shot(shot: Any) -> Shot:
+    """``shot``, if it is one.
+
+    Raises:
+        InputError: It is something else.
+    """
+    from carom.shot import Shot
+
+    return instance("shot", shot, Shot, "carom.Shot.from_dict(...)")
 
 
 def pocket_index(shot: Shot, pocket: str) -> int:
@@ -172,8 +183,8 @@ def pocket_index(shot: Shot, pocket: str) -> int:
     Raises:
         InputError: There is no such pocket.
     """
-    names = [p["name"] for p in shot.geometry()["pockets"]]
-    if pocket not in names:
+    names = [p["name"] for p in a_shot(shot).geometry()["pockets"]]
+    if text("pocket", pocket, "its name") not in names:
         known = ", ".join(names) or "none on this table"
         raise InputError(f"pocket: there is no {pocket!r}; there are: {known}")
     return names.index(pocket)
@@ -181,10 +192,11 @@ def pocket_index(shot: Shot, pocket: str) -> int:
 
 def _disc(leave: tuple[Sequence[float], float]) -> tuple[tuple[float, float], float]:
     try:
-        (x, y), radius = leave
+        center, radius = leave
     except (TypeError, ValueError):
         raise InputError(f"leave: {leave!r} is no disc; give ((x, y), radius) in m") from None
-    return (number("leave", x), number("leave", y)), number("leave", radius)
+    x, y = numbers("leave[0]", center, 2)
+    return (x, y), number("leave[1]", radius)
 
 
 def _solution(shot: Shot, row: Any) -> Solution:

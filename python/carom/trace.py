@@ -7,8 +7,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-from carom import _core
+from carom import _core, arguments
 from carom._core import Trace as CoreTrace
+from carom.errors import InputError
 from carom.shot import Shot, read_text
 
 if TYPE_CHECKING:
@@ -89,7 +90,7 @@ class Trace:
         Raises:
             InputError: It is no valid trace.
         """
-        return cls._wrap(_core.Trace.from_json(text))
+        return cls._wrap(_core.Trace.from_json(arguments.text("text", text)))
 
     @classmethod
     def from_dict(cls, file: Mapping[str, Any]) -> Self:
@@ -142,12 +143,7 @@ class Trace:
         """
         import numpy as np
 
-        from carom.errors import InputError
-
-        try:
-            times = np.asarray(time, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise InputError(f"time: {time!r} is not a number of seconds; write one") from None
+        times = arguments.array("time", time)
         if times.ndim > 1:
             raise InputError(f"time: found {times.ndim} axes; give a number or a flat array")
         position, velocity, spin, orientation, motion = self._core.at(np.atleast_1d(times))

@@ -44,9 +44,11 @@ def test_a_shot_can_be_sent_to_another_process(pot: dict[str, Any]) -> None:
 
 
 def test_numpy_scalars_and_arrays_are_numbers_like_any_other(pot: dict[str, Any]) -> None:
+    pot["balls"][1]["position"] = [0.635, 1.5]
     plain = Shot.from_dict(pot)
     pot["balls"][0]["position"] = np.array([0.635, 0.635])
     pot["strike"]["speed"] = np.float64(2.0)
+    pot["balls"][1]["position"] = [np.array(0.635), np.float32(1.5)]
     pot["max_events"] = np.int64(100_000)
     assert Shot.from_dict(pot).simulate().hash == plain.simulate().hash
 
@@ -204,6 +206,19 @@ def test_text_that_is_no_json_is_refused_with_its_line() -> None:
         Shot.from_json('{"format": "carom-shot/1",\n oops}')
 
 
+@pytest.mark.parametrize("text", ['"\ud800"', b"{}", None])
+def test_what_is_no_unicode_text_is_refused(text: Any) -> None:
+    for kind in (Shot, carom.Trace):
+        with pytest.raises(InputError, match=r"^text: .*; write"):
+            kind.from_json(text)
+
+
+@pytest.mark.parametrize("place", [5, None, "ab"])
+def test_a_ball_that_is_nowhere_is_refused_by_its_place(place: Any) -> None:
+    with pytest.raises(InputError, match=r"^balls\[0\].position: found"):
+        Shot("wpa-9ft", {"cue": place})
+
+
 def test_a_file_that_is_no_text_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "picture.json"
     path.write_bytes(b"\x89PNG\xff\xfe")
@@ -214,6 +229,9 @@ def test_a_file_that_is_no_text_is_refused(tmp_path: Path) -> None:
 def test_a_dict_with_something_odd_in_it_is_refused_where_it_stands(pot: dict[str, Any]) -> None:
     pot["balls"][1]["position"] = object()
     with pytest.raises(InputError, match=r"^balls\[1\].position: found a object"):
+        Shot.from_dict(pot)
+    pot["balls"][1]["position"] = b"ab"
+    with pytest.raises(InputError, match=r"^balls\[1\].position: found bytes"):
         Shot.from_dict(pot)
     with pytest.raises(InputError, match="no string"):
         Shot.from_dict({1: 2})  # type: ignore[dict-item]
@@ -235,7 +253,7 @@ def test_truth_values_are_no_numbers_and_sets_no_lists(
         Shot.from_dict(pot)
 
 
-@pytest.mark.parametrize("azimuth", ["north", None, math.nan])
+@pytest.mark.parametrize("azimuth", ["north", None, math.nan, 10**400])
 def test_a_strike_in_no_direction_is_refused_by_its_place(azimuth: Any) -> None:
     with pytest.raises(InputError, match=r"^strike\.azimuth_deg"):
         Shot("wpa-9ft", {"cue": (0.6, 0.6)}, Strike(speed=1.0, azimuth=azimuth))

@@ -281,6 +281,8 @@ def test_a_strike_that_only_the_row_can_play_is_played(pot: dict[str, Any]) -> N
             },
             r"^vary.physics: it would overwrite physics.cloth.sliding_friction; write it before",
         ),
+        ({"vary": {5: {"grid": [1]}}}, r"^vary.5: the path is no text"),
+        ({5: 1}, r"^the spec: the key 5 is no text"),
         ({"samples": 0}, r"^samples: found the number 0"),
         ({"samples": True}, r"^samples: found true"),
         ({"vary": {}, "samples": 5}, r"^samples: nothing is drawn"),
@@ -325,3 +327,28 @@ def test_a_sweep_of_which_no_row_can_be_played_is_refused(spec: Spec, tmp_path: 
 def test_text_that_is_no_spec_is_refused(text: str, message: str) -> None:
     with pytest.raises(InputError, match=message):
         Sweep.from_json(text)
+
+
+def test_numpy_arrays_and_numbers_stand_in_a_spec_like_any_other(pot: dict[str, Any]) -> None:
+    spec = {"format": "carom-sweep/1", "shots": pot}
+    plain = Sweep.from_dict(spec | {"vary": {"strike.speed": {"grid": [1.0, 1.5, 2.0]}}})
+    array = {"strike.speed": {"grid": np.linspace(1.0, 2.0, 3)}}
+    assert Sweep.from_dict(spec | {"vary": array, "seed": np.int64(0)}).sha256 == plain.sha256
+    assert plain.table(np.int64(1), np.int64(3)).num_rows == 2  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(("start", "stop"), [("a", None), (0, "b"), (0.5, None), (2, 1), (-1, 1)])
+def test_rows_that_are_none_are_refused(pot: dict[str, Any], start: Any, stop: Any) -> None:
+    vary = {"strike.speed": {"grid": [1.0, 1.5, 2.0]}}
+    sweep = Sweep.from_dict({"format": "carom-sweep/1", "shots": pot, "vary": vary})
+    with pytest.raises(InputError, match=r"^(start|stop|rows)\b"):
+        sweep.table(start, stop)
+
+
+def test_what_is_no_spec_at_all_is_refused(tmp_path: Path) -> None:
+    wrong: Any
+    for wrong in (None, 5, ["spec.json"]):
+        with pytest.raises(InputError, match=r"^spec: found a .*; give a Sweep"):
+            carom.sweep(wrong, tmp_path)
+    with pytest.raises(InputError, match="nested too deeply"):
+        Sweep.from_json("[" * 100_000)

@@ -173,7 +173,7 @@ def test_after_the_end_everything_stays_as_it_ended(nine_ball_trace: Trace) -> N
         assert not state.velocity.any()
 
 
-@pytest.mark.parametrize("time", [-1.0, math.nan, "soon", [[0.0]], None])
+@pytest.mark.parametrize("time", [-1.0, math.nan, math.inf, "soon", "0.5", True, [[0.0]], None])
 def test_times_that_are_none_are_refused(nine_ball_trace: Trace, time: Any) -> None:
     with pytest.raises(InputError, match=r"^time: "):
         nine_ball_trace.at(time)

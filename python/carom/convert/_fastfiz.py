@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from carom.arguments import numbers
+from carom.arguments import text as checked
 from carom.convert._made import Converted
 from carom.errors import InputError
 from carom.shot import Shot
@@ -36,7 +38,7 @@ def fastfiz(text: str, strike: Sequence[float] | None = None) -> Converted:
     Raises:
         InputError: The text is no table state, or the engine refuses the shot.
     """
-    balls, notes = _balls(text.split())
+    balls, notes = _balls(checked("text", text).split())
     file: dict[str, Any] = {"format": "carom-shot/1", "table": "poolfiz", "balls": balls}
     notes.append(
         "A table state does not say on which table it is: taken to be FastFiz's default one."
@@ -94,7 +96,8 @@ def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
 
 def _strike(params: Sequence[float], radius: float) -> dict[str, Any]:
     """FastFiz measures a and b level and upright, we across the cue."""
-    if len(params) != _FIELDS or not all(math.isfinite(p) for p in params):
+    params = numbers("strike", params, _FIELDS)
+    if not all(math.isfinite(p) for p in params):
         raise InputError(
             "strike: must be FastFiz's five numbers a, b (mm), theta, phi (degrees), v (m/s)"
         )

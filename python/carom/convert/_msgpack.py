@@ -30,7 +30,11 @@ def unpack(data: bytes) -> Any:
     except InputError:
         raise
     except Exception as error:  # noqa: BLE001 -- msgpack raises whatever its hook and parser raise
-        raise InputError(f"the file is no MessagePack: {error}") from None
+        # A stack of maps that is too high has no words.
+        why = str(error) or "nested too deeply"
+        raise InputError(
+            f"the file is neither JSON nor MessagePack ({why}); give a system that pooltool saved"
+        ) from None
 
 
 def _array(map_: dict[Any, Any]) -> Any:

@@ -36,10 +36,7 @@ def pooltool(source: str | os.PathLike[str] | bytes | Mapping[str, Any]) -> Conv
         InputError: It is no system of pooltool 0.6, the engine refuses the shot, or msgpack is
             needed and not installed (``pip install 'carom[import]'``).
     """
-    if isinstance(source, Mapping):
-        tree: Any = source
-    else:
-        tree = _decode(source if isinstance(source, bytes) else Path(source).read_bytes())
+    tree = _tree(source)
     system = Place(tree)
     if isinstance(tree, Mapping) and "multisystem" in tree:
         raise system.refuse("holds a MultiSystem; save one of its systems by itself")
@@ -59,6 +56,18 @@ def pooltool(source: str | os.PathLike[str] | bytes | Mapping[str, Any]) -> Conv
     return Converted(Shot.from_dict(file), notes)
 
 
+def _tree(source: Any) -> Any:
+    """What a path, bytes or a dict hold."""
+    if isinstance(source, Mapping):
+        return source
+    if isinstance(source, bytes):
+        return _decode(source)
+    if isinstance(source, str | os.PathLike):
+        return _decode(Path(source).read_bytes())
+    kind = type(source).__name__
+    raise InputError(f"source: found a {kind}; give a file's path, its bytes, or a dict")
+
+
 def _decode(data: bytes) -> Any:
     if not data.lstrip().startswith((b"{", b"[")):
         return unpack(data)
@@ -66,6 +75,8 @@ def _decode(data: bytes) -> Any:
         return json.loads(data)
     except ValueError as error:
         raise InputError(f"the file is no JSON: {error}") from None
+    except RecursionError:
+        raise InputError("the file is nested too deeply for a pooltool system") from None
 
 
 def _balls(at: Place, notes: list[str]) -> list[dict[str, Any]]:

@@ -29,6 +29,17 @@ def parse(text: str) -> Any:
     except json.JSONDecodeError as error:
         place = f"line {error.lineno}, column {error.colno}"
         raise InputError(f"{place}: {error.msg}; write JSON") from None
+    except RecursionError:
+        raise InputError("the text is nested too deeply for a spec; write one") from None
+
+
+def plain(value: Any) -> Any:
+    """A tree of values with NumPy's numbers and arrays as Python's own."""
+    if isinstance(value, Mapping):
+        return {key: plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -49,6 +60,8 @@ def fields(place: str, value: Any, known: Sequence[str]) -> dict[str, Any]:
     if not isinstance(value, Mapping):
         refuse(place or "the spec", f"found {describe(value)}", "write an object {...}")
     for key in value:
+        if not isinstance(key, str):
+            refuse(place or "the spec", f"the key {key!r} is no text", "write a text")
         if key not in known:
             at = f"{place}.{key}" if place else str(key)
             refuse(at, "unknown key", nearest(str(key), known))

@@ -12,9 +12,9 @@ from threading import Event
 from typing import TYPE_CHECKING
 
 from carom import __version__
-from carom.batch import cores, progress_bar
+from carom.arguments import cores, whole
+from carom.batch import progress_bar
 from carom.errors import InputError
-from carom.sweeps import read
 from carom.sweeps.parts import UNFINISHED, Parts, Receipt, default_rows
 from carom.sweeps.report import Report
 
@@ -40,7 +40,7 @@ def run(
     """``Sweep.run``."""
     threads = cores(threads)
     if part_rows is not None:
-        read.whole("part_rows", part_rows, 1)
+        part_rows = whole("part_rows", part_rows, low=1)
     begun = time.perf_counter()
     with _claimed(sweep, folder, part_rows) as parts:
         parts.tidy()

@@ -181,7 +181,7 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
         InputError: Something in it does not make sense; the message names the place.
         OSError: A shot file cannot be read.
     """
-    found = read.fields("", file, _KEYS)
+    found = read.fields("", read.plain(file), _KEYS)
     if found.get("format") != FORMAT:
         read.refuse("format", f"found {read.describe(found.get('format'))}", f'write "{FORMAT}"')
     if "shots" not in found:
@@ -262,6 +262,8 @@ def _parameters(vary: Any) -> tuple[Parameter, ...]:
     found: list[Parameter] = []
     for path, how in vary.items():
         place = f"vary.{path}"
+        if not isinstance(path, str):
+            read.refuse(place, "the path is no text", "write one such as strike.speed")
         _check_path(place, path)
         parameter = _parameter(place, path, how)
         for other in found:

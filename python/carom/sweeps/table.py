@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-from carom.batch import cores
+from carom.arguments import cores, whole
 from carom.errors import InputError
 from carom.shot import read_text
 
@@ -170,7 +170,8 @@ class Sweep:
         return dataset(self)
 
     def _range(self, start: int, stop: int | None) -> tuple[int, int]:
-        end = len(self) if stop is None else stop
+        end = len(self) if stop is None else whole("stop", stop)
+        start = whole("start", start)
         if not 0 <= start <= end <= len(self):
             raise InputError(f"rows {start} to {end}: the sweep has rows 0 to {len(self)}")
         return start, end
@@ -192,8 +193,16 @@ def sweep(
     progress: bool = False,
 ) -> Report:
     """Play a sweep into a folder: ``Sweep.run`` of a spec, or of its file's name."""
+    found = _sweep_of(spec)
+    return found.run(out, threads=threads, part_rows=part_rows, ray=ray, progress=progress)
+
+
+def _sweep_of(spec: Any) -> Sweep:
+    if isinstance(spec, Sweep):
+        return spec
     if isinstance(spec, Mapping):
-        spec = Sweep.from_dict(spec)
-    elif not isinstance(spec, Sweep):
-        spec = Sweep.load(spec)
-    return spec.run(out, threads=threads, part_rows=part_rows, ray=ray, progress=progress)
+        return Sweep.from_dict(spec)
+    if isinstance(spec, str | os.PathLike):
+        return Sweep.load(spec)
+    found = type(spec).__name__
+    raise InputError(f"spec: found a {found}; give a Sweep, a dict, or the name of a file")

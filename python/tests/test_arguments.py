@@ -1,0 +1,215 @@
+"""What callers give in Python: numbers of NumPy are numbers, all else is refused by its name."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import carom
+import numpy as np
+import pytest
+from carom import CaromError, Frame, InputError, Noise, Perception, Shot, Strike, convert
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+CLUB = Noise.preset("club")
+STRIKE = Strike(speed=1.0, azimuth=1.5)
+# A number that no double can hold.
+HUGE = 10**400
+
+
+@pytest.fixture
+def shot(pot: dict[str, Any]) -> Shot:
+    return Shot.from_dict(pot)
+
+
+def refused(place: str, call: Callable[[], object]) -> None:
+    """One sentence that names the place, as a CaromError that is a ValueError."""
+    with pytest.raises(InputError) as caught:
+        call()
+    assert isinstance(caught.value, CaromError)
+    assert isinstance(caught.value, ValueError)
+    sentence = str(caught.value)
+    assert sentence.startswith((f"{place}: ", f"{place}[", f"{place}.")), sentence
+    assert "\n" not in sentence
+    assert ";" in sentence, "and the remedy"
+
+
+def test_numpy_numbers_are_counts_and_seeds_like_any_other(shot: Shot) -> None:
+    one, two = np.int64(1), np.uint32(2)
+    counts: Any = {"n": np.int32(64), "seed": one, "threads": two}
+    plain = {"n": 64, "seed": 1, "threads": 2}
+    assert shot.evaluate(CLUB, **counts).to_dict() == shot.evaluate(CLUB, **plain).to_dict()
+    ours, theirs = (shot.vary(CLUB, first=first, **c) for first, c in ((two, counts), (2, plain)))
+    assert np.array_equal(ours.final_position, theirs.final_position, equal_nan=True)
+    assert carom.break_shot(seed=one) == carom.break_shot(seed=1)
+    assert Frame("nine-ball", seed=one).balls == Frame("nine-ball", seed=1).balls
+    assert len(carom.simulate_batch([shot], threads=one)) == 1
+
+
+def test_more_threads_than_any_machine_has_are_as_many_as_it_has(shot: Shot) -> None:
+    assert len(shot.batch(speed=[1.0, 2.0], threads=10**6)) == 2
+
+
+@pytest.mark.parametrize("threads", [0, -1, 1.0, "2", True])
+def test_what_is_no_count_of_threads_is_refused(shot: Shot, threads: Any) -> None:
+    refused("threads", lambda: shot.batch(threads=threads))
+    refused("threads", lambda: shot.evaluate(CLUB, 8, threads=threads))
+    refused("threads", lambda: shot.solve(pot="1", threads=threads))
+
+
+@pytest.mark.parametrize("shots", [None, 5])
+def test_a_batch_of_what_is_no_list_is_refused(shots: Any) -> None:
+    refused("shots", lambda: carom.simulate_batch(shots))
+
+
+@pytest.mark.parametrize("speed", ["2", [True], 1j, {}, [[1.0], [1.0, 2.0]], b"2"])
+def test_a_batch_over_what_is_no_number_is_refused(shot: Shot, speed: Any) -> None:
+    refused("speed", lambda: shot.batch(speed=speed))
+
+
+@pytest.mark.parametrize("seed", [-1, 2**64, 0.5, "1", None, True])
+def test_what_is_no_seed_is_refused(shot: Shot, seed: Any) -> None:
+    refused("seed", lambda: shot.evaluate(CLUB, 8, seed=seed))
+    refused("seed", lambda: shot.vary(CLUB, 8, seed=seed))
+    refused("seed", lambda: shot.solve(pot="1", seed=seed))
+    refused("seed", lambda: carom.break_shot(seed=seed))
+    refused("seed", lambda: carom.break_statistics(racks=8, seed=seed))
+    refused("seed", lambda: Frame("nine-ball", seed=seed))
+
+
+@pytest.mark.parametrize(
+    ("place", "value"),
+    [
+        ("noise", "club"),
+        ("perception", 0.001),
+        ("n", 2.5),
+        ("precision", "0.1"),
+        ("level", 1.0),
+        ("watch", 5),
+        ("watch", ("1",)),
+        ("watch", ("1", 5)),
+        ("frame", "eight-ball"),
+        ("call", "safety"),
+        ("call", carom.Call.safety()),
+    ],
+)
+def test_what_cannot_be_evaluated_is_refused(shot: Shot, place: str, value: Any) -> None:
+    given: Any = {"noise": CLUB, "n": 8, "precision": 0.1, place: value}
+    refused(place, lambda: shot.evaluate(**given))
+
+
+@pytest.mark.parametrize(
+    ("place", "value"),
+    [
+        ("pot", 5),
+        ("pot", ("1", "left", "right")),
+        ("leave", 5),
+        ("leave", ((0.6, "a"), 0.1)),
+        ("leave", ((0.6, 0.6, 0.6), 0.1)),
+        ("speed", 2.0),
+        ("speed", (1.0,)),
+        ("speed", ("1", 2.0)),
+        ("offset", None),
+        ("wanted", 0),
+        ("of_a_way", -1),
+        ("samples", 10**30),
+        ("n", 0),
+    ],
+)
+def test_what_cannot_be_solved_is_refused(shot: Shot, place: str, value: Any) -> None:
+    given: Any = {"pot": "1", place: value}
+    refused(place, lambda: shot.solve(**given))
+
+
+@pytest.mark.parametrize("value", ["1", None, True, HUGE, [1.0, 2.0]])
+def test_what_is_no_number_is_refused_by_its_name(value: Any) -> None:
+    refused("noise.speed", lambda: Noise(speed=value))
+    refused("multiplier", lambda: Noise.olympiad(value))
+    refused("multiplier", lambda: CLUB.scaled(value))
+    refused("perception.position", lambda: Perception(value))
+    if value is not None:
+        refused("speed", lambda: carom.break_shot(speed=value))
+        refused("gap", lambda: carom.break_statistics(racks=8, gap=value))
+
+
+@pytest.mark.parametrize("name", [5, None, "club:", "club:x"])
+def test_what_is_no_name_of_a_noise_is_refused(name: Any) -> None:
+    refused("noise", lambda: Noise.preset(name))
+
+
+@pytest.mark.parametrize("game", [5, None, ["nine-ball"]])
+def test_what_is_no_name_of_a_game_is_refused(game: Any) -> None:
+    refused("game", lambda: carom.break_shot(game))
+    refused("game", lambda: carom.break_statistics(game, 8))
+    refused("game", lambda: Frame(game))
+    refused("game", lambda: Frame.of_shot(game, carom.break_shot()))
+
+
+@pytest.mark.parametrize(
+    ("place", "value"),
+    [
+        ("options.target", "many"),
+        ("options.target", 2**40),
+        ("options.patience", -1),
+        ("options.miss", "yes"),
+    ],
+)
+def test_what_is_no_option_of_a_frame_is_refused(place: str, value: Any) -> None:
+    given: Any = {place.removeprefix("options."): value}
+    refused(place, lambda: Frame("snooker", **given))
+
+
+def test_a_frame_refuses_what_is_no_shot_call_or_place_and_stays_as_it_was(shot: Shot) -> None:
+    frame = Frame("nine-ball")
+    before = frame.to_dict()
+    wrong: Any
+    for wrong in (5, None, {"speed": 1.0}):
+        refused("strike", lambda wrong=wrong: frame.play(wrong))
+    for wrong in ("fast", None, HUGE):
+        refused("strike.speed", lambda wrong=wrong: frame.play(Strike(wrong, 1.0)))
+    for wrong in (5, (0.6,), ("a", "b"), (0.6, 0.6, 0.6), (HUGE, 0.6)):
+        refused("cue_ball", lambda wrong=wrong: frame.play(STRIKE, cue_ball=wrong))
+    wrong = "safety"
+    refused("call", lambda: frame.play(STRIKE, call=wrong))
+    wrong = 5
+    refused("call.ball", lambda: carom.Call.pocket(wrong, "left"))
+    refused("choice", lambda: frame.choose(wrong))
+    refused("shot", lambda: Frame.of_shot("nine-ball", wrong))
+    assert frame.to_dict() == before
+
+
+def test_maps_refuse_what_is_no_shot_ball_pocket_or_size(shot: Shot) -> None:
+    wrong: Any = 5
+    for call in (
+        lambda: carom.pot_map(wrong, "1", "left"),
+        lambda: carom.position_map(wrong, "1", "left", speed=1.0),
+        lambda: carom.acceptance(wrong, "left"),
+        lambda: carom.kick_table(wrong),
+        lambda: carom.bank_table(wrong, "1"),
+    ):
+        refused("shot", call)
+    refused("ball", lambda: carom.pot_map(shot, wrong, "left"))
+    refused("pocket", lambda: carom.pot_map(shot, "1", wrong))
+    for columns in (0, 10**6):
+        refused(
+            "columns", lambda columns=columns: carom.pot_map(shot, "1", "left", columns=columns)
+        )
+    for speed in (0.0, -1.0, math.nan):
+        refused("speed", lambda speed=speed: carom.acceptance(shot, "left", speed=speed))
+        refused("speed", lambda speed=speed: carom.bank_table(shot, "1", speed=speed))
+    refused("cushions", lambda: carom.kick_table(shot, cushions=0))
+    refused("level", lambda: carom.break_statistics(racks=8, level=1.0))
+
+
+@pytest.mark.parametrize("source", [None, 5, []])
+def test_an_import_of_what_is_no_file_is_refused(source: Any) -> None:
+    refused("source", lambda: convert.pooltool(source))
+    refused("text", lambda: convert.fastfiz(source))
+
+
+@pytest.mark.parametrize("strike", [5, ("a",) * 5, (0.0,) * 4])
+def test_an_import_with_what_is_no_strike_is_refused(strike: Any) -> None:
+    state = "1 0.028575 1 0 0.40 0.60"
+    refused("strike", lambda: convert.fastfiz(state, strike=strike))
