@@ -356,6 +356,9 @@ def test_numbers_out_of_bounds_and_nan_are_played_as_the_nearest() -> None:
         ({"table": "carom-10ft"}, "table"),
         ({"noise": 1.0}, "noise"),
         ({"rewards": 1.0}, "rewards"),
+        ({"rewards": carom.env.Rewards(win="much")}, "rewards"),  # type: ignore[arg-type]
+        ({"target": 2**40}, "target"),
+        ({"threads": 0}, "threads"),
     ],
 )
 def test_what_is_wrong_is_said_with_its_place(settings: dict[str, Any], place: str) -> None:
@@ -377,6 +380,26 @@ def test_actions_of_another_shape_are_refused(shape: tuple[int, ...]) -> None:
     envs.reset(seed=0)
     with pytest.raises(InputError, match=r"^actions: found the shape .*; give \(2, 7\)"):
         envs.step(np.zeros(shape))
+
+
+@pytest.mark.parametrize("action", ["left", None, [["a"] * 7], {}])
+def test_actions_that_are_no_numbers_are_refused(action: Any) -> None:
+    for env in (carom.env.CaromEnv("nine-ball"), carom.env.CaromVectorEnv("nine-ball", 1)):
+        env.reset(seed=0)
+        with pytest.raises(InputError, match=r"^actions?: "):
+            env.step(action)
+
+
+def test_single_environments_take_the_seeds_that_vectors_take() -> None:
+    env = carom.env.CaromEnv("nine-ball")
+    (first, _), (same, _) = env.reset(seed=np.int64(3)), env.reset(seed=3)  # type: ignore[arg-type]
+    np.testing.assert_array_equal(first, same)
+    match = carom.env.aec("nine-ball")
+    for seed in (-1, 1.5, "x"):
+        with pytest.raises(InputError, match=r"^seed: "):
+            env.reset(seed=seed)  # type: ignore[arg-type]
+        with pytest.raises(InputError, match=r"^seed: "):
+            match.reset(seed=seed)
 
 
 @pytest.mark.parametrize("seed", [-1, 2**64, 1.5, "x", [1], [1, None], [1, -1]])

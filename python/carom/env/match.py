@@ -9,9 +9,10 @@ from gymnasium.error import ResetNeeded
 from pettingzoo import AECEnv
 
 from carom import _core
+from carom.arguments import text, whole
 from carom.env.render import check_mode, frame
 from carom.env.settings import pack
-from carom.env.vector import spaces
+from carom.env.vector import floats, spaces
 from carom.errors import InputError
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
         if "opponent" in settings:
             raise InputError("opponent: both players are agents here; leave it out")
         packed = pack(autoreset_mode="disabled", **({"threads": 1} | settings))
-        self._core = _core.VectorEnv(game, 1, packed)
+        self._core = _core.VectorEnv(text("game", game), 1, packed)
         self.render_mode = check_mode(render_mode)
         self.possible_agents = ["player_0", "player_1"]
         self.agents: list[str] = []
@@ -73,6 +74,7 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
         if seed is None and not self._seeded:
             seed = int(np.random.default_rng().integers(2**62))
         self._seeded = True
+        seed = None if seed is None else whole("seed", seed)
         self._core.reset(None if seed is None else [seed], None)
         self.agents = list(self.possible_agents)
         self.rewards = dict.fromkeys(self.agents, 0.0)
@@ -97,7 +99,7 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
             self._was_dead_step(action)
             return
         self._cumulative_rewards[shooter] = 0.0
-        out = self._core.step(np.asarray(action, dtype=np.float32).reshape(1, -1))
+        out = self._core.step(floats("action", action).reshape(1, -1))
         reward = float(out["rewards"][0])
         self.rewards = {agent: reward if agent == shooter else -reward for agent in self.agents}
         self.terminations = dict.fromkeys(self.agents, bool(out["terminated"][0]))

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import difflib
 import math
-import operator
 from collections.abc import Mapping, Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import astuple, dataclass, fields
 from typing import Any
 
+from carom.arguments import instance, number, numbers, thread_count, whole
 from carom.build import Physics, Table
 from carom.errors import InputError
 from carom.noise import Noise
@@ -92,11 +92,8 @@ def pack(
         table = table.description
     if isinstance(physics, Physics):
         physics = physics.description
-    if noise is not None and not isinstance(noise, Noise):
-        raise InputError(
-            f"noise: found a {type(noise).__name__}; give carom.Noise(...), "
-            "for example carom.Noise.olympiad(1.0)"
-        )
+    if noise is not None:
+        instance("noise", noise, Noise, "carom.Noise.olympiad(1.0)")
     if rewards is not None and not isinstance(rewards, Rewards):
         raise InputError(
             f"rewards: found a {type(rewards).__name__}; give carom.env.Rewards(...), "
@@ -105,38 +102,24 @@ def pack(
     return {
         "noise": astuple(noise or Noise()),
         "aim": str(aim),
-        "speed": _pair("speed", speed),
-        "elevation": _number("max_elevation", max_elevation),
+        "speed": numbers("speed", speed, 2),
+        "elevation": number("max_elevation", max_elevation),
         "opponent": str(opponent),
         "balls": None if balls is None else _whole_pair("balls", balls),
         "target_ball": str(target_ball),
         "table": table,
         "physics": physics,
-        "target": None if target is None else whole("target", target, _LARGEST),
-        "patience": whole("patience", patience, _LARGEST),
-        "rewards": None if rewards is None else _finite(astuple(rewards)),
+        "target": None if target is None else whole("target", target, _LARGEST + 1),
+        "patience": whole("patience", patience, _LARGEST + 1),
+        "rewards": None if rewards is None else _finite(rewards),
         "max_steps": (
             None
             if max_episode_steps is None
-            else whole("max_episode_steps", max_episode_steps, _LARGEST)
+            else whole("max_episode_steps", max_episode_steps, _LARGEST + 1)
         ),
         "autoreset": str(autoreset_mode),
-        "threads": None if threads is None else whole("threads", threads, _LARGEST),
+        "threads": thread_count(threads) or None,
     }
-
-
-def whole(name: str, value: Any, most: int) -> int:
-    """A count from 0 to ``most``, NumPy's as well.
-
-    Raises:
-        InputError: It is none.
-    """
-    if isinstance(value, bool) or not hasattr(value, "__index__"):
-        raise InputError(f"{name}: {value!r} is not a whole number; write one")
-    number = operator.index(value)
-    if not 0 <= number <= most:
-        raise InputError(f"{name}: {number} is out of range; write a number from 0 to {most}")
-    return number
 
 
 def _no_such(name: str) -> str:
@@ -144,21 +127,6 @@ def _no_such(name: str) -> str:
     near = difflib.get_close_matches(name, known, 1)
     meant = f'did you mean "{near[0]}"? ' if near else ""
     return f"{name}: there is no such setting; {meant}(known: {', '.join(known)})"
-
-
-def _number(name: str, value: Any) -> float:
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: {value!r} is not a number; write one") from None
-
-
-def _pair(name: str, value: Sequence[float]) -> tuple[float, float]:
-    try:
-        low, high = value
-        return float(low), float(high)
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: {value!r} is not a pair of numbers; write two") from None
 
 
 def _whole_pair(name: str, value: int | Sequence[int]) -> tuple[int, int]:
@@ -170,10 +138,11 @@ def _whole_pair(name: str, value: int | Sequence[int]) -> tuple[int, int]:
         raise InputError(
             f"{name}: {value!r} is not a count, nor two; write whole numbers"
         ) from None
-    return whole(name, low, _LARGEST), whole(name, high, _LARGEST)
+    return whole(name, low, _LARGEST + 1), whole(name, high, _LARGEST + 1)
 
 
-def _finite(values: tuple[float, ...]) -> tuple[float, ...]:
+def _finite(rewards: Rewards) -> tuple[float, ...]:
+    values = numbers("rewards", astuple(rewards), len(fields(rewards)))
     if not all(math.isfinite(value) for value in values):
         raise InputError(f"rewards: {values!r} are not all finite; write numbers")
     return values

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import gymnasium
-import numpy as np
 from gymnasium.error import ResetNeeded
 
 from carom import _core
+from carom.arguments import text, whole
 from carom.env.render import check_mode, frame
 from carom.env.settings import pack
-from carom.env.vector import spaces
+from carom.env.vector import floats, spaces
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -38,7 +38,7 @@ class CaromEnv(gymnasium.Env[Any, Any]):
     def __init__(self, task: str, *, render_mode: str | None = None, **settings: Any) -> None:
         settings.pop("autoreset_mode", None)
         packed = pack(autoreset_mode="disabled", **({"threads": 1} | settings))
-        self._core = _core.VectorEnv(task, 1, packed)
+        self._core = _core.VectorEnv(text("task", task), 1, packed)
         self.render_mode = check_mode(render_mode)
         self.observation_space, self.action_space = spaces(self._core)
         self._seeded = False
@@ -47,6 +47,7 @@ class CaromEnv(gymnasium.Env[Any, Any]):
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Array, dict[str, Any]]:
         """Begins the first episode of ``seed``, or the next one of the seed of before."""
+        seed = None if seed is None else whole("seed", seed)
         super().reset(seed=seed, options=options)
         if seed is None and not self._seeded:
             seed = int(self.np_random.integers(2**62))
@@ -58,7 +59,7 @@ class CaromEnv(gymnasium.Env[Any, Any]):
         """Plays a shot; numbers of ``action`` beyond [−1, 1] are brought into it."""
         if not self._seeded:
             raise ResetNeeded("call reset before step")
-        out = self._core.step(np.asarray(action, dtype=np.float32).reshape(1, -1))
+        out = self._core.step(floats("action", action).reshape(1, -1))
         info = {key: out[key][0].item() for key in ("player", "legal", "potted")}
         return (
             out["observations"][0],

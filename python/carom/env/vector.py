@@ -13,8 +13,9 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from carom import _core
+from carom.arguments import WORD, text, whole
 from carom.env.render import check_mode, frame
-from carom.env.settings import pack, whole
+from carom.env.settings import pack
 from carom.errors import InputError
 
 if TYPE_CHECKING:
@@ -29,8 +30,8 @@ _MODES = {
 }
 
 
-# More than fit into any memory.
-_MOST = 2**31 - 1
+# More than fit into any memory, at some kilobytes each.
+_MOST = 10**7
 
 
 def spaces(core: _core.VectorEnv) -> tuple[Box, Box]:
@@ -38,6 +39,18 @@ def spaces(core: _core.VectorEnv) -> tuple[Box, Box]:
     low, high = core.observation_bounds
     action = Box(-1.0, 1.0, (core.action_size,), np.float32)
     return Box(low, high, dtype=np.float32), action
+
+
+def floats(name: str, values: Any) -> NDArray[np.float32]:
+    """Numbers as Rust takes them.
+
+    Raises:
+        InputError: They are none.
+    """
+    try:
+        return np.ascontiguousarray(values, dtype=np.float32)
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: not an array of numbers; give one") from None
 
 
 class CaromVectorEnv(VectorEnv[Any, Any, Any]):
@@ -78,11 +91,9 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
         if isinstance(autoreset_mode, AutoresetMode):
             names = {mode: name for name, mode in _MODES.items()}
             autoreset_mode = names[autoreset_mode]
-        num_envs = whole("num_envs", num_envs, _MOST)
-        if num_envs == 0:
-            raise InputError("num_envs: 0 is out of range; write at least 1")
+        num_envs = whole("num_envs", num_envs, _MOST + 1, low=1)
         self._core = _core.VectorEnv(
-            task, num_envs, pack(autoreset_mode=autoreset_mode, **settings)
+            text("task", task), num_envs, pack(autoreset_mode=autoreset_mode, **settings)
         )
         self.metadata = {
             "render_modes": ["rgb_array"],
@@ -139,7 +150,7 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
         """
         if not self._seeded:
             raise ResetNeeded("call reset before step")
-        actions = np.ascontiguousarray(actions, dtype=np.float32)
+        actions = floats("actions", actions)
         if actions.shape != self.action_space.shape:
             wanted = self.action_space.shape
             raise InputError(f"actions: found the shape {actions.shape}; give {wanted}")
@@ -162,6 +173,6 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
 
     def _seeds(self, seed: int | Sequence[int]) -> list[int]:
         if isinstance(seed, Sequence | np.ndarray):
-            return [whole("seed", one, 2**64 - 1) for one in seed]
-        first = whole("seed", seed, 2**64 - 1)
-        return [one % 2**64 for one in range(first, first + self.num_envs)]
+            return [whole("seed", one) for one in seed]
+        first = whole("seed", seed)
+        return [one % WORD for one in range(first, first + self.num_envs)]
