@@ -9,6 +9,7 @@ import threading
 import webbrowser
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
 
 from carom.errors import InputError
 
@@ -38,6 +39,11 @@ class PageServer(ThreadingHTTPServer):
                 f"--port: {port} cannot be used ({error.strerror}); choose another, or leave the "
                 "option out for a free one"
             ) from None
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Passes over a browser that does not wait for the page, such as when it is reloaded."""
+        if not isinstance(sys.exception(), ConnectionError):
+            super().handle_error(request, client_address)
 
     @property
     def address(self) -> str:

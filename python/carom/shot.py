@@ -241,9 +241,9 @@ class Shot:
         self,
         noise: Noise,
         n: int,
+        seed: int = 0,
         *,
         perception: Perception | None = None,
-        seed: int = 0,
         first: int = 0,
         threads: int | None = None,
         progress: bool = False,
@@ -256,8 +256,8 @@ class Shot:
         Args:
             noise: How far the strike strays.
             n: How many variants.
-            perception: How far from where they are seen the balls truly lie, as in ``evaluate``.
             seed: Which random numbers, a whole number from 0 to 2⁶⁴ − 1.
+            perception: How far from where they are seen the balls truly lie, as in ``evaluate``.
             first: Index of the first variant, so that long runs can be continued.
             threads: How many; None is one per core.
             progress: Show a progress bar on stderr.
@@ -286,9 +286,9 @@ class Shot:
         self,
         noise: Noise,
         n: int = 10_000,
+        seed: int = 0,
         *,
         perception: Perception | None = None,
-        seed: int = 0,
         precision: float | None = None,
         watch: str | tuple[str, str] | None = None,
         frame: Frame | None = None,
@@ -304,10 +304,10 @@ class Shot:
         Args:
             noise: How far the strike strays.
             n: How many variants, at most.
+            seed: Which random numbers, a whole number from 0 to 2⁶⁴ − 1.
             perception: How far from where they are seen the balls truly lie. The shot is what the
                 player sees and plans on; every variant has a layout of its own around it, as
                 ``Perception.see`` draws it. The tip meets the cue ball where that truly is.
-            seed: Which random numbers, a whole number from 0 to 2⁶⁴ − 1.
             precision: Stop as soon as half the width of the watched interval is at most this;
                 looked at after every 1024 variants. None plays all ``n``.
             watch: Whose: a ball's id, ``(ball, pocket)``, ``"scratch"`` or ``"legal"``; None is

@@ -48,6 +48,11 @@ def test_numpy_numbers_are_counts_and_seeds_like_any_other(shot: Shot) -> None:
     assert len(carom.simulate_batch([shot], threads=one)) == 1
 
 
+def test_noise_number_and_seed_may_stand_in_their_order(shot: Shot) -> None:
+    assert shot.evaluate(CLUB, 64, 5).to_dict() == shot.evaluate(CLUB, n=64, seed=5).to_dict()
+    assert shot.vary(CLUB, 8, 5).speed.tolist() == shot.vary(CLUB, n=8, seed=5).speed.tolist()
+
+
 def test_more_threads_than_any_machine_has_are_as_many_as_it_has(shot: Shot) -> None:
     assert len(shot.batch(speed=[1.0, 2.0], threads=10**6)) == 2
 

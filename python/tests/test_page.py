@@ -7,6 +7,7 @@ import http.client
 import json
 import re
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -177,6 +178,22 @@ def test_the_server_has_one_page_packed_for_those_who_can_unpack() -> None:
         assert ask(server, "POST", "/")[0].status == 501
 
 
+def test_a_browser_that_does_not_wait_is_passed_over_and_a_bug_is_not(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    def said_after(error: Exception) -> str:
+        with serve.PageServer("") as server:
+            try:
+                raise error
+            except type(error):
+                server.handle_error(None, (serve.HOST, 1))
+        return capsys.readouterr().err
+
+    assert said_after(ConnectionResetError()) == ""
+    assert said_after(BrokenPipeError()) == ""
+    assert "a wheel came off" in said_after(RuntimeError("a wheel came off"))
+
+
 def test_the_server_listens_to_this_machine_only() -> None:
     with serve.PageServer("") as server:
         assert server.server_address[0] == "127.0.0.1"
@@ -231,6 +248,19 @@ def test_play_serves_a_shot_or_a_trace_and_ends_quietly_on_ctrl_c(pot: dict[str,
             process.send_signal(signal.SIGINT)
             out, err = process.communicate(timeout=10)
             assert (process.returncode, out, err) == (0, "", "")
+
+
+@needs_page
+def test_play_goes_on_when_a_browser_does_not_wait_for_the_page() -> None:
+    with playing() as (port, process):
+        for _ in range(3):
+            with socket.create_connection((serve.HOST, int(port)), timeout=10) as browser:
+                browser.sendall(b"GET / HTTP/1.1\r\nHost: here\r\n\r\n")
+        # A page that is read to its end is behind them.
+        assert document_of(get(port)) is None
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=10)
+        assert (process.returncode, err) == (0, "")
 
 
 @needs_page

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 import sys
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,15 @@ def _talk(line: str) -> None:
     # Without a stderr, `print` would talk to stdout.
     if sys.stderr is not None:
         print(line, file=sys.stderr)
+
+
+def keep_sockets() -> None:
+    """Have a connection that the other side closes be an error, not the end of the process.
+
+    To end quietly is right for a filter whose pipe is closed, and wrong for a server.
+    """
+    if hasattr(signal, "SIGPIPE"):
+        signal.signal(signal.SIGPIPE, signal.SIG_IGN)
 
 
 def emit(text: str) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from carom.cli.output import read
+from carom.cli.output import keep_sockets, read
 
 if TYPE_CHECKING:
     from carom.shot import Shot
@@ -33,6 +33,7 @@ def play(
 
     # A shell that starts it in the background has it ignore the interrupt that ends it.
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    keep_sockets()
     document = None if file is None else _document(read(file))
     serve(html(document), port=port, browser=browser)
 

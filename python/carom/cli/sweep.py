@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from carom.cli.output import emit, read, say
+from carom.cli.output import emit, keep_sockets, read, say
 
 
 def sweep(
@@ -35,6 +35,8 @@ def sweep(
     """Play a table of shots to Parquet; after a kill, go on."""
     from carom import Sweep
 
+    if address or ray:
+        keep_sockets()
     spec = Sweep.from_json(read(file)) if file == "-" else Sweep.load(file)
     try:
         report = spec.run(
