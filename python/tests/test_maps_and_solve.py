@@ -67,6 +67,8 @@ def test_with_a_raised_cue_balls_in_the_way_are_jumped_or_passed_on_a_curve() ->
     first = next(e for e in curve.shot.simulate().events if e.type == "ball-collision")
     assert first.balls == ["cue", "1"]
     assert 0 < jump.elevation <= math.radians(70)
+    text = solutions.svg(hidden, [jump, curve])
+    assert 'id="flight-1-cue"' in text
 
 
 def test_chances_are_counted_until_they_are_known(cut: Shot) -> None:

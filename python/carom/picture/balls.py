@@ -11,6 +11,7 @@ from matplotlib.patheffects import Normal, Stroke
 
 from carom.picture import colors
 from carom.picture.colors import Look, look
+from carom.picture.paths import SEEN
 from carom.touches import runs
 
 if TYPE_CHECKING:
@@ -30,8 +31,6 @@ MARKS = {
     "pocket-collision": ("x", 4.2, True, "ball falls"),
     "off-table": ("X", 4.6, True, "ball leaves the table"),
 }
-# Flights lower than this, m, are drawn as if the ball stayed on the cloth.
-SEEN = 1e-3
 # Where the shadow of a ball falls that is a metre up: to the right and down, m.
 SHADOW = (0.55, -0.75)
 # Dots for a path in the air; dashes are for striped balls.
@@ -67,9 +66,7 @@ def draw_paths(ax: Axes, routes: list[Route]) -> bool:
     flew = False
     for index, route in enumerate(routes):
         style = look(route.id, index)
-        flights = [route.rise(leg) >= SEEN for leg in route.legs]
-        ground = [leg for leg, flight in zip(route.legs, flights, strict=True) if not flight]
-        aloft = [leg for leg, flight in zip(route.legs, flights, strict=True) if flight]
+        ground, aloft = route.split()
         if ground:
             dashes = (0, (5, 1.6)) if style.striped else "solid"
             _draw_curve(ax, ground, style.path, dashes, gid=f"path-{route.id}")

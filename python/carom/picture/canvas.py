@@ -42,22 +42,13 @@ def draw(trace: Trace, *, title: str | None = None) -> Figure:
     Returns:
         A matplotlib figure, not attached to any window.
     """
+    from carom.picture.paths import starts
+
     shot = trace.shot
-    start = trace.at(0.0)
-    balls = [
-        {"id": name, "radius": radius, "position": position, "velocity": velocity}
-        for name, radius, position, velocity in zip(
-            shot.ids,
-            shot.radius.tolist(),
-            start.position.tolist(),
-            start.velocity.tolist(),
-            strict=True,
-        )
-    ]
     geometry = shot.geometry()
     return compose(
         geometry,
-        balls,
+        starts(trace),
         trace.to_dict(),
         title or geometry["name"] or "shot",
         azimuth=shot.azimuth,

@@ -111,22 +111,11 @@ def _draw_fan(ax: Axes, evaluation: Evaluation) -> None:
     from matplotlib.patches import PathPatch
 
     from carom.picture.balls import curve
-    from carom.picture.paths import routes
+    from carom.picture.paths import routes, starts
 
     for index, variant in enumerate(variants(evaluation, min(FAN, evaluation.n))):
         trace = variant.simulate()
-        start = trace.at(0.0)
-        balls = [
-            {"id": name, "radius": radius, "position": place, "velocity": velocity}
-            for name, radius, place, velocity in zip(
-                variant.ids,
-                variant.radius.tolist(),
-                start.position.tolist(),
-                start.velocity.tolist(),
-                strict=True,
-            )
-        ]
-        for number, route in enumerate(routes(trace.to_dict(), balls)):
+        for number, route in enumerate(routes(trace.to_dict(), starts(trace))):
             if not route.legs:
                 continue
             own = number == evaluation.cue_ball

@@ -14,6 +14,11 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from carom.trace import Trace
+
+# Flights lower than this, m, are drawn as if the ball stayed on the cloth.
+SEEN = 1e-3
+
 Point = tuple[float, float]
 Heights = tuple[float, float, float]
 """The heights of a leg's start, control point and end, m."""
@@ -102,6 +107,14 @@ class Route:
         """Length of the whole way, seen from above, m."""
         return sum(leg.length for leg in self.legs)
 
+    def split(self) -> tuple[list[Leg], list[Leg]]:
+        """Its legs on the ground, and those that are seen to fly."""
+        ground: list[Leg] = []
+        aloft: list[Leg] = []
+        for leg in self.legs:
+            (aloft if self.rise(leg) >= SEEN else ground).append(leg)
+        return ground, aloft
+
     def rise(self, leg: Leg) -> float:
         """How high above the slate the ball gets on one of its legs in the air, m; else 0."""
         return max(0.0, leg.top - self.radius) if leg.flies else 0.0
@@ -116,6 +129,21 @@ class Route:
                 return leg.at(time)
             before = (*leg.end, leg.heights[2])
         return before
+
+
+def starts(trace: Trace) -> list[dict[str, Any]]:
+    """The balls at time 0, as ``routes`` takes them."""
+    shot, start = trace.shot, trace.at(0.0)
+    return [
+        {"id": name, "radius": radius, "position": place, "velocity": velocity}
+        for name, radius, place, velocity in zip(
+            shot.ids,
+            shot.radius.tolist(),
+            start.position.tolist(),
+            start.velocity.tolist(),
+            strict=True,
+        )
+    ]
 
 
 def routes(trace: dict[str, Any], balls: Sequence[dict[str, Any]]) -> list[Route]:

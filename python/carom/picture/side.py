@@ -15,8 +15,9 @@ from matplotlib.patches import Circle, PathPatch, Rectangle
 from matplotlib.patheffects import Normal, Stroke
 
 from carom.picture import colors
-from carom.picture.balls import SEEN, curve, draw_ball, draw_cue, draw_mark, mark
+from carom.picture.balls import curve, draw_ball, draw_cue, draw_mark, mark
 from carom.picture.colors import look
+from carom.picture.paths import SEEN
 from carom.picture.table import Ground
 from carom.touches import runs
 

@@ -109,23 +109,12 @@ def _draw_area(ax: Axes, leave: tuple[Sequence[float], float]) -> None:
 
 
 def _draw_way(ax: Axes, solution: Solution, index: int, labels: _Labels) -> None:
-    """The cue ball's path as a line, those of the balls that it sends off dashed."""
-    from carom.picture.paths import routes
+    """The cue ball's path is solid, those of the balls that it sends off dashed; flights dotted."""
+    from carom.picture.paths import routes, starts
 
     trace = solution.shot.simulate()
-    start = trace.at(0.0)
-    balls = [
-        {"id": name, "radius": radius, "position": place, "velocity": velocity}
-        for name, radius, place, velocity in zip(
-            solution.shot.ids,
-            solution.shot.radius.tolist(),
-            start.position.tolist(),
-            start.velocity.tolist(),
-            strict=True,
-        )
-    ]
     struck = trace.to_dict()["events"][0]["balls"][0]
-    for route in routes(trace.to_dict(), balls):
+    for route in routes(trace.to_dict(), starts(trace)):
         if route.legs:
             _draw_route(ax, route, index, own=route.id == struck)
         if route.id == struck:
@@ -136,21 +125,29 @@ def _draw_way(ax: Axes, solution: Solution, index: int, labels: _Labels) -> None
 def _draw_route(ax: Axes, route: Route, index: int, *, own: bool) -> None:
     from matplotlib.patches import PathPatch
 
-    from carom.picture.balls import curve
+    from carom.picture.balls import DOTTED, curve
 
-    ax.add_patch(
-        PathPatch(
-            curve([(leg.start, leg.control, leg.end) for leg in route.legs]),
-            facecolor="none",
-            edgecolor=PAINT[index],
-            linewidth=1.7 if own else 1.1,
-            linestyle="solid" if own else (0, (4, 1.8)),
-            alpha=0.95 if own or route.fate == "pocketed" else 0.45,
-            joinstyle="round",
-            zorder=3 - 0.01 * index,
-            gid=f"way-{index + 1}-{route.id}",
+    ground, aloft = route.split()
+    for what, legs, line in (
+        ("way", ground, "solid" if own else (0, (4, 1.8))),
+        ("flight", aloft, DOTTED),
+    ):
+        if not legs:
+            continue
+        ax.add_patch(
+            PathPatch(
+                curve([(leg.start, leg.control, leg.end) for leg in legs]),
+                facecolor="none",
+                edgecolor=PAINT[index],
+                linewidth=1.7 if own else 1.1,
+                linestyle=line,
+                alpha=0.95 if own or route.fate == "pocketed" else 0.45,
+                joinstyle="round",
+                capstyle="round" if what == "flight" else "butt",
+                zorder=3 - 0.01 * index,
+                gid=f"{what}-{index + 1}-{route.id}",
+            )
         )
-    )
 
 
 def _draw_end(ax: Axes, route: Route, index: int) -> None:
@@ -242,7 +239,8 @@ def _draw_list(figure: Figure, shown: list[Solution], title: str) -> None:
     panel.set_axis_off()
     top = tall - MARGIN_INCHES
     panel.text(0.1, top, title, fontsize=12, fontweight="bold", color=colors.INK, va="top")
-    said = "solid: the cue ball · dashed: what it sends off\nside, height: in ball radii"
+    said = "solid: the cue ball · dashed: what it sends off · dotted: in the air"
+    said += "\nside, height: in ball radii"
     said = said if shown else "no strike was found"
     panel.text(0.1, top - 0.32, said, fontsize=7, color=colors.FAINT_INK, va="top")
     for index, solution in enumerate(shown):
