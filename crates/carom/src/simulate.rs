@@ -329,6 +329,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     }
 
     /// State of ball `i` at `time` (s), which must not lie before its last event.
+    #[inline(always)]
     pub fn state(&self, i: usize, time: f64) -> BallState {
         self.path[i].at(time - self.lanes.start[i])
     }

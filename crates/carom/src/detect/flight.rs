@@ -275,13 +275,15 @@ impl Flight<'_> {
         let around = relative(self.path, pocket.center, 0.0);
         let plan = plan(&around);
         let outwards = |from| first_touch_of_hole(&plan, pocket.radius - radius, from, last);
+        let first = outwards(from);
         // Where the liner stands on it the wall is the liner's, which the ball does not come through.
         let is_lined = |t: f64| self.is_at_liner(k, &around, t);
-        let until = match outwards(from) {
+        let until = match first {
             Some(t) if is_lined(t) && around.at(t)[2] <= self.table.cushion_height => t,
             _ => last,
         };
-        let wall = below(&around, 0.0, [from, last], outwards).filter(|t| !is_lined(*t));
+        let again = |t| if t == from { first } else { outwards(t) };
+        let wall = below(&around, 0.0, [from, last], again).filter(|t| !is_lined(*t));
         // Below the slate's surface the wall comes before its edge.
         if keeps_below(&around, [from, until]) {
             return wall;

@@ -109,6 +109,7 @@ impl Path {
     }
 
     /// The state in which the next path starts when this one has lasted its whole duration.
+    #[inline(always)]
     pub fn successor(&self) -> BallState {
         match self.motion {
             MotionState::Sliding => sliding::successor(self),

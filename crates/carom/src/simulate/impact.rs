@@ -79,7 +79,6 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             other = physics.cushion_of(kind);
             &other
         };
-        let support = Support::under(&before);
         let on_bed = !self.aloft[i];
         let feature = TableFeature::Cushion(part);
         let edge = self.aloft[i].then(|| edge_at(table, feature, before.position, ball.radius));
@@ -92,21 +91,14 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 ((into * sqrt(1.0 - sin * sin)).with_z(sin), into.with_z(0.0))
             }
         };
-        let cloth = &physics.cloth;
-        let strike = |press: f64| {
-            let mut body = body(&before, &ball);
-            body.velocity += push * press;
-            match &edge {
-                None => resolve::ball_cushion::resolve(law, cloth, normal, true, &mut body),
-                Some(edge) => meet_edge(law, physics, edge, kind == Part::Liner, &mut body),
-            }
-            [support.settled(&before, body.velocity, body.angular_velocity, &ball, physics)]
-        };
+        let is_liner = kind == Part::Liner;
+        let bounce = Bounce { before: &before, ball: &ball, law, normal, push, edge, is_liner };
         let again = self.touched_lately(i, time);
         // A cushion hit so gently reflects.
         let impact =
             Impact { before: &[before], balls: &[ball], normal: push, push, again, smooth: true };
-        let [after] = impact.settle(strike);
+        let after = [bounce.with(0.0, physics)];
+        let [after] = impact.settle(after, |press| [bounce.with(press, physics)]);
         self.touched[i] = time;
         let kind = EventKind::RailCollision(part);
         let events = self.happen(i, kind, [before, after], time, table, physics, recorder);
@@ -143,37 +135,11 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let mobility = |k: usize| along[k].length_squared() / pair[k].mass;
         let reduced = 1.0 / (mobility(0) + mobility(1));
         let pushes = [0, 1].map(|k| along[k] * (reduced / pair[k].mass));
-        let supports = [0, 1].map(|k| Support::under(&before[k]));
-        let strike = |press: f64| {
-            let mut p = body(&before[0], &pair[0]);
-            let mut q = body(&before[1], &pair[1]);
-            p.velocity += pushes[0] * press;
-            q.velocity -= pushes[1] * press;
-            let Physics { ball_ball: law, cloth, gravity, .. } = physics;
-            let gentle = || {
-                let approach = (p.velocity - q.velocity).dot(normal);
-                approach < ball_slate::last_hop_speed(*gravity)
-            };
-            match on_bed {
-                [false, true] if gentle() => {
-                    let normal = unbalanced(normal, &p);
-                    held::resolve(law.restitution, normal, &mut p, &mut q);
-                }
-                [true, false] if gentle() => {
-                    let normal = unbalanced(-normal, &q);
-                    held::resolve(law.restitution, normal, &mut q, &mut p);
-                }
-                _ => resolve::ball_ball::resolve(law, cloth, *gravity, normal, &mut p, &mut q),
-            }
-            let after = |k: usize, body: &Body| {
-                let (v, spin) = (body.velocity, body.angular_velocity);
-                supports[k].settled(&before[k], v, spin, &pair[k], physics)
-            };
-            [after(0, &p), after(1, &q)]
-        };
         let smooth = physics.ball_ball.is_smooth();
+        let collision = Collision { before: &before, balls: &pair, on_bed, normal, pushes };
         let impact = Impact { before: &before, balls: &pair, normal, push, again, smooth };
-        let after = impact.settle(strike);
+        let after = collision.with(0.0, physics);
+        let after = impact.settle(after, |press| collision.with(press, physics));
         for (i, after) in [(a, &after[0]), (b, &after[1])] {
             self.begin(i, after, time, physics);
             self.touched[i] = time;
@@ -196,6 +162,81 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     }
 }
 
+/// A ball that meets a cushion.
+struct Bounce<'a> {
+    before: &'a BallState,
+    ball: &'a Ball,
+    law: &'a Cushion,
+    normal: Vec3,
+    /// Along which it can be pushed.
+    push: Vec3,
+    /// What it meets if it is off the slate.
+    edge: Option<Edge>,
+    is_liner: bool,
+}
+
+impl Bounce<'_> {
+    /// The state after it, the approach speed being raised by `press`, m/s.
+    #[inline(always)]
+    fn with(&self, press: f64, physics: &Physics) -> BallState {
+        let mut body = body(self.before, self.ball);
+        body.velocity += self.push * press;
+        let law = self.law;
+        match &self.edge {
+            None => {
+                resolve::ball_cushion::resolve(law, &physics.cloth, self.normal, true, &mut body)
+            }
+            Some(edge) => body = meet_edge(law, physics, edge, self.is_liner, body),
+        }
+        let (v, spin) = (body.velocity, body.angular_velocity);
+        Support::under(self.before).settled(self.before, v, spin, self.ball, physics)
+    }
+}
+
+/// Two balls that meet.
+struct Collision<'a> {
+    before: &'a [BallState; 2],
+    balls: &'a [Ball; 2],
+    on_bed: [bool; 2],
+    /// From the first one's centre to the second's.
+    normal: Vec3,
+    /// What raises their approach speed by 1 m/s.
+    pushes: [Vec3; 2],
+}
+
+impl Collision<'_> {
+    /// The states after it, the approach speed being raised by `press`, m/s.
+    #[inline(always)]
+    fn with(&self, press: f64, physics: &Physics) -> [BallState; 2] {
+        let Self { before, balls, on_bed, normal, pushes } = self;
+        let mut p = body(&before[0], &balls[0]);
+        let mut q = body(&before[1], &balls[1]);
+        p.velocity += pushes[0] * press;
+        q.velocity -= pushes[1] * press;
+        let Physics { ball_ball: law, cloth, gravity, .. } = physics;
+        let gentle = || {
+            let approach = (p.velocity - q.velocity).dot(*normal);
+            approach < ball_slate::last_hop_speed(*gravity)
+        };
+        match on_bed {
+            [false, true] if gentle() => {
+                let normal = unbalanced(*normal, &p);
+                held::resolve(law.restitution, normal, &mut p, &mut q);
+            }
+            [true, false] if gentle() => {
+                let normal = unbalanced(-*normal, &q);
+                held::resolve(law.restitution, normal, &mut q, &mut p);
+            }
+            _ => resolve::ball_ball::resolve(law, cloth, *gravity, *normal, &mut p, &mut q),
+        }
+        let after = |k: usize, body: &Body| {
+            let (v, spin) = (body.velocity, body.angular_velocity);
+            Support::under(&before[k]).settled(&before[k], v, spin, &balls[k], physics)
+        };
+        [after(0, &p), after(1, &q)]
+    }
+}
+
 pub(super) fn body(state: &BallState, ball: &Ball) -> Body {
     Body {
         velocity: state.velocity,
@@ -207,25 +248,25 @@ pub(super) fn body(state: &BallState, ball: &Ball) -> Body {
 
 /// A ball off the slate meets `edge`: it is pressed on it, or thrown off.
 #[cold]
-fn meet_edge(law: &Cushion, physics: &Physics, edge: &Edge, is_liner: bool, ball: &mut Body) {
-    if edge.presses(physics.gravity, ball) {
+fn meet_edge(law: &Cushion, physics: &Physics, edge: &Edge, is_liner: bool, ball: Body) -> Body {
+    if edge.presses(physics.gravity, &ball) {
         let (e, mu) = (law.restitution.at(0.0), law.friction.a);
         let surface = Surface { restitution: e, friction: mu };
-        ball_edge::resolve(&surface, physics.gravity, edge, ball);
-        return;
+        let mut pressed = ball;
+        ball_edge::resolve(&surface, physics.gravity, edge, &mut pressed);
+        return pressed;
     }
-    let throw = |normal: Vec3| {
-        let mut thrown = *ball;
+    let throw = |normal| {
+        let mut thrown = ball;
         resolve::ball_cushion::resolve(law, &physics.cloth, normal, false, &mut thrown);
         thrown
     };
-    let is_wall = is_liner && edge.normal.z == 0.0;
-    let mut thrown = throw(if is_wall { leaning(edge.normal) } else { edge.normal });
-    // A ball that falls along a wall does not come against its slope.
-    if is_wall && thrown.velocity.dot(edge.normal) > 0.0 {
-        thrown = throw(edge.normal);
+    if !is_liner || edge.normal.z != 0.0 {
+        return throw(edge.normal);
     }
-    *ball = thrown;
+    let thrown = throw(leaning(edge.normal));
+    // A ball that falls along a wall does not come against its slope.
+    if thrown.velocity.dot(edge.normal) > 0.0 { throw(edge.normal) } else { thrown }
 }
 
 /// The normal of a liner's wall, given the horizontal one.
@@ -278,11 +319,14 @@ struct Impact<'a, const K: usize> {
 }
 
 impl<const K: usize> Impact<'_, K> {
-    /// The states after the impact. `strike` gives them if the approach speed is raised by so many
-    /// m/s, as it is if the bodies are under a push.
+    /// The states after the impact. It leaves the bodies in the states `after`, or, if they are under a
+    /// push, in those that `strike` gives if the approach speed is raised by so many m/s.
     #[inline(always)]
-    fn settle(&self, strike: impl Fn(f64) -> [BallState; K]) -> [BallState; K] {
-        let after = strike(0.0);
+    fn settle(
+        &self,
+        after: [BallState; K],
+        strike: impl Fn(f64) -> [BallState; K],
+    ) -> [BallState; K] {
         let approach = -self.parting(self.before);
         let parting = self.parting(&after);
         let rounding = SEPARATION_ROUNDING * self.speeds(&after);
@@ -293,6 +337,20 @@ impl<const K: usize> Impact<'_, K> {
         if approach >= PRESS_SPEED {
             return self.parted(&after, 2.0 * rounding - parting);
         }
+        self.pushed(after, parting, rounding, strike)
+    }
+
+    /// The states after an impact under a push, `parting` being the speed at which the bodies separate in
+    /// those `after` it, m/s, and `rounding` that of their speeds.
+    #[cold]
+    fn pushed(
+        &self,
+        after: [BallState; K],
+        parting: f64,
+        rounding: f64,
+        strike: impl Fn(f64) -> [BallState; K],
+    ) -> [BallState; K] {
+        let approach = -self.parting(self.before);
         // Gravity presses also what does not move, and goes on until the upper ball comes off.
         let flies = K == 2 && self.before.iter().any(|s| s.motion == MotionState::Airborne);
         let share = if flies {

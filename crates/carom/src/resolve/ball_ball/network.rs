@@ -197,6 +197,8 @@ struct Ball {
 struct Link {
     a: usize,
     b: usize,
+    /// The two, one bit each; there are at most [`MAX_BODIES`], fewer than 32.
+    both: u32,
     normal: Vec3,
     across: Across,
     /// Approach speed and slip at the start.
@@ -241,6 +243,7 @@ impl Link {
         Self {
             a: usize::from(touch.a),
             b: usize::from(touch.b),
+            both: 1 << touch.a | 1 << touch.b,
             normal: n,
             across,
             approach,
@@ -352,7 +355,7 @@ fn follow<const GRIP: u8>(
                 turn = snap(link.across.vector(-friction.y, friction.x));
             }
             let push = snap(push);
-            pushed |= bit(link.a) | bit(link.b);
+            pushed |= link.both;
             let a = &mut balls[link.a % BITS];
             a.push -= push;
             a.turn += turn;
@@ -437,9 +440,7 @@ impl Link {
     #[inline(always)]
     fn press(&mut self, law: &BallBall, step: &Step, approach: f64, force: f64) -> f64 {
         let full = force * step.length;
-        if approach > self.fastest {
-            self.fastest = approach;
-        }
+        self.fastest = larger(approach, self.fastest);
         // What it takes to stop the approach: then the contact begins to open.
         let stopping = approach * self.mass;
         if stopping >= full {
@@ -513,11 +514,6 @@ fn apply(law: &BallBall, units: &Units, balls: &[Ball], bodies: &mut [Body]) {
             body.angular_velocity += ball.surface * (share * units.speed / body.radius);
         }
     }
-}
-
-/// The bit that stands for a ball; there are at most [`MAX_BODIES`], fewer than 32.
-fn bit(ball: usize) -> u32 {
-    1 << ball
 }
 
 /// One instruction, where `f64::max` takes several for what is not a number.

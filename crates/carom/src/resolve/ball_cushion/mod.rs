@@ -194,6 +194,7 @@ fn aloft(law: &Cushion, impact: &Impact) -> Change {
 }
 
 /// On the bed: the model's outcome, kept from going on into the rail and into the slate.
+#[inline(always)]
 fn on_the_bed(law: &Cushion, cloth: &Cloth, impact: &Impact) -> Change {
     let (velocity, normal) = (impact.velocity.xy(), impact.normal.xy());
     let cos = normal.length();
