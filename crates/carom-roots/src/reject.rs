@@ -79,7 +79,7 @@ pub(crate) fn passes_by(
 /// The sign and the axis of [`cannot_touch`].
 #[inline(always)]
 #[allow(clippy::too_many_arguments)] // as above
-pub(crate) fn keeps_off(
+fn keeps_off(
     dx: f64,
     dy: f64,
     vx: f64,

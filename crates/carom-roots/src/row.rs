@@ -1,6 +1,6 @@
 //! A row of pairs, turned away together by the proofs of [`crate::cannot_touch`].
 
-use crate::reject::{keeps_off, passes_by};
+use crate::reject::{cannot_touch, passes_by};
 
 /// A row of `L` pairs as structure of arrays: the motions of one body relative to `L` others.
 ///
@@ -35,19 +35,19 @@ impl<const L: usize> Row<L> {
         // Loops: the closure of `array::from_fn` may be left out of line, and then is compiled for
         // narrow vectors. Whether any lane is open is asked of a flag: one vector test, where
         // comparing arrays would pack them first.
-        let mut open = [false; L];
         let mut any = false;
-        for (i, open) in open.iter_mut().enumerate() {
-            *open = !self.ask(passes_by, i);
-            any |= *open;
+        for i in 0..L {
+            any |= !self.ask(passes_by, i);
         }
         // Most rows are far from the path: of them the corridor turns away every lane.
         if !any {
             return None;
         }
+        // The corridor's answers are still there: the compiler does not work them out again.
+        let mut open = [false; L];
         any = false;
         for (i, open) in open.iter_mut().enumerate() {
-            *open &= !self.ask(keeps_off, i);
+            *open = !self.ask(cannot_touch, i);
             any |= *open;
         }
         any.then_some(open)
