@@ -244,6 +244,8 @@ def test_a_strike_that_only_the_row_can_play_is_played(pot: dict[str, Any]) -> N
     ("change", "message"),
     [
         ({"format": "carom-shot/1"}, r'^format: .*write "carom-sweep/1"'),
+        # Of another file the first unknown key is not what is wrong.
+        ({"format": "carom-shot/1", "table": "wpa-9ft"}, r"^format: .*a shot under `shots`"),
         ({"sample": 3}, r"^sample: unknown key; did you mean `samples`"),
         ({"shots": []}, r"^shots: the list is empty"),
         ({"shots": ["nowhere/*.json"]}, r"^shots\[0\]: no file is called"),

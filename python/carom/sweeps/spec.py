@@ -181,9 +181,12 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
         InputError: Something in it does not make sense; the message names the place.
         OSError: A shot file cannot be read.
     """
-    found = read.fields("", read.plain(file), _KEYS)
-    if found.get("format") != FORMAT:
-        read.refuse("format", f"found {read.describe(found.get('format'))}", f'write "{FORMAT}"')
+    plain = read.plain(file)
+    # First, since of another file every key is unknown.
+    if isinstance(plain, Mapping) and plain.get("format") != FORMAT:
+        what = f"found {read.describe(plain.get('format'))}"
+        read.refuse("format", what, f'write "{FORMAT}", and a shot under `shots`')
+    found = read.fields("", plain, _KEYS)
     if "shots" not in found:
         read.refuse("shots", "the key is missing", "write a shot, the name of its file, or a list")
     layouts = _layouts(found["shots"], folder)
