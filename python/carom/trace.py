@@ -155,7 +155,8 @@ class Trace:
 
     def difference(self, again: Trace) -> str | None:
         """Where the two part first, in any bit of any event or final state; None if nowhere."""
-        return self._core.first_difference(again._core)
+        other = arguments.instance("again", again, Trace, "Shot.simulate()")
+        return self._core.first_difference(other._core)
 
     def to_dict(self) -> dict[str, Any]:
         """The ``carom-trace/1``; ``from_dict`` of it gives this trace again, to the bit."""

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 import carom
 import numpy as np
 import pytest
-from carom import CaromError, Frame, InputError, Noise, Perception, Shot, Strike, convert
+from carom import CaromError, Frame, InputError, Noise, Perception, Shot, Strike, convert, picture
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from pathlib import Path
 
 CLUB = Noise.preset("club")
 STRIKE = Strike(speed=1.0, azimuth=1.5)
@@ -206,6 +207,12 @@ def test_maps_refuse_what_is_no_shot_ball_pocket_or_size(shot: Shot) -> None:
         refused("speed", lambda speed=speed: carom.bank_table(shot, "1", speed=speed))
     refused("cushions", lambda: carom.kick_table(shot, cushions=0))
     refused("level", lambda: carom.break_statistics(racks=8, level=1.0))
+
+
+def test_what_cannot_be_drawn_or_compared_is_refused(shot: Shot, tmp_path: Path) -> None:
+    wrong: Any = 5
+    refused("found", lambda: picture.save(wrong, tmp_path / "a.svg"))
+    refused("again", lambda: shot.simulate().difference(wrong))
 
 
 @pytest.mark.parametrize("source", [None, 5, []])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from carom.arguments import instance
 from carom.picture import _matplotlib, colors
 from carom.picture._matplotlib import as_written
 from carom.picture.canvas import to_png, to_svg
@@ -47,7 +48,7 @@ def draw(found: Drawn, *, title: str | None = None) -> Figure:
 
 def _draw(found: Drawn, title: str | None) -> Figure:
     from carom.cushions import CushionTable
-    from carom.maps import Acceptance, PositionMap, PotMap
+    from carom.maps import Acceptance, BreakStatistics, PositionMap, PotMap
 
     if isinstance(found, CushionTable):
         return _draw_cushions(found, title or f"{found.ball} off the cushions")
@@ -57,7 +58,9 @@ def _draw(found: Drawn, title: str | None) -> Figure:
         return _draw_positions(found, title or f"after {found.ball} into {found.pocket}")
     if isinstance(found, Acceptance):
         return _draw_acceptance(found, title or f"what {found.pocket} takes")
-    return _draw_breaks(found, title or f"{found.racks} breaks of {found.game}")
+    such_as = "what carom.break_statistics() gave"
+    breaks = instance("found", found, BreakStatistics, such_as)
+    return _draw_breaks(breaks, title or f"{breaks.racks} breaks of {breaks.game}")
 
 
 def svg(found: Drawn, *, title: str | None = None) -> str:
