@@ -4,6 +4,24 @@
 //! agent in each of them (and the opponent's reply, if there is one) and gives observations, rewards and
 //! which episodes have ended, as arrays.
 //!
+//! ```
+//! use carom::Noise;
+//! use carom_env::{Aim, Config, Task, VectorEnv};
+//!
+//! # fn main() -> Result<(), carom::Error> {
+//! let task = Task::read("potting")?;
+//! let config = Config { noise: Noise::olympiad(1.0), aim: Aim::Relative, ..Config::of(task) };
+//! let mut tables = VectorEnv::new(task, 64, 0, config)?; // their seeds are 0 to 63
+//! let seen = tables.reset(None, None)?;
+//! assert_eq!(seen.len(), 64 * tables.observation_size());
+//! let full_on_the_ball = vec![0.0; 64 * tables.action_size()];
+//! let step = tables.step(&full_on_the_ball)?;
+//! assert!(step.terminated.iter().all(|&ended| ended)); // potting is one shot
+//! println!("{} pots", step.rewards.iter().sum::<f64>());
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! # The same bits
 //!
 //! What happens in an environment is a function of its seed, the number of its episode and the actions;

@@ -6,6 +6,22 @@
 //! again, until it is over. Nothing is hidden in it: it can be cloned, so that a program can try a shot
 //! and go back.
 //!
+//! ```
+//! use carom::resolve::cue_ball::Strike;
+//! use carom_rules::{Frame, Options, Play, Request, Rules};
+//!
+//! # fn main() -> Result<(), carom::Error> {
+//! let mut frame = Frame::new(Rules::NineBall, Options::default(), None, None, 7)?;
+//! let azimuth = std::f64::consts::FRAC_PI_2;
+//! let strike = Strike { speed: 8.0, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
+//! let (ruling, outcome) =
+//!     frame.play(&Play { cue_ball: Some([0.635, 0.6]), ..Play::new(strike) })?;
+//! println!("fouls: {:?}, pocketed: {:?}", ruling.fouls, outcome.pocketed);
+//! assert!(matches!(frame.request(), Request::Shot(_)));
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! Each game is a file of [`games`]. A foul names the rule that forbids it ([`Rules::rule`]); the page
 //! "Rules of the games" in the documentation says which rule books were read.
 
