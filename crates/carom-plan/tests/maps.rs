@@ -91,7 +91,7 @@ fn a_pocket_takes_less_of_what_comes_fast_and_aslant() {
 fn a_ball_that_comes_back_from_around_the_table_is_not_taken() {
     // 61° is nearly the table's diagonal: off both cushions, to the other corner and back.
     let approaches = Approaches {
-        angles: &[16.0_f64.to_radians()],
+        angles: &[carom::math::radians(16.0)],
         offsets: &[-0.06, 0.0],
         speeds: &[4.0],
         distance: 0.3,
