@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from copy import deepcopy
+from dataclasses import asdict, dataclass
 from typing import Any, Self
 
 from carom import _core
 from carom.arguments import instance, number, numbers, text, truth, whole
 from carom.build import Physics, Strike, Table
+from carom.errors import InputError
 from carom.shot import Shot
 from carom.trace import Record, Trace
+
+_FORMAT = "carom-frame/1"
+_STRIKE = ("speed", "azimuth", "elevation", "side", "height")
 
 
 @dataclass(frozen=True)
@@ -114,8 +119,10 @@ class Frame:
         InputError: There is no such game, or table and physics do not make sense.
     """
 
-    __slots__ = ("_core",)
+    __slots__ = ("_core", "_moves", "_setup")
     _core: _core.Frame
+    _moves: list[dict[str, Any]]
+    _setup: dict[str, Any]
 
     def __init__(
         self,
@@ -139,6 +146,13 @@ class Frame:
             whole("seed", seed),
             _options(target, miss, patience),
         )
+        self._moves = []
+        self._setup = {
+            "game": game,
+            "table": deepcopy(table),
+            "physics": deepcopy(physics),
+            "seed": int(seed),
+        } | _written(target, miss, patience)
 
     @classmethod
     def of_shot(
@@ -166,12 +180,80 @@ class Frame:
             instance("shot", shot, Shot, "carom.Shot.from_dict(...)")._core,
             _options(target, miss, patience),
         )
+        frame._moves = []
+        frame._setup = {"game": game, "shot": shot.to_dict()} | _written(target, miss, patience)
         return frame
+
+    @classmethod
+    def replay(cls, record: Mapping[str, Any]) -> Frame:
+        """The frame of a record: begun anew, and every move of it made again.
+
+        The same version of the engine gives the same frame, to the bit; with another one a shot may
+        end otherwise, and a later move may then be refused.
+
+        Args:
+            record: What ``record`` gave.
+
+        Raises:
+            InputError: It is no such record, or a move is not allowed, with its index.
+            EventCapError: As for ``play``.
+        """
+        if not isinstance(record, Mapping) or record.get("format") != _FORMAT:
+            raise InputError(f'format: no record of a frame; its format would be "{_FORMAT}"')
+        setup, moves = record.get("setup"), record.get("moves")
+        if not isinstance(setup, Mapping) or not isinstance(moves, Sequence):
+            raise InputError("record: setup or moves are missing; write what Frame.record gives")
+        try:
+            if "shot" in setup:
+                shot = Shot.from_dict(setup["shot"])
+                frame = cls.of_shot(**{**setup, "shot": shot})
+            else:
+                frame = cls(**setup)
+        except TypeError as error:
+            raise InputError(f"setup: {error}; write what Frame.record gives") from None
+        for index, move in enumerate(moves):
+            try:
+                frame._make(move)
+            except InputError as error:
+                raise InputError(f"moves[{index}]: {error}") from None
+        return frame
+
+    def _make(self, move: Any) -> None:
+        match move:
+            case {"play": {"strike": dict() as strike, **rest}}:
+                play: dict[str, Any] = {str(key): value for key, value in rest.items()}
+                try:
+                    if "call" in play:
+                        play["call"] = Call(**play["call"])
+                    self.play(Strike(**strike), **play)
+                except TypeError as error:
+                    raise InputError(f"play: {error}; write what Frame.record gives") from None
+            case {"choice": choice}:
+                self.choose(choice)
+            case {"concede": True}:
+                self.concede()
+            case _:
+                raise InputError("neither a play nor a choice; write what Frame.record gives")
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """How the frame began and every move of it, as plain values that JSON can hold.
+
+        ``format``; ``setup``: what ``Frame`` or ``Frame.of_shot`` was given; ``moves``: each with
+        ``play`` (``strike`` in SI units and radians, ``cue_ball``, ``call``), ``choice`` or
+        ``concede``. ``Frame.replay`` makes the frame of it; so does ``pickle``.
+        """
+        return deepcopy({"format": _FORMAT, "setup": self._setup, "moves": self._moves})
+
+    def __reduce__(self) -> tuple[Any, tuple[dict[str, Any]]]:
+        return Frame.replay, (self.record,)
 
     def copy(self) -> Frame:
         """The same frame once more: to try a shot and go back."""
         twin = Frame.__new__(Frame)
         twin._core = self._core.copy()
+        # Neither a setup nor a move that was made ever changes.
+        twin._setup, twin._moves = self._setup, [*self._moves]
         return twin
 
     # Without these the copy module would give a second name for the same game.
@@ -269,7 +351,15 @@ class Frame:
                 where it must not be, or the strike cannot be played. The frame is unchanged then.
             EventCapError: The simulation reached its cap of events.
         """
-        ruling, trace = self._core.play(_arguments(strike, cue_ball, call))
+        arguments = _arguments(strike, cue_ball, call)
+        ruling, trace = self._core.play(arguments)
+        struck, place, _ = arguments
+        play = {
+            "strike": dict(zip(_STRIKE, struck, strict=True)),
+            "cue_ball": place and list(place),
+            "call": call and asdict(call),
+        }
+        self._moves.append({"play": {key: value for key, value in play.items() if value}})
         return Ruling._read(ruling, Trace._wrap(trace))
 
     def choose(self, choice: str) -> Ruling:
@@ -278,7 +368,9 @@ class Frame:
         Raises:
             InputError: No choice is asked, or not this one.
         """
-        return Ruling._read(self._core.choose(text("choice", choice, "one of request.choices")))
+        ruling = self._core.choose(text("choice", choice, "one of request.choices"))
+        self._moves.append({"choice": choice})
+        return Ruling._read(ruling)
 
     def concede(self) -> Ruling:
         """The player whose turn it is gives up, and the other wins.
@@ -286,7 +378,9 @@ class Frame:
         Raises:
             InputError: The frame is over.
         """
-        return Ruling._read(self._core.concede())
+        ruling = self._core.concede()
+        self._moves.append({"concede": True})
+        return Ruling._read(ruling)
 
     def __repr__(self) -> str:
         request = self.request
@@ -303,8 +397,7 @@ def _arguments(
 ]:
     instance("strike", strike, Strike, "carom.Strike(speed=2.0, azimuth=1.57)")
     speed, azimuth, elevation, side, height = (
-        number(f"strike.{key}", getattr(strike, key))
-        for key in ("speed", "azimuth", "elevation", "side", "height")
+        number(f"strike.{key}", getattr(strike, key)) for key in _STRIKE
     )
     place = None if cue_ball is None else numbers("cue_ball", cue_ball, 2)
     return (speed, azimuth, elevation, side, height), place, said(call)
@@ -325,6 +418,11 @@ def _options(target: int, miss: bool, patience: int) -> tuple[int, bool, int]:
         truth("options.miss", miss),
         whole("options.patience", patience, 1 << 32),
     )
+
+
+def _written(target: int, miss: bool, patience: int) -> dict[str, int | bool]:
+    """The options as a record has them, NumPy's values too."""
+    return {"target": int(target), "miss": bool(miss), "patience": int(patience)}
 
 
 def rule_sets() -> list[str]:

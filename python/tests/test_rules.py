@@ -1,7 +1,9 @@
 """Frames of every game from Python: the referee itself is tested in Rust."""
 
 import copy
+import json
 import math
+import pickle
 from collections.abc import Callable
 
 import carom
@@ -121,3 +123,76 @@ def test_who_concedes_loses() -> None:
     assert frame.request.winner == 1
     with pytest.raises(carom.InputError, match="concede: the frame is over"):
         frame.concede()
+
+
+def played_frame() -> carom.Frame:
+    """A few shots, a choice, and a cue ball in hand."""
+    frame = carom.Frame("eight-ball", seed=4, patience=50)
+    soft = carom.Strike(speed=1.0, azimuth=math.pi / 2)
+    frame.play(soft, cue_ball=(0.635, 0.6))
+    frame.choose("rebreak")
+    frame.play(aim(frame, "1", speed=9.0), cue_ball=(0.6, 0.6))
+    while frame.request.kind == "choice":
+        frame.choose(frame.request.choices[0])
+    place = (0.3, 1.2) if frame.request.in_hand == "anywhere" else None
+    frame.play(soft, cue_ball=place, call=carom.Call.safety())
+    return frame
+
+
+def test_a_record_goes_through_json_and_gives_the_same_frame() -> None:
+    frame = played_frame()
+    record = json.loads(json.dumps(frame.record))
+    again = carom.Frame.replay(record)
+    assert again.to_dict() == frame.to_dict()
+    assert again.record == frame.record
+    again.concede()
+    assert again.over
+    assert carom.Frame.replay(again.record).over
+    assert len(frame.record["moves"]) == len(again.record["moves"]) - 1
+
+
+def test_frames_can_be_pickled_however_they_began() -> None:
+    shot = carom.break_shot("nine-ball", seed=2)
+    of_shot = carom.Frame.of_shot("nine-ball", shot, patience=9)
+    of_shot.play(aim(of_shot, "1"))
+    on_table = carom.Frame("practice", table=carom.Table("bar-7ft"), seed=3)
+    for frame in (played_frame(), of_shot, on_table):
+        assert pickle.loads(pickle.dumps(frame)).to_dict() == frame.to_dict()
+
+
+def test_a_copy_has_moves_of_its_own() -> None:
+    frame = played_frame()
+    before = frame.record
+    frame.copy().concede()
+    assert frame.record == before
+
+
+def test_what_was_refused_is_in_no_record() -> None:
+    frame = carom.Frame("nine-ball")
+    with pytest.raises(carom.InputError):
+        frame.play(carom.Strike(speed=1.0, azimuth=0.0), cue_ball=(9.0, 9.0))
+    with pytest.raises(carom.InputError):
+        frame.choose("rebreak")
+    assert frame.record["moves"] == []
+
+
+@pytest.mark.parametrize(
+    ("change", "place"),
+    [
+        (lambda record: record.update(format="carom-shot/1"), "format"),
+        (lambda record: record.pop("moves"), "record"),
+        (lambda record: record["setup"].update(colour="red"), "setup"),
+        (lambda record: record["setup"].update(game="golf"), "game"),
+        (lambda record: record["moves"].insert(1, {"choice": "golf"}), r"moves\[1\]"),
+        (lambda record: record["moves"].append({}), r"moves\[4\]"),
+        (lambda record: record["moves"][0]["play"].update(spin=1), r"moves\[0\]: play"),
+        (lambda record: record["moves"][0]["play"]["strike"].pop("speed"), r"moves\[0\]: play"),
+    ],
+)
+def test_a_damaged_record_is_refused_with_the_place(
+    change: Callable[[dict[str, object]], object], place: str
+) -> None:
+    record = played_frame().record
+    change(record)
+    with pytest.raises(carom.InputError, match=f"^{place}"):
+        carom.Frame.replay(record)
