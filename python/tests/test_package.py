@@ -11,7 +11,6 @@ import carom
 import pytest
 
 # The bars of the project: what a user waits for and carries.
-IMPORT_SECONDS = 0.15
 IMPORT_MEGABYTES = 60
 WHEEL_MEGABYTES = 5
 
@@ -20,13 +19,6 @@ def python(program: str) -> str:
     return subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     ).stdout
-
-
-def test_importing_takes_little_time() -> None:
-    program = "import time; t = time.perf_counter(); import carom; print(time.perf_counter() - t)"
-    python(program)
-    # The least of several: other work on the machine only ever adds.
-    assert min(float(python(program)) for _ in range(7)) < IMPORT_SECONDS
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="needs Linux's /proc")

@@ -23,7 +23,7 @@ const SMOOTH: f64 = 1e-11;
 /// A ball that comes to a lip slower than this, m/s, may stop there, however smooth the cloth.
 const HANGS_BELOW: f64 = 1e-3;
 
-/// So far over a lip, in radii, a slow ball may hang as if it stood on the slate: `ON_THE_BRINK` there.
+/// So far over a lip, in radii, a slow ball may hang as if it stood on the slate: the engine's `BRINK`, rounded up.
 const BRINK: f64 = 1.000_001e-4;
 
 /// A ball at the edge of a rail's top is beyond it after so much more of its way, m.

@@ -2,6 +2,7 @@
 
 use carom::Table;
 use carom::math::{Vec2, cos, sin, sqrt};
+use carom::table::BRINK;
 
 use super::layout::{Layout, Placed};
 
@@ -205,13 +206,15 @@ impl Layout {
     pub(super) fn mouths(mut self) -> String {
         let r = self.place.3;
         let Some((hole, axis, radius)) = self.pocket() else { return self.dropped() };
-        // In the mouth, hanging over the lip by nothing to a ball's width.
+        // In the mouth, hanging over the lip by nothing to a ball's width; a few beyond it, as far as
+        // friction holds them.
         let n = 1 + self.rng.below(2);
         for _ in 0..100 {
             let turn = self.rng.uniform(-0.8, 0.8);
             let back = axis * -cos(turn) + axis.perp() * -sin(turn);
-            let off = match self.rng.below(4) {
+            let off = match self.rng.below(8) {
                 0 => 0.0,
+                1 => -BRINK * r * self.rng.uniform(0.0, 1.0),
                 _ => self.rng.log_uniform(1e-9, 0.1),
             };
             let p = hole + back * (radius + off);

@@ -8,17 +8,13 @@ use crate::event::{Event, EventKind, Recorder};
 use crate::math::{Vec2, Vec3};
 use crate::resolve::ball_edge::{self, Edge};
 use crate::resolve::ball_slate;
-use crate::table::{Capture, Shape};
+use crate::table::{BRINK, Capture, Shape};
 use crate::{BallState, MotionState, Physics, Table};
 
 /// A ball that rolls over the lip of a hole slower than this, m/s, stops and hangs there, whatever the
 /// cloth: below it the fall would take seconds, and thousands of the small bounces that it is made
 /// of.
 const SLOWEST_FALL: f64 = 1e-3;
-
-/// A ball stands on the brink of a hole up to this slope of its radius to the lip: it is then 2e-10 m lower
-/// than on the slate.
-const ON_THE_BRINK: f64 = 1e-4;
 
 impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// Ball `i` meets something of the table that is no cushion. Returns the number of events.
@@ -179,7 +175,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         ball_edge::resolve(&physics.slate, physics.gravity, &edge, &mut body);
         let (velocity, angular_velocity) = (body.velocity, body.angular_velocity);
         let mut after = BallState { velocity, angular_velocity, ..before };
-        if edge.normal.xy().length_squared() < ON_THE_BRINK * ON_THE_BRINK
+        if edge.normal.xy().length_squared() < BRINK * BRINK
             && self.is_too_slow_to_fall(i, &after, physics)
         {
             after = self.hanging(i, &after, self.ball[i].radius);

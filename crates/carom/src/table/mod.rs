@@ -26,7 +26,7 @@ pub use description::{
     Markings, PocketDescription, PocketLayout, PocketModel, Sights, Spot, TableDescription,
 };
 pub use error::TableError;
-pub use place::{Placement, TOUCH_TOLERANCE};
+pub use place::{BRINK, Placement, TOUCH_TOLERANCE};
 pub use presets::PRESETS;
 pub use sheet::{Dimension, Source};
 

@@ -7,6 +7,10 @@ use crate::math::{Vec2, Vec3, sqrt};
 /// a file, far less than anybody can measure. Deeper overlap is refused.
 pub const TOUCH_TOLERANCE: f64 = 1e-9;
 
+/// So far beyond the lip of a hole, in radii of the ball, rolling friction may hold a ball as if it stood on the
+/// slate: it is then 2e-10 m lower.
+pub const BRINK: f64 = 1e-4;
+
 /// Where a ball on the cloth stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Placement {
@@ -52,7 +56,9 @@ impl Table {
         };
         let in_opening = self.opening_at(position).is_some();
         let (in_area, in_rails) = (within(0.0), within(rubber) || in_opening);
-        if let Some(pocket) = self.captured_at(position, reach, in_rails) {
+        // A ball that a shot left hanging there may be in the next one; what rounding adds is far less.
+        let brink = BRINK * radius + TOUCH_TOLERANCE;
+        if let Some(pocket) = self.captured_at(position, reach, brink, in_rails) {
             return Placement::OverHole { pocket };
         }
         // Nothing that a ball on the cloth meets reaches in beyond the noses' lines.
@@ -71,13 +77,14 @@ impl Table {
         }
     }
 
-    /// The pocket that holds a ball at `position`: over its hole, or in the rails beyond its gate.
-    fn captured_at(&self, position: Vec2, reach: f64, in_rails: bool) -> Option<u8> {
+    /// The pocket that holds a ball at `position`: over its hole by more than `brink`, or in the rails beyond
+    /// its gate.
+    fn captured_at(&self, position: Vec2, reach: f64, brink: f64, in_rails: bool) -> Option<u8> {
         let holds = |i: &usize| {
             let (pocket, gate) = (&self.pockets[*i], &self.layout.mouths[*i].gate);
             let from_center = position - pocket.center;
             let over_hole = matches!(pocket.capture, Capture::DropCircle)
-                && from_center.length() < pocket.radius - TOUCH_TOLERANCE;
+                && from_center.length() < pocket.radius - brink;
             let beyond = pocket.axis.dot(position) - (gate.offset + gate.lean * reach);
             let beside = pocket.axis.cross(from_center).abs();
             over_hole || (in_rails && beyond > TOUCH_TOLERANCE && beside <= gate.half_width)
@@ -98,7 +105,7 @@ impl Table {
             return Placement::Inside;
         }
         let reach = sqrt((radius * radius - rise * rise).max(0.0));
-        let gone = self.captured_at(plan, reach, true).filter(|pocket| {
+        let gone = self.captured_at(plan, reach, TOUCH_TOLERANCE, true).filter(|pocket| {
             matches!(self.pockets[usize::from(*pocket)].capture, Capture::MouthLine { .. })
         });
         if let Some(pocket) = gone {

@@ -1,7 +1,7 @@
 //! What the outcome says of whole shots in which balls fly.
 
 use carom::outcome::Outcome;
-use carom::table::PocketName;
+use carom::table::{BRINK, PocketName};
 use carom::trace::What;
 use carom::{MotionState, Shot, Trace};
 
@@ -104,6 +104,37 @@ fn a_ball_that_creeps_to_the_lip_hangs_there_and_a_faster_one_falls() {
         (&fallen.hanging[..], &fallen.pocketed[..]),
         (&[][..], &[(0, PocketName::BottomLeft)][..])
     );
+}
+
+#[test]
+fn a_ball_left_hanging_on_the_brink_can_be_in_the_next_shot_and_a_touch_lets_it_fall() {
+    let table = carom::Table::preset("wpa-9ft").expect("a preset");
+    let pocket = &table.pockets[0];
+    let hole = pocket.center + table.center();
+    let at = |over: f64| hole - pocket.axis * (pocket.radius - over * RADIUS);
+    let file = |over: f64, strike: &str| {
+        let (ball, cue) = (at(over), hole - pocket.axis * 0.4);
+        format!(
+            r#"{{"format": "carom-shot/1", "table": "wpa-9ft"{strike}, "balls": [
+                {{"id": "cue", "position": [{:?}, {:?}]}}, {{"id": "8", "position": [{:?}, {:?}]}}]}}"#,
+            cue.x, cue.y, ball.x, ball.y
+        )
+    };
+    let play = |over: f64, strike: &str| {
+        let shot = Shot::from_json(&file(over, strike)).unwrap_or_else(|e| panic!("{e}"));
+        shot.simulate().unwrap_or_else(|e| panic!("{e}"))
+    };
+    let alone = play(0.99 * BRINK, "");
+    assert_eq!(alone.outcome().hanging, [(1, PocketName::BottomLeft)]);
+    assert_eq!(alone.last()[1].position.xy(), at(0.99 * BRINK));
+    for azimuth in [225, 224, 226] {
+        let strike =
+            format!(r#", "strike": {{"ball": "cue", "speed": 0.5, "azimuth_deg": {azimuth}}}"#);
+        let hit = play(0.99 * BRINK, &strike);
+        assert!(hit.outcome().pocketed.contains(&(1, PocketName::BottomLeft)), "{azimuth}");
+    }
+    let refusal = Shot::from_json(&file(1.01 * BRINK, "")).expect_err("it would fall");
+    assert!(refusal.to_string().contains("stands over the bottom-left pocket"), "{refusal}");
 }
 
 #[test]

@@ -4,7 +4,8 @@ use crate::oracle::{Dice, clearance, first_violation, way_to_pocket};
 use carom::Table;
 use carom::math::Vec2;
 use carom::table::{
-    Capture, PRESETS, Part, Placement, PocketModel, TOUCH_TOLERANCE, TableDescription, nose_reach,
+    BRINK, Capture, PRESETS, Part, Placement, PocketModel, TOUCH_TOLERANCE, TableDescription,
+    nose_reach,
 };
 use carom_roots::Motion;
 
@@ -39,7 +40,7 @@ fn in_front_of_the_noses_a_ball_is_as_deep_in_a_cushion_as_it_is_too_near() {
             }
             let (free, _) = clearance(&table, reach, p);
             let place = table.place_check(p, POOL_BALL);
-            if way_to_pocket(&table, p) < -TOUCH_TOLERANCE {
+            if way_to_pocket(&table, p) < -(BRINK * POOL_BALL + TOUCH_TOLERANCE) {
                 assert!(matches!(place, Placement::OverHole { .. }), "{name}: {p:?} {place:?}");
                 seen[0] += 1;
             } else if free < -TOUCH_TOLERANCE {
