@@ -221,8 +221,11 @@ impl<'a> Checker<'a> {
             let found = Intrusion { depth, after: length };
             self.judge(found, || format!("ball {i} and the edge of the top under it"));
         } else {
+            // A ball that hung on a brink may roll back, and no further over.
+            let hung = places::overhang(&solid, curve.p.xy(), curve.radius);
             for &(center, radius) in &solid.holes {
-                let found = closest::hole(curve, center, radius, length, tolerance);
+                let mut found = closest::hole(curve, center, radius, length, tolerance);
+                found.depth -= hung;
                 self.judge(found, || format!("ball {i} and the hole under it"));
             }
         }

@@ -29,10 +29,16 @@ const BRINK: f64 = 1.000_001e-4;
 /// A ball at the edge of a rail's top is beyond it after so much more of its way, m.
 const STEP: f64 = 1e-9;
 
+/// How far over a lip a ball at `p` stands that may hang there, m; 0 elsewhere.
+pub(crate) fn overhang(solid: &Solid, p: Vec2, radius: f64) -> f64 {
+    let over = solid.over_hole(p);
+    if over > 0.0 && over <= BRINK * radius { over } else { 0.0 }
+}
+
 /// How far a ball that hangs over the lip there comes up to stand on the slate, m.
 pub(crate) fn raised(solid: &Solid, state: &BallState, radius: f64) -> f64 {
-    let over = solid.over_hole(state.position.xy());
-    if over > 0.0 && over <= BRINK * radius { 0.5 * over * over / radius } else { 0.0 }
+    let over = overhang(solid, state.position.xy(), radius);
+    0.5 * over * over / radius
 }
 
 /// What a ball stands on.
