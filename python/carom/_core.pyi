@@ -25,6 +25,7 @@ __all__ = [
     "meanings",
     "noise_presets",
     "olympiad",
+    "plain",
     "play_rows",
     "points",
     "position_map",
@@ -152,6 +153,7 @@ def evaluate(
     threads: int,
     progress: Callable[[int], object],
 ) -> dict[str, Any]: ...
+def plain(value: object) -> Any: ...
 def play_rows(rows: _Rows, balls: int, facts: bool) -> dict[str, Any]: ...
 def row_shot(rows: _Rows) -> Shot: ...
 def points(

@@ -9,13 +9,13 @@ from typing import Any, Self
 
 from carom import _core
 from carom.arguments import instance, number, numbers, text, truth, whole
+from carom.batch import VARIABLES
 from carom.build import Physics, Strike, Table
 from carom.errors import InputError
 from carom.shot import Shot
 from carom.trace import Record, Trace
 
 _FORMAT = "carom-frame/1"
-_STRIKE = ("speed", "azimuth", "elevation", "side", "height")
 
 
 @dataclass(frozen=True)
@@ -139,20 +139,15 @@ class Frame:
             table = table.description
         if isinstance(physics, Physics):
             physics = physics.description
-        self._core = _core.Frame(
-            text("game", game, '"nine-ball"'),
-            table,
-            physics,
-            whole("seed", seed),
-            _options(target, miss, patience),
-        )
+        seed, options = whole("seed", seed), _options(target, miss, patience)
+        self._core = _core.Frame(text("game", game, '"nine-ball"'), table, physics, seed, options)
         self._moves = []
         self._setup = {
             "game": game,
-            "table": deepcopy(table),
-            "physics": deepcopy(physics),
-            "seed": int(seed),
-        } | _written(target, miss, patience)
+            "table": _core.plain(table),
+            "physics": _core.plain(physics),
+            "seed": seed,
+        } | _written(options)
 
     @classmethod
     def of_shot(
@@ -174,14 +169,15 @@ class Frame:
         Raises:
             InputError: The game has no such balls, or would be over with them.
         """
+        options = _options(target, miss, patience)
         frame = Frame.__new__(cls)
         frame._core = _core.Frame.of_shot(
             text("game", game, '"nine-ball"'),
             instance("shot", shot, Shot, "carom.Shot.from_dict(...)")._core,
-            _options(target, miss, patience),
+            options,
         )
         frame._moves = []
-        frame._setup = {"game": game, "shot": shot.to_dict()} | _written(target, miss, patience)
+        frame._setup = {"game": game, "shot": shot.to_dict()} | _written(options)
         return frame
 
     @classmethod
@@ -355,7 +351,7 @@ class Frame:
         ruling, trace = self._core.play(arguments)
         struck, place, _ = arguments
         play = {
-            "strike": dict(zip(_STRIKE, struck, strict=True)),
+            "strike": dict(zip(VARIABLES, struck, strict=True)),
             "cue_ball": place and list(place),
             "call": call and asdict(call),
         }
@@ -397,7 +393,7 @@ def _arguments(
 ]:
     instance("strike", strike, Strike, "carom.Strike(speed=2.0, azimuth=1.57)")
     speed, azimuth, elevation, side, height = (
-        number(f"strike.{key}", getattr(strike, key)) for key in _STRIKE
+        number(f"strike.{key}", getattr(strike, key)) for key in VARIABLES
     )
     place = None if cue_ball is None else numbers("cue_ball", cue_ball, 2)
     return (speed, azimuth, elevation, side, height), place, said(call)
@@ -420,9 +416,9 @@ def _options(target: int, miss: bool, patience: int) -> tuple[int, bool, int]:
     )
 
 
-def _written(target: int, miss: bool, patience: int) -> dict[str, int | bool]:
-    """The options as a record has them, NumPy's values too."""
-    return {"target": int(target), "miss": bool(miss), "patience": int(patience)}
+def _written(options: tuple[int, bool, int]) -> dict[str, int | bool]:
+    """The options as a record has them."""
+    return dict(zip(("target", "miss", "patience"), options, strict=True))
 
 
 def rule_sets() -> list[str]:

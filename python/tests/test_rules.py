@@ -7,6 +7,7 @@ import pickle
 from collections.abc import Callable
 
 import carom
+import numpy as np
 import pytest
 
 
@@ -155,8 +156,15 @@ def test_frames_can_be_pickled_however_they_began() -> None:
     shot = carom.break_shot("nine-ball", seed=2)
     of_shot = carom.Frame.of_shot("nine-ball", shot, patience=9)
     of_shot.play(aim(of_shot, "1"))
+    table = {
+        "base": "bar-7ft",
+        "cushion_height": np.float32(0.0365),
+        "rail_width": np.array(0.15),
+    }
     on_table = carom.Frame("practice", table=carom.Table("bar-7ft"), seed=3)
-    for frame in (played_frame(), of_shot, on_table):
+    by_numpy = carom.Frame("practice", table=table)
+    for frame in (played_frame(), of_shot, on_table, by_numpy):
+        assert json.loads(json.dumps(frame.record)) == frame.record
         assert pickle.loads(pickle.dumps(frame)).to_dict() == frame.to_dict()
 
 

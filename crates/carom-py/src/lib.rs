@@ -29,6 +29,8 @@ mod _core {
     #[pymodule_export]
     use crate::maps::{acceptance, bank_table, breaks, kick_table, position_map, pot_map};
     #[pymodule_export]
+    use crate::node::plain;
+    #[pymodule_export]
     use crate::plan::{evaluate, solve, wilson};
     #[pymodule_export]
     use crate::reference::{break_shot, games, schema, tables};

@@ -17,6 +17,12 @@ pub(crate) fn from_python(value: &Bound<'_, PyAny>) -> PyResult<Node> {
     read(value, &mut String::new(), 0)
 }
 
+/// A value as the engine reads it, in plain dicts, lists, strings and numbers.
+#[pyfunction]
+pub(crate) fn plain<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    to_python(value.py(), &from_python(value)?)
+}
+
 fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<Node> {
     if depth > DEEPEST {
         return Err(refuse(place, "nested too deeply", "write plain dicts, lists and numbers"));
