@@ -78,7 +78,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.soonest[i] = earlier(earlier(self.transition[i], self.meeting[i]), self.contact[i]);
     }
 
-    /// Puts ball `i` into the lanes, so that it is in the rows of other balls;
+    /// Puts ball `i` into the lanes, so that it is in the rows of other balls.
     #[inline(always)]
     pub(super) fn enter_lanes(&mut self, i: usize) {
         self.lanes.leave[i] = self.leaves_at(i);
