@@ -290,8 +290,6 @@ impl<'a> Checker<'a> {
 }
 
 impl Recorder for Checker<'_> {
-    const STATES: bool = true;
-
     fn record(&mut self, event: &Event<'_>) {
         if event.time < self.time {
             self.fault(FaultKind::Astray, format!("time goes back from {}", self.time));

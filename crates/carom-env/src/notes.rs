@@ -36,8 +36,6 @@ impl Notes {
 }
 
 impl Recorder for Notes {
-    const STATES: bool = false;
-
     fn record(&mut self, event: &Event<'_>) {
         match event.kind {
             EventKind::BallCollision

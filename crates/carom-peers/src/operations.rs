@@ -112,7 +112,6 @@ impl Operations {
 struct Quiet;
 
 impl Recorder for Quiet {
-    const STATES: bool = true;
     fn record(&mut self, _: &Event<'_>) {}
 }
 
@@ -146,8 +145,6 @@ impl<'a> Watch<'a> {
 }
 
 impl Recorder for Watch<'_> {
-    const STATES: bool = true;
-
     fn record(&mut self, event: &Event<'_>) {
         let steps = (event.time - self.time) / STEP;
         let (moving, pairs) = self.busy();

@@ -242,8 +242,6 @@ impl UntilFault<'_> {
 }
 
 impl Recorder for UntilFault<'_> {
-    const STATES: bool = true;
-
     fn record(&mut self, event: &Event<'_>) {
         if self.0.faults.is_empty() {
             self.0.record(event);

@@ -127,8 +127,6 @@ struct Noses<'a> {
 }
 
 impl Recorder for Noses<'_> {
-    const STATES: bool = true;
-
     fn record(&mut self, event: &Event<'_>) {
         let EventKind::RailCollision(cushion) = event.kind else { return };
         let cushion = &self.shot.table().cushions[usize::from(cushion)];

@@ -200,8 +200,6 @@ impl Listener {
 }
 
 impl Recorder for Listener {
-    const STATES: bool = true;
-
     fn record(&mut self, event: &Event<'_>) {
         self.log.add(event, &self.places);
         for (ball, state) in event.balls.iter().zip(event.before) {

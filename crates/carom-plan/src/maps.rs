@@ -284,8 +284,6 @@ struct Fall {
 }
 
 impl Recorder for Fall {
-    const STATES: bool = true;
-
     fn record(&mut self, event: &Event<'_>) {
         // Who comes back turns somewhere, and that is an event.
         let away = |state: &BallState| (state.position.xy() - self.mouth).length();

@@ -369,7 +369,6 @@ impl<'a, const N: usize> Player<'a, N> {
 struct Pockets<'a>(&'a mut [i8]);
 
 impl Recorder for Pockets<'_> {
-    const STATES: bool = false;
     #[inline(always)]
     fn record(&mut self, event: &Event<'_>) {
         if let EventKind::PocketCollision(pocket) = event.kind {
@@ -385,7 +384,6 @@ struct Ears<'a> {
 }
 
 impl Recorder for Ears<'_> {
-    const STATES: bool = true;
     fn record(&mut self, event: &Event<'_>) {
         Pockets(self.pockets).record(event);
         self.referee.record(event);

@@ -160,8 +160,6 @@ impl<'a> Witness<'a> {
 }
 
 impl Recorder for Witness<'_> {
-    const STATES: bool = true;
-
     fn record(&mut self, event: &Event<'_>) {
         self.outcome.record(event);
         let Some(k) = event.balls.iter().position(|ball| *ball == self.cue) else { return };

@@ -278,7 +278,6 @@ struct Pockets<'a> {
 }
 
 impl Recorder for Pockets<'_> {
-    const STATES: bool = false;
     #[inline(always)]
     fn record(&mut self, event: &Event<'_>) {
         if let EventKind::PocketCollision(pocket) = event.kind {

@@ -44,8 +44,6 @@ pub struct Event<'a> {
 /// Listens to a shot while it is simulated. A generic parameter of the event loop, so that a
 /// batch that only counts pays for nothing else.
 pub trait Recorder {
-    /// Whether `before` and `after` are wanted; where false they are empty slices.
-    const STATES: bool;
     /// Called once per event, in order.
     fn record(&mut self, event: &Event<'_>);
 }
@@ -55,7 +53,6 @@ pub trait Recorder {
 pub struct Silent;
 
 impl Recorder for Silent {
-    const STATES: bool = false;
     #[inline(always)]
     fn record(&mut self, _: &Event<'_>) {}
 }

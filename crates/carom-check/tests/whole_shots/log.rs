@@ -24,7 +24,6 @@ impl Kept {
 struct Log(Vec<Kept>);
 
 impl Recorder for Log {
-    const STATES: bool = true;
     fn record(&mut self, e: &Event<'_>) {
         self.0.push(Kept {
             time: e.time,

@@ -204,8 +204,6 @@ impl<'a> OutcomeRecorder<'a> {
 }
 
 impl Recorder for OutcomeRecorder<'_> {
-    const STATES: bool = true;
-
     fn record(&mut self, event: &Event<'_>) {
         let Self { collector, before, after } = self;
         let shot = collector.shot;

@@ -85,8 +85,6 @@ impl Trace {
 }
 
 impl Recorder for TraceRecorder<'_> {
-    const STATES: bool = true;
-
     fn record(&mut self, event: &Event<'_>) {
         let Self { shot, log } = self;
         log.push(event.time, What::of(event.kind, &shot.table), event.balls);

@@ -20,7 +20,6 @@ pub(crate) struct Log {
 }
 
 impl Recorder for Log {
-    const STATES: bool = true;
     fn record(&mut self, event: &Event<'_>) {
         self.events.push(Kept {
             time: event.time,
