@@ -42,7 +42,7 @@ fn main() {
                         let mut a = *black_box(body);
                         let mut b =
                             Body { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, ..a };
-                        resolve(&law, &pool.cloth, pool.gravity, *normal, &mut a, &mut b);
+                        resolve(&law, &pool.cloth, *normal, &mut a, &mut b);
                         black_box((a, b));
                     }
                 }

@@ -227,7 +227,7 @@ impl Collision<'_> {
                 let normal = unbalanced(-*normal, &q);
                 held::resolve(law.restitution, normal, &mut q, &mut p);
             }
-            _ => resolve::ball_ball::resolve(law, cloth, *gravity, *normal, &mut p, &mut q),
+            _ => resolve::ball_ball::resolve(law, cloth, *normal, &mut p, &mut q),
         }
         let after = |k: usize, body: &Body| {
             let (v, spin) = (body.velocity, body.angular_velocity);

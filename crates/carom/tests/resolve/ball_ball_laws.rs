@@ -99,7 +99,7 @@ impl Impact {
 
     fn resolve(&self) -> (Body, Body) {
         let (mut a, mut b) = (self.a, self.b);
-        ball_ball::resolve(&self.law, &CLOTH, GRAVITY, self.normal, &mut a, &mut b);
+        ball_ball::resolve(&self.law, &CLOTH, self.normal, &mut a, &mut b);
         (a, b)
     }
 
@@ -349,7 +349,7 @@ fn english_pools_unequal_balls_still_part_once_the_slate_has_answered() {
             let (mut a, mut b) = (ball(sizes[0]), ball(sizes[1]));
             let normal = Impact::normal(&mut random, true, &a, &b);
             let before = (a.velocity - b.velocity).dot(normal);
-            ball_ball::resolve(&law, &CLOTH, GRAVITY, normal, &mut a, &mut b);
+            ball_ball::resolve(&law, &CLOTH, normal, &mut a, &mut b);
             for ball in [&mut a, &mut b] {
                 ball_slate::settle(&english.slate, GRAVITY, ball);
             }

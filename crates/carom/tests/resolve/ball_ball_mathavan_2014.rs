@@ -108,7 +108,7 @@ fn results_are_those_of_the_papers_equations_in_small_steps() {
         let (a, b) = (ball([0.0, 1.5, 0.0], spin_a), ball([0.1, 0.0, 0.0], spin_b));
         let n = Vec3::new(sin(radians(cut)), cos(radians(cut)), 0.0);
         let (mut ours_a, mut ours_b) = (a, b);
-        ball_ball::resolve(&law, &CLOTH, 9.81, n, &mut ours_a, &mut ours_b);
+        ball_ball::resolve(&law, &CLOTH, n, &mut ours_a, &mut ours_b);
         let (their_a, their_b) = stepped(&law, n, a, b);
         for (ours, theirs) in [(ours_a, their_a), (ours_b, their_b)] {
             let gap = (ours.velocity - theirs.velocity).length()
@@ -135,7 +135,7 @@ fn friction_of_the_cloth_acts_on_the_ball_that_the_collision_presses_down() {
         let before = momentum(&balls);
         let (law, n) = (law(0.89, 0.05), Vec3::new(0.0, 1.0, 0.0));
         let [a, b] = &mut balls;
-        ball_ball::resolve(&law, &CLOTH, 9.81, n, a, b);
+        ball_ball::resolve(&law, &CLOTH, n, a, b);
         // A follow shot presses the object ball, which slides forwards and is braked; a draw shot
         // presses the cue ball, whose surface slides forwards too.
         let lost = before - momentum(&balls);

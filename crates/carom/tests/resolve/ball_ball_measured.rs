@@ -33,7 +33,7 @@ fn throw(physics: &Physics, law: &BallBall, speed: f64, cut: f64) -> f64 {
     };
     let (mut cue, mut object) = (ball(Vec3::new(0.0, speed, 0.0)), ball(Vec3::ZERO));
     let line = Vec3::new(sin(radians(cut)), cos(radians(cut)), 0.0);
-    ball_ball::resolve(law, &physics.cloth, physics.gravity, line, &mut cue, &mut object);
+    ball_ball::resolve(law, &physics.cloth, line, &mut cue, &mut object);
     cut - atan2(object.velocity.x, object.velocity.y) / radians(1.0)
 }
 

@@ -21,7 +21,7 @@ fn ball(velocity: Vec3, angular_velocity: Vec3, mass: f64, radius: f64) -> Body 
 
 fn resolve(law: &BallBall, normal: Vec3, mut a: Body, mut b: Body) -> (Body, Body) {
     let physics = Physics::pool();
-    ball_ball::resolve(law, &physics.cloth, physics.gravity, normal, &mut a, &mut b);
+    ball_ball::resolve(law, &physics.cloth, normal, &mut a, &mut b);
     (a, b)
 }
 

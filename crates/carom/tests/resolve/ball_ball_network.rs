@@ -180,8 +180,8 @@ fn difference_from_pair_law(law: &BallBall, angle: f64) -> f64 {
     let (mut ours, touch) = skew_pair(angle);
     let [mut a, mut b] = ours;
     let approach = (a.velocity - b.velocity).dot(touch.normal);
-    let Physics { cloth, gravity, .. } = Physics::pool();
-    ball_ball::resolve(law, &cloth, gravity, touch.normal, &mut a, &mut b);
+    let Physics { cloth, .. } = Physics::pool();
+    ball_ball::resolve(law, &cloth, touch.normal, &mut a, &mut b);
     resolve(law, &mut ours, &[touch]);
     let of = |ours: &Body, theirs: &Body| {
         let v = (ours.velocity - theirs.velocity).length();

@@ -7,7 +7,6 @@ use carom::resolve::{Body, ball_ball};
 
 const CLOTH: Cloth =
     Cloth { sliding_friction: 0.2, rolling_friction: 0.01, spin_deceleration: 10.9 };
-const GRAVITY: f64 = 9.81;
 /// Restitution.
 const E: f64 = 0.95;
 
@@ -56,7 +55,7 @@ fn compare(model: BallBallModel, column: usize, tolerance: f64) {
         let scale = a.velocity.length()
             + b.velocity.length()
             + a.radius * (a.angular_velocity.length() + b.angular_velocity.length());
-        ball_ball::resolve(&law, &CLOTH, GRAVITY, d * (1.0 / d.length()), &mut a, &mut b);
+        ball_ball::resolve(&law, &CLOTH, d * (1.0 / d.length()), &mut a, &mut b);
         for (ball, theirs) in [a, b].iter().zip(row[14 + 10 * column..].chunks(5)) {
             let (v, w) = (ball.velocity, ball.angular_velocity * ball.radius);
             let r = ball.radius;

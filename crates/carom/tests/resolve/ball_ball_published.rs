@@ -8,7 +8,6 @@ use carom::resolve::{Body, ball_ball};
 const MPH: f64 = 0.44704;
 /// Alciatore's ball, inches to metres: 1⅛ in.
 const RADIUS: f64 = 0.028575;
-const GRAVITY: f64 = 9.807;
 const CLOTH: Cloth =
     Cloth { sliding_friction: 0.2, rolling_friction: 0.01, spin_deceleration: 10.0 };
 /// TP A.14.
@@ -34,7 +33,7 @@ fn collide(law: &BallBall, speed: f64, spin: Vec3, cut: f64) -> (Body, Body) {
     let mut cue = body(Vec3::new(0.0, speed, 0.0), spin);
     let mut object = body(Vec3::ZERO, Vec3::ZERO);
     let normal = Vec3::new(sin(cut), cos(cut), 0.0);
-    ball_ball::resolve(law, &CLOTH, GRAVITY, normal, &mut cue, &mut object);
+    ball_ball::resolve(law, &CLOTH, normal, &mut cue, &mut object);
     (cue, object)
 }
 
@@ -250,7 +249,7 @@ fn bb22_mathavan_2014_on_the_papers_own_shots() {
         let mut object = body(Vec3::ZERO, Vec3::ZERO);
         let cut = radians(cut);
         let normal = Vec3::new(sin(cut), cos(cut), 0.0);
-        ball_ball::resolve(&law, &cloth, GRAVITY, normal, &mut cue, &mut object);
+        ball_ball::resolve(&law, &cloth, normal, &mut cue, &mut object);
         let (cue, object) = (rolled_out(&cue), rolled_out(&object));
         let ours = [cue.length(), object.length(), -bearing(cue), bearing(object)];
         for (ours, expected) in ours.into_iter().zip(expected) {

@@ -30,17 +30,8 @@ use crate::physics::{BallBall, BallBallModel, Cloth};
 use contact::Contact;
 
 /// Resolves the impact of two balls that touch and approach. `normal` is the unit vector from
-/// `a`'s centre to `b`'s. `gravity`, m/s². Balls that do not approach are left as they are.
-pub fn resolve(
-    law: &BallBall,
-    cloth: &Cloth,
-    gravity: f64,
-    normal: Vec3,
-    a: &mut Body,
-    b: &mut Body,
-) {
-    // An impact is far shorter than anything that gravity could do in it.
-    let _ = gravity;
+/// `a`'s centre to `b`'s. Balls that do not approach are left as they are.
+pub fn resolve(law: &BallBall, cloth: &Cloth, normal: Vec3, a: &mut Body, b: &mut Body) {
     let contact = Contact::between(normal, a, b);
     if contact.approach <= 0.0 {
         return;
