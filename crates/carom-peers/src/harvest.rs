@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use carom::Shot;
 use carom::detect::ball_ball::ContactFinder;
-use carom::event::Silent;
+use carom::event::NullRecorder;
 use carom::resolve::cue_ball::Strike;
 use carom::simulate::{SMALL, Simulation};
 use carom_roots::Motion;
@@ -67,7 +67,7 @@ fn harvest(count: usize, mut next: impl FnMut() -> (Shot, Strike)) -> Vec<Case> 
     while HARVEST.with_borrow(Vec::len) < count {
         let (shot, strike) = next();
         // A shot that is refused or stopped has asked about its pairs all the same.
-        let _ = simulation.play_strike(&shot, Some((0, strike)), &mut Silent);
+        let _ = simulation.play_strike(&shot, Some((0, strike)), &mut NullRecorder);
     }
     let mut pairs = HARVEST.with_borrow_mut(std::mem::take);
     pairs.truncate(count);

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use carom::Shot;
 use carom::detect::ball_ball::{ContactFinder, FirstContact};
-use carom::event::{Event, Recorder, Silent};
+use carom::event::{Event, NullRecorder, Recorder};
 use carom::rack::{Game, USUAL_GAP, rack};
 use carom::resolve::cue_ball::Strike;
 use carom::simulate::{SMALL, Simulation, SimulationError, Summary};
@@ -266,7 +266,7 @@ fn seconds<F: ContactFinder>(shots: &[Position]) -> f64 {
     let start = Instant::now();
     for (shot, strike) in shots {
         // A shot that is stopped has taken its time all the same.
-        let _ = play(&mut simulation, shot, *strike, &mut Silent);
+        let _ = play(&mut simulation, shot, *strike, &mut NullRecorder);
     }
     start.elapsed().as_secs_f64() / shots.len() as f64
 }

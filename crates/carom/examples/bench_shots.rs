@@ -9,7 +9,7 @@
 use std::error::Error;
 
 use carom::Shot;
-use carom::event::Silent;
+use carom::event::NullRecorder;
 use carom::simulate::{SMALL, Simulation};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -25,7 +25,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     for _ in 0..passes {
         events = 0;
         for shot in &shots {
-            events += simulation.play(shot, &mut Silent).map_err(|e| format!("{e:?}"))?.events;
+            events +=
+                simulation.play(shot, &mut NullRecorder).map_err(|e| format!("{e:?}"))?.events;
         }
     }
     println!("{} {events}", shots.len());

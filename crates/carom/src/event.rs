@@ -50,9 +50,9 @@ pub trait Recorder {
 
 /// Listens to nothing.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Silent;
+pub struct NullRecorder;
 
-impl Recorder for Silent {
+impl Recorder for NullRecorder {
     #[inline(always)]
     fn record(&mut self, _: &Event<'_>) {}
 }

@@ -433,7 +433,7 @@ fn earlier(a: f64, b: f64) -> f64 {
 #[cfg(all(test, feature = "json"))]
 mod tests {
     use super::{SMALL, Simulation};
-    use crate::event::Silent;
+    use crate::event::NullRecorder;
     use crate::{BallState, Shot};
 
     /// Final states and duration of every example shot.
@@ -447,7 +447,7 @@ mod tests {
             let shot = Shot::from_json(&text).expect("a shot");
             let mut simulation = Simulation::<SMALL>::new();
             simulation.wide &= wide;
-            let summary = simulation.play(&shot, &mut Silent).expect("an end");
+            let summary = simulation.play(&shot, &mut NullRecorder).expect("an end");
             let states = (0..simulation.len()).map(|i| simulation.state(i, summary.duration));
             (summary.duration, states.collect())
         };

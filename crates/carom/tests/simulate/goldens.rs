@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use carom::batch::simulate_batch;
-use carom::event::Silent;
+use carom::event::NullRecorder;
 use carom::{Shot, Trace};
 use serde_json::{Map, Value, json};
 
@@ -71,7 +71,7 @@ fn the_events_and_final_states_of_every_example_shot_are_the_same_bits_as_ever()
 fn a_shot_without_a_trace_is_the_same_shot() {
     for golden in goldens() {
         let trace = simulated(&golden);
-        let summary = carom::simulate(&golden.shot, &mut Silent).expect("it ends");
+        let summary = carom::simulate(&golden.shot, &mut NullRecorder).expect("it ends");
         assert_eq!(u64::from(summary.events), golden.events, "{}", golden.name);
         let last = trace.events().last().expect("an event").time;
         assert_eq!(summary.duration.to_bits(), last.to_bits(), "{}", golden.name);

@@ -1,6 +1,6 @@
 //! Law 2: nothing is allocated while a shot runs.
 
-use carom::event::Silent;
+use carom::event::NullRecorder;
 use carom::simulate::{SMALL, Simulation};
 
 use crate::support::shot;
@@ -26,7 +26,7 @@ fn a_shot_allocates_nothing_from_its_strike_to_rest() {
     let mut simulation = Box::new(Simulation::<SMALL>::new());
     let mut events = 0;
     let measured = allocation_counter::measure(|| {
-        events = simulation.play(&shot, &mut Silent).map_or(0, |summary| summary.events);
+        events = simulation.play(&shot, &mut NullRecorder).map_or(0, |summary| summary.events);
     });
     assert!(events > 50, "{events}");
     assert_eq!(measured.count_total, 0);

@@ -8,7 +8,7 @@ fn events(balls: &str) -> u32 {
             "strike": {{"ball": "cue", "speed": 2.0, "azimuth_deg": 90.0}}}}"#
     );
     let shot = Shot::from_json(&text).unwrap();
-    carom::simulate(&shot, &mut carom::event::Silent).unwrap().events
+    carom::simulate(&shot, &mut carom::event::NullRecorder).unwrap().events
 }
 
 /// Seen: a cue ball listed last went through every ball. Cause: at time 0 only pairs of a moving
