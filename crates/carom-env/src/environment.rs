@@ -1,7 +1,8 @@
 //! One environment.
 
 use carom::Error;
-use carom::simulate::{SMALL, Simulation};
+use carom::limits::SMALL_CAPACITY;
+use carom::simulate::Simulation;
 use carom_rules::{Player, Turn};
 
 use crate::action;
@@ -112,7 +113,7 @@ impl Environment {
     pub(crate) fn step(
         &mut self,
         config: &Config,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         action: &[f32],
     ) -> Step {
         let mut step = Step::default();
@@ -142,7 +143,12 @@ impl Environment {
     }
 
     /// The opponent shoots until it is the agent's turn, or the frame is over.
-    fn reply(&mut self, config: &Config, simulation: &mut Simulation<SMALL>, step: &mut Step) {
+    fn reply(
+        &mut self,
+        config: &Config,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
+        step: &mut Step,
+    ) {
         if config.opponent == Opponent::None {
             return;
         }
@@ -159,7 +165,7 @@ impl Environment {
     fn play(
         &mut self,
         config: &Config,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         stroke: Option<Stroke>,
         step: &mut Step,
     ) -> Option<Played> {

@@ -2,7 +2,8 @@
 
 use core::ops::Range;
 
-use carom::simulate::{SMALL, Simulation};
+use carom::limits::SMALL_CAPACITY;
+use carom::simulate::Simulation;
 use carom::{Error, Shot};
 use carom_rules::games::Law;
 use carom_rules::games::eight_ball::Group;
@@ -77,7 +78,7 @@ impl FrameScene {
     /// What the player announces: what the shot would do if it came out as it is `meant`.
     fn call(
         &self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         turn: &Turn,
         meant: &Shot,
         balls: &[BallIndex],
@@ -109,7 +110,7 @@ impl FrameScene {
 
     fn try_play(
         &mut self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         stroke: &Stroke,
     ) -> Result<Played, Error> {
         let Some(turn) = self.frame.turn().cloned() else {
@@ -176,7 +177,7 @@ impl Scene for FrameScene {
         self.frame.scores()
     }
 
-    fn order(&self, viewer: Player) -> [BallIndex; SMALL] {
+    fn order(&self, viewer: Player) -> [BallIndex; SMALL_CAPACITY] {
         let mut order = in_order();
         match self.frame.law() {
             // The own group, the eight, the other's.
@@ -218,7 +219,7 @@ impl Scene for FrameScene {
 
     fn play(
         &mut self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         stroke: &Stroke,
     ) -> Result<Played, Error> {
         let played = self.try_play(simulation, stroke);

@@ -1,7 +1,7 @@
 //! What an environment notes of a shot.
 
 use carom::event::{Event, EventKind, Recorder};
-use carom::simulate::SMALL;
+use carom::limits::SMALL_CAPACITY;
 
 /// Notes what the tasks ask of a shot. Balls are numbered as in the shot.
 pub(crate) struct Notes {
@@ -12,7 +12,7 @@ pub(crate) struct Notes {
     pub(crate) cushions: u32,
     /// Whether a ball left the table otherwise than by a pocket.
     pub(crate) left_table: bool,
-    pots: [(u16, u8); SMALL],
+    pots: [(u16, u8); SMALL_CAPACITY],
     count: usize,
 }
 
@@ -24,7 +24,7 @@ impl Notes {
             first_contact: None,
             cushions: 0,
             left_table: false,
-            pots: [(0, 0); SMALL],
+            pots: [(0, 0); SMALL_CAPACITY],
             count: 0,
         }
     }

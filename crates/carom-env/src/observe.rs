@@ -1,6 +1,6 @@
 //! What an agent sees.
 
-use carom::simulate::SMALL;
+use carom::limits::SMALL_CAPACITY;
 use carom_rules::{Player, Region};
 
 use crate::scene::Scene;
@@ -70,7 +70,7 @@ pub(crate) fn write(scene: &dyn Scene, viewer: Player, out: &mut [f32]) {
     let size = scene.base().table().size;
     let normal =
         |x: f64, size: f64| ((2.0 * x / size - 1.0) as f32).clamp(-POSITION_BOUND, POSITION_BOUND);
-    let mut on = [false; SMALL];
+    let mut on = [false; SMALL_CAPACITY];
     if let Some(turn) = turn {
         let any = turn.on.is_empty();
         for (ball, on) in on.iter_mut().enumerate().take(count) {

@@ -1,6 +1,7 @@
 //! One shot at balls that lie anywhere.
 
-use carom::simulate::{SMALL, Simulation};
+use carom::limits::SMALL_CAPACITY;
+use carom::simulate::Simulation;
 use carom::{Error, Shot};
 use carom_rules::{BallIndex, Calls, Piece, Player, Turn};
 
@@ -70,7 +71,7 @@ impl Scene for Potting {
         [0; 2]
     }
 
-    fn order(&self, _: Player) -> [BallIndex; SMALL] {
+    fn order(&self, _: Player) -> [BallIndex; SMALL_CAPACITY] {
         in_order()
     }
 
@@ -93,7 +94,7 @@ impl Scene for Potting {
 
     fn play(
         &mut self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         stroke: &Stroke,
     ) -> Result<Played, Error> {
         self.over = true;

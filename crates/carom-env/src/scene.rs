@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use carom::event::Recorder;
+use carom::limits::SMALL_CAPACITY;
 use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{FORMAT, Node, PlacedBall};
-use carom::simulate::{SMALL, Simulation};
+use carom::simulate::Simulation;
 use carom::{BallState, Error, MotionState, Shot};
 use carom_rules::{BallIndex, Piece, Player, Turn};
 
@@ -71,13 +72,13 @@ pub(crate) trait Scene: Send + Sync {
     /// The players' points.
     fn scores(&self) -> [i32; 2];
     /// The balls in the order in which `viewer` sees them: their own first.
-    fn order(&self, viewer: Player) -> [BallIndex; SMALL];
+    fn order(&self, viewer: Player) -> [BallIndex; SMALL_CAPACITY];
     /// Begins another episode.
     fn restart(&mut self, seed: u64) -> Result<(), Error>;
     /// Plays a shot, and answers every choice that follows from it. After an error the episode is over.
     fn play(
         &mut self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         stroke: &Stroke,
     ) -> Result<Played, Error>;
     /// The same once more.
@@ -112,7 +113,7 @@ impl dyn Scene + '_ {
 }
 
 /// In their usual order.
-pub(crate) fn in_order() -> [BallIndex; SMALL] {
+pub(crate) fn in_order() -> [BallIndex; SMALL_CAPACITY] {
     core::array::from_fn(|i| i as BallIndex)
 }
 
@@ -151,7 +152,7 @@ impl Bed {
     /// Plays `strike` on `cue`; the balls lie then where they came to rest.
     pub(crate) fn play(
         &mut self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         cue: BallIndex,
         strike: Strike,
         recorder: &mut impl Recorder,

@@ -4,7 +4,8 @@
 //! The definition is that of pooltool's ruleset `sum_to_three`. It says nothing of a ball that leaves the
 //! table; here that scores nothing, and the ball comes back to its spot.
 
-use carom::simulate::{SMALL, Simulation};
+use carom::limits::SMALL_CAPACITY;
+use carom::simulate::Simulation;
 use carom::{Error, Shot};
 use carom_rules::{BallIndex, Calls, Piece, Player, Turn};
 
@@ -118,7 +119,7 @@ impl Scene for SumToThree {
         self.scores
     }
 
-    fn order(&self, _: Player) -> [BallIndex; SMALL] {
+    fn order(&self, _: Player) -> [BallIndex; SMALL_CAPACITY] {
         in_order()
     }
 
@@ -139,7 +140,7 @@ impl Scene for SumToThree {
 
     fn play(
         &mut self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         stroke: &Stroke,
     ) -> Result<Played, Error> {
         let player = self.turn.player;

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use carom::Error;
+use carom::limits::SMALL_CAPACITY;
 use carom::shot::Node;
-use carom::simulate::{SMALL, Simulation};
+use carom::simulate::Simulation;
 use carom_rules::Player;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -256,7 +257,7 @@ impl Transitions {
 fn advance(
     environment: &mut Environment,
     config: &Config,
-    simulation: &mut Simulation<SMALL>,
+    simulation: &mut Simulation<SMALL_CAPACITY>,
     action: &[f32],
     seen: &mut [f32],
     last: &mut [f32],

@@ -5,8 +5,9 @@ use std::cell::RefCell;
 use carom::Shot;
 use carom::detect::ball_ball::ContactFinder;
 use carom::event::NullRecorder;
+use carom::limits::SMALL_CAPACITY;
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::{SMALL, Simulation};
+use carom::simulate::Simulation;
 use carom_roots::Motion;
 
 use crate::families::{BALL_DIAMETER, Case};
@@ -63,7 +64,7 @@ pub fn pot_pairs(seed: u64, count: usize) -> Vec<Case> {
 /// Plays the shots that `next` gives until they have asked the finder `count` times.
 fn harvest(count: usize, mut next: impl FnMut() -> (Shot, Strike)) -> Vec<Case> {
     HARVEST.with_borrow_mut(Vec::clear);
-    let mut simulation = Simulation::<SMALL, Listening>::new();
+    let mut simulation = Simulation::<SMALL_CAPACITY, Listening>::new();
     while HARVEST.with_borrow(Vec::len) < count {
         let (shot, strike) = next();
         // A shot that is refused or stopped has asked about its pairs all the same.

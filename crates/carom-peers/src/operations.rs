@@ -10,9 +10,10 @@ use std::cell::Cell;
 use carom::Shot;
 use carom::detect::ball_ball::ContactFinder;
 use carom::detect::ball_table::keeps_clear;
-use carom::event::{Event, Recorder};
+use carom::event::{Event, NullRecorder, Recorder};
+use carom::limits::SMALL_CAPACITY;
 use carom::motion::Path;
-use carom::simulate::{SMALL, Simulation, SimulationError};
+use carom::simulate::{Simulation, SimulationError};
 use carom_roots::Motion;
 
 /// Step of the integration that the counts are compared with, s: the paper's "rather coarse" one.
@@ -69,9 +70,10 @@ impl Operations {
     pub fn of(shot: &Shot) -> Result<Self, SimulationError> {
         let mut watch = Watch::new(shot);
         CALLS.set(0);
-        Simulation::<SMALL, Counting<false>>::new().play(shot, &mut watch)?;
+        Simulation::<SMALL_CAPACITY, Counting<false>>::new().play(shot, &mut watch)?;
         let looked_at = CALLS.replace(0);
-        let summary = Simulation::<SMALL, Counting<true>>::new().play(shot, &mut Quiet)?;
+        let summary =
+            Simulation::<SMALL_CAPACITY, Counting<true>>::new().play(shot, &mut NullRecorder)?;
         let counts = watch.counts;
         assert_eq!(counts.events, u64::from(summary.events), "a proof changed the shot");
         Ok(Self { looked_at, solved: CALLS.get(), duration: summary.duration, ..counts })
@@ -106,13 +108,6 @@ impl Operations {
         let table = self.searched + 8 * (self.searched - self.clear);
         4 * self.advanced + self.looked_at + 19 * self.solved + table
     }
-}
-
-/// Nobody listens, but the states are asked for: the shot takes the same way as a watched one.
-struct Quiet;
-
-impl Recorder for Quiet {
-    fn record(&mut self, _: &Event<'_>) {}
 }
 
 /// Follows which balls move.

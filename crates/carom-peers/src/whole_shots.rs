@@ -11,9 +11,10 @@ use std::time::Instant;
 use carom::Shot;
 use carom::detect::ball_ball::{ContactFinder, FirstContact};
 use carom::event::{Event, NullRecorder, Recorder};
+use carom::limits::SMALL_CAPACITY;
 use carom::rack::{Game, USUAL_GAP, rack};
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::{SMALL, Simulation, SimulationError, Summary};
+use carom::simulate::{Simulation, SimulationError, Summary};
 use carom_check::scenes::{self, Scene};
 use carom_check::{Checker, FaultKind, Limits};
 use carom_roots::Motion;
@@ -214,7 +215,7 @@ type Judged = [Option<FaultKind>; LIMITS.len()];
 
 fn judged<F: ContactFinder>(family: Family, index: u64) -> Judged {
     let (shot, strike) = family.shot(index);
-    let mut simulation = Simulation::<SMALL, F>::new();
+    let mut simulation = Simulation::<SMALL_CAPACITY, F>::new();
     let mut judged = [None; LIMITS.len()];
     for (fault, (_, limits)) in judged.iter_mut().zip(LIMITS) {
         let mut judge = UntilFault(Checker::with_limits(&shot, limits));
@@ -250,7 +251,7 @@ impl Recorder for UntilFault<'_> {
 }
 
 fn play<F: ContactFinder, R: Recorder>(
-    simulation: &mut Simulation<SMALL, F>,
+    simulation: &mut Simulation<SMALL_CAPACITY, F>,
     shot: &Shot,
     strike: Option<Strike>,
     recorder: &mut R,
@@ -262,7 +263,7 @@ fn play<F: ContactFinder, R: Recorder>(
 }
 
 fn seconds<F: ContactFinder>(shots: &[Position]) -> f64 {
-    let mut simulation = Simulation::<SMALL, F>::new();
+    let mut simulation = Simulation::<SMALL_CAPACITY, F>::new();
     let start = Instant::now();
     for (shot, strike) in shots {
         // A shot that is stopped has taken its time all the same.

@@ -1,10 +1,11 @@
 //! Kick and bank tables: where a ball, alone on the table, meets one cushion after the other.
 
 use carom::event::{Event, EventKind, Recorder};
+use carom::limits::SMALL_CAPACITY;
 use carom::math::{Vec3, sin_cos};
 use carom::resolve::cue_ball::Strike;
 use carom::shot::PlacedBall;
-use carom::simulate::{SMALL, Simulation};
+use carom::simulate::Simulation;
 use carom::table::{Part, Rail};
 use carom::{BallState, Error, Shot};
 use rayon::prelude::*;
@@ -95,7 +96,7 @@ fn table(
             (0..some.len() * cells)
                 .into_par_iter()
                 .map_init(
-                    || Box::new(Simulation::<SMALL>::new()),
+                    || Box::new(Simulation::<SMALL_CAPACITY>::new()),
                     |simulation, k| met(simulation, &make(some[k / cells], k % cells)?, most),
                 )
                 .collect()
@@ -112,7 +113,11 @@ fn table(
 /// Cells for each thread between two tellings of the progress: a millisecond of work.
 const CELLS: usize = 64;
 
-fn met(simulation: &mut Simulation<SMALL>, shot: &Shot, most: usize) -> Result<Vec<Met>, Error> {
+fn met(
+    simulation: &mut Simulation<SMALL_CAPACITY>,
+    shot: &Shot,
+    most: usize,
+) -> Result<Vec<Met>, Error> {
     let mut noses = Noses { shot, most, met: Vec::new(), jaw: false };
     simulation.play(shot, &mut noses).map_err(|failure| shot.explain(failure, None))?;
     Ok(noses.met)

@@ -6,11 +6,12 @@
 
 use carom::batch::{self, BatchResult};
 use carom::event::{Event, EventKind, Recorder};
+use carom::limits::{MAX_BALLS, SMALL_CAPACITY};
 use carom::math::{Vec2, Vec3};
 use carom::rack::{Break, break_shot};
 use carom::resolve::cue_ball::Strike;
 use carom::shot::PlacedBall;
-use carom::simulate::{MAX_BALLS, SMALL, Simulation};
+use carom::simulate::Simulation;
 use carom::{BallState, Error, Noise, Shot};
 use rayon::prelude::*;
 
@@ -149,7 +150,7 @@ pub fn position_map(
 
 /// A player of either size.
 struct AnyPlayer<'a> {
-    few: Option<Player<'a, SMALL>>,
+    few: Option<Player<'a, SMALL_CAPACITY>>,
     many: Option<Player<'a, MAX_BALLS>>,
 }
 
@@ -176,7 +177,7 @@ fn on_table<T>(
     goal: Goal,
     work: impl FnOnce(&mut AnyPlayer<'_>) -> Option<T>,
 ) -> Option<T> {
-    let few = shot.balls().len() <= SMALL;
+    let few = shot.balls().len() <= SMALL_CAPACITY;
     let mut player = AnyPlayer {
         few: few.then(|| Player::new(shot, goal)),
         many: (!few).then(|| Player::new(shot, goal)),
@@ -261,7 +262,7 @@ fn rolls_in(shot: &Shot, pocket: usize, mouth: Vec2, back: Vec2, velocity: Vec2)
     let placed = PlacedBall { id: "1".into(), ball, state };
     let Ok(rolling) = shot.with_balls(vec![placed], None) else { return Accepted::Nowhere };
     let mut fall = Fall { mouth, reach: back.length() + LEFT, into: None, left: false };
-    let played = Simulation::<SMALL>::new().play(&rolling, &mut fall);
+    let played = Simulation::<SMALL_CAPACITY>::new().play(&rolling, &mut fall);
     match (played, fall.into) {
         (Ok(_), Some(into)) if into == pocket && !fall.left => Accepted::Falls,
         (Ok(_), _) => Accepted::Stays,

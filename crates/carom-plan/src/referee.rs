@@ -1,10 +1,11 @@
 //! Variants of a shot in a game: simulated once, counted and ruled on.
 
 use carom::batch::{BatchResult, OFF_TABLE, ON_TABLE, PADDING};
+use carom::limits::SMALL_CAPACITY;
 use carom::noise::Perception;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::{SMALL, Simulation};
+use carom::simulate::Simulation;
 use carom::{BallState, Error, MotionState, Shot};
 use carom_rules::{Call, Frame, Play, Request};
 use rayon::prelude::*;
@@ -83,7 +84,7 @@ impl<'a> Refereed<'a> {
             (0..strikes.len())
                 .into_par_iter()
                 .map_init(
-                    || Box::new(Simulation::<SMALL>::new()),
+                    || Box::new(Simulation::<SMALL_CAPACITY>::new()),
                     |simulation, k| {
                         if perception.position == 0.0 {
                             return self.rule(simulation, strikes[k], self.shot);
@@ -101,7 +102,7 @@ impl<'a> Refereed<'a> {
 
     fn rule(
         &self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         strike: Strike,
         shot: &Shot,
     ) -> Result<Ruled, Error> {

@@ -12,9 +12,9 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
+use carom::limits::{MAX_BALLS, SMALL_CAPACITY};
 use carom::math::{cos, exp, log, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::{MAX_BALLS, SMALL};
 use carom::{Error, Shot};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -131,8 +131,8 @@ pub fn solve(
     goal.check(shot)?;
     search.check()?;
     let threads = Threads::new(search.threads);
-    let found = if shot.balls().len() <= SMALL {
-        Solver::<SMALL> { shot, goal, search, threads, progress }.run()
+    let found = if shot.balls().len() <= SMALL_CAPACITY {
+        Solver::<SMALL_CAPACITY> { shot, goal, search, threads, progress }.run()
     } else {
         Solver::<MAX_BALLS> { shot, goal, search, threads, progress }.run()
     };

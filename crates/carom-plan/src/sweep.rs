@@ -6,11 +6,12 @@
 
 use carom::batch::{OFF_TABLE, ON_TABLE, PADDING};
 use carom::event::{Event, EventKind, Recorder};
+use carom::limits::{MAX_BALLS, SMALL_CAPACITY};
 use carom::math::{degrees, radians};
 use carom::outcome::{OutcomeRecorder, Touched};
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{Node, Path};
-use carom::simulate::{MAX_BALLS, SMALL, Simulation};
+use carom::simulate::Simulation;
 use carom::{Error, MotionState, Noise, Outcome, Shot, Summary};
 
 /// The numbers of a strike as a shot file has them: m/s, degrees, ball radii.
@@ -206,8 +207,8 @@ impl Facts {
 /// Plays every row. `balls` is how many balls the largest shot has; `facts` says whether a referee's facts are
 /// wanted, which cost time.
 pub fn play(rows: &Rows<'_>, balls: usize, facts: bool) -> Played {
-    if balls <= SMALL {
-        Player::<SMALL>::new(rows, balls, facts).play()
+    if balls <= SMALL_CAPACITY {
+        Player::<SMALL_CAPACITY>::new(rows, balls, facts).play()
     } else {
         Player::<MAX_BALLS>::new(rows, balls, facts).play()
     }

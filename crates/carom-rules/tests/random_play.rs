@@ -1,8 +1,9 @@
 //! Random players: every frame ends, and nothing is lost on the way.
 
+use carom::limits::SMALL_CAPACITY;
 use carom::math::{Vec2, atan2};
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::{SMALL, Simulation};
+use carom::simulate::Simulation;
 use carom_rules::{Call, Choice, Frame, Options, Play, Player, Request, Rules, Turn};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
@@ -147,7 +148,7 @@ fn check_points(rules: Rules, player: Player, points: [i32; 2], legal: bool) {
 }
 
 fn play_frames(rules: Rules) {
-    let mut simulation = Box::new(Simulation::<SMALL>::new());
+    let mut simulation = Box::new(Simulation::<SMALL_CAPACITY>::new());
     // Enough to rack fourteen balls again; three caroms are rare enough.
     let target = if rules == Rules::ThreeCushion { 3 } else { 20 };
     let options = Options { target, ..Options::default() };

@@ -10,7 +10,8 @@ use std::error::Error;
 
 use carom::Shot;
 use carom::event::NullRecorder;
-use carom::simulate::{SMALL, Simulation};
+use carom::limits::SMALL_CAPACITY;
+use carom::simulate::Simulation;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -20,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let passes: u32 = passes.parse()?;
     let text = std::fs::read_to_string(file)?;
     let shots = text.lines().map(Shot::from_json).collect::<Result<Vec<_>, _>>()?;
-    let mut simulation = Box::new(Simulation::<SMALL>::new());
+    let mut simulation = Box::new(Simulation::<SMALL_CAPACITY>::new());
     let mut events = 0;
     for _ in 0..passes {
         events = 0;

@@ -7,9 +7,10 @@ use alloc::vec::Vec;
 
 use crate::error::Error;
 use crate::event::{Event, EventKind, Recorder};
+use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::noise::Perception;
 use crate::resolve::cue_ball::Strike;
-use crate::simulate::{MAX_BALLS, SMALL, Simulation};
+use crate::simulate::Simulation;
 use crate::{MotionState, Noise, Shot};
 
 /// Shots that one thread takes at a time: a few hundred microseconds of work, so that handing
@@ -167,8 +168,8 @@ fn run(
         pocket: &mut result.pocket,
         events: &mut result.events,
     };
-    result.errors = if balls <= SMALL {
-        distribute::<SMALL>(rows, width, threads, done, item)
+    result.errors = if balls <= SMALL_CAPACITY {
+        distribute::<SMALL_CAPACITY>(rows, width, threads, done, item)
     } else {
         distribute::<MAX_BALLS>(rows, width, threads, done, item)
     };

@@ -44,6 +44,7 @@ pub mod batch;
 pub mod detect;
 pub mod error;
 pub mod event;
+pub mod limits;
 pub mod math;
 pub mod motion;
 pub mod noise;

@@ -22,6 +22,7 @@ use core::marker::PhantomData;
 use crate::detect::ball_ball::{ContactFinder, FirstContact};
 use crate::detect::ball_table::TableFeature;
 use crate::event::{Event, EventKind, Recorder};
+use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::motion::Path;
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 use crate::shot::Shot;
@@ -30,14 +31,8 @@ use ball_set::BallSet;
 pub(crate) use cluster::CLOSING_TIME;
 use support::Support;
 
-/// Balls up to which the whole state stays in a processor's fastest memory; more are slower.
-pub const SMALL: usize = 24;
-
 /// Every capacity is a multiple of this: the doubles of the widest vector register.
 const CAPACITY_STEP: usize = 8;
-
-/// Most balls that a shot can have.
-pub const MAX_BALLS: usize = 128;
 
 /// Why a simulation has no result.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,8 +62,8 @@ pub struct Summary {
 /// # Errors
 /// [`SimulationError`] if the strike cannot be played or the cap on events is reached.
 pub fn simulate<R: Recorder>(shot: &Shot, recorder: &mut R) -> Result<Summary, SimulationError> {
-    if shot.balls.len() <= SMALL {
-        Simulation::<SMALL>::new().play(shot, recorder)
+    if shot.balls.len() <= SMALL_CAPACITY {
+        Simulation::<SMALL_CAPACITY>::new().play(shot, recorder)
     } else {
         let mut simulation = alloc::boxed::Box::new(Simulation::<MAX_BALLS>::new());
         simulation.play(shot, recorder)
@@ -78,7 +73,7 @@ pub fn simulate<R: Recorder>(shot: &Shot, recorder: &mut R) -> Result<Summary, S
 /// The mutable state of a shot of at most `N` balls. Reusable: [`Simulation::load`] starts anew.
 ///
 /// `N` is a multiple of 8, since balls are looked at in rows of vector registers, and at most
-/// [`MAX_BALLS`]; other numbers do not compile. [`SMALL`] is the usual one.
+/// [`MAX_BALLS`]; other numbers do not compile. [`SMALL_CAPACITY`] is the usual one.
 ///
 /// ```
 /// # use carom::simulate::Simulation;
@@ -174,7 +169,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         const {
             assert!(
                 N > 0 && N.is_multiple_of(CAPACITY_STEP) && N <= MAX_BALLS,
-                "Simulation<N>: N must be a multiple of 8 from 8 to MAX_BALLS; SMALL is the usual one"
+                "Simulation<N>: N must be a multiple of 8 from 8 to MAX_BALLS; SMALL_CAPACITY is the usual one"
             );
         }
         Self {
@@ -432,8 +427,9 @@ fn earlier(a: f64, b: f64) -> f64 {
 
 #[cfg(all(test, feature = "json"))]
 mod tests {
-    use super::{SMALL, Simulation};
+    use super::Simulation;
     use crate::event::NullRecorder;
+    use crate::limits::SMALL_CAPACITY;
     use crate::{BallState, Shot};
 
     /// Final states and duration of every example shot.
@@ -445,7 +441,7 @@ mod tests {
         let play = |file: &std::path::PathBuf| {
             let text = std::fs::read_to_string(file).expect("a shot file");
             let shot = Shot::from_json(&text).expect("a shot");
-            let mut simulation = Simulation::<SMALL>::new();
+            let mut simulation = Simulation::<SMALL_CAPACITY>::new();
             simulation.wide &= wide;
             let summary = simulation.play(&shot, &mut NullRecorder).expect("an end");
             let states = (0..simulation.len()).map(|i| simulation.state(i, summary.duration));

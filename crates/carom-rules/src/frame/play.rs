@@ -1,8 +1,9 @@
 //! Playing a shot: what is asked is checked, what happened is ruled on.
 
+use carom::limits::SMALL_CAPACITY;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::{SMALL, Simulation};
+use carom::simulate::Simulation;
 use carom::{BallState, Error, MotionState, Shot, Trace};
 
 use super::Frame;
@@ -121,7 +122,7 @@ impl Frame {
     /// As [`Self::play`].
     pub fn play_in(
         &mut self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         play: &Play,
     ) -> Result<(Ruling, Outcome), Error> {
         let shot = self.shot(play)?;
@@ -137,7 +138,7 @@ impl Frame {
     /// As [`Self::play`].
     pub fn play_prepared(
         &mut self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         play: &Play,
         prepared: &Shot,
     ) -> Result<(Ruling, Outcome), Error> {
@@ -155,7 +156,7 @@ impl Frame {
     /// As [`Self::play`].
     pub fn play_beside(
         &mut self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         play: &Play,
         prepared: &Shot,
     ) -> Result<(Ruling, Outcome, Vec<BallState>), Error> {
@@ -187,7 +188,7 @@ impl Frame {
     /// frame.
     fn play_shot(
         &mut self,
-        simulation: &mut Simulation<SMALL>,
+        simulation: &mut Simulation<SMALL_CAPACITY>,
         play: &Play,
         shot: &Shot,
         strike: Option<(usize, Strike)>,

@@ -8,8 +8,8 @@ use super::PlacedBall;
 use super::physics::{MASS, RADIUS};
 use super::read::At;
 use crate::error::Error;
+use crate::limits::MAX_BALLS;
 use crate::math::{Vec3, sqrt};
-use crate::simulate::MAX_BALLS;
 use crate::table::TOUCH_TOLERANCE;
 use crate::{Ball, BallState, MotionState, Table, motion};
 

@@ -1,6 +1,6 @@
 //! A set of balls of one shot.
 
-use super::MAX_BALLS;
+use crate::limits::MAX_BALLS;
 
 /// Balls by their index, one bit each. An event changes few of all pairs: what it does not change is not
 /// looked at.

@@ -8,9 +8,10 @@ use super::{ENGINE, Log, Trace, What};
 use crate::BallState;
 use crate::error::Error;
 use crate::event::{Event, Recorder};
+use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::outcome::Collector;
 use crate::shot::Shot;
-use crate::simulate::{MAX_BALLS, SMALL, Simulation, SimulationError};
+use crate::simulate::{Simulation, SimulationError};
 
 /// Room that is reserved at the start: a break has about a hundred and fifty events.
 const USUAL_EVENTS: usize = 64;
@@ -49,8 +50,8 @@ impl Shot {
     /// # Errors
     /// [`Error::TooManyEvents`] if the cap is reached.
     pub fn simulate(&self) -> Result<Trace, Error> {
-        let trace = if self.balls.len() <= SMALL {
-            record(&mut Simulation::<SMALL>::new(), self)
+        let trace = if self.balls.len() <= SMALL_CAPACITY {
+            record(&mut Simulation::<SMALL_CAPACITY>::new(), self)
         } else {
             record(&mut Box::new(Simulation::<MAX_BALLS>::new()), self)
         };

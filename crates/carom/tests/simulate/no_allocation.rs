@@ -1,7 +1,8 @@
 //! Law 2: nothing is allocated while a shot runs.
 
 use carom::event::NullRecorder;
-use carom::simulate::{SMALL, Simulation};
+use carom::limits::SMALL_CAPACITY;
+use carom::simulate::Simulation;
 
 use crate::support::shot;
 
@@ -23,7 +24,7 @@ fn busy_shot() -> carom::Shot {
 #[test]
 fn a_shot_allocates_nothing_from_its_strike_to_rest() {
     let shot = busy_shot();
-    let mut simulation = Box::new(Simulation::<SMALL>::new());
+    let mut simulation = Box::new(Simulation::<SMALL_CAPACITY>::new());
     let mut events = 0;
     let measured = allocation_counter::measure(|| {
         events = simulation.play(&shot, &mut NullRecorder).map_or(0, |summary| summary.events);
