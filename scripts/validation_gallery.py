@@ -1,81 +1,94 @@
-"""Writes the validation gallery: a page and a figure per paper, and an index.
+"""Writes the validation gallery: an index, and for each paper a page with its figure.
 
     python scripts/validation_gallery.py docs/gallery            # pages, for the documentation
     python scripts/validation_gallery.py --figures [PAPER …]     # redraw validation/*/figure.png
+    python scripts/validation_gallery.py --counts                # update docs/validation.md
 
-A page is the paper's README with the table of its rows as they stand at this moment.
+A paper's page is its README followed by a table of its rows, computed when the page is written.
+`--counts` writes the counts by kind into docs/validation.md, as `carom validate` prints them.
 """
 
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from pathlib import Path
 
 from carom.validation import papers, plot
-from carom.validation.report import rows, verdict
-from carom.validation.row import STATUS_MEANING, Row
+from carom.validation.report import Tally, add, declared, rows, summary, verdict
+from carom.validation.row import Kind
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDERS = ROOT / "validation"
+#: The page that shows the counts, and the block of it that holds them.
+COUNTS_PAGE = ROOT / "docs" / "validation.md"
+COUNTS_BLOCK = re.compile(r"(?<=<!-- counts -->\n```text\n).*?(?=\n```\n)", re.DOTALL)
 
 
-def table(paper: str) -> tuple[list[str], dict[str, int]]:
-    """The rows of a paper as a Markdown table, and how often each verdict occurs."""
-    lines = ["| Row | Published | Ours | Difference | Tolerance | |", "|---|---|---|---|---|---|"]
-    tally: dict[str, int] = {}
+def table(paper: str) -> tuple[list[str], Tally]:
+    """The rows of a paper as a Markdown table, and their counts by kind."""
+    lines = ["| Row | Reference | Ours | Difference | Tolerance | |", "|---|---|---|---|---|---|"]
+    tally: Tally = {}
     for row in rows(paper):
-        lines.append(f"| **{row.id}** | *{row.title}* [{row.unit}] ({source(row)}) | | | | |")
-        for c in row.compare():
-            word = verdict(row, c)
-            tally[word] = tally.get(word, 0) + 1
-            lines.append(
-                f"| {c.label} | {c.published} | {c.ours:.6g} | {c.difference:+.1e} "
-                f"| {c.tolerance} | {word} |"
-            )
-        if row.formula_only:
-            lines.append("| | *formula only: the engine has no such model* | | | | |")
+        comparisons = row.compare()
+        add(tally, row, sum(not c.agrees for c in comparisons))
+        lines.append(f"| **{row.id}** | *{row.title}* [{row.unit}] ({row.source}) | | | | |")
+        lines.append(f"| | *{row.kind.value}* | | | | |")
+        lines += [
+            f"| {c.label} | {c.reference} | {c.ours:.6g} | {c.difference:+.1e} "
+            f"| {c.tolerance} | {verdict(row, c)} |"
+            for c in comparisons
+        ]
         if row.note:
             lines.append(f"| | {row.note} | | | | |")
     return lines, tally
 
 
-def source(row: Row) -> str:
-    """Where the numbers are from, with their status."""
-    return f"{row.source}; {row.status}"
-
-
-def page(paper: str, target: Path) -> dict[str, int]:
-    """Writes one paper's page and figure."""
-    readme = (FOLDERS / paper / "README.md").read_text()
+def page(paper: str, target: Path) -> Tally:
+    """Writes one paper's page and figure; returns the counts of its rows."""
+    readme = (FOLDERS / paper / "README.md").read_text(encoding="utf-8")
     lines, tally = table(paper)
     plot.draw(paper, target / f"{paper}.png")
     text = readme.replace("figure.png", f"{paper}.png").rstrip()
     (target / f"{paper}.md").write_text(
-        f"{text}\n\n## Published and ours\n\n" + "\n".join(lines) + "\n"
+        f"{text}\n\n## Reference numbers and ours\n\n" + "\n".join(lines) + "\n",
+        encoding="utf-8",
     )
     return tally
 
 
-def index(tallies: dict[str, dict[str, int]], target: Path) -> None:
+def index(tallies: dict[str, Tally], target: Path) -> None:
     """Writes the gallery's front page."""
-    head = ["pass", "FAIL", "shown, within", "shown, outside"]
+    total: Tally = declared(tallies)
+    found = [kind for kind in Kind if any(key[1] is kind for key in total)]
     lines = [
         "# Validation gallery",
         "",
-        "Published numbers and ours, by paper. Numbers of status "
-        + ", ".join(f"**{k}** ({v})" for k, v in STATUS_MEANING.items())
-        + "; measurements (M, F) are shown beside the defaults, the others are held.",
+        "Reference numbers and ours, by paper. The columns count the numbers of each kind:",
         "",
-        "| Paper | held, pass | held, FAIL | shown, within | shown, outside |",
-        "|---|---|---|---|---|",
+        *(f"{place}. {kind.value}" for place, kind in enumerate(found, start=1)),
+        "",
+        "Kinds 1 and 2 are published results that the engine reproduces. "
+        "[Validation](../validation.md) explains the kinds.",
+        "",
+        f"| Paper | {' | '.join(str(place) for place in range(1, len(found) + 1))} "
+        "| failed | shown, outside |",
+        "|---" * (len(found) + 3) + "|",
     ]
     for paper, tally in tallies.items():
-        title = (FOLDERS / paper / "README.md").read_text().splitlines()[0].lstrip("# ")
-        counts = " | ".join(str(tally.get(word, 0)) for word in head)
-        lines.append(f"| [{title}]({paper}.md) | {counts} |")
+        readme = (FOLDERS / paper / "README.md").read_text(encoding="utf-8")
+        cells = [
+            str(sum(count.numbers for (_, k), count in tally.items() if k is kind) or "")
+            for kind in found
+        ]
+        for must_agree in (True, False):
+            off = sum(count.outside for (held, _), count in tally.items() if held is must_agree)
+            cells.append(str(off))
+        title = readme.splitlines()[0].lstrip("# ")
+        lines.append(f"| [{title}]({paper}.md) | {' | '.join(cells)} |")
     contents = ["", "```{toctree}", ":hidden:", "", *tallies, "```", ""]
-    (target / "index.md").write_text("\n".join(lines + contents))
+    (target / "index.md").write_text("\n".join(lines + contents), encoding="utf-8")
 
 
 def build(target: Path) -> None:
@@ -88,18 +101,34 @@ def build(target: Path) -> None:
     index(tallies, target)
 
 
+def write_counts() -> None:
+    """Replaces the counts in docs/validation.md.
+
+    Raises:
+        SystemExit: the page has no block for them.
+    """
+    text = COUNTS_PAGE.read_text(encoding="utf-8")
+    if not COUNTS_BLOCK.search(text):
+        raise SystemExit(f"{COUNTS_PAGE} has no ```text block after <!-- counts -->")
+    printed = summary(declared(papers()))
+    COUNTS_PAGE.write_text(COUNTS_BLOCK.sub(lambda _: printed, text), encoding="utf-8")
+
+
 def main() -> None:
     """Reads the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--figures", action="store_true", help="redraw validation/*/figure.png")
+    parser.add_argument("--counts", action="store_true", help="update docs/validation.md")
     parser.add_argument("names", nargs="*", help="the target folder, or the papers to redraw")
     arguments = parser.parse_args()
-    if not arguments.figures:
+    if arguments.counts:
+        write_counts()
+    elif arguments.figures:
+        for paper in arguments.names or papers():
+            print(f"figure: {paper}", file=sys.stderr)
+            plot.draw(paper, FOLDERS / paper / "figure.png")
+    else:
         build(Path(arguments.names[0]) if arguments.names else ROOT / "docs" / "gallery")
-        return
-    for paper in arguments.names or papers():
-        print(f"figure: {paper}", file=sys.stderr)
-        plot.draw(paper, FOLDERS / paper / "figure.png")
 
 
 if __name__ == "__main__":

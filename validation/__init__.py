@@ -11,6 +11,6 @@ The folders stand at `validation/` in the repository; the installed package has 
 """
 
 from carom.validation.report import papers, run
-from carom.validation.row import Comparison, Range, Row, absolute, relative
+from carom.validation.row import Comparison, Kind, Range, Row, absolute, relative
 
-__all__ = ["Comparison", "Range", "Row", "absolute", "papers", "relative", "run"]
+__all__ = ["Comparison", "Kind", "Range", "Row", "absolute", "papers", "relative", "run"]

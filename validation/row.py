@@ -1,29 +1,48 @@
-"""A row: one published result, and the function that asks the engine for it."""
+"""A row of the validation: reference numbers, and a function that returns carom's numbers.
+
+Every row has a kind, which says where its reference numbers come from and who computes the other
+side. Only the first two kinds are published results that the engine reproduces.
+"""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from enum import Enum
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
     from types import ModuleType
 
-Status = Literal["R", "P", "r", "D", "M", "F"]
 
-#: What each status means, in the order of how hard it binds.
-STATUS_MEANING: Mapping[Status, str] = {
-    "R": "published number, read and recomputed",
-    "P": "published formula, number computed from it",
-    "r": "published number, read only",
-    "D": "derived from the model",
-    "M": "measured in the real world",
-    "F": "read off a figure",
-}
+class Kind(Enum):
+    """Where a row's reference numbers come from, and who computes the other side."""
 
-#: Measurements are shown, not held: no model hits them all, and the page says which it misses.
-SHOWN: frozenset[str] = frozenset({"M", "F"})
+    PUBLISHED = "printed in the source; computed by the engine"
+    FORMULA = "worked out from the source's formula or equations; computed by the engine"
+    READ_BACK = "given to the engine, as a fit or a start, and read back"
+    FORMULA_ONLY = "formula on both sides; the engine takes no part"
+    DERIVED = "derived or required by us; computed by the engine"
+    RANGE = "an inequality or a wide range, not a number"
+    STORED = "read from a stored file, not computed now"
+    MEASURED = "measured, or estimated from experience"
+    FITTED = "measured, and default parameters were fitted to it or taken from it"
+    UNKNOWN_RULE = "published, but the rule behind it is not"
+
+    @property
+    def is_published_and_computed(self) -> bool:
+        """Whether the row counts as a published result that the engine reproduces."""
+        return self in {Kind.PUBLISHED, Kind.FORMULA}
+
+    @property
+    def must_agree(self) -> bool:
+        """Whether a number outside its tolerance is a failure.
+
+        No model meets all measurements, and a number whose rule is unknown cannot be reproduced:
+        these are shown, and the page says which of them the default parameters miss.
+        """
+        return self not in {Kind.MEASURED, Kind.FITTED, Kind.UNKNOWN_RULE}
 
 
 @dataclass(frozen=True)
@@ -36,24 +55,26 @@ class Range:
     def __str__(self) -> str:
         if math.isinf(self.high):
             return f"≥ {self.low:g}"
+        if math.isinf(self.low):
+            return f"≤ {self.high:g}"
         return f"{self.low:g} … {self.high:g}"
 
 
-Published = float | Range
+Reference = float | Range
 
 
 @dataclass(frozen=True)
 class Tolerance:
-    """How far from the published number is still the published number."""
+    """The largest difference from the reference number that still counts as agreement."""
 
     size: float
     is_relative: bool = False
 
-    def allowed(self, published: Published) -> float:
+    def allowed(self, reference: Reference) -> float:
         """The largest difference allowed, in the row's unit."""
-        if isinstance(published, Range):
+        if isinstance(reference, Range):
             return 0.0
-        return self.size * abs(published) if self.is_relative else self.size
+        return self.size * abs(reference) if self.is_relative else self.size
 
     def __str__(self) -> str:
         if not self.is_relative:
@@ -67,75 +88,77 @@ def absolute(size: float) -> Tolerance:
 
 
 def relative(size: float) -> Tolerance:
-    """A tolerance as a fraction of the published number."""
+    """A tolerance as a fraction of the reference number."""
     return Tolerance(size, is_relative=True)
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """One number of a row beside ours."""
+    """One reference number of a row beside carom's."""
 
     label: str
-    published: Published
+    reference: Reference
     ours: float
     tolerance: Tolerance
 
     @property
     def difference(self) -> float:
-        """Ours − published; from the nearer end of a range, 0 inside it."""
-        if isinstance(self.published, Range):
-            return self.ours - min(max(self.ours, self.published.low), self.published.high)
-        return self.ours - self.published
+        """Ours − reference. For a range: from its nearer end, and 0 inside it."""
+        if isinstance(self.reference, Range):
+            return self.ours - min(max(self.ours, self.reference.low), self.reference.high)
+        return self.ours - self.reference
 
     @property
     def agrees(self) -> bool:
         """Whether the difference is within the tolerance (never for NaN)."""
-        return abs(self.difference) <= self.tolerance.allowed(self.published)
+        return abs(self.difference) <= self.tolerance.allowed(self.reference)
 
 
 @dataclass(frozen=True)
 class Row:
-    """One published result.
+    """Reference numbers of one source that belong together.
 
-    `tolerance` may be a tuple, which is then repeated over the numbers: throw, cut, throw, cut …
-    `published` maps a label for each number to the number, in `unit`. `compute` returns ours in
-    the same order; it goes through the public API of the engine, except where `formula_only`
-    says that the row belongs to a model that the engine does not have. `rule_unknown` says that
-    the number rests on a rule that was not published with it: it is shown as a measurement is.
-    `misses` names the labels at which the default parameters are known to miss what is shown;
-    `note` says why.
+    `reference` maps a label for each number to the number, in `unit`. `compute` returns carom's
+    numbers in the same order, through the engine's public API except where `kind` says otherwise.
+    A tuple of tolerances is repeated over the numbers: throw, cut, throw, cut …
+    `misses` names the labels at which the default parameters are known to be outside the
+    tolerance of a row that is only shown; `note` explains it. `shown_only` marks a row that need
+    not agree although rows of its kind must.
     """
 
     id: str
     title: str
     unit: str
     source: str
-    status: Status
-    published: Mapping[str, Published]
+    kind: Kind
+    reference: Mapping[str, Reference]
     tolerance: Tolerance | tuple[Tolerance, ...]
     compute: Callable[[], Sequence[float]]
-    formula_only: bool = False
-    rule_unknown: bool = False
+    shown_only: bool = False
     misses: tuple[str, ...] = ()
     note: str = ""
 
     @property
-    def held(self) -> bool:
-        """Whether the engine must match; measurements are only shown."""
-        return self.status not in SHOWN and not self.rule_unknown
+    def must_agree(self) -> bool:
+        """Whether a number outside its tolerance is a failure."""
+        return self.kind.must_agree and not self.shown_only
 
     def compare(self) -> list[Comparison]:
-        """Asks the engine, and puts its numbers beside the published ones."""
+        """Computes carom's numbers and puts them beside the reference numbers.
+
+        Raises:
+            ValueError: `compute` returned another number of values than `reference` has.
+        """
         ours = self.compute()
-        if len(ours) != len(self.published):
+        if len(ours) != len(self.reference):
             raise ValueError(
-                f"{self.id}: {len(self.published)} published numbers, {len(ours)} of ours"
+                f"{self.id}: {len(self.reference)} reference numbers, but {len(ours)} of ours"
             )
         tolerances = self.tolerance if isinstance(self.tolerance, tuple) else (self.tolerance,)
         return [
-            Comparison(label, published, float(our), tolerances[i % len(tolerances)])
-            for i, ((label, published), our) in enumerate(
-                zip(self.published.items(), ours, strict=True)
+            Comparison(label, reference, float(our), tolerances[i % len(tolerances)])
+            for i, ((label, reference), our) in enumerate(
+                zip(self.reference.items(), ours, strict=True)
             )
         ]
 
@@ -144,20 +167,19 @@ class Row:
 
 
 def row(
-    id: str,  # noqa: A002 -- the table's own word
+    id: str,  # noqa: A002 -- the word used in the lists of rows
     title: str,
     *,
     unit: str,
     source: str,
-    status: Status,
-    published: Mapping[str, Published],
+    kind: Kind,
+    reference: Mapping[str, Reference],
     tolerance: Tolerance | tuple[Tolerance, ...] = Tolerance(0.0),
-    formula_only: bool = False,
-    rule_unknown: bool = False,
+    shown_only: bool = False,
     misses: tuple[str, ...] = (),
     note: str = "",
 ) -> Callable[[Callable[[], Sequence[float]]], Row]:
-    """Makes a `Row` of the function that computes our numbers."""
+    """A decorator that turns the function that computes carom's numbers into a `Row`."""
 
     def declare(compute: Callable[[], Sequence[float]]) -> Row:
         return Row(
@@ -165,12 +187,11 @@ def row(
             title=title,
             unit=unit,
             source=source,
-            status=status,
-            published=published,
+            kind=kind,
+            reference=reference,
             tolerance=tolerance,
             compute=compute,
-            formula_only=formula_only,
-            rule_unknown=rule_unknown,
+            shown_only=shown_only,
             misses=misses,
             note=note,
         )
@@ -184,15 +205,15 @@ def rows_of(module: ModuleType) -> list[Row]:
 
 
 def check(a_row: Row) -> None:
-    """The test of a row: raises `AssertionError` where it does not hold.
+    """Raises `AssertionError` if a row is not as declared.
 
-    A held row agrees everywhere. A measurement disagrees exactly where its `misses` says so, so
-    that the page stays true when a default changes.
+    A row that must agree agrees everywhere. A row that is only shown disagrees exactly where its
+    `misses` says so: a change of a default parameter that moves a number in or out is noticed.
     """
     comparisons = a_row.compare()
     outside = tuple(c.label for c in comparisons if not c.agrees)
-    expected = () if a_row.held else a_row.misses
-    lines = [f"{c.label}: published {c.published}, ours {c.ours:.10g}" for c in comparisons]
+    expected = () if a_row.must_agree else a_row.misses
+    lines = [f"{c.label}: reference {c.reference}, ours {c.ours:.10g}" for c in comparisons]
     assert outside == expected, "\n".join(
         [f"{a_row} ({a_row.source}): outside {outside}, expected outside {expected}", *lines]
     )

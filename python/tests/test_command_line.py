@@ -373,7 +373,7 @@ def test_help_lists_the_commands(run: CommandLine) -> None:
         assert command in done.stdout
 
 
-def test_validate_prints_published_and_ours(run: CommandLine) -> None:
+def test_validate_prints_the_reference_numbers_and_ours(run: CommandLine) -> None:
     done = run("validate", "kim_2024")
     assert done.returncode == 0
     assert "kim_2024" in done.stdout

@@ -1,23 +1,25 @@
-"""The validation's own machinery: a row that is off fails, every paper is complete."""
+"""The validation: a wrong row fails, every row has a kind, and the page prints the counts."""
 
 from __future__ import annotations
 
 import dataclasses
 import io
 import math
+import re
 from pathlib import Path
 
 import pytest
-from carom.validation import Range, absolute, papers, relative, report
+from carom.validation import Kind, Range, absolute, papers, relative, report
 from carom.validation.row import Row, check
 
-FOLDERS = Path(__file__).parents[2] / "validation"
+ROOT = Path(__file__).parents[2]
+FOLDERS = ROOT / "validation"
 
-#: The published rows that concern what the engine does.
-PUBLISHED = {
+#: The rows that the project has promised to have.
+PROMISED = {
     *("CL1", "CL3", "CL5", "CL6", "CL7", "CL9", "CL10", "CL12", "CL14", "CL15", "CL17"),
     *("CU1", "CU2", "CU4", "CU6", "CU7", "CU8", "CU10"),
-    *("BB1", "BB2", "BB3", "BB5", "BB7", "BB8", "BB10", "BB11", "BB13", "BB15", "BB18"),
+    *("BB1", "BB2", "BB3", "BB5", "BB7", "BB8", "BB10", "BB11", "BB13", "BB15", "BB18", "BB19"),
     *("BB20", "BB22", "BB23", "BB25", "BB27", "BB28"),
     *("CU-1", "CU-2", "CU-3", "CU-6", "CU-7", "CU-8", "CU-9", "CU-11", "CU-13", "CU-14"),
     *("CU-16", "CU-19", "SY1", "SY2", "SY3", "SY5"),
@@ -29,11 +31,19 @@ EXAMPLE = Row(
     title="an example",
     unit="m",
     source="nobody",
-    status="R",
-    published={"a": 2.0, "b": Range(1.0, 3.0)},
+    kind=Kind.PUBLISHED,
+    reference={"a": 2.0, "b": Range(1.0, 3.0)},
     tolerance=relative(0.01),
     compute=lambda: [2.01, 3.0],
 )
+
+
+def all_rows() -> list[Row]:
+    return [row for paper in papers() for row in report.rows(paper)]
+
+
+def kinds(*ids: str) -> set[Kind]:
+    return {row.kind for row in all_rows() if row.id in ids}
 
 
 def test_a_row_passes_when_every_number_is_within_its_tolerance() -> None:
@@ -41,13 +51,23 @@ def test_a_row_passes_when_every_number_is_within_its_tolerance() -> None:
 
 
 @pytest.mark.parametrize("ours", [[2.03, 2.0], [2.0, 3.1], [math.nan, 2.0]])
-def test_a_held_row_fails_when_one_number_is_outside(ours: list[float]) -> None:
+def test_a_row_that_must_agree_fails_when_one_number_is_outside(ours: list[float]) -> None:
     with pytest.raises(AssertionError, match="X1"):
         check(dataclasses.replace(EXAMPLE, compute=lambda: ours))
 
 
-def test_a_measurement_must_miss_exactly_where_it_says_so() -> None:
-    shown = dataclasses.replace(EXAMPLE, status="M", compute=lambda: [5.0, 2.0])
+@pytest.mark.parametrize(
+    "shown",
+    [
+        dataclasses.replace(EXAMPLE, kind=Kind.MEASURED),
+        dataclasses.replace(EXAMPLE, kind=Kind.UNKNOWN_RULE),
+        dataclasses.replace(EXAMPLE, shown_only=True),
+    ],
+    ids=["a measurement", "an unknown rule", "shown only"],
+)
+def test_a_row_that_is_only_shown_misses_exactly_where_it_says_so(shown: Row) -> None:
+    shown = dataclasses.replace(shown, compute=lambda: [5.0, 2.0])
+    assert not shown.must_agree
     check(dataclasses.replace(shown, misses=("a",)))
     with pytest.raises(AssertionError):
         check(shown)
@@ -58,7 +78,7 @@ def test_a_measurement_must_miss_exactly_where_it_says_so() -> None:
 def test_a_tuple_of_tolerances_repeats_over_the_numbers() -> None:
     row = dataclasses.replace(
         EXAMPLE,
-        published={"a": 1.0, "b": 10.0, "c": 1.0},
+        reference={"a": 1.0, "b": 10.0, "c": 1.0},
         tolerance=(absolute(0.1), absolute(2.0)),
         compute=lambda: [1.05, 11.0, 1.2],
     )
@@ -66,20 +86,44 @@ def test_a_tuple_of_tolerances_repeats_over_the_numbers() -> None:
 
 
 def test_a_row_with_the_wrong_number_of_numbers_is_an_error() -> None:
-    with pytest.raises(ValueError, match="2 published numbers, 1 of ours"):
+    with pytest.raises(ValueError, match="2 reference numbers, but 1 of ours"):
         dataclasses.replace(EXAMPLE, compute=lambda: [1.0]).compare()
 
 
-def test_every_published_row_is_there() -> None:
-    assert {row.id for paper in papers() for row in report.rows(paper)} >= PUBLISHED
+def test_every_promised_row_is_there() -> None:
+    assert {row.id for row in all_rows()} >= PROMISED
 
 
-def test_a_row_whose_rule_is_unknown_is_shown_as_a_measurement_is() -> None:
-    shown = dataclasses.replace(EXAMPLE, rule_unknown=True, compute=lambda: [5.0, 2.0])
-    assert not shown.held
-    check(dataclasses.replace(shown, misses=("a",)))
-    with pytest.raises(AssertionError):
-        check(shown)
+def test_only_published_numbers_that_the_engine_computes_count_as_published() -> None:
+    counted = {kind for kind in Kind if kind.is_published_and_computed}
+    assert counted == {Kind.PUBLISHED, Kind.FORMULA}
+    # The engine takes no part in these formulas, or was given what is read back.
+    assert kinds("CU-9", "CU-14", "LG-1") == {Kind.FORMULA_ONLY}
+    assert kinds("HAN-e", "HAN-mu", "SL7") == {Kind.READ_BACK}
+    # These are our own derivations, inequalities and stored results.
+    assert kinds("CL6", "CL12", "CU-7", "CU-tip", "SL4", "LIP-roll") == {Kind.DERIVED}
+    assert kinds("SY2", "PO-speed", "PO-angle", "PO-rail") == {Kind.RANGE}
+    assert kinds("LG-4", "LG-5", "LG-6") == {Kind.STORED}
+
+
+def test_the_rail_proofs_count_only_what_the_engine_computes() -> None:
+    tally = report.declared(["alciatore_tp_rail"])
+    must_agree = {kind: count.numbers for (held, kind), count in tally.items() if held}
+    assert must_agree == {Kind.FORMULA: 3, Kind.FORMULA_ONLY: 6}
+
+
+def test_a_row_given_as_a_range_is_not_counted_as_a_published_number() -> None:
+    for row in all_rows():
+        if row.kind.is_published_and_computed:
+            assert not any(isinstance(value, Range) for value in row.reference.values()), row
+
+
+def test_a_row_that_reads_a_stored_file_says_so() -> None:
+    for path in FOLDERS.glob("*/rows.py"):
+        declarations = path.read_text(encoding="utf-8").split("@row(")[1:]
+        for block in (declaration.split("\n\n\n")[0] for declaration in declarations):
+            if re.search(r"\b(impossible|counted|finders|stored)\(", block):
+                assert "Kind.STORED" in block, f"{path}: {block.splitlines()[1]}"
 
 
 @pytest.mark.parametrize("paper", papers())
@@ -93,15 +137,30 @@ def test_a_paper_has_rows_a_test_a_figure_and_a_page_that_names_every_row(paper:
         assert row.id in readme, f"{paper}/README.md does not name {row.id}"
 
 
-def test_the_report_prints_published_ours_difference_and_tolerance() -> None:
+def test_the_report_prints_reference_ours_difference_tolerance_and_kind() -> None:
     out = io.StringIO()
     assert report.run("kim_2024", out) == 0
     text = out.getvalue()
-    for word in ("BB18", "0.3036", "pass", "± 0.0001", "7 numbers held, 0 failed"):
+    for word in ("BB18", "0.3036", "pass", "± 0.0001", Kind.FORMULA.value):
         assert word in text
+    assert "7 numbers are published and computed by the engine" in text
+    assert "7 numbers must agree, 0 failed" in text
 
 
-def test_the_report_returns_one_when_a_held_number_is_off(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_report_counts_each_kind_apart() -> None:
+    out = io.StringIO()
+    assert report.run("alciatore_tp_rail", out) == 0
+    text = out.getvalue()
+    assert f"     3  {Kind.FORMULA.value}" in text
+    assert f"     6  {Kind.FORMULA_ONLY.value}" in text
+    assert "3 numbers are published and computed by the engine" in text
+    # The measured banks of three tables, and those at which the preset is known to miss.
+    assert f"    18  {Kind.FITTED.value} (3 outside the tolerance)" in text
+
+
+def test_the_report_returns_one_when_a_number_that_must_agree_is_off(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     broken = dataclasses.replace(EXAMPLE, compute=lambda: [9.0, 9.0])
     monkeypatch.setattr(report, "rows", lambda _: [broken])
     out = io.StringIO()
@@ -112,3 +171,9 @@ def test_the_report_returns_one_when_a_held_number_is_off(monkeypatch: pytest.Mo
 def test_an_unknown_paper_is_refused_with_the_names_that_exist() -> None:
     with pytest.raises(ValueError, match="mathavan_2010"):
         report.run("mathavan", io.StringIO())
+
+
+def test_the_documentation_shows_the_counts_that_the_command_prints() -> None:
+    page = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
+    printed = report.summary(report.declared(papers()))
+    assert printed in page, "run: python scripts/validation_gallery.py --counts"

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def figure() -> Figure:
     fig, (three, six) = plot.panels(2)
     plot.ours(three, [1, 2, 3], chain(3))
-    plot.published(three, [1, 2, 3], list(bb19.published.values()), "TP B.29")
+    plot.published(three, [1, 2, 3], list(bb19.reference.values()), "TP B.29")
     plot.name(three, "ball", "speed after, m/s", "Three balls, one moves")
     for moving in (1, 2):
         plot.ours(six, [1, 2, 3, 4, 5, 6], chain(6, moving), f"{moving} of six", color=moving - 1)

@@ -4,7 +4,7 @@ Frictionless and without loss, as the proofs have it (`physics` "ideal"); the ba
 """
 
 from carom.validation.lab import JSON, MPH, TP_RADIUS, ball, simulate
-from carom.validation.row import Range, absolute, row
+from carom.validation.row import Kind, Range, absolute, row
 
 IDEAL: JSON = {"base": "ideal", "ball": {"radius": TP_RADIUS}}
 
@@ -28,8 +28,8 @@ def chain(number: int, moving: int = 1, speed: float = 1.0) -> list[float]:
     "Three frozen balls in line, the first at 1 m/s: speeds after the impact",
     unit="m/s",
     source="TP B.29",
-    status="R",
-    published={"first": -0.071, "second": 0.076, "third": 0.995},
+    kind=Kind.PUBLISHED,
+    reference={"first": -0.071, "second": 0.076, "third": 0.995},
     tolerance=absolute(1e-3),
 )
 def bb19() -> list[float]:
@@ -54,8 +54,8 @@ def rack_rebound(speed: float) -> float:
     "A cue ball of 30 mph hits a frozen rack: its rebound",
     unit="mph",
     source="TP B.20 (an estimate with a rack of 1.5 balls' mass, v/5 = 6 mph; ±30 %)",
-    status="P",
-    published={"rebound": Range(0.7 * 6.0, 1.3 * 6.0)},
+    kind=Kind.RANGE,
+    reference={"rebound": Range(0.7 * 6.0, 1.3 * 6.0)},
     tolerance=absolute(0.0),
 )
 def sy2() -> list[float]:

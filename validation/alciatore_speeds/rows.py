@@ -3,7 +3,7 @@
 import math
 
 from carom.validation.lab import JSON, MPH, TP_RADIUS, ball, crossing, simulate, tp_physics
-from carom.validation.row import Range, relative, row
+from carom.validation.row import Kind, Range, relative, row
 
 #: A break that still has to be simulated without trouble; the record is about 35 mph.
 FASTEST = 40.0
@@ -38,8 +38,8 @@ def head_on(speed: float, ball_ball: JSON) -> tuple[float, bool]:
     "30 mph cue ball head-on into a rack (15 balls, 0.1 mm apart, e = 1): its rebound",
     unit="mph",
     source="TP B.20: an effective rack mass of 1.5 balls gives v/5",
-    status="R",
-    published={"rebound": 6.0},
+    kind=Kind.RANGE,
+    reference={"rebound": 6.0},
     tolerance=relative(0.3),
 )
 def sy2() -> list[float]:
@@ -51,8 +51,8 @@ def sy2() -> list[float]:
     "Break speeds of men (22–26 mph) and women (18–22 mph), and 40 mph: all balls come to rest",
     unit="1 = they do",
     source="Onoda; Dr. Dave's FAQ",
-    status="M",
-    published={"18 mph": 1.0, "22 mph": 1.0, "26 mph": 1.0, f"{FASTEST:g} mph": 1.0},
+    kind=Kind.DERIVED,
+    reference={"18 mph": 1.0, "22 mph": 1.0, "26 mph": 1.0, f"{FASTEST:g} mph": 1.0},
 )
 def sy1() -> list[float]:
     law: JSON = {"model": "frictional", "restitution": 0.95, "friction": 0.05}
@@ -80,8 +80,8 @@ def speed_for_lengths(lengths: float) -> float:
     "Names of speeds: the ball speed of a lag (two lengths) and of WPA's firm shot (four)",
     unit="mph",
     source="Dr. Dave's FAQ: medium 2–4 (older page 5–7), power 7–10 (15–20) mph",
-    status="M",
-    published={"a lag is medium": Range(2.0, 7.0), "a firm shot is power": Range(7.0, 20.0)},
+    kind=Kind.MEASURED,
+    reference={"a lag is medium": Range(2.0, 7.0), "a firm shot is power": Range(7.0, 20.0)},
 )
 def sy3() -> list[float]:
     return [speed_for_lengths(2.0), speed_for_lengths(4.0)]

@@ -23,12 +23,12 @@ def figure() -> Figure:
     fig, (left, right) = plot.panels(2)
     speeds = np.linspace(2.0, 11.5, 25)
     plot.ours(left, speeds, [throw_at_object_speed(30.0, v * FOOT) for v in speeds], "carom, pool")
-    plot.published(left, (2.8, 3.55, 4.5, 7.2, 10.7), list(bb23.published.values()), "measured")
+    plot.published(left, (2.8, 3.55, 4.5, 7.2, 10.7), list(bb23.reference.values()), "measured")
     left.set_ylim(0.0, 7.0)
     plot.name(left, "object ball's speed, ft/s", "throw at 30°, °", "2014 test")
 
     cuts = np.linspace(2.0, 75.0, 50)
-    printed = np.array(list(bb25.published.values())).reshape(len(CUTS), 3)
+    printed = np.array(list(bb25.reference.values())).reshape(len(CUTS), 3)
     for k, (label, speed) in enumerate(TP_SPEEDS.items()):
         plot.ours(right, cuts, [throw(c, speed) for c in cuts], label, k)
         plot.published(right, CUTS, printed[:, k], color=k)

@@ -13,7 +13,7 @@ from carom.validation.lab import (
     simulate,
     touching,
 )
-from carom.validation.row import absolute, row
+from carom.validation.row import Kind, absolute, row
 
 RADIUS = 0.028575
 
@@ -50,8 +50,8 @@ def throw_at_object_speed(cut_degrees: float, target: float) -> float:
     "Throw at 30°, stun, against the object ball's speed",
     unit="°",
     source="Alciatore, Throw follow-up II (2014 test, read off the plot)",
-    status="F",
-    published={
+    kind=Kind.FITTED,
+    reference={
         "2.8 ft/s": 6.05,
         "3.55 ft/s": 6.15,
         "4.5 ft/s": 5.5,
@@ -77,8 +77,8 @@ CUTS = (10, 20, 30, 45, 60)
     "Throw of stun shots at three speeds (labels only in the source; taken as 1, 3, 7 mph)",
     unit="°",
     source="Billiards Digest, September 2006, diagram 4",
-    status="F",
-    published={
+    kind=Kind.FITTED,
+    reference={
         f"{cut}°, {speed}": value
         for cut, values in zip(
             CUTS,
@@ -118,8 +118,8 @@ CHALK = 2.5
     "Throw at 45°, slow, by the balls' surface: used (the default), chalked (2.5 × its friction)",
     unit="°",
     source="Alciatore, Throw follow-up I (also 11° cleaned with alcohol, 3.6° with ball cleaner)",
-    status="M",
-    published={"used": 4.9, "chalked": 11.6},
+    kind=Kind.MEASURED,
+    reference={"used": 4.9, "chalked": 11.6},
     tolerance=absolute(1.0),
 )
 def bb27() -> list[float]:

@@ -14,7 +14,7 @@ from carom.validation.lab import (
     simulate,
     tp_physics,
 )
-from carom.validation.row import Range, absolute, relative, row
+from carom.validation.row import Kind, Range, absolute, relative, row
 
 SPEEDS = {"3 mph": 3 * MPH, "7 mph": 7 * MPH, "12 mph": 12 * MPH}
 
@@ -44,8 +44,8 @@ def distance_to_stun(speed: float, roll: float) -> float:
     "Distance from stun to natural roll, μ_s = 0.2",
     unit="ft",
     source="TP 4.1",
-    status="R",
-    published={"3 mph": 0.737, "7 mph": 4.012, "12 mph": 11.789},
+    kind=Kind.PUBLISHED,
+    reference={"3 mph": 0.737, "7 mph": 4.012, "12 mph": 11.789},
     tolerance=relative(1e-3),
 )
 def cl1() -> list[float]:
@@ -57,8 +57,8 @@ def cl1() -> list[float]:
     "Tip ¼R below centre: distance to stun, and to natural roll",
     unit="ft",
     source="TP A.18",
-    status="R",
-    published={
+    kind=Kind.PUBLISHED,
+    reference={
         "3 mph, stun": 0.658,
         "7 mph, stun": 3.583,
         "12 mph, stun": 10.530,
@@ -78,8 +78,8 @@ def cl3() -> list[float]:
     "Tip ¼R above centre: distance to natural roll",
     unit="ft",
     source="TP A.18",
-    status="R",
-    published={"3 mph": 0.305, "7 mph": 1.661, "12 mph": 4.881},
+    kind=Kind.PUBLISHED,
+    reference={"3 mph": 0.305, "7 mph": 1.661, "12 mph": 4.881},
     tolerance=relative(1e-3),
 )
 def cl5() -> list[float]:
@@ -91,8 +91,8 @@ def cl5() -> list[float]:
     "Tip ½R above centre (more spin than roll): distance to natural roll",
     unit="ft",
     source="derived; TP A.18 prints 0.207, 1.128, 3.316 with the friction's sign wrong",
-    status="D",
-    published={"3 mph": 0.2226, "7 mph": 1.2118, "12 mph": 3.5612},
+    kind=Kind.DERIVED,
+    reference={"3 mph": 0.2226, "7 mph": 1.2118, "12 mph": 3.5612},
     tolerance=relative(1e-3),
 )
 def cl6() -> list[float]:
@@ -104,8 +104,8 @@ def cl6() -> list[float]:
     "Speed when rolling starts, as a fraction of the first speed, at any friction",
     unit="v₀",
     source="TP 4.1; Shepard 1997; Leckie & Greenspan 2005",
-    status="R",
-    published={
+    kind=Kind.FORMULA,
+    reference={
         "stun, μ_s 0.1": 5 / 7,
         "stun, μ_s 0.4": 5 / 7,
         "reverse roll, μ_s 0.1": 3 / 7,
@@ -130,8 +130,8 @@ def cl7() -> list[float]:
     "Massé: final direction off the first line; tip ½R low right at 45°, elevation 4°",
     unit="°",
     source="TP A.19 eq. 7 (Coriolis)",
-    status="R",
-    published={
+    kind=Kind.PUBLISHED,
+    reference={
         "as a strike, 1 m/s": 2.193,
         "as a strike, 6 m/s": 2.193,
         "as a strike, μ_s 0.4": 2.193,
@@ -191,8 +191,8 @@ def steep_masse() -> Run:
     "Massé at 75°: where the parabola ends",
     unit="s, m, m, m/s, °",
     source="closed form of TP A.19's plot",
-    status="D",
-    published={
+    kind=Kind.DERIVED,
+    reference={
         "end of sliding, s": 0.6273,
         "lateral, m": 0.2177,
         "forward, m": 0.3346,
@@ -218,8 +218,8 @@ def cl12() -> list[float]:
     "Slip while sliding: falls at 7/2·μ_s g, keeps its direction, ends at 2|u₀|/(7 μ_s g)",
     unit="ratio, ratio, rad",
     source="Leckie & Greenspan 2005; Han 2005; TP A.4",
-    status="R",
-    published={
+    kind=Kind.FORMULA,
+    reference={
         "|u| lost in half the time / (7/2 μ_s g t)": 1.0,
         "time of sliding / (2|u₀|/(7 μ_s g))": 1.0,
         "turn of û": 0.0,
@@ -248,8 +248,8 @@ def cl14() -> list[float]:
     "Spin in place slows by about 10 rad/s² (default of `pool`)",
     unit="rad/s²",
     source="TP B.2; Dr. Dave's properties FAQ",
-    status="M",
-    published={"spin-down": Range(5.0, 15.0)},
+    kind=Kind.FITTED,
+    reference={"spin-down": Range(5.0, 15.0)},
 )
 def cl17() -> list[float]:
     spin = 40.0

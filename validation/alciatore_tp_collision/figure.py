@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def figure() -> Figure:
     fig, (left, right) = plot.panels(2)
     cuts = np.linspace(1.0, 80.0, 60)
-    printed = np.array(list(bb7.published.values())).reshape(4, 3)
+    printed = np.array(list(bb7.reference.values())).reshape(4, 3)
     for k, (label, speed) in enumerate(TP_SPEEDS.items()):
         plot.ours(left, cuts, [stun_throw(c, speed) for c in cuts], f"{label}, {speed} m/s", k)
         plot.published(left, (10, 30, 45, 60), printed[:, k], color=k)

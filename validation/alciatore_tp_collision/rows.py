@@ -17,7 +17,7 @@ from carom.validation.lab import (
     touching,
     tp_physics,
 )
-from carom.validation.row import absolute, relative, row
+from carom.validation.row import Kind, absolute, relative, row
 
 #: The cue ball moves along +y; positive cuts send the object ball to the left.
 AIM = math.pi / 2
@@ -75,8 +75,8 @@ def cut_of_fraction(fraction: float) -> float:
     "Stun, no friction, e = 1: the balls part at 90°, v cos φ and v sin φ",
     unit="°, v",
     source="TP 3.1, 3.2",
-    status="R",
-    published={
+    kind=Kind.FORMULA,
+    reference={
         "separation at 10°": 90.0,
         "separation at 30°": 90.0,
         "separation at 75°": 90.0,
@@ -110,8 +110,8 @@ def bb1() -> list[float]:
     "30° rule: final deflection of a rolling cue ball, e = 1, no friction",
     unit="°",
     source="TP 3.3",
-    status="R",
-    published={
+    kind=Kind.PUBLISHED,
+    reference={
         "¼ ball": 27.267,
         "½ ball": 33.670,
         "¾ ball": 27.626,
@@ -131,8 +131,8 @@ def bb2() -> list[float]:
     "Stun at 30°: cue ball off the tangent line, object ball's throw, separation",
     unit="°",
     source="TP A.5",
-    status="R",
-    published={
+    kind=Kind.PUBLISHED,
+    reference={
         "θ1, e .94 μ .06": 3.307,
         "θ2, e .94 μ .06": 3.434,
         "separation, e .94 μ .06": 83.259,
@@ -164,8 +164,8 @@ def bb3() -> list[float]:
     "Rolling cue ball, half ball: final deflection with friction and restitution",
     unit="°",
     source="TP A.6",
-    status="R",
-    published={"e 1, μ .06": 35.907, "e .94, μ 0": 31.988, "e .94, μ .06": 34.026},
+    kind=Kind.PUBLISHED,
+    reference={"e 1, μ .06": 35.907, "e .94, μ 0": 31.988, "e .94, μ .06": 34.026},
     tolerance=absolute(2e-3),
 )
 def bb5() -> list[float]:
@@ -186,8 +186,8 @@ def stun_throw(cut_degrees: float, speed: float) -> float:
     "Throw of a stun shot with friction that falls with slip speed",
     unit="°",
     source="TP A.14 (formula)",
-    status="P",
-    published={
+    kind=Kind.FORMULA,
+    reference={
         "10°, slow": 1.443,
         "10°, medium": 1.443,
         "10°, fast": 1.443,
@@ -212,8 +212,8 @@ def bb7() -> list[float]:
     "Largest throw of a stun shot, and the cut at which it occurs",
     unit="°",
     source="TP A.14 (plots)",
-    status="P",
-    published={
+    kind=Kind.FORMULA,
+    reference={
         "slow": 5.302,
         "slow, at cut": 33.0,
         "medium": 3.876,
@@ -237,8 +237,8 @@ def bb8() -> list[float]:
     "Throw by sidespin alone: straight hit, english 25, 50, 100 %",
     unit="°",
     source="TP A.14, A.27 (formula)",
-    status="P",
-    published={
+    kind=Kind.FORMULA,
+    reference={
         "25 %, slow": 2.556,
         "25 %, medium": 2.556,
         "25 %, fast": 2.556,
@@ -265,8 +265,8 @@ def bb10() -> list[float]:
     "2 mph at 30°: throw of stun and of roll or draw; swerve of the object ball after it",
     unit="°",
     source="TP A.24",
-    status="R",
-    published={
+    kind=Kind.PUBLISHED,
+    reference={
         "throw, stun": 4.366,
         "throw, roll": 1.454,
         "throw, draw": 1.454,
@@ -291,8 +291,8 @@ def bb11() -> list[float]:
     "English that a straight stop shot gives to the object ball, 50 % english",
     unit="%",
     source="TP A.27 (5/14 = 35.71 % at most)",
-    status="P",
-    published={"slow": 35.7, "medium": 21.3, "fast": 9.1},
+    kind=Kind.FORMULA,
+    reference={"slow": 35.7, "medium": 21.3, "fast": 9.1},
     tolerance=absolute(0.1),
 )
 def bb13() -> list[float]:
@@ -309,8 +309,8 @@ def bb13() -> list[float]:
     "Rolling cue ball, e = 1, no friction: speeds once both roll",
     unit="%, %, %, %, –, °",
     source="TP A.16",
-    status="R",
-    published={
+    kind=Kind.PUBLISHED,
+    reference={
         "half ball, object ball": 61.859,
         "half ball, cue ball": 55.787,
         "full, object ball": 71.429,
@@ -376,8 +376,8 @@ def frozen(cut_degrees: float) -> float:
     "Cue into a cue ball frozen to the object ball: cue ball's angle from the line of centres",
     unit="°",
     source="TP A.15",
-    status="M",
-    published={
+    kind=Kind.MEASURED,
+    reference={
         f"aim {cut}° off the centres": float(angle)
         for cut, angle in zip(FROZEN_CUTS, FROZEN_ANGLES, strict=True)
     },

@@ -15,7 +15,7 @@ from carom.validation.lab import (
     simulate,
     tp_physics,
 )
-from carom.validation.row import absolute, relative, row
+from carom.validation.row import Kind, absolute, relative, row
 
 #: Mass of the cue ball, 6 oz; the cue's is 19 oz.
 BALL_MASS = 0.17
@@ -76,8 +76,8 @@ def at_distance(run: Run, distance: float) -> tuple[float, float]:
     "Draw shot with the butt raised by 5°, cue 15 mph, tip ½R low: hops, bounces, spin at 2 ft",
     unit="ft, mph, rev/s, °",
     source="TP B.10",
-    status="R",
-    published={
+    kind=Kind.PUBLISHED,
+    reference={
         "hop 1, ft": 0.848,
         "hop 2, ft": 0.500,
         "hop 3, ft": 0.297,
@@ -114,8 +114,8 @@ def sl1() -> list[float]:
     "The same with the butt raised by 15°: first hop, spin at 2 ft",
     unit="ft, rev/s",
     source="TP B.10",
-    status="R",
-    published={"hop 1, ft": 2.298, "spin at 2 ft, rev/s": 29.069},
+    kind=Kind.PUBLISHED,
+    reference={"hop 1, ft": 2.298, "spin at 2 ft, rev/s": 29.069},
     tolerance=relative(2e-3),
 )
 def sl3() -> list[float]:
@@ -143,8 +143,8 @@ def coriolis(elevation: float, side: float, height: float) -> float:
     "Massés that hop: where they roll in the end is Coriolis's direction, whatever friction",
     unit="°",
     source="Coriolis 1835, TP A.19 eq. 7: tan θ = a sin φ/(R cos φ + b)",
-    status="D",
-    published={
+    kind=Kind.DERIVED,
+    reference={
         f"{name}, μ = {friction}": coriolis(phi, side, height)
         for name, (phi, _, side, height) in MASSES.items()
         for friction in (0.1, 0.3)

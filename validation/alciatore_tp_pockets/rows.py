@@ -15,7 +15,7 @@ from carom.validation.lab import (
     simulate,
     tp_physics,
 )
-from carom.validation.row import Range, absolute, row
+from carom.validation.row import Kind, Range, absolute, row
 
 #: How far before the mouth the ball starts, m.
 RUN_UP = 1.0
@@ -124,9 +124,8 @@ def steepest(pocket: Pocket, speed: float, up_to: float, **sections: JSON) -> fl
 largest_angle = partial(
     row,
     unit="°",
-    status="r",
+    kind=Kind.UNKNOWN_RULE,
     tolerance=absolute(0.05),
-    rule_unknown=True,
     misses=("largest angle",),
 )
 
@@ -135,7 +134,7 @@ largest_angle = partial(
     "PO1",
     "Side pocket, slow: the largest angle from its axis that goes in",
     source="TP 3.5, with its own idealised rule",
-    published={"largest angle": 68.292},
+    reference={"largest angle": 68.292},
     note="Ours: 1 mph at the mouth, facings and points that return nothing.",
 )
 def po1() -> list[float]:
@@ -146,7 +145,7 @@ def po1() -> list[float]:
     "PO3",
     "Corner pocket, fast: the largest angle from its axis that goes in",
     source="TP 3.8, with its own idealised rule",
-    published={"largest angle": 59.841},
+    reference={"largest angle": 59.841},
     note="Ours: 7 mph at the mouth. A rail stands at 45° from the axis: nothing comes from beyond.",
 )
 def po3() -> list[float]:
@@ -167,8 +166,8 @@ def widths(pocket: Pocket, angle: float) -> list[float]:
     "Slower accepts more: target width lost from 1 to 3 mph, and from 3 to 7 mph",
     unit="mm",
     source="every player; Alciatore, pocket target sizes",
-    status="D",
-    published={
+    kind=Kind.RANGE,
+    reference={
         f"{name} at {angle:g}°, {step}": Range(0.0, math.inf)
         for name, angles in (("corner", CORNER_ANGLES), ("side", SIDE_ANGLES))
         for angle in angles
@@ -189,8 +188,8 @@ def po_speed() -> list[float]:
     "Steep accepts more at a side pocket: target width lost for each 15° from its axis",
     unit="mm",
     source="every player; Alciatore, pocket target sizes",
-    status="D",
-    published={f"{a:g}° to {a + 15:g}°, {s}": Range(0.0, math.inf)
+    kind=Kind.RANGE,
+    reference={f"{a:g}° to {a + 15:g}°, {s}": Range(0.0, math.inf)
                for s in TP_SPEEDS for a in (15.0, 30.0, 45.0)},
 )  # fmt: skip
 def po_angle() -> list[float]:
@@ -217,8 +216,8 @@ def touches_rail_first(angle: float, offset: float, speed: float) -> bool:
     "Along the rail into a corner, slow: target width, and the part of it by the rail first",
     unit="mm",
     source="every player: a ball down the rail may touch it",
-    status="D",
-    published={"direct": Range(1.0, math.inf), "by the rail first": Range(1.0, math.inf)},
+    kind=Kind.RANGE,
+    reference={"direct": Range(1.0, math.inf), "by the rail first": Range(1.0, math.inf)},
 )
 def po_rail() -> list[float]:
     angle, speed = math.radians(-40.0), TP_SPEEDS["slow"]

@@ -17,7 +17,7 @@ def figure() -> Figure:
     fig, (left, right) = plot.panels(2)
     aims = np.linspace(0.5, 3.0, 26)
     plot.ours(left, aims, [bank(a, *NINE_FEET) for a in aims], "carom, wpa-9ft")
-    measured = np.array(list(cu_16.published.values())).reshape(3, -1)
+    measured = np.array(list(cu_16.reference.values())).reshape(3, -1)
     for k, (label, values) in enumerate(
         zip(("Olhausen 9 ft", "Gold Crown 9 ft", "Valley 7 ft"), measured, strict=True)
     ):

@@ -14,7 +14,7 @@ from carom.validation.lab import (
     simulate,
     tp_physics,
 )
-from carom.validation.row import absolute, relative, row
+from carom.validation.row import Kind, absolute, relative, row
 
 ANGLES = (15.0, 40.0, 70.0)
 RESTITUTION = 0.7
@@ -38,8 +38,8 @@ def frictionless_rebound(angle: float) -> float:
     "Frictionless rail: tan θ_out = tan θ_in / e, e = 0.7",
     unit="–",
     source="TP 6.3",
-    status="R",
-    published={f"{a:g}° from the normal": math.tan(math.radians(a)) / RESTITUTION for a in ANGLES},
+    kind=Kind.FORMULA,
+    reference={f"{a:g}° from the normal": math.tan(math.radians(a)) / RESTITUTION for a in ANGLES},
     tolerance=relative(1e-9),
 )
 def cu_13() -> list[float]:
@@ -51,10 +51,9 @@ def cu_13() -> list[float]:
     "TP 7.3's rail: v = 5 ft/s, rolling, e = 0.7, μ = 0.17, a = 0.08R",
     unit="ft/s, rad/s",
     source="TP 7.3",
-    status="R",
-    published={"v′": 3.5, "ω′": 3.333},
+    kind=Kind.FORMULA_ONLY,
+    reference={"v′": 3.5, "ω′": 3.333},
     tolerance=absolute(0.01),
-    formula_only=True,
 )
 def cu_9() -> list[float]:
     v, e, mu, a = 5 * FOOT, 0.7, 0.17, 0.08 * TP_RADIUS
@@ -85,15 +84,14 @@ def lag_distance(speed: float) -> float:
     "Lag on a 9-ft table, rolling start, stun after the rail: distance; speed for two lengths",
     unit="ft, ft, ft, mph",
     source="TP B.6",
-    status="R",
-    published={
+    kind=Kind.FORMULA_ONLY,
+    reference={
         "1.5 mph": 7.522,
         "3 mph": 14.033,
         "7 mph": 25.041,
         "two lengths": 3.465,
     },
     tolerance=relative(1e-3),
-    formula_only=True,
 )
 def cu_14() -> list[float]:
     two = crossing(lambda v: lag_distance(v * MPH) - 200 * INCH, 1.0, 7.0)
@@ -143,8 +141,8 @@ NINE_FEET, SEVEN_FEET = ("wpa-9ft", (1.27, 2.54)), ("showood-7ft", (0.9906, 1.98
     "Fast sliding banks into the corner through a diamond: where they start (`pool` preset)",
     unit="diamonds",
     source="TP B.28",
-    status="M",
-    published={
+    kind=Kind.FITTED,
+    reference={
         f"{table}, aim {aim:g}": value
         for table, values in (
             ("Olhausen 9 ft", (1.38, 2.72, 3.89, 5.07, 6.38, 7.74)),

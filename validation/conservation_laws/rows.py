@@ -13,7 +13,7 @@ from carom.validation.lab import (
     ball,
     simulate,
 )
-from carom.validation.row import Range, absolute, row
+from carom.validation.row import Kind, Range, absolute, row
 
 RADIUS, MASS = 0.028575, 0.17
 SHOTS = 40
@@ -118,8 +118,8 @@ def collisions() -> list[Event]:
     f"Ball against ball in {SHOTS} random shots, three models: momentum and angular momentum",
     unit="relative",
     source="physics",
-    status="D",
-    published={"momentum": 0.0, "angular momentum about the contact": 0.0},
+    kind=Kind.DERIVED,
+    reference={"momentum": 0.0, "angular momentum about the contact": 0.0},
     tolerance=absolute(1e-12),
 )
 def sy5_momentum() -> list[float]:
@@ -132,8 +132,8 @@ def sy5_momentum() -> list[float]:
     "Largest rise of energy at any event but the strike, per energy at the start",
     unit="relative",
     source="physics",
-    status="D",
-    published={"rise": Range(-math.inf, 1e-12)},
+    kind=Kind.RANGE,
+    reference={"rise": Range(-math.inf, 1e-12)},
 )
 def sy5_energy() -> list[float]:
     worst = -math.inf
@@ -179,8 +179,8 @@ LAW = MODELS[1]
     f"Mirror image and rotation of a shot: largest distance of any ball's end, {FEW} shots",
     unit="m",
     source="physics",
-    status="D",
-    published={"mirror, on the table": 0.0, "rotation by 1 rad, on endless cloth": 0.0},
+    kind=Kind.DERIVED,
+    reference={"mirror, on the table": 0.0, "rotation by 1 rad, on endless cloth": 0.0},
     tolerance=absolute(1e-9),
 )
 def sy5_symmetry() -> list[float]:
@@ -204,8 +204,8 @@ def sy5_symmetry() -> list[float]:
     f"Speed scaling, constant μ and e: twice the speed at four times g, {FEW} shots",
     unit="m",
     source="physics (v² ∝ g)",
-    status="D",
-    published={"largest distance of any ball's end": 0.0},
+    kind=Kind.DERIVED,
+    reference={"largest distance of any ball's end": 0.0},
     tolerance=absolute(1e-9),
 )
 def sy5_scaling() -> list[float]:

@@ -24,11 +24,11 @@ def figure() -> Figure:
     fig, (left, right) = plot.panels(2)
     v = np.linspace(0.1, 4.0, 40)
     plot.ours(left, v, [-float(rebound(s, 0.0).velocity[1]) / s for s in v])
-    plot.published(left, SPEEDS, list(han_e.published.values()), "e = 0.39 + 0.257V − 0.044V²")
+    plot.published(left, SPEEDS, list(han_e.reference.values()), "e = 0.39 + 0.257V − 0.044V²")
     plot.name(left, "normal speed, m/s", "restitution")
 
     g = np.linspace(2.0, 85.0, 60)
     plot.ours(right, g, [tangential_share(a) for a in g], "carom: grips, then slips")
-    plot.published(right, INCIDENCES, list(han_mu.published.values()), "μ = 0.471 − 0.241γ")
+    plot.published(right, INCIDENCES, list(han_mu.reference.values()), "μ = 0.471 − 0.241γ")
     plot.name(right, "incidence from the normal, °", "tangential / normal impulse")
     return fig

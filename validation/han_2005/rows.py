@@ -8,7 +8,7 @@ m/s) and μ = 0.471 − 0.241 γ (γ the incidence from the normal, rad).
 import math
 
 from carom.validation.lab import JSON, Ball, ball, simulate
-from carom.validation.row import absolute, row
+from carom.validation.row import Kind, absolute, row
 
 RADIUS = 0.03275
 TABLE: JSON = {"length": 3.0, "width": 2.0, "pockets": "none", "cushion_height": RADIUS}
@@ -43,8 +43,8 @@ SPEEDS = (0.5, 1.0, 2.0, 3.0)
     "Restitution of a perpendicular hit, from the paper's fit",
     unit="–",
     source="Han 2005 (fit e(V))",
-    status="P",
-    published={f"{v} m/s": round(0.39 + 0.257 * v - 0.044 * v * v, 6) for v in SPEEDS},
+    kind=Kind.READ_BACK,
+    reference={f"{v} m/s": round(0.39 + 0.257 * v - 0.044 * v * v, 6) for v in SPEEDS},
     tolerance=absolute(1e-9),
 )
 def han_e() -> list[float]:
@@ -59,8 +59,8 @@ INCIDENCES = (60.0, 70.0, 80.0)
     "Friction of a slipping hit, tangential over normal impulse, from the paper's fit",
     unit="–",
     source="Han 2005 (fit μ(γ)); 1 m/s",
-    status="P",
-    published={f"γ = {g:g}°": round(0.471 - 0.241 * math.radians(g), 9) for g in INCIDENCES},
+    kind=Kind.READ_BACK,
+    reference={f"γ = {g:g}°": round(0.471 - 0.241 * math.radians(g), 9) for g in INCIDENCES},
     tolerance=absolute(1e-9),
 )
 def han_mu() -> list[float]:

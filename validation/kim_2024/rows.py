@@ -2,7 +2,7 @@
 
 from carom.validation.alciatore_tp_collision.rows import impact
 from carom.validation.lab import TP_GRAVITY, TP_RADIUS
-from carom.validation.row import absolute, relative, row
+from carom.validation.row import Kind, absolute, relative, row
 
 
 @row(
@@ -10,8 +10,8 @@ from carom.validation.row import absolute, relative, row
     "Full hit by a rolling cue ball: its speed once it rolls again",
     unit="v",
     source="Kim 2024 (formula): 2/7 + 5/14 (1 − e)",
-    status="P",
-    published={"e = 1": 0.2857, "e = .95": 0.3036, "e = .94": 0.3071, "e = .89": 0.3250},
+    kind=Kind.FORMULA,
+    reference={"e = 1": 0.2857, "e = .95": 0.3036, "e = .94": 0.3071, "e = .89": 0.3250},
     tolerance=absolute(1e-4),
 )
 def bb18() -> list[float]:
@@ -38,8 +38,8 @@ def hop(speed: float, friction: float) -> float:
     "Full hit by a rolling ball, e = 1: friction at the object ball lifts it; height of the hop",
     unit="m",
     source="Kim 2024 (formula): μ²U²/2g",
-    status="P",
-    published={f"{u:g} m/s, μ = {mu:g}": (mu * u) ** 2 / (2 * TP_GRAVITY) for u, mu in HOPS},
+    kind=Kind.FORMULA,
+    reference={f"{u:g} m/s, μ = {mu:g}": (mu * u) ** 2 / (2 * TP_GRAVITY) for u, mu in HOPS},
     tolerance=relative(1e-9),
 )
 def bb_hop() -> list[float]:

@@ -14,7 +14,7 @@ import numpy as np
 from carom.validation.lab import JSON, Run, ball
 from carom.validation.lab import simulate as simulate_events
 from carom.validation.leckie_greenspan_2006 import fixed_step
-from carom.validation.row import Range, absolute, row
+from carom.validation.row import Kind, Range, absolute, row
 
 
 def integration_operations(moving: int, steps: int, balls: int = 16) -> int:
@@ -42,10 +42,9 @@ def event_operations(moving: int, balls: int = 16) -> int:
     "Operations for one second of three moving balls among 16",
     unit="operations",
     source="section 3: N(61n − n²)/2 at Δt = 1 ms, and (645n − 19n²)/2",
-    status="R",
-    published={"integration": 87000.0, "event-based": 882.0},
+    kind=Kind.FORMULA_ONLY,
+    reference={"integration": 87000.0, "event-based": 882.0},
     tolerance=absolute(0.0),
-    formula_only=True,
 )
 def lg_1() -> list[float]:
     return [float(integration_operations(3, 1000)), float(event_operations(3))]
@@ -118,8 +117,8 @@ STEPS = (4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4)
     "The integration-style simulator on the same laws: how its error falls with Δt",
     unit="order",
     source="section 2 (velocity held during Δt, events backed up to)",
-    status="D",
-    published={"slope of log error over log Δt": 1.0},
+    kind=Kind.DERIVED,
+    reference={"slope of log error over log Δt": 1.0},
     tolerance=absolute(0.3),
 )
 def lg_2() -> list[float]:
@@ -132,8 +131,8 @@ def lg_2() -> list[float]:
     "The same: time of the first collision, extrapolated to Δt → 0",
     unit="s",
     source="section 2; the event-based time is the engine's",
-    status="D",
-    published={"difference from the event's time": 0.0},
+    kind=Kind.DERIVED,
+    reference={"difference from the event's time": 0.0},
     tolerance=absolute(1e-5),
 )
 def lg_3() -> list[float]:
@@ -174,9 +173,10 @@ def counted() -> JSON:
     "Of 100 000 random shots, those with an impossible result, with the paper's two finders",
     unit="shots",
     source='section 3 ("approximately 50 times"; GSL\'s solver: none)',
-    status="M",
-    published={"textbook closed form": 50.0, "companion matrix (as in GSL)": 0.0},
+    kind=Kind.STORED,
+    reference={"textbook closed form": 50.0, "companion matrix (as in GSL)": 0.0},
     tolerance=absolute(25.0),
+    shown_only=True,
     misses=("textbook closed form",),
     note="Impossible: wrong by more than 1 µm. The paper gives neither its shots nor what it calls "
     "impossible; ours are judged between all events, not by how they look.",
@@ -191,8 +191,8 @@ def lg_4() -> list[float]:
     "The same with the engine's finder, held to what it promises (1e-12 m; 1e-14 m at contacts)",
     unit="shots",
     source="no impossible result is allowed",
-    status="D",
-    published={"ordinary shots": 0.0, "balls frozen to each other and to rails": 0.0},
+    kind=Kind.STORED,
+    reference={"ordinary shots": 0.0, "balls frozen to each other and to rails": 0.0},
     tolerance=absolute(0.0),
 )
 def lg_5() -> list[float]:
@@ -206,8 +206,8 @@ def lg_5() -> list[float]:
     "events",
     unit="operations",
     source="section 3: (645n − 19n²)/2 with the balls that moved and were in play",
-    status="D",
-    published={
+    kind=Kind.STORED,
+    reference={
         name: Range(0.0, c["operations"]["the paper's events"] / c["events"])
         for name, c in counted().items()
     },

@@ -23,7 +23,7 @@ def figure() -> Figure:
     for k, (label, start) in enumerate((("cue ball", 0), ("object ball", 1))):
         chosen = comparisons[start::3]
         x3 = np.arange(3) + 0.1 * k
-        plot.published(right, x3, [float(str(c.published)) for c in chosen], f"{label}, filmed", k)
+        plot.published(right, x3, [float(str(c.reference)) for c in chosen], f"{label}, filmed", k)
         right.plot(x3, [c.ours for c in chosen], "_", color=plot.COLORS[k], markersize=16,
                    markeredgewidth=2, label=f"{label}, carom")  # fmt: skip
     right.set_xticks(range(3), ["26.4°", "40.5°", "46.5°"])

@@ -6,7 +6,7 @@ Application of high-speed imaging to determine the dynamics of billiards, Am. J.
 
 from carom.validation.lab import ball, simulate
 from carom.validation.mathavan_2014.rows import QUANTITIES, SHOTS, rolled_out
-from carom.validation.row import Range, absolute, row
+from carom.validation.row import Kind, Range, absolute, row
 
 GRAVITY = 9.81
 
@@ -16,8 +16,8 @@ GRAVITY = 9.81
     "Deceleration while rolling, and sliding friction (default of `snooker`)",
     unit="m/s², –",
     source="Mathavan 2009",
-    status="M",
-    published={"rolling": Range(0.124, 0.126), "sliding": Range(0.178, 0.245)},
+    kind=Kind.FITTED,
+    reference={"rolling": Range(0.124, 0.126), "sliding": Range(0.178, 0.245)},
 )
 def cl15() -> list[float]:
     run = simulate(ball(velocity=(0.0, 1.0, 0.0)), physics="snooker")
@@ -32,8 +32,8 @@ def cl15() -> list[float]:
     "A rolling ball's hit, once both balls roll (default of `snooker`)",
     unit="m/s, m/s, °",
     source="Mathavan 2009, table",
-    status="M",
-    published={
+    kind=Kind.FITTED,
+    reference={
         f"{speed} m/s at {cut}°, {quantity}": value
         for (speed, cut), values in zip(
             SHOTS,
@@ -80,8 +80,8 @@ def rebound_speed(x: float) -> float:
     "Perpendicular rebound of a rolling ball (default of `snooker`)",
     unit="m/s",
     source="Mathavan 2009, Fig. 9 (31 shots)",
-    status="M",
-    published={f"{x} m/s": round(film(x), 4) for x in INCIDENT},
+    kind=Kind.FITTED,
+    reference={f"{x} m/s": round(film(x), 4) for x in INCIDENT},
     tolerance=absolute(0.05),
 )
 def cu_8() -> list[float]:

@@ -18,7 +18,7 @@ def figure() -> Figure:
     for k, roll in enumerate((1.0, 0.0, -1.0)):
         after = [rebound(np.radians(a), roll) for a in incidences]
         plot.ours(left, incidences, [b.speed for b in after], f"k_T = {roll:g}", k)
-    plot.published(left, ANGLES, list(cu_3_speed.published.values()), color=0)
+    plot.published(left, ANGLES, list(cu_3_speed.reference.values()), color=0)
     plot.published(left, [90], [0.911], color=0)
     plot.published(left, [90], [0.837], color=1)
     plot.published(left, [90], [0.866], color=2)
@@ -27,7 +27,7 @@ def figure() -> Figure:
     for k, side in enumerate((0.0, -1.0, 1.0)):
         after = [rebound(np.radians(a), 1.0, side) for a in incidences]
         plot.ours(right, incidences, [angle(b) for b in after], f"k_S = {side:g}", k)
-    plot.published(right, ANGLES, list(cu_3_angle.published.values()), color=0)
+    plot.published(right, ANGLES, list(cu_3_angle.reference.values()), color=0)
     plot.published(right, (30, 60, 90), (34.5, 73.4, 103.85), color=1)
     plot.published(right, (30, 60, 90), (30.5, 54.6, 76.0), color=2)
     plot.name(right, "incidence from the rail, °", "rebound angle, °", "Rolling, with sidespin")

@@ -8,7 +8,7 @@ e_e = 0.98, μ_w = 0.14 and μ_s = 0.212.
 import math
 
 from carom.validation.lab import JSON, Ball, ball, simulate
-from carom.validation.row import absolute, relative, row
+from carom.validation.row import Kind, absolute, relative, row
 
 RADIUS = 0.02625
 NOSE = 1.4 * RADIUS
@@ -49,8 +49,8 @@ def angle(after: Ball) -> float:
     "Rolling, perpendicular: rebound speed at any speed",
     unit="V₀",
     source="Mathavan 2009/2010 (figure: .912; film: initial slope .910)",
-    status="R",
-    published={"0.5 m/s": 0.911, "1 m/s": 0.911, "2.4 m/s": 0.911},
+    kind=Kind.FORMULA,
+    reference={"0.5 m/s": 0.911, "1 m/s": 0.911, "2.4 m/s": 0.911},
     tolerance=relative(3e-3),
 )
 def cu_1() -> list[float]:
@@ -62,8 +62,8 @@ def cu_1() -> list[float]:
     "Perpendicular with backspin and with none: rebound speed",
     unit="V₀",
     source="Mathavan 2010, Fig. 9",
-    status="R",
-    published={"k_T = −1": 0.866, "k_T = 0": 0.837},
+    kind=Kind.FORMULA,
+    reference={"k_T = −1": 0.866, "k_T = 0": 0.837},
     tolerance=relative(3e-3),
 )
 def cu_2() -> list[float]:
@@ -78,8 +78,8 @@ ANGLES = (10, 20, 30, 45, 60, 80)
     "Rolling, α from the rail: rebound speed",
     unit="V₀",
     source="the paper's equations integrated with 20 000 steps; as Fig. 9",
-    status="P",
-    published=dict(
+    kind=Kind.FORMULA,
+    reference=dict(
         zip((f"α = {a}°" for a in ANGLES), (0.943, 0.895, 0.861, 0.848, 0.867, 0.905), strict=True)
     ),
     tolerance=relative(5e-3),
@@ -93,8 +93,8 @@ def cu_3_speed() -> list[float]:
     "Rolling, α from the rail: rebound angle",
     unit="°",
     source="the paper's equations integrated with 20 000 steps; as Fig. 9",
-    status="P",
-    published=dict(
+    kind=Kind.FORMULA,
+    reference=dict(
         zip((f"α = {a}°" for a in ANGLES), (10.34, 21.75, 34.0, 52.68, 68.83, 83.39), strict=True)
     ),
     tolerance=absolute(0.3),
@@ -112,8 +112,8 @@ SIDE_LABELS = tuple(f"k_S = {side:+.0f}, α = {a}°" for side, a in SIDES)
     "Rolling with sidespin: rebound speed",
     unit="V₀",
     source="the paper's equations integrated with 20 000 steps",
-    status="P",
-    published=dict(zip(SIDE_LABELS, (0.857, 0.867, 0.967, 0.909, 0.970, 0.968), strict=True)),
+    kind=Kind.FORMULA,
+    reference=dict(zip(SIDE_LABELS, (0.857, 0.867, 0.967, 0.909, 0.970, 0.968), strict=True)),
     tolerance=relative(5e-3),
 )
 def cu_6_speed() -> list[float]:
@@ -125,8 +125,8 @@ def cu_6_speed() -> list[float]:
     "Rolling with sidespin: rebound angle",
     unit="°",
     source="the paper's equations integrated with 20 000 steps",
-    status="P",
-    published=dict(zip(SIDE_LABELS, (34.5, 73.4, 103.85, 30.5, 54.6, 76.0), strict=True)),
+    kind=Kind.FORMULA,
+    reference=dict(zip(SIDE_LABELS, (34.5, 73.4, 103.85, 30.5, 54.6, 76.0), strict=True)),
     tolerance=absolute(0.4),
 )
 def cu_6_angle() -> list[float]:
@@ -138,8 +138,8 @@ def cu_6_angle() -> list[float]:
     "Perpendicular with +k_S and −k_S: the angles sum to 180° (the figure's k_S = 2 breaks this)",
     unit="°",
     source="mirror symmetry",
-    status="D",
-    published={"k_S = ±1": 180.0, "k_S = ±2": 180.0},
+    kind=Kind.DERIVED,
+    reference={"k_S = ±1": 180.0, "k_S = ±2": 180.0},
     tolerance=absolute(1e-9),
 )
 def cu_7() -> list[float]:

@@ -17,7 +17,7 @@ def figure() -> Figure:
     cuts = np.linspace(2.0, 75.0, 40)
     speed = SHOTS[1][0]
     values = np.array([rolled_out(PHYSICS, speed, c) for c in cuts])
-    printed = np.array(list(bb22.published.values())).reshape(3, 4)
+    printed = np.array(list(bb22.reference.values())).reshape(3, 4)
     at = [cut for _, cut in SHOTS]
     scale = [speed / v for v, _ in SHOTS]
     for k, ball in enumerate(("cue ball", "object ball")):

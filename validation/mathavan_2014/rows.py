@@ -8,7 +8,7 @@ paper. Shots 2–4 of its table; the inputs of shots 1 and 5 are not given.
 import math
 
 from carom.validation.lab import JSON, ball, degrees_between, simulate, touching
-from carom.validation.row import relative, row
+from carom.validation.row import Kind, relative, row
 
 RADIUS = 0.02625
 #: Cue ball's speed (m/s) and cut angle (°) of shots 2–4.
@@ -45,8 +45,8 @@ def rolled_out(physics: JSON | str, speed: float, cut_degrees: float) -> list[fl
     "A rolling snooker ball's hit, once both balls roll",
     unit="m/s, m/s, °, °",
     source="Mathavan 2014, table (its 0.128 m/s is 1.28)",
-    status="r",
-    published={
+    kind=Kind.PUBLISHED,
+    reference={
         f"shot {n}, {quantity}": value
         for n, values in (
             (2, (0.520, 0.599, 32.45, 25.07)),

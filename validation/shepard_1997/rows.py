@@ -2,7 +2,7 @@
 
 from carom.validation.alciatore_tp_strike.rows import strike
 from carom.validation.lab import maximum
-from carom.validation.row import absolute, row
+from carom.validation.row import Kind, absolute, row
 
 
 def rolled_speed(height: float) -> float:
@@ -16,8 +16,8 @@ def rolled_speed(height: float) -> float:
     "Tip height that gives the fastest rolling ball, elastic tip, m_r = 6/19",
     unit="R",
     source="Shepard 1997, problem 3.11; TP B.12: x = −1 + √(7/5 + 2/5 m_r)",
-    status="R",
-    published={"x": 0.235},
+    kind=Kind.PUBLISHED,
+    reference={"x": 0.235},
     tolerance=absolute(1e-3),
 )
 def cu6() -> list[float]:

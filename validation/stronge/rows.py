@@ -5,7 +5,7 @@ plane: β_t/β_n = 3.5, ω_t/ω_n = 1.7, e = 0.85, μ = 0.2.
 """
 
 from carom.validation.lab import JSON, ball, simulate
-from carom.validation.row import absolute, row
+from carom.validation.row import Kind, absolute, row
 
 RADIUS = 0.028575
 TABLE: JSON = {"length": 3.0, "width": 2.0, "pockets": "none", "cushion_height": RADIUS}
@@ -36,8 +36,8 @@ def final_slip(ratio: float) -> float:
     "Tangential velocity of the contact after the impact",
     unit="v_n",
     source="an independent integration of the springs and pooltool's code, agreeing to 1e-5",
-    status="P",
-    published=dict(
+    kind=Kind.FORMULA,
+    reference=dict(
         zip(
             (f"|v_t|/v_n = {r}" for r in RATIOS),
             (-0.00700, 0.02279, 0.19084, 0.38319, 0.09500, -0.30500),

@@ -4,7 +4,7 @@ import math
 from itertools import pairwise
 
 from carom.validation.lab import Run, ball, simulate
-from carom.validation.row import absolute, relative, row
+from carom.validation.row import Kind, absolute, relative, row
 
 GRAVITY, RADIUS = 9.81, 0.028575
 #: The speed at which a ball flies off a lip, m/s.
@@ -37,8 +37,8 @@ def apexes(run: Run) -> list[float]:
     "A ball dropped from 0.3 m, e = 0.5: how high it rises again, and when it rests",
     unit="of the height, of the series",
     source="textbook: e²h, e⁴h …; √(2h/g)(1 + e)/(1 − e)",
-    status="D",
-    published={
+    kind=Kind.DERIVED,
+    reference={
         **{f"apex {k}": RETURNED ** (2 * k) for k in range(1, BOUNCES + 1)},
         "time of the bounces and the hops left out": 1.0,
     },
@@ -98,8 +98,8 @@ SHARES = (0.05, 0.2, 0.4, 0.6, 0.8)
     "A ball that rolls over the lip of a hole leaves it at the angle from the vertical",
     unit="°",
     source="textbook: rolling without slip about an edge, cos θ = (10 + 7v²/gR)/17",
-    status="D",
-    published={f"v = {k:g} √(gR)": round(rolls_to(k * FLIES), 3) for k in SHARES},
+    kind=Kind.DERIVED,
+    reference={f"v = {k:g} √(gR)": round(rolls_to(k * FLIES), 3) for k in SHARES},
     tolerance=absolute(4.0),
     note="The engine turns a ball about an edge in hops of some degrees: the last touch comes up "
     "to a hop before the angle.",
@@ -113,8 +113,8 @@ def lip_roll() -> list[float]:
     "From √(gR) up it flies off, and touches the lip no more",
     unit="touches",
     source="textbook: gravity cannot hold it on the edge",
-    status="D",
-    published={"v = 1.001 √(gR)": 0.0, "v = 3 √(gR)": 0.0},
+    kind=Kind.DERIVED,
+    reference={"v = 1.001 √(gR)": 0.0, "v = 3 √(gR)": 0.0},
     tolerance=absolute(0.0),
 )
 def lip_fly() -> list[float]:

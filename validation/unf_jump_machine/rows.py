@@ -3,7 +3,7 @@
 import math
 
 from carom.validation.lab import INCH, Run, ball, crossing, simulate
-from carom.validation.row import relative, row
+from carom.validation.row import Kind, relative, row
 
 #: Launch angle ° and speed m/s that give the measured ranges and clear the obstacles.
 LAUNCHES = {"cue X": (25.2, 3.54), "cue Y": (27.6, 4.42)}
@@ -47,8 +47,8 @@ def launch_angle(elevation: float) -> float:
     "Jump shots of a machine: range and apex for the launches that they mean",
     unit="in",
     source="UNF jump-cue machine, 2006; launches and apexes worked out from its ranges",
-    status="M",
-    published={
+    kind=Kind.READ_BACK,
+    reference={
         "cue X: range": 38.80,
         "cue X: apex": 4.56,
         "cue Y: range": 64.28,

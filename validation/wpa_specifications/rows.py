@@ -3,7 +3,7 @@
 import math
 
 from carom.validation.lab import MPH, ball, simulate
-from carom.validation.row import Range, row
+from carom.validation.row import Kind, Range, row
 
 LENGTH = 2.54
 
@@ -34,8 +34,8 @@ def lengths_travelled(speed: float) -> float:
     "A firm centre-ball shot end to end: table lengths (`wpa-9ft`, `pool`; cue at 10 mph)",
     unit="lengths",
     source="WPA specifications, cushions",
-    status="M",
-    published={"lengths": Range(4.0, math.inf)},
+    kind=Kind.FITTED,
+    reference={"lengths": Range(4.0, math.inf)},
 )
 def cu_19() -> list[float]:
     return [lengths_travelled(10 * MPH)]
