@@ -11,6 +11,7 @@
 use carom::batch::{self, BatchResult, OFF_TABLE, PADDING};
 use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
+use carom::runner::Runner;
 use carom::{Error, Noise, Shot};
 use rayon::prelude::*;
 
@@ -187,9 +188,9 @@ fn unrefereed(
 ) -> Result<BatchResult, Error> {
     let Question { perception, seed, .. } = question;
     if perception.position == 0.0 {
-        return Ok(batch::simulate_strikes(shot, strikes, None, &|_| ()));
+        return Ok(batch::simulate_strikes(shot, strikes, &Runner::default()));
     }
-    batch::simulate_seen(shot, strikes, perception, *seed, first, None, &|_| ())
+    batch::simulate_seen(shot, strikes, perception, *seed, first, &Runner::default())
 }
 
 fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {

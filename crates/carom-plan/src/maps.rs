@@ -10,6 +10,7 @@ use carom::limits::{MAX_BALLS, SMALL_CAPACITY};
 use carom::math::{Vec2, Vec3};
 use carom::rack::{Break, break_shot};
 use carom::resolve::cue_ball::Strike;
+use carom::runner::Runner;
 use carom::shot::PlacedBall;
 use carom::simulate::Simulation;
 use carom::{BallState, Error, Noise, Shot};
@@ -313,8 +314,8 @@ pub fn breaks(
     let one = |k: u64| {
         let seed = opening.seed.wrapping_add(k);
         let shot = break_shot(&Break { seed, ..*opening })?;
-        let strikes = batch::draw_strikes(&shot, noise, opening.seed, k, 1)?;
-        let row = batch::simulate_strikes(&shot, &strikes, None, &|_| ());
+        let strikes = batch::draw_strikes(&shot, noise, 1, opening.seed, k)?;
+        let row = batch::simulate_strikes(&shot, &strikes, &Runner::default());
         Ok(reordered(row, &shot, &columns))
     };
     let rows: Result<Vec<BatchResult>, Error> = Threads::new(threads)

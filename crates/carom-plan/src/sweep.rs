@@ -4,8 +4,8 @@
 //! is played with noise. What comes of it is a function of these alone: of no other row, no order, no
 //! number of threads.
 
-use carom::batch::{OFF_TABLE, ON_TABLE, PADDING};
-use carom::event::{Event, EventKind, Recorder};
+use carom::batch::{OFF_TABLE, PADDING, PocketRecorder};
+use carom::event::{Event, Recorder};
 use carom::limits::{MAX_BALLS, SMALL_CAPACITY};
 use carom::math::{degrees, radians};
 use carom::outcome::{OutcomeRecorder, Touched};
@@ -336,17 +336,16 @@ impl<'a, const N: usize> Player<'a, N> {
         let count = shot.balls().len();
         let first = row * self.played.balls;
         let pockets = &mut self.played.pocket[first..][..count];
-        pockets.fill(ON_TABLE);
         let explain = |failure| shot.explain(failure, strike.as_ref().map(|(_, s)| s));
         let Summary { duration, events } = if let Some(referee) = referee {
-            let mut ears = Ears { pockets, referee };
+            let mut ears = Ears { pockets: PocketRecorder::new(pockets), referee };
             let played = self.simulation.play_strike(shot, strike, &mut ears).map_err(explain)?;
             let last = |i| self.simulation.state(i, played.duration);
             let last: Vec<_> = (0..count).map(last).collect();
             self.played.facts[row] = Facts::of(&ears.referee.finish(&last));
             played
         } else {
-            let mut pockets = Pockets(pockets);
+            let mut pockets = PocketRecorder::new(pockets);
             self.simulation.play_strike(shot, strike, &mut pockets).map_err(explain)?
         };
         let cue_ball = shot.cue_ball().and_then(|i| i16::try_from(i).ok());
@@ -366,27 +365,15 @@ impl<'a, const N: usize> Player<'a, N> {
     }
 }
 
-/// Notes which pocket took which ball.
-struct Pockets<'a>(&'a mut [i8]);
-
-impl Recorder for Pockets<'_> {
-    #[inline(always)]
-    fn record(&mut self, event: &Event<'_>) {
-        if let EventKind::PocketCollision(pocket) = event.kind {
-            self.0[usize::from(event.balls[0])] = pocket as i8;
-        }
-    }
-}
-
 /// Notes the pockets, and all that a referee needs.
 struct Ears<'a> {
-    pockets: &'a mut [i8],
+    pockets: PocketRecorder<'a>,
     referee: OutcomeRecorder<'a>,
 }
 
 impl Recorder for Ears<'_> {
     fn record(&mut self, event: &Event<'_>) {
-        Pockets(self.pockets).record(event);
+        self.pockets.record(event);
         self.referee.record(event);
     }
 }

@@ -1,8 +1,9 @@
 //! Evaluations count what the variants do, and nothing else.
 
-use carom::batch::{OFF_TABLE, simulate_noisy};
+use carom::batch::{OFF_TABLE, draw_strikes, simulate_strikes};
 use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
+use carom::runner::Runner;
 use carom::{Noise, Shot};
 use carom_plan::{Evaluation, Precision, Question, Referee, Watched, evaluate};
 use carom_rules::{Call, Frame, Options, Play, Rules};
@@ -34,8 +35,8 @@ fn counts_are_those_of_the_simulated_variants() {
     let shot = shot("half_ball_cut");
     let most = 2500;
     let evaluation = answer(&shot, &question(most));
-    let ends =
-        simulate_noisy(&shot, &Noise::olympiad(1.0), 7, 0, most, None, &|_| ()).expect("ends");
+    let strikes = draw_strikes(&shot, &Noise::olympiad(1.0), most, 7, 0).expect("drawn");
+    let ends = simulate_strikes(&shot, &strikes, &Runner::default());
     assert_eq!(evaluation.variants, most as u64);
     let mut fell = 0;
     for ball in 0..ends.balls {

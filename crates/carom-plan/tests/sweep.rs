@@ -1,6 +1,7 @@
 //! Rows of a table of shots.
 
 use carom::batch::{draw_strikes, simulate_strikes};
+use carom::runner::Runner;
 use carom::shot::{Node, Path};
 use carom::{Noise, Shot};
 use carom_plan::sweep::{self, Column, Played, Rows, Values};
@@ -19,7 +20,7 @@ fn rows_of_strikes_are_the_batch_of_the_same_strikes() {
     let shot = cut();
     let (_, own) = shot.strike().unwrap();
     let strikes = SPEEDS.map(|speed| carom::resolve::cue_ball::Strike { speed, ..own });
-    let batch = simulate_strikes(&shot, &strikes, None, &|_| ());
+    let batch = simulate_strikes(&shot, &strikes, &Runner::default());
     let rows = Rows {
         layouts: &[&shot],
         layout: &[0; SPEEDS.len()],
@@ -47,7 +48,7 @@ fn a_row_with_noise_plays_the_variant_that_it_names() {
         noise: Some((noise, seed, &[5, 1, 5])),
     };
     let played = sweep::play(&rows, 2, false);
-    let drawn = draw_strikes(&shot, &noise, seed, 0, 6).unwrap();
+    let drawn = draw_strikes(&shot, &noise, 6, seed, 0).unwrap();
     assert_eq!(played.strike[0], [5, 1, 5].map(|i: usize| drawn[i].speed));
     assert_eq!(played.end[0][..2], played.end[0][4..]);
 }

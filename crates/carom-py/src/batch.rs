@@ -6,6 +6,7 @@ use carom::Noise;
 use carom::batch::{self, BatchResult};
 use carom::noise::{Perception, SKILLS};
 use carom::resolve::cue_ball::Strike;
+use carom::runner::Runner;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -29,7 +30,8 @@ pub(crate) fn simulate_batch<'py>(
     threads: usize,
 ) -> PyResult<Arrays<'py>> {
     let shots: Vec<_> = shots.iter().map(|shot| shot.0.clone()).collect();
-    let result = py.detach(|| batch::simulate_batch(&shots, count(threads), &|_| ()));
+    let runner = runner(py, threads)?;
+    let result = py.detach(|| batch::simulate_batch(&shots, &runner));
     arrays(py, result)
 }
 
@@ -42,7 +44,8 @@ pub(crate) fn simulate_strikes<'py>(
     threads: usize,
 ) -> PyResult<Arrays<'py>> {
     let strikes = strikes_of(&strikes);
-    let result = py.detach(|| batch::simulate_strikes(&shot.0, &strikes, count(threads), &|_| ()));
+    let runner = runner(py, threads)?;
+    let result = py.detach(|| batch::simulate_strikes(&shot.0, &strikes, &runner));
     arrays(py, result)
 }
 
@@ -58,10 +61,9 @@ pub(crate) fn simulate_seen<'py>(
     threads: usize,
 ) -> PyResult<Arrays<'py>> {
     let strikes = strikes_of(&strikes);
-    let (perception, threads) = (Perception { position }, count(threads));
-    let result = py.detach(|| {
-        batch::simulate_seen(&shot.0, &strikes, &perception, seed, first, threads, &|_| ())
-    });
+    let (perception, runner) = (Perception { position }, runner(py, threads)?);
+    let result =
+        py.detach(|| batch::simulate_seen(&shot.0, &strikes, &perception, seed, first, &runner));
     arrays(py, result.map_err(|e| to_exception(py, &e))?)
 }
 
@@ -81,7 +83,7 @@ pub(crate) fn draw_strikes<'py>(
     first: u64,
     count: usize,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let strikes = batch::draw_strikes(&shot.0, &noise_of(noise), seed, first, count)
+    let strikes = batch::draw_strikes(&shot.0, &noise_of(noise), count, seed, first)
         .map_err(|e| to_exception(py, &e))?;
     let row = |s: Strike| [s.speed, s.azimuth, s.elevation, s.side, s.height];
     PyArray1::from_vec(py, strikes.into_iter().flat_map(row).collect()).reshape([count, 5])
@@ -129,6 +131,11 @@ pub(crate) fn noise_presets() -> Vec<(&'static str, [f64; 5])> {
 
 pub(crate) fn noise_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Noise {
     Noise { speed, azimuth, elevation, side, height }
+}
+
+/// The runner of `threads` threads; 0 is one per core.
+fn runner(py: Python<'_>, threads: usize) -> PyResult<Runner> {
+    Runner::new(count(threads)).map_err(|e| to_exception(py, &e))
 }
 
 pub(crate) fn count(threads: usize) -> Option<usize> {

@@ -4,6 +4,7 @@ use carom::Noise;
 use carom::batch::{BatchResult, draw_strikes, simulate_batch, simulate_strikes};
 use carom::noise::SKILLS;
 use carom::resolve::cue_ball::Strike;
+use carom::runner::Runner;
 use carom::shot::Node;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -31,7 +32,7 @@ impl Shots {
 
     /// Simulates all, without traces.
     pub fn simulate(&self) -> Batch {
-        Batch { result: simulate_batch(&self.0, None, &|_| {}), strikes: Vec::new() }
+        Batch { result: simulate_batch(&self.0, &Runner::default()), strikes: Vec::new() }
     }
 }
 
@@ -70,8 +71,8 @@ impl Shot {
         };
         let noise = Noise { speed, azimuth, elevation, side, height };
         let strikes =
-            draw_strikes(&self.0, &noise, seed, first, count).map_err(|e| to_exception(&e))?;
-        Ok(Batch { result: simulate_strikes(&self.0, &strikes, None, &|_| {}), strikes })
+            draw_strikes(&self.0, &noise, count, seed, first).map_err(|e| to_exception(&e))?;
+        Ok(Batch { result: simulate_strikes(&self.0, &strikes, &Runner::default()), strikes })
     }
 }
 

@@ -4,6 +4,7 @@
 
 use carom::batch::simulate_batch;
 use carom::math::Vec3;
+use carom::runner::Runner;
 use carom::shot::PlacedBall;
 use carom::{BallState, Shot};
 use carom_check::Checker;
@@ -68,7 +69,7 @@ proptest! {
     fn a_batch_ends_as_its_shots_do_alone(plans in prop::collection::vec(any_plan(6), 1..6)) {
         let shots: Vec<Shot> = plans.iter().map(|p| p.shot()).collect();
         for threads in [1, 2] {
-            let batch = simulate_batch(&shots, Some(threads), &|_| {});
+            let batch = simulate_batch(&shots, &Runner::new(Some(threads)).expect("threads"));
             prop_assert!(batch.errors.is_empty());
             for (k, shot) in shots.iter().enumerate() {
                 let trace = shot.simulate().expect("it ends");

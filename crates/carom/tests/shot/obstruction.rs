@@ -3,6 +3,7 @@
 use carom::batch::simulate_strikes;
 use carom::math::{Vec3, atan2, sin_cos};
 use carom::resolve::cue_ball::Strike;
+use carom::runner::Runner;
 use carom::{Shot, Table, Trace};
 
 fn shot(strike: &str, others: &str) -> Result<Shot, carom::Error> {
@@ -111,7 +112,7 @@ fn a_shot_that_refuses_an_obstructed_cue_refuses_it_for_every_strike_of_a_batch(
     let shot = shot(level, behind).unwrap_or_else(|e| panic!("{e}"));
     let (_, sideways) = shot.strike().expect("the shot has a strike");
     let upwards = Strike { azimuth: core::f64::consts::FRAC_PI_2, ..sideways };
-    let result = simulate_strikes(&shot, &[sideways, upwards], Some(1), &|_| ());
+    let result = simulate_strikes(&shot, &[sideways, upwards], &Runner::default());
     let errors: Vec<_> = result.errors.iter().map(|(k, e)| (*k, e.to_string())).collect();
     assert_eq!(errors.len(), 1, "{errors:?}");
     assert_eq!(errors[0].0, 1);

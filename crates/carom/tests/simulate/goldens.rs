@@ -6,6 +6,7 @@ use std::path::Path;
 
 use carom::batch::simulate_batch;
 use carom::event::NullRecorder;
+use carom::runner::Runner;
 use carom::{Shot, Trace};
 use serde_json::{Map, Value, json};
 
@@ -83,7 +84,7 @@ fn batches_of_one_and_two_threads_end_in_the_same_bits_as_single_shots() {
     let held = goldens();
     let shots: Vec<&Shot> = held.iter().map(|g| &g.shot).collect();
     for threads in [1, 2] {
-        let batch = simulate_batch(&shots, Some(threads), &|_| {});
+        let batch = simulate_batch(&shots, &Runner::new(Some(threads)).expect("threads"));
         assert!(batch.errors.is_empty(), "{:?}", batch.errors);
         for (k, golden) in held.iter().enumerate() {
             assert_eq!(batch.events[k] as u64, golden.events, "{}", golden.name);

@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::Path;
 
-use carom::batch::{draw_strikes, simulate_noisy, simulate_strikes};
+use carom::batch::{BatchResult, draw_strikes, simulate_strikes};
 use carom::resolve::cue_ball::Strike;
+use carom::runner::Runner;
 use carom::{Noise, Shot};
 use serde_json::{Value, from_str};
 
@@ -105,8 +106,9 @@ fn shot(name: &str) -> Shot {
 fn variants_are_the_same_for_any_threads_and_pieces() {
     let shot = shot("half_ball_cut");
     let noise = Noise::olympiad(2.0);
-    let run = |first, count, threads| {
-        simulate_noisy(&shot, &noise, 5, first, count, Some(threads), &|_| ()).expect("runs")
+    let run = |first, n, threads| {
+        let strikes = draw_strikes(&shot, &noise, n, 5, first).expect("drawn");
+        simulate_strikes(&shot, &strikes, &Runner::new(Some(threads)).expect("threads"))
     };
     let whole = run(0, 200, 1);
     assert_eq!(run(0, 200, 2), whole);
@@ -114,6 +116,12 @@ fn variants_are_the_same_for_any_threads_and_pieces() {
     let width = shot.balls().len();
     assert_eq!(tail.final_position, whole.final_position[150 * width..]);
     assert_eq!(tail.events, whole.events[150..]);
+}
+
+/// A hundred executions of the shot's strike.
+fn play(shot: &Shot, noise: &Noise) -> BatchResult {
+    let strikes = draw_strikes(shot, noise, 100, 0, 0).expect("drawn");
+    simulate_strikes(shot, &strikes, &Runner::default())
 }
 
 #[test]
@@ -125,8 +133,7 @@ fn what_cannot_be_played_fails_with_its_reason() {
     file.set("strike", strike.clone());
     let edge = Shot::from_node(file.clone()).expect("a shot");
     let noise = Noise { side: 0.002, ..Noise::default() };
-    let play = |shot| simulate_noisy(shot, &noise, 0, 0, 100, None, &|_| ()).expect("runs");
-    let result = play(&edge);
+    let result = play(&edge, &noise);
     assert!(result.errors.len() > 20, "{} miscues", result.errors.len());
     for (row, error) in &result.errors {
         assert!(error.to_string().contains("miscue"), "{error}");
@@ -135,12 +142,12 @@ fn what_cannot_be_played_fails_with_its_reason() {
 
     strike.set("miscue", "report");
     file.set("strike", strike);
-    let reported = play(&Shot::from_node(file).expect("a shot"));
+    let reported = play(&Shot::from_node(file).expect("a shot"), &noise);
     assert_eq!(reported.errors, []);
 
     let soft = Shot::with_strike(&edge, &Strike { speed: 0.01, side: 0.0, ..MEANT }).expect("soft");
     let noise = Noise::olympiad(1.0);
-    let result = simulate_noisy(&soft, &noise, 0, 0, 100, None, &|_| ()).expect("runs");
+    let result = play(&soft, &noise);
     assert!(result.errors.len() > 30);
     assert!(result.errors.iter().all(|(_, e)| e.to_string().starts_with("strike.speed")));
 }
@@ -155,7 +162,7 @@ fn what_is_no_noise_is_refused() {
         (Noise { side: 0.5, ..Noise::default() }, "noise.side"),
         (Noise { height: f64::INFINITY, ..Noise::default() }, "noise.height"),
     ] {
-        let error = draw_strikes(&shot, &noise, 0, 0, 1).expect_err(place);
+        let error = draw_strikes(&shot, &noise, 1, 0, 0).expect_err(place);
         assert!(error.to_string().starts_with(place), "{error}");
     }
 }
@@ -175,8 +182,8 @@ fn the_goldens_of_noise_are_the_same_bits_as_ever() {
         let noise = Noise::olympiad(golden["olympiad"].as_f64().expect("a number"));
         let variants = golden["variants"].as_array().expect("a list");
         let (seed, first) = (whole("seed"), whole("first"));
-        let strikes = draw_strikes(&shot, &noise, seed, first, variants.len()).expect("drawn");
-        let ends = simulate_strikes(&shot, &strikes, None, &|_| ());
+        let strikes = draw_strikes(&shot, &noise, variants.len(), seed, first).expect("drawn");
+        let ends = simulate_strikes(&shot, &strikes, &Runner::default());
         for (k, (s, variant)) in strikes.iter().zip(variants).enumerate() {
             let drawn = vec![s.speed, s.azimuth, s.elevation, s.side, s.height];
             assert_eq!(drawn, numbers(&variant["strike"]), "see goldens/README.md");

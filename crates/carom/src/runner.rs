@@ -1,0 +1,197 @@
+//! How work is shared among threads: by a [`Runner`], everywhere in the workspace.
+//!
+//! Batches, evaluations, searches, maps, sweeps and environments all ask the same question: one
+//! answer for each of many items, worked out by as many threads as the user allows. A `Runner`
+//! holds that policy:
+//!
+//! - Results come in the order of the items and do not depend on the number of threads.
+//! - `None` threads is one for each core, in the pool that the whole program shares; 1 runs on the
+//!   calling thread; any other number gets a pool of its own, which lives as long as the runner
+//!   and its clones. Make one runner for a task and use it for every round of that task.
+//! - A number that cannot be had is an [`Error::Input`] at `threads`, never another number in
+//!   silence.
+//! - Without the feature `parallel` all work runs on the calling thread, with the same results.
+//!
+//! ```
+//! use carom::runner::Runner;
+//!
+//! # fn main() -> Result<(), carom::Error> {
+//! let runner = Runner::new(Some(2))?;
+//! let squares = runner.map(1..=4_u64, || (), |(), k| k * k);
+//! assert_eq!(squares, [1, 4, 9, 16]);
+//! # Ok(())
+//! # }
+//! ```
+
+use alloc::format;
+#[cfg(feature = "parallel")]
+use alloc::sync::Arc;
+use alloc::vec::Vec;
+
+use crate::error::Error;
+
+/// Most threads of a runner. No machine has that many cores to offer; several times as many
+/// threads would exhaust the memory or the process table before any work is done.
+pub const MAX_THREADS: usize = 1024;
+
+/// The threads that a task may use. A clone uses the same ones.
+#[derive(Clone, Debug, Default)]
+pub struct Runner {
+    threads: Threads,
+}
+
+#[derive(Clone, Debug, Default)]
+enum Threads {
+    /// The calling thread alone.
+    #[cfg_attr(not(feature = "parallel"), default)]
+    Calling,
+    /// One for each core, shared by the whole program.
+    #[cfg(feature = "parallel")]
+    #[default]
+    Cores,
+    /// A pool that was made for this runner.
+    #[cfg(feature = "parallel")]
+    Own(Arc<rayon::ThreadPool>),
+}
+
+impl Runner {
+    /// So many threads, or one for each core.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `threads` for 0, for more than [`MAX_THREADS`], and if the operating
+    /// system refuses to start that many.
+    pub fn new(threads: Option<usize>) -> Result<Self, Error> {
+        match threads {
+            None => Ok(Self::default()),
+            Some(1) => Ok(Self { threads: Threads::Calling }),
+            Some(count) if (2..=MAX_THREADS).contains(&count) => Self::with_pool(count),
+            Some(count) => Err(Error::input(
+                "threads",
+                format!("{count} is out of range"),
+                format!("write a whole number from 1 to {MAX_THREADS}, or leave it out"),
+            )),
+        }
+    }
+
+    #[cfg(feature = "parallel")]
+    fn with_pool(count: usize) -> Result<Self, Error> {
+        match rayon::ThreadPoolBuilder::new().num_threads(count).build() {
+            Ok(pool) => Ok(Self { threads: Threads::Own(Arc::new(pool)) }),
+            Err(error) => Err(Error::input(
+                "threads",
+                format!("{count} threads could not be started ({error})"),
+                "ask for fewer, or leave it out",
+            )),
+        }
+    }
+
+    #[cfg(not(feature = "parallel"))]
+    #[expect(clippy::unnecessary_wraps, reason = "the same signature with the feature `parallel`")]
+    fn with_pool(_count: usize) -> Result<Self, Error> {
+        Ok(Self { threads: Threads::Calling })
+    }
+
+    /// How many threads work at the same time.
+    pub fn threads(&self) -> usize {
+        match &self.threads {
+            Threads::Calling => 1,
+            #[cfg(feature = "parallel")]
+            Threads::Cores => rayon::current_num_threads(),
+            #[cfg(feature = "parallel")]
+            Threads::Own(pool) => pool.current_num_threads(),
+        }
+    }
+
+    /// What `work` returns for each of `items`, in their order.
+    ///
+    /// `make_worker` makes what a thread needs to work and can use again for its next item, such as
+    /// a [`Simulator`](crate::Simulator) or a recorder. It is called at least once for each thread
+    /// that takes part, so that `work` must not let a result depend on the items before.
+    ///
+    /// Handing out an item costs some hundred nanoseconds: where an item is less work than some ten
+    /// microseconds, make chunks of them (`slice.chunks(n)`, `chunks_mut(n)`) and let a chunk be the item. To
+    /// report progress, or to let a user stop, call `map` for one part of the items after the other.
+    ///
+    /// A result may be a [`Result`]: collect them to get the error of the first item that failed.
+    pub fn map<I: Send, W, T: Send>(
+        &self,
+        items: impl IntoIterator<Item = I>,
+        make_worker: impl Fn() -> W + Sync + Send,
+        work: impl Fn(&mut W, I) -> T + Sync + Send,
+    ) -> Vec<T> {
+        match &self.threads {
+            Threads::Calling => {
+                let mut worker = make_worker();
+                items.into_iter().map(|item| work(&mut worker, item)).collect()
+            }
+            #[cfg(feature = "parallel")]
+            Threads::Cores => in_parallel(items.into_iter().collect(), make_worker, work),
+            #[cfg(feature = "parallel")]
+            Threads::Own(pool) => {
+                let items = items.into_iter().collect();
+                pool.install(|| in_parallel(items, make_worker, work))
+            }
+        }
+    }
+}
+
+/// [`Runner::map`] in the pool that the calling thread belongs to, else in the program's own.
+#[cfg(feature = "parallel")]
+fn in_parallel<I: Send, W, T: Send>(
+    items: Vec<I>,
+    make_worker: impl Fn() -> W + Sync + Send,
+    work: impl Fn(&mut W, I) -> T + Sync + Send,
+) -> Vec<T> {
+    use rayon::prelude::*;
+    items.into_par_iter().map_init(make_worker, work).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MAX_THREADS, Runner};
+    use alloc::vec::Vec;
+
+    #[test]
+    fn results_are_in_the_order_of_the_items_for_any_number_of_threads() {
+        let expected: Vec<usize> = (0..1000).map(|k| 3 * k).collect();
+        for threads in [None, Some(1), Some(2), Some(7)] {
+            let runner = Runner::new(threads).expect("a runner");
+            assert_eq!(runner.map(0..1000, || (), |(), k| 3 * k), expected, "{threads:?}");
+        }
+    }
+
+    #[test]
+    fn items_may_be_disjoint_mutable_slices() {
+        let mut numbers = [0_usize; 100];
+        let runner = Runner::new(Some(3)).expect("a runner");
+        let lengths = runner.map(
+            numbers.chunks_mut(30).enumerate(),
+            || 10,
+            |ten, (k, chunk)| {
+                chunk.fill(*ten * k);
+                chunk.len()
+            },
+        );
+        assert_eq!(lengths, [30, 30, 30, 10]);
+        assert_eq!((numbers[29], numbers[30], numbers[99]), (0, 10, 30));
+    }
+
+    #[test]
+    fn a_runner_has_as_many_threads_as_were_asked_for() {
+        assert_eq!(Runner::new(Some(1)).expect("a runner").threads(), 1);
+        let three = Runner::new(Some(3)).expect("a runner").threads();
+        assert_eq!(three, if cfg!(feature = "parallel") { 3 } else { 1 });
+    }
+
+    #[test]
+    fn a_number_of_threads_out_of_range_is_refused_at_its_place() {
+        for count in [0, MAX_THREADS + 1, usize::MAX] {
+            let error = Runner::new(Some(count)).expect_err("too few or too many");
+            let text = alloc::string::ToString::to_string(&error);
+            assert!(
+                text.starts_with(&alloc::format!("threads: {count} is out of range")),
+                "{text}"
+            );
+        }
+    }
+}

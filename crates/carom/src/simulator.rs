@@ -1,0 +1,116 @@
+//! Playing shots one after the other, whatever number of balls they have.
+
+use alloc::boxed::Box;
+
+use crate::error::Error;
+use crate::event::Recorder;
+use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
+use crate::resolve::cue_ball::Strike;
+use crate::simulate::{Simulation, SimulationError, Summary};
+use crate::{BallState, Shot};
+
+/// Plays shots one after the other and keeps the memory that they need: for a thread of a
+/// [`Runner`](crate::runner::Runner), or for any loop over shots.
+///
+/// Shots of few balls use a [`Simulation`] that stays in a processor's fastest memory; the larger one for
+/// many balls is allocated when the first such shot is played. Nothing else is allocated.
+///
+/// ```
+/// # #[cfg(feature = "json")] {
+/// use carom::event::NullRecorder;
+/// use carom::{Shot, Simulator};
+///
+/// let shot = Shot::from_json(
+///     r#"{"format": "carom-shot/1", "table": {"cloth": "unbounded"},
+///         "balls": [{"id": "cue", "position": [0, 0], "velocity": [0, 1, 0]}]}"#,
+/// )
+/// .unwrap();
+/// let mut simulator = Simulator::new();
+/// let summary = simulator.play(&shot, &mut NullRecorder).unwrap();
+/// assert!(simulator.file_state(0, &shot, summary.duration).position.y > 1.0);
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Simulator {
+    few: Box<Simulation<SMALL_CAPACITY>>,
+    many: Option<Box<Simulation<MAX_BALLS>>>,
+    /// Whether the last shot was played in `many`.
+    in_many: bool,
+}
+
+impl Default for Simulator {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Simulator {
+    /// A simulator that has played nothing yet.
+    pub fn new() -> Self {
+        Self { few: Box::new(Simulation::new()), many: None, in_many: false }
+    }
+
+    /// Plays `shot` from the strike to rest; `recorder` gets every event.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the strike cannot be played, [`Error::TooManyEvents`] with the shot file if
+    /// the cap on events is reached.
+    pub fn play<R: Recorder>(&mut self, shot: &Shot, recorder: &mut R) -> Result<Summary, Error> {
+        self.play_strike(shot, shot.strike(), recorder)
+    }
+
+    /// Plays `shot` with another strike than its own: the index of the struck ball, and the strike.
+    ///
+    /// # Errors
+    /// As [`Self::play`].
+    pub fn play_strike<R: Recorder>(
+        &mut self,
+        shot: &Shot,
+        strike: Option<(usize, Strike)>,
+        recorder: &mut R,
+    ) -> Result<Summary, Error> {
+        self.in_many = shot.balls().len() > SMALL_CAPACITY;
+        let played = if self.in_many {
+            let many = self.many.get_or_insert_with(|| Box::new(Simulation::new()));
+            many.play_strike(shot, strike, recorder)
+        } else {
+            self.few.play_strike(shot, strike, recorder)
+        };
+        played.map_err(|failure: SimulationError| {
+            shot.explain(failure, strike.as_ref().map(|(_, strike)| strike))
+        })
+    }
+
+    /// Number of balls of the last shot.
+    pub fn len(&self) -> usize {
+        match &self.many {
+            Some(many) if self.in_many => many.len(),
+            _ => self.few.len(),
+        }
+    }
+
+    /// Whether nothing has been played yet.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// State of ball `i` of the last shot at `time` (s), not before its last event, in the engine's frame.
+    pub fn state(&self, i: usize, time: f64) -> BallState {
+        match &self.many {
+            Some(many) if self.in_many => many.state(i, time),
+            _ => self.few.state(i, time),
+        }
+    }
+
+    /// The same in the file's frame; `shot` is the last shot. A ball that never moved has the bits of the
+    /// file.
+    pub fn file_state(&self, i: usize, shot: &Shot, time: f64) -> BallState {
+        shot.to_file_frame(i, &self.state(i, time))
+    }
+
+    /// The states of all balls of the last shot at `time` (s), not before the last event, in the engine's
+    /// frame.
+    pub fn states(&self, time: f64) -> impl ExactSizeIterator<Item = BallState> + '_ {
+        (0..self.len()).map(move |i| self.state(i, time))
+    }
+}
