@@ -12,6 +12,9 @@ SI units and radians; the origin is the bottom left corner of the playing area, 
 table's width, y along its length, z up from the slate.
 """
 
+from importlib import import_module
+from typing import TYPE_CHECKING
+
 from carom._core import __version__
 from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
@@ -34,8 +37,10 @@ from carom.reference import schema, tables
 from carom.rules import Call, Frame, Ruling, rule_sets
 from carom.shot import Shot
 from carom.solve import Solution
-from carom.sweeps import Sweep, sweep
 from carom.trace import Snapshot, Trace
+
+if TYPE_CHECKING:
+    from carom.sweeps import Sweep, sweep
 
 __all__ = [
     "Acceptance",
@@ -79,3 +84,10 @@ __all__ = [
     "sweep",
     "tables",
 ]
+
+
+def __getattr__(name: str) -> object:
+    # Sweeps take half as long to import as all the rest, and few programs use them.
+    if name in {"Sweep", "sweep"}:
+        return getattr(import_module("carom.sweeps"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

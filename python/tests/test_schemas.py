@@ -86,7 +86,7 @@ SPEC = {
     },
     "samples": 10,
     "sequence": "even",
-    "noise": {"azimuth_deg": 0.1},
+    "noise": {"azimuth_deg": 0.1, "side_m": 0.001},
     "variants": 2,
     "columns": ["pocket"],
 }

@@ -85,7 +85,7 @@ fn read_mapping(
         let (key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
         let Ok(key) = key.extract::<String>() else {
             let key = key.repr()?;
-            return Err(refuse(place, &format!("the key {key} is no string"), "write a string"));
+            return Err(refuse(place, &format!("the key {key} is not a string"), "write a string"));
         };
         let before = place.len();
         if !place.is_empty() {

@@ -1,8 +1,8 @@
-"""Tables of shots: any grid or sample of parameters × layouts × physics, to Parquet.
+"""Tables of shots: any grid or sample of parameters × layouts × physics, written to Parquet.
 
 sweep = carom.Sweep.load("sweep.json")       # or Sweep.from_dict({...})
-sweep.run("out")                             # Parquet; after a kill the same call goes on
-sweep.table()                                # a small one, in memory
+sweep.run("out")                             # Parquet; after a kill the same call continues
+sweep.table()                                # in memory, for small tables
 
 Needs pyarrow: ``pip install 'carom[sweep]'``; with Ray ``pip install 'carom[ray]'``.
 """

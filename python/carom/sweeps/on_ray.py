@@ -1,4 +1,4 @@
-"""A sweep on Ray: the same function of the same rows, by processes on one machine or on many."""
+"""A sweep on Ray: the same rows, computed by processes on one machine or on many."""
 
 from __future__ import annotations
 
@@ -16,29 +16,29 @@ from typing import TYPE_CHECKING, Any
 
 from carom import __version__
 from carom.errors import InputError
-from carom.sweeps.arrow import pa
+from carom.lazy import pa
 from carom.sweeps.parts import CHUNK, UNFINISHED, Parts, Receipt
 
 if TYPE_CHECKING:
     from carom.sweeps.table import Sweep
 
-# Large tasks that Ray is given at most: it keeps all of them in its books.
+# Most large tasks: Ray's scheduler holds all of them in memory.
 _MOST_TASKS = 10_000
-# Parts of a task at most: some ten seconds of work, beside which the quarter of a second that a
-# core waits for its next task is little.
+# Most parts of a task: about ten seconds of work, long against the quarter of a second that a core
+# waits for its next task.
 _MOST_PARTS = 8
-# Tasks that are left for each core when they begin to shrink, so that all cores end together.
+# Tasks left per core when tasks begin to shrink, so that all cores end at the same time.
 _LAST_TASKS = 3
-# What a task gives back: its receipts as JSON, or why it could not go on.
-_ANSWER = pa.schema({"receipts": pa.string(), "refused": pa.string()})
 
 
 def start(address: bool | str, threads: int) -> None:
-    """Start Ray here on so many cores, or join the cluster at ``address``; once is enough.
+    """Start Ray on ``threads`` cores of this machine, or join the cluster at ``address``.
+
+    If Ray is running in this process already, that one is used.
 
     Raises:
-        InputError: Ray is not installed, there is no cluster at that address, or it has machines
-            that cannot play.
+        InputError: Ray is not installed, no cluster answers at the address, or one of its
+            machines has no carom of this version.
     """
     ray = _ray()
     begun = not ray.is_initialized()
@@ -58,31 +58,31 @@ def _join(address: str, quiet: dict[str, Any]) -> None:
         _ray().init(address=address, **quiet)
     except ConnectionError as error:
         if "InvalidAuthToken" in str(error.__cause__):
-            remedy = "set RAY_AUTH_MODE=token, and have its token here as Ray says"
-            raise InputError(f"address: {address!r} wants Ray's token; {remedy}") from None
-        remedy = "start one (ray start --head), or leave the address out to start Ray here"
+            remedy = "set RAY_AUTH_MODE=token and provide the token as Ray's manual describes"
+            raise InputError(f"address: {address!r} requires Ray's token; {remedy}") from None
+        remedy = "start one (ray start --head), or omit the address to start Ray on this machine"
         raise InputError(f"address: no Ray cluster answers at {address!r}; {remedy}") from None
     except RuntimeError as error:
-        # Another Ray or another Python there.
+        # The cluster has another version of Ray or of Python.
         raise InputError(f"address: {address!r} cannot be joined: {error}") from None
 
 
 def _check_machines() -> None:
-    """Refuse a cluster with a machine that has no carom, or another version.
+    """Reject a cluster with a machine that has no carom, or another version.
 
     Raises:
-        InputError: The first such machine, and what it has.
+        InputError: With the name of the first such machine and its version.
     """
     ray = _ray()
     wanted = __version__
 
-    # Goes there in full: a reference into carom could not be followed where there is none.
+    # Ray must send this function by value: a machine without carom could not import it.
     def look() -> str | None:
         host = socket.gethostname()
         try:
             import_module("carom.sweeps.play")
             found = import_module("carom").__version__
-        except Exception as error:  # noqa: BLE001 -- carom's own errors are not known there
+        except Exception as error:  # noqa: BLE001 -- carom's own errors do not exist there
             return f"{host} cannot load carom ({error})"
         return None if found == wanted else f"{host} has carom {found}"
 
@@ -97,7 +97,7 @@ def _check_machines() -> None:
 
 
 def _wake() -> None:
-    """Let every worker load what it will need, and Ray Data what it keeps beside them."""
+    """Run a small job, so that every worker and Ray Data itself load their modules."""
 
     def load(batch: pa.Table) -> pa.Table:
         import_module("carom.sweeps.play")
@@ -109,30 +109,31 @@ def _wake() -> None:
 
 
 def write(sweep: Sweep, parts: Parts, missing: list[int]) -> Generator[Receipt]:
-    """Write parts by Ray's workers, whose machines all see the folder.
+    """Write parts by Ray's workers; all their machines must see the folder.
 
-    Files are put there whole or not at all, and are functions of the sweep and their number: when a
-    worker is killed Ray gives its parts to another one, which writes the same files.
+    A file is written completely or not at all, and is a function of the sweep and its number. When
+    a worker is killed, Ray gives its parts to another one, which writes the same files.
     """
     if not missing:
         return
     data = _ray_data()
     version = __version__
-    # A worker stands in another folder than whoever asks for the run.
+    # A worker's current folder differs from the caller's.
     parts = replace(parts, folder=parts.folder.absolute())
-    sign = parts.folder / f"{uuid.uuid4().hex}{UNFINISHED}"
-    sign.touch()
+    marker = parts.folder / f"{uuid.uuid4().hex}{UNFINISHED}"
+    marker.touch()
 
     def work(batch: pa.Table) -> pa.Table:
         receipts, refused = [], None
         try:
             _check_version(version)
-            _check_folder(sign)
+            _check_folder(marker)
             receipts = [asdict(_receipt(sweep, parts, part)) for part in batch["part"].to_pylist()]
         except (InputError, OSError) as error:
-            # Told as it is, not in the two pages that Ray makes of it.
+            # As a value: Ray would wrap an exception in two pages of its own text.
             refused = str(error)
-        return pa.table({"receipts": [json.dumps(receipts)], "refused": [refused]}, schema=_ANSWER)
+        schema = pa.schema({"receipts": pa.string(), "refused": pa.string()})
+        return pa.table({"receipts": [json.dumps(receipts)], "refused": [refused]}, schema=schema)
 
     wanted = data.from_arrow([pa.table({"part": task}) for task in _tasks(missing, _cores())])
     done = wanted.map_batches(work, batch_size=1, batch_format="pyarrow")
@@ -144,25 +145,25 @@ def write(sweep: Sweep, parts: Parts, missing: list[int]) -> Generator[Receipt]:
 
 
 def _check_version(wanted: str) -> None:
-    """Refuse to work on a machine with another version, whose results may differ."""
+    """Reject a machine with another version of carom, whose results may differ."""
     if __version__ != wanted:
         host = socket.gethostname()
         raise InputError(
-            f"{host} has carom {__version__}, and the run is of {wanted}; install the same"
+            f"{host} has carom {__version__}, but the run needs {wanted}; install that version"
         )
 
 
-def _check_folder(sign: Path) -> None:
-    """Refuse to write where the run has not left its sign: parts would lie there unseen."""
-    if not sign.exists():
+def _check_folder(marker: Path) -> None:
+    """Reject a machine where the run's marker file is missing: its parts would be lost there."""
+    if not marker.exists():
         raise InputError(
-            f"{socket.gethostname()} does not see {sign.parent}; "
-            "choose a folder that all machines of the cluster have under this path"
+            f"{socket.gethostname()} does not see {marker.parent}; "
+            "choose a folder that all machines of the cluster see under this path"
         )
 
 
 def _tasks(parts: list[int], cores: int) -> Generator[list[int]]:
-    """Parts in the order in which they are begun, many at once first and one by one at the end."""
+    """Divide parts into tasks, in order: large tasks first, single parts at the end."""
     most = max(_MOST_PARTS, math.ceil(len(parts) / _MOST_TASKS))
     begun = 0
     while begun < len(parts):
@@ -173,7 +174,7 @@ def _tasks(parts: list[int], cores: int) -> Generator[list[int]]:
 
 
 def _receipt(sweep: Sweep, parts: Parts, part: int) -> Receipt:
-    # Done already by a worker that was killed later in the same task.
+    # A worker that was killed later in the same task has written this part.
     if parts.path(part).exists():
         return parts.receipt(sweep, part)
     return parts.write(sweep, part)
@@ -208,11 +209,11 @@ def _cores() -> int:
 def _ray() -> Any:
     try:
         with warnings.catch_warnings():
-            # Ray's own, of no use to who reads them here.
+            # Ray's own warnings do not concern users of carom.
             warnings.simplefilter("ignore")
             import ray
     except ImportError:
-        raise InputError("this needs Ray: pip install 'carom[ray]'") from None
+        raise InputError("this needs Ray; install it: pip install 'carom[ray]'") from None
     return ray
 
 

@@ -1,54 +1,61 @@
-"""Parts of a table: a file of Parquet each, written whole or not at all."""
+"""Parts of a table: one Parquet file each with its checksum, written completely or not at all."""
 
 from __future__ import annotations
 
+import hashlib
 import itertools
 import os
 import socket
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from carom import __version__
 from carom.errors import InputError
-from carom.sweeps.arrow import pa, pq
+from carom.lazy import pa, pq
 
 if TYPE_CHECKING:
     from carom.sweeps.table import Sweep
 
-# Rows that go to Rust in one call; between calls Ctrl-C is heard. Tens of milliseconds of work.
+R = TypeVar("R")
+
+# Rows per call into Rust; Python sees Ctrl-C between two calls. Some tens of milliseconds.
 CHUNK = 16_384
 # Rows of a row group: some tens of megabytes, all that a writer holds in memory.
 GROUP = 131_072
-# Rows of a part if nothing else is said, at most and at least: about a second of work, so that
-# little is lost by a kill; and enough for a file to be worth opening.
+# Default number of rows of a part, at most and at least: about one second of work, so that a kill
+# loses little, and enough for a file to be worth opening.
 MOST_ROWS = 131_072
 LEAST_ROWS = 4096
-# Parts that a small sweep has at least, so that all cores have some.
+# Least number of parts of a small sweep, so that every core gets some.
 PARTS = 16
-# Specs longer than this, such as those of a thousand layouts, stand in the folder only, bytes.
+# Longer specs, such as those of a thousand layouts, are kept in the manifest only, bytes.
 LONGEST_SPEC = 65_536
 UNFINISHED = ".unfinished"
+# A part's checksum is in a file of its own, in the format that `sha256sum --check` reads.
+CHECKSUM = ".sha256"
 
 _counter = itertools.count()
 
 
 class StoppedError(Exception):
-    """A part was given up half-way, because the run is to end."""
+    """The run is ending, so the part was abandoned."""
 
 
 @dataclass(frozen=True, slots=True)
 class Receipt:
-    """A part that lies complete in the folder.
+    """A complete part in the folder.
 
     Attributes:
         part: Its number.
-        rows: How many rows it has.
-        failed: Of these, how many could not be played.
+        rows: Its number of rows.
+        failed: How many of these rows could not be simulated.
         bytes: Size of the file.
-        worker: Process that wrote it; 0 if it was there already.
+        worker: Process that wrote it; 0 if it existed before the run.
+        checked: Whether the file agrees with a checksum; False if it has none.
     """
 
     part: int
@@ -56,16 +63,17 @@ class Receipt:
     failed: int
     bytes: int
     worker: int
+    checked: bool = True
 
 
 @dataclass(frozen=True, slots=True)
 class Parts:
-    """How the rows of a sweep lie in files.
+    """How the rows of a sweep are divided into files.
 
     Attributes:
-        folder: Where.
-        rows: Of the whole sweep.
-        part_rows: Of each part but the last.
+        folder: The folder of the files.
+        rows: Rows of the whole sweep.
+        part_rows: Rows of each part; the last one may have fewer.
     """
 
     folder: Path
@@ -81,32 +89,40 @@ class Parts:
         return self.folder / f"part-{part:0{digits}}.parquet"
 
     def range(self, part: int) -> tuple[int, int]:
-        """The first row of a part, and the first that is not in it."""
+        """The first row of a part, and the first row after it."""
         start = part * self.part_rows
         return start, min(start + self.part_rows, self.rows)
 
     def write(self, sweep: Sweep, part: int, go_on: Callable[[], bool] = lambda: True) -> Receipt:
-        """Play a part and put its file into the folder.
+        """Simulate a part and put its file into the folder.
 
-        A pure function of sweep and part: whoever does it again after a kill writes the same file.
+        The file is a pure function of the sweep and the part's number: a repetition after a kill
+        writes the same bytes.
 
         Raises:
-            StoppedError: ``go_on`` said no.
+            StoppedError: ``go_on`` returned False.
         """
         path = self.path(part)
-        # A name that no other process takes, on no machine that sees the folder.
+        # No other process uses this name, on any machine that sees the folder.
         name = f"{path.name}.{socket.gethostname()}-{os.getpid()}-{next(_counter)}{UNFINISHED}"
         unfinished = path.with_name(name)
+        note = path.with_name(f"{CHECKSUM[1:]}-{name}")
         try:
-            self._play_into(unfinished, sweep, part, go_on)
+            failed = self._play_into(unfinished, sweep, part, go_on)
             with unfinished.open("rb+") as file:
                 os.fsync(file.fileno())
+            size = unfinished.stat().st_size
+            note.write_text(f"{_digest(unfinished)}  {path.name}\n", encoding="ascii")
+            # The checksum first: a part that is there always has one.
+            note.replace(_checksum_path(path))
             unfinished.replace(path)
         finally:
             unfinished.unlink(missing_ok=True)
-        return self.receipt(sweep, part, worker=os.getpid())
+            note.unlink(missing_ok=True)
+        first, end = self.range(part)
+        return Receipt(part, end - first, failed, size, os.getpid())
 
-    def _play_into(self, path: Path, sweep: Sweep, part: int, go_on: Callable[[], bool]) -> None:
+    def _play_into(self, path: Path, sweep: Sweep, part: int, go_on: Callable[[], bool]) -> int:
         first, end = self.range(part)
         failed = 0
         with pq.ParquetWriter(path, sweep.schema, **_encoding(sweep)) as file:
@@ -115,18 +131,19 @@ class Parts:
                 failed += len(table) - table["error"].null_count
                 file.write_table(table, row_group_size=GROUP)
             file.add_key_value_metadata(metadata(sweep, first, failed))
+        return failed
 
     def receipt(self, sweep: Sweep, part: int, worker: int = 0) -> Receipt:
-        """What the file of a part says about itself.
+        """Check the file of a part: its metadata and its checksum.
 
         Raises:
-            InputError: It is not that part of this sweep, or it is broken.
+            InputError: The file is damaged, or it is not that part of this sweep.
         """
         path = self.path(part)
+        remedy = "delete the file; the next run writes it again"
         try:
             found = pq.read_metadata(path)
         except (pa.ArrowInvalid, OSError) as error:
-            remedy = "delete the file, and it is written anew"
             raise InputError(f"{path}: it cannot be read ({error}); {remedy}") from None
         said = found.metadata or {}
         start, stop = self.range(part)
@@ -137,19 +154,53 @@ class Parts:
         }
         same = all(said.get(key) == value.encode() for key, value in wanted.items())
         if not same or found.num_rows != stop - start:
-            remedy = "delete the file, and it is written anew, or choose another folder"
-            raise InputError(f"{path}: it is not part {part} of this sweep; {remedy}")
+            raise InputError(
+                f"{path}: it is not part {part} of this sweep; {remedy}, or choose another folder"
+            )
+        expected = _expected_digest(path)
+        if expected is not None and expected != _digest(path):
+            raise InputError(
+                f"{path}: its checksum is wrong, so it has changed since it was written; {remedy}"
+            )
         failed = int(said[b"carom.sweep.failed"])
-        return Receipt(part, stop - start, failed, path.stat().st_size, worker)
+        size = path.stat().st_size
+        return Receipt(part, stop - start, failed, size, worker, checked=expected is not None)
+
+    def receipts(self, sweep: Sweep, threads: int) -> list[Receipt]:
+        """Check all parts that are in the folder.
+
+        Raises:
+            InputError: As from ``receipt``.
+        """
+        there = (part for part in range(len(self)) if self.path(part).exists())
+        return list(_in_order(lambda part: self.receipt(sweep, part), there, threads))
 
     def tidy(self) -> None:
-        """Remove what killed writers have left behind."""
+        """Remove the unfinished files that killed writers left."""
         for path in self.folder.glob(f"*{UNFINISHED}"):
             path.unlink(missing_ok=True)
 
 
+def _checksum_path(path: Path) -> Path:
+    return path.with_name(path.name + CHECKSUM)
+
+
+def _digest(path: Path) -> str:
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def _expected_digest(path: Path) -> str | None:
+    """The digest in the checksum file of a part; None if the part was written without one."""
+    try:
+        text = _checksum_path(path).read_text(encoding="ascii", errors="replace")
+    except FileNotFoundError:
+        return None
+    return text.partition(" ")[0].strip()
+
+
 def default_rows(rows: int) -> int:
-    """Rows of a part, which depend on the sweep alone: never on the machine."""
+    """Rows of a part; they depend on the sweep only, never on the machine."""
     return min(max(rows // PARTS + 1, LEAST_ROWS), MOST_ROWS)
 
 
@@ -161,10 +212,10 @@ def play_rows(
     *,
     threads: int = 1,
 ) -> pa.Table:
-    """Rows ``start`` up to ``stop``.
+    """The rows from ``start`` up to ``stop``.
 
     Raises:
-        StoppedError: ``go_on`` said no.
+        StoppedError: ``go_on`` returned False.
     """
 
     def chunk(first: int) -> pa.RecordBatch:
@@ -173,14 +224,33 @@ def play_rows(
         return sweep.play(sweep.parameters(first, min(first + CHUNK, stop)))
 
     firsts = range(start, stop, CHUNK)
+    return pa.Table.from_batches(_in_order(chunk, firsts, threads), schema=sweep.schema)
+
+
+def _in_order(call: Callable[[int], R], items: Iterable[int], threads: int) -> Iterator[R]:
+    """Call a function for all items on several threads; yield the results in order.
+
+    Only a few calls wait at any time, so that Ctrl-C ends soon and long ranges need no memory.
+    """
     if threads == 1:
-        return pa.Table.from_batches(map(chunk, firsts), schema=sweep.schema)
+        yield from map(call, items)
+        return
+    pending: deque[Future[R]] = deque()
     with ThreadPoolExecutor(threads) as pool:
-        return pa.Table.from_batches(pool.map(chunk, firsts), schema=sweep.schema)
+        try:
+            for item in items:
+                pending.append(pool.submit(call, item))
+                if len(pending) > 2 * threads:
+                    yield pending.popleft().result()
+            while pending:
+                yield pending.popleft().result()
+        finally:
+            for future in pending:
+                future.cancel()
 
 
 def metadata(sweep: Sweep, first_row: int, failed: int) -> dict[str, str]:
-    """What a file says about itself."""
+    """The metadata of a part's file."""
     said = {
         "carom.version": __version__,
         "carom.sweep.sha256": sweep.sha256,
@@ -192,21 +262,23 @@ def metadata(sweep: Sweep, first_row: int, failed: int) -> dict[str, str]:
 
 
 def _encoding(sweep: Sweep) -> dict[str, object]:
-    """How columns are packed: measured on mid-game shots, a quarter smaller than as by default."""
+    """The encoding of each column; on mid-game shots a quarter smaller than the default."""
     draws = (d for d in sweep.spec.draws if d.kind == "number" and d.distribution != "choice")
     drawn = {draw.name for draw in draws}
     split = {name for name in sweep.schema.names if name in drawn or _is_measured(name)}
     encodings = dict.fromkeys(split, "BYTE_STREAM_SPLIT") | {"row": "DELTA_BINARY_PACKED"}
-    # Balls that were not hit end where they were: zstd finds them in the plain bytes.
+    # Balls that were not hit end where they started; zstd finds these repetitions in plain bytes.
     plain = {name for name in sweep.schema.names if name.startswith("end_")}
     few = [name for name in sweep.schema.names if name not in encodings and name not in plain]
     return {
         "compression": "zstd",
         "use_dictionary": ["pocket.list.element" if name == "pocket" else name for name in few],
         "column_encoding": encodings,
+        # Readers that verify checksums of pages can find damage as well.
+        "write_page_checksum": True,
     }
 
 
 def _is_measured(name: str) -> bool:
-    """Whether no two rows have the same number, whose bytes pack better when they are sorted."""
+    """Whether nearly all values differ, so that splitting them by byte compresses better."""
     return name == "duration" or name.startswith(("cue_end_", "played_"))

@@ -1,45 +1,46 @@
-"""Rows of a sweep: their parameters from their numbers, and what comes of them."""
+"""Rows of a sweep: their parameters, computed from the row number, and their outcomes."""
 
 from __future__ import annotations
 
 from dataclasses import astuple
-from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from carom import _core
 from carom.errors import InputError
+from carom.lazy import np, pa
 from carom.sweeps import spec as specs
-from carom.sweeps.arrow import pa
-from carom.sweeps.columns import FACTS, OUTCOMES, PER_BALL, PLAYED
+from carom.sweeps.columns import OUTCOMES, PER_BALL, PLAYED, REFEREE
 from carom.sweeps.spec import Draw, Grid, Parameter, Spec
 
-Indices = NDArray[np.int64]
-# Rows over the whole sweep that are tried before it begins.
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Indices: TypeAlias = NDArray[np.int64]
+
+# Rows, spread over the whole sweep, that are tried before a run begins.
 PROBES = 64
 
 
-class Player:
-    """Makes and plays the rows of a spec."""
+class RowPlayer:
+    """Computes and simulates the rows of a spec."""
 
     def __init__(self, spec: Spec) -> None:
         self.spec = spec
         self.balls = spec.balls
         self.layouts = [shot._core for shot in spec.layouts]
         self.ids = list(dict.fromkeys(ball for shot in spec.layouts for ball in shot.ids))
-        # The number that an id has among all ids, for each layout and ball.
+        # Index into `ids` for each layout and ball; −1 where the layout has fewer balls.
         self.id_of = np.full((len(spec.layouts), self.balls), -1, dtype=np.int16)
         for row, shot in zip(self.id_of, spec.layouts, strict=True):
             row[: len(shot.ids)] = [self.ids.index(ball) for ball in shot.ids]
-        # The layouts' own strikes, in their files' units.
+        # The layouts' own strikes, in the units of shot files.
         files = [shot.to_dict().get("strike", {}) for shot in spec.layouts]
         self.own = np.array([[strike.get(key, 0.0) for key in specs.STRIKE] for strike in files])
         self.parameter_schema = pa.schema(self._parameter_fields())
         self.schema = pa.schema([*self._parameter_fields(), *self._outcome_fields()])
 
     def parameters(self, start: int, stop: int) -> pa.RecordBatch:
-        """Rows ``start`` up to ``stop``: the rows' numbers and parameters."""
+        """The numbers and parameters of the rows from ``start`` up to ``stop``."""
         spec = self.spec
         row = np.arange(start, stop, dtype=np.int64)
         point, variant = np.divmod(row, spec.variants)
@@ -59,22 +60,34 @@ class Player:
         return pa.RecordBatch.from_arrays(arrays, schema=self.parameter_schema)
 
     def play(self, batch: pa.RecordBatch) -> pa.RecordBatch:
-        """The rows of ``batch`` and what comes of them."""
+        """The rows of ``batch`` with their outcomes.
+
+        Raises:
+            InputError: ``batch`` has other columns than ``parameters`` returns.
+        """
+        if not isinstance(batch, pa.RecordBatch):
+            kind = type(batch).__name__
+            remedy = "give a pyarrow.RecordBatch, for example sweep.parameters(0, 10)"
+            raise InputError(f"batch: found a {kind}; {remedy}")
+        if batch.schema.names != self.parameter_schema.names:
+            wanted = ", ".join(self.parameter_schema.names)
+            given = ", ".join(batch.schema.names)
+            raise InputError(f"batch: its columns are {given}; give {wanted}")
         rows = self._rows(batch)
-        facts = not set(FACTS).isdisjoint(self.spec.columns)
-        found = _core.play_rows(rows, self.balls, facts)
+        with_referee = not set(REFEREE).isdisjoint(self.spec.columns)
+        found = _core.play_rows(rows, self.balls, with_referee)
         return self._with_outcomes(batch, _numpy(batch["layout"]), found)
 
     def shot(self, row: int) -> _core.Shot:
-        """The shot that a row is.
+        """The shot of a row.
 
         Raises:
-            InputError: It cannot be played.
+            InputError: It cannot be simulated.
         """
         return _core.row_shot(self._rows(self.parameters(row, row + 1)))
 
     def _rows(self, batch: pa.RecordBatch) -> _core._Rows:
-        """Rows of parameters as Rust takes them."""
+        """Rows of parameters in the form that Rust accepts."""
         spec = self.spec
         layout = _numpy(batch["layout"])
         strike, columns = [], []
@@ -96,10 +109,10 @@ class Player:
         return self.layouts, layout, columns, strike, noise
 
     def check(self) -> None:
-        """Refuse a sweep of whose rows, tried here and there, none can be played.
+        """Try some rows and reject the sweep if none of them can be simulated.
 
         Raises:
-            InputError: With what is wrong with the first.
+            InputError: None can; the message has the first row's error.
         """
         last = self.spec.rows - 1
         rows = sorted({last * i // max(PROBES - 1, 1) for i in range(PROBES)})
@@ -109,28 +122,37 @@ class Player:
             if error is None:
                 return
             first = first or error
-        raise InputError(f"no row can be played; the first one: {first}")
+        raise InputError(
+            f"no row can be simulated, of {len(rows)} that were tried; the first row: {first}"
+        )
 
     def _parameter_fields(self) -> list[pa.Field]:
         spec = self.spec
         fields = [_field("row", pa.int64(), "number of the row")]
-        fields.append(_field("layout", pa.int32(), "which of the spec's shots"))
+        fields.append(_field("layout", pa.int32(), "index of the layout in the spec's shots"))
         if spec.draws:
-            fields.append(_field("sample", pa.int64(), "which draw"))
+            fields.append(_field("sample", pa.int64(), "number of the draw"))
         if spec.noise is not None:
-            fields.append(_field("variant", pa.int64(), "which error of the strike"))
+            fields.append(_field("variant", pa.int64(), "number of the variant of the noise"))
         return fields + [
-            _field(p.name, _type(p), f"{p.path}, added to the layout's" if p.relative else p.path)
+            _field(
+                p.name,
+                _type(p),
+                f"{p.path}, added to the layout's own value" if p.relative else p.path,
+            )
             for p in spec.parameters
         ]
 
     def _outcome_fields(self) -> list[pa.Field]:
         fields = [_field(name, self._outcome_type(name), OUTCOMES[name]) for name in self.columns]
-        return [*fields, _field("error", pa.string(), "why it could not be played; else null")]
+        return [
+            *fields,
+            _field("error", pa.string(), "why the row could not be simulated; null if it was"),
+        ]
 
     @property
     def columns(self) -> list[str]:
-        """The outcomes that are kept."""
+        """The names of the outcome columns."""
         return [n for n in self.spec.columns if n not in PLAYED or self.spec.noise is not None]
 
     def _outcome_type(self, name: str) -> pa.DataType:
@@ -145,7 +167,7 @@ class Player:
                 return pa.dictionary(pa.int16(), pa.string())
             case "scratch":
                 return pa.bool_()
-        return pa.int16() if name in FACTS else pa.float64()
+        return pa.int16() if name in REFEREE else pa.float64()
 
     def _grid_column(self, grid: Grid, step: Indices) -> pa.Array:
         if grid.steps is not None:
@@ -155,7 +177,7 @@ class Player:
         return self._listed(grid, step)
 
     def _listed(self, parameter: Parameter, index: Indices) -> pa.Array:
-        """The values of these indices into the parameter's own list."""
+        """The values at these indices of the parameter's own list."""
         match parameter.kind:
             case "number":
                 return pa.array(np.array(parameter.values)[index])
@@ -207,7 +229,7 @@ class Player:
     ) -> pa.Array:
         if name in PER_BALL:
             values: NDArray[Any] = found[name]
-            # In layouts with fewer balls than the largest.
+            # Layouts with fewer balls than the largest have no values for the rest.
             missing = (self.id_of < 0)[layout] if (self.id_of < 0).any() else None
             return _lists(values, missing, failed)
         if name in ("cue_end_x", "cue_end_y"):
@@ -221,7 +243,8 @@ class Player:
             return pa.DictionaryArray.from_arrays(index, pa.array(self.ids))
         values = found[name]
         if name in PLAYED:
-            # A strike that fails was drawn all the same, unless that which was meant is at fault.
+            # A row whose strike fails still has the strike that was drawn, unless the strike
+            # before the noise was already invalid.
             return pa.array(values, mask=np.isnan(values))
         missing = failed | (values < 0) if name == "rails_before_second_ball" else failed
         return pa.array(values, mask=missing)
@@ -245,7 +268,7 @@ def _lists(
     missing: NDArray[np.bool_] | None = None,
     failed: NDArray[np.bool_] | None = None,
 ) -> pa.Array:
-    """Lists from shape (n, size): null where ``failed``, and items where ``missing``."""
+    """Lists from shape (n, size); ``failed`` lists and ``missing`` items are null."""
     items = pa.array(values.ravel(), mask=None if missing is None else missing.ravel())
     mask = pa.array(failed) if failed is not None and failed.any() else None
     return pa.FixedSizeListArray.from_arrays(items, values.shape[1], mask=mask)
@@ -257,15 +280,20 @@ def _numpy(column: pa.Array) -> NDArray[Any]:
 
 
 def _values(parameter: Parameter, column: pa.Array) -> Any:
-    """A column as the engine takes it: an array, or choices and indices."""
+    """A column in the form that Rust accepts: an array, or choices and indices."""
     match parameter.kind:
         case "number":
             return _numpy(column)
         case "list":
             return _numpy(column.flatten()).reshape(len(column), -1)
-    # Whoever made the batch may have its own dictionary, or none.
+    # A batch that was made elsewhere may have its own dictionary, or none.
     if not pa.types.is_dictionary(column.type):
         column = column.dictionary_encode()
     by_text = {specs.as_text(value): value for value in parameter.values}
-    choices = [by_text[text] for text in column.dictionary.to_pylist()]
+    texts = column.dictionary.to_pylist()
+    for text in texts:
+        if text not in by_text:
+            known = ", ".join(by_text)
+            raise InputError(f"batch: {parameter.name} has {text!r}; give one of {known}")
+    choices = [by_text[text] for text in texts]
     return choices, _numpy(column.indices.cast(pa.int32()))

@@ -1,4 +1,4 @@
-"""A sweep written into a folder: by all cores here, or by Ray."""
+"""Writing a sweep into a folder, on all cores of this machine or on Ray."""
 
 from __future__ import annotations
 
@@ -9,22 +9,34 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import closing, contextmanager
 from pathlib import Path
 from threading import Event
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 from carom import __version__
 from carom.arguments import cores, whole
 from carom.batch import progress_bar
 from carom.errors import InputError
+from carom.sweeps import on_ray
 from carom.sweeps.parts import UNFINISHED, Parts, Receipt, default_rows
 from carom.sweeps.report import Report
+
+fcntl: ModuleType | None
+try:
+    import fcntl
+except ImportError:
+    # Windows has no such locks.
+    fcntl = None
 
 if TYPE_CHECKING:
     from carom.sweeps.table import Sweep
 
-# What the folder says about itself.
+# The file that describes the folder.
 MANIFEST = "sweep.json"
 FORMAT = "carom-sweep-parts/1"
-# How often Ctrl-C is looked for, s.
+# Most files in one folder: ten times as many as a file system lists comfortably. It keeps a typing
+# error in a spec from filling the disk.
+MOST_PARTS = 10**6
+# Seconds between two looks at Ctrl-C.
 _PATIENCE = 0.2
 
 
@@ -44,7 +56,7 @@ def run(
     begun = time.perf_counter()
     with _claimed(sweep, folder, part_rows) as parts:
         parts.tidy()
-        before = [parts.receipt(sweep, k) for k in range(len(parts)) if parts.path(k).exists()]
+        before = parts.receipts(sweep, threads)
         there = {receipt.part for receipt in before}
         missing = [k for k in range(len(parts)) if k not in there]
         ray_start = None
@@ -53,8 +65,6 @@ def run(
             if ray is False:
                 written = _here(sweep, parts, missing, threads)
             else:
-                from carom.sweeps import on_ray
-
                 started = time.perf_counter()
                 on_ray.start(ray, threads)
                 ray_start = time.perf_counter() - started
@@ -72,6 +82,7 @@ def run(
         failed=sum(receipt.failed for receipt in receipts),
         parts=len(parts),
         parts_before=len(before),
+        parts_unchecked=sum(not receipt.checked for receipt in receipts),
         bytes=sum(receipt.bytes for receipt in receipts),
         seconds=time.perf_counter() - begun - (ray_start or 0.0),
         ray_start_seconds=ray_start,
@@ -80,7 +91,7 @@ def run(
 
 
 def _here(sweep: Sweep, parts: Parts, missing: list[int], threads: int) -> Generator[Receipt]:
-    """Write parts, one thread each: Rust and Parquet let go of the interpreter."""
+    """Write parts, one per thread: Rust and Parquet release the interpreter's lock."""
     stop = Event()
 
     def go_on() -> bool:
@@ -91,7 +102,7 @@ def _here(sweep: Sweep, parts: Parts, missing: list[int], threads: int) -> Gener
         running: set[Future[Receipt]] = set()
         try:
             while True:
-                # No more than are being written: what waits would only fill memory.
+                # Submit no more than the threads can write: waiting parts would fill memory.
                 for part in left:
                     running.add(pool.submit(parts.write, sweep, part, go_on))
                     if len(running) > threads:
@@ -102,7 +113,7 @@ def _here(sweep: Sweep, parts: Parts, missing: list[int], threads: int) -> Gener
                 for future in done:
                     yield future.result()
         finally:
-            # Ctrl-C, or an error such as a full disk: what is half done is given up.
+            # After Ctrl-C, or an error such as a full disk, unfinished parts are abandoned.
             stop.set()
             for future in running:
                 future.cancel()
@@ -110,10 +121,10 @@ def _here(sweep: Sweep, parts: Parts, missing: list[int], threads: int) -> Gener
 
 @contextmanager
 def _claimed(sweep: Sweep, folder: Path, part_rows: int | None) -> Iterator[Parts]:
-    """The parts of the sweep in its folder, which nobody else writes meanwhile.
+    """The parts of the sweep in its folder, locked against other runs.
 
     Raises:
-        InputError: The folder belongs to another sweep, or another run writes there.
+        InputError: The folder belongs to another sweep, or another run writes to it.
     """
     manifest = folder / MANIFEST
     if not manifest.exists():
@@ -123,9 +134,10 @@ def _claimed(sweep: Sweep, folder: Path, part_rows: int | None) -> Iterator[Part
                 f"{strangers[0]}: it belongs to no sweep ({MANIFEST} is missing); "
                 "choose another folder"
             )
+        rows = part_rows or default_rows(len(sweep))
+        _check_count(len(sweep), rows)
         sweep._player.check()
         folder.mkdir(parents=True, exist_ok=True)
-        rows = part_rows or default_rows(len(sweep))
         said = {
             "format": FORMAT,
             "carom": __version__,
@@ -139,41 +151,51 @@ def _claimed(sweep: Sweep, folder: Path, part_rows: int | None) -> Iterator[Part
         unfinished.replace(manifest)
     with manifest.open(encoding="utf-8") as file:
         _lock(file.fileno(), folder)
-        yield Parts(folder, len(sweep), _part_rows(sweep, manifest, file.read(), part_rows))
+        rows = _part_rows(sweep, manifest, file.read(), part_rows)
+        _check_count(len(sweep), rows)
+        yield Parts(folder, len(sweep), rows)
+
+
+def _check_count(rows: int, part_rows: int) -> None:
+    if rows > MOST_PARTS * part_rows:
+        least = -(-rows // MOST_PARTS)
+        raise InputError(
+            f"part_rows: {rows} rows in parts of {part_rows} are more than {MOST_PARTS} files; "
+            f"give part_rows ≥ {least}, or a sweep of fewer rows"
+        )
 
 
 def _part_rows(sweep: Sweep, manifest: Path, text: str, wanted: int | None) -> int:
-    """Rows of a part as the manifest has them, if it is that of this sweep and of this run."""
+    """Rows of a part from the manifest, which must be that of this sweep and this run."""
     remedy = "choose another folder, or delete this one"
     try:
         said = json.loads(text)
-        sha256, version, rows = said["sha256"], said["carom"], int(said["part_rows"])
+        sha256, version = said["sha256"], said["carom"]
+        rows = whole("part_rows", said["part_rows"], low=1)
     except (ValueError, KeyError, TypeError):
-        raise InputError(f"{manifest}: it does not say which sweep this is; {remedy}") from None
+        raise InputError(f"{manifest}: it does not describe a sweep; {remedy}") from None
     if sha256 != sweep.sha256:
-        raise InputError(f"{manifest}: the folder has another sweep in it; {remedy}")
+        raise InputError(f"{manifest}: the folder holds another sweep; {remedy}")
     if version != __version__:
         what = f"the folder was begun by carom {version}, and this is {__version__}"
         raise InputError(f"{manifest}: {what}, whose results may differ; {remedy}")
     if wanted not in (None, rows):
-        what = f"the folder has parts of {rows} rows, and {wanted} are asked for"
-        raise InputError(f"{manifest}: {what}; leave that out, or choose another folder")
+        what = f"the folder has parts of {rows} rows, and part_rows is {wanted}"
+        raise InputError(f"{manifest}: {what}; leave part_rows out, or choose another folder")
     return rows
 
 
 def _lock(file: int, folder: Path) -> None:
-    """Claim the folder until the file is closed, also by a kill."""
-    try:
-        import fcntl
-    except ImportError:
-        # Windows: two runs in one folder write the same files twice, and no wrong ones.
+    """Lock the folder until the file is closed; a kill closes it too."""
+    if fcntl is None:
+        # Two runs in one folder then write the same files twice, which only costs time.
         return
     try:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         raise InputError(
-            f"{folder}: another run writes there; wait for its end, or choose another folder"
+            f"{folder}: another run writes to it; wait for its end, or choose another folder"
         ) from None
     except OSError:
-        # A file system without locks; see above.
+        # The file system has no locks, as above.
         return

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
+from carom import _core
 from carom.errors import InputError
 from carom.noise import Noise
 from carom.shot import Shot
@@ -17,7 +18,7 @@ from carom.sweeps import read
 from carom.sweeps.columns import CHOSEN, OUTCOMES
 
 FORMAT = "carom-sweep/1"
-# The numbers of a strike; they vary without a shot being made anew.
+# The numbers of a strike; varying them is fast, because the shot file is not read again.
 STRIKE = ("speed", "azimuth_deg", "elevation_deg", "side", "height")
 
 _KEYS = (
@@ -36,16 +37,12 @@ _STEPS = ("from", "to", "count")
 _OPTIONS = ("name", "relative")
 _DISTRIBUTIONS = ("uniform", "log_uniform", "normal")
 _WAYS = "grid, from + to + count, uniform, log_uniform, normal, choice"
-_SIGMAS = {
-    "speed": "speed",
-    "azimuth_deg": "azimuth",
-    "elevation_deg": "elevation",
-    "side": "side",
-    "height": "height",
-}
-# Nobody means to write a table of which one grid alone has more steps.
+# The keys of `noise`, in the order of `Noise`'s arguments; older spellings in the second list.
+_SIGMAS = ("speed", "azimuth_deg", "elevation_deg", "side_m", "height_m")
+_OLD_SIGMAS = {"side": "side_m", "height": "height_m"}
+# Most steps of one grid; more of them are a typing error.
 _MOST_STEPS = 10**12
-# Columns of every row, which no parameter may be called.
+# Names that no parameter may have, because every table has these columns.
 _TAKEN = ("row", "layout", "sample", "variant", "error")
 
 Kind = Literal["number", "list", "choice"]
@@ -53,13 +50,13 @@ Kind = Literal["number", "list", "choice"]
 
 @dataclass(frozen=True, slots=True)
 class _Varied:
-    """What varies.
+    """A parameter that varies.
 
     Attributes:
-        path: Where it stands in the shot file.
-        name: Of its column.
-        kind: What a value is.
-        relative: Whether a value is added to the layout's own number, which is one of a strike.
+        path: Its path in the shot file.
+        name: Name of its column.
+        kind: Kind of its values.
+        relative: Whether a value is added to the layout's own number; only for a strike's numbers.
     """
 
     path: str
@@ -70,11 +67,11 @@ class _Varied:
 
 @dataclass(frozen=True, slots=True)
 class Grid(_Varied):
-    """A parameter that takes each of some values.
+    """A parameter that takes each value of a list or of a range.
 
     Attributes:
-        values: All of them; empty where they are ``steps``.
-        steps: From, to, count: as many values, evenly spaced, both ends included.
+        values: The values; empty if there are ``steps``.
+        steps: From, to, count: ``count`` evenly spaced values, both ends included.
     """
 
     values: tuple[Any, ...] = ()
@@ -82,24 +79,24 @@ class Grid(_Varied):
 
     @property
     def count(self) -> int:
-        """How many values."""
+        """Number of values."""
         return len(self.values) if self.steps is None else self.steps[2]
 
     @property
     def width(self) -> int:
-        """Numbers in a list."""
+        """Length of a value that is a list; else 1."""
         return len(self.values[0]) if self.kind == "list" else 1
 
 
 @dataclass(frozen=True, slots=True)
 class Draw(_Varied):
-    """A parameter that is drawn.
+    """A parameter that is drawn at random.
 
     Attributes:
         distribution: ``uniform``, ``log_uniform``, ``normal``, or ``choice``.
-        a: First parameter of the distribution (from, mean), for each number of a list.
-        b: Second (to, σ).
-        values: What is chosen from.
+        a: First parameter of the distribution (from, or mean), for each number of a list.
+        b: Second parameter (to, or σ), likewise.
+        values: The values of a ``choice``.
     """
 
     distribution: str
@@ -109,7 +106,7 @@ class Draw(_Varied):
 
     @property
     def width(self) -> int:
-        """Numbers in a list; uniform numbers that a value takes."""
+        """Number of uniform random numbers that one value needs."""
         return max(len(self.a), 1)
 
 
@@ -118,19 +115,19 @@ Parameter = Grid | Draw
 
 @dataclass(frozen=True, slots=True)
 class Spec:
-    """What a sweep is: rows in C order of layout, grids as written, sample, variant.
+    """The definition of a sweep: rows in C order of layout, grids as written, sample, variant.
 
     Attributes:
-        layouts: The shots that everything is put into.
-        parameters: What varies, in the order in which it is put in.
+        layouts: The shots that the parameters are written into.
+        parameters: The parameters that vary, in the order in which they are written.
         samples: Draws at every point of the grids.
         sequence: ``random`` or ``even``.
-        seed: Of all random numbers.
-        noise: With which every strike is played, if any.
-        variants: How often, each with other errors.
-        paired: Whether every point of the grids and every layout sees the same draws and errors.
-        columns: Which outcomes are kept.
-        file: The spec with everything that it is made of: shots in full, nothing left to defaults.
+        seed: Seed of all random numbers.
+        noise: Execution noise of every strike, if any.
+        variants: How often each strike is simulated, each time with other noise.
+        paired: Whether all points of the grids and all layouts have the same draws and noise.
+        columns: The outcomes that the table has.
+        file: The complete spec: shots in full, every default written out.
     """
 
     layouts: tuple[Shot, ...]
@@ -146,17 +143,17 @@ class Spec:
 
     @property
     def grids(self) -> tuple[Grid, ...]:
-        """What takes each of some values."""
+        """The parameters with a list or a range of values."""
         return tuple(p for p in self.parameters if isinstance(p, Grid))
 
     @property
     def draws(self) -> tuple[Draw, ...]:
-        """What is drawn."""
+        """The parameters that are drawn."""
         return tuple(p for p in self.parameters if isinstance(p, Draw))
 
     @property
     def rows(self) -> int:
-        """Rows of the table."""
+        """Number of rows of the table."""
         count = len(self.layouts) * self.samples * self.variants
         for grid in self.grids:
             count *= grid.count
@@ -164,25 +161,25 @@ class Spec:
 
     @property
     def balls(self) -> int:
-        """Balls of the largest layout."""
+        """Number of balls of the largest layout."""
         return max(map(len, (shot.ids for shot in self.layouts)))
 
     @property
     def sha256(self) -> str:
-        """Of the spec's JSON text without blanks, in the order in which it is kept: 64 digits."""
+        """Hash of the complete spec as JSON text without blanks, 64 hex digits."""
         text = json.dumps(self.file, ensure_ascii=False, separators=(",", ":"))
         return hashlib.sha256(text.encode()).hexdigest()
 
 
 def load(file: Mapping[str, Any], folder: Path) -> Spec:
-    """Read a spec; the names of shot files in it start from ``folder``.
+    """Read a spec; paths of shot files in it are relative to ``folder``.
 
     Raises:
-        InputError: Something in it does not make sense; the message names the place.
+        InputError: The spec is invalid; the message names the place.
         OSError: A shot file cannot be read.
     """
-    plain = read.plain(file)
-    # First, since of another file every key is unknown.
+    plain = _plain(file)
+    # This check comes first: in a file of another format every key would be unknown.
     if isinstance(plain, Mapping) and plain.get("format") != FORMAT:
         what = f"found {read.describe(plain.get('format'))}"
         read.refuse("format", what, f'write "{FORMAT}", and a shot under `shots`')
@@ -200,7 +197,7 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
     noise = None if found.get("noise") is None else _noise(found["noise"])
     variants = read.whole("variants", found.get("variants", 1), 1)
     if noise is None and variants > 1:
-        read.refuse("variants", "without noise all of them would be the same", "write `noise`")
+        read.refuse("variants", "without noise all variants would be equal", "write `noise`")
     paired = found.get("paired", False)
     if not isinstance(paired, bool):
         read.refuse("paired", f"found {read.describe(paired)}", "write true or false")
@@ -222,8 +219,25 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
         layouts, parameters, samples, sequence, seed, noise, variants, paired, columns, whole
     )
     if spec.rows > read.LARGEST_WHOLE:
-        read.refuse("vary", f"the table would have {spec.rows} rows", "vary less, or more coarsely")
+        what = f"the table would have {spec.rows} rows"
+        remedy = f"vary fewer parameters or take fewer steps (at most {read.LARGEST_WHOLE} rows)"
+        read.refuse("vary", what, remedy)
     return spec
+
+
+def _plain(file: Any) -> Any:
+    """The spec in plain dicts, lists, strings and numbers, except for shots that are objects."""
+    if not isinstance(file, Mapping):
+        return _core.plain(file)
+    found: dict[str, Any] = {}
+    for key, value in file.items():
+        if isinstance(value, Shot):
+            found[key] = value
+        elif key == "shots" and isinstance(value, list | tuple):
+            found[key] = [item if isinstance(item, Shot) else _core.plain(item) for item in value]
+        else:
+            found |= _core.plain({key: value})
+    return found
 
 
 def _layouts(value: Any, folder: Path) -> tuple[Shot, ...]:
@@ -252,11 +266,13 @@ def _shots(place: str, item: Any, folder: Path) -> list[Shot]:
             return [Shot.load(folder / item)]
         names = sorted(folder.glob(item))
         if not names:
-            read.refuse(place, f'no file is called "{item}"', f"names start from {folder}")
+            read.refuse(place, f'no file matches "{item}"', f"give a path relative to {folder}")
         return [Shot.load(name) for name in names]
     if isinstance(item, Mapping):
         return [Shot.from_dict(item)]
-    return read.refuse(place, f"found {read.describe(item)}", "write a shot or its file's name")
+    return read.refuse(
+        place, f"found {read.describe(item)}", "write a shot or the path of its file"
+    )
 
 
 def _parameters(vary: Any) -> tuple[Parameter, ...]:
@@ -266,14 +282,14 @@ def _parameters(vary: Any) -> tuple[Parameter, ...]:
     for path, how in vary.items():
         place = f"vary.{path}"
         if not isinstance(path, str):
-            read.refuse(place, "the path is no text", "write one such as strike.speed")
+            read.refuse(place, "the path is not a string", "write one such as strike.speed")
         _check_path(place, path)
         parameter = _parameter(place, path, how)
         for other in found:
             if other.name == parameter.name:
                 read.refuse(
                     place,
-                    f'its column would be "{other.name}", as that of {other.path}',
+                    f'its column would be "{other.name}", like that of {other.path}',
                     'give it another "name"',
                 )
             if re.match(re.escape(path) + r"[.\[]", other.path):
@@ -290,7 +306,7 @@ def _check_path(place: str, path: str) -> None:
     if path == "balls" or re.fullmatch(r"balls[.\[][^.\[]+\]?(\.id)?", path):
         read.refuse(
             place,
-            "which balls there are does not vary",
+            "the ids of the balls cannot vary",
             "write the layouts in `shots`, or vary balls.ID.position",
         )
 
@@ -300,14 +316,16 @@ def _parameter(place: str, path: str, how: Any) -> Parameter:
     relative = found.pop("relative", False)
     if not isinstance(relative, bool):
         read.refuse(f"{place}.relative", f"found {read.describe(relative)}", "write true or false")
-    name = found.pop("name", None) or column_name(path) + ("_offset" if relative else "")
+    name = found.pop("name", None)
+    if name is None:
+        name = column_name(path) + ("_offset" if relative else "")
     if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
         read.refuse(f"{place}.name", f"found {read.describe(name)}", "write letters, digits and _")
     if name in (*_TAKEN, *OUTCOMES):
-        read.refuse(place, f'a column "{name}" is there already', 'give it another "name"')
+        read.refuse(place, f'the table already has a column "{name}"', 'give it another "name"')
     parameter = _how(place, path, name, relative, found)
     if relative and (path.removeprefix("strike.") not in STRIKE or parameter.kind != "number"):
-        what = "only numbers of a strike vary about the layout's own"
+        what = "only a strike's numbers can vary relative to the layout's own"
         read.refuse(f"{place}.relative", what, f"write strike.{', strike.'.join(STRIKE)}")
     return parameter
 
@@ -318,7 +336,7 @@ def _how(place: str, path: str, name: str, relative: bool, found: dict[str, Any]
         count = read.whole(f"{place}.count", found["count"], 1, _MOST_STEPS)
         return Grid(path, name, "number", relative, steps=(*ends, count))
     if len(found) != 1 or not set(found).isdisjoint(_STEPS):
-        read.refuse(place, "it does not say in which one way this varies", f"write one of {_WAYS}")
+        read.refuse(place, "found no single way to vary it", f"write one of {_WAYS}")
     ((way, value),) = found.items()
     at = f"{place}.{way}"
     if way in ("grid", "choice"):
@@ -339,13 +357,13 @@ def _drawn(place: str, way: str, value: Any) -> tuple[Kind, tuple[float, ...], t
     if way == "normal" and not isinstance(value[1], list | tuple):
         b = b * len(a)
     if len(a) != len(b):
-        read.refuse(place, f"found {len(a)} and {len(b)} numbers", "write as many of either")
+        read.refuse(place, f"found {len(a)} and {len(b)} numbers", "write two lists of one length")
     for i, (low, high) in enumerate(zip(a, b, strict=True)):
         at = f"{place}[1]" if kind == "number" else f"{place}[1][{i}]"
         if way == "normal" and high < 0:
-            read.refuse(at, f"{high!r} is no standard deviation", "write a number ≥ 0")
+            read.refuse(at, f"{high!r} is not a standard deviation", "write a number ≥ 0")
         if way != "normal" and high < low:
-            read.refuse(at, f"{high!r} is less than {low!r}", "write the smaller one first")
+            read.refuse(at, f"{high!r} is less than {low!r}", "write the smaller number first")
         if way == "log_uniform" and low <= 0:
             read.refuse(f"{place}[0]", f"{low!r} has no logarithm", "write a number > 0")
     return kind, a, b
@@ -362,7 +380,7 @@ def _values(place: str, value: Any) -> tuple[Kind, tuple[Any, ...]]:
         return "list", tuple(read.numbers(f"{place}[{i}]", x) for i, x in enumerate(values))
     texts = [as_text(x) for x in values]
     if len(set(texts)) < len(texts):
-        read.refuse(place, "a value stands there twice", "keep one of them")
+        read.refuse(place, "a value occurs twice", "keep one of them")
     return "choice", values
 
 
@@ -371,12 +389,12 @@ def _is_number(x: Any) -> bool:
 
 
 def as_text(value: Any) -> str:
-    """A value of a choice in its column: a text as it is, all else as JSON."""
+    """A value of a choice as text: a string unchanged, anything else as JSON."""
     return value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
 
 
 def column_name(path: str) -> str:
-    """What a parameter's column is called: its path, ``_`` for what is no letter or digit."""
+    """A parameter's column: its path, with ``_`` for everything but letters and digits."""
     return re.sub(r"\W+", "_", path.removeprefix("strike."), flags=re.ASCII).strip("_")
 
 
@@ -384,21 +402,24 @@ def _samples(found: Mapping[str, Any], parameters: tuple[Parameter, ...]) -> int
     drawn = [p.path for p in parameters if isinstance(p, Draw)]
     samples = read.whole("samples", found.get("samples", 1), 1)
     if drawn and "samples" not in found:
-        read.refuse("samples", f"the key is missing, and {drawn[0]} is drawn", "say how often")
+        read.refuse("samples", f"the key is missing, and {drawn[0]} is drawn", "write a number")
     if not drawn and samples > 1:
-        read.refuse("samples", "nothing is drawn", "leave it out, or draw something in `vary`")
+        read.refuse("samples", "nothing is drawn", "leave it out, or draw a parameter in `vary`")
     return samples
 
 
 def _noise(value: Any) -> Noise:
     if isinstance(value, str):
         return Noise.preset(value)
-    sigmas = read.fields("noise", value, tuple(_SIGMAS))
-    turned = {}
-    for key, sigma in sigmas.items():
+    given = read.fields("noise", value, (*_SIGMAS, *_OLD_SIGMAS))
+    sigmas = dict.fromkeys(_SIGMAS, 0.0)
+    for key, sigma in given.items():
         x = read.number(f"noise.{key}", sigma)
-        turned[_SIGMAS[key]] = x * RADIANS if key.endswith("_deg") else x
-    return Noise(**turned)
+        new = _OLD_SIGMAS.get(key, key)
+        if new != key and new in given:
+            read.refuse(f"noise.{key}", f"{new} is given too", f"write {new} only")
+        sigmas[new] = x * RADIANS if key.endswith("_deg") else x
+    return Noise(*sigmas.values())
 
 
 # One degree, rad.
@@ -413,8 +434,8 @@ def _check_strikes(
         return
     for i, shot in enumerate(layouts):
         if shot.azimuth is None:
-            what = f"the shot has no strike, and {struck[0] if struck else 'noise'} is of one"
-            read.refuse(f"shots[{i}]", what, "give it one")
+            what = f"the shot has no strike, but {struck[0] if struck else 'noise'} needs one"
+            read.refuse(f"shots[{i}]", what, "add a strike to the shot")
 
 
 def _columns(value: Any) -> tuple[str, ...]:
@@ -423,7 +444,9 @@ def _columns(value: Any) -> tuple[str, ...]:
     if not isinstance(value, list | tuple):
         read.refuse("columns", f"found {read.describe(value)}", "write a list of names")
     for i, name in enumerate(value):
+        if not isinstance(name, str):
+            read.refuse(f"columns[{i}]", f"found {read.describe(name)}", "write a name")
         if name not in OUTCOMES:
-            remedy = read.nearest(str(name), tuple(OUTCOMES))
+            remedy = read.nearest(name, tuple(OUTCOMES))
             read.refuse(f"columns[{i}]", f"there is no outcome {name!r}", remedy)
     return tuple(name for name in OUTCOMES if name in value)

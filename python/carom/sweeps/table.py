@@ -1,4 +1,4 @@
-"""A sweep: a table of shots whose rows are functions of its spec and their number."""
+"""A sweep: a table of shots whose rows are functions of its spec and the row's number."""
 
 from __future__ import annotations
 
@@ -8,81 +8,86 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
-from carom.arguments import cores, whole
+from carom.arguments import cores, instance, truth, whole
+from carom.arguments import text as checked_text
 from carom.errors import InputError
-from carom.shot import read_text
+from carom.lazy import pa
+from carom.shot import Shot, read_text
+from carom.sweeps import on_ray
+from carom.sweeps.parts import play_rows
+from carom.sweeps.play import RowPlayer
+from carom.sweeps.read import parse
+from carom.sweeps.run import run
+from carom.sweeps.spec import Spec, load
 
 if TYPE_CHECKING:
-    import pyarrow as pa
-
-    from carom.shot import Shot
     from carom.sweeps.report import Report
-    from carom.sweeps.spec import Spec
 
-# All else of the package is imported where it is needed: `import carom` shall be quick.
+# Most rows that are held in memory at once: at some hundred bytes a row, ten gigabytes. With more,
+# a typing error in a spec would fill the machine's memory; a folder takes any number of rows.
+MOST_ROWS_IN_MEMORY = 10**8
 
 
 class Sweep:
-    """A table of shots: parameters, and what comes of them.
+    """A table of shots: parameters and outcomes.
 
-    Row i is a function of the spec and of i alone: the same bits whatever the threads, the machine,
-    the parts, or the order in which rows are played.
+    Row i is a function of the spec and of i alone. It has the same bits for any number of threads,
+    on any machine, in parts of any size, and in whatever order the rows are played.
     """
 
     __slots__ = ("_player", "spec")
     spec: Spec
 
     def __init__(self, spec: Spec) -> None:
-        from carom.sweeps.play import Player
-
-        self.spec = spec
-        self._player = Player(spec)
+        self.spec = instance("spec", spec, Spec, "Sweep.from_dict({...}).spec")
+        self._player = RowPlayer(spec)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
-        """Read a spec, ``carom-sweep/1``. Names of shot files start from its folder.
+        """Read a spec file, ``carom-sweep/1``.
+
+        Paths of shot files in the spec are relative to the folder of the spec.
 
         Raises:
             OSError: A file cannot be read.
-            InputError: It is no valid spec; the message names the place.
+            InputError: The spec is invalid; the message names the place.
         """
-        return cls.from_json(read_text(path), folder=Path(path).parent)
+        place = _folder("path", path)
+        return cls.from_json(read_text(place), folder=place.parent)
 
     @classmethod
     def from_json(cls, text: str, *, folder: str | os.PathLike[str] = ".") -> Self:
-        """Read a spec from JSON text. Names of shot files start from ``folder``.
+        """Read a spec from JSON text.
+
+        Paths of shot files in the spec are relative to ``folder``.
 
         Raises:
             OSError: A file cannot be read.
-            InputError: It is no valid spec.
+            InputError: The spec is invalid; the message names the place.
         """
-        from carom.sweeps.read import parse
-
-        return cls.from_dict(parse(text), folder=folder)
+        return cls.from_dict(parse(checked_text("text", text)), folder=folder)
 
     @classmethod
     def from_dict(cls, spec: Mapping[str, Any], *, folder: str | os.PathLike[str] = ".") -> Self:
-        """Read a spec from a dict as the file has it; ``shots`` may hold ``carom.Shot`` as well.
+        """Read a spec from a dict with the file's keys; ``shots`` may also hold ``carom.Shot``.
 
         Raises:
             OSError: A file cannot be read.
-            InputError: It is no valid spec.
+            InputError: The spec is invalid; the message names the place.
         """
-        from carom.sweeps.spec import load
-
-        return cls(load(spec, Path(folder)))
+        return cls(load(spec, _folder("folder", folder)))
 
     def to_dict(self) -> dict[str, Any]:
-        """The spec with everything that it is made of: shots in full, nothing left to defaults."""
+        """The complete spec: shots in full, every default written out."""
         return dict(self.spec.file)
 
     def to_json(self) -> str:
-        """The same as text."""
+        """The complete spec as JSON text."""
         return json.dumps(self.spec.file, ensure_ascii=False)
 
     @property
     def sha256(self) -> str:
-        """Hash of ``to_dict()``: it names the table."""
+        """Hash of ``to_dict()``; it identifies the table."""
         return self.spec.sha256
 
     def __len__(self) -> int:
@@ -90,49 +95,47 @@ class Sweep:
 
     @property
     def schema(self) -> pa.Schema:
-        """Columns of the table, with what they are in their metadata."""
+        """The table's columns; the metadata of each describes it."""
         return self._player.schema
 
     def parameters(self, start: int = 0, stop: int | None = None) -> pa.RecordBatch:
-        """Rows ``start`` up to ``stop``, parameters only.
+        """The parameters of the rows from ``start`` up to ``stop``, without outcomes.
 
         Raises:
-            InputError: There are no such rows.
+            InputError: The sweep has no such rows, or they do not fit into memory.
         """
         return self._player.parameters(*self._range(start, stop))
 
     def play(self, batch: pa.RecordBatch) -> pa.RecordBatch:
-        """What comes of rows of parameters: the same rows with their outcomes.
+        """Simulate rows of parameters; return the same rows with their outcomes.
 
-        A pure function, by which every row of every sweep is made, here and on a cluster.
+        This is a pure function. It computes every row of every sweep, here and on a cluster.
+
+        Raises:
+            InputError: ``batch`` is not a batch of rows as ``parameters`` returns it.
         """
         return self._player.play(batch)
 
     def table(
         self, start: int = 0, stop: int | None = None, *, threads: int | None = None
     ) -> pa.Table:
-        """Rows ``start`` up to ``stop``, in memory.
+        """The rows from ``start`` up to ``stop``, in memory. Ctrl-C stops it.
 
         Raises:
-            InputError: There are no such rows.
+            InputError: The sweep has no such rows, or they do not fit into memory.
         """
-        from carom.sweeps.parts import play_rows
-
         return play_rows(self, *self._range(start, stop), threads=cores(threads))
 
     def shot(self, row: int) -> Shot:
-        """The shot that a row is, to be looked at or simulated with a trace.
+        """The shot of one row, to look at or to simulate with a trace.
 
-        With noise its strike is the one that came out. Its angles are the degrees that a file can
-        hold, which moves some by one rounding.
+        With noise its strike is the one after the noise. A shot file holds angles in degrees, so
+        some angles differ from the row's by one rounding.
 
         Raises:
-            InputError: There is no such row, or it cannot be played.
+            InputError: The sweep has no such row, or the row cannot be simulated.
         """
-        from carom.shot import Shot
-
-        self._range(row, row + 1)
-        return Shot._wrap(self._player.shot(row))
+        return Shot._wrap(self._player.shot(whole("row", row, len(self))))
 
     def run(
         self,
@@ -143,37 +146,48 @@ class Sweep:
         ray: bool | str = False,
         progress: bool = False,
     ) -> Report:
-        """Write the whole table into a folder, as Parquet; go on where an earlier call has ended.
+        """Write the whole table into a folder as Parquet; continue where an earlier run stopped.
+
+        Parts that the folder already holds are compared with their checksums first.
 
         Args:
-            out: The folder; made if it is not there.
-            threads: How many; None is one per core. Results do not depend on it.
-            part_rows: Rows of a file; None is a number that depends on the sweep alone.
-            ray: Play on Ray: True starts it here, an address joins a running cluster, whose
-                machines must all see the folder.
+            out: The folder. It is created if it does not exist.
+            threads: Number of threads; None means one per core. Results do not depend on it.
+            part_rows: Rows of one file; None chooses a number that depends on the sweep only.
+            ray: Simulate on Ray: True starts Ray on this machine, an address joins a running
+                cluster. All machines of a cluster must see the folder.
             progress: Show a progress bar on stderr.
 
         Raises:
-            InputError: The folder has another sweep in it, or one of another version, or no row
-                can be played.
+            InputError: The folder holds another sweep, a sweep of another version of carom or a
+                damaged part; or no row can be simulated.
         """
-        from carom.sweeps.run import run
-
+        if not isinstance(ray, str):
+            ray = truth("ray", ray)
         return run(
-            self, Path(out), threads=threads, part_rows=part_rows, ray=ray, progress=progress
+            self,
+            _folder("out", out),
+            threads=threads,
+            part_rows=part_rows,
+            ray=ray,
+            progress=truth("progress", progress),
         )
 
     def dataset(self) -> Any:
-        """The table as a ``ray.data.Dataset``, in order, played when it is read."""
-        from carom.sweeps.on_ray import dataset
-
-        return dataset(self)
+        """The table as a ``ray.data.Dataset``, in order; rows are simulated when they are read."""
+        return on_ray.dataset(self)
 
     def _range(self, start: int, stop: int | None) -> tuple[int, int]:
-        end = len(self) if stop is None else whole("stop", stop)
-        start = whole("start", start)
-        if not 0 <= start <= end <= len(self):
-            raise InputError(f"rows {start} to {end}: the sweep has rows 0 to {len(self)}")
+        rows = len(self)
+        end = rows if stop is None else whole("stop", stop, rows + 1)
+        start = whole("start", start, rows + 1)
+        if start > end:
+            raise InputError(f"start: {start} is greater than stop, {end}; give start ≤ stop")
+        if end - start > MOST_ROWS_IN_MEMORY:
+            raise InputError(
+                f"stop: rows {start} to {end} are too many for memory; take at most "
+                f"{MOST_ROWS_IN_MEMORY} rows at once, or write them to a folder with Sweep.run"
+            )
         return start, end
 
     def __reduce__(self) -> tuple[Any, tuple[dict[str, Any]]]:
@@ -192,7 +206,7 @@ def sweep(
     ray: bool | str = False,
     progress: bool = False,
 ) -> Report:
-    """Play a sweep into a folder: ``Sweep.run`` of a spec, or of its file's name."""
+    """Simulate a sweep into a folder: ``Sweep.run`` of a sweep, a spec or a spec file's path."""
     found = _sweep_of(spec)
     return found.run(out, threads=threads, part_rows=part_rows, ray=ray, progress=progress)
 
@@ -205,4 +219,14 @@ def _sweep_of(spec: Any) -> Sweep:
     if isinstance(spec, str | os.PathLike):
         return Sweep.load(spec)
     found = type(spec).__name__
-    raise InputError(f"spec: found a {found}; give a Sweep, a dict, or the name of a file")
+    raise InputError(f"spec: found a {found}; give a Sweep, a dict, or the path of a file")
+
+
+def _folder(name: str, path: Any) -> Path:
+    if not isinstance(path, str | os.PathLike) or isinstance(os.fspath(path), bytes):
+        found = type(path).__name__
+        raise InputError(f'{name}: found a {found}; give a path, for example "out"')
+    place = os.fspath(path)
+    if "\0" in place:
+        raise InputError(f"{name}: the path has a NUL character; remove it")
+    return Path(place)
