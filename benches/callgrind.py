@@ -1,4 +1,4 @@
-"""Instructions of our example programs, counted by valgrind's callgrind."""
+"""Instruction counts of the example programs, by valgrind's callgrind."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def is_installed() -> bool:
-    """Whether there is a valgrind."""
+    """Whether valgrind is on the path."""
     return shutil.which("valgrind") is not None
 
 
 def build(package: str, example: str) -> Path:
-    """Builds an example with the profile of the benchmarks, and tells where the program is."""
+    """Builds an example with the profile `bench` and returns the path of the program."""
     command = ["cargo", "build", "--quiet", "--profile", "bench", "-p", package]
     command += ["--example", example, "--message-format", "json"]
     built = subprocess.run(command, check=True, cwd=ROOT, stdout=subprocess.PIPE, text=True).stdout
@@ -33,18 +33,27 @@ def build(package: str, example: str) -> Path:
 
 
 def write(members: Iterable[State], path: Path) -> Path:
-    """Writes shots, one in a line, as the examples read them."""
+    """Writes shot files as the examples read them, one in a line; returns `path`."""
     lines = (json.dumps(state.shot_file()) + "\n" for state in members)
     path.write_text("".join(lines), encoding="utf-8")
     return path
 
 
 def count(program: Path, *words: object, out: Path = Path("/dev/null")) -> tuple[int, str]:
-    """Instructions of a whole run, and what it printed; ``out`` gets those of each function."""
+    """The instructions of a whole run, and the program's output.
+
+    Args:
+        program: The program to run.
+        words: Its arguments.
+        out: File for the counts of each function.
+
+    Raises:
+        SystemExit: callgrind printed no count.
+    """
     command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", str(program)]
     command += map(str, words)
     done = subprocess.run(command, check=True, capture_output=True, text=True)
     collected = re.search(r"Collected\s*:\s*(\d+)", done.stderr)
     if collected is None:
-        raise SystemExit(f"callgrind did not say what it counted:\n{done.stderr}")
+        raise SystemExit(f"callgrind printed no count:\n{done.stderr}")
     return int(collected.group(1)), done.stdout

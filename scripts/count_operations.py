@@ -1,8 +1,9 @@
-"""Counts what the engine looks at and solves in the shots that are timed.
+"""Counts the engine's tests and solutions in the shots of `carom bench`.
 
     python scripts/count_operations.py
 
-stores validation/leckie_greenspan_2006/operations.json, beside the counts of the paper's section 3.
+It stores validation/leckie_greenspan_2006/operations.json, which also has the counts by the method
+of the paper's section 3.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from carom.bench import states
+from carom.bench import report, states
 
 ROOT = Path(__file__).resolve().parents[1]
 STORED = ROOT / "validation" / "leckie_greenspan_2006" / "operations.json"
@@ -33,9 +34,15 @@ def count(members: list[states.State]) -> dict[str, Any]:
 
 
 def main() -> None:
-    """Counts and stores."""
+    """Counts every class and stores the result."""
     classes = {name: count(members) for name, members in states.load().items()}
-    result = {"command": "python scripts/count_operations.py", "classes": classes}
+    measured = report.where()
+    result = {
+        "command": "python scripts/count_operations.py",
+        "commit": measured["commit"],
+        "date": measured["date"][:10],
+        "classes": classes,
+    }
     STORED.write_text(json.dumps(result, indent=1) + "\n")
 
 

@@ -1,5 +1,4 @@
-"""Error and cost of the integration-style simulator against Δt, beside the event-based one; and how
-many of 100 000 random shots each root finder spoils."""
+"""Error and cost of the fixed-step simulator against Δt, and impossible shots by root finder."""
 
 from __future__ import annotations
 
@@ -25,9 +24,9 @@ STEPS = (1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4, 1e-4)
 APPROACHING = "at which they approach"
 READING = {"carom": "first contact"}
 LABELS = {
-    "promised": "by more than carom promises",
-    "micrometre": "by > 1 µm",
-    "millimetre": "by > 1 mm",
+    "promised": "> 1e-12 m, or 1e-14 m at contacts",
+    "micrometre": "> 1 µm",
+    "millimetre": "> 1 mm",
 }
 
 
@@ -35,20 +34,20 @@ def figure() -> Figure:
     fig, (left, middle, right) = plot.panels(3)
     steps = np.array(STEPS)
     left.loglog(steps, [end_error(dt) for dt in steps], "o-", color=plot.COLORS[1],
-                markersize=4, label="where the balls end, m")  # fmt: skip
+                markersize=4, label="final positions, m")  # fmt: skip
     first = exact().first("ball-collision").time
     late = [abs(by_steps(dt).contacts[0] - first) for dt in steps]
     left.loglog(steps, late, "s-", color=plot.COLORS[2], markersize=4, label="first collision, s")
     left.loglog(steps, 0.05 * steps / steps[0], ":", color="0.5", label="∝ Δt")
-    left.axhline(1e-15, color=plot.COLORS[0], label="event-based: rounding")
-    plot.name(left, "Δt, s", "error", "The same shot by steps")
+    left.axhline(1e-15, color=plot.COLORS[0], label="by events: rounding")
+    plot.name(left, "Δt, s", "error", "One shot by steps: error")
 
     n = len(shot())
     by_step = [integration_operations(n, by_steps(dt).steps, n) for dt in steps]
     events = len(exact().events) * event_operations(n, n)
     middle.loglog(steps, by_step, "o-", color=plot.COLORS[1], markersize=4, label="by steps")
     middle.axhline(events, color=plot.COLORS[0], label=f"by events ({len(exact().events)} of them)")
-    plot.name(middle, "Δt, s", "operations, counted as in section 3", "What it costs")
+    plot.name(middle, "Δt, s", "operations (section 3)", "One shot: operations")
 
     methods = ("textbook closed form", "companion matrix", "Algorithm 1010", "carom")
     for k, limit in enumerate(("promised", "micrometre", "millimetre")):
@@ -60,5 +59,7 @@ def figure() -> Figure:
     right.set_yscale("symlog", linthresh=1)
     right.set_ylim(0, 1e6)
     right.set_xticks(range(4), [m.replace(" ", "\n", 1) for m in methods], fontsize=7)
-    plot.name(right, "", "impossible, of 100 000", "Random shots, by root finder")
+    plot.name(
+        right, "", "impossible shots of 100 000", "Random shots by root finder (commit 4430a05)"
+    )
     return fig

@@ -1,10 +1,10 @@
-"""The integration-style simulator that the paper argues against, written plainly.
+"""The fixed-step simulator that the paper argues against, in plain form.
 
-Time goes in steps of Δt. Within a step velocity and acceleration are held constant; afterwards
-every ball, pair and rail is looked at, and what must have happened is backed up to: the fraction of
-the step is estimated by linear interpolation, all balls are stepped that far again, and the event
-is applied. The force laws are the engine's, and so are the two impact laws used here: restitution
-along the line of centres and along the rail's normal.
+Time advances in steps of Δt, within which velocity and acceleration are constant. After each step
+every ball, pair and rail is tested for an event. If there is one, the fraction of the step at which
+it happened is found by linear interpolation, all balls are stepped again by that fraction, and the
+event is applied. The force laws are the engine's, and so are the two impact laws used here:
+restitution along the line of centres and along the rail's normal.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from carom.validation.lab import Vector
     from numpy.typing import NDArray
 
-#: Ball, cloth and rail of the comparison; the shot that the engine gets has the same numbers.
+#: Ball, cloth and rail of the comparison, in SI units; `rows.laws` gives the engine the same.
 RADIUS, GRAVITY, SLIDING, ROLLING, SPIN_DOWN = 0.028575, 9.81, 0.2, 0.01, 10.0
 BALL_RESTITUTION, RAIL_RESTITUTION = 0.95, 0.85
 WIDTH, LENGTH = 1.0, 2.0
@@ -26,7 +26,11 @@ WIDTH, LENGTH = 1.0, 2.0
 
 @dataclass
 class Balls:
-    """n balls: position and velocity (n, 2), spin (n, 3); whether each rolls."""
+    """n balls: position (m) and velocity (m/s), shape (n, 2); spin (rad/s), shape (n, 3).
+
+    `rolls` says of each ball whether it rolls. `steps` and `contacts` (s) describe the simulation
+    that led here: its number of steps, and the times of the ball–ball collisions.
+    """
 
     position: Vector
     velocity: Vector
@@ -51,8 +55,11 @@ def unit(v: Vector) -> Vector:
     return direction
 
 
-def stepped(b: Balls, dt: float) -> Balls:
-    """All balls after `dt` of constant velocity and acceleration (Euler's method)."""
+def stepped(b: Balls, dt: float, order: int = 1) -> Balls:
+    """All balls after `dt` s.
+
+    Order 1 is Euler's method, in which a position changes by v Δt; order 2 adds ½ a Δt².
+    """
     sliding = unit(b.slip) * ~b.rolls[:, None]
     rolling = unit(b.velocity) * b.rolls[:, None]
     acceleration = -GRAVITY * (SLIDING * sliding + ROLLING * rolling)
@@ -64,16 +71,17 @@ def stepped(b: Balls, dt: float) -> Balls:
     spin[b.rolls, 1] = velocity[b.rolls, 0] / RADIUS
     left = np.maximum(np.abs(b.spin[:, 2]) - SPIN_DOWN * dt, 0.0)
     spin[:, 2] = np.copysign(left, b.spin[:, 2])
-    return Balls(b.position + b.velocity * dt, velocity, spin, b.rolls.copy())
+    mean = b.velocity if order == 1 else 0.5 * (b.velocity + velocity)
+    return Balls(b.position + mean * dt, velocity, spin, b.rolls.copy())
 
 
 def fall(before: float, after: float) -> float | None:
-    """The fraction of the step at which a value fell through zero, if it did."""
+    """The fraction of the step at which a value fell through zero; None if it did not."""
     return before / (before - after) if before > 0.0 >= after else None
 
 
 def events(a: Balls, b: Balls) -> list[tuple[float, str, int, int]]:
-    """What must have happened between `a` and `b`: fraction of the step, kind, ball, other."""
+    """The events between `a` and `b`: fraction of the step, kind, ball, other ball or axis."""
     found = []
     n = len(a.position)
     turned = np.sum(a.slip * b.slip, axis=1) <= 0.0
@@ -105,7 +113,7 @@ def events(a: Balls, b: Balls) -> list[tuple[float, str, int, int]]:
 
 
 def apply(b: Balls, kind: str, i: int, j: int) -> None:
-    """What the event does."""
+    """Applies an event to the balls."""
     if kind == "rolls":
         b.rolls[i] = True
         b.spin[i, :2] = (-b.velocity[i, 1] / RADIUS, b.velocity[i, 0] / RADIUS)
@@ -123,17 +131,17 @@ def apply(b: Balls, kind: str, i: int, j: int) -> None:
         b.rolls[i] = b.rolls[j] = False
 
 
-def simulate(start: Balls, dt: float, until: float = np.inf) -> Balls:
-    """Steps to rest, or to the time `until` (s); counts its steps and notes when balls collided."""
+def simulate(start: Balls, dt: float, order: int = 1) -> Balls:
+    """Steps of `dt` s until all balls rest; records the number of steps and the collisions."""
     now, time, steps, contacts = start, 0.0, 0, []
-    while not now.at_rest and time < until:
-        size = min(dt, until - time)
-        following = stepped(now, size)
+    while not now.at_rest:
+        size = dt
+        following = stepped(now, size, order)
         happened = events(now, following)
         steps += 1
         if happened:
             fraction, kind, i, j = min(happened)
-            following = stepped(now, fraction * size)
+            following = stepped(now, fraction * size, order)
             apply(following, kind, i, j)
             size *= fraction
             if kind == "balls":

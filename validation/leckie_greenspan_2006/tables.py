@@ -1,8 +1,13 @@
-"""The page's tables, from the stored results."""
+"""The tables of the README, made from the stored results.
+
+    python -m carom.validation.leckie_greenspan_2006.tables
+
+prints them.
+"""
 
 from __future__ import annotations
 
-from carom.validation.leckie_greenspan_2006.rows import counted, finders
+from carom.validation.leckie_greenspan_2006.rows import counted, finders, stored
 
 CLASSES = {
     "pot_shot": "a pot, 2 balls",
@@ -12,26 +17,31 @@ CLASSES = {
 }
 
 
+#: The engine's finder, which is asked only about the pairs that its proofs leave; the peers' are
+#: asked about every pair.
+ASKED = {"carom": "left by the proofs"}
+
+
 def spaced(count: float) -> str:
-    """A number with its thousands apart."""
+    """A rounded number with a space before every three digits."""
     return f"{count:,.0f}".replace(",", " ")
 
 
 def markdown(head: list[str], lines: list[list[str]]) -> str:
-    """A table."""
+    """A Markdown table."""
     rule = ["---"] * len(head)
     return "\n".join(f"| {' | '.join(cells)} |" for cells in [head, rule, *lines])
 
 
 def finder_table(family: str) -> str:
-    """Shots with an impossible result, by root finder and how its roots are read."""
-    head = ["Roots", "taken: the smallest", "shots", "impossible by > 1 mm", "> 1 µm",
-            "> promised", "overlap", "apart", "endless", "µs a shot"]  # fmt: skip
+    """Shots with an impossible result, by root finder and by which of its roots is taken."""
+    head = ["Roots", "root taken: the smallest", "shots", "impossible by > 1 mm", "> 1 µm",
+            "> promised", "overlap", "apart", "endless", "pairs asked", "µs a shot"]  # fmt: skip
     lines = [
         [f["method"], f["reading"], spaced(f["shots"])]
         + [spaced(f["impossible"][limit]) for limit in ("millimetre", "micrometre", "promised")]
         + [spaced(f[kind]) for kind in ("overlap", "apart", "endless")]
-        + [f"{f['microseconds_per_shot']:.0f}"]
+        + [ASKED.get(f["method"], "all"), f"{f['microseconds_per_shot']:.0f}"]
         for f in finders()
         if f["family"] == family
     ]
@@ -39,17 +49,17 @@ def finder_table(family: str) -> str:
 
 
 def operation_table() -> str:
-    """What is done per event, by class of shot."""
+    """Mean numbers per event, by class of shot."""
     head = ["Per event", *CLASSES.values()]
     per = [(c := counted()[name], c["events"]) for name in CLASSES]
     count = {
         "balls that move": [c["moving"] / n for c, n in per],
-        "quartics, in the paper": [c["pairs"] / n for c, n in per],
-        "pairs looked at, here": [c["looked_at"] / n for c, n in per],
-        "of them turned away by proof": [(c["looked_at"] - c["solved"]) / n for c, n in per],
-        "quartics solved": [c["solved"] / n for c, n in per],
-        "paths held against the cushions": [c["searched"] / n for c, n in per],
-        "of them clear by proof": [c["clear"] / n for c, n in per],
+        "quartics by the paper's method": [c["pairs"] / n for c, n in per],
+        "pairs that the engine looks at": [c["looked_at"] / n for c, n in per],
+        "of them rejected by proof": [(c["looked_at"] - c["solved"]) / n for c, n in per],
+        "quartics that it solves": [c["solved"] / n for c, n in per],
+        "paths compared with the cushions": [c["searched"] / n for c, n in per],
+        "of them proved clear": [c["clear"] / n for c, n in per],
     }
     lines = [[name, *(f"{x:.2f}" for x in numbers)] for name, numbers in count.items()]
     lines += [
@@ -57,3 +67,17 @@ def operation_table() -> str:
         for way in ("by steps of 1 ms", "the paper's events", "carom")
     ]
     return markdown(head, lines)
+
+
+def made(name: str) -> str:
+    """The commit and date of a stored result, as the README gives them."""
+    result = stored(name)
+    return f"commit {result['commit']}, {result['date']}"
+
+
+if __name__ == "__main__":
+    for name, tables in (
+        ("root_finders.json", [finder_table("ordinary"), finder_table("frozen")]),
+        ("operations.json", [operation_table()]),
+    ):
+        print(f"{name} ({made(name)})\n", *tables, sep="\n", end="\n\n")

@@ -12,14 +12,14 @@ def test_leckie_greenspan_2006(row: Row) -> None:
     check(row)
 
 
-def test_the_engines_finder_gave_no_impossible_result_in_the_stored_shots() -> None:
+def test_the_stored_shots_of_the_engines_finder_have_no_impossible_result() -> None:
     ours = [f for f in rows.finders() if f["method"] == "carom"]
     assert [(f["family"], f["shots"]) for f in ours] == [("ordinary", 100_000), ("frozen", 10_000)]
     for found in ours:
         assert set(found["impossible"].values()) == {0}
 
 
-def test_the_paper_s_finders_played_as_many_shots() -> None:
+def test_every_finder_of_the_paper_was_run_on_100_000_shots() -> None:
     played = {
         f["method"]: f["shots"]
         for f in rows.finders()
@@ -29,7 +29,7 @@ def test_the_paper_s_finders_played_as_many_shots() -> None:
     assert set(played.values()) == {100_000}
 
 
-def test_what_a_wide_limit_finds_impossible_a_narrow_one_does_too() -> None:
+def test_a_narrower_limit_finds_at_least_as_many_impossible_shots() -> None:
     for found in rows.finders():
         wide, middle, narrow = (
             found["impossible"][name] for name in ("millimetre", "micrometre", "promised")
@@ -38,7 +38,7 @@ def test_what_a_wide_limit_finds_impossible_a_narrow_one_does_too() -> None:
         assert sum(found[kind] for kind in ("overlap", "apart", "endless", "other")) == middle
 
 
-def test_the_stored_operations_are_those_of_section_3() -> None:
+def test_the_stored_operations_follow_the_formulas_of_section_3() -> None:
     for counts in rows.counted().values():
         paper = 28 * counts["moving"] + 19 * counts["pairs"]
         assert counts["operations"]["the paper's events"] == paper
@@ -51,5 +51,11 @@ def test_the_stored_operations_are_those_of_section_3() -> None:
     [tables.finder_table("ordinary"), tables.finder_table("frozen"), tables.operation_table()],
     ids=["ordinary shots", "frozen balls", "operations"],
 )
-def test_the_page_s_tables_are_the_stored_results(table: str) -> None:
+def test_the_readme_has_the_tables_of_the_stored_results(table: str) -> None:
     assert table in PAGE
+
+
+@pytest.mark.parametrize("name", ["operations.json", "root_finders.json"])
+def test_the_readme_names_the_commit_and_date_of_a_stored_result(name: str) -> None:
+    page = " ".join(PAGE.split())
+    assert f"`{name}` is from {tables.made(name)}" in page

@@ -12,6 +12,7 @@ import { expect, inject } from "vitest";
 import type { Page } from "playwright-core";
 import type { AimedShot } from "../src/app/document.ts";
 import { SMALL, test } from "../tests/e2e/fixture.ts";
+import { commitAndDate } from "./commit.ts";
 import { layouts } from "./layouts.ts";
 
 const RESULT = fileURLToPath(new URL("../../benches/results/page.json", import.meta.url));
@@ -135,6 +136,7 @@ test("the page keeps its budgets", { timeout: 180_000 }, async ({ open }) => {
   const { fps, renderer } = await replay(page);
 
   const result = {
+    ...commitAndDate(),
     bytes: html.length,
     bytes_compressed: gzipSync(html, { level: 9 }).length,
     first_interactive_frame_ms: round(median(starts)),

@@ -11,6 +11,7 @@ import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 import { expect, inject, test } from "vitest";
 import { type Engine, load } from "../src/engine/index.js";
+import { commitAndDate } from "./commit.ts";
 import { layouts } from "./layouts.ts";
 
 const ROOT = fileURLToPath(new URL("../../", import.meta.url));
@@ -118,6 +119,7 @@ test("mid-game shots a second in WebAssembly are at least half of the native one
   const perSecond = (which: keyof typeof times) => Math.round((shots / median(times[which])) * 1e3);
   const wasm = readFileSync(`${ROOT}web/src/engine/pkg/carom_wasm_bg.wasm`);
   const result = {
+    ...commitAndDate(),
     processor: cpus()[0]?.model,
     node: process.version,
     chromium: version,

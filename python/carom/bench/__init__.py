@@ -1,4 +1,4 @@
-"""``carom bench``: how fast, on this machine, beside pooltool where that is installed."""
+"""``carom bench``: the engine's speed on this machine, beside pooltool's where it is installed."""
 
 from __future__ import annotations
 
@@ -15,12 +15,13 @@ __all__ = ["measure", "run"]
 
 
 def run(*, json: bool = False, store: Path | None = None) -> int:
-    """Measures and prints.
+    """Measures, prints and stores.
 
     Args:
         json: Print JSON on stdout instead of tables.
-        store: Folder for the JSON; by default ``benches/results`` of the checkout that carom is
-            installed from or that we stand in, and nowhere without one.
+        store: Folder for the JSON. By default it is ``benches/results`` of the checkout that
+            carom is installed from, or of the working directory's. Without a checkout nothing is
+            stored.
 
     Returns:
         The exit status of the command.
@@ -31,7 +32,7 @@ def run(*, json: bool = False, store: Path | None = None) -> int:
     from carom.cli.output import emit
 
     if store is not None:
-        # Before measuring takes its minutes: a folder that cannot be made is said at once.
+        # First of all, because measuring takes minutes: a folder that cannot be made fails now.
         store.mkdir(parents=True, exist_ok=True)
     talk = Console(stderr=True)
     result = measure(talk)
@@ -48,7 +49,7 @@ def run(*, json: bool = False, store: Path | None = None) -> int:
 
 
 def measure(talk: Console) -> dict[str, Any]:
-    """Everything that `carom bench` measures; progress and remarks go to `talk`."""
+    """The results of `carom bench`; progress and remarks go to `talk`."""
     from rich.progress import Progress
 
     from carom.bench import report, states, timing
@@ -78,5 +79,5 @@ def _peer(talk: Console) -> Pooltool | None:
     except ImportError as error:
         talk.print(str(error), soft_wrap=True)
         return None
-    talk.print(f"pooltool {peer.version} compiles itself first; that takes half a minute")
+    talk.print(f"pooltool {peer.version} compiles itself first, which takes half a minute")
     return peer

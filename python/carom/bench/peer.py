@@ -1,8 +1,8 @@
 """pooltool 0.6.0 on the same states, where it is installed.
 
-Its own default models, ball, cue and table are used; its default table is the one of the states.
-Only its `simulate` is timed: building the system is not, nor is the compilation of its first
-shots.
+pooltool runs with its own default models, ball, cue and table, which is the table of the states.
+Only its `simulate` is timed: neither the building of a system nor the compilation during its first
+shots counts.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ HOW_TO_INSTALL = (
 
 @contextmanager
 def _home_elsewhere() -> Iterator[None]:
-    """The home directory elsewhere: on its import pooltool writes settings there."""
+    """Sets HOME to a temporary folder, because pooltool writes settings into it on import."""
     home = os.environ.get("HOME")
     with tempfile.TemporaryDirectory(prefix="carom-bench-") as elsewhere:
         os.environ["HOME"] = elsewhere
@@ -47,7 +47,7 @@ class Pooltool:
     """pooltool with its default physics.
 
     Raises:
-        ImportError: It is not installed, or not the version that we compare with.
+        ImportError: It is not installed, or its version is not `VERSION`.
     """
 
     def __init__(self) -> None:
@@ -63,11 +63,11 @@ class Pooltool:
             from pooltool.physics.resolve.resolver import default_resolver
         self.version = found
         self._pt = pooltool
-        # By name: what the settings of some home directory say is not what we compare with.
+        # Given explicitly, so that settings in a home directory cannot change the models.
         self._engine = PhysicsEngine(resolver=default_resolver())
 
     def system(self, state: State) -> Any:
-        """A pooltool system ready to be simulated."""
+        """A pooltool system that is ready to be simulated."""
         pt = self._pt
         cue = pt.Cue(
             cue_ball_id="cue",
@@ -81,7 +81,7 @@ class Pooltool:
         return pt.System(cue=cue, table=pt.Table.default(), balls=balls)
 
     def simulate(self, state: State) -> tuple[float, Any]:
-        """Seconds of processor time that one simulation took, and the simulated system."""
+        """Simulates a state: returns the seconds of processor time, and the simulated system."""
         system = self.system(state)
         start = time.process_time()
         self._pt.simulate(system, engine=self._engine, inplace=True)
@@ -89,10 +89,10 @@ class Pooltool:
 
     @staticmethod
     def events(system: Any) -> int:
-        """Number of events, without the markers of beginning and end."""
+        """Number of events without the markers of beginning and end."""
         return sum(str(event.event_type) != "none" for event in system.events)
 
     @staticmethod
     def pocketed(system: Any) -> list[str]:
-        """Ids of the balls that went down, in order."""
+        """Ids of the pocketed balls, in order."""
         return [event.ids[0] for event in system.events if event.event_type == "ball_pocket"]

@@ -1,4 +1,4 @@
-"""The measurements as one JSON object, as tables on the terminal, and in a file."""
+"""The results of the benchmark as one JSON object, as tables on the terminal, and in a file."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
 
     from carom.bench.timing import ClassTimes
 
-#: What the project promises: how many times faster than the peer, by the ratio of medians.
+#: The least ratio of medians, the peer's over carom's, that the project promises.
 BAR_RATIO = 1000
-#: Most that a trace may cost, as a multiple of the same shot without one.
+#: The largest ratio of a shot's time with a trace to its time without one.
 BAR_TRACE = 3
-#: Most that `import carom` may take, s, and the process hold, MB.
+#: The most that `import carom` may take, s, and the peak memory of the process, MB.
 BAR_IMPORT = {"seconds": 0.15, "megabytes": 60}
 
 
 def summary(times: ClassTimes) -> dict[str, Any]:
-    """One class: times in µs, costs of an event in ns."""
+    """The figures of one class: times in µs, costs of an event in ns."""
     result: dict[str, Any] = {
         "shots": len(times.ours),
         "median_us": _us(statistics.median(times.ours)),
@@ -45,12 +45,13 @@ def summary(times: ClassTimes) -> dict[str, Any]:
         result["peer"] = {
             "median_us": _us(statistics.median(times.peer)),
             "mean_us": _us(statistics.mean(times.peer)),
+            "mixed_mean_us": _us(times.peer_mixed),
             "ns_per_event": _ns(times.peer, times.peer_events),
             "events_mean": statistics.mean(times.peer_events),
         }
         result["ratio_of_medians"] = statistics.median(times.peer) / statistics.median(times.ours)
         result["ratio_per_event"] = result["peer"]["ns_per_event"] / result["ns_per_event"]
-        result["ratio_of_mixed_means"] = statistics.mean(times.peer) / times.mixed
+        result["ratio_of_mixed_means"] = times.peer_mixed / times.mixed
         result["same_balls_pocketed"] = statistics.mean(times.same_pocketed)
     return result
 
@@ -64,7 +65,7 @@ def _ns(seconds: list[float], events: list[int]) -> float:
 
 
 def where() -> dict[str, Any]:
-    """What was measured, when, and on what."""
+    """The version, commit, date and machine of a measurement."""
     return {
         "format": "carom-bench/1",
         "carom": __version__,
@@ -89,7 +90,7 @@ def _processor() -> str:
 
 
 def checkout() -> Path | None:
-    """The checkout that this package is installed from, or else the one that we stand in."""
+    """The checkout that this package is installed from, or else that of the working directory."""
     for root in (Path(__file__).resolve().parents[3], Path.cwd()):
         if (root / "Cargo.toml").is_file() and (root / "python" / "carom" / "bench").is_dir():
             return root
@@ -97,7 +98,7 @@ def checkout() -> Path | None:
 
 
 def _commit() -> str | None:
-    """Short name of the checkout's commit, with ``+`` where something was changed since."""
+    """Short name of the checkout's commit, with ``+`` if tracked files have changes."""
     root = checkout()
     if root is None:
         return None
@@ -124,20 +125,26 @@ def store(result: dict[str, Any], folder: Path) -> Path:
 
 
 def show(result: dict[str, Any], console: Console) -> None:
-    """Prints the result for people."""
+    """Prints the result as tables."""
     console.print(
-        f"carom {result['carom']} on {result['machine']['processor']}, one core, no traces.\n"
-        "Processor time: the median of every shot, then over the shots of its class.",
+        f"carom {result['carom']} ({result['commit'] or 'no checkout'}) on "
+        f"{result['machine']['processor']}, one core, no traces.\n"
+        "Processor time. Repeated: the median of a shot's rounds, then over the shots of a class.\n"
+        "In turn: the mean over the shots of a class, each unlike the one before.",
         highlight=False,
     )
-    console.print(_medians(result), highlight=False)
+    console.print(_times(result), highlight=False)
     console.print(_events(result), highlight=False)
     console.print(_others(result), highlight=False)
 
 
-def _medians(result: dict[str, Any]) -> Table:
+def _times(result: dict[str, Any]) -> Table:
+    """The medians of repeated shots and the means over shots in turn, side by side."""
     peer = result["peer"]
-    names = ["carom", peer, "ratio", f"≥ {BAR_RATIO}"] if peer else ["carom"]
+    names = ["repeated, median"]
+    names += [peer, "ratio", f"≥ {BAR_RATIO}"] if peer else []
+    names += ["in turn, mean"]
+    names += [peer, "ratio"] if peer else []
     table = _table(names)
     for name, row in result["classes"].items():
         cells = [CLASSES[name], f"{row['median_us']:.2f} µs"]
@@ -145,12 +152,16 @@ def _medians(result: dict[str, Any]) -> Table:
             ratio = row["ratio_of_medians"]
             cells.append(f"{row['peer']['median_us'] / 1000:.2f} ms")
             cells += [f"{ratio:.0f}", _verdict(ratio >= BAR_RATIO)]
+        cells.append(f"{row['mixed_mean_us']:.2f} µs")
+        if peer:
+            cells.append(f"{row['peer']['mixed_mean_us'] / 1000:.2f} ms")
+            cells.append(f"{row['ratio_of_mixed_means']:.0f}")
         table.add_row(*cells)
     return table
 
 
 def _events(result: dict[str, Any]) -> Table:
-    """Events, which differ where the default models do: the ratio of an event's cost as well."""
+    """Numbers of events, which differ where the default models do, and the cost of an event."""
     peer = result["peer"]
     names = ["events", "ns/event", "trace"]
     table = _table([*names, "peer's", "ratio/event"] if peer else names)
@@ -182,11 +193,7 @@ def _others(result: dict[str, Any]) -> Table:
 
     table = Table.grid(padding=(0, 2))
     rows = result["classes"].values()
-    mixed = ", ".join(f"{row['mixed_mean_us']:.2f}" for row in rows)
-    table.add_row("mean, shots in turn", f"{mixed} µs")
     if result["peer"]:
-        ratios = ", ".join(f"{row['ratio_of_mixed_means']:.0f}" for row in rows)
-        table.add_row("ratio of means", ratios)
         same = ", ".join(f"{100 * row['same_balls_pocketed']:.0f} %" for row in rows)
         table.add_row("same balls pocketed", same)
     trace = max(row["trace_ratio"] for row in rows)

@@ -1,4 +1,4 @@
-"""The initial states that are timed: ``carom/data/bench_states.json.gz``, which says its source."""
+"""The initial states that are timed: ``carom/data/bench_states.json.gz``, with its source."""
 
 from __future__ import annotations
 
@@ -22,13 +22,14 @@ class State:
     """One initial state.
 
     Attributes:
-        balls: Centres on the cloth by id, (x, y) in m from the bottom-left corner; ``cue`` is
-            struck.
-        speed: Of the cue, m/s.
-        azimuth_deg: Counter-clockwise from +x, degrees.
-        elevation_deg: Of the cue's butt, degrees.
+        balls: Centres on the cloth by id, (x, y) in m from the bottom-left corner; the strike is
+            on ``cue``.
+        speed: Speed of the cue, m/s.
+        azimuth_deg: Direction of the strike, counter-clockwise from +x, degrees.
+        elevation_deg: Elevation of the cue's butt, degrees.
         side: Contact point right of the ball's centre, in radii, perpendicular to the cue.
         height: Contact point above the ball's centre, in radii, perpendicular to the cue.
+        pots: The ball that the shot must pocket, alone; None where that is not checked.
     """
 
     balls: dict[str, tuple[float, float]]
@@ -37,6 +38,7 @@ class State:
     elevation_deg: float
     side: float
     height: float
+    pots: str | None = None
 
     def shot_file(self) -> dict[str, Any]:
         """The state as a ``carom-shot/1``, with the default models of the table's physics."""

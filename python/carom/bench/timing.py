@@ -1,7 +1,7 @@
-"""How long things take: shots of ours and of the peer, threads, a large batch, the import.
+"""Times of shots of carom and of the peer, of threads, of a large batch and of the import.
 
-What one core does is measured in processor time, on both sides: the other work of a busy machine
-then counts less. What many cores or a start from nothing do is measured by the clock on the wall.
+What runs on one core is measured in processor time, on both sides, because other work on the
+machine disturbs it less. What uses many cores or starts from nothing is measured in wall time.
 """
 
 from __future__ import annotations
@@ -25,19 +25,21 @@ if TYPE_CHECKING:
     from carom.bench.peer import Pooltool
     from carom.bench.states import State
 
-#: Times that every state is timed, ours and the peer's taking turns: a median of five forgives
-#: two disturbances by other work on the machine.
+#: Rounds. In each of them every state is timed once on both sides, in turns. A median of five is
+#: not changed by two rounds that other work on the machine disturbed.
 ROUNDS = 5
-#: Length of one timing of ours, s: the fixed cost of a call (arrays, a pool of one thread; some
-#: 0.05 ms) stays near a hundredth of it, and noise of the clock far below that.
+#: Duration of one timing of carom, s. The fixed cost of a call (arrays, a pool of one thread; about
+#: 0.05 ms) is then about a hundredth of it, and the resolution of the clock is far below that.
 STRETCH = 4e-3
+#: Duration of one timing of carom's shots in turn, s: a few passes over the states of a class.
+IN_TURN = 20e-3
 #: Most repetitions of one shot in a call, so that its arrays stay in the cache.
 MOST_REPETITIONS = 4096
 #: Shots in a timing of many threads.
 THREADED_SHOTS = 50_000
 #: Variants in the large batch.
 VARIANTS = 100_000
-#: Spread of the large batch's strikes (one standard deviation): a good player's.
+#: Standard deviations of the large batch's strikes, those of a good player.
 SPREAD = {"speed": 0.05, "azimuth": 0.005, "side": 0.02, "height": 0.02}
 #: Fresh interpreters that import carom; the median counts.
 IMPORTS = 7
@@ -48,13 +50,14 @@ class ClassTimes:
     """Seconds per shot for the states of one class; every list has one entry per state.
 
     Attributes:
-        ours: Median without a trace.
-        traced: Median with a trace, from the call in Python to the finished `Trace`.
+        ours: Median over the rounds, the same shot repeated, without a trace.
+        traced: The same with a trace, from the call in Python to the finished `Trace`.
         events: Number of events.
-        mixed: Mean over all states in turn, each unlike the one before.
-        peer: The peer's median; empty without a peer.
+        mixed: Mean over all states in turn, each unlike the one before; median over the rounds.
+        peer: The peer's median over the rounds; empty without a peer.
+        peer_mixed: The peer's mean over all states in turn; median over the rounds.
         peer_events: The peer's number of events.
-        same_pocketed: Whether both sides pocket the same balls.
+        same_pocketed: Whether both engines pocket the same balls.
     """
 
     ours: list[float] = field(default_factory=list)
@@ -62,6 +65,7 @@ class ClassTimes:
     events: list[int] = field(default_factory=list)
     mixed: float = 0.0
     peer: list[float] = field(default_factory=list)
+    peer_mixed: float = 0.0
     peer_events: list[int] = field(default_factory=list)
     same_pocketed: list[bool] = field(default_factory=list)
 
@@ -83,15 +87,25 @@ def one_core() -> Iterator[None]:
 def time_class(
     states: Sequence[State], peer: Pooltool | None, advance: Callable[[], None]
 ) -> ClassTimes:
-    """Times every state of a class in turn, ours and the peer's.
+    """Times every state of a class on both sides.
 
-    `advance` is called after every state of every round.
+    A round times every state once: carom by repeating the shot, then the peer. It ends with carom's
+    shots in turn. The peer plays each shot once, so that its round is already one of shots in turn.
+
+    Args:
+        states: The states of the class.
+        peer: The engine to compare with, if it is installed.
+        advance: Called after every state of every round.
+
+    Raises:
+        RuntimeError: A state was not simulated, or did not pocket the ball that it must pocket.
     """
     shots = [Shot.from_dict(state.shot_file()) for state in states]
     rounds = [[_Sample() for _ in states] for _ in range(ROUNDS)]
     times = ClassTimes()
     _warm_up(shots, states, peer, times)
     repetitions = [_repetitions(shot) for shot in shots]
+    mixed = []
     for samples in rounds:
         for state, shot, count, sample in zip(states, shots, repetitions, samples, strict=True):
             sample.ours = _untraced(shot, count)
@@ -99,12 +113,17 @@ def time_class(
             if peer is not None:
                 sample.peer, _ = peer.simulate(state)
             advance()
+        mixed.append(_mixed(shots, sum(sample.ours for sample in samples)))
+    times.mixed = statistics.median(mixed)
     for same in zip(*rounds, strict=True):
         times.ours.append(statistics.median(sample.ours for sample in same))
         times.traced.append(statistics.median(sample.traced for sample in same))
         if peer is not None:
             times.peer.append(statistics.median(sample.peer for sample in same))
-    times.mixed = _mixed(shots, times.ours)
+    if peer is not None:
+        times.peer_mixed = statistics.median(
+            statistics.mean(sample.peer for sample in samples) for samples in rounds
+        )
     return times
 
 
@@ -118,19 +137,32 @@ class _Sample:
 def _warm_up(
     shots: list[Shot], states: Sequence[State], peer: Pooltool | None, times: ClassTimes
 ) -> None:
-    """Every state once on both sides: compiles the peer, and tells events and outcomes."""
+    """Plays every state once on both sides: compiles the peer, counts events, checks the pots."""
     result = simulate_batch(shots, threads=1)
     if result.errors:
         index, text = next(iter(result.errors.items()))
         raise RuntimeError(f"bench state {index} was not simulated: {text}")
     times.events = result.events.tolist()
-    if peer is None:
-        return
     for state, shot, pocket in zip(states, shots, result.pocket, strict=True):
-        _, system = peer.simulate(state)
-        times.peer_events.append(peer.events(system))
         ours = {name for name, index in zip(shot.ids, pocket, strict=False) if index >= 0}
-        times.same_pocketed.append(ours == set(peer.pocketed(system)))
+        _check_pot(state, ours, "carom")
+        if peer is None:
+            continue
+        _, system = peer.simulate(state)
+        theirs = set(peer.pocketed(system))
+        _check_pot(state, theirs, f"pooltool {peer.version}")
+        times.peer_events.append(peer.events(system))
+        times.same_pocketed.append(ours == theirs)
+
+
+def _check_pot(state: State, pocketed: set[str], engine: str) -> None:
+    """Refuses a pot shot that does not pot: its time would not be that of a pot."""
+    if state.pots is not None and pocketed != {state.pots}:
+        found = ", ".join(sorted(pocketed)) or "nothing"
+        raise RuntimeError(
+            f"{engine} pockets {found} where ball {state.pots} alone must go down; choose another "
+            "state in python/carom/data/bench_states.json.gz"
+        )
 
 
 def _repetitions(shot: Shot) -> int:
@@ -162,20 +194,16 @@ def _traced(shot: Shot, count: int) -> float:
     return (time.process_time() - start) / count
 
 
-def _mixed(shots: list[Shot], ours: list[float]) -> float:
-    """Mean seconds per shot where no shot is like the one before.
+def _mixed(shots: list[Shot], seconds: float) -> float:
+    """Mean seconds per shot of a batch in which no shot is like the one before.
 
-    A processor learns the branches of a shot that it plays a thousand times; this is the check
-    that the medians do not owe everything to that.
+    A processor learns the branches of a shot that it plays a thousand times, so that the median of
+    repeated shots flatters. `seconds` is about what all shots together take once.
     """
-    turns = max(1, round(ROUNDS * STRETCH / sum(ours)))
-    many = shots * turns
-    seconds = []
-    for _ in range(ROUNDS):
-        start = time.process_time()
-        simulate_batch(many, threads=1)
-        seconds.append((time.process_time() - start) / len(many))
-    return statistics.median(seconds)
+    many = shots * max(1, round(IN_TURN / seconds))
+    start = time.process_time()
+    simulate_batch(many, threads=1)
+    return (time.process_time() - start) / len(many)
 
 
 def time_threads(shots: list[Shot]) -> dict[int, float]:
@@ -196,7 +224,7 @@ def time_threads(shots: list[Shot]) -> dict[int, float]:
 
 
 def time_variants(shot: Shot) -> float:
-    """Seconds that one call takes for `VARIANTS` variants of one shot, on every core."""
+    """Seconds that one call takes for `VARIANTS` variants of one shot, on all cores."""
     rng = np.random.default_rng(0)
     strike = shot.to_dict()["strike"]
     mean = {
@@ -234,7 +262,7 @@ def time_import() -> dict[str, Any]:
     seconds, peaks = [], []
     for _ in range(IMPORTS):
         command = [sys.executable, "-c", _IMPORT]
-        told = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
-        seconds.append(float(told[0]))
-        peaks.append(float(told[1]))
+        printed = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
+        seconds.append(float(printed[0]))
+        peaks.append(float(printed[1]))
     return {"seconds": statistics.median(seconds), "megabytes": statistics.median(peaks)}
