@@ -1,4 +1,4 @@
-"""How the documentation is built; `make docs` does it, and a warning is an error."""
+"""The settings of Sphinx. `make docs` builds the documentation, and a warning is an error."""
 
 import sys
 from pathlib import Path
@@ -22,11 +22,11 @@ extensions = [
 ]
 exclude_patterns = ["_build", "_ext"]
 
-# Formulas in $…$; headings can be linked to.
+# Formulas in $…$; links to headings.
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist"]
 myst_heading_anchors = 3
 
-# Docstrings are in Google's style; attributes of dataclasses are said once, in the class.
+# Docstrings are in Google's style. Attributes of dataclasses are documented in the class only.
 napoleon_google_docstring = True
 napoleon_numpy_docstring = False
 napoleon_use_ivar = True
@@ -35,6 +35,8 @@ autodoc_typehints = "signature"
 autodoc_member_order = "bysource"
 
 html_theme = "furo"
+# scripts/build_docs.py writes the live table of the first page there.
+html_extra_path = ["gallery/live"]
 html_title = f"carom {release}"
 html_copy_source = False
 html_show_sphinx = False

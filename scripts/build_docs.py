@@ -2,7 +2,7 @@
 
     python scripts/build_docs.py FOLDER
 
-`make docs` has put rustdoc's output into FOLDER/rust before.
+`make docs` runs rustdoc into FOLDER/rust before this script.
 """
 
 from __future__ import annotations
@@ -25,11 +25,12 @@ from carom import (
     position_map,
     pot_map,
 )
+from carom.page import html
 from carom.picture import png, save
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
-# As the tests find them.
+# The same pattern as in the tests of the snippets.
 SNIPPET = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
 SHOTS = ("jump_shot", "rail_top_landing", "off_the_table", "masse", "spit_out")
 
@@ -39,6 +40,7 @@ def main(folder: Path) -> int:
     gallery = DOCS / "gallery"
     shutil.rmtree(gallery, ignore_errors=True)
     gallery.mkdir()
+    write_live_table(gallery / "live")
     subprocess.run(
         [sys.executable, ROOT / "scripts" / "validation_gallery.py", gallery], check=True
     )
@@ -52,6 +54,16 @@ def main(folder: Path) -> int:
         shutil.copytree(folder / "rust" / "doc", pages / "rust", dirs_exist_ok=True)
         print(f"The documentation: {pages / 'index.html'}")
     return done.returncode
+
+
+def write_live_table(folder: Path) -> None:
+    """Writes the table of the first page: the page of `carom play` with a break to replay.
+
+    Sphinx copies the folder beside its own pages (`html_extra_path`).
+    """
+    folder.mkdir()
+    trace = Shot.load(ROOT / "shots" / "nine_ball_break.json").simulate()
+    (folder / "live.html").write_text(html(trace, title="nine-ball break"), encoding="utf-8")
 
 
 def draw_shots(folder: Path) -> None:
@@ -82,7 +94,7 @@ def draw_shots(folder: Path) -> None:
 
 
 def run_snippets(page: Path, folder: Path) -> None:
-    """Runs the Python of a page in a folder; what it draws there the page shows."""
+    """Runs the Python of a page in a folder, so that the page can show the pictures it saves."""
     folder.mkdir()
     program = "\n".join(SNIPPET.findall(page.read_text(encoding="utf-8")))
     subprocess.run(

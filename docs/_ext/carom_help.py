@@ -1,4 +1,4 @@
-"""The directive ``carom-help``: what the command itself says, at the time the page is built."""
+"""The directive ``carom-help``: the command's help text, taken when the page is built."""
 
 import os
 import subprocess
@@ -7,7 +7,7 @@ import sys
 from docutils import nodes
 from docutils.parsers.rst import Directive
 
-# Narrow enough for the page, and the same wherever it is built.
+# Narrow enough for the page, and the same on every machine.
 PLAIN = {"NO_COLOR": "1", "COLUMNS": "88", "TERMINAL_WIDTH": "88"}
 
 
@@ -19,14 +19,14 @@ class CaromHelp(Directive):
 
     def run(self) -> list[nodes.Node]:
         words = self.arguments[0].split() if self.arguments else []
-        told = subprocess.run(
+        output = subprocess.run(
             [sys.executable, "-m", "carom", *words, "--help"],
             check=True,
             capture_output=True,
             text=True,
             env=os.environ | PLAIN,
         ).stdout
-        text = told.replace("python -m carom", "carom").strip("\n")
+        text = output.replace("python -m carom", "carom").strip("\n")
         return [nodes.literal_block(text, text, language="text")]
 
 
