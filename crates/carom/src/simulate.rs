@@ -1,37 +1,41 @@
 //! The event loop (Leckie & Greenspan 2006, figure 1).
 //!
-//! Every ball has a clock of its own: the closed-form path of its present motion state and the
-//! time at which that began. An event advances only the balls that take part in it; a resting
-//! ball never drifts. After it, only those balls' candidates are found anew.
+//! Each ball stores the closed-form path of its current motion state and the time at which that
+//! path began. An event advances only the balls that take part in it, so a resting ball never
+//! drifts. After the event only these balls' candidate events are computed again.
 //!
-//! **Order of events at one instant**: motion transitions; then the slate, the holes in it and the
-//! table's edge; then cushions; then ball–ball contacts; among equals the ball that stands first in
-//! the shot. Balls that touch when one of them is hit are resolved together
-//! (`resolve/ball_ball/network.rs`).
+//! **Order of events at one instant**: motion transitions; then the slate, its holes and the
+//! table's edge; then cushions; then ball–ball contacts. Within one of these groups the ball that
+//! comes first in the shot goes first. Balls that touch when one of them is hit are resolved
+//! together (`resolve/ball_ball/network.rs`).
 
 mod ball_set;
 mod candidates;
 mod cluster;
-mod flight;
+mod edge;
 mod impact;
+mod off_bed;
+mod persistent_contact;
 mod row;
+mod step;
 mod support;
 
 use core::marker::PhantomData;
 
 use crate::detect::ball_ball::{ContactFinder, FirstContact};
 use crate::detect::ball_table::TableFeature;
-use crate::event::{Event, EventKind, Recorder};
+use crate::event::{EventKind, Recorder};
 use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::motion::Path;
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 use crate::shot::Shot;
-use crate::{Ball, BallState, MotionState, Physics, Table};
+use crate::{Ball, BallState, MotionState, Physics};
 use ball_set::BallSet;
 pub(crate) use cluster::CLOSING_TIME;
+use step::StepContext;
 use support::Support;
 
-/// Every capacity is a multiple of this: the doubles of the widest vector register.
+/// Every capacity is a multiple of this number of balls: the doubles in the widest vector register.
 const CAPACITY_STEP: usize = 8;
 
 /// Why a simulation has no result.
@@ -48,7 +52,7 @@ pub enum SimulationError {
     },
 }
 
-/// What every shot ends with.
+/// Duration and number of events of a finished shot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Summary {
     /// Time of the last event, s.
@@ -57,7 +61,7 @@ pub struct Summary {
     pub events: u32,
 }
 
-/// Simulates `shot` from the strike to rest and tells `recorder` every event.
+/// Simulates `shot` from the strike to rest and passes every event to `recorder`.
 ///
 /// # Errors
 /// [`SimulationError`] if the strike cannot be played or the cap on events is reached.
@@ -70,9 +74,10 @@ pub fn simulate<R: Recorder>(shot: &Shot, recorder: &mut R) -> Result<Summary, S
     }
 }
 
-/// The mutable state of a shot of at most `N` balls. Reusable: [`Simulation::load`] starts anew.
+/// The mutable state of a shot of at most `N` balls. Each call of [`Simulation::play`] starts anew,
+/// so one value serves many shots.
 ///
-/// `N` is a multiple of 8, since balls are looked at in rows of vector registers, and at most
+/// `N` is a multiple of 8, because balls are searched in rows of vector registers, and at most
 /// [`MAX_BALLS`]; other numbers do not compile. [`SMALL_CAPACITY`] is the usual one.
 ///
 /// ```
@@ -88,34 +93,34 @@ pub fn simulate<R: Recorder>(shot: &Shot, recorder: &mut R) -> Result<Summary, S
 pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     n: usize,
     ball: [Ball; N],
-    /// Path of the present motion state.
+    /// Path of the current motion state.
     path: [Path; N],
-    /// The part of it that pairs are searched with.
+    /// The part of the paths that pairs are searched with.
     lanes: Lanes<N>,
-    /// Next motion transition, infinite if none.
+    /// Time of the next motion transition, s, infinite if none.
     transition: [f64; N],
-    /// Next cushion or pocket, infinite if none.
-    meeting: [f64; N],
+    /// Time of the first contact with a table feature, s, infinite if none.
+    feature_time: [f64; N],
     feature: [TableFeature; N],
-    /// First contact with another ball, infinite if none, and with which.
+    /// Time of the first contact with another ball, s, infinite if none, and that ball.
     contact: [f64; N],
     partner: [u16; N],
-    /// The earliest of the three, infinite where there is no ball.
-    soonest: [f64; N],
-    /// When each ball was last in a contact, −∞ if never.
-    touched: [f64; N],
-    /// Whether each ball is off the slate: in flight, on a rail's top, in a hole.
-    aloft: [bool; N],
-    /// First contact of every pair that may meet, symmetric.
+    /// The earliest of the three times, infinite where there is no ball.
+    earliest: [f64; N],
+    /// Time of each ball's last contact, s, −∞ if it had none.
+    last_contact: [f64; N],
+    /// Whether each ball is off the bed: in flight, on a rail's top or in a hole.
+    off_bed: [bool; N],
+    /// Time of the first contact of every pair that has one, s; symmetric.
     pair: [[f64; N]; N],
-    /// With whom each ball may.
-    may_meet: [BallSet; N],
+    /// The balls for which a ball's row of `pair` holds a time.
+    partners: [BallSet; N],
     /// Whether the processor has vectors wide enough for [`row`].
     wide: bool,
     finder: PhantomData<F>,
 }
 
-/// Where every ball is and goes in the plane, laid out for vector instructions.
+/// Every ball's motion in the table plane, laid out for vector instructions.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 struct Lanes<const N: usize> {
@@ -127,29 +132,29 @@ struct Lanes<const N: usize> {
     hy: [f64; N],
     /// When the path began, s.
     start: [f64; N],
-    /// Until when it holds, s: the earlier of transition and meeting for a ball that moves,
-    /// infinite for one that rests, NaN where there is no ball, it is out of play, or its path is so new
-    /// that its own row has not been looked at.
-    leave: [f64; N],
+    /// How long the path is valid, s: until the earlier of transition and table contact for a
+    /// moving ball, for ever (infinite) for a resting ball. NaN excludes a ball from other balls'
+    /// searches: there is no ball, it is out of play, or its own search has yet to run.
+    valid_until: [f64; N],
     radius: [f64; N],
 }
 
-/// What happens next.
+/// The event that comes next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Next {
+enum NextEvent {
     Transition(usize),
-    Meeting(usize, TableFeature),
-    Contact(usize, usize),
+    TableContact(usize, TableFeature),
+    BallContact(usize, usize),
 }
 
-impl Next {
-    /// Events of one instant happen in this order.
+impl NextEvent {
+    /// Events of one instant happen in ascending order of rank.
     fn rank(self) -> u8 {
         match self {
             Self::Transition(_) => 0,
-            Self::Meeting(_, TableFeature::Cushion(_)) => 2,
-            Self::Meeting(..) => 1,
-            Self::Contact(..) => 3,
+            Self::TableContact(_, TableFeature::Cushion(_)) => 2,
+            Self::TableContact(..) => 1,
+            Self::BallContact(..) => 3,
         }
     }
 }
@@ -161,10 +166,10 @@ impl<const N: usize, F: ContactFinder> Default for Simulation<N, F> {
 }
 
 impl<const N: usize, F: ContactFinder> Simulation<N, F> {
-    /// Most balls that fit.
+    /// The most balls that fit.
     pub const CAPACITY: usize = N;
 
-    /// An empty table.
+    /// A simulation without balls.
     pub fn new() -> Self {
         const {
             assert!(
@@ -184,28 +189,31 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 hx: [0.0; N],
                 hy: [0.0; N],
                 start: [0.0; N],
-                leave: [f64::NAN; N],
+                valid_until: [f64::NAN; N],
                 radius: [0.0; N],
             },
             transition: [f64::INFINITY; N],
-            meeting: [f64::INFINITY; N],
+            feature_time: [f64::INFINITY; N],
             feature: [TableFeature::Cushion(0); N],
             contact: [f64::INFINITY; N],
             partner: [0; N],
-            soonest: [f64::INFINITY; N],
-            touched: [f64::NEG_INFINITY; N],
-            aloft: [false; N],
+            earliest: [f64::INFINITY; N],
+            last_contact: [f64::NEG_INFINITY; N],
+            off_bed: [false; N],
             wide: row::has_wide_vectors(),
             pair: [[f64::INFINITY; N]; N],
-            may_meet: [BallSet::EMPTY; N],
+            partners: [BallSet::EMPTY; N],
             finder: PhantomData,
         }
     }
 
-    /// Plays a whole shot: [`load`](Self::load), [`strike`](Self::strike), [`run`](Self::run).
+    /// Plays a whole shot.
     ///
     /// # Errors
     /// See [`simulate`].
+    ///
+    /// # Panics
+    /// If the shot has more than `N` balls.
     pub fn play<R: Recorder>(
         &mut self,
         shot: &Shot,
@@ -214,10 +222,14 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.play_strike(shot, shot.strike, recorder)
     }
 
-    /// Plays `shot` with another strike, on the ball with the given index, than its own.
+    /// Plays `shot`, but with the given strike, on the ball with the given index, in place of its
+    /// own.
     ///
     /// # Errors
     /// See [`simulate`].
+    ///
+    /// # Panics
+    /// If the shot has more than `N` balls.
     pub fn play_strike<R: Recorder>(
         &mut self,
         shot: &Shot,
@@ -225,92 +237,50 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         recorder: &mut R,
     ) -> Result<Summary, SimulationError> {
         self.load(shot);
-        let mut events = 0;
+        let mut step = StepContext::new(&shot.table, &shot.physics, recorder);
         if let Some((struck, strike)) = &strike {
-            self.strike(*struck, strike, &shot.physics, recorder)?;
-            events = 1;
+            self.on_cue_strike(*struck, strike, &mut step)?;
         }
-        self.run(&shot.table, &shot.physics, shot.max_events, events, recorder)
+        self.run(shot.max_events, &mut step)
     }
 
     /// Puts the shot's balls on the table, at time 0, before the strike.
-    ///
-    /// # Panics
-    /// If the shot has more than `N` balls.
-    pub fn load(&mut self, shot: &Shot) {
+    fn load(&mut self, shot: &Shot) {
         let Physics { cloth, gravity, .. } = &*shot.physics;
         self.n = shot.balls.len();
         for (i, placed) in shot.balls.iter().enumerate() {
             let state = shot.table.to_engine_frame(&placed.state);
             self.ball[i] = placed.ball;
             self.lanes.radius[i] = placed.ball.radius;
-            self.set(i, Path::new(&state, &placed.ball, cloth, *gravity), 0.0);
+            self.set_path(i, Path::new(&state, &placed.ball, cloth, *gravity), 0.0);
             self.contact[i] = f64::INFINITY;
-            self.touched[i] = f64::NEG_INFINITY;
-            self.may_meet[i] = BallSet::EMPTY;
+            self.last_contact[i] = f64::NEG_INFINITY;
+            self.partners[i] = BallSet::EMPTY;
         }
-        self.lanes.leave[self.n..].fill(f64::NAN);
-        self.soonest[self.n..].fill(f64::INFINITY);
+        self.lanes.valid_until[self.n..].fill(f64::NAN);
+        self.earliest[self.n..].fill(f64::INFINITY);
     }
 
-    /// Strikes the resting ball `struck` at time 0.
-    ///
-    /// # Errors
-    /// If the strike cannot be played.
-    pub fn strike<R: Recorder>(
+    /// Runs from time 0 until no event is left.
+    fn run<R: Recorder>(
         &mut self,
-        struck: usize,
-        strike: &Strike,
-        physics: &Physics,
-        recorder: &mut R,
-    ) -> Result<(), SimulationError> {
-        let before = self.path[struck].at(0.0);
-        let ball = self.ball[struck];
-        let (velocity, angular_velocity) =
-            cue_ball::resolve(&physics.cue, &ball, strike).map_err(SimulationError::Strike)?;
-        let support = Support::under(&before);
-        let after = support.settled(&before, velocity, angular_velocity, &ball, physics);
-        self.begin(struck, &after, 0.0, physics);
-        recorder.record(&Event {
-            time: 0.0,
-            kind: EventKind::CueStrike,
-            balls: &[struck as u16],
-            before: &[before],
-            after: &[after],
-        });
-        Ok(())
-    }
-
-    /// Runs from time 0 until nothing moves, or until nothing more can happen.
-    ///
-    /// # Errors
-    /// If there are more than `max_events` events; `events` have happened already.
-    pub fn run<R: Recorder>(
-        &mut self,
-        table: &Table,
-        physics: &Physics,
         max_events: u32,
-        mut events: u32,
-        recorder: &mut R,
+        step: &mut StepContext<'_, R>,
     ) -> Result<Summary, SimulationError> {
-        let mut time = 0.0;
-        self.find_all(table);
-        while let Some((at, next)) = self.next() {
-            if events >= max_events {
-                return Err(SimulationError::TooManyEvents { max_events, time });
+        self.find_all_candidates(step.table);
+        while let Some((time, next)) = self.next() {
+            if step.events >= max_events {
+                return Err(SimulationError::TooManyEvents { max_events, time: step.time });
             }
-            // A candidate is found relative to its own instant and then rounded: never go back.
-            time = if at > time { at } else { time };
-            events += match next {
-                Next::Transition(i) => self.transit(i, time, table, physics, recorder),
-                Next::Meeting(i, TableFeature::Cushion(k)) => {
-                    self.rebound(i, k, time, table, physics, recorder)
-                }
-                Next::Meeting(i, feature) => self.leave(i, feature, time, table, physics, recorder),
-                Next::Contact(i, j) => self.collide(i, j, time, table, physics, recorder),
-            };
+            // Rounding can put a candidate before the event at which it was computed.
+            step.time = if time > step.time { time } else { step.time };
+            match next {
+                NextEvent::Transition(i) => self.on_motion_transition(i, step),
+                NextEvent::TableContact(i, feature) => self.on_table_contact(i, feature, step),
+                NextEvent::BallContact(i, j) => self.on_ball_contact(i, j, step),
+            }
         }
-        Ok(Summary { duration: time, events })
+        Ok(Summary { duration: step.time, events: step.events })
     }
 
     /// Number of balls.
@@ -323,27 +293,27 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.n == 0
     }
 
-    /// State of ball `i` at `time` (s), which must not lie before its last event.
+    /// State of ball `i` at `time` (s), which must not be earlier than the ball's last event.
     #[inline(always)]
     pub fn state(&self, i: usize, time: f64) -> BallState {
         self.path[i].at(time - self.lanes.start[i])
     }
 
-    /// State of ball `i` of `shot` at `time`, in the file's frame; a ball that never moved has the
-    /// very bits of the file.
+    /// State of ball `i` of `shot` at `time` (s), in the file's frame. A ball that never moved has
+    /// exactly the bits of the file.
     pub fn file_state(&self, i: usize, shot: &Shot, time: f64) -> BallState {
         shot.to_file_frame(i, &self.state(i, time))
     }
 
     /// The earliest candidate in the total order of events.
     #[inline(always)]
-    fn next(&self) -> Option<(f64, Next)> {
-        let time = row::least(&self.soonest, self.n);
+    fn next(&self) -> Option<(f64, NextEvent)> {
+        let time = row::least(&self.earliest, self.n);
         if time == f64::INFINITY {
             return None;
         }
-        let mut next: Option<Next> = None;
-        row::each_equal(&self.soonest, self.n, time, |i| {
+        let mut next: Option<NextEvent> = None;
+        row::each_equal(&self.earliest, self.n, time, |i| {
             let other = self.candidate(i, time);
             if next.is_none_or(|next| other.rank() < next.rank()) {
                 next = Some(other);
@@ -352,60 +322,102 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         next.map(|next| (time, next))
     }
 
-    /// What ball `i` does at `time`, the time of its soonest candidate.
+    /// The event of ball `i` at `time`, which is its earliest candidate's time.
     #[inline(always)]
-    fn candidate(&self, i: usize, time: f64) -> Next {
+    fn candidate(&self, i: usize, time: f64) -> NextEvent {
         if self.transition[i] == time {
-            Next::Transition(i)
-        } else if self.meeting[i] == time {
-            Next::Meeting(i, self.feature[i])
+            NextEvent::Transition(i)
+        } else if self.feature_time[i] == time {
+            NextEvent::TableContact(i, self.feature[i])
         } else {
-            Next::Contact(i, usize::from(self.partner[i]))
+            NextEvent::BallContact(i, usize::from(self.partner[i]))
         }
     }
 
-    /// A motion state ends by the passage of time. Returns the number of events.
-    fn transit<R: Recorder>(
+    /// The cue strikes the resting ball `struck`.
+    fn on_cue_strike<R: Recorder>(
         &mut self,
-        i: usize,
-        time: f64,
-        table: &Table,
-        physics: &Physics,
-        recorder: &mut R,
-    ) -> u32 {
+        struck: usize,
+        strike: &Strike,
+        step: &mut StepContext<'_, R>,
+    ) -> Result<(), SimulationError> {
+        let before = self.path[struck].at(step.time);
+        let ball = self.ball[struck];
+        let (velocity, angular_velocity) =
+            cue_ball::resolve(&step.physics.cue, &ball, strike).map_err(SimulationError::Strike)?;
+        let support = Support::under(&before);
+        let after = support.settled(&before, velocity, angular_velocity, &ball, step.physics);
+        self.begin_path(struck, &after, step);
+        step.record(EventKind::CueStrike, &[struck as u16], &[before], &[after]);
+        Ok(())
+    }
+
+    /// A motion state ends by the passage of time.
+    fn on_motion_transition<R: Recorder>(&mut self, i: usize, step: &mut StepContext<'_, R>) {
         let path = &self.path[i];
         let before = path.at(path.duration);
         let after = path.successor();
         let moved = path.moves();
-        recorder.record(&Event {
-            time,
-            kind: EventKind::MotionTransition { from: before.motion, to: after.motion },
-            balls: &[i as u16],
-            before: &[before],
-            after: &[after],
-        });
-        if self.aloft[i] && after.motion == MotionState::Stationary {
-            return 1 + self.retire(i, &after, time, table, physics, recorder);
+        let kind = EventKind::MotionTransition { from: before.motion, to: after.motion };
+        step.record(kind, &[i as u16], &[before], &[after]);
+        if self.off_bed[i] && after.motion == MotionState::Stationary {
+            return self.on_off_table(i, &after, step);
         }
-        self.begin(i, &after, time, physics);
+        self.begin_path(i, &after, step);
         if moved {
-            self.find(&[i as u16], time, table);
+            self.find_candidates(&[i as u16], step.time, step.table);
         } else {
-            self.find_self(i, time, table);
-            self.enter_lanes(i);
+            self.find_own_candidates(i, step.time, step.table);
+            self.make_visible(i);
         }
-        1
     }
 
-    /// Gives ball `i` the path that starts at `time` in `state`.
+    /// A ball meets a feature of the table.
     #[inline(always)]
-    fn begin(&mut self, i: usize, state: &BallState, time: f64, physics: &Physics) {
-        self.set(i, Path::new(state, &self.ball[i], &physics.cloth, physics.gravity), time);
+    fn on_table_contact<R: Recorder>(
+        &mut self,
+        i: usize,
+        feature: TableFeature,
+        step: &mut StepContext<'_, R>,
+    ) {
+        match feature {
+            TableFeature::Cushion(part) => self.on_cushion_contact(i, part, step),
+            TableFeature::Pocket(pocket) => self.on_hole(i, pocket, step),
+            TableFeature::Slate => self.on_slate_contact(i, step),
+            TableFeature::Lip(pocket) => self.on_lip_contact(i, pocket, step),
+            TableFeature::Depth(pocket) => self.on_pocket_depth(i, pocket, step),
+            TableFeature::Brink => self.on_lost_support(i, step),
+            TableFeature::Edge => {
+                let state = self.state(i, step.time);
+                self.on_off_table(i, &state, step);
+            }
+        }
     }
 
-    /// Gives ball `i` the path that starts at `time`.
+    /// Records an event of ball `i` alone, gives the ball its new path and finds what comes next.
     #[inline(always)]
-    fn set(&mut self, i: usize, path: Path, time: f64) {
+    fn emit<R: Recorder>(
+        &mut self,
+        i: usize,
+        kind: EventKind,
+        [before, after]: [BallState; 2],
+        step: &mut StepContext<'_, R>,
+    ) {
+        step.record(kind, &[i as u16], &[before], &[after]);
+        self.begin_path(i, &after, step);
+        self.find_candidates(&[i as u16], step.time, step.table);
+    }
+
+    /// Gives ball `i` the path that starts now in `state`.
+    #[inline(always)]
+    fn begin_path<R>(&mut self, i: usize, state: &BallState, step: &StepContext<'_, R>) {
+        let Physics { cloth, gravity, .. } = step.physics;
+        self.set_path(i, Path::new(state, &self.ball[i], cloth, *gravity), step.time);
+    }
+
+    /// Gives ball `i` the path that starts at `time`, s.
+    #[inline(always)]
+    fn set_path(&mut self, i: usize, path: Path, time: f64) {
         self.lanes.x[i] = path.position.x;
         self.lanes.y[i] = path.position.y;
         self.lanes.vx[i] = path.velocity.x;
@@ -413,13 +425,13 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.lanes.hx[i] = path.half_acceleration.x;
         self.lanes.hy[i] = path.half_acceleration.y;
         self.lanes.start[i] = time;
-        self.lanes.leave[i] = f64::NAN;
-        self.aloft[i] = path.motion == MotionState::Airborne || path.position.z != path.radius;
+        self.lanes.valid_until[i] = f64::NAN;
+        self.off_bed[i] = path.motion == MotionState::Airborne || path.position.z != path.radius;
         self.path[i] = path;
     }
 }
 
-/// The smaller of two times that are not NaN: one instruction, where `f64::min` takes several.
+/// The smaller of two times, neither of which is NaN. One instruction; `f64::min` takes several.
 #[inline(always)]
 fn earlier(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }

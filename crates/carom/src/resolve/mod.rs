@@ -1,4 +1,5 @@
-//! What happens when a ball and something else meet? `resolve/<a>_<b>/<model_year>.rs`.
+//! Impacts: the velocities after the contact of a ball with something else. One file per pair and
+//! model: `resolve/<a>_<b>/<model_year>.rs`.
 
 pub mod ball_ball;
 pub mod ball_cushion;
@@ -9,11 +10,12 @@ pub mod restitution;
 pub mod stronge;
 
 use crate::math::Vec3;
+use crate::{Ball, BallState};
 
 /// Torque factor of a homogeneous ball: mR²/I.
 pub(crate) const SPIN_PER_IMPULSE: f64 = 2.5;
 
-/// A ball in an impact: what it is and how it moves. Resolvers change the two velocities.
+/// A ball in an impact: its properties and its velocities. Resolvers change the two velocities.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
     /// Velocity of the centre, m/s.
@@ -24,4 +26,17 @@ pub struct Body {
     pub mass: f64,
     /// Radius, m.
     pub radius: f64,
+}
+
+impl Body {
+    /// `ball`, moving as in `state`.
+    #[inline]
+    pub fn new(ball: &Ball, state: &BallState) -> Self {
+        Self {
+            velocity: state.velocity,
+            angular_velocity: state.angular_velocity,
+            mass: ball.mass,
+            radius: ball.radius,
+        }
+    }
 }

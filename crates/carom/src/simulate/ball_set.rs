@@ -2,8 +2,8 @@
 
 use crate::limits::MAX_BALLS;
 
-/// Balls by their index, one bit each. An event changes few of all pairs: what it does not change is not
-/// looked at.
+/// Indices of balls, one bit each. An event changes few of all pairs; sets let the engine visit
+/// only those.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct BallSet(u128);
 
@@ -23,7 +23,7 @@ impl BallSet {
     }
 
     #[inline(always)]
-    pub(super) fn and(self, others: Self) -> Self {
+    pub(super) fn union(self, others: Self) -> Self {
         Self(self.0 | others.0)
     }
 
@@ -38,7 +38,7 @@ impl BallSet {
         let mut left = self.0;
         core::iter::from_fn(move || {
             let first = left.trailing_zeros();
-            // Without the lowest bit; of none there is none.
+            // Clears the lowest bit; `checked_sub` ends the iteration at the empty set.
             left &= left.checked_sub(1)?;
             Some(first as usize)
         })
@@ -50,16 +50,16 @@ mod tests {
     use super::BallSet;
 
     #[test]
-    fn a_set_tells_its_balls_in_ascending_order() {
+    fn a_set_lists_its_balls_in_ascending_order() {
         let set = BallSet::of(&[127, 3, 64, 0]);
         assert!(set.balls().eq([0, 3, 64, 127]));
         assert_eq!(BallSet::EMPTY.balls().next(), None);
     }
 
     #[test]
-    fn sets_are_joined_and_taken_from_each_other() {
+    fn union_joins_two_sets_and_without_takes_the_difference() {
         let (a, b) = (BallSet::of(&[1, 2]), BallSet::of(&[2, 100]));
-        assert!(a.and(b).balls().eq([1, 2, 100]));
+        assert!(a.union(b).balls().eq([1, 2, 100]));
         assert!(a.without(b).balls().eq([1]));
         assert!(a.with(2).balls().eq([1, 2]));
     }

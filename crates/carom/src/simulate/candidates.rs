@@ -1,9 +1,9 @@
-//! Candidates: what each ball may meet next.
+//! Candidate events: what each ball may meet next, and when.
 
 use carom_roots::Motion;
 
 use super::ball_set::BallSet;
-use super::row::Open;
+use super::row::PossiblePartners;
 use super::{Simulation, earlier};
 use crate::detect::ball_ball::ContactFinder;
 use crate::detect::ball_table::{self, TableFeature};
@@ -11,85 +11,86 @@ use crate::detect::{flight, rail_top};
 use crate::motion::Path;
 use crate::{MotionState, Table};
 
-/// The partner of a ball that is to meet none.
-const NOBODY: u16 = u16::MAX;
+/// The partner of a ball without a contact.
+const NO_PARTNER: u16 = u16::MAX;
 
 impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// Finds every ball's candidates at time 0.
-    pub(super) fn find_all(&mut self, table: &Table) {
+    pub(super) fn find_all_candidates(&mut self, table: &Table) {
         for i in 0..self.n {
-            self.partner[i] = NOBODY;
-            self.find_self(i, 0.0, table);
+            self.partner[i] = NO_PARTNER;
+            self.find_own_candidates(i, 0.0, table);
             if !self.path[i].moves() {
-                self.enter_lanes(i);
+                self.make_visible(i);
             }
         }
-        // A resting ball has no row of its own: its pairs are in the rows of those that move.
+        // A resting ball needs no search: its contacts are found by the balls that move.
         for i in 0..self.n {
             if self.path[i].moves() {
-                self.find_row(i, 0.0);
+                self.find_contacts(i, 0.0);
             }
         }
     }
 
-    /// Finds anew, at `time`, the candidates of the balls in `touched`.
+    /// Computes again, at `time`, the candidates of the balls in `changed`, whose paths are new.
     #[inline(always)]
-    pub(super) fn find(&mut self, touched: &[u16], time: f64, table: &Table) {
-        let mut forsaken = BallSet::EMPTY;
-        for &i in touched {
+    pub(super) fn find_candidates(&mut self, changed: &[u16], time: f64, table: &Table) {
+        let mut others = BallSet::EMPTY;
+        for &i in changed {
             let i = usize::from(i);
             self.contact[i] = f64::INFINITY;
-            self.partner[i] = NOBODY;
-            self.find_self(i, time, table);
-            forsaken = forsaken.and(self.may_meet[i]);
-            self.may_meet[i] = BallSet::EMPTY;
+            self.partner[i] = NO_PARTNER;
+            self.find_own_candidates(i, time, table);
+            others = others.union(self.partners[i]);
+            self.partners[i] = BallSet::EMPTY;
         }
-        // Who was to meet a touched ball looks through what is left in its row.
-        let changed = BallSet::of(touched);
-        for j in forsaken.balls() {
-            self.may_meet[j] = self.may_meet[j].without(changed);
-            if holds(touched, self.partner[j]) {
+        // A ball whose next partner was one of these takes the earliest contact that is left.
+        let set = BallSet::of(changed);
+        for j in others.balls() {
+            self.partners[j] = self.partners[j].without(set);
+            if contains(changed, self.partner[j]) {
                 self.choose_partner(j);
             }
         }
-        for &i in touched {
-            self.find_row(usize::from(i), time);
+        for &i in changed {
+            self.find_contacts(usize::from(i), time);
         }
     }
 
-    /// When ball `i`'s motion state ends, and what of the table it meets before.
+    /// Finds the time at which ball `i`'s motion state ends, and what it meets on the table before.
     #[inline(always)]
-    pub(super) fn find_self(&mut self, i: usize, time: f64, table: &Table) {
+    pub(super) fn find_own_candidates(&mut self, i: usize, time: f64, table: &Table) {
         let path = &self.path[i];
         self.transition[i] = self.lanes.start[i] + path.duration;
-        self.meeting[i] = f64::INFINITY;
+        self.feature_time[i] = f64::INFINITY;
         if path.moves() {
             debug_assert_eq!(self.lanes.start[i], time);
-            let meeting = if self.aloft[i] {
-                self.first_meeting_aloft(i, table)
+            let meeting = if self.off_bed[i] {
+                self.first_meeting_off_bed(i, table)
             } else {
                 ball_table::first_meeting(table, path.radius, &in_plan(path), path.duration)
             };
             if let Some((t, feature)) = meeting {
-                self.meeting[i] = time + t;
+                self.feature_time[i] = time + t;
                 self.feature[i] = feature;
             }
         }
-        self.soonest[i] = earlier(earlier(self.transition[i], self.meeting[i]), self.contact[i]);
+        self.earliest[i] =
+            earlier(earlier(self.transition[i], self.feature_time[i]), self.contact[i]);
     }
 
-    /// Puts ball `i` into the lanes, so that it is in the rows of other balls.
+    /// Makes ball `i` take part in the searches of other balls.
     #[inline(always)]
-    pub(super) fn enter_lanes(&mut self, i: usize) {
-        self.lanes.leave[i] = self.leaves_at(i);
+    pub(super) fn make_visible(&mut self, i: usize) {
+        self.lanes.valid_until[i] = self.valid_until(i);
     }
 
-    /// Until when other balls may rely on the path of ball `i`: see [`Lanes::leave`](super::Lanes).
+    /// The time until which the path of ball `i` is valid: see [`Lanes::valid_until`](super::Lanes).
     #[inline(always)]
-    fn leaves_at(&self, i: usize) -> f64 {
+    fn valid_until(&self, i: usize) -> f64 {
         let path = &self.path[i];
         if path.moves() {
-            earlier(self.transition[i], self.meeting[i])
+            earlier(self.transition[i], self.feature_time[i])
         } else if path.motion.in_play() {
             f64::INFINITY
         } else {
@@ -97,36 +98,36 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    /// First contacts of ball `i`, which is not in the lanes yet, with all that are; then it enters them.
+    /// Finds the first contacts of ball `i` with all visible balls, then makes it visible itself.
     #[inline(always)]
-    fn find_row(&mut self, i: usize, time: f64) {
+    fn find_contacts(&mut self, i: usize, time: f64) {
         if !self.path[i].motion.in_play() {
             return;
         }
-        let mut open = Open::NONE;
+        let mut possible = PossiblePartners::NONE;
         if F::PROOFS {
-            open.look(&self.lanes, (i, self.leaves_at(i)), self.n, time, self.wide);
+            possible.search(&self.lanes, (i, self.valid_until(i)), self.n, time, self.wide);
         } else {
-            open.fill(&self.lanes, self.n);
+            possible.take_all(&self.lanes, self.n);
         }
-        self.enter_lanes(i);
-        for &j in open.balls() {
+        self.make_visible(i);
+        for &j in possible.balls() {
             let j = usize::from(j);
             let (motion, distance, horizon) = self.lanes.pair(i, j, time);
-            let contact = if self.aloft[i] || self.aloft[j] {
-                self.first_contact_aloft(i, j, &motion, time, horizon)
+            let contact = if self.off_bed[i] || self.off_bed[j] {
+                self.first_contact_off_bed(i, j, &motion, time, horizon)
             } else {
                 F::first_contact(&motion, distance, horizon)
             };
             if let Some(t) = contact {
-                self.meet(i, j, time + t);
+                self.add_contact(i, j, time + t);
             }
         }
     }
 
-    /// What of the table a ball off the slate meets first.
+    /// The first feature of the table that a ball off the bed meets.
     #[cold]
-    fn first_meeting_aloft(&self, i: usize, table: &Table) -> Option<(f64, TableFeature)> {
+    fn first_meeting_off_bed(&self, i: usize, table: &Table) -> Option<(f64, TableFeature)> {
         let path = &self.path[i];
         if path.motion != MotionState::Airborne {
             return rail_top::first_leaving(table, &in_plan(path), path.duration);
@@ -139,10 +140,10 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         flight::first_meeting(table, path.radius, &motion, path.duration)
     }
 
-    /// First contact of two balls of which one is off the slate, `plan` being their relative motion seen
-    /// from above.
+    /// First contact of two balls of which at least one is off the bed. `plan` is their relative motion
+    /// seen from above.
     #[cold]
-    fn first_contact_aloft(
+    fn first_contact_off_bed(
         &self,
         i: usize,
         j: usize,
@@ -164,27 +165,27 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         carom_roots::first_contact(&motion, distance, horizon)
     }
 
-    /// Notes that balls `i` and `j` are to meet at `t`.
+    /// Stores that balls `i` and `j` meet at time `t`, s.
     #[inline(always)]
-    fn meet(&mut self, i: usize, j: usize, t: f64) {
+    fn add_contact(&mut self, i: usize, j: usize, t: f64) {
         for (a, b) in [(i, j), (j, i)] {
             self.pair[a][b] = t;
-            self.may_meet[a] = self.may_meet[a].with(b);
+            self.partners[a] = self.partners[a].with(b);
             let b = b as u16;
             if t < self.contact[a] || (t == self.contact[a] && b < self.partner[a]) {
                 self.contact[a] = t;
                 self.partner[a] = b;
-                self.soonest[a] = earlier(t, self.soonest[a]);
+                self.earliest[a] = earlier(t, self.earliest[a]);
             }
         }
     }
 
-    /// The earliest entry of row `i`; among equals the first ball.
+    /// Takes the earliest contact of ball `i`; of equal times the one with the lowest index.
     #[inline(always)]
     fn choose_partner(&mut self, i: usize) {
         let mut best = f64::INFINITY;
-        let mut partner = NOBODY;
-        for j in self.may_meet[i].balls() {
+        let mut partner = NO_PARTNER;
+        for j in self.partners[i].balls() {
             let t = self.pair[i][j];
             if t < best {
                 best = t;
@@ -193,11 +194,11 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
         self.contact[i] = best;
         self.partner[i] = partner;
-        self.soonest[i] = earlier(earlier(self.transition[i], self.meeting[i]), best);
+        self.earliest[i] = earlier(earlier(self.transition[i], self.feature_time[i]), best);
     }
 }
 
-/// A path seen from above.
+/// The path seen from above.
 #[inline(always)]
 fn in_plan(path: &Path) -> Motion<2> {
     Motion {
@@ -207,12 +208,12 @@ fn in_plan(path: &Path) -> Motion<2> {
     }
 }
 
-/// Whether a list, mostly of one or two, holds `ball`.
+/// Whether a list, mostly of one or two balls, contains `ball`.
 #[inline(always)]
 #[expect(
     clippy::manual_contains,
-    reason = "`contains` calls a search meant for long lists: 15 % of a break"
+    reason = "`<[_]>::contains` is written for long lists; here it took 15 % of a break"
 )]
-fn holds(list: &[u16], ball: u16) -> bool {
+fn contains(list: &[u16], ball: u16) -> bool {
     list.iter().any(|&b| b == ball)
 }

@@ -1,42 +1,43 @@
-//! Balls that touch when one of them is hit: resolved together, in no order.
+//! Clusters: balls that touch when one of them is hit. Their contacts are resolved together, not one
+//! after another.
 
-use super::impact::body;
+use super::step::StepContext;
 use super::support::Support;
 use super::{Simulation, earlier};
 use crate::detect::ball_ball::ContactFinder;
-use crate::event::{Event, EventKind, Recorder};
+use crate::event::{EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
 use crate::resolve::Body;
 use crate::resolve::ball_ball::network::{self, MAX_BODIES, MAX_CONTACTS, Touch};
 use crate::table::TOUCH_TOLERANCE;
-use crate::{BallState, Physics, Table};
+use crate::{BallState, Physics};
 
-/// A ball hit at this approach speed, m/s, or faster takes with it the balls that it touches, or
-/// nearly touches ([`CLOSING_TIME`]). In slower impacts only those contacts act together that come about in the same instant: cloth
-/// friction makes thousands of them where it presses balls together, most below 1 mm/s, and
-/// there each is so weak that it is settled in a bounce of its own.
+/// From this approach speed on, m/s, an impact acts together with all contacts of balls that touch
+/// or nearly touch ([`CLOSING_TIME`]). In slower impacts only contacts of the same instant act
+/// together. Friction of the cloth causes thousands of slow contacts where it presses balls
+/// together, most below 1 mm/s; each is so weak that it can be resolved alone.
 const NETWORK_SPEED: f64 = 1e-2;
 
 /// Gaps that the approach closes within this time, s, count as touching: a fifth of a contact's
-/// duration (Alciatore: 250 to 300 µs). A rack whose balls are 0.1 mm apart is hit by a break as if
-/// frozen, for the balls yield by 0.6 mm. Longer, and balls would seem to move before they are
-/// touched; shorter, and a hundredth of a millimetre would decide how a rack breaks.
+/// duration (Alciatore: 250 to 300 µs). In a break, a rack with gaps of 0.1 mm acts as if it were
+/// frozen, because the balls are compressed by 0.6 mm. Longer, and balls would visibly move before
+/// they are touched; shorter, and a gap of 0.01 mm would change the result of a break.
 pub(crate) const CLOSING_TIME: f64 = 5e-5;
 
-/// Slow contacts count as one instant up to this gap, m: the accuracy of their times. Wider, and
-/// balls would be thrown apart that do not touch; narrower, and a symmetric rack would be pushed
-/// unevenly.
+/// Slow contacts belong to one instant if their gap is at most this, m: the accuracy of contact
+/// times. Wider, and balls that do not touch would be pushed apart; narrower, and a symmetric rack
+/// would move asymmetrically.
 const SAME_INSTANT_GAP: f64 = 1e-14;
 
-/// Slower contacts than this, m/s, are a matter of pairs: rounding, and the beginning of a push, of
-/// which the rule for pushes makes a bounce (`impact.rs`). Ten thousand times faster than what
-/// counts as no speed at all.
+/// Contacts slower than this, m/s, are always resolved as pairs: they are rounding errors or the
+/// beginning of a push, for which there is a rule of its own (`persistent_contact.rs`). It is ten
+/// thousand times the speed that counts as 0.
 const SLOWEST: f64 = 1e-9;
 
-/// Balls that are looked at together, by vector instructions; every capacity is a multiple.
+/// Number of balls tested together by vector instructions. It divides every capacity.
 const BLOCK: usize = 8;
 
-/// Balls that meet at one instant. More than fit follow in further events of that instant.
+/// Balls that meet at one instant. Any that do not fit follow in further events of the same instant.
 struct Cluster {
     size: usize,
     balls: [u16; MAX_BODIES],
@@ -55,8 +56,8 @@ impl Cluster {
         &self.balls[..self.size]
     }
 
-    /// Leaves out the balls that the impact of `first` on `second` has not reached. These two stay: a
-    /// ball hit from straight above is held by the slate, as it was.
+    /// Removes the balls whose velocities have not changed. `first` and `second`, whose contact is the
+    /// cause, stay in any case: a ball hit from straight above does not move, but takes part.
     fn keep_struck(&mut self, [first, second]: [u16; 2]) {
         let mut kept = 0;
         for k in 0..self.size {
@@ -77,26 +78,23 @@ impl Cluster {
 }
 
 impl<const N: usize, F: ContactFinder> Simulation<N, F> {
-    /// Two balls meet, or several that touch. Returns the number of events.
+    /// Two balls meet, or several that touch.
     #[inline(always)]
-    pub(super) fn collide<R: Recorder>(
+    pub(super) fn on_ball_contact<R: Recorder>(
         &mut self,
         i: usize,
         j: usize,
-        time: f64,
-        table: &Table,
-        physics: &Physics,
-        recorder: &mut R,
-    ) -> u32 {
+        step: &mut StepContext<'_, R>,
+    ) {
         let (a, b) = (i.min(j), i.max(j));
-        if self.is_crowded(a, b, time) && self.collide_cluster(a, b, time, table, physics, recorder)
-        {
-            return 1;
+        if self.is_crowded(a, b, step.time) && self.on_cluster_contact(a, b, step) {
+            return;
         }
-        self.collide_pair(a, b, time, table, physics, recorder)
+        self.on_pair_contact(a, b, step);
     }
 
-    /// Whether a third ball seems to touch `a` or `b`: no contact is missed, a few are invented.
+    /// Whether a third ball may touch `a` or `b`. Conservative: false positives are possible, false
+    /// negatives are not.
     #[inline(always)]
     fn is_crowded(&self, a: usize, b: usize, time: f64) -> bool {
         let l = &self.lanes;
@@ -106,24 +104,24 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         };
         let fastest = faster(&l.vx, &l.hx) + faster(&l.vy, &l.hy);
         let near = TOUCH_TOLERANCE + CLOSING_TIME * fastest;
-        let (p, q) = (clearance(self.place(a, time), near), clearance(self.place(b, time), near));
+        let (p, q) = (clearance(self.disc(a, time), near), clearance(self.disc(b, time), near));
         let mut close = 0;
         for first in (0..self.n).step_by(BLOCK) {
             let mut clear = [0.0; BLOCK];
             for (j, clear) in clear.iter_mut().enumerate() {
-                let place = self.place(first + j, time);
-                *clear = earlier(p(place), q(place));
+                let disc = self.disc(first + j, time);
+                *clear = earlier(p(disc), q(disc));
             }
-            let there = &clear[..BLOCK.min(self.n - first)];
-            close += there.iter().map(|&clear| u32::from(clear <= 0.0)).sum::<u32>();
+            let present = &clear[..BLOCK.min(self.n - first)];
+            close += present.iter().map(|&clear| u32::from(clear <= 0.0)).sum::<u32>();
         }
-        // The two themselves are there.
+        // `a` and `b` themselves are close.
         close > 2
     }
 
-    /// Where ball `k` is on the table, and its radius: x, y, R.
+    /// Position of ball `k` in the table plane and its radius: x, y, R, m.
     #[inline(always)]
-    fn place(&self, k: usize, time: f64) -> [f64; 3] {
+    fn disc(&self, k: usize, time: f64) -> [f64; 3] {
         let l = &self.lanes;
         let t = time - l.start[k];
         let x = l.x[k] + t * (l.vx[k] + t * l.hx[k]);
@@ -131,18 +129,16 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         [x, y, l.radius[k]]
     }
 
-    /// Resolves the impact of `a` on `b` with all that they touch; `false`, and nothing is done,
-    /// if it is between these two alone.
+    /// Resolves the impact of `a` on `b` together with the balls that touch them. Returns `false`, and
+    /// changes nothing, if there are no such balls.
     #[cold]
-    fn collide_cluster<R: Recorder>(
+    fn on_cluster_contact<R: Recorder>(
         &mut self,
         a: usize,
         b: usize,
-        time: f64,
-        table: &Table,
-        physics: &Physics,
-        recorder: &mut R,
+        step: &mut StepContext<'_, R>,
     ) -> bool {
+        let time = step.time;
         let mut cluster = Cluster {
             size: 0,
             balls: [0; MAX_BODIES],
@@ -152,58 +148,53 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         for i in [a, b] {
             cluster.add(i as u16, self.state(i, time));
         }
-        let first = self.meeting_of(&cluster, 0, 1);
+        let first = self.proximity(&cluster, 0, 1);
         if first.approach < SLOWEST {
             return false;
         }
-        let together = |meeting: &Meeting| {
+        let together = |proximity: &Proximity| {
             if first.approach >= NETWORK_SPEED {
-                meeting.gap <= TOUCH_TOLERANCE + CLOSING_TIME * first.approach
+                proximity.gap <= TOUCH_TOLERANCE + CLOSING_TIME * first.approach
             } else {
-                meeting.gap <= SAME_INSTANT_GAP && meeting.approach > 0.0
+                proximity.gap <= SAME_INSTANT_GAP && proximity.approach > 0.0
             }
         };
-        // More than the gap of balls that act together, whatever the rounding.
+        // More than the largest gap of balls that act together, with a margin for rounding.
         let reach = 2.0 * TOUCH_TOLERANCE + CLOSING_TIME * first.approach;
         self.gather(&mut cluster, time, reach, together);
         if cluster.size == 2 {
             return false;
         }
-        self.resolve_cluster(&mut cluster, reach, together, physics);
+        self.resolve_cluster(&mut cluster, reach, together, step.physics);
         cluster.keep_struck([a as u16, b as u16]);
         if cluster.size <= 2 {
             return false;
         }
         for (&i, after) in cluster.balls().iter().zip(&cluster.after) {
-            self.begin(usize::from(i), after, time, physics);
-            self.touched[usize::from(i)] = time;
+            self.begin_path(usize::from(i), after, step);
+            self.last_contact[usize::from(i)] = time;
         }
-        recorder.record(&Event {
-            time,
-            kind: EventKind::BallCollision,
-            balls: cluster.balls(),
-            before: &cluster.before[..cluster.size],
-            after: &cluster.after[..cluster.size],
-        });
-        self.find(cluster.balls(), time, table);
+        let (before, after) = (&cluster.before[..cluster.size], &cluster.after[..cluster.size]);
+        step.record(EventKind::BallCollision, cluster.balls(), before, after);
+        self.find_candidates(cluster.balls(), time, step.table);
         true
     }
 
-    /// Adds every ball that acts `together` with one of the cluster's, within `reach`, and so on
-    /// from those; then puts them into the order of the shot.
+    /// Adds every ball within `reach` (m) that acts `together` with a ball of the cluster, then those
+    /// that act together with the added balls, and so on. Finally sorts the balls in the shot's order.
     fn gather(
         &self,
         cluster: &mut Cluster,
         time: f64,
         reach: f64,
-        together: impl Fn(&Meeting) -> bool,
+        together: impl Fn(&Proximity) -> bool,
     ) {
-        let places: [[f64; 3]; N] = core::array::from_fn(|k| self.place(k, time));
-        let mut seen = 0;
-        while seen < cluster.size {
-            let near = clearance(places[usize::from(cluster.balls[seen])], reach);
-            for (k, &place) in places[..self.n].iter().enumerate() {
-                if near(place) > 0.0
+        let discs: [[f64; 3]; N] = core::array::from_fn(|k| self.disc(k, time));
+        let mut visited = 0;
+        while visited < cluster.size {
+            let near = clearance(discs[usize::from(cluster.balls[visited])], reach);
+            for (k, &disc) in discs[..self.n].iter().enumerate() {
+                if near(disc) > 0.0
                     || cluster.size == MAX_BODIES
                     || cluster.balls().contains(&(k as u16))
                     || !self.path[k].motion.in_play()
@@ -212,11 +203,11 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 }
                 cluster.balls[cluster.size] = k as u16;
                 cluster.before[cluster.size] = self.state(k, time);
-                if together(&self.meeting_of(cluster, seen, cluster.size)) {
+                if together(&self.proximity(cluster, visited, cluster.size)) {
                     cluster.size += 1;
                 }
             }
-            seen += 1;
+            visited += 1;
         }
         let size = cluster.size;
         cluster.balls[..size].sort_unstable();
@@ -225,12 +216,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    /// Finds the states after the impact of all contacts among the cluster's balls.
+    /// Computes the states after the impact, from all contacts among the cluster's balls.
     fn resolve_cluster(
         &self,
         cluster: &mut Cluster,
         reach: f64,
-        together: impl Fn(&Meeting) -> bool,
+        together: impl Fn(&Proximity) -> bool,
         physics: &Physics,
     ) {
         let size = cluster.size;
@@ -238,24 +229,24 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             Body { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, mass: 0.0, radius: 0.0 };
         let mut bodies = [empty; MAX_BODIES];
         for (k, slot) in bodies[..size].iter_mut().enumerate() {
-            *slot = body(&cluster.before[k], &self.ball[usize::from(cluster.balls[k])]);
+            *slot = Body::new(&self.ball[usize::from(cluster.balls[k])], &cluster.before[k]);
         }
         let bodies = &mut bodies[..size];
         let mut touches = [Touch { a: 0, b: 0, normal: Vec3::ZERO, gap: 0.0 }; MAX_CONTACTS];
         let mut count = 0;
-        let place = |k: usize| {
+        let disc = |k: usize| {
             let at = cluster.before[k].position;
             [at.x, at.y, self.ball[usize::from(cluster.balls[k])].radius]
         };
         for p in 0..size {
-            let near = clearance(place(p), reach);
+            let near = clearance(disc(p), reach);
             for q in p + 1..size {
-                if near(place(q)) > 0.0 {
+                if near(disc(q)) > 0.0 {
                     continue;
                 }
-                let meeting = self.meeting_of(cluster, p, q);
-                if together(&meeting) && count < MAX_CONTACTS {
-                    let (normal, gap) = (meeting.normal, meeting.gap);
+                let proximity = self.proximity(cluster, p, q);
+                if together(&proximity) && count < MAX_CONTACTS {
+                    let (normal, gap) = (proximity.normal, proximity.gap);
                     touches[count] = Touch { a: p as u8, b: q as u8, normal, gap };
                     count += 1;
                 }
@@ -273,13 +264,13 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    fn meeting_of(&self, cluster: &Cluster, p: usize, q: usize) -> Meeting {
+    fn proximity(&self, cluster: &Cluster, p: usize, q: usize) -> Proximity {
         let (a, b) = (&cluster.before[p], &cluster.before[q]);
         let radius = |k: usize| self.ball[usize::from(cluster.balls[k])].radius;
         let d = b.position - a.position;
         let distance = sqrt(d.length_squared());
         let normal = d * (1.0 / distance);
-        Meeting {
+        Proximity {
             normal,
             gap: distance - (radius(p) + radius(q)),
             approach: (a.velocity - b.velocity).dot(normal),
@@ -287,8 +278,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     }
 }
 
-/// How far another ball at [x, y, R] is clear of that at [px, py, radius] and `reach` around it, seen
-/// from above: a number that is positive where it is.
+/// A function of another ball [x, y, R], positive where this ball is further than `reach` (m) from the
+/// ball [px, py, radius], seen from above.
 #[inline(always)]
 fn clearance([px, py, radius]: [f64; 3], reach: f64) -> impl Fn([f64; 3]) -> f64 {
     let near = radius + reach;
@@ -298,12 +289,12 @@ fn clearance([px, py, radius]: [f64; 3], reach: f64) -> impl Fn([f64; 3]) -> f64
     }
 }
 
-/// How two balls stand to each other.
-struct Meeting {
-    /// Unit vector from the first one's centre to the second's.
+/// Relative position and motion of two balls.
+struct Proximity {
+    /// Unit vector from the first ball's centre to the second's.
     normal: Vec3,
-    /// Between the surfaces, m.
+    /// Distance between the surfaces, m.
     gap: f64,
-    /// m/s.
+    /// Approach speed, m/s.
     approach: f64,
 }

@@ -1,25 +1,25 @@
-//! One ball against all others: who could it meet? The only part of the engine that is worth
-//! vector instructions.
+//! One ball against all others: which of them could it meet? This is the only part of the engine
+//! where vector instructions pay off.
 
 use carom_roots::{Motion, Row};
 
 use super::{Lanes, earlier};
 use crate::detect::ball_ball::touching_distance;
 
-/// Pairs that are looked at together: an AVX2 register of doubles, and a divisor of every
-/// capacity.
+/// Number of pairs tested together: the doubles in an AVX2 register. It divides every capacity.
 const BLOCK: usize = 4;
 
 const _: () = assert!(super::CAPACITY_STEP.is_multiple_of(BLOCK));
 
-/// Balls that could not be turned away, in ascending order.
+/// The balls that one ball may meet, in ascending order: every pair for which no cheap test has
+/// proved that there is no contact.
 #[derive(Clone, Debug)]
-pub(super) struct Open<const N: usize> {
+pub(super) struct PossiblePartners<const N: usize> {
     count: usize,
     balls: [u16; N],
 }
 
-impl<const N: usize> Open<N> {
+impl<const N: usize> PossiblePartners<N> {
     pub(super) const NONE: Self = Self { count: 0, balls: [0; N] };
 
     #[inline(always)]
@@ -27,20 +27,20 @@ impl<const N: usize> Open<N> {
         &self.balls[..self.count]
     }
 
-    /// Fills itself with all that are in the lanes, among the first `n`.
+    /// Takes every visible ball among the first `n`, without a test.
     #[inline(always)]
-    pub(super) fn fill(&mut self, lanes: &Lanes<N>, n: usize) {
+    pub(super) fn take_all(&mut self, lanes: &Lanes<N>, n: usize) {
         self.count = 0;
-        for j in (0..n).filter(|&j| !lanes.leave[j].is_nan()) {
+        for j in (0..n).filter(|&j| !lanes.valid_until[j].is_nan()) {
             self.balls[self.count] = j as u16;
             self.count += 1;
         }
     }
 
-    /// Fills itself with the balls that `ball` could meet, among the first `n`: the ball and when it leaves
-    /// its path, where its own lane does not say so yet.
+    /// Takes the balls that `ball` may meet, among the first `n`. `ball` is its index and the time
+    /// until which its path is valid, which its own lane does not hold yet.
     #[inline(always)]
-    pub(super) fn look(
+    pub(super) fn search(
         &mut self,
         lanes: &Lanes<N>,
         ball: (usize, f64),
@@ -51,31 +51,31 @@ impl<const N: usize> Open<N> {
         #[cfg(all(feature = "std", target_arch = "x86_64"))]
         if wide {
             // SAFETY: `wide` is only true where the processor has AVX2 (`has_wide_vectors`).
-            // Measured: a third of all time of an eight-ball break is saved.
+            // Measured: it saves a third of the time of an eight-ball break.
             #[allow(unsafe_code)]
             unsafe {
-                self.look_avx2(lanes, ball, n, time);
+                self.search_avx2(lanes, ball, n, time);
             }
             return;
         }
         let _ = wide;
-        self.look_plain(lanes, ball, n, time);
+        self.search_plain(lanes, ball, n, time);
     }
 
-    /// The same bits: no operation is fused, none is reordered; there are only more lanes.
+    /// The same bits as without AVX2: no operation is fused or reordered.
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     #[target_feature(enable = "avx2")]
-    fn look_avx2(&mut self, lanes: &Lanes<N>, ball: (usize, f64), n: usize, time: f64) {
-        self.look_plain(lanes, ball, n, time);
+    fn search_avx2(&mut self, lanes: &Lanes<N>, ball: (usize, f64), n: usize, time: f64) {
+        self.search_plain(lanes, ball, n, time);
     }
 
     #[inline(always)]
-    fn look_plain(&mut self, lanes: &Lanes<N>, ball: (usize, f64), n: usize, time: f64) {
+    fn search_plain(&mut self, lanes: &Lanes<N>, ball: (usize, f64), n: usize, time: f64) {
         self.count = 0;
         let mut from = 0;
         while from < n {
             if let Some(open) = lanes.row(ball, from, time).open() {
-                // No jumps: which ball is in the way nobody can guess.
+                // Branch-free: which lanes stay open is unpredictable.
                 for (k, open) in open.into_iter().enumerate() {
                     self.balls[self.count] = (from + k) as u16;
                     self.count += usize::from(open);
@@ -86,7 +86,7 @@ impl<const N: usize> Open<N> {
     }
 }
 
-/// The least of the first `n` numbers, none of which is not a number, and perhaps of some behind them.
+/// The least of the first `n` numbers; the rest of the last block is included. None may be NaN.
 #[inline(always)]
 pub(super) fn least<const N: usize>(numbers: &[f64; N], n: usize) -> f64 {
     let mut least = [f64::INFINITY; BLOCK];
@@ -98,8 +98,9 @@ pub(super) fn least<const N: usize>(numbers: &[f64; N], n: usize) -> f64 {
     least.into_iter().fold(f64::INFINITY, earlier)
 }
 
-/// Calls `visit` with the place of each of the first `n` numbers, and perhaps of some behind them, that
-/// is `number` to the bit: integers compare in one instruction, which jumps.
+/// Calls `visit` with the index of each of the first `n` numbers that has the bits of `number`; the rest
+/// of the last block is included. Integers, because comparing and branching takes fewer instructions
+/// than for floating-point numbers.
 #[inline(always)]
 pub(super) fn each_equal<const N: usize>(
     numbers: &[f64; N],
@@ -117,7 +118,7 @@ pub(super) fn each_equal<const N: usize>(
     }
 }
 
-/// Whether this processor has vectors wide enough to be worth it.
+/// Whether this processor has AVX2.
 pub(super) fn has_wide_vectors() -> bool {
     #[cfg(all(feature = "std", target_arch = "x86_64"))]
     return std::is_x86_feature_detected!("avx2");
@@ -126,10 +127,10 @@ pub(super) fn has_wide_vectors() -> bool {
 }
 
 impl<const N: usize> Lanes<N> {
-    /// The motions of the [`BLOCK`] balls from `from` on relative to ball `i`, which leaves its path at
-    /// `leave`, as of `time`.
+    /// The motions of [`BLOCK`] balls, the first of them `from`, relative to ball `i`, whose path is
+    /// valid until `valid_until`, from `time` on.
     #[inline(always)]
-    fn row(&self, (i, leave): (usize, f64), from: usize, time: f64) -> Row<BLOCK> {
+    fn row(&self, (i, valid_until): (usize, f64), from: usize, time: f64) -> Row<BLOCK> {
         let age = time - self.start[i];
         let (x, vx) = advanced(self.x[i], self.vx[i], self.hx[i], age);
         let (y, vy) = advanced(self.y[i], self.vy[i], self.hy[i], age);
@@ -155,13 +156,13 @@ impl<const N: usize> Lanes<N> {
             row.hx[k] = self.hx[j] - self.hx[i];
             row.hy[k] = self.hy[j] - self.hy[i];
             row.distance[k] = self.radius[i] + self.radius[j];
-            row.horizon[k] = earlier(leave, self.leave[j]) - time;
+            row.horizon[k] = earlier(valid_until, self.valid_until[j]) - time;
         }
         row
     }
 
-    /// The motion of ball `j` relative to ball `i` as of `time`, the distance at which they touch,
-    /// and how far ahead the motion holds.
+    /// The motion of ball `j` relative to ball `i` from `time` on, the distance at which they touch, m,
+    /// and how long the motion is valid, s.
     #[inline(always)]
     pub(super) fn pair(&self, i: usize, j: usize, time: f64) -> (Motion<2>, f64, f64) {
         let (age_i, age_j) = (time - self.start[i], time - self.start[j]);
@@ -175,11 +176,11 @@ impl<const N: usize> Lanes<N> {
             h: [self.hx[j] - self.hx[i], self.hy[j] - self.hy[i]],
         };
         let distance = touching_distance(self.radius[i], self.radius[j]);
-        (motion, distance, earlier(self.leave[i], self.leave[j]) - time)
+        (motion, distance, earlier(self.valid_until[i], self.valid_until[j]) - time)
     }
 }
 
-/// Place and speed along one axis after `t` seconds on x + vt + ht².
+/// Position and velocity along one axis at time `t`, s, on x + vt + ht².
 #[inline(always)]
 fn advanced(x: f64, v: f64, h: f64, t: f64) -> (f64, f64) {
     (x + (v + h * t) * t, v + h * (2.0 * t))

@@ -1,4 +1,4 @@
-//! What carries a ball, and the state in which an impact leaves it there.
+//! What supports a ball, and the state of a supported ball after an impact.
 
 use crate::math::Vec3;
 use crate::motion::classify;
@@ -6,24 +6,25 @@ use crate::physics::Surface;
 use crate::resolve::{Body, ball_slate};
 use crate::{Ball, BallState, MotionState, Physics};
 
-/// What is right under a ball.
+/// What supports a ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Support {
     /// The slate, or a rail's top.
     Plane,
-    /// Nothing: the ball flies, or hangs over an edge.
+    /// Nothing: the ball flies or turns about an edge.
     Air,
 }
 
 impl Support {
-    /// What carries a ball in `state`.
+    /// What supports a ball in `state`.
     #[inline(always)]
     pub(super) fn under(state: &BallState) -> Self {
         if state.motion == MotionState::Airborne { Self::Air } else { Self::Plane }
     }
 
-    /// The state right after an impact that gave the ball these velocities: the same place, and the
-    /// motion that they mean. A plane takes what is too little for a hop ([`ball_slate::settle`]).
+    /// The state right after an impact that gave the ball these velocities: the same position, and
+    /// the motion state that follows from the velocities. On a plane a vertical velocity too small for
+    /// a hop becomes 0 ([`ball_slate::settle`]).
     #[inline(always)]
     pub(super) fn settled(
         self,
@@ -36,10 +37,10 @@ impl Support {
         if self == Self::Plane && velocity.z == 0.0 {
             return on_plane(before.position, velocity, spin, ball.radius);
         }
-        self.after_a_push(before, velocity, spin, ball, physics)
+        self.settled_from_hop(before, velocity, spin, ball, physics)
     }
 
-    fn after_a_push(
+    fn settled_from_hop(
         self,
         before: &BallState,
         velocity: Vec3,
@@ -61,7 +62,7 @@ impl Support {
     }
 }
 
-/// The state of a ball on a plane, with the motion that its velocities mean.
+/// The state of a ball on a plane, with the motion state that follows from its velocities.
 #[inline(always)]
 pub(super) fn on_plane(position: Vec3, velocity: Vec3, spin: Vec3, radius: f64) -> BallState {
     let motion = classify(velocity, spin, radius);
