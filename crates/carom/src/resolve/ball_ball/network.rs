@@ -1,35 +1,36 @@
 //! Balls that touch each other when one of them is struck: all their contacts act at once.
 //!
-//! No law of restitution knows what comes out of three balls in a row: rigid bodies leave it
-//! undetermined, and taking the pairs one after another makes the result depend on their order.
-//! What decides is how the balls yield (Alciatore, TP B.29). So here the impact is followed in
-//! time, with the positions fixed and every contact a spring:
+//! A law of restitution does not determine the result for three balls in a row: for rigid bodies it
+//! is undetermined, and resolving the pairs one after another makes the result depend on their
+//! order. The result depends on how the balls deform (Alciatore, TP B.29). So the impact is
+//! integrated in time, with fixed positions and a spring for every contact:
 //!
-//! * **Along the normal** Hertz's force F = k·δ^(3/2), k = (4/3)E*·√(R₁R₂/(R₁+R₂)). While the
-//!   contact opens it returns e² times that, so that a pair alone parts with e times its approach
-//!   speed. e is the law's, at the fastest approach that the contact has seen
+//! * **Along the normal** Hertz's force F = k·δ^(3/2), k = (4/3)E*·√(R₁R₂/(R₁+R₂)). While a contact
+//!   opens, its force is e² times as large, so that a pair alone separates with e times its approach
+//!   speed. e is the law's restitution at the fastest approach that the contact has had
 //!   ([`restitution::effective`]).
-//! * **Across it** friction: at most μF, against the slip **u** of a's surface over b's (as in
-//!   [`contact`](super::contact)), μ at the fastest slip that the contact has seen. In the rigid
-//!   models it stops the slip. For the `compliant` model it is a spring too, which yields where μF
-//!   holds it no longer and loses its part of what it stores as the contact opens. Its stiffness is
-//!   (5/4)(ω_t/ω_n)²·(2/7) times F/δ: during a pair's contact it then swings as far as Stronge's
-//!   linear springs do, at any speed (the phase of √(7/2·k_t/m*) is π·ω_t/ω_n).
-//!   `mathavan-2014` acts as `frictional` does: its friction of the cloth has no many-ball form.
+//! * **Tangentially** friction of at most μF against the slip **u** of a's surface over b's (as in
+//!   [`contact`](super::contact)), μ being that of the fastest slip that the contact has had. In the
+//!   rigid models friction stops the slip. In the `compliant` model it is a spring as well: it slides
+//!   where μF is too small to hold it, and loses its part of the stored energy as the contact opens. Its
+//!   stiffness is (5/4)(ω_t/ω_n)²·(2/7) times F/δ. During a pair's contact it then oscillates as far as
+//!   Stronge's linear springs do, at any speed (the phase of √(7/2·k_t/m*) is π·ω_t/ω_n).
+//!   `mathavan-2014` is treated like `frictional`, because its friction of the cloth has no form for
+//!   many balls.
 //!
-//! A pair alone never comes here ([`super::resolve`] is its law). If it did, it would leave with
-//! the law's restitution and rigid friction to 3e-3 of its approach speed; `compliant` balls would
-//! be thrown as by their law to 0.4°.
+//! A pair alone is resolved by its own law ([`super::resolve`]), not here. If it were resolved here,
+//! the result would agree with the law's restitution and rigid friction to 3e-3 of the approach speed,
+//! and the throw of `compliant` balls with their law to 0.4°.
 //!
-//! **Units.** Balls that touch come out the same whatever the modulus E* is, and their speeds grow
-//! with that of the impact: the equations are solved in units of the fastest approach V, the
-//! heaviest ball, and the time T = (m*²/(k²V))^(1/5) of the stiffest pair (a pair's contact lasts
-//! 3.21 T). E* matters only where gaps have to close first.
+//! **Units.** The equations are solved in units of the fastest approach speed V, the heaviest ball's
+//! mass and the time T = (m*²/(k²V))^(1/5) of the stiffest pair (a pair's contact lasts 3.21 T). For
+//! balls that touch at the start, the result does not depend on the modulus E*, and the velocities are
+//! proportional to the speed of the impact. E* matters only where gaps have to close first.
 //!
-//! **What is conserved.** Impulses are kept on a grid ([`GRID`]), on which sums are exact: their
-//! order does not matter, mirrored ones cancel to the bit, and both balls of a contact get the
-//! same. The steps keep the energy to about 1e-4; what they would gain is taken back by
-//! scaling the whole change, and an impact without losses is scaled to lose nothing.
+//! **Conservation.** Impulses are rounded to a grid ([`GRID`]) on which sums are exact. So their order
+//! does not matter, mirrored impulses cancel to the bit, and both balls of a contact receive the same
+//! impulse. The steps conserve the energy to about 1e-4. If they would gain energy, the whole change of
+//! velocity is scaled down; an impact without losses is scaled to conserve the energy.
 
 use super::contact::TANGENT_COMPLIANCE;
 use crate::math::{Vec2, Vec3, pow, sqrt};
@@ -37,60 +38,70 @@ use crate::physics::{BallBall, BallBallModel};
 use crate::resolve::{Body, SPIN_PER_IMPULSE, restitution};
 use crate::table::TOUCH_TOLERANCE;
 
-/// Most balls in a network.
+/// The most balls in a network.
 pub const MAX_BODIES: usize = 24;
 
-/// Most contacts: as many equal balls on a table have ⌊3n − √(12n − 3)⌋ = 55 (Harborth 1974). The
-/// rest is left to a next impact, at the same instant.
+/// The most contacts in a network. That many equal balls in a plane have at most
+/// ⌊3n − √(12n − 3)⌋ = 55 contacts (Harborth 1974). Any others are resolved in a next impact at the same
+/// instant.
 pub const MAX_CONTACTS: usize = 64;
 
-/// More than [`MAX_BODIES`]: an index modulo a power of two needs no check.
+/// Length of the array of balls: at least [`MAX_BODIES`], and a power of two, so that an index modulo this
+/// number needs no bounds check.
 const BITS: usize = 32;
 
-/// E* = E/(2(1 − ν²)) of ball material, Pa: 2270 N press two 2¼ in balls together by 0.2 mm
+/// E* = E/(2(1 − ν²)) of ball material, Pa: 2270 N compress two 2¼ in balls by 0.2 mm
 /// (Alciatore, TP B.29).
 pub const CONTACT_MODULUS: f64 = 5.04e9;
-
-/// A pair's contact is followed in about this many steps: rows of up to eight balls then leave
-/// within 6e-4 of the speed of the first from what they do in the limit.
-const STEPS_PER_CONTACT: f64 = 11.0;
-
-/// How far ahead the force of a step is taken, in parts of (step)²·(acceleration): what cancels
-/// most of the leapfrog's error (Takahashi & Imada 1984). It is 1/12 for small steps; for steps as
-/// long as these, this leaves the least error in rows of three to eight balls.
-const AHEAD: f64 = 0.065;
-
-/// The acceleration of a step is that of the last one and this many times its change since the one
-/// before. It is 1 for small steps, and chosen like [`AHEAD`].
-const TREND: f64 = 1.25;
 
 /// Duration of a pair's Hertz contact, in units of (m*²/(k²V))^(1/5).
 const CONTACT_TIME: f64 = 3.21;
 
-/// Steps at most. A frozen rack needs a few hundred; what still approaches after these is the next
-/// impact, at the same instant.
+/// The most steps of an impact. A frozen rack needs a few hundred. Balls that still approach after that
+/// meet again in a next impact at the same instant.
 const MAX_STEPS: usize = 4000;
 
-/// x + `GRID` − `GRID` is x on a grid of 2⁻⁴⁴ (for |x| < 128): sums of such numbers are exact up to
-/// 512, and so are the same in any order. The unit is the momentum of the heaviest ball at the
-/// fastest approach.
+/// x + `GRID` − `GRID` rounds x to a grid of 2⁻⁴⁴ (for |x| < 128). Sums of such numbers are exact up to
+/// 512, so their order does not matter. The unit is the momentum of the heaviest ball at the fastest
+/// approach.
 const GRID: f64 = 384.0;
 
-/// The steps grow as the impact fades, like the duration of a contact, with (speed)^(−1/5): when the
-/// square of the fastest approach has fallen to this part,
+/// As the impact fades, contacts last longer, with (speed)^(−1/5), and the steps grow likewise: each time
+/// the square of the fastest approach has fallen to this fraction, they grow by the factor [`LONGER`].
 const RELAXED: f64 = 0.5;
 
-/// by this factor: [`RELAXED`]^(−1/10).
+/// Growth of a step: [`RELAXED`]^(−1/10).
 const LONGER: f64 = 1.071_773_5;
 
-/// μ is found anew when the slip has grown by this part of the fastest approach.
+/// μ is computed again when the slip has grown by this fraction of the fastest approach.
 const SLIP_STEP: f64 = 1.0 / 64.0;
 
-/// Two balls that approach slower than this part of the fastest approach are done with: they have
-/// no weight on the grid.
+/// An approach slower than this fraction of the fastest approach counts as 0.
 const STILL: f64 = 1e-9;
 
-/// Two balls that touch.
+/// How the impact is integrated. The leapfrog method places forces in the middle of steps; evaluating
+/// each force at an extrapolated position cancels most of its error (Takahashi & Imada 1984).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stepping {
+    /// Number of steps in the contact of a pair alone.
+    pub steps_per_contact: f64,
+    /// How far ahead a force is evaluated, as a multiple of (step)²·(acceleration); 1/12 is best for
+    /// small steps.
+    pub ahead: f64,
+    /// The acceleration is extrapolated: the last one plus this multiple of its last change; 1 is best
+    /// for small steps.
+    pub trend: f64,
+}
+
+impl Stepping {
+    /// The steps of [`resolve`]. The velocities of rows of three to eight balls then differ by less than
+    /// 9e-4 of the first ball's speed from the limit of small steps. `ahead` and `trend` were chosen for
+    /// these long steps: the example `network_step_choice` computes the errors
+    /// around them. Longer steps, or other values of the two, and that error grows.
+    pub const CHOSEN: Self = Self { steps_per_contact: 11.0, ahead: 0.065, trend: 1.25 };
+}
+
+/// A pair of balls that touch.
 #[derive(Clone, Copy, Debug)]
 pub struct Touch {
     /// Index of the first ball.
@@ -103,14 +114,25 @@ pub struct Touch {
     pub gap: f64,
 }
 
-/// Resolves the impact of balls that touch. Returns whether there is one: `false`, and nothing is
-/// changed, if no two of them approach. Balls that nothing reaches keep their very bits.
+/// Resolves the impact of balls that touch. Returns `false`, and changes nothing, if no two of them
+/// approach. Balls that the impact does not reach keep their exact bits.
 ///
-/// `bodies` are at most [`MAX_BODIES`], and of `touches` the first [`MAX_CONTACTS`] count.
+/// There are at most [`MAX_BODIES`] `bodies`; only the first [`MAX_CONTACTS`] of `touches` are used.
 pub fn resolve(law: &BallBall, bodies: &mut [Body], touches: &[Touch]) -> bool {
+    resolve_in_steps(law, bodies, touches, &Stepping::CHOSEN)
+}
+
+/// [`resolve`] with other steps than the engine's, for studies of their accuracy.
+#[inline]
+pub fn resolve_in_steps(
+    law: &BallBall,
+    bodies: &mut [Body],
+    touches: &[Touch],
+    stepping: &Stepping,
+) -> bool {
     let touches = &touches[..touches.len().min(MAX_CONTACTS)];
     let Some(units) = Units::of(bodies, touches) else { return false };
-    let mut balls = [Ball::default(); BITS];
+    let mut balls = [BallChange::default(); BITS];
     let mut links = [Link::default(); MAX_CONTACTS];
     for (ball, body) in balls.iter_mut().zip(bodies.iter()) {
         ball.mobility = units.mass / body.mass;
@@ -125,17 +147,17 @@ pub fn resolve(law: &BallBall, bodies: &mut [Body], touches: &[Touch]) -> bool {
         link.share = 1.0 / f64::from(most);
     }
     if law.is_smooth() {
-        follow::<SMOOTH>(law, &units, &mut balls, &mut links);
+        integrate::<SMOOTH>(law, &units, stepping, &mut balls, &mut links);
     } else if law.model == BallBallModel::Compliant {
-        follow::<SPRUNG>(law, &units, &mut balls, &mut links);
+        integrate::<SPRUNG>(law, &units, stepping, &mut balls, &mut links);
     } else {
-        follow::<RIGID>(law, &units, &mut balls, &mut links);
+        integrate::<RIGID>(law, &units, stepping, &mut balls, &mut links);
     }
     apply(law, &units, &balls[..bodies.len()], bodies);
     true
 }
 
-/// The units of an impact.
+/// The units of one impact.
 struct Units {
     /// Fastest approach V, m/s.
     speed: f64,
@@ -146,7 +168,7 @@ struct Units {
 }
 
 impl Units {
-    /// `None` if nothing approaches.
+    /// `None` if no pair approaches.
     fn of(bodies: &[Body], touches: &[Touch]) -> Option<Self> {
         let (mut speed, mut rate) = (0.0_f64, 0.0_f64);
         for touch in touches {
@@ -174,30 +196,30 @@ fn stiffness(a: &Body, b: &Body) -> f64 {
     4.0 / 3.0 * CONTACT_MODULUS * sqrt(a.radius * b.radius / (a.radius + b.radius))
 }
 
-/// What the impact has done to a ball so far.
+/// The change of a ball's motion by the impact so far.
 #[derive(Clone, Copy, Default)]
 #[repr(align(128))]
-struct Ball {
+struct BallChange {
     /// Impulse.
     push: Vec3,
-    /// Σ n × (impulse on the second ball of the contact): it turns both balls the same way.
+    /// Σ n × (impulse on the second ball of the contact). It turns both balls in the same sense.
     turn: Vec3,
     /// Change of velocity.
     velocity: Vec3,
-    /// Change of the surface's speed Rω.
+    /// Change of the surface velocity Rω.
     surface: Vec3,
     /// 1/mass.
     mobility: f64,
-    /// Its contacts, one bit each.
+    /// Set of its contacts, one bit each.
     links: u64,
 }
 
-/// A contact as it goes on.
+/// The state of a contact during the impact.
 #[derive(Clone, Copy, Default)]
 struct Link {
     a: usize,
     b: usize,
-    /// The two, one bit each; there are at most [`MAX_BODIES`], fewer than 32.
+    /// Set of `a` and `b`, one bit each.
     both: u32,
     normal: Vec3,
     across: Across,
@@ -209,23 +231,23 @@ struct Link {
     /// m* and 1/m*.
     mass: f64,
     mobility: f64,
-    /// Part of a slip that one step may stop: one over the most contacts of its balls.
+    /// The fraction of a slip that one step may stop: 1 / (number of contacts of the ball that has more).
     share: f64,
     /// δ, negative where there is a gap.
     depth: f64,
     /// Whether there was no gap at the start.
     touches: bool,
-    /// The approach now, and what the last step has changed it by.
+    /// The present approach speed, and its change in the last step.
     now: f64,
     speedup: f64,
-    /// Whether it pressed at the last step.
+    /// Whether the contact carried a force in the last step.
     presses: bool,
-    /// The fastest approach so far.
+    /// The fastest approach speed so far.
     fastest: f64,
-    /// μ at the fastest slip so far, and the square up to which that holds.
+    /// μ at the fastest slip so far, and the square of the slip up to which it is valid.
     friction: f64,
     known_slip: f64,
-    /// Friction on b, and the stiffness of its spring, at the last step in which they pressed.
+    /// Friction on b, and the stiffness of its spring, in the last step with a force.
     pull: Vec2,
     pull_spring: f64,
 }
@@ -260,7 +282,7 @@ impl Link {
     }
 }
 
-/// Two unit vectors in the tangent plane, with **n** × the first = the second.
+/// Two unit vectors in the tangent plane; **n** × the first is the second.
 #[derive(Clone, Copy, Default)]
 struct Across {
     /// Horizontal.
@@ -276,8 +298,8 @@ impl Across {
         Self { first, second: normal.cross(first.with_z(0.0)) }
     }
 
-    /// The components of the slip: of what the first ball's centre moves at over the second's, and of
-    /// the sum of their Rω.
+    /// The components of the slip, from the velocity of the first ball's centre relative to the second's
+    /// and the sum of both Rω.
     #[inline(always)]
     fn slip(&self, velocity: Vec3, surface: Vec3) -> Vec2 {
         let Self { first, second } = *self;
@@ -295,31 +317,32 @@ impl Across {
     }
 }
 
-/// How friction holds: not at all, by stopping the slip, or by a spring.
+/// Kinds of friction: none, rigid (it stops the slip), or a spring.
 const SMOOTH: u8 = 0;
 const RIGID: u8 = 1;
 const SPRUNG: u8 = 2;
 
-/// Follows the impact to its end: no contact carries force and no two balls that touched approach.
-/// A gap that has not closed by then is left to a later impact.
-fn follow<const GRIP: u8>(
+/// Integrates the impact until no contact carries a force and no two balls that touched at the start
+/// approach. A gap that has not closed by then is left to a later impact.
+fn integrate<const GRIP: u8>(
     law: &BallBall,
     units: &Units,
-    balls: &mut [Ball; BITS],
+    stepping: &Stepping,
+    balls: &mut [BallChange; BITS],
     links: &mut [Link; MAX_CONTACTS],
 ) {
-    let mut step = Step::first(units);
+    let mut step = TimeStep::first(units, stepping);
     // Forces act in the middle of a step.
     let mut drift = 0.5 * step.length;
-    // The contacts of balls that have moved, one bit each: nothing happens in the others.
-    let mut stirred = 0_u64;
+    // Set of the contacts of balls that have moved, one bit each. The other contacts cannot change.
+    let mut active = 0_u64;
     for (k, link) in links.iter().enumerate() {
-        stirred |= u64::from(link.approach != 0.0) << k;
+        active |= u64::from(link.approach != 0.0) << k;
     }
     for _ in 0..MAX_STEPS {
         let (mut pushed, mut meeting, mut liveliest) = (0_u32, f64::INFINITY, 0.0);
-        let ahead = AHEAD * step.length;
-        for k in Bits(stirred) {
+        let ahead = stepping.ahead * step.length;
+        for k in Bits(active) {
             let link = &mut links[k];
             let (a, b) = (&balls[link.a % BITS], &balls[link.b % BITS]);
             let velocity = a.velocity - b.velocity;
@@ -327,7 +350,7 @@ fn follow<const GRIP: u8>(
             let (speedup, last) = (approach - link.now, link.speedup);
             (link.now, link.speedup) = (approach, speedup);
             link.depth += approach * drift;
-            let depth = link.depth + ahead * (speedup + TREND * (speedup - last));
+            let depth = link.depth + ahead * (speedup + stepping.trend * (speedup - last));
             if depth <= 0.0 {
                 link.presses = false;
                 if approach > STILL {
@@ -368,7 +391,7 @@ fn follow<const GRIP: u8>(
         if pushed != 0 {
             drift = 0.5 * (last + step.length);
             for k in Bits(u64::from(pushed)) {
-                stirred |= balls[k % BITS].move_on();
+                active |= balls[k % BITS].update();
             }
         } else if meeting < f64::INFINITY {
             drift = meeting + 0.5 * step.length;
@@ -378,7 +401,7 @@ fn follow<const GRIP: u8>(
     }
 }
 
-/// The places of the bits that are set, from the lowest.
+/// The indices of the bits that are set, from the lowest.
 struct Bits(u64);
 
 impl Iterator for Bits {
@@ -395,23 +418,23 @@ impl Iterator for Bits {
     }
 }
 
-/// One step in time.
-struct Step {
+/// The length of a step in time.
+struct TimeStep {
     /// In units of T.
     length: f64,
-    /// (Speed)² for which it was chosen.
+    /// The (speed)² for which the length was chosen.
     liveliness: f64,
     /// The unit of speed, m/s.
     speed: f64,
 }
 
-impl Step {
-    fn first(units: &Units) -> Self {
-        let length = CONTACT_TIME / STEPS_PER_CONTACT;
+impl TimeStep {
+    fn first(units: &Units, stepping: &Stepping) -> Self {
+        let length = CONTACT_TIME / stepping.steps_per_contact;
         Self { length, liveliness: 1.0, speed: units.speed }
     }
 
-    /// Grows a little where the impact fades, and shrinks at once where it becomes livelier.
+    /// Lengthens the step a little where the impact has faded, and shortens it where speeds have grown.
     #[inline(always)]
     fn adapt(&mut self, liveliest: f64) {
         if liveliest < RELAXED * self.liveliness {
@@ -425,10 +448,10 @@ impl Step {
     }
 }
 
-impl Ball {
-    /// Finds the velocities anew after a push; returns the contacts that this stirs.
+impl BallChange {
+    /// Computes the velocities after an impulse. Returns the set of contacts that this changes.
     #[inline(always)]
-    fn move_on(&mut self) -> u64 {
+    fn update(&mut self) -> u64 {
         self.velocity = self.push * self.mobility;
         self.surface = self.turn * (-SPIN_PER_IMPULSE * self.mobility);
         self.links
@@ -436,12 +459,12 @@ impl Ball {
 }
 
 impl Link {
-    /// The normal impulse of one step, `force` being that of a contact that closes.
+    /// The normal impulse of one step. `force` is that of a closing contact.
     #[inline(always)]
-    fn press(&mut self, law: &BallBall, step: &Step, approach: f64, force: f64) -> f64 {
+    fn press(&mut self, law: &BallBall, step: &TimeStep, approach: f64, force: f64) -> f64 {
         let full = force * step.length;
         self.fastest = larger(approach, self.fastest);
-        // What it takes to stop the approach: then the contact begins to open.
+        // The impulse that stops the approach; from there on the contact opens.
         let stopping = approach * self.mass;
         if stopping >= full {
             return full;
@@ -451,12 +474,12 @@ impl Link {
         full * open + larger(stopping, 0.0) * (1.0 - open)
     }
 
-    /// The friction impulse of one step on b, `spring` being F/δ.
+    /// The friction impulse of one step on b. `spring` is F/δ.
     #[inline(always)]
     fn rub<const GRIP: u8>(
         &mut self,
         law: &BallBall,
-        step: &Step,
+        step: &TimeStep,
         slip: Vec2,
         normal: f64,
         spring: f64,
@@ -494,10 +517,10 @@ impl Link {
     }
 }
 
-/// Gives the balls what the impact has done to them, as much of it as raises no energy.
-fn apply(law: &BallBall, units: &Units, balls: &[Ball], bodies: &mut [Body]) {
-    // Of the share λ the energy takes −λ·work + λ²·cost. Velocities are relative to one of the
-    // balls, so that one they share does not drown the rest in rounding.
+/// Applies the changes of the impact to the balls, scaled so that the energy does not rise.
+fn apply(law: &BallBall, units: &Units, balls: &[BallChange], bodies: &mut [Body]) {
+    // Scaled by λ, the changes alter the energy by −λ·work + λ²·cost. Velocities are relative to one of
+    // the balls, because a common velocity would add rounding error.
     let (mut work, mut cost) = (0.0, 0.0);
     let frame = bodies[0].velocity;
     for (ball, body) in balls.iter().zip(&*bodies) {
@@ -516,7 +539,7 @@ fn apply(law: &BallBall, units: &Units, balls: &[Ball], bodies: &mut [Body]) {
     }
 }
 
-/// One instruction, where `f64::max` takes several for what is not a number.
+/// The larger of two numbers, neither of which is NaN. One instruction; `f64::max` takes several.
 #[inline(always)]
 fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
