@@ -10,7 +10,7 @@ import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { expect, inject } from "vitest";
 import type { Page } from "playwright-core";
-import type { AimedShot } from "../src/app/document.ts";
+import type { AimedShot } from "../src/app/document/document.ts";
 import { SMALL, test } from "../tests/e2e/fixture.ts";
 import { commitAndDate } from "./commit.ts";
 import { layouts } from "./layouts.ts";

@@ -12,71 +12,80 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::error::to_exception;
 use crate::shot::Shot;
 
-/// Shots to be simulated together.
+/// Shots to simulate together.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Shots(Vec<std::sync::Arc<carom::Shot>>);
 
 #[wasm_bindgen]
 impl Shots {
-    /// None yet.
+    /// An empty list.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds one.
+    /// Adds a shot.
     pub fn push(&mut self, shot: &Shot) {
         self.0.push(shot.0.clone());
     }
 
-    /// Simulates all, without traces.
+    /// Simulates all shots, without traces.
     pub fn simulate(&self) -> Batch {
         Batch { result: simulate_batch(&self.0, &Runner::default()), strikes: Vec::new() }
     }
 }
 
-/// σ of the Computational Olympiad's noise: speed, azimuth, elevation, side, height.
+/// σ of the Computational Olympiad's noise times `multiplier`, in the order of [`sigmas`].
 #[wasm_bindgen]
-pub fn olympiad(multiplier: f64) -> Vec<f64> {
-    let Noise { speed, azimuth, elevation, side, height } = Noise::olympiad(multiplier);
-    vec![speed, azimuth, elevation, side, height]
+pub fn olympiad(multiplier: f64) -> Result<Vec<f64>, JsValue> {
+    let noise = Noise::olympiad(multiplier);
+    noise.check().map_err(|e| to_exception(&e))?;
+    Ok(sigmas(&noise).to_vec())
 }
 
-/// The presets of execution noise, JSON: name and σ of speed, azimuth, elevation, side, height. Levels of
-/// play from the least, then the Olympiad.
+/// Rejects a noise with a σ out of range.
+#[wasm_bindgen(js_name = checkNoise)]
+pub fn check_noise(noise: &[f64]) -> Result<(), JsValue> {
+    noise_of(noise)?.check().map_err(|e| to_exception(&e))
+}
+
+/// Speed (m/s), azimuth, elevation (rad), side, height (m).
+fn sigmas(noise: &Noise) -> [f64; 5] {
+    [noise.speed, noise.azimuth, noise.elevation, noise.side, noise.height]
+}
+
+/// The inverse of [`sigmas`].
+fn noise_of(sigmas: &[f64]) -> Result<Noise, JsValue> {
+    let [speed, azimuth, elevation, side, height] = *sigmas else {
+        return Err(js_sys::RangeError::new("noise: write five numbers").into());
+    };
+    Ok(Noise { speed, azimuth, elevation, side, height })
+}
+
+/// The presets of execution noise, JSON: pairs of a name and the five [`sigmas`]. The levels of play come
+/// first, from the widest errors to the smallest; then the Olympiad.
 #[wasm_bindgen(js_name = noisePresets)]
 pub fn noise_presets() -> String {
     let olympiad = ("olympiad", Noise::olympiad(1.0));
     let presets = SKILLS.into_iter().chain([olympiad]);
-    let node = |(name, n): (&str, Noise)| {
-        let sigmas = [n.speed, n.azimuth, n.elevation, n.side, n.height];
-        Node::List(vec![name.into(), Node::list(sigmas)])
-    };
+    let node =
+        |(name, noise): (&str, Noise)| Node::List(vec![name.into(), Node::list(sigmas(&noise))]);
     Node::list(presets.map(node)).to_json()
 }
 
 #[wasm_bindgen]
 impl Shot {
-    /// Executions number `first`.. with `noise`: the σ of speed, azimuth, elevation, side, height.
-    pub fn vary(
-        &self,
-        noise: &[f64],
-        seed: u64,
-        first: u64,
-        count: usize,
-    ) -> Result<Batch, JsValue> {
-        let [speed, azimuth, elevation, side, height] = *noise else {
-            return Err(js_sys::RangeError::new("noise: five numbers are wanted").into());
-        };
-        let noise = Noise { speed, azimuth, elevation, side, height };
+    /// Simulates the variants `first .. first + n` with execution noise, given as [`sigmas`].
+    pub fn vary(&self, noise: &[f64], n: usize, seed: u64, first: u64) -> Result<Batch, JsValue> {
+        let noise = noise_of(noise)?;
         let strikes =
-            draw_strikes(&self.0, &noise, count, seed, first).map_err(|e| to_exception(&e))?;
+            draw_strikes(&self.0, &noise, n, seed, first).map_err(|e| to_exception(&e))?;
         Ok(Batch { result: simulate_strikes(&self.0, &strikes, &Runner::default()), strikes })
     }
 }
 
-/// The ends of many shots.
+/// Where the balls of many shots end.
 #[wasm_bindgen]
 pub struct Batch {
     result: BatchResult,
@@ -111,7 +120,7 @@ impl Batch {
         self.result.events.clone()
     }
 
-    /// Speed, azimuth, elevation, side, height per shot, where they were drawn.
+    /// Speed, azimuth, elevation, side, height per shot; empty unless the strikes were drawn.
     pub fn strikes(&self) -> Vec<f64> {
         let row = |s: &Strike| [s.speed, s.azimuth, s.elevation, s.side, s.height];
         self.strikes.iter().flat_map(row).collect()
@@ -122,7 +131,7 @@ impl Batch {
         self.result.errors.iter().map(|(k, _)| *k as u32).collect()
     }
 
-    /// What went wrong in them, in the same order.
+    /// Their errors, in the order of [`Self::failed`].
     pub fn errors(&self) -> Vec<String> {
         self.result.errors.iter().map(|(_, e)| e.to_string()).collect()
     }

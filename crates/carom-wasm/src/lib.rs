@@ -1,5 +1,5 @@
-//! The engine for JavaScript: conversions, no logic. The public face is `web/src/engine`, which gives
-//! these classes their types and parses their JSON.
+//! The engine for JavaScript: conversions, no logic. The public interface is `web/src/engine`, which adds
+//! types to these classes, checks the arguments and parses the JSON.
 
 pub mod batch;
 pub mod error;
@@ -10,7 +10,7 @@ pub mod trace;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// A panic is thrown as an exception with its message, rather than as "unreachable".
+/// Throws a panic as an exception with its message; by default the exception says only "unreachable".
 #[wasm_bindgen(start)]
 fn start() {
     std::panic::set_hook(Box::new(|panic| wasm_bindgen::throw_str(&panic.to_string())));

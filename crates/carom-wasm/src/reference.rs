@@ -1,4 +1,4 @@
-//! What the engine knows by itself: table and physics presets, racks, schemas. Lists are JSON.
+//! Table and physics presets, racks and schemas. Lists are JSON.
 
 use carom::rack::{Break, Game, USUAL_GAP, break_shot as open};
 use carom::shot::{Node, physics_to_node};
@@ -36,7 +36,7 @@ pub fn games() -> Vec<String> {
     Game::ALL.iter().map(|game| game.name().into()).collect()
 }
 
-/// The opening shot of a game; what is undefined is as usual.
+/// The break of a game; options that are undefined take their defaults.
 #[wasm_bindgen(js_name = breakShot)]
 pub fn break_shot(
     game: &str,

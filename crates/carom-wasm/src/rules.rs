@@ -17,7 +17,7 @@ pub fn rule_sets() -> Vec<String> {
     Rules::ALL.iter().map(|rules| rules.name().into()).collect()
 }
 
-/// The table that a game is played on, if nothing else is said.
+/// The table on which a game is played by default.
 #[wasm_bindgen(js_name = usualTable)]
 pub fn usual_table(game: &str) -> Result<String, JsValue> {
     let rules = Rules::read(game).map_err(|e| to_exception(&e))?;
@@ -28,8 +28,8 @@ pub fn usual_table(game: &str) -> Result<String, JsValue> {
 #[wasm_bindgen]
 pub struct Frame(carom_rules::Frame);
 
-/// What a player does: strike (speed, azimuth, elevation, side, height), the cue ball's place if it is
-/// in hand, the call (kind, ball, pocket).
+/// A player's shot: the strike (speed, azimuth, elevation, side, height), the place of a cue ball in
+/// hand, and the call (kind, ball, pocket).
 #[wasm_bindgen]
 pub struct PlayArguments {
     strike: Strike,
@@ -41,7 +41,7 @@ pub struct PlayArguments {
 
 #[wasm_bindgen]
 impl PlayArguments {
-    /// A play.
+    /// Collects the parts of a play.
     #[wasm_bindgen(constructor)]
     pub fn new(
         strike: &[f64],
@@ -51,32 +51,32 @@ impl PlayArguments {
         pocket: Option<String>,
     ) -> Result<Self, JsValue> {
         let [speed, azimuth, elevation, side, height] = *strike else {
-            return Err(js_sys::RangeError::new("strike: five numbers are wanted").into());
+            return Err(js_sys::RangeError::new("strike: write five numbers").into());
         };
         let strike = Strike { speed, azimuth, elevation, side, height };
         let two = |place: Vec<f64>| {
             <[f64; 2]>::try_from(place)
-                .map_err(|_| js_sys::RangeError::new("cue_ball: two numbers are wanted"))
+                .map_err(|_| js_sys::RangeError::new("cue_ball: write two numbers"))
         };
         Ok(Self { strike, cue_ball: cue_ball.map(two).transpose()?, call, ball, pocket })
     }
 }
 
-/// What came of a shot.
+/// The ruling on a played shot, and its trace.
 #[wasm_bindgen]
-pub struct Played {
+pub struct PlayResult {
     ruling: String,
     trace: carom::Trace,
 }
 
 #[wasm_bindgen]
-impl Played {
+impl PlayResult {
     /// The referee's ruling, JSON.
     pub fn ruling(&self) -> String {
         self.ruling.clone()
     }
 
-    /// What happened.
+    /// The trace of the shot.
     #[wasm_bindgen(js_name = intoTrace)]
     pub fn into_trace(self) -> Trace {
         Trace::new(self.trace)
@@ -90,11 +90,11 @@ impl Frame {
         Ok(Play { strike: *strike, cue_ball: *cue_ball, call })
     }
 
-    fn play_checked(&mut self, arguments: &PlayArguments) -> Result<Played, Error> {
+    fn play_checked(&mut self, arguments: &PlayArguments) -> Result<PlayResult, Error> {
         let play = self.play_of(arguments)?;
         let trace = self.0.shot(&play)?.simulate()?;
         let ruling = self.0.apply(&play, &trace)?;
-        Ok(Played { ruling: self.0.ruling_node(&ruling).to_json(), trace })
+        Ok(PlayResult { ruling: self.0.ruling_node(&ruling).to_json(), trace })
     }
 }
 
@@ -119,7 +119,7 @@ impl Frame {
         frame().map(Self).map_err(|e| to_exception(&e))
     }
 
-    /// A frame that goes on with the balls of a shot.
+    /// A frame that starts from the balls of a shot.
     #[wasm_bindgen(js_name = ofShot)]
     pub fn of_shot(
         game: &str,
@@ -134,45 +134,45 @@ impl Frame {
         frame.map(Self).map_err(|e| to_exception(&e))
     }
 
-    /// Everything there is to know of the frame, JSON.
+    /// The state of the frame, JSON.
     #[wasm_bindgen(js_name = toJson)]
     pub fn to_json(&self) -> String {
         self.0.to_node().to_json()
     }
 
-    /// The box around the region in which the cue ball may be put: left, bottom, right, top (m); none
-    /// where it is not in hand.
+    /// The box around the region in which the cue ball may be placed: left, bottom, right, top (m). None
+    /// unless the cue ball is in hand.
     #[wasm_bindgen(js_name = handBounds)]
     pub fn hand_bounds(&self) -> Option<Vec<f64>> {
         let region = self.0.turn()?.hand?;
         Some(region.bounds(self.0.base().table()).as_flattened().to_vec())
     }
 
-    /// The shot that `play` would be.
+    /// The shot that [`Self::play`] would play.
     pub fn shot(&self, play: &PlayArguments) -> Result<Shot, JsValue> {
         let shot = self.play_of(play).and_then(|play| self.0.shot(&play));
         shot.map(|shot| Shot(shot.into())).map_err(|e| to_exception(&e))
     }
 
-    /// Plays a shot.
-    pub fn play(&mut self, play: &PlayArguments) -> Result<Played, JsValue> {
+    /// Plays a shot, and rules on it.
+    pub fn play(&mut self, play: &PlayArguments) -> Result<PlayResult, JsValue> {
         self.play_checked(play).map_err(|e| to_exception(&e))
     }
 
-    /// Answers a choice; the ruling as JSON.
+    /// Makes the decision that the referee asks for; returns the ruling, JSON.
     pub fn choose(&mut self, choice: &str) -> Result<String, JsValue> {
         let chosen = Choice::read(choice).and_then(|choice| self.0.choose(choice));
         let ruling = chosen.map_err(|e| to_exception(&e))?;
         Ok(self.0.ruling_node(&ruling).to_json())
     }
 
-    /// The player whose turn it is gives up; the ruling as JSON.
+    /// The player at the table concedes the frame; returns the ruling, JSON.
     pub fn concede(&mut self) -> Result<String, JsValue> {
         let ruling = self.0.concede().map_err(|e| to_exception(&e))?;
         Ok(self.0.ruling_node(&ruling).to_json())
     }
 
-    /// The same frame once more.
+    /// A copy that can be played on independently.
     pub fn copy(&self) -> Self {
         Self(self.0.clone())
     }

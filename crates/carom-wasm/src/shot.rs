@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::error::to_exception;
 use crate::trace::Trace;
 
-/// A validated shot; immutable, shared, never copied.
+/// A validated shot: immutable and shared.
 #[wasm_bindgen]
 pub struct Shot(pub(crate) Arc<carom::Shot>);
 
@@ -22,7 +22,7 @@ impl Shot {
         Ok(Self(shot.into()))
     }
 
-    /// What was read, number for number.
+    /// The shot file, with the same numbers as it was read.
     #[wasm_bindgen(js_name = toJson)]
     pub fn to_json(&self) -> String {
         self.0.to_json()
@@ -58,13 +58,13 @@ impl Shot {
         Some(vec![s.speed, s.azimuth, s.elevation, s.side, s.height])
     }
 
-    /// The largest tip offset that the tip's friction holds, ball radii.
+    /// The largest tip offset without a miscue, ball radii.
     #[wasm_bindgen(js_name = miscueLimit)]
     pub fn miscue_limit(&self) -> f64 {
         self.0.miscue_limit()
     }
 
-    /// The same shot struck otherwise.
+    /// The same shot with another strike.
     #[wasm_bindgen(js_name = withStrike)]
     pub fn with_strike(
         &self,
@@ -79,7 +79,7 @@ impl Shot {
         Ok(Self(shot.into()))
     }
 
-    /// Simulates the shot and records everything.
+    /// Simulates the shot and records all its events.
     pub fn simulate(&self) -> Result<Trace, JsValue> {
         self.0.simulate().map(Trace::new).map_err(|e| to_exception(&e))
     }

@@ -39,7 +39,7 @@ impl Trace {
         self.trace.to_json()
     }
 
-    /// What a referee needs, JSON.
+    /// The outcome, for a referee, JSON.
     pub fn outcome(&self) -> String {
         self.trace.outcome().to_node(self.trace.shot()).to_json()
     }
@@ -74,7 +74,8 @@ impl Trace {
         Ok(())
     }
 
-    /// x, y, z (m), t (s) of the points of ball `ball`'s way, whose chords stay within `tolerance` (m).
+    /// The path of ball `ball` as x, y, z (m), t (s) per point; its chords stay within `tolerance` (m) of
+    /// the exact path.
     pub fn polyline(&self, ball: usize, tolerance: f64) -> Vec<f64> {
         let points = self.trace.polyline(ball, tolerance);
         let numbers = |p: &carom::trace::Waypoint| {

@@ -3,22 +3,22 @@
 import "./style.css";
 import { load } from "../engine/index.ts";
 import { Viewer } from "../viewer/index.ts";
-import type { Context } from "./context.ts";
-import { FrameLoop } from "./frame.ts";
+import type { Context } from "./common/context.ts";
+import { FrameLoop } from "./common/frame-loop.ts";
 import { referee } from "./game/referee.ts";
-import { mountNotices } from "./notices.ts";
+import { mountNotices } from "./shell/notices.ts";
 import { mountPage, place } from "./page.ts";
 import { Scene } from "./scene.ts";
-import { opened } from "./start.ts";
-import { Store } from "./store.ts";
-import { shownTheme } from "./theme.ts";
-import { errorText } from "./words.ts";
+import { startOf } from "./start.ts";
+import { Store } from "./document/store.ts";
+import { shownTheme } from "./shell/theme.ts";
+import { errorText } from "./common/words.ts";
 
 const REDUCED_MOTION = matchMedia("(prefers-reduced-motion: reduce)");
 
 async function start(): Promise<void> {
   const engine = await load();
-  const first = opened(engine);
+  const first = startOf(engine);
   const store = new Store(referee(engine), first.document, first.view);
   let draw = () => false;
   const loop = new FrameLoop(() => draw());

@@ -1,25 +1,25 @@
 /** Puts every part of the page on its place. */
 
-import { mountAimPanel } from "./aim-panel.ts";
-import type { Context } from "./context.ts";
-import { mountDock, mountTake } from "./dock.ts";
-import { mountFirstUse } from "./first-use.ts";
+import { mountAimPanel } from "./aim/panel.ts";
+import type { Context } from "./common/context.ts";
+import { mountDock, mountTake } from "./aim/dock.ts";
+import { mountFirstUse } from "./help/first-use.ts";
 import { mountBar } from "./game/bar.ts";
 import { mountGame } from "./game/panel.ts";
-import { mountGestures } from "./gestures.ts";
-import { mountCamera, mountHistory, mountPageMenu } from "./header.ts";
-import { mountHelp } from "./help.ts";
-import { mountKeys } from "./keys.ts";
-import { mountLayoutPanel } from "./layout-panel.ts";
-import { mountRefusal } from "./notices.ts";
-import { mountPhysicsPanel } from "./physics-panel.ts";
+import { mountGestures } from "./input/gestures.ts";
+import { mountCamera, mountHistory, mountPageMenu } from "./shell/header.ts";
+import { mountHelp } from "./help/help.ts";
+import { mountKeys } from "./input/keys.ts";
+import { mountLayoutPanel } from "./layout/panel.ts";
+import { mountRefusal } from "./shell/notices.ts";
+import { mountPhysicsPanel } from "./physics/panel.ts";
 import { mountState } from "./replay/panel.ts";
 import { mountTimeline } from "./replay/timeline.ts";
 import { mountAddress } from "./share/address.ts";
 import { mountShare } from "./share/menu.ts";
-import type { Store } from "./store.ts";
-import { mountTabs } from "./tabs.ts";
-import { mountTheme } from "./theme.ts";
+import type { Store } from "./document/store.ts";
+import { mountTabs } from "./shell/tabs.ts";
+import { mountTheme } from "./shell/theme.ts";
 import { mountWhatIf } from "./whatif/panel.ts";
 
 /** The mount point with this id in index.html. */

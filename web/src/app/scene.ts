@@ -2,12 +2,12 @@
 
 import { STRIDE, type Engine, type Trace } from "../engine/index.ts";
 import type { CuePose, Mark, Viewer } from "../viewer/index.ts";
-import type { Context } from "./context.ts";
-import type { AimedShot } from "./document.ts";
+import type { Context } from "./common/context.ts";
+import type { AimedShot } from "./document/document.ts";
 import { areasOf } from "./game/areas.ts";
-import type { Game } from "./game/game.ts";
+import type { Game } from "./document/game.ts";
 import { canAim, standing } from "./game/play.ts";
-import type { State, Store } from "./store.ts";
+import type { State, Store } from "./document/store.ts";
 
 /** How far (m) a drawn path may be from the exact one: under a pixel at any zoom worth having. */
 const PATH_TOLERANCE = 0.0005;

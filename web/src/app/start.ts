@@ -1,23 +1,24 @@
-/** What the page opens with: the document inside it, else its address, else a first shot. */
+/** What the page opens with: the document embedded in it, or the link in its address, or a first shot. */
 
 import { CaromError, type Engine, type ShotFile } from "../engine/index.ts";
-import { documentOf, held, notOpened, replay } from "./actions.ts";
-import { FIRST_VIEW, type Document, type View } from "./document.ts";
-import { referee } from "./game/referee.ts";
-import { openedByAddress, showInstant } from "./share/address.ts";
+import { errorText } from "./common/words.ts";
+import { FIRST_VIEW, type Document, type View } from "./document/document.ts";
+import { cannotOpen, documentOf, readFile } from "./document/file.ts";
+import type { Store } from "./document/store.ts";
+import { replay } from "./replay/control.ts";
+import { readAddress, showTime } from "./share/address.ts";
 import { LinkError } from "./share/link.ts";
-import type { Store } from "./store.ts";
 
-export interface Opened {
+export interface Start {
   readonly document: Document;
   readonly view: View;
-  /** Nothing was asked for: somebody may be here for the first time. */
+  /** Whether to show the first steps: the page was opened without a document or a link. */
   readonly welcome: boolean;
-  /** What is left to do once the page stands: to open a trace, or to say what cannot be opened. */
+  /** Runs once the page is mounted: shows a replay, or says what could not be opened. */
   then(store: Store): void;
 }
 
-/** The first shot: a cut into the corner, with the way of the cue ball to think about. */
+/** The first shot: a cut into the corner that also asks for position of the cue ball. */
 const FIRST_SHOT: ShotFile = {
   format: "carom-shot/1",
   table: "wpa-9ft",
@@ -30,44 +31,49 @@ const FIRST_SHOT: ShotFile = {
   strike: { ball: "cue", speed: 2, azimuth_deg: 66.8, height: -0.2 },
 };
 
-export function opened(engine: Engine): Opened {
+export function startOf(engine: Engine): Start {
   const first = documentOf(FIRST_SHOT);
-  const inside = document.getElementById("carom-document")?.textContent.trim() ?? "";
-  if (inside !== "") return openedInside(engine, first, inside);
-  return openedByLink(engine, first) ?? { ...nothing(first), welcome: true };
+  const embedded = document.getElementById("carom-document")?.textContent.trim() ?? "";
+  if (embedded !== "") return fromEmbedded(engine, first, embedded);
+  return fromAddress(engine, first) ?? { ...showing(first), welcome: true };
 }
 
-/** What stands in the page itself: nothing comes before it that undo could lead to. */
-function openedInside(engine: Engine, first: Document, json: string): Opened {
+/** The document embedded in the page. It is the first one, so undo cannot leave it. */
+function fromEmbedded(engine: Engine, first: Document, json: string): Start {
   try {
-    const { shot, trace } = held(engine, json);
+    const { shot, trace } = readFile(engine, json);
     engine.shot(shot).free();
     return {
-      ...nothing({ ...first, shot }),
+      ...showing({ ...first, shot }),
       then: (store) => {
         if (trace) replay(store, trace, 0, false);
       },
     };
   } catch (error) {
-    return { ...nothing(first), then: (store) => store.refuse(notOpened(error)) };
+    if (!(error instanceof CaromError || error instanceof SyntaxError)) console.error(error);
+    return refusing(first, cannotOpen(error));
   }
 }
 
-function nothing(first: Document): Opened {
-  return { document: first, view: FIRST_VIEW, welcome: false, then: () => undefined };
-}
-
-/** What the address carries; null if nothing. A link that cannot be opened is refused in words. */
-function openedByLink(engine: Engine, first: Document): Opened | null {
+/** The link in the address; null if there is none. */
+function fromAddress(engine: Engine, first: Document): Start | null {
   try {
-    const link = openedByAddress();
-    if (!link) return null;
-    const { document, view, time } = link;
-    referee(engine).shot(document.shot, document.game).free();
-    return { document, view, welcome: false, then: (store) => showInstant(store, engine, time) };
+    const contents = readAddress(engine);
+    if (!contents) return null;
+    const { document, view, time } = contents;
+    return { document, view, welcome: false, then: (store) => showTime(store, engine, time) };
   } catch (error) {
-    if (!(error instanceof LinkError || error instanceof CaromError)) throw error;
-    const { message } = error;
-    return { ...nothing(first), then: (store) => store.refuse(message) };
+    if (error instanceof LinkError) return refusing(first, error.message);
+    // Our own bug must not leave the user with an empty page.
+    console.error(error);
+    return refusing(first, `This link cannot be opened. ${errorText(error)}`);
   }
+}
+
+function showing(document: Document): Start {
+  return { document, view: FIRST_VIEW, welcome: false, then: () => undefined };
+}
+
+function refusing(first: Document, message: string): Start {
+  return { ...showing(first), then: (store) => store.refuse(message) };
 }

@@ -1,43 +1,58 @@
 /**
- * The engine without the WebAssembly that `index.ts` carries: for a worker, which is sent
- * `Engine.module`, and for whoever serves the `.wasm` file himself.
+ * The engine without embedded WebAssembly: for a worker, which receives `Engine.module` from its page,
+ * and for sites that serve the `.wasm` file themselves.
  */
+import { boolean, json, numbers, object, text, whole } from "./arguments.js";
+import type { BreakOptions, Engine } from "./engine.js";
 import { CaromError } from "./error.js";
+import { namedSigmas, sigmasOf } from "./noise.js";
 import * as wasm from "./pkg/carom_wasm.js";
+import type { Choice, Frame, FrameOptions, FrameState, FrameTerms, Play, Ruling } from "./rules.js";
 import {
   type BallInfo,
   type Batch,
-  type BreakOptions,
-  type Choice,
-  type Engine,
-  type Frame,
-  type FrameOptions,
-  type FrameState,
-  type FrameTerms,
   type Geometry,
   type Noise,
   type NoisyBatch,
   type Outcome,
-  type Play,
-  type Ruling,
   type Shot,
   type ShotFile,
   type Strike,
   STRIDE,
   type Trace,
   type TraceFile,
+  type VaryOptions,
 } from "./types.js";
+import { warnOnce } from "./warn.js";
 
+export * from "./engine.js";
 export * from "./error.js";
+export * from "./rules.js";
 export * from "./types.js";
 
-const USUAL_TERMS: Required<FrameTerms> = { target: 40, miss: true, patience: 100 };
+const DEFAULT_TERMS: Required<FrameTerms> = { target: 40, miss: true, patience: 100 };
+
+/** Largest values of the 32-bit integers that the engine takes for `target` and `patience`. */
+const LARGEST_TARGET = 2 ** 31 - 1;
+const LARGEST_PATIENCE = 2 ** 32 - 1;
+
+/**
+ * Memory (bytes) that one batch may take: 1 GiB. WebAssembly has 4 GiB at most, and a failed
+ * allocation there stops the engine for good.
+ */
+const BATCH_MEMORY = 2 ** 30;
+/** Bytes of a batch per row, and per row and ball. */
+const ROW_BYTES = 44;
+const BALL_BYTES = 25;
+
+/** Keys of a strike in the order in which the engine takes its numbers. */
+const STRIKE = ["speed", "azimuth", "elevation", "side", "height"] as const;
 
 let loaded: Promise<Engine> | undefined;
 
 /**
- * The engine, ready to use. There is one in a thread: every call gives the same, whatever its source.
- * @throws WebAssembly.CompileError if the source is no WebAssembly.
+ * Loads the engine. A thread has one engine: later calls return the same one, whatever their source.
+ * @throws WebAssembly.CompileError if the source is not WebAssembly.
  */
 export function load(source: BufferSource | WebAssembly.Module): Promise<Engine> {
   loaded ??= start(source).catch((error: unknown) => {
@@ -53,7 +68,7 @@ async function start(source: BufferSource | WebAssembly.Module): Promise<Engine>
   return new WasmEngine(module);
 }
 
-/** What `call` gives; what the engine refuses, as a `CaromError`. */
+/** Calls the engine and turns its refusal into a `CaromError`. */
 function checked<T>(call: () => T): T {
   try {
     return call();
@@ -66,18 +81,29 @@ function checked<T>(call: () => T): T {
   }
 }
 
-/** A number that the engine counts with. */
-/** JSON of a file that is text or a value; undefined has none, and becomes null, which the engine refuses. */
-function asText(file: unknown): string {
-  return typeof file === "string" ? file : JSON.stringify(file === undefined ? null : file);
-}
+/** An object in WebAssembly's memory, until it is freed. */
+class Handle<T extends { free(): void }> {
+  readonly #kind: string;
+  #object: T | null;
 
-function whole(name: string, value: number): bigint {
-  if (Number.isSafeInteger(value) && value >= 0) return BigInt(value);
-  throw new CaromError(
-    `${name}: ${value} is out of range; write a whole number from 0 to ${Number.MAX_SAFE_INTEGER}`,
-    name,
-  );
+  /** @param kind What the object is, for the message after it was freed. */
+  constructor(kind: string, object: T) {
+    this.#kind = kind;
+    this.#object = object;
+  }
+
+  /** @throws TypeError if the object was freed. */
+  get object(): T {
+    if (this.#object) return this.#object;
+    throw new TypeError(
+      `this ${this.#kind} was freed; call free() after its last use, or make a new ${this.#kind}`,
+    );
+  }
+
+  free(): void {
+    this.#object?.free();
+    this.#object = null;
+  }
 }
 
 class WasmEngine implements Engine {
@@ -102,17 +128,21 @@ class WasmEngine implements Engine {
   }
 
   shot(file: string | ShotFile): Shot {
-    return new WasmShot(checked(() => wasm.Shot.fromJson(asText(file))));
+    return new WasmShot(checked(() => wasm.Shot.fromJson(json(file))));
   }
 
   trace(file: string | TraceFile): Trace {
-    return new WasmTrace(checked(() => wasm.Trace.fromJson(asText(file))));
+    return new WasmTrace(checked(() => wasm.Trace.fromJson(json(file))));
   }
 
   breakShot(game: string, options: BreakOptions = {}): Shot {
-    const { table, speed, seed = 0, gap } = options;
+    const { table, seed = 0 } = options;
+    if (table !== undefined) text("table", table);
+    const [speed, gap] = (["speed", "gap"] as const).map((key) =>
+      options[key] === undefined ? undefined : numbers("", options, [key])[0],
+    );
     return new WasmShot(
-      checked(() => wasm.breakShot(game, table, speed, whole("seed", seed), gap)),
+      checked(() => wasm.breakShot(text("game", game), table, speed, whole("seed", seed), gap)),
     );
   }
 
@@ -127,69 +157,103 @@ class WasmEngine implements Engine {
   }
 
   olympiad(multiplier = 1): Noise {
-    return named(wasm.olympiad(multiplier));
+    const [factor] = numbers("", { multiplier }, ["multiplier"]);
+    return namedSigmas(checked(() => wasm.olympiad(factor!)));
   }
 
   get noisePresets() {
     return (this.#noises ??= Object.fromEntries(
       (JSON.parse(wasm.noisePresets()) as [string, number[]][]).map(([name, sigmas]) => [
         name,
-        named(sigmas),
+        namedSigmas(sigmas),
       ]),
     ));
   }
 
+  checkNoise(noise: Noise): void {
+    checked(() => wasm.checkNoise(sigmasOf(noise)));
+  }
+
   usualTable(game: string): string {
-    return checked(() => wasm.usualTable(game));
+    return checked(() => wasm.usualTable(text("game", game)));
   }
 
   frame(game: string, options: FrameOptions = {}): Frame {
     const { table, physics, seed = 0 } = options;
-    const { target, miss, patience } = { ...USUAL_TERMS, ...options };
-    const json = (value: unknown) => (value === undefined ? undefined : JSON.stringify(value));
+    const { target, miss, patience } = termsOf(options);
+    const optional = (value: unknown) => (value === undefined ? undefined : JSON.stringify(value));
     const start = whole("seed", seed);
     return new WasmFrame(
       checked(
-        () => new wasm.Frame(game, json(table), json(physics), start, target, miss, patience),
+        () =>
+          new wasm.Frame(
+            text("game", game),
+            optional(table),
+            optional(physics),
+            start,
+            target,
+            miss,
+            patience,
+          ),
       ),
     );
   }
 
   frameOf(game: string, shot: Shot, terms: FrameTerms = {}): Frame {
-    const { target, miss, patience } = { ...USUAL_TERMS, ...terms };
+    const { target, miss, patience } = termsOf(terms);
     const handle = handleOf(shot);
-    return new WasmFrame(checked(() => wasm.Frame.ofShot(game, handle, target, miss, patience)));
+    return new WasmFrame(
+      checked(() => wasm.Frame.ofShot(text("game", game), handle, target, miss, patience)),
+    );
   }
 
   schema(kind: "shot" | "trace"): object {
-    return JSON.parse(kind === "shot" ? wasm.shotSchema() : wasm.traceSchema()) as object;
+    const schemas: Readonly<Record<string, () => string>> = {
+      shot: wasm.shotSchema,
+      trace: wasm.traceSchema,
+    };
+    const schema = Object.hasOwn(schemas, kind) ? schemas[kind] : undefined;
+    if (schema) return JSON.parse(schema()) as object;
+    throw new CaromError(
+      `kind: there is no schema "${String(kind)}"; write "shot" or "trace"`,
+      "kind",
+    );
   }
 }
 
-/** A strike, or the σ of one, from the engine's five numbers. */
-function named(numbers: ArrayLike<number>): Strike {
+function termsOf(given: FrameTerms): Required<FrameTerms> {
+  const { target, miss, patience } = { ...DEFAULT_TERMS, ...given };
   return {
-    speed: numbers[0]!,
-    azimuth: numbers[1]!,
-    elevation: numbers[2]!,
-    side: numbers[3]!,
-    height: numbers[4]!,
+    target: Number(whole("options.target", target, LARGEST_TARGET)),
+    miss: boolean("options.miss", miss),
+    patience: Number(whole("options.patience", patience, LARGEST_PATIENCE)),
+  };
+}
+
+/** A strike from the engine's five numbers. */
+function strikeOf(values: ArrayLike<number>): Strike {
+  return {
+    speed: values[0]!,
+    azimuth: values[1]!,
+    elevation: values[2]!,
+    side: values[3]!,
+    height: values[4]!,
   };
 }
 
 function handleOf(shot: Shot): wasm.Shot {
-  if (shot instanceof WasmShot) return shot.handle;
-  throw new TypeError("a shot of this engine is wanted: make it with Engine.shot");
+  if (shot instanceof WasmShot) return shot.handle.object;
+  throw new TypeError("this is not a shot of this engine; make it with Engine.shot");
 }
 
 class WasmShot implements Shot {
-  readonly handle: wasm.Shot;
+  readonly handle: Handle<wasm.Shot>;
   #file: ShotFile | undefined;
   #geometry: Geometry | undefined;
   #balls: readonly BallInfo[] | undefined;
 
-  constructor(handle: wasm.Shot) {
-    this.handle = handle;
+  constructor(shot: wasm.Shot) {
+    this.handle = new Handle("shot", shot);
   }
 
   get file() {
@@ -197,11 +261,11 @@ class WasmShot implements Shot {
   }
 
   json(): string {
-    return this.handle.toJson();
+    return this.handle.object.toJson();
   }
 
   get geometry() {
-    return (this.#geometry ??= JSON.parse(this.handle.geometry()) as Geometry);
+    return (this.#geometry ??= JSON.parse(this.handle.object.geometry()) as Geometry);
   }
 
   get balls() {
@@ -209,45 +273,52 @@ class WasmShot implements Shot {
   }
 
   #readBalls(): BallInfo[] {
-    const numbers = this.handle.balls();
-    return this.handle.ids().map((id, i) => {
-      const [radius, mass, x, y, z] = numbers.subarray(5 * i, 5 * i + 5);
+    const values = this.handle.object.balls();
+    return this.handle.object.ids().map((id, i) => {
+      const [radius, mass, x, y, z] = values.subarray(5 * i, 5 * i + 5);
       return { id, radius: radius!, mass: mass!, position: [x!, y!, z!] };
     });
   }
 
   get struck() {
-    return this.handle.struck() ?? null;
+    return this.handle.object.struck() ?? null;
   }
 
   get strike(): Strike | null {
-    const numbers = this.handle.strike();
-    if (numbers === undefined) return null;
-    return named(numbers);
+    const values = this.handle.object.strike();
+    return values === undefined ? null : strikeOf(values);
   }
 
   get miscueLimit() {
-    return this.handle.miscueLimit();
+    return this.handle.object.miscueLimit();
   }
 
-  withStrike({ speed, azimuth, elevation, side, height }: Strike): Shot {
+  withStrike(strike: Strike): Shot {
+    const [speed, azimuth, elevation, side, height] = numbers("strike", strike, STRIKE);
     return new WasmShot(
-      checked(() => this.handle.withStrike(speed, azimuth, elevation, side, height)),
+      checked(() => this.handle.object.withStrike(speed!, azimuth!, elevation!, side!, height!)),
     );
   }
 
   simulate(): Trace {
-    return new WasmTrace(checked(() => this.handle.simulate()));
+    return new WasmTrace(checked(() => this.handle.object.simulate()));
   }
 
-  vary(noise: Noise, seed: number, first: number, count: number): NoisyBatch {
-    const { speed, azimuth, elevation, side, height } = noise;
-    const sigmas = Float64Array.of(speed, azimuth, elevation, side, height);
-    const start = whole("first", first);
-    const rows = Number(whole("count", count));
-    const batch = checked(() => this.handle.vary(sigmas, whole("seed", seed), start, rows));
+  vary(noise: Noise, n: number, options: VaryOptions | number = {}, count?: number): NoisyBatch {
+    if (typeof options === "number") {
+      warnOnce(
+        "Shot.vary(noise, seed, first, count) is spelled Shot.vary(noise, n, { seed, first }) now",
+      );
+      return this.vary(noise, count!, { seed: n, first: options });
+    }
+    const { seed = 0, first = 0 } = options;
+    const most = Math.floor(BATCH_MEMORY / (ROW_BYTES + BALL_BYTES * this.balls.length));
+    const rows = Number(whole("n", n, most, "ask for more in parts, with `first`"));
+    const sigmas = sigmasOf(noise);
+    const [start, from] = [whole("seed", seed), whole("first", first)];
+    const batch = checked(() => this.handle.object.vary(sigmas, rows, start, from));
     const strikes = batch.strikes();
-    return { ...toBatch(batch), strikes };
+    return Object.assign(toBatch(batch), { strikes });
   }
 
   free() {
@@ -255,46 +326,53 @@ class WasmShot implements Shot {
   }
 }
 
-/** Copies a batch's arrays out, and frees it. */
+/** Copies a batch's arrays out of WebAssembly's memory, and frees it. */
 function toBatch(batch: wasm.Batch): Batch {
-  const texts = batch.errors();
+  const messages = batch.errors();
   const errors = new Map<number, string>();
-  batch.failed().forEach((shot, k) => errors.set(shot, texts[k]!));
+  batch.failed().forEach((shot, k) => errors.set(shot, messages[k]!));
   const result = {
     shots: batch.shots(),
     balls: batch.balls(),
-    finalPosition: batch.finalPosition(),
+    final_position: batch.finalPosition(),
     pocket: batch.pocket(),
     events: batch.events(),
     errors,
   };
   batch.free();
+  // The old spelling: not enumerable, so that it is neither copied nor printed.
+  Object.defineProperty(result, "finalPosition", {
+    get: () => {
+      warnOnce("Batch.finalPosition is called Batch.final_position now");
+      return result.final_position;
+    },
+  });
   return result;
 }
 
 class WasmTrace implements Trace {
-  readonly #handle: wasm.Trace;
+  readonly #handle: Handle<wasm.Trace>;
   readonly duration: number;
   #shot: Shot | undefined;
   #hash: string | undefined;
   #events: Trace["events"] | undefined;
   #outcome: Outcome | undefined;
 
-  constructor(handle: wasm.Trace) {
-    this.#handle = handle;
-    this.duration = handle.duration();
+  constructor(trace: wasm.Trace) {
+    this.#handle = new Handle("trace", trace);
+    this.duration = trace.duration();
   }
 
   get hash() {
-    return (this.#hash ??= this.#handle.hash());
+    return (this.#hash ??= this.#handle.object.hash());
   }
 
   get shot() {
-    return (this.#shot ??= new WasmShot(this.#handle.shot()));
+    return (this.#shot ??= new WasmShot(this.#handle.object.shot()));
   }
 
   json(): string {
-    return this.#handle.toJson();
+    return this.#handle.object.toJson();
   }
 
   get events() {
@@ -302,20 +380,23 @@ class WasmTrace implements Trace {
   }
 
   get outcome() {
-    return (this.#outcome ??= JSON.parse(this.#handle.outcome()) as Outcome);
+    return (this.#outcome ??= JSON.parse(this.#handle.object.outcome()) as Outcome);
   }
 
   statesAt(time: number, out?: Float64Array): Float64Array {
+    const trace = this.#handle.object;
     const length = STRIDE * this.shot.balls.length;
-    if (out !== undefined && out.length !== length) {
-      throw new RangeError(`out has ${out.length} numbers; it needs ${length}`);
+    if (out !== undefined && !(out instanceof Float64Array && out.length === length)) {
+      const given = (out as ArrayLike<number> | null)?.length ?? "no";
+      throw new RangeError(`out has ${given} numbers; it needs ${length}, in a Float64Array`);
     }
     const states = out ?? new Float64Array(length);
-    checked(() => this.#handle.statesAt(time, states));
+    checked(() => trace.statesAt(time, states));
     return states;
   }
 
   polyline(ball: number, tolerance: number): Float64Array {
+    const trace = this.#handle.object;
     const balls = this.shot.balls.length;
     if (!Number.isInteger(ball) || ball < 0 || ball >= balls) {
       const given = JSON.stringify(ball);
@@ -324,7 +405,7 @@ class WasmTrace implements Trace {
     if (!(tolerance > 0)) {
       throw new RangeError(`the tolerance ${tolerance} m is out of range; write one above 0`);
     }
-    return this.#handle.polyline(ball, tolerance);
+    return trace.polyline(ball, tolerance);
   }
 
   free() {
@@ -333,49 +414,51 @@ class WasmTrace implements Trace {
 }
 
 class WasmFrame implements Frame {
-  readonly #handle: wasm.Frame;
+  readonly #handle: Handle<wasm.Frame>;
   #state: FrameState | undefined;
 
-  constructor(handle: wasm.Frame) {
-    this.#handle = handle;
+  constructor(frame: wasm.Frame) {
+    this.#handle = new Handle("frame", frame);
   }
 
   get state() {
-    return (this.#state ??= JSON.parse(this.#handle.toJson()) as FrameState);
+    return (this.#state ??= JSON.parse(this.#handle.object.toJson()) as FrameState);
   }
 
   get handBounds() {
-    const box = this.#handle.handBounds();
+    const box = this.#handle.object.handBounds();
     if (box === undefined) return null;
     const [left, bottom, right, top] = box;
     return [[left!, bottom!] as const, [right!, top!] as const] as const;
   }
 
   shot(play: Play): Shot {
-    return withArguments(play, (given) => new WasmShot(checked(() => this.#handle.shot(given))));
+    const frame = this.#handle.object;
+    return withPlay(play, (given) => new WasmShot(checked(() => frame.shot(given))));
   }
 
   play(play: Play) {
-    const played = withArguments(play, (given) => checked(() => this.#handle.play(given)));
+    const frame = this.#handle.object;
+    const result = withPlay(play, (given) => checked(() => frame.play(given)));
     this.#state = undefined;
-    const ruling = JSON.parse(played.ruling()) as Ruling;
-    return { ruling, trace: new WasmTrace(played.intoTrace()) };
+    const ruling = JSON.parse(result.ruling()) as Ruling;
+    return { ruling, trace: new WasmTrace(result.intoTrace()) };
   }
 
   choose(choice: Choice): Ruling {
-    const ruling = checked(() => this.#handle.choose(choice));
+    const ruling = checked(() => this.#handle.object.choose(text("choice", choice)));
     this.#state = undefined;
     return JSON.parse(ruling) as Ruling;
   }
 
   concede(): Ruling {
-    const ruling = checked(() => this.#handle.concede());
+    const ruling = checked(() => this.#handle.object.concede());
     this.#state = undefined;
     return JSON.parse(ruling) as Ruling;
   }
 
   copy(): Frame {
-    return new WasmFrame(this.#handle.copy());
+    return new WasmFrame(this.#handle.object.copy());
   }
 
   free() {
@@ -383,15 +466,20 @@ class WasmFrame implements Frame {
   }
 }
 
-function withArguments<T>(
-  { strike, cue_ball, call }: Play,
-  use: (given: wasm.PlayArguments) => T,
-): T {
-  const { speed, azimuth, elevation, side, height } = strike;
-  const numbers = Float64Array.of(speed, azimuth, elevation, side, height);
-  const place = cue_ball && Float64Array.from(cue_ball);
+/** Hands a play to the engine as it takes it, and frees the copy afterwards. */
+function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
+  const { strike, cue_ball, call } = object("play", play) as Partial<Play>;
+  const values = Float64Array.from(numbers("strike", strike, STRIKE));
+  const place =
+    cue_ball === undefined
+      ? undefined
+      : Float64Array.from(numbers("cue_ball", cue_ball, ["0", "1"]));
+  if (call !== undefined) object("call", call);
   const { kind = "nothing", ball, into } = call ?? {};
-  const given = new wasm.PlayArguments(numbers, place, kind, ball, into);
+  text("call.kind", kind);
+  if (ball !== undefined) text("call.ball", ball);
+  if (into !== undefined) text("call.into", into);
+  const given = new wasm.PlayArguments(values, place, kind, ball, into);
   try {
     return use(given);
   } finally {

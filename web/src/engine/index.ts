@@ -1,8 +1,10 @@
 import { load as loadFrom } from "./core.js";
 import embedded from "./pkg/embedded.js";
-import type { Engine } from "./types.js";
+import type { Engine } from "./engine.js";
 
+export * from "./engine.js";
 export * from "./error.js";
+export * from "./rules.js";
 export * from "./types.js";
 
 /**

@@ -4,10 +4,6 @@
  * from the slate.
  */
 
-import type { Frame, FrameOptions, FrameTerms } from "./rules.js";
-
-export * from "./rules.js";
-
 export type Point = readonly [x: number, y: number];
 export type Vector = readonly [x: number, y: number, z: number];
 
@@ -231,18 +227,26 @@ export interface TraceFile {
   readonly hash: string;
 }
 
-/** Standard deviations of a player's execution, Gaussian and independent. */
+/** Standard deviations of a player's execution errors, Gaussian and independent. */
 export interface Noise {
   /** Of the contact point sideways, m. */
-  readonly side: number;
+  readonly side_m: number;
   /** Of the contact point in height, m. */
-  readonly height: number;
+  readonly height_m: number;
   /** rad. */
   readonly elevation: number;
   /** rad. */
   readonly azimuth: number;
   /** m/s. */
   readonly speed: number;
+}
+
+/** Which variants `Shot.vary` draws. */
+export interface VaryOptions {
+  /** Of the random numbers, a whole number. Default 0. */
+  readonly seed?: number;
+  /** Number of the first variant. Default 0. */
+  readonly first?: number;
 }
 
 /** Many shots' ends, without traces: row k is shot k. A failed shot's row has NaN positions. */
@@ -252,7 +256,9 @@ export interface Batch {
   /** Columns: balls of the largest shot. */
   readonly balls: number;
   /** x, y, z (m) per ball and shot: `3 * (shot * balls + ball)`. */
-  readonly finalPosition: Float64Array;
+  readonly final_position: Float64Array;
+  /** @deprecated Old name of `final_position`. */
+  readonly finalPosition?: Float64Array;
   /** Per ball and shot the index into `Geometry.pockets`, or `ON_TABLE`, `OFF_TABLE`, `PADDING`. */
   readonly pocket: Int8Array;
   /** Number of events of each shot. */
@@ -273,17 +279,6 @@ export const ON_TABLE = -1;
 export const OFF_TABLE = -2;
 /** `Batch.pocket` where a shot has no such ball, or failed. */
 export const PADDING = -3;
-
-export interface BreakOptions {
-  /** Table preset; default: the game's. */
-  readonly table?: string;
-  /** Cue's speed, m/s; default: a usual one. */
-  readonly speed?: number;
-  /** Of the rack: which ball stands where, and the gaps. Default 0. */
-  readonly seed?: number;
-  /** Mean gap between touching balls, m; default: a usual one. */
-  readonly gap?: number;
-}
 
 /** A validated shot; immutable. */
 export interface Shot {
@@ -310,10 +305,13 @@ export interface Shot {
   /** @throws CaromError if the cap of events is reached. */
   simulate(): Trace;
   /**
-   * Simulates `count` executions with `noise`, numbered from `first`: execution k is the same in
-   * every batch with this seed.
-   * @throws CaromError without a strike, or for a σ that is negative or not finite.
+   * Simulates `n` variants of this shot with execution noise, numbered from `first`. Variant k of a
+   * seed is the same in every batch, and the same as in Python.
+   * @throws CaromError without a strike, for a σ that is negative or out of range, and for more
+   * variants than fit into memory.
    */
+  vary(noise: Noise, n: number, options?: VaryOptions): NoisyBatch;
+  /** @deprecated Old order of the arguments. */
   vary(noise: Noise, seed: number, first: number, count: number): NoisyBatch;
   /** Gives the memory back at once; else the garbage collector does. Nothing works afterwards. */
   free(): void;
@@ -345,47 +343,4 @@ export interface Trace {
   polyline(ball: number, tolerance: number): Float64Array;
   /** Gives the memory back at once; else the garbage collector does. Nothing works afterwards. */
   free(): void;
-}
-
-/** The engine, compiled and ready. */
-export interface Engine {
-  /** To be posted to a worker, which hands it to its own `load`. */
-  readonly module: WebAssembly.Module;
-  /** As in traces: `carom x.y.z`. */
-  readonly version: string;
-  /** Games that can be racked. */
-  readonly games: readonly string[];
-  /** Table presets. */
-  readonly tables: readonly Geometry[];
-  /** Physics presets by name: every parameter, as in a shot file. */
-  readonly physics: Readonly<Record<string, Readonly<Record<string, unknown>>>>;
-  /** @throws CaromError whose message names the place, what is wrong there, what would be right. */
-  shot(file: string | ShotFile): Shot;
-  /** Reads a saved trace. @throws CaromError as `shot`. */
-  trace(file: string | TraceFile): Trace;
-  /** The opening shot of a game. @throws CaromError for names that are not known. */
-  breakShot(game: string, options?: BreakOptions): Shot;
-  /** Simulates all shots, without traces. */
-  simulate(shots: readonly Shot[]): Batch;
-  /** The Computational Olympiad's noise times `multiplier`; its tournaments: 0.5, 1 and 2. */
-  olympiad(multiplier?: number): Noise;
-  /**
-   * Presets of execution noise by name: levels of play from "beginner" to "professional" (estimated),
-   * then "olympiad" (published).
-   */
-  readonly noisePresets: Readonly<Record<string, Noise>>;
-  /** Games that have a referee here. */
-  readonly ruleSets: readonly string[];
-  /** The table that a game is played on if nothing else is said. @throws CaromError as `frame`. */
-  usualTable(game: string): string;
-  /** Racks a frame of one of the `ruleSets`. @throws CaromError for what makes no sense. */
-  frame(game: string, options?: FrameOptions): Frame;
-  /**
-   * A frame that goes on with the balls of a shot, on its table: player 0 shoots from where the cue
-   * ball lies, and balls that the shot does not have are down.
-   * @throws CaromError if the game has no such balls, or would be over with them.
-   */
-  frameOf(game: string, shot: Shot, terms?: FrameTerms): Frame;
-  /** The JSON Schema of a file. */
-  schema(kind: "shot" | "trace"): object;
 }

@@ -1,9 +1,9 @@
 /** The shot with which a player begins to aim. */
 
 import { CaromError, type BallEntry, type Engine, type Point } from "../../engine/index.ts";
-import { azimuthTo } from "../angles.ts";
-import type { AimedShot } from "../document.ts";
-import type { Game } from "./game.ts";
+import { azimuthTo } from "../common/angles.ts";
+import type { AimedShot } from "../document/document.ts";
+import type { Game } from "../document/game.ts";
 import type { Progress } from "./progress.ts";
 import { freePlace, handOf, layoutOf } from "./referee.ts";
 

@@ -1,8 +1,8 @@
 /** What a game points out on the cloth. */
 
-import type { Geometry, Point } from "../../engine/types.ts";
+import type { Geometry, Point } from "../../engine/index.ts";
 import type { Area } from "../../viewer/index.ts";
-import type { Game } from "./game.ts";
+import type { Game } from "../document/game.ts";
 import type { Progress } from "./progress.ts";
 import { handOf } from "./referee.ts";
 

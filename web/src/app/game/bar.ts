@@ -1,12 +1,12 @@
 /** Below the table while a game is on: score, whose turn it is, the last ruling, and choices. */
 
 import "./game.css";
-import type { FrameState } from "../../engine/types.ts";
-import type { Context } from "../context.ts";
-import { h, setText } from "../dom.ts";
+import type { FrameState } from "../../engine/index.ts";
+import type { Context } from "../common/context.ts";
+import { h, setText } from "../common/dom.ts";
 import { leave } from "../replay/control.ts";
-import type { Store } from "../store.ts";
-import type { Game } from "./game.ts";
+import type { Store } from "../document/store.ts";
+import type { Game } from "../document/game.ts";
 import { choose, standing, startGame } from "./play.ts";
 import {
   choiceInWords,

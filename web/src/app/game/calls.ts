@@ -1,10 +1,10 @@
 /** The controls with which a player announces a shot. */
 
-import type { Call, ShotRequest } from "../../engine/types.ts";
-import type { Context } from "../context.ts";
-import { h, setText, uniqueId } from "../dom.ts";
-import type { Store } from "../store.ts";
-import { placeName } from "../words.ts";
+import type { Call, ShotRequest } from "../../engine/index.ts";
+import type { Context } from "../common/context.ts";
+import { h, setText, uniqueId } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
+import { placeName } from "../common/words.ts";
 import { announceCall, askedShot, shownCall } from "./play.ts";
 import { callInWords } from "./words.ts";
 

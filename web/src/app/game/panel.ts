@@ -1,11 +1,11 @@
 /** The panel of a game: before it, how it begins; in it, what the player can do and what was done. */
 
-import { replay } from "../actions.ts";
-import type { Context } from "../context.ts";
-import { h, setText } from "../dom.ts";
-import { mountField } from "../field.ts";
-import { placeBall } from "../gestures.ts";
-import type { Store } from "../store.ts";
+import { replay } from "../replay/control.ts";
+import type { Context } from "../common/context.ts";
+import { h, setText } from "../common/dom.ts";
+import { mountField } from "../form/field.ts";
+import { placeBall } from "../document/layout.ts";
+import type { Store } from "../document/store.ts";
 import { mountCalls } from "./calls.ts";
 import { concede, endGame, standing } from "./play.ts";
 import type { Step } from "./progress.ts";

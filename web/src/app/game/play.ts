@@ -11,10 +11,10 @@ import {
   type ShotRequest,
   type Strike,
 } from "../../engine/index.ts";
-import type { Context } from "../context.ts";
-import type { Store } from "../store.ts";
+import type { Context } from "../common/context.ts";
+import type { Store } from "../document/store.ts";
 import { firstAim } from "./aim.ts";
-import { type Game, type Move, newGame, type Setup } from "./game.ts";
+import { type Game, type Move, newGame, type Setup } from "../document/game.ts";
 import { after, type Progress, progressOf, remember } from "./progress.ts";
 import { choiceInWords, other } from "./words.ts";
 
@@ -132,12 +132,10 @@ function executed(engine: Engine, shot: Shot, game: Game, { player }: ShotReques
   const noise = skill === null ? undefined : engine.noisePresets[skill];
   const meant = shot.strike!;
   if (!noise) return meant;
-  const { strikes, errors } = shot.vary(
-    noise,
-    game.setup.options.seed ?? 0,
-    game.moves.length * DRAWN,
-    DRAWN,
-  );
+  const { strikes, errors } = shot.vary(noise, DRAWN, {
+    seed: game.setup.options.seed ?? 0,
+    first: game.moves.length * DRAWN,
+  });
   const played = Array.from({ length: DRAWN }, (_, k) => k).find((k) => !errors.has(k));
   if (played === undefined) return meant;
   const [speed, azimuth, elevation, side, height] = strikes.subarray(5 * played);

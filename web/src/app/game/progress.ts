@@ -14,7 +14,7 @@ import {
   type Strike,
   type Trace,
 } from "../../engine/index.ts";
-import type { Game, Move, Setup } from "./game.ts";
+import type { Game, Move, Setup } from "../document/game.ts";
 
 /** A move that was made, and what came of it. */
 export interface Step {

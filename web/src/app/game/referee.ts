@@ -7,9 +7,9 @@ import {
   type Point,
   type Shot,
 } from "../../engine/index.ts";
-import type { AimedShot } from "../document.ts";
-import { ballName } from "../words.ts";
-import type { Game } from "./game.ts";
+import type { AimedShot } from "../document/document.ts";
+import { ballName } from "../common/words.ts";
+import type { Game } from "../document/game.ts";
 import { anyShot, type Progress, progressOf } from "./progress.ts";
 
 /** What the store asks before it takes a document. */

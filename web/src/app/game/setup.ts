@@ -1,18 +1,15 @@
 /** The form that begins a game. */
 
-import type { FrameOptions } from "../../engine/types.ts";
-import type { Context } from "../context.ts";
-import { h, uniqueId } from "../dom.ts";
-import type { Store } from "../store.ts";
-import type { Setup } from "./game.ts";
+import type { FrameOptions } from "../../engine/index.ts";
+import type { Context } from "../common/context.ts";
+import { h, uniqueId } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
+import { LONGEST_NAME, type Setup } from "../document/game.ts";
 import { startGame } from "./play.ts";
 import { gameName, isForOne } from "./words.ts";
 
 /** Largest seed that a click draws: short enough to read out. */
 const SEEDS = 10_000;
-
-/** Longest name that the score has room for. */
-const NAME_LENGTH = 20;
 
 /** Games that are played to a number of points. */
 const TO_A_TARGET = new Set(["straight-pool", "three-cushion"]);
@@ -149,7 +146,7 @@ function name(player: number): HTMLInputElement {
     type: "text",
     id: uniqueId("name"),
     value: `Player ${player + 1}`,
-    maxlength: NAME_LENGTH,
+    maxlength: LONGEST_NAME,
     autocomplete: "off",
   });
 }

@@ -8,9 +8,9 @@ import type {
   Region,
   Request,
   Ruling,
-} from "../../engine/types.ts";
-import { ballName, placeName, sentence } from "../words.ts";
-import type { Pair } from "./game.ts";
+} from "../../engine/index.ts";
+import { ballName, placeName, sentence } from "../common/words.ts";
+import type { Pair } from "../document/game.ts";
 import type { Step } from "./progress.ts";
 
 const REGIONS: Readonly<Record<Region, string>> = {

@@ -1,9 +1,9 @@
-// What one can do with a replay, for buttons and keys alike.
+/** Actions on a replay, shared by buttons and keys. */
 
-import type { Session } from "../document.ts";
-import type { Store } from "../store.ts";
+import type { Session } from "../document/document.ts";
+import type { Store } from "../document/store.ts";
 import { type Moment, moments, next, previous } from "./moments.ts";
-import type { Trace } from "../../engine/types.ts";
+import type { Trace } from "../../engine/index.ts";
 
 const found = new WeakMap<Trace, readonly Moment[]>();
 
@@ -50,6 +50,11 @@ export function stepBackwards(store: Store): void {
   const { trace, time } = store.session;
   if (!trace) return;
   store.setSession({ playing: false, time: previous(momentsOf(trace), time)?.time ?? 0 });
+}
+
+/** Shows a trace from `time` (s) on. */
+export function replay(store: Store, trace: Trace, time = 0, playing = true): void {
+  store.setSession({ mode: "replay", trace, time, playing, refusal: null });
 }
 
 /** Ends the replay: back to aiming at the shot as it was. */

@@ -1,13 +1,13 @@
 /** The list of events: one reads it, hears it, and goes to an event by it. */
 
-import type { Trace } from "../../engine/types.ts";
-import { h, setText, uniqueId } from "../dom.ts";
-import type { Store } from "../store.ts";
+import type { Trace } from "../../engine/index.ts";
+import { h, setText, uniqueId } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
 import { momentsOf, seek } from "./control.ts";
 import { LOOKS, mark } from "./kinds.ts";
 import { latest } from "./moments.ts";
-import type { Show } from "./panel.ts";
-import { ballName } from "../words.ts";
+import type { Show } from "./state.ts";
+import { ballName } from "../common/words.ts";
 import { eventInWords } from "./words.ts";
 
 export function mountEvents(root: HTMLElement, store: Store): Show {

@@ -1,7 +1,7 @@
 // How the kinds of events are drawn: each has a shape, a colour and a lane of its own.
 
-import type { TraceEvent } from "../../engine/types.ts";
-import { svg } from "../dom.ts";
+import type { TraceEvent } from "../../engine/index.ts";
+import { svg } from "../common/dom.ts";
 
 export type Kind = TraceEvent["type"];
 

@@ -1,6 +1,6 @@
 // The instants at which something happens, and the steps between them.
 
-import type { TraceEvent } from "../../engine/types.ts";
+import type { TraceEvent } from "../../engine/index.ts";
 
 /** The events of one instant: impacts that happen together are one step of the replay. */
 export interface Moment {

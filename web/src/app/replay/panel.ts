@@ -2,21 +2,18 @@
 
 import "./panel.css";
 import { MOTIONS, STRIDE, type BallInfo, type Trace } from "../../engine/types.ts";
-import { h, setText, uniqueId } from "../dom.ts";
-import type { Store } from "../store.ts";
+import { h, setText, uniqueId } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
 import { Pace } from "./clock.ts";
 import { playsOn } from "./control.ts";
 import { mountEvents } from "./events.ts";
 import { mountPlots } from "./plots.ts";
 import { length } from "./samples.ts";
-import { MOTION, POSITION, SPIN, VELOCITY } from "./state.ts";
+import { MOTION, POSITION, type Show, SPIN, VELOCITY } from "./state.ts";
 import { rpm } from "./words.ts";
 
 /** Moment of inertia of a solid ball over mass × radius². */
 const INERTIA = 2 / 5;
-
-/** Called with the trace and the selected ball's index whenever one of them, or the time, changes. */
-export type Show = (trace: Trace, ball: number, time: number) => void;
 
 export function mountState(root: HTMLElement, store: Store): void {
   const ball = h("select", { id: uniqueId("ball") });

@@ -1,10 +1,10 @@
 /** Small plots of a ball's speed and spin against time, with a cursor at the present time. */
 
-import type { Trace } from "../../engine/types.ts";
-import { h, setText, svg } from "../dom.ts";
-import type { Store } from "../store.ts";
+import type { Trace } from "../../engine/index.ts";
+import { h, setText, svg } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
 import { seek } from "./control.ts";
-import type { Show } from "./panel.ts";
+import type { Show } from "./state.ts";
 import { curve, type Frame, roundUp, xOf, yOf } from "./plot.ts";
 import { sample, type Samples } from "./samples.ts";
 

@@ -1,11 +1,11 @@
 /** The bar below the table while a shot is replayed: clock, steps, and all events in time. */
 
 import "./timeline.css";
-import type { Trace, TraceEvent } from "../../engine/types.ts";
-import type { Context } from "../context.ts";
-import type { Session } from "../document.ts";
-import { h, icon, setText, shortened, svg } from "../dom.ts";
-import type { Store } from "../store.ts";
+import type { Trace, TraceEvent } from "../../engine/index.ts";
+import type { Context } from "../common/context.ts";
+import type { Session } from "../document/document.ts";
+import { h, icon, setText, shortened, svg } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
 import { advance, Pace, RATES } from "./clock.ts";
 import {
   leave,

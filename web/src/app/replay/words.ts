@@ -1,7 +1,7 @@
 // Events and states in words.
 
-import type { CushionPart, Motion, RailName, TraceEvent } from "../../engine/types.ts";
-import { ballName, placeName } from "../words.ts";
+import type { CushionPart, Motion, RailName, TraceEvent } from "../../engine/index.ts";
+import { ballName, placeName } from "../common/words.ts";
 
 /** What happens, as one reads it in the list of events and hears it from the slider. */
 export function eventInWords(event: TraceEvent): string {

@@ -1,22 +1,24 @@
-/** The address bar: it follows the work, and a link that is put into it is opened. */
+/** The address bar: it follows the document, and a link that is entered there is opened. */
 
-import type { Engine } from "../../engine/types.ts";
-import { aimed, replay } from "../actions.ts";
-import type { Context } from "../context.ts";
-import type { Document, View } from "../document.ts";
+import { CaromError, type Engine } from "../../engine/index.ts";
+import type { Context } from "../common/context.ts";
+import type { Document, View } from "../document/document.ts";
+import { aimed } from "../document/file.ts";
+import type { Store } from "../document/store.ts";
 import { standing } from "../game/play.ts";
-import type { Store } from "../store.ts";
+import { referee } from "../game/referee.ts";
+import { replay } from "../replay/control.ts";
 import { LinkError } from "./link.ts";
-import { type Shared, stateFromFragment, stateToFragment } from "./state.ts";
+import { type LinkState, stateFromFragment, stateToFragment } from "./state.ts";
 
 /**
- * How long (ms) the work must rest before the address follows: browsers allow no more than about
- * a hundred changes in half a minute.
+ * Time (ms) without a change after which the address is updated. Browsers allow about a hundred
+ * updates in half a minute.
  */
 const REST = 400;
 
-/** What the page is opened with. */
-export interface Opened {
+/** The contents of a link, accepted by the engine. */
+export interface LinkContents {
   readonly document: Document;
   readonly view: View;
   /** Time of the replay (s) that the link shows; null if it shows none. */
@@ -24,26 +26,53 @@ export interface Opened {
 }
 
 /**
- * What the page's address carries; null if nothing.
+ * The contents of the link in the page's address; null if the address has none.
  *
- * @throws {LinkError} It is damaged, or of another version.
+ * @throws {LinkError} The link is damaged, of another version, or refused by the engine.
  */
-export function openedByAddress(): Opened | null {
-  const shared = stateFromFragment(location.hash);
-  return shared && open(shared);
+export function readAddress(engine: Engine): LinkContents | null {
+  return readLink(engine, location.hash);
 }
 
-function open({ shot, noise, seed, game, view, time }: Shared): Opened {
-  return { document: { shot: aimed(shot), noise, seed, game }, view, time };
+/**
+ * The contents of the link in a fragment; null if it is not a link.
+ *
+ * @throws {LinkError} The link is damaged, of another version, or refused by the engine.
+ */
+export function readLink(engine: Engine, fragment: string): LinkContents | null {
+  try {
+    const state = stateFromFragment(fragment);
+    return state && checked(engine, state);
+  } catch (error) {
+    if (!(error instanceof CaromError)) throw error;
+    throw new LinkError(`This link cannot be opened. ${error.message}`, { cause: error });
+  }
 }
 
-/** The page's address with its present state; null where it has none that others can open. */
+/** @throws CaromError if the engine or the referee refuses a part of the state. */
+function checked(engine: Engine, { shot, noise, seed, game, view, time }: LinkState): LinkContents {
+  engine.shot(shot).free();
+  if (noise) engine.checkNoise(noise);
+  for (const skill of game?.setup.skills ?? []) {
+    if (skill === null || Object.hasOwn(engine.noisePresets, skill)) continue;
+    const known = Object.keys(engine.noisePresets).join(", ");
+    throw new CaromError(
+      `game.setup.skills: there is no level "${skill}"; write one of ${known}`,
+      "game.setup.skills",
+    );
+  }
+  const document = { shot: aimed(shot), noise, seed, game };
+  referee(engine).shot(document.shot, game).free();
+  return { document, view, time };
+}
+
+/** The page's address with its present state; null where the page has no address to share. */
 export function link(store: Store): string | null {
   if (location.protocol === "about:") return null;
   return location.href.replace(/#.*$/s, "") + stateToFragment(store.shot.file, store.state);
 }
 
-/** Keeps the address in step with the work, from the first change on: until then it may be broken. */
+/** Updates the address after each change. A link that was refused stays until the first change. */
 export function mountAddress(store: Store, context: Context): void {
   let resting: ReturnType<typeof setTimeout> | undefined;
   const write = (): void => {
@@ -51,10 +80,10 @@ export function mountAddress(store: Store, context: Context): void {
     resting = undefined;
     const aiming = { ...store.state, session: { ...store.session, mode: "aim" as const } };
     try {
-      // Replaced, not pushed: "back" leaves the page, as one expects; undo is the page's own.
+      // Replaced, not pushed: "back" leaves the page as expected; the page has its own undo.
       history.replaceState(null, "", stateToFragment(store.shot.file, aiming));
     } catch {
-      // Inside a notebook or another page there is no address to keep.
+      // In a notebook or another page's frame the address cannot be changed.
     }
   };
   store.subscribe((now, before) => {
@@ -69,8 +98,8 @@ export function mountAddress(store: Store, context: Context): void {
     clearTimeout(resting);
     resting = undefined;
     try {
-      const opened = openedByAddress();
-      if (opened) show(store, context, opened);
+      const contents = readAddress(context.engine);
+      if (contents) show(store, context, contents);
     } catch (error) {
       if (!(error instanceof LinkError)) throw error;
       store.refuse(error.message);
@@ -78,17 +107,17 @@ export function mountAddress(store: Store, context: Context): void {
   });
 }
 
-/** Opens what a link brought while the page is open already: undo takes it back. */
-function show(store: Store, context: Context, { document, view, time }: Opened): void {
+/** Opens a link in the page as it stands, so that undo returns to the previous document. */
+function show(store: Store, context: Context, { document, view, time }: LinkContents): void {
   if (!store.apply(document, "open a link")) return;
   store.setView(view);
-  showInstant(store, context.engine, time);
-  context.announce("The link is opened. Undo brings back what was here.");
+  showTime(store, context.engine, time);
+  context.announce("The link is open. Undo returns to the previous shot.");
 }
 
-/** Shows the instant of the replay that a link was made at. */
-export function showInstant(store: Store, engine: Engine, time: number | null): void {
-  // In a game it is the last shot that was watched.
+/** Shows the replay at the time (s) that a link carries. */
+export function showTime(store: Store, engine: Engine, time: number | null): void {
+  // In a game the link was made while its last shot was replayed.
   const trace = store.document.game ? standing(store, engine)?.trace : store.ghost.trace;
   if (time !== null && trace) replay(store, trace, Math.min(time, trace.duration), false);
 }

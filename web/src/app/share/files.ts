@@ -1,9 +1,11 @@
 /** Files to open: dropped anywhere on the page, or chosen. */
 
-import { open } from "../actions.ts";
-import type { Context } from "../context.ts";
-import { h, icon } from "../dom.ts";
-import type { Store } from "../store.ts";
+import type { Engine } from "../../engine/index.ts";
+import type { Context } from "../common/context.ts";
+import { h, icon } from "../common/dom.ts";
+import { cannotOpen, readFile } from "../document/file.ts";
+import type { Store } from "../document/store.ts";
+import { replay } from "../replay/control.ts";
 
 /** The largest file that is read, bytes: the longest trace that people have is a tenth of it. */
 const LARGEST = 50e6;
@@ -24,6 +26,19 @@ export async function openFile(file: File, store: Store, context: Context): Prom
     return;
   }
   if (open(store, context.engine, text)) context.announce(`${file.name} is opened.`);
+}
+
+/** Opens a shot file or a trace from JSON. A refused file leaves everything as it is. */
+function open(store: Store, engine: Engine, json: string): boolean {
+  try {
+    const { shot, trace } = readFile(engine, json);
+    const opened = store.apply({ shot, game: null }, trace ? "open a trace" : "open a shot");
+    if (opened && trace) replay(store, trace, 0, false);
+    return opened;
+  } catch (error) {
+    store.refuse(cannotOpen(error));
+    return false;
+  }
 }
 
 /** A button that lets one choose a file. */

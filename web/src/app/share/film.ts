@@ -1,11 +1,11 @@
 /** Exports the replay as a film, with its progress and a way out. */
 
 import { STRIDE, type Trace } from "../../engine/types.ts";
-import type { Context } from "../context.ts";
-import { h, setText, uniqueId } from "../dom.ts";
+import type { Context } from "../common/context.ts";
+import { h, setText, uniqueId } from "../common/dom.ts";
 import { RATES } from "../replay/clock.ts";
-import type { Store } from "../store.ts";
-import { errorText } from "../words.ts";
+import type { Store } from "../document/store.ts";
+import { errorText } from "../common/words.ts";
 import { download } from "./download.ts";
 import { LOW } from "../../viewer/quality.ts";
 import { canFilm, film } from "./video.ts";

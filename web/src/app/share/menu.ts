@@ -1,9 +1,9 @@
 /** Everything that takes a shot out of the page, and the button that opens one. */
 
 import "./menu.css";
-import type { Context } from "../context.ts";
-import { type Child, h, icon, setText, uniqueId } from "../dom.ts";
-import type { Store } from "../store.ts";
+import type { Context } from "../common/context.ts";
+import { type Child, h, icon, setText, uniqueId } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
 import { link } from "./address.ts";
 import { copy } from "./clipboard.ts";
 import { download } from "./download.ts";

@@ -1,6 +1,6 @@
 // A shot as a Python program.
 
-import type { ShotFile } from "../../engine/types.ts";
+import type { ShotFile } from "../../engine/index.ts";
 import { toPython } from "./literal.ts";
 
 /** A program that runs as it stands, prints the events of the shot, and has the page's hash. */

@@ -1,36 +1,42 @@
-// What a link carries: the document, the view, and the instant of a replay.
+/** The contents of a link: the document, the view, and the time of a replay. */
 
-import type { Noise, ShotFile } from "../../engine/types.ts";
-import { FIRST_VIEW, type View } from "../document.ts";
-import type { Game } from "../game/game.ts";
-import type { State } from "../store.ts";
+import type { Noise, ShotFile } from "../../engine/index.ts";
+import { withNewKeys } from "../../engine/noise.ts";
+import { FIRST_VIEW, type View } from "../document/document.ts";
+import { type Game, LONGEST_NAME } from "../document/game.ts";
+import type { State } from "../document/store.ts";
 import { fromFragment, isLink, LinkError, toFragment } from "./link.ts";
 
-/** The state of a page as it can be handed on. The shot is as yet unchecked: the engine does that. */
-export interface Shared {
+/** The state in a link. Its structure is checked; shot, noise and game still need the engine's check. */
+export interface LinkState {
   readonly shot: ShotFile;
   readonly noise: Noise | null;
   readonly seed: number;
-  /** Its moves are as yet unchecked as well. */
   readonly game: Game | null;
   readonly view: View;
   /** Time of the replay (s); null while aiming. */
   readonly time: number | null;
 }
 
-/** What may stand in a view; the first is what a link leaves out. */
+/** The settings of a view; a link leaves out the first choice of each. */
 const CHOICES: { readonly [K in keyof View]: readonly View[K][] } = {
   theme: ["auto", "light", "dark"],
   camera: ["top", "orbit", "cue"],
   units: ["m/s", "km/h", "mph"],
 };
 
-const SIGMAS: readonly (keyof Noise)[] = ["speed", "azimuth", "elevation", "side", "height"];
+const SIGMAS: readonly (keyof Noise)[] = ["speed", "azimuth", "elevation", "side_m", "height_m"];
+
+/** Kinds of calls, as the engine has them. */
+const CALLS: readonly unknown[] = ["pocket", "on", "safety", "push-out"];
+
+/** The most moves of a game that a link may have: the page replays them all when it opens. */
+const MOST_MOVES = 2000;
 
 /**
  * The link's fragment, with its `#`.
  *
- * @param shot The shot as the engine has it: the document's may differ from it by a rounding.
+ * @param shot The shot as the engine has it, which may differ from the document's by a rounding.
  */
 export function stateToFragment(shot: ShotFile, { document, view, session }: State): string {
   const keys = Object.keys(CHOICES) as (keyof View)[];
@@ -46,74 +52,106 @@ export function stateToFragment(shot: ShotFile, { document, view, session }: Sta
 }
 
 /**
- * What a fragment carries; null if it is no link.
+ * The state that a fragment carries; null if it is not a link.
  *
- * @throws {LinkError} It is damaged, or of another version.
+ * @throws {LinkError} The link is damaged, of another version, or has a part that cannot be read.
  */
-export function stateFromFragment(fragment: string): Shared | null {
+export function stateFromFragment(fragment: string): LinkState | null {
   if (!isLink(fragment)) return null;
   const data = fromFragment(fragment);
-  if (!isRecord(data) || !isRecord(data.shot)) throw new LinkError("This link carries no shot.");
-  const { seed = 0, time = null } = data;
+  if (!isRecord(data) || !isRecord(data.shot)) throw new LinkError("This link contains no shot.");
   return {
     shot: data.shot as unknown as ShotFile,
     noise: noiseOf(data.noise),
-    seed: typeof seed === "number" && Number.isSafeInteger(seed) && seed >= 0 ? seed : 0,
+    seed: seedOf(data.seed),
     game: gameOf(data.game),
     view: viewOf(data.view),
-    time: typeof time === "number" && time >= 0 ? time : null,
+    time: timeOf(data.time),
   };
 }
 
+/** A part of a link that cannot be read. */
+function broken(place: string, found: unknown, remedy: string): LinkError {
+  return new LinkError(
+    `This link cannot be opened. ${place}: found ${JSON.stringify(found) ?? "nothing"}; ${remedy}.`,
+  );
+}
+
 function noiseOf(data: unknown): Noise | null {
-  if (!isRecord(data)) return null;
+  if (data === undefined || data === null) return null;
+  if (!isRecord(data)) throw broken("noise", data, "write an object with five standard deviations");
+  const { value } = withNewKeys(data);
   const entries = SIGMAS.map((key) => {
-    const sigma = data[key];
-    if (typeof sigma !== "number" || !(sigma >= 0)) {
-      throw new LinkError(`The noise in this link has no sensible "${key}".`);
-    }
+    const sigma = value[key];
+    if (typeof sigma !== "number") throw broken(`noise.${key}`, sigma, "write a number");
     return [key, sigma] as const;
   });
   return Object.fromEntries(entries) as unknown as Noise;
 }
 
-/** A game in the shape that the page writes; whether its moves are allowed, the referee says. */
+function seedOf(seed: unknown = 0): number {
+  if (typeof seed === "number" && Number.isSafeInteger(seed) && seed >= 0) return seed;
+  throw broken("seed", seed, `write a whole number from 0 to ${Number.MAX_SAFE_INTEGER}`);
+}
+
+function timeOf(time: unknown = null): number | null {
+  if (time === null || (typeof time === "number" && time >= 0)) return time;
+  throw broken("time", time, "write a time of the replay in seconds, at least 0");
+}
+
+/** Checks a game's structure; the referee checks whether its moves are allowed. */
 function gameOf(data: unknown): Game | null {
   if (data === undefined || data === null) return null;
   const isPair = (value: unknown, type: (one: unknown) => boolean) =>
     Array.isArray(value) && value.length === 2 && value.every(type);
-  const isText = (value: unknown) => typeof value === "string";
+  const isName = (value: unknown) => isText(value) && value.length <= LONGEST_NAME;
   if (isRecord(data) && isRecord(data.setup) && Array.isArray(data.moves)) {
     const { rules, options, from, names, skills } = data.setup;
+    if (data.moves.length > MOST_MOVES) {
+      throw new LinkError(
+        `The game in this link has ${data.moves.length} moves; this page opens at most ${MOST_MOVES}.`,
+      );
+    }
     const isSound =
       isText(rules) &&
       isRecord(options) &&
       (from === null || isRecord(from)) &&
-      isPair(names, isText) &&
+      isPair(names, isName) &&
       isPair(skills, (skill) => skill === null || isText(skill)) &&
-      (data.call === null || isRecord(data.call)) &&
+      (data.call === null || isCall(data.call)) &&
       data.moves.every(isMove);
     if (isSound) return data as unknown as Game;
   }
-  throw new LinkError("The game in this link is not one that this page can read.");
+  throw new LinkError(
+    "The game in this link cannot be read: ask for a link that was copied from this page.",
+  );
 }
 
 function isMove(move: unknown): boolean {
   if (!isRecord(move)) return false;
-  return (
-    typeof move.choice === "string" ||
-    move.concede === true ||
-    (isRecord(move.play) && isRecord(move.play.strike))
-  );
+  const { choice, concede, play } = move;
+  if (isText(choice) || concede === true) return true;
+  return isRecord(play) && isRecord(play.strike) && (play.call === undefined || isCall(play.call));
 }
 
-/** Choices that this page does not know are its own first ones: a view is no reason to refuse. */
+function isCall(call: unknown): boolean {
+  const isOptionalText = (value: unknown) => value === undefined || isText(value);
+  if (!isRecord(call) || !CALLS.includes(call.kind)) return false;
+  if (call.kind === "on" && !isText(call.ball)) return false;
+  return isOptionalText(call.ball) && isOptionalText(call.into);
+}
+
+/** Unknown choices of a view become the first ones: a link of a newer page still opens. */
 function viewOf(data: unknown): View {
   if (!isRecord(data)) return FIRST_VIEW;
   const known = Object.entries(CHOICES).filter(([key, choices]) =>
     (choices as readonly unknown[]).includes(data[key]),
   );
   return { ...FIRST_VIEW, ...Object.fromEntries(known.map(([key]) => [key, data[key]])) };
+}
+
+function isText(value: unknown): value is string {
+  return typeof value === "string";
 }
 
 function isRecord(value: unknown): value is Record<string, unknown> {

@@ -1,6 +1,6 @@
 // The page's end of the worker.
 
-import type { Engine, Noise, Shot } from "../../engine/types.ts";
+import type { Engine, Noise, Shot } from "../../engine/index.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 import { Tally } from "./tally.ts";
 

@@ -1,6 +1,6 @@
 // Execution noise as the page offers and shows it.
 
-import type { Engine, Noise } from "../../engine/types.ts";
+import type { Engine, Noise } from "../../engine/index.ts";
 
 const RADIANS = Math.PI / 180;
 
@@ -87,7 +87,7 @@ export const SIGMAS: readonly Sigma[] = [
     step: 0.01,
   },
   {
-    key: "side",
+    key: "side_m",
     label: "Tip, sideways",
     unit: "mm",
     spoken: "millimetres",
@@ -96,7 +96,7 @@ export const SIGMAS: readonly Sigma[] = [
     step: 0.05,
   },
   {
-    key: "height",
+    key: "height_m",
     label: "Tip, height",
     unit: "mm",
     spoken: "millimetres",

@@ -1,12 +1,12 @@
 /** The panel in which one asks what a player's errors do to the shot. */
 
 import "./panel.css";
-import type { Noise } from "../../engine/types.ts";
-import type { Context } from "../context.ts";
-import { h, uniqueId } from "../dom.ts";
-import { mountField } from "../field.ts";
+import { CaromError, type Noise } from "../../engine/index.ts";
+import type { Context } from "../common/context.ts";
+import { h, uniqueId } from "../common/dom.ts";
+import { mountField } from "../form/field.ts";
 import { canAim } from "../game/play.ts";
-import type { State, Store } from "../store.ts";
+import type { State, Store } from "../document/store.ts";
 import { type Progress, Variants } from "./client.ts";
 import { presetOf, presetsOf, type Sigma, SIGMAS } from "./noise.ts";
 import { mountResult } from "./result.ts";
@@ -151,7 +151,14 @@ function mountSigma(root: HTMLElement, store: Store, context: Context, sigma: Si
         ...(store.document.noise ?? context.engine.olympiad()),
         [key]: value * scale,
       };
-      return value >= 0 && store.apply({ noise }, `error of ${label.toLowerCase()}`, group);
+      try {
+        context.engine.checkNoise(noise);
+      } catch (error) {
+        if (!(error instanceof CaromError)) throw error;
+        store.refuse(error.message);
+        return false;
+      }
+      return store.apply({ noise }, `error of ${label.toLowerCase()}`, group);
     },
   });
 }

@@ -1,6 +1,6 @@
 // What the page and the worker say to each other.
 
-import type { Noise } from "../../engine/types.ts";
+import type { Noise } from "../../engine/index.ts";
 
 /** Many variants of one shot. */
 export interface Request {

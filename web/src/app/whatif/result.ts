@@ -1,8 +1,8 @@
 /** What the variants say: how likely each ball drops. */
 
-import { h, setText, uniqueId } from "../dom.ts";
-import type { Store } from "../store.ts";
-import { ballName, sentence } from "../words.ts";
+import { h, setText, uniqueId } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
+import { ballName, sentence } from "../common/words.ts";
 import type { Progress } from "./client.ts";
 import { type Chance, chanceInWords } from "./statistics.ts";
 import type { Tally } from "./tally.ts";

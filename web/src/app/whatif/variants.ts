@@ -1,7 +1,7 @@
 // The work of the worker, apart from being one.
 
 import { CaromError } from "../../engine/error.ts";
-import type { Engine, Shot } from "../../engine/types.ts";
+import type { Engine, Shot } from "../../engine/index.ts";
 import type { Chunk, FromWorker, Request } from "./protocol.ts";
 
 /**
@@ -64,12 +64,12 @@ function vary(
   first: number,
   count: number,
 ): { chunk: Chunk; strikes: Float64Array } {
-  const batch = shot.vary(noise, seed, first, count);
+  const batch = shot.vary(noise, count, { seed, first });
   const struck = shot.struck!;
   const ends = new Float64Array(2 * count);
   for (let k = 0; k < count; k++) {
     const at = 3 * (k * batch.balls + struck);
-    ends.set(batch.finalPosition.subarray(at, at + 2), 2 * k);
+    ends.set(batch.final_position.subarray(at, at + 2), 2 * k);
   }
   const { pocket: pockets, errors, strikes } = batch;
   return { chunk: { generation, first, count, ends, pockets, errors }, strikes };

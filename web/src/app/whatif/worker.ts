@@ -1,7 +1,7 @@
 // Simulates variants beside the page, so that the page stays fluid.
 
 import { load } from "../../engine/core.ts"; // whose WebAssembly comes from the page
-import type { Engine } from "../../engine/types.ts";
+import type { Engine } from "../../engine/index.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 import { simulate, type Surroundings } from "./variants.ts";
 

@@ -29,12 +29,12 @@ test("execution noise draws the native engine's strikes, which end at its places
   expect(noiseGoldens).not.toHaveLength(0);
   for (const { shot, olympiad, seed, first, variants } of noiseGoldens) {
     const noise = engine.olympiad(olympiad);
-    const batch = engine.shot(shotFile(shot)).vary(noise, seed, first, variants.length);
+    const batch = engine.shot(shotFile(shot)).vary(noise, variants.length, { seed, first });
     variants.forEach(({ strike, events, final }, k) => {
       expect([...batch.strikes.subarray(5 * k, 5 * k + 5)]).toEqual(strike);
       expect(batch.events[k]).toBe(events);
       const start = 3 * k * batch.balls;
-      expect([...batch.finalPosition.subarray(start, start + 3)]).toEqual(final);
+      expect([...batch.final_position.subarray(start, start + 3)]).toEqual(final);
     });
   }
 });

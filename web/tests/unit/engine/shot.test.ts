@@ -75,7 +75,7 @@ test("a shot without a strike has none to tell or to vary", () => {
   const { format, table, balls } = engine.shot(shotFile("half_ball_cut")).file;
   const shot = engine.shot({ format, table, balls });
   expect([shot.struck, shot.strike]).toEqual([null, null]);
-  expect(refusal(() => shot.vary(engine.olympiad(), 0, 0, 1)).place).toBe("strike");
+  expect(refusal(() => shot.vary(engine.olympiad(), 1)).place).toBe("strike");
 });
 
 describe("withStrike", () => {
@@ -134,36 +134,36 @@ describe("batches", () => {
     shots.forEach((shot, k) => {
       const { position, pocket } = ends(shot);
       const [from, to] = [k * batch.balls, k * batch.balls + shot.balls.length];
-      expect([...batch.finalPosition.subarray(3 * from, 3 * to)]).toEqual(position);
+      expect([...batch.final_position.subarray(3 * from, 3 * to)]).toEqual(position);
       expect([...batch.pocket.subarray(from, to)]).toEqual(pocket);
     });
   });
 
   test("of variants are the same in pieces", () => {
     const shot = engine.shot(shotFile("half_ball_cut"));
-    const whole = shot.vary(engine.olympiad(2), 7, 0, 30);
-    const piece = shot.vary(engine.olympiad(2), 7, 20, 10);
+    const whole = shot.vary(engine.olympiad(2), 30, { seed: 7 });
+    const piece = shot.vary(engine.olympiad(2), 10, { seed: 7, first: 20 });
     expect(piece.strikes).toEqual(whole.strikes.subarray(100));
-    expect(piece.finalPosition).toEqual(whole.finalPosition.subarray(60 * whole.balls));
+    expect(piece.final_position).toEqual(whole.final_position.subarray(60 * whole.balls));
   });
 
   test("name the variants that could not be played", () => {
     const shot = engine.shot(shotFile("half_ball_cut"));
     const atTheLimit: Strike = { ...shot.strike!, side: 0.999 * shot.miscueLimit };
-    const batch = shot.withStrike(atTheLimit).vary(engine.olympiad(), 1, 0, 40);
+    const batch = shot.withStrike(atTheLimit).vary(engine.olympiad(), 40, { seed: 1 });
     expect(batch.errors.size).toBeGreaterThan(5);
     for (const [k, text] of batch.errors) {
       expect(text).toMatch(/miscue/);
       expect(batch.events[k]).toBe(0);
-      expect(batch.finalPosition[3 * k * batch.balls]).toBeNaN();
+      expect(batch.final_position[3 * k * batch.balls]).toBeNaN();
     }
   });
 
   test("refuse noise and counts that are none", () => {
     const shot = engine.shot(shotFile("half_ball_cut"));
     const noise = { ...engine.olympiad(), speed: -1 };
-    expect(refusal(() => shot.vary(noise, 0, 0, 1)).place).toBe("noise.speed");
-    expect(refusal(() => shot.vary(engine.olympiad(), 0, 0, 1.5)).place).toBe("count");
+    expect(refusal(() => shot.vary(noise, 1)).place).toBe("noise.speed");
+    expect(refusal(() => shot.vary(engine.olympiad(), 1.5)).place).toBe("n");
   });
 });
 

@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
 import { CaromError, load, type Strike } from "../../../src/engine/index.ts";
-import { documentOf } from "../../../src/app/actions.ts";
-import type { Context } from "../../../src/app/context.ts";
+import { documentOf } from "../../../src/app/document/file.ts";
+import type { Context } from "../../../src/app/common/context.ts";
 import { areasOf } from "../../../src/app/game/areas.ts";
-import { type Game, newGame, type Setup } from "../../../src/app/game/game.ts";
+import { type Game, newGame, type Setup } from "../../../src/app/document/game.ts";
 import {
   announceCall,
   askedShot,
@@ -20,7 +20,7 @@ import {
 } from "../../../src/app/game/play.ts";
 import { progressOf } from "../../../src/app/game/progress.ts";
 import { freePlace, handOf, referee } from "../../../src/app/game/referee.ts";
-import { Store } from "../../../src/app/store.ts";
+import { Store } from "../../../src/app/document/store.ts";
 
 const engine = await load();
 
@@ -306,7 +306,7 @@ describe("errors of a player", () => {
 
   test("are those that the engine draws", () => {
     const store = begun("nine-ball", { skills: ["club", null] });
-    const { strikes } = store.shot.vary(engine.noisePresets.club!, 7, 0, 1);
+    const { strikes } = store.shot.vary(engine.noisePresets.club!, 1, { seed: 7 });
     expect(Object.values(strike(store))).toEqual([...strikes]);
   });
 

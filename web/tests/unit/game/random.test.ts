@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { type Call, load, type ShotRequest } from "../../../src/engine/index.ts";
-import { documentOf } from "../../../src/app/actions.ts";
-import type { Context } from "../../../src/app/context.ts";
+import { documentOf } from "../../../src/app/document/file.ts";
+import type { Context } from "../../../src/app/common/context.ts";
 import {
   announceCall,
   canAim,
@@ -12,7 +12,7 @@ import {
 } from "../../../src/app/game/play.ts";
 import { progressOf } from "../../../src/app/game/progress.ts";
 import { referee } from "../../../src/app/game/referee.ts";
-import { Store } from "../../../src/app/store.ts";
+import { Store } from "../../../src/app/document/store.ts";
 
 const engine = await load();
 const context = { engine } as Context;

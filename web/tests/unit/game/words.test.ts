@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { FrameState, Request, Ruling, ShotRequest } from "../../../src/engine/types.ts";
+import type { FrameState, Request, Ruling, ShotRequest } from "../../../src/engine/index.ts";
 import type { Step } from "../../../src/app/game/progress.ts";
 import {
   callInWords,

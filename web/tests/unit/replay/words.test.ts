@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { TraceEvent } from "../../../src/engine/types.ts";
+import type { TraceEvent } from "../../../src/engine/index.ts";
 import { eventInWords, listInWords, rpm } from "../../../src/app/replay/words.ts";
 
 const event = (fields: object): TraceEvent =>

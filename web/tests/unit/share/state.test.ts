@@ -1,12 +1,12 @@
 import { describe, expect, test } from "vitest";
-import type { ShotFile } from "../../../src/engine/types.ts";
-import { FIRST_SESSION, FIRST_VIEW } from "../../../src/app/document.ts";
-import type { State } from "../../../src/app/store.ts";
+import type { ShotFile } from "../../../src/engine/index.ts";
+import { FIRST_SESSION, FIRST_VIEW } from "../../../src/app/document/document.ts";
+import type { State } from "../../../src/app/document/store.ts";
 import { LinkError, toFragment } from "../../../src/app/share/link.ts";
 import { stateFromFragment, stateToFragment } from "../../../src/app/share/state.ts";
-import type { Game } from "../../../src/app/game/game.ts";
+import type { Game } from "../../../src/app/document/game.ts";
 
-const noise = { speed: 0.075, azimuth: 0.002, elevation: 0.001, side: 0.0005, height: 0.0005 };
+const noise = { speed: 0.075, azimuth: 0.002, elevation: 0.001, side_m: 0.0005, height_m: 0.0005 };
 const strike = { ball: "cue", speed: 2, azimuth_deg: 90 };
 const shot = {
   format: "carom-shot/1",

@@ -1,5 +1,5 @@
 import { load } from "../../../src/engine/index.ts";
-import type { ShotFile } from "../../../src/engine/types.ts";
+import type { ShotFile } from "../../../src/engine/index.ts";
 import type { Geometry } from "../../../src/viewer/types.ts";
 
 const engine = await load();

@@ -1,10 +1,10 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Shot } from "../../../src/engine/types.ts";
+import type { Shot } from "../../../src/engine/index.ts";
 import { type Progress, Variants } from "../../../src/app/whatif/client.ts";
 import type { FromWorker, ToWorker } from "../../../src/app/whatif/protocol.ts";
 
 const json = '{"format": "carom-shot/1"}';
-const noise = { speed: 0.1, azimuth: 0.002, elevation: 0.001, side: 0.0005, height: 0.0005 };
+const noise = { speed: 0.1, azimuth: 0.002, elevation: 0.001, side_m: 0.0005, height_m: 0.0005 };
 const shot = { json: () => json, balls: [{ id: "cue" }] } as unknown as Shot;
 
 /** A worker that does nothing but note what it is told. */

@@ -7,15 +7,15 @@ const PRESETS = presetsOf(engine);
 const ALL = PRESETS.flatMap(({ presets }) => presets);
 
 test("the Olympiad's noise is that of its rules, in SI units", () => {
-  const { speed, azimuth, elevation, side, height } = engine.olympiad();
-  expect([speed, side, height]).toStrictEqual([0.075, 0.0005, 0.0005]);
+  const { speed, azimuth, elevation, side_m, height_m } = engine.olympiad();
+  expect([speed, side_m, height_m]).toStrictEqual([0.075, 0.0005, 0.0005]);
   expect((azimuth * 180) / Math.PI).toBeCloseTo(0.125, 14);
   expect((elevation * 180) / Math.PI).toBeCloseTo(0.1, 14);
 });
 
 test("a preset is known again, and a noise of one's own is none", () => {
   for (const preset of ALL) expect(presetOf({ ...preset.noise }, PRESETS)).toBe(preset);
-  expect(presetOf({ ...engine.olympiad(), side: 0 }, PRESETS)).toBeUndefined();
+  expect(presetOf({ ...engine.olympiad(), side_m: 0 }, PRESETS)).toBeUndefined();
 });
 
 test("every preset fits on the sliders, and every σ has one", () => {

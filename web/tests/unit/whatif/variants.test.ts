@@ -72,7 +72,7 @@ describe("the variants of a request", () => {
   test("drop as often as one batch of them does", async () => {
     const jump = read("shots/jump_shot.json");
     const shot = engine.shot(jump);
-    const batch = shot.vary(engine.olympiad(HALF_BALL.olympiad), HALF_BALL.seed, 0, 250);
+    const batch = shot.vary(engine.olympiad(HALF_BALL.olympiad), 250, { seed: HALF_BALL.seed });
     const tally = new Tally(shot.balls.length, 250);
     for (const chunk of chunks(await answers({ shot: jump }))) tally.add(chunk);
     const drops = shot.balls.map(

@@ -1,0 +1,145 @@
+/** The ball as the shooter sees it: where the tip strikes it, and how far out it holds. */
+
+import { FINE } from "../document/strike.ts";
+import type { Context } from "../common/context.ts";
+import { h, svg } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
+import { round } from "../common/units.ts";
+
+/** Ball radii per arrow key. */
+const STEP = 0.02;
+
+/** Decimals of an offset in ball radii: a thousandth is 0.03 mm. */
+const DIGITS = 3;
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+
+export function mountFace(root: HTMLElement, store: Store, context: Context): void {
+  const limit = svg("circle", { class: "face-limit" });
+  const dot = svg("circle", { class: "face-tip", r: 0.1 });
+  const tried = svg("circle", { class: "face-tried", r: 0.1 });
+  const drawing = svg(
+    "svg",
+    { viewBox: "-1.08 -1.08 2.16 2.16", "aria-hidden": "true" },
+    svg("circle", { class: "face-ball", r: 1 }),
+    svg("path", { class: "face-cross", d: "M-1 0H1M0 -1V1" }),
+    limit,
+    dot,
+    tried,
+  );
+  const face = h(
+    "div",
+    {
+      class: "face",
+      tabindex: 0,
+      role: "application",
+      "aria-roledescription": "tip position",
+      "aria-describedby": "face-hint",
+    },
+    drawing,
+  );
+  root.append(face);
+
+  const fine = (event: { shiftKey: boolean }) => (store.session.fine || event.shiftKey ? FINE : 1);
+  const put = (side: number, height: number, group: string) =>
+    store.strike(
+      { side: round(side, DIGITS), height: round(height, DIGITS) },
+      "move the tip",
+      group,
+    );
+
+  let last: { x: number; y: number } | null = null;
+  /** Where the pointer has led the tip, also where it was refused. */
+  let led = { side: 0, height: 0 };
+
+  face.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    face.setPointerCapture(event.pointerId);
+    const { side = 0, height = 0 } = store.document.shot.strike;
+    led = { side, height };
+    last = { x: event.clientX, y: event.clientY };
+    if (fine(event) === 1) lead(event);
+  });
+  face.addEventListener("pointermove", (event) => {
+    if (!last) return;
+    context.loop.input(face, () => {
+      lead(event);
+    });
+  });
+  for (const type of ["pointerup", "pointercancel"] as const) {
+    face.addEventListener(type, () => {
+      context.loop.flush();
+      last = null;
+      store.settle();
+    });
+  }
+
+  function lead(event: PointerEvent): void {
+    if (!last) return;
+    const box = drawing.getBoundingClientRect();
+    const scale = 2.16 / box.width;
+    if (fine(event) === 1) {
+      led = {
+        side: (event.clientX - box.left - box.width / 2) * scale,
+        height: -(event.clientY - box.top - box.height / 2) * scale,
+      };
+    } else {
+      led = {
+        side: led.side + (event.clientX - last.x) * scale * FINE,
+        height: led.height - (event.clientY - last.y) * scale * FINE,
+      };
+    }
+    // Off the ball there is nothing to strike: the edge is what is meant.
+    const out = Math.hypot(led.side, led.height);
+    if (out > 1) led = { side: led.side / out, height: led.height / out };
+    last = { x: event.clientX, y: event.clientY };
+    put(led.side, led.height, "face");
+  }
+
+  face.addEventListener("keydown", (event) => {
+    const by = ARROWS[event.key];
+    if (by) {
+      const { side = 0, height = 0 } = store.document.shot.strike;
+      const step = STEP * fine(event);
+      put(side + by[0] * step, height + by[1] * step, "face keys");
+    } else if (event.key === "Home") {
+      put(0, 0, "face keys");
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
+  face.addEventListener("blur", () => {
+    store.settle();
+  });
+
+  function show(): void {
+    const { side = 0, height = 0 } = store.document.shot.strike;
+    limit.setAttribute("r", String(store.shot.miscueLimit));
+    at(dot, side, height);
+    const attempt = store.session.refusal?.attempt?.strike;
+    const off = attempt && (attempt.side !== side || attempt.height !== height);
+    tried.style.display = off ? "" : "none";
+    if (off) at(tried, attempt.side ?? 0, attempt.height ?? 0);
+    face.setAttribute("aria-label", `Tip position: ${spoken(side, height)}`);
+  }
+  store.subscribe(show);
+  show();
+}
+
+function at(circle: SVGCircleElement, side: number, height: number): void {
+  circle.setAttribute("cx", String(side));
+  circle.setAttribute("cy", String(-height));
+}
+
+/** An offset in words, in hundredths of the ball's radius. */
+export function spoken(side: number, height: number): string {
+  const part = (value: number, plus: string, minus: string) =>
+    value === 0 ? "" : `${round(Math.abs(value) * 100, 1)} % ${value > 0 ? plus : minus}`;
+  const parts = [part(side, "right", "left"), part(height, "above", "below")].filter(Boolean);
+  return parts.length > 0 ? `${parts.join(", ")} of the centre` : "centre";
+}

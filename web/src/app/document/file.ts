@@ -1,0 +1,76 @@
+/** Reads shot files and traces, and gives a shot without a strike one to aim with. */
+
+import { CaromError, type BallEntry, type Engine, type Noise } from "../../engine/index.ts";
+import type { ShotFile, StrikeEntry, Trace } from "../../engine/index.ts";
+import { errorText } from "../common/words.ts";
+import type { AimedShot, Document } from "./document.ts";
+
+/** The strike of a shot whose file has none: a soft shot along the table. */
+const DEFAULT_STRIKE: Omit<StrikeEntry, "ball"> = { speed: 2, azimuth_deg: 90, elevation_deg: 0 };
+
+/** The shot with a strike; a file without one gets a strike on its cue ball, or else its first ball. */
+export function aimed(file: ShotFile): AimedShot {
+  if (file.strike) return { ...file, strike: file.strike };
+  const cue = file.balls.find((ball) => ball.id === "cue") ?? file.balls[0];
+  return { ...file, strike: { ball: cue?.id ?? "", ...DEFAULT_STRIKE } };
+}
+
+/** A document about a shot file, outside a game. */
+export function documentOf(file: ShotFile, noise: Noise | null = null, seed = 0): Document {
+  return { shot: aimed(file), noise, seed, game: null };
+}
+
+/** What a file contains. */
+export interface FileContents {
+  readonly shot: AimedShot;
+  /** The trace that is replayed first; null: the page opens for aiming. */
+  readonly trace: Trace | null;
+}
+
+/**
+ * Reads a shot file or a trace.
+ *
+ * @throws CaromError if the engine refuses it, SyntaxError if it is not JSON.
+ */
+export function readFile(engine: Engine, json: string): FileContents {
+  const format = (JSON.parse(json) as { format?: unknown } | null)?.format;
+  if (format === "carom-trace/1") {
+    const trace = engine.trace(json);
+    return { shot: startOf(trace.shot.file), trace };
+  }
+  const shot = engine.shot(json);
+  const { file } = shot;
+  const moving = file.balls.some((ball) => ball.velocity ?? ball.angular_velocity);
+  if (!moving || file.strike) return { shot: aimed(file), trace: null };
+  // A cue cannot strike balls that already move: show the replay, and aim where the balls started.
+  return { shot: startOf(file), trace: shot.simulate() };
+}
+
+/** Why a file cannot be opened, as a sentence. */
+export function cannotOpen(error: unknown): string {
+  const why =
+    error instanceof SyntaxError ? `It is not valid JSON: ${error.message}` : errorText(error);
+  return `This file cannot be opened. ${why}`;
+}
+
+/** The balls of a file at their first positions, at rest. */
+function startOf(file: ShotFile): AimedShot {
+  const balls = file.balls.map((ball) => {
+    const still: { -readonly [K in keyof BallEntry]: BallEntry[K] } = { ...ball };
+    delete still.velocity;
+    delete still.angular_velocity;
+    return file.strike ? ball : still;
+  });
+  return aimed({ ...file, balls });
+}
+
+/** Whether the engine accepts a shot file. */
+export function accepts(engine: Engine, file: ShotFile): boolean {
+  try {
+    engine.shot(file).free();
+    return true;
+  } catch (error) {
+    if (error instanceof CaromError) return false;
+    throw error;
+  }
+}

@@ -1,0 +1,118 @@
+/** Changes of the layout: balls that come and go, racks and tables. Pure but for the engine. */
+
+import { CaromError, type BallEntry, type Engine, type Point } from "../../engine/index.ts";
+import { round4 } from "../common/angles.ts";
+import type { AimedShot } from "./document.ts";
+import { accepts, aimed } from "./file.ts";
+import type { Store } from "./store.ts";
+import { ballName } from "../common/words.ts";
+
+/** Places tried for a new ball along the table's width; twice as many along its length. */
+const PLACES = 12;
+
+/** The id that one probably wants next: the cue ball if there is none, else the lowest number. */
+export function nextId(balls: readonly BallEntry[]): string {
+  const taken = new Set(balls.map((ball) => ball.id));
+  if (!taken.has("cue") && !taken.has("white")) return "cue";
+  let number = 1;
+  while (taken.has(String(number))) number += 1;
+  return String(number);
+}
+
+/** Adds a ball at the free place nearest to the middle of the table. */
+export function addBall(store: Store, engine: Engine, id: string): boolean {
+  const { shot } = store.document;
+  const trimmed = id.trim();
+  if (trimmed === "") return refuse(store, "Give the new ball a name, such as 9 or red.");
+  if (shot.balls.some((ball) => ball.id === trimmed)) {
+    return refuse(store, `There is a ball "${trimmed}" already: choose another name.`);
+  }
+  const size = store.shot.geometry.size ?? ([1, 2] as const);
+  for (const position of places(size)) {
+    const next = { ...shot, balls: [...shot.balls, { id: trimmed, position }] };
+    if (!accepts(engine, next)) continue;
+    store.setSession({ selected: trimmed });
+    return store.apply({ shot: next }, `add ${ballName(trimmed)}`);
+  }
+  return refuse(store, "No free place is left for another ball: remove one first.");
+}
+
+/** Removes a ball; if it was the struck one, the first that is left is struck from now on. */
+export function removeBall(store: Store, id: string): boolean {
+  const { shot } = store.document;
+  const balls = shot.balls.filter((ball) => ball.id !== id);
+  const first = balls[0];
+  if (!first) return refuse(store, "The last ball stays: a shot needs one to strike.");
+  const struck = shot.strike.ball === id ? first.id : shot.strike.ball;
+  const next = { ...shot, balls, strike: { ...shot.strike, ball: struck } };
+  if (!store.apply({ shot: next }, `remove ${ballName(id)}`)) return false;
+  if (store.session.selected === id) store.setSession({ selected: null });
+  return true;
+}
+
+/** The opening shot of a game, on its usual table, racked as the seed says. */
+export function rack(store: Store, engine: Engine, game: string, seed: number): boolean {
+  try {
+    const { file } = engine.breakShot(game, { seed });
+    return store.apply({ shot: aimed(file), seed }, `rack ${game}`);
+  } catch (error) {
+    if (!(error instanceof CaromError)) throw error;
+    return refuse(store, error.message);
+  }
+}
+
+/** Puts a ball elsewhere on the cloth, if the engine accepts the place. */
+export function placeBall(
+  store: Store,
+  id: string,
+  position: Point,
+  group: string | null,
+): boolean {
+  const { shot } = store.document;
+  const at: Point = [round4(position[0]), round4(position[1])];
+  const balls = shot.balls.map((ball) => (ball.id === id ? { ...ball, position: at } : ball));
+  return store.apply({ shot: { ...shot, balls } }, `move ${ballName(id)}`, group);
+}
+
+/**
+ * Another table: the balls stay where they are if they can, else where they are in proportion.
+ * Physics of the old table's own goes with it; what the user chose stays.
+ */
+export function changeTable(store: Store, engine: Engine, name: string): boolean {
+  const { shot } = store.document;
+  const from = store.shot.geometry.size;
+  const to = engine.tables.find((table) => table.name === name)?.size;
+  const moved: AimedShot = { ...shot, table: name };
+  const scaled: AimedShot = {
+    ...moved,
+    balls: shot.balls.map((ball) => ({ ...ball, position: scale(ball.position, from, to) })),
+  };
+  const next = !accepts(engine, moved) && accepts(engine, scaled) ? scaled : moved;
+  return store.apply({ shot: next }, `change the table`);
+}
+
+function scale(
+  [x, y]: BallEntry["position"],
+  from: Point | null,
+  to: Point | null | undefined,
+): Point {
+  if (!from || !to) return [x, y];
+  return [round4((x / from[0]) * to[0]), round4((y / from[1]) * to[1])];
+}
+
+/** Places on the table, those nearest to its middle first. */
+function places([width, length]: Point): Point[] {
+  const found: Point[] = [];
+  for (let i = 1; i < PLACES; i += 1) {
+    for (let k = 1; k < 2 * PLACES; k += 1) {
+      found.push([round4((width * i) / PLACES), round4((length * k) / (2 * PLACES))]);
+    }
+  }
+  const distance = ([x, y]: Point) => Math.hypot(x - width / 2, y - length / 2);
+  return found.sort((a, b) => distance(a) - distance(b));
+}
+
+function refuse(store: Store, message: string): false {
+  store.refuse(message);
+  return false;
+}

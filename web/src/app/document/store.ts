@@ -1,0 +1,244 @@
+/**
+ * The state of the page and the only place where it changes.
+ *
+ * A document that the engine refuses never becomes the present one: `apply` leaves everything as it
+ * was and tells why in `session.refusal`. So what is drawn can always be simulated, and undo always
+ * leads to something valid.
+ */
+
+import { CaromError, type Shot, type StrikeEntry, type Trace } from "../../engine/index.ts";
+import {
+  FIRST_SESSION,
+  FIRST_VIEW,
+  type AimedShot,
+  type Document,
+  type Session,
+  type View,
+} from "./document.ts";
+import type { Game } from "./game.ts";
+import { History } from "./history.ts";
+
+/** What the store needs of the engine: to read a shot, or to be told why not. In a game the referee, too. */
+export interface Compiler {
+  shot(file: AimedShot, game: Game | null): Shot;
+}
+
+export interface State {
+  readonly document: Document;
+  readonly view: View;
+  readonly session: Session;
+}
+
+/** Called after every change; parts that did not change are the same objects as before. */
+export type Listener = (now: State, before: State) => void;
+
+/** What would happen if one shot now, or why nothing can. */
+export interface Ghost {
+  readonly trace: Trace | null;
+  readonly error: string | null;
+  /** How long the engine took, ms. */
+  readonly milliseconds: number;
+}
+
+export class Store {
+  readonly #compiler: Compiler;
+  readonly #history: History<Document>;
+  readonly #listeners = new Set<Listener>();
+  #view: View;
+  #session: Session = FIRST_SESSION;
+  #shot: Shot;
+  #ghost: Ghost | null = null;
+
+  /** @throws CaromError if the engine refuses `document`. */
+  constructor(compiler: Compiler, document: Document, view: View = FIRST_VIEW) {
+    this.#compiler = compiler;
+    this.#shot = compiler.shot(document.shot, document.game);
+    this.#history = new History(document);
+    this.#view = view;
+  }
+
+  get document(): Document {
+    return this.#history.present;
+  }
+  get view(): View {
+    return this.#view;
+  }
+  get session(): Session {
+    return this.#session;
+  }
+  get state(): State {
+    return { document: this.document, view: this.#view, session: this.#session };
+  }
+  /** The document's shot as the engine has read it. Valid until the document changes. */
+  get shot(): Shot {
+    return this.#shot;
+  }
+  get undoLabel(): string | null {
+    return this.#history.undoLabel;
+  }
+  get redoLabel(): string | null {
+    return this.#history.redoLabel;
+  }
+
+  /** The present document simulated, at most once however often it is asked for. */
+  get ghost(): Ghost {
+    this.#ghost ??= simulate(this.#shot);
+    return this.#ghost;
+  }
+
+  /**
+   * Replaces the document, or refuses to.
+   *
+   * @param label What is done, for "Undo …", such as "aim" or "move ball 3".
+   * @param group Changes with the same group are one step of the history until `settle`.
+   * @returns Whether the engine accepted it; if not, `session.refusal` says why.
+   */
+  apply(
+    change: Partial<Document> | ((now: Document) => Partial<Document>),
+    label: string,
+    group: string | null = null,
+  ): boolean {
+    const before = this.state;
+    const patch = typeof change === "function" ? change(before.document) : change;
+    const next: Document = { ...before.document, ...patch };
+    if (isOtherShot(next, before.document) && !this.#compile(next)) {
+      this.#notify(before);
+      return false;
+    }
+    this.#history.push(next, label, group);
+    this.#session = { ...this.#session, ...AIMING, refusal: null };
+    this.#notify(before);
+    return true;
+  }
+
+  /** Changes keys of the strike. */
+  strike(patch: Partial<StrikeEntry>, label: string, group: string | null = null): boolean {
+    return this.apply(
+      ({ shot }) => ({ shot: { ...shot, strike: { ...shot.strike, ...patch } } }),
+      label,
+      group,
+    );
+  }
+
+  /** Ends a gesture: what comes next is a step of its own, and a refused attempt is let go. */
+  settle(): void {
+    this.#history.settle();
+    const { refusal } = this.#session;
+    if (refusal?.attempt) this.setSession({ refusal: { ...refusal, attempt: null } });
+  }
+
+  undo(): boolean {
+    return this.#travel(() => this.#history.undo());
+  }
+
+  redo(): boolean {
+    return this.#travel(() => this.#history.redo());
+  }
+
+  setView(patch: Partial<View>): void {
+    const before = this.state;
+    this.#view = { ...this.#view, ...patch };
+    this.#notify(before);
+  }
+
+  setSession(patch: Partial<Session>): void {
+    const before = this.state;
+    this.#session = { ...this.#session, ...patch };
+    this.#notify(before);
+  }
+
+  /** Refuses in words what has not even been tried. */
+  refuse(message: string): void {
+    this.setSession({ refusal: { message, place: "", attempt: null } });
+  }
+
+  /** @returns A function that ends the subscription. */
+  subscribe(listener: Listener): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  #compile(document: Document): boolean {
+    try {
+      this.#adopt(this.#read(document));
+      return true;
+    } catch (error) {
+      if (!(error instanceof CaromError)) throw error;
+      const refusal = { message: error.message, place: error.place, attempt: document.shot };
+      this.#session = { ...this.#session, refusal };
+      return false;
+    }
+  }
+
+  /** Where only the stroke differs, the engine need not read the whole file again. */
+  #read({ shot: file, game }: Document): Shot {
+    const now = this.document;
+    if (game !== now.game || !sameButForStroke(now.shot, file)) {
+      return this.#compiler.shot(file, game);
+    }
+    const { speed, azimuth_deg, elevation_deg = 0, side = 0, height = 0 } = file.strike;
+    return this.#shot.withStrike({
+      speed,
+      azimuth: azimuth_deg * RADIANS_PER_DEGREE,
+      elevation: elevation_deg * RADIANS_PER_DEGREE,
+      side,
+      height,
+    });
+  }
+
+  #adopt(shot: Shot): void {
+    // WebAssembly's memory is not seen by the garbage collector, and there is a ghost per frame.
+    // A ghost that became a replay lives on; the replay's owner may keep it as long as it likes.
+    const ghost = this.#ghost?.trace;
+    if (ghost && ghost !== this.#session.trace) ghost.free();
+    this.#shot.free();
+    this.#shot = shot;
+    this.#ghost = null;
+  }
+
+  #travel(step: () => boolean): boolean {
+    const before = this.state;
+    if (!step()) return false;
+    const now = this.document;
+    if (isOtherShot(now, before.document)) this.#adopt(this.#compiler.shot(now.shot, now.game));
+    this.#session = { ...this.#session, ...AIMING, refusal: null };
+    this.#notify(before);
+    return true;
+  }
+
+  #notify(before: State): void {
+    const now = this.state;
+    for (const listener of [...this.#listeners]) listener(now, before);
+  }
+}
+
+/** A changed document is something new to aim at: a replay of the old one would mislead. */
+const AIMING = { mode: "aim", trace: null, time: 0, playing: false } as const;
+
+/** Whether the engine, or the referee, must look at a document again. */
+function isOtherShot(a: Document, b: Document): boolean {
+  return a.shot !== b.shot || a.game !== b.game;
+}
+
+const RADIANS_PER_DEGREE = Math.PI / 180;
+
+const STROKE: readonly string[] = ["speed", "azimuth_deg", "elevation_deg", "side", "height"];
+
+function sameButForStroke(a: AimedShot, b: AimedShot): boolean {
+  const same = <T extends object>(x: T, y: T, except: readonly string[]) =>
+    [...new Set([...Object.keys(x), ...Object.keys(y)])].every(
+      (key) => except.includes(key) || x[key as keyof T] === y[key as keyof T],
+    );
+  return same(a, b, ["strike"]) && same(a.strike, b.strike, STROKE);
+}
+
+function simulate(shot: Shot): Ghost {
+  const start = performance.now();
+  const took = () => performance.now() - start;
+  try {
+    return { trace: shot.simulate(), error: null, milliseconds: took() };
+  } catch (error) {
+    if (!(error instanceof CaromError)) throw error;
+    return { trace: null, error: error.message, milliseconds: took() };
+  }
+}

@@ -1,0 +1,31 @@
+/** Changes of the strike that several controls share. */
+
+import { azimuthTo, wrap } from "../common/angles.ts";
+import { ballName, obstruction, raised } from "../common/words.ts";
+import type { Store } from "./store.ts";
+
+/** Factor by which fine adjustment reduces every drag and key. */
+export const FINE = 0.1;
+
+/** Turns the cue by `degrees`. */
+export function turn(store: Store, degrees: number, group: string): void {
+  const { azimuth_deg } = store.document.shot.strike;
+  store.strike({ azimuth_deg: wrap(azimuth_deg + degrees) }, "aim", group);
+}
+
+/** Turns the cue to the centre of a ball. */
+export function aimAt(store: Store, id: string): void {
+  const to = store.shot.balls.find((ball) => ball.id === id)?.position;
+  const from =
+    store.shot.struck === null ? undefined : store.shot.balls[store.shot.struck]?.position;
+  if (!to || !from || to === from) return;
+  const azimuth = azimuthTo([from[0], from[1]], [to[0], to[1]]);
+  store.strike({ azimuth_deg: azimuth }, `aim at ${ballName(id)}`);
+}
+
+/** Raises the butt until the cue passes over the obstacle, if there is one. */
+export function raiseTheCue(store: Store): void {
+  const outcome = store.ghost.trace?.outcome;
+  if (!outcome || obstruction(outcome) === null || outcome.least_elevation_deg === null) return;
+  store.strike({ elevation_deg: raised(outcome.least_elevation_deg) }, "raise the cue");
+}

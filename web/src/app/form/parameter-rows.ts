@@ -1,0 +1,164 @@
+/** A form of parameters: a row each, what is changed marked and to be put back. */
+
+import { h, uniqueId } from "../common/dom.ts";
+import {
+  parameters,
+  title,
+  valueAt,
+  withoutValue,
+  withValue,
+  type Parameter,
+  type Part,
+  type Values,
+} from "./parameters.ts";
+import type { Store } from "../document/store.ts";
+import { round } from "../common/units.ts";
+
+/** What a form is about. */
+export interface Subject {
+  readonly part: Part;
+  /** Values as they are, and as they are in the preset that the changes start from. */
+  readonly now: () => Values;
+  readonly base: () => Values;
+  /** What the shot file has of its own, `base` included. */
+  readonly changes: () => Values;
+  /** Makes these the file's own. @returns Whether they were accepted. */
+  readonly write: (changes: Values, path: readonly string[]) => boolean;
+  /** Keys of groups that stand open at first. */
+  readonly open: readonly string[];
+}
+
+/** Digits after the point that are shown: lengths to a micrometre, and nothing of binary fractions. */
+const DIGITS = 6;
+
+/** @returns A function that shows the present values. */
+export function mountParameters(
+  root: HTMLElement,
+  store: Store,
+  schema: object,
+  subject: Subject,
+): () => void {
+  const { part } = subject;
+  let shown = "";
+
+  function set(path: readonly string[], value: unknown): boolean {
+    const own = subject.changes();
+    const same = text(valueAt(subject.base(), path)) === text(value);
+    return subject.write(same ? withoutValue(own, path) : withValue(own, path, value), path);
+  }
+
+  function show(): void {
+    const now = subject.now();
+    const found = parameters(schema, part, now);
+    const key = JSON.stringify(found.map(({ path }) => path));
+    if (key !== shown) {
+      shown = key;
+      root.replaceChildren(...groups(found));
+    }
+    const [base, changes] = [subject.base(), subject.changes()];
+    for (const { path } of found) {
+      const input = root.querySelector<Control>(`[data-path="${path.join(".")}"]`)!;
+      const value = text(valueAt(now, path));
+      // What one is typing is not corrected under one's fingers.
+      if (
+        input.value !== value &&
+        (input !== document.activeElement || input.tagName === "SELECT")
+      ) {
+        input.value = value;
+      }
+      const changed = valueAt(changes, path) !== undefined && valueAt(base, path) !== undefined;
+      input.closest(".parameter")!.toggleAttribute("data-changed", changed);
+    }
+  }
+
+  /** Single values first, then each object's in a fold of its own. */
+  function groups(found: readonly Parameter[]): HTMLElement[] {
+    const single = found.filter(({ path }) => path.length === 1);
+    const keys = [
+      ...new Set(found.filter(({ path }) => path.length > 1).map(({ path }) => path[0]!)),
+    ];
+    return [
+      ...single.map(row),
+      ...keys.map((key) =>
+        h(
+          "details",
+          { open: subject.open.includes(key) },
+          h("summary", {}, title(key)),
+          ...found.filter(({ path }) => path.length > 1 && path[0] === key).map(row),
+        ),
+      ),
+    ];
+  }
+
+  function row(parameter: Parameter): HTMLElement {
+    const { path, description, unit } = parameter;
+    const input = control(parameter);
+    input.id = uniqueId("parameter");
+    input.setAttribute("aria-describedby", `${input.id}-hint`);
+    const refused = (is: boolean) => {
+      input.setAttribute("aria-invalid", String(is));
+    };
+    input.addEventListener("change", () => {
+      const value = valueOf(parameter, input.value);
+      if (value === null) store.refuse(`${[part, ...path].join(".")}: write a number.`);
+      refused(value === null || !set(path, value));
+    });
+    input.addEventListener("blur", () => {
+      refused(false);
+      store.settle();
+      show();
+    });
+    const putBack = () => {
+      set(path, valueAt(subject.base(), path));
+      store.settle();
+    };
+    const name = path.length > 1 ? path.slice(1).map(title).join(", ") : title(path[0]!);
+    const full = path.map(title).join(" ").toLowerCase();
+    const back = h(
+      "button",
+      {
+        type: "button",
+        class: "button plain back",
+        "aria-label": `Put back ${full}`,
+        title: "Put back",
+        onclick: putBack,
+      },
+      "↺",
+    );
+    return h(
+      "div",
+      { class: "parameter" },
+      h("label", { for: input.id }, name),
+      h(
+        "div",
+        { class: "row" },
+        input,
+        h("span", { class: "unit" }, unit === "degrees" ? "°" : unit),
+        back,
+      ),
+      h("p", { class: "hint", id: `${input.id}-hint` }, description),
+    );
+  }
+
+  return show;
+}
+
+type Control = HTMLInputElement | HTMLSelectElement;
+
+function control({ path, kind, choices }: Parameter): Control {
+  const data = { "data-path": path.join(".") };
+  if (kind === "number") return h("input", { type: "number", step: "any", ...data });
+  return h("select", data, ...choices.map((name) => h("option", { value: name }, name)));
+}
+
+/** What the file shall have; null if no number is written. */
+function valueOf({ kind }: Parameter, written: string): string | number | null {
+  if (kind === "choice") return written;
+  const number = written.trim() === "" ? NaN : Number(written);
+  return Number.isNaN(number) ? null : number;
+}
+
+/** A value of the file as it is shown. */
+function text(value: unknown): string {
+  return String(typeof value === "number" ? round(value, DIGITS) : value);
+}

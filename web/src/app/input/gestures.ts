@@ -1,0 +1,166 @@
+/**
+ * Mouse, pen and fingers on the table: drag beside the balls to turn the cue, drag a ball to move
+ * it, tap the cloth to aim there, tap a ball to select it. With the free camera a drag beside the balls
+ * turns the camera instead; that, several fingers and other buttons are the viewer's.
+ */
+
+import type { Point } from "../../engine/index.ts";
+import { placeBall } from "../document/layout.ts";
+import { FINE, turn } from "../document/strike.ts";
+import { azimuthTo, sweep } from "../common/angles.ts";
+import type { Context } from "../common/context.ts";
+import { tapBall, tapPocket } from "../game/play.ts";
+import type { Store } from "../document/store.ts";
+
+/** A pointer that moves less (CSS pixels) taps; fingers tremble more than mice. */
+const TREMBLE = { mouse: 4, other: 10 };
+
+/** Degrees that a pixel turns the cue where the camera stands behind it and turns along. */
+const DEGREES_PER_PIXEL = 0.1;
+
+interface Drag {
+  readonly pointer: number;
+  readonly type: string;
+  readonly group: string;
+  readonly start: { readonly x: number; readonly y: number };
+  /** The ball under the pointer when it went down. */
+  readonly ball: number | null;
+  /** From the pointer to the dragged ball's centre, m. */
+  readonly grip: Point;
+  /** Where the pointer was when it last turned the cue. */
+  last: { readonly x: number; readonly y: number; readonly point: Point | null };
+  moved: boolean;
+}
+
+let gestures = 0;
+
+export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: Context): void {
+  const { viewer, loop } = context;
+  const down = new Set<number>();
+  let drag: Drag | null = null;
+
+  const ballAt = (index: number) => store.shot.balls[index]!;
+  const pointOf = (event: PointerEvent) =>
+    viewer.pick(event.clientX, event.clientY, event.pointerType);
+
+  // In the capture phase: the viewer's own listener must find its controls off.
+  const press = (event: PointerEvent) => {
+    down.add(event.pointerId);
+    if (down.size > 1) {
+      end();
+      return;
+    }
+    if (event.button !== 0) return;
+    const { ball, point } = pointOf(event);
+    const center = ball === null || store.session.mode === "replay" ? null : ballAt(ball).position;
+    gestures += 1;
+    drag = {
+      pointer: event.pointerId,
+      type: event.pointerType,
+      group: `gesture ${gestures}`,
+      start: { x: event.clientX, y: event.clientY },
+      ball,
+      grip: center && point ? [center[0] - point[0], center[1] - point[1]] : [0, 0],
+      last: { x: event.clientX, y: event.clientY, point },
+      moved: false,
+    };
+    canvas.setPointerCapture(event.pointerId);
+    viewer.controls = ball === null || store.session.mode === "replay";
+  };
+  canvas.addEventListener("pointerdown", press, { capture: true });
+
+  canvas.addEventListener("pointermove", (event) => {
+    if (drag?.pointer === event.pointerId) {
+      const held = drag;
+      loop.input(canvas, () => {
+        move(held, event);
+      });
+    } else if (event.pointerType === "mouse" && event.buttons === 0) {
+      loop.input("hover", () => {
+        hover(event);
+      });
+    }
+  });
+
+  canvas.addEventListener("pointerup", (event) => {
+    down.delete(event.pointerId);
+    if (drag?.pointer !== event.pointerId) return;
+    loop.flush();
+    if (!drag.moved) tap(drag, event);
+    end();
+  });
+
+  canvas.addEventListener("pointercancel", (event) => {
+    down.delete(event.pointerId);
+    if (drag?.pointer === event.pointerId) end();
+  });
+
+  function end(): void {
+    if (!drag) return;
+    drag = null;
+    viewer.controls = true;
+    delete canvas.dataset.drag;
+    store.settle();
+  }
+
+  function hover(event: PointerEvent): void {
+    const { ball } = pointOf(event);
+    const id = ball === null ? null : ballAt(ball).id;
+    if (id !== store.session.hovered) store.setSession({ hovered: id });
+    canvas.dataset.over = ball === null ? "cloth" : "ball";
+  }
+
+  function move(held: Drag, event: PointerEvent): void {
+    const { x, y } = held.start;
+    const tremble = held.type === "mouse" ? TREMBLE.mouse : TREMBLE.other;
+    if (!held.moved && Math.hypot(event.clientX - x, event.clientY - y) < tremble) return;
+    if (store.session.mode === "replay") return;
+    held.moved = true;
+    if (held.ball === null) {
+      if (store.view.camera !== "orbit") aim(held, event);
+    } else moveBall(held, held.ball, event);
+  }
+
+  function aim(held: Drag, event: PointerEvent): void {
+    const { point } = pointOf(event);
+    const { last } = held;
+    held.last = { x: event.clientX, y: event.clientY, point };
+    const struck = store.shot.struck;
+    if (struck === null) return;
+    const [x, y] = ballAt(struck).position;
+    const swept =
+      store.view.camera === "cue"
+        ? (last.x - event.clientX) * DEGREES_PER_PIXEL
+        : last.point && point
+          ? sweep([x, y], last.point, point)
+          : 0;
+    const fine = store.session.fine || event.shiftKey ? FINE : 1;
+    if (swept !== 0) turn(store, swept * fine, held.group);
+  }
+
+  function moveBall(held: Drag, index: number, event: PointerEvent): void {
+    const { point } = pointOf(event);
+    if (!point) return;
+    canvas.dataset.drag = "ball";
+    const { id } = ballAt(index);
+    const position: Point = [point[0] + held.grip[0], point[1] + held.grip[1]];
+    store.setSession({ selected: id });
+    placeBall(store, id, position, held.group);
+  }
+
+  function tap(held: Drag, event: PointerEvent): void {
+    const balls = store.session.trace?.shot.balls ?? store.shot.balls;
+    if (held.ball !== null) {
+      const { id } = balls[held.ball]!;
+      store.setSession({ selected: id });
+      if (store.session.mode === "aim") tapBall(store, context.engine, id);
+      return;
+    }
+    const { point } = pointOf(event);
+    const struck = store.shot.struck;
+    if (!point || struck === null || store.session.mode === "replay") return;
+    if (tapPocket(store, context.engine, point)) return;
+    const [x, y] = ballAt(struck).position;
+    store.strike({ azimuth_deg: azimuthTo([x, y], point) }, "aim", held.group);
+  }
+}

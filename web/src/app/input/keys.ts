@@ -1,0 +1,215 @@
+/** Every key of the page, in one list: what it does, and what the help says of it. */
+
+import { shoot, takeItFromHere } from "../aim/shoot.ts";
+import type { Context } from "../common/context.ts";
+import type { Camera } from "../document/document.ts";
+import { aimAt, FINE, turn } from "../document/strike.ts";
+import { redo, undo } from "../document/undo.ts";
+import { leave, stepBackwards, stepForwards, togglePlaying } from "../replay/control.ts";
+import type { Store } from "../document/store.ts";
+import { round } from "../common/units.ts";
+
+/** Degrees, and m/s, per arrow key; Shift and the fine button make each a tenth. */
+const TURN = 1;
+const SPEED = 0.1;
+
+/** Softest stroke (m/s) that the keys lead to; 0 would be none. */
+const SOFTEST = 0.01;
+
+/** How long (ms) after the last key a row of them is over, and one step to undo. */
+const PAUSE = 800;
+
+interface Tools {
+  readonly store: Store;
+  readonly context: Context;
+  readonly openHelp: () => void;
+}
+
+interface Key {
+  /** As in `KeyboardEvent.key`, with "Mod+" for Ctrl or ⌘, and "Shift+" after it. */
+  readonly keys: readonly string[];
+  /** How the help names the keys. */
+  readonly shown: readonly string[];
+  readonly help: string;
+  /** Only while one aims, or replays; left out: always. */
+  readonly mode?: "aim" | "replay";
+  /** Only while the table has the focus: elsewhere the key belongs to the control that has it. */
+  readonly table?: boolean;
+  readonly run: (tools: Tools, event: KeyboardEvent) => void;
+}
+
+const fine = ({ store }: Tools, event: KeyboardEvent) =>
+  (store.session.fine ? FINE : 1) * (event.shiftKey ? FINE : 1);
+
+function faster(tools: Tools, event: KeyboardEvent, sign: number): void {
+  const { store } = tools;
+  const speed = store.document.shot.strike.speed + sign * SPEED * fine(tools, event);
+  store.strike({ speed: Math.max(SOFTEST, round(speed, 3)) }, "change the speed", "speed keys");
+}
+
+const toCamera =
+  (camera: Camera) =>
+  ({ store }: Tools) => {
+    store.setView({ camera });
+  };
+
+export const KEYS: readonly Key[] = [
+  {
+    keys: ["ArrowLeft", "ArrowRight"],
+    shown: ["←", "→"],
+    help: "Turn the cue by 1°; with Shift by 0.1°",
+    mode: "aim",
+    table: true,
+    run: (tools, event) => {
+      const sign = event.key === "ArrowLeft" ? 1 : -1;
+      turn(tools.store, sign * TURN * fine(tools, event), "turn keys");
+    },
+  },
+  {
+    keys: ["ArrowUp", "ArrowDown"],
+    shown: ["↑", "↓"],
+    help: "Strike harder or softer by 0.1 m/s; with Shift by 0.01 m/s",
+    mode: "aim",
+    table: true,
+    run: (tools, event) => {
+      faster(tools, event, event.key === "ArrowUp" ? 1 : -1);
+    },
+  },
+  {
+    keys: ["Enter"],
+    shown: ["Enter"],
+    help: "Shoot",
+    mode: "aim",
+    table: true,
+    run: ({ store, context }) => {
+      shoot(store, context);
+    },
+  },
+  {
+    keys: ["n", "N"],
+    shown: ["N"],
+    help: "Select the next ball; with Shift the one before",
+    run: ({ store }, event) => {
+      const ids = store.document.shot.balls.map((ball) => ball.id);
+      const at = ids.indexOf(store.session.selected ?? "");
+      const step = event.shiftKey ? -1 : 1;
+      const next = at < 0 ? 0 : (at + step + ids.length) % ids.length;
+      store.setSession({ selected: ids[next] ?? null });
+    },
+  },
+  {
+    keys: ["a"],
+    shown: ["A"],
+    help: "Aim at the centre of the selected ball",
+    mode: "aim",
+    run: ({ store }) => {
+      const { selected } = store.session;
+      if (selected === null) store.refuse("Select a ball first: N does.");
+      else aimAt(store, selected);
+    },
+  },
+  {
+    keys: ["f"],
+    shown: ["F"],
+    help: "Fine adjustment on or off: every drag and key counts a tenth",
+    run: ({ store, context }) => {
+      store.setSession({ fine: !store.session.fine });
+      context.announce(`Fine adjustment ${store.session.fine ? "on" : "off"}`);
+    },
+  },
+  {
+    keys: [" "],
+    shown: ["Space"],
+    help: "Play or pause the replay",
+    mode: "replay",
+    table: true,
+    run: ({ store }) => {
+      togglePlaying(store);
+    },
+  },
+  {
+    keys: ["ArrowLeft", "ArrowRight"],
+    shown: ["←", "→"],
+    help: "In the replay: to the previous or next event",
+    mode: "replay",
+    table: true,
+    run: ({ store }, event) => {
+      if (event.key === "ArrowLeft") stepBackwards(store);
+      else stepForwards(store);
+    },
+  },
+  {
+    keys: ["t"],
+    shown: ["T"],
+    help: "Take it from here: where the balls end becomes the new layout",
+    mode: "replay",
+    run: ({ store, context }) => {
+      takeItFromHere(store, context);
+    },
+  },
+  {
+    keys: ["Escape"],
+    shown: ["Esc"],
+    help: "Back to aiming; while aiming: select no ball",
+    run: ({ store }) => {
+      if (store.session.mode === "replay") leave(store);
+      else store.setSession({ selected: null, refusal: null });
+    },
+  },
+  {
+    keys: ["Mod+z"],
+    shown: ["Ctrl", "Z"],
+    help: "Undo",
+    run: ({ store, context }) => {
+      undo(store, context);
+    },
+  },
+  {
+    keys: ["Mod+Shift+z", "Mod+y"],
+    shown: ["Ctrl", "Shift", "Z"],
+    help: "Redo",
+    run: ({ store, context }) => {
+      redo(store, context);
+    },
+  },
+  { keys: ["1"], shown: ["1"], help: "Look from above", run: toCamera("top") },
+  { keys: ["2"], shown: ["2"], help: "Free camera", run: toCamera("orbit") },
+  { keys: ["3"], shown: ["3"], help: "Behind the cue", run: toCamera("cue") },
+  {
+    keys: ["?"],
+    shown: ["?"],
+    help: "This help",
+    run: ({ openHelp }) => {
+      openHelp();
+    },
+  },
+];
+
+/** Elements in which letters are text, and arrows move what is inside. */
+const TYPED = "input:not([type=range], [type=checkbox], [type=radio]), select, textarea";
+
+export function mountKeys(table: HTMLElement, tools: Tools): void {
+  let pause: ReturnType<typeof setTimeout> | undefined;
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.altKey || document.querySelector("dialog[open]")) return;
+    const target = event.target as Element;
+    const mod = event.ctrlKey || event.metaKey;
+    if (target.closest(TYPED)) return;
+    const name = mod
+      ? `Mod+${event.shiftKey ? "Shift+" : ""}${event.key.toLowerCase()}`
+      : event.key;
+    const found = KEYS.find(
+      ({ keys, mode, table: only }) =>
+        keys.includes(name) &&
+        (mode === undefined || mode === tools.store.session.mode) &&
+        (!only || target === table || target === document.body),
+    );
+    if (!found) return;
+    event.preventDefault();
+    found.run(tools, event);
+    clearTimeout(pause);
+    pause = setTimeout(() => {
+      tools.store.settle();
+    }, PAUSE);
+  });
+}

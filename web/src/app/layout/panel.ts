@@ -1,0 +1,193 @@
+/** Which balls lie where: racks, the table, and every ball in numbers. */
+
+import type { Context } from "../common/context.ts";
+import { look } from "../../viewer/index.ts";
+import { h, svg, uniqueId } from "../common/dom.ts";
+import { mountField } from "../form/field.ts";
+import { addBall, nextId, placeBall, rack, removeBall } from "../document/layout.ts";
+import { aimAt } from "../document/strike.ts";
+import type { Store } from "../document/store.ts";
+import { mountTable } from "./table.ts";
+import { ballName } from "../common/words.ts";
+
+/** Largest seed that the page draws: short enough to read out. */
+const SEEDS = 10_000;
+
+export function mountLayoutPanel(root: HTMLElement, store: Store, context: Context): void {
+  mountRacks(root, store, context);
+  mountTable(root, store, context);
+  mountBalls(root, store, context);
+}
+
+function option(value: string, text = value): HTMLOptionElement {
+  return h("option", { value }, text);
+}
+
+/** A select or input with its label above it. */
+function labelled(label: string, control: HTMLElement): HTMLElement {
+  control.id = uniqueId("control");
+  return h("div", { class: "labelled" }, h("label", { for: control.id }, label), control);
+}
+
+function mountRacks(root: HTMLElement, store: Store, { engine }: Context): void {
+  const game = h("select", {}, ...engine.games.map((name) => option(name, words(name))));
+  const seed = h("input", { type: "number", min: 0, step: 1, value: store.document.seed });
+  const set = () => {
+    const value = Number(seed.value);
+    if (seed.value.trim() === "" || !Number.isSafeInteger(value) || value < 0) {
+      store.refuse("Seed: write a whole number that is not negative.");
+    } else rack(store, engine, game.value, value);
+  };
+  const shuffle = () => {
+    seed.value = String(Math.floor(Math.random() * SEEDS));
+    set();
+  };
+  root.append(
+    h("h2", {}, "Rack"),
+    h("div", { class: "pair" }, labelled("Game", game), labelled("Seed", seed)),
+    h(
+      "div",
+      { class: "row" },
+      h("button", { type: "button", class: "button", onclick: set }, "Rack"),
+      h("button", { type: "button", class: "button", onclick: shuffle }, "Shuffle and rack"),
+    ),
+  );
+  store.subscribe((now, before) => {
+    if (now.document.seed !== before.document.seed) seed.value = String(now.document.seed);
+  });
+}
+
+function mountBalls(root: HTMLElement, store: Store, context: Context): void {
+  const list = h("div", { class: "balls", role: "radiogroup", "aria-label": "Selected ball" });
+  const name = h("input", { type: "text", size: 8, autocomplete: "off" });
+  const add = h("button", { type: "button", class: "button" }, "Add ball");
+  add.addEventListener("click", () => {
+    if (addBall(store, context.engine, name.value)) name.value = nextId(store.document.shot.balls);
+  });
+  const fields = h("div");
+  root.append(
+    h("h2", {}, "Balls"),
+    h(
+      "p",
+      { class: "hint" },
+      "Drag balls on the table, or select one here and write where it lies.",
+    ),
+    list,
+    fields,
+    h("div", { class: "row add" }, labelled("New ball", name), add),
+  );
+  mountSelected(fields, store, context);
+
+  let shown = "";
+  function show(): void {
+    const { balls, strike } = store.document.shot;
+    const { selected } = store.session;
+    const ids = balls.map((ball) => ball.id);
+    const key = JSON.stringify([ids, strike.ball, selected]);
+    if (key === shown) return;
+    shown = key;
+    const focused = list.contains(document.activeElement);
+    const current = selected !== null && ids.includes(selected) ? selected : ids[0];
+    list.replaceChildren(
+      ...ids.map((id, index) =>
+        h(
+          "button",
+          {
+            type: "button",
+            class: "button chip",
+            role: "radio",
+            "aria-checked": String(id === selected),
+            "aria-label": id === strike.ball ? `${id}, struck` : id,
+            tabindex: id === current ? 0 : -1,
+            onclick: () => {
+              store.setSession({ selected: id });
+            },
+          },
+          swatch(id, index),
+          id,
+        ),
+      ),
+    );
+    if (focused) list.querySelector<HTMLElement>('[tabindex="0"]')?.focus();
+    if (!ids.includes(name.value) && name.value !== "") return;
+    name.value = nextId(balls);
+  }
+  list.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
+    if (step === undefined) return;
+    const ids = store.document.shot.balls.map((ball) => ball.id);
+    const at = ids.indexOf(store.session.selected ?? ids[0]!);
+    store.setSession({ selected: ids[(at + step + ids.length) % ids.length]! });
+    event.preventDefault();
+  });
+  store.subscribe(show);
+  show();
+}
+
+function mountSelected(root: HTMLElement, store: Store, context: Context): void {
+  const selected = () => store.shot.balls.find((ball) => ball.id === store.session.selected);
+  const axis = (label: string, index: 0 | 1) => {
+    mountField(root, store, context, {
+      label,
+      unit: "m",
+      spoken: "metres",
+      digits: 4,
+      min: () => 0,
+      max: () => store.shot.geometry.size?.[index] ?? 1,
+      step: 0.001,
+      read: () => selected()?.position[index] ?? 0,
+      write: (value, group) => {
+        const ball = selected();
+        if (!ball) return false;
+        const [x, y] = ball.position;
+        return placeBall(store, ball.id, index === 0 ? [value, y] : [x, value], group);
+      },
+    });
+  };
+  axis("Across", 0);
+  axis("Along", 1);
+  const act = (text: string, action: (id: string) => void) =>
+    h(
+      "button",
+      {
+        type: "button",
+        class: "button",
+        onclick: () => {
+          const ball = selected();
+          if (ball) action(ball.id);
+        },
+      },
+      text,
+    );
+  const strike = act("Strike it", (id) => store.strike({ ball: id }, `strike ${ballName(id)}`));
+  const target = act("Aim at it", (id) => {
+    aimAt(store, id);
+  });
+  const remove = act("Remove", (id) => removeBall(store, id));
+  root.append(h("div", { class: "row" }, target, strike, remove));
+  const show = () => {
+    const id = selected()?.id;
+    root.hidden = id === undefined;
+    const struck = id === store.document.shot.strike.ball;
+    strike.disabled = struck;
+    target.disabled = struck;
+  };
+  store.subscribe(show);
+  show();
+}
+
+/** A ball's look beside its name; decoration. */
+function swatch(id: string, index: number): SVGSVGElement {
+  const { body, striped } = look(id, index);
+  return svg(
+    "svg",
+    { viewBox: "0 0 16 16", class: "swatch", "aria-hidden": "true" },
+    svg("circle", { cx: 8, cy: 8, r: 7, fill: striped ? "#f6f1e3" : body }),
+    striped && svg("path", { d: "M1.9 4.6h12.2a7 7 0 0 1 0 6.8H1.9a7 7 0 0 1 0-6.8", fill: body }),
+    svg("circle", { cx: 8, cy: 8, r: 7, class: "rim" }),
+  );
+}
+
+function words(name: string): string {
+  return name.charAt(0).toUpperCase() + name.slice(1).replaceAll("-", " ");
+}

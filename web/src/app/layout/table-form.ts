@@ -1,0 +1,50 @@
+/** A table's dimensions, as a form sees them. Pure: the engine says what they are. */
+
+import type { Geometry, Markings, Point } from "../../engine/index.ts";
+import { round4 } from "../common/angles.ts";
+import { withoutValue, withValue, type Values } from "../form/parameters.ts";
+
+/** What is drawn only, and no matter of a form of numbers. */
+const DRAWN = ["sights", "markings"];
+
+/** A table in the keys of its description; empty for endless cloth. */
+export function described({ dimensions, pockets }: Geometry): Values {
+  if (!dimensions) return {};
+  const values = dimensions.reduce<Values>((found, { key, value }) => {
+    const path = key.split(".");
+    return DRAWN.includes(path[0]!) ? found : withValue(found, path, value);
+  }, {});
+  if (pockets.length === 0) return { ...values, pockets: "none" };
+  const model = pockets.some(({ mouth }) => mouth) ? "mouth-line" : "drop-circle";
+  return { ...values, pockets: "six", pocket_model: model };
+}
+
+/**
+ * `changes` of a preset with lines and spots where they are in proportion to the table's new size.
+ *
+ * @param from - The table as it was, with the markings that are moved.
+ * @param base - The preset, if there is one: its own markings need not be written.
+ */
+export function proportioned(changes: Values, from: Geometry, base: Geometry | undefined): Values {
+  const [width, length] = base?.size ?? from.size ?? [1, 1];
+  const to: Point = [Number(changes.width ?? width), Number(changes.length ?? length)];
+  if (!from.size || !from.markings) return changes;
+  const moved = scaled(from.markings, from.size, to);
+  const usual = base?.markings && base.size && scaled(base.markings, base.size, base.size);
+  return JSON.stringify(moved) === JSON.stringify(usual)
+    ? withoutValue(changes, ["markings"])
+    : { ...changes, markings: moved };
+}
+
+/** Markings of a table of size `from` on one of size `to`. */
+function scaled({ head_string, d_radius, spots }: Markings, from: Point, to: Point): Values {
+  const along = (axis: 0 | 1, value: number) => round4((value / from[axis]) * to[axis]);
+  return {
+    ...(head_string !== null && { head_string: along(1, head_string) }),
+    ...(d_radius !== null && { d_radius }),
+    spots: spots.map(({ name, position: [x, y] }) => ({
+      name,
+      position: [along(0, x), along(1, y)],
+    })),
+  };
+}

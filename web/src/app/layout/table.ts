@@ -1,0 +1,96 @@
+/** Table presets, and every dimension of theirs. */
+
+import type { Context } from "../common/context.ts";
+import { h, uniqueId } from "../common/dom.ts";
+import { changeTable } from "../document/layout.ts";
+import { mountParameters } from "../form/parameter-rows.ts";
+import type { Values } from "../form/parameters.ts";
+import type { Store } from "../document/store.ts";
+import { described, proportioned } from "./table-form.ts";
+
+/** Dimensions that move what is marked on the cloth. */
+const SIZES = ["width", "length"];
+
+export function mountTable(root: HTMLElement, store: Store, { engine }: Context): void {
+  const presets = new Map(
+    engine.tables.flatMap((table) => (table.name ? [[table.name, table]] : [])),
+  );
+  const option = (value: string, text = value) => h("option", { value }, text);
+  const own = option("", "The file’s own");
+  const select = h(
+    "select",
+    { id: uniqueId("control") },
+    own,
+    ...[...presets.keys()].map((name) => option(name)),
+  );
+  select.addEventListener("change", () => {
+    if (select.value === "" || !changeTable(store, engine, select.value)) show();
+  });
+  const back = h(
+    "button",
+    {
+      type: "button",
+      class: "button",
+      onclick: () => {
+        changeTable(store, engine, baseName());
+      },
+    },
+    "Put all back",
+  );
+  const form = h("div");
+  const dimensions = h(
+    "details",
+    {},
+    h("summary", {}, "Dimensions"),
+    h("p", { class: "hint" }, "A changed value is marked, and can be put back."),
+    form,
+    h("div", { class: "row" }, back),
+  );
+  root.append(
+    h("h2", {}, "Table"),
+    h("div", { class: "labelled" }, h("label", { for: select.id }, "Table"), select),
+    dimensions,
+  );
+
+  const changes = (): Values => {
+    const { table } = store.document.shot;
+    return typeof table === "string" ? { base: table } : table;
+  };
+  const baseName = (): string => {
+    const { base } = changes();
+    return typeof base === "string" ? base : "";
+  };
+  const preset = () => presets.get(baseName());
+  const showForm = mountParameters(form, store, engine.schema("shot"), {
+    part: "table",
+    now: () => described(store.shot.geometry),
+    base: () => {
+      const geometry = preset();
+      return geometry ? described(geometry) : {};
+    },
+    changes,
+    write: (next, path) => {
+      const { geometry } = store.shot;
+      const whole = SIZES.includes(path[0]!) ? proportioned(next, geometry, preset()) : next;
+      const { base, ...rest } = whole;
+      // Nothing is left of the changes: the preset's name says it all.
+      const table = typeof base === "string" && Object.keys(rest).length === 0 ? base : whole;
+      const name = ["table", ...path].join(".");
+      return store.apply(({ shot }) => ({ shot: { ...shot, table } }), `change ${name}`, name);
+    },
+    open: [],
+  });
+
+  function show(): void {
+    const { table } = store.document.shot;
+    own.hidden = baseName() !== "";
+    select.value = baseName();
+    back.hidden = typeof table === "string" || baseName() === "";
+    dimensions.hidden = !store.shot.geometry.dimensions;
+    showForm();
+  }
+  store.subscribe((now, before) => {
+    if (now.document.shot !== before.document.shot) show();
+  });
+  show();
+}

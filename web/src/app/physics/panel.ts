@@ -1,0 +1,67 @@
+/** Physics presets, and every parameter of theirs: the form follows the shot file's schema. */
+
+import type { Context } from "../common/context.ts";
+import type { AimedShot } from "../document/document.ts";
+import { h, uniqueId } from "../common/dom.ts";
+import { mountParameters } from "../form/parameter-rows.ts";
+import { merged, title, type Values } from "../form/parameters.ts";
+import type { Store } from "../document/store.ts";
+
+/** What the table's own physics is called in the list. */
+const TABLES_OWN = "";
+
+export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: Context): void {
+  const preset = h("select", { id: uniqueId("preset") });
+  preset.append(
+    h("option", { value: TABLES_OWN }, "The table’s own"),
+    ...Object.keys(engine.physics).map((name) => h("option", { value: name }, title(name))),
+  );
+  preset.addEventListener("change", () => {
+    const next: { -readonly [K in keyof AimedShot]: AimedShot[K] } = { ...store.document.shot };
+    if (preset.value === TABLES_OWN) delete next.physics;
+    else next.physics = preset.value;
+    if (!store.apply({ shot: next }, "change the physics")) show();
+  });
+  const form = h("div");
+  root.append(
+    h("h2", {}, "Physics"),
+    h("div", { class: "labelled" }, h("label", { for: preset.id }, "Preset"), preset),
+    h("p", { class: "hint" }, "A changed value is marked, and can be put back."),
+    form,
+  );
+
+  const own = (): Values => {
+    const { physics } = store.document.shot;
+    return typeof physics === "object" ? physics : {};
+  };
+  const baseName = () => {
+    const { physics } = store.document.shot;
+    if (typeof physics === "string") return physics;
+    const { base } = own();
+    return typeof base === "string" ? base : TABLES_OWN;
+  };
+  const base = (): Values =>
+    engine.physics[baseName() || (store.shot.geometry.physics ?? "pool")] ?? {};
+  const showForm = mountParameters(form, store, engine.schema("shot"), {
+    part: "physics",
+    now: () => merged(base(), own()),
+    base,
+    changes: () => ({ ...own(), ...(baseName() === TABLES_OWN ? {} : { base: baseName() }) }),
+    write: (physics, path) =>
+      store.apply(
+        ({ shot }) => ({ shot: { ...shot, physics } }),
+        `change ${path.join(".")}`,
+        `physics ${path.join(".")}`,
+      ),
+    open: ["cloth"],
+  });
+
+  function show(): void {
+    preset.value = baseName();
+    showForm();
+  }
+  store.subscribe((now, before) => {
+    if (now.document.shot !== before.document.shot) show();
+  });
+  show();
+}

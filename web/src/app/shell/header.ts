@@ -1,0 +1,114 @@
+/** The buttons above the table: history, camera, theme, help. */
+
+import { redo, undo } from "../document/undo.ts";
+import type { Context } from "../common/context.ts";
+import type { Camera, Theme } from "../document/document.ts";
+import { h, icon } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
+
+const ICONS = {
+  undo: "M8 4L4 8l4 4M4 8h10a5.5 5.5 0 0 1 0 11h-4",
+  redo: "M16 4l4 4-4 4M20 8H10a5.5 5.5 0 0 0 0 11h4",
+  top: "M4 6h16v12H4zM4 6l0 0M12 6v0M12 18v0M8 12h.01M15 12h.01",
+  orbit: "M4 14l5-6h10l-4 8H4zM4 14v3h11v-1M15 17l4-7",
+  cue: "M12 4a4 4 0 1 0 .01 0M12 12v8M9 20h6",
+  reset: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5",
+  auto: "M12 3a9 9 0 1 0 .01 0M12 3v18",
+  light:
+    "M12 8a4 4 0 1 0 .01 0M12 2v2M12 20v2M2 12h2M20 12h2M5 5l1.4 1.4M17.6 17.6L19 19M5 19l1.4-1.4M17.6 6.4L19 5",
+  dark: "M20 14.5A8.5 8.5 0 1 1 9.5 4a7 7 0 0 0 10.5 10.5z",
+  help: "M9 9a3 3 0 1 1 4.2 2.8c-.8.4-1.2 1-1.2 2M12 17.5h.01M12 3a9 9 0 1 0 .01 0",
+} as const;
+
+const CAMERAS: Readonly<Record<Camera, string>> = {
+  top: "From above",
+  orbit: "Free camera: drag to turn it",
+  cue: "Behind the cue",
+};
+
+const THEMES: readonly Theme[] = ["auto", "light", "dark"];
+const THEME_NAMES: Readonly<Record<Theme, string>> = {
+  auto: "as the system",
+  light: "light",
+  dark: "dark",
+};
+
+type Button = HTMLButtonElement;
+
+function iconButton(name: keyof typeof ICONS, label: string, onclick: () => void): Button {
+  const attributes = { type: "button", class: "button plain", "aria-label": label, title: label };
+  return h("button", { ...attributes, onclick }, icon(ICONS[name]));
+}
+
+function name(button: Button, label: string): void {
+  button.title = label;
+  button.setAttribute("aria-label", label);
+}
+
+/** Undo and redo. Without anything to undo the button stays in the focus order and says so. */
+export function mountHistory(root: HTMLElement, store: Store, context: Context): void {
+  const back = iconButton("undo", "Undo", () => undo(store, context));
+  const again = iconButton("redo", "Redo", () => redo(store, context));
+  root.append(back, again);
+  const show = () => {
+    const { undoLabel, redoLabel } = store;
+    name(back, undoLabel === null ? "Undo" : `Undo: ${undoLabel}`);
+    name(again, redoLabel === null ? "Redo" : `Redo: ${redoLabel}`);
+    back.setAttribute("aria-disabled", String(undoLabel === null));
+    again.setAttribute("aria-disabled", String(redoLabel === null));
+  };
+  store.subscribe((now, before) => {
+    if (now.document !== before.document) show();
+  });
+  show();
+}
+
+export function mountCamera(root: HTMLElement, store: Store, context: Context): void {
+  const modes = Object.keys(CAMERAS) as Camera[];
+  const choose = (mode: Camera) => {
+    if (store.view.camera === mode) context.viewer.resetView();
+    store.setView({ camera: mode });
+    context.loop.invalidate();
+  };
+  const buttons = modes.map((mode) => {
+    const button = iconButton(mode, CAMERAS[mode], () => choose(mode));
+    button.setAttribute("role", "radio");
+    return button;
+  });
+  root.append(...buttons);
+  root.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
+    if (step === undefined) return;
+    const next = (modes.indexOf(store.view.camera) + step + modes.length) % modes.length;
+    choose(modes[next]!);
+    buttons[next]!.focus();
+    event.preventDefault();
+  });
+  const show = () => {
+    buttons.forEach((button, index) => {
+      const on = modes[index] === store.view.camera;
+      button.setAttribute("aria-checked", String(on));
+      button.tabIndex = on ? 0 : -1;
+    });
+  };
+  store.subscribe(show);
+  show();
+}
+
+/** Theme and help. */
+export function mountPageMenu(root: HTMLElement, store: Store, openHelp: () => void): void {
+  const theme = iconButton("auto", "Theme", () => {
+    const next = THEMES[(THEMES.indexOf(store.view.theme) + 1) % THEMES.length]!;
+    store.setView({ theme: next });
+  });
+  root.append(theme, iconButton("help", "Help and keys", openHelp));
+  const show = () => {
+    const now = store.view.theme;
+    name(theme, `Theme: ${THEME_NAMES[now]}`);
+    theme.replaceChildren(icon(ICONS[now]));
+  };
+  store.subscribe((now, before) => {
+    if (now.view.theme !== before.view.theme) show();
+  });
+  show();
+}

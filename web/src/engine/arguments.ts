@@ -1,0 +1,73 @@
+/** Checks of arguments whose JavaScript type WebAssembly would convert, or fail on, without a word. */
+
+import { CaromError } from "./error.js";
+
+/** A value in a message. */
+function shown(value: unknown): string {
+  if (typeof value === "number" || value === undefined) return String(value);
+  try {
+    return (JSON.stringify(value) as string | undefined) ?? typeof value;
+  } catch {
+    return typeof value;
+  }
+}
+
+/** JSON of a file that is text or a value. The engine refuses `null`, which stands for no value. */
+export function json(file: unknown): string {
+  if (typeof file === "string") return file;
+  return (JSON.stringify(file) as string | undefined) ?? "null";
+}
+
+/** @throws CaromError if `value` is not a string. */
+export function text<T extends string>(place: string, value: T): T {
+  if (typeof value === "string") return value;
+  throw new CaromError(`${place}: found ${shown(value)}; write a string`, place);
+}
+
+/** @throws CaromError if `value` is not a boolean. */
+export function boolean(place: string, value: boolean): boolean {
+  if (typeof value === "boolean") return value;
+  throw new CaromError(`${place}: found ${shown(value)}; write true or false`, place);
+}
+
+/** @throws CaromError if `value` is not an object. */
+export function object(place: string, value: unknown): object {
+  if (typeof value === "object" && value !== null) return value;
+  throw new CaromError(`${place}: found ${shown(value)}; write an object`, place);
+}
+
+/**
+ * The numbers under some keys of an object, in the order of the keys. Their ranges are the engine's
+ * affair.
+ *
+ * @throws CaromError if `of` is not an object, or a value is not a number.
+ */
+export function numbers(place: string, of: unknown, keys: readonly string[]): number[] {
+  const values = object(place, of) as Readonly<Record<string, unknown>>;
+  return keys.map((key) => {
+    const value = values[key];
+    if (typeof value === "number") return value;
+    const inner = place === "" ? key : /^\d/.test(key) ? `${place}[${key}]` : `${place}.${key}`;
+    throw new CaromError(`${inner}: found ${shown(value)}; write a number`, inner);
+  });
+}
+
+/**
+ * A whole number from 0 to `most`.
+ *
+ * @param remedy What to do for larger numbers, if anything can be done.
+ * @throws CaromError if `value` is not one.
+ */
+export function whole(
+  place: string,
+  value: number,
+  most = Number.MAX_SAFE_INTEGER,
+  remedy = "",
+): bigint {
+  if (Number.isSafeInteger(value) && value >= 0 && value <= most) return BigInt(value);
+  const more = remedy === "" ? "" : `; ${remedy}`;
+  throw new CaromError(
+    `${place}: ${shown(value)} is out of range; write a whole number from 0 to ${most}${more}`,
+    place,
+  );
+}

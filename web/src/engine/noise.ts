@@ -1,0 +1,60 @@
+/** Execution noise as the engine's five numbers, and back. */
+
+import { numbers, object } from "./arguments.js";
+import { CaromError } from "./error.js";
+import type { Noise } from "./types.js";
+import { warnOnce } from "./warn.js";
+
+const SIGMAS = ["speed", "azimuth", "elevation", "side_m", "height_m"] as const;
+
+/** Keys of older versions, whose names did not tell that they are in metres. */
+const OLD_KEYS = { side: "side_m", height: "height_m" } as const;
+
+/** The noise from σ of speed, azimuth, elevation, side and height. */
+export function namedSigmas(values: ArrayLike<number>): Noise {
+  return {
+    speed: values[0]!,
+    azimuth: values[1]!,
+    elevation: values[2]!,
+    side_m: values[3]!,
+    height_m: values[4]!,
+  };
+}
+
+/**
+ * The σ of a noise, in the engine's order.
+ *
+ * @throws CaromError if one is missing or not a number.
+ */
+export function sigmasOf(noise: Noise): Float64Array {
+  const { value, old } = withNewKeys(object("noise", noise) as Readonly<Record<string, unknown>>);
+  for (const key of old) warnOnce(`Noise.${key} is called Noise.${OLD_KEYS[key]} now`);
+  return Float64Array.from(numbers("noise", value, SIGMAS));
+}
+
+/**
+ * A noise in which the keys of older versions have their present names.
+ *
+ * @returns The noise, and the old keys that were found.
+ * @throws CaromError if a σ stands there under both of its names.
+ */
+export function withNewKeys(noise: Readonly<Record<string, unknown>>): {
+  readonly value: Readonly<Record<string, unknown>>;
+  readonly old: readonly (keyof typeof OLD_KEYS)[];
+} {
+  const value = { ...noise };
+  const old = (Object.keys(OLD_KEYS) as (keyof typeof OLD_KEYS)[]).filter((key) => key in noise);
+  for (const key of old) {
+    const present = OLD_KEYS[key];
+    if (present in noise) {
+      const place = `noise.${key}`;
+      throw new CaromError(
+        `${place}: this is the old name of ${present}; remove one of them`,
+        place,
+      );
+    }
+    value[present] = value[key];
+    Reflect.deleteProperty(value, key);
+  }
+  return { value, old };
+}

@@ -1,0 +1,149 @@
+import { describe, expect, test, vi } from "vitest";
+import { CaromError, load, type Engine } from "../../../src/engine/index.ts";
+import { documentOf } from "../../../src/app/document/file.ts";
+import { Store } from "../../../src/app/document/store.ts";
+
+const engine: Engine = await load();
+
+const SHOT = {
+  format: "carom-shot/1",
+  table: "wpa-9ft",
+  balls: [
+    { id: "cue", position: [0.5, 0.6] },
+    { id: "1", position: [0.6, 1.6] },
+  ],
+  strike: { ball: "cue", speed: 2, azimuth_deg: 80 },
+} as const;
+
+const fresh = () => new Store(engine, documentOf(SHOT));
+const azimuth = (store: Store) => store.document.shot.strike.azimuth_deg;
+
+describe("history", () => {
+  test("undo and redo go through all changes, without limit", () => {
+    const store = fresh();
+    for (let k = 1; k <= 500; k += 1) store.strike({ azimuth_deg: k / 10 }, "aim");
+    for (let k = 0; k < 500; k += 1) expect(store.undo()).toBe(true);
+    expect(azimuth(store)).toBe(80);
+    expect(store.undo()).toBe(false);
+    for (let k = 0; k < 500; k += 1) expect(store.redo()).toBe(true);
+    expect(azimuth(store)).toBe(50);
+    expect(store.redo()).toBe(false);
+  });
+
+  test("the changes of a gesture are one step, and the next gesture is another", () => {
+    const store = fresh();
+    for (const a of [10, 11, 12]) store.strike({ azimuth_deg: a }, "aim", "drag");
+    store.settle();
+    for (const a of [20, 21]) store.strike({ azimuth_deg: a }, "aim", "drag");
+    store.undo();
+    expect(azimuth(store)).toBe(12);
+    store.undo();
+    expect(azimuth(store)).toBe(80);
+  });
+
+  test("a new change after undo forgets what was undone", () => {
+    const store = fresh();
+    store.strike({ azimuth_deg: 1 }, "aim");
+    store.undo();
+    store.strike({ speed: 3 }, "change the speed");
+    expect(store.redoLabel).toBeNull();
+    expect(store.undoLabel).toBe("change the speed");
+  });
+
+  test("how one looks at the work is not undone", () => {
+    const store = fresh();
+    store.strike({ azimuth_deg: 1 }, "aim");
+    store.setView({ units: "mph" });
+    store.undo();
+    expect(store.view.units).toBe("mph");
+  });
+});
+
+describe("refusals", () => {
+  test("a refused change leaves document, history and ghost as they were, and says why", () => {
+    const store = fresh();
+    store.strike({ azimuth_deg: 70 }, "aim");
+    const before = store.document;
+    const hash = store.ghost.trace!.hash;
+    const { shot } = before;
+    const balls = [shot.balls[0]!, { id: "1", position: [0.51, 0.6] as const }];
+    expect(store.apply({ shot: { ...shot, balls } }, "move")).toBe(false);
+    expect(store.document).toBe(before);
+    expect(store.undoLabel).toBe("aim");
+    expect(store.ghost.trace!.hash).toBe(hash);
+    expect(store.session.refusal).toMatchObject({ place: "balls[1].position" });
+    expect(store.session.refusal?.attempt?.balls[1]?.position).toEqual([0.51, 0.6]);
+  });
+
+  test("letting go forgets what was tried but not why it was refused; the next change does", () => {
+    const store = fresh();
+    expect(store.strike({ side: 0.7 }, "move the tip", "face")).toBe(false);
+    expect(store.session.refusal?.attempt?.strike.side).toBe(0.7);
+    store.settle();
+    expect(store.session.refusal).toMatchObject({ attempt: null });
+    expect(store.session.refusal?.message).toContain("miscue");
+    store.strike({ side: 0.3 }, "move the tip");
+    expect(store.session.refusal).toBeNull();
+  });
+
+  test("a fault of our own is not taken for a refusal", () => {
+    const compiler = { shot: vi.fn(engine.shot.bind(engine)) };
+    const store = new Store(compiler, documentOf(SHOT));
+    compiler.shot.mockImplementationOnce(() => {
+      throw new TypeError("ours");
+    });
+    expect(() => store.apply({ shot: { ...store.document.shot, table: "wpa-8ft" } }, "x")).toThrow(
+      TypeError,
+    );
+    expect(() => new Store(engine, documentOf({ ...SHOT, table: "none" }))).toThrow(CaromError);
+  });
+});
+
+describe("simulation", () => {
+  test("the ghost is what the engine makes of the document's file, whichever way it came there", () => {
+    const store = fresh();
+    for (const patch of [
+      { azimuth_deg: 81.1234 },
+      { speed: 3.3 },
+      { elevation_deg: 33.3, side: 0.2 },
+    ]) {
+      store.strike(patch, "try");
+      expect(store.ghost.trace!.hash).toBe(engine.shot(store.document.shot).simulate().hash);
+    }
+    store.undo();
+    expect(store.ghost.trace!.hash).toBe(engine.shot(store.document.shot).simulate().hash);
+  });
+
+  test("a change of the stroke does not read the file again, and many changes simulate once", () => {
+    const compiler = { shot: vi.fn(engine.shot.bind(engine)) };
+    const store = new Store(compiler, documentOf(SHOT));
+    for (let a = 0; a < 50; a += 1) store.strike({ azimuth_deg: a }, "aim", "drag");
+    expect(compiler.shot).toHaveBeenCalledTimes(1);
+    expect(store.ghost).toBe(store.ghost);
+  });
+
+  test("the replayed trace outlives the change that ends its replay", () => {
+    const store = fresh();
+    const { trace } = store.ghost;
+    store.setSession({ mode: "replay", trace });
+    store.strike({ azimuth_deg: 12 }, "aim");
+    expect(store.session).toMatchObject({ mode: "aim", trace: null });
+    expect(trace!.hash).toMatch(/^[0-9a-f]{16}$/);
+  });
+});
+
+test("listeners hear of every change once, and of what was before it", () => {
+  const store = fresh();
+  const heard: [number, number][] = [];
+  const stop = store.subscribe((now, before) => {
+    heard.push([now.document.shot.strike.azimuth_deg, before.document.shot.strike.azimuth_deg]);
+  });
+  store.strike({ azimuth_deg: 1 }, "aim");
+  store.setView({ theme: "dark" });
+  stop();
+  store.strike({ azimuth_deg: 2 }, "aim");
+  expect(heard).toEqual([
+    [1, 80],
+    [1, 1],
+  ]);
+});

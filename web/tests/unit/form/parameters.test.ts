@@ -1,0 +1,55 @@
+import { expect, test } from "vitest";
+import { load } from "../../../src/engine/index.ts";
+import {
+  merged,
+  parameters,
+  valueAt,
+  withoutValue,
+  withValue,
+} from "../../../src/app/form/parameters.ts";
+
+const engine = await load();
+const schema = engine.schema("shot");
+
+test("the form has every number and choice of every preset", () => {
+  for (const [name, values] of Object.entries(engine.physics)) {
+    const found = new Set(parameters(schema, "physics", values).map(({ path }) => path.join(".")));
+    expect(found, name).toEqual(new Set(leaves(values)));
+  }
+});
+
+function leaves(values: object, above: readonly string[] = []): string[] {
+  return Object.entries(values).flatMap(([key, value]) =>
+    typeof value === "object" && value !== null
+      ? leaves(value as object, [...above, key])
+      : [[...above, key].join(".")],
+  );
+}
+
+test("units come from the schema's own words", () => {
+  const units = new Map(
+    parameters(schema, "physics", engine.physics.pool!).map(({ path, unit }) => [
+      path.join("."),
+      unit,
+    ]),
+  );
+  expect(units.get("gravity")).toBe("m/s²");
+  expect(units.get("ball.mass")).toBe("kg");
+  expect(units.get("cloth.spin_deceleration")).toBe("rad/s²");
+  expect(units.get("cue.end_mass")).toBe("kg");
+  expect(units.get("cloth.sliding_friction")).toBe("");
+});
+
+test("a change and its way back leave nothing behind", () => {
+  const changed = withValue({ base: "pool" }, ["cloth", "sliding_friction"], 0.3);
+  expect(changed).toEqual({ base: "pool", cloth: { sliding_friction: 0.3 } });
+  expect(withoutValue(changed, ["cloth", "sliding_friction"])).toEqual({ base: "pool" });
+});
+
+test("changes are merged over their base as the engine merges them", () => {
+  const now = merged(engine.physics.pool!, { base: "pool", cloth: { rolling_friction: 0.02 } });
+  expect(valueAt(now, ["cloth", "rolling_friction"])).toBe(0.02);
+  expect(valueAt(now, ["cloth", "sliding_friction"])).toBe(
+    valueAt(engine.physics.pool!, ["cloth", "sliding_friction"]),
+  );
+});
