@@ -1,4 +1,4 @@
-/** Starts the page: what to show, the engine, the viewer, and the loop that draws. */
+/** Starts the page: engine, first document, viewer and frame loop. */
 
 import "./style.css";
 import { load } from "../engine/index.ts";
@@ -45,7 +45,7 @@ async function start(): Promise<void> {
     return viewer.needsFrame;
   };
   window.carom = { store, engine, viewer, scene };
-  // The page can be used from the first picture on. Since the navigation began; a benchmark reads it.
+  // The page is usable once the first picture is drawn. Tests wait for this mark; a benchmark reads it.
   loop.input("first picture", () =>
     requestAnimationFrame(() => performance.mark("carom:interactive")),
   );
@@ -54,8 +54,8 @@ async function start(): Promise<void> {
 declare global {
   interface Window {
     /**
-     * For tests and for tinkering in the console: the state (`carom.store.strike({speed: 3}, "try")`),
-     * the engine (`carom.engine.shot(json).simulate().hash`), the viewer, and the scene's timings.
+     * For tests and experiments in the console: the state (`carom.store.strike({speed: 3}, "try")`), the
+     * engine (`carom.engine.shot(json).simulate().hash`), the viewer, and the timings of the scene.
      */
     carom?: Pick<Context, "engine" | "viewer"> & { store: Store; scene: Scene };
   }

@@ -1,4 +1,4 @@
-/** Puts every part of the page on its place. */
+/** Mounts every part of the page. */
 
 import { mountAimPanel } from "./aim/panel.ts";
 import type { Context } from "./common/context.ts";
@@ -25,11 +25,11 @@ import { mountWhatIf } from "./whatif/panel.ts";
 /** The mount point with this id in index.html. */
 export function place(id: string): HTMLElement {
   const element = document.getElementById(id);
-  if (!element) throw new Error(`index.html has no element "${id}"`);
+  if (!element) throw new Error(`index.html has no element "${id}"; add it`);
   return element;
 }
 
-/** @param welcome Whether the first steps are shown. */
+/** @param welcome Whether to show the first steps. */
 export function mountPage(store: Store, context: Context, welcome: boolean): void {
   const table = place("table") as HTMLCanvasElement;
   mountTheme(store, context);

@@ -1,4 +1,4 @@
-/** Keeps the viewer's scene as the state says: the only place that tells it what to show. */
+/** Updates the viewer from the state. No other module changes what the viewer shows, except films. */
 
 import { STRIDE, type Engine, type Trace } from "../engine/index.ts";
 import type { CuePose, Mark, Viewer } from "../viewer/index.ts";
@@ -9,13 +9,13 @@ import type { Game } from "./document/game.ts";
 import { canAim, standing } from "./game/play.ts";
 import type { State, Store } from "./document/store.ts";
 
-/** How far (m) a drawn path may be from the exact one: under a pixel at any zoom worth having. */
+/** Greatest distance (m) of a drawn path from the exact one: below a pixel at usual zooms. */
 const PATH_TOLERANCE = 0.0005;
 
-/** The cue's distance from the ball (m) at rest, and what a m/s of speed adds: one sees how hard. */
+/** Distance of the cue from the ball (m), and its increase per m/s, which shows the speed. */
 const PULL = 0.03;
 const PULL_PER_SPEED = 0.03;
-/** Longest pull (m), so that the cue stays in the picture. */
+/** Greatest distance (m), so that the cue stays in the picture. */
 const LONGEST_PULL = 0.35;
 
 const RADIANS = Math.PI / 180;
@@ -31,7 +31,7 @@ export class Scene {
   readonly #viewer: Viewer;
   readonly #engine: Engine;
   #shown: State | null = null;
-  /** The game whose areas are drawn. */
+  /** The game whose areas are shown. */
   #game: Game | null = null;
   #paths: Trace | null = null;
   #style: "ghost" | "trace" = "ghost";
@@ -46,7 +46,7 @@ export class Scene {
     });
   }
 
-  /** Brings the scene up to date. Called once before every picture. */
+  /** Updates the scene. Called once before every picture. */
   update(): void {
     const now = this.#store.state;
     const before = this.#shown;
@@ -71,7 +71,7 @@ export class Scene {
     this.#setPaths(trace, "trace");
     this.#viewer.setCue(null);
     this.#viewer.setMarks([]);
-    this.#pointOut(null);
+    this.#showAreas(null);
   }
 
   #aim({ document, session }: State): void {
@@ -95,11 +95,11 @@ export class Scene {
         ? [{ position: place(states, refused.index), kind: "refused", ball: refused.index }]
         : []),
     ]);
-    this.#pointOut(document.game);
+    this.#showAreas(document.game);
   }
 
-  /** What a game points out on the cloth; null: nothing. */
-  #pointOut(game: Game | null): void {
+  /** Marks the areas of a game on the cloth; null removes them. */
+  #showAreas(game: Game | null): void {
     if (game === this.#game) return;
     this.#game = game;
     const progress = standing(this.#store, this.#engine);
@@ -118,7 +118,7 @@ export class Scene {
   }
 
   #setPaths(trace: Trace | null, style: "ghost" | "trace"): void {
-    // The same trace serves as ghost and as replay, in different styles.
+    // Ghost and replay show the same trace in different styles.
     if (trace === this.#paths && style === this.#style) return;
     this.#paths = trace;
     this.#style = style;
@@ -130,7 +130,7 @@ export class Scene {
   }
 }
 
-/** Whether a way has any length. */
+/** Whether a path has any length. */
 function moves(points: Float64Array): boolean {
   for (let k = 4; k < points.length; k += 4) {
     if (points[k] !== points[0] || points[k + 1] !== points[1]) return true;
@@ -149,7 +149,7 @@ function pose({ strike }: AimedShot, ball: number): CuePose {
   };
 }
 
-/** The struck ball at its first contact with a ball, and where it comes to rest. */
+/** Ghost balls: the struck ball at its first contact with another ball, and where it stops. */
 function marks(trace: Trace): Mark[] {
   const { struck, balls } = trace.shot;
   const id = struck === null ? null : balls[struck]!.id;
@@ -175,7 +175,7 @@ function place(states: Float64Array, ball: number): [number, number, number] {
   return [states[at]!, states[at + 1]!, states[at + 2]!];
 }
 
-/** The ball that was tried somewhere else than it is, if that was refused. */
+/** The ball whose new position was refused, if there is one. */
 function refusedBall(
   attempt: AimedShot | null,
   shot: AimedShot,

@@ -2,11 +2,16 @@
 
 import { CaromError } from "./error.js";
 
+/** As `JSON.stringify`, whose type does not say that functions and symbols give undefined. */
+function stringify(value: unknown): string | undefined {
+  return JSON.stringify(value);
+}
+
 /** A value in a message. */
 function shown(value: unknown): string {
   if (typeof value === "number" || value === undefined) return String(value);
   try {
-    return (JSON.stringify(value) as string | undefined) ?? typeof value;
+    return stringify(value) ?? typeof value;
   } catch {
     return typeof value;
   }
@@ -15,7 +20,7 @@ function shown(value: unknown): string {
 /** JSON of a file that is text or a value. The engine refuses `null`, which stands for no value. */
 export function json(file: unknown): string {
   if (typeof file === "string") return file;
-  return (JSON.stringify(file) as string | undefined) ?? "null";
+  return stringify(file) ?? "null";
 }
 
 /** @throws CaromError if `value` is not a string. */

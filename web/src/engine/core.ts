@@ -207,17 +207,14 @@ class WasmEngine implements Engine {
     );
   }
 
-  schema(kind: "shot" | "trace"): object {
+  schema(kind: string): object {
     const schemas: Readonly<Record<string, () => string>> = {
       shot: wasm.shotSchema,
       trace: wasm.traceSchema,
     };
     const schema = Object.hasOwn(schemas, kind) ? schemas[kind] : undefined;
     if (schema) return JSON.parse(schema()) as object;
-    throw new CaromError(
-      `kind: there is no schema "${String(kind)}"; write "shot" or "trace"`,
-      "kind",
-    );
+    throw new CaromError(`kind: there is no schema "${kind}"; write "shot" or "trace"`, "kind");
   }
 }
 

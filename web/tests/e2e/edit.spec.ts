@@ -115,7 +115,7 @@ test("a parameter of the physics is changed, refused out of range, and put back"
   await field.press("Enter");
   expect(await page.getByRole("alert").textContent()).toContain("physics.cloth.sliding_friction");
   expect((await shotOf(page)).physics).toEqual({ cloth: { sliding_friction: 0.3 } });
-  await page.getByRole("button", { name: "Put back Cloth sliding friction" }).click();
+  await page.getByRole("button", { name: "Reset Cloth sliding friction" }).click();
   expect((await shotOf(page)).physics ?? {}).toEqual({});
 });
 
@@ -149,7 +149,7 @@ test("a table's dimensions are changed, refused with the reason, put back and un
   await write("Width", "0.9");
   expect(await refusal.textContent()).toContain("balls[3].position");
   expect(await table()).toEqual({ base: "wpa-9ft", corner_pocket: { mouth: 0.125 } });
-  await page.getByRole("button", { name: "Put back corner pockets mouth" }).click();
+  await page.getByRole("button", { name: "Reset corner pockets mouth" }).click();
   expect(await table()).toBe("wpa-9ft");
 
   await write("Length", "2");
@@ -158,7 +158,7 @@ test("a table's dimensions are changed, refused with the reason, put back and un
     length: 2,
     markings: { head_string: 0.5 },
   });
-  await page.getByRole("button", { name: "Put all back" }).click();
+  await page.getByRole("button", { name: "Reset all" }).click();
   expect(await table()).toBe("wpa-9ft");
   await page.getByRole("combobox", { name: "Pocket model" }).selectOption("mouth-line");
   expect(await table()).toEqual({ base: "wpa-9ft", pocket_model: "mouth-line" });

@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import type { ShotFile, TraceFile } from "../../src/engine/index.ts";
+import { toFragment } from "../../src/app/share/link.ts";
 import { expect, native, picture, shotOf, SMALL, test } from "./fixture.ts";
 import { python } from "./python.ts";
 
@@ -119,6 +120,30 @@ test("the address follows the work without filling the way back", async ({ open 
   }
   expect(await page.evaluate(() => location.hash)).toMatch(/^#s=1\./);
   expect(await page.evaluate(() => history.length)).toBe(entries);
+});
+
+test("a link with a malformed shot or a huge noise opens the first shot and names the fault", async ({
+  open,
+}) => {
+  const first = await hash(await open());
+  const shot = {
+    format: "carom-shot/1",
+    table: "wpa-9ft",
+    balls: [{ id: "cue", position: [0.5, 1] }],
+  };
+  const noise = { speed: 1e9, azimuth: 0, elevation: 0, side_m: 0, height_m: 0 };
+  for (const [data, words] of [
+    [{ shot: {} }, /format/],
+    [{ shot: { balls: 5 } }, /format/],
+    [{ shot: { balls: [null] } }, /format/],
+    [{ shot: { ...shot, balls: [null] } }, /balls\[0\]/],
+    [{ shot, noise }, /noise\.speed/],
+  ] as const) {
+    const page = await open({ hash: toFragment(data) });
+    expect(await page.getByRole("alert").textContent()).toMatch(words);
+    expect(await hash(page)).toBe(first);
+    await page.context().close();
+  }
 });
 
 test("a broken link or one of another version is refused in words and stays in the address", async ({

@@ -1,4 +1,4 @@
-/** Below the table: what would happen, and the button that makes it happen. */
+/** Below the table: the predicted outcome of the shot, and the button that plays it. */
 
 import type { Context } from "../common/context.ts";
 import { h, icon, setText, shortened } from "../common/dom.ts";
@@ -8,8 +8,8 @@ import type { Store } from "../document/store.ts";
 import { obstruction, summary } from "../common/words.ts";
 import { shoot, takeItFromHere } from "./shoot.ts";
 
-/** Screen readers are told once the aim has rested this long (ms), not at every pixel of a drag. */
-const QUIET = 600;
+/** Time (ms) without a change after which the outcome is read to screen readers. */
+const REST = 600;
 
 export function mountDock(root: HTMLElement, store: Store, context: Context): void {
   const text = h("p", { class: "outcome", id: "outcome" });
@@ -30,11 +30,11 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
     icon("M5 19L15 9M15 9l4-4M17 3l4 4"),
     "Shoot",
   );
-  const aloud = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
+  const spoken = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
   root.append(
-    h("div", { class: "told" }, text, h("div", { class: "row" }, warning, remedy)),
+    h("div", { class: "outcome-text" }, text, h("div", { class: "row" }, warning, remedy)),
     button,
-    aloud,
+    spoken,
   );
 
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -51,10 +51,10 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
     button.setAttribute("aria-disabled", String(trace === null));
     clearTimeout(timer);
     timer = setTimeout(() => {
-      setText(aloud, [text.textContent, obstacle].filter(Boolean).join(" "));
-    }, QUIET);
+      setText(spoken, [text.textContent, obstacle].filter(Boolean).join(" "));
+    }, REST);
   }
-  // Once per frame, however many changes there were.
+  // At most once per frame.
   store.subscribe((now, before) => {
     if (now.document === before.document && now.session.mode === before.session.mode) return;
     context.loop.input(root, show);
@@ -62,7 +62,7 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
   show();
 }
 
-/** The way on from a replay, beside the way back. */
+/** The button that continues from the end of the replay, beside the one that ends the replay. */
 export function mountTake(back: HTMLElement, store: Store, context: Context): void {
   const onclick = () => {
     takeItFromHere(store, context);

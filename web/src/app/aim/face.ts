@@ -1,4 +1,4 @@
-/** The ball as the shooter sees it: where the tip strikes it, and how far out it holds. */
+/** The cue ball as the shooter sees it, with the tip position and the miscue limit. */
 
 import { FINE } from "../document/strike.ts";
 import type { Context } from "../common/context.ts";
@@ -6,10 +6,10 @@ import { h, svg } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
 
-/** Ball radii per arrow key. */
+/** Step of an arrow key, ball radii. */
 const STEP = 0.02;
 
-/** Decimals of an offset in ball radii: a thousandth is 0.03 mm. */
+/** Decimals of an offset in ball radii: 0.001 is 0.03 mm. */
 const DIGITS = 3;
 
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
@@ -54,21 +54,21 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
     );
 
   let last: { x: number; y: number } | null = null;
-  /** Where the pointer has led the tip, also where it was refused. */
-  let led = { side: 0, height: 0 };
+  /** The offset that the pointer asks for, even if it is refused. */
+  let wanted = { side: 0, height: 0 };
 
   face.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;
     face.setPointerCapture(event.pointerId);
     const { side = 0, height = 0 } = store.document.shot.strike;
-    led = { side, height };
+    wanted = { side, height };
     last = { x: event.clientX, y: event.clientY };
-    if (fine(event) === 1) lead(event);
+    if (fine(event) === 1) follow(event);
   });
   face.addEventListener("pointermove", (event) => {
     if (!last) return;
     context.loop.input(face, () => {
-      lead(event);
+      follow(event);
     });
   });
   for (const type of ["pointerup", "pointercancel"] as const) {
@@ -79,26 +79,26 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
     });
   }
 
-  function lead(event: PointerEvent): void {
+  function follow(event: PointerEvent): void {
     if (!last) return;
     const box = drawing.getBoundingClientRect();
     const scale = 2.16 / box.width;
     if (fine(event) === 1) {
-      led = {
+      wanted = {
         side: (event.clientX - box.left - box.width / 2) * scale,
         height: -(event.clientY - box.top - box.height / 2) * scale,
       };
     } else {
-      led = {
-        side: led.side + (event.clientX - last.x) * scale * FINE,
-        height: led.height - (event.clientY - last.y) * scale * FINE,
+      wanted = {
+        side: wanted.side + (event.clientX - last.x) * scale * FINE,
+        height: wanted.height - (event.clientY - last.y) * scale * FINE,
       };
     }
-    // Off the ball there is nothing to strike: the edge is what is meant.
-    const out = Math.hypot(led.side, led.height);
-    if (out > 1) led = { side: led.side / out, height: led.height / out };
+    // Outside the ball, use its edge.
+    const out = Math.hypot(wanted.side, wanted.height);
+    if (out > 1) wanted = { side: wanted.side / out, height: wanted.height / out };
     last = { x: event.clientX, y: event.clientY };
-    put(led.side, led.height, "face");
+    put(wanted.side, wanted.height, "face");
   }
 
   face.addEventListener("keydown", (event) => {
@@ -136,10 +136,13 @@ function at(circle: SVGCircleElement, side: number, height: number): void {
   circle.setAttribute("cy", String(-height));
 }
 
-/** An offset in words, in hundredths of the ball's radius. */
+/** An offset in words, in percent of the ball's radius. */
 export function spoken(side: number, height: number): string {
   const part = (value: number, plus: string, minus: string) =>
     value === 0 ? "" : `${round(Math.abs(value) * 100, 1)} % ${value > 0 ? plus : minus}`;
-  const parts = [part(side, "right", "left"), part(height, "above", "below")].filter(Boolean);
-  return parts.length > 0 ? `${parts.join(", ")} of the centre` : "centre";
+  const parts = [
+    part(side, "right English", "left English"),
+    part(height, "follow", "draw"),
+  ].filter(Boolean);
+  return parts.length > 0 ? parts.join(", ") : "centre";
 }

@@ -1,4 +1,4 @@
-/** The strike in numbers: tip, speed, elevation, direction, and which ball is struck. */
+/** The Aim tab: tip position, speed, elevation and direction of the cue, and the ball to strike. */
 
 import { FINE, turn } from "../document/strike.ts";
 import { AZIMUTH_DIGITS, wrap } from "../common/angles.ts";
@@ -9,14 +9,14 @@ import { follow, mountField } from "../form/field.ts";
 import type { Store } from "../document/store.ts";
 import { round, speedFrom, speedIn, type SpeedUnit, SPEED_UNITS } from "../common/units.ts";
 
-/** The slider's range of the cue's speed (m/s): a lag to the hardest break. The number goes to 50. */
+/** Range of the speed slider (m/s): from a soft roll to the hardest break. The number field takes up to 50. */
 const SOFTEST = 0.1;
 const HARDEST = 12;
 
-/** The slider's highest elevation (degrees): as steep as a hand can hold a cue. The number goes on. */
+/** Highest elevation of the slider (degrees). The number field takes more. */
 const STEEPEST = 85;
 
-/** Degrees that a press on one of the arrows turns the cue. */
+/** Degrees by which an arrow button turns the cue. */
 const TURN = 1;
 
 export function mountAimPanel(root: HTMLElement, store: Store, context: Context): void {
@@ -32,7 +32,7 @@ export function mountAimPanel(root: HTMLElement, store: Store, context: Context)
     h(
       "p",
       { class: "hint", id: "face-hint" },
-      "Click the ball or use its arrow keys; outside the dashed circle the tip slips off.",
+      "Click the ball, or use the arrow keys: left and right for English, up for follow, down for draw. Outside the dashed circle the cue miscues.",
     ),
     h("h2", {}, "Stroke"),
   );
@@ -107,7 +107,7 @@ function mountDirection(root: HTMLElement, store: Store, context: Context): void
   mountField(field, store, context, {
     label: "Direction",
     unit: "°",
-    spoken: "degrees, counter-clockwise from the short side's direction",
+    spoken: "degrees counter-clockwise from the direction of the short rails",
     digits: AZIMUTH_DIGITS,
     min: () => 0,
     max: () => 360,
@@ -135,7 +135,7 @@ function mountDirection(root: HTMLElement, store: Store, context: Context): void
     {
       type: "button",
       class: "button",
-      title: "Fine adjustment: every drag and key counts a tenth (F)",
+      title: "Fine adjustment: drags and keys have a tenth of their effect (F)",
       onclick: () => {
         store.setSession({ fine: !store.session.fine });
       },

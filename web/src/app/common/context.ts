@@ -1,4 +1,4 @@
-/** What every part of the page is given besides the store. */
+/** Services that every part of the page receives beside the store. */
 
 import type { Engine } from "../../engine/index.ts";
 import type { Viewer } from "../../viewer/index.ts";
@@ -8,8 +8,8 @@ export interface Context {
   readonly engine: Engine;
   readonly viewer: Viewer;
   readonly loop: FrameLoop;
-  /** Says a sentence to everybody: on screen for a while, and to screen readers at once. */
+  /** Shows a sentence for some seconds; screen readers read it at once. */
   announce(sentence: string): void;
-  /** Whether the user asks for less motion, at this moment. */
+  /** Whether the user prefers reduced motion at present. */
   reducedMotion(): boolean;
 }

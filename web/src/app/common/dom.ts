@@ -1,13 +1,13 @@
-/** Plain DOM in fewer words. */
+/** Helpers that create and change DOM elements. */
 
 type Attributes = Readonly<Record<string, string | number | boolean | EventListener | undefined>>;
 export type Child = Node | string | null | undefined | false;
 
 /**
- * An element with attributes and children.
+ * Creates an element with attributes and children.
  *
- * Functions become listeners under their key without "on"; `true` is an attribute without a value,
- * `false` and `undefined` none.
+ * A function becomes a listener for the event named by its key without "on". `true` sets an attribute
+ * without a value; `false` and `undefined` set none.
  */
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K,
@@ -17,7 +17,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return dress(document.createElement(tag), attributes, children);
 }
 
-/** As `h`, for drawings. */
+/** Creates an SVG element, as `h` does for HTML. */
 export function svg<K extends keyof SVGElementTagNameMap>(
   tag: K,
   attributes: Attributes = {},
@@ -40,13 +40,13 @@ function dress<E extends Element>(element: E, attributes: Attributes, children: 
 
 let lastId = 0;
 
-/** An id that no other element has, for labels. */
+/** An id that no other element has, so that a label can refer to it. */
 export function uniqueId(stem: string): string {
   lastId += 1;
   return `${stem}-${lastId}`;
 }
 
-/** An icon from a path on a 24 × 24 grid; decoration, so the button around it needs a label. */
+/** An icon from a path on a 24 × 24 grid. Screen readers skip it: its button needs a label. */
 export function icon(path: string): SVGSVGElement {
   return svg(
     "svg",
@@ -55,12 +55,12 @@ export function icon(path: string): SVGSVGElement {
   );
 }
 
-/** Sets a text only where it differs: a live region then speaks only of what is new. */
+/** Sets a text only if it differs, so that a live region is read only when it changes. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** What a button says where there is room for its whole name, and where there is not. */
+/** A button's text in two versions: the style shows the short one where room is scarce. */
 export function shortened(name: string, short: string): HTMLElement[] {
   return [h("span", { class: "long" }, name), h("span", { class: "short" }, short)];
 }

@@ -1,13 +1,13 @@
 /**
- * The one place that asks for animation frames. Pointer events of a frame become one change, a
- * change becomes one picture, and nothing is drawn while nothing changes.
+ * Requests all animation frames of the page. The pointer events of one frame become one change of the
+ * state and one picture; without a change nothing is drawn.
  */
 
 /**
- * Called every frame while it wants to be.
+ * Called in every frame until it returns false.
  *
- * @param elapsed Wall time since the last frame, s; 0 in the first after a pause.
- * @returns Whether it wants another frame.
+ * @param elapsed Wall time since the previous frame, s; 0 in the first frame after a pause.
+ * @returns Whether to call it again in the next frame.
  */
 export type Tick = (elapsed: number) => boolean;
 
@@ -20,8 +20,8 @@ export class FrameLoop {
   #last: number | null = null;
 
   /**
-   * @param draw Draws the picture; returns whether it wants another frame (a camera on its way).
-   * @param request `requestAnimationFrame`, or a test's.
+   * @param draw Draws the picture; returns whether another frame is needed (the camera moves).
+   * @param request `requestAnimationFrame`, or a replacement in tests.
    */
   constructor(
     draw: () => boolean,
@@ -32,7 +32,7 @@ export class FrameLoop {
     this.#request = request;
   }
 
-  /** Draws in the next frame. */
+  /** Requests a picture in the next frame. */
   invalidate(): void {
     if (this.#pending) return;
     this.#pending = true;
@@ -41,15 +41,15 @@ export class FrameLoop {
     });
   }
 
-  /** Runs `handle` in the next frame, before drawing; of those with one key only the last. */
+  /** Runs `handle` in the next frame before drawing. A later handle with the same key replaces it. */
   input(key: unknown, handle: () => void): void {
     this.#inputs.set(key, handle);
     this.invalidate();
   }
 
   /**
-   * Runs what waits for the next frame now, and what that asks for: a gesture that ends must not
-   * lose its last move.
+   * Runs the waiting handles now, and those that they add. Called when a gesture ends, so that its
+   * last move is not lost.
    */
   flush(): void {
     while (this.#inputs.size > 0) {
@@ -67,7 +67,7 @@ export class FrameLoop {
 
   #frame(now: number): void {
     const elapsed = this.#last === null ? 0 : (now - this.#last) / 1000;
-    // Still pending: what this frame's changes ask for is in this frame's picture.
+    // `#pending` stays true until the picture is drawn: changes requested now need no other frame.
     this.flush();
     for (const tick of [...this.#ticks]) if (!tick(elapsed)) this.#ticks.delete(tick);
     this.flush();

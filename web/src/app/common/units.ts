@@ -1,12 +1,12 @@
-/** Numbers as people read them. Inside, everything is SI. */
+/** Conversion of SI numbers to the units and the text that users read. */
 
 export type SpeedUnit = "m/s" | "km/h" | "mph";
 
-/** m/s in one unit. */
+/** m/s per unit. */
 export const SPEED_UNITS: Readonly<Record<SpeedUnit, number>> = {
   "m/s": 1,
   "km/h": 1 / 3.6,
-  // The international mile of 1609.344 m, in an hour.
+  // The international mile is 1609.344 m.
   mph: 1609.344 / 3600,
 };
 
@@ -27,7 +27,7 @@ export function round(value: number, digits: number): number {
   return rounded === 0 ? 0 : rounded;
 }
 
-/** A length (m) in words, in the unit in which one thinks of it. */
+/** A length (m) as text: in mm below 1 m, else in m. */
 export function lengthText(metres: number): string {
   return metres < 1 ? `${Math.round(metres * 1000)} mm` : `${metres.toFixed(2)} m`;
 }

@@ -1,13 +1,13 @@
-/** What a shot does, in short sentences. */
+/** Names of balls and places, and the outcome of a shot in short sentences. */
 
 import { CaromError, type Outcome, type Trace } from "../../engine/index.ts";
 import { lengthText } from "./units.ts";
 
-/** A flight lower than this (m) is the small hop of every raised cue: not worth a word. */
-const WORTH_A_WORD = 0.003;
+/** Lowest hop (m) that is reported: nearly every elevated cue makes the ball hop a little. */
+const REPORTED_HOP = 0.003;
 
-/** Chords of the way whose height is read; a tenth of what is told. */
-const TOLERANCE = WORTH_A_WORD / 10;
+/** Tolerance (m) of the path whose height is read: a tenth of the lowest reported hop. */
+const TOLERANCE = REPORTED_HOP / 10;
 
 /** A ball's name within a sentence. */
 export function ballName(id: string): string {
@@ -20,30 +20,32 @@ export function placeName(name: string): string {
   return name.replace("-", " ");
 }
 
+/** A text as a sentence: with a capital and a full stop. */
 export function sentence(text: string): string {
   return `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
 }
 
-/** What the shooter should know before anything else, or null: the cue has no clear way. */
+/** A warning if a ball or rail is in the way of the cue; null if none is. */
 export function obstruction(outcome: Outcome): string | null {
   const { cue_obstructed: by, least_elevation_deg: least } = outcome;
   if (by === null) return null;
   const what = /^(left|right|top|bottom)/.test(by) ? `the ${placeName(by)} rail` : ballName(by);
-  const remedy = least === null ? "aim elsewhere" : `raise it to ${raised(least)}° or more`;
+  const remedy =
+    least === null ? "aim in another direction" : `raise it to ${raised(least)}° or more`;
   return `The cue would pass through ${what}: ${remedy}.`;
 }
 
-/** The least elevation, rounded up to a tenth of a degree, so that it is enough. */
+/** The least elevation that clears the obstacle, rounded up to a tenth of a degree. */
 export function raised(leastElevation: number): number {
   return Math.ceil(leastElevation * 10) / 10;
 }
 
-/** The outcome of a shot, most important first. */
+/** The outcome of a shot in sentences, the most important first. */
 export function summary(trace: Trace): string[] {
   const { outcome } = trace;
   const cue = outcome.cue_ball;
   const said: string[] = [];
-  if (outcome.miscue) said.push("A miscue: the tip would slip off.");
+  if (outcome.miscue) said.push("Miscue: the tip would slip off the ball.");
   said.push(contact(outcome));
   for (const [ball, pocket] of outcome.pocketed) {
     if (ball !== cue)
@@ -58,7 +60,7 @@ export function summary(trace: Trace): string[] {
     said.push(sentence(`${ballName(ball)} jumps over ${ballName(over)}`));
   }
   const hop = cue === null ? 0 : highest(trace, cue);
-  if (hop > WORTH_A_WORD) said.push(sentence(`${ballName(cue!)} hops ${lengthText(hop)} high`));
+  if (hop > REPORTED_HOP) said.push(sentence(`${ballName(cue!)} hops ${lengthText(hop)} high`));
   for (const [ball, pocket] of outcome.hanging) {
     said.push(sentence(`${ballName(ball)} hangs at the ${placeName(pocket)} pocket`));
   }
@@ -73,7 +75,7 @@ function contact(outcome: Outcome): string {
   return `Hits ${ballName(outcome.first_contact)} first${after}.`;
 }
 
-/** How far a ball's lowest point comes above the cloth (m). */
+/** Greatest height of a ball's lowest point above the cloth (m). */
 function highest(trace: Trace, id: string): number {
   const index = trace.shot.balls.findIndex((ball) => ball.id === id);
   const ball = trace.shot.balls[index];
@@ -84,7 +86,7 @@ function highest(trace: Trace, id: string): number {
   return top - ball.radius;
 }
 
-/** An error as a sentence to show: ours as it is, others with their type. */
+/** An error as text: the engine's own message, or type and message of any other error. */
 export function errorText(error: unknown): string {
   if (error instanceof CaromError) return error.message;
   return error instanceof Error ? `${error.name}: ${error.message}` : String(error);

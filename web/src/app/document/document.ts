@@ -1,44 +1,44 @@
-/** What a page is about: the document with its history, and the session around it. */
+/** The state of the page: the document, the view and the session. */
 
 import type { Noise, ShotFile, StrikeEntry, Trace } from "../../engine/index.ts";
 import type { SpeedUnit } from "../common/units.ts";
 import type { Game } from "./game.ts";
 
-/** A shot file that has a strike: what one can aim with. */
+/** A shot file with a strike. */
 export type AimedShot = ShotFile & { readonly strike: StrikeEntry };
 
-/** The work: everything that undo takes back. Immutable. */
+/** Everything that undo can restore. Immutable. */
 export interface Document {
   readonly shot: AimedShot;
-  /** Spread of the player's execution; null: none is shown. */
+  /** The player's execution errors; null: the what-if simulation is off. */
   readonly noise: Noise | null;
-  /** Seed of the what-ifs' random numbers and of racks. */
+  /** Seed of racks and of the what-if simulation. */
   readonly seed: number;
-  /** The game in which the shot is played; null: a free table. */
+  /** The game that is being played; null: free play. */
   readonly game: Game | null;
 }
 
 export type Theme = "auto" | "light" | "dark";
 export type Camera = "top" | "orbit" | "cue";
 
-/** How the work is looked at: part of a link, but not of the history. */
+/** How the document is shown. A link contains it; undo does not change it. */
 export interface View {
   readonly theme: Theme;
   readonly camera: Camera;
   readonly units: SpeedUnit;
 }
 
-/** A change that the engine did not accept. */
+/** A change that was refused. */
 export interface Refusal {
-  /** The engine's sentence: place, what is wrong, remedy. */
+  /** Place, fault and remedy in one sentence. */
   readonly message: string;
-  /** Key in the shot file, such as `balls[3].position`; empty if there is none. */
+  /** Key in the shot file, such as `balls[3].position`; empty if the refusal concerns no key. */
   readonly place: string;
-  /** What was tried, so that the page can show it where it was tried; null once it is let go. */
+  /** The refused shot, which the page shows until the gesture ends; null afterwards. */
   readonly attempt: AimedShot | null;
 }
 
-/** What goes on at the moment; never undone, never shared. */
+/** Temporary state: neither undone nor part of a link. */
 export interface Session {
   readonly mode: "aim" | "replay";
   /** The shot that is replayed; null while aiming. */
@@ -46,13 +46,13 @@ export interface Session {
   /** Time of the replay, s since the strike. */
   readonly time: number;
   readonly playing: boolean;
-  /** Replay seconds per second. */
+  /** Seconds of the replay per second of wall time. */
   readonly rate: number;
   /** Id of the selected ball. */
   readonly selected: string | null;
   readonly hovered: string | null;
   readonly refusal: Refusal | null;
-  /** Fine adjustment: every turn and drag counts a tenth. */
+  /** Fine adjustment: drags and keys have a tenth of their effect. */
   readonly fine: boolean;
 }
 

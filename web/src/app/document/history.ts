@@ -1,10 +1,10 @@
-/** Undo and redo without limit over immutable states. Knows nothing of what the states are. */
+/** Unlimited undo and redo over immutable states of any type. */
 
 interface Entry<T> {
   readonly state: T;
-  /** What led to this state, for "Undo …". Empty for the first. */
+  /** Name of the change that led to this state, for "Undo: …"; empty for the first state. */
   readonly label: string;
-  /** Changes of one gesture carry one group and are one entry; null once the gesture is over. */
+  /** Changes with the same group are one entry; null once the gesture is over. */
   readonly group: string | null;
 }
 
@@ -21,24 +21,24 @@ export class History<T> {
     return this.#present.state;
   }
 
-  /** What undo would take back, null if there is nothing. */
+  /** Name of the change that undo would take back; null if there is none. */
   get undoLabel(): string | null {
     return this.#past.length > 0 ? this.#present.label : null;
   }
 
-  /** What redo would do again, null if there is nothing. */
+  /** Name of the change that redo would repeat; null if there is none. */
   get redoLabel(): string | null {
     return this.#future.at(-1)?.label ?? null;
   }
 
-  /** Makes `state` the present. Within one group only the last state is kept. */
+  /** Adds a state. It replaces the present one if both have the same group. */
   push(state: T, label: string, group: string | null = null): void {
     if (group === null || group !== this.#present.group) this.#past.push(this.#present);
     this.#present = { state, label, group };
     this.#future = [];
   }
 
-  /** Ends the gesture: the next push is an entry of its own whatever its group. */
+  /** Ends the gesture: the next state becomes an entry of its own, whatever its group. */
   settle(): void {
     this.#present = { ...this.#present, group: null };
   }

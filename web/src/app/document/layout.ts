@@ -1,4 +1,4 @@
-/** Changes of the layout: balls that come and go, racks and tables. Pure but for the engine. */
+/** Changes of the layout: add, move and remove balls, rack a game, choose a table. */
 
 import { CaromError, type BallEntry, type Engine, type Point } from "../../engine/index.ts";
 import { round4 } from "../common/angles.ts";
@@ -7,10 +7,10 @@ import { accepts, aimed } from "./file.ts";
 import type { Store } from "./store.ts";
 import { ballName } from "../common/words.ts";
 
-/** Places tried for a new ball along the table's width; twice as many along its length. */
+/** Intervals of the grid that is searched for a free place: across the table; twice as many along it. */
 const PLACES = 12;
 
-/** The id that one probably wants next: the cue ball if there is none, else the lowest number. */
+/** Suggested id of a new ball: "cue" if there is no cue ball, else the lowest free number. */
 export function nextId(balls: readonly BallEntry[]): string {
   const taken = new Set(balls.map((ball) => ball.id));
   if (!taken.has("cue") && !taken.has("white")) return "cue";
@@ -23,9 +23,10 @@ export function nextId(balls: readonly BallEntry[]): string {
 export function addBall(store: Store, engine: Engine, id: string): boolean {
   const { shot } = store.document;
   const trimmed = id.trim();
-  if (trimmed === "") return refuse(store, "Give the new ball a name, such as 9 or red.");
+  if (trimmed === "")
+    return refuse(store, "The new ball has no name: write one, such as 9 or red.");
   if (shot.balls.some((ball) => ball.id === trimmed)) {
-    return refuse(store, `There is a ball "${trimmed}" already: choose another name.`);
+    return refuse(store, `There already is a ball "${trimmed}": write another name.`);
   }
   const size = store.shot.geometry.size ?? ([1, 2] as const);
   for (const position of places(size)) {
@@ -37,12 +38,13 @@ export function addBall(store: Store, engine: Engine, id: string): boolean {
   return refuse(store, "No free place is left for another ball: remove one first.");
 }
 
-/** Removes a ball; if it was the struck one, the first that is left is struck from now on. */
+/** Removes a ball. If it was the struck ball, the first ball left becomes the struck one. */
 export function removeBall(store: Store, id: string): boolean {
   const { shot } = store.document;
   const balls = shot.balls.filter((ball) => ball.id !== id);
   const first = balls[0];
-  if (!first) return refuse(store, "The last ball stays: a shot needs one to strike.");
+  if (!first)
+    return refuse(store, "The last ball cannot be removed: a shot needs a ball to strike.");
   const struck = shot.strike.ball === id ? first.id : shot.strike.ball;
   const next = { ...shot, balls, strike: { ...shot.strike, ball: struck } };
   if (!store.apply({ shot: next }, `remove ${ballName(id)}`)) return false;
@@ -50,7 +52,7 @@ export function removeBall(store: Store, id: string): boolean {
   return true;
 }
 
-/** The opening shot of a game, on its usual table, racked as the seed says. */
+/** Racks a game on its usual table; the seed decides the order of the balls and the gaps. */
 export function rack(store: Store, engine: Engine, game: string, seed: number): boolean {
   try {
     const { file } = engine.breakShot(game, { seed });
@@ -75,8 +77,8 @@ export function placeBall(
 }
 
 /**
- * Another table: the balls stay where they are if they can, else where they are in proportion.
- * Physics of the old table's own goes with it; what the user chose stays.
+ * Chooses another table. The balls keep their positions if the new table accepts them; otherwise the
+ * positions are scaled to its size. The physics changes with the table, unless the user chose it.
  */
 export function changeTable(store: Store, engine: Engine, name: string): boolean {
   const { shot } = store.document;
@@ -100,7 +102,7 @@ function scale(
   return [round4((x / from[0]) * to[0]), round4((y / from[1]) * to[1])];
 }
 
-/** Places on the table, those nearest to its middle first. */
+/** A grid of places on the table, ordered by their distance from its centre. */
 function places([width, length]: Point): Point[] {
   const found: Point[] = [];
   for (let i = 1; i < PLACES; i += 1) {

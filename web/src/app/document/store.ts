@@ -1,9 +1,9 @@
 /**
  * The state of the page and the only place where it changes.
  *
- * A document that the engine refuses never becomes the present one: `apply` leaves everything as it
- * was and tells why in `session.refusal`. So what is drawn can always be simulated, and undo always
- * leads to something valid.
+ * A document that the engine refuses never becomes the present one: `apply` then leaves the state as it
+ * was and stores the reason in `session.refusal`. The present document and all states of the history
+ * are therefore valid.
  */
 
 import { CaromError, type Shot, type StrikeEntry, type Trace } from "../../engine/index.ts";
@@ -18,7 +18,7 @@ import {
 import type { Game } from "./game.ts";
 import { History } from "./history.ts";
 
-/** What the store needs of the engine: to read a shot, or to be told why not. In a game the referee, too. */
+/** Reads a shot, or throws a `CaromError`: the engine, or in a game the referee. */
 export interface Compiler {
   shot(file: AimedShot, game: Game | null): Shot;
 }
@@ -29,10 +29,10 @@ export interface State {
   readonly session: Session;
 }
 
-/** Called after every change; parts that did not change are the same objects as before. */
+/** Called after every change. Parts that did not change are the same objects in both states. */
 export type Listener = (now: State, before: State) => void;
 
-/** What would happen if one shot now, or why nothing can. */
+/** The simulation of the present shot, or the reason why it cannot be simulated. */
 export interface Ghost {
   readonly trace: Trace | null;
   readonly error: string | null;
@@ -69,7 +69,7 @@ export class Store {
   get state(): State {
     return { document: this.document, view: this.#view, session: this.#session };
   }
-  /** The document's shot as the engine has read it. Valid until the document changes. */
+  /** The document's shot as the engine read it. Valid until the document changes. */
   get shot(): Shot {
     return this.#shot;
   }
@@ -80,7 +80,7 @@ export class Store {
     return this.#history.redoLabel;
   }
 
-  /** The present document simulated, at most once however often it is asked for. */
+  /** The simulation of the present document; it runs once per document, on first use. */
   get ghost(): Ghost {
     this.#ghost ??= simulate(this.#shot);
     return this.#ghost;
@@ -89,9 +89,9 @@ export class Store {
   /**
    * Replaces the document, or refuses to.
    *
-   * @param label What is done, for "Undo …", such as "aim" or "move ball 3".
+   * @param label Name of the change for "Undo: …", such as "aim" or "move ball 3".
    * @param group Changes with the same group are one step of the history until `settle`.
-   * @returns Whether the engine accepted it; if not, `session.refusal` says why.
+   * @returns Whether the change was accepted; if not, `session.refusal` has the reason.
    */
   apply(
     change: Partial<Document> | ((now: Document) => Partial<Document>),
@@ -120,7 +120,7 @@ export class Store {
     );
   }
 
-  /** Ends a gesture: what comes next is a step of its own, and a refused attempt is let go. */
+  /** Ends a gesture: the next change is a new step of the history, and a refused attempt is dropped. */
   settle(): void {
     this.#history.settle();
     const { refusal } = this.#session;
@@ -147,7 +147,7 @@ export class Store {
     this.#notify(before);
   }
 
-  /** Refuses in words what has not even been tried. */
+  /** Shows a refusal of something that was not tried. */
   refuse(message: string): void {
     this.setSession({ refusal: { message, place: "", attempt: null } });
   }
@@ -170,10 +170,10 @@ export class Store {
     }
   }
 
-  /** Where only the stroke differs, the engine need not read the whole file again. */
+  /** Reads a document. If only the strike's numbers differ, the engine need not read the whole file. */
   #read({ shot: file, game }: Document): Shot {
     const now = this.document;
-    if (game !== now.game || !sameButForStroke(now.shot, file)) {
+    if (game !== now.game || !sameButForStrike(now.shot, file)) {
       return this.#compiler.shot(file, game);
     }
     const { speed, azimuth_deg, elevation_deg = 0, side = 0, height = 0 } = file.strike;
@@ -187,8 +187,8 @@ export class Store {
   }
 
   #adopt(shot: Shot): void {
-    // WebAssembly's memory is not seen by the garbage collector, and there is a ghost per frame.
-    // A ghost that became a replay lives on; the replay's owner may keep it as long as it likes.
+    // The garbage collector does not see WebAssembly's memory, and each frame may make a ghost.
+    // A ghost that is being replayed is kept; the session still uses it.
     const ghost = this.#ghost?.trace;
     if (ghost && ghost !== this.#session.trace) ghost.free();
     this.#shot.free();
@@ -212,24 +212,31 @@ export class Store {
   }
 }
 
-/** A changed document is something new to aim at: a replay of the old one would mislead. */
+/** The session after a change: a replay would show the old document. */
 const AIMING = { mode: "aim", trace: null, time: 0, playing: false } as const;
 
-/** Whether the engine, or the referee, must look at a document again. */
+/** Whether the engine or the referee must check the document again. */
 function isOtherShot(a: Document, b: Document): boolean {
   return a.shot !== b.shot || a.game !== b.game;
 }
 
 const RADIANS_PER_DEGREE = Math.PI / 180;
 
-const STROKE: readonly string[] = ["speed", "azimuth_deg", "elevation_deg", "side", "height"];
+/** Keys of a strike that `Shot.withStrike` can change. */
+const STRIKE_NUMBERS: readonly string[] = [
+  "speed",
+  "azimuth_deg",
+  "elevation_deg",
+  "side",
+  "height",
+];
 
-function sameButForStroke(a: AimedShot, b: AimedShot): boolean {
+function sameButForStrike(a: AimedShot, b: AimedShot): boolean {
   const same = <T extends object>(x: T, y: T, except: readonly string[]) =>
     [...new Set([...Object.keys(x), ...Object.keys(y)])].every(
       (key) => except.includes(key) || x[key as keyof T] === y[key as keyof T],
     );
-  return same(a, b, ["strike"]) && same(a.strike, b.strike, STROKE);
+  return same(a, b, ["strike"]) && same(a.strike, b.strike, STRIKE_NUMBERS);
 }
 
 function simulate(shot: Shot): Ghost {

@@ -1,4 +1,4 @@
-/** A quantity with a label, a unit, a slider and a number: each in step with the document. */
+/** A field for a quantity: label, number, unit and slider, synchronized with the document. */
 
 import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
@@ -7,23 +7,23 @@ import { round } from "../common/units.ts";
 
 export interface Quantity {
   readonly label: string;
-  /** As shown, or a control to choose it. */
+  /** The text shown, or a control that chooses the unit. */
   readonly unit: string | HTMLElement;
-  /** What screen readers say of the unit, if it is not what is shown. */
+  /** The unit for screen readers, if it differs from the text shown. */
   readonly spoken?: string;
   readonly digits: number;
   readonly min: () => number;
   readonly max: () => number;
   readonly step: number;
-  /** Left out: only a number, no slider. */
+  /** Whether there is a slider. Default true. */
   readonly slider?: boolean;
-  /** The number that the document has, in the unit shown. */
+  /** The present number in the unit shown. */
   readonly read: () => number;
-  /** @returns Whether it was accepted. */
+  /** @returns Whether the number was accepted. */
   readonly write: (value: number, group: string) => boolean;
 }
 
-/** Mounts a field; it follows the store from then on. */
+/** Mounts a field that follows the store. */
 export function mountField(root: HTMLElement, store: Store, context: Context, q: Quantity): void {
   const id = uniqueId("field");
   const group = `field ${id}`;
@@ -57,7 +57,7 @@ export function mountField(root: HTMLElement, store: Store, context: Context, q:
     store.settle();
     show(true);
   });
-  // A number counts when it is finished: halfway typed it is another one, and perhaps refused.
+  // On "change", not on "input": a number that is half typed might be refused.
   number.addEventListener("change", () => {
     const value = number.value.trim() === "" ? NaN : Number(number.value);
     if (Number.isNaN(value)) store.refuse(`${q.label}: write a number.`);
@@ -76,7 +76,7 @@ export function mountField(root: HTMLElement, store: Store, context: Context, q:
     range.max = String(q.max());
     if (all || document.activeElement !== range) range.value = String(value);
     range.setAttribute("aria-valuetext", `${value} ${spoken}`);
-    // What one is typing is not corrected under one's fingers.
+    // Do not overwrite the number while the user types it.
     if (all || document.activeElement !== number) {
       number.value = String(value);
       number.setAttribute("aria-invalid", "false");
@@ -88,7 +88,7 @@ export function mountField(root: HTMLElement, store: Store, context: Context, q:
   show(true);
 }
 
-/** A text that follows the store. */
+/** Keeps the text of an element up to date with the store. */
 export function follow(store: Store, element: Element, text: () => string): void {
   const show = () => {
     setText(element, text());

@@ -1,4 +1,4 @@
-/** A form of parameters: a row each, what is changed marked and to be put back. */
+/** A form of parameters, one row each. Changed values are marked and can be reset. */
 
 import { h, uniqueId } from "../common/dom.ts";
 import {
@@ -14,24 +14,24 @@ import {
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
 
-/** What a form is about. */
+/** The values that a form shows and changes. */
 export interface Subject {
   readonly part: Part;
-  /** Values as they are, and as they are in the preset that the changes start from. */
+  /** The present values, and those of the preset that the changes start from. */
   readonly now: () => Values;
   readonly base: () => Values;
-  /** What the shot file has of its own, `base` included. */
+  /** The changes in the shot file, with their `base`. */
   readonly changes: () => Values;
-  /** Makes these the file's own. @returns Whether they were accepted. */
+  /** Writes the changes to the shot file. @returns Whether they were accepted. */
   readonly write: (changes: Values, path: readonly string[]) => boolean;
-  /** Keys of groups that stand open at first. */
+  /** Keys of the groups that are open at first. */
   readonly open: readonly string[];
 }
 
-/** Digits after the point that are shown: lengths to a micrometre, and nothing of binary fractions. */
+/** Decimals shown: lengths to a micrometre, without the rounding errors of binary fractions. */
 const DIGITS = 6;
 
-/** @returns A function that shows the present values. */
+/** @returns A function that updates the form to the present values. */
 export function mountParameters(
   root: HTMLElement,
   store: Store,
@@ -59,7 +59,7 @@ export function mountParameters(
     for (const { path } of found) {
       const input = root.querySelector<Control>(`[data-path="${path.join(".")}"]`)!;
       const value = text(valueAt(now, path));
-      // What one is typing is not corrected under one's fingers.
+      // Do not overwrite a number while the user types it.
       if (
         input.value !== value &&
         (input !== document.activeElement || input.tagName === "SELECT")
@@ -71,7 +71,7 @@ export function mountParameters(
     }
   }
 
-  /** Single values first, then each object's in a fold of its own. */
+  /** Single values first, then one collapsible group per object. */
   function groups(found: readonly Parameter[]): HTMLElement[] {
     const single = found.filter(({ path }) => path.length === 1);
     const keys = [
@@ -108,7 +108,7 @@ export function mountParameters(
       store.settle();
       show();
     });
-    const putBack = () => {
+    const reset = () => {
       set(path, valueAt(subject.base(), path));
       store.settle();
     };
@@ -119,9 +119,9 @@ export function mountParameters(
       {
         type: "button",
         class: "button plain back",
-        "aria-label": `Put back ${full}`,
-        title: "Put back",
-        onclick: putBack,
+        "aria-label": `Reset ${full}`,
+        title: "Reset",
+        onclick: reset,
       },
       "↺",
     );
@@ -151,14 +151,14 @@ function control({ path, kind, choices }: Parameter): Control {
   return h("select", data, ...choices.map((name) => h("option", { value: name }, name)));
 }
 
-/** What the file shall have; null if no number is written. */
+/** The value for the file; null if the text is not a number. */
 function valueOf({ kind }: Parameter, written: string): string | number | null {
   if (kind === "choice") return written;
   const number = written.trim() === "" ? NaN : Number(written);
   return Number.isNaN(number) ? null : number;
 }
 
-/** A value of the file as it is shown. */
+/** A value of the file as text. */
 function text(value: unknown): string {
   return String(typeof value === "number" ? round(value, DIGITS) : value);
 }

@@ -1,10 +1,10 @@
-/** Physics or table of a shot file, as a form sees them. Pure: the schema says what there is. */
+/** The parameters of the physics or table of a shot file, as the schema lists them for a form. */
 
 export type Values = Readonly<Record<string, unknown>>;
 
-/** One thing to set. */
+/** One parameter. */
 export interface Parameter {
-  /** Keys from the part down, such as `ball_ball`, `friction`, `a`. */
+  /** Keys below the part, such as `ball_ball`, `friction`, `a`. */
   readonly path: readonly string[];
   readonly kind: "number" | "choice";
   readonly choices: readonly string[];
@@ -12,7 +12,7 @@ export interface Parameter {
   readonly unit: string;
 }
 
-/** A part of the shot file that starts from a preset. */
+/** A part of the shot file that may start from a preset. */
 export type Part = "physics" | "table";
 
 interface Schema {
@@ -24,10 +24,10 @@ interface Schema {
   readonly $ref?: string;
 }
 
-/** Units that the schema's descriptions end in, before the first sign of punctuation. */
+/** A unit at the end of a schema description, before punctuation. */
 const UNIT = /(?:^|, )(kg|m\/s²|rad\/s²|s\/m|m|degrees)(?=[.,:;]|$)/;
 
-/** Everything that the schema knows of a part and that `values` has, in the schema's order. */
+/** The parameters that both the schema and `values` have, in the schema's order. */
 export function parameters(schema: object, part: Part, values: Values): Parameter[] {
   const { $defs } = schema as { $defs: Record<string, Schema> };
   const object = $defs[part]?.oneOf?.find(({ properties }) => properties?.base);
@@ -42,10 +42,10 @@ function collect(
   schema: Schema,
   value: unknown,
 ): Parameter[] {
-  const said = schema.description ?? "";
-  const unit = UNIT.exec(said)?.[1] ?? "";
-  // The unit stands beside the number already.
-  const common = { path, description: said.replace(UNIT, ""), unit, choices: [] };
+  const text = schema.description ?? "";
+  const unit = UNIT.exec(text)?.[1] ?? "";
+  // The form shows the unit beside the number.
+  const common = { path, description: text.replace(UNIT, ""), unit, choices: [] };
   if (schema.enum && value !== undefined) {
     return [{ ...common, kind: "choice", choices: schema.enum }];
   }
@@ -58,7 +58,7 @@ function collect(
   );
 }
 
-/** The value at a path, undefined if there is none. */
+/** The value at a path; undefined if there is none. */
 export function valueAt(values: Values, path: readonly string[]): unknown {
   let found: unknown = values;
   for (const key of path) {
@@ -67,7 +67,7 @@ export function valueAt(values: Values, path: readonly string[]): unknown {
   return found;
 }
 
-/** `values` with another value at `path`; the objects on the way are copied. */
+/** A copy of `values` with another value at `path`. */
 export function withValue(values: Values, path: readonly string[], value: unknown): Values {
   const [key, ...rest] = path;
   if (key === undefined) return values;
@@ -76,7 +76,7 @@ export function withValue(values: Values, path: readonly string[], value: unknow
   return { ...values, [key]: rest.length > 0 ? withValue(below, rest, value) : value };
 }
 
-/** `values` without what `path` leads to, and without objects that this leaves empty. */
+/** A copy of `values` without the value at `path` and without objects that become empty. */
 export function withoutValue(values: Values, path: readonly string[]): Values {
   const [key, ...rest] = path;
   if (key === undefined || !(key in values)) return values;
@@ -86,7 +86,7 @@ export function withoutValue(values: Values, path: readonly string[]): Values {
   return Object.keys(left).length > 0 ? { ...others, [key]: left } : others;
 }
 
-/** `base` with the keys of `changes` over it, as the engine merges them. */
+/** `base` with the values of `changes` merged into it, as the engine merges them. */
 export function merged(base: Values, changes: Values): Values {
   const out: Record<string, unknown> = { ...base };
   for (const [key, value] of Object.entries(changes)) {
@@ -98,7 +98,7 @@ export function merged(base: Values, changes: Values): Values {
   return out;
 }
 
-/** A number under an object of its fit's coefficients is the constant one. */
+/** A plain number stands for a fit whose constant coefficient it is. */
 function asObject(value: unknown): Values {
   if (typeof value === "number") return { a: value };
   return typeof value === "object" && value !== null ? (value as Values) : {};

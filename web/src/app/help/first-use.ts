@@ -1,16 +1,16 @@
-/** First steps, beside the table: short, to be dismissed, and kept nowhere but in this page. */
+/** The first steps: a short guide beside the table. The page stores nothing about it. */
 
 import { h, setText } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 
 const STEPS: readonly string[] = [
-  "Drag on the cloth to turn the cue. The lines show what will happen, all the way.",
-  "Click the ball’s face for spin; set speed and elevation beside the table.",
-  "Shoot, then scrub through the replay, or take it from where the balls end.",
-  "Drag balls to move them. Undo takes back everything.",
+  "Drag on the cloth to turn the cue. The lines show the whole shot.",
+  "Under Aim, click the ball for English, follow or draw; set speed and elevation below it.",
+  "Press Shoot, then move through the replay, or continue from where the balls stop.",
+  "Drag a ball to move it. Undo takes back every change.",
 ];
 
-/** @returns Shows the steps again. */
+/** @returns A function that shows the steps again. */
 export function mountFirstUse(root: HTMLElement, store: Store, welcome: boolean): () => void {
   let step = 0;
   const text = h("p", {});
@@ -46,7 +46,7 @@ export function mountFirstUse(root: HTMLElement, store: Store, welcome: boolean)
     dismiss();
     document.getElementById("table")?.focus();
   });
-  // Who shoots has understood.
+  // A user who shoots needs no guide.
   store.subscribe((now, before) => {
     if (now.session.mode !== before.session.mode) dismiss();
   });

@@ -1,32 +1,35 @@
-/** The help: what one can do, and every key. */
+/** The help dialog: what the page can do, and all keys. */
 
 import licenses from "../../../../LICENSE-THIRD-PARTY?raw";
 import { h } from "../common/dom.ts";
 import { KEYS } from "../input/keys.ts";
 
-const WAYS: readonly (readonly [string, string])[] = [
-  ["Aim", "Drag on the cloth to turn the cue around its ball, or tap the cloth to aim there."],
-  ["Strike", "Click the ball’s face for the tip; speed, elevation and direction have fields."],
+const TOPICS: readonly (readonly [string, string])[] = [
+  ["Aim", "Drag on the cloth to turn the cue, or tap the cloth to aim at that point."],
+  [
+    "Strike",
+    "Click the ball under Aim to place the tip: English, follow or draw. Set speed, elevation and direction beside it.",
+  ],
   [
     "Look ahead",
-    "While you aim, the whole shot is simulated and drawn; what happens is said below.",
+    "While you aim, the page simulates the whole shot, draws the paths of the balls, and describes the outcome below the table.",
   ],
-  ["Shoot", "Plays it. “Take it from here” goes on with the balls where they end."],
+  ["Shoot", "Plays the shot. “Take it from here” continues from where the balls stop."],
   [
     "Move balls",
-    "Drag them. Where a ball cannot lie it turns red, the reason is said, and it goes back.",
+    "Drag a ball to move it. At a place that is not allowed it turns red, the page gives the reason, and the ball goes back.",
   ],
   [
     "Play a game",
-    "Under Game two people play a frame with a referee. Tap a ball and a pocket to call them; undo takes shots back.",
+    "Under Game two players play a frame with a referee. Tap a ball and a pocket to call them. Undo also takes back shots.",
   ],
   [
     "Everything else",
-    "Racks, tables and balls are under Layout; models and coefficients under Physics.",
+    "Layout has racks, tables and balls; Physics has the models and their coefficients.",
   ],
 ];
 
-/** @returns Opens the help. */
+/** @returns A function that opens the help. */
 export function mountHelp(dialog: HTMLDialogElement, showSteps: () => void): () => void {
   const close = () => {
     dialog.close();
@@ -37,10 +40,10 @@ export function mountHelp(dialog: HTMLDialogElement, showSteps: () => void): () 
     h(
       "dl",
       { class: "ways" },
-      ...WAYS.flatMap(([term, text]) => [h("dt", {}, term), h("dd", {}, text)]),
+      ...TOPICS.flatMap(([term, text]) => [h("dt", {}, term), h("dd", {}, text)]),
     ),
     h("h2", {}, "Keys"),
-    h("p", { class: "hint" }, "Arrow keys, Enter and Space act while the table has the focus."),
+    h("p", { class: "hint" }, "Arrow keys, Enter and Space work while the table has the focus."),
     h(
       "dl",
       { class: "keys" },
@@ -75,7 +78,7 @@ export function mountHelp(dialog: HTMLDialogElement, showSteps: () => void): () 
   );
   return () => {
     dialog.showModal();
-    // Not by the attribute `autofocus`, which browsers refuse in a frame of another origin.
+    // Browsers ignore the attribute `autofocus` in a frame of another origin.
     title.focus();
   };
 }

@@ -1,7 +1,7 @@
 /**
- * Mouse, pen and fingers on the table: drag beside the balls to turn the cue, drag a ball to move
- * it, tap the cloth to aim there, tap a ball to select it. With the free camera a drag beside the balls
- * turns the camera instead; that, several fingers and other buttons are the viewer's.
+ * Mouse, pen and touch on the table. A drag on the cloth turns the cue, a drag of a ball moves it; a tap
+ * on the cloth aims there, a tap on a ball selects it. With the free camera a drag on the cloth turns the
+ * camera; the viewer handles that, several fingers, and the other buttons.
  */
 
 import type { Point } from "../../engine/index.ts";
@@ -12,10 +12,10 @@ import type { Context } from "../common/context.ts";
 import { tapBall, tapPocket } from "../game/play.ts";
 import type { Store } from "../document/store.ts";
 
-/** A pointer that moves less (CSS pixels) taps; fingers tremble more than mice. */
-const TREMBLE = { mouse: 4, other: 10 };
+/** Movement (CSS pixels) below which a gesture is a tap; a finger moves more than a mouse. */
+const TAP_REACH = { mouse: 4, other: 10 };
 
-/** Degrees that a pixel turns the cue where the camera stands behind it and turns along. */
+/** Degrees that the cue turns per pixel of a drag, with the camera behind the cue. */
 const DEGREES_PER_PIXEL = 0.1;
 
 interface Drag {
@@ -23,11 +23,11 @@ interface Drag {
   readonly type: string;
   readonly group: string;
   readonly start: { readonly x: number; readonly y: number };
-  /** The ball under the pointer when it went down. */
+  /** Index of the ball under the pointer when the gesture began. */
   readonly ball: number | null;
   /** From the pointer to the dragged ball's centre, m. */
   readonly grip: Point;
-  /** Where the pointer was when it last turned the cue. */
+  /** Position of the pointer when it last turned the cue. */
   last: { readonly x: number; readonly y: number; readonly point: Point | null };
   moved: boolean;
 }
@@ -43,7 +43,7 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
   const pointOf = (event: PointerEvent) =>
     viewer.pick(event.clientX, event.clientY, event.pointerType);
 
-  // In the capture phase: the viewer's own listener must find its controls off.
+  // In the capture phase, so that it switches the viewer's controls off before their own listener runs.
   const press = (event: PointerEvent) => {
     down.add(event.pointerId);
     if (down.size > 1) {
@@ -112,8 +112,8 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
 
   function move(held: Drag, event: PointerEvent): void {
     const { x, y } = held.start;
-    const tremble = held.type === "mouse" ? TREMBLE.mouse : TREMBLE.other;
-    if (!held.moved && Math.hypot(event.clientX - x, event.clientY - y) < tremble) return;
+    const reach = held.type === "mouse" ? TAP_REACH.mouse : TAP_REACH.other;
+    if (!held.moved && Math.hypot(event.clientX - x, event.clientY - y) < reach) return;
     if (store.session.mode === "replay") return;
     held.moved = true;
     if (held.ball === null) {

@@ -1,4 +1,4 @@
-/** Every key of the page, in one list: what it does, and what the help says of it. */
+/** All keys of the page: their actions, and their descriptions in the help. */
 
 import { shoot, takeItFromHere } from "../aim/shoot.ts";
 import type { Context } from "../common/context.ts";
@@ -9,14 +9,14 @@ import { leave, stepBackwards, stepForwards, togglePlaying } from "../replay/con
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
 
-/** Degrees, and m/s, per arrow key; Shift and the fine button make each a tenth. */
+/** Degrees and m/s per arrow key. Shift and fine adjustment each divide them by ten. */
 const TURN = 1;
 const SPEED = 0.1;
 
-/** Softest stroke (m/s) that the keys lead to; 0 would be none. */
+/** Lowest speed (m/s) that the keys set; the engine refuses 0. */
 const SOFTEST = 0.01;
 
-/** How long (ms) after the last key a row of them is over, and one step to undo. */
+/** Time (ms) after which a series of key presses ends and becomes one step of undo. */
 const PAUSE = 800;
 
 interface Tools {
@@ -26,14 +26,14 @@ interface Tools {
 }
 
 interface Key {
-  /** As in `KeyboardEvent.key`, with "Mod+" for Ctrl or ⌘, and "Shift+" after it. */
+  /** Names as in `KeyboardEvent.key`, after "Mod+" for Ctrl or ⌘ and then "Shift+". */
   readonly keys: readonly string[];
-  /** How the help names the keys. */
+  /** The keys as the help shows them. */
   readonly shown: readonly string[];
   readonly help: string;
-  /** Only while one aims, or replays; left out: always. */
+  /** Mode in which the key acts; left out: both. */
   readonly mode?: "aim" | "replay";
-  /** Only while the table has the focus: elsewhere the key belongs to the control that has it. */
+  /** Whether the key acts only while the table has the focus. */
   readonly table?: boolean;
   readonly run: (tools: Tools, event: KeyboardEvent) => void;
 }
@@ -68,7 +68,7 @@ export const KEYS: readonly Key[] = [
   {
     keys: ["ArrowUp", "ArrowDown"],
     shown: ["↑", "↓"],
-    help: "Strike harder or softer by 0.1 m/s; with Shift by 0.01 m/s",
+    help: "Change the cue speed by 0.1 m/s; with Shift by 0.01 m/s",
     mode: "aim",
     table: true,
     run: (tools, event) => {
@@ -88,7 +88,7 @@ export const KEYS: readonly Key[] = [
   {
     keys: ["n", "N"],
     shown: ["N"],
-    help: "Select the next ball; with Shift the one before",
+    help: "Select the next ball; with Shift the previous one",
     run: ({ store }, event) => {
       const ids = store.document.shot.balls.map((ball) => ball.id);
       const at = ids.indexOf(store.session.selected ?? "");
@@ -104,14 +104,14 @@ export const KEYS: readonly Key[] = [
     mode: "aim",
     run: ({ store }) => {
       const { selected } = store.session;
-      if (selected === null) store.refuse("Select a ball first: N does.");
+      if (selected === null) store.refuse("No ball is selected: press N to select one.");
       else aimAt(store, selected);
     },
   },
   {
     keys: ["f"],
     shown: ["F"],
-    help: "Fine adjustment on or off: every drag and key counts a tenth",
+    help: "Fine adjustment on or off: drags and keys have a tenth of their effect",
     run: ({ store, context }) => {
       store.setSession({ fine: !store.session.fine });
       context.announce(`Fine adjustment ${store.session.fine ? "on" : "off"}`);
@@ -130,7 +130,7 @@ export const KEYS: readonly Key[] = [
   {
     keys: ["ArrowLeft", "ArrowRight"],
     shown: ["←", "→"],
-    help: "In the replay: to the previous or next event",
+    help: "In a replay: go to the previous or next event",
     mode: "replay",
     table: true,
     run: ({ store }, event) => {
@@ -141,7 +141,7 @@ export const KEYS: readonly Key[] = [
   {
     keys: ["t"],
     shown: ["T"],
-    help: "Take it from here: where the balls end becomes the new layout",
+    help: "Take it from here: the final positions become the new layout",
     mode: "replay",
     run: ({ store, context }) => {
       takeItFromHere(store, context);
@@ -150,7 +150,7 @@ export const KEYS: readonly Key[] = [
   {
     keys: ["Escape"],
     shown: ["Esc"],
-    help: "Back to aiming; while aiming: select no ball",
+    help: "End the replay; while aiming: clear the selection",
     run: ({ store }) => {
       if (store.session.mode === "replay") leave(store);
       else store.setSession({ selected: null, refusal: null });
@@ -172,21 +172,21 @@ export const KEYS: readonly Key[] = [
       redo(store, context);
     },
   },
-  { keys: ["1"], shown: ["1"], help: "Look from above", run: toCamera("top") },
+  { keys: ["1"], shown: ["1"], help: "View from above", run: toCamera("top") },
   { keys: ["2"], shown: ["2"], help: "Free camera", run: toCamera("orbit") },
-  { keys: ["3"], shown: ["3"], help: "Behind the cue", run: toCamera("cue") },
+  { keys: ["3"], shown: ["3"], help: "View from behind the cue", run: toCamera("cue") },
   {
     keys: ["?"],
     shown: ["?"],
-    help: "This help",
+    help: "Show this help",
     run: ({ openHelp }) => {
       openHelp();
     },
   },
 ];
 
-/** Elements in which letters are text, and arrows move what is inside. */
-const TYPED = "input:not([type=range], [type=checkbox], [type=radio]), select, textarea";
+/** Controls that use letters and arrow keys themselves. */
+const TEXT_CONTROLS = "input:not([type=range], [type=checkbox], [type=radio]), select, textarea";
 
 export function mountKeys(table: HTMLElement, tools: Tools): void {
   let pause: ReturnType<typeof setTimeout> | undefined;
@@ -194,7 +194,7 @@ export function mountKeys(table: HTMLElement, tools: Tools): void {
     if (event.defaultPrevented || event.altKey || document.querySelector("dialog[open]")) return;
     const target = event.target as Element;
     const mod = event.ctrlKey || event.metaKey;
-    if (target.closest(TYPED)) return;
+    if (target.closest(TEXT_CONTROLS)) return;
     const name = mod
       ? `Mod+${event.shiftKey ? "Shift+" : ""}${event.key.toLowerCase()}`
       : event.key;

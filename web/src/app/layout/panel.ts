@@ -1,4 +1,4 @@
-/** Which balls lie where: racks, the table, and every ball in numbers. */
+/** The Layout tab: racks, the table, and the position of each ball. */
 
 import type { Context } from "../common/context.ts";
 import { look } from "../../viewer/index.ts";
@@ -10,7 +10,7 @@ import type { Store } from "../document/store.ts";
 import { mountTable } from "./table.ts";
 import { ballName } from "../common/words.ts";
 
-/** Largest seed that the page draws: short enough to read out. */
+/** Seeds drawn by the page are below this: short enough to tell somebody. */
 const SEEDS = 10_000;
 
 export function mountLayoutPanel(root: HTMLElement, store: Store, context: Context): void {
@@ -35,7 +35,7 @@ function mountRacks(root: HTMLElement, store: Store, { engine }: Context): void 
   const set = () => {
     const value = Number(seed.value);
     if (seed.value.trim() === "" || !Number.isSafeInteger(value) || value < 0) {
-      store.refuse("Seed: write a whole number that is not negative.");
+      store.refuse("Seed: write a whole number, at least 0.");
     } else rack(store, engine, game.value, value);
   };
   const shuffle = () => {
@@ -70,7 +70,7 @@ function mountBalls(root: HTMLElement, store: Store, context: Context): void {
     h(
       "p",
       { class: "hint" },
-      "Drag balls on the table, or select one here and write where it lies.",
+      "Drag balls on the table, or select one here and write its position.",
     ),
     list,
     fields,
@@ -159,8 +159,8 @@ function mountSelected(root: HTMLElement, store: Store, context: Context): void 
       },
       text,
     );
-  const strike = act("Strike it", (id) => store.strike({ ball: id }, `strike ${ballName(id)}`));
-  const target = act("Aim at it", (id) => {
+  const strike = act("Strike", (id) => store.strike({ ball: id }, `strike ${ballName(id)}`));
+  const target = act("Aim at", (id) => {
     aimAt(store, id);
   });
   const remove = act("Remove", (id) => removeBall(store, id));
@@ -176,7 +176,7 @@ function mountSelected(root: HTMLElement, store: Store, context: Context): void 
   show();
 }
 
-/** A ball's look beside its name; decoration. */
+/** A picture of a ball beside its name. */
 function swatch(id: string, index: number): SVGSVGElement {
   const { body, striped } = look(id, index);
   return svg(

@@ -1,13 +1,13 @@
-/** A table's dimensions, as a form sees them. Pure: the engine says what they are. */
+/** The dimensions of a table as the form shows and writes them. */
 
 import type { Geometry, Markings, Point } from "../../engine/index.ts";
 import { round4 } from "../common/angles.ts";
 import { withoutValue, withValue, type Values } from "../form/parameters.ts";
 
-/** What is drawn only, and no matter of a form of numbers. */
+/** Keys that only affect the drawing and are not in the form. */
 const DRAWN = ["sights", "markings"];
 
-/** A table in the keys of its description; empty for endless cloth. */
+/** A table in the keys of a shot file; empty for unbounded cloth. */
 export function described({ dimensions, pockets }: Geometry): Values {
   if (!dimensions) return {};
   const values = dimensions.reduce<Values>((found, { key, value }) => {
@@ -20,10 +20,10 @@ export function described({ dimensions, pockets }: Geometry): Values {
 }
 
 /**
- * `changes` of a preset with lines and spots where they are in proportion to the table's new size.
+ * `changes` with lines and spots moved in proportion to the new size of the table.
  *
- * @param from - The table as it was, with the markings that are moved.
- * @param base - The preset, if there is one: its own markings need not be written.
+ * @param from - The table before the change, with its markings.
+ * @param base - The preset, if there is one; markings that equal its own are left out.
  */
 export function proportioned(changes: Values, from: Geometry, base: Geometry | undefined): Values {
   const [width, length] = base?.size ?? from.size ?? [1, 1];

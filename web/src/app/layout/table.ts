@@ -1,4 +1,4 @@
-/** Table presets, and every dimension of theirs. */
+/** The table: its preset and its dimensions. */
 
 import type { Context } from "../common/context.ts";
 import { h, uniqueId } from "../common/dom.ts";
@@ -8,7 +8,7 @@ import type { Values } from "../form/parameters.ts";
 import type { Store } from "../document/store.ts";
 import { described, proportioned } from "./table-form.ts";
 
-/** Dimensions that move what is marked on the cloth. */
+/** Dimensions that also move the markings on the cloth. */
 const SIZES = ["width", "length"];
 
 export function mountTable(root: HTMLElement, store: Store, { engine }: Context): void {
@@ -16,7 +16,7 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
     engine.tables.flatMap((table) => (table.name ? [[table.name, table]] : [])),
   );
   const option = (value: string, text = value) => h("option", { value }, text);
-  const own = option("", "The file’s own");
+  const own = option("", "From the file");
   const select = h(
     "select",
     { id: uniqueId("control") },
@@ -35,14 +35,14 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
         changeTable(store, engine, baseName());
       },
     },
-    "Put all back",
+    "Reset all",
   );
   const form = h("div");
   const dimensions = h(
     "details",
     {},
     h("summary", {}, "Dimensions"),
-    h("p", { class: "hint" }, "A changed value is marked, and can be put back."),
+    h("p", { class: "hint" }, "Changed values are marked and can be reset."),
     form,
     h("div", { class: "row" }, back),
   );
@@ -73,7 +73,7 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
       const { geometry } = store.shot;
       const whole = SIZES.includes(path[0]!) ? proportioned(next, geometry, preset()) : next;
       const { base, ...rest } = whole;
-      // Nothing is left of the changes: the preset's name says it all.
+      // Without changes the preset's name is enough.
       const table = typeof base === "string" && Object.keys(rest).length === 0 ? base : whole;
       const name = ["table", ...path].join(".");
       return store.apply(({ shot }) => ({ shot: { ...shot, table } }), `change ${name}`, name);

@@ -1,4 +1,4 @@
-/** Physics presets, and every parameter of theirs: the form follows the shot file's schema. */
+/** The Physics tab: the preset and its parameters, in the order of the shot file's schema. */
 
 import type { Context } from "../common/context.ts";
 import type { AimedShot } from "../document/document.ts";
@@ -7,7 +7,7 @@ import { mountParameters } from "../form/parameter-rows.ts";
 import { merged, title, type Values } from "../form/parameters.ts";
 import type { Store } from "../document/store.ts";
 
-/** What the table's own physics is called in the list. */
+/** The list's value for the table's own physics. */
 const TABLES_OWN = "";
 
 export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: Context): void {
@@ -26,7 +26,7 @@ export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: C
   root.append(
     h("h2", {}, "Physics"),
     h("div", { class: "labelled" }, h("label", { for: preset.id }, "Preset"), preset),
-    h("p", { class: "hint" }, "A changed value is marked, and can be put back."),
+    h("p", { class: "hint" }, "Changed values are marked and can be reset."),
     form,
   );
 

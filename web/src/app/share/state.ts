@@ -73,7 +73,7 @@ export function stateFromFragment(fragment: string): LinkState | null {
 /** A part of a link that cannot be read. */
 function broken(place: string, found: unknown, remedy: string): LinkError {
   return new LinkError(
-    `This link cannot be opened. ${place}: found ${JSON.stringify(found) ?? "nothing"}; ${remedy}.`,
+    `This link cannot be opened. ${place}: found ${found === undefined ? "nothing" : JSON.stringify(found)}; ${remedy}.`,
   );
 }
 

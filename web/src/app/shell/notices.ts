@@ -1,12 +1,12 @@
-/** What the page says: refusals beside the table until they are settled, notices for a while. */
+/** Messages: refusals stay beside the table until the next change, notices for some seconds. */
 
 import { setText } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 
-/** How long (ms) a notice stays: enough to read a line twice. */
+/** Time (ms) that a notice is shown: enough to read a line twice. */
 const NOTICE = 4000;
 
-/** @returns `announce`: shows a sentence for a while. */
+/** @returns `announce`, which shows a sentence for some seconds. */
 export function mountNotices(root: HTMLElement): (sentence: string) => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   return (sentence) => {

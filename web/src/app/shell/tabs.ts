@@ -1,4 +1,4 @@
-/** The panel's tabs. On a phone the panel is a sheet that a second tap on its tab folds away. */
+/** The panel's tabs. On a phone the panel is a sheet; a second tap on its tab collapses it. */
 
 import { h } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
@@ -6,12 +6,12 @@ import type { Store } from "../document/store.ts";
 interface Tab {
   readonly name: string;
   readonly label: string;
-  /** Only there while a shot is replayed. */
+  /** Shown only during a replay. */
   readonly replay?: boolean;
-  /** Only there on a free table: in a game nothing in it may be changed. */
+  /** Shown only in free play: in a game its settings are fixed. */
   readonly free?: boolean;
-  /** Not there while a shot is replayed on a free table: for six tabs there is no room. */
-  readonly waits?: boolean;
+  /** Hidden during a replay in free play: there is no room for six tabs. */
+  readonly yields?: boolean;
 }
 
 const TABS: readonly Tab[] = [
@@ -19,14 +19,14 @@ const TABS: readonly Tab[] = [
   { name: "aim", label: "Aim" },
   { name: "layout", label: "Layout", free: true },
   { name: "physics", label: "Physics", free: true },
-  { name: "game", label: "Game", waits: true },
+  { name: "game", label: "Game", yields: true },
   { name: "whatif", label: "What if" },
 ];
 
-/** Where the style makes the panel a sheet: there a replay needs the room. */
+/** Screens on which the style makes the panel a sheet, as in style.css; a replay needs that room. */
 const SHEET = "(max-width: 760px) and (min-height: 480px), (max-width: 639px)";
 
-/** Where the keys lead from a tab, of so many. */
+/** Index of the tab that a key leads to. */
 const KEYS: Readonly<Record<string, (at: number, tabs: number) => number>> = {
   ArrowLeft: (at, tabs) => (at + tabs - 1) % tabs,
   ArrowRight: (at, tabs) => (at + 1) % tabs,
@@ -49,9 +49,9 @@ export function mountTabs(root: HTMLElement, store: Store): void {
   });
   root.append(...buttons);
 
-  const present = ({ replay, free, waits }: Tab) => {
+  const present = ({ replay, free, yields }: Tab) => {
     const [replayed, playing] = [store.session.mode === "replay", store.document.game !== null];
-    return !(replay && !replayed) && !(free && playing) && !(waits && replayed && !playing);
+    return !(replay && !replayed) && !(free && playing) && !(yields && replayed && !playing);
   };
 
   function show(): void {

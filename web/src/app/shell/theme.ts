@@ -1,4 +1,4 @@
-/** Light or dark: as the system says, until the user says otherwise. */
+/** Light or dark: the system's setting unless the user chose one. */
 
 import type { Context } from "../common/context.ts";
 import type { Theme } from "../document/document.ts";
@@ -6,7 +6,7 @@ import type { Store } from "../document/store.ts";
 
 const DARK = "(prefers-color-scheme: dark)";
 
-/** The theme that is shown where `theme` is chosen. */
+/** The theme shown for the setting `theme`. */
 export function shownTheme(theme: Theme): "light" | "dark" {
   if (theme !== "auto") return theme;
   return matchMedia(DARK).matches ? "dark" : "light";

@@ -76,18 +76,28 @@ describe("the state in a link", () => {
     expect(stateFromFragment("#help")).toBeNull();
   });
 
-  test("without a shot, or with a noise that is none, is refused", () => {
+  test("without a shot is refused", () => {
     for (const data of [null, 3, [], {}, { shot: [] }]) {
-      expect(() => stateFromFragment(toFragment(data))).toThrow(/no shot/);
-    }
-    for (const speed of [-1, "fast", undefined]) {
-      const odd = toFragment({ shot, noise: { ...noise, speed } });
-      expect(() => stateFromFragment(odd)).toThrow(LinkError);
-      expect(() => stateFromFragment(odd)).toThrow(/"speed"/);
+      expect(() => stateFromFragment(toFragment(data))).toThrow(/contains no shot/);
     }
   });
 
-  test("with a game that is none is refused", () => {
+  test("names the σ of a noise that is not a number", () => {
+    for (const speed of ["fast", null, undefined]) {
+      const odd = toFragment({ shot, noise: { ...noise, speed } });
+      expect(() => stateFromFragment(odd)).toThrow(LinkError);
+      expect(() => stateFromFragment(odd)).toThrow(/noise\.speed: .*write a number/);
+    }
+    expect(() => stateFromFragment(toFragment({ shot, noise: 3 }))).toThrow(/noise: found 3/);
+  });
+
+  test("accepts the keys side and height of older links for a noise", () => {
+    const { side_m, height_m, ...rest } = noise;
+    const old = toFragment({ shot, noise: { ...rest, side: side_m, height: height_m } });
+    expect(stateFromFragment(old)?.noise).toStrictEqual(noise);
+  });
+
+  test("refuses a game of another structure", () => {
     const { setup, moves, call } = game;
     for (const odd of [
       3,
@@ -97,16 +107,31 @@ describe("the state in a link", () => {
       { setup: { ...setup, skills: [1, 2] }, moves, call },
       { setup, moves: [{ play: {} }], call },
       { setup, moves, call: "safety" },
+      { setup, moves, call: { kind: "on" } },
+      { setup, moves, call: { kind: "wish" } },
+      { setup: { ...setup, names: ["A".repeat(10_000), "Bea"] }, moves, call },
     ]) {
       expect(() => stateFromFragment(toFragment({ shot, game: odd }))).toThrow(/game in this link/);
     }
   });
 
-  test("takes a view, a seed or a time that it does not know for the first one", () => {
-    const odd = { shot, view: { theme: "pink", camera: "top", units: 7 }, seed: -3, time: "soon" };
-    const read = stateFromFragment(toFragment(odd));
-    expect(read?.view).toStrictEqual(FIRST_VIEW);
-    expect(read?.seed).toBe(0);
-    expect(read?.time).toBeNull();
+  test("takes the first choice for unknown settings of a view", () => {
+    const odd = { shot, view: { theme: "pink", camera: "top", units: 7 } };
+    expect(stateFromFragment(toFragment(odd))?.view).toStrictEqual(FIRST_VIEW);
+  });
+
+  test("refuses a seed or a time out of range instead of replacing it without a word", () => {
+    for (const seed of [-3, 0.5, "7"]) {
+      expect(() => stateFromFragment(toFragment({ shot, seed }))).toThrow(/seed: .*whole number/);
+    }
+    for (const time of [-1, "soon"]) {
+      expect(() => stateFromFragment(toFragment({ shot, time }))).toThrow(/time: .*seconds/);
+    }
+  });
+
+  test("refuses a game with more moves than the page can replay at once", () => {
+    const moves = Array.from({ length: 2001 }, () => ({ choice: "play-on" }));
+    const long = toFragment({ shot, game: { ...game, moves } });
+    expect(() => stateFromFragment(long)).toThrow(/has 2001 moves/);
   });
 });

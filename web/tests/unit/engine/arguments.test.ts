@@ -1,0 +1,169 @@
+import { describe, expect, test, vi } from "vitest";
+import { CaromError, load, type Noise, type Play } from "../../../src/engine/index.js";
+import { shotFile } from "./files.js";
+
+const engine = await load();
+const shot = engine.shot(shotFile("half_ball_cut"));
+const strike = shot.strike!;
+
+function refusal(call: () => unknown): CaromError {
+  try {
+    call();
+  } catch (error) {
+    if (error instanceof CaromError) return error;
+    throw error;
+  }
+  throw new Error("the arguments were not refused");
+}
+
+/** A value that the types forbid. */
+const wrong = (value: unknown) => value as never;
+
+describe("a freed object", () => {
+  test("says that it was freed, instead of “null pointer passed to rust”", () => {
+    const freed = engine.shot(shotFile("half_ball_cut"));
+    const trace = freed.simulate();
+    const frame = engine.frame("nine-ball");
+    for (const object of [freed, trace, frame]) object.free();
+    for (const use of [
+      () => freed.simulate(),
+      () => freed.json(),
+      () => freed.withStrike(strike),
+      () => freed.vary(engine.olympiad(), 1),
+      () => engine.simulate([freed]),
+      () => engine.frameOf("nine-ball", freed),
+    ]) {
+      expect(use).toThrow(/this shot was freed; call free\(\) after its last use/);
+    }
+    expect(() => trace.statesAt(0)).toThrow(/this trace was freed/);
+    expect(() => trace.polyline(0, 1e-3)).toThrow(/this trace was freed/);
+    expect(() => frame.play({ strike })).toThrow(/this frame was freed/);
+    expect(() => frame.state).toThrow(/this frame was freed/);
+  });
+
+  test("can be freed again", () => {
+    const freed = engine.shot(shotFile("half_ball_cut"));
+    freed.free();
+    expect(() => {
+      freed.free();
+    }).not.toThrow();
+  });
+});
+
+describe("hostile arguments are refused with their place", () => {
+  test("counts of variants that do not fit into memory", () => {
+    for (const n of [1e9, 2 ** 32 + 1, Number.MAX_SAFE_INTEGER]) {
+      const error = refusal(() => shot.vary(engine.olympiad(), n));
+      expect(error.place).toBe("n");
+      expect(error.message).toMatch(/out of range; .* from 0 to \d+; .*in parts, with `first`/);
+    }
+    for (const n of [-1, 0.5, NaN, wrong("7"), wrong(undefined)]) {
+      expect(refusal(() => shot.vary(engine.olympiad(), n)).place).toBe("n");
+    }
+    // The engine still works.
+    expect(shot.vary(engine.olympiad(), 2).shots).toBe(2);
+  });
+
+  test("seeds and first variants that are not whole numbers", () => {
+    const noise = engine.olympiad();
+    expect(refusal(() => shot.vary(noise, 1, { seed: -1 })).place).toBe("seed");
+    expect(refusal(() => shot.vary(noise, 1, { first: 1.5 })).place).toBe("first");
+  });
+
+  test("noise without a σ, or with one out of range", () => {
+    const { speed, ...rest } = engine.olympiad();
+    expect(refusal(() => shot.vary(wrong(rest), 1)).place).toBe("noise.speed");
+    expect(refusal(() => shot.vary(wrong(null), 1)).place).toBe("noise");
+    for (const value of [-speed, NaN, Infinity, 1e9]) {
+      const noise: Noise = { ...rest, speed: value };
+      expect(refusal(() => shot.vary(noise, 1)).place).toBe("noise.speed");
+      expect(refusal(() => engine.checkNoise(noise)).place).toBe("noise.speed");
+    }
+    engine.checkNoise(engine.olympiad());
+    for (const multiplier of [-1, NaN, 1e12]) {
+      expect(() => engine.olympiad(multiplier)).toThrow(CaromError);
+    }
+    expect(refusal(() => engine.olympiad(wrong("2"))).place).toBe("multiplier");
+  });
+
+  test("strikes, games, tables and terms of a wrong type", () => {
+    for (const [place, call] of [
+      ["strike", () => shot.withStrike(wrong(undefined))],
+      ["strike.side", () => shot.withStrike({ ...strike, side: wrong("0") })],
+      ["strike.speed", () => shot.withStrike({ ...strike, speed: NaN })],
+      ["game", () => engine.breakShot(wrong(5))],
+      ["table", () => engine.breakShot("nine-ball", { table: wrong(5) })],
+      ["speed", () => engine.breakShot("nine-ball", { speed: wrong("fast") })],
+      ["gap", () => engine.breakShot("nine-ball", { gap: wrong(null) })],
+      ["game", () => engine.usualTable(wrong(undefined))],
+      ["options.target", () => engine.frame("straight-pool", { target: 2 ** 32 + 5 })],
+      ["options.patience", () => engine.frame("nine-ball", { patience: -1 })],
+      ["options.miss", () => engine.frame("snooker", { miss: wrong("yes") })],
+      ["kind", () => engine.schema(wrong("table"))],
+    ] as const) {
+      expect(refusal(call).place, String(call)).toBe(place);
+    }
+  });
+
+  test("plays of a wrong type", () => {
+    const frame = engine.frame("nine-ball");
+    for (const [place, play] of [
+      ["play", undefined],
+      ["strike", {}],
+      ["strike.speed", { strike: {} }],
+      ["cue_ball[0]", { strike, cue_ball: { length: 1e9 } }],
+      ["cue_ball[1]", { strike, cue_ball: [0.5] }],
+      ["call", { strike, call: "safety" }],
+      ["call.kind", { strike, call: { kind: 5 } }],
+      ["call.into", { strike, call: { kind: "pocket", ball: "1", into: 5 } }],
+    ] as const) {
+      expect(refusal(() => frame.play(play as unknown as Play)).place).toBe(place);
+    }
+    expect(refusal(() => frame.choose(wrong(5))).place).toBe("choice");
+    expect(frame.state.shots).toBe(0);
+  });
+
+  test("files that are no JSON values", () => {
+    expect(() => engine.shot(wrong(() => 5))).toThrow(CaromError);
+    expect(() => engine.trace(wrong(5))).toThrow(CaromError);
+    expect(() => engine.simulate([wrong({})])).toThrow(/make it with Engine\.shot/);
+    expect(() => shot.simulate().statesAt(0, wrong([]))).toThrow(/out has 0 numbers/);
+  });
+});
+
+describe("old spellings work and warn once", () => {
+  test("vary(noise, seed, first, count), the keys side and height, finalPosition", () => {
+    const warn = vi.spyOn(console, "warn").mockImplementation(() => undefined);
+    try {
+      const noise = engine.olympiad();
+      const { side_m, height_m, ...rest } = noise;
+      const old = { ...rest, side: side_m, height: height_m } as unknown as Noise;
+      const expected = shot.vary(noise, 4, { seed: 7, first: 2 });
+      expect(warn).not.toHaveBeenCalled();
+      for (let k = 0; k < 2; k += 1) {
+        // eslint-disable-next-line @typescript-eslint/no-deprecated -- that it works is tested here
+        const batch = shot.vary(old, 7, 2, 4);
+        expect(batch).toEqual(expected);
+        // eslint-disable-next-line @typescript-eslint/no-deprecated
+        expect(batch.finalPosition).toBe(batch.final_position);
+      }
+      const said = warn.mock.calls.map(([text]) => String(text));
+      expect(said).toHaveLength(4);
+      for (const name of [
+        "vary(noise, n, { seed, first })",
+        "side_m",
+        "height_m",
+        "final_position",
+      ]) {
+        expect(said.filter((text) => text.includes(name))).toHaveLength(1);
+      }
+    } finally {
+      warn.mockRestore();
+    }
+  });
+
+  test("a σ under its old and its new name is refused", () => {
+    const twice = { ...engine.olympiad(), side: 0.001 };
+    expect(refusal(() => shot.vary(twice, 1)).message).toMatch(/noise\.side: .*old name of side_m/);
+  });
+});
