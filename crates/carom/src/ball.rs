@@ -1,4 +1,4 @@
-//! A ball: what it is, and what it does at one instant.
+//! Balls: their properties, and their state at one instant.
 
 use crate::math::{Vec2, Vec3};
 
@@ -11,24 +11,25 @@ pub struct Ball {
     pub radius: f64,
 }
 
-/// How a ball moves between events (Leckie & Greenspan 2005; physics of each in `motion`).
+/// How a ball moves between events (Leckie & Greenspan 2005). The module [`motion`](crate::motion)
+/// has the path of each state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum MotionState {
     /// At rest on the cloth.
     #[default]
     Stationary,
-    /// Turning about the vertical on the spot.
+    /// Spinning about the vertical without moving.
     Spinning,
-    /// Rolling without slip at the cloth.
+    /// Rolling without slip on the cloth.
     Rolling,
-    /// Slipping at the cloth.
+    /// Sliding on the cloth.
     Sliding,
     /// Free flight.
     Airborne,
-    /// Down a pocket.
+    /// In a pocket.
     Pocketed,
-    /// Left the table.
+    /// Off the table.
     OffTable,
 }
 

@@ -1,15 +1,15 @@
-//! What happens, and who is told.
+//! Events of a shot, and the recorders that receive them.
 
 use crate::{BallState, MotionState};
 
 /// The kinds of event (Leckie & Greenspan 2006, section 2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EventKind {
-    /// The cue meets the cue ball.
+    /// The cue strikes the cue ball.
     CueStrike,
-    /// Two balls collide, or several in one many-ball contact.
+    /// Two balls collide, or several that touch.
     BallCollision,
-    /// A ball meets a cushion: index into `Table::cushions`.
+    /// A ball hits a cushion: index into `Table::cushions`.
     RailCollision(u16),
     /// A ball falls into a pocket: index into `Table::pockets`.
     PocketCollision(u8),
@@ -17,7 +17,7 @@ pub enum EventKind {
     SlateCollision,
     /// A ball leaves the table, or comes to rest on a rail's top.
     OffTable,
-    /// A motion state ends by the passage of time.
+    /// A motion state ends because its time is over.
     MotionTransition {
         /// State that ended.
         from: MotionState,
@@ -26,29 +26,30 @@ pub enum EventKind {
     },
 }
 
-/// One event, with the states of the balls in it just before and just after.
+/// One event, with the states of its balls just before and just after.
 #[derive(Clone, Copy, Debug)]
 pub struct Event<'a> {
     /// Time since the strike, s.
     pub time: f64,
     /// What happened.
     pub kind: EventKind,
-    /// The balls in it, by index into the shot's balls.
+    /// Indices of the event's balls in the shot.
     pub balls: &'a [u16],
-    /// Their states just before, in the engine's frame (origin at the table's centre).
+    /// States of these balls just before the event, in the engine's frame (origin at the table's
+    /// centre).
     pub before: &'a [BallState],
-    /// Their states just after.
+    /// States of these balls just after the event.
     pub after: &'a [BallState],
 }
 
-/// Listens to a shot while it is simulated. A generic parameter of the event loop, so that a
-/// batch that only counts pays for nothing else.
+/// Receives the events of a shot while it is simulated. The event loop has the recorder's type as a
+/// generic parameter, so that a recorder costs no more than what it does with the events.
 pub trait Recorder {
     /// Called once per event, in order.
     fn record(&mut self, event: &Event<'_>);
 }
 
-/// Listens to nothing.
+/// Ignores every event.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NullRecorder;
 

@@ -1,7 +1,8 @@
-//! **carom** — the billiards engine: exact, deterministic, and fast enough to think with.
+//! **carom** — a billiards engine: event-driven, exact to rounding, and deterministic.
 //!
-//! Every ball follows a closed-form path until the next event, whose time is solved, never
-//! stepped (Leckie & Greenspan 2006). SI units and radians throughout.
+//! Between events every ball follows a closed-form path. The time of the next event is computed
+//! from the paths' equations, without time steps (Leckie & Greenspan 2006). Units are SI and
+//! radians.
 //!
 #![cfg_attr(feature = "json", doc = "```")]
 #![cfg_attr(not(feature = "json"), doc = "```ignore")]
@@ -25,16 +26,18 @@
 //! # }
 //! ```
 //!
-//! - [`Shot`]: everything that is decided before a shot starts, read from a file ([`Shot::from_json`]) or a tree of
-//!   values; [`rack`] sets the balls up. [`Table`] and [`Physics`] are what it is played on.
-//! - [`Shot::simulate`] gives a [`Trace`]: all events, the state at any time, ways to draw. Who wants only the
-//!   [`Outcome`] or nothing but the end listens to [`simulate()`] with a recorder of [`event`], without allocating.
-//! - [`batch`]: many shots on all cores; [`noise`]: how far a player's strike strays.
-//! - [`error`]: bad input is refused with the place and the remedy.
-//! - Inside: [`motion`], when what meets ([`detect`]), and what happens then ([`resolve`]).
+//! - [`Shot`]: everything that is decided before a shot starts. It is read from a file
+//!   ([`Shot::from_json`]) or from a tree of values; [`rack`] sets up the balls. [`Table`] and
+//!   [`Physics`] describe the table.
+//! - [`Shot::simulate`] gives a [`Trace`]: all events, the state at any time, and curves to draw.
+//!   For the [`Outcome`] alone, or for the final state, [`simulate()`] with a recorder of [`event`]
+//!   allocates nothing.
+//! - [`batch`]: many shots on all cores; [`noise`]: the scatter of a player's strikes.
+//! - [`error`]: every error names the place, the fault and the remedy.
+//! - Inside: [`motion`] between events, contact times ([`detect`]) and impacts ([`resolve`]).
 //!
-//! The same shot gives the same bits on every platform, with or without the features `std` (hardware square roots,
-//! wide vectors), `json` (files) and `parallel` (batches on all cores).
+//! The same shot gives the same bits on every platform, with or without the features `std`
+//! (hardware square roots, wide vectors), `json` (files) and `parallel` (batches on all cores).
 #![cfg_attr(not(feature = "std"), no_std)]
 
 extern crate alloc;

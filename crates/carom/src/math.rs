@@ -1,13 +1,13 @@
-//! The engine's arithmetic: IEEE + − × ÷ √ and the `libm` crate, nothing else.
+//! The engine's arithmetic: IEEE + − × ÷ √ and the crate `libm`, nothing else.
 //!
-//! Every transcendental function that the engine calls goes through this module, so that the
-//! bits are the same on every platform (`clippy.toml` refuses the standard library's).
+//! Every transcendental function of the engine comes from this module, so that the bits are the
+//! same on every platform. `clippy.toml` forbids the standard library's functions.
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 pub use libm::{acos, asin, atan, atan2, ceil, cos, exp, log, pow, sin, tan};
 
-/// √x, correctly rounded (IEEE 754), hence the same bits everywhere.
+/// √x, correctly rounded (IEEE 754), so its bits are the same on every platform.
 #[inline(always)]
 pub fn sqrt(x: f64) -> f64 {
     #[cfg(feature = "std")]
@@ -22,7 +22,8 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     libm::sincos(x)
 }
 
-/// Radians to degrees: where one exists, a number that [`radians`] turns back to exactly `radians`.
+/// Radians to degrees. If there is a number of degrees that [`radians`] turns back to exactly
+/// `radians`, the result is such a number.
 pub fn degrees(radians: f64) -> f64 {
     let near = radians * (180.0 / core::f64::consts::PI);
     let back = |d: &f64| self::radians(*d) == radians;
@@ -89,7 +90,7 @@ impl Vec2 {
     pub fn length(self) -> f64 {
         sqrt(self.length_squared())
     }
-    /// The same vector in space at height `z`.
+    /// This vector in space, at height `z`.
     #[inline(always)]
     pub fn with_z(self, z: f64) -> Vec3 {
         Vec3::new(self.x, self.y, z)
@@ -129,7 +130,7 @@ impl Vec3 {
     pub fn length(self) -> f64 {
         sqrt(self.length_squared())
     }
-    /// The part in the table plane.
+    /// The components in the table plane.
     #[inline(always)]
     pub fn xy(self) -> Vec2 {
         Vec2::new(self.x, self.y)

@@ -1,13 +1,13 @@
-//! A ball on the cloth against one part of a cushion.
+//! Contact of a ball on the cloth with one part of a cushion.
 //!
-//! The sphere touches the nose line at the nose's height h when its centre is, seen from above, the
-//! reach δ = √(R² − (h − R)²) away from it ([`Table::reach`]). So the centre meets a straight part
-//! shifted by δ along its normal, and a round part of radius r grown to r + δ. Where parts join
-//! tangentially the grown parts do too.
+//! A sphere touches the nose line, at height h, when the horizontal distance of its centre from the
+//! line is the reach δ = √(R² − (h − R)²) ([`Table::reach`]). So the centre meets a straight part
+//! that is shifted by δ along its normal, and a round part whose radius r is increased to r + δ.
+//! Parts that join tangentially still do so when they are shifted.
 //!
-//! At a join a rounding must neither open a gap nor make a ball that rolls along a nose stumble over
-//! the point at its end. So straight parts are longer by [`JOIN_OVERLAP`], round ones end exactly, and
-//! a part meets a ball that comes to its span from beside it as well as one that comes from in front.
+//! At a join, a rounding error must neither open a gap nor stop a ball that rolls along a nose at
+//! the point at its end. So straight parts are lengthened by [`JOIN_OVERLAP`], while round ones end
+//! exactly, and a part is met also by a ball that enters the part's span from the side.
 //!
 //! [`Table::reach`]: crate::Table::reach
 
@@ -25,11 +25,11 @@ pub(crate) const JOIN_OVERLAP: f64 = 1e-9;
 pub fn first_touch(shape: &Shape, reach: f64, path: &Motion<2>, horizon: f64) -> Option<f64> {
     match *shape {
         Shape::Segment { start, end, normal } => {
-            let line = Straight { start, end, normal, reach };
+            let line = StraightPart { start, end, normal, reach };
             line.first_touch(path, horizon)
         }
         Shape::Arc { center, radius, start, end } => {
-            let arc = Round { center, start, end, distance: radius + reach };
+            let arc = RoundPart { center, start, end, distance: radius + reach };
             arc.first_touch(path, horizon)
         }
         // Behind the hole, or above the ball.
@@ -37,14 +37,14 @@ pub fn first_touch(shape: &Shape, reach: f64, path: &Motion<2>, horizon: f64) ->
     }
 }
 
-struct Straight {
+struct StraightPart {
     start: Vec2,
     end: Vec2,
     normal: Vec2,
     reach: f64,
 }
 
-impl Straight {
+impl StraightPart {
     fn first_touch(&self, path: &Motion<2>, horizon: f64) -> Option<f64> {
         let from_start = Vec2::new(path.d[0], path.d[1]) - self.start;
         let velocity = Vec2::new(path.v[0], path.v[1]);
@@ -66,8 +66,9 @@ impl Straight {
         if s >= low && s <= high {
             return Some(t);
         }
-        // Coming in from beside: through a neighbour, by a rounding. A ball whose centre is behind the
-        // nose line itself is not at this part but somewhere else on the table.
+        // The ball enters the span from the side, after passing a neighbour by a rounding error. A
+        // ball whose centre is behind the nose line is somewhere else on the table, not at this
+        // part.
         let rate = s1 + 2.0 * (t * s2);
         let entry = if s < low {
             first_crossing(low - s, -rate, -s2, horizon - t)?
@@ -81,15 +82,15 @@ impl Straight {
     }
 }
 
-struct Round {
+struct RoundPart {
     center: Vec2,
     start: Vec2,
     end: Vec2,
-    /// Radius of the part grown by the reach, m.
+    /// The part's radius plus the reach, m.
     distance: f64,
 }
 
-impl Round {
+impl RoundPart {
     fn first_touch(&self, path: &Motion<2>, horizon: f64) -> Option<f64> {
         let mut rest = *path;
         rest.d = [path.d[0] - self.center.x, path.d[1] - self.center.y];
@@ -97,8 +98,8 @@ impl Round {
         if self.spans(rest.at(t), 0.0) { Some(t) } else { self.later_touch(&rest, t, horizon) }
     }
 
-    /// Whether the direction `p` (from the centre) lies between the two ends, or at most `slack` (m)
-    /// outside.
+    /// Whether the direction `p` (from the centre) is between the two ends, or outside by at most
+    /// `slack` (m).
     fn spans(&self, p: [f64; 2], slack: f64) -> bool {
         self.sides().iter().all(|side| side.dot(Vec2::new(p[0], p[1])) >= -slack)
     }
@@ -107,11 +108,11 @@ impl Round {
         arc_sides(self.start, self.end)
     }
 
-    /// The touch of a ball that touched the full circle beside the span at `t`: as it comes into the
-    /// span, or after that.
+    /// The contact of a ball that touches the full circle outside the span at `t`: when it enters
+    /// the span, or later.
     fn later_touch(&self, rest: &Motion<2>, t: f64, horizon: f64) -> Option<f64> {
         let mut t = t;
-        // A quadratic comes into a half plane at most once.
+        // A quadratic path enters a half-plane at most once.
         for _ in self.sides() {
             t = self.next_entry(rest, t, horizon)?;
             let moved = Motion { d: rest.at(t), v: rest.velocity_at(t), h: rest.h };
@@ -123,13 +124,13 @@ impl Round {
         None
     }
 
-    /// When a ball next comes into one of the half planes of [`Self::sides`] after `t`.
+    /// The first time after `t` at which the ball enters one of the half-planes of [`Self::sides`].
     fn next_entry(&self, rest: &Motion<2>, t: f64, horizon: f64) -> Option<f64> {
         let mut next: Option<f64> = None;
         for side in self.sides() {
             let c = |p: [f64; 2]| -side.dot(Vec2::new(p[0], p[1]));
             let (c0, c1, c2) = (c(rest.at(t)), c(rest.velocity_at(t)), c(rest.h));
-            // Where it is inside already it does not come in.
+            // A ball inside the half-plane does not enter it.
             if c0 > 0.0
                 && let Some(entry) = first_crossing(c0, c1, c2, horizon - t)
             {

@@ -1,4 +1,4 @@
-//! A ball on the cloth against a pocket.
+//! Capture of a ball on the cloth by a pocket.
 
 use carom_roots::{Motion, first_contact, first_crossing};
 
@@ -7,9 +7,9 @@ use crate::table::{Capture, Gate, Pocket};
 
 /// First time in [0, `horizon`] (s) at which `pocket` captures a ball of `reach` δ (m) on `path`.
 ///
-/// Drop circle: the centre comes over the hole, or passes between the deep ends of the facings, behind
-/// which there is only pocket. Mouth line: the centre crosses the line from tip to tip outwards (Leckie
-/// & Greenspan 2006, section 2.2).
+/// Drop circle: the centre comes over the hole, or passes between the deep ends of the facings into
+/// the space behind, which all belongs to the pocket. Mouth line: the centre crosses the line from
+/// tip to tip outwards (Leckie & Greenspan 2006, section 2.2).
 pub(crate) fn first_capture(
     pocket: &Pocket,
     gate: &Gate,
@@ -21,7 +21,7 @@ pub(crate) fn first_capture(
     over_hole(pocket, path, through.unwrap_or(horizon)).or(through)
 }
 
-/// First time in [0, `horizon`] at which the centre comes over the hole of a pocket that captures so.
+/// First time in [0, `horizon`] at which the centre comes over the hole of a drop-circle pocket.
 pub(crate) fn over_hole(pocket: &Pocket, path: &Motion<2>, horizon: f64) -> Option<f64> {
     match pocket.capture {
         Capture::DropCircle => {

@@ -1,9 +1,9 @@
-//! The first meeting of a ball with a cushion or a pocket.
+//! First contact of a ball on the cloth with the table: cushions and pockets.
 //!
-//! Inside the playing area shrunk by the ball's reach there is nothing to meet, and the shrunk
-//! rectangle is convex. So the time at which the path first leaves it, four scalar quadratics, is
-//! either the contact with a straight nose, or, in a pocket's mouth, the time from which on the parts of
-//! that mouth matter.
+//! Within the playing area, shrunk by the ball's reach on all sides, a ball meets nothing, and this
+//! rectangle is convex. The time at which the path first leaves it follows from four scalar
+//! quadratics. It is either the contact with a straight nose or the time at which the ball enters a
+//! pocket's mouth; from then on the parts of that mouth are searched.
 
 use carom_roots::{Motion, first_crossing};
 
@@ -33,11 +33,12 @@ pub enum TableFeature {
     Edge,
 }
 
-/// First feature of `table` that a ball of radius `radius` (m) on the cloth meets on the path
-/// d + v t + h t² (centre, in the table's frame) within [0, `horizon`], and when.
+/// First feature of `table` that a ball on the cloth meets, and when. Its radius is `radius` (m);
+/// its centre moves on d + v t + h t² (in the table's frame) within [0, `horizon`] (s, may be
+/// infinite).
 ///
-/// A cushion is met when the ball touches it and approaches, a pocket when it captures the ball
-/// ([`ball_cushion`], [`ball_pocket`]). `horizon` may be infinite.
+/// A ball meets a cushion when it touches it and approaches, and a pocket when the pocket captures
+/// it ([`ball_cushion`], [`ball_pocket`]).
 #[inline(always)]
 pub fn first_meeting(
     table: &Table,
@@ -49,8 +50,8 @@ pub fn first_meeting(
     meeting(table, radius, d, v, h, horizon)
 }
 
-/// The path by value, in registers: of one in memory, written number by number just now, the processor
-/// would read pairs, and wait until they are there.
+/// The path is passed by value: a vector load of scalars stored just before would stall on
+/// store-to-load forwarding.
 fn meeting(
     table: &Table,
     radius: f64,
@@ -79,7 +80,7 @@ fn meeting(
     let across = exit(inner.x, path.d[0], path.v[0], path.h[0], horizon);
     let up_to = across.map_or(horizon, |(t, _)| t);
     let (t, rail) = match exit(inner.y, path.d[1], path.v[1], path.h[1], up_to) {
-        // A tie, in the corner of a plain rectangle, goes to the long rail.
+        // Both at once, in the corner of a plain rectangle: the long rail comes first.
         Some((t, positive)) if across.is_none_or(|(x, _)| t < x) => {
             let x = path.d[0] + t * (path.v[0] + t * path.h[0]);
             (t, on_short_nose(table, x).then_some(usize::from(positive)))
@@ -97,8 +98,8 @@ fn meeting(
     }
 }
 
-/// Whether a path provably keeps to the playing area shrunk by `reach` (m) over [0, `horizon`], in
-/// which there is nothing to meet.
+/// Whether a path provably stays in the playing area shrunk by `reach` (m) over [0, `horizon`],
+/// where a ball meets nothing.
 #[inline(always)]
 pub fn keeps_clear(table: &Table, reach: f64, path: &Motion<2>, horizon: f64) -> bool {
     let half = table.layout.half;
@@ -106,25 +107,28 @@ pub fn keeps_clear(table: &Table, reach: f64, path: &Motion<2>, horizon: f64) ->
         && stays_inside(half.y - reach, path.d[1], path.v[1], path.h[1], horizon)
 }
 
-/// Whether one coordinate provably keeps within ±`limit` over [0, `horizon`].
+/// Whether a coordinate provably stays within ±`limit` over [0, `horizon`].
 #[inline(always)]
 fn stays_inside(limit: f64, d: f64, v: f64, h: f64, horizon: f64) -> bool {
-    // Compares false when 0·∞ makes a NaN: then nothing is proved.
+    // If 0·∞ makes a NaN, the comparison is false and nothing is proved.
     d.abs() + horizon * (v.abs() + horizon * h.abs()) < limit
 }
 
-/// A coordinate that turns back so late that it loses no more than this part of its speed is taken not to
-/// turn at all before the horizon: a ball that rolls until it stands may, by a rounding. It goes back by
-/// less than a rounding of its place.
+/// A coordinate whose speed changes sign just before the horizon, so that it exceeds 0 by at most
+/// this fraction of the initial speed, is treated as one that does not turn back. Rounding makes
+/// that happen to a ball that rolls until it is at rest. The error is below the rounding error of a
+/// position.
 const NO_TURN: f64 = 1e-12;
 
-/// A coordinate that ends this far inside its limit has not come to it, m: ten thousand roundings.
+/// A coordinate that ends at least this far inside its limit has not reached it, m: ten thousand
+/// rounding errors.
 const SHORT_OF_LIMIT: f64 = 1e-12;
 
-/// When a coordinate first leaves ±`limit` outwards, and whether on the positive side.
+/// The first time at which a coordinate leaves ±`limit`, and whether it does so on the positive
+/// side.
 #[inline(always)]
 fn exit(limit: f64, d: f64, v: f64, h: f64, horizon: f64) -> Option<(f64, bool)> {
-    // Most keep to one direction, and can leave that way only.
+    // Most coordinates move in one direction only and can leave on that side only.
     let speed = v.abs();
     let side = if v > 0.0 { 1.0 } else { -1.0 };
     let change = side * h * horizon;
@@ -157,10 +161,10 @@ fn on_long_nose(table: &Table, y: f64) -> bool {
     y >= from - JOIN_OVERLAP && y <= to + JOIN_OVERLAP
 }
 
-/// The first meeting of a ball that is in a pocket's mouth at `from`, s, and has met nothing before.
+/// First contact of a ball that is in a pocket's mouth at `from`, s, and has met nothing before.
 ///
-/// As long as the ball keeps to that pocket's quarter (or middle) of the table only that pocket's parts
-/// can be met. A path that leaves it, across the table again, is searched among all parts.
+/// While the ball stays in that pocket's quarter (or, for a side pocket, middle) of the table, it
+/// can meet only that pocket's parts. A path that leaves this region is searched among all parts.
 fn in_mouth(
     table: &Table,
     reach: f64,
@@ -175,9 +179,9 @@ fn in_mouth(
     let index = if at_side { 2 + right } else { right + if y > 0.0 { 4 } else { 0 } };
     let (pocket, mouth) = (&table.pockets[index], &layout.mouths[index]);
 
-    // The gate first: it costs little and ends the window in which the rest can matter. The hole last:
-    // a jaw that is met before often proves it out of the way. All are solved for the same horizon, so
-    // that a mirrored path, which comes to the jaws in another order, has the same bits.
+    // The gate comes first: it is cheap and ends the window in which the other parts matter. The
+    // hole comes last: a contact with a jaw before it often rules it out. All use the same horizon,
+    // so that a mirrored path, which meets the jaws in the opposite order, has the same bits.
     let through = ball_pocket::through_gate(pocket, &mouth.gate, reach, path, horizon);
     let last = through.unwrap_or(horizon);
     let mut window = Window::new(path, from, last);
@@ -201,7 +205,8 @@ fn in_mouth(
         first = Some((t, TableFeature::Pocket(index as u8)));
         window = Window::new(path, from, t);
     }
-    // The other end of either neighbouring nose bounds where this pocket is the only one.
+    // The far ends of the two neighbouring noses bound the region in which this pocket is the only
+    // one.
     let (outwards, upwards) = (if x > 0.0 { 1.0 } else { -1.0 }, if y > 0.0 { 1.0 } else { -1.0 });
     let alone = if at_side {
         window.least(Vec2::new(outwards, 0.0)) > 0.0
@@ -214,11 +219,11 @@ fn in_mouth(
     if alone { first } else { among_all(table, reach, path, horizon) }
 }
 
-/// A piece of a path, boxed in: it keeps within `sag` of the straight line between its ends.
+/// A section of a path with bounds: it stays within `sag` of the chord between its ends.
 struct Window {
     from: Vec2,
     to: Vec2,
-    /// ¼Δt² of the half acceleration: a parabola is at most this far from its chord, m.
+    /// ¼Δt² of the half acceleration: the largest distance of the parabola from its chord, m.
     sag: Vec2,
 }
 
@@ -233,14 +238,14 @@ impl Window {
         }
     }
 
-    /// The least coordinate along the unit vector `axis` that the path may reach, m. Not a number for a
-    /// path without end, so that every comparison with it fails.
+    /// A lower bound of the coordinate along the unit vector `axis`, m. NaN for an infinite path,
+    /// so that every comparison with it is false.
     fn least(&self, axis: Vec2) -> f64 {
         let (a, b) = (axis.dot(self.from), axis.dot(self.to));
         (if a < b { a } else { b }) - axis.dot(self.sag).abs()
     }
 
-    /// Whether a ball of `reach` (m) provably keeps off `shape`.
+    /// Whether a ball with this `reach` (m) provably does not touch `shape`.
     fn is_clear_of(&self, shape: &Shape, reach: f64) -> bool {
         match *shape {
             Shape::Segment { start, normal, .. } => self.least(normal) - normal.dot(start) > reach,
@@ -249,8 +254,8 @@ impl Window {
         }
     }
 
-    /// Whether the path provably keeps further than `distance` (m) from `center`: on one side of it, or
-    /// apart along the line from it to the path's end.
+    /// Whether the path provably stays further than `distance` (m) from `center`: it passes at one
+    /// side, or stays apart along the line from `center` to the path's end.
     fn is_clear_of_disc(&self, center: Vec2, distance: f64) -> bool {
         let distance = distance + self.sag.x.abs() + self.sag.y.abs();
         let squared = distance * distance;
@@ -265,7 +270,7 @@ impl Window {
     }
 }
 
-/// The first meeting among all parts and pockets.
+/// The first contact among all parts and pockets.
 fn among_all(
     table: &Table,
     reach: f64,

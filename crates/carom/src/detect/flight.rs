@@ -1,16 +1,16 @@
-//! The first meeting of a flying ball with the table.
+//! Earliest contact of a flying ball with the table.
 //!
-//! A flight is a parabola: horizontally straight and steady, vertically with half the acceleration −g/2.
-//! So every plane is a quadratic, every straight edge a quartic in the plane across it, and every circle
-//! of degree 8 ([`carom_roots::first_ring_contact`]).
+//! A flight is a parabola: uniform motion on a straight line in plan view, and a vertical half
+//! acceleration of −g/2. So a plane is a quadratic, a straight edge a quartic in the plane across
+//! it, and a circle has degree 8 ([`carom_roots::first_ring_contact`]).
 //!
-//! Most flights are small hops in the open: where the flight down to the slate keeps to the playing area
-//! shrunk by the ball's radius, only the slate counts. Otherwise planes come first, which always end a
-//! flight; then only what is near the straight line that the ball draws on the table until then is
-//! solved for.
+//! Most flights are small hops in the middle of the table: if the flight down to the slate stays in
+//! the playing area shrunk by the ball's radius, only the slate matters. Otherwise the planes come
+//! first, because one of them ends every flight. Then only parts near the straight line of the
+//! flight in plan view are searched.
 //!
-//! Surfaces that join tangentially overlap: the tube about a lip lies under the slate, that about an edge
-//! under the rail's top, so that at a join a rounding opens no gap.
+//! Surfaces that join tangentially overlap, so that rounding cannot open a gap at the join: the
+//! tube around a lip lies below the slate, the tube around an edge below the rail's top.
 
 use carom_roots::{Motion, first_crossing, first_ring_contact};
 
@@ -19,25 +19,28 @@ use super::edge::{self, below, earlier, first_touch_of_hole, keeps_below, plan, 
 use crate::math::Vec2;
 use crate::table::{Bounds, Capture, Shape, Table};
 
-/// How far ahead of the ball it is decided whether slate or hole, top or opening is under it, m: on the
-/// very edge the ball moves towards one of them. Ten thousand roundings of a position.
+/// How far ahead of the ball the surface under it is looked up (slate or hole, rail's top or
+/// opening), m: a ball exactly above an edge moves towards one of the two. Ten thousand rounding
+/// errors of a position.
 const LOOK_AHEAD: f64 = 1e-12;
 
-/// A centre at most this far above the slate's surface counts as having come down through it already, m:
-/// ten thousand roundings, so that one passage is reported once.
+/// A centre at most this far above the slate's surface counts as below it, m, so that one passage
+/// is reported once. Ten thousand rounding errors.
 const PASSED: f64 = 1e-12;
 
-/// First feature of `table` that a flying ball of radius `radius` (m) meets on the path d + v t + h t²
-/// (centre, in the engine's frame) within [0, `horizon`] (s, may be infinite), and when.
+/// Earliest feature of `table` that a flying ball meets, and when. Its radius is `radius` (m); its
+/// centre moves on d + v t + h t² (in the engine's frame) within [0, `horizon`] (s, may be
+/// infinite).
 ///
-/// The path must be a flight: no horizontal acceleration, and a downward one. Slate, lips, edges, walls
-/// and tops are met when the ball touches them and approaches. `Depth(k)`: the centre, in the hole of
-/// pocket k, comes down through the slate's surface, or, where the flight begins at or below it, through a
-/// radius below. `Edge`: the centre crosses the border of the rails outwards. `Pocket(k)`: the
-/// mouth-line model captures the ball; it crosses the line no higher than a rail's top lets it, or comes
-/// down to that height behind the line.
+/// The path must be a flight: no horizontal acceleration, and a downward one. The ball meets slate,
+/// lips, edges, walls and tops when it touches them and approaches. `Depth(k)`: the centre, in the
+/// hole of pocket k, descends through the slate's surface; if the flight begins at or below the
+/// surface, through one radius below it. `Edge`: the centre crosses the border of the rails
+/// outwards. `Pocket(k)`, in the mouth-line model: the centre crosses the line no higher than on a
+/// rail's top, or descends to that height behind the line.
 ///
-/// On a table with rails, and on endless cloth, every flight ends: `None` only for a `horizon` too near.
+/// On a table with rails, and on unbounded cloth, every flight ends, so the result is `None` only
+/// if the `horizon` comes first.
 pub fn first_meeting(
     table: &Table,
     radius: f64,
@@ -56,20 +59,20 @@ pub fn first_meeting(
     near_the_rails(&Flight { table, radius, path, landing }, horizon)
 }
 
-/// Whether a steadily moving coordinate keeps within ±`limit` until `t`.
+/// Whether a uniformly moving coordinate stays within ±`limit` until `t`.
 #[inline(always)]
 fn keeps_within(limit: f64, d: f64, v: f64, t: f64) -> bool {
-    // Compares false when 0·∞ makes a NaN: then nothing is proved.
+    // If 0·∞ makes a NaN, the comparison is false and nothing is proved.
     d.abs() + t * v.abs() <= limit
 }
 
-/// What is met first among all.
+/// The first contact among all parts of the table.
 fn near_the_rails(flight: &Flight<'_>, horizon: f64) -> Option<(f64, TableFeature)> {
-    let mut first = First { found: None, last: horizon };
+    let mut first = Earliest { found: None, last: horizon };
     flight.meet_planes(&mut first);
-    // All lips are solved for one horizon, and then all edges for one, so that a mirrored path, which
-    // comes to them in another order, has the same bits. Only what cannot come first is left out. Lips
-    // come first: a hop on one ends there before it can come to anything else.
+    // All lips use one horizon, and then all edges use one, so that a mirrored path, which meets
+    // them in another order, has the same bits. Parts that cannot be first are skipped. Lips come
+    // first because a hop on a lip ends there before it can meet anything else.
     if first.last < f64::INFINITY {
         let last = first.last;
         flight.meet_lips(&mut first, last);
@@ -79,15 +82,15 @@ fn near_the_rails(flight: &Flight<'_>, horizon: f64) -> Option<(f64, TableFeatur
     first.found
 }
 
-/// The earliest meeting found so far.
-struct First {
+/// The earliest contact found so far.
+struct Earliest {
     found: Option<(f64, TableFeature)>,
-    /// Its time, or the horizon, s.
+    /// Its time, or the horizon if there is none, s.
     last: f64,
 }
 
-impl First {
-    /// Returns whether `t` is the earliest so far.
+impl Earliest {
+    /// Takes `t` if it is the earliest so far. Returns whether it is.
     #[inline(always)]
     fn offer(&mut self, t: Option<f64>, feature: TableFeature) -> bool {
         match t {
@@ -104,12 +107,12 @@ struct Flight<'a> {
     table: &'a Table,
     radius: f64,
     path: &'a Motion<3>,
-    /// When the ball comes down to the slate within the horizon, s.
+    /// Time at which the ball comes down to the slate, if within the horizon, s.
     landing: Option<f64>,
 }
 
 impl Flight<'_> {
-    /// The plan of the centre at `t`, a hair ahead of it.
+    /// The centre in plan view at `t`, moved ahead by [`LOOK_AHEAD`].
     fn place_ahead(&self, t: f64) -> Vec2 {
         let [x, y, _] = self.path.at(t);
         let v = Vec2::new(self.path.v[0], self.path.v[1]);
@@ -118,13 +121,13 @@ impl Flight<'_> {
         Vec2::new(x, y) + ahead
     }
 
-    /// When the centre next comes down through the height `z` (m).
+    /// The next time at which the centre descends through the height `z` (m).
     fn descent_through(&self, z: f64) -> Option<f64> {
         let Motion { d, v, h } = self.path;
         first_crossing(d[2] - z, v[2], h[2], f64::INFINITY)
     }
 
-    fn meet_planes(&self, first: &mut First) {
+    fn meet_planes(&self, first: &mut Earliest) {
         let (table, path) = (self.table, self.path);
         let ground = self.landing.map(|t| match table.hole_at(self.place_ahead(t)) {
             None => (self.landing, TableFeature::Slate),
@@ -152,16 +155,17 @@ impl Flight<'_> {
         }
     }
 
-    /// Whether the centre never rises to the height `z` (m).
+    /// Whether the centre stays below the height `z` (m).
     fn keeps_under(&self, z: f64) -> bool {
         let (room, rise, fall) = (z - self.path.d[2], self.path.v[2], -self.path.h[2]);
         room > 0.0 && (rise <= 0.0 || rise * rise < 4.0 * (room * fall))
     }
 
-    /// At `t` the ball comes down to the height of the rails' tops.
-    fn meet_tops(&self, first: &mut First, t: f64) {
+    /// Contact with a rail's top, or capture behind a mouth line, at the time `t` at which the ball
+    /// descends to the height of the tops.
+    fn meet_tops(&self, first: &mut Earliest, t: f64) {
         let (table, place) = (self.table, self.place_ahead(t));
-        // One that never rose to it was nowhere near the tops.
+        // A ball that never rose to this height cannot come down on a top.
         if self.path.at(t)[2] <= table.cushion_height {
             return;
         }
@@ -172,14 +176,15 @@ impl Flight<'_> {
         }
     }
 
-    /// Whether the pockets capture by the mouth-line model: all do, or none.
+    /// Whether the pockets capture by the mouth-line model. All pockets of a table have the same
+    /// model.
     fn has_mouth_lines(&self) -> bool {
         let first = self.table.pockets.first();
         first.is_some_and(|pocket| matches!(pocket.capture, Capture::MouthLine { .. }))
     }
 
-    /// The lines from tip to tip, no higher than the rails' tops.
-    fn cross_mouth_lines(&self, first: &mut First) {
+    /// Crossings of the lines from tip to tip, no higher than on a rail's top.
+    fn cross_mouth_lines(&self, first: &mut Earliest) {
         if !self.has_mouth_lines() {
             return;
         }
@@ -192,16 +197,16 @@ impl Flight<'_> {
         }
     }
 
-    fn meet_edges(&self, first: &mut First, last: f64) {
+    fn meet_edges(&self, first: &mut Earliest, last: f64) {
         let (height, radius) = (self.table.cushion_height, self.radius);
-        // Until it comes down to where a ball touches an edge there is nothing to meet.
+        // A ball higher than this touches no edge before it comes down.
         if self.path.d[2] > height + radius
             && self.descent_through(height + radius).is_none_or(|t| t > first.last)
         {
             return;
         }
         let Table { layout, pockets, .. } = self.table;
-        let mut track = Track::new(self.path, first.last);
+        let mut track = PlanLine::new(self.path, first.last);
         let field = track.bounds().grown(radius);
         if pockets.is_empty() {
             for (i, place) in layout.bounds[..layout.on_cloth].iter().enumerate() {
@@ -230,9 +235,9 @@ impl Flight<'_> {
         }
     }
 
-    /// One edge or wall; `track` is that of the path until what is met first so far.
+    /// Searches one edge or wall. `track` covers the path until the earliest contact so far.
     #[inline(always)]
-    fn meet_part(&self, i: usize, first: &mut First, track: &mut Track, last: f64) {
+    fn meet_part(&self, i: usize, first: &mut Earliest, track: &mut PlanLine, last: f64) {
         let shape = &self.table.cushions[i].shape;
         if track.is_clear_of(shape, self.radius) {
             return;
@@ -240,20 +245,20 @@ impl Flight<'_> {
         let height = self.table.cushion_height;
         let t = edge::first_touch(shape, height, self.radius, self.path, last);
         if first.offer(t, TableFeature::Cushion(i as u16)) {
-            *track = Track::new(self.path, first.last);
+            *track = PlanLine::new(self.path, first.last);
         }
     }
 
-    /// The edges of the holes, and below the slate's surface their walls.
-    fn meet_lips(&self, first: &mut First, last: f64) {
+    /// Searches the lips of the holes and, below the slate's surface, their walls.
+    fn meet_lips(&self, first: &mut Earliest, last: f64) {
         let (path, radius) = (self.path, self.radius);
         if self.has_mouth_lines() {
             return;
         }
-        // Above the slate nothing of it is met but the plane.
+        // A ball above the slate can meet only its plane.
         let from = if path.d[2] > radius { self.landing } else { Some(0.0) };
         let Some(from) = from.filter(|t| *t < first.last) else { return };
-        let track = Track::new(path, first.last);
+        let track = PlanLine::new(path, first.last);
         let field = track.bounds().grown(radius);
         for &k in self.table.layout.mouth_quadrants.near(&field) {
             let k = usize::from(k);
@@ -268,15 +273,15 @@ impl Flight<'_> {
         }
     }
 
-    /// When the ball, no higher than a radius from `from` on, touches the edge of the hole of pocket `k`,
-    /// or its wall.
+    /// Contact with the lip or the wall of the hole of pocket `k`. From `from` on the ball's centre
+    /// is at most one radius above the slate.
     fn first_touch_of_lip(&self, k: usize, [from, last]: [f64; 2]) -> Option<f64> {
         let (pocket, radius) = (&self.table.pockets[k], self.radius);
         let around = relative(self.path, pocket.center, 0.0);
         let plan = plan(&around);
         let outwards = |from| first_touch_of_hole(&plan, pocket.radius - radius, from, last);
         let first = outwards(from);
-        // Where the liner stands on it the wall is the liner's, which the ball does not come through.
+        // Where a liner stands on the wall, the ball touches the liner and cannot pass through it.
         let is_lined = |t: f64| self.is_at_liner(k, &around, t);
         let until = match first {
             Some(t) if is_lined(t) && around.at(t)[2] <= self.table.cushion_height => t,
@@ -284,14 +289,15 @@ impl Flight<'_> {
         };
         let again = |t| if t == from { first } else { outwards(t) };
         let wall = below(&around, 0.0, [from, last], again).filter(|t| !is_lined(*t));
-        // Below the slate's surface the wall comes before its edge.
+        // Below the slate's surface a ball touches the wall before the lip.
         if keeps_below(&around, [from, until]) {
             return wall;
         }
         earlier(first_ring_contact(&around, pocket.radius, radius, from, until), wall)
     }
 
-    /// Whether the centre, seen from the middle of pocket `k`, is in the angle of its liner's round wall.
+    /// Whether the centre is in the angle of the round wall of pocket `k`'s liner, seen from the
+    /// pocket's centre.
     fn is_at_liner(&self, k: usize, around: &Motion<3>, t: f64) -> bool {
         let [x, y, _] = around.at(t);
         let from_center = Vec2::new(x, y);
@@ -300,13 +306,13 @@ impl Flight<'_> {
     }
 }
 
-/// What a flight draws on the table: a straight line.
-struct Track {
+/// A flight in plan view: a straight line.
+struct PlanLine {
     from: Vec2,
     to: Vec2,
 }
 
-impl Track {
+impl PlanLine {
     fn new(path: &Motion<3>, until: f64) -> Self {
         let plan = plan(path);
         let vec = |[x, y]: [f64; 2]| Vec2::new(x, y);
@@ -317,7 +323,7 @@ impl Track {
         Bounds::of([self.from, self.to])
     }
 
-    /// Whether the centre provably keeps further than `radius` (m) from the edge `shape`.
+    /// Whether the centre provably stays further than `radius` (m) from the edge `shape`.
     fn is_clear_of(&self, shape: &Shape, radius: f64) -> bool {
         match *shape {
             Shape::Segment { start, end, normal } => {
@@ -332,7 +338,7 @@ impl Track {
             }
             Shape::Arc { center, radius: ring, .. } => self.is_clear_of_disc(center, ring + radius),
             Shape::Hollow { center, radius: ring, start, end } => {
-                // The wall stands beyond a line through its beginning.
+                // The whole wall is beyond a line through its beginning.
                 let along = |p: Vec2| end.dot(p - center);
                 let (a, b) = (along(self.from), along(self.to));
                 (if a > b { a } else { b }) + radius < ring * end.dot(start)
@@ -342,14 +348,15 @@ impl Track {
         }
     }
 
-    /// Whether the line keeps nearer than `distance` (m) to `center`: both its ends do.
+    /// Whether the line stays closer than `distance` (m) to `center`, which it does if both ends
+    /// do.
     fn is_within_disc(&self, center: Vec2, distance: f64) -> bool {
         let nearer = |p: Vec2| (p - center).length_squared() < distance * distance;
         distance > 0.0 && nearer(self.from) && nearer(self.to)
     }
 
-    /// Whether the line keeps further than `distance` (m) from `center`: on one side of it, or ending before
-    /// it, or beginning behind it.
+    /// Whether the line stays further than `distance` (m) from `center`: it passes at one side,
+    /// ends before `center`, or begins after it.
     fn is_clear_of_disc(&self, center: Vec2, distance: f64) -> bool {
         let line = self.to - self.from;
         let (from, to) = (self.from - center, self.to - center);

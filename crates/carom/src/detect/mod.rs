@@ -1,5 +1,5 @@
-//! When do a ball and something else meet? One file per pair: `detect/<a>_<b>.rs`; a flying ball has
-//! [`flight`], one on a rail's top [`rail_top`].
+//! Contact times: when a ball meets another ball or the table. One file per pair:
+//! `detect/<a>_<b>.rs`; flying balls are in [`flight`], balls on a rail's top in [`rail_top`].
 
 pub mod ball_ball;
 pub mod ball_cushion;

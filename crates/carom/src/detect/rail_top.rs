@@ -1,7 +1,7 @@
-//! When does a ball that rolls or slides on a rail's top leave it?
+//! The end of a ball's way on a rail's top.
 //!
-//! Its support ends under its centre: at an edge line, which it crosses towards the cloth or a pocket's
-//! opening, or at the border.
+//! A ball that rolls or slides there loses its support where its centre crosses an edge line
+//! towards the cloth or a pocket's opening, or the outer border.
 
 use carom_roots::{Motion, first_crossing};
 
@@ -10,9 +10,9 @@ use super::ball_table::TableFeature;
 use crate::math::{Vec2, sqrt};
 use crate::table::{Bounds, Capture, Pocket, Shape, Table, arc_sides};
 
-/// First time in [0, `horizon`] (s, may be infinite) at which a ball on a rail's top loses its support on
-/// the path d + v t + h t² of its centre (m, in the engine's frame, seen from above), and where: `Brink`
-/// at the edge of cushion or pocket, `Edge` at the border.
+/// First time in [0, `horizon`] (s, may be infinite) at which a ball on a rail's top loses its
+/// support, and where: `Brink` at the edge of a cushion or pocket, `Edge` at the border. The centre
+/// moves on d + v t + h t² (m, in the engine's frame, in plan view).
 pub fn first_leaving(table: &Table, path: &Motion<2>, horizon: f64) -> Option<(f64, TableFeature)> {
     let mut last = horizon;
     let mut feature = None;
@@ -29,7 +29,7 @@ pub fn first_leaving(table: &Table, path: &Motion<2>, horizon: f64) -> Option<(f
         offer(first_crossing(border - d, -v, -h, horizon), TableFeature::Edge);
         offer(first_crossing(border + d, v, h, horizon), TableFeature::Edge);
     }
-    // A moving ball comes to the border at last.
+    // A moving ball reaches the border in the end.
     let end = offer(None, TableFeature::Edge);
     if end < f64::INFINITY {
         let field = field(path, end);
@@ -46,7 +46,7 @@ pub fn first_leaving(table: &Table, path: &Motion<2>, horizon: f64) -> Option<(f
     feature.map(|feature| (last, feature))
 }
 
-/// A box around the path until `end`.
+/// A bounding box of the path until `end`.
 fn field(path: &Motion<2>, end: f64) -> Bounds {
     let reach = |k: usize| end * (path.v[k].abs() + end * path.h[k].abs());
     let (start, reach) = (vec(path.d), Vec2::new(reach(0), reach(1)));
@@ -57,7 +57,7 @@ fn vec([x, y]: [f64; 2]) -> Vec2 {
     Vec2::new(x, y)
 }
 
-/// When the centre crosses the edge line `shape` off the top.
+/// The time at which the centre crosses the edge line `shape` away from the top.
 fn edge_crossing(shape: &Shape, path: &Motion<2>, end: f64) -> Option<f64> {
     match *shape {
         Shape::Segment { start, end: other, normal } => {
@@ -78,15 +78,16 @@ fn edge_crossing(shape: &Shape, path: &Motion<2>, end: f64) -> Option<f64> {
     }
 }
 
-/// When the centre crosses the endless line through `point` in the direction of its `normal`. A centre that
-/// turns back in front of the line does not: it is at some other part of the table.
+/// The time at which the centre crosses the infinite line through `point` in the direction of its
+/// `normal`. A centre that turns back before the line does not cross it here; such a ball is at
+/// another part of the table.
 fn line_crossing(normal: Vec2, point: Vec2, path: &Motion<2>, end: f64) -> Option<f64> {
     let behind = normal.dot(point - vec(path.d));
     let t = first_crossing(behind, -normal.dot(vec(path.v)), -normal.dot(vec(path.h)), end)?;
     (normal.dot(vec(path.at(t)) - point) <= JOIN_OVERLAP).then_some(t)
 }
 
-/// With the mouth-line model an opening ends in a straight line between the deep ends.
+/// In the mouth-line model an opening ends in a straight line between the deep ends of the facings.
 fn back_of_mouth(pocket: &Pocket, path: &Motion<2>, end: f64) -> Option<f64> {
     if !matches!(pocket.capture, Capture::MouthLine { .. }) {
         return None;
@@ -98,8 +99,8 @@ fn back_of_mouth(pocket: &Pocket, path: &Motion<2>, end: f64) -> Option<f64> {
     (s >= 0.0 && s <= across.length_squared()).then_some(t)
 }
 
-/// When the centre crosses a circle between two directions from its centre, outwards (`sign` 1) or inwards
-/// (−1).
+/// The time at which the centre crosses a circle, between two directions from the circle's centre,
+/// outwards (`sign` 1) or inwards (−1).
 fn circle_crossing(
     center: Vec2,
     radius: f64,
@@ -118,7 +119,7 @@ fn circle_crossing(
     circle.crossings(end, within)
 }
 
-/// A path about a circle: f(t) = ±(|p|² − r²), quartic.
+/// A path near a circle: f(t) = ±(|p|² − r²), a quartic.
 struct Circle {
     path: Motion<2>,
     radius: f64,
@@ -130,16 +131,17 @@ impl Circle {
         self.sign * (vec(self.path.at(t)).length_squared() - self.radius * self.radius)
     }
 
-    /// Half the rate of the gap.
+    /// Half the derivative of the gap.
     fn rate(&self, t: f64) -> f64 {
         self.sign * vec(self.path.at(t)).dot(vec(self.path.velocity_at(t)))
     }
 
-    /// The first time in [0, `end`] at which the gap rises through zero where `within` says so; at once if
-    /// it is open by a rounding already and rises.
+    /// The first time in [0, `end`] at which the gap rises through zero and `within` holds; 0 if
+    /// the gap is already open by a rounding error and rises.
     ///
-    /// Between the roots of its second derivative the rate is monotone, between the roots of the rate the
-    /// gap is: each piece has at most one root, which halving finds.
+    /// Between the roots of the second derivative the first derivative is monotone, and between the
+    /// roots of the first derivative the gap is. So each interval has at most one root, which
+    /// bisection finds.
     fn crossings(&self, end: f64, within: impl Fn(f64) -> bool) -> Option<f64> {
         let at_edge = 2.0 * self.radius * JOIN_OVERLAP;
         if (0.0..=at_edge).contains(&self.gap(0.0)) && self.rate(0.0) > 0.0 && within(0.0) {
@@ -162,7 +164,7 @@ impl Circle {
         pieces.filter_map(|piece| rise(|t| self.gap(t), piece[0], piece[1])).find(|t| within(*t))
     }
 
-    /// The ends of the pieces of [0, `end`] in which the rate is monotone.
+    /// The ends of the intervals of [0, `end`] in which the first derivative is monotone.
     fn inflections(&self, end: f64) -> [f64; 3] {
         let (a, b, c) = (vec(self.path.d), vec(self.path.v), vec(self.path.h));
         // ½f″ = c₀ + 2·c₁t + c₂t².
@@ -177,8 +179,8 @@ impl Circle {
     }
 }
 
-/// Where `f` rises through zero on a piece on which it is monotone: the first number at which it is
-/// positive.
+/// The point at which `f` rises through zero on an interval where it is monotone: the first
+/// floating-point number at which it is positive.
 fn rise(f: impl Fn(f64) -> f64, left: f64, right: f64) -> Option<f64> {
     if !(f(left) <= 0.0 && f(right) > 0.0) {
         return None;

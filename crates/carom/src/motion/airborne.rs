@@ -1,11 +1,11 @@
-//! Free flight: a parabola, the spin constant. Drag and Magnus force are left out: under 1 % at the
-//! speeds of billiards.
+//! Free flight: the centre moves on a parabola and the spin is constant. Drag and Magnus force are
+//! neglected; they are below 1 % of gravity at the speeds of billiards.
 
 use super::Path;
 use crate::math::{Vec2, Vec3};
 use crate::{BallState, MotionState};
 
-/// r(t) = r₀ + v₀t − ½gt²ẑ, until something is met.
+/// r(t) = r₀ + v₀t − ½gt²ẑ, without end.
 #[inline(always)]
 pub(super) fn path(state: &BallState, radius: f64, gravity: f64) -> Path {
     Path {

@@ -1,8 +1,8 @@
 //! Closed-form paths between events (Leckie & Greenspan 2005; 2006, eqs. 1–4).
 //!
-//! While its motion state lasts, a ball's centre moves on r(t) = r₀ + v₀t + ht², h being half its
-//! constant acceleration, and its spin is linear in time. One file per motion state says how that
-//! path begins, how long it lasts and what follows it.
+//! Within one motion state a ball's centre moves on r(t) = r₀ + v₀t + ht², where h is half its
+//! constant acceleration, and its spin is linear in time. One file per motion state has the start
+//! of this path, its duration and the state that follows.
 
 mod airborne;
 mod rolling;
@@ -15,19 +15,19 @@ use crate::math::{Vec2, Vec3};
 use crate::physics::Cloth;
 use crate::{Ball, BallState, MotionState};
 
-/// Slip below this fraction of the ball's surface speeds is rounding, not motion: a rolling ball's
-/// v and Rω cancel to about 1e-16 of either. At 1e-12 a wrong verdict changes a velocity by less
-/// than 1e-12 of itself; much smaller and rolling balls would be seen to slide, much larger and
-/// real slip would be lost.
+/// A slip below this fraction of the ball's surface speeds counts as rounding error: for a rolling
+/// ball v and Rω cancel to about 1e-16 of either. With 1e-12 a wrong decision changes a velocity by
+/// less than 1e-12 of itself. Much smaller, and rolling balls would be classified as sliding; much
+/// larger, and real slip would be ignored.
 const SLIP_ROUNDING: f64 = 1e-12;
 
-/// A speed below this, m/s, is none: a slide from it would be over in 1e-14 s, which is less than
-/// the rounding of a long shot's clock, and events that the clock cannot tell apart
-/// would follow each other for ever. A ball at this speed needs an hour for an atom's width.
+/// A speed below this, m/s, counts as 0. A slide from this speed would last 1e-14 s, less than the
+/// rounding error of the time late in a long shot, so events would repeat at one instant for ever.
+/// At this speed a ball takes an hour to move by the width of an atom.
 const STILL: f64 = 1e-13;
 
-/// What a ball does from now until its motion state ends, in closed form. Times are counted from
-/// the path's start.
+/// The motion of a ball from now until its motion state ends, in closed form. Times are relative to
+/// the start of the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Path {
     /// Centre at the start, m.
@@ -44,7 +44,7 @@ pub struct Path {
     pub spin_deceleration: f64,
     /// Motion state.
     pub motion: MotionState,
-    /// How long the motion state lasts, s; infinite if nothing ends it.
+    /// Duration of the motion state, s; infinite if it does not end by itself.
     pub duration: f64,
     /// The ball's radius, m.
     pub radius: f64,
@@ -57,7 +57,7 @@ impl Default for Path {
 }
 
 impl Path {
-    /// The path that a ball takes from `state`, whose motion state must be right (see
+    /// The path of a ball from `state`. Its motion state must agree with its velocities (see
     /// [`classify`]). `gravity` in m/s².
     #[inline]
     pub fn new(state: &BallState, ball: &Ball, cloth: &Cloth, gravity: f64) -> Self {
@@ -108,7 +108,7 @@ impl Path {
         }
     }
 
-    /// The state in which the next path starts when this one has lasted its whole duration.
+    /// The state at the end of this path, in which the next path starts.
     #[inline(always)]
     pub fn successor(&self) -> BallState {
         match self.motion {
@@ -122,7 +122,7 @@ impl Path {
         }
     }
 
-    /// Whether the centre moves at all.
+    /// Whether the centre moves.
     #[inline(always)]
     pub fn moves(&self) -> bool {
         matches!(self.motion, MotionState::Sliding | MotionState::Rolling | MotionState::Airborne)

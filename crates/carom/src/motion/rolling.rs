@@ -1,4 +1,4 @@
-//! Rolling without slip: straight, slowed by rolling resistance (Leckie & Greenspan 2006, eq. 4).
+//! Rolling without slip: straight, braked by rolling resistance (Leckie & Greenspan 2006, eq. 4).
 
 use super::{Path, decayed};
 use crate::math::{Vec2, Vec3};
@@ -26,13 +26,13 @@ pub(super) fn path(state: &BallState, radius: f64, cloth: &Cloth, gravity: f64) 
     }
 }
 
-/// Spin of a ball that rolls at `velocity`: ω = ẑ×v/R, and ω_z as it is.
+/// Spin of a ball that rolls at `velocity`: ω = ẑ×v/R, with the given ω_z.
 #[inline(always)]
 pub(super) fn spin(velocity: Vec3, radius: f64, about_vertical: f64) -> Vec3 {
     Vec3::new(-velocity.y / radius, velocity.x / radius, about_vertical)
 }
 
-/// At the end the ball stands, and turns on the spot if sidespin is left.
+/// At the end the ball is at rest, or spins if it still has sidespin.
 pub(super) fn successor(path: &Path) -> BallState {
     let spin = decayed(path.angular_velocity.z, path.spin_deceleration, path.duration);
     BallState {

@@ -1,4 +1,4 @@
-//! Slipping at the cloth (Leckie & Greenspan 2005; 2006, eqs. 1–3).
+//! Sliding on the cloth (Leckie & Greenspan 2005; 2006, eqs. 1–3).
 
 use super::{Path, decayed, rolling};
 use crate::ball::cloth_slip;
@@ -6,8 +6,8 @@ use crate::math::{Vec2, Vec3};
 use crate::physics::Cloth;
 use crate::{BallState, MotionState};
 
-/// A ball whose slide ends at less than this fraction of its slip speed has stopped dead
-/// (Rω₀ = −2.5 v₀ exactly): what is left is rounding.
+/// A slide that ends at less than this fraction of its slip speed ends at rest (exactly, Rω₀ = −2.5
+/// v₀); the rest is rounding error.
 const DEAD_STOP: f64 = 1e-13;
 
 /// Friction opposes the slip u = v + Rẑ×ω, whose direction û does not change:
@@ -32,8 +32,8 @@ pub(super) fn path(state: &BallState, radius: f64, cloth: &Cloth, gravity: f64) 
     }
 }
 
-/// At the end the ball rolls at v₀ − (2/7)u₀, whatever the friction; if that is nothing it
-/// stands. With sidespin left it rolls at speed 0 for no time, which leads on to spinning.
+/// At the end the ball rolls at v₀ − (2/7)u₀, whatever the friction, or is at rest if that is 0.
+/// With sidespin left it rolls at speed 0 for 0 s, and then spins.
 pub(super) fn successor(path: &Path) -> BallState {
     let slip = cloth_slip(path.velocity, path.angular_velocity, path.radius);
     let end = path.velocity.xy() - slip * (2.0 / 7.0);

@@ -1,4 +1,4 @@
-//! Turning about the vertical on the spot, until the cloth has stopped it.
+//! Spinning about the vertical without moving, until friction of the cloth ends it.
 
 use super::{Path, stationary};
 use crate::math::Vec3;

@@ -1,4 +1,4 @@
-//! At rest: on the cloth, down a pocket, or off the table.
+//! At rest: on the cloth, in a pocket, or off the table.
 
 use super::Path;
 use crate::MotionState;

@@ -2,23 +2,23 @@
 //!
 //! # The shooter's frame
 //!
-//! **d** is the direction of the cue, **r** horizontal to the right of it, **u** = r × d the
-//! third, up for a level cue. The contact point is R(x·r + y·u − √(1 − x² − y²)·d) from the
-//! ball's centre, with x = `side` and y = `height`, at every elevation; the impulse acts along d.
-//! Its lever arm is then R√(x² + y²) always, so the ball's inverse mass at the contact is k/m with
-//! k = 1 + 5/2·(x² + y²). This is Leckie & Greenspan's
-//! 1 + (5/2R²)(a² + b²cos²θ + c²sin²θ − 2bc·cosθ·sinθ): their vertical b = R(y·cosθ + q·sinθ) and
-//! horizontal c = R(q·cosθ − y·sinθ), q = √(1 − x² − y²), make b·cosθ − c·sinθ = R·y.
+//! **d** is the direction of the cue, **r** the horizontal direction to its right, and **u** = r ×
+//! d the third, which points up for a level cue. At every elevation the contact point is R(x·r +
+//! y·u − √(1 − x² − y²)·d) from the ball's centre, with x = `side` and y = `height`, and the
+//! impulse acts along d. So its lever arm is R√(x² + y²), and the ball's inverse mass at the
+//! contact is k/m with k = 1 + 5/2·(x² + y²). This equals Leckie & Greenspan's 1 + (5/2R²)(a² +
+//! b²cos²θ + c²sin²θ − 2bc·cosθ·sinθ): with their vertical b = R(y·cosθ + q·sinθ) and horizontal c
+//! = R(q·cosθ − y·sinθ), q = √(1 − x² − y²), b·cosθ − c·sinθ = R·y.
 //!
 //! # Squirt
 //!
-//! The shaft's end of mass m_e must follow the turning ball sideways, and pushes the ball the
-//! other way: right English sends it left of the aim, by α with
-//! tan α = 5/2·x√(1 − x²)/[1 + m/m_e + 5/2·(1 − x²)] at any speed (TP A.31, x the side offset).
-//! The velocity turns by α about u, which for a level cue is a turn of the azimuth; a masse shot
-//! gets the same sideways speed v·sin α, whatever the elevation. Speed and spin stay those of
-//! Leckie & Greenspan. The same effect of `height` lies in the vertical plane, where slate and
-//! bridge hold it, and is left out.
+//! The end of the shaft, of mass m_e, must follow the turning ball sideways, and pushes the ball
+//! the other way. Right English sends the ball to the left of the aim, by the angle α with tan α =
+//! 5/2·x√(1 − x²)/[1 + m/m_e + 5/2·(1 − x²)] at any speed (TP A.31, x the side offset). The
+//! velocity turns by α about u. For a level cue that changes the azimuth by α; a masse shot has the
+//! same sideways speed v·sin α at any elevation. Speed and spin stay those of Leckie & Greenspan.
+//! The same effect of `height` is neglected, because in the vertical plane slate and bridge hold
+//! the cue.
 
 use core::fmt;
 
@@ -27,14 +27,14 @@ use crate::math::{Vec3, atan, sin_cos, sqrt};
 use crate::physics::{Cue, Tip};
 use crate::resolve::SPIN_PER_IMPULSE;
 
-/// What the player does, in the frame of the shooter.
+/// A strike, in the shooter's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strike {
     /// Cue speed at contact, m/s.
     pub speed: f64,
     /// Direction in which the cue moves, counter-clockwise from +x, rad.
     pub azimuth: f64,
-    /// Butt raised above horizontal, rad.
+    /// Elevation of the butt above the horizontal, rad.
     pub elevation: f64,
     /// Contact point right of centre, in ball radii, perpendicular to the cue's axis.
     pub side: f64,
@@ -49,22 +49,22 @@ impl Strike {
     }
 }
 
-/// Why a strike is refused.
+/// Why a strike is impossible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StrikeError {
-    /// The contact point is off the ball.
+    /// The contact point is not on the ball.
     OffBall {
         /// √(side² + height²), in ball radii.
         offset: f64,
     },
-    /// The tip would slip off: beyond the miscue limit.
+    /// A miscue: the tip slips off beyond the miscue limit.
     Miscue {
         /// √(side² + height²), in ball radii.
         offset: f64,
-        /// The largest that the tip's friction holds.
+        /// The largest offset at which the tip's friction holds.
         limit: f64,
     },
-    /// TP A.30's radicand is negative: no speed gives this efficiency at this offset.
+    /// The radicand of TP A.30 is negative: no speed has this efficiency at this offset.
     Unreachable {
         /// √(side² + height²), in ball radii.
         offset: f64,
@@ -96,13 +96,13 @@ impl fmt::Display for StrikeError {
 impl core::error::Error for StrikeError {}
 
 /// The largest offset (in ball radii) at which a tip with friction `tip_friction` does not slip:
-/// μ = x/√(1 − x²) solved for x (TP 2.1, A.12).
+/// the solution x of μ = x/√(1 − x²) (TP 2.1, A.12).
 pub fn miscue_limit(tip_friction: f64) -> f64 {
     tip_friction / sqrt(1.0 + tip_friction * tip_friction)
 }
 
-/// The angle (rad) by which the ball leaves to the left of the cue's direction when it is struck
-/// at `side` (TP A.31); 0 if the cue's end has no mass.
+/// The angle (rad) from the cue's direction to the ball's, positive to the left, for a strike at
+/// `side` (TP A.31); 0 if the cue's end has no mass.
 pub fn squirt(cue: &Cue, ball: &Ball, side: f64) -> f64 {
     if cue.end_mass == 0.0 {
         return 0.0;
@@ -112,8 +112,8 @@ pub fn squirt(cue: &Cue, ball: &Ball, side: f64) -> f64 {
     atan(lever / (1.0 + ball.mass / cue.end_mass + SPIN_PER_IMPULSE * inward))
 }
 
-/// Ball speed over cue speed for an offset that gives inertia factor `k` = 1 + 5/2·offset².
-/// `None` where TP A.30's radicand is negative.
+/// Ball speed divided by cue speed, for an offset with the inertia factor `k` = 1 + 5/2·offset².
+/// `None` if the radicand of TP A.30 is negative.
 fn speed_ratio(cue: &Cue, ball: &Ball, k: f64) -> Option<f64> {
     let mass_ratio = ball.mass / cue.mass;
     let recoil = match cue.tip {
@@ -130,10 +130,11 @@ fn speed_ratio(cue: &Cue, ball: &Ball, k: f64) -> Option<f64> {
 }
 
 /// Velocity (m/s) and spin (rad/s) of a resting ball after the strike. A raised cue drives the ball
-/// down, at −v·sin φ: the slate's answer is the next impact (TP B.10's launch rule; Leckie &
+/// down at −v·sin φ; the slate's response is a separate impact (launch rule of TP B.10; Leckie &
 /// Greenspan 2005).
 ///
-/// The spin is v/R·5/2·(x·**u** − y·**r**), so right English gives ω_z > 0 and height > 0 follow.
+/// The spin is v/R·5/2·(x·**u** − y·**r**), so right English gives ω_z > 0 and a positive height
+/// gives follow.
 pub fn resolve(cue: &Cue, ball: &Ball, strike: &Strike) -> Result<(Vec3, Vec3), StrikeError> {
     let offset = strike.offset();
     if offset >= 1.0 {
@@ -150,7 +151,7 @@ pub fn resolve(cue: &Cue, ball: &Ball, strike: &Strike) -> Result<(Vec3, Vec3), 
     let (sin_azimuth, cos_azimuth) = sin_cos(strike.azimuth);
     let (sin_elevation, cos_elevation) = sin_cos(strike.elevation);
     let forward =
-        // A level cue gives 0, not −0.
+        // Subtraction from 0.0 makes this 0 for a level cue, not −0.
         Vec3::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, 0.0 - sin_elevation);
     let up = Vec3::new(cos_azimuth * sin_elevation, sin_azimuth * sin_elevation, cos_elevation);
     let right = Vec3::new(sin_azimuth, -cos_azimuth, 0.0);

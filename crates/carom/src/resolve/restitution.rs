@@ -1,21 +1,21 @@
 //! Restitution at low speed.
 //!
-//! Cloth friction can push a ball with constant acceleration into another one or into a rail.
-//! With a constant coefficient of restitution e < 1 it then bounces infinitely often in finite
-//! time (Zeno), and the shot never ends. Real collisions also become elastic as they become
-//! gentle: below the yield speed of the material nothing is lost but a little sound. So the
-//! coefficient rises to 1 at low speed; no energy is ever added, and the bounces stop shrinking.
+//! Friction of the cloth can push a ball with constant acceleration against another ball or a rail.
+//! With a constant coefficient of restitution e < 1 the ball then bounces infinitely often in
+//! finite time (Zeno's paradox), and the shot never ends. Real collisions become elastic as they
+//! become gentle: below the yield speed of the material only a little sound is lost. So the
+//! coefficient rises to 1 at low speed. No energy is added, and the bounces stop shrinking.
 
-/// Approach speed up to which an impact is perfectly elastic, m/s: one millimetre per second, a
-/// ball that takes a minute to cross its own diameter. A larger value changes how clusters of
-/// balls come to rest; a much smaller one lets bounces shrink until they drown in rounding.
+/// Approach speed up to which an impact is perfectly elastic, m/s: one millimetre per second; a
+/// ball this slow takes a minute to cross its own diameter. Larger, and clusters of balls come to
+/// rest differently; much smaller, and bounces shrink until they are lost in rounding errors.
 pub const ELASTIC: f64 = 1e-3;
 
-/// Approach speed from which a law's own restitution holds, m/s.
+/// Approach speed from which a law's own restitution applies, m/s.
 pub const FULL: f64 = 2.0 * ELASTIC;
 
-/// Coefficient of restitution for an impact at `approach_speed` (m/s, ≥ 0): `e` from
-/// [`FULL`] up, exactly 1 at or below [`ELASTIC`], linear (so continuous) between.
+/// Coefficient of restitution of an impact at `approach_speed` (m/s, ≥ 0): `e` from [`FULL`] on,
+/// exactly 1 up to [`ELASTIC`], linear and so continuous between.
 #[inline]
 pub fn effective(e: f64, approach_speed: f64) -> f64 {
     if approach_speed >= FULL {
@@ -32,13 +32,13 @@ mod tests {
     use super::{ELASTIC, FULL, effective};
 
     #[test]
-    fn restitution_is_constant_above_twice_the_quiet_speed() {
+    fn restitution_is_the_laws_own_from_twice_the_elastic_speed_on() {
         assert_eq!(effective(0.93, FULL), 0.93);
         assert_eq!(effective(0.93, 5.0), 0.93);
     }
 
     #[test]
-    fn restitution_is_one_at_and_below_the_quiet_speed() {
+    fn restitution_is_one_up_to_the_elastic_speed() {
         for speed in [0.0, 1e-12, 0.5 * ELASTIC, ELASTIC] {
             assert_eq!(effective(0.0, speed), 1.0);
         }

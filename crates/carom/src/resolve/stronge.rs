@@ -1,12 +1,11 @@
-//! W. J. Stronge, *Impact Mechanics* (Cambridge University Press 2000), section 5.1: an impact whose
-//! contact is compliant along the surface too, so that part of the slip is given back. The surface
-//! of a rubber ball that is dragged sideways springs back; so, faintly, do a phenolic ball and a
-//! cushion.
+//! W. J. Stronge, *Impact Mechanics* (Cambridge University Press 2000), section 5.1: an impact
+//! between surfaces with tangential compliance, which give part of the slip back. The surface of a
+//! rubber ball that is dragged sideways springs back; phenolic balls and cushions do so slightly.
 //!
-//! Two springs join the bodies at the contact: one along the normal, whose stiffness rises in the
-//! restitution phase so that the approach speed comes back e-fold, and one along the slip, which
-//! is dragged over the surface whenever its force exceeds μ times the normal force. With the time
-//! τ in radians of the normal spring and ω the ratio of the tangential to the normal frequency:
+//! Two springs join the bodies at the contact. The stiffness of the normal spring rises in the
+//! restitution phase, so that the separation speed is e times the approach speed. The tangential
+//! spring slides over the surface when its force exceeds μ times the normal force. τ is the time in
+//! radians of the normal spring and ω the ratio of the tangential to the normal frequency:
 //!
 //! * normal force ∝ dν/dτ = sin τ for τ < π/2 (compression), sin ψ after it, where
 //!   ψ = π − y runs from π/2 to π at rate 1/e; ν is the normal impulse per approach speed,
@@ -19,23 +18,24 @@
 //!
 //! The surfaces stick from the first touch (x ≤ η²), or slide first and stick later, or slide to
 //! the end. Departure from the book: sliding to the end also needs x ≥ β. Where e·ω < 1 the book's
-//! bound, (1 + e)β − η²/e, lies below that, and surfaces between the two do stick before
+//! bound, (1 + e)β − η²/e, is smaller than β, and surfaces between the two bounds do stick before
 //! compression ends.
 
 use crate::math::{acos, sin_cos, sqrt};
 use core::f64::consts::FRAC_PI_2;
 
-/// β: change of slip per tangential impulse over that of approach speed per normal impulse.
+/// β: change of slip per tangential impulse, divided by the change of approach speed per normal
+/// impulse.
 pub(super) const BETA: f64 = 3.5;
 
-/// Accuracy of the instant of the last slip, rad. The final slip is stationary there, so its
-/// error is the square of this, below one rounding.
+/// Accuracy of the instant of the last slip, rad. The final slip is stationary there, so its error
+/// is the square of this number, less than a rounding error.
 const LAST_SLIP_ACCURACY: f64 = 1e-8;
 
-/// Steps of the search for that instant; it converges cubically and takes two or three.
+/// The most steps of the search for that instant. It converges cubically, in two or three steps.
 const LAST_SLIP_STEPS: usize = 30;
 
-/// An impact as the contact point sees it.
+/// An impact in quantities at the contact point.
 #[derive(Clone, Copy, Debug)]
 pub struct Impact {
     /// Normal approach speed, m/s, > 0.
@@ -50,9 +50,9 @@ pub struct Impact {
     pub frequency_ratio: f64,
 }
 
-/// Where and how the surfaces begin to stick, in radians of the normal spring.
+/// The instant at which the surfaces begin to stick, in radians of the normal spring.
 struct Stick {
-    /// Time from then to the end of the impact.
+    /// Time from this instant to the end of the impact.
     remaining: f64,
     /// Slip x.
     slip: f64,
@@ -61,8 +61,8 @@ struct Stick {
 }
 
 impl Impact {
-    /// The slip speed after the impact along the line of the initial slip, m/s; negative where
-    /// the surfaces have sprung back.
+    /// The slip speed after the impact along the line of the initial slip, m/s; negative if the
+    /// surfaces have sprung back.
     pub fn final_slip(&self) -> f64 {
         let unit = self.friction * self.approach;
         if unit == 0.0 {
@@ -71,13 +71,14 @@ impl Impact {
         let slip = self.slip / unit;
         let last = match self.stick(slip) {
             None => slip - BETA * (1.0 + self.restitution),
-            // Stored energy can only come back, never grow: hold that against rounding too.
+            // The spring can only give back its energy. The limit also holds against rounding
+            // errors.
             Some(stick) => self.slip_at_end(&stick).clamp(-slip, slip),
         };
         last * unit
     }
 
-    /// When the surfaces first stick; `None` if they slide all the time.
+    /// The instant at which the surfaces first stick; `None` if they slide all the time.
     fn stick(&self, slip: f64) -> Option<Stick> {
         let e = self.restitution;
         let eta_squared = BETA / (self.frequency_ratio * self.frequency_ratio);
@@ -85,7 +86,7 @@ impl Impact {
         if slip <= eta_squared {
             return Some(Stick { remaining: length, slip, rate: 0.0 });
         }
-        // The dragged spring catches up with the slip: x = η² cos τ in compression …
+        // In compression the force of the sliding spring becomes small enough where x = η² cos τ …
         if slip <= BETA {
             let cos = (slip - BETA) / (eta_squared - BETA);
             return Some(Stick {
@@ -94,7 +95,7 @@ impl Impact {
                 rate: -BETA * sqrt(1.0 - cos * cos),
             });
         }
-        // … and x = −(η²/e) cos y in restitution.
+        // … and in restitution where x = −(η²/e) cos y.
         let sweep = e * BETA - eta_squared / e;
         if e == 0.0 || slip - BETA >= sweep {
             return None;
@@ -107,8 +108,8 @@ impl Impact {
         })
     }
 
-    /// Follows the sticking surfaces to where they slide again, as they always do before the
-    /// normal force ends, and on to the end.
+    /// The slip at the end of the impact. The sticking surfaces always slide again before the
+    /// normal force ends.
     fn slip_at_end(&self, stick: &Stick) -> f64 {
         let (e, omega) = (self.restitution, self.frequency_ratio);
         let oscillate = |since: f64| {
@@ -117,7 +118,7 @@ impl Impact {
             (stick.slip * cos + quarter * sin, omega * (quarter * cos - stick.slip * sin))
         };
         let (mut x, mut rate) = oscillate(stick.remaining);
-        // The spring's force at the end tells which way the surfaces slide last.
+        // The sign of the spring's force at the end is the direction of the last slip.
         let side = if rate > 0.0 { 1.0 } else { -1.0 };
         let longest =
             if e * FRAC_PI_2 <= stick.remaining { FRAC_PI_2 } else { stick.remaining / e };
@@ -155,8 +156,8 @@ mod tests {
         Impact { approach: 1.0, slip, restitution, friction, frequency_ratio }.final_slip()
     }
 
-    /// The same two springs in small steps of time: the tangential spring's force moves with the
-    /// slip and is cut to ±μ times the normal force.
+    /// The same two springs in small steps of time: the force of the tangential spring changes with
+    /// the slip and is limited to ±μ times the normal force.
     fn stepped(slip: f64, e: f64, friction: f64, omega: f64) -> f64 {
         const STEPS: u32 = 40_000;
         let end = FRAC_PI_2 * (1.0 + e);
@@ -173,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn closed_form_follows_the_springs_stepped_through_time() {
+    fn the_closed_form_agrees_with_the_springs_integrated_in_small_steps() {
         for e in [0.02, 0.3, 0.55, 0.7, 0.85, 0.95, 1.0] {
             for omega in [1.05, 1.4, 1.7, 1.95] {
                 for n in 1..40 {

@@ -1,7 +1,7 @@
-//! Restitution and friction between surfaces that yield sideways and spring back
-//! ([`stronge`]). Rigid surfaces (`frictional`) can throw a ball by at
-//! most atan(tan φ/7) at cut angle φ, 4.7° at 30°; measured throws reach 6° (Alciatore,
-//! Billiards Digest, Sept 2006). μ is taken at the initial slip speed, and the slip keeps its line.
+//! Restitution and friction between surfaces with tangential compliance ([`stronge`]). Rigid
+//! surfaces (`frictional`) throw a ball by at most atan(tan φ/7) at the cut angle φ, 4.7° at 30°;
+//! measured throws reach 6° (Alciatore, Billiards Digest, Sept 2006). μ is that of the initial slip
+//! speed, and the slip keeps its direction.
 
 use super::contact::{Contact, TANGENT_COMPLIANCE};
 use crate::math::Vec3;
@@ -16,7 +16,7 @@ pub fn resolve(law: &BallBall, contact: &Contact, a: &mut Body, b: &mut Body) {
     contact.apply(along, friction(law, contact, along, e), a, b);
 }
 
-/// The friction impulse on b (per m*) that goes with the impulse `along` n.
+/// The friction impulse on b (per m*) that accompanies the impulse `along` n.
 #[inline]
 pub(super) fn friction(law: &BallBall, contact: &Contact, along: f64, restitution: f64) -> Vec3 {
     let slip = contact.slip_speed();

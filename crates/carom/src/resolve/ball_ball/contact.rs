@@ -1,22 +1,22 @@
 //! The kinematics of two balls in contact, on the cloth or in the air.
 //!
-//! The normal **n** points from a's centre to b's, in any direction: a falling ball may stand right
+//! The normal **n** points from a's centre to b's, in any direction: a falling ball may be directly
 //! above another. The balls approach at w = (v_a − v_b)·n, and a's surface slips over b's with
 //!
 //! **u** = (v_a − v_b) − w**n** + (R_a ω_a + R_b ω_b) × **n**,
 //!
-//! which lies in the tangent plane. An impulse acts at the contact, equal and opposite on the two
-//! balls; nothing else takes part. So momentum is conserved, and so is each ball's angular
-//! momentum about the contact point. What this does to balls that stand on the slate is the
-//! slate's answer, and comes afterwards ([`crate::resolve::ball_slate::settle`]): one of them is
-//! pressed down, the other may hop (Alciatore, TP B.5).
+//! which lies in the tangent plane. Equal and opposite impulses act on the two balls at the
+//! contact; no other force takes part. So momentum is conserved, and so is each ball's angular
+//! momentum about the contact point. The slate acts afterwards on balls that stand on it
+//! ([`crate::resolve::ball_slate::settle`]): one is pressed down, the other may hop (Alciatore, TP
+//! B.5).
 //!
 //! Impulses are written per unit of the reduced mass m* = m_a m_b/(m_a + m_b), so they are speeds.
 
 use crate::math::{Vec3, sqrt};
 use crate::resolve::{Body, SPIN_PER_IMPULSE};
 
-/// Change of slip per tangential impulse (per unit of m*): 1 from the centre's motion and
+/// Change of slip per tangential impulse (per unit of m*): 1 from the motion of the centre and
 /// mR²/I = 5/2 from the spin of a homogeneous ball.
 pub const TANGENT_COMPLIANCE: f64 = 3.5;
 
@@ -52,14 +52,14 @@ impl Contact {
         }
     }
 
-    /// Applies the impulse `along` n and `tangential` in the tangent plane, both per m* and on b; a
-    /// takes the opposite.
+    /// Applies the impulse `along` n and `tangential` in the tangent plane, both per m*, to b, and
+    /// the opposite impulse to a.
     #[inline]
     pub fn apply(&self, along: f64, tangential: Vec3, a: &mut Body, b: &mut Body) {
         let push = self.normal * along + tangential;
         a.velocity -= push * self.share_a;
         b.velocity += push * self.share_b;
-        // The arms are R_a·n and −R_b·n: the torque turns both balls the same way.
+        // The lever arms are R_a·n and −R_b·n, so the torque turns both balls in the same sense.
         let torque = self.normal.cross(tangential);
         a.angular_velocity -= torque * (SPIN_PER_IMPULSE * self.share_a / a.radius);
         b.angular_velocity -= torque * (SPIN_PER_IMPULSE * self.share_b / b.radius);

@@ -1,5 +1,6 @@
-//! Normal restitution without friction: the speeds along the line of centres are exchanged
-//! (Leckie & Greenspan 2006; TP 3.1), times the coefficient of restitution. Spins do not change.
+//! Normal restitution without friction: the velocities along the line of centres are exchanged
+//! (Leckie & Greenspan 2006; TP 3.1), reduced by the coefficient of restitution. Spins do not
+//! change.
 
 use super::contact::Contact;
 use crate::math::Vec3;

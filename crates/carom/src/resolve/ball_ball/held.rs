@@ -1,15 +1,16 @@
-//! A ball comes down gently on one that lies on the slate.
+//! A ball comes down gently on a ball that lies on the slate.
 //!
-//! What it presses down the slate holds: the lower ball cannot give way downwards, so only its
-//! horizontal inertia takes part, 1/m* = 1/m + n_h²/m′ along the normal **n** with its horizontal part
-//! n_h. Without this the slate would take what the lower ball gets, hop by hop, and a ball on top of
-//! another would need ever more of them. So gentle a contact has no friction.
+//! The slate holds the lower ball, which cannot move downwards. So only its horizontal inertia
+//! takes part, 1/m* = 1/m + n_h²/m′, where n_h is the horizontal part of the normal **n**.
+//! Otherwise the slate would absorb the lower ball's momentum in each hop, and a ball on top of
+//! another would hop without end. Friction is neglected in so gentle a contact.
 
 use crate::math::Vec3;
 use crate::resolve::{Body, restitution};
 
-/// Resolves the contact of `flyer` with `held`; `normal` is the unit vector from the first's centre to
-/// the second's, `restitution` the law's. Balls that do not approach are left alone.
+/// Resolves the contact of `flyer` with `held`. `normal` is the unit vector from the first ball's
+/// centre to the second's, `restitution` that of the law. Balls that do not approach are left
+/// unchanged.
 pub fn resolve(restitution: f64, normal: Vec3, flyer: &mut Body, held: &mut Body) {
     let approach = (flyer.velocity - held.velocity).dot(normal);
     if approach <= 0.0 {
@@ -37,7 +38,7 @@ mod tests {
     }
 
     #[test]
-    fn from_straight_above_the_lower_ball_is_a_wall() {
+    fn hit_from_straight_above_the_lower_ball_acts_like_a_wall() {
         let (mut a, mut b) = (ball(Vec3::new(0.1, 0.0, -0.04)), ball(Vec3::ZERO));
         resolve(0.9, Vec3::new(0.0, 0.0, -1.0), &mut a, &mut b);
         assert!((a.velocity.z - 0.036).abs() < 1e-17 && a.velocity.x == 0.1);
@@ -45,7 +46,7 @@ mod tests {
     }
 
     #[test]
-    fn aslant_the_lower_ball_is_pushed_along_the_slate_and_no_energy_comes_or_goes() {
+    fn hit_at_an_angle_the_lower_ball_moves_along_the_slate_and_energy_is_conserved() {
         let normal = Vec3::new(0.6, 0.0, -0.8);
         let (mut a, mut b) = (ball(Vec3::new(0.0, 0.0, -0.04)), ball(Vec3::ZERO));
         let before = energy([&a, &b]);

@@ -1,28 +1,29 @@
 //! Mathavan, Jackson & Parkin, *Numerical simulations of the frictional collisions of solid balls
 //! on a rough surface*, Sports Engineering 17 (2014) 227–237.
 //!
-//! The impact is followed along the normal impulse P. Where the balls touch, friction μ_bb acts
-//! against the slip **u**; its vertical part presses one of the balls on the cloth, where friction
-//! μ_s acts against that ball's slip **c**. With impulses per m* (so P is a speed), the normal h,
-//! and the horizontal tangent t₁ = ẑ×h, a receives per dP
+//! The impact is integrated over the normal impulse P. Friction μ_bb between the balls acts against
+//! the slip **u**. Its vertical part presses one of the balls on the cloth, whose friction μ_s acts
+//! against that ball's slip **c**. With impulses per m* (so P is a speed), the normal h, and the
+//! horizontal tangent t₁ = ẑ×h, ball a receives per dP
 //!
 //! * from b: −1 along h, −μ_bb·û₁ along t₁ and −μ_bb·û_z along ẑ;
 //! * from the cloth, if û_z > 0: N = μ_bb·û_z upwards and −μ_s·N·ĉ in the plane;
 //!
-//! and b the opposite, pressed if û_z < 0. Centres have no vertical speed. Compression ends where
-//! the approach speed w is 0, after the work W_c = ∫w dP; the impact ends when restitution has
-//! given back the work e²·W_c (Stronge's energetic coefficient). μ_bb is taken at the initial slip.
+//! and b the opposite, pressed down if û_z < 0. The centres have no vertical velocity. Compression
+//! ends where the approach speed w is 0, after the work W_c = ∫w dP; the impact ends when
+//! restitution has returned the work e²·W_c (Stronge's energetic coefficient). μ_bb is that of the
+//! initial slip.
 //!
-//! **Departures.** The paper takes steps of equal P. Here Dormand & Prince's Runge–Kutta pair of
-//! order 5(4) chooses its steps, each accurate to `TOLERANCE` of the approach speed, and the ends
-//! of both phases are met exactly; the results are converged to 1e-9 m/s (held by a test against
-//! 160 000 small steps). The slip between the balls ends where it reaches zero; then no
-//! friction acts any more, for nothing drives the slip (the paper's equations are undefined there).
-//! The cloth takes momentum from the pair, unlike in the other models.
+//! **Departures.** The paper takes steps of equal P. Here the step size is controlled with Dormand
+//! & Prince's Runge–Kutta pair of order 5(4), each step accurate to `TOLERANCE` of the approach
+//! speed, and the ends of both phases are met exactly. The results are converged to 1e-9 m/s (a
+//! test compares them with 160 000 small steps). When the slip between the balls reaches zero,
+//! friction ends, because nothing drives a new slip (the paper's equations are undefined there).
+//! Unlike in the other models, the cloth changes the pair's momentum.
 //!
-//! **Off the cloth**, and where unequal balls meet aslant, the paper says nothing. Without the
-//! cloth's part its equations keep the line of the slip and have a closed form, which is
-//! [`frictional`]'s.
+//! The paper does not cover balls **off the cloth** or unequal balls, whose line of centres is
+//! inclined. Without the terms of the cloth its equations keep the direction of the slip, and their
+//! closed form is that of [`frictional`].
 
 use super::contact::{Contact, TANGENT_COMPLIANCE};
 use super::frictional;
@@ -30,35 +31,35 @@ use crate::math::{Vec2, pow, sqrt};
 use crate::physics::{BallBall, Cloth};
 use crate::resolve::{Body, SPIN_PER_IMPULSE, restitution};
 
-/// Local error of a step, in parts of the approach speed.
+/// Local error of a step, as a fraction of the approach speed.
 const TOLERANCE: f64 = 1e-11;
 
-/// A slip below this part of the approach speed has ended.
+/// A slip below this fraction of the approach speed counts as 0.
 const STUCK: f64 = 1e-11;
 
-/// Part of the remaining life of a slip that one step may take: its direction may still turn
-/// until it ends.
+/// Fraction of a slip's remaining duration that one step may take. The direction of the slip may
+/// still change until it ends.
 const SLIP_STEP: f64 = 0.75;
 
-/// How closely the ends of the two phases are met, in parts of the approach speed and of the work.
+/// Accuracy of the ends of the two phases, as a fraction of the approach speed and of the work.
 const PHASE_END: f64 = 1e-13;
 
-/// Steps at most; an impact takes 10 to 200. Only cloth or balls that grip so hard that the slip
-/// chatters come here (μ_bb·μ_s > 1/4), and the rest of the impact is then frictionless.
+/// The most steps; an impact takes 10 to 200. More are needed only if cloth and balls have so much
+/// friction that the slip alternates (μ_bb·μ_s > 1/4). The rest of such an impact is computed
+/// without friction.
 const MAX_STEPS: usize = 2000;
 
-/// Velocities and surface speeds Rω of both balls along h, t₁ and ẑ:
-/// v_h, v_1, Rω_h, Rω_1, Rω_z of a, then of b; last the work W of the normal impulse per approach
-/// speed at the start.
+/// Velocities and surface velocities Rω of both balls along h, t₁ and ẑ: v_h, v_1, Rω_h, Rω_1, Rω_z
+/// of a, then of b; last the work W of the normal impulse, divided by the initial approach speed.
 type State = [f64; 11];
 
-/// Where the two balls' parts of a state are.
+/// Indices of the two balls' parts in a state.
 const A: core::ops::Range<usize> = 0..5;
 const B: core::ops::Range<usize> = 5..10;
 const WORK: usize = 10;
 
-/// What does not change during an impact.
-struct Impact {
+/// The constants of one impact.
+struct Integration {
     /// Horizontal unit vector h from a to b.
     direction: Vec2,
     /// m*/m_a.
@@ -75,12 +76,12 @@ struct Impact {
 
 /// Resolves `contact`.
 pub fn resolve(law: &BallBall, cloth: &Cloth, contact: &Contact, a: &mut Body, b: &mut Body) {
-    // Balls at one height without vertical speed: on the same bed.
+    // Balls on the bed: their centres are at one height and have no vertical velocity.
     let on_bed = contact.normal.z == 0.0 && a.velocity.z == 0.0 && b.velocity.z == 0.0;
     if !on_bed {
         return frictional::resolve(law, contact, a, b);
     }
-    let impact = Impact {
+    let impact = Integration {
         direction: contact.normal.xy(),
         share_a: contact.share_a,
         share_b: contact.share_b,
@@ -90,16 +91,16 @@ pub fn resolve(law: &BallBall, cloth: &Cloth, contact: &Contact, a: &mut Body, b
     };
     let e = restitution::effective(law.restitution, contact.approach);
     let before = impact.state(a, b);
-    let mut after = impact.follow(before, e);
-    // What compression left within its accuracy, where restitution gives nothing back.
-    let approach = Impact::approach(&after).max(0.0);
+    let mut after = impact.integrate(before, e);
+    // The approach that compression leaves within its accuracy, if there is no restitution.
+    let approach = Integration::approach(&after).max(0.0);
     after[A.start] -= approach * contact.share_a;
     after[B.start] += approach * contact.share_b;
     let change: State = core::array::from_fn(|i| after[i] - before[i]);
     impact.add(&change, a, b);
 }
 
-impl Impact {
+impl Integration {
     fn state(&self, a: &Body, b: &Body) -> State {
         let (h, t1) = (self.direction, self.direction.perp());
         let of = |ball: &Body| {
@@ -132,7 +133,8 @@ impl Impact {
         let u = Self::slip(s);
         let speed = sqrt(u.length_squared());
         let f = if speed > 0.0 { u * (self.friction / speed) } else { Vec2::ZERO };
-        // The force −1 along h and −f along t₁; the torque, along t₁ and ẑ, is the same on both.
+        // The force is −1 along h and −f along t₁. The torque, along t₁ and ẑ, is the same for both
+        // balls.
         let torque = Vec2::new(-f.y, f.x);
         let pressed = f.y;
         let of = |sign: f64, share: f64, ball: &[f64], load: f64| {
@@ -154,8 +156,8 @@ impl Impact {
         join(a, b, Self::approach(s) / self.scale)
     }
 
-    /// Friction of the cloth under `load`, against the `slip`; where there is none, against the
-    /// slip that `drive` (its rate without the cloth) is about to make, up to holding it.
+    /// Friction of the cloth under `load`, against the `slip`. Without slip it acts against
+    /// `drive`, the rate of change of the slip without friction, and at most cancels it.
     fn drag(&self, slip: Vec2, drive: Vec2, load: f64) -> Vec2 {
         let most = self.cloth * load;
         if most == 0.0 {
@@ -173,7 +175,7 @@ impl Impact {
     }
 
     /// The state after the whole impact.
-    fn follow(&self, start: State, e: f64) -> State {
+    fn integrate(&self, start: State, e: f64) -> State {
         let mut state = start;
         let mut rate = self.rate(&state);
         let mut compression_work = None;
@@ -192,7 +194,7 @@ impl Impact {
             if speed <= STUCK * self.scale {
                 break;
             }
-            // dw/dP hardly changes, so the end of the phase is where it says, but for a rounding.
+            // dw/dP is nearly constant, so this end of the phase is accurate except for rounding.
             let mut longest = f64::INFINITY;
             let fall = -Self::approach(&rate);
             if fall > 0.0 {
@@ -217,7 +219,7 @@ impl Impact {
         self.finish_without_friction(state, e, compression_work)
     }
 
-    /// The end of the impact from `state`, in closed form: w falls at rate 1.
+    /// The end of the impact from `state` without friction, in closed form: w falls at rate 1.
     fn finish_without_friction(&self, state: State, e: f64, compression: Option<f64>) -> State {
         let approach = Self::approach(&state);
         let work = state[WORK] * self.scale;
@@ -256,12 +258,12 @@ fn join(a: [f64; 5], b: [f64; 5], work: f64) -> State {
     state
 }
 
-/// Factor of the next step for an error of `accuracy` times the one allowed.
+/// Factor for the next step size, given the error as a multiple of the allowed one.
 fn growth(accuracy: f64) -> f64 {
     if accuracy == 0.0 { 5.0 } else { (0.9 * pow(accuracy, -0.2)).clamp(0.2, 5.0) }
 }
 
-/// Stages of the order-5 solution; the last is the solution itself.
+/// Stages of the solution of order 5; the last stage is the solution.
 const DORMAND_PRINCE: [[f64; 6]; 6] = [
     [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0],
     [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
@@ -271,7 +273,7 @@ const DORMAND_PRINCE: [[f64; 6]; 6] = [
     [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
 ];
 
-/// Order-5 minus order-4 weights.
+/// Weights of order 5 minus weights of order 4.
 const DORMAND_PRINCE_ERROR: [f64; 7] = [
     71.0 / 57600.0,
     0.0,

@@ -1,15 +1,15 @@
-//! Constant factors: what FastFiz, the engine of the Computational Olympiad, does at a rail.
+//! Constant factors: the rail of FastFiz, the engine of the Computational Olympiad.
 //!
-//! The speed against the rail comes back with restitution e, a share of the speed along the rail is
-//! kept, and a share of the spin (FastFiz 0.2, `RAIL_VEL_DAMPING_X`, `RAIL_VEL_DAMPING_Y`,
-//! `RAIL_SPIN_DAMPING`). Spin and path do not act on each other at the nose: english does nothing
-//! there. With shares of at most 1 energy never rises.
+//! The speed into the rail is reversed with restitution e, and the speed along the rail and the
+//! spin are multiplied by constant factors (FastFiz 0.2, `RAIL_VEL_DAMPING_X`,
+//! `RAIL_VEL_DAMPING_Y`, `RAIL_SPIN_DAMPING`). Spin does not change the velocity, so English has no
+//! effect. With factors of at most 1 the energy never rises.
 
-use super::{Change, Impact};
+use super::{Change, NoseContact};
 
-/// What one impact changes, with restitution `e` along the normal, the share `tangential` of the
-/// velocity across it and the share `spin` of the spin.
-pub(super) fn resolve(impact: &Impact, e: f64, tangential: f64, spin: f64) -> Change {
+/// The change by one impact, with restitution `e` along the normal and the factors `tangential` of
+/// the velocity across it and `spin` of the spin.
+pub(super) fn resolve(impact: &NoseContact, e: f64, tangential: f64, spin: f64) -> Change {
     let across = impact.velocity - impact.normal * impact.approach;
     Change {
         velocity: across * (tangential - 1.0) - impact.normal * ((1.0 + e) * impact.approach),

@@ -1,65 +1,73 @@
 //! S. Mathavan, M. R. Jackson & R. M. Parkin, "A theoretical analysis of billiard ball dynamics
 //! under cushion impacts", Proc. IMechE C 224 (2010) 1863.
 //!
-//! A ball on the bed is squeezed between nose and cloth, with Coulomb friction at both. (Off the
-//! bed only the nose acts. Then the equations keep the line of the slip and have a closed form,
-//! which is [`han_2005`](super::han_2005)'s.) The velocities are
-//! integrated over the normal impulse P at the nose (their eqs. 14–17): compression until the
-//! ball stops moving into the rail, restitution until the work that the nose gives back is e² of
-//! what it took (Stronge's energetic restitution, their eq. 19).
+//! A ball on the bed is squeezed between nose and cloth, with Coulomb friction at both. The
+//! velocities are integrated over the normal impulse P at the nose (their eqs. 14–17): compression
+//! until the ball no longer moves into the rail, then restitution until the nose has returned e² of
+//! the work that it has taken (Stronge's energetic restitution, their eq. 19). Off the bed only the
+//! nose acts. Then the equations keep the direction of the slip, and their closed form is that of
+//! [`han_2005`](super::han_2005).
 //!
-//! The paper steps P by Euler's rule. Here the step is chosen by an estimate of its error, and the
-//! last steps of each phase are Newton's for its end. Coulomb's law is rounded off below a slip of
-//! [`ROUNDED`]: so one formula covers slip, reversal and stick, and friction never feeds energy
-//! in. While both contacts slip, Dormand & Prince's explicit 5(4) pair goes on fast; where a slip
-//! ends, begins or is held, the equations are stiff, and an L-stable Rosenbrock method of order
-//! 4(3) goes on (Hairer & Wanner, *Solving Ordinary Differential Equations II*, table IV.7.2).
+//! The paper integrates with Euler's method. Here the step size is controlled by an error estimate,
+//! and the last steps of each phase find its end by Newton's method. Coulomb's law is smoothed
+//! below a slip of [`ROUNDED`], so that one formula covers slip, reversal and stick, and friction
+//! never adds energy. While both contacts slip, Dormand & Prince's explicit pair of order 5(4) is
+//! used. Where a slip ends, begins or is held, the equations are stiff, and an L-stable Rosenbrock
+//! method of order 4(3) is used (Hairer & Wanner, *Solving Ordinary Differential Equations II*,
+//! table IV.7.2).
 //!
-//! Error against a solution ten to a thousand times finer, as a share of the approach speed, over
-//! any friction to 1 and any spin to three times rolling: 6e-8 at the median, 5e-5 at the worst,
-//! which is a contact on the verge of slipping (tests).
+//! The error against a solution ten to a thousand times finer, as a fraction of the approach speed,
+//! for any friction up to 1 and any spin up to three times that of rolling: 6e-8 (median), 5e-5
+//! (maximum, for a contact on the verge of slipping). The tests check both.
 //!
-//! Where the nose would lift the ball, the cloth does not pull it down.
+//! If friction at the nose lifts the ball, the cloth exerts no force.
 
 mod steps;
 
-use super::{Change, Impact, Rail};
+use super::{Change, NoseContact, RailFrame};
 use crate::math::{Vec2, Vec3, sqrt};
 use crate::physics::Cloth;
 
-/// Error that one step may add, as a share of the approach speed.
+/// Error that one step may add, as a fraction of the approach speed. Smaller, and an impact takes
+/// more steps; larger, and the results are less accurate.
 const STEP_ERROR: f64 = 1e-7;
 
-/// Slip below which friction is rounded off, as a share of the approach speed: 1 µm/s at 1 m/s.
-/// A contact that holds creeps at less than this.
+/// Slip below which friction is smoothed, as a fraction of the approach speed: 1 µm/s at 1 m/s. A
+/// contact that sticks creeps more slowly than this.
 const ROUNDED: f64 = 1e-6;
 
-/// Where the end of compression or restitution counts as met: share of the approach speed, and of
-/// its square.
+/// Accuracy of the end of compression or restitution, as a fraction of the approach speed or of its
+/// square.
 const MET: f64 = 1e-11;
 
-/// First step in P where nothing is stiff.
+/// First step in P if no contact is stiff.
 const FIRST_STEP: f64 = 0.3;
 
-/// Step times [`Squeeze::stiffness`] from which a step is implicit: the explicit method's limit of
-/// stability is 3.3.
+/// From this product of step and [`Squeeze::stiffness`] on a step is implicit. The explicit method
+/// is stable up to 3.3.
 const STIFF: f64 = 2.0;
 
-/// Steps in one phase. 10 to 100 are usual; a phase that needs more is cut off, which loses energy
-/// and nothing else.
+/// The most steps in one phase; 10 to 100 are usual. A phase that needs more is cut off, which only
+/// loses energy.
 const MOST_STEPS: u32 = 1000;
 
-/// Slips at the nose along (sin θ, 0, −cos θ) and y, slips at the cloth along x and y, v_y, and
-/// the work done on the nose per unit mass; in units of the approach speed.
+/// Slips at the nose along (sin θ, 0, −cos θ) and y, slips at the cloth along x and y, v_y, and the
+/// work done on the nose per unit mass, all in units of the approach speed.
 type State = [f64; 6];
 const WORK: usize = 5;
 
-/// Change of the four slips' rates and of v_y's with the four slips.
+/// Derivatives of the rates of the four slips and of v_y with respect to the four slips.
 type Jacobian = [[f64; 4]; 5];
 
-/// What one impact of a ball on the bed changes: energetic restitution `e` and friction `mu` at
-/// the nose, friction of the cloth under the ball.
-pub(super) fn resolve(impact: &Impact, rail: &Rail, cloth: &Cloth, e: f64, mu: f64) -> Change {
+/// The change by one impact of a ball on the bed, with energetic restitution `e` and friction `mu`
+/// at the nose, and the friction of the cloth under the ball.
+pub(super) fn resolve(
+    impact: &NoseContact,
+    rail: &RailFrame,
+    cloth: &Cloth,
+    e: f64,
+    mu: f64,
+) -> Change {
     let squeeze = Squeeze {
         sin: impact.normal.z,
         cos: rail.cos,
@@ -70,7 +78,7 @@ pub(super) fn resolve(impact: &Impact, rail: &Rail, cloth: &Cloth, e: f64, mu: f
     };
     let unit = rail.approach;
     let spin_unit = unit / impact.radius;
-    let before = Motion {
+    let before = ScaledMotion {
         velocity: rail.turned(impact.velocity.xy()) * (1.0 / unit),
         spin: rail.turned(impact.spin.xy()).with_z(impact.spin.z) * (1.0 / spin_unit),
     };
@@ -84,19 +92,18 @@ pub(super) fn resolve(impact: &Impact, rail: &Rail, cloth: &Cloth, e: f64, mu: f
 }
 
 /// The ball's velocity and its spin times its radius, in units of the approach speed.
-struct Motion {
+struct ScaledMotion {
     velocity: Vec2,
     spin: Vec3,
 }
 
-impl Motion {
+impl ScaledMotion {
     /// Twice the kinetic energy per unit mass.
     fn twice_energy(&self) -> f64 {
         self.velocity.length_squared() + 0.4 * self.spin.length_squared()
     }
 
-    /// The same motion, with what step errors and rounding added to the energy taken from the
-    /// rebound.
+    /// The same motion, with a slower rebound if step errors and rounding have added energy.
     fn without_gain(mut self, before: &Self) -> Self {
         let gain = self.twice_energy() - before.twice_energy();
         if gain > 0.0 {
@@ -120,8 +127,8 @@ struct Squeeze {
 }
 
 impl Squeeze {
-    /// Compression, then restitution.
-    fn through(&self, before: &Motion, e: f64) -> Motion {
+    /// The motion after compression and restitution.
+    fn through(&self, before: &ScaledMotion, e: f64) -> ScaledMotion {
         let (v, w) = (before.velocity, before.spin);
         let start = [
             v.x * self.sin + w.y,
@@ -150,10 +157,10 @@ impl Squeeze {
         let (vx, vy) = (self.approach(&end), end[4]);
         let (wx, wy) = (end[3] - vy, vx - end[2]);
         let wz = ((end[1] - vy) + wx * self.sin) / self.cos;
-        Motion { velocity: Vec2::new(vx, vy), spin: Vec3::new(wx, wy, wz) }
+        ScaledMotion { velocity: Vec2::new(vx, vy), spin: Vec3::new(wx, wy, wz) }
     }
 
-    /// v_x, which the slips along x hold: s_x + c_x = (1 + sin θ) v_x.
+    /// v_x, which follows from the slips along x: s_x + c_x = (1 + sin θ) v_x.
     #[inline(always)]
     fn approach(&self, y: &State) -> f64 {
         (y[0] + y[2]) / (1.0 + self.sin)
@@ -166,7 +173,7 @@ impl Squeeze {
         let (s, c) = (self.sin, self.cos);
         let nose = self.nose / sqrt(y[0] * y[0] + y[1] * y[1] + self.rounded * self.rounded);
         let (f, f_y) = (nose * y[0], nose * y[1]);
-        // The cloth carries what the nose presses down (their eq. 13).
+        // The cloth carries the load with which the nose presses the ball down (their eq. 13).
         let press = self.cloth * (s - f * c).max(0.0);
         let cloth = press / sqrt(y[2] * y[2] + y[3] * y[3] + self.rounded * self.rounded);
         let (g, g_y) = (cloth * y[2], cloth * y[3]);
@@ -195,7 +202,7 @@ impl Squeeze {
         let (x, z) = (y[2] * size, y[3] * size);
         let k = press * size;
         let (gxx, gxy, gyy) = (k * (1.0 - x * x), -k * x * z, k * (1.0 - z * z));
-        // By the slips at the nose, the cloth's friction changes with the pressure alone.
+        // The cloth's friction depends on the slips at the nose only through the load.
         let f = [[fxx, fxy, 0.0, 0.0], [fxy, fyy, 0.0, 0.0]];
         let g = [
             [-x * lift * fxx, -x * lift * fxy, gxx, gxy],
@@ -211,8 +218,9 @@ impl Squeeze {
         ]
     }
 
-    /// Integrates until what is left of the phase is 0; `left` gives that and the impulse in which
-    /// it will be, from a state and its rate. Starts with a step of `h` and returns the last.
+    /// Integrates until the rest of the phase is 0. `left` gives this rest, and the impulse in
+    /// which it will vanish, from a state and its rate. The first step is `h`; returns the state
+    /// and the last step.
     fn advance(
         &self,
         mut y: State,
@@ -239,7 +247,7 @@ impl Squeeze {
             }
             let mut grown = step * fit.min(8.0);
             if stiff < 0.5 * STIFF {
-                // An explicit step that its own error limits, not the stiffness, is the cheaper.
+                // An explicit step limited by its error, not by the stiffness, is cheaper.
                 grown = grown.min(0.99 * STIFF / self.stiffness(&next));
             }
             h = if step < h { h.max(grown) } else { grown };
@@ -248,7 +256,8 @@ impl Squeeze {
         (y, h)
     }
 
-    /// Where the slip that goes to 0 first would be 0: a longer step could miss what is there.
+    /// The impulse after which the first of the two slips would be 0. A longer step could miss a
+    /// change there.
     #[inline(always)]
     fn to_slips_end(&self, y: &State, rate: &State) -> f64 {
         let end = |i: usize| {
@@ -259,7 +268,7 @@ impl Squeeze {
         end(0).min(end(2))
     }
 
-    /// How fast friction turns or stops the slips, per normal impulse.
+    /// How fast friction changes the slips, per normal impulse.
     #[inline(always)]
     fn stiffness(&self, y: &State) -> f64 {
         let nose = y[0] * y[0] + y[1] * y[1] + self.rounded * self.rounded;
@@ -273,7 +282,7 @@ impl Squeeze {
 mod tests {
     use super::*;
 
-    /// A fixed sequence of numbers in 0..1.
+    /// A fixed pseudo-random sequence of numbers in 0..1.
     struct Random(u64);
 
     impl Random {
@@ -286,8 +295,9 @@ mod tests {
         }
     }
 
-    /// Any geometry, frictions to 1, spins to three times rolling, a third of them rolling.
-    fn case(random: &mut Random) -> (Squeeze, Motion, f64) {
+    /// A random case: any geometry, friction up to 1, spin up to three times that of rolling; a
+    /// third of the balls roll.
+    fn case(random: &mut Random) -> (Squeeze, ScaledMotion, f64) {
         let sin = -0.3 + 0.9 * random.unit();
         let squeeze = Squeeze {
             sin,
@@ -304,17 +314,18 @@ mod tests {
         if random.unit() < 0.3 {
             spin = Vec3::new(-vy, 1.0, spin.z);
         }
-        let motion = Motion { velocity: Vec2::new(1.0, vy), spin };
+        let motion = ScaledMotion { velocity: Vec2::new(1.0, vy), spin };
         (squeeze, motion, random.one_of([0.0, 0.05, 0.39, 0.85, 1.0]))
     }
 
-    fn difference(a: &Motion, b: &Motion) -> f64 {
+    fn difference(a: &ScaledMotion, b: &ScaledMotion) -> f64 {
         (a.velocity - b.velocity).length() + (a.spin - b.spin).length()
     }
 
     #[test]
     fn the_outcome_is_converged() {
-        /// Above what was measured: 6e-8 at the median, 7e-7 at the ninetieth hundredth, 4.7e-5.
+        /// Slightly above the measured errors: 6e-8 (median), 7e-7 (90th percentile), 4.7e-5
+        /// (maximum).
         const BOUNDS: [(f64, f64); 3] = [(0.5, 1e-7), (0.9, 1e-6), (1.0, 1e-4)];
         const CASES: usize = 2000;
         let mut random = Random(1);
@@ -333,15 +344,15 @@ mod tests {
     }
 
     #[test]
-    fn the_outcome_is_that_of_the_papers_own_scheme_with_many_steps() {
-        /// Euler's rule with this step in P leaves about the step times a few.
+    fn the_outcome_is_that_of_the_papers_own_method_with_many_steps() {
+        /// Euler's method with this step in P has an error of a few steps.
         const STEP: f64 = 2e-6;
         const TOLERANCE: f64 = 2e-5;
         let mut random = Random(2);
         for _ in 0..100 {
-            // Euler's rule finds the end of the work badly where e is near 0.
-            // Where it holds a slip by turns of full friction to and fro, the mean pressure on the
-            // cloth is right only if the nose never lifts.
+            // With e near 0, Euler's method finds the end of the work inaccurately. Where it holds
+            // a slip by alternating full friction, the mean load on the cloth is right only if the
+            // nose never lifts the ball.
             let (squeeze, motion, _) = case(&mut random);
             let e = 0.7;
             if squeeze.nose * squeeze.cos > squeeze.sin {
@@ -367,7 +378,7 @@ mod tests {
                 v.y += (-f.y - g.y) * STEP;
                 w += Vec3::new(f.y * s - g.y, g.x - f.x, -f.y * c) * (2.5 * STEP);
             }
-            let euler = Motion { velocity: v, spin: w };
+            let euler = ScaledMotion { velocity: v, spin: w };
             let error = difference(&squeeze.through(&motion, e), &euler);
             assert!(
                 error < TOLERANCE,

@@ -1,41 +1,42 @@
-//! Ball against cushion, one published model per file.
+//! NoseContact of a ball on a cushion: one file per published model.
 //!
-//! The nose is an edge, and the contact's normal **n** points from the ball's centre to the point
-//! of it that is touched: at the angle θ above the horizontal, sin θ = (h − z)/R for an edge at
-//! height h and a centre at z, straight down for a ball that lands on the edge. The approach speed
-//! is **v**·**n** (Han's c = v_x cos θ + v_z sin θ), and the slip at the nose
-//! **v** − (**v**·**n**)**n** + R **ω** × **n** (his s_x = v_x sin θ − v_z cos θ + Rω_y, and s_y).
+//! The nose is an edge. The contact's normal **n** points from the ball's centre to the point of
+//! contact, at the angle θ above the horizontal: sin θ = (h − z)/R for an edge at height h and a
+//! centre at height z; straight down for a ball that lands on the edge. The approach speed is
+//! **v**·**n** (Han's c = v_x cos θ + v_z sin θ), and the slip at the nose **v** −
+//! (**v**·**n**)**n** + R **ω** × **n** (his s_x = v_x sin θ − v_z cos θ + Rω_y, and s_y).
 //!
 //! # On the bed and off it
 //!
-//! The slate takes part in the impact of a ball on the bed. Rubber gives way slowly, and a slate
-//! does not: it holds what the nose presses down for as long as the nose presses, and throws
-//! nothing back. (If it did, with restitution ½, a stunned pool ball would leave every rail at a
-//! fifth of its speed upwards, 8 mm high at 2 m/s.) `mathavan-2010` contains that together with
-//! the friction at the cloth, and leaves v_z at 0. `restitution` is made for the bed: the horizontal
-//! normal speed times −e, nothing else; so is `factors`, which multiplies the speed along the rail and
-//! the spin as well. In `han-2005` and `stronge` the slate takes the downward
-//! part of the nose's impulse, without friction, as their authors have it. An upward part, where
-//! friction at the nose lifts the ball more than the nose presses it, is a hop, and is kept.
+//! The slate takes part in the impact of a ball on the bed. It holds the ball for as long as the
+//! nose presses it down, and does not throw it back, because rubber yields slowly and slate does
+//! not. (With a restitution of ½ at the slate, a stunned pool ball would leave every rail with a
+//! fifth of its speed upwards, 8 mm high at 2 m/s.) `mathavan-2010` contains this, with friction at
+//! the cloth, and keeps v_z at 0. `restitution` is meant for the bed: it multiplies the horizontal
+//! normal speed by −e and does nothing else. So is `factors`, which also multiplies the speed along
+//! the rail and the spin. In `han-2005` and `stronge` the slate absorbs the downward part of the
+//! nose's impulse without friction, as in the publications. An upward part, where friction at the
+//! nose lifts the ball more than the nose presses it down, makes the ball hop.
 //!
-//! Off the bed every model acts along **n**, and `mathavan-2010` has no cloth term. The speed V of a
-//! restitution's fit and the incidence γ of a friction's are those in the plane on the bed, as
-//! their authors measured them, and those against **n** off it.
+//! Off the bed every model acts along **n**, and `mathavan-2010` has no term for the cloth. A
+//! restitution's fit depends on the speed V, and friction's fit on the angle of incidence γ: in the
+//! horizontal plane for a ball on the bed, as their authors measured them, and relative to **n**
+//! off the bed.
 //!
 //! # What holds for every model
 //!
-//! * **Energy never rises.** Each model's own outcome loses energy or keeps it, and everything
-//!   done to that outcome afterwards (below) loses energy or keeps it too.
-//! * **The ball leaves the rail.** It parts along **n**. On the bed a small restitution or a strong
-//!   back spin may still leave it moving into the rail horizontally: slate and nose hold it then as
-//!   a wedge does, and that rest of its approach is lost.
-//! * **Slow impacts are lossless.** Below [`restitution::FULL`] an impact fades linearly into a
-//!   mirror reflection, which it is below [`restitution::ELASTIC`] (in the plane on the bed, along
-//!   **n** off it); otherwise a ball that the cloth pushes against a rail would bounce for ever,
-//!   ever smaller. Kinetic energy is convex in the velocities, so a mixture of two outcomes has at
-//!   most the mixture of their energies.
-//! * **Mirror symmetry is exact.** Reversing the motion along the rail reverses the outcome's,
-//!   bit for bit.
+//! * **The energy never rises.** Each model's own result, and each of the corrections below, loses
+//!   or conserves energy.
+//! * **The ball leaves the rail.** It separates along **n**. On the bed a ball with little
+//!   restitution or strong back spin may still move horizontally into the rail: slate and nose then
+//!   wedge it, and this rest of its velocity is lost.
+//! * **Slow impacts are lossless.** Below [`restitution::FULL`] the result is mixed linearly with a
+//!   mirror reflection, and below [`restitution::ELASTIC`] it is that reflection (horizontal on the
+//!   bed, along **n** off it). Otherwise a ball that the cloth pushes against a rail would make ever
+//!   smaller bounces without end. Kinetic energy is convex in the velocities, so a mixture of two
+//!   results has at most the mixture of their energies.
+//! * **Mirror symmetry is exact.** Reversing the motion along the rail reverses the result, bit for
+//!   bit.
 
 mod factors;
 mod han_2005;
@@ -46,10 +47,10 @@ use super::{Body, SPIN_PER_IMPULSE, restitution};
 use crate::math::{Vec2, Vec3, atan2};
 use crate::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 
-/// A ball about to meet the nose.
+/// A ball at the instant of contact with the nose.
 #[derive(Clone, Copy, Debug)]
-struct Impact {
-    /// Unit vector from the centre to the touched point.
+struct NoseContact {
+    /// Unit vector from the centre to the point of contact.
     normal: Vec3,
     /// Velocity, m/s.
     velocity: Vec3,
@@ -61,9 +62,9 @@ struct Impact {
     approach: f64,
 }
 
-/// The nose seen from above, as a ball on the bed meets it.
+/// The nose in plan view, for a ball on the bed.
 #[derive(Clone, Copy, Debug)]
-struct Rail {
+struct RailFrame {
     /// Horizontal unit vector into the rail.
     into: Vec2,
     /// cos θ.
@@ -72,23 +73,23 @@ struct Rail {
     approach: f64,
 }
 
-/// What an impact changes.
+/// The change of a ball's motion by an impact.
 #[derive(Clone, Copy, Debug)]
 struct Change {
-    /// Of the velocity, m/s.
+    /// Change of the velocity, m/s.
     velocity: Vec3,
-    /// Of the spin, rad/s.
+    /// Change of the spin, rad/s.
     spin: Vec3,
 }
 
-impl Impact {
+impl NoseContact {
     /// Slip of the ball's surface at the nose, m/s.
     fn slip(&self) -> Vec3 {
         (self.velocity - self.normal * self.approach) + self.spin.cross(self.normal) * self.radius
     }
 
-    /// The change due to an impulse (per unit mass, m/s) of the nose, made of `normal` against the
-    /// contact's normal and `tangential` across it.
+    /// The change by an impulse of the nose (per unit mass, m/s): `normal` against the contact's
+    /// normal, and `tangential` across it.
     fn change(&self, normal: f64, tangential: Vec3) -> Change {
         Change {
             velocity: tangential - self.normal * normal,
@@ -97,24 +98,24 @@ impl Impact {
     }
 }
 
-impl Rail {
-    /// A horizontal vector's parts into the rail (x) and along it (y, to the left).
+impl RailFrame {
+    /// The components of a horizontal vector into the rail (x) and along it (y, to the left).
     fn turned(&self, v: Vec2) -> Vec2 {
         Vec2::new(v.dot(self.into), v.dot(self.into.perp()))
     }
 
-    /// The vector with these parts.
+    /// The horizontal vector with these components.
     fn unturned(&self, v: Vec2) -> Vec2 {
         self.into * v.x + self.into.perp() * v.y
     }
 }
 
 impl CushionRestitution {
-    /// e = a + bV + cV² at the normal speed `v` (m/s), kept in 0..=1: a fit is a polynomial and
-    /// leaves that range outside the speeds that it was made for (Han's is 0 beyond 7.1 m/s).
+    /// e = a + bV + cV² at the normal speed `v` (m/s), limited to 0..=1. A fitted polynomial leaves
+    /// this range beyond the measured speeds (Han's reaches 0 at 7.1 m/s).
     #[inline]
     pub fn at(&self, v: f64) -> f64 {
-        // A constant need not wait for the speed.
+        // A constant does not depend on the speed, which may still be in computation.
         let e = if self.b == 0.0 && self.c == 0.0 { self.a } else { self.value(v) };
         e.clamp(0.0, 1.0)
     }
@@ -123,12 +124,12 @@ impl CushionRestitution {
         self.a + v * (self.b + v * self.c)
     }
 
-    /// Whether the fit, before it is kept in 0..=1, is there at any normal speed at all.
+    /// Whether the fitted polynomial is in 0..=1 at any normal speed at all.
     pub fn is_possible(&self) -> bool {
         let at_rest = self.a;
         let turns = self.b * self.c < 0.0;
         let turning = if turns { self.value(-self.b / (2.0 * self.c)) } else { at_rest };
-        // What it tends to at high speed has the sign of its last coefficient.
+        // The sign at high speed is that of the last coefficient.
         let last = if self.c == 0.0 { self.b } else { self.c };
         let falls_to_1 = at_rest.min(turning) <= 1.0 || last < 0.0;
         let rises_to_0 = at_rest.max(turning) >= 0.0 || last > 0.0;
@@ -137,8 +138,8 @@ impl CushionRestitution {
 }
 
 impl CushionFriction {
-    /// μ = a + bγ, never below 0, for a ball that comes in at the speeds `across` the normal and
-    /// `into` the rail along it, m/s; γ is the angle between.
+    /// μ = a + bγ, at least 0, for a ball that approaches with the speeds `across` the normal and
+    /// `into` the rail, m/s; γ is the angle between the two.
     #[inline]
     fn at(&self, across: f64, into: f64) -> f64 {
         if self.b == 0.0 {
@@ -148,13 +149,13 @@ impl CushionFriction {
     }
 }
 
-/// Resolves the impact of a ball with a cushion's edge, or with a pocket's liner. `normal` is the
-/// unit vector from the ball's centre to the point that it touches; `on_bed` says whether the ball
-/// stands on the bed (then the normal has a horizontal part, and the velocity no vertical one). A
-/// ball that does not approach is left alone.
+/// Resolves the impact of a ball on a cushion's edge or on a pocket's liner. `normal` is the unit
+/// vector from the ball's centre to the point of contact. `on_bed`: whether the ball is on the bed;
+/// the normal then has a horizontal part, and the velocity has no vertical one. A ball that does
+/// not approach is left unchanged.
 #[inline(always)]
 pub fn resolve(law: &Cushion, cloth: &Cloth, normal: Vec3, on_bed: bool, ball: &mut Body) {
-    let impact = Impact {
+    let impact = NoseContact {
         normal,
         velocity: ball.velocity,
         spin: ball.angular_velocity,
@@ -169,9 +170,9 @@ pub fn resolve(law: &Cushion, cloth: &Cloth, normal: Vec3, on_bed: bool, ball: &
     ball.angular_velocity += change.spin;
 }
 
-/// Off the bed: the model's outcome along the normal.
+/// Off the bed: the model's result along the normal.
 #[cold]
-fn aloft(law: &Cushion, impact: &Impact) -> Change {
+fn aloft(law: &Cushion, impact: &NoseContact) -> Change {
     let approach = impact.approach;
     let reflection = impact.change(2.0 * approach, Vec3::ZERO);
     faded(approach, reflection, || {
@@ -193,13 +194,13 @@ fn aloft(law: &Cushion, impact: &Impact) -> Change {
     })
 }
 
-/// On the bed: the model's outcome, kept from going on into the rail and into the slate.
+/// On the bed: the model's result, without motion into the rail or into the slate.
 #[inline(always)]
-fn on_the_bed(law: &Cushion, cloth: &Cloth, impact: &Impact) -> Change {
+fn on_the_bed(law: &Cushion, cloth: &Cloth, impact: &NoseContact) -> Change {
     let (velocity, normal) = (impact.velocity.xy(), impact.normal.xy());
     let cos = normal.length();
     let into = normal * (1.0 / cos);
-    let rail = Rail { into, cos, approach: velocity.dot(into) };
+    let rail = RailFrame { into, cos, approach: velocity.dot(into) };
     let approach = rail.approach;
     let back = |speed: f64| Change { velocity: (into * -speed).with_z(0.0), spin: Vec3::ZERO };
     faded(approach, back(2.0 * approach), || {
@@ -208,7 +209,7 @@ fn on_the_bed(law: &Cushion, cloth: &Cloth, impact: &Impact) -> Change {
         let mut change = match law.model {
             CushionModel::Restitution => back((1.0 + e) * approach),
             CushionModel::Factors => {
-                let level = Impact { normal: into.with_z(0.0), approach, ..*impact };
+                let level = NoseContact { normal: into.with_z(0.0), approach, ..*impact };
                 factors::resolve(&level, e, law.tangential_factor, law.spin_factor)
             }
             CushionModel::Han2005 => han_2005::resolve(impact, e, mu()),
@@ -224,10 +225,10 @@ fn on_the_bed(law: &Cushion, cloth: &Cloth, impact: &Impact) -> Change {
     })
 }
 
-/// The model's `outcome`, mixed with the mirror reflection where the impact is slow.
+/// The model's `outcome`, mixed with the mirror reflection if the impact is slow.
 #[inline(always)]
 fn faded(approach: f64, reflection: Change, outcome: impl FnOnce() -> Change) -> Change {
-    // Restitution 0 made effective is the reflection's share itself.
+    // The effective restitution for e = 0 is the weight of the reflection.
     let reflected = restitution::effective(0.0, approach);
     if reflected == 1.0 {
         return reflection;

@@ -1,14 +1,14 @@
-//! Stronge's impact with tangential compliance ([`stronge`]) at a cushion:
-//! part of the slip at the nose is given back, against friction and the nose's own give.
+//! Stronge's impact with tangential compliance ([`stronge`]) at a cushion: the nose returns part of
+//! the slip.
 
-use super::{Change, Impact};
+use super::{Change, NoseContact};
 use crate::math::{Vec3, sqrt};
 use crate::resolve::stronge;
 
-/// What one impact changes, with restitution `e` along the contact's normal, friction `mu`, and
-/// `ratio` the tangential frequency over the normal one.
+/// The change by one impact, with restitution `e` along the contact's normal, friction `mu`, and
+/// `ratio`, the tangential frequency divided by the normal one.
 #[inline(always)]
-pub(super) fn resolve(impact: &Impact, e: f64, mu: f64, ratio: f64) -> Change {
+pub(super) fn resolve(impact: &NoseContact, e: f64, mu: f64, ratio: f64) -> Change {
     let slip = impact.slip();
     let speed = sqrt(slip.length_squared());
     let normal = (1.0 + e) * impact.approach;

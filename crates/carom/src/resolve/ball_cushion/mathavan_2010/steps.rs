@@ -1,10 +1,10 @@
-//! One step in P: explicit where friction is soft, implicit where it is stiff.
+//! One step in P: explicit where the equations are not stiff, implicit where they are.
 
 use super::{Jacobian, Squeeze, State, WORK};
 
 impl Squeeze {
-    /// One step of Dormand & Prince's 5(4): the new state, its rate, and its error as a share of
-    /// what a step may add.
+    /// One step of Dormand & Prince's 5(4) pair: the new state, its rate, and its error as a
+    /// multiple of the error that a step may add.
     #[inline(always)]
     pub(super) fn explicit_step(&self, y: &State, k1: &State, h: f64) -> (State, State, f64) {
         let k2 = self.rate(&sum(y, &[(h * (1.0 / 5.0), k1)]));
@@ -57,13 +57,13 @@ impl Squeeze {
         (next, k7, self.share(&difference))
     }
 
-    /// An estimated error as a share of what a step may add.
+    /// An estimated error as a multiple of the error that a step may add.
     #[inline(always)]
     fn share(&self, difference: &State) -> f64 {
         difference.iter().fold(0.0, |worst: f64, d| worst.max(d.abs())) / self.step_error
     }
 
-    /// One step of the Rosenbrock method: as [`Self::explicit_step`].
+    /// One step of the Rosenbrock method, with the results of [`Self::explicit_step`].
     pub(super) fn implicit_step(&self, y: &State, rate: &State, h: f64) -> (State, State, f64) {
         let system = System::new(self, &self.jacobian(y), 1.0 / (ros4::GAMMA * h));
         let k1 = system.solve(rate);
@@ -83,7 +83,7 @@ impl Squeeze {
     }
 }
 
-/// The linear system (I/γh − J) k = b of a step, factorised. The slips make a 4 × 4 block; v_y and
+/// The linear system (I/γh − J) k = b of a step, factorised. The slips form a 4 × 4 block; v_y and
 /// the work follow from them.
 struct System {
     /// L below the diagonal and U above; the diagonal holds its reciprocals.
@@ -97,8 +97,8 @@ struct System {
 }
 
 impl System {
-    /// The block is diagonally dominant enough for elimination without pivots: friction only
-    /// damps, and 1/γh adds to the diagonal.
+    /// The block is diagonally dominant enough for elimination without pivoting: friction only
+    /// damps, and 1/γh is added to the diagonal.
     #[inline(always)]
     fn new(squeeze: &Squeeze, jacobian: &Jacobian, shift: f64) -> Self {
         let mut lu: [[f64; 4]; 4] =
@@ -147,7 +147,7 @@ fn sum(y: &State, terms: &[(f64, &State)]) -> State {
     core::array::from_fn(|i| terms.iter().fold(y[i], |sum, (a, k)| sum + a * k[i]))
 }
 
-/// The L-stable method of table IV.7.2, in the form that needs no product with the Jacobian.
+/// The L-stable method of table IV.7.2, in the form without products with the Jacobian.
 mod ros4 {
     pub(super) const GAMMA: f64 = 0.572_82;
     pub(super) const A21: f64 = 2.0;
