@@ -3,7 +3,7 @@
 #![no_main]
 
 use arbitrary::Arbitrary;
-use carom::shot::{FORMAT, Node};
+use carom::format::{Node, SHOT_FORMAT};
 use carom::{Shot, table};
 use libfuzzer_sys::fuzz_target;
 
@@ -47,7 +47,7 @@ fn shot(plan: &Plan) -> Option<Shot> {
     }
     let struck = usize::from(plan.struck) % balls.len().max(1);
     let mut file = Node::object([
-        ("format", FORMAT.into()),
+        ("format", SHOT_FORMAT.into()),
         ("table", name.into()),
         ("balls", Node::List(balls)),
         (

@@ -1,6 +1,6 @@
 //! What an environment is asked to be.
 
-use carom::shot::Node;
+use carom::format::Node;
 use carom::{Error, Noise};
 use carom_rules::{Options, Rules};
 

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use carom::event::Recorder;
+use carom::format::{Node, SHOT_FORMAT};
 use carom::limits::SMALL_CAPACITY;
 use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
-use carom::shot::{FORMAT, Node, PlacedBall};
+use carom::shot::PlacedBall;
 use carom::simulate::Simulation;
 use carom::{BallState, Error, MotionState, Shot};
 use carom_rules::{BallIndex, Piece, Player, Turn};
@@ -135,14 +136,14 @@ impl Bed {
         let anywhere = Node::from([0.25, 0.25]);
         let ball = Node::object([("id", "cue".into()), ("position", anywhere)]);
         let mut file = Node::object([
-            ("format", FORMAT.into()),
+            ("format", SHOT_FORMAT.into()),
             ("table", table),
             ("balls", Node::list([ball])),
         ]);
         if let Some(physics) = physics {
             file.set("physics", physics);
         }
-        let base = Shot::from_node(file)?;
+        let base = Shot::from_node(&file)?;
         let ball = base.physics().ball;
         let pieces: Arc<[Piece]> = ids.map(|id| Piece { id, ball }).collect();
         let places = vec![None; pieces.len()];

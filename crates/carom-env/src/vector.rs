@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use carom::Error;
+use carom::format::Node;
 use carom::limits::SMALL_CAPACITY;
-use carom::shot::Node;
 use carom::simulate::Simulation;
 use carom_rules::Player;
 use rayon::prelude::*;

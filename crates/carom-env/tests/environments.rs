@@ -205,9 +205,9 @@ fn three_cushions_score_in_sum_to_three_and_no_other_number() {
 #[test]
 fn a_shot_that_is_never_played_to_its_end_is_truncated_with_a_penalty() {
     // Cloth without friction: balls that move never stop.
-    let physics = carom::shot::Node::object([(
+    let physics = carom::format::Node::object([(
         "cloth",
-        carom::shot::Node::object([
+        carom::format::Node::object([
             ("sliding_friction", 0.0.into()),
             ("rolling_friction", 0.0.into()),
         ]),

@@ -6,13 +6,13 @@
 
 use carom::batch::{OFF_TABLE, PADDING, PocketRecorder};
 use carom::event::{Event, Recorder};
+use carom::format::{KeyPath, Node};
 use carom::limits::{MAX_BALLS, SMALL_CAPACITY};
 use carom::math::{degrees, radians};
 use carom::outcome::{OutcomeRecorder, Touched};
 use carom::resolve::cue_ball::Strike;
-use carom::shot::{Node, Path};
 use carom::simulate::Simulation;
-use carom::{Error, MotionState, Noise, Outcome, Shot, Summary};
+use carom::{Error, MotionState, Noise, Outcome, Shot, ShotFile, Summary};
 
 /// The numbers of a strike as a shot file has them: m/s, degrees, ball radii.
 pub const STRIKE: [&str; 5] = ["speed", "azimuth_deg", "elevation_deg", "side", "height"];
@@ -24,7 +24,7 @@ pub const NONE: i16 = -1;
 #[derive(Clone, Copy, Debug)]
 pub struct Rows<'a> {
     /// The layouts to choose from.
-    pub layouts: &'a [&'a Shot],
+    pub layouts: &'a [&'a ShotFile],
     /// Which of them each row is.
     pub layout: &'a [i32],
     /// What is put into it, in this order.
@@ -37,9 +37,11 @@ pub struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     /// The layout with the row's values in it.
-    fn make(&self, row: usize, layout: &Shot) -> Result<Shot, Error> {
+    fn make(&self, row: usize, layout: &ShotFile) -> Result<ShotFile, Error> {
         let strike = (self.strike.iter())
-            .map(|&(key, numbers)| Ok((Path::parse(&format!("strike.{}", STRIKE[key]))?, numbers)))
+            .map(|&(key, numbers)| {
+                Ok((KeyPath::parse(&format!("strike.{}", STRIKE[key]))?, numbers))
+            })
             .collect::<Result<Vec<_>, Error>>()?;
         let column = |column: &Column<'a>| (column.path, column.values.at(row));
         let mut values: Vec<_> = self.columns.iter().map(column).collect();
@@ -70,7 +72,7 @@ impl<'a> Rows<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct Column<'a> {
     /// Where.
-    pub path: &'a Path,
+    pub path: &'a KeyPath,
     /// What.
     pub values: Values<'a>,
 }
@@ -219,7 +221,7 @@ pub fn play(rows: &Rows<'_>, balls: usize, facts: bool) -> Played {
 ///
 /// # Errors
 /// [`Error::Input`] as in [`Played::errors`].
-pub fn shot(rows: &Rows<'_>, row: usize) -> Result<Shot, Error> {
+pub fn shot(rows: &Rows<'_>, row: usize) -> Result<ShotFile, Error> {
     let layout = rows.layouts[rows.layout[row] as usize];
     let made = rows.make(row, layout)?;
     let Some((struck, own)) = made.strike() else {
@@ -240,7 +242,7 @@ struct Player<'a, const N: usize> {
     referees: Vec<Option<OutcomeRecorder<'a>>>,
     simulation: Box<Simulation<N>>,
     /// The last shot that was made of a layout and values, and for which row.
-    made: Option<(usize, Shot)>,
+    made: Option<(usize, ShotFile)>,
     played: Played,
 }
 
@@ -287,7 +289,7 @@ impl<'a, const N: usize> Player<'a, N> {
             });
             return self.shot(row, layout, referee);
         }
-        let again = |&(other, _): &(usize, Shot)| {
+        let again = |&(other, _): &(usize, ShotFile)| {
             rows.layout[other] == rows.layout[row]
                 && rows.columns.iter().all(|column| column.values.same(other, row))
         };

@@ -2,7 +2,7 @@
 
 use carom::Shot;
 use carom::resolve::cue_ball::Strike;
-use carom::trace::What;
+use carom::trace::TraceEventKind;
 use carom_plan::cushions::{Met, bank_table, kick_table};
 
 fn shot() -> Shot {
@@ -18,7 +18,7 @@ fn met(shot: &Shot) -> Vec<Met> {
     let trace = shot.simulate().expect("a trace");
     let mut met = Vec::new();
     for event in trace.events() {
-        if let What::RailCollision { rail, part, .. } = event.what {
+        if let TraceEventKind::RailCollision { rail, part, .. } = event.kind {
             if part != carom::table::Part::Nose {
                 break;
             }

@@ -1,18 +1,18 @@
 //! Rows of a table of shots.
 
 use carom::batch::{draw_strikes, simulate_strikes};
+use carom::format::{KeyPath, Node};
 use carom::runner::Runner;
-use carom::shot::{Node, Path};
-use carom::{Noise, Shot};
+use carom::{Noise, ShotFile};
 use carom_plan::sweep::{self, Column, Played, Rows, Values};
 
 const SPEEDS: [f64; 6] = [0.5, 1.0, 1.5, 2.0, 4.0, 8.0];
 
-fn cut() -> Shot {
+fn cut() -> ShotFile {
     let file = r#"{"format": "carom-shot/1", "table": "wpa-9ft",
         "balls": [{"id": "cue", "position": [0.5, 0.7]}, {"id": "1", "position": [0.5, 1.4]}],
         "strike": {"ball": "cue", "speed": 1.5, "azimuth_deg": 92.3}}"#;
-    Shot::from_json(file).unwrap()
+    ShotFile::from_json(file).unwrap()
 }
 
 #[test]
@@ -56,7 +56,7 @@ fn a_row_with_noise_plays_the_variant_that_it_names() {
 #[test]
 fn what_a_row_gives_does_not_depend_on_the_row_before() {
     let shot = cut();
-    let path = Path::parse("physics.cue.tip_friction").unwrap();
+    let path = KeyPath::parse("physics.cue.tip_friction").unwrap();
     // A slippery tip, with which the layout's neighbours cannot be played so far off centre.
     let choices = [0.1, 0.7].map(Node::Number);
     let play = |order: &[usize]| {

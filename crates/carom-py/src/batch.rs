@@ -31,6 +31,7 @@ pub(crate) fn simulate_batch<'py>(
 ) -> PyResult<Arrays<'py>> {
     let shots: Vec<_> = shots.iter().map(|shot| shot.0.clone()).collect();
     let runner = runner(py, threads)?;
+    let shots: Vec<&carom::Shot> = shots.iter().map(|shot| shot.shot()).collect();
     let result = py.detach(|| batch::simulate_batch(&shots, &runner));
     arrays(py, result)
 }
@@ -111,7 +112,7 @@ pub(crate) fn see(
     index: u64,
 ) -> PyResult<Shot> {
     let seen = Perception { position }.draw(&shot.0, seed, index);
-    seen.map(|shot| Shot(shot.into())).map_err(|e| to_exception(py, &e))
+    seen.map(|shot| Shot::from(shot)).map_err(|e| to_exception(py, &e))
 }
 
 /// The σ of the Computational Olympiad's noise: speed, azimuth, elevation, side, height.

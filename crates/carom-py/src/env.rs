@@ -1,6 +1,6 @@
 //! `_core.VectorEnv`.
 
-use carom::shot::Node;
+use carom::format::Node;
 use carom::{Error, Noise};
 use carom_env::{
     ACTIONS, Aim, Autoreset, BALL_FEATURES, Config, FEATURES, Opponent, Rewards, Target, Task,

@@ -13,7 +13,7 @@ pub(crate) fn to_exception(py: Python<'_>, error: &Error) -> PyErr {
     let text = error.to_string();
     match error {
         Error::TooManyEvents { shot, .. } => {
-            let file = carom::Shot::from_json(shot)
+            let file = carom::ShotFile::from_json(shot)
                 .map_err(|e| to_exception(py, &e))
                 .and_then(|shot| to_python(py, &shot.to_node()).map(Bound::unbind));
             match file {

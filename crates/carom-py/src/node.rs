@@ -1,6 +1,6 @@
 //! Plain values across the border: dicts, lists, strings, numbers.
 
-use carom::shot::Node;
+use carom::format::Node;
 use pyo3::prelude::*;
 use pyo3::types::{
     PyBool, PyByteArray, PyBytes, PyDict, PyFloat, PyFrozenSet, PyInt, PyIterator, PyList,

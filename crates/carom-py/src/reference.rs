@@ -1,8 +1,8 @@
 //! What the engine knows by itself: table presets, racks, schemas.
 
 use carom::Table;
+use carom::format::Node;
 use carom::rack::{Break, Game, USUAL_GAP, break_shot as open};
-use carom::shot::Node;
 use carom::table::PRESETS;
 use pyo3::prelude::*;
 
@@ -35,15 +35,15 @@ pub(crate) fn break_shot(
 ) -> PyResult<Shot> {
     let game = Game::parse(game).map_err(|e| to_exception(py, &e))?;
     let opening = Break { game, table, speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
-    open(&opening).map(|shot| Shot(shot.into())).map_err(|e| to_exception(py, &e))
+    open(&opening).map(|shot| Shot::from(shot)).map_err(|e| to_exception(py, &e))
 }
 
 /// The JSON Schema of `shot` or `trace`, as JSON.
 #[pyfunction]
 pub(crate) fn schema(kind: &str) -> PyResult<&'static str> {
     match kind {
-        "shot" => Ok(carom::schema::SHOT),
-        "trace" => Ok(carom::schema::TRACE),
+        "shot" => Ok(carom::format::schema::SHOT),
+        "trace" => Ok(carom::format::schema::TRACE),
         _ => Err(InputError::new_err(format!(
             "there is no schema \"{kind}\"; write \"shot\" or \"trace\""
         ))),

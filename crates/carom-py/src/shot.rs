@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use carom::ShotFile;
 use carom::resolve::cue_ball::Strike;
 use pyo3::prelude::*;
 
@@ -15,20 +16,26 @@ pub(crate) fn strike_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> 
 
 /// A validated shot; immutable, shared, never copied.
 #[pyclass(frozen, module = "carom._core")]
-pub(crate) struct Shot(pub(crate) Arc<carom::Shot>);
+pub(crate) struct Shot(pub(crate) Arc<ShotFile>);
+
+impl From<carom::Shot> for Shot {
+    fn from(shot: carom::Shot) -> Self {
+        Self(ShotFile::from(shot).into())
+    }
+}
 
 #[pymethods]
 impl Shot {
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
-        let shot = carom::Shot::from_json(text).map_err(|e| to_exception(py, &e))?;
+        let shot = ShotFile::from_json(text).map_err(|e| to_exception(py, &e))?;
         Ok(Self(shot.into()))
     }
 
     #[staticmethod]
     fn from_object(value: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let shot = carom::Shot::from_node(from_python(value)?)
-            .map_err(|e| to_exception(value.py(), &e))?;
+        let shot =
+            ShotFile::from_node(from_python(value)?).map_err(|e| to_exception(value.py(), &e))?;
         Ok(Self(shot.into()))
     }
 
@@ -45,8 +52,8 @@ impl Shot {
     }
 
     fn simulate(&self, py: Python<'_>) -> PyResult<Trace> {
-        let trace = py.detach(|| self.0.simulate());
-        trace.map(Trace::from).map_err(|e| to_exception(py, &e))
+        let trace = py.detach(|| self.0.simulate()).map_err(|e| to_exception(py, &e))?;
+        Ok(Trace::new(trace, self.0.clone()))
     }
 
     #[getter]

@@ -1,7 +1,8 @@
 //! `_core.play_rows`, `_core.row_shot`, `_core.points` and `_core.quantiles`.
 
+use carom::ShotFile;
+use carom::format::{KeyPath, Node};
 use carom::sample::{Distribution, Sequence};
-use carom::shot::{Node, Path};
 use carom_plan::sweep::{self, Column, Facts, Played, Rows, STRIKE, Values};
 use numpy::{
     PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
@@ -91,10 +92,10 @@ fn with_rows<'py, T>(
 ) -> PyResult<T> {
     let raise = |error| to_exception(py, &error);
     let layouts: Vec<_> = layouts.iter().map(|shot| shot.0.clone()).collect();
-    let layouts: Vec<&carom::Shot> = layouts.iter().map(|shot| &**shot).collect();
+    let layouts: Vec<&ShotFile> = layouts.iter().map(|shot| &**shot).collect();
     let kept = columns
         .into_iter()
-        .map(|(path, given)| Ok((Path::parse(&path).map_err(raise)?, Kept::new(given)?)))
+        .map(|(path, given)| Ok((KeyPath::parse(&path).map_err(raise)?, Kept::new(given)?)))
         .collect::<PyResult<Vec<_>>>()?;
     let columns = kept
         .iter()

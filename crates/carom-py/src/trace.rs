@@ -1,10 +1,11 @@
 //! `_core.Trace`.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
-use carom::BallState;
+use carom::format::Node;
 use carom::math::Vec3;
 use carom::trace::Orientations;
+use carom::{BallState, Error, ShotFile};
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
@@ -16,12 +17,30 @@ use crate::shot::Shot;
 #[pyclass(frozen, module = "carom._core")]
 pub(crate) struct Trace {
     trace: carom::Trace,
+    shot: Arc<ShotFile>,
     orientations: OnceLock<Orientations>,
 }
 
 impl From<carom::Trace> for Trace {
     fn from(trace: carom::Trace) -> Self {
-        Self { trace, orientations: OnceLock::new() }
+        let shot = ShotFile::from(trace.shot().clone());
+        Self::new(trace, shot.into())
+    }
+}
+
+impl Trace {
+    /// A trace of `shot`.
+    pub(crate) fn new(trace: carom::Trace, shot: Arc<ShotFile>) -> Self {
+        Self { trace, shot, orientations: OnceLock::new() }
+    }
+
+    fn read(node: &Node) -> Result<Self, Error> {
+        let (trace, shot) = carom::Trace::from_node_with_file(node)?;
+        Ok(Self::new(trace, shot.into()))
+    }
+
+    fn to_node(&self) -> Node {
+        self.trace.to_node_with(self.shot.to_node().into_owned())
     }
 }
 
@@ -32,26 +51,25 @@ type States<'py> = (Cube<'py>, Cube<'py>, Cube<'py>, Cube<'py>, Vec<&'static str
 impl Trace {
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
-        carom::Trace::from_json(text).map(Self::from).map_err(|e| to_exception(py, &e))
+        let node = Node::from_json(text);
+        node.and_then(|node| Self::read(&node)).map_err(|e| to_exception(py, &e))
     }
 
     #[staticmethod]
     fn from_object(value: &Bound<'_, PyAny>) -> PyResult<Self> {
-        carom::Trace::from_node(&from_python(value)?)
-            .map(Self::from)
-            .map_err(|e| to_exception(value.py(), &e))
+        Self::read(&from_python(value)?).map_err(|e| to_exception(value.py(), &e))
     }
 
     fn to_object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.trace.to_node())
+        to_python(py, &self.to_node())
     }
 
     fn to_json(&self) -> String {
-        self.trace.to_json()
+        self.to_node().to_json()
     }
 
     fn shot(&self) -> Shot {
-        Shot(self.trace.shot().clone().into())
+        Shot(self.shot.clone())
     }
 
     /// Position, velocity, spin, each (times, balls, 3), orientation (times, balls, 4), and motions,

@@ -5,7 +5,7 @@ mod play;
 mod progress;
 mod state;
 
-use carom::shot::Node;
+use carom::format::Node;
 use carom::{Error, Shot};
 
 use crate::Player;
@@ -244,7 +244,7 @@ impl Frame {
 /// A shot of one resting ball on the game's table.
 fn base(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Result<Shot, Error> {
     let mut file = Node::object([
-        ("format", carom::shot::FORMAT.into()),
+        ("format", carom::format::SHOT_FORMAT.into()),
         ("table", table.unwrap_or_else(|| rules.rack().table().into())),
     ]);
     if let Some(physics) = physics {
@@ -253,5 +253,5 @@ fn base(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Result<Shot
     // Any place will do that is inside every table.
     let ball = |place: [f64; 2]| Node::object([("id", "cue".into()), ("position", place.into())]);
     file.set("balls", Node::list([ball([0.25, 0.25])]));
-    Shot::from_node(file)
+    Shot::from_node(&file)
 }

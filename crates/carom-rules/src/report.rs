@@ -1,7 +1,7 @@
 //! A frame and its rulings as trees of values, with the balls' ids: what the bindings show.
 
 use carom::Error;
-use carom::shot::Node;
+use carom::format::Node;
 use carom::table::PocketName;
 
 use crate::{BallIndex, Call, Frame, Request, Ruling, Turn};

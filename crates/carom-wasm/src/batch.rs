@@ -2,10 +2,10 @@
 
 use carom::Noise;
 use carom::batch::{BatchResult, draw_strikes, simulate_batch, simulate_strikes};
+use carom::format::Node;
 use carom::noise::SKILLS;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
-use carom::shot::Node;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -15,7 +15,7 @@ use crate::shot::Shot;
 /// Shots to simulate together.
 #[wasm_bindgen]
 #[derive(Default)]
-pub struct Shots(Vec<std::sync::Arc<carom::Shot>>);
+pub struct Shots(Vec<std::sync::Arc<carom::ShotFile>>);
 
 #[wasm_bindgen]
 impl Shots {
@@ -32,7 +32,8 @@ impl Shots {
 
     /// Simulates all shots, without traces.
     pub fn simulate(&self) -> Batch {
-        Batch { result: simulate_batch(&self.0, &Runner::default()), strikes: Vec::new() }
+        let shots: Vec<&carom::Shot> = self.0.iter().map(|shot| shot.shot()).collect();
+        Batch { result: simulate_batch(&shots, &Runner::default()), strikes: Vec::new() }
     }
 }
 

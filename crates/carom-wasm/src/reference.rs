@@ -1,7 +1,7 @@
 //! Table and physics presets, racks and schemas. Lists are JSON.
 
+use carom::format::Node;
 use carom::rack::{Break, Game, USUAL_GAP, break_shot as open};
-use carom::shot::{Node, physics_to_node};
 use carom::table::PRESETS;
 use carom::{Physics, Table};
 use wasm_bindgen::JsValue;
@@ -26,7 +26,7 @@ pub fn tables() -> String {
 /// Every physics preset by name, as in a shot file.
 #[wasm_bindgen]
 pub fn physics() -> String {
-    let preset = |name: &&str| Some(((*name).into(), physics_to_node(&Physics::preset(name)?)));
+    let preset = |name: &&str| Some(((*name).into(), Physics::preset(name)?.to_node()));
     Node::Object(Physics::PRESETS.iter().filter_map(preset).collect()).to_json()
 }
 
@@ -48,17 +48,17 @@ pub fn break_shot(
     let game = Game::parse(game).map_err(|e| to_exception(&e))?;
     let table = table.as_deref();
     let opening = Break { game, table, speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
-    open(&opening).map(|shot| Shot(shot.into())).map_err(|e| to_exception(&e))
+    open(&opening).map(|shot| Shot::from(shot)).map_err(|e| to_exception(&e))
 }
 
 /// The JSON Schema of a shot file.
 #[wasm_bindgen(js_name = shotSchema)]
 pub fn shot_schema() -> String {
-    carom::schema::SHOT.into()
+    carom::format::schema::SHOT.into()
 }
 
 /// The JSON Schema of a trace.
 #[wasm_bindgen(js_name = traceSchema)]
 pub fn trace_schema() -> String {
-    carom::schema::TRACE.into()
+    carom::format::schema::TRACE.into()
 }

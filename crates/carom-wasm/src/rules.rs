@@ -1,8 +1,8 @@
 //! `Frame`: games with a referee.
 
 use carom::Error;
+use carom::format::Node;
 use carom::resolve::cue_ball::Strike;
-use carom::shot::Node;
 use carom_rules::{Choice, Options, Play, Rules};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -79,7 +79,7 @@ impl PlayResult {
     /// The trace of the shot.
     #[wasm_bindgen(js_name = intoTrace)]
     pub fn into_trace(self) -> Trace {
-        Trace::new(self.trace)
+        Trace::from(self.trace)
     }
 }
 
@@ -151,7 +151,7 @@ impl Frame {
     /// The shot that [`Self::play`] would play.
     pub fn shot(&self, play: &PlayArguments) -> Result<Shot, JsValue> {
         let shot = self.play_of(play).and_then(|play| self.0.shot(&play));
-        shot.map(|shot| Shot(shot.into())).map_err(|e| to_exception(&e))
+        shot.map(|shot| Shot::from(shot)).map_err(|e| to_exception(&e))
     }
 
     /// Plays a shot, and rules on it.

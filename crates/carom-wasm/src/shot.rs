@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use carom::ShotFile;
 use carom::resolve::cue_ball::Strike;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -11,14 +12,20 @@ use crate::trace::Trace;
 
 /// A validated shot: immutable and shared.
 #[wasm_bindgen]
-pub struct Shot(pub(crate) Arc<carom::Shot>);
+pub struct Shot(pub(crate) Arc<ShotFile>);
+
+impl From<carom::Shot> for Shot {
+    fn from(shot: carom::Shot) -> Self {
+        Self(ShotFile::from(shot).into())
+    }
+}
 
 #[wasm_bindgen]
 impl Shot {
     /// Reads a shot file.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &str) -> Result<Self, JsValue> {
-        let shot = carom::Shot::from_json(text).map_err(|e| to_exception(&e))?;
+        let shot = ShotFile::from_json(text).map_err(|e| to_exception(&e))?;
         Ok(Self(shot.into()))
     }
 
@@ -81,6 +88,7 @@ impl Shot {
 
     /// Simulates the shot and records all its events.
     pub fn simulate(&self) -> Result<Trace, JsValue> {
-        self.0.simulate().map(Trace::new).map_err(|e| to_exception(&e))
+        let trace = self.0.simulate().map_err(|e| to_exception(&e))?;
+        Ok(Trace::new(trace, self.0.clone()))
     }
 }

@@ -1,7 +1,10 @@
 //! `Trace`.
 
 use std::cell::OnceCell;
+use std::sync::Arc;
 
+use carom::ShotFile;
+use carom::format::Node;
 use carom::trace::Orientations;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -16,12 +19,21 @@ const STRIDE: usize = 14;
 #[wasm_bindgen]
 pub struct Trace {
     trace: carom::Trace,
+    shot: Arc<ShotFile>,
     orientations: OnceCell<Orientations>,
 }
 
+impl From<carom::Trace> for Trace {
+    fn from(trace: carom::Trace) -> Self {
+        let shot = ShotFile::from(trace.shot().clone());
+        Self::new(trace, shot.into())
+    }
+}
+
 impl Trace {
-    pub(crate) fn new(trace: carom::Trace) -> Self {
-        Self { trace, orientations: OnceCell::new() }
+    /// A trace of `shot`.
+    pub(crate) fn new(trace: carom::Trace, shot: Arc<ShotFile>) -> Self {
+        Self { trace, shot, orientations: OnceCell::new() }
     }
 }
 
@@ -30,13 +42,15 @@ impl Trace {
     /// Reads a saved trace.
     #[wasm_bindgen(js_name = fromJson)]
     pub fn from_json(text: &str) -> Result<Self, JsValue> {
-        carom::Trace::from_json(text).map(Self::new).map_err(|e| to_exception(&e))
+        let read = Node::from_json(text).and_then(|node| carom::Trace::from_node_with_file(&node));
+        let (trace, shot) = read.map_err(|e| to_exception(&e))?;
+        Ok(Self::new(trace, shot.into()))
     }
 
     /// The trace as JSON.
     #[wasm_bindgen(js_name = toJson)]
     pub fn to_json(&self) -> String {
-        self.trace.to_json()
+        self.trace.to_node_with(self.shot.to_node().into_owned()).to_json()
     }
 
     /// The outcome, for a referee, JSON.
@@ -46,7 +60,7 @@ impl Trace {
 
     /// The shot that was simulated.
     pub fn shot(&self) -> Shot {
-        Shot(self.trace.shot().clone().into())
+        Shot(self.shot.clone())
     }
 
     /// Time from the strike to the last event, s.

@@ -28,8 +28,8 @@ use chacha20::rand_core::{Rng, SeedableRng};
 
 use crate::error::Error;
 use crate::math::{log, radians, sin_cos, sqrt};
+use crate::range::Range;
 use crate::resolve::cue_ball::Strike;
-use crate::shot::read::Range;
 use crate::shot::{self, PlacedBall, Shot};
 
 /// Tells these random numbers from all others that have the same seed.

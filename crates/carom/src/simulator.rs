@@ -1,13 +1,16 @@
 //! Playing shots one after the other, whatever number of balls they have.
 
 use alloc::boxed::Box;
+use alloc::format;
+use alloc::vec::Vec;
 
 use crate::error::Error;
 use crate::event::Recorder;
 use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::resolve::cue_ball::Strike;
 use crate::simulate::{Simulation, SimulationError, Summary};
-use crate::{BallState, Shot};
+use crate::trace::TraceRecorder;
+use crate::{BallState, Shot, Trace, shot};
 
 /// Plays shots one after the other and keeps the memory that they need: for a thread of a
 /// [`Runner`](crate::runner::Runner), or for any loop over shots.
@@ -76,9 +79,18 @@ impl Simulator {
         } else {
             self.few.play_strike(shot, strike, recorder)
         };
-        played.map_err(|failure: SimulationError| {
-            shot.explain(failure, strike.as_ref().map(|(_, strike)| strike))
-        })
+        played.map_err(|failure| shot.explain(failure, strike.as_ref().map(|(_, strike)| strike)))
+    }
+
+    /// Plays `shot` and records everything.
+    ///
+    /// # Errors
+    /// As [`Self::play`].
+    pub fn record(&mut self, shot: &Shot) -> Result<Trace, Error> {
+        let mut recorder = TraceRecorder::new(shot);
+        let summary = self.play(shot, &mut recorder)?;
+        let last: Vec<BallState> = self.states(summary.duration).collect();
+        Ok(recorder.finish(&last, summary.duration))
     }
 
     /// Number of balls of the last shot.
@@ -112,5 +124,31 @@ impl Simulator {
     /// frame.
     pub fn states(&self, time: f64) -> impl ExactSizeIterator<Item = BallState> + '_ {
         (0..self.len()).map(move |i| self.state(i, time))
+    }
+}
+
+impl Shot {
+    /// Simulates the shot and records everything. For many shots: [`Simulator::record`].
+    ///
+    /// # Errors
+    /// [`Error::TooManyEvents`] if the cap is reached.
+    pub fn simulate(&self) -> Result<Trace, Error> {
+        Simulator::new().record(self)
+    }
+
+    /// Why this shot, played with `strike` where that is not its own, has no result, in the user's words.
+    pub fn explain(&self, failure: SimulationError, strike: Option<&Strike>) -> Error {
+        let played = strike.copied().or(self.strike().map(|(_, strike)| strike));
+        match (failure, played) {
+            (SimulationError::Strike(e), Some(played)) => shot::explain("strike", &played, e),
+            (SimulationError::Strike(e), None) => {
+                Error::input("strike", format!("{e}"), "change the strike")
+            }
+            (SimulationError::TooManyEvents { max_events, .. }, _) => {
+                let played = strike.and_then(|strike| self.with_strike(strike).ok());
+                let shot = played.as_ref().unwrap_or(self).to_json();
+                Error::TooManyEvents { cap: max_events, shot }
+            }
+        }
     }
 }

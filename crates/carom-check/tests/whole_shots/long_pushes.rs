@@ -1,7 +1,7 @@
 //! Shots that once went on for ever.
 
 use carom::Shot;
-use carom::shot::Node;
+use carom::format::Node;
 use carom_check::Checker;
 
 /// Most events of such a shot; each once reached the cap of 100 000.
@@ -13,7 +13,7 @@ const MOST_EVENTS_OF_THE_CRADLE: u64 = 40_000;
 fn judged(name: &str) -> u64 {
     let all = Node::from_json(include_str!("../data/long_pushes.json")).expect("JSON");
     let file = all.get(name).unwrap_or_else(|| panic!("no shot {name}"));
-    let shot = Shot::from_node(file.clone()).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let shot = Shot::from_node(&file).unwrap_or_else(|e| panic!("{name}: {e}"));
     let checker = Checker::run(&shot);
     assert!(checker.faults.is_empty(), "{name}: {:#?}", checker.faults);
     checker.events

@@ -1,7 +1,7 @@
 //! Shots as proptest draws and shrinks them: some balls of a layout, each at rest or moving.
 
+use carom::format::{Node, SHOT_FORMAT};
 use carom::math::{Vec2, Vec3};
-use carom::shot::{FORMAT, Node};
 use carom::{BallState, Error, MotionState, Shot};
 use proptest::prelude::*;
 use proptest::sample::{select, subsequence};
@@ -90,12 +90,12 @@ impl Plan {
             physics.set(group, changed);
         }
         let file = Node::object([
-            ("format", FORMAT.into()),
+            ("format", SHOT_FORMAT.into()),
             ("table", table),
             ("physics", physics),
             ("balls", Node::list(self.balls.iter().enumerate().map(ball))),
         ]);
-        Shot::from_node(file)
+        Shot::from_node(&file)
     }
 
     /// The same with every ball's state changed.

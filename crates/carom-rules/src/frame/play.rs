@@ -1,6 +1,7 @@
 //! Playing a shot: what is asked is checked, what happened is ruled on.
 
 use carom::limits::SMALL_CAPACITY;
+use carom::math::{degrees, radians};
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
 use carom::simulate::Simulation;
@@ -14,6 +15,13 @@ use crate::layout::Layout;
 use crate::play::{Call, Play};
 use crate::request::Turn;
 use crate::ruling::Ruling;
+
+/// The strike with the angles that come back from degrees. Recorded frames were played so, when shot
+/// files held degrees alone, and must replay to the bit.
+fn through_degrees(strike: &Strike) -> Strike {
+    let through = |angle: f64| radians(degrees(angle));
+    Strike { azimuth: through(strike.azimuth), elevation: through(strike.elevation), ..*strike }
+}
 
 impl Frame {
     /// The shot that `play` is, ready to simulate.
@@ -29,7 +37,8 @@ impl Frame {
         self.check_cue_ball(turn, play.cue_ball, place)?;
         layout.put(turn.cue, place);
         let cue = layout.on_table().position(|ball| ball == turn.cue).unwrap_or_default();
-        let shot = self.state.base.with_balls(layout.placed(), Some((cue, play.strike)));
+        let strike = through_degrees(&play.strike);
+        let shot = self.state.base.with_balls(layout.placed(), Some((cue, strike)));
         shot.map_err(|error| of_cue_ball(error, cue))
     }
 
@@ -143,7 +152,7 @@ impl Frame {
         prepared: &Shot,
     ) -> Result<(Ruling, Outcome), Error> {
         self.check_call(self.asked_turn()?, play.call)?;
-        let shot = prepared.with_strike(&play.strike)?;
+        let shot = prepared.with_strike(&through_degrees(&play.strike))?;
         let (ruling, outcome, _) = self.play_shot(simulation, play, &shot, shot.strike())?;
         Ok((ruling, outcome))
     }

@@ -1,6 +1,6 @@
 //! Eight-ball (WPA, section 3).
 
-use carom::shot::Node;
+use carom::format::Node;
 
 use crate::frame::State;
 use crate::games::{Game, Played};

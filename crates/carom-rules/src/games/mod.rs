@@ -8,8 +8,8 @@ pub mod straight_pool;
 pub mod three_cushion;
 
 use carom::Error;
+use carom::format::Node;
 use carom::rack;
-use carom::shot::Node;
 
 use crate::facts::Facts;
 use crate::frame::State;

@@ -4,7 +4,7 @@ mod hidden;
 mod spots;
 mod stroke;
 
-use carom::shot::Node;
+use carom::format::Node;
 
 use crate::frame::State;
 use crate::games::{Game, Played};

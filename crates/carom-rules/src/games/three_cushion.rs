@@ -1,7 +1,7 @@
 //! Three-cushion carom (UMB, World rules of carom billiard).
 
 use carom::Table;
-use carom::shot::Node;
+use carom::format::Node;
 use carom::table::{Rail, TOUCH_TOLERANCE};
 
 use crate::facts::{Facts, Touch};

@@ -214,7 +214,7 @@ fn misses_without_a_full_ball_in_sight_never_lose_the_frame() {
 #[test]
 fn points_left_are_a_black_with_every_red_and_the_colors() {
     let left = |scene: &Scene| match scene.0.law_node().get("points_left") {
-        Some(carom::shot::Node::Integer(points)) => *points,
+        Some(carom::format::Node::Integer(points)) => *points,
         other => panic!("{other:?}"),
     };
     assert_eq!(left(&Scene::of(Rules::Snooker)), 147);

@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::frozen::Frozen;
 use super::jump::Jumps;
+use super::track::Track;
 use super::{Outcome, Touched, among};
 use crate::event::{Event, Recorder};
 use crate::math::Vec2;
@@ -11,16 +12,8 @@ use crate::motion::Path;
 use crate::shot::Shot;
 use crate::simulate::CLOSING_TIME;
 use crate::table::{Capture, Part, PocketName, Rail, TOUCH_TOLERANCE};
-use crate::trace::{TraceEvent, What};
+use crate::trace_event::{TraceEvent, TraceEventKind};
 use crate::{BallState, MotionState};
-
-/// A ball's path since its last event.
-#[derive(Clone, Debug)]
-pub(super) struct Track {
-    /// When it began, s.
-    pub(super) since: f64,
-    pub(super) path: Path,
-}
 
 /// Collects an [`Outcome`] event by event.
 #[derive(Clone, Debug)]
@@ -63,19 +56,22 @@ impl<'a> Collector<'a> {
             }
         }
         self.jumps.end(event, &self.tracks, &mut self.outcome.jumped);
-        match event.what {
-            What::BallCollision => self.balls_collide(event),
-            What::RailCollision { rail, part: Part::Nose | Part::Facing | Part::Point } => {
+        match event.kind {
+            TraceEventKind::BallCollision => self.balls_collide(event),
+            TraceEventKind::RailCollision {
+                rail,
+                part: Part::Nose | Part::Facing | Part::Point,
+            } => {
                 event.balls.iter().for_each(|&ball| self.ball_meets_rail(ball, rail));
             }
-            What::PocketCollision(pocket) => {
+            TraceEventKind::PocketCollision(pocket) => {
                 self.outcome.pocketed.extend(event.balls.iter().map(|&ball| (ball, pocket)));
             }
-            What::OffTable => self.outcome.off_table.extend(event.balls),
-            What::CueStrike
-            | What::SlateCollision
-            | What::RailCollision { part: Part::Top | Part::Liner, .. }
-            | What::MotionTransition { .. } => {}
+            TraceEventKind::OffTable => self.outcome.off_table.extend(event.balls),
+            TraceEventKind::CueStrike
+            | TraceEventKind::SlateCollision
+            | TraceEventKind::RailCollision { part: Part::Top | Part::Liner, .. }
+            | TraceEventKind::MotionTransition { .. } => {}
         }
         for (&ball, after) in event.balls.iter().zip(event.after) {
             self.tracks[usize::from(ball)] = self.track(ball, event.time, after);
@@ -214,7 +210,7 @@ impl Recorder for OutcomeRecorder<'_> {
         }
         collector.add(&TraceEvent {
             time: event.time,
-            what: What::of(event.kind, shot.table()),
+            kind: TraceEventKind::of(event.kind, shot.table()),
             balls: event.balls,
             before,
             after,

@@ -4,11 +4,11 @@ use alloc::vec::Vec;
 
 use carom_roots::Motion;
 
-use super::collect::Track;
+use super::track::Track;
 use super::{SEEN, among};
 use crate::MotionState;
 use crate::math::sqrt;
-use crate::trace::TraceEvent;
+use crate::trace_event::TraceEvent;
 
 /// Flights under way. A flight is a ball's path in the air from one of its events to the next.
 #[derive(Clone, Debug, Default)]
@@ -102,12 +102,4 @@ fn passes_over(flyer: &Track, under: &Track, until: f64) -> bool {
         carom_roots::first_contact(&plan, distance, until - from)
     };
     entry.is_some_and(|t| separation(from + t).z > 0.0)
-}
-
-impl Track {
-    /// How high the path of a ball in the air leads at most, m.
-    fn apex(&self) -> f64 {
-        let rise = self.path.velocity.z.max(0.0);
-        self.path.position.z - 0.25 * rise * rise / self.path.half_acceleration.z
-    }
 }

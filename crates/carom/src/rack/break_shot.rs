@@ -1,13 +1,14 @@
-//! The opening shot of each game, as a shot file.
+//! The opening shot of each game.
 
 use alloc::format;
 use alloc::vec::Vec;
 
 use super::{Game, RackedBall, USUAL_GAP, rack};
 use crate::error::Error;
-use crate::math::{Vec2, asin, atan2, degrees};
-use crate::shot::{FORMAT, Node, Shot};
-use crate::{Ball, Physics, Table};
+use crate::math::{Vec2, Vec3, asin, atan2, degrees, radians};
+use crate::resolve::cue_ball::Strike;
+use crate::shot::{DEFAULT_MAX_EVENTS, Parts, PlacedBall, Shot, StrikePolicy};
+use crate::{Ball, BallState, Physics, Table};
 
 /// The cue ball on English tables (1⅞ in; from memory).
 const ENGLISH_CUE_BALL: Ball = Ball { mass: 0.094, radius: 0.023_812_5 };
@@ -68,7 +69,7 @@ impl Game {
 /// The opening shot of a game: its rack, and the cue ball struck in the middle at the balls.
 ///
 /// # Errors
-/// [`Error::Input`] for a table that does not exist, and what [`rack`] and [`Shot::from_node`]
+/// [`Error::Input`] for a table that does not exist, and what [`rack`] and [`Shot::with_balls`]
 /// refuse.
 pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
     let game = opening.game;
@@ -81,35 +82,39 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
             format!("write one of {known}"),
         )
     };
-    let table = Table::preset(name).ok_or_else(unknown)?;
+    let table = Table::shared_preset(name).ok_or_else(unknown)?;
     let physics = table.description.as_ref().and_then(|d| Physics::preset(&d.physics));
     let physics = physics.unwrap_or_else(Physics::pool);
     let balls = rack(game, &table, physics.ball.radius, opening.seed, opening.gap)?;
 
     let (target, beside) = game.break_aim();
     let azimuth = aim(balls[0].1, balls[target].1, beside * physics.ball.radius);
-    let mut nodes: Vec<Node> = balls.iter().map(place).collect();
+    let mut placed: Vec<PlacedBall> = balls.into_iter().map(|b| place(b, physics.ball)).collect();
     if let Some(cue_ball) = cue_ball_of_its_own(&table) {
-        nodes[0].set("radius", cue_ball.radius);
-        nodes[0].set("mass", cue_ball.mass);
+        placed[0].ball = cue_ball;
+        placed[0].state.position.z = cue_ball.radius;
     }
-    Shot::from_node(Node::object([
-        ("format", FORMAT.into()),
-        ("table", name.into()),
-        ("balls", Node::List(nodes)),
-        (
-            "strike",
-            Node::object([
-                ("ball", "cue".into()),
-                ("speed", opening.speed.unwrap_or(game.break_speed()).into()),
-                ("azimuth_deg", degrees(azimuth).into()),
-            ]),
-        ),
-    ]))
+    let strike = Strike {
+        speed: opening.speed.unwrap_or(game.break_speed()),
+        // As the degrees of the file give it, in which it is written.
+        azimuth: radians(degrees(azimuth)),
+        elevation: 0.0,
+        side: 0.0,
+        height: 0.0,
+    };
+    Shot::new(Parts {
+        table,
+        physics,
+        balls: placed,
+        strike: Some((0, strike)),
+        policy: StrikePolicy::default(),
+        max_events: DEFAULT_MAX_EVENTS,
+    })
 }
 
-fn place((id, position): &RackedBall) -> Node {
-    Node::object([("id", id.into()), ("position", (*position).into())])
+fn place((id, [x, y]): RackedBall, ball: Ball) -> PlacedBall {
+    let state = BallState { position: Vec3::new(x, y, ball.radius), ..BallState::default() };
+    PlacedBall { id, ball, state }
 }
 
 /// Direction (rad) from `from` to the point `beside` (m) to the right of `to`.

@@ -1,35 +1,51 @@
-//! The `balls` of a shot file, and whether they can lie where it says.
+//! Whether balls can lie where a shot puts them.
 
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::PlacedBall;
-use super::physics::{MASS, RADIUS};
-use super::read::At;
 use crate::error::Error;
 use crate::limits::MAX_BALLS;
 use crate::math::{Vec3, sqrt};
+use crate::range::Range;
 use crate::table::TOUCH_TOLERANCE;
-use crate::{Ball, BallState, MotionState, Table, motion};
+use crate::{BallState, MotionState, Table, motion};
 
 /// Balls faster than this do not occur (the fastest breaks are near 15 m/s), m/s.
 const LARGEST_SPEED: f64 = 100.0;
 /// A tip at the miscue limit gives a ball of 30 m/s about 1300 rad/s; rad/s.
 const LARGEST_SPIN: f64 = 10_000.0;
 
-const KEYS: &[&str] = &["id", "position", "velocity", "angular_velocity", "mass", "radius"];
+/// A ball's mass.
+pub(crate) const MASS: Range = Range::positive(" kg");
+/// A ball's radius.
+pub(crate) const RADIUS: Range = Range::positive(" m");
 
-/// Reads `balls`; `default` is the physics' ball.
-pub(super) fn read(at: &At<'_>, default: &Ball, table: &Table) -> Result<Vec<PlacedBall>, Error> {
-    let items = at.items("a list of balls")?;
-    check_count(items.len())?;
-    let balls = items.iter().map(|item| read_one(item, default)).collect::<Result<Vec<_>, _>>()?;
+/// `balls` with the heights and motion states that a simulation starts from.
+///
+/// # Errors
+/// [`Error::Input`] for too few or too many balls, numbers out of range, ids that are not unique, balls
+/// outside the table, and overlaps.
+pub(super) fn checked(mut balls: Vec<PlacedBall>, table: &Table) -> Result<Vec<PlacedBall>, Error> {
+    check_count(balls.len())?;
+    for (i, PlacedBall { ball, state, .. }) in balls.iter_mut().enumerate() {
+        let place = |key: &'static str| move || format!("balls[{i}].{key}");
+        MASS.check(place("mass"), ball.mass)?;
+        RADIUS.check(place("radius"), ball.radius)?;
+        for x in state.position.to_array() {
+            Range::any(" m").check(place("position"), x)?;
+        }
+        state.position.z = height(place("position"), state.position.z, ball.radius)?;
+        check_length(place("velocity"), state.velocity, LARGEST_SPEED, "m/s")?;
+        check_length(place("angular_velocity"), state.angular_velocity, LARGEST_SPIN, "rad/s")?;
+        state.motion = motion(state, ball.radius);
+    }
     check(&balls, table)?;
     Ok(balls)
 }
 
-pub(super) fn check_count(count: usize) -> Result<(), Error> {
+fn check_count(count: usize) -> Result<(), Error> {
     if (1..=MAX_BALLS).contains(&count) {
         return Ok(());
     }
@@ -38,7 +54,7 @@ pub(super) fn check_count(count: usize) -> Result<(), Error> {
 }
 
 /// Refuses ids that are not unique, balls that are not inside the table, and overlaps.
-pub(super) fn check(balls: &[PlacedBall], table: &Table) -> Result<(), Error> {
+fn check(balls: &[PlacedBall], table: &Table) -> Result<(), Error> {
     for (i, ball) in balls.iter().enumerate() {
         if let Some(first) = balls[..i].iter().position(|b| b.id == ball.id) {
             return Err(Error::input(
@@ -62,36 +78,9 @@ pub(crate) fn fits(index: usize, balls: &[PlacedBall], table: &Table) -> bool {
         && super::place::check(index, ball, table).is_ok()
 }
 
-fn read_one(at: &At<'_>, default: &Ball) -> Result<PlacedBall, Error> {
-    let fields = at.fields(KEYS)?;
-    let id = fields.require("id", "a text that no other ball has")?;
-    let id = String::from(id.text("a text that no other ball has")?);
-    let mut ball = *default;
-    fields.number_into("mass", &MASS, &mut ball.mass)?;
-    fields.number_into("radius", &RADIUS, &mut ball.radius)?;
-
-    let at = fields.require("position", "[x, y] in m")?;
-    let p = at.numbers(2, 3)?;
-    let height =
-        height(|| at.place().into(), p.get(2).copied().unwrap_or(ball.radius), ball.radius)?;
-
-    let position = Vec3::new(p[0], p[1], height);
-    let mut state = BallState { position, ..BallState::default() };
-    if let Some(at) = fields.get("velocity") {
-        state.velocity = at.vector()?;
-        check_length(|| at.place().into(), state.velocity, LARGEST_SPEED, "m/s")?;
-    }
-    if let Some(at) = fields.get("angular_velocity") {
-        state.angular_velocity = at.vector()?;
-        check_length(|| at.place().into(), state.angular_velocity, LARGEST_SPIN, "rad/s")?;
-    }
-    state.motion = motion(&state, ball.radius);
-    Ok(PlacedBall { id, ball, state })
-}
-
 /// The height of a centre, m: exactly the radius where it is that but for [`TOUCH_TOLERANCE`], so
 /// that a ball either lies on the bed or does not.
-pub(super) fn height(place: impl FnOnce() -> String, z: f64, radius: f64) -> Result<f64, Error> {
+fn height(place: impl FnOnce() -> String, z: f64, radius: f64) -> Result<f64, Error> {
     if z < radius - TOUCH_TOLERANCE {
         return Err(Error::input(
             place(),
@@ -106,20 +95,13 @@ pub(super) fn height(place: impl FnOnce() -> String, z: f64, radius: f64) -> Res
 }
 
 /// The motion state that a ball begins in.
-pub(super) fn motion(state: &BallState, radius: f64) -> MotionState {
+fn motion(state: &BallState, radius: f64) -> MotionState {
     // Driven down on the bed counts as flying too: it bounces at once.
     if state.position.z > radius || state.velocity.z != 0.0 {
         MotionState::Airborne
     } else {
         motion::classify(state.velocity, state.angular_velocity, radius)
     }
-}
-
-/// Refuses velocities that are no numbers or out of range, of `balls[index]`.
-pub(super) fn check_speeds(index: usize, state: &BallState) -> Result<(), Error> {
-    let place = |key: &'static str| move || format!("balls[{index}].{key}");
-    check_length(place("velocity"), state.velocity, LARGEST_SPEED, "m/s")?;
-    check_length(place("angular_velocity"), state.angular_velocity, LARGEST_SPIN, "rad/s")
 }
 
 fn check_length(

@@ -1,45 +1,27 @@
-//! A shot: everything that is decided before it starts. Immutable.
+//! A shot: everything that is decided before it starts. Validated, immutable data.
 //!
-//! A [`Shot`] keeps the file that it was read from (`carom-shot/1`, or the same keys from Python
-//! or from code) and, beside it, what the file means: table, physics, balls and strike, checked
-//! and ready to simulate. A file comes in by [`Shot::from_node`] alone, so that every shot has passed
-//! the same checks, and [`Shot::to_json`] gives back what was written. Programs that ask a lot change a
-//! shot that they have ([`Shot::with_strike`], [`Shot::with_balls`]).
+//! Shots come from files ([`crate::format`]), from racks ([`crate::rack`]), and from other shots:
+//! [`Shot::with_strike`], [`Shot::with_balls`]. Each way ends in the same checks.
 
 mod balls;
-mod change;
-#[cfg(feature = "json")]
-mod json;
-mod node;
 mod obstruction;
-mod path;
-mod physics;
 mod place;
-pub(crate) mod read;
 mod strike;
-mod table;
 
 use alloc::format;
 use alloc::string::String;
 use alloc::sync::Arc;
+use alloc::vec::Vec;
 
-pub(crate) use balls::fits;
-pub use node::Node;
-pub use path::Path;
-pub use physics::write as physics_to_node;
+pub(crate) use balls::{MASS, RADIUS, fits};
+pub use obstruction::Touched;
+pub(crate) use strike::{OFFSET, SPEED, explain};
 pub use strike::{Policy, StrikePolicy};
 
 use crate::error::Error;
 use crate::math::{Vec3, degrees};
-use crate::outcome::Touched;
 use crate::resolve::cue_ball::{Strike, miscue_limit};
-use crate::simulate::SimulationError;
 use crate::{Ball, BallState, Physics, Table};
-use change::File;
-use read::At;
-
-/// What `format` says in a shot file.
-pub const FORMAT: &str = "carom-shot/1";
 
 /// Cap on the number of events where a file names none. The longest breaks seen need under a
 /// thousand.
@@ -57,7 +39,7 @@ pub struct PlacedBall {
 }
 
 /// A validated shot.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Shot {
     pub(crate) table: Arc<Table>,
     pub(crate) physics: Arc<Physics>,
@@ -65,22 +47,8 @@ pub struct Shot {
     pub(crate) strike: Option<(usize, Strike)>,
     pub(crate) max_events: u32,
     policy: StrikePolicy,
-    /// Friction of the tip as the file has it; `physics` has what the strike is resolved with.
+    /// Friction of the tip as given; `physics` has the one that the strike is resolved with.
     tip_friction: f64,
-    file: File,
-}
-
-/// Two shots are equal when they mean the same, however they are written.
-impl PartialEq for Shot {
-    fn eq(&self, other: &Self) -> bool {
-        self.table == other.table
-            && self.physics == other.physics
-            && self.balls == other.balls
-            && self.strike == other.strike
-            && self.max_events == other.max_events
-            && self.policy == other.policy
-            && self.tip_friction == other.tip_friction
-    }
 }
 
 impl AsRef<Shot> for Shot {
@@ -89,63 +57,70 @@ impl AsRef<Shot> for Shot {
     }
 }
 
+/// What a shot is made of, before it is checked.
+#[derive(Clone, Debug)]
+pub(crate) struct Parts {
+    pub(crate) table: Arc<Table>,
+    pub(crate) physics: Physics,
+    /// Heights and motion states are worked out by [`Shot::new`].
+    pub(crate) balls: Vec<PlacedBall>,
+    pub(crate) strike: Option<(usize, Strike)>,
+    pub(crate) policy: StrikePolicy,
+    pub(crate) max_events: u32,
+}
+
 impl Shot {
-    /// Reads a shot file.
+    /// Checks the balls and the strike of `parts`. Table and physics are valid already: they come
+    /// from a preset or through a reader that checks ranges.
     ///
     /// # Errors
-    /// [`Error::Input`] for text that is not JSON and for everything that [`Self::from_node`]
-    /// refuses.
-    #[cfg(feature = "json")]
-    pub fn from_json(text: &str) -> Result<Self, Error> {
-        Self::from_node(Node::from_json(text)?)
+    /// As [`Self::with_balls`].
+    pub(crate) fn new(parts: Parts) -> Result<Self, Error> {
+        let Parts { table, mut physics, balls, strike, policy, max_events } = parts;
+        let tip_friction = physics.cue.tip_friction;
+        if policy.miscue == Policy::Report {
+            physics.cue.tip_friction = strike::TIP_THAT_HOLDS;
+        }
+        let balls = balls::checked(balls, &table)?.into();
+        let physics = physics.into();
+        Self { table, physics, balls, strike, max_events, policy, tip_friction }.checked()
     }
 
-    /// Reads a shot from a tree of values.
+    /// The same shot with another strike, on the same ball.
     ///
     /// # Errors
-    /// [`Error::Input`] with one sentence that names the place, what is wrong there, and what
-    /// would be right.
-    pub fn from_node(file: Node) -> Result<Self, Error> {
-        let root = At::root(&file);
-        // Before the keys: those of a trace or of a later format are no slips.
-        root.known_fields()?
-            .require("format", &format!("\"{FORMAT}\""))?
-            .choice("format", &[(FORMAT, ())])?;
-        let fields =
-            root.fields(&["format", "table", "physics", "balls", "strike", "max_events"])?;
-        let (table, default_physics) =
-            table::read(&fields.require("table", "a table preset's name, or an object {...}")?)?;
-        let mut physics = physics::read(fields.get("physics").as_ref(), &default_physics)?;
-        let tip_friction = physics.cue.tip_friction;
-        let balls = fields.require("balls", "a list of balls")?;
-        let balls = balls::read(&balls, &physics.ball, &table)?;
-        let mut policy = StrikePolicy::default();
-        let mut strike = None;
-        if let Some(at) = fields.get("strike") {
-            policy = strike::read_policy(&at)?;
-            if policy.miscue == Policy::Report {
-                physics.cue.tip_friction = strike::TIP_THAT_HOLDS;
-            }
-            strike = Some(strike::read(&at, &balls, &physics)?);
+    /// As [`Self::resolve_strike`].
+    pub fn with_strike(&self, strike: &Strike) -> Result<Self, Error> {
+        self.resolve_strike(strike)?;
+        let strike = self.strike.map(|(ball, _)| (ball, *strike));
+        Ok(Self { strike, ..self.clone() })
+    }
+
+    /// Other balls on the same table, under the same physics; `strike` is the struck ball's index and
+    /// the strike. States are in the file's frame; each ball's motion state follows from the rest.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for what a shot file with such `balls` and `strike` would be refused for:
+    /// overlaps, balls outside the table, ids that are not unique, a strike that cannot be played.
+    pub fn with_balls(
+        &self,
+        balls: Vec<PlacedBall>,
+        strike: Option<(usize, Strike)>,
+    ) -> Result<Self, Error> {
+        let balls = balls::checked(balls, &self.table)?.into();
+        let (table, physics) = (self.table.clone(), self.physics.clone());
+        let Self { max_events, policy, tip_friction, .. } = *self;
+        Self { table, physics, balls, strike, max_events, policy, tip_friction }.checked()
+    }
+
+    /// The shot, if its strike can be played.
+    fn checked(self) -> Result<Self, Error> {
+        if let Some((ball, strike)) = &self.strike {
+            strike::check_ranges("strike", strike)?;
+            strike::check("strike", *ball, strike, &self.balls, &self.physics)?;
+            self.refuse_obstruction(*ball, strike)?;
         }
-        let max_events = match fields.get("max_events") {
-            Some(at) => at.whole(1, u32::MAX)?,
-            None => DEFAULT_MAX_EVENTS,
-        };
-        let shot = Self {
-            table,
-            physics: physics.into(),
-            balls: balls.into(),
-            strike,
-            max_events,
-            policy,
-            tip_friction,
-            file: File::Read(file.into()),
-        };
-        if let Some((ball, strike)) = &shot.strike {
-            shot.refuse_obstruction(*ball, strike)?;
-        }
-        Ok(shot)
+        Ok(self)
     }
 
     /// The table.
@@ -260,26 +235,14 @@ impl Shot {
         out
     }
 
-    /// What a failed simulation of this shot tells its user; `strike`, if it was played otherwise
-    /// than the file says.
-    pub fn explain(&self, failure: SimulationError, strike: Option<&Strike>) -> Error {
-        let played = strike.copied().or(self.strike.map(|(_, strike)| strike));
-        match (failure, played) {
-            (SimulationError::Strike(e), Some(played)) => strike::explain("strike", &played, e),
-            (SimulationError::Strike(e), None) => {
-                Error::input("strike", format!("{e}"), "change the strike")
-            }
-            (SimulationError::TooManyEvents { max_events, .. }, _) => {
-                let shot = strike.and_then(|s| self.with_strike(s).ok());
-                let shot = shot.as_ref().unwrap_or(self).to_json();
-                Error::TooManyEvents { cap: max_events, shot }
-            }
-        }
-    }
-
     /// Whether the tip would slip off in this shot, which it only may on request.
     pub fn is_miscue(&self) -> bool {
         self.strike.is_some_and(|(_, strike)| strike.offset() > self.miscue_limit())
+    }
+
+    /// Friction of the tip as given; see [`Self::physics`].
+    pub(crate) const fn tip_friction(&self) -> f64 {
+        self.tip_friction
     }
 
     /// The largest tip offset √(side² + height²) that the friction of the tip holds, in ball radii.

@@ -18,7 +18,6 @@ use alloc::vec::Vec;
 
 use super::PlacedBall;
 use crate::math::{Vec2, asin, atan2, sin_cos, sqrt};
-use crate::outcome::Touched;
 use crate::resolve::cue_ball::Strike;
 use crate::table::{Part, Rail, Shape, TOUCH_TOLERANCE, Table, arc_sides};
 
@@ -38,6 +37,15 @@ const STANCE: f64 = 0.087_266_462_599_716_48;
 const RESOLUTION: f64 = 1e-6;
 
 const UPRIGHT: f64 = core::f64::consts::FRAC_PI_2;
+
+/// What a cue ball, or a cue, touches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Touched {
+    /// Another ball, by index.
+    Ball(u16),
+    /// A cushion of this rail.
+    Rail(Rail),
+}
 
 /// Something beside or under the cue, in the cue's plane as seen from the struck ball's centre.
 #[derive(Clone, Copy, Debug)]

@@ -1,26 +1,21 @@
-//! The `strike` of a shot file.
+//! Whether a strike can be played, and what to do about one that a player could not play cleanly.
 
 use alloc::format;
-use alloc::string::String;
 
 use super::PlacedBall;
-use super::read::{At, LARGEST, Range};
 use crate::MotionState;
 use crate::error::Error;
-use crate::math::{Vec3, radians};
+use crate::math::Vec3;
 use crate::physics::Physics;
+use crate::range::{LARGEST, Range};
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 
 /// Cue speeds, m/s: the record is about 15.
-const SPEED: Range = Range::above(0.0, 50.0, " m/s");
-const ELEVATION: Range = Range::half_open(0.0, 90.0, " degrees");
-const OFFSET: Range = Range::closed(-1.0, 1.0, " ball radii");
+pub(crate) const SPEED: Range = Range::above(0.0, 50.0, " m/s");
+pub(crate) const OFFSET: Range = Range::closed(-1.0, 1.0, " ball radii");
 
 /// Friction of a tip that never slips off.
 pub(super) const TIP_THAT_HOLDS: f64 = LARGEST;
-
-const KEYS: &[&str] =
-    &["ball", "speed", "azimuth_deg", "elevation_deg", "side", "height", "obstruction", "miscue"];
 
 /// What to do about something that a player could not do, or not cleanly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,8 +25,6 @@ pub enum Policy {
     /// Refuse the shot.
     Refuse,
 }
-
-const POLICIES: &[(&str, Policy)] = &[("report", Policy::Report), ("refuse", Policy::Refuse)];
 
 /// What to do about a strike that a player could not play cleanly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -46,60 +39,6 @@ impl Default for StrikePolicy {
     fn default() -> Self {
         Self { obstruction: Policy::Report, miscue: Policy::Refuse }
     }
-}
-
-/// Reads what `strike` says about policies.
-pub(super) fn read_policy(at: &At<'_>) -> Result<StrikePolicy, Error> {
-    let fields = at.fields(KEYS)?;
-    let policy = |key, default| match fields.get(key) {
-        Some(at) => at.choice("policy", POLICIES),
-        None => Ok(default),
-    };
-    let StrikePolicy { obstruction, miscue } = StrikePolicy::default();
-    Ok(StrikePolicy {
-        obstruction: policy("obstruction", obstruction)?,
-        miscue: policy("miscue", miscue)?,
-    })
-}
-
-/// Reads the struck ball and the strike itself.
-pub(super) fn read(
-    at: &At<'_>,
-    balls: &[PlacedBall],
-    physics: &Physics,
-) -> Result<(usize, Strike), Error> {
-    let fields = at.fields(KEYS)?;
-    let at_ball = fields.require("ball", "the id of the struck ball")?;
-    let ball = find_ball(&at_ball, balls)?;
-    let number = |key, range, default: Option<f64>, example| match (fields.get(key), default) {
-        (Some(at), _) => at.number(range),
-        (None, Some(default)) => Ok(default),
-        (None, None) => fields.require(key, example)?.number(range),
-    };
-    let degrees = Range::any(" degrees");
-    let strike = Strike {
-        speed: number("speed", &SPEED, None, "the cue's speed in m/s")?,
-        azimuth: radians(number("azimuth_deg", &degrees, None, "the cue's direction in degrees")?),
-        elevation: radians(number("elevation_deg", &ELEVATION, Some(0.0), "")?),
-        side: number("side", &OFFSET, Some(0.0), "")?,
-        height: number("height", &OFFSET, Some(0.0), "")?,
-    };
-    check(at.place(), ball, &strike, balls, physics)?;
-    Ok((ball, strike))
-}
-
-fn find_ball(at: &At<'_>, balls: &[PlacedBall]) -> Result<usize, Error> {
-    let id = at.text("the id of the struck ball")?;
-    balls.iter().position(|b| b.id == id).ok_or_else(|| {
-        let mut ids = String::new();
-        for (i, b) in balls.iter().take(24).enumerate() {
-            ids += &format!("{}\"{}\"", if i > 0 { ", " } else { "" }, b.id);
-        }
-        if balls.len() > 24 {
-            ids += ", ...";
-        }
-        at.refuse(format!("no ball has the id \"{id}\""), format!("write one of {ids}"))
-    })
 }
 
 /// Refuses numbers that a shot file would refuse. `place` is where the strike stands.
@@ -146,7 +85,7 @@ pub(super) fn check(
 }
 
 /// A refused strike in words. `place` is where the strike stands.
-pub(super) fn explain(place: &str, strike: &Strike, e: StrikeError) -> Error {
+pub(crate) fn explain(place: &str, strike: &Strike, e: StrikeError) -> Error {
     // The larger offset is the one to blame.
     let key = if strike.side.abs() >= strike.height.abs() { "side" } else { "height" };
     let place = format!("{place}.{key}");

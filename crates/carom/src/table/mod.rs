@@ -11,7 +11,6 @@ mod error;
 mod frame;
 mod geometry;
 mod jaw;
-mod node;
 mod opening;
 mod place;
 mod presets;

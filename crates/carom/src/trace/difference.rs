@@ -11,8 +11,8 @@ impl Trace {
     /// are the same events, to the same final states.
     pub fn first_difference(&self, again: &Self) -> Option<String> {
         for (i, (a, b)) in self.events().zip(again.events()).enumerate() {
-            if let Some(what) = in_event(&a, &b) {
-                return Some(format!("events[{i}].{what}"));
+            if let Some(difference) = in_event(&a, &b) {
+                return Some(format!("events[{i}].{difference}"));
             }
         }
         let (n, m) = (self.events().len(), again.events().len());
@@ -30,8 +30,8 @@ fn in_event(a: &TraceEvent<'_>, b: &TraceEvent<'_>) -> Option<String> {
     if a.time.to_bits() != b.time.to_bits() {
         return Some(format!("time: {:?} against {:?}", a.time, b.time));
     }
-    if a.what != b.what {
-        return Some(format!("type: {:?} against {:?}", a.what, b.what));
+    if a.kind != b.kind {
+        return Some(format!("type: {:?} against {:?}", a.kind, b.kind));
     }
     if a.balls != b.balls {
         return Some(format!("balls: numbers {:?} against {:?}", a.balls, b.balls));

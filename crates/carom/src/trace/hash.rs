@@ -10,7 +10,7 @@
 //! the number of its motion state. Numbers of names count from 0 in the order of their
 //! declaration. The algorithm belongs to `carom-trace/1` and changes only with that number.
 
-use super::{Trace, What};
+use super::{Trace, TraceEventKind};
 use crate::BallState;
 
 const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
@@ -32,15 +32,15 @@ impl Hasher {
     }
 }
 
-const fn numbers(what: What) -> [u64; 3] {
-    match what {
-        What::CueStrike => [0, 0, 0],
-        What::BallCollision => [1, 0, 0],
-        What::RailCollision { rail, part } => [2, rail as u64, part as u64],
-        What::PocketCollision(pocket) => [3, pocket as u64, 0],
-        What::MotionTransition { from, to } => [4, from as u64, to as u64],
-        What::SlateCollision => [5, 0, 0],
-        What::OffTable => [6, 0, 0],
+const fn numbers(kind: TraceEventKind) -> [u64; 3] {
+    match kind {
+        TraceEventKind::CueStrike => [0, 0, 0],
+        TraceEventKind::BallCollision => [1, 0, 0],
+        TraceEventKind::RailCollision { rail, part } => [2, rail as u64, part as u64],
+        TraceEventKind::PocketCollision(pocket) => [3, pocket as u64, 0],
+        TraceEventKind::MotionTransition { from, to } => [4, from as u64, to as u64],
+        TraceEventKind::SlateCollision => [5, 0, 0],
+        TraceEventKind::OffTable => [6, 0, 0],
     }
 }
 
@@ -50,7 +50,7 @@ impl Trace {
         let mut hasher = Hasher(OFFSET_BASIS);
         for event in self.events() {
             hasher.word(event.time.to_bits());
-            numbers(event.what).into_iter().for_each(|n| hasher.word(n));
+            numbers(event.kind).into_iter().for_each(|n| hasher.word(n));
             hasher.word(event.balls.len() as u64);
             for (i, &ball) in event.balls.iter().enumerate() {
                 hasher.word(u64::from(ball));

@@ -1,7 +1,6 @@
 //! A recorded shot: every event with the states before and after, in the file's frame.
 
 mod difference;
-mod file;
 mod hash;
 mod orientation;
 mod piece;
@@ -17,96 +16,15 @@ pub use piece::Piece;
 pub use polyline::Waypoint;
 pub use record::TraceRecorder;
 
+use crate::BallState;
 use crate::error::Error;
-use crate::event::EventKind;
 use crate::motion::Path;
 use crate::outcome::Outcome;
 use crate::shot::Shot;
-use crate::table::{Part, PocketName, Rail};
-use crate::{BallState, MotionState, Table};
-
-/// What `format` says in a trace.
-pub const FORMAT: &str = "carom-trace/1";
+pub use crate::trace_event::{TraceEvent, TraceEventKind};
 
 /// The name and version that this engine writes into its traces.
 pub const ENGINE: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
-
-/// What happened in an event, in the words of a trace.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum What {
-    /// The cue meets the cue ball.
-    CueStrike,
-    /// Two balls collide, or several in one many-ball contact.
-    BallCollision,
-    /// A ball meets a cushion.
-    RailCollision {
-        /// The rail.
-        rail: Rail,
-        /// The part of its cushion.
-        part: Part,
-    },
-    /// A ball falls into a pocket.
-    PocketCollision(PocketName),
-    /// A ball bounces on the slate, or on the edge of a hole in it.
-    SlateCollision,
-    /// A ball leaves the table, or comes to rest on a rail's top.
-    OffTable,
-    /// A motion state ends by the passage of time.
-    MotionTransition {
-        /// State that ended.
-        from: MotionState,
-        /// State that follows.
-        to: MotionState,
-    },
-}
-
-impl What {
-    /// What the engine's `kind` of event is called on `table`.
-    pub fn of(kind: EventKind, table: &Table) -> Self {
-        match kind {
-            EventKind::CueStrike => Self::CueStrike,
-            EventKind::BallCollision => Self::BallCollision,
-            EventKind::RailCollision(i) => {
-                let cushion = &table.cushions[usize::from(i)];
-                Self::RailCollision { rail: cushion.rail, part: cushion.part }
-            }
-            EventKind::PocketCollision(i) => {
-                Self::PocketCollision(table.pockets[usize::from(i)].name)
-            }
-            EventKind::SlateCollision => Self::SlateCollision,
-            EventKind::OffTable => Self::OffTable,
-            EventKind::MotionTransition { from, to } => Self::MotionTransition { from, to },
-        }
-    }
-
-    /// The event's `type` in a trace.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::CueStrike => "cue-strike",
-            Self::BallCollision => "ball-collision",
-            Self::RailCollision { .. } => "rail-collision",
-            Self::PocketCollision(_) => "pocket-collision",
-            Self::SlateCollision => "slate-collision",
-            Self::OffTable => "off-table",
-            Self::MotionTransition { .. } => "motion-transition",
-        }
-    }
-}
-
-/// One event of a trace; states in the file's frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TraceEvent<'a> {
-    /// Time since the strike, s.
-    pub time: f64,
-    /// What happened.
-    pub what: What,
-    /// The balls in it, by index into the shot's balls.
-    pub balls: &'a [u16],
-    /// Their states just before.
-    pub before: &'a [BallState],
-    /// Their states just after.
-    pub after: &'a [BallState],
-}
 
 /// A recorded shot.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,33 +40,33 @@ pub struct Trace {
 /// Events in a row: the balls and states of all of them stand in one list each, so that recording
 /// allocates a few times a shot and not a few times an event.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct Log {
+pub(crate) struct Log {
     entries: Vec<Entry>,
     balls: Vec<u16>,
-    before: Vec<BallState>,
-    after: Vec<BallState>,
+    pub(crate) before: Vec<BallState>,
+    pub(crate) after: Vec<BallState>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Entry {
     time: f64,
-    what: What,
+    kind: TraceEventKind,
     start: usize,
     end: usize,
 }
 
 impl Log {
-    fn push(&mut self, time: f64, what: What, balls: &[u16]) {
+    pub(crate) fn push(&mut self, time: f64, kind: TraceEventKind, balls: &[u16]) {
         let start = self.balls.len();
         self.balls.extend_from_slice(balls);
-        self.entries.push(Entry { time, what, start, end: self.balls.len() });
+        self.entries.push(Entry { time, kind, start, end: self.balls.len() });
     }
 
     fn get(&self, entry: &Entry) -> TraceEvent<'_> {
-        let Entry { time, what, start, end } = *entry;
+        let Entry { time, kind, start, end } = *entry;
         TraceEvent {
             time,
-            what,
+            kind,
             balls: &self.balls[start..end],
             before: &self.before[start..end],
             after: &self.after[start..end],

@@ -1,17 +1,13 @@
 //! Recording a shot while it is simulated.
 
-use alloc::boxed::Box;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::{ENGINE, Log, Trace, What};
+use super::{ENGINE, Log, Trace, TraceEventKind};
 use crate::BallState;
-use crate::error::Error;
 use crate::event::{Event, Recorder};
-use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::outcome::Collector;
 use crate::shot::Shot;
-use crate::simulate::{Simulation, SimulationError};
 
 /// Room that is reserved at the start: a break has about a hundred and fifty events.
 const USUAL_EVENTS: usize = 64;
@@ -44,34 +40,8 @@ impl<'a> TraceRecorder<'a> {
     }
 }
 
-impl Shot {
-    /// Simulates the shot and records everything.
-    ///
-    /// # Errors
-    /// [`Error::TooManyEvents`] if the cap is reached.
-    pub fn simulate(&self) -> Result<Trace, Error> {
-        let trace = if self.balls.len() <= SMALL_CAPACITY {
-            record(&mut Simulation::<SMALL_CAPACITY>::new(), self)
-        } else {
-            record(&mut Box::new(Simulation::<MAX_BALLS>::new()), self)
-        };
-        trace.map_err(|e| self.explain(e, None))
-    }
-}
-
-fn record<const N: usize>(
-    simulation: &mut Simulation<N>,
-    shot: &Shot,
-) -> Result<Trace, SimulationError> {
-    let mut recorder = TraceRecorder::new(shot);
-    let summary = simulation.play(shot, &mut recorder)?;
-    let last: Vec<BallState> =
-        (0..simulation.len()).map(|i| simulation.state(i, summary.duration)).collect();
-    Ok(recorder.finish(&last, summary.duration))
-}
-
 impl Trace {
-    pub(super) fn assemble(
+    pub(crate) fn assemble(
         shot: Shot,
         engine: String,
         duration: f64,
@@ -88,7 +58,7 @@ impl Trace {
 impl Recorder for TraceRecorder<'_> {
     fn record(&mut self, event: &Event<'_>) {
         let Self { shot, log } = self;
-        log.push(event.time, What::of(event.kind, &shot.table), event.balls);
+        log.push(event.time, TraceEventKind::of(event.kind, &shot.table), event.balls);
         for (k, &ball) in event.balls.iter().enumerate() {
             let ball = usize::from(ball);
             log.before.push(shot.to_file_frame(ball, &event.before[k]));

@@ -72,8 +72,11 @@ fn a_ball_is_the_physics_ball_at_rest_on_the_cloth() {
 fn a_shot_without_a_strike_starts_with_the_balls_own_velocities_and_lists_no_strike() {
     let moving = r#"{"id": "a", "position": [0.5, 0.5], "velocity": [0.0, 1.0, 0.0]}"#;
     let trace = read(r#"{"cloth": "unbounded"}"#, "", moving).simulate().expect("it rolls out");
-    let kinds: Vec<_> = trace.events().map(|e| e.what).collect();
-    assert!(!kinds.is_empty() && !kinds.contains(&carom::trace::What::CueStrike), "{kinds:?}");
+    let kinds: Vec<_> = trace.events().map(|e| e.kind).collect();
+    assert!(
+        !kinds.is_empty() && !kinds.contains(&carom::trace::TraceEventKind::CueStrike),
+        "{kinds:?}"
+    );
 }
 
 #[test]

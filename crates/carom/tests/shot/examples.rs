@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use carom::outcome::Touched;
 use carom::rack::{Break, Game, break_shot};
-use carom::{Shot, Trace};
+use carom::{Shot, ShotFile, Trace};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shots")
@@ -36,7 +36,7 @@ fn pocketed(trace: &Trace) -> Vec<String> {
 /// How far the cue ball came to rest from where it stood at the first ball–ball collision, m,
 /// counted along its way there.
 fn cue_ball_travel_after_contact(trace: &Trace) -> f64 {
-    let contact = trace.events().find(|e| e.what == carom::trace::What::BallCollision);
+    let contact = trace.events().find(|e| e.kind == carom::trace::TraceEventKind::BallCollision);
     let at = contact.expect("a contact").before[0];
     let way = at.velocity.xy();
     (trace.last()[0].position - at.position).xy().dot(way) / way.length()
@@ -51,7 +51,7 @@ fn every_example_is_written_as_the_engine_writes_it() {
             continue;
         }
         let text = std::fs::read_to_string(&path).expect("a file");
-        let shot = Shot::from_json(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        let shot = ShotFile::from_json(&text).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
         assert_eq!(shot.to_json() + "\n", text, "{}", path.display());
         count += 1;
     }
@@ -85,7 +85,7 @@ fn stop_follow_and_draw_pot_the_ball_and_leave_the_cue_ball_where_their_names_sa
 #[test]
 fn the_half_ball_cut_turns_both_balls_by_about_thirty_degrees() {
     let trace = played("half_ball_cut");
-    let hit = trace.events().find(|e| e.what == carom::trace::What::BallCollision);
+    let hit = trace.events().find(|e| e.kind == carom::trace::TraceEventKind::BallCollision);
     let hit = hit.expect("a contact");
     let way = hit.before[0].velocity.xy();
     let sine = |v: carom::math::Vec2| way.cross(v) / (way.length() * v.length());
@@ -137,7 +137,8 @@ fn the_three_cushion_shot_scores() {
 #[test]
 fn newtons_cradle_passes_nearly_the_whole_velocity_to_the_last_ball_as_hertzs_law_has_it() {
     let trace = played("newtons_cradle");
-    let collisions = || trace.events().filter(|e| e.what == carom::trace::What::BallCollision);
+    let collisions =
+        || trace.events().filter(|e| e.kind == carom::trace::TraceEventKind::BallCollision);
     let speed = collisions().next().expect("a contact").before[0].velocity.length();
     let last = u16::try_from(trace.shot().balls().len() - 1).expect("few balls");
     let reached = collisions()

@@ -1,7 +1,8 @@
 //! A shot file is read and written without losing anything, and means the same either way.
 
-use carom::shot::{Node, physics_to_node};
-use carom::{Physics, Shot};
+use carom::format::Node;
+use carom::resolve::cue_ball::Strike;
+use carom::{Physics, Shot, ShotFile};
 
 const SHOT: &str = r#"{
     "format": "carom-shot/1",
@@ -20,9 +21,12 @@ fn shot(text: &str) -> Shot {
     Shot::from_json(text).unwrap_or_else(|e| panic!("{e}"))
 }
 
+/// What keeps ball 1 of [`SHOT`] from being struck.
+const SPIN: &str = r#", "angular_velocity": [0, -0.0, 1e-17]"#;
+
 /// [`SHOT`] at rest, so that it may be struck.
 fn at_rest() -> Shot {
-    shot(&SHOT.replace(r#", "angular_velocity": [0, -0.0, 1e-17]"#, ""))
+    shot(&SHOT.replace(SPIN, ""))
 }
 
 #[test]
@@ -31,12 +35,102 @@ fn json_in_json_out_keeps_every_number_and_word() {
         r#""strike": {"ball": "1", "speed": 2, "azimuth_deg": 359.99999999999994, "side": 0.1},"#,
         "",
     );
-    for first in [at_rest(), shot(&moving)] {
-        let again = shot(&first.to_json());
-        assert_eq!(first, again);
-        assert_eq!(first.to_node(), again.to_node());
-        assert_eq!(first.to_json(), again.to_json());
+    for text in [SHOT.replace(SPIN, ""), moving] {
+        let file = ShotFile::from_json(&text).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(*file.to_node(), Node::from_json(&text).unwrap_or_else(|e| panic!("{e}")));
+        let again = ShotFile::from_json(&file.to_json()).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(file, again);
+        assert_eq!(file.to_json(), again.to_json());
     }
+}
+
+#[test]
+fn a_shot_written_from_its_data_reads_back_as_the_same_shot() {
+    let moving = SHOT.replace(
+        r#""strike": {"ball": "1", "speed": 2, "azimuth_deg": 359.99999999999994, "side": 0.1},"#,
+        "",
+    );
+    let slipping = SHOT.replace(SPIN, "").replace(
+        r#""side": 0.1"#,
+        r#""side": 0.55, "miscue": "report", "obstruction": "refuse", "elevation": 0.5"#,
+    );
+    let plain = |table: &str, physics: &str| {
+        format!(
+            r#"{{"format": "carom-shot/1", "table": {table}, "physics": {physics},
+            "balls": [{{"id": "a", "position": [0.5, 0.5]}}]}}"#
+        )
+    };
+    let mut texts = vec![SHOT.replace(SPIN, ""), moving, slipping];
+    texts.push(plain(r#"{"cloth": "unbounded"}"#, r#""ideal""#));
+    texts.push(plain(r#"{"length": 2, "width": 1}"#, r#"{"gravity": 9.5}"#));
+    texts.push(plain(
+        r#"{"length": 2, "width": 1, "sights": {"along_length": 8, "along_width": 4, "setback": 0.09},
+            "markings": {"head_string": 0.5, "spots": [{"name": "head", "position": [0.5, 0.5]}]}}"#,
+        r#"{"base": "snooker", "ball_ball": {"model": "compliant"}}"#,
+    ));
+    for name in carom::table::PRESETS {
+        texts.push(plain(&format!("\"{name}\""), r#""carom""#));
+        texts.push(plain(&format!(r#"{{"base": "{name}", "rail_width": 0.2}}"#), r#""pool""#));
+    }
+    for text in texts {
+        let first = shot(&text);
+        let again = shot(&first.to_json());
+        assert_eq!((&first, first.to_json()), (&again, again.to_json()), "{text}");
+        let bits = |shot: &Shot| shot.simulate().map(|trace| trace.hash());
+        assert_eq!(bits(&first), bits(&again), "{text}");
+    }
+}
+
+#[test]
+fn a_shot_written_from_its_data_names_presets_and_leaves_usual_values_out() {
+    let text = r#"{"format": "carom-shot/1", "table": {"base": "wpa-9ft"}, "physics": "pool",
+        "balls": [{"id": "cue", "position": [0.5, 0.5, 0.028575], "mass": 0.170097138}], "max_events": 100000}"#;
+    let named = r#"{"format": "carom-shot/1", "table": "wpa-9ft", "physics": "pool",
+        "balls": [{"id": "cue", "position": [0.5, 0.5]}], "max_events": 100000}"#;
+    let written = shot(named).to_node();
+    let keys = |node: &Node| match node {
+        Node::Object(fields) => fields.iter().map(|(key, _)| key.clone()).collect(),
+        _ => Vec::new(),
+    };
+    assert_eq!(keys(&written), ["format", "table", "balls"]);
+    assert_eq!(written.get("table"), Some(&"wpa-9ft".into()));
+    assert!(shot(text).to_node().get("max_events").is_none());
+}
+
+/// Every angle that a program sets is written so that it reads back to the same bits.
+#[test]
+fn a_strike_from_a_program_keeps_its_bits() {
+    let file = ShotFile::from_json(&SHOT.replace(SPIN, "")).unwrap_or_else(|e| panic!("{e}"));
+    let (_, own) = file.strike().expect("it has one");
+    // No number of degrees is the first of these; the second is 12.25 degrees.
+    for (azimuth, key) in
+        [(-1.822_407_699_024_793, "azimuth"), (carom::math::radians(12.25), "azimuth_deg")]
+    {
+        let strike = Strike { azimuth, elevation: 0.123_456_789, ..own };
+        let changed = file.with_strike(&strike).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(changed.strike(), Some((1, strike)));
+        for text in [changed.to_json(), changed.shot().to_json()] {
+            let (_, read) = shot(&text).strike().expect("it has one");
+            assert_eq!(read.azimuth.to_bits(), azimuth.to_bits());
+            assert_eq!(read.elevation.to_bits(), strike.elevation.to_bits());
+        }
+        let written = changed.to_node().get("strike").cloned().expect("a strike");
+        assert!(written.get(key).is_some(), "{written:?}");
+        let both = written.get("azimuth").is_some() && written.get("azimuth_deg").is_some();
+        assert!(!both, "{written:?}");
+    }
+}
+
+#[test]
+fn angles_in_radians_mean_the_same_as_in_degrees() {
+    let read = |strike: &str| {
+        let text = SHOT.replace(SPIN, "").replace(r#""azimuth_deg": 359.99999999999994"#, strike);
+        shot(&text).strike().expect("it has one").1
+    };
+    let degrees = read(r#""azimuth_deg": 90, "elevation_deg": 45"#);
+    let radians = read(r#""azimuth": 1.5707963267948966, "elevation": 0.7853981633974483"#);
+    assert_eq!(degrees, radians);
+    assert_eq!(read(r#""azimuth": 0.3, "elevation_deg": 45"#).elevation, radians.elevation);
 }
 
 #[test]
@@ -95,13 +189,13 @@ fn a_physics_written_out_reads_back_over_any_base() {
     fitted.cushion.model = carom::physics::CushionModel::Han2005;
     for physics in Physics::PRESETS.iter().filter_map(|n| Physics::preset(n)).chain([fitted]) {
         for base in Physics::PRESETS {
-            let mut node = physics_to_node(&physics);
+            let mut node = physics.to_node();
             node.set("base", base);
             // Physics with other balls: z follows the radius.
-            let mut file =
-                shot(&at_rest().to_json().replace(", 0.028575]", "]")).to_node().into_owned();
+            let text = SHOT.replace(SPIN, "").replace(", 0.028575]", "]");
+            let mut file = Node::from_json(&text).unwrap_or_else(|e| panic!("{e}"));
             file.set("physics", node);
-            let read = Shot::from_node(file).unwrap_or_else(|e| panic!("{e}"));
+            let read = Shot::from_node(&file).unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(**read.physics(), physics);
         }
     }

@@ -27,8 +27,8 @@ fn obstruction_of(shot: Result<Shot, carom::Error>) -> Option<String> {
     let trace: Trace = shot.and_then(|s| s.simulate()).unwrap_or_else(|e| panic!("{e}"));
     let outcome = trace.to_node().get("outcome").and_then(|o| o.get("cue_obstructed")).cloned();
     match outcome {
-        Some(carom::shot::Node::Text(name)) => Some(name),
-        Some(carom::shot::Node::Null) => None,
+        Some(carom::format::Node::Text(name)) => Some(name),
+        Some(carom::format::Node::Null) => None,
         other => panic!("{other:?}"),
     }
 }
@@ -124,8 +124,8 @@ fn least_elevation(shot: Result<Shot, carom::Error>) -> Option<f64> {
     let outcome =
         trace.to_node().get("outcome").and_then(|o| o.get("least_elevation_deg")).cloned();
     match outcome {
-        Some(carom::shot::Node::Number(degrees)) => Some(degrees),
-        Some(carom::shot::Node::Null) => None,
+        Some(carom::format::Node::Number(degrees)) => Some(degrees),
+        Some(carom::format::Node::Null) => None,
         other => panic!("{other:?}"),
     }
 }

@@ -51,7 +51,7 @@ fn the_good_file_is_accepted() {
 fn an_unknown_key_is_refused_with_the_nearest_known_one() {
     refused("max_events", "max_event", "max_event", &["unknown key", "`max_events`"]);
     refused("\"speed\"", "\"sped\"", "strike.sped", &["unknown key", "`speed`"]);
-    refused("azimuth_deg", "azimuth", "strike.azimuth", &["`azimuth_deg`"]);
+    refused("azimuth_deg", "azimut_deg", "strike.azimut_deg", &["`azimuth_deg`"]);
     refused(BASE, r#""cue": {"weight": 1}"#, "physics.cue.weight", &["mass", "tip_radius"]);
     refused(
         BASE,
@@ -59,6 +59,29 @@ fn an_unknown_key_is_refused_with_the_nearest_known_one() {
         "physics.ball_ball.friction.d",
         &[],
     );
+}
+
+#[test]
+fn an_angle_in_both_units_is_refused() {
+    let both = r#""azimuth_deg": 90, "azimuth": 1.5"#;
+    let sentence =
+        &["azimuth_deg gives the same angle", "keep azimuth (rad) or azimuth_deg (degrees)"];
+    refused(r#""azimuth_deg": 90.0"#, both, "strike.azimuth", sentence);
+    let both = r#""azimuth": 1.5, "elevation": 0.1, "elevation_deg": 5"#;
+    refused(r#""azimuth_deg": 90.0"#, both, "strike.elevation", &["elevation_deg gives the same"]);
+}
+
+#[test]
+fn an_angle_in_radians_has_the_range_of_the_one_in_degrees() {
+    let angle = |text: &str, place, expected: &str| {
+        refused(r#""azimuth_deg": 90.0"#, text, place, &[expected]);
+    };
+    angle(r#""azimuth": 1e300"#, "strike.azimuth", "out of range");
+    angle(r#""azimuth": "north""#, "strike.azimuth", "found the text");
+    let right_angle = r#""azimuth": 0, "elevation": 1.5707963267948966"#;
+    angle(right_angle, "strike.elevation", "write a number in [0, 1.5707963267948966) rad");
+    angle(r#""azimuth": 0, "elevation": -0.1"#, "strike.elevation", "out of range");
+    angle(r#""elevation": 0.1"#, "strike.azimuth_deg", "the key is missing");
 }
 
 #[test]
@@ -95,15 +118,15 @@ fn a_nan_is_refused_where_it_stands() {
 
 #[test]
 fn a_nan_from_code_is_refused_where_it_stands() {
-    use carom::shot::Node;
+    use carom::format::Node;
     let shot = Shot::from_json(&edited("1000", "1000")).expect("a good file");
-    let mut node = shot.to_node().into_owned();
+    let mut node = shot.to_node();
     let mut strike = node.get("strike").cloned().expect("it has a strike");
     strike.set("side", f64::NAN);
     node.set("strike", strike);
-    let sentence = Shot::from_node(node).expect_err("a NaN").to_string();
+    let sentence = Shot::from_node(&node).expect_err("a NaN").to_string();
     assert!(sentence.starts_with("strike.side: NaN"), "{sentence}");
-    let mut node: Node = shot.to_node().into_owned();
+    let mut node: Node = shot.to_node();
     node.set(
         "balls",
         Node::list([Node::object([
@@ -111,7 +134,7 @@ fn a_nan_from_code_is_refused_where_it_stands() {
             ("position", [0.5, f64::INFINITY].into()),
         ])]),
     );
-    let sentence = Shot::from_node(node).expect_err("an infinity").to_string();
+    let sentence = Shot::from_node(&node).expect_err("an infinity").to_string();
     assert!(sentence.starts_with("balls[0].position[1]: an infinite number"), "{sentence}");
 }
 

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use carom::shot::Node;
-use carom::{Shot, schema};
+use carom::Shot;
+use carom::format::{Node, schema};
 
 fn parsed(text: &str) -> Node {
     Node::from_json(text).unwrap_or_else(|e| panic!("{e}"))

@@ -126,12 +126,12 @@ fn play(shot: &Shot, noise: &Noise) -> BatchResult {
 
 #[test]
 fn what_cannot_be_played_fails_with_its_reason() {
-    let mut file = shot("half_ball_cut").to_node().into_owned();
+    let mut file = shot("half_ball_cut").to_node();
     let mut strike = file.get("strike").expect("a strike").clone();
     // 0.01 radii inside the miscue limit of a tip with friction 0.6.
     strike.set("side", 0.5);
     file.set("strike", strike.clone());
-    let edge = Shot::from_node(file.clone()).expect("a shot");
+    let edge = Shot::from_node(&file).expect("a shot");
     let noise = Noise { side: 0.002, ..Noise::default() };
     let result = play(&edge, &noise);
     assert!(result.errors.len() > 20, "{} miscues", result.errors.len());
@@ -142,7 +142,7 @@ fn what_cannot_be_played_fails_with_its_reason() {
 
     strike.set("miscue", "report");
     file.set("strike", strike);
-    let reported = play(&Shot::from_node(file).expect("a shot"), &noise);
+    let reported = play(&Shot::from_node(&file).expect("a shot"), &noise);
     assert_eq!(reported.errors, []);
 
     let soft = Shot::with_strike(&edge, &Strike { speed: 0.01, side: 0.0, ..MEANT }).expect("soft");

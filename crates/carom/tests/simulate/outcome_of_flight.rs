@@ -2,7 +2,7 @@
 
 use carom::outcome::Outcome;
 use carom::table::{BRINK, PocketName};
-use carom::trace::What;
+use carom::trace::TraceEventKind;
 use carom::{MotionState, Shot, Trace};
 
 const RADIUS: f64 = 0.028575;
@@ -60,7 +60,7 @@ fn a_ball_laid_on_a_rails_top_is_off_the_table_at_once() {
 fn a_ball_driven_down_on_the_bed_bounces_at_once() {
     let trace = played(r#"{"id": "a", "position": [0.6, 0.8], "velocity": [0, 0, -1]}"#, "");
     let first = trace.events().next().expect("an event");
-    assert_eq!((first.time, first.what), (0.0, What::SlateCollision));
+    assert_eq!((first.time, first.kind), (0.0, TraceEventKind::SlateCollision));
     assert!(first.after[0].velocity.z > 0.3, "{first:?}");
     assert_eq!(trace.last()[0].motion, MotionState::Stationary);
 }
@@ -149,7 +149,7 @@ fn a_ball_dropped_on_another_hits_it_also_if_in_plan_they_do_not_approach() {
         );
         let trace = played(&balls, "");
         let first = trace.events().next().expect("an event");
-        assert_eq!(first.what, What::BallCollision, "{x} {z} {speed}: {first:?}");
+        assert_eq!(first.kind, TraceEventKind::BallCollision, "{x} {z} {speed}: {first:?}");
         assert!(trace.outcome().jumped.is_empty());
     }
 }

@@ -1,6 +1,6 @@
 //! The cushions of the presets, through whole shots, against what was measured.
 
-use carom::trace::What;
+use carom::trace::TraceEventKind;
 use carom::{Physics, Shot};
 
 /// Speed (m/s) after over before the first touch of the top rail, for a ball that rolls squarely at
@@ -18,7 +18,7 @@ fn square_rebound(table: &str, physics: &str, speed: f64) -> (f64, f64) {
     );
     let trace = Shot::from_json(&text).and_then(|shot| shot.simulate());
     let trace = trace.unwrap_or_else(|e| panic!("{speed} m/s: {e}"));
-    let hit = trace.events().find(|e| matches!(e.what, What::RailCollision { .. }));
+    let hit = trace.events().find(|e| matches!(e.kind, TraceEventKind::RailCollision { .. }));
     let hit = hit.expect("it reaches the rail");
     (hit.before[0].velocity.length(), hit.after[0].velocity.length())
 }

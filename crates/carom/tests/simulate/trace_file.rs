@@ -1,8 +1,8 @@
 //! A trace is written and read without losing a bit, and tells the state at any time.
 
+use carom::format::Node;
 use carom::math::Vec3;
-use carom::shot::Node;
-use carom::trace::What;
+use carom::trace::TraceEventKind;
 use carom::{BallState, Error, MotionState, Shot, Trace};
 
 fn played(name: &str) -> Trace {
@@ -169,9 +169,9 @@ fn a_ball_that_never_moves_keeps_the_bits_of_the_file() {
 #[test]
 fn the_cap_on_events_carries_the_shot() {
     let shot = played("nine_ball_break").shot().clone();
-    let mut node = shot.to_node().into_owned();
+    let mut node = shot.to_node();
     node.set("max_events", 10u32);
-    let capped = Shot::from_node(node).unwrap_or_else(|e| panic!("{e}"));
+    let capped = Shot::from_node(&node).unwrap_or_else(|e| panic!("{e}"));
     match capped.simulate() {
         Err(Error::TooManyEvents { cap: 10, shot }) => {
             assert_eq!(Shot::from_json(&shot).unwrap_or_else(|e| panic!("{e}")), capped);
@@ -188,7 +188,7 @@ fn the_outcome_tells_the_same_as_the_events() {
         assert_eq!(outcome.events as usize, trace.events().len(), "{name}");
         let fallen: Vec<u16> = trace
             .events()
-            .filter(|e| matches!(e.what, What::PocketCollision(_)))
+            .filter(|e| matches!(e.kind, TraceEventKind::PocketCollision(_)))
             .map(|e| e.balls[0])
             .collect();
         assert!(outcome.pocketed.iter().map(|(b, _)| *b).eq(fallen.iter().copied()), "{name}");
@@ -200,7 +200,8 @@ fn the_outcome_tells_the_same_as_the_events() {
                 "{name}"
             );
         }
-        let first = trace.events().find(|e| e.what == What::BallCollision).expect("a contact");
+        let first =
+            trace.events().find(|e| e.kind == TraceEventKind::BallCollision).expect("a contact");
         assert_eq!(outcome.first_contact, first.balls.iter().copied().find(|&b| b != 0), "{name}");
         assert!(outcome.never_resting.is_empty(), "{name}");
     }

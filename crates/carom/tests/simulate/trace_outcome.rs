@@ -5,14 +5,14 @@ use carom::math::Vec3;
 use carom::outcome::{Collector, Outcome, OutcomeRecorder, Touched};
 use carom::simulate::simulate;
 use carom::table::{Part, PocketName, Rail};
-use carom::trace::{TraceEvent, What};
+use carom::trace::{TraceEvent, TraceEventKind};
 use carom::{BallState, MotionState, Shot};
 
-const HIT: What = What::BallCollision;
+const HIT: TraceEventKind = TraceEventKind::BallCollision;
 const RADIUS: f64 = 0.028575;
 
-const fn nose(rail: Rail) -> What {
-    What::RailCollision { rail, part: Part::Nose }
+const fn nose(rail: Rail) -> TraceEventKind {
+    TraceEventKind::RailCollision { rail, part: Part::Nose }
 }
 
 /// Balls in a row down the middle of the table; the one with the given index is the cue ball.
@@ -38,7 +38,7 @@ fn shot(table: &str, balls: &str) -> Shot {
 }
 
 /// From events without motion.
-fn collected(cue_ball: Option<usize>, events: &[(What, &[u16])]) -> Outcome {
+fn collected(cue_ball: Option<usize>, events: &[(TraceEventKind, &[u16])]) -> Outcome {
     let shot = row(cue_ball);
     let mut collector = Collector::new(&shot);
     for (what, balls) in events {
@@ -46,7 +46,7 @@ fn collected(cue_ball: Option<usize>, events: &[(What, &[u16])]) -> Outcome {
             balls.iter().map(|&i| shot.balls()[usize::from(i)].state).collect();
         collector.add(&TraceEvent {
             time: 0.0,
-            what: *what,
+            kind: *what,
             balls,
             before: &states,
             after: &states,
@@ -100,7 +100,7 @@ fn rails_count_from_the_first_contact_on() {
             (nose(Rail::Bottom), &[2]),
             (HIT, &[0, 1]),
             (nose(Rail::Right), &[1]),
-            (What::RailCollision { rail: Rail::Right, part: Part::Facing }, &[1]),
+            (TraceEventKind::RailCollision { rail: Rail::Right, part: Part::Facing }, &[1]),
             (nose(Rail::Top), &[0]),
         ],
     );
@@ -118,7 +118,7 @@ fn rails_count_from_the_first_contact_on() {
 
 #[test]
 fn the_top_of_a_rail_and_a_pockets_liner_are_no_cushions() {
-    let part = |part| What::RailCollision { rail: Rail::Top, part };
+    let part = |part| TraceEventKind::RailCollision { rail: Rail::Top, part };
     let (top, liner, point) = (part(Part::Top), part(Part::Liner), part(Part::Point));
     let outcome = collected(Some(0), &[(HIT, &[0, 1]), (top, &[0]), (liner, &[1]), (point, &[2])]);
     assert_eq!(outcome.driven_to_rail, [2]);
@@ -128,7 +128,7 @@ fn the_top_of_a_rail_and_a_pockets_liner_are_no_cushions() {
 
 #[test]
 fn without_a_cue_ball_rails_count_from_the_first_collision_of_any_balls() {
-    let events: &[(What, &[u16])] =
+    let events: &[(TraceEventKind, &[u16])] =
         &[(nose(Rail::Top), &[0]), (HIT, &[0, 1]), (nose(Rail::Left), &[1])];
     let outcome = collected(None, events);
     assert_eq!(outcome.first_contact, None);
@@ -139,11 +139,11 @@ fn without_a_cue_ball_rails_count_from_the_first_collision_of_any_balls() {
 
 #[test]
 fn pocketed_balls_stand_in_the_order_of_their_fall_and_a_scratch_is_seen() {
-    let events: &[(What, &[u16])] = &[
-        (What::CueStrike, &[2]),
-        (What::PocketCollision(PocketName::Left), &[4]),
-        (What::PocketCollision(PocketName::TopRight), &[2]),
-        (What::PocketCollision(PocketName::Left), &[0]),
+    let events: &[(TraceEventKind, &[u16])] = &[
+        (TraceEventKind::CueStrike, &[2]),
+        (TraceEventKind::PocketCollision(PocketName::Left), &[4]),
+        (TraceEventKind::PocketCollision(PocketName::TopRight), &[2]),
+        (TraceEventKind::PocketCollision(PocketName::Left), &[0]),
     ];
     let outcome = collected(Some(2), events);
     let (left, top_right) = (PocketName::Left, PocketName::TopRight);
@@ -155,7 +155,8 @@ fn pocketed_balls_stand_in_the_order_of_their_fall_and_a_scratch_is_seen() {
 
 #[test]
 fn balls_off_the_table_stand_in_the_order_in_which_they_left_it() {
-    let outcome = collected(Some(0), &[(What::OffTable, &[3]), (What::OffTable, &[1])]);
+    let outcome =
+        collected(Some(0), &[(TraceEventKind::OffTable, &[3]), (TraceEventKind::OffTable, &[1])]);
     assert_eq!(outcome.off_table, [3, 1]);
 }
 
@@ -232,17 +233,17 @@ fn frozen_row() -> Shot {
 
 fn event<'a>(
     time: f64,
-    what: What,
+    kind: TraceEventKind,
     balls: &'a [u16],
     before: &'a [BallState],
     after: &'a [BallState],
 ) -> TraceEvent<'a> {
-    TraceEvent { time, what, balls, before, after }
+    TraceEvent { time, kind, balls, before, after }
 }
 
 /// Ball 0 flies over ball 1 with this much room sideways (m) in plan, up at 2 m/s and along at 1 m/s,
 /// from and to where the two events say.
-fn flight(aside: f64, first: (What, &[u16]), last: (What, &[u16])) -> Outcome {
+fn flight(aside: f64, first: (TraceEventKind, &[u16]), last: (TraceEventKind, &[u16])) -> Outcome {
     let shot = placed("\"wpa-9ft\"", Some(0), &[[0.4, 0.5], [0.6, 0.5 + aside]]);
     let up = 2.0;
     let still: Vec<BallState> = shot.balls().iter().map(|b| b.state).collect();
@@ -276,7 +277,8 @@ fn flight(aside: f64, first: (What, &[u16]), last: (What, &[u16])) -> Outcome {
 
 #[test]
 fn a_ball_in_the_air_jumps_what_it_would_have_hit_on_the_cloth() {
-    let (strike, slate) = ((What::CueStrike, &[0u16][..]), (What::SlateCollision, &[0u16][..]));
+    let (strike, slate) =
+        ((TraceEventKind::CueStrike, &[0u16][..]), (TraceEventKind::SlateCollision, &[0u16][..]));
     for aside in [0.0, 0.03, 2.0 * RADIUS - 2e-4] {
         assert_eq!(flight(aside, strike, slate).jumped, [(0, 1)], "{aside}");
     }
@@ -286,7 +288,8 @@ fn a_ball_in_the_air_jumps_what_it_would_have_hit_on_the_cloth() {
 
 #[test]
 fn a_ball_that_touches_another_in_its_flight_has_not_jumped_it() {
-    let (strike, slate) = ((What::CueStrike, &[0u16][..]), (What::SlateCollision, &[0u16][..]));
+    let (strike, slate) =
+        ((TraceEventKind::CueStrike, &[0u16][..]), (TraceEventKind::SlateCollision, &[0u16][..]));
     let touch = (HIT, &[0u16, 1][..]);
     assert_eq!(flight(0.03, touch, slate).jumped, [], "it takes off from it");
     assert_eq!(flight(0.03, strike, touch).jumped, [], "it lands on it");
@@ -307,7 +310,7 @@ fn a_ball_on_the_cloth_jumps_nothing_and_one_that_is_above_it_does() {
         let time = (2.0 * (height - RADIUS) / shot.physics().gravity).sqrt();
         let state = BallState { motion: MotionState::Stationary, ..shot.balls()[i].state };
         let balls = [i as u16];
-        collector.add(&event(time, What::SlateCollision, &balls, &[state], &[state]));
+        collector.add(&event(time, TraceEventKind::SlateCollision, &balls, &[state], &[state]));
     }
     assert_eq!(collector.finish(&[]).jumped, [(1, 0)]);
 }

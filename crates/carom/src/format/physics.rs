@@ -3,23 +3,21 @@
 use alloc::format;
 use alloc::vec::Vec;
 
-use super::node::Node;
-use super::read::{At, Range};
+use super::node::{Node, word_of};
+use super::read::At;
 use crate::Ball;
 use crate::error::Error;
 use crate::physics::{
     BallBall, BallBallModel, Cloth, Cue, Cushion, CushionFriction, CushionModel,
     CushionRestitution, Physics, SlipFriction, Surface, Tip,
 };
+use crate::range::Range;
+use crate::shot::{MASS, RADIUS};
 
 /// A coefficient of restitution, an efficiency, or a share that is kept.
 const FRACTION: Range = Range::closed(0.0, 1.0, "");
 /// A coefficient of friction.
 const FRICTION: Range = Range::not_negative("");
-/// A ball's or a cue's mass.
-pub(super) const MASS: Range = Range::positive(" kg");
-/// A ball's or a tip's radius.
-pub(super) const RADIUS: Range = Range::positive(" m");
 /// ω_t/ω_n: Stronge's piecewise solution holds where the tangential spring swings faster than the
 /// normal one, but less than twice as fast.
 const FREQUENCY_RATIO: Range = Range::closed(1.0, 2.0, "");
@@ -268,9 +266,26 @@ fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
     Ok(())
 }
 
-/// The whole of a `physics` as a shot file would say it, key by key; it reads back to the same
-/// bits over any base.
-pub fn write(physics: &Physics) -> Node {
+/// `physics` as a shot file has it where `default` names the preset that belongs to the table; none
+/// if it is that preset.
+pub(super) fn write_over(physics: &Physics, default: &str) -> Option<Node> {
+    if Physics::preset(default).as_ref() == Some(physics) {
+        return None;
+    }
+    let is_it = |name: &&&str| Physics::preset(name).as_ref() == Some(physics);
+    let named = Physics::PRESETS.iter().find(is_it);
+    Some(named.map_or_else(|| physics.to_node(), |name| (*name).into()))
+}
+
+impl Physics {
+    /// The whole of a `physics` as a shot file has it, key by key; it reads back to the same bits
+    /// over any base.
+    pub fn to_node(&self) -> Node {
+        write(self)
+    }
+}
+
+fn write(physics: &Physics) -> Node {
     let Physics { gravity, ball, cloth, ball_ball, cushion, facing, liner, slate, cue } = physics;
     let tip = match cue.tip {
         Tip::Restitution(e) => ("tip_restitution", e.into()),
@@ -343,8 +358,4 @@ fn write_cushion(cushion: &Cushion) -> Node {
         ("tangential_factor", cushion.tangential_factor.into()),
         ("spin_factor", cushion.spin_factor.into()),
     ])
-}
-
-fn word_of<T: PartialEq>(words: &[(&'static str, T)], value: T) -> Node {
-    words.iter().find(|(_, v)| *v == value).map(|(word, _)| *word).into()
 }

@@ -1,11 +1,12 @@
 //! A table's geometry as a tree of values, in the file's frame: what bindings hand out and pictures
 //! are drawn from.
 
-use super::{
-    Capture, CushionPart, Dimension, Part, Pocket, Shape, Source, Spot, Table, TableDescription,
-};
+use super::node::Node;
+use super::table::{write_sights, write_spots};
 use crate::math::Vec2;
-use crate::shot::Node;
+use crate::table::{
+    Capture, CushionPart, Dimension, Part, Pocket, Shape, Source, Table, TableDescription,
+};
 
 impl Table {
     /// Cushions, liners, pockets and, of a table with rails, markings and dimensions. m; origin at the
@@ -87,24 +88,15 @@ fn drawn(node: &mut Node, description: &TableDescription) {
     node.set("rail_width", description.rail_width);
     node.set("physics", &description.physics);
     if let Some(sights) = &description.sights {
-        node.set(
-            "sights",
-            Node::object([
-                ("along_length", sights.along_length.into()),
-                ("along_width", sights.along_width.into()),
-                ("setback", sights.setback.into()),
-            ]),
-        );
+        node.set("sights", write_sights(sights));
     }
     let markings = &description.markings;
-    let spot =
-        |s: &Spot| Node::object([("name", (&s.name).into()), ("position", s.position.into())]);
     node.set(
         "markings",
         Node::object([
             ("head_string", markings.head_string.into()),
             ("d_radius", markings.d_radius.into()),
-            ("spots", Node::list(markings.spots.iter().map(spot))),
+            ("spots", write_spots(&markings.spots)),
         ]),
     );
 }

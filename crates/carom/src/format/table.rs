@@ -5,8 +5,10 @@ use alloc::string::String;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
-use super::read::{At, Fields, Range};
+use super::node::{Node, word_of};
+use super::read::{At, Fields};
 use crate::error::Error;
+use crate::range::Range;
 use crate::table::{
     self, Markings, PocketDescription, PocketLayout, PocketModel, Sights, Spot, Table,
     TableDescription, TableError,
@@ -37,6 +39,12 @@ const KEYS: &[&str] = &[
     "markings",
     "physics",
 ];
+
+const POCKET_LAYOUTS: &[(&str, PocketLayout)] =
+    &[("none", PocketLayout::None), ("six", PocketLayout::Six)];
+
+const POCKET_MODELS: &[(&str, PocketModel)] =
+    &[("drop-circle", PocketModel::DropCircle), ("mouth-line", PocketModel::MouthLine)];
 
 /// Reads `table`; also the name of the physics preset that belongs to it.
 pub(super) fn read(at: &At<'_>) -> Result<(Arc<Table>, String), Error> {
@@ -100,13 +108,10 @@ fn changed(fields: &Fields<'_>, mut d: TableDescription) -> Result<TableDescript
     fields.number_into("cushion_width", &LENGTH, &mut d.cushion_width)?;
     fields.number_into("rail_width", &LENGTH, &mut d.rail_width)?;
     if let Some(at) = fields.get("pockets") {
-        let layouts = &[("none", PocketLayout::None), ("six", PocketLayout::Six)];
-        d.pockets = at.choice("pocket layout", layouts)?;
+        d.pockets = at.choice("pocket layout", POCKET_LAYOUTS)?;
     }
     if let Some(at) = fields.get("pocket_model") {
-        let models =
-            &[("drop-circle", PocketModel::DropCircle), ("mouth-line", PocketModel::MouthLine)];
-        d.pocket_model = at.choice("pocket model", models)?;
+        d.pocket_model = at.choice("pocket model", POCKET_MODELS)?;
     }
     if let Some(at) = fields.get("corner_pocket") {
         d.corner_pocket = Some(pocket(&at, d.corner_pocket)?);
@@ -182,4 +187,83 @@ fn markings(at: &At<'_>) -> Result<Markings, Error> {
         d_radius: optional("d_radius", &LENGTH)?,
         spots,
     })
+}
+
+/// `table` as a shot file has it: a preset's name where it is one, else all its keys. Also the name of
+/// the physics preset that belongs to it.
+pub(super) fn write(table: &Table) -> (Node, String) {
+    let Some(description) = &table.description else {
+        return (Node::object([("cloth", "unbounded".into())]), UNBOUNDED_PHYSICS.into());
+    };
+    let node = match &table.name {
+        Some(name) => name.into(),
+        None => write_description(description),
+    };
+    (node, description.physics.clone())
+}
+
+fn write_description(d: &TableDescription) -> Node {
+    let mut node = Node::object([
+        ("length", d.length.into()),
+        ("width", d.width.into()),
+        ("cushion_height", d.cushion_height.into()),
+        ("cushion_width", d.cushion_width.into()),
+        ("rail_width", d.rail_width.into()),
+        ("pockets", word_of(POCKET_LAYOUTS, d.pockets)),
+        ("pocket_model", word_of(POCKET_MODELS, d.pocket_model)),
+    ]);
+    for (key, pocket) in [("corner_pocket", &d.corner_pocket), ("side_pocket", &d.side_pocket)] {
+        if let Some(pocket) = pocket {
+            node.set(key, write_pocket(pocket));
+        }
+    }
+    if let Some(sights) = &d.sights {
+        node.set("sights", write_sights(sights));
+    }
+    if d.markings != Markings::default() {
+        node.set("markings", write_markings(&d.markings));
+    }
+    node.set("physics", &d.physics);
+    node
+}
+
+fn write_pocket(pocket: &PocketDescription) -> Node {
+    let mut node = Node::object([
+        ("mouth", pocket.mouth.into()),
+        ("cut_angle_deg", pocket.cut_angle_deg.into()),
+        ("shelf", pocket.shelf.into()),
+        ("hole_radius", pocket.hole_radius.into()),
+        ("point_radius", pocket.point_radius.into()),
+    ]);
+    if let Some(throat) = pocket.throat {
+        node.set("throat", throat);
+    }
+    node
+}
+
+/// The sights of a table as a shot file has them.
+pub(super) fn write_sights(sights: &Sights) -> Node {
+    Node::object([
+        ("along_length", sights.along_length.into()),
+        ("along_width", sights.along_width.into()),
+        ("setback", sights.setback.into()),
+    ])
+}
+
+fn write_markings(markings: &Markings) -> Node {
+    let mut node = Node::object([]);
+    for (key, value) in [("head_string", markings.head_string), ("d_radius", markings.d_radius)] {
+        if let Some(value) = value {
+            node.set(key, value);
+        }
+    }
+    node.set("spots", write_spots(&markings.spots));
+    node
+}
+
+/// The spots of a table as a shot file has them.
+pub(super) fn write_spots(spots: &[Spot]) -> Node {
+    let spot =
+        |s: &Spot| Node::object([("name", (&s.name).into()), ("position", s.position.into())]);
+    Node::list(spots.iter().map(spot))
 }

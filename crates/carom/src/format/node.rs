@@ -150,6 +150,11 @@ impl Node {
     }
 }
 
+/// The word that stands for `value` in a table of words.
+pub(super) fn word_of<T: PartialEq>(words: &[(&'static str, T)], value: T) -> Node {
+    words.iter().find(|(_, v)| *v == value).map(|(word, _)| *word).into()
+}
+
 fn write_string(out: &mut String, s: &str) {
     out.push('"');
     for c in s.chars() {

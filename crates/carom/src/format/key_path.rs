@@ -6,13 +6,13 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::{Node, Shot};
+use super::node::Node;
 use crate::error::Error;
 
 /// Where a value stands in a shot file: keys with dots between them, `[i]` for an item of a list. A ball may be
 /// named by its id.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Path {
+pub struct KeyPath {
     steps: Vec<Step>,
 }
 
@@ -23,7 +23,7 @@ enum Step {
     Item(usize),
 }
 
-impl Path {
+impl KeyPath {
     /// Reads a path.
     ///
     /// # Errors
@@ -55,7 +55,13 @@ impl Path {
         other.steps.starts_with(&self.steps)
     }
 
-    fn set(&self, file: &mut Node, value: Node) -> Result<(), Error> {
+    /// Whether the path consists of these keys.
+    pub(super) fn is(&self, keys: &[&str]) -> bool {
+        let is_key = |(step, key): (&Step, &&str)| matches!(step, Step::Key(own) if own == *key);
+        self.steps.len() == keys.len() && self.steps.iter().zip(keys).all(is_key)
+    }
+
+    pub(super) fn set(&self, file: &mut Node, value: Node) -> Result<(), Error> {
         let mut node = file;
         for (depth, step) in self.steps.iter().enumerate() {
             node = inside(node, step).map_err(|(what, remedy)| {
@@ -67,7 +73,7 @@ impl Path {
     }
 }
 
-impl fmt::Display for Path {
+impl fmt::Display for KeyPath {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, step) in self.steps.iter().enumerate() {
             match step {
@@ -112,38 +118,20 @@ fn inside<'a>(node: &'a mut Node, step: &Step) -> Result<&'a mut Node, (String, 
     }
 }
 
-impl Shot {
-    /// The shot whose file is this one's with other values where the paths say, put in in their order. What is
-    /// not there is made; a preset's name becomes the base of an object.
-    ///
-    /// # Errors
-    /// [`Error::Input`] for a path that leads nowhere, and for what a shot file with these values would be
-    /// refused for.
-    pub fn with_values<'a>(
-        &self,
-        values: impl IntoIterator<Item = (&'a Path, Node)>,
-    ) -> Result<Self, Error> {
-        let mut file = self.to_node().into_owned();
-        for (path, value) in values {
-            path.set(&mut file, value)?;
-        }
-        Self::from_node(file)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ShotFile;
 
-    fn shot() -> Shot {
+    fn shot() -> ShotFile {
         let file = r#"{"format": "carom-shot/1", "table": "wpa-9ft",
             "balls": [{"id": "cue", "position": [0.6, 0.6]}, {"id": "1", "position": [0.6, 1.9]}],
             "strike": {"ball": "cue", "speed": 2, "azimuth_deg": 90}}"#;
-        Shot::from_json(file).unwrap()
+        ShotFile::from_json(file).unwrap()
     }
 
-    fn with(path: &str, value: impl Into<Node>) -> Result<Shot, Error> {
-        shot().with_values([(&Path::parse(path)?, value.into())])
+    fn with(path: &str, value: impl Into<Node>) -> Result<ShotFile, Error> {
+        shot().with_values([(&KeyPath::parse(path)?, value.into())])
     }
 
     #[test]
@@ -192,9 +180,9 @@ mod tests {
     #[test]
     fn a_path_reads_back_as_it_was_written() {
         for text in ["strike.speed", "balls[3].position[0]", "table"] {
-            assert_eq!(Path::parse(text).unwrap().to_string(), text);
+            assert_eq!(KeyPath::parse(text).unwrap().to_string(), text);
         }
-        let [outer, inner] = ["physics", "physics.cloth"].map(|text| Path::parse(text).unwrap());
+        let [outer, inner] = ["physics", "physics.cloth"].map(|text| KeyPath::parse(text).unwrap());
         assert!(outer.holds(&inner) && outer.holds(&outer) && !inner.holds(&outer));
     }
 }

@@ -7,13 +7,20 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::{FORMAT, Log, Trace, TraceEvent, What};
+use super::node::Node;
+use super::read::{At, Fields};
+use super::shot::ShotFile;
 use crate::error::Error;
 use crate::math::Vec3;
-use crate::shot::read::{At, Fields, Range};
-use crate::shot::{Node, PlacedBall, Shot};
+use crate::range::Range;
+use crate::shot::{PlacedBall, Shot};
 use crate::table::{Part, PocketName, Rail};
+use crate::trace::{Log, Trace};
+use crate::trace_event::{TraceEvent, TraceEventKind};
 use crate::{BallState, MotionState};
+
+/// What `format` says in a trace.
+pub const TRACE_FORMAT: &str = "carom-trace/1";
 
 const TIME: Range = Range::closed(0.0, f64::MAX, " s");
 /// Traces may hold any finite number, since they are results.
@@ -42,17 +49,23 @@ const POCKETS: [PocketName; 6] = [
 ];
 
 impl Trace {
-    /// The trace as a tree of values.
+    /// The trace as a tree of values, with the shot file as it is written from the shot's data.
     pub fn to_node(&self) -> Node {
-        let balls = self.shot.balls();
+        self.to_node_with(self.shot().to_node())
+    }
+
+    /// The trace as a tree of values, with `shot` as its shot file: that of the
+    /// [`ShotFile`](super::ShotFile) which was simulated.
+    pub fn to_node_with(&self, shot: Node) -> Node {
+        let balls = self.shot().balls();
         Node::object([
-            ("format", FORMAT.into()),
-            ("engine", (&self.engine).into()),
-            ("shot", self.shot.to_node().into_owned()),
-            ("duration", self.duration.into()),
+            ("format", TRACE_FORMAT.into()),
+            ("engine", self.engine().into()),
+            ("shot", shot),
+            ("duration", self.duration().into()),
             ("events", Node::list(self.events().map(|e| write_event(&e, balls)))),
-            ("final", Node::list(balls.iter().zip(&self.last).map(|(b, s)| write_ball(b, s)))),
-            ("outcome", self.outcome.to_node(&self.shot)),
+            ("final", Node::list(balls.iter().zip(self.last()).map(|(b, s)| write_ball(b, s)))),
+            ("outcome", self.outcome().to_node(self.shot())),
             ("hash", format!("{:016x}", self.hash()).into()),
         ])
     }
@@ -77,10 +90,21 @@ impl Trace {
     /// # Errors
     /// [`Error::Input`] that names the place, as for a shot file.
     pub fn from_node(node: &Node) -> Result<Self, Error> {
+        Self::from_node_with_file(node).map(|(trace, _)| trace)
+    }
+
+    /// The same, and the shot file as the trace has it.
+    ///
+    /// # Errors
+    /// As [`Self::from_node`].
+    pub fn from_node_with_file(node: &Node) -> Result<(Self, ShotFile), Error> {
         let fields = At::root(node).known_fields()?;
-        fields.require("format", &format!("\"{FORMAT}\""))?.choice("format", &[(FORMAT, ())])?;
-        let shot = fields.require("shot", "the shot file that the trace was made from")?;
-        let shot = Shot::from_node(shot.node().clone()).map_err(|e| e.inside("shot"))?;
+        fields
+            .require("format", &format!("\"{TRACE_FORMAT}\""))?
+            .choice("format", &[(TRACE_FORMAT, ())])?;
+        let at = fields.require("shot", "the shot file that the trace was made from")?;
+        let file = ShotFile::from_node(at.node().clone()).map_err(|e| e.inside("shot"))?;
+        let shot = file.shot().clone();
         let engine = fields.require("engine", "the engine's name and version")?;
         let engine = String::from(engine.text("the engine's name and version")?);
         let duration = fields.require("duration", "it in s")?.number(&TIME)?;
@@ -92,7 +116,7 @@ impl Trace {
         let last = read_final(&at, &shot)?;
         let trace = Self::assemble(shot, engine, duration, log, last);
         check_hash(&fields, &trace)?;
-        Ok(trace)
+        Ok((trace, file))
     }
 }
 
@@ -116,20 +140,23 @@ fn write_event(event: &TraceEvent<'_>, balls: &[PlacedBall]) -> Node {
     };
     let mut node = Node::object([
         ("time", event.time.into()),
-        ("type", event.what.name().into()),
+        ("type", event.kind.name().into()),
         ("balls", Node::list(event.balls.iter().map(|i| &of(i).id))),
     ]);
-    match event.what {
-        What::RailCollision { rail, part } => {
+    match event.kind {
+        TraceEventKind::RailCollision { rail, part } => {
             node.set("rail", rail.name());
             node.set("part", part.name());
         }
-        What::PocketCollision(pocket) => node.set("pocket", pocket.name()),
-        What::MotionTransition { from, to } => {
+        TraceEventKind::PocketCollision(pocket) => node.set("pocket", pocket.name()),
+        TraceEventKind::MotionTransition { from, to } => {
             node.set("from", from.name());
             node.set("to", to.name());
         }
-        What::CueStrike | What::BallCollision | What::SlateCollision | What::OffTable => {}
+        TraceEventKind::CueStrike
+        | TraceEventKind::BallCollision
+        | TraceEventKind::SlateCollision
+        | TraceEventKind::OffTable => {}
     }
     node.set("before", states(event.before));
     node.set("after", states(event.after));
@@ -149,7 +176,7 @@ fn write_ball(placed: &PlacedBall, state: &BallState) -> Node {
 fn read_event(at: &At<'_>, shot: &Shot, log: &mut Log) -> Result<(), Error> {
     let fields = at.known_fields()?;
     let time = fields.require("time", "it in s")?.number(&TIME)?;
-    let what = read_what(&fields)?;
+    let kind = read_kind(&fields)?;
     let mut balls = Vec::new();
     for at in fields.require("balls", "a list of ids")?.items("a list of ids")? {
         balls.push(read_id(&at, shot)?);
@@ -167,23 +194,23 @@ fn read_event(at: &At<'_>, shot: &Shot, log: &mut Log) -> Result<(), Error> {
             states.push(read_ball(item, &shot.balls()[usize::from(ball)].id)?);
         }
     }
-    log.push(time, what, &balls);
+    log.push(time, kind, &balls);
     Ok(())
 }
 
-fn read_what(fields: &Fields<'_>) -> Result<What, Error> {
+fn read_kind(fields: &Fields<'_>) -> Result<TraceEventKind, Error> {
     let motion = |key| {
         let names = MotionState::ALL.map(|m| (m.name(), m));
         fields.require(key, "a motion state")?.choice("motion state", &names)
     };
     let at = fields.require("type", "the type of event")?;
     match at.text("the type of event")? {
-        "cue-strike" => Ok(What::CueStrike),
-        "ball-collision" => Ok(What::BallCollision),
+        "cue-strike" => Ok(TraceEventKind::CueStrike),
+        "ball-collision" => Ok(TraceEventKind::BallCollision),
         "rail-collision" => {
             let rails = RAILS.map(|r| (r.name(), r));
             let parts = PARTS.map(|p| (p.name(), p));
-            Ok(What::RailCollision {
+            Ok(TraceEventKind::RailCollision {
                 rail: fields.require("rail", "a rail")?.choice("rail", &rails)?,
                 part: fields.require("part", "a part of a cushion")?.choice("part", &parts)?,
             })
@@ -191,12 +218,12 @@ fn read_what(fields: &Fields<'_>) -> Result<What, Error> {
         "pocket-collision" => {
             let pockets = POCKETS.map(|p| (p.name(), p));
             let at = fields.require("pocket", "a pocket")?;
-            Ok(What::PocketCollision(at.choice("pocket", &pockets)?))
+            Ok(TraceEventKind::PocketCollision(at.choice("pocket", &pockets)?))
         }
-        "slate-collision" => Ok(What::SlateCollision),
-        "off-table" => Ok(What::OffTable),
+        "slate-collision" => Ok(TraceEventKind::SlateCollision),
+        "off-table" => Ok(TraceEventKind::OffTable),
         "motion-transition" => {
-            Ok(What::MotionTransition { from: motion("from")?, to: motion("to")? })
+            Ok(TraceEventKind::MotionTransition { from: motion("from")?, to: motion("to")? })
         }
         other => Err(at.unknown_word(
             other,

@@ -7,98 +7,11 @@ use alloc::vec::Vec;
 
 use super::node::Node;
 use crate::error::Error;
-
-/// No number in a shot is larger than this, whatever its unit. It keeps every product that the
-/// engine forms far from overflow; a kilometre, a tonne and a year all fit.
-pub(crate) const LARGEST: f64 = 1e9;
-
-/// A mass, radius, length or gravity that must be positive is at least this (a nanogram-like
-/// ball would only divide by almost zero).
-pub(crate) const SMALLEST: f64 = 1e-9;
+use crate::range::{Range, describe_number};
 
 /// A parameter smaller than this, whatever its unit, means 0: its square would underflow, and
 /// quotients by it overflow. −0 means 0 too, since 1/−0 is not 1/0.
 const VANISHING: f64 = 1e-150;
-
-/// The numbers that a key accepts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Range {
-    low: f64,
-    high: f64,
-    low_open: bool,
-    high_open: bool,
-    /// Unit, with a leading space, or empty.
-    unit: &'static str,
-}
-
-impl Range {
-    /// Any finite number, in `unit`.
-    pub(crate) const fn any(unit: &'static str) -> Self {
-        Self { low: -LARGEST, high: LARGEST, low_open: false, high_open: false, unit }
-    }
-    /// [low, high].
-    pub(crate) const fn closed(low: f64, high: f64, unit: &'static str) -> Self {
-        Self { low, high, low_open: false, high_open: false, unit }
-    }
-    /// [low, high).
-    pub(crate) const fn half_open(low: f64, high: f64, unit: &'static str) -> Self {
-        Self { low, high, low_open: false, high_open: true, unit }
-    }
-    /// (low, high].
-    pub(crate) const fn above(low: f64, high: f64, unit: &'static str) -> Self {
-        Self { low, high, low_open: true, high_open: false, unit }
-    }
-    /// Greater than zero.
-    pub(crate) const fn positive(unit: &'static str) -> Self {
-        Self::closed(SMALLEST, LARGEST, unit)
-    }
-    /// Zero or more.
-    pub(crate) const fn not_negative(unit: &'static str) -> Self {
-        Self::closed(0.0, LARGEST, unit)
-    }
-
-    /// Refuses `x`, which stands at `place`, if it is out of range or not finite.
-    pub(crate) fn check(&self, place: impl FnOnce() -> String, x: f64) -> Result<(), Error> {
-        let above = if self.low_open { x > self.low } else { x >= self.low };
-        let below = if self.high_open { x < self.high } else { x <= self.high };
-        if above && below {
-            return Ok(());
-        }
-        let what = if x.is_finite() {
-            format!("{x:?} is out of range")
-        } else {
-            format!("{} is not a number that a shot can use", describe(&Node::Number(x)))
-        };
-        Err(Error::input(place(), what, format!("write {}", self.describe())))
-    }
-
-    /// Whether any finite number may stand here, since it is one that an engine wrote. Such keep
-    /// their bits.
-    const fn is_result(&self) -> bool {
-        self.high == f64::MAX
-    }
-
-    fn describe(&self) -> String {
-        let unit = self.unit;
-        if self.is_result() {
-            let sign = if self.low == 0.0 { " ≥ 0" } else { "" };
-            return format!("a finite number{sign}{unit}");
-        }
-        if self.low == SMALLEST && self.high == LARGEST {
-            let unit = if unit.is_empty() { String::new() } else { format!(", in{unit}") };
-            return format!("a number greater than 0{unit} (from {SMALLEST:e} to {LARGEST:e})");
-        }
-        let open = if self.low_open { '(' } else { '[' };
-        let close = if self.high_open { ')' } else { ']' };
-        if self.low == 0.0 && self.high == LARGEST {
-            return format!("a number ≥ 0{unit} (at most {LARGEST:e})");
-        }
-        if self.low == -LARGEST && self.high == LARGEST {
-            return format!("a finite number (at most {LARGEST:e} in size)");
-        }
-        format!("a number in {open}{}, {}{close}{unit}", self.low, self.high)
-    }
-}
 
 /// A node and where it stands.
 #[derive(Clone, Debug)]
@@ -296,9 +209,12 @@ impl<'a> Fields<'a> {
 
     /// The value under `key`, which must be there; `example` shows how to write it.
     pub(crate) fn require(&self, key: &str, example: &str) -> Result<At<'a>, Error> {
-        self.get(key).ok_or_else(|| {
-            Error::input(self.at.child_place(key), "the key is missing", format!("write {example}"))
-        })
+        self.get(key).ok_or_else(|| self.missing(key, example))
+    }
+
+    /// The error of a missing `key`; `example` shows how to write its value.
+    pub(crate) fn missing(&self, key: &str, example: &str) -> Error {
+        Error::input(self.at.child_place(key), "the key is missing", format!("write {example}"))
     }
 
     /// Overwrites `target` with the number under `key`, if it is there.
@@ -324,9 +240,7 @@ fn describe(node: &Node) -> String {
         Node::Null => "null".into(),
         Node::Bool(b) => b.to_string(),
         Node::Integer(i) => format!("the number {i}"),
-        Node::Number(x) if x.is_nan() => "NaN".into(),
-        Node::Number(x) if x.is_infinite() => "an infinite number".into(),
-        Node::Number(x) => format!("the number {x:?}"),
+        Node::Number(x) => describe_number(*x),
         Node::Text(s) if s.chars().count() <= 40 => format!("the text \"{s}\""),
         Node::Text(_) => "a text".into(),
         Node::List(items) => format!("a list of {}", items.len()),

@@ -1,0 +1,25 @@
+//! File formats: what is written of shots, tables, physics, traces and outcomes, and how it is read.
+//!
+//! A [`Node`] is a tree of plain values, as a JSON text or a Python dictionary holds it. The readers
+//! turn trees into validated data and name the place of everything that they refuse; the writers lose no
+//! bit. A [`ShotFile`] also keeps the tree that it was read from, and gives it back as it was written.
+
+mod balls;
+mod geometry;
+#[cfg(feature = "json")]
+mod json;
+mod key_path;
+mod node;
+mod outcome;
+mod physics;
+mod read;
+pub mod schema;
+mod shot;
+mod strike;
+mod table;
+mod trace;
+
+pub use key_path::KeyPath;
+pub use node::Node;
+pub use shot::{SHOT_FORMAT, ShotFile};
+pub use trace::TRACE_FORMAT;

@@ -1,0 +1,200 @@
+//! `carom-shot/1`: the shot file as a tree of values and as JSON.
+
+use alloc::borrow::Cow;
+use alloc::format;
+use alloc::string::String;
+use alloc::sync::Arc;
+use core::ops::Deref;
+
+use super::key_path::KeyPath;
+use super::node::Node;
+use super::read::At;
+use super::{balls, physics, strike, table};
+use crate::error::Error;
+use crate::resolve::cue_ball::Strike;
+use crate::shot::{DEFAULT_MAX_EVENTS, Parts, Shot, StrikePolicy};
+
+/// What `format` says in a shot file.
+pub const SHOT_FORMAT: &str = "carom-shot/1";
+
+const KEYS: &[&str] = &["format", "table", "physics", "balls", "strike", "max_events"];
+
+/// A shot and the file that it was read from, which is written again as it was.
+///
+/// A [`Shot`] alone is written from its data: the same shot, though not always in the same words.
+#[derive(Clone, Debug)]
+pub struct ShotFile {
+    shot: Shot,
+    /// The tree that was read; none if the file is to be written from the shot's data.
+    source: Option<Arc<Node>>,
+}
+
+impl ShotFile {
+    /// Reads a shot file.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for text that is not JSON and for everything that [`Self::from_node`]
+    /// refuses.
+    #[cfg(feature = "json")]
+    pub fn from_json(text: &str) -> Result<Self, Error> {
+        Self::from_node(Node::from_json(text)?)
+    }
+
+    /// Reads a shot from a tree of values.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with one sentence that names the place, what is wrong there, and what
+    /// would be right.
+    pub fn from_node(node: Node) -> Result<Self, Error> {
+        Ok(Self { shot: read(&node)?, source: Some(node.into()) })
+    }
+
+    /// What the file says.
+    pub const fn shot(&self) -> &Shot {
+        &self.shot
+    }
+
+    /// The file as a tree of values, as it was read.
+    pub fn to_node(&self) -> Cow<'_, Node> {
+        match &self.source {
+            Some(source) => Cow::Borrowed(source),
+            None => Cow::Owned(self.shot.to_node()),
+        }
+    }
+
+    /// The file as JSON: what was read, number for number.
+    pub fn to_json(&self) -> String {
+        self.to_node().to_json()
+    }
+
+    /// The same file with another strike, on the same ball.
+    ///
+    /// # Errors
+    /// As [`Shot::resolve_strike`].
+    pub fn with_strike(&self, strike: &Strike) -> Result<Self, Error> {
+        let shot = self.shot.with_strike(strike)?;
+        let Some(source) = &self.source else { return Ok(shot.into()) };
+        let mut node = Node::clone(source);
+        let mut written = node.get("strike").cloned().unwrap_or_else(|| Node::object([]));
+        if let Some((ball, strike)) = shot.strike() {
+            strike::write_into(&mut written, &shot.balls()[ball].id, &strike);
+        }
+        node.set("strike", written);
+        Ok(Self { shot, source: Some(node.into()) })
+    }
+
+    /// The same file with other values where the paths say, put in in their order. A key that is
+    /// not there is added; a preset's name becomes the base of an object.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a path that leads nowhere, and for what a shot file with these values
+    /// would be refused for.
+    pub fn with_values<'a>(
+        &self,
+        values: impl IntoIterator<Item = (&'a KeyPath, Node)>,
+    ) -> Result<Self, Error> {
+        let mut node = self.to_node().into_owned();
+        for (path, value) in values {
+            path.set(&mut node, value)?;
+            strike::remove_other_unit(&mut node, path);
+        }
+        Self::from_node(node)
+    }
+}
+
+impl Deref for ShotFile {
+    type Target = Shot;
+
+    fn deref(&self) -> &Shot {
+        &self.shot
+    }
+}
+
+impl AsRef<Shot> for ShotFile {
+    fn as_ref(&self) -> &Shot {
+        &self.shot
+    }
+}
+
+/// Two files are equal when they mean the same, however they are written.
+impl PartialEq for ShotFile {
+    fn eq(&self, other: &Self) -> bool {
+        self.shot == other.shot
+    }
+}
+
+/// The file that is written from a shot's data.
+impl From<Shot> for ShotFile {
+    fn from(shot: Shot) -> Self {
+        Self { shot, source: None }
+    }
+}
+
+impl Shot {
+    /// Reads a shot file. [`ShotFile`] also keeps how it was written.
+    ///
+    /// # Errors
+    /// As [`ShotFile::from_json`].
+    #[cfg(feature = "json")]
+    pub fn from_json(text: &str) -> Result<Self, Error> {
+        read(&Node::from_json(text)?)
+    }
+
+    /// Reads a shot from a tree of values.
+    ///
+    /// # Errors
+    /// As [`ShotFile::from_node`].
+    pub fn from_node(file: &Node) -> Result<Self, Error> {
+        read(file)
+    }
+
+    /// The shot as a shot file, written from its data: it reads back to the same bits. What has its
+    /// usual value is left out, and presets are named.
+    pub fn to_node(&self) -> Node {
+        let (table, default_physics) = table::write(&self.table);
+        let mut file = Node::object([("format", SHOT_FORMAT.into()), ("table", table)]);
+        let mut physics = crate::Physics::clone(&self.physics);
+        physics.cue.tip_friction = self.tip_friction();
+        if let Some(node) = physics::write_over(&physics, &default_physics) {
+            file.set("physics", node);
+        }
+        let default = &self.physics.ball;
+        file.set("balls", Node::list(self.balls.iter().map(|ball| balls::write(ball, default))));
+        if let Some((ball, strike)) = &self.strike {
+            let id = &self.balls[*ball].id;
+            file.set("strike", strike::write(id, strike, self.strike_policy()));
+        }
+        if self.max_events != DEFAULT_MAX_EVENTS {
+            file.set("max_events", self.max_events);
+        }
+        file
+    }
+
+    /// [`Self::to_node`] as JSON.
+    pub fn to_json(&self) -> String {
+        self.to_node().to_json()
+    }
+}
+
+fn read(file: &Node) -> Result<Shot, Error> {
+    let root = At::root(file);
+    // Before the keys: those of a trace or of a later format are not slips.
+    root.known_fields()?
+        .require("format", &format!("\"{SHOT_FORMAT}\""))?
+        .choice("format", &[(SHOT_FORMAT, ())])?;
+    let fields = root.fields(KEYS)?;
+    let at = fields.require("table", "a table preset's name, or an object {...}")?;
+    let (table, default_physics) = table::read(&at)?;
+    let physics = physics::read(fields.get("physics").as_ref(), &default_physics)?;
+    let balls = balls::read(&fields.require("balls", "a list of balls")?, &physics.ball)?;
+    let (mut policy, mut struck) = (StrikePolicy::default(), None);
+    if let Some(at) = fields.get("strike") {
+        policy = strike::read_policy(&at)?;
+        struck = Some(strike::read(&at, &balls)?);
+    }
+    let max_events = match fields.get("max_events") {
+        Some(at) => at.whole(1, u32::MAX)?,
+        None => DEFAULT_MAX_EVENTS,
+    };
+    Shot::new(Parts { table, physics, balls, strike: struck, policy, max_events })
+}

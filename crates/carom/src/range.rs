@@ -1,0 +1,110 @@
+//! The numbers that a parameter accepts.
+
+use alloc::format;
+use alloc::string::String;
+
+use crate::error::Error;
+
+/// No number in a shot is larger than this, whatever its unit. It keeps every product that the
+/// engine forms far from overflow; a kilometre, a tonne and a year all fit.
+pub(crate) const LARGEST: f64 = 1e9;
+
+/// A mass, radius, length or gravity that must be positive is at least this (a nanogram-like
+/// ball would only divide by almost zero).
+pub(crate) const SMALLEST: f64 = 1e-9;
+
+/// The numbers that a key accepts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Range {
+    low: f64,
+    high: f64,
+    low_open: bool,
+    high_open: bool,
+    /// Unit, with a leading space, or empty.
+    unit: &'static str,
+}
+
+impl Range {
+    /// Any finite number, in `unit`.
+    pub(crate) const fn any(unit: &'static str) -> Self {
+        Self { low: -LARGEST, high: LARGEST, low_open: false, high_open: false, unit }
+    }
+    /// [low, high].
+    pub(crate) const fn closed(low: f64, high: f64, unit: &'static str) -> Self {
+        Self { low, high, low_open: false, high_open: false, unit }
+    }
+    /// [low, high).
+    pub(crate) const fn half_open(low: f64, high: f64, unit: &'static str) -> Self {
+        Self { low, high, low_open: false, high_open: true, unit }
+    }
+    /// (low, high].
+    pub(crate) const fn above(low: f64, high: f64, unit: &'static str) -> Self {
+        Self { low, high, low_open: true, high_open: false, unit }
+    }
+    /// Greater than zero.
+    pub(crate) const fn positive(unit: &'static str) -> Self {
+        Self::closed(SMALLEST, LARGEST, unit)
+    }
+    /// Zero or more.
+    pub(crate) const fn not_negative(unit: &'static str) -> Self {
+        Self::closed(0.0, LARGEST, unit)
+    }
+
+    /// Whether `x` is in the range.
+    pub(crate) fn contains(&self, x: f64) -> bool {
+        let above = if self.low_open { x > self.low } else { x >= self.low };
+        let below = if self.high_open { x < self.high } else { x <= self.high };
+        above && below
+    }
+
+    /// Refuses `x`, which stands at `place`, if it is out of range or not finite.
+    pub(crate) fn check(&self, place: impl FnOnce() -> String, x: f64) -> Result<(), Error> {
+        if self.contains(x) {
+            return Ok(());
+        }
+        let what = if x.is_finite() {
+            format!("{x:?} is out of range")
+        } else {
+            format!("{} is not a number that a shot can use", describe_number(x))
+        };
+        Err(Error::input(place(), what, format!("write {}", self.describe())))
+    }
+
+    /// Whether any finite number may stand here, since it is one that an engine wrote. Such keep
+    /// their bits.
+    pub(crate) const fn is_result(&self) -> bool {
+        self.high == f64::MAX
+    }
+
+    pub(crate) fn describe(&self) -> String {
+        let unit = self.unit;
+        if self.is_result() {
+            let sign = if self.low == 0.0 { " ≥ 0" } else { "" };
+            return format!("a finite number{sign}{unit}");
+        }
+        if self.low == SMALLEST && self.high == LARGEST {
+            let unit = if unit.is_empty() { String::new() } else { format!(", in{unit}") };
+            return format!("a number greater than 0{unit} (from {SMALLEST:e} to {LARGEST:e})");
+        }
+        let open = if self.low_open { '(' } else { '[' };
+        let close = if self.high_open { ')' } else { ']' };
+        if self.low == 0.0 && self.high == LARGEST {
+            return format!("a number ≥ 0{unit} (at most {LARGEST:e})");
+        }
+        if self.low == -LARGEST && self.high == LARGEST {
+            return format!("a finite number (at most {LARGEST:e} in size)");
+        }
+        format!("a number in {open}{}, {}{close}{unit}", self.low, self.high)
+    }
+}
+
+/// A number in words.
+pub(crate) fn describe_number(x: f64) -> String {
+    if x.is_nan() {
+        "NaN".into()
+    } else if x.is_infinite() {
+        "an infinite number".into()
+    } else {
+        format!("the number {x:?}")
+    }
+}
