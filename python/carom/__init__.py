@@ -86,6 +86,16 @@ __all__ = [
 ]
 
 
+def _svg(trace: Trace) -> str:
+    # Matplotlib takes half a second to load.
+    from carom.picture import svg
+
+    return svg(trace)
+
+
+Trace._svg = _svg
+
+
 def __getattr__(name: str) -> object:
     # Sweeps take half as long to import as all the rest, and few programs use them.
     if name in {"Sweep", "sweep"}:

@@ -6,6 +6,8 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.env.settings import Settings
+
 __all__ = [
     "Frame",
     "Shot",
@@ -31,6 +33,7 @@ __all__ = [
     "position_map",
     "pot_map",
     "quantiles",
+    "read_json",
     "row_shot",
     "rule_sets",
     "schema",
@@ -250,7 +253,7 @@ def rule_sets() -> list[str]: ...
 
 @final
 class VectorEnv:
-    def __new__(cls, task: str, n: int, settings: dict[str, Any]) -> VectorEnv: ...
+    def __new__(cls, task: str, n: int, settings: Settings) -> VectorEnv: ...
     def reset(
         self, seeds: list[int] | None, mask: NDArray[np.bool_] | None
     ) -> NDArray[np.float32]: ...
@@ -264,5 +267,6 @@ class VectorEnv:
     @property
     def observation_bounds(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]: ...
 
+def read_json(text: str) -> Any: ...
 def tasks() -> list[str]: ...
 def meanings() -> tuple[list[str], list[str], list[str]]: ...

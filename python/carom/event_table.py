@@ -10,8 +10,7 @@ from collections import defaultdict
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from carom.picture.paths import Heights, highest
-from carom.touches import runs
+from carom.flights import Heights, highest, runs
 
 if TYPE_CHECKING:
     from rich.console import RenderableType

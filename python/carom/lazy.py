@@ -1,9 +1,9 @@
 """Heavy libraries, loaded at their first use, so that ``import carom`` stays quick.
 
 The rule of the package: a module imports carom's modules and the standard library at its top.
-NumPy and pyarrow come from here, Ray from ``carom.sweeps.on_ray``. ``carom.picture`` imports
-Matplotlib and ``carom.env`` imports Gymnasium at the top; import these two packages only where
-they are used.
+NumPy and pyarrow come from here, Ray from ``carom.sweeps.on_ray``. Three parts load heavy libraries
+at their top, so other modules import them inside the function that uses them: ``carom.picture``
+(Matplotlib), ``carom.env`` (Gymnasium) and ``carom.serve`` (an HTTP server).
 """
 
 from __future__ import annotations

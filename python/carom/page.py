@@ -1,7 +1,7 @@
-"""The page: one HTML file with the engine, the viewer and a shot or a trace in it.
+"""The page: one HTML file with the engine, the viewer, and a shot or a trace.
 
 ``make page`` builds it from ``web/`` into ``carom/web/index.html``. It needs no server and no
-network: what it shows is inside it.
+network, because everything that it shows is inside the file.
 """
 
 from __future__ import annotations
@@ -10,24 +10,32 @@ import json
 import sys
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any, Protocol
 
-from carom.errors import PageError
+from carom.arguments import text as checked_text
+from carom.arguments import whole
+from carom.errors import InputError, PageError
 
-if TYPE_CHECKING:
-    from carom.shot import Shot
-    from carom.trace import Trace
-
-# Where the page looks for what it shall show, and its title.
+# The element of the page that holds the document, and the page's title.
 MARKER = '<script type="application/json" id="carom-document">'
 TITLE = "<title>carom</title>"
 
-# Height of the viewer in a notebook, CSS pixels: table, timeline and a word below them.
+# Height of the viewer in a notebook, CSS pixels: table, timeline and one line of text below them.
 HEIGHT = 560
+# Largest height, CSS pixels: browsers lay out no longer elements.
+MOST_HEIGHT = 10**6
+
+
+class Document(Protocol):
+    """What the page can show: a shot or a trace."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """The ``carom-shot/1`` or ``carom-trace/1``."""
+        ...
 
 
 def path() -> Path:
-    """Where the built page is, if it has been built."""
+    """Path of the built page, whether or not it has been built."""
     return Path(__file__).parent / "web" / "index.html"
 
 
@@ -36,16 +44,22 @@ def is_built() -> bool:
     return path().exists()
 
 
-def html(document: Shot | Trace | None = None, *, title: str | None = None) -> str:
-    """The page showing ``document``, complete: it works from disk, offline.
+def html(document: Document | None = None, *, title: str | None = None) -> str:
+    """The complete page with a shot or a trace; it works from disk, without a network.
 
     Args:
-        document: The shot to aim, or the trace to replay; None for the page's own first shot.
-        title: Of the browser's window.
+        document: The shot to aim, or the trace to replay; None shows the page's own first shot.
+        title: Title of the browser's window.
 
     Raises:
+        InputError: ``document`` is neither a shot nor a trace, or ``title`` not a string.
         PageError: The page is not built into this installation.
     """
+    if document is not None and not hasattr(document, "to_dict"):
+        found = type(document).__name__
+        raise InputError(f"document: found a {found}; give a carom.Shot or a carom.Trace")
+    if title is not None:
+        checked_text("title", title)
     try:
         page = path().read_text(encoding="utf-8")
     except FileNotFoundError:
@@ -57,28 +71,32 @@ def html(document: Shot | Trace | None = None, *, title: str | None = None) -> s
     if title is not None:
         page = page.replace(TITLE, f"<title>{escape(title)} · carom</title>", 1)
     if document is not None:
-        # JSON has < in its strings only. Escaped, nothing in them ends the script element.
+        # In JSON, < occurs only within strings. Escaped, no string can end the script element.
         text = json.dumps(document.to_dict(), separators=(",", ":")).replace("<", "\\u003c")
         before, marker, after = page.partition(MARKER)
         if not marker:
-            raise PageError(f"{path()} is no page of this carom; run `make page` again")
+            raise PageError(
+                f"{path()} is not a page of this version of carom; run `make page` again"
+            )
         page = before + marker + text + after
     return page
 
 
-def frame(document: Shot | Trace, *, height: int = HEIGHT) -> str:
-    """The page as an element of another one, for notebooks.
+def frame(document: Document, *, height: int = HEIGHT) -> str:
+    """The page as an element of another page, for notebooks.
 
-    It runs in a sandbox: it can neither see nor change what is around it.
+    It runs in a sandbox, so that it can neither read nor change the page around it.
 
     Args:
         document: The shot to aim, or the trace to replay.
-        height: CSS pixels.
+        height: Height of the element, CSS pixels.
 
     Raises:
+        InputError: ``document`` is neither a shot nor a trace, or the height is out of range.
         PageError: The page is not built into this installation.
     """
-    # All that must be escaped inside double quotes; more would only make it longer.
+    height = whole("height", height, MOST_HEIGHT + 1, low=1)
+    # Inside double quotes only these two characters need to be escaped.
     page = html(document).replace("&", "&amp;").replace('"', "&quot;")
     return (
         f'<iframe srcdoc="{page}" sandbox="allow-scripts allow-downloads" '
@@ -87,17 +105,20 @@ def frame(document: Shot | Trace, *, height: int = HEIGHT) -> str:
     )
 
 
-def show(document: Shot | Trace, *, height: int = HEIGHT) -> None:
-    """Show ``document`` in the notebook, or else in the browser until Ctrl-C.
+def show(document: Document, *, height: int = HEIGHT) -> None:
+    """Show a shot or a trace in the notebook; outside a notebook, in the browser until Ctrl-C.
 
     Raises:
+        InputError: As from :func:`frame`.
         PageError: The page is not built into this installation.
     """
     if _in_notebook():
+        # IPython is there only in a notebook.
         from IPython.display import HTML, display
 
         display(HTML(frame(document, height=height)))
         return
+    # A server's modules take as long to load as half of carom.
     from carom.serve import serve
 
     serve(html(document))

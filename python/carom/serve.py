@@ -1,4 +1,4 @@
-"""The page on this machine's own address, for ``carom play``."""
+"""A server of the page for ``carom play``, at this machine's own address."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ HOST = "127.0.0.1"
 
 
 class PageServer(ThreadingHTTPServer):
-    """Serves one page to this machine and to no other.
+    """Serves one page, to this machine only.
 
     Args:
         page: The HTML.
-        port: Which; 0 is any that is free.
+        port: The port; 0 chooses a free one.
 
     Raises:
         InputError: The port cannot be used.
@@ -41,13 +41,13 @@ class PageServer(ThreadingHTTPServer):
             ) from None
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Passes over a browser that does not wait for the page, such as when it is reloaded."""
+        """Ignore a browser that closes the connection early, for example on a reload."""
         if not isinstance(sys.exception(), ConnectionError):
             super().handle_error(request, client_address)
 
     @property
     def address(self) -> str:
-        """What to type into a browser."""
+        """The address to open in a browser."""
         return f"http://{HOST}:{self.server_port}/"
 
 
@@ -58,7 +58,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     def do_GET(self) -> None:
         if self.path.partition("?")[0] != "/":
-            self.send_error(HTTPStatus.NOT_FOUND, "There is one page here: /")
+            self.send_error(HTTPStatus.NOT_FOUND, "The only page is /")
             return
         packed = "gzip" in self.headers.get("Accept-Encoding", "")
         body = self.server.packed if packed else self.server.plain
@@ -68,14 +68,14 @@ class _Handler(BaseHTTPRequestHandler):
         if packed:
             self.send_header("Content-Encoding", "gzip")
         self.send_header("Vary", "Accept-Encoding")
-        # The next `carom play` may have the same port and another shot.
+        # The next `carom play` may serve another shot at the same port.
         self.send_header("Cache-Control", "no-store")
         self.send_header("X-Content-Type-Options", "nosniff")
         self.end_headers()
         self.wfile.write(body)
 
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002 -- the base class's name
-        """Says nothing: the terminal is the user's."""
+        """Print nothing to the terminal."""
 
 
 def serve(page: str, *, port: int = 0, browser: bool = True) -> None:
@@ -83,8 +83,8 @@ def serve(page: str, *, port: int = 0, browser: bool = True) -> None:
 
     Args:
         page: The HTML.
-        port: Which; 0 is any that is free.
-        browser: Whether to open one.
+        port: The port; 0 chooses a free one.
+        browser: Whether to open a browser.
 
     Raises:
         InputError: The port cannot be used.
@@ -93,7 +93,7 @@ def serve(page: str, *, port: int = 0, browser: bool = True) -> None:
         sys.stderr.write(f"carom: {server.address} (Ctrl-C ends)\n")
         sys.stderr.flush()
         if browser:
-            # In a thread: some browsers return when they are closed.
+            # In a thread, because some browsers return only when they are closed.
             threading.Thread(target=webbrowser.open, args=[server.address], daemon=True).start()
         with contextlib.suppress(KeyboardInterrupt):
             server.serve_forever()

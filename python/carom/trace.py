@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from carom import _core, arguments
 from carom._core import Trace as CoreTrace
@@ -14,7 +14,7 @@ from carom.shot import Shot, read_text
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
@@ -63,6 +63,8 @@ class Trace:
 
     # No __slots__: cached_property keeps its values in the instance's dict.
     _core: CoreTrace
+    # Draws the trace. carom/__init__.py sets it, because pictures are built on traces.
+    _svg: ClassVar[Callable[[Trace], str]]
 
     def __init__(self) -> None:
         raise TypeError("a Trace comes from Shot.simulate(), Trace.load() or Trace.from_dict()")
@@ -189,9 +191,7 @@ class Trace:
 
         if page.is_built():
             return page.frame(self)
-        from carom.picture import svg
-
-        text = svg(self)
+        text = self._svg()
         # The XML prologue of a stand-alone file has no place inside a page.
         return text[text.index("<svg") :]
 

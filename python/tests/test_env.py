@@ -346,7 +346,7 @@ def test_numbers_out_of_bounds_and_nan_are_played_as_the_nearest() -> None:
         ({"balls": (1, 2, 3)}, "balls"),
         ({"threads": -1}, "threads"),
         ({"patience": 2.5}, "patience"),
-        ({"target": "many"}, "target"),
+        ({"points": "many"}, "points"),
         ({"max_episode_steps": 0}, "max_episode_steps"),
         ({"aim": None}, "aim"),
         ({"opponent": None}, "opponent"),
@@ -356,14 +356,39 @@ def test_numbers_out_of_bounds_and_nan_are_played_as_the_nearest() -> None:
         ({"table": "carom-10ft"}, "table"),
         ({"noise": 1.0}, "noise"),
         ({"rewards": 1.0}, "rewards"),
-        ({"rewards": carom.env.Rewards(win="much")}, "rewards"),  # type: ignore[arg-type]
-        ({"target": 2**40}, "target"),
+        ({"points": 2**40}, "points"),
         ({"threads": 0}, "threads"),
     ],
 )
 def test_what_is_wrong_is_said_with_its_place(settings: dict[str, Any], place: str) -> None:
     with pytest.raises(InputError, match=rf"^{place}"):
         carom.env.CaromEnv("potting", **settings)
+
+
+@pytest.mark.parametrize("value", ["much", float("nan"), float("inf"), None])
+def test_a_reward_that_is_not_a_finite_number_is_refused_by_name(value: Any) -> None:
+    with pytest.raises(InputError, match=r"^rewards\.foul: .*; write"):
+        carom.env.Rewards(foul=value)
+
+
+def test_the_old_name_of_points_still_works_and_warns() -> None:
+    with pytest.warns(FutureWarning, match=r"settings\.target is now settings\.points"):
+        old = gymnasium.make_vec("carom/SumToThree-v0", num_envs=4, target=1)
+    new = gymnasium.make_vec("carom/SumToThree-v0", num_envs=4, points=1)
+    for one, other in zip(play(old, 5), play(new, 5), strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+@pytest.mark.parametrize("count", [0, -1, 2.5, 10**6 + 1, "many"])
+def test_a_number_of_environments_out_of_range_is_refused(count: Any) -> None:
+    with pytest.raises(InputError, match=r"^num_envs: .*; give a whole number from 1 to 1000000"):
+        carom.env.CaromVectorEnv("nine-ball", count)
+
+
+@pytest.mark.parametrize("options", [5, "all", [True]])
+def test_options_of_a_reset_that_are_not_a_dict_are_refused(options: Any) -> None:
+    with pytest.raises(InputError, match=r"^options: .*; give"):
+        carom.env.CaromVectorEnv("nine-ball", 1).reset(seed=0, options=options)
 
 
 def test_counts_of_numpy_are_counts() -> None:

@@ -15,25 +15,40 @@ use pyo3::types::PyDict;
 use crate::error::to_exception;
 use crate::node::{from_python, to_python};
 
-/// What there is to configure: as the Python side has checked it, all of it given.
+/// `carom.env.settings.Settings`, read by attribute; Python has checked the types.
 #[derive(FromPyObject)]
-#[pyo3(from_item_all)]
 struct Settings<'py> {
     noise: [f64; 5],
     aim: String,
     speed: [f64; 2],
-    elevation: f64,
+    max_elevation: f64,
     opponent: String,
     balls: Option<[usize; 2]>,
     target_ball: String,
     table: Bound<'py, PyAny>,
     physics: Bound<'py, PyAny>,
-    target: Option<i32>,
+    points: Option<i32>,
     patience: u32,
-    rewards: Option<[f64; 5]>,
-    max_steps: Option<u32>,
-    autoreset: String,
+    rewards: Option<RewardSettings>,
+    max_episode_steps: Option<u32>,
+    autoreset_mode: String,
     threads: Option<usize>,
+}
+
+/// `carom.env.Rewards`, read by attribute.
+#[derive(FromPyObject)]
+struct RewardSettings {
+    win: f64,
+    pot: f64,
+    foul: f64,
+    point: f64,
+    failure: f64,
+}
+
+impl From<&RewardSettings> for Rewards {
+    fn from(&RewardSettings { win, pot, foul, point, failure }: &RewardSettings) -> Self {
+        Self { win, pot, foul, point, failure }
+    }
 }
 
 impl Settings<'_> {
@@ -57,22 +72,20 @@ impl Settings<'_> {
             noise: Noise { speed, azimuth, elevation, side, height },
             aim: Aim::read(&self.aim)?,
             speed: self.speed,
-            elevation: self.elevation,
+            elevation: self.max_elevation,
             opponent: Opponent::read(&self.opponent)?,
             balls: self.balls,
             target: Target::read(&self.target_ball)?,
             table,
             physics,
             options: Options {
-                target: self.target.unwrap_or(usual.options.target),
+                target: self.points.unwrap_or(usual.options.target),
                 patience: self.patience,
                 ..usual.options
             },
-            rewards: self.rewards.map_or(usual.rewards, |[win, pot, foul, point, failure]| {
-                Rewards { win, pot, foul, point, failure }
-            }),
-            max_steps: self.max_steps,
-            autoreset: Autoreset::read(&self.autoreset)?,
+            rewards: self.rewards.as_ref().map_or(usual.rewards, Rewards::from),
+            max_steps: self.max_episode_steps,
+            autoreset: Autoreset::read(&self.autoreset_mode)?,
             threads: self.threads,
         })
     }

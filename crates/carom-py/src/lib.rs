@@ -39,7 +39,7 @@ mod _core {
     #[pymodule_export]
     use crate::shot::Shot;
     #[pymodule_export]
-    use crate::sweep::{play_rows, points, quantiles, row_shot};
+    use crate::sweep::{play_rows, points, quantiles, read_json, row_shot};
     #[pymodule_export]
     use crate::trace::Trace;
 

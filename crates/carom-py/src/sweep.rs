@@ -1,4 +1,4 @@
-//! `_core.play_rows`, `_core.row_shot`, `_core.points` and `_core.quantiles`.
+//! What sweeps need: `_core.play_rows`, `row_shot`, `read_json`, `points` and `quantiles`.
 
 use carom::ShotFile;
 use carom::format::{KeyPath, Node};
@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 
 use crate::batch::noise_of;
 use crate::error::{InputError, to_exception};
-use crate::node::from_python;
+use crate::node::{from_python, to_python};
 use crate::shot::Shot;
 
 /// Numbers of shape (n,), lists of shape (n, width), or indices of shape (n,) into a list of values.
@@ -159,6 +159,13 @@ fn to_dict(py: Python<'_>, played: Played) -> PyResult<Bound<'_, PyDict>> {
     }
     dict.set_item("errors", texts)?;
     Ok(dict)
+}
+
+/// JSON text in plain dicts, lists and values. Rejects duplicate keys and numbers that are not finite.
+#[pyfunction]
+pub(crate) fn read_json<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
+    let node = Node::from_json(text).map_err(|error| to_exception(py, &error))?;
+    to_python(py, &node)
 }
 
 /// Points of the unit cube, shape (n, dimensions): those of `seed` with the given indices. `sequence` is

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import json as js
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from rich.console import Console
+from rich.console import Console
+from rich.progress import Progress
 
-    from carom.bench.peer import Pooltool
+from carom.bench import report, states, timing
+from carom.bench.peer import Pooltool
+from carom.shot import Shot
+from carom.streams import emit
 
 __all__ = ["measure", "run"]
 
 
 def run(*, json: bool = False, store: Path | None = None) -> int:
-    """Measures, prints and stores.
+    """Measure, print and store.
 
     Args:
         json: Print JSON on stdout instead of tables.
@@ -26,11 +29,6 @@ def run(*, json: bool = False, store: Path | None = None) -> int:
     Returns:
         The exit status of the command.
     """
-    from rich.console import Console
-
-    from carom.bench import report
-    from carom.cli.output import emit
-
     if store is not None:
         # First of all, because measuring takes minutes: a folder that cannot be made fails now.
         store.mkdir(parents=True, exist_ok=True)
@@ -50,11 +48,6 @@ def run(*, json: bool = False, store: Path | None = None) -> int:
 
 def measure(talk: Console) -> dict[str, Any]:
     """The results of `carom bench`; progress and remarks go to `talk`."""
-    from rich.progress import Progress
-
-    from carom.bench import report, states, timing
-    from carom.shot import Shot
-
     classes = states.load()
     peer = _peer(talk)
     result = report.where() | {"peer": peer and f"pooltool {peer.version}", "classes": {}}
@@ -72,8 +65,6 @@ def measure(talk: Console) -> dict[str, Any]:
 
 
 def _peer(talk: Console) -> Pooltool | None:
-    from carom.bench.peer import Pooltool
-
     try:
         peer = Pooltool()
     except ImportError as error:

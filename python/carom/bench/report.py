@@ -11,12 +11,13 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rich.table import Table
+
 from carom import __version__
 from carom.bench.states import CLASSES
 
 if TYPE_CHECKING:
     from rich.console import Console
-    from rich.table import Table
 
     from carom.bench.timing import ClassTimes
 
@@ -179,8 +180,6 @@ def _events(result: dict[str, Any]) -> Table:
 
 
 def _table(names: list[str]) -> Table:
-    from rich.table import Table
-
     table = Table()
     table.add_column("")
     for name in names:
@@ -189,8 +188,6 @@ def _table(names: list[str]) -> Table:
 
 
 def _others(result: dict[str, Any]) -> Table:
-    from rich.table import Table
-
     table = Table.grid(padding=(0, 2))
     rows = result["classes"].values()
     if result["peer"]:

@@ -1,4 +1,4 @@
-"""Where things go: data to stdout, talk to stderr."""
+"""Output of the command line: data to stdout, messages to stderr; and input from stdin."""
 
 from __future__ import annotations
 
@@ -9,51 +9,45 @@ from pathlib import Path
 from typing import Any
 
 from carom.errors import InputError
+from carom.event_table import printable
+from carom.shot import read_text
+from carom.streams import emit
+
+__all__ = ["emit", "keep_sockets", "read", "read_bytes", "save", "say", "say_json"]
 
 
 def say(text: str) -> None:
-    """One sentence to stderr."""
-    from carom.event_table import printable
-
+    """Print one sentence to stderr."""
     _talk(f"carom: {printable(text)}")
 
 
 def say_json(data: Any) -> None:
-    """JSON to stderr, for a bug report."""
+    """Print JSON to stderr, for a bug report."""
     _talk(json.dumps(data))
 
 
 def _talk(line: str) -> None:
-    # Without a stderr, `print` would talk to stdout.
+    # Without a stderr, `print` would write to stdout.
     if sys.stderr is not None:
         print(line, file=sys.stderr)
 
 
 def keep_sockets() -> None:
-    """Have a connection that the other side closes be an error, not the end of the process.
+    """Make a connection that the other side closes an error, not the end of the process.
 
-    To end quietly is right for a filter whose pipe is closed, and wrong for a server.
+    A filter should end quietly when its pipe is closed; a server should not.
     """
     if hasattr(signal, "SIGPIPE"):
         signal.signal(signal.SIGPIPE, signal.SIG_IGN)
 
 
-def emit(text: str) -> None:
-    """Data to stdout."""
-    if sys.stdout is None:
-        raise InputError("stdout: it is closed; send it to a file or to a program")
-    sys.stdout.write(text if text.endswith("\n") else text + "\n")
-    # Here and not when Python ends, so that a full disk is an error like any other.
-    sys.stdout.flush()
-
-
 def save(path: Path, content: str | bytes) -> None:
-    """Data to a file."""
+    """Write data to a file."""
     data = content if isinstance(content, bytes) else content.encode()
     try:
         path.write_bytes(data)
     except OSError as error:
-        # A full disk does not say which file it has no room for.
+        # The error of a full disk does not name the file.
         error.filename = error.filename or str(path)
         raise
 
@@ -65,14 +59,14 @@ def read(path: str) -> str:
         OSError: The file cannot be read.
         InputError: It is not UTF-8, or stdin is closed.
     """
-    from carom.shot import read_text
-
     if path != "-":
         return read_text(path)
     try:
         return read_bytes(path).decode("utf-8")
     except UnicodeDecodeError as error:
-        raise InputError(f"stdin: not text ({error.reason}); JSON is UTF-8") from None
+        raise InputError(
+            f"stdin: not UTF-8 text ({error.reason}); encode the JSON as UTF-8"
+        ) from None
 
 
 def read_bytes(path: str) -> bytes:

@@ -415,7 +415,7 @@ def _show(
 
 
 def _draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) -> None:
-    from carom.picture.canvas import to_png, to_svg
+    from carom.picture.output import to_png, to_svg
 
     if svg is not None:
         save(svg, to_svg(figure()))

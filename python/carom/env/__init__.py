@@ -1,4 +1,4 @@
-"""Environments for learners: Gymnasium, native vectors that step in Rust, PettingZoo.
+"""Environments for reinforcement learning: Gymnasium, vectors that step in Rust, PettingZoo.
 
     import gymnasium
     import carom.env                                   # registers the environments
@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 try:
     import gymnasium  # noqa: F401
 except ImportError as error:
-    raise ImportError("carom.env needs Gymnasium: pip install 'carom[env]'") from error
+    raise ImportError("carom.env needs Gymnasium; install it: pip install 'carom[env]'") from error
 
 from carom import _core
 from carom.env.registry import ENVIRONMENTS, register
@@ -39,23 +39,24 @@ __all__ = [
     "aec",
 ]
 
-#: What the numbers of an action mean; what is seen of each ball; and what is seen after the balls.
+#: Names of the numbers of an action, of each ball's features, and of the features after the balls.
 ACTIONS, BALL_FEATURES, FEATURES = (tuple(names) for names in _core.meanings())
 
 register()
 
 
 def aec(game: str = "eight-ball", **settings: Any) -> CaromMatch:
-    """A match between two agents, for PettingZoo.
+    """Create a match between two agents, for PettingZoo.
 
     Args:
         game: ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``, ``snooker``,
             ``three-cushion`` or ``sum-to-three``.
-        settings: As for the environments of Gymnasium, ``opponent`` excepted.
+        settings: As for the environments of Gymnasium, except ``opponent``.
 
     Returns:
         A ``pettingzoo.AECEnv`` with the agents ``player_0`` and ``player_1``.
     """
+    # PettingZoo is loaded with the first match.
     from carom.env.match import CaromMatch
 
     return CaromMatch(game, **settings)

@@ -1,4 +1,4 @@
-"""Two agents at one table, as PettingZoo has it."""
+"""Two agents at one table, for PettingZoo."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pettingzoo import AECEnv
 from carom import _core
 from carom.arguments import text, whole
 from carom.env.render import check_mode, frame
-from carom.env.settings import pack
+from carom.env.settings import settings as checked
 from carom.env.vector import floats, spaces
 from carom.errors import InputError
 
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
 class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
     """A frame between ``player_0``, who begins, and ``player_1``.
 
-    Who shoots goes on until the rules give the table to the other: the same agent is often
-    selected several times in a row. A shot's reward goes to its shooter, and its negative to the
-    other: zero-sum.
+    The shooter continues until the rules give the turn to the other player, so the same agent is
+    often selected several times in a row. The shooter gets the shot's reward and the other agent
+    gets its negative: a zero-sum game.
 
     Args:
-        game: Which, by the names of the tasks; potting is no match.
+        game: The name of a task, except potting, which has one player.
         render_mode: ``rgb_array`` or None.
-        settings: See :func:`carom.env.settings.pack`; ``opponent`` has no meaning here.
+        settings: See :func:`carom.env.settings.settings`; ``opponent`` is not allowed.
     """
 
     metadata: ClassVar[dict[str, Any]] = {
@@ -49,9 +49,9 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
         if game == "potting":
             raise InputError("game: potting has one player; choose a game, such as eight-ball")
         if "opponent" in settings:
-            raise InputError("opponent: both players are agents here; leave it out")
-        packed = pack(autoreset_mode="disabled", **({"threads": 1} | settings))
-        self._core = _core.VectorEnv(text("game", game), 1, packed)
+            raise InputError("opponent: both players are agents in a match; leave it out")
+        given = {"threads": 1} | settings | {"autoreset_mode": "disabled"}
+        self._core = _core.VectorEnv(text("game", game), 1, checked(**given))
         self.render_mode = check_mode(render_mode)
         self.possible_agents = ["player_0", "player_1"]
         self.agents: list[str] = []
@@ -61,15 +61,15 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
         self._seeded = False
 
     def observation_space(self, agent: str) -> Box:
-        """The same for both."""
+        """The space of observations, the same for both agents."""
         return self.observation_spaces[agent]
 
     def action_space(self, agent: str) -> Box:
-        """The same for both."""
+        """The space of actions, the same for both agents."""
         return self.action_spaces[agent]
 
     def reset(self, seed: int | None = None, options: dict[str, Any] | None = None) -> None:
-        """Begins the first frame of ``seed``, or the next one of the seed of before."""
+        """Begin the first frame of ``seed``; without a seed, the next frame."""
         del options
         if seed is None and not self._seeded:
             seed = int(np.random.default_rng().integers(2**62))
@@ -85,13 +85,13 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
         self.agent_selection = self._next()
 
     def observe(self, agent: str) -> Array:
-        """What ``agent`` sees, whether or not it shoots next."""
+        """The observation of ``agent``, whether or not it shoots next."""
         if agent not in self.possible_agents:
             raise InputError(f"agent: there is no {agent!r}; write player_0 or player_1")
         return self._core.observe(0, self.possible_agents.index(agent))
 
     def step(self, action: Array | None) -> None:
-        """Plays a shot of the selected agent."""
+        """Play a shot of the selected agent."""
         if not self._seeded:
             raise ResetNeeded("call reset before step")
         shooter = self.agent_selection
@@ -110,11 +110,11 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
         self.agent_selection = self._next()
 
     def render(self) -> Any:
-        """A picture of the table, uint8 of shape (height, width, 3), if the mode asks for one."""
+        """A picture of the table, uint8 of shape (height, width, 3); None without a render mode."""
         return None if self.render_mode is None else frame(self._core.picture(0))
 
     def close(self) -> None:
-        """Nothing is open."""
+        """Do nothing: a match holds no resources."""
 
     def _next(self) -> str:
         player = self._core.player(0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import gymnasium
 
-# A version goes up when the same actions give other results.
+# The version increases when the same actions give other results.
 ENVIRONMENTS = {
     "carom/Potting-v0": "potting",
     "carom/EightBall-v2": "eight-ball",
@@ -18,7 +18,7 @@ ENVIRONMENTS = {
 
 
 def register() -> None:
-    """Registers them, once."""
+    """Register all environments that are not registered yet."""
     for name, task in ENVIRONMENTS.items():
         if name not in gymnasium.registry:
             gymnasium.register(

@@ -1,4 +1,4 @@
-"""The vector of environments as stable-baselines3 has it: ``pip install 'carom[train]'``."""
+"""A vector of environments for stable-baselines3: ``pip install 'carom[train]'``."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ try:
     from stable_baselines3.common.vec_env import VecEnv
 except ImportError as error:
     raise ImportError(
-        "carom.env.sb3 needs stable-baselines3: pip install 'carom[train]'"
+        "carom.env.sb3 needs stable-baselines3; install it: pip install 'carom[train]'"
     ) from error
 
 if TYPE_CHECKING:
@@ -25,20 +25,20 @@ if TYPE_CHECKING:
 
 
 class SB3VecEnv(VecEnv):  # type: ignore[misc]
-    """A Gymnasium vector that resets in the same step, for the algorithms of stable-baselines3.
+    """A vector of stable-baselines3 made of a Gymnasium vector that resets in the same step.
 
         envs = gymnasium.make_vec("carom/Potting-v0", num_envs=1024)
         model = stable_baselines3.PPO("MlpPolicy", SB3VecEnv(envs))
 
-    The vector steps at once, in Rust; there are no single environments to reach into.
+    All environments step together in Rust, so single environments cannot be accessed.
 
     Args:
         envs: The vector, in the mode ``same-step``, with spaces that are boxes.
-        view: What the agent sees in place of the observations: a function from rows of them,
-            shape (n, size), to as many rows of float32. The observations themselves if None.
+        view: A function that turns observations, shape (n, size), into the agent's input, the same
+            number of rows of float32. None gives the agent the observations themselves.
 
     Raises:
-        InputError: The vector resets otherwise.
+        InputError: ``envs`` is not a vector, or resets in another mode.
     """
 
     def __init__(
@@ -47,9 +47,14 @@ class SB3VecEnv(VecEnv):  # type: ignore[misc]
         *,
         view: Callable[[Array], Array] | None = None,
     ) -> None:
+        if not isinstance(envs, VectorEnv):
+            raise InputError(
+                f"envs: found a {type(envs).__name__}; give a Gymnasium vector, for example "
+                'gymnasium.make_vec("carom/Potting-v0", num_envs=64)'
+            )
         if envs.metadata.get("autoreset_mode") is not AutoresetMode.SAME_STEP:
             raise InputError(
-                "envs: stable-baselines3 wants the new episode in the step that ends the old one; "
+                "envs: stable-baselines3 needs the new episode in the step that ends the old one; "
                 'make the vector with autoreset_mode="same-step"'
             )
         self.envs = envs
@@ -62,8 +67,8 @@ class SB3VecEnv(VecEnv):  # type: ignore[misc]
         super().__init__(envs.num_envs, seen, envs.single_action_space)
 
     def reset(self) -> Array:
-        """Begins an episode in every environment; the seeds are those of the last :meth:`seed`."""
-        # Gymnasium's vectors take a list as well, which their type does not say.
+        """Begin an episode in every environment, with the seeds of the last :meth:`seed`."""
+        # Gymnasium's vectors accept a list as well, though their type annotation does not.
         seeds: Any = None if self._seeds[0] is None else list(self._seeds)
         observations, _ = self.envs.reset(seed=seeds)
         self._reset_seeds()
@@ -71,11 +76,11 @@ class SB3VecEnv(VecEnv):  # type: ignore[misc]
         return self._view(observations)
 
     def step_async(self, actions: Array) -> None:
-        """Takes the actions, shape (num_envs, action size)."""
+        """Keep the actions, shape (num_envs, action size), for :meth:`step_wait`."""
         self._actions = actions
 
     def step_wait(self) -> tuple[Array, Array, Array, list[dict[str, Any]]]:
-        """Plays them: observations, rewards, which episodes have ended, and what else is known."""
+        """Play the actions; return observations, rewards, ends of episodes, and infos."""
         observations, rewards, terminated, truncated, more = self.envs.step(self._actions)
         done = terminated | truncated
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
@@ -92,7 +97,7 @@ class SB3VecEnv(VecEnv):  # type: ignore[misc]
         return self._view(observations), rewards.astype(np.float32), done, infos
 
     def close(self) -> None:
-        """Closes the vector."""
+        """Close the vector."""
         self.envs.close()
 
     def get_images(self) -> Sequence[Array | None]:
@@ -101,21 +106,23 @@ class SB3VecEnv(VecEnv):  # type: ignore[misc]
         return [None] * self.num_envs if pictures is None else list(pictures)
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
-        """The vector's own attribute, once for every environment that is asked."""
+        """The vector's own attribute, once for every environment in ``indices``."""
         return [getattr(self.envs, attr_name) for _ in self._get_indices(indices)]
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
-        """Refused: a setting is of the whole vector, and made with it."""
-        raise NotImplementedError(f"make another vector, with another {attr_name}")
+        """Not supported: settings belong to the whole vector and are fixed when it is made."""
+        raise NotImplementedError(f"{attr_name} cannot change; make a new vector with another one")
 
     def env_method(
         self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any
     ) -> list[Any]:
-        """Refused: there are no single environments that could have methods."""
-        raise NotImplementedError(f"{method_name}: the environments step at once, in Rust")
+        """Not supported: there are no single environments that could have methods."""
+        raise NotImplementedError(
+            f"{method_name}: the environments step together in Rust; there are no single ones"
+        )
 
     def env_is_wrapped(self, wrapper_class: type[Any], indices: Any = None) -> list[bool]:
-        """That no environment is wrapped."""
+        """False for every environment: none is wrapped."""
         del wrapper_class
         return [False for _ in self._get_indices(indices)]
 

@@ -1,4 +1,4 @@
-"""What an environment is asked to be, from Python's side to Rust's."""
+"""The settings of an environment, checked and ready for Rust."""
 
 from __future__ import annotations
 
@@ -8,25 +8,32 @@ from collections.abc import Mapping, Sequence
 from dataclasses import astuple, dataclass, fields
 from typing import Any
 
-from carom.arguments import instance, number, numbers, thread_count, whole
+from carom.arguments import instance, number, numbers, text, thread_count, whole
 from carom.build import Physics, Table
+from carom.deprecated import renamed_keys
 from carom.errors import InputError
 from carom.noise import Noise
 
-# The largest count that Rust takes.
+# The largest count that Rust accepts.
 _LARGEST = 2**31 - 1
+
+#: Settings that were renamed: old names and new ones.
+_RENAMED = {"target": "points"}
 
 
 @dataclass(frozen=True, slots=True)
 class Rewards:
-    """What a shot earns, from the view of the player who shoots.
+    """The reward of a shot, from the view of the player who shoots.
 
     Attributes:
-        win: The frame won; lost, its negative.
-        pot: Each ball potted by a legal shot that was the shooter's to pot.
-        foul: A foul.
-        point: Each point more than the other player gets by the shot.
-        failure: A shot that cannot be played, or whose simulation reaches its cap on events.
+        win: For a frame won; its negative for a frame lost.
+        pot: For each ball potted by a legal shot, if the shooter was allowed to pot it.
+        foul: For a foul.
+        point: For each point by which the shot improves the shooter's lead.
+        failure: For a shot that cannot be simulated, or whose simulation reaches its event cap.
+
+    Raises:
+        InputError: A number is missing or not finite.
     """
 
     win: float = 0.0
@@ -35,8 +42,91 @@ class Rewards:
     point: float = 0.0
     failure: float = -1.0
 
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = number(f"rewards.{field.name}", getattr(self, field.name))
+            if not math.isfinite(value):
+                raise InputError(f"rewards.{field.name}: {value!r} is not finite; write a number")
+            object.__setattr__(self, field.name, value)
 
-def pack(
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Settings:
+    """The settings as Rust reads them, by attribute; see :func:`settings` for their meaning.
+
+    Attributes:
+        noise: Standard deviations in the order of ``Noise``.
+        aim: As given.
+        speed: Least and largest speed of the cue, m/s.
+        max_elevation: rad.
+        opponent: As given.
+        balls: Least and most object balls, or None.
+        target_ball: As given.
+        table: A plain description or a name, or None.
+        physics: Likewise.
+        points: As given.
+        patience: As given.
+        rewards: As given.
+        max_episode_steps: As given.
+        autoreset_mode: As given.
+        threads: Number of threads; None means one per core.
+    """
+
+    noise: tuple[float, ...]
+    aim: str
+    speed: tuple[float, ...]
+    max_elevation: float
+    opponent: str
+    balls: tuple[int, int] | None
+    target_ball: str
+    table: Any
+    physics: Any
+    points: int | None
+    patience: int
+    rewards: Rewards | None
+    max_episode_steps: int | None
+    autoreset_mode: str
+    threads: int | None
+
+
+def settings(**given: Any) -> Settings:
+    """Check the settings of an environment.
+
+    Args:
+        given: The settings below, by name. ``target`` is the old name of ``points``.
+
+    The settings:
+
+    - ``noise``: Execution noise of every strike, the opponent's too; None means no noise.
+    - ``aim``: ``absolute``: the first action is the cue's direction, −1 to 1 for −π to π.
+      ``relative``: it says where the cue ball meets the nearest ball on, from that ball's right
+      edge (−1) to its left edge (1).
+    - ``speed``: Least and largest speed of the cue, m/s.
+    - ``max_elevation``: Largest elevation of the cue, rad; the lower half of the action is level.
+    - ``opponent``: ``none``, ``random`` or ``potter``: who plays the second player.
+    - ``balls``: Number of object balls that are placed at random at the start, or the least and
+      the most. In potting None means 1. In the games None means a rack; otherwise the game begins
+      in the middle, with equal scores. In snooker these are the reds, and the colours are on their
+      spots; three-cushion has 2; sum-to-three ignores it.
+    - ``target_ball``: In potting, the ball to pot: ``any`` or ``lowest``.
+    - ``table``: As in a shot; None means the task's own.
+    - ``physics``: As in a shot; None means the table's own.
+    - ``points``: Points that win straight pool (None means 100), three-cushion (40) and
+      sum-to-three (10).
+    - ``patience``: Number of shots without progress after which the frame is a stalemate.
+    - ``rewards``: The rewards of a shot; None means the task's own.
+    - ``max_episode_steps``: Steps after which an episode is truncated; None means no limit.
+    - ``autoreset_mode``: ``same-step``, ``next-step`` or ``disabled``. Single environments never
+      reset by themselves.
+    - ``threads``: Number of threads; None means one per core. Results do not depend on it.
+
+    Raises:
+        InputError: A setting is unknown or has a wrong type. Rust checks the ranges.
+    """
+    return _checked(**renamed_keys("settings", given, _RENAMED))
+
+
+def _checked(
     *,
     noise: Noise | None = None,
     aim: str = "absolute",
@@ -47,51 +137,16 @@ def pack(
     target_ball: str = "any",
     table: Table | str | Mapping[str, Any] | None = None,
     physics: Physics | str | Mapping[str, Any] | None = None,
-    target: int | None = None,
+    points: int | None = None,
     patience: int = 100,
     rewards: Rewards | None = None,
     max_episode_steps: int | None = None,
     autoreset_mode: str = "same-step",
     threads: int | None = None,
     **unknown: Any,
-) -> dict[str, Any]:
-    """The settings of an environment as Rust takes them.
-
-    Args:
-        noise: Errors of every strike, the opponent's too; none if None.
-        aim: ``absolute``: the first action is the cue's direction, −1 to 1 for −π to π.
-            ``relative``: where the nearest ball on is hit, from its right edge (−1) to its left
-            edge (1).
-        speed: The least and the largest speed of the cue, m/s.
-        max_elevation: The largest elevation of the cue, rad; the action's lower half is level.
-        opponent: ``none``, ``random`` or ``potter``: who plays player 1.
-        balls: Object balls that lie at random at the start, a number, or least and most. In
-            potting 1 if None; the games begin with a rack if None, else in the middle, nobody
-            ahead. In snooker these are the reds, and the colours stand on their spots;
-            three-cushion has 2; sum-to-three always begins in its own way.
-        target_ball: In potting, ``any`` or ``lowest``.
-        table: As in a shot; the task's own if None.
-        physics: As in a shot; the table's own if None.
-        target: Points that win straight pool (100 if None), three-cushion (40) and sum-to-three
-            (10).
-        patience: Shots without progress that make a stalemate.
-        rewards: What a shot earns; the task's usual ones if None.
-        max_episode_steps: Steps after which an episode is truncated; no limit if None.
-        autoreset_mode: ``same-step``, ``next-step`` or ``disabled``; single environments never
-            reset by themselves.
-        threads: How many step; all cores if None. Results do not depend on it.
-        unknown: Refused.
-
-    Raises:
-        InputError: There is no such setting, or a value has a wrong type. What is out of range,
-            Rust refuses.
-    """
+) -> Settings:
     for name in unknown:
         raise InputError(_no_such(name))
-    if isinstance(table, Table):
-        table = table.description
-    if isinstance(physics, Physics):
-        physics = physics.description
     if noise is not None:
         instance("noise", noise, Noise, "carom.Noise.olympiad(1.0)")
     if rewards is not None and not isinstance(rewards, Rewards):
@@ -99,31 +154,31 @@ def pack(
             f"rewards: found a {type(rewards).__name__}; give carom.env.Rewards(...), "
             "for example carom.env.Rewards(win=1.0)"
         )
-    return {
-        "noise": astuple(noise or Noise()),
-        "aim": str(aim),
-        "speed": numbers("speed", speed, 2),
-        "elevation": number("max_elevation", max_elevation),
-        "opponent": str(opponent),
-        "balls": None if balls is None else _whole_pair("balls", balls),
-        "target_ball": str(target_ball),
-        "table": table,
-        "physics": physics,
-        "target": None if target is None else whole("target", target, _LARGEST + 1),
-        "patience": whole("patience", patience, _LARGEST + 1),
-        "rewards": None if rewards is None else _finite(rewards),
-        "max_steps": (
+    return Settings(
+        noise=astuple(noise or Noise()),
+        aim=text("aim", aim, '"absolute"'),
+        speed=numbers("speed", speed, 2),
+        max_elevation=number("max_elevation", max_elevation),
+        opponent=text("opponent", opponent, '"none"'),
+        balls=None if balls is None else _whole_pair("balls", balls),
+        target_ball=text("target_ball", target_ball, '"any"'),
+        table=table.description if isinstance(table, Table) else table,
+        physics=physics.description if isinstance(physics, Physics) else physics,
+        points=None if points is None else whole("points", points, _LARGEST + 1),
+        patience=whole("patience", patience, _LARGEST + 1),
+        rewards=rewards,
+        max_episode_steps=(
             None
             if max_episode_steps is None
             else whole("max_episode_steps", max_episode_steps, _LARGEST + 1)
         ),
-        "autoreset": str(autoreset_mode),
-        "threads": thread_count(threads) or None,
-    }
+        autoreset_mode=text("autoreset_mode", autoreset_mode, '"same-step"'),
+        threads=thread_count(threads) or None,
+    )
 
 
 def _no_such(name: str) -> str:
-    known = [*(pack.__kwdefaults__ or {}), "render_mode"]
+    known = [*(_checked.__kwdefaults__ or {}), "render_mode"]
     near = difflib.get_close_matches(name, known, 1)
     meant = f'did you mean "{near[0]}"? ' if near else ""
     return f"{name}: there is no such setting; {meant}(known: {', '.join(known)})"
@@ -136,13 +191,6 @@ def _whole_pair(name: str, value: int | Sequence[int]) -> tuple[int, int]:
         low = high = value
     except ValueError:
         raise InputError(
-            f"{name}: {value!r} is not a count, nor two; write whole numbers"
+            f"{name}: {value!r} is neither one count nor two; write one whole number or two"
         ) from None
     return whole(name, low, _LARGEST + 1), whole(name, high, _LARGEST + 1)
-
-
-def _finite(rewards: Rewards) -> tuple[float, ...]:
-    values = numbers("rewards", astuple(rewards), len(fields(rewards)))
-    if not all(math.isfinite(value) for value in values):
-        raise InputError(f"rewards: {values!r} are not all finite; write numbers")
-    return values

@@ -1,4 +1,4 @@
-"""One environment, as Gymnasium has it."""
+"""A single environment for Gymnasium."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from gymnasium.error import ResetNeeded
 from carom import _core
 from carom.arguments import text, whole
 from carom.env.render import check_mode, frame
-from carom.env.settings import pack
+from carom.env.settings import settings as checked
 from carom.env.vector import floats, spaces
 
 if TYPE_CHECKING:
@@ -20,25 +20,24 @@ if TYPE_CHECKING:
 
 
 class CaromEnv(gymnasium.Env[Any, Any]):
-    """One environment: the same as one of a ``CaromVectorEnv``, to the bit.
+    """A single environment; it equals one of a ``CaromVectorEnv`` to the bit.
 
     ``info`` has ``player`` (who shoots next; −1 at the end of an episode), ``legal`` (whether the
-    agent's shot was) and ``potted`` (balls that it potted and that were the shooter's to pot).
-    ``copy.deepcopy`` gives an environment that goes on by itself from the same place.
+    agent's shot was legal) and ``potted`` (number of balls that it potted and was allowed to pot).
+    ``copy.deepcopy`` returns an independent environment in the same state.
 
     Args:
         task: ``potting``, ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``,
             ``snooker``, ``three-cushion`` or ``sum-to-three``.
         render_mode: ``rgb_array`` or None.
-        settings: See :func:`carom.env.settings.pack`.
+        settings: See :func:`carom.env.settings.settings`.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 1}  # noqa: RUF012
 
     def __init__(self, task: str, *, render_mode: str | None = None, **settings: Any) -> None:
-        settings.pop("autoreset_mode", None)
-        packed = pack(autoreset_mode="disabled", **({"threads": 1} | settings))
-        self._core = _core.VectorEnv(text("task", task), 1, packed)
+        given = {"threads": 1} | settings | {"autoreset_mode": "disabled"}
+        self._core = _core.VectorEnv(text("task", task), 1, checked(**given))
         self.render_mode = check_mode(render_mode)
         self.observation_space, self.action_space = spaces(self._core)
         self._seeded = False
@@ -46,7 +45,7 @@ class CaromEnv(gymnasium.Env[Any, Any]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Array, dict[str, Any]]:
-        """Begins the first episode of ``seed``, or the next one of the seed of before."""
+        """Begin the first episode of ``seed``; without a seed, the next episode."""
         seed = None if seed is None else whole("seed", seed)
         super().reset(seed=seed, options=options)
         if seed is None and not self._seeded:
@@ -56,7 +55,7 @@ class CaromEnv(gymnasium.Env[Any, Any]):
         return observations[0], {}
 
     def step(self, action: Array) -> tuple[Array, float, bool, bool, dict[str, Any]]:
-        """Plays a shot; numbers of ``action`` beyond [−1, 1] are brought into it."""
+        """Play a shot. Numbers of ``action`` outside [−1, 1] are clipped."""
         if not self._seeded:
             raise ResetNeeded("call reset before step")
         out = self._core.step(floats("action", action).reshape(1, -1))
@@ -70,5 +69,5 @@ class CaromEnv(gymnasium.Env[Any, Any]):
         )
 
     def render(self) -> Any:
-        """A picture of the table, uint8 of shape (height, width, 3), if the mode asks for one."""
+        """A picture of the table, uint8 of shape (height, width, 3); None without a render mode."""
         return None if self.render_mode is None else frame(self._core.picture(0))

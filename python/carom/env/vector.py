@@ -15,7 +15,7 @@ from gymnasium.vector.utils import batch_space
 from carom import _core
 from carom.arguments import WORD, text, whole
 from carom.env.render import check_mode, frame
-from carom.env.settings import pack
+from carom.env.settings import settings as checked
 from carom.errors import InputError
 
 if TYPE_CHECKING:
@@ -28,10 +28,9 @@ _MODES = {
     "next-step": AutoresetMode.NEXT_STEP,
     "disabled": AutoresetMode.DISABLED,
 }
-
-
-# More than fit into any memory, at some kilobytes each.
-_MOST = 10**7
+# Most environments of a vector. An environment takes some tens of kilobytes, so these need
+# some tens of gigabytes; the process would be killed when memory runs out.
+_MOST = 10**6
 
 
 def spaces(core: _core.VectorEnv) -> tuple[Box, Box]:
@@ -42,10 +41,10 @@ def spaces(core: _core.VectorEnv) -> tuple[Box, Box]:
 
 
 def floats(name: str, values: Any) -> NDArray[np.float32]:
-    """Numbers as Rust takes them.
+    """Numbers in the form that Rust accepts.
 
     Raises:
-        InputError: They are none.
+        InputError: ``values`` is not an array of numbers.
     """
     try:
         return np.ascontiguousarray(values, dtype=np.float32)
@@ -53,30 +52,44 @@ def floats(name: str, values: Any) -> NDArray[np.float32]:
         raise InputError(f"{name}: not an array of numbers; give one") from None
 
 
+def reset_mask(options: Any) -> Any:
+    """The mask in the options of a reset; None if there is none.
+
+    Raises:
+        InputError: The options are not a dict.
+    """
+    if options is None:
+        return None
+    if not isinstance(options, dict):
+        found = type(options).__name__
+        raise InputError(f'options: found a {found}; give {{"reset_mask": ...}}')
+    return options.get("reset_mask")
+
+
 class CaromVectorEnv(VectorEnv[Any, Any, Any]):
-    """A row of environments of one task.
+    """Environments of one task that step together.
 
-    Environment ``i`` of a vector that is reset with seed ``s`` is the single environment reset with
-    ``s + i``, to the bit, for any number of threads.
+    Environment ``i`` of a vector that is reset with seed ``s`` equals the single environment that
+    is reset with ``s + i``, to the bit, for any number of threads.
 
-    ``info`` has arrays of one entry an environment: ``player`` (who shoots next; −1 at the end of
-    an episode), ``legal`` (whether the agent's shot was), ``potted`` (balls that it potted and
-    that were the shooter's to pot). In the mode ``same-step``, the steps that end episodes have
-    besides what Gymnasium has there: ``final_obs``, the old episode's last rows, shape
-    (num_envs, observation size), 0 where none has ended; ``final_info``, its last ``player``,
-    ``legal`` and ``potted``; and the masks ``_final_obs`` and ``_final_info``. ``player`` itself is
-    then the new episode's. ``copy.deepcopy`` gives a vector that goes on by itself from the same
-    place.
+    ``info`` has arrays with one entry per environment: ``player`` (who shoots next; −1 at the end
+    of an episode), ``legal`` (whether the agent's shot was legal), ``potted`` (number of balls that
+    it potted and was allowed to pot). In the mode ``same-step``, a step that ends episodes also has
+    Gymnasium's keys: ``final_obs``, the last observations of the episodes that ended, shape
+    (num_envs, observation size), 0 for the others; ``final_info``, their last ``player``,
+    ``legal`` and ``potted``; and the masks ``_final_obs`` and ``_final_info``. ``player`` itself
+    then belongs to the new episode. ``copy.deepcopy`` returns an independent vector in the same
+    state.
 
     Args:
         task: ``potting``, ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``,
             ``snooker``, ``three-cushion`` or ``sum-to-three``.
-        num_envs: How many.
+        num_envs: Number of environments.
         render_mode: ``rgb_array`` or None.
         autoreset_mode: When the next episode begins: ``same-step``, ``next-step`` or
-            ``disabled`` (then ``reset(options={"reset_mask": ...})`` does it), or Gymnasium's
+            ``disabled`` (then ``reset(options={"reset_mask": ...})`` begins it), or Gymnasium's
             ``AutoresetMode``.
-        settings: As for the single environment.
+        settings: See :func:`carom.env.settings.settings`.
     """
 
     def __init__(
@@ -93,7 +106,7 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
             autoreset_mode = names[autoreset_mode]
         num_envs = whole("num_envs", num_envs, _MOST + 1, low=1)
         self._core = _core.VectorEnv(
-            text("task", task), num_envs, pack(autoreset_mode=autoreset_mode, **settings)
+            text("task", task), num_envs, checked(autoreset_mode=autoreset_mode, **settings)
         )
         self.metadata = {
             "render_modes": ["rgb_array"],
@@ -113,15 +126,17 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
         seed: int | Sequence[int] | None = None,
         options: dict[str, Any] | None = None,
     ) -> tuple[Array, dict[str, Any]]:
-        """Begins an episode in every environment.
+        """Begin an episode in every environment.
 
         Args:
-            seed: Of environment 0 (environment i has ``seed + i``), or one for each; None goes on
-                with the seeds of before.
-            options: ``reset_mask``: an array that says which environments are reset; all if it
-                is not given.
+            seed: The seed of environment 0 (environment i has ``seed + i``), or one seed for each.
+                None continues with the next episodes of the earlier seeds.
+            options: ``reset_mask``: a boolean array of the environments to reset; without it, all.
+
+        Raises:
+            InputError: A seed is invalid, or the mask has a wrong type or shape.
         """
-        mask = (options or {}).get("reset_mask")
+        mask = reset_mask(options)
         seeds: list[int] | None = None
         if seed is None and not self._seeded:
             seed = int(np_random(None)[0].integers(2**62))
@@ -139,14 +154,14 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
         return observations, {}
 
     def step(self, actions: Array) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
-        """Plays a shot in every environment.
+        """Play a shot in every environment.
 
         Args:
-            actions: Shape (num_envs, action size); numbers beyond [−1, 1] are brought into it.
+            actions: Shape (num_envs, action size); numbers outside [−1, 1] are clipped.
 
         Raises:
             InputError: The actions have another shape.
-            ResetNeeded: The vector was never reset.
+            ResetNeeded: The vector has not been reset yet.
         """
         if not self._seeded:
             raise ResetNeeded("call reset before step")
@@ -166,7 +181,7 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
         return observations, rewards, terminated, truncated, info
 
     def render(self) -> tuple[Array, ...] | None:
-        """A picture of every environment's table, if the render mode is ``rgb_array``."""
+        """A picture of every environment's table; None without a render mode."""
         if self.render_mode is None:
             return None
         return tuple(frame(self._core.picture(index)) for index in range(self.num_envs))

@@ -1,4 +1,4 @@
-"""Balls, their paths, and marks where something happened."""
+"""Balls, their paths, and marks of events."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from matplotlib.patches import Circle, PathPatch, Polygon, Rectangle
 from matplotlib.path import Path
 from matplotlib.patheffects import Normal, Stroke
 
+from carom.flights import runs
 from carom.picture import colors
 from carom.picture.colors import Look, look
 from carom.picture.paths import SEEN
-from carom.touches import runs
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,24 +21,23 @@ if TYPE_CHECKING:
 
     from carom.picture.paths import Leg, Point, Route
 
-# How each kind of event is marked: matplotlib's marker, its size in points, filled or not, and
-# what the key says.
+# The mark of each kind of event: Matplotlib's marker, its size in points, whether it is filled, and
+# the text of the legend.
 MARKS = {
     "ball-collision": ("o", 3.4, True, "balls collide"),
-    "rail-collision": ("D", 3.2, True, "ball meets cushion"),
+    "rail-collision": ("D", 3.2, True, "ball hits cushion"),
     "motion-transition": ("o", 2.6, False, "sliding becomes rolling"),
     "slate-collision": ("v", 3.6, False, "ball bounces"),
-    "pocket-collision": ("x", 4.2, True, "ball falls"),
+    "pocket-collision": ("x", 4.2, True, "ball is pocketed"),
     "off-table": ("X", 4.6, True, "ball leaves the table"),
 }
-# Where the shadow of a ball falls that is a metre up: to the right and down, m.
+# Offset of a ball's shadow per metre of height: to the right and down.
 SHADOW = (0.55, -0.75)
-# Dots for a path in the air; dashes are for striped balls.
+# Line style of a path in the air; dashes are for striped balls.
 DOTTED = (0.0, (0.05, 1.7))
 
 
-# The cue as drawn: tip, ferrule, shaft; where each begins and ends behind the ball's centre, in
-# ball radii.
+# The drawn cue: begin and end of tip, ferrule and shaft behind the ball's centre, ball radii.
 CUE_PIECES = (
     (1.35, 1.6, colors.TIP),
     (1.6, 2.1, colors.IVORY),
@@ -49,19 +48,19 @@ LABEL_SHARE = 0.72
 
 
 def points_per_metre(ax: Axes) -> float:
-    """How large a metre is drawn, typographic points."""
+    """Typographic points per metre of the drawing."""
     box = ax.get_window_extent()
     bottom, top = ax.get_ylim()
     return 72 * box.height / ax.figure.dpi / (top - bottom)
 
 
 def draw_paths(ax: Axes, routes: list[Route]) -> bool:
-    """Every ball's path, exact: one quadratic Bézier curve per leg.
+    """Draw every ball's exact path: one quadratic Bézier curve per leg.
 
-    In the air it is dotted, and there is its shadow.
+    A path in the air is dotted, with its shadow.
 
     Returns:
-        Whether a ball was seen to fly, for the key.
+        Whether a flight was drawn, for the legend.
     """
     flew = False
     for index, route in enumerate(routes):
@@ -122,7 +121,7 @@ def _draw_shadow(ax: Axes, legs: list[Leg], route: Route) -> None:
 
 
 def curve(pieces: Sequence[Sequence[Point]]) -> Path:
-    """Quadratic Bézier curves, each joined to the one before where that ends where it starts."""
+    """One path of quadratic Bézier curves; a gap where a curve does not start at the last end."""
     vertices: list[Point] = []
     codes: list[Any] = []
     for start, control, end in pieces:
@@ -135,13 +134,13 @@ def curve(pieces: Sequence[Sequence[Point]]) -> Path:
 
 
 def draw_marks(ax: Axes, events: list[dict[str, Any]], routes: list[Route]) -> set[str]:
-    """A small mark at every event, as a rail or pocket or colleague was met.
+    """Draw a small mark at every event.
 
-    Of a run of hops over an edge only the first touch is marked, and a bounce on the slate only
-    where the ball comes from, or goes to, a height that can be seen.
+    In a run of hops over an edge only the first touch is marked. A bounce on the slate is marked
+    only if the flight before or after it is high enough to be drawn.
 
     Returns:
-        The kinds that occurred, for the key.
+        The kinds of marks that were drawn, for the legend.
     """
     by_id = {route.id: (index, route) for index, route in enumerate(routes)}
     seen = set()
@@ -158,7 +157,7 @@ def draw_marks(ax: Axes, events: list[dict[str, Any]], routes: list[Route]) -> s
 
 
 def mark(event: dict[str, Any], routes: dict[str, Route]) -> str | None:
-    """The key in ``MARKS`` of an event's mark; None if it has none."""
+    """The kind of an event's mark, a key of ``MARKS``; None if the event has no mark."""
     kind: str = event["type"]
     if kind == "motion-transition":
         return kind if event["to"] == "rolling" else None
@@ -174,7 +173,7 @@ def mark(event: dict[str, Any], routes: dict[str, Route]) -> str | None:
 
 
 def draw_mark(ax: Axes, place: Point, kind: str, color: str) -> None:
-    """One mark, at ``place``."""
+    """Draw one mark at ``place``."""
     marker, size, filled, _ = MARKS[kind]
     crossed = marker == "x"
     ax.plot(
@@ -191,7 +190,7 @@ def draw_mark(ax: Axes, place: Point, kind: str, color: str) -> None:
 
 
 def _where(event: dict[str, Any], radii: list[float]) -> Point:
-    """The point of contact of two balls; otherwise the centre of the ball (of the group)."""
+    """The contact point of two balls; else the centre of the ball or of the group."""
     points = [state["position"] for state in event["before"]]
     if len(points) == 2:
         share = radii[0] / (radii[0] + radii[1])
@@ -204,12 +203,12 @@ def _where(event: dict[str, Any], radii: list[float]) -> Point:
 
 
 def draw_balls(ax: Axes, routes: list[Route], smallest: float) -> None:
-    """Hollow where a ball started, solid where it ended.
+    """Draw each ball hollow at its start and solid at its end.
 
     Args:
         ax: Where to draw, in m.
         routes: The balls.
-        smallest: Radius, m, below which a ball is drawn larger than it is, to be seen at all.
+        smallest: Least drawn radius, m; smaller balls are drawn with this radius.
     """
     for index, route in enumerate(routes):
         style = look(route.id, index)
@@ -231,7 +230,7 @@ def draw_balls(ax: Axes, routes: list[Route], smallest: float) -> None:
 
 
 def draw_cue(ax: Axes, tip: Point, azimuth: float, radius: float) -> None:
-    """The cue's front end, as it meets the ball.
+    """Draw the front end of the cue behind the ball.
 
     Args:
         ax: Where to draw, in m.
@@ -254,14 +253,17 @@ def draw_cue(ax: Axes, tip: Point, azimuth: float, radius: float) -> None:
 
 
 def _half_width(behind: float) -> float:
-    """Half the cue's width, ball radii, so far behind the ball's centre: 13 mm, growing."""
+    """Half the cue's width at a distance behind the ball's centre, both in ball radii.
+
+    The tip is 13 mm wide, and the shaft grows from there.
+    """
     return 0.22 + 0.008 * behind
 
 
 def draw_ball(
     ax: Axes, center: Point, radius: float, style: Look, *, gid: str | None = None
 ) -> None:
-    """One ball with its stripe and its number."""
+    """Draw one ball with its stripe and its number."""
     x, y = center
     rim = Circle(
         center,

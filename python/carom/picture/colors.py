@@ -1,4 +1,4 @@
-"""Colours: the balls as they are sold, and paths that can be told apart on the cloth."""
+"""Colours of the table, of the balls as they are sold, and of paths, visible on the cloth."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Look:
     label: str = ""
 
 
-# (body, path): the path is lighter where the body is too dark to see on the cloth.
+# (body, path): the path is lighter where the body would be too dark on the cloth.
 _POOL = {
     1: ("#f2b90f", "#ffd23f"),
     2: ("#1d4fae", "#7fb2ff"),
@@ -61,11 +61,11 @@ _OTHERS = ("#7fb2ff", "#ffd23f", "#ff6a5c", "#c2a0ff", "#ff9d4d", "#63d897", "#d
 
 
 def look(ball_id: str, index: int) -> Look:
-    """The look of a ball, from its id: a pool ball's number, a colour's name, or neither.
+    """The look of a ball from its id: a pool ball's number, a colour's name, or another name.
 
     Args:
-        ball_id: The ball's id; ``"9"``, ``"cue"``, ``"red-4"`` and ``"red4"`` are understood.
-        index: Its place in the shot; balls with other names take colours in this order.
+        ball_id: The ball's id; ``"9"``, ``"cue"``, ``"red-4"`` and ``"red4"`` have a look.
+        index: Its index in the shot; balls with other names get colours in this order.
     """
     if ball_id.isdecimal() and 1 <= int(ball_id) <= 15:
         number = int(ball_id)

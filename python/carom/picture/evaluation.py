@@ -1,38 +1,48 @@
-"""The picture of an evaluation: where the cue ball goes, and where it comes to rest."""
+"""The picture of an evaluation: paths of the cue ball, and where it comes to rest."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import astuple
 from typing import TYPE_CHECKING
 
+import numpy as np
+from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.patches import Ellipse, PathPatch
+
+from carom import _core
+from carom.arguments import instance
+from carom.batch import VARIABLES
+from carom.errors import InputError
 from carom.picture import colors
-from carom.picture._matplotlib import as_written
-from carom.picture.canvas import to_png, to_svg
+from carom.picture.balls import curve, draw_ball, draw_cue
+from carom.picture.output import as_written, to_png, to_svg
+from carom.picture.paths import routes, starts
 from carom.picture.sheet import MARGIN_INCHES, sheet
+from carom.plan import Evaluation
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from carom.plan import Evaluation
     from carom.shot import Shot
 
-# Variants whose paths are drawn: enough to see how they fan out, few enough to see between them.
+# Number of variants whose paths are drawn: enough to show the spread, few enough to stay legible.
 FAN = 40
 # Cells of the heat map along the table's longer side.
 CELLS = 160
 # Width of the panel beside the table, inches.
 PANEL_INCHES = 4.2
-# The ellipse holds as much of a normal distribution as this many standard deviations, per axis.
+# Half axes of the ellipse, standard deviations.
 DEVIATIONS = 2.0
 
 
 def draw(evaluation: Evaluation, *, title: str | None = None) -> Figure:
-    """Draw a fan of variants and the heat of the cue ball's ends.
+    """Draw the paths of some variants and the density of the cue ball's final positions.
 
     Args:
-        evaluation: What to draw.
-        title: Heading of the panel; the table's name without it.
+        evaluation: The evaluation to draw.
+        title: Heading of the panel; None writes the table's name.
 
     Returns:
         A matplotlib figure, not attached to any window.
@@ -40,6 +50,7 @@ def draw(evaluation: Evaluation, *, title: str | None = None) -> Figure:
     Raises:
         InputError: The cloth has no edges, so there is no table to draw.
     """
+    instance("evaluation", evaluation, Evaluation, "Shot.evaluate(noise)")
     shot = evaluation.shot
     geometry = shot.geometry()
     figure, ax = sheet(shot, PANEL_INCHES)
@@ -69,18 +80,12 @@ def svg(evaluation: Evaluation, *, title: str | None = None) -> str:
 
 
 def png(evaluation: Evaluation, *, title: str | None = None) -> bytes:
-    """The picture as a PNG file's content."""
+    """The picture as the content of a PNG file."""
     return to_png(draw(evaluation, title=title))
 
 
 def variants(evaluation: Evaluation, count: int) -> list[Shot]:
-    """Those of the first ``count`` variants that can be played."""
-    from dataclasses import astuple
-
-    from carom import _core
-    from carom.batch import VARIABLES
-    from carom.errors import InputError
-
+    """The valid ones among the first ``count`` variants."""
     shot, seed = evaluation.shot, evaluation.seed
     strikes = _core.draw_strikes(shot._core, astuple(evaluation.noise), seed, 0, count)
     played = []
@@ -95,7 +100,7 @@ def variants(evaluation: Evaluation, count: int) -> list[Shot]:
 
 
 def _errors(evaluation: Evaluation) -> str:
-    """How the player errs, in words."""
+    """The player's noise, in words."""
     noise = evaluation.noise
     said = (
         f"σ of the strike: {noise.speed:.3g} m/s, direction {math.degrees(noise.azimuth):.3g}°,\n"
@@ -103,16 +108,13 @@ def _errors(evaluation: Evaluation) -> str:
         f"tip {1e3 * noise.side:.3g} and {1e3 * noise.height:.3g} mm"
     )
     if evaluation.perception.position:
-        said += f"\nσ of where balls are seen: {1e3 * evaluation.perception.position:.3g} mm"
+        said += (
+            f"\nσ of the balls' perceived positions: {1e3 * evaluation.perception.position:.3g} mm"
+        )
     return said
 
 
 def _draw_fan(ax: Axes, evaluation: Evaluation) -> None:
-    from matplotlib.patches import PathPatch
-
-    from carom.picture.balls import curve
-    from carom.picture.paths import routes, starts
-
     for index, variant in enumerate(variants(evaluation, min(FAN, evaluation.n))):
         trace = variant.simulate()
         for number, route in enumerate(routes(trace.to_dict(), starts(trace))):
@@ -133,9 +135,6 @@ def _draw_fan(ax: Axes, evaluation: Evaluation) -> None:
 
 
 def _draw_heat(ax: Axes, evaluation: Evaluation, size: tuple[float, float]) -> None:
-    import numpy as np
-    from matplotlib.colors import LinearSegmentedColormap
-
     ends = evaluation.cue_ball_ends
     ends = ends[~np.isnan(ends[:, 0])]
     if not len(ends):
@@ -149,7 +148,7 @@ def _draw_heat(ax: Axes, evaluation: Evaluation, size: tuple[float, float]) -> N
         range=((0, width), (0, length)),
     )
     glow = LinearSegmentedColormap.from_list("glow", ["#ffb00000", "#ffb000c0", "#fff3c8ff"])
-    # By the root, so that what is rare can be seen beside what is not.
+    # The square root makes rare positions visible beside frequent ones.
     ax.imshow(
         np.sqrt(counts.T),
         origin="lower",
@@ -162,13 +161,10 @@ def _draw_heat(ax: Axes, evaluation: Evaluation, size: tuple[float, float]) -> N
 
 
 def _draw_ellipse(ax: Axes, evaluation: Evaluation) -> None:
-    import numpy as np
-    from matplotlib.patches import Ellipse
-
     if evaluation.at_rest[evaluation.cue_ball] < 2:
         return
     spread, axes = np.linalg.eigh(evaluation.end_covariance[evaluation.cue_ball])
-    # Rounding may take a spread of nothing below it.
+    # Rounding may make a variance of zero slightly negative.
     long, short = (2 * DEVIATIONS * math.sqrt(max(0.0, s)) for s in spread[::-1])
     ax.add_patch(
         Ellipse(
@@ -187,8 +183,6 @@ def _draw_ellipse(ax: Axes, evaluation: Evaluation) -> None:
 
 
 def _draw_start(ax: Axes, shot: Shot) -> None:
-    from carom.picture.balls import draw_ball, draw_cue
-
     start = shot.simulate().at(0.0).position
     struck = shot.to_dict()["strike"].get("ball", "cue")
     for index, (name, radius) in enumerate(zip(shot.ids, shot.radius.tolist(), strict=True)):

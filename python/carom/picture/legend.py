@@ -1,10 +1,10 @@
-"""The panel beside the table: what the shot is, what each ball did, what the marks mean."""
+"""The panel beside the table: title, one line for each ball, and the legend of the marks."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from matplotlib.patches import PathPatch
+from matplotlib.patches import Circle, PathPatch
 
 from carom.picture import colors
 from carom.picture.balls import DOTTED, MARKS, curve, draw_ball
@@ -26,7 +26,7 @@ class Panel:
         self.point = metres_per_point
 
     def write(self, text: str, size: float, *, indent: float = 0.0, **style: Any) -> None:
-        """One line; the next stands below it."""
+        """Write one line; the next one goes below it."""
         self.y -= 1.45 * size * self.point
         self.ax.text(
             self.left + indent * self.point,
@@ -62,13 +62,13 @@ def draw_panel(
     )
     panel.write(f"hash {trace['hash']}", 8.5, color=colors.FAINT_INK)
     panel.skip(10)
-    # A snooker table's 22 balls, or more, still have to fit.
+    # Lower lines for many balls, such as snooker's 22, so that all of them fit.
     row = min(17.0, 300.0 / max(1, len(routes)))
     _balls(panel, trace, routes, row)
     panel.skip(12)
     for kind, (marker, size, filled, text) in MARKS.items():
         if kind in seen:
-            _key(panel, marker, size, filled, text)
+            _legend_of_mark(panel, marker, size, filled, text)
     if flew:
         _flight(panel)
     panel.skip(17)
@@ -86,7 +86,7 @@ def _balls(panel: Panel, trace: dict[str, Any], routes: list[Route], row: float)
     }
     radius = 0.36 * row * panel.point
     size = min(8.5, 0.56 * row)
-    # Racks are shuffled; a list reads best in order.
+    # The shot's order is that of a shuffled rack; the list is sorted.
     for index, route in sorted(enumerate(routes), key=lambda item: _natural(item[1].id)):
         panel.skip(row)
         style = look(route.id, index)
@@ -120,11 +120,11 @@ def _balls(panel: Panel, trace: dict[str, Any], routes: list[Route], row: float)
 
 
 def _natural(ball_id: str) -> tuple[bool, int]:
-    """Names as they stand, then numbers as they count."""
+    """Sort key: names in their order first, then numbers by value."""
     return (ball_id.isdecimal(), int(ball_id) if ball_id.isdecimal() else 0)
 
 
-def _key(panel: Panel, marker: str, size: float, filled: bool, text: str) -> None:
+def _legend_of_mark(panel: Panel, marker: str, size: float, filled: bool, text: str) -> None:
     panel.skip(14)
     panel.ax.plot(
         [panel.left + 6 * panel.point],
@@ -151,7 +151,7 @@ def _explain(panel: Panel, text: str) -> None:
 
 
 def _flight(panel: Panel) -> None:
-    """The key of a path in the air."""
+    """The legend of a path in the air."""
     panel.skip(14)
     left, middle, right = (panel.left + offset * panel.point for offset in (0, 6, 12))
     path, low = panel.y + 2 * panel.point, panel.y - 5 * panel.point
@@ -172,8 +172,6 @@ def _flight(panel: Panel) -> None:
 
 
 def _ring(panel: Panel) -> Any:
-    from matplotlib.patches import Circle
-
     return Circle(
         (panel.left + 6 * panel.point, panel.y),
         4.2 * panel.point,

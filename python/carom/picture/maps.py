@@ -1,55 +1,54 @@
-"""Pictures of maps: potting chances, positions, what pockets take, and breaks."""
+"""Pictures of maps: pot probabilities, positions, pocket acceptance, cushion shots, breaks."""
 
 from __future__ import annotations
 
 import math
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.figure import Figure
+
 from carom.arguments import instance
-from carom.picture import _matplotlib, colors
-from carom.picture._matplotlib import as_written
-from carom.picture.canvas import to_png, to_svg
+from carom.cushions import CushionTable
+from carom.maps import Acceptance, BreakStatistics, PositionMap, PotMap
+from carom.picture import colors
+from carom.picture.balls import draw_ball
+from carom.picture.output import as_written, to_png, to_svg
 from carom.picture.sheet import sheet
 
 if TYPE_CHECKING:
-    import numpy as np
     from matplotlib.axes import Axes
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    from carom.cushions import CushionTable
-    from carom.maps import Acceptance, BreakStatistics, PositionMap, PotMap
     from carom.shot import Shot
 
     Drawn: TypeAlias = PotMap | PositionMap | Acceptance | BreakStatistics | CushionTable
 
-# Room beside the table for the scale, inches.
+# Width of the space beside the table for the scale, inches.
 SCALE_INCHES = 1.3
-# Curves and bars without a table, inches.
+# Size of a figure of curves and bars without a table, inches.
 CHART_INCHES = (7.2, 4.6)
-# Above the cloth and below what is on it, so that the colours are those of the scale.
+# Layer above the cloth and below the balls, so that the map has the colours of the scale.
 MAP_LAYER = 1.15
 
 
 def draw(found: Drawn, *, title: str | None = None) -> Figure:
-    """Draw a map or statistics, each in its own way.
+    """Draw a map, a table of cushion shots or statistics of breaks.
 
     Args:
-        found: What ``carom.pot_map`` and its like gave.
-        title: Heading; a usual one without it.
+        found: The result of ``carom.pot_map`` or of a similar function.
+        title: Heading; None writes a default one.
 
     Returns:
         A matplotlib figure, not attached to any window.
     """
-    _matplotlib.prepare()
     return as_written(_draw(found, title))
 
 
 def _draw(found: Drawn, title: str | None) -> Figure:
-    from carom.cushions import CushionTable
-    from carom.maps import Acceptance, BreakStatistics, PositionMap, PotMap
-
     if isinstance(found, CushionTable):
         return _draw_cushions(found, title or f"{found.ball} off the cushions")
     if isinstance(found, PotMap):
@@ -57,8 +56,8 @@ def _draw(found: Drawn, title: str | None) -> Figure:
     if isinstance(found, PositionMap):
         return _draw_positions(found, title or f"after {found.ball} into {found.pocket}")
     if isinstance(found, Acceptance):
-        return _draw_acceptance(found, title or f"what {found.pocket} takes")
-    such_as = "what carom.break_statistics() gave"
+        return _draw_acceptance(found, title or f"acceptance of {found.pocket}")
+    such_as = "the result of carom.break_statistics()"
     breaks = instance("found", found, BreakStatistics, such_as)
     return _draw_breaks(breaks, title or f"{breaks.racks} breaks of {breaks.game}")
 
@@ -69,7 +68,7 @@ def svg(found: Drawn, *, title: str | None = None) -> str:
 
 
 def png(found: Drawn, *, title: str | None = None) -> bytes:
-    """The picture as a PNG file's content."""
+    """The picture as the content of a PNG file."""
     return to_png(draw(found, title=title))
 
 
@@ -86,7 +85,7 @@ def _draw_pots(found: PotMap, title: str) -> Figure:
         zorder=MAP_LAYER,
         gid="chance",
     )
-    bar = _scale(figure, ax, image, "chance of the pot")
+    bar = _scale(figure, ax, image, "probability of the pot")
     bar.ax.yaxis.set_major_formatter(lambda x, _: f"{100 * x:.0f} %")
     _balls(ax, found.shot, without=_struck(found.shot))
     return figure
@@ -131,7 +130,7 @@ def _draw_positions(found: PositionMap, title: str) -> Figure:
 
 
 def _spins(found: PositionMap) -> tuple[str, list[str]]:
-    """What the labels of the lines say, and the labels: of side and height what is not the same."""
+    """The heading and the labels of the lines: side, height or both, whichever varies."""
     sides, heights = (
         [f"{value:+.2g}" if value else "0" for value in spin] for spin in (found.side, found.height)
     )
@@ -145,7 +144,7 @@ def _spins(found: PositionMap) -> tuple[str, list[str]]:
 
 def _draw_cushions(found: CushionTable, title: str) -> Figure:
     figure, ax = sheet(found.shot, SCALE_INCHES, heading=title)
-    # One colour bar: for the speeds where there are several, else for the sides.
+    # The one colour bar shows the speed if there are several speeds, else the side.
     by_speed = len(found.speed) > 1 or len(found.side) == 1
     paint = _paint(found.speed if by_speed else found.side)
     file = next(ball for ball in found.shot.to_dict()["balls"] if ball["id"] == found.ball)
@@ -177,38 +176,30 @@ def _draw_cushions(found: CushionTable, title: str) -> Figure:
 
 
 def _dashes(side: float) -> Any:
-    """Solid without side, dashed with left, dotted with right."""
+    """Line style: solid without side, dashed for left side, dotted for right side."""
     return "solid" if side == 0 else (0, (5, 2)) if side < 0 else (0, (1, 1.2))
 
 
 def _paint(values: NDArray[np.float64]) -> ScalarMappable:
-    """Colours from the least to the greatest value that can be seen on the cloth."""
-    import numpy as np
-    from matplotlib import colormaps
-    from matplotlib.cm import ScalarMappable
-    from matplotlib.colors import ListedColormap, Normalize
-
-    # The dark end of the map is darker than the cloth.
+    """A colour map from the least to the greatest value, visible on the cloth."""
+    # The dark end of the colour map cannot be seen on the cloth.
     bright = ListedColormap(colormaps["plasma"](np.linspace(0.42, 1.0, 256)))
     return ScalarMappable(Normalize(float(values.min()), float(values.max())), bright)
 
 
 def _gapped(values: Any, good: Any) -> list[float]:
-    """NaN where the ball does not fall: there the line breaks."""
+    """NaN where the ball is not potted, which breaks the line."""
     return [float(v) if ok else math.nan for v, ok in zip(values, good, strict=True)]
 
 
 def _draw_acceptance(found: Acceptance, title: str) -> Figure:
-    import numpy as np
-    from matplotlib.figure import Figure
-
     figure = Figure(figsize=CHART_INCHES, facecolor=colors.PAPER, layout="constrained")
     ax = figure.add_subplot(facecolor=colors.PAPER)
     angles = np.degrees(found.angle)
     for row, speed in enumerate(found.speed):
         ax.plot(angles, 1e3 * found.width[row], label=f"{speed:g} m/s", gid=f"speed-{row}")
     ax.set_xlabel("angle to the pocket's axis, degrees")
-    ax.set_ylabel("offsets that are taken, mm")
+    ax.set_ylabel("accepted offsets, mm")
     ax.set_ylim(bottom=0)
     ax.set_title(title)
     ax.legend(title="speed", frameon=False)
@@ -217,14 +208,11 @@ def _draw_acceptance(found: Acceptance, title: str) -> Figure:
 
 
 def _draw_breaks(found: BreakStatistics, title: str) -> Figure:
-    import numpy as np
-    from matplotlib.figure import Figure
-
     figure = Figure(figsize=CHART_INCHES, facecolor=colors.PAPER, layout="constrained")
     fell, what = figure.subplots(1, 2, width_ratios=(1, 1.4))
     counts = np.bincount(found.potted)
     fell.bar(range(len(counts)), 100 * counts / found.racks, color=colors.CLOTH)
-    fell.set_xlabel("balls that fall")
+    fell.set_xlabel("balls potted")
     fell.set_ylabel("breaks, %")
     chances = found.chances()
     names = list(chances)[::-1]
@@ -234,7 +222,7 @@ def _draw_breaks(found: BreakStatistics, title: str) -> Figure:
         [100 * chances[name].high - m for m, name in zip(middle, names, strict=True)],
     ]
     what.errorbar(middle, names, xerr=errors, fmt="o", markersize=3, color=colors.CLOTH)
-    what.set_xlabel(f"%, with intervals of {100 * found.level:g} %")
+    what.set_xlabel(f"%, with confidence intervals of {100 * found.level:g} %")
     what.set_xlim(left=0)
     what.tick_params(axis="y", labelsize=7)
     for ax in (fell, what):
@@ -259,8 +247,6 @@ def _struck(shot: Shot) -> str | None:
 
 
 def _balls(ax: Axes, shot: Shot, *, without: str | None = None, only: str | None = None) -> None:
-    from carom.picture.balls import draw_ball
-
     for index, ball in enumerate(shot.to_dict()["balls"]):
         if ball["id"] == without or only not in {None, ball["id"]}:
             continue

@@ -1,8 +1,8 @@
-"""The path of every ball, as pieces that a vector picture draws exactly.
+"""The path of every ball as curves that a vector picture draws exactly.
 
-Between two of its events a ball moves on a parabola, p(t) = p₀ + v₀t + ½at², and a parabola is a
-quadratic Bézier curve: from p₀ to p₁ = p(T), with its control point where the end tangents meet,
-p₀ + ½v₀T. That holds for all three coordinates. Nothing is sampled.
+Between two of its events a ball moves on a parabola, p(t) = p₀ + v₀t + ½at². A parabola is a
+quadratic Bézier curve from p₀ to p₁ = p(T) whose control point, p₀ + ½v₀T, is where the tangents
+at its ends meet. This holds for all three coordinates, so no path is sampled.
 """
 
 from __future__ import annotations
@@ -11,30 +11,22 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from carom.flights import Heights, highest
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from carom.trace import Trace
 
-# Flights lower than this, m, are drawn as if the ball stayed on the cloth.
+# A flight that rises less than this, m, is drawn as if the ball stayed on the cloth.
 SEEN = 1e-3
 
 Point = tuple[float, float]
-Heights = tuple[float, float, float]
-"""The heights of a leg's start, control point and end, m."""
-
-
-def highest(heights: Heights) -> float:
-    """The highest point of a parabola from its Bézier ordinates, m."""
-    start, control, end = heights
-    if control <= max(start, end):
-        return max(start, end)
-    return start + (control - start) ** 2 / (2 * control - start - end)
 
 
 @dataclass(frozen=True, slots=True)
 class Leg:
-    """One ball's way from one of its events to the next; points in m, times in s."""
+    """One ball's path from one of its events to the next; points in m, times in s."""
 
     start_time: float
     end_time: float
@@ -45,16 +37,16 @@ class Leg:
 
     @property
     def flies(self) -> bool:
-        """Whether the ball is in the air: on slate or wood its height does not change."""
+        """Whether the ball is in the air: its height changes only there."""
         return len(set(self.heights)) > 1
 
     @property
     def top(self) -> float:
-        """Height of the centre where it is highest, m."""
+        """Largest height of the centre, m."""
         return highest(self.heights)
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """The centre at a time (s) of this leg, m."""
+        """Position of the centre at a time (s) within this leg, m."""
         share = (time - self.start_time) / (self.end_time - self.start_time)
         x, y, z = (
             (1 - share) ** 2 * a + 2 * share * (1 - share) * b + share**2 * c
@@ -74,8 +66,8 @@ class Leg:
         by = 2 * (self.control[1] - self.start[1])
         # |B′(s)|² = as² + bs + c for s in [0, 1].
         a, b, c = 4 * (ax * ax + ay * ay), 4 * (ax * bx + ay * by), bx * bx + by * by
-        # Where the bend is below a rounding of the chord, the closed form below cancels and the
-        # chord itself is exact.
+        # For a nearly straight curve the closed form below loses its digits to cancellation, but
+        # the chord is exact to rounding.
         if a <= 1e-12 * (c + a):
             return math.dist(self.start, self.end)
         root_a, root_c, root_end = math.sqrt(a), math.sqrt(c), math.sqrt(max(0.0, a + b + c))
@@ -90,7 +82,7 @@ class Leg:
 
 @dataclass(frozen=True, slots=True)
 class Route:
-    """Everything one ball did: its legs in order, where it stood and where it ended."""
+    """The whole path of one ball: its legs in order, its start and its end."""
 
     id: str
     radius: float
@@ -98,17 +90,17 @@ class Route:
     end: Point
     legs: tuple[Leg, ...]
     fate: str
-    """Its last motion: ``stationary``, ``pocketed``, ..."""
+    """Its final motion: ``stationary``, ``pocketed``, ..."""
     rest_heights: tuple[float, float]
     """Heights of its centre at the start and at the end, m."""
 
     @property
     def length(self) -> float:
-        """Length of the whole way, seen from above, m."""
+        """Length of the whole path, seen from above, m."""
         return sum(leg.length for leg in self.legs)
 
     def split(self) -> tuple[list[Leg], list[Leg]]:
-        """Its legs on the ground, and those that are seen to fly."""
+        """Its legs on the ground, and its visible flights."""
         ground: list[Leg] = []
         aloft: list[Leg] = []
         for leg in self.legs:
@@ -116,11 +108,11 @@ class Route:
         return ground, aloft
 
     def rise(self, leg: Leg) -> float:
-        """How high above the slate the ball gets on one of its legs in the air, m; else 0."""
+        """Largest height of the ball above the slate on a leg in the air, m; 0 on other legs."""
         return max(0.0, leg.top - self.radius) if leg.flies else 0.0
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """The centre at a time (s), m."""
+        """Position of the centre at a time (s), m."""
         before = (*self.start, self.rest_heights[0])
         for leg in self.legs:
             if time < leg.start_time:
@@ -132,7 +124,7 @@ class Route:
 
 
 def starts(trace: Trace) -> list[dict[str, Any]]:
-    """The balls at time 0, as ``routes`` takes them."""
+    """The balls at time 0, in the form that ``routes`` needs."""
     shot, start = trace.shot, trace.at(0.0)
     return [
         {"id": name, "radius": radius, "position": place, "velocity": velocity}
@@ -147,7 +139,7 @@ def starts(trace: Trace) -> list[dict[str, Any]]:
 
 
 def routes(trace: dict[str, Any], balls: Sequence[dict[str, Any]]) -> list[Route]:
-    """Lay out each ball's way through a trace.
+    """Compute each ball's path from a trace.
 
     Args:
         trace: A ``carom-trace/1``.
@@ -189,7 +181,7 @@ def _extend(
 ) -> None:
     since, start, velocity = last
     half = 0.5 * (time - since)
-    # It stayed, unless it flew straight up and came back to the very spot.
+    # The ball did not move, unless it flew straight up and fell back to the same place.
     if tuple(start) == tuple(position) and (half == 0.0 or velocity[2] == 0.0):
         return
     x, y, z = (p + v * half for p, v in zip(start, velocity, strict=True))

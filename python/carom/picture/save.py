@@ -1,22 +1,24 @@
-"""A picture of whatever can be drawn, into a file."""
+"""Pictures of all kinds of answers, written to a file."""
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from carom.picture.canvas import to_png, to_svg
+from carom.errors import InputError
+from carom.picture import canvas, evaluation, maps, solutions
+from carom.picture.output import to_png, to_svg
+from carom.plan import Evaluation
+from carom.solve import Solution
+from carom.trace import Trace
 
 if TYPE_CHECKING:
-    import os
     from collections.abc import Sequence
 
     from matplotlib.figure import Figure
 
     from carom.picture.maps import Drawn
-    from carom.plan import Evaluation
-    from carom.solve import Solution
-    from carom.trace import Trace
 
 
 def save(
@@ -26,23 +28,23 @@ def save(
     title: str | None = None,
     leave: tuple[Sequence[float], float] | None = None,
 ) -> None:
-    """Write the picture of an answer; the same file for the same answer.
+    """Write the picture of an answer to a file; the same file for the same answer.
 
     Args:
-        found: A trace, what ``Shot.evaluate`` or ``Shot.solve`` gave, a map, a table of cushions,
-            or statistics of breaks.
-        path: Where; its ending says what: ``.svg`` or ``.png``.
-        title: Heading; a usual one without it.
-        leave: With solutions: the disc that ``solve`` was asked for, to be drawn.
+        found: A trace, the result of ``Shot.evaluate`` or ``Shot.solve``, a map, a table of
+            cushion shots, or statistics of breaks.
+        path: The file. Its ending chooses the format: ``.svg`` or ``.png``.
+        title: Heading; None writes a default one.
+        leave: For solutions, the disc that was passed to ``solve``, to be drawn as well.
 
     Raises:
-        InputError: Another ending, or nothing to draw.
+        InputError: The ending is another one, or ``found`` cannot be drawn.
     """
-    from carom.errors import InputError
-
+    if not isinstance(path, str | os.PathLike):
+        raise InputError(f'path: found a {type(path).__name__}; give a path, such as "shot.svg"')
     path = Path(path)
     if path.suffix not in {".svg", ".png"}:
-        raise InputError(f"path: {path.name!r} ends neither in .svg nor in .png; let it")
+        raise InputError(f"path: {path.name!r} ends neither in .svg nor in .png; end it in one")
     figure = _draw(found, title, leave)
     if path.suffix == ".svg":
         path.write_text(to_svg(figure), encoding="utf-8")
@@ -55,17 +57,16 @@ def _draw(
     title: str | None,
     leave: tuple[Sequence[float], float] | None,
 ) -> Figure:
-    from carom.errors import InputError
-    from carom.picture import canvas, evaluation, maps, solutions
-    from carom.plan import Evaluation
-    from carom.trace import Trace
-
     if isinstance(found, Trace):
         return canvas.draw(found, title=title)
     if isinstance(found, Evaluation):
         return evaluation.draw(found, title=title)
     if isinstance(found, list | tuple):
+        if not all(isinstance(item, Solution) for item in found):
+            raise InputError("found: not a list of solutions; give what Shot.solve returned")
         if not found:
-            raise InputError("found: no solutions, so nothing to draw; see picture.solutions.draw")
+            raise InputError(
+                "found: there are no solutions; picture.solutions.draw draws the table without any"
+            )
         return solutions.draw(found[0].shot, found, leave=leave, title=title)
     return maps.draw(found, title=title)  # type: ignore[arg-type] # all that is left

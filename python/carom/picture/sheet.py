@@ -1,20 +1,22 @@
-"""A table on paper, with room beside it: what the pictures of answers have in common."""
+"""A figure with a table on the left and free space on the right, for pictures of answers."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from carom.picture import _matplotlib, colors
+from matplotlib.figure import Figure
+
+from carom.errors import InputError
+from carom.picture import colors, table
 from carom.picture.canvas import LONG_SIDE_INCHES
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
     from carom.shot import Shot
 
 MARGIN_INCHES = 0.2
-# Height of a heading's line, inches.
+# Height of the heading, inches.
 HEADING_INCHES = 0.3
 
 
@@ -22,8 +24,8 @@ def sheet(shot: Shot, beside: float, *, heading: str | None = None) -> tuple[Fig
     """A figure with the shot's table on the left, without balls.
 
     Args:
-        shot: Whose table.
-        beside: Width of what is left free on the right, inches.
+        shot: A shot on the table.
+        beside: Width of the free space on the right, inches.
         heading: A line above the table.
 
     Returns:
@@ -32,16 +34,11 @@ def sheet(shot: Shot, beside: float, *, heading: str | None = None) -> tuple[Fig
     Raises:
         InputError: The cloth has no edges, so there is no table to draw.
     """
-    from carom.errors import InputError
-
     geometry = shot.geometry()
     if geometry["size"] is None:
-        raise InputError("table: a picture needs a table with edges; choose another")
-    _matplotlib.prepare()
-    from matplotlib.figure import Figure
-
-    from carom.picture import table
-
+        raise InputError(
+            "table: the cloth has no edges, and a picture needs them; choose another table"
+        )
     left, bottom, right, top = table.bounds(geometry, [])
     scale = LONG_SIDE_INCHES / max(top - bottom, right - left)
     wide, tall = scale * (right - left), scale * (top - bottom)

@@ -1,7 +1,7 @@
-"""The side view: height against the way along the table, for balls that are seen to fly.
+"""The side view of a ball that flies: its height against the distance along its path.
 
-Both axes have the same scale, so balls are round, and flights are the parabolas that they are: a
-flight is straight seen from above, and its length there grows evenly with time.
+Both axes have the same scale, so that balls are round. Flights appear as their true parabolas: a
+flight is straight seen from above, and its length there grows linearly with time.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING, Any
 from matplotlib.patches import Circle, PathPatch, Rectangle
 from matplotlib.patheffects import Normal, Stroke
 
+from carom.flights import runs
 from carom.picture import colors
 from carom.picture.balls import curve, draw_ball, draw_cue, draw_mark, mark
 from carom.picture.colors import look
 from carom.picture.paths import SEEN
 from carom.picture.table import Ground
-from carom.touches import runs
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -28,35 +28,35 @@ if TYPE_CHECKING:
 
     from carom.picture.paths import Leg, Route
 
-# A ball that rises less than this, m, needs no side view.
+# A ball that rises less than this, m, has no side view.
 LEAST_RISE = 5e-3
-# Most balls with a view, those that rise highest first.
+# Most side views; the balls that rise highest have one.
 MOST_VIEWS = 3
-# Flights with less than this on the slate between them, m, are shown together.
+# Flights that are separated by less than this on the slate, m, are shown together.
 SAME_FLIGHT = 0.1
-# Shown before the first and after the last of them, m.
+# Length of path shown before the first and after the last flight, m.
 MARGIN = 0.13
-# Never drawn larger than this, points per metre.
+# Largest scale, points per metre.
 LARGEST_SCALE = 560.0
-# Drawn below the slate's surface, and of free air above what is highest, m.
+# Drawn thickness of the slate, and free space above the highest point, m.
 SLATE = 0.022
 AIR = 0.022
-# A height less than this, m, is written above the ball, without an arrow.
+# A rise of less than this, m, is written above the ball, without an arrow.
 LEAST_ARROW = 0.02
-# How fine the ground under a path is looked at, m: half a point in print.
+# Step along a path for the kind of ground under it, m: half a point in print.
 GROUND_STEP = 1e-3
-# Instants of a flight at which another ball is looked for under it.
+# Number of instants of a flight at which other balls are searched under it.
 LOOKS = 64
 
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """What is shown of one ball's way; lengths in m, along the way from its start."""
+    """The shown part of one ball's path; lengths in m, along the path from its start."""
 
     index: int
     route: Route
     starts: tuple[float, ...]
-    """Where each of its legs starts."""
+    """Distance along the path where each leg starts."""
     left: float
     right: float
     top: float
@@ -64,26 +64,26 @@ class View:
 
     @property
     def height(self) -> float:
-        """From the lowest to the highest that is drawn, m."""
+        """Height of the drawing, m."""
         return SLATE + self.top
 
     def along(self, leg: Leg, time: float) -> float:
-        """How far the ball has come at a time (s) of a leg in the air, or at its ends."""
+        """Distance along the path at a time (s) of a leg in the air, or at the leg's ends."""
         start = self.starts[self.route.legs.index(leg)]
         return start + leg.length * (time - leg.start_time) / (leg.end_time - leg.start_time)
 
     def legs(self) -> Iterator[tuple[float, Leg]]:
-        """The legs that are shown, each with where it starts."""
+        """The legs that are shown, each with the distance where it starts."""
         for start, leg in zip(self.starts, self.route.legs, strict=True):
             if start <= self.right and start + leg.length >= self.left:
                 yield start, leg
 
 
 def views(routes: list[Route], width: float, cushion_height: float) -> list[View]:
-    """The side views that a shot deserves.
+    """The side views of a shot.
 
     Args:
-        routes: Every ball's way.
+        routes: Every ball's path.
         width: Width of the paper, points.
         cushion_height: Height of the nose, m.
     """
@@ -129,12 +129,12 @@ def draw_side(
     """Fill the axes with one view.
 
     Args:
-        ax: Limits and scale are set.
-        view: What to show.
-        routes: Every ball's way.
-        events: Those of the trace.
-        geometry: The table as ``Shot.geometry`` gives it.
-        elevation: That of the cue, rad, if it struck this ball.
+        ax: The axes, with their limits and scale set.
+        view: The view to draw.
+        routes: Every ball's path.
+        events: The events of the trace.
+        geometry: The table as ``Shot.geometry`` returns it.
+        elevation: Elevation of the cue, rad, if it struck this ball.
     """
     ax.add_patch(
         Rectangle((view.left, -SLATE), view.right - view.left, view.height, facecolor=colors.WALL)
@@ -171,7 +171,7 @@ def _draw_leg(
 
 
 def _draw_ground(ax: Axes, view: View, geometry: dict[str, Any]) -> None:
-    """Slate with the holes that the way leads over, and the wood of the rails."""
+    """Draw the slate with the holes under the path, and the wood of the rails."""
     ground = Ground(geometry)
     steps = math.ceil((view.right - view.left) / GROUND_STEP)
     places = [view.left + i * (view.right - view.left) / steps for i in range(steps + 1)]
@@ -195,7 +195,7 @@ def _draw_ground(ax: Axes, view: View, geometry: dict[str, Any]) -> None:
 
 
 def _point(view: View, place: float) -> tuple[float, float]:
-    """The point of the table under the way, so far along it; straight on beyond its ends."""
+    """The point of the table at a distance along the path; beyond its ends, straight on."""
     legs = view.route.legs
     for start, leg in zip(view.starts, legs, strict=True):
         if start <= place <= start + leg.length and leg.length > 0:
@@ -212,9 +212,9 @@ def _point(view: View, place: float) -> tuple[float, float]:
 
 
 def _draw_passed(ax: Axes, view: View, leg: Leg, others: list[tuple[int, Route]]) -> None:
-    """The balls that a flight passes over, or ends at, where it comes nearest to them.
+    """Draw the balls that a flight passes over or ends at, where it is nearest to them.
 
-    Not the ball from which it takes off: the flight before has shown it.
+    The ball from which the flight starts is left out: the flight before shows it.
     """
     if view.route.rise(leg) < SEEN:
         return
@@ -226,7 +226,7 @@ def _draw_passed(ax: Axes, view: View, leg: Leg, others: list[tuple[int, Route]]
         x, y, z = other.at(nearest)
         if z + other.radius > view.top:
             continue
-        # A touch at the end of the flight counts, though roundings may leave a gap.
+        # A contact at the end of the flight counts, although rounding may leave a gap.
         if math.dist(leg.at(nearest)[:2], (x, y)) > 1.001 * (view.route.radius + other.radius):
             continue
         ahead = _ahead(leg, (x, y))
@@ -236,14 +236,14 @@ def _draw_passed(ax: Axes, view: View, leg: Leg, others: list[tuple[int, Route]]
 
 
 def _ahead(leg: Leg, point: tuple[float, float]) -> float:
-    """How far ahead of a flight's start a point lies, along it, m."""
+    """Distance of a point from a flight's start, along the flight, m."""
     dx, dy = leg.end[0] - leg.start[0], leg.end[1] - leg.start[1]
     length = math.hypot(dx, dy) or 1.0
     return ((point[0] - leg.start[0]) * dx + (point[1] - leg.start[1]) * dy) / length
 
 
 def _draw_flyer(ax: Axes, view: View) -> None:
-    """The ball itself where it takes off, where it is highest, and where its last flight ends."""
+    """Draw the ball where it takes off, where it is highest, and where its last flight ends."""
     style = look(view.route.id, view.index)
     shown = [(start, leg) for start, leg in view.legs() if view.route.rise(leg) >= SEEN]
     start, leg = shown[0]
@@ -292,7 +292,7 @@ def _draw_flyer(ax: Axes, view: View) -> None:
 
 
 def _peak(view: View) -> float:
-    """Where the highest flight is highest."""
+    """Distance along the path where the highest flight peaks."""
     leg = view.highest
     z0, control, z1 = leg.heights
     share = min(1.0, max(0.0, (z0 - control) / (z0 - 2 * control + z1)))

@@ -1,4 +1,4 @@
-"""The picture of solutions: the best ways on the table, each with its chance."""
+"""The picture of solutions: the best shots on the table, each with its probability."""
 
 from __future__ import annotations
 
@@ -6,10 +6,17 @@ import math
 from textwrap import wrap
 from typing import TYPE_CHECKING
 
+from matplotlib.patches import Circle, PathPatch
+
+from carom.arguments import instance, numbers
+from carom.errors import InputError
 from carom.picture import colors
-from carom.picture._matplotlib import as_written
-from carom.picture.canvas import to_png, to_svg
+from carom.picture.balls import DOTTED, curve, draw_ball, points_per_metre
+from carom.picture.output import as_written, to_png, to_svg
+from carom.picture.paths import routes, starts
 from carom.picture.sheet import MARGIN_INCHES, sheet
+from carom.shot import Shot
+from carom.solve import Solution, signed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,14 +26,12 @@ if TYPE_CHECKING:
 
     from carom.picture.paths import Route
     from carom.plan import Chance
-    from carom.shot import Shot
-    from carom.solve import Solution
 
-# Ways that are drawn; with more of them the lines cannot be told apart.
+# Number of solutions that are drawn; more lines would be hard to tell apart.
 SHOWN = 6
-# One colour for each, the best first: apart from each other and from the cloth.
+# Their colours, the best solution first; they differ clearly from each other and from the cloth.
 PAINT = ("#ffd23f", "#7fb2ff", "#ff7d6b", "#c9f26b", "#e0a3ff", "#8fe3e8")
-# Room that a chance takes on the table, points.
+# Size of a label on the table, points.
 LABEL_POINTS = (31.0, 10.0)
 # Letters in a line of the panel.
 LINE = 52
@@ -42,27 +47,30 @@ def draw(
     leave: tuple[Sequence[float], float] | None = None,
     title: str | None = None,
 ) -> Figure:
-    """Draw the best ways of ``Shot.solve``.
+    """Draw the best solutions of ``Shot.solve``.
 
     Args:
-        shot: The shot that was asked.
-        solutions: What ``shot.solve`` found; the first six are drawn.
-        leave: The disc in which the cue ball was to be left, as ``solve`` takes it.
-        title: Heading of the panel; the table's name without it.
+        shot: The shot whose ``solve`` was called.
+        solutions: The solutions; the first six are drawn.
+        leave: The disc for the cue ball that was passed to ``solve``.
+        title: Heading of the panel; None writes the table's name.
 
     Returns:
         A matplotlib figure, not attached to any window.
 
     Raises:
-        InputError: The cloth has no edges, so there is no table to draw.
+        InputError: An argument has a wrong type, or the cloth has no edges.
     """
+    instance("shot", shot, Shot, 'Shot.load("shot.json")')
+    for solution in solutions:
+        instance("solutions", solution, Solution, "those that shot.solve() returned")
     figure, ax = sheet(shot, PANEL_INCHES)
     if leave is not None:
         _draw_area(ax, leave)
     shown = list(solutions[:SHOWN])
     labels = _Labels(ax)
     for index, solution in enumerate(shown):
-        _draw_way(ax, solution, index, labels)
+        _draw_solution(ax, solution, index, labels)
     _draw_balls(ax, shot)
     _draw_list(figure, shown, title or shot.geometry()["name"] or "shot")
     return as_written(figure)
@@ -86,14 +94,18 @@ def png(
     leave: tuple[Sequence[float], float] | None = None,
     title: str | None = None,
 ) -> bytes:
-    """The picture as a PNG file's content."""
+    """The picture as the content of a PNG file."""
     return to_png(draw(shot, solutions, leave=leave, title=title))
 
 
 def _draw_area(ax: Axes, leave: tuple[Sequence[float], float]) -> None:
-    from matplotlib.patches import Circle
-
-    (x, y), radius = leave
+    try:
+        place, size = leave
+    except (TypeError, ValueError):
+        raise InputError(
+            f"leave: {leave!r} is not a disc; give ((x, y), radius), such as ((0.6, 0.6), 0.2)"
+        ) from None
+    x, y, radius = numbers("leave", [*numbers("leave", place, 2), size], 3)
     ax.add_patch(
         Circle(
             (x, y),
@@ -108,10 +120,8 @@ def _draw_area(ax: Axes, leave: tuple[Sequence[float], float]) -> None:
     )
 
 
-def _draw_way(ax: Axes, solution: Solution, index: int, labels: _Labels) -> None:
-    """The cue ball's path is solid, those of the balls that it sends off dashed; flights dotted."""
-    from carom.picture.paths import routes, starts
-
+def _draw_solution(ax: Axes, solution: Solution, index: int, labels: _Labels) -> None:
+    """Draw one solution: the cue ball's path solid, the other balls' dashed, flights dotted."""
     trace = solution.shot.simulate()
     struck = trace.to_dict()["events"][0]["balls"][0]
     for route in routes(trace.to_dict(), starts(trace)):
@@ -123,10 +133,6 @@ def _draw_way(ax: Axes, solution: Solution, index: int, labels: _Labels) -> None
 
 
 def _draw_route(ax: Axes, route: Route, index: int, *, own: bool) -> None:
-    from matplotlib.patches import PathPatch
-
-    from carom.picture.balls import DOTTED, curve
-
     ground, aloft = route.split()
     for what, legs, line in (
         ("way", ground, "solid" if own else (0, (4, 1.8))),
@@ -151,8 +157,6 @@ def _draw_route(ax: Axes, route: Route, index: int, *, own: bool) -> None:
 
 
 def _draw_end(ax: Axes, route: Route, index: int) -> None:
-    from matplotlib.patches import Circle
-
     ax.add_patch(
         Circle(
             route.end,
@@ -166,7 +170,7 @@ def _draw_end(ax: Axes, route: Route, index: int) -> None:
 
 
 def _percent(chance: Chance) -> str:
-    """In whole per cent, but never certain or impossible if it is not."""
+    """Whole per cent; 0 % and 100 % only where all variants agree."""
     if chance.count == chance.trials or not chance.count:
         return f"{100 * float(chance):.0f} %"
     share = 100 * float(chance)
@@ -174,17 +178,15 @@ def _percent(chance: Chance) -> str:
 
 
 class _Labels:
-    """Chances beside the places where the cue ball ends, none upon another."""
+    """Labels beside the cue ball's final positions that do not overlap."""
 
     def __init__(self, ax: Axes) -> None:
-        from carom.picture.balls import points_per_metre
-
         self.ax = ax
         self.scale = points_per_metre(ax)
         self.taken: list[tuple[float, float]] = []
 
     def put(self, text: str, place: tuple[float, float], index: int) -> None:
-        """One label, at the nearest place that is free."""
+        """Draw one label at the nearest free place."""
         wide, tall = LABEL_POINTS
         x, y = (self.scale * value for value in place)
         near = [
@@ -218,8 +220,6 @@ class _Labels:
 
 
 def _draw_balls(ax: Axes, shot: Shot) -> None:
-    from carom.picture.balls import draw_ball
-
     for index, ball in enumerate(shot.to_dict()["balls"]):
         x, y, *_ = ball["position"]
         style = colors.look(ball["id"], index)
@@ -227,10 +227,6 @@ def _draw_balls(ax: Axes, shot: Shot) -> None:
 
 
 def _draw_list(figure: Figure, shown: list[Solution], title: str) -> None:
-    from matplotlib.patches import Circle
-
-    from carom.solve import signed
-
     wide, tall = figure.get_size_inches()
     panel = figure.add_axes((1 - PANEL_INCHES / wide, 0, PANEL_INCHES / wide, 1))
     panel.set_xlim(0, PANEL_INCHES)
@@ -239,9 +235,9 @@ def _draw_list(figure: Figure, shown: list[Solution], title: str) -> None:
     panel.set_axis_off()
     top = tall - MARGIN_INCHES
     panel.text(0.1, top, title, fontsize=12, fontweight="bold", color=colors.INK, va="top")
-    said = "solid: the cue ball · dashed: what it sends off · dotted: in the air"
+    said = "solid: the cue ball · dashed: other balls · dotted: in the air"
     said += "\nside, height: in ball radii"
-    said = said if shown else "no strike was found"
+    said = said if shown else "no solution was found"
     panel.text(0.1, top - 0.32, said, fontsize=7, color=colors.FAINT_INK, va="top")
     for index, solution in enumerate(shown):
         y = top - 0.75 - index * ENTRY_INCHES

@@ -1,4 +1,4 @@
-"""The table: rail, cloth, pockets, cushions and diamonds; or endless cloth with a scale."""
+"""The table: rail, cloth, pockets, cushions and diamonds; or unbounded cloth with a scale."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 SIGHT_SHARE = 0.06
 # Width of the ring around a hole, as a share of its radius.
 POCKET_RIM = 0.18
-# Straight pieces that a rounded point (a few mm to some cm) is drawn with.
+# Number of straight pieces of a drawn rounded point (a few mm to some cm).
 ARC_CHORDS = 12
-# Empty space around the paths on endless cloth, as a share of their extent.
+# Empty space around the paths on unbounded cloth, as a share of their extent.
 MARGIN_SHARE = 0.09
 
 Bounds = tuple[float, float, float, float]
@@ -29,11 +29,11 @@ Bounds = tuple[float, float, float, float]
 
 
 def bounds(geometry: dict[str, Any], routes: list[Route]) -> Bounds:
-    """The region that the table (or, on endless cloth, what happens on it) takes."""
+    """The region of the table; on unbounded cloth, of the paths."""
     if geometry["size"] is not None:
         width, length = geometry["size"]
         rim = geometry["rail_width"]
-        # Some tables' pockets reach beyond the wood: their iron stands out. Draw it too.
+        # The pocket irons of some tables stand out beyond the wood.
         for pocket in geometry["pockets"]:
             x, y = pocket["center"]
             beyond = max(-x, x - width, -y, y - length) + pocket["radius"]
@@ -47,7 +47,7 @@ def bounds(geometry: dict[str, Any], routes: list[Route]) -> Bounds:
     ]
     left, right = min(x for x, _ in corners), max(x for x, _ in corners)
     bottom, top = min(y for _, y in corners), max(y for _, y in corners)
-    # A single straight path would otherwise make a sliver.
+    # Without this, a single straight path would give a very narrow picture.
     extent = max(right - left, top - bottom)
     margin = MARGIN_SHARE * extent
     missing_width = max(0.0, 0.6 * extent - (right - left)) / 2
@@ -61,14 +61,14 @@ def bounds(geometry: dict[str, Any], routes: list[Route]) -> Bounds:
 
 
 def _hull(route: Route) -> list[Point]:
-    """Points whose convex hull holds the route: a Bézier curve stays inside its polygon."""
+    """Points whose convex hull contains the route: a Bézier curve stays inside its polygon."""
     return [route.start, route.end, *(p for leg in route.legs for p in (leg.start, leg.control))]
 
 
 def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
-    """Draw what lies under the paths."""
+    """Draw the table or the unbounded cloth."""
     if geometry["size"] is None:
-        _endless_cloth(ax, region)
+        _unbounded_cloth(ax, region)
         return
     width, length = geometry["size"]
     cushion = geometry["cushion_width"]
@@ -107,12 +107,12 @@ def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
 
 
 class Ground:
-    """What lies under a place."""
+    """The kind of surface under a point."""
 
     def __init__(self, geometry: dict[str, Any]) -> None:
         self._size = geometry["size"]
         self._rubber: list[Path] = []
-        # Endless cloth has no more.
+        # Unbounded cloth has no rails and no pockets.
         if self._size is None:
             return
         self._rail_width = geometry["rail_width"]
@@ -148,7 +148,7 @@ def _rails(geometry: dict[str, Any]) -> list[list[dict[str, Any]]]:
     ]
 
 
-def _endless_cloth(ax: Axes, region: Bounds) -> None:
+def _unbounded_cloth(ax: Axes, region: Bounds) -> None:
     left, bottom, right, top = region
     ax.add_patch(
         Rectangle((left, bottom), right - left, top - bottom, facecolor=colors.CLOTH, zorder=0)
@@ -177,7 +177,7 @@ def _multiples(low: float, high: float, step: float) -> list[float]:
 
 
 def _pocket(ax: Axes, pocket: dict[str, Any]) -> None:
-    """The hole in the slate, and the opening that the pocket cuts into the rail behind it."""
+    """Draw the hole in the slate and the opening in the rail behind it."""
     x, y = pocket["center"]
     radius = pocket["radius"]
     ax.add_patch(Circle((x, y), (1 + POCKET_RIM) * radius, facecolor=colors.HOLE_EDGE, zorder=1.3))
@@ -190,7 +190,7 @@ def _pocket(ax: Axes, pocket: dict[str, Any]) -> None:
 def _cushion(
     ax: Axes, parts: list[dict[str, Any]], width: float, length: float, cushion: float
 ) -> None:
-    """One rail's rubber: its nose line, closed behind at the wood."""
+    """Draw one rail's rubber, from its nose line to the wood."""
     outline = _rubber(parts, width, length, cushion)
     ax.add_patch(Polygon(outline, closed=True, facecolor=colors.CUSHION, zorder=1.6))
     ax.add_patch(
@@ -208,18 +208,18 @@ def _cushion(
 def _rubber(
     parts: list[dict[str, Any]], width: float, length: float, cushion: float
 ) -> list[Point]:
-    """The outline of a rail's rubber: its nose line between two corners at the wood."""
+    """The outline of a rail's rubber: its nose line and two corners at the wood."""
     line = nose_line(parts)
     first, last = (_behind(end, width, length, cushion) for end in (line[0], line[-1]))
     return [first, *line, last]
 
 
 def _behind(point: Point, width: float, length: float, cushion: float) -> Point:
-    """The point on the cushion's back where its rubber ends: behind an end of its nose line."""
+    """The corner of the rubber at the wood, behind an end of its nose line."""
     x, y = point
     beyond = {"left": -x, "right": x - width, "bottom": -y, "top": y - length}
     furthest = max(beyond.values())
-    # In a corner without a pocket two rails meet in a mitre: behind both.
+    # In a corner without a pocket two rails meet in a mitre, so the point is behind both.
     sides = {side for side, distance in beyond.items() if distance == furthest}
     return (
         -cushion if "left" in sides else width + cushion if "right" in sides else x,
@@ -228,7 +228,7 @@ def _behind(point: Point, width: float, length: float, cushion: float) -> Point:
 
 
 def nose_line(parts: list[dict[str, Any]]) -> list[Point]:
-    """A rail's nose line from one end to the other, its round points as short chords.
+    """A rail's nose line from one end to the other, with round points as short chords.
 
     Args:
         parts: The rail's cushion parts in their order along it.
@@ -254,7 +254,7 @@ def _chords(part: dict[str, Any]) -> list[Point]:
         return [start, end]
     cx, cy = part["center"]
     begin = math.atan2(start[1] - cy, start[0] - cx)
-    # The part spans less than half a turn, so the shorter way round is the right one.
+    # The part spans less than half a turn, so the shorter arc is the right one.
     sweep = math.remainder(math.atan2(end[1] - cy, end[0] - cx) - begin, math.tau)
     return [
         (cx + part["radius"] * math.cos(angle), cy + part["radius"] * math.sin(angle))
@@ -263,7 +263,7 @@ def _chords(part: dict[str, Any]) -> list[Point]:
 
 
 def _sights(ax: Axes, geometry: dict[str, Any]) -> None:
-    """The diamonds on the rails; none where a pocket is."""
+    """Draw the diamonds on the rails, except where a pocket is."""
     sights = geometry.get("sights")
     if sights is None:
         return
@@ -295,7 +295,7 @@ def _diamond(ax: Axes, x: float, y: float, half_width: float, half_height: float
 
 
 def _markings(ax: Axes, geometry: dict[str, Any]) -> None:
-    """Head string or baulk line, the D, and the spots."""
+    """Draw the head string or baulk line, the D, and the spots."""
     markings = geometry.get("markings") or {}
     width, _ = geometry["size"]
     style: dict[str, Any] = {"color": "white", "alpha": 0.28, "linewidth": 0.8, "zorder": 1.2}

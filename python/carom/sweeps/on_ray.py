@@ -20,7 +20,7 @@ from carom.lazy import pa
 from carom.sweeps.parts import CHUNK, UNFINISHED, Parts, Receipt
 
 if TYPE_CHECKING:
-    from carom.sweeps.table import Sweep
+    from carom.sweeps.play import RowPlayer
 
 # Most large tasks: Ray's scheduler holds all of them in memory.
 _MOST_TASKS = 10_000
@@ -108,7 +108,7 @@ def _wake() -> None:
     numbers.map_batches(load, batch_format="pyarrow").materialize()
 
 
-def write(sweep: Sweep, parts: Parts, missing: list[int]) -> Generator[Receipt]:
+def write(player: RowPlayer, parts: Parts, missing: list[int]) -> Generator[Receipt]:
     """Write parts by Ray's workers; all their machines must see the folder.
 
     A file is written completely or not at all, and is a function of the sweep and its number. When
@@ -128,7 +128,7 @@ def write(sweep: Sweep, parts: Parts, missing: list[int]) -> Generator[Receipt]:
         try:
             _check_version(version)
             _check_folder(marker)
-            receipts = [asdict(_receipt(sweep, parts, part)) for part in batch["part"].to_pylist()]
+            receipts = [asdict(_receipt(player, parts, part)) for part in batch["part"].to_pylist()]
         except (InputError, OSError) as error:
             # As a value: Ray would wrap an exception in two pages of its own text.
             refused = str(error)
@@ -173,14 +173,14 @@ def _tasks(parts: list[int], cores: int) -> Generator[list[int]]:
         begun += size
 
 
-def _receipt(sweep: Sweep, parts: Parts, part: int) -> Receipt:
+def _receipt(player: RowPlayer, parts: Parts, part: int) -> Receipt:
     # A worker that was killed later in the same task has written this part.
     if parts.path(part).exists():
-        return parts.receipt(sweep, part)
-    return parts.write(sweep, part)
+        return parts.receipt(player, part)
+    return parts.write(player, part)
 
 
-def dataset(sweep: Sweep) -> Any:
+def dataset(player: RowPlayer) -> Any:
     """``Sweep.dataset``."""
     data = _ray_data()
     if _ray().is_initialized():
@@ -193,10 +193,10 @@ def dataset(sweep: Sweep) -> Any:
         first, last = block["id"][0].as_py(), block["id"][-1].as_py()
         for start in range(first, last + 1, CHUNK):
             stop = min(start + CHUNK, last + 1)
-            yield pa.Table.from_batches([sweep.play(sweep.parameters(start, stop))])
+            yield pa.Table.from_batches([player.play(player.parameters(start, stop))])
 
-    blocks = min(math.ceil(len(sweep) / CHUNK), _MOST_TASKS)
-    numbers = data.range(len(sweep), override_num_blocks=blocks)
+    blocks = min(math.ceil(player.spec.rows / CHUNK), _MOST_TASKS)
+    numbers = data.range(player.spec.rows, override_num_blocks=blocks)
     made = numbers.map_batches(work, batch_size=None, batch_format="pyarrow")
     made.context.execution_options.preserve_order = True
     return made

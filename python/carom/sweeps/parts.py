@@ -18,7 +18,7 @@ from carom.errors import InputError
 from carom.lazy import pa, pq
 
 if TYPE_CHECKING:
-    from carom.sweeps.table import Sweep
+    from carom.sweeps.play import RowPlayer
 
 R = TypeVar("R")
 
@@ -93,7 +93,9 @@ class Parts:
         start = part * self.part_rows
         return start, min(start + self.part_rows, self.rows)
 
-    def write(self, sweep: Sweep, part: int, go_on: Callable[[], bool] = lambda: True) -> Receipt:
+    def write(
+        self, player: RowPlayer, part: int, go_on: Callable[[], bool] = lambda: True
+    ) -> Receipt:
         """Simulate a part and put its file into the folder.
 
         The file is a pure function of the sweep and the part's number: a repetition after a kill
@@ -108,7 +110,7 @@ class Parts:
         unfinished = path.with_name(name)
         note = path.with_name(f"{CHECKSUM[1:]}-{name}")
         try:
-            failed = self._play_into(unfinished, sweep, part, go_on)
+            failed = self._play_into(unfinished, player, part, go_on)
             with unfinished.open("rb+") as file:
                 os.fsync(file.fileno())
             size = unfinished.stat().st_size
@@ -122,18 +124,20 @@ class Parts:
         first, end = self.range(part)
         return Receipt(part, end - first, failed, size, os.getpid())
 
-    def _play_into(self, path: Path, sweep: Sweep, part: int, go_on: Callable[[], bool]) -> int:
+    def _play_into(
+        self, path: Path, player: RowPlayer, part: int, go_on: Callable[[], bool]
+    ) -> int:
         first, end = self.range(part)
         failed = 0
-        with pq.ParquetWriter(path, sweep.schema, **_encoding(sweep)) as file:
+        with pq.ParquetWriter(path, player.schema, **_encoding(player)) as file:
             for start in range(first, end, GROUP):
-                table = play_rows(sweep, start, min(start + GROUP, end), go_on)
+                table = play_rows(player, start, min(start + GROUP, end), go_on)
                 failed += len(table) - table["error"].null_count
                 file.write_table(table, row_group_size=GROUP)
-            file.add_key_value_metadata(metadata(sweep, first, failed))
+            file.add_key_value_metadata(metadata(player, first, failed))
         return failed
 
-    def receipt(self, sweep: Sweep, part: int, worker: int = 0) -> Receipt:
+    def receipt(self, player: RowPlayer, part: int, worker: int = 0) -> Receipt:
         """Check the file of a part: its metadata and its checksum.
 
         Raises:
@@ -149,7 +153,7 @@ class Parts:
         start, stop = self.range(part)
         wanted = {
             b"carom.version": __version__,
-            b"carom.sweep.sha256": sweep.sha256,
+            b"carom.sweep.sha256": player.spec.sha256,
             b"carom.sweep.first_row": str(start),
         }
         same = all(said.get(key) == value.encode() for key, value in wanted.items())
@@ -166,14 +170,14 @@ class Parts:
         size = path.stat().st_size
         return Receipt(part, stop - start, failed, size, worker, checked=expected is not None)
 
-    def receipts(self, sweep: Sweep, threads: int) -> list[Receipt]:
+    def receipts(self, player: RowPlayer, threads: int) -> list[Receipt]:
         """Check all parts that are in the folder.
 
         Raises:
             InputError: As from ``receipt``.
         """
         there = (part for part in range(len(self)) if self.path(part).exists())
-        return list(_in_order(lambda part: self.receipt(sweep, part), there, threads))
+        return list(_in_order(lambda part: self.receipt(player, part), there, threads))
 
     def tidy(self) -> None:
         """Remove the unfinished files that killed writers left."""
@@ -205,7 +209,7 @@ def default_rows(rows: int) -> int:
 
 
 def play_rows(
-    sweep: Sweep,
+    player: RowPlayer,
     start: int,
     stop: int,
     go_on: Callable[[], bool] = lambda: True,
@@ -221,10 +225,10 @@ def play_rows(
     def chunk(first: int) -> pa.RecordBatch:
         if not go_on():
             raise StoppedError
-        return sweep.play(sweep.parameters(first, min(first + CHUNK, stop)))
+        return player.play(player.parameters(first, min(first + CHUNK, stop)))
 
     firsts = range(start, stop, CHUNK)
-    return pa.Table.from_batches(_in_order(chunk, firsts, threads), schema=sweep.schema)
+    return pa.Table.from_batches(_in_order(chunk, firsts, threads), schema=player.schema)
 
 
 def _in_order(call: Callable[[int], R], items: Iterable[int], threads: int) -> Iterator[R]:
@@ -249,27 +253,27 @@ def _in_order(call: Callable[[int], R], items: Iterable[int], threads: int) -> I
                 future.cancel()
 
 
-def metadata(sweep: Sweep, first_row: int, failed: int) -> dict[str, str]:
+def metadata(player: RowPlayer, first_row: int, failed: int) -> dict[str, str]:
     """The metadata of a part's file."""
     said = {
         "carom.version": __version__,
-        "carom.sweep.sha256": sweep.sha256,
+        "carom.sweep.sha256": player.spec.sha256,
         "carom.sweep.first_row": str(first_row),
         "carom.sweep.failed": str(failed),
     }
-    spec = sweep.to_json()
+    spec = player.spec.to_json()
     return said | ({"carom.sweep": spec} if len(spec) <= LONGEST_SPEC else {})
 
 
-def _encoding(sweep: Sweep) -> dict[str, object]:
+def _encoding(player: RowPlayer) -> dict[str, object]:
     """The encoding of each column; on mid-game shots a quarter smaller than the default."""
-    draws = (d for d in sweep.spec.draws if d.kind == "number" and d.distribution != "choice")
+    draws = (d for d in player.spec.draws if d.kind == "number" and d.distribution != "choice")
     drawn = {draw.name for draw in draws}
-    split = {name for name in sweep.schema.names if name in drawn or _is_measured(name)}
+    split = {name for name in player.schema.names if name in drawn or _is_measured(name)}
     encodings = dict.fromkeys(split, "BYTE_STREAM_SPLIT") | {"row": "DELTA_BINARY_PACKED"}
     # Balls that were not hit end where they started; zstd finds these repetitions in plain bytes.
-    plain = {name for name in sweep.schema.names if name.startswith("end_")}
-    few = [name for name in sweep.schema.names if name not in encodings and name not in plain]
+    plain = {name for name in player.schema.names if name.startswith("end_")}
+    few = [name for name in player.schema.names if name not in encodings and name not in plain]
     return {
         "compression": "zstd",
         "use_dictionary": ["pocket.list.element" if name == "pocket" else name for name in few],

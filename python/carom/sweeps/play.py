@@ -126,6 +126,9 @@ class RowPlayer:
             f"no row can be simulated, of {len(rows)} that were tried; the first row: {first}"
         )
 
+    def __reduce__(self) -> tuple[type[RowPlayer], tuple[Spec]]:
+        return (RowPlayer, (self.spec,))
+
     def _parameter_fields(self) -> list[pa.Field]:
         spec = self.spec
         fields = [_field("row", pa.int64(), "number of the row")]

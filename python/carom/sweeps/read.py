@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any, NoReturn
@@ -16,43 +15,6 @@ LARGEST_WHOLE = (1 << 63) - 1
 def refuse(place: str, what: str, remedy: str) -> NoReturn:
     """Raise what is wrong at ``place``."""
     raise InputError(f"{place}: {what}; {remedy}")
-
-
-def parse(text: str) -> Any:
-    """What JSON text says.
-
-    Raises:
-        InputError: It is no JSON, has a key twice, or a number that is not finite.
-    """
-    try:
-        return json.loads(text, object_pairs_hook=_unique, parse_constant=_no_constant)
-    except json.JSONDecodeError as error:
-        place = f"line {error.lineno}, column {error.colno}"
-        raise InputError(f"{place}: {error.msg}; write JSON") from None
-    except RecursionError:
-        raise InputError("the text is nested too deeply for a spec; write one") from None
-
-
-def plain(value: Any) -> Any:
-    """A tree of values with NumPy's numbers and arrays as Python's own."""
-    if isinstance(value, Mapping):
-        return {key: plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [plain(item) for item in value]
-    return value.tolist() if hasattr(value, "tolist") else value
-
-
-def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) < len(pairs):
-        keys = [key for key, _ in pairs]
-        twice = next(key for key in keys if keys.count(key) > 1)
-        refuse(twice, "the key stands twice in one object", "keep one of them")
-    return found
-
-
-def _no_constant(name: str) -> NoReturn:
-    raise InputError(f"{name} is no number that a sweep can use; write a finite one")
 
 
 def fields(place: str, value: Any, known: Sequence[str]) -> dict[str, Any]:

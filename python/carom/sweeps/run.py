@@ -28,7 +28,7 @@ except ImportError:
     fcntl = None
 
 if TYPE_CHECKING:
-    from carom.sweeps.table import Sweep
+    from carom.sweeps.play import RowPlayer
 
 # The file that describes the folder.
 MANIFEST = "sweep.json"
@@ -41,7 +41,7 @@ _PATIENCE = 0.2
 
 
 def run(
-    sweep: Sweep,
+    player: RowPlayer,
     folder: Path,
     *,
     threads: int | None,
@@ -54,21 +54,21 @@ def run(
     if part_rows is not None:
         part_rows = whole("part_rows", part_rows, low=1)
     begun = time.perf_counter()
-    with _claimed(sweep, folder, part_rows) as parts:
+    with _claimed(player, folder, part_rows) as parts:
         parts.tidy()
-        before = parts.receipts(sweep, threads)
+        before = parts.receipts(player, threads)
         there = {receipt.part for receipt in before}
         missing = [k for k in range(len(parts)) if k not in there]
         ray_start = None
-        with progress_bar(len(sweep), show=progress, what="rows") as advance:
+        with progress_bar(player.spec.rows, show=progress, what="rows") as advance:
             advance(sum(receipt.rows for receipt in before))
             if ray is False:
-                written = _here(sweep, parts, missing, threads)
+                written = _here(player, parts, missing, threads)
             else:
                 started = time.perf_counter()
                 on_ray.start(ray, threads)
                 ray_start = time.perf_counter() - started
-                written = on_ray.write(sweep, parts, missing)
+                written = on_ray.write(player, parts, missing)
             receipts = list(before)
             with closing(written):
                 for receipt in written:
@@ -77,7 +77,7 @@ def run(
         parts.tidy()
     return Report(
         folder=str(folder),
-        sha256=sweep.sha256,
+        sha256=player.spec.sha256,
         rows=sum(receipt.rows for receipt in receipts),
         failed=sum(receipt.failed for receipt in receipts),
         parts=len(parts),
@@ -90,7 +90,7 @@ def run(
     )
 
 
-def _here(sweep: Sweep, parts: Parts, missing: list[int], threads: int) -> Generator[Receipt]:
+def _here(player: RowPlayer, parts: Parts, missing: list[int], threads: int) -> Generator[Receipt]:
     """Write parts, one per thread: Rust and Parquet release the interpreter's lock."""
     stop = Event()
 
@@ -104,7 +104,7 @@ def _here(sweep: Sweep, parts: Parts, missing: list[int], threads: int) -> Gener
             while True:
                 # Submit no more than the threads can write: waiting parts would fill memory.
                 for part in left:
-                    running.add(pool.submit(parts.write, sweep, part, go_on))
+                    running.add(pool.submit(parts.write, player, part, go_on))
                     if len(running) > threads:
                         break
                 if not running:
@@ -120,7 +120,7 @@ def _here(sweep: Sweep, parts: Parts, missing: list[int], threads: int) -> Gener
 
 
 @contextmanager
-def _claimed(sweep: Sweep, folder: Path, part_rows: int | None) -> Iterator[Parts]:
+def _claimed(player: RowPlayer, folder: Path, part_rows: int | None) -> Iterator[Parts]:
     """The parts of the sweep in its folder, locked against other runs.
 
     Raises:
@@ -134,26 +134,26 @@ def _claimed(sweep: Sweep, folder: Path, part_rows: int | None) -> Iterator[Part
                 f"{strangers[0]}: it belongs to no sweep ({MANIFEST} is missing); "
                 "choose another folder"
             )
-        rows = part_rows or default_rows(len(sweep))
-        _check_count(len(sweep), rows)
-        sweep._player.check()
+        rows = part_rows or default_rows(player.spec.rows)
+        _check_count(player.spec.rows, rows)
+        player.check()
         folder.mkdir(parents=True, exist_ok=True)
         said = {
             "format": FORMAT,
             "carom": __version__,
-            "sha256": sweep.sha256,
-            "rows": len(sweep),
+            "sha256": player.spec.sha256,
+            "rows": player.spec.rows,
             "part_rows": rows,
-            "spec": sweep.to_dict(),
+            "spec": player.spec.file,
         }
         unfinished = folder / f"{MANIFEST}{UNFINISHED}"
         unfinished.write_text(json.dumps(said, ensure_ascii=False, indent=1), encoding="utf-8")
         unfinished.replace(manifest)
     with manifest.open(encoding="utf-8") as file:
         _lock(file.fileno(), folder)
-        rows = _part_rows(sweep, manifest, file.read(), part_rows)
-        _check_count(len(sweep), rows)
-        yield Parts(folder, len(sweep), rows)
+        rows = _part_rows(player, manifest, file.read(), part_rows)
+        _check_count(player.spec.rows, rows)
+        yield Parts(folder, player.spec.rows, rows)
 
 
 def _check_count(rows: int, part_rows: int) -> None:
@@ -165,7 +165,7 @@ def _check_count(rows: int, part_rows: int) -> None:
         )
 
 
-def _part_rows(sweep: Sweep, manifest: Path, text: str, wanted: int | None) -> int:
+def _part_rows(player: RowPlayer, manifest: Path, text: str, wanted: int | None) -> int:
     """Rows of a part from the manifest, which must be that of this sweep and this run."""
     remedy = "choose another folder, or delete this one"
     try:
@@ -174,7 +174,7 @@ def _part_rows(sweep: Sweep, manifest: Path, text: str, wanted: int | None) -> i
         rows = whole("part_rows", said["part_rows"], low=1)
     except (ValueError, KeyError, TypeError):
         raise InputError(f"{manifest}: it does not describe a sweep; {remedy}") from None
-    if sha256 != sweep.sha256:
+    if sha256 != player.spec.sha256:
         raise InputError(f"{manifest}: the folder holds another sweep; {remedy}")
     if version != __version__:
         what = f"the folder was begun by carom {version}, and this is {__version__}"

@@ -164,6 +164,10 @@ class Spec:
         """Number of balls of the largest layout."""
         return max(map(len, (shot.ids for shot in self.layouts)))
 
+    def to_json(self) -> str:
+        """The complete spec as JSON text."""
+        return json.dumps(self.file, ensure_ascii=False)
+
     @property
     def sha256(self) -> str:
         """Hash of the complete spec as JSON text without blanks, 64 hex digits."""

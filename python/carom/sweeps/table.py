@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
+from carom import _core
 from carom.arguments import cores, instance, truth, whole
 from carom.arguments import text as checked_text
 from carom.errors import InputError
@@ -16,7 +16,6 @@ from carom.shot import Shot, read_text
 from carom.sweeps import on_ray
 from carom.sweeps.parts import play_rows
 from carom.sweeps.play import RowPlayer
-from carom.sweeps.read import parse
 from carom.sweeps.run import run
 from carom.sweeps.spec import Spec, load
 
@@ -65,7 +64,7 @@ class Sweep:
             OSError: A file cannot be read.
             InputError: The spec is invalid; the message names the place.
         """
-        return cls.from_dict(parse(checked_text("text", text)), folder=folder)
+        return cls.from_dict(_core.read_json(checked_text("text", text)), folder=folder)
 
     @classmethod
     def from_dict(cls, spec: Mapping[str, Any], *, folder: str | os.PathLike[str] = ".") -> Self:
@@ -83,7 +82,7 @@ class Sweep:
 
     def to_json(self) -> str:
         """The complete spec as JSON text."""
-        return json.dumps(self.spec.file, ensure_ascii=False)
+        return self.spec.to_json()
 
     @property
     def sha256(self) -> str:
@@ -124,7 +123,7 @@ class Sweep:
         Raises:
             InputError: The sweep has no such rows, or they do not fit into memory.
         """
-        return play_rows(self, *self._range(start, stop), threads=cores(threads))
+        return play_rows(self._player, *self._range(start, stop), threads=cores(threads))
 
     def shot(self, row: int) -> Shot:
         """The shot of one row, to look at or to simulate with a trace.
@@ -165,7 +164,7 @@ class Sweep:
         if not isinstance(ray, str):
             ray = truth("ray", ray)
         return run(
-            self,
+            self._player,
             _folder("out", out),
             threads=threads,
             part_rows=part_rows,
@@ -175,7 +174,7 @@ class Sweep:
 
     def dataset(self) -> Any:
         """The table as a ``ray.data.Dataset``, in order; rows are simulated when they are read."""
-        return on_ray.dataset(self)
+        return on_ray.dataset(self._player)
 
     def _range(self, start: int, stop: int | None) -> tuple[int, int]:
         rows = len(self)
