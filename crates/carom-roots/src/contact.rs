@@ -1,4 +1,4 @@
-//! The first contact of two bodies whose relative path is quadratic in time.
+//! The first contact of two bodies with a relative path that is quadratic in time.
 
 use crate::fast::{self, Proof};
 use crate::motion::Motion;
@@ -8,9 +8,9 @@ use crate::robust;
 /// or `None`.
 ///
 /// With f(t) = |d + vt + ht²|² − `distance`² this is the first t with f ≤ 0 and f′ < 0. Bodies that
-/// touch, or overlap by a rounding, and separate do not fire; if friction turns them back before
-/// they are apart they fire at the turning point, where a quartic may have no real root at all.
-/// `horizon` may be infinite. A motion that holds a NaN never touches.
+/// touch, or overlap by a rounding error, and separate are not in contact. If friction turns them
+/// back before they are apart, the contact is at the turning point, where the quartic may have no
+/// real root. `horizon` may be infinite. A motion that contains a NaN has no contact.
 #[inline]
 pub fn first_contact<const N: usize>(
     motion: &Motion<N>,

@@ -1,14 +1,14 @@
-//! The first downward crossing of a scalar gap that is quadratic in time.
+//! The first downward crossing of zero by a quadratic function of time.
 
 use crate::root::sqrt;
 
 /// First t in [0, `horizon`] with f(t) = c₀ + c₁t + c₂t² ≤ 0 and f′(t) < 0, or `None`.
 ///
-/// The gap may start at or below zero: it then fires at once if it is closing, and otherwise when
-/// it next closes, which is at the turning point if the gap is still not open there. A gap that
-/// only grazes zero does not fire. `horizon` may be infinite.
+/// If the gap is at or below zero at the start, the result is 0 if it is closing. Otherwise it is
+/// the time at which the gap closes next, or the turning point if the gap is not positive there. A
+/// gap that only grazes zero has no crossing. `horizon` may be infinite.
 ///
-/// Units: any, as long as f is in one unit of length and t in one unit of time.
+/// Units are arbitrary: one unit of length for f and one unit of time for t.
 #[inline]
 pub fn first_crossing(c0: f64, c1: f64, c2: f64, horizon: f64) -> Option<f64> {
     let closing = c1 < 0.0 || (c1 == 0.0 && c2 < 0.0);
@@ -22,11 +22,11 @@ pub fn first_crossing(c0: f64, c1: f64, c2: f64, horizon: f64) -> Option<f64> {
         }
     } else if c1 < 0.0 {
         let discriminant = c1 * c1 - 4.0 * (c0 * c2);
-        // Zero is a graze: the gap touches zero with no speed, and opens again.
+        // Zero is a graze: the gap reaches zero with zero rate and opens again.
         if c2 > 0.0 && discriminant <= 0.0 {
             return None;
         }
-        // This form of the smaller root adds two positive numbers, and needs no division by c₂.
+        // This form of the smaller root adds two positive numbers and does not divide by c₂.
         2.0 * c0 / (sqrt(discriminant) - c1)
     } else if c2 < 0.0 {
         last_descent(c0, c1, c2)
@@ -36,8 +36,8 @@ pub fn first_crossing(c0: f64, c1: f64, c2: f64, horizon: f64) -> Option<f64> {
     (t <= horizon && t < f64::INFINITY).then_some(t)
 }
 
-/// The descent of a gap that opens first (c₁ ≥ 0) and closes later (c₂ < 0): its larger root, or
-/// its turning point if it never opens.
+/// The crossing of a gap that opens first (c₁ ≥ 0) and closes later (c₂ < 0): the larger root, or
+/// the turning point if the gap never becomes positive.
 #[inline]
 fn last_descent(c0: f64, c1: f64, c2: f64) -> f64 {
     let discriminant = c1 * c1 - 4.0 * (c0 * c2);
@@ -51,7 +51,7 @@ mod tests {
     const NEVER: f64 = f64::INFINITY;
 
     #[test]
-    fn a_gap_that_closes_steadily_fires_when_it_is_closed() {
+    fn a_gap_that_closes_uniformly_crosses_when_it_is_closed() {
         assert_eq!(first_crossing(2.0, -4.0, 0.0, NEVER), Some(0.5));
         assert_eq!(first_crossing(2.0, -4.0, 0.0, 0.5), Some(0.5));
         assert_eq!(first_crossing(2.0, -4.0, 0.0, 0.49), None);
@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn a_graze_and_a_miss_do_not_fire() {
+    fn a_graze_and_a_miss_are_no_crossing() {
         assert_eq!(first_crossing(1.0, -2.0, 1.0, NEVER), None);
         assert_eq!(first_crossing(1.1, -2.0, 1.0, NEVER), None);
         assert_eq!(first_crossing(1.0, 0.0, 0.0, NEVER), None);
@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn touching_fires_at_once_only_if_closing() {
+    fn a_touching_start_crosses_at_once_only_if_closing() {
         assert_eq!(first_crossing(0.0, -1.0, 5.0, NEVER), Some(0.0));
         assert_eq!(first_crossing(-1e-17, -1.0, 0.0, NEVER), Some(0.0));
         assert_eq!(first_crossing(0.0, 0.0, -1.0, NEVER), Some(0.0));
@@ -84,9 +84,9 @@ mod tests {
     }
 
     #[test]
-    fn touching_and_opening_fires_on_the_return() {
+    fn a_touching_start_that_opens_crosses_on_the_return() {
         assert_eq!(first_crossing(0.0, 2.0, -1.0, NEVER), Some(2.0));
-        // never opens: −1 + t − t²/2 is greatest, −1/2, at t = 1
+        // never positive: −1 + t − t²/2 has its maximum, −1/2, at t = 1
         assert_eq!(first_crossing(-1.0, 1.0, -0.5, NEVER), Some(1.0));
         assert_eq!(first_crossing(-1.0, 1.0, -0.5, 0.9), None);
     }

@@ -1,11 +1,11 @@
-//! First contact at little cost: a closed form, or a few steps and a certificate.
+//! The cheap way to a first contact: a closed form, or a few iterations and a certificate.
 //!
-//! Whatever is not proved here is left to [`crate::robust`].
+//! Cases without a proof here are left to [`crate::robust`].
 
 use crate::motion::{Gap, Motion, cross_squared, dot};
 use crate::root::sqrt;
 
-/// What was proved.
+/// The result of the cheap way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Proof {
     /// This is the first contact.
@@ -16,18 +16,20 @@ pub(crate) enum Proof {
     Open,
 }
 
-/// v and h are parallel if the sine of their angle is at most this: two roundings in each product of
-/// h = −c v/|v|. Taking the path as straight then moves it by less than 1e-15 of the way h t².
+/// v and h count as parallel if the sine of their angle is at most this: two rounding errors in
+/// each product of h = −c v/|v|. The error of treating the path as straight is then below 1e-15 of
+/// the displacement h t².
 const PARALLEL: f64 = 4.0 * f64::EPSILON;
 
-/// A Halley step from a sample with |f f″| below this much of f′²/2 is the last. Its error, of the
-/// third power, leaves a gap of at most LAST_STEP³/16 contact distances: 5e-16 of a ball's diameter.
+/// A Halley step is the last one if |f f″| at its start is below this fraction of f′²/2. Its error
+/// is of third order and leaves a gap of at most LAST_STEP³/16 contact distances: 5e-16 of a ball's
+/// diameter.
 const LAST_STEP: f64 = 2e-5;
 
-/// More steps than a start that deserves the name needs.
+/// The most Halley steps. A start close to the root needs fewer.
 const MAX_STEPS: usize = 5;
 
-/// Newton steps to a turning point that is 1e-8 of the time scale of the motion away.
+/// Number of Newton steps to a turning point, from a distance of 1e-8 of the motion's time scale.
 const TURN_STEPS: usize = 2;
 
 /// First t in [0, `horizon`] with f ≤ 0 and f′ < 0, if it can be proved at little cost.
@@ -47,7 +49,8 @@ pub(crate) fn first_contact<const N: usize>(
     if g0 >= 0.0 && g[1] < 0.0 {
         return on_return(motion, distance, horizon, c0, g);
     }
-    // Touching, or opening for ever: signs decide, and the robust finder reasons on signs.
+    // Touching, or separating without end: signs decide such cases, and the robust finder uses
+    // signs.
     if !(c0 > 0.0 && g0 < 0.0) {
         return Proof::Open;
     }
@@ -57,7 +60,8 @@ pub(crate) fn first_contact<const N: usize>(
     on_curved_path(motion, distance, horizon, c0, g)
 }
 
-/// v ∥ h: the distance of the line from the centre decides whether, and a quadratic when.
+/// v ∥ h: whether there is a contact follows from the distance of the line from the centre, and its
+/// time from a quadratic.
 ///
 /// With x = d + τ v, |x| = D at τ = (−d·v − √(v²D² − |d × v|²))/v², and τ = t + κt² with κ = v·h/v².
 #[inline(always)]
@@ -68,13 +72,13 @@ fn on_straight_path<const N: usize>(
     [dv, vv, vh]: [f64; 3],
 ) -> Proof {
     let discriminant = vv * (distance * distance) - cross_squared(&motion.d, &motion.v);
-    // The line passes the contact circle, or only grazes it.
+    // The line passes outside the contact circle or grazes it.
     if discriminant <= 0.0 {
         return Proof::NoContact;
     }
     let tau = ((-dv - sqrt(discriminant)) / vv).max(0.0);
     let arrival = 1.0 + 4.0 * (vh / vv) * tau;
-    // The bodies stop, and go back the way they came, before they touch.
+    // The bodies stop and return before they touch.
     if arrival <= 0.0 {
         return Proof::NoContact;
     }
@@ -82,7 +86,7 @@ fn on_straight_path<const N: usize>(
     if t <= horizon { Proof::Contact(t) } else { Proof::NoContact }
 }
 
-/// Bodies that are closing on a curved path.
+/// Bodies that approach each other on a curved path.
 #[inline(always)]
 fn on_curved_path<const N: usize>(
     motion: &Motion<N>,
@@ -99,10 +103,10 @@ fn on_curved_path<const N: usize>(
     }
 }
 
-/// Bodies that are opening and being pulled back, most often after they have just touched.
+/// Bodies that separate and are pulled back, usually just after a contact.
 ///
-/// If f is concave up to its root t, it rises and then falls: it stays above its chord from 0 to t, so
-/// that t is the first contact if the gap is ever open before.
+/// If f is concave up to its root t, it rises and then falls, and stays above its chord from 0 to
+/// t. So t is the first contact if f is positive anywhere before t.
 #[inline(always)]
 fn on_return<const N: usize>(
     motion: &Motion<N>,
@@ -117,7 +121,7 @@ fn on_return<const N: usize>(
         return at_turn(&gap, horizon, g);
     }
     let start = (g[0] + sqrt(discriminant)) / -g[1];
-    // Far beyond the horizon the robust finder's axis proves a miss without any iteration.
+    // Far beyond the horizon the axis test of the robust finder proves a miss without iterations.
     if start > 2.0 * horizon {
         return Proof::Open;
     }
@@ -133,8 +137,8 @@ fn on_return<const N: usize>(
     }
 }
 
-/// Bodies a rounding inside contact that turn back before they part: contact is where f stops rising,
-/// if f is concave until there and not open there.
+/// Bodies that overlap by a rounding error and turn back before they separate. Contact is where f
+/// stops rising, if f is concave up to that point and not positive there.
 #[inline(always)]
 fn at_turn<const N: usize>(gap: &Gap<'_, N>, horizon: f64, g: [f64; 4]) -> Proof {
     let mut t = g[0] / -g[1];
@@ -148,10 +152,11 @@ fn at_turn<const N: usize>(gap: &Gap<'_, N>, horizon: f64, g: [f64; 4]) -> Proof
     Proof::Open
 }
 
-/// Halley's method on the actual positions, or `None` if it does not settle soon.
+/// Halley's method on the actual positions; `None` if it does not converge within a few steps.
 #[inline(always)]
 fn converged<const N: usize>(gap: &Gap<'_, N>, distance: f64, start: f64) -> Option<f64> {
-    // At least 2|x·h| near the contact: x·h alone may cancel |ẋ|² in f″ where f‴ does not vanish.
+    // At least 2|x·h| near the contact. The value of x·h itself may cancel |ẋ|² in f″ although f‴
+    // is not 0.
     let pull_limit = 2.0 * distance * gap.motion.h.iter().map(|h| h.abs()).sum::<f64>();
     let mut t = start;
     for _ in 0..MAX_STEPS {
@@ -165,10 +170,11 @@ fn converged<const N: usize>(gap: &Gap<'_, N>, distance: f64, start: f64) -> Opt
     None
 }
 
-/// A time near the contact: that of a straight path at the mean velocity of the way there.
+/// A time near the contact: the contact on a straight path with the mean velocity until then.
 ///
-/// The mean velocity to the time s is v + hs. For s the head-on approach will do, (|d| − D)|d|/−d·v,
-/// with |d|/(|d| + D) read as |d|²/(|d|² + D²): equal at contact and far away, and no square root.
+/// The mean velocity until the time s is v + hs. For s a head-on approach is accurate enough, (|d|
+/// − D)|d|/−d·v, with |d|/(|d| + D) replaced by |d|²/(|d|² + D²): equal at contact and far away,
+/// and without a square root.
 #[inline(always)]
 fn straight_start<const N: usize>(
     motion: &Motion<N>,
@@ -181,7 +187,7 @@ fn straight_start<const N: usize>(
     let s = c0 * dd / (-g0 * (dd + squared));
     let mean: [f64; N] = core::array::from_fn(|i| v[i] + s * h[i]);
     let discriminant = dot(&mean, &mean) * squared - cross_squared(d, &mean);
-    // A straight path that misses most often means a miss, which the robust finder proves sooner.
+    // A straight path that misses usually means a miss, which the robust finder proves faster.
     (discriminant > 0.0).then(|| c0 / (sqrt(discriminant) - dot(d, &mean)))
 }
 
@@ -191,8 +197,8 @@ fn rate(t: f64, g: [f64; 4]) -> f64 {
     g[0] + t * (g[1] + t * (g[2] + t * g[3]))
 }
 
-/// Whether f certainly falls on [0, t]: the Bernstein coefficients of f′ there are negative. Its root
-/// is then the only one.
+/// Whether f provably falls on [0, t]: the Bernstein coefficients of f′ are negative there. Then it
+/// has at most one root there.
 #[inline(always)]
 fn falls_to(t: f64, g: [f64; 4]) -> bool {
     let first = g[0] + t * g[1] / 3.0;
@@ -201,7 +207,7 @@ fn falls_to(t: f64, g: [f64; 4]) -> bool {
     t >= 0.0 && g[0] < 0.0 && first < 0.0 && second < 0.0 && last < 0.0
 }
 
-/// Whether f is certainly concave on [0, t]: likewise of f″.
+/// Whether f is provably concave on [0, t], by the Bernstein coefficients of f″.
 #[inline(always)]
 fn is_concave_to(t: f64, g: [f64; 4]) -> bool {
     let middle = g[1] + t * g[2];
@@ -209,13 +215,13 @@ fn is_concave_to(t: f64, g: [f64; 4]) -> bool {
     t >= 0.0 && g[1] < 0.0 && middle < 0.0 && last < 0.0
 }
 
-/// The only contact in [0, t] is at t: is it within the horizon?
+/// The result for a contact at t that is the only one in [0, t].
 #[inline(always)]
 fn answer<const N: usize>(gap: &Gap<'_, N>, t: f64, horizon: f64) -> Proof {
     if t <= horizon {
         return Proof::Contact(t);
     }
-    // That the root lies after the horizon is shown by the gap at the horizon, not by t, which is only
-    // as good as the last step.
+    // Whether the root is after the horizon follows from the gap at the horizon, not from t, which
+    // is only as accurate as the last step.
     if gap.sample(horizon).f > 0.0 { Proof::NoContact } else { Proof::Open }
 }

@@ -1,8 +1,8 @@
 //! First contact of two bodies on quadratic paths.
 //!
 //! A contact is **the first t ≥ 0 with f(t) ≤ 0 and f′(t) < 0**, where f is the gap: the bodies
-//! touch while approaching. [`first_contact`] is for two balls, in a plane or in space, and for a ball and
-//! a straight edge; [`first_ring_contact`] for a ball and a round edge, a circle in space.
+//! touch while approaching. [`first_contact`] is for two balls, in a plane or in space, and for a
+//! ball and a straight edge; [`first_ring_contact`] for a ball and a round edge, a circle in space.
 #![no_std]
 #[cfg(feature = "std")]
 extern crate std;

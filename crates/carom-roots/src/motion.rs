@@ -35,8 +35,8 @@ pub(crate) fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     sum
 }
 
-/// |a × b|², in any number of dimensions. What the first two axes do with the third is summed first, so
-/// that a motion turned by a quarter about it has the same bits.
+/// |a × b|², in any number of dimensions. The products of the first two axes with the third are
+/// summed first, so that a motion turned by 90° about the third has the same bits.
 #[inline(always)]
 pub(crate) fn cross_squared<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let mut sum = 0.0;
@@ -49,11 +49,11 @@ pub(crate) fn cross_squared<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     sum
 }
 
-/// The squared gap f(t) = |x(t)|² − D² of a motion x, and half its rate.
+/// The squared gap f(t) = |x(t)|² − D² of a motion x, and half its derivative.
 ///
-/// Both are computed from the positions, not from the expanded coefficients of the quartic: near a
-/// contact |x| is about D, so that f is known to one rounding of the position, while the expanded
-/// form loses what |x(0)|² and D² differ by, a factor of about a thousand on a table.
+/// Both are computed from the positions and not from the expanded coefficients of the quartic. Near
+/// a contact |x| ≈ D, so f has the rounding error of a position. The expanded form has one larger
+/// by the ratio of |x(0)|² to D², a factor of about a thousand on a table.
 #[derive(Clone, Copy)]
 pub(crate) struct Gap<'a, const N: usize> {
     pub(crate) motion: &'a Motion<N>,

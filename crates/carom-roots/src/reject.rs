@@ -1,34 +1,34 @@
-//! Proofs that two bodies cannot touch within a horizon, cheap enough to run on every pair.
+//! Proofs that two bodies cannot touch within a horizon. They are cheap enough for every pair.
 //!
-//! With f = |d + vt + ht²|² − D², any of three will do:
+//! With f = |d + vt + ht²|² − D², any one of three tests suffices:
 //!
-//! * **sign**: they are apart or touch, and f′/2 = d·v + (v² + 2d·h)t + 3(v·h)t² + 2h²t³ is at least 0
-//!   on [0, T], so that the bodies never approach;
-//! * **corridor**: across the direction of v the separation is d × v + t²(h × v), which runs from one
-//!   end to the other monotonically; it stays beyond D|v| on one side;
-//! * **axis**: along n = d/|d| the separation is a quadratic in t; it stays beyond D.
+//! * **sign**: the bodies are apart or touch, and f′/2 = d·v + (v² + 2d·h)t + 3(v·h)t² + 2h²t³ is
+//!   at least 0 on [0, T], so that they never approach;
+//! * **corridor**: the separation across the direction of v, d × v + t²(h × v), is monotone between
+//!   its ends and stays beyond D|v| on one side;
+//! * **axis**: the separation along n = d/|d| is a quadratic in t and stays beyond D.
 //!
-//! Each shows that the separation stays at least D. So they also hold for bodies that move in space, if
-//! they are told the separation in plan: there one body may be above the other at less than D, and
-//! come down on it while in plan they part.
+//! Each test proves that the separation stays at least D. So with the separation in plan view they
+//! hold for bodies that move in space, too. (The converse does not: of two bodies closer than D in
+//! plan view one may be above the other and come down on it while they move apart in plan view.)
 //!
-//! They are written without branches, roots or divisions, so that a loop over a row of pairs becomes
-//! vector instructions, each lane with the bits of the scalar. On pairs from simulated shots they
-//! turn away 94 to 98 of 100.
+//! The tests have no branches, roots or divisions, so that the compiler vectorises a loop over a
+//! row of pairs, and each lane has the bits of the scalar code. They reject 94 to 98 of 100 pairs
+//! of simulated shots.
 
-/// A horizon that stands in for infinity: 0 × ∞ is not a number. In any unit of time.
+/// A horizon in place of infinity, because 0 × ∞ is NaN; in any unit of time.
 const LONGEST: f64 = 1e60;
 
-/// Bodies in contact are this fraction of D² inside it at most, by the roundings of the time at which
-/// they met; what they overlap by then, 3e-14 m of billiard balls, is no depth.
+/// Bodies in contact overlap by at most this fraction of D², because the time of their contact is
+/// rounded: 3e-14 m for billiard balls. Such an overlap counts as touching.
 const TOUCHING: f64 = 1.0 - 1e-12;
 
-/// Whether two bodies at separation (dx, dy), relative velocity (vx, vy) and half relative
-/// acceleration (hx, hy) provably do not touch while approaching within `horizon` (s, perhaps
-/// infinite), `distance` (m) being that of their centres in contact. A horizon that is past or NaN
-/// stands for a pair that is not there.
+/// Whether two bodies provably do not touch while approaching within `horizon` (s, may be
+/// infinite). (dx, dy) is their separation, (vx, vy) their relative velocity, (hx, hy) half their
+/// relative acceleration, and `distance` (m) that of their centres in contact. A negative or NaN
+/// horizon marks an absent pair, which cannot touch.
 ///
-/// `false` says nothing: ask [`crate::first_contact`].
+/// `false` proves nothing; [`crate::first_contact`] decides.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)] // one scalar per array of a row
 pub fn cannot_touch(
@@ -45,14 +45,14 @@ pub fn cannot_touch(
         | keeps_off(dx, dy, vx, vy, hx, hy, distance, horizon)
 }
 
-/// A horizon to compute with. Selected, not `min`, which has its own rule for NaN and costs three
-/// instructions for it.
+/// A finite horizon. By comparison: `min` takes three more instructions for its treatment of NaN.
 #[inline(always)]
 fn finite(horizon: f64) -> f64 {
     if horizon < LONGEST { horizon } else { LONGEST }
 }
 
-/// The corridor of [`cannot_touch`], or a pair that is not there: cheapest, and for most pairs enough.
+/// The corridor test of [`cannot_touch`], true also for an absent pair. It is the cheapest test,
+/// and sufficient for most pairs.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)] // as above
 pub(crate) fn passes_by(
@@ -76,7 +76,7 @@ pub(crate) fn passes_by(
     corridor | absent
 }
 
-/// The sign and the axis of [`cannot_touch`].
+/// The sign and axis tests of [`cannot_touch`].
 #[inline(always)]
 #[allow(clippy::too_many_arguments)] // as above
 fn keeps_off(
@@ -103,7 +103,8 @@ fn keeps_off(
     let least_g2 = if g2 < 0.0 { g2 } else { 0.0 };
     let sign = (dv + t * (least_g1 + t * least_g2) >= 0.0) & (dd >= TOUCHING * squared);
 
-    // The quadratic |d|² + (d·v)t + (d·h)t² against D|d|, at both ends and at a least point between.
+    // The quadratic |d|² + (d·v)t + (d·h)t² compared with D|d|, at both ends and at a minimum
+    // between.
     let reach = squared * dd;
     let later = dd + t * (dv + t * dh);
     let least = 4.0 * dh * dd - dv * dv;
@@ -137,17 +138,17 @@ mod tests {
     }
 
     #[test]
-    fn of_bodies_that_overlap_in_plan_nothing_is_proved() {
+    fn nothing_is_proved_about_bodies_that_overlap_in_plan_view() {
         assert!(!proved([0.9, 0.0], [1.0, 0.0], [0.0, 0.0], NEVER));
         assert!(!proved([0.0, 0.0], [0.0, 0.0], [0.0, 0.0], NEVER));
         assert!(proved([1.0 - 1e-13, 0.0], [1.0, 0.0], [0.0, 0.0], NEVER));
     }
 
     #[test]
-    fn bodies_that_pass_wide_cannot_touch() {
+    fn bodies_that_pass_at_a_distance_cannot_touch() {
         assert!(proved([9.0, 1.1], [-2.0, 0.0], [0.0, 0.0], NEVER));
         assert!(!proved([9.0, 0.9], [-2.0, 0.0], [0.0, 0.0], NEVER));
-        // bent into the way after three seconds
+        // bent into the path after three seconds
         assert!(proved([9.0, 1.1], [-2.0, 0.0], [0.0, -0.01], 3.0));
         assert!(!proved([9.0, 1.1], [-2.0, 0.0], [0.0, -0.01], 4.5));
     }
@@ -161,12 +162,12 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_proved_of_a_path_that_is_not_a_number() {
+    fn nothing_is_proved_about_a_path_with_nan() {
         assert!(!proved([f64::NAN, 0.0], [-2.0, 0.0], [0.5, 0.0], 1.0));
     }
 
     #[test]
-    fn a_pair_that_is_not_there_cannot_touch() {
+    fn an_absent_pair_cannot_touch() {
         assert!(proved([f64::NAN, 0.0], [-1.0, 0.0], [0.0, 0.0], f64::NAN));
         assert!(proved([3.0, 0.0], [-1.0, 0.0], [0.0, 0.0], f64::NAN));
         assert!(proved([3.0, 0.0], [-1.0, 0.0], [0.0, 0.0], -1.0));

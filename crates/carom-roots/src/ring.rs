@@ -1,25 +1,28 @@
 //! First contact of a ball on a quadratic path with a round edge: a circle in space.
 //!
-//! The path is x(t) = d + vt + ht², the edge the circle of radius a about the origin in the plane
-//! z = 0. With ρ = |(x, y)| its nearest point is √((ρ − a)² + z²) away, and the squared gap is
+//! The path is x(t) = d + vt + ht², the edge the circle of radius a about the origin in the plane z
+//! = 0. With ρ = |(x, y)|, the nearest point of the circle is √((ρ − a)² + z²) away, and the
+//! squared gap is
 //!
 //! f(t) = (ρ − a)² + z² − R² = |x|² + a² − R² − 2aρ.
 //!
-//! Freed of its root it is a polynomial of degree eight, (|x|² + a² − R²)² − 4a²ρ², but one that is
-//! also positive where a < R and the ball's centre is deep inside the edge, within R of its far side
-//! too. So f is kept as it stands, a quartic less a multiple of ρ, and ρ is a convex function of x:
-//! that gives bounds of f, f′ and f″ on a span of time from a few scalar products (`ring::span`).
+//! Without the root this becomes a polynomial of degree eight, (|x|² + a² − R²)² − 4a²ρ². But where
+//! a < R that polynomial is positive even for a centre so deep inside the edge that the ball also
+//! reaches the far side. So f is kept as it is, a quartic minus a multiple of ρ. As ρ is a convex
+//! function of x, a few scalar products give bounds of f, f′ and f″ on a span of time
+//! (`ring::span`).
 //!
-//! The window of time in which the path is in the box about the torus |ρ − a|² + z² ≤ R² is walked
-//! from left to right, in spans of each of which one of these is proved:
+//! The path is in the box around the torus |ρ − a|² + z² ≤ R² during a window of time. The window
+//! is searched from left to right, in spans for each of which one of these is proved:
 //!
 //! * **clear**: f > 0;
-//! * **falling** or **concave**, f > 0 at the left: one root if f ≤ 0 at the right, else none;
-//! * **convex**: Newton from the left is monotone and finds the first root, or that there is none;
-//! * touching and not falling at the left: **rising** or **convex** spans keep rising, a **concave** one
-//!   fires at its turning point, if f ≤ 0 there.
+//! * **falling** or **concave**, f > 0 at the left: one root if f ≤ 0 at the right, otherwise none;
+//! * **convex**: Newton's method from the left is monotone and finds the first root or proves that
+//!   there is none;
+//! * touching and not falling at the left: on **rising** or **convex** spans f keeps rising; on a
+//!   **concave** one the turning point is a contact if f ≤ 0 there.
 //!
-//! A span without a proof is halved, and a span that was passed is followed by one twice as long.
+//! A span without a proof is halved. After a span with a proof the next one is twice as long.
 
 mod span;
 
@@ -27,15 +30,16 @@ use crate::contact::first_contact;
 use crate::crossing::first_crossing;
 use crate::motion::Motion;
 use crate::root::sqrt;
-use span::{Shape, Span};
+use span::{GapShape, Span};
 
-/// First t in [`from`, `horizon`] (s) at which the path is within `distance` R (m) of the circle of
-/// radius `ring` a ≥ 0 (m) about the origin in the plane z = 0 and approaching it, or `None`.
+/// First t in [`from`, `horizon`] (s) at which the path is within `distance` R (m) of the circle
+/// and approaching it, or `None`. The circle has the radius `ring` a ≥ 0 (m) about the origin in
+/// the plane z = 0.
 ///
-/// With g(t) = √((ρ − a)² + z²) − R and ρ = |(x, y)| this is the first t with g ≤ 0 and g′ < 0, g′ being
-/// taken to the right where the path crosses the axis. A start that touches, or overlaps by a
-/// rounding, and parts does not fire. `horizon` may be infinite. A motion that holds a NaN never
-/// touches.
+/// With g(t) = √((ρ − a)² + z²) − R and ρ = |(x, y)| this is the first t with g ≤ 0 and g′ < 0,
+/// where g′ is the right-hand derivative where the path crosses the axis. A path that touches at
+/// the start, or overlaps by a rounding error, and separates is not in contact. `horizon` may be
+/// infinite. A motion that contains a NaN has no contact.
 #[inline]
 pub fn first_ring_contact(
     motion: &Motion<3>,
@@ -51,7 +55,7 @@ pub fn first_ring_contact(
         return first_point_contact(motion, distance, from, horizon);
     }
     let (start, end) = window(motion, ring + distance, distance, from, horizon)?;
-    walk(&Tube { motion, ring, distance }, start, end)
+    search_window(&Tube { motion, ring, distance }, start, end)
 }
 
 /// The contact with the origin: the quartic of two balls.
@@ -64,12 +68,12 @@ fn first_point_contact(motion: &Motion<3>, distance: f64, from: f64, horizon: f6
     Some((from + t).min(horizon))
 }
 
-/// Widens the box by more than the roundings of its own computation, so that a path that touches the
-/// torus where it touches the box is not lost. Relative.
+/// Factor by which the box is enlarged: more than the rounding errors of its computation, so that a
+/// contact on the face of the box is not lost.
 const BOX_MARGIN: f64 = 1.0 + 16.0 * f64::EPSILON;
 
-/// Whether one coordinate's Bernstein coefficients on [from, horizon] all lie on one side of the box
-/// |x|, |y| ≤ `width`, |z| ≤ `height`.
+/// Whether the Bernstein coefficients of one coordinate on [from, horizon] are all on one side of
+/// the box |x|, |y| ≤ `width`, |z| ≤ `height`.
 #[inline(always)]
 fn box_is_clear(motion: &Motion<3>, width: f64, height: f64, from: f64, horizon: f64) -> bool {
     let first = motion.at(from);
@@ -99,7 +103,7 @@ fn window(
         let coordinate = [motion.d[i], motion.v[i], motion.h[i]];
         (start, end) = slab_window(coordinate, bound * BOX_MARGIN, start, end)?;
     }
-    // Without end only for what rests, or moves for longer than any number.
+    // The end is infinite only for a path at rest, or for one that leaves later than any number.
     (start <= end && end < f64::INFINITY).then_some((start, end))
 }
 
@@ -116,7 +120,7 @@ fn slab_window([c0, c1, c2]: [f64; 3], bound: f64, start: f64, end: f64) -> Opti
     if there.abs() <= bound || (c1 == 0.0 && c2 == 0.0) {
         return Some((first, end));
     }
-    // In the end the coordinate leaves to this side; the larger root of c₂t² + c₁t + c₀ ∓ bound.
+    // In the end the coordinate leaves on this side, at the larger root of c₂t² + c₁t + c₀ ∓ bound.
     let (side, curve) = if c2 != 0.0 { (sign(c2), c2.abs()) } else { (sign(c1), 0.0) };
     let (rate, below) = (side * c1, bound - side * c0);
     let root = sqrt((rate * rate + 4.0 * (curve * below)).max(0.0));
@@ -129,7 +133,7 @@ fn sign(x: f64) -> f64 {
     if x > 0.0 { 1.0 } else { -1.0 }
 }
 
-/// The torus of the points within `distance` of the ring, and a path.
+/// A path, and the torus of the points within `distance` of the ring.
 #[derive(Clone, Copy)]
 struct Tube<'a> {
     motion: &'a Motion<3>,
@@ -137,15 +141,15 @@ struct Tube<'a> {
     distance: f64,
 }
 
-/// A point of the path, and of the squared gap f.
+/// A point of the path, with the squared gap f.
 #[derive(Clone, Copy)]
-struct Sample {
+struct RingSample {
     t: f64,
     x: [f64; 3],
     velocity: [f64; 3],
     /// ρ.
     radius: f64,
-    /// ρ′, to the right.
+    /// ρ′, from the right.
     radial_rate: f64,
     /// f.
     f: f64,
@@ -155,7 +159,7 @@ struct Sample {
 
 impl Tube<'_> {
     #[inline(always)]
-    fn sample(&self, t: f64) -> Sample {
+    fn sample(&self, t: f64) -> RingSample {
         let x = self.motion.at(t);
         let velocity = self.motion.velocity_at(t);
         let radius = sqrt(x[0] * x[0] + x[1] * x[1]);
@@ -167,14 +171,14 @@ impl Tube<'_> {
         let out = radius - self.ring;
         let f = out * out + x[2] * x[2] - self.distance * self.distance;
         let g = out * radial_rate + x[2] * velocity[2];
-        Sample { t, x, velocity, radius, radial_rate, f, g }
+        RingSample { t, x, velocity, radius, radial_rate, f, g }
     }
 
-    /// How long a hop off the ring takes if f″ stays as it is: from where it touches and parts
-    /// until it comes back. A guess at where to look first.
+    /// An estimate of the duration of a hop off the ring, from the contact to the return, for a
+    /// constant f″. It only sets the length of the first span.
     #[inline(always)]
-    fn hop(&self, here: &Sample) -> Option<f64> {
-        let Sample { x, velocity, radius, radial_rate, f, g, .. } = here;
+    fn hop(&self, here: &RingSample) -> Option<f64> {
+        let RingSample { x, velocity, radius, radial_rate, f, g, .. } = here;
         let touches = f.abs() <= TOUCH * (self.distance * self.distance);
         if !touches || *g <= 0.0 || *radius == 0.0 {
             return None;
@@ -188,47 +192,49 @@ impl Tube<'_> {
         (bend < 0.0).then(|| -2.0 * g / bend)
     }
 
-    /// An f′/2 whose sign is a matter of roundings.
+    /// The value of f′/2 below which its sign may be a rounding error.
     #[inline(always)]
-    fn graze(&self, here: &Sample) -> f64 {
+    fn graze(&self, here: &RingSample) -> f64 {
         let [x, y, z] = here.velocity.map(f64::abs);
         GRAZE * (self.ring + self.distance) * (x + y + z)
     }
 }
 
-/// A squared gap below this share of R² is as good as zero: it is the rounding of its terms.
+/// A squared gap below this fraction of R² counts as zero: it is the rounding error of its terms.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
-/// A squared gap below this share of R² is taken for a touch, where only speed depends on it.
+/// A squared gap below this fraction of R² counts as a touch. Only the speed of the search depends
+/// on it.
 const TOUCH: f64 = 1e-9;
 
-/// How much further than a guessed hop is looked at once: far enough that it ends there, not so far that
-/// the signs of its derivatives are unsettled.
+/// Length of the first span as a multiple of the estimated hop: long enough to contain the end of
+/// the hop, and short enough for definite signs of the derivatives.
 const HOP_SPAN: f64 = 1.25;
 
-/// A ball that leaves the slate is on top of the lip's torus, and its normal speed there, zero, is known
-/// only as well as its position. What closes by no more than this does not fire if f is convex: it
-/// then falls by no more than f′ times the time, that is, by roundings of the path. Relative.
+/// A ball that leaves the slate is on top of the lip's torus. Its normal velocity there is zero,
+/// with the rounding error of a position. An approach no faster than this is not a contact if f is
+/// convex: f then falls by at most f′ times the duration, which is a rounding error of the path.
+/// Relative.
 const GRAZE: f64 = 32.0 * f64::EPSILON;
 
-/// What a span holds.
-enum Outcome {
+/// The result on one span.
+enum SpanResult {
     /// The first contact.
     At(f64),
-    /// No contact: proved.
-    Passed,
-    /// Nothing was proved.
+    /// No contact, with proof.
+    Clear,
+    /// No proof.
     Open,
 }
 
-/// A span is not halved below this part of the window, which is less than a rounding of any of its times
-/// but the first few.
+/// Spans are not halved below this fraction of the window, which is less than a rounding error of
+/// all but the first few times in it.
 const FINEST: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// The first contact in [start, end].
-fn walk(tube: &Tube<'_>, start: f64, end: f64) -> Option<f64> {
+fn search_window(tube: &Tube<'_>, start: f64, end: f64) -> Option<f64> {
     let mut here = tube.sample(start);
-    // Not a number, and no proof would ever be found.
+    // With a NaN no proof would ever succeed.
     let [x, y, z] = tube.motion.at(end);
     if here.f.is_nan() | x.is_nan() | y.is_nan() | z.is_nan() {
         return None;
@@ -242,14 +248,15 @@ fn walk(tube: &Tube<'_>, start: f64, end: f64) -> Option<f64> {
         let to = if width < end - here.t { here.t + width } else { end };
         let half = 0.5 * (to - here.t);
         let there = tube.sample(to);
-        match search(tube, &here, &there) {
-            Outcome::At(t) => return Some(t),
-            Outcome::Open if half > finest && here.t + half > here.t && here.t + half < to => {
+        match search_span(tube, &here, &there) {
+            SpanResult::At(t) => return Some(t),
+            SpanResult::Open if half > finest && here.t + half > here.t && here.t + half < to => {
                 width = half;
                 continue;
             }
-            // Of less than a rounding of time nothing can be told: the signs at its end decide.
-            Outcome::Passed | Outcome::Open => {}
+            // Within a rounding error of time nothing can be proved; the signs at the end of the
+            // span decide.
+            SpanResult::Clear | SpanResult::Open => {}
         }
         if to >= end {
             return (there.f <= 0.0 && there.g < 0.0).then_some(end);
@@ -259,78 +266,80 @@ fn walk(tube: &Tube<'_>, start: f64, end: f64) -> Option<f64> {
     }
 }
 
-/// The first contact between two samples, if one proof is enough.
+/// The first contact between two samples, if one proof suffices.
 #[inline(always)]
-fn search(tube: &Tube<'_>, here: &Sample, there: &Sample) -> Outcome {
+fn search_span(tube: &Tube<'_>, here: &RingSample, there: &RingSample) -> SpanResult {
     let span = Span::new(tube, here, there);
     let apart = here.f > 0.0;
     if apart && there.f > 0.0 && span.is_clear() {
-        return Outcome::Passed;
+        return SpanResult::Clear;
     }
     match span.shape() {
-        Shape::Falling | Shape::Concave if apart => {
+        GapShape::Falling | GapShape::Concave if apart => {
             if there.f > 0.0 {
-                Outcome::Passed
+                SpanResult::Clear
             } else {
-                Outcome::At(only_descent(tube, here, there))
+                SpanResult::At(only_descent(tube, here, there))
             }
         }
-        Shape::Convex if apart => on_convex(tube, here, there.t),
-        Shape::Convex | Shape::Rising => Outcome::Passed,
-        Shape::Concave => on_concave_from_touch(tube, here, there),
-        Shape::Falling => Outcome::At(here.t),
-        Shape::Unknown => Outcome::Open,
+        GapShape::Convex if apart => on_convex(tube, here, there.t),
+        GapShape::Convex | GapShape::Rising => SpanResult::Clear,
+        GapShape::Concave => on_concave_from_touch(tube, here, there),
+        GapShape::Falling => SpanResult::At(here.t),
+        GapShape::Unknown => SpanResult::Open,
     }
 }
 
-/// More Newton steps than a monotone or bracketed search can take; see [`crate::robust`].
+/// The most Newton steps of a monotone or bracketed search; see [`crate::robust`].
 const MAX_STEPS: usize = 256;
 
-/// Newton from the left, where no tangent passes the first root.
-fn on_convex(tube: &Tube<'_>, from: &Sample, end: f64) -> Outcome {
+/// Newton's method from the left, where no tangent passes the first root.
+fn on_convex(tube: &Tube<'_>, from: &RingSample, end: f64) -> SpanResult {
     let mut here = *from;
     for _ in 0..MAX_STEPS {
         if here.g >= 0.0 {
-            return Outcome::Passed;
+            return SpanResult::Clear;
         }
         if here.f <= 0.0 {
             break;
         }
         let t = here.t - 0.5 * here.f / here.g;
         if t > end || t.is_nan() {
-            return Outcome::Passed;
+            return SpanResult::Clear;
         }
         if t <= here.t {
             break;
         }
         here = tube.sample(t);
     }
-    Outcome::At(here.t)
+    SpanResult::At(here.t)
 }
 
-/// Touching and rising on a concave span: contact is where f stops rising, if it is not open there.
-fn on_concave_from_touch(tube: &Tube<'_>, here: &Sample, there: &Sample) -> Outcome {
-    // It neither rises nor is convex: it is being pressed on.
+/// Touching and rising on a concave span: contact is where f stops rising, unless f is positive
+/// there.
+fn on_concave_from_touch(tube: &Tube<'_>, here: &RingSample, there: &RingSample) -> SpanResult {
+    // f neither rises nor is convex: the bodies are pressed together.
     if here.g <= 0.0 {
-        return Outcome::At(here.t);
+        return SpanResult::At(here.t);
     }
     if there.g >= 0.0 {
-        return Outcome::Passed;
+        return SpanResult::Clear;
     }
-    // Where f′ would vanish if it changed evenly; if f is open there it has been since it opened.
+    // The point where f′ would be 0 if it changed linearly. If f is positive there, it has been
+    // since it rose above 0.
     let mut top = tube.sample(here.t + (there.t - here.t) * (here.g / (here.g - there.g)));
     if top.f <= 0.0 {
         top = turning_point(tube, here, there);
         if top.f <= 0.0 {
-            return Outcome::At(top.t);
+            return SpanResult::At(top.t);
         }
     }
-    if there.f > 0.0 { Outcome::Passed } else { Outcome::At(only_descent(tube, &top, there)) }
+    if there.f > 0.0 { SpanResult::Clear } else { SpanResult::At(only_descent(tube, &top, there)) }
 }
 
-/// The only time between `open` (f > 0) and `closed` (f ≤ 0) at which f falls to zero: Newton from the
-/// root of the parabola through both, kept between the signs.
-fn only_descent(tube: &Tube<'_>, open: &Sample, closed: &Sample) -> f64 {
+/// The only time between `open` (f > 0) and `closed` (f ≤ 0) at which f falls to zero: Newton's
+/// method from the root of the parabola through both, bracketed by the signs.
+fn only_descent(tube: &Tube<'_>, open: &RingSample, closed: &RingSample) -> f64 {
     let (mut low, mut high) = (open.t, closed.t);
     let mut last_step = high - low;
     let bend = (closed.f - open.f - 2.0 * (open.g * last_step)) / (last_step * last_step);
@@ -340,7 +349,7 @@ fn only_descent(tube: &Tube<'_>, open: &Sample, closed: &Sample) -> f64 {
     };
     let rounding = ROUNDING * (tube.distance * tube.distance);
     for _ in 0..MAX_STEPS {
-        // Newton has got as near as f can tell; more steps would follow roundings.
+        // f is as close to 0 as rounding allows; more steps would follow rounding errors.
         if here.f.abs() <= rounding {
             break;
         }
@@ -353,7 +362,7 @@ fn only_descent(tube: &Tube<'_>, open: &Sample, closed: &Sample) -> f64 {
         if t == here.t {
             break;
         }
-        // A step that does not halve the last may not be going anywhere.
+        // A step longer than half the last one may not converge.
         if !(t > low && t < high && (t - here.t).abs() <= 0.5 * last_step) {
             t = 0.5 * (low + high);
             if t <= low || t >= high {
@@ -364,12 +373,12 @@ fn only_descent(tube: &Tube<'_>, open: &Sample, closed: &Sample) -> f64 {
         last_step = (t - here.t).abs();
         here = tube.sample(t);
     }
-    // Roundings may close a gap that is still opening: what parts has not met.
+    // Rounding may make a gap ≤ 0 that is still opening. Bodies that separate have not met.
     if here.g > 0.0 { turning_point(tube, &here, closed).t } else { here.t }
 }
 
-/// Where f stops rising, between a rising and a falling point with one turn between them.
-fn turning_point(tube: &Tube<'_>, rising: &Sample, falling: &Sample) -> Sample {
+/// The point where f stops rising, between a rising and a falling point with one turn between them.
+fn turning_point(tube: &Tube<'_>, rising: &RingSample, falling: &RingSample) -> RingSample {
     let (mut low, mut high) = (rising.t, *falling);
     loop {
         let middle = 0.5 * (low + high.t);

@@ -1,4 +1,4 @@
-//! The square root, which IEEE 754 rounds correctly: the same bits with and without `std`.
+//! The square root. IEEE 754 rounds it correctly, so its bits are the same with and without `std`.
 
 /// √x.
 #[cfg(feature = "std")]

@@ -1,10 +1,10 @@
-//! A row of pairs, turned away together by the proofs of [`crate::cannot_touch`].
+//! A row of pairs that the proofs of [`crate::cannot_touch`] reject together.
 
 use crate::reject::{cannot_touch, passes_by};
 
-/// A row of `L` pairs as structure of arrays: the motions of one body relative to `L` others.
+/// A row of `L` pairs as a structure of arrays: the motions of `L` bodies relative to one.
 ///
-/// A lane that holds no pair has a `horizon` of NaN.
+/// A lane without a pair has a `horizon` of NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Row<const L: usize> {
@@ -22,40 +22,41 @@ pub struct Row<const L: usize> {
     pub hy: [f64; L],
     /// Distance of the centres in contact, m.
     pub distance: [f64; L],
-    /// The last time of interest, s; may be infinite.
+    /// End of the search, s; may be infinite.
     pub horizon: [f64; L],
 }
 
 impl<const L: usize> Row<L> {
-    /// For each lane, whether it is open: [`crate::cannot_touch`] does not hold. `None` if no lane is.
+    /// For each lane, whether it stays open because [`crate::cannot_touch`] proves nothing. `None`
+    /// if no lane is open.
     ///
-    /// Inlined into its caller, so that a caller compiled for wider vectors gets them.
+    /// Inlined, so that a caller compiled for wider vectors uses them here.
     #[inline(always)]
     pub fn open(&self) -> Option<[bool; L]> {
-        // Loops: the closure of `array::from_fn` may be left out of line, and then is compiled for
-        // narrow vectors. Whether any lane is open is asked of a flag: one vector test, where
-        // comparing arrays would pack them first.
+        // Loops, because the closure of `array::from_fn` may not be inlined and would then be
+        // compiled for narrow vectors. A flag for any open lane is one vector test; comparing
+        // arrays would pack them first.
         let mut any = false;
         for i in 0..L {
-            any |= !self.ask(passes_by, i);
+            any |= !self.proved(passes_by, i);
         }
-        // Most rows are far from the path: of them the corridor turns away every lane.
+        // Most rows are far from the path, and the corridor test rejects every lane.
         if !any {
             return None;
         }
-        // The corridor's answers are still there: the compiler does not work them out again.
+        // The compiler reuses the results of the corridor test.
         let mut open = [false; L];
         any = false;
         for (i, open) in open.iter_mut().enumerate() {
-            *open = !self.ask(cannot_touch, i);
+            *open = !self.proved(cannot_touch, i);
             any |= *open;
         }
         any.then_some(open)
     }
 
-    /// A proof about lane `i`.
+    /// The result of a proof for lane `i`.
     #[inline(always)]
-    fn ask(
+    fn proved(
         &self,
         proof: impl Fn(f64, f64, f64, f64, f64, f64, f64, f64) -> bool,
         i: usize,
@@ -78,8 +79,8 @@ mod tests {
     use super::Row;
 
     #[test]
-    fn a_row_says_of_each_lane_what_the_scalar_says() {
-        // meets, parts, misses, is too far, is not there
+    fn a_row_gives_each_lane_the_result_of_the_scalar_function() {
+        // meets, separates, misses, is too far away, is absent
         let row = Row {
             dx: [3.0, 3.0, 3.0, 3.0, 3.0],
             dy: [0.0, 0.0, 1.5, 0.0, 0.0],

@@ -1,10 +1,10 @@
-//! The rule of contact, f ≤ 0 and f′ < 0, on motions whose answer is known by hand.
+//! The definition of a contact, f ≤ 0 and f′ < 0, on motions whose contact is known in closed form.
 
 use carom_roots::{Motion, first_contact};
 
 const NEVER: f64 = f64::INFINITY;
 
-/// Agreement of a time with its value by hand: a few roundings.
+/// Tolerance of a time: a few rounding errors.
 const ROUNDING: f64 = 1e-15;
 
 fn plane(d: [f64; 2], v: [f64; 2], h: [f64; 2]) -> Motion<2> {
@@ -42,7 +42,7 @@ fn a_ball_that_stops_short_never_touches() {
 }
 
 #[test]
-fn nothing_moving_never_touches() {
+fn bodies_at_rest_never_touch() {
     let rest = [0.0; 2];
     assert_eq!(first_contact(&plane([3.0, 1.0], rest, rest), 1.0, NEVER), None);
     assert_eq!(first_contact(&plane([1.0, 0.0], rest, rest), 1.0, NEVER), None);
@@ -50,21 +50,21 @@ fn nothing_moving_never_touches() {
 }
 
 #[test]
-fn touching_bodies_fire_at_once_only_if_they_approach() {
+fn touching_bodies_meet_at_once_only_if_they_approach() {
     let still = [0.0, 0.0];
     assert_eq!(first_contact(&plane([1.0, 0.0], [-1e-9, 3.0], still), 1.0, 1.0), Some(0.0));
     assert_eq!(first_contact(&plane([1.0, 0.0], [1e-9, 3.0], still), 1.0, 1.0), None);
-    // one rounding inside
+    // an overlap of one rounding error
     let inside = 1.0 - f64::EPSILON;
     assert_eq!(first_contact(&plane([inside, 0.0], [-1e-9, 0.0], still), 1.0, 1.0), Some(0.0));
     assert_eq!(first_contact(&plane([inside, 0.0], [1e-9, 0.0], still), 1.0, 1.0), None);
 }
 
 #[test]
-fn touching_bodies_without_normal_speed_fire_if_they_are_pushed_together() {
+fn touching_bodies_without_normal_speed_meet_if_they_are_pushed_together() {
     assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 0.0], [-1.0, 0.0]), 1.0, 1.0), Some(0.0));
     assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 0.0], [1.0, 0.0]), 1.0, 1.0), None);
-    // sliding past each other: the centrifugal v² beats the push 2 d·h
+    // sliding past each other: the centrifugal term v² exceeds the push 2 d·h
     assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 1.0], [-0.4, 0.0]), 1.0, 0.1), None);
     assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 1.0], [-0.6, 0.0]), 1.0, 0.1), Some(0.0));
 }
@@ -77,9 +77,10 @@ fn touching_and_separating_bodies_meet_again_when_pushed_back() {
 }
 
 #[test]
-fn bodies_a_rounding_inside_contact_that_never_part_fire_where_they_turn() {
-    // The separation is 1 − 2⁻⁴⁰ + 2⁻²⁵t − t²/…: it turns at t = 2⁻²⁶ having gained 2⁻⁵², so the
-    // quartic has no real root, and a finder that hunts roots lets the bodies pass through.
+fn bodies_that_overlap_by_a_rounding_error_and_never_separate_meet_at_the_turning_point() {
+    // The separation is 1 − 2⁻⁴⁰ + 2⁻²⁵t − t²/…: it turns at t = 2⁻²⁶, having grown by 2⁻⁵², so the
+    // quartic has no real root, and a finder that searches for roots lets the bodies pass through
+    // each other.
     let depth = 1.0 / (1u64 << 40) as f64;
     let speed = 1.0 / (1u64 << 25) as f64;
     let motion = plane([1.0 - depth, 0.0], [speed, 0.0], [-1.0, 0.0]);
@@ -89,7 +90,7 @@ fn bodies_a_rounding_inside_contact_that_never_part_fire_where_they_turn() {
 
 #[test]
 fn a_second_approach_after_a_near_miss_is_found() {
-    // passes at a distance, is turned around by the acceleration, and comes back to hit
+    // passes at a distance, is turned back by the acceleration, and then hits
     let motion = plane([2.0, 1.5], [-3.0, 0.0], [1.0, -0.4]);
     let t = first_contact(&motion, 1.0, NEVER).expect("a contact on the way back");
     let x = motion.at(t);
@@ -97,7 +98,7 @@ fn a_second_approach_after_a_near_miss_is_found() {
 }
 
 #[test]
-fn a_motion_that_is_not_a_number_never_touches() {
+fn a_motion_with_nan_never_touches() {
     let motion = plane([2.0, f64::NAN], [-3.0, 0.0], [1.0, -0.4]);
     assert_eq!(first_contact(&motion, 1.0, NEVER), None);
     let motion = plane([2.0, 0.0], [-3.0, 0.0], [1.0, 0.0]);
@@ -105,12 +106,12 @@ fn a_motion_that_is_not_a_number_never_touches() {
     assert_eq!(first_contact(&motion, 1.0, -1.0), None);
 }
 
-/// Seen: two touching balls of an eight-ball break, parting at 0.45 nm/s, met again at time 0, for
-/// ever. Right: they meet when the cloth has turned them back. Why it went wrong: they part by less
-/// than a rounding, and the last Newton step, which divides noise by next to nothing, went beyond
-/// their turn to the start.
+/// Seen: two touching balls of an eight-ball break separated at 0.45 nm/s and met again at time 0,
+/// without end. Expected: they meet when friction of the cloth has turned them back. Cause: they
+/// separate by less than a rounding error, and the last Newton step, a quotient of two rounding
+/// errors, went past the turning point to the start.
 #[test]
-fn bodies_that_part_by_less_than_a_rounding_meet_after_their_turn() {
+fn bodies_that_separate_by_less_than_a_rounding_error_meet_after_their_turn() {
     let motion = plane(
         [0.036474294947070544, 0.043997139771968174],
         [1.2530342744061957e-9, -4.4948379469975157e-10],

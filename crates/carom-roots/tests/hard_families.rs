@@ -1,6 +1,7 @@
-//! The nine hard families, and those of flight, judged in 106 bits: nothing lost or invented beyond roundings of position.
+//! The nine hard families, and those of flight, judged with 106 bits: no contact is lost or
+//! invented beyond rounding errors of position.
 //!
-//! `CAROM_CASES=1000000 cargo test --release -p carom-roots --test hard_families` is the long run.
+//! `CAROM_CASES=1000000 cargo test --release -p carom-roots --test hard_families` runs more cases.
 
 use carom_peers::families::{Case, Family, cluster_pair, uniform_pair};
 use carom_peers::flight_families::FlightFamily;
@@ -9,15 +10,15 @@ use carom_peers::judge::{Verdict, judge};
 use carom_peers::random::Random;
 use carom_roots::{Motion, cannot_touch, first_contact};
 
-/// A lost or invented contact shallower than this has no meaning: positions of a metre are rounded
-/// to 2e-16 m themselves. In m.
+/// Lost or invented contacts shallower than this, m, are ignored: a position of a metre is rounded
+/// to 2e-16 m.
 const DEPTH: f64 = 1e-15;
 
-/// The gap |x| − D at a returned time: at most, and at the median, m.
+/// Largest and median gap |x| − D at a returned time, m.
 const GAP_ALWAYS: f64 = 1e-14;
 const GAP_MEDIAN: f64 = 1e-15;
 
-/// An overlap at the start of less than this, relative to the contact distance, is no overlap.
+/// Overlaps at the start of less than this fraction of the contact distance are ignored.
 const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
 fn cases() -> usize {
@@ -38,7 +39,7 @@ fn assert_all_right<const N: usize>(
         let answer = first_contact(&motion, distance, horizon);
         match judge(&case, answer, DEPTH) {
             Verdict::Right { gap } => {
-                // Bodies that overlap at first, and turn back, cannot meet at a gap of zero.
+                // Bodies that overlap at the start and turn back do not meet at a gap of zero.
                 let squared = motion.d.iter().map(|x| x * x).sum::<f64>();
                 let apart = squared >= distance * distance * (1.0 - ROUNDINGS);
                 if answer.is_some() && apart {
@@ -64,7 +65,7 @@ fn nothing_is_lost_or_invented_in_the_nine_hard_families() {
 }
 
 #[test]
-fn nothing_is_lost_or_invented_between_balls_aloft() {
+fn nothing_is_lost_or_invented_between_flying_balls() {
     for (seed, family) in FlightFamily::ALL.into_iter().enumerate() {
         assert_all_right(&format!("aloft {family:?}"), 200 + seed as u64, |r| {
             family.sample::<3>(r)
@@ -73,7 +74,7 @@ fn nothing_is_lost_or_invented_between_balls_aloft() {
 }
 
 #[test]
-fn nothing_is_lost_or_invented_between_a_ball_aloft_and_a_straight_edge() {
+fn nothing_is_lost_or_invented_between_a_flying_ball_and_a_straight_edge() {
     for (seed, family) in FlightFamily::ALL.into_iter().enumerate() {
         assert_all_right(&format!("edge {family:?}"), 220 + seed as u64, |r| family.sample::<2>(r));
     }
@@ -98,7 +99,7 @@ fn nothing_is_lost_or_invented_among_pairs_of_shots() {
 }
 
 #[test]
-fn what_the_cheap_proofs_reject_has_no_contact() {
+fn pairs_that_the_cheap_proofs_reject_have_no_contact() {
     let mut rejected = 0;
     let mut total = 0;
     let mut check = |case: Case| {

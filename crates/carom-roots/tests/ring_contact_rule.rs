@@ -1,10 +1,11 @@
-//! The rule of contact with a round edge, g ≤ 0 and g′ < 0, on paths whose answer is known by hand.
+//! The definition of a contact with a round edge, g ≤ 0 and g′ < 0, on paths whose contact is known
+//! in closed form.
 
 use carom_roots::{Motion, first_contact, first_ring_contact};
 
 const NEVER: f64 = f64::INFINITY;
 
-/// Agreement of a time with its value by hand: a few roundings.
+/// Tolerance of a time: a few rounding errors.
 const ROUNDING: f64 = 4e-15;
 
 /// Half the acceleration of gravity, m/s².
@@ -17,7 +18,7 @@ const BALL: f64 = 0.028;
 fn assert_at(motion: &Motion<3>, ring: f64, distance: f64, expected: f64) {
     let t = first_ring_contact(motion, ring, distance, 0.0, NEVER).expect("a contact");
     assert!((t - expected).abs() <= ROUNDING * (1.0 + expected), "{t} is not {expected}");
-    // Within a horizon that just holds it, and from any earlier start, too.
+    // With a horizon equal to the time, and with a later start.
     let bounded = first_ring_contact(motion, ring, distance, 0.5 * t, t);
     assert_eq!(bounded, Some(t), "from half its time to its time");
     assert_eq!(first_ring_contact(motion, ring, distance, 0.0, 0.99 * t), None);
@@ -31,7 +32,7 @@ fn straight(d: [f64; 3], v: [f64; 3]) -> Motion<3> {
 fn a_ball_meets_the_outer_side_of_the_ring_at_its_level() {
     assert_at(&straight([5.0, 0.0, 0.0], [-1.0, 0.0, 0.0]), 2.0, 0.5, 2.5);
     assert_at(&straight([0.0, -5.0, 0.0], [0.0, 2.0, 0.0]), 2.0, 0.5, 1.25);
-    // 0.3 above the ring, R = 0.5: out = 0.4
+    // 0.3 above the ring, R = 0.5: 0.4 outside it
     assert_at(&straight([5.0, 0.0, 0.3], [-1.0, 0.0, 0.0]), 2.0, 0.5, 2.6);
 }
 
@@ -45,15 +46,15 @@ fn a_ball_meets_the_far_side_of_the_ring_from_inside() {
 
 #[test]
 fn a_ball_falls_on_top_of_the_ring() {
-    // exactly above the edge, where the box of the torus is touched with it: 4.9 t² = 1.225
+    // exactly above the edge, where the torus touches its box: 4.9 t² = 1.225
     assert_at(&Motion { d: [0.0, 2.0, 1.725], v: [0.0; 3], h: [0.0, 0.0, FALL] }, 2.0, 0.5, 0.5);
-    // beside it by 0.3: contact at the height 0.4
+    // 0.3 beside it: contact at the height 0.4
     let beside = Motion { d: [1.7, 0.0, 1.625], v: [0.0; 3], h: [0.0, 0.0, FALL] };
     assert_at(&beside, 2.0, 0.5, 0.5);
 }
 
 #[test]
-fn a_ball_that_falls_through_the_ring_without_touching_does_not_fire() {
+fn a_ball_that_falls_through_the_ring_without_touching_has_no_contact() {
     let motion = Motion { d: [0.1, 0.2, 3.0], v: [0.0; 3], h: [0.0, 0.0, FALL] };
     assert_eq!(first_ring_contact(&motion, 2.0, 0.5, 0.0, NEVER), None);
     let grazing = Motion { d: [1.5 - 1e-12, 0.0, 3.0], v: [0.0; 3], h: [0.0, 0.0, FALL] };
@@ -61,20 +62,20 @@ fn a_ball_that_falls_through_the_ring_without_touching_does_not_fire() {
 }
 
 #[test]
-fn inside_a_ring_smaller_than_the_ball_the_near_side_counts() {
+fn inside_a_ring_smaller_than_the_ball_the_near_side_is_the_contact() {
     // On the axis, falling: √(a² + z²) = R at z = 0.4.
     let axis = Motion { d: [0.0, 0.0, 1.625], v: [0.0; 3], h: [0.0, 0.0, FALL] };
     assert_at(&axis, 0.3, 0.5, 0.5);
-    // Deep inside, within R of every point of the ring, and moving away from the nearest: the
-    // polynomial of degree eight is positive there, but the ball overlaps. It falls into the edge
-    // beyond the axis.
+    // Deep inside, within R of every point of the ring, and moving away from the nearest one: the
+    // polynomial of degree eight is positive there, but the ball overlaps the ring. It falls on to
+    // the edge beyond the axis.
     let inside = straight([-0.1, 0.0, 0.0], [1.0, 0.0, 0.0]);
     let t = first_ring_contact(&inside, 0.3, 0.5, 0.0, NEVER).expect("beyond the axis");
     assert!((t - 0.1).abs() <= ROUNDING, "{t}");
 }
 
 #[test]
-fn a_touching_start_fires_only_if_it_approaches() {
+fn a_touching_start_is_a_contact_only_if_it_approaches() {
     let from_outside = |speed| straight([2.5, 0.0, 0.0], [speed, 3.0, 0.0]);
     assert_eq!(first_ring_contact(&from_outside(-1e-9), 2.0, 0.5, 0.0, 1.0), Some(0.0));
     assert_eq!(first_ring_contact(&from_outside(1e-9), 2.0, 0.5, 0.0, 1.0), None);
@@ -89,7 +90,7 @@ fn a_touching_start_fires_only_if_it_approaches() {
 }
 
 #[test]
-fn a_ball_over_the_lip_tips_below_the_speed_of_flight_and_flies_above_it() {
+fn a_ball_over_the_lip_turns_about_it_when_slow_and_flies_off_when_fast() {
     // f = t²(v² − gR) + g²t⁴/4 with v inward from the top of the lip
     let limit = (2.0 * -FALL * BALL).sqrt();
     for [cos, sin] in [[1.0, 0.0], [0.96, 0.28], [-0.6, 0.8]] {
@@ -117,7 +118,7 @@ fn a_ring_of_no_radius_is_a_point() {
 }
 
 #[test]
-fn what_rests_or_is_not_a_number_never_touches() {
+fn paths_at_rest_or_with_nan_never_touch() {
     assert_eq!(
         first_ring_contact(&straight([2.5, 0.0, 0.0], [0.0; 3]), 2.0, 0.5, 0.0, NEVER),
         None

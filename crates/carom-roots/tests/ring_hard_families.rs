@@ -1,7 +1,8 @@
-//! The hard families of paths near a round edge, judged in 106 bits: nothing lost or invented beyond
-//! roundings of position.
+//! The hard families of paths near a round edge, judged with 106 bits: no contact is lost or
+//! invented beyond rounding errors of position.
 //!
-//! `CAROM_CASES=1000000 cargo test --release -p carom-roots --test ring_hard_families` is the long run.
+//! `CAROM_CASES=1000000 cargo test --release -p carom-roots --test ring_hard_families` runs more
+//! cases.
 
 use carom_peers::judge::Verdict;
 use carom_peers::random::Random;
@@ -9,15 +10,15 @@ use carom_peers::ring_families::{RingCase, RingFamily};
 use carom_peers::ring_judge::judge_ring;
 use carom_roots::{Motion, first_ring_contact};
 
-/// A lost or invented contact shallower than this has no meaning: positions of a metre are rounded
-/// to 2e-16 m themselves. In m.
+/// Lost or invented contacts shallower than this, m, are ignored: a position of a metre is rounded
+/// to 2e-16 m.
 const DEPTH: f64 = 1e-15;
 
-/// The gap at a returned time: at most, and at the median, m.
+/// Largest and median gap at a returned time, m.
 const GAP_ALWAYS: f64 = 1e-14;
 const GAP_MEDIAN: f64 = 1e-15;
 
-/// An overlap at the start of less than this, m, is no overlap.
+/// Overlaps at the start of less than this, m, are ignored.
 const ROUNDINGS: f64 = 1e-16;
 
 fn cases() -> usize {
@@ -43,7 +44,7 @@ fn nothing_is_lost_or_invented_near_a_ring() {
             let case = family.sample(&mut random);
             let answer = contact(&case);
             match judge_ring(&case, answer, DEPTH) {
-                // Bodies that overlap at first, and turn back, cannot meet at a gap of zero.
+                // Bodies that overlap at the start and turn back do not meet at a gap of zero.
                 Verdict::Right { gap } if answer.is_some() && !overlaps_at_first(&case) => {
                     gaps.push(gap);
                     worst = worst.max(gap);

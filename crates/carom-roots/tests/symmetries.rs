@@ -1,16 +1,16 @@
-//! What must not change a contact: the choice of axes, of units, of the instant called zero, and a
-//! third dimension that nothing happens in.
+//! A contact must not depend on the choice of axes, of units or of the zero of time, nor on a third
+//! dimension without motion.
 //!
-//! Mirrors, a swap of axes and units that are powers of two change no rounding, so they must not change
-//! a bit either. A shift of time does round, so there the judge decides.
+//! Mirrors, an exchange of axes and units that are powers of two change no rounding, so they must
+//! not change a bit. A shift of time changes roundings; there the judge decides.
 
 use carom_peers::families::{Case, Family, cluster_pair, uniform_pair};
 use carom_peers::judge::{Verdict, judge};
 use carom_peers::random::Random;
 use carom_roots::{Motion, first_contact};
 
-/// Depth of a graze that a rounding may decide either way, m; ten times that of a single answer, since
-/// the shifted motion is itself rounded.
+/// Depth of a graze about which rounding decides, m: ten times that of a single answer, because the
+/// shifted motion is rounded, too.
 const DEPTH: f64 = 1e-14;
 
 fn every_case(check: impl Fn(&Case)) {
@@ -63,7 +63,7 @@ fn units_that_are_powers_of_two_change_no_bit() {
 }
 
 #[test]
-fn a_later_start_of_the_clock_shifts_the_contact() {
+fn a_later_zero_of_time_shifts_the_contact() {
     every_case(|case| {
         let Some(t) = contact(case).filter(|&t| t > 0.0) else { return };
         let start = 0.5 * t;
@@ -72,7 +72,7 @@ fn a_later_start_of_the_clock_shifts_the_contact() {
             v: case.motion.velocity_at(start),
             h: case.motion.h,
         };
-        // Without a horizon: at its very end a rounding may put the contact on either side.
+        // Without a horizon, because at its end a rounding error decides about a contact.
         let later = first_contact(&shifted, case.distance, f64::INFINITY).map(|t| start + t);
         let open = Case { horizon: f64::INFINITY, ..*case };
         let verdict = judge(&open, later, DEPTH);

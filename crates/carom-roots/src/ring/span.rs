@@ -1,27 +1,28 @@
 //! Bounds of the squared gap to a ring on a span of time.
 //!
 //! On a span of width w, with s the time since its start, |x|² and its derivatives are polynomials,
-//! which lie between the least and the greatest of their Bernstein coefficients. What is left is ρ:
+//! and lie between the least and the greatest of their Bernstein coefficients. For ρ:
 //!
 //! * x = Σ Bᵢ pᵢ with the Bézier points pᵢ of the path, so ρ ≤ Σ Bᵢ |pᵢ|, a quadratic;
 //! * along any unit vector n, ρ ≥ n·x ≥ min n·pᵢ;
-//! * ρ″ = L²/ρ³ + (x, y)·(ẍ, ÿ)/ρ, L = xẏ − yẋ and (x, y)·(ẍ, ÿ) being quadratics, too;
-//! * so ρ″ ≥ −A, A = |(ẍ, ÿ)|, and ρ′ falls by no more than Aw, also across the axis, where it jumps up.
+//! * ρ″ = L²/ρ³ + (x, y)·(ẍ, ÿ)/ρ, where L = xẏ − yẋ and (x, y)·(ẍ, ÿ) are quadratics as well;
+//! * so ρ″ ≥ −A with A = |(ẍ, ÿ)|, and ρ′ falls by at most Aw, even across the axis, where it jumps
+//!   up.
 
-use super::{Sample, Tube};
+use super::{RingSample, Tube};
 use crate::motion::{Motion, dot};
 use crate::root::sqrt;
 
-/// What is proved of the squared gap f on a span.
+/// What has been proved about the squared gap f on a span.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Shape {
+pub(super) enum GapShape {
     /// f′ < 0.
     Falling,
     /// f′ ≥ 0.
     Rising,
     /// f″ ≥ 0.
     Convex,
-    /// f″ ≤ 0, with a fall of f′ where the path crosses the axis.
+    /// f″ ≤ 0, and f′ jumps down where the path crosses the axis.
     Concave,
     /// Nothing.
     Unknown,
@@ -30,8 +31,8 @@ pub(super) enum Shape {
 /// The path between two samples.
 pub(super) struct Span<'a> {
     tube: &'a Tube<'a>,
-    here: &'a Sample,
-    there: &'a Sample,
+    here: &'a RingSample,
+    there: &'a RingSample,
     /// w.
     width: f64,
     /// |x|²′/2 = Σ gᵢ sⁱ.
@@ -42,10 +43,10 @@ pub(super) struct Span<'a> {
 
 impl<'a> Span<'a> {
     #[inline(always)]
-    pub(super) fn new(tube: &'a Tube<'a>, here: &'a Sample, there: &'a Sample) -> Self {
+    pub(super) fn new(tube: &'a Tube<'a>, here: &'a RingSample, there: &'a RingSample) -> Self {
         let width = there.t - here.t;
         let h = &tube.motion.h;
-        let Sample { x, velocity, .. } = here;
+        let RingSample { x, velocity, .. } = here;
         let g = [
             dot(x, velocity),
             dot(velocity, velocity) + 2.0 * dot(x, h),
@@ -56,7 +57,8 @@ impl<'a> Span<'a> {
         Span { tube, here, there, width, g, middle }
     }
 
-    /// Whether f > 0 throughout: so are the Bernstein coefficients of a quartic below it.
+    /// Whether f > 0 on the whole span: the Bernstein coefficients of a quartic below f are
+    /// positive.
     #[inline(always)]
     pub(super) fn is_clear(&self) -> bool {
         let Span { tube, here, there, width: w, g, middle } = self;
@@ -75,15 +77,16 @@ impl<'a> Span<'a> {
         let radii =
             [near, 0.5 * (near + bend), (near + 4.0 * bend + far) / 6.0, 0.5 * (bend + far), far];
         let least = |i: usize| squares[i] - 2.0 * (ring * radii[i]);
-        // The ends are f itself, which the samples know better.
+        // The ends are values of f itself, for which the samples are more accurate.
         here.f > 0.0 && least(1) > 0.0 && least(2) > 0.0 && least(3) > 0.0 && there.f > 0.0
     }
 
     #[inline(always)]
-    pub(super) fn shape(&self) -> Shape {
+    pub(super) fn shape(&self) -> GapShape {
         let Span { tube, here, there, width: w, g, .. } = self;
         let ring = tube.ring;
-        // Where f′ has two signs it is neither below nor above zero throughout.
+        // If f′ has different signs at the ends, it is neither negative nor positive on the whole
+        // span.
         if (here.g < 0.0) != (there.g < 0.0) {
             return self.curvature();
         }
@@ -96,16 +99,16 @@ impl<'a> Span<'a> {
             dot(&there.x, &there.velocity),
         ];
         if greatest(&rates) < ring * (here.radial_rate - drop) {
-            return Shape::Falling;
+            return GapShape::Falling;
         }
         if least(&rates) >= ring * (there.radial_rate + drop) {
-            return Shape::Rising;
+            return GapShape::Rising;
         }
         self.curvature()
     }
 
     #[inline(always)]
-    fn curvature(&self) -> Shape {
+    fn curvature(&self) -> GapShape {
         let Span { tube, here, there, width: w, g, middle } = self;
         let Tube { ring, motion: Motion { h, .. }, .. } = **tube;
         let curves = [g[1], g[1] + w * g[2], g[1] + w * (2.0 * g[2] + w * (3.0 * g[3]))];
@@ -117,15 +120,15 @@ impl<'a> Span<'a> {
         let farthest = greatest(&[here.radius, bend, there.radius]);
         let (least_pull, greatest_pull) = self.pull(closest, farthest);
         if closest > 0.0 && least(&curves) >= ring * (centrifugal(fast, closest) + greatest_pull) {
-            return Shape::Convex;
+            return GapShape::Convex;
         }
         if greatest(&curves) <= ring * (centrifugal(slow, farthest) + least_pull) {
-            return Shape::Concave;
+            return GapShape::Concave;
         }
-        Shape::Unknown
+        GapShape::Unknown
     }
 
-    /// Bounds of (x, y)·(ẍ, ÿ)/ρ, with those of ρ.
+    /// Bounds of (x, y)·(ẍ, ÿ)/ρ, from bounds of ρ.
     #[inline(always)]
     fn pull(&self, closest: f64, farthest: f64) -> (f64, f64) {
         let Span { tube, here, there, middle, .. } = self;
@@ -147,9 +150,9 @@ impl<'a> Span<'a> {
     }
 }
 
-/// A bound of ρ from below: the least part of a Bézier point along the middle of the ends.
+/// A lower bound of ρ: the least component of a Bézier point along the mean of the ends.
 #[inline(always)]
-fn least_radius(here: &Sample, there: &Sample, middle: &[f64; 2]) -> f64 {
+fn least_radius(here: &RingSample, there: &RingSample, middle: &[f64; 2]) -> f64 {
     let n = [here.x[0] + there.x[0], here.x[1] + there.x[1]];
     let length = sqrt(n[0] * n[0] + n[1] * n[1]);
     let along = |x: f64, y: f64| n[0] * x + n[1] * y;
