@@ -1,12 +1,12 @@
-"""Published numbers, and ours beside them.
+"""Reference numbers from the literature beside carom's.
 
-One folder per paper: `rows.py` holds its numbers and how the engine is asked for them, `figure.py`
-draws them, `README.md` says what the paper says, `test_<paper>.py` holds the engine to it.
+Each paper has a folder. Its `rows.py` has the numbers and the functions that compute carom's,
+`figure.py` draws both, `README.md` describes the paper, and `test_<paper>.py` checks the rows.
 
     carom validate                # every paper
     carom validate mathavan_2010  # one
 
-The folders stand at `validation/` in the repository; the installed package has them as
+In the repository the folders are in `validation/`; the installed package has them as
 `carom.validation`.
 """
 

@@ -1,6 +1,6 @@
-"""The validation rows' way to the engine: build a shot, simulate it, read the events.
+"""Helpers of the validation rows: build a shot, simulate it, read its events.
 
-Everything here goes through the public API (`carom.Shot.from_dict`, `simulate`, `to_dict`).
+All of them use the public API (`carom.Shot.from_dict`, `simulate`, `to_dict`).
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ UNBOUNDED: JSON = {"cloth": "unbounded"}
 
 @dataclass(frozen=True)
 class Ball:
-    """A ball at one instant: three vectors, SI units."""
+    """A ball at one instant; the vectors are in SI units."""
 
     position: Vector
     velocity: Vector
@@ -58,7 +58,7 @@ class Ball:
 
 @dataclass(frozen=True)
 class Event:
-    """An event, with its balls by id."""
+    """An event with the states of its balls before and after it, by id."""
 
     time: float
     type: str
@@ -96,7 +96,7 @@ class Run:
         return (e for e in self.events if e.type == kind and (ball is None or ball in e.after))
 
     def first(self, kind: str, ball: str | None = None) -> Event:
-        """The first of them.
+        """The first event of one type, of one ball if given.
 
         Raises:
             LookupError: there is none.
@@ -106,14 +106,14 @@ class Run:
         raise LookupError(f"no {kind} of ball {ball or 'any'} in {len(self.events)} events")
 
     def rolling(self, ball: str) -> Event:
-        """When the ball first starts to roll by the passage of time."""
+        """The motion transition with which the ball starts to roll for the first time."""
         for event in self.all("motion-transition", ball):
             if event.after[ball].motion == "rolling":
                 return event
         raise LookupError(f"ball {ball} never starts to roll")
 
     def final_roll(self, ball: str) -> Ball:
-        """The ball when it last starts to roll: out of a slide, or out of a bounce."""
+        """The ball after the last event that leaves it rolling: a transition or a bounce."""
         for event in reversed(self.events):
             if ball in event.after and event.after[ball].motion == "rolling":
                 return event.after[ball]
@@ -133,13 +133,13 @@ def _balls(items: Sequence[JSON]) -> dict[str, Ball]:
 
 
 def ball(
-    id: str = "cue",  # noqa: A002 -- the shot file's own word
+    id: str = "cue",  # noqa: A002 -- the key of the shot file
     position: Sequence[float] | Vector = (0.0, 0.0),
     velocity: Sequence[float] | Vector = (0.0, 0.0, 0.0),
     spin: Sequence[float] | Vector = (0.0, 0.0, 0.0),
     **more: float,
 ) -> JSON:
-    """A ball of a shot file."""
+    """A moving ball as it stands in a shot file."""
     return {
         "id": id,
         "position": [float(x) for x in position],
@@ -155,7 +155,7 @@ def simulate(
     table: JSON | str | None = None,
     strike: JSON | None = None,
 ) -> Run:
-    """Simulates balls that move from the start, or a strike; on endless cloth by default."""
+    """Simulates balls that move from the start, or a strike; on unbounded cloth by default."""
     shot: JSON = {
         "format": "carom-shot/1",
         "table": UNBOUNDED if table is None else table,
@@ -171,7 +171,7 @@ def simulate(
 
 
 def tp_physics(**sections: JSON) -> JSON:
-    """Alciatore's constants over the `pool` preset: μ_s = 0.2, μ_r = 0.01, his g and R."""
+    """The `pool` preset with Alciatore's constants: μ_s = 0.2, μ_r = 0.01, his g and R."""
     merged: JSON = {
         "base": "pool",
         "gravity": TP_GRAVITY,
@@ -184,9 +184,10 @@ def tp_physics(**sections: JSON) -> JSON:
 
 
 def touching(cut: float, radius: float, distance: float | None = None) -> tuple[float, float]:
-    """Where an object ball stands that touches a cue ball at the origin moving along +y.
+    """The position of an object ball that touches a cue ball at the origin moving along +y.
 
-    `cut` (rad) > 0 drives the object ball to the left of the cue ball's path.
+    `cut` (rad) > 0 drives the object ball to the left of the cue ball's path. `distance` (m) is
+    that of the centres; by default they touch.
     """
     d = 2 * radius if distance is None else distance
     return (-d * math.sin(cut), d * math.cos(cut))
@@ -200,9 +201,9 @@ def degrees_between(a: float, b: float) -> float:
 def maximum(
     f: Callable[[float], float], low: float, high: float, width: float = 1e-7
 ) -> tuple[float, float]:
-    """The x in [low, high] at which a function with one hump is largest, and the value.
+    """The x in [low, high] at which a function with one maximum is largest, and the value there.
 
-    Golden section search, to `width` in x.
+    Golden-section search, to `width` in x.
     """
     ratio = (math.sqrt(5.0) - 1.0) / 2.0
     a, b = low, high
@@ -222,7 +223,7 @@ def maximum(
 
 
 def crossing(f: Callable[[float], float], low: float, high: float, width: float = 1e-13) -> float:
-    """Where f changes sign between low and high, by bisection to `width`.
+    """The x between low and high at which f changes sign, by bisection to `width`.
 
     Raises:
         ValueError: f has the same sign at both ends.

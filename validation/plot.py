@@ -1,4 +1,4 @@
-"""How the figures look: ours as lines, what was published as rings."""
+"""The style of the figures: carom's numbers are lines, published numbers are rings."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
-    #: One number per point; a published range never comes here.
+    #: One number per point; figures have no ranges.
     Numbers = list[Any] | tuple[Any, ...] | NDArray[Any]
 
-#: Colours that the colour-blind tell apart (Okabe & Ito 2008).
+#: Colours that can be told apart with any colour vision (Okabe & Ito 2008).
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
-#: Size of one panel, inches, and dots per inch of the stored picture.
+#: Size of one panel, inches, and dots per inch of the stored figure.
 PANEL, DPI = (4.6, 3.5), 110
 
 
@@ -38,12 +38,12 @@ def panels(count: int = 1) -> tuple[Figure, list[Axes]]:
 
 
 def ours(ax: Axes, x: Numbers, y: Numbers, label: str = "", color: int = 0) -> None:
-    """Our numbers, as a line."""
+    """Draws carom's numbers as a line."""
     ax.plot(x, y, "-", color=COLORS[color % len(COLORS)], linewidth=1.6, label=label or "carom")
 
 
 def published(ax: Axes, x: Numbers, y: Numbers, label: str = "", color: int = 0) -> None:
-    """Published numbers, as rings."""
+    """Draws published numbers as rings."""
     ax.plot(
         x, y, "o", color=COLORS[color % len(COLORS)], markerfacecolor="white",
         markersize=5.5, markeredgewidth=1.3, label=label,
@@ -51,7 +51,7 @@ def published(ax: Axes, x: Numbers, y: Numbers, label: str = "", color: int = 0)
 
 
 def name(ax: Axes, x: str, y: str, title: str = "") -> None:
-    """Names the axes, and shows the legend if there is one."""
+    """Labels the axes, and shows the legend if anything has a label."""
     ax.set_xlabel(x)
     ax.set_ylabel(y)
     if title:
@@ -61,6 +61,6 @@ def name(ax: Axes, x: str, y: str, title: str = "") -> None:
 
 
 def draw(paper: str, path: Path) -> None:
-    """Draws the figure of one paper into `path` (its suffix says how)."""
+    """Draws the figure of one paper into `path`, whose suffix gives the format."""
     figure: Any = importlib.import_module(f"carom.validation.{paper}.figure").figure()
     figure.savefig(path, dpi=DPI, metadata={"Software": None} if path.suffix == ".png" else None)

@@ -1,4 +1,4 @@
-"""Speeds after a row of balls is struck."""
+"""Speeds after the impact of a row of balls."""
 
 from __future__ import annotations
 

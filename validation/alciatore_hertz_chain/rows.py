@@ -1,6 +1,6 @@
 """Alciatore, TP B.29 and TP B.20: balls that touch when one of them is struck.
 
-Frictionless and without loss, as the proofs have it (`physics` "ideal"); the balls stand on cloth.
+As in the proofs there is no friction and no loss (`physics` "ideal"); the balls stand on cloth.
 """
 
 from carom.validation.lab import JSON, MPH, TP_RADIUS, ball, simulate
@@ -10,7 +10,7 @@ IDEAL: JSON = {"base": "ideal", "ball": {"radius": TP_RADIUS}}
 
 
 def chain(number: int, moving: int = 1, speed: float = 1.0) -> list[float]:
-    """Speeds after balls in a row, the first `moving` of them at `speed`, hit those that rest."""
+    """Speeds, m/s, after the first `moving` balls of a row hit the others at `speed` m/s."""
     balls = [
         ball(
             str(k),
@@ -25,7 +25,7 @@ def chain(number: int, moving: int = 1, speed: float = 1.0) -> list[float]:
 
 @row(
     "BB19",
-    "Three frozen balls in line, the first at 1 m/s: speeds after the impact",
+    "Three frozen balls in a row, the first at 1 m/s: speeds after the impact",
     unit="m/s",
     source="TP B.29",
     kind=Kind.PUBLISHED,
@@ -37,7 +37,7 @@ def bb19() -> list[float]:
 
 
 def rack_rebound(speed: float) -> float:
-    """Speed at which a cue ball comes back from fifteen frozen balls, hit in their axis."""
+    """The cue ball's rebound speed from fifteen frozen balls, hit along the axis of the rack."""
     step = 2.0 * TP_RADIUS
     rack = [
         ball(f"{line}{k}", (0.75**0.5 * step * line, step * (k - 0.5 * line)))
@@ -51,9 +51,9 @@ def rack_rebound(speed: float) -> float:
 
 @row(
     "SY2",
-    "A cue ball of 30 mph hits a frozen rack: its rebound",
+    "A cue ball of 30 mph hits a frozen rack: rebound speed",
     unit="mph",
-    source="TP B.20 (an estimate with a rack of 1.5 balls' mass, v/5 = 6 mph; ±30 %)",
+    source="TP B.20: estimate v/5 = 6 mph, from a rack of 1.5 balls' mass; ±30 %",
     kind=Kind.RANGE,
     reference={"rebound": Range(0.7 * 6.0, 1.3 * 6.0)},
     tolerance=absolute(0.0),

@@ -1,13 +1,13 @@
-"""How hard people hit (Onoda; Dr. Dave's FAQ), and the break's head ball (TP B.20)."""
+"""Speeds of strikes and breaks (Onoda; Dr. Dave's FAQ), and the rebound from a rack (TP B.20)."""
 
 import math
 
 from carom.validation.lab import JSON, MPH, TP_RADIUS, ball, crossing, simulate, tp_physics
 from carom.validation.row import Kind, Range, relative, row
 
-#: A break that still has to be simulated without trouble; the record is about 35 mph.
+#: Fastest break that must be simulated, mph; the record is about 35 mph.
 FASTEST = 40.0
-#: TP B.20 loses nothing.
+#: TP B.20 assumes no loss.
 LOSSLESS: JSON = {"model": "elastic", "restitution": 1.0}
 
 
@@ -22,12 +22,12 @@ def rack(gap: float = 1e-4) -> list[JSON]:
 
 
 def head_on(speed: float, ball_ball: JSON) -> tuple[float, bool]:
-    """The cue ball's rebound speed off the rack, and whether all came to rest."""
+    """The cue ball's rebound speed, m/s, and whether all balls come to rest."""
     cue = ball(position=(0.0, -0.3), velocity=(0.0, speed, 0.0))
     run = simulate(cue, *rack(), physics=tp_physics(ball_ball=ball_ball))
     rebound = 0.0
     for event in run.all("ball-collision", "cue"):
-        # The rack hands its answer back within a few milliseconds.
+        # The rack returns the impulse within a few milliseconds.
         if event.time < 0.3 / speed + 0.005:
             rebound = -float(event.after["cue"].velocity[1])
     return rebound, all(b.motion == "stationary" for b in run.final.values())
@@ -37,7 +37,7 @@ def head_on(speed: float, ball_ball: JSON) -> tuple[float, bool]:
     "SY2",
     "30 mph cue ball head-on into a rack (15 balls, 0.1 mm apart, e = 1): its rebound",
     unit="mph",
-    source="TP B.20: an effective rack mass of 1.5 balls gives v/5",
+    source="TP B.20: estimate v/5, from an effective rack mass of 1.5 balls; ±30 %",
     kind=Kind.RANGE,
     reference={"rebound": 6.0},
     tolerance=relative(0.3),
@@ -49,7 +49,7 @@ def sy2() -> list[float]:
 @row(
     "SY1",
     "Break speeds of men (22–26 mph) and women (18–22 mph), and 40 mph: all balls come to rest",
-    unit="1 = they do",
+    unit="1 = yes",
     source="Onoda; Dr. Dave's FAQ",
     kind=Kind.DERIVED,
     reference={"18 mph": 1.0, "22 mph": 1.0, "26 mph": 1.0, f"{FASTEST:g} mph": 1.0},
@@ -60,7 +60,7 @@ def sy1() -> list[float]:
 
 
 def speed_for_lengths(lengths: float) -> float:
-    """Speed (mph) of a stunned ball that covers so many lengths of a 9-ft table's middle."""
+    """Speed (mph) of a stun shot that travels so many lengths along the middle of a 9-ft table."""
 
     def excess(mph: float) -> float:
         run = simulate(
@@ -77,7 +77,7 @@ def speed_for_lengths(lengths: float) -> float:
 
 @row(
     "SY3",
-    "Names of speeds: the ball speed of a lag (two lengths) and of WPA's firm shot (four)",
+    "Names of speeds: ball speed of a lag (two lengths) and of WPA's firm shot (four lengths)",
     unit="mph",
     source="Dr. Dave's FAQ: medium 2–4 (older page 5–7), power 7–10 (15–20) mph",
     kind=Kind.MEASURED,

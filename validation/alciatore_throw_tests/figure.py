@@ -1,4 +1,4 @@
-"""Measured throw and the default's."""
+"""Throw: measured, and with the default parameters."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ def throw(cut_degrees: float, speed: float, physics: JSON | str = "pool") -> flo
 
 
 def throw_at_object_speed(cut_degrees: float, target: float) -> float:
-    """The same, for the cue ball speed that sends the object ball off at `target` m/s."""
+    """The throw at the cue ball speed that gives the object ball the speed `target`, m/s."""
     cut = math.radians(cut_degrees)
 
     def excess(speed: float) -> float:
@@ -74,9 +74,9 @@ CUTS = (10, 20, 30, 45, 60)
 
 @row(
     "BB25",
-    "Throw of stun shots at three speeds (labels only in the source; taken as 1, 3, 7 mph)",
+    "Throw of stun shots at three speeds (only named in the source; taken as 1, 3 and 7 mph)",
     unit="°",
-    source="Billiards Digest, September 2006, diagram 4",
+    source="Billiards Digest, September 2006, read off diagram 4",
     kind=Kind.FITTED,
     reference={
         f"{cut}°, {speed}": value
@@ -107,15 +107,15 @@ def bb25() -> list[float]:
     return [throw(cut, v) for cut in CUTS for v in TP_SPEEDS.values()]
 
 
-#: The `pool` preset's friction (2006 and 2014 tests refitted with compliant balls), and Alciatore's
-#: factor for chalk on the contact point.
+#: Friction of the `pool` preset, fitted to the tests of 2006 and 2014 with compliant balls, and
+#: Alciatore's factor for chalk at the contact point.
 FRICTION = {"a": 0.0, "b": 0.115, "c": 0.41}
 CHALK = 2.5
 
 
 @row(
     "BB27",
-    "Throw at 45°, slow, by the balls' surface: used (the default), chalked (2.5 × its friction)",
+    "Throw at 45°, slow, by the balls' surface: used (the default), chalked (2.5 × the friction)",
     unit="°",
     source="Alciatore, Throw follow-up I (also 11° cleaned with alcohol, 3.6° with ball cleaner)",
     kind=Kind.MEASURED,

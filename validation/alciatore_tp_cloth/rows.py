@@ -20,7 +20,7 @@ SPEEDS = {"3 mph": 3 * MPH, "7 mph": 7 * MPH, "12 mph": 12 * MPH}
 
 
 def skid(speed: float, roll: float, friction: float = 0.2) -> Run:
-    """A ball sent along +y with `roll` times the spin of natural roll."""
+    """A ball that moves along +y with `roll` times the spin of natural roll."""
     spin = (-roll * speed / TP_RADIUS, 0.0, 0.0)
     physics = tp_physics(cloth={"sliding_friction": friction})
     return simulate(ball(velocity=(0.0, speed, 0.0), spin=spin), physics=physics)
@@ -31,7 +31,7 @@ def distance_to_roll(speed: float, roll: float) -> float:
 
 
 def distance_to_stun(speed: float, roll: float) -> float:
-    """Where the backspin is gone."""
+    """Distance, m, at which the backspin is zero."""
     run = skid(speed, roll)
     time = crossing(
         lambda t: float(run.trace.at(t).angular_velocity[0][0]), 0.0, run.rolling("cue").time
@@ -90,7 +90,7 @@ def cl5() -> list[float]:
     "CL6",
     "Tip ½R above centre (more spin than roll): distance to natural roll",
     unit="ft",
-    source="derived; TP A.18 prints 0.207, 1.128, 3.316 with the friction's sign wrong",
+    source="derived; TP A.18 prints 0.207, 1.128, 3.316 with a wrong sign of the friction",
     kind=Kind.DERIVED,
     reference={"3 mph": 0.2226, "7 mph": 1.2118, "12 mph": 3.5612},
     tolerance=relative(1e-3),
@@ -101,7 +101,7 @@ def cl6() -> list[float]:
 
 @row(
     "CL7",
-    "Speed when rolling starts, as a fraction of the first speed, at any friction",
+    "Speed when rolling starts, as a fraction of the initial speed, at any friction",
     unit="v₀",
     source="TP 4.1; Shepard 1997; Leckie & Greenspan 2005",
     kind=Kind.FORMULA,
@@ -127,7 +127,7 @@ def cl7() -> list[float]:
 
 @row(
     "CL10",
-    "Massé: final direction off the first line; tip ½R low right at 45°, elevation 4°",
+    "Massé: final direction from the initial one; tip ½R off, low right at 45°; elevation 4°",
     unit="°",
     source="TP A.19 eq. 7 (Coriolis)",
     kind=Kind.PUBLISHED,
@@ -188,9 +188,9 @@ def steep_masse() -> Run:
 
 @row(
     "CL12",
-    "Massé at 75°: where the parabola ends",
+    "Massé at 75°, from the ball's velocities (not a strike): end of the parabola",
     unit="s, m, m, m/s, °",
-    source="closed form of TP A.19's plot",
+    source="closed form for the plot of TP A.19",
     kind=Kind.DERIVED,
     reference={
         "end of sliding, s": 0.6273,
@@ -215,7 +215,7 @@ def cl12() -> list[float]:
 
 @row(
     "CL14",
-    "Slip while sliding: falls at 7/2·μ_s g, keeps its direction, ends at 2|u₀|/(7 μ_s g)",
+    "Slip while sliding: decreases at 7/2·μ_s g, in one direction, and ends at 2|u₀|/(7 μ_s g)",
     unit="ratio, ratio, rad",
     source="Leckie & Greenspan 2005; Han 2005; TP A.4",
     kind=Kind.FORMULA,
@@ -245,7 +245,7 @@ def cl14() -> list[float]:
 
 @row(
     "CL17",
-    "Spin in place slows by about 10 rad/s² (default of `pool`)",
+    "Spin in place decreases by about 10 rad/s² (default of `pool`)",
     unit="rad/s²",
     source="TP B.2; Dr. Dave's properties FAQ",
     kind=Kind.FITTED,

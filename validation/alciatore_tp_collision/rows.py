@@ -50,17 +50,17 @@ def hit(run: Run) -> Event:
 
 
 def throw(run: Run, cut: float) -> float:
-    """Degrees by which the object ball leaves the line of centres, towards the cue's motion."""
+    """Degrees between the object ball's direction and the line of centres; > 0 towards the aim."""
     return degrees_between(AIM + cut, hit(run).after["object"].heading)
 
 
 def deflection(run: Run) -> float:
-    """Degrees between the cue ball's first and final direction."""
+    """Degrees between the cue ball's initial and final directions."""
     return degrees_between(AIM, run.rolling("cue").after["cue"].heading)
 
 
 def rolled_speeds(run: Run) -> tuple[float, float]:
-    """Object ball's and cue ball's speed once they roll."""
+    """Speeds of the object ball and the cue ball when they start to roll, m/s."""
     object_ball = run.rolling("object").after["object"].speed
     return object_ball, run.rolling("cue").after["cue"].speed
 
@@ -72,7 +72,7 @@ def cut_of_fraction(fraction: float) -> float:
 
 @row(
     "BB1",
-    "Stun, no friction, e = 1: the balls part at 90°, v cos φ and v sin φ",
+    "Stun, no friction, e = 1: separation of 90°, speeds v cos φ and v sin φ",
     unit="°, v",
     source="TP 3.1, 3.2",
     kind=Kind.FORMULA,
@@ -85,7 +85,7 @@ def cut_of_fraction(fraction: float) -> float:
         "75°, cue ball's speed": math.sin(math.radians(75.0)),
         "75°, object ball's speed": math.cos(math.radians(75.0)),
     },
-    # Relative to 90° and to 1 alike.
+    # Relative to 90° and to 1.
     tolerance=relative(1e-9),
 )
 def bb1() -> list[float]:
@@ -183,7 +183,7 @@ def stun_throw(cut_degrees: float, speed: float) -> float:
 
 @row(
     "BB7",
-    "Throw of a stun shot with friction that falls with slip speed",
+    "Throw of a stun shot with friction that decreases with slip speed",
     unit="°",
     source="TP A.14 (formula)",
     kind=Kind.FORMULA,
@@ -221,8 +221,12 @@ def bb7() -> list[float]:
         "fast": 2.698,
         "fast, at cut": 18.26,
     },
-    # The cut is published to a tenth of a degree.
-    tolerance=(absolute(0.005), absolute(0.05)),
+    # The cut is given to a tenth of a degree for slow and medium shots.
+    tolerance=(
+        *(absolute(0.005), absolute(0.05)),
+        *(absolute(0.005), absolute(0.05)),
+        *(absolute(0.005), absolute(0.005)),
+    ),
 )
 def bb8() -> list[float]:
     found = []
@@ -288,7 +292,7 @@ def bb11() -> list[float]:
 
 @row(
     "BB13",
-    "English that a straight stop shot gives to the object ball, 50 % english",
+    "Spin that a straight stop shot with 50 % english transfers to the object ball",
     unit="%",
     source="TP A.27 (5/14 = 35.71 % at most)",
     kind=Kind.FORMULA,
@@ -306,7 +310,7 @@ def bb13() -> list[float]:
 
 @row(
     "BB15",
-    "Rolling cue ball, e = 1, no friction: speeds once both roll",
+    "Rolling cue ball, e = 1, no friction: speeds when both balls roll",
     unit="%, %, %, %, –, °",
     source="TP A.16",
     kind=Kind.PUBLISHED,
@@ -335,7 +339,7 @@ def bb15() -> list[float]:
         middle = 0.5 * (low + high)
         low, high = (middle, high) if difference(middle) > 0.0 else (low, middle)
     run = impact(0.0, roll=1.0)
-    # The distances that the balls roll after they have stopped sliding.
+    # Distances that the balls roll after sliding.
     rolled = {
         b: float(run.final[b].position[1] - run.rolling(b).after[b].position[1])
         for b in ("object", "cue")
@@ -353,7 +357,7 @@ FROZEN_ANGLES = (13, 34, 50, 61, 70, 78, 87)
 
 
 def frozen(cut_degrees: float) -> float:
-    """A cue drives a cue ball that touches the object ball: degrees off the line of centres."""
+    """Direction of a cue ball that is struck while frozen to the object ball, ° off the centres."""
     cut = math.radians(cut_degrees)
     run = simulate(
         ball(),
@@ -373,7 +377,7 @@ def frozen(cut_degrees: float) -> float:
 
 @row(
     "BB28",
-    "Cue into a cue ball frozen to the object ball: cue ball's angle from the line of centres",
+    "Cue ball frozen to the object ball: the cue ball's direction, from the line of centres",
     unit="°",
     source="TP A.15",
     kind=Kind.MEASURED,
@@ -383,8 +387,8 @@ def frozen(cut_degrees: float) -> float:
     },
     tolerance=absolute(4.0),
     misses=tuple(f"aim {cut}° off the centres" for cut in FROZEN_CUTS[:-1]),
-    note="The proof keeps cue, cue ball and object ball together during one contact (tan θ = 2 tan "
-    "φ); in the engine the cue has left before the balls collide, and the cue ball takes the "
+    note="In the proof cue, cue ball and object ball are in contact together (tan θ = 2 tan φ). In "
+    "the engine the cue's contact ends before the balls collide, and the cue ball leaves along the "
     "tangent line.",
 )
 def bb28() -> list[float]:

@@ -20,7 +20,7 @@ def figure() -> Figure:
             [draw(elevation).trace.at(t).position[0] for t in np.linspace(0.0, 0.5, 600)]
         )
         height = 1000 * (path[:, 2] - path[0, 2])
-        plot.ours(left, path[:, 1] / FOOT, height, f"butt raised {elevation:g}°", k)
+        plot.ours(left, path[:, 1] / FOOT, height, f"elevation {elevation:g}°", k)
     landings = np.cumsum((0.848, 0.500, 0.297, 0.177, 0.106))
     plot.published(left, landings, np.zeros(5), "TP B.10", 0)
     plot.published(left, [2.298], [0.0], color=1)
@@ -30,7 +30,7 @@ def figure() -> Figure:
     for k, (name, (phi, speed, side, height)) in enumerate(MASSES.items()):
         run = raised(phi, speed, side, height)
         path = np.array([run.trace.at(t).position[0] for t in np.linspace(0.0, 2.5, 800)])
-        plot.ours(right, path[:, 0], path[:, 1], f"cue at {name}", k)
+        plot.ours(right, path[:, 0], path[:, 1], f"elevation {name}", k)
     right.set_xlim(-0.6, 0.6)
     right.set_ylim(-0.1, 1.5)
     plot.name(right, "across, m", "along the cue, m", "Massés")

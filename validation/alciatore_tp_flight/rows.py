@@ -19,7 +19,7 @@ from carom.validation.row import Kind, absolute, relative, row
 
 #: Mass of the cue ball, 6 oz; the cue's is 19 oz.
 BALL_MASS = 0.17
-#: Bounces that the proof lists: the one that launches the ball, and its landings.
+#: Number of hops that the proof lists.
 HOPS = 5
 
 
@@ -51,7 +51,7 @@ def draw(elevation: float) -> Run:
 
 
 def hops(run: Run) -> list[float]:
-    """How far the ball flies from one bounce on the slate to the next, m."""
+    """Distances between successive bounces on the slate, m."""
     places = [float(e.after["cue"].position[1]) for e in run.all("slate-collision", "cue")]
     return [b - a for a, b in pairwise(places)]
 
@@ -62,7 +62,7 @@ def rate(cue: Ball) -> float:
 
 
 def at_distance(run: Run, distance: float) -> tuple[float, float]:
-    """Spin (rev/s) and speed (m/s) where the ball has come that far, m."""
+    """Spin (rev/s) and speed (m/s) at a distance (m) from the start."""
     time = crossing(
         lambda t: float(run.trace.at(t).position[0][1]) - distance, 0.0, run.record["duration"]
     )
@@ -140,7 +140,7 @@ def coriolis(elevation: float, side: float, height: float) -> float:
 
 @row(
     "SL-masse",
-    "Massés that hop: where they roll in the end is Coriolis's direction, whatever friction",
+    "Massés that hop: the final direction is Coriolis's at any friction",
     unit="°",
     source="Coriolis 1835, TP A.19 eq. 7: tan θ = a sin φ/(R cos φ + b)",
     kind=Kind.DERIVED,
@@ -150,7 +150,7 @@ def coriolis(elevation: float, side: float, height: float) -> float:
         for friction in (0.1, 0.3)
     },
     tolerance=absolute(1e-9),
-    note="A bounce rubs against the slip as the cloth does: it turns neither slip nor theorem.",
+    note="A bounce's friction acts against the slip, as that of the cloth, and does not turn it.",
 )
 def sl_masse() -> list[float]:
     turns = []

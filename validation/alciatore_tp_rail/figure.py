@@ -1,4 +1,4 @@
-"""Where banks arrive, and how far a lag goes."""
+"""Starts of banks, and the distance of a lag."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def figure() -> Figure:
     plot.name(left, "aim, diamonds", "start, diamonds", "Fast sliding bank into the corner")
 
     speeds = np.linspace(0.5, 8.0, 100)
-    plot.ours(right, speeds, [lag_distance(v * MPH) / FOOT for v in speeds], "TP B.6's formula")
+    plot.ours(right, speeds, [lag_distance(v * MPH) / FOOT for v in speeds], "formula of TP B.6")
     plot.published(right, (1.5, 3.0, 7.0, 3.465), (7.522, 14.033, 25.041, 200 / 12), "TP B.6")
     plot.name(right, "speed, mph", "distance, ft", "Lag, stun after each rail (formula only)")
     return fig

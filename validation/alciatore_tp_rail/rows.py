@@ -21,7 +21,7 @@ RESTITUTION = 0.7
 
 
 def frictionless_rebound(angle: float) -> float:
-    """tan θ_out of a ball that meets a rail at `angle` (rad) from its normal."""
+    """tan θ_out of a ball that meets a frictionless rail at `angle` (rad) from its normal."""
     table: JSON = {"length": 3.0, "width": 2.0, "pockets": "none", "cushion_height": TP_RADIUS}
     law: JSON = {"model": "restitution", "restitution": RESTITUTION}
     run = simulate(
@@ -62,9 +62,10 @@ def cu_9() -> list[float]:
 
 
 def lag_distance(speed: float) -> float:
-    """Path of a lagged ball that loses all its spin at a rail (TP B.6), m.
+    """Distance that a lagged ball travels in TP B.6, m.
 
-    It starts rolling; each leg is 100 in of centre travel; after a rail it slides from stun.
+    The ball starts rolling. At each rail it loses all its spin, and then slides from stun. The
+    centre travels 100 in between the rails.
     """
     leg, mu_s, mu_r, e = 100 * INCH, 0.2, 0.01, 0.7
     travelled, left = 0.0, leg
@@ -98,17 +99,17 @@ def cu_14() -> list[float]:
     return [*(lag_distance(v * MPH) / FOOT for v in (1.5, 3.0, 7.0)), two]
 
 
-#: Sights stand this far behind the nose line (WPA).
+#: Distance of the sights behind the nose line (WPA), m.
 SIGHT = 3.6875 * INCH
 AIMS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0)
 
 
 def arrival(start: float, aim: float, table: str, size: tuple[float, float]) -> float:
-    """Where a fast stun bank arrives, in diamonds along the rail that it started from.
+    """The place at which a fast stun bank arrives, in diamonds along the rail that it started from.
 
-    The ball moves from the sight `start` on the left rail through the sight `aim` on the right
-    rail (both counted from the corner) and is still sliding, at 12 mph, when it meets the rail. Its
-    line after the rail is read where it crosses the left line of sights.
+    The ball moves from the sight `start` on the left rail towards the sight `aim` on the right
+    rail, both counted from the corner, and meets the rail sliding, at 12 mph. The result is the
+    point at which its line after the rail crosses the left line of sights.
     """
     width, length = size
     diamond, speed = length / 8, 12 * MPH
@@ -129,7 +130,7 @@ def arrival(start: float, aim: float, table: str, size: tuple[float, float]) -> 
 
 
 def bank(aim: float, table: str, size: tuple[float, float]) -> float:
-    """The sight from which a bank through the sight `aim` arrives at the corner."""
+    """The sight from which a bank towards the sight `aim` arrives at the corner."""
     return crossing(lambda start: arrival(start, aim, table, size), aim, 8.0, width=1e-6)
 
 
@@ -138,7 +139,7 @@ NINE_FEET, SEVEN_FEET = ("wpa-9ft", (1.27, 2.54)), ("showood-7ft", (0.9906, 1.98
 
 @row(
     "CU-16",
-    "Fast sliding banks into the corner through a diamond: where they start (`pool` preset)",
+    "Fast sliding banks into the corner: the start for each aim (`pool` preset)",
     unit="diamonds",
     source="TP B.28",
     kind=Kind.FITTED,

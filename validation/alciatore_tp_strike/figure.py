@@ -1,4 +1,4 @@
-"""Speed after a hit off centre, and squirt."""
+"""Ball speed against tip offset, and squirt."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ def figure() -> Figure:
     plot.published(left, [0.0, 0.5], [1.2745, 0.74628], "TP A.30, B.10", 0)
     plot.published(left, [0.0], [1.3148], color=1)
     plot.published(left, [0.0], [1.4212], color=2)
-    plot.name(left, "tip offset, R", "ball speed, cue speeds")
+    plot.name(left, "tip offset, R", "ball speed / cue speed")
 
     ratios = np.linspace(10, 60, 40)
     plot.ours(right, ratios, [squirt(1.0, 0.5, BALL_MASS / r) for r in ratios])
-    plot.published(right, [15, 20, 40, 53.3], [3.466, 2.709, 1.446, 1.104], "TP A.31")
+    plot.published(right, [15, 20, 40, 53.3], [3.466, 2.709, 1.446, 1.103], "TP A.31")
     plot.name(right, "ball mass / shaft-end mass", "squirt at ½R, °")
     return fig

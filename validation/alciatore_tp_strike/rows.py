@@ -41,7 +41,7 @@ def strike(speed: float = 1.0, side: float = 0.0, height: float = 0.0, **cue: fl
 
 
 def struck(speed: float = 1.0, side: float = 0.0, height: float = 0.0, **cue: float) -> Ball:
-    """The ball just after it."""
+    """The ball just after such a strike."""
     return strike(speed, side, height, **cue).first("cue-strike").after["cue"]
 
 
@@ -90,7 +90,7 @@ def cu4() -> list[float]:
 
 @row(
     "CU7",
-    "Least tip friction that holds, and spin ratio Rω/v at the miscue limit",
+    "Least tip friction without a miscue, and spin ratio Rω/v at the miscue limit",
     unit="–",
     source="TP 2.1, A.12; Billiards Digest, October 2005",
     kind=Kind.PUBLISHED,
@@ -104,7 +104,7 @@ def cu4() -> list[float]:
 )
 def cu7() -> list[float]:
     def least_friction(offset: float) -> float:
-        """+1 where the strike is accepted, −1 where it is refused as a miscue."""
+        """+1 if the strike is accepted, −1 if it is refused as a miscue."""
 
         def holds(friction: float) -> float:
             try:
@@ -130,25 +130,25 @@ def cu7() -> list[float]:
     kind=Kind.PUBLISHED,
     reference={"m_b/m_e = 15": 3.466, "20": 2.709, "40": 1.446, "53.3": 1.103},
     tolerance=absolute(1e-3),
-    note="Computed at 160/3 for the proof's 53.3: 53.3 itself gives 1.104°.",
+    note="Computed at 160/3 for the proof's 53.3; 53.3 itself gives 1.104°.",
 )
 def cu8() -> list[float]:
     return [squirt(1.0, 0.5, BALL_MASS / ratio) for ratio in (15.0, 20.0, 40.0, 160.0 / 3.0)]
 
 
 def squirt(speed: float, side: float, end_mass: float) -> float:
-    """Degrees that the ball leaves to the left of the cue's direction."""
+    """Angle of the ball's direction to the left of the cue's, °."""
     cue = struck(speed, side=side, end_mass=end_mass, tip_restitution=0.75)
     return degrees_between(cue.heading, math.pi / 2)
 
 
 @row(
     "CU10",
-    "Squirt does not depend on speed: spread of the angle over 0.5 … 12 m/s",
+    "Squirt does not depend on speed: range of the angle over 0.5 … 12 m/s",
     unit="°",
     source="Alciatore, Squirt II, VII; Shepard",
     kind=Kind.MEASURED,
-    reference={"spread": 0.0},
+    reference={"range": 0.0},
     tolerance=absolute(1e-9),
 )
 def cu10() -> list[float]:
@@ -158,7 +158,7 @@ def cu10() -> list[float]:
 
 @row(
     "CL9",
-    "Cue at 3 mph, centre ball, endless cloth: rolling speed, skid, roll",
+    "Cue at 3 mph, centre ball, unbounded cloth: rolling speed, skid, roll",
     unit="mph, ft, ft",
     source="TP B.12",
     kind=Kind.PUBLISHED,
@@ -175,7 +175,7 @@ def cl9() -> list[float]:
 
 @row(
     "CU-tip",
-    "A restitution e and the efficiency η that stands for it give the same centre-ball speed",
+    "A tip restitution e and the equivalent efficiency η give the same centre-ball speed",
     unit="v_s",
     source="TP A.30: η = [(1 − m_r e)² + m_r (1 + e)²]/(1 + m_r)²",
     kind=Kind.DERIVED,

@@ -1,4 +1,4 @@
-"""How far momentum and angular momentum are from being kept."""
+"""Errors of momentum and angular momentum."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What no model may break (row SY5): momentum, energy, symmetry, scaling."""
+"""Conservation laws and symmetries that every model must obey (row SY5)."""
 
 import math
 from collections.abc import Iterator
@@ -36,7 +36,7 @@ def physics(ball_ball: JSON) -> JSON:
 
 
 def random_balls(seed: int) -> list[JSON]:
-    """A layout clear of rails, with one fast spinning ball that meets another."""
+    """A layout away from the rails, with one fast spinning ball on its way to another."""
     rng = np.random.default_rng(seed)
     placed: list[Vector] = []
     while len(placed) < BALLS:
@@ -44,7 +44,7 @@ def random_balls(seed: int) -> list[JSON]:
         if all(math.dist(p, q) > 2.05 * RADIUS for q in placed):
             placed.append(p)
     ahead = placed[1] - placed[0]
-    # Within the target's angular radius, so that it is hit unless another ball is in the way.
+    # Within the target's angular radius: it is hit unless another ball is in the way.
     spread = 2 * RADIUS / float(np.linalg.norm(ahead))
     heading = math.atan2(ahead[1], ahead[0]) + rng.uniform(-spread, spread)
     speed = rng.uniform(2.0, 6.0)
@@ -55,7 +55,7 @@ def random_balls(seed: int) -> list[JSON]:
 
 
 def random_runs() -> Iterator[Run]:
-    """One shot a seed, the ball–ball models in turn."""
+    """One shot per seed, with the ball–ball models in turn."""
     for seed in range(SHOTS):
         law = MODELS[seed % len(MODELS)]
         yield simulate(*random_balls(seed), physics=physics(law), table=TABLE)
@@ -67,7 +67,7 @@ def energy(b: Ball) -> float:
 
 
 def momentum(event: Event) -> float:
-    """The size of the two balls' momenta before, kg m/s, their spins' surface speeds included."""
+    """A scale for the errors, kg m/s: mass times the balls' speeds and spin surface speeds."""
     speeds = [
         float(np.linalg.norm(b.velocity) + RADIUS * np.linalg.norm(b.spin))
         for b in event.before.values()
@@ -76,19 +76,19 @@ def momentum(event: Event) -> float:
 
 
 def momentum_error(event: Event) -> float:
-    """Change of the two balls' momentum in the plane, per momentum."""
+    """Change of the two balls' momentum in the plane, relative to `momentum`."""
     changes = [event.after[b].velocity - event.before[b].velocity for b in event.after]
     total: Vector = np.sum(changes, axis=0)
     return MASS * float(np.linalg.norm(total[:2])) / momentum(event)
 
 
 def angular_momentum_error(event: Event) -> float:
-    """How far the spins' changes are from those of one impulse P at the contact.
+    """Difference of the spins' changes from those of one impulse P at the contact, relative.
 
-    Angular momentum about the contact holds for each ball: I Δω = R n × P, with P the momentum
-    that the ball exchanged. The slate takes the vertical part of P, so the parts of Δω along the
-    vertical and along n are compared with P; the third, which the lost part of P turns alike in
-    both balls, is compared between them.
+    Angular momentum about the contact is conserved for each ball: I Δω = R n × P, where P is the
+    momentum exchanged. The slate takes the vertical part of P. Therefore the components of Δω along
+    the vertical and along n are compared with P; the third component, which the vertical part of P
+    changes equally in both balls, is compared between the balls.
     """
     a, b = event.after
     before, after = event.before, event.after
@@ -129,7 +129,7 @@ def sy5_momentum() -> list[float]:
 
 @row(
     "SY5",
-    "Largest rise of energy at any event but the strike, per energy at the start",
+    "Largest rise of energy at any event, relative to the energy at the start",
     unit="relative",
     source="physics",
     kind=Kind.RANGE,
@@ -138,7 +138,7 @@ def sy5_momentum() -> list[float]:
 def sy5_energy() -> list[float]:
     worst = -math.inf
     for run in random_runs():
-        # Nothing but the first ball moves at first, and nothing feeds energy in later.
+        # Only the first ball moves at the start, and no energy is added later.
         start = max(energy(b) for b in run.events[0].before.values())
         for event in run.events:
             rise = sum(energy(event.after[b]) - energy(event.before[b]) for b in event.after)
@@ -147,7 +147,7 @@ def sy5_energy() -> list[float]:
 
 
 def largest_distance(a: Run, b: Run, map_b: Vector, shift: Vector) -> float:
-    """Largest distance, m, between a ball's end in `a` and the mapped end in `b`."""
+    """Largest distance, m, between a ball's final place in `a` and the mapped one in `b`."""
     return max(
         float(np.linalg.norm(a.final[k].position - (map_b @ b.final[k].position + shift)))
         for k in a.final
@@ -156,7 +156,7 @@ def largest_distance(a: Run, b: Run, map_b: Vector, shift: Vector) -> float:
 
 
 def mapped(balls: list[JSON], matrix: Vector, shift: Vector) -> list[JSON]:
-    """The balls under p → M p + s; a mirror turns the spin, a pseudovector, the other way."""
+    """The balls under p → M p + s; a mirror reverses the spin, which is a pseudovector."""
     sign = float(np.linalg.det(matrix))
     flat = matrix[:2, :2]
     return [
@@ -176,11 +176,11 @@ LAW = MODELS[1]
 
 @row(
     "SY5",
-    f"Mirror image and rotation of a shot: largest distance of any ball's end, {FEW} shots",
+    f"Mirror image and rotation of a shot: largest difference of a final place, {FEW} shots",
     unit="m",
     source="physics",
     kind=Kind.DERIVED,
-    reference={"mirror, on the table": 0.0, "rotation by 1 rad, on endless cloth": 0.0},
+    reference={"mirror, on the table": 0.0, "rotation by 1 rad, on unbounded cloth": 0.0},
     tolerance=absolute(1e-9),
 )
 def sy5_symmetry() -> list[float]:
@@ -205,7 +205,7 @@ def sy5_symmetry() -> list[float]:
     unit="m",
     source="physics (v² ∝ g)",
     kind=Kind.DERIVED,
-    reference={"largest distance of any ball's end": 0.0},
+    reference={"largest difference of a final place": 0.0},
     tolerance=absolute(1e-9),
 )
 def sy5_scaling() -> list[float]:

@@ -1,4 +1,4 @@
-"""The paper's fits, and what the engine's impacts show of them."""
+"""The paper's fits, and the engine's impacts with them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def figure() -> Figure:
     plot.name(left, "normal speed, m/s", "restitution")
 
     g = np.linspace(2.0, 85.0, 60)
-    plot.ours(right, g, [tangential_share(a) for a in g], "carom: grips, then slips")
+    plot.ours(right, g, [tangential_share(a) for a in g], "carom: stick, then slip")
     plot.published(right, INCIDENCES, list(han_mu.reference.values()), "μ = 0.471 − 0.241γ")
     plot.name(right, "incidence from the normal, °", "tangential / normal impulse")
     return fig

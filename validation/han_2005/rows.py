@@ -24,7 +24,7 @@ PHYSICS: JSON = {
 
 
 def rebound(speed: float, incidence: float) -> Ball:
-    """A ball without spin after the top rail; the nose is level with its centre.
+    """A ball without spin after a hit of the top rail, whose nose is level with its centre.
 
     `incidence` (rad) is measured from the rail's normal.
     """
@@ -40,7 +40,7 @@ SPEEDS = (0.5, 1.0, 2.0, 3.0)
 
 @row(
     "HAN-e",
-    "Restitution of a perpendicular hit, from the paper's fit",
+    "Restitution of a perpendicular hit, whose fit is a parameter of the model",
     unit="–",
     source="Han 2005 (fit e(V))",
     kind=Kind.READ_BACK,
@@ -56,7 +56,7 @@ INCIDENCES = (60.0, 70.0, 80.0)
 
 @row(
     "HAN-mu",
-    "Friction of a slipping hit, tangential over normal impulse, from the paper's fit",
+    "Tangential over normal impulse of a slipping hit, whose fit is a parameter of the model",
     unit="–",
     source="Han 2005 (fit μ(γ)); 1 m/s",
     kind=Kind.READ_BACK,

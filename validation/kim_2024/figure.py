@@ -20,7 +20,7 @@ def figure() -> Figure:
     after = [impact(0.0, roll=1.0, restitution=k).rolling("cue").after["cue"].speed for k in e]
     plot.ours(left, e, after)
     plot.published(left, (1.0, 0.95, 0.94, 0.89), (0.2857, 0.3036, 0.3071, 0.3250), "Kim 2024")
-    plot.name(left, "restitution", "cue ball once it rolls again, v", "Full hit, rolling")
+    plot.name(left, "restitution", "cue ball when it rolls again, v", "Full hit, rolling")
 
     speeds = np.linspace(1.5, 6.0, 30)
     marks = np.linspace(2.0, 6.0, 6)

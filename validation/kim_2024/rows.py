@@ -7,7 +7,7 @@ from carom.validation.row import Kind, absolute, relative, row
 
 @row(
     "BB18",
-    "Full hit by a rolling cue ball: its speed once it rolls again",
+    "Full hit by a rolling cue ball: its speed when it rolls again",
     unit="v",
     source="Kim 2024 (formula): 2/7 + 5/14 (1 − e)",
     kind=Kind.FORMULA,
@@ -21,12 +21,12 @@ def bb18() -> list[float]:
     ]
 
 
-#: Speeds, m/s, and frictions of the hops.
+#: Speed, m/s, and friction of each hop.
 HOPS = ((2.0, 0.06), (4.0, 0.03), (4.0, 0.06))
 
 
 def hop(speed: float, friction: float) -> float:
-    """How high the cue ball hops after a full hit, m."""
+    """Height of the cue ball's hop after a full hit, m."""
     run = impact(0.0, speed, roll=1.0, friction=friction)
     leaves = run.first("ball-collision").time
     lands = run.first("slate-collision", "cue").time
@@ -35,7 +35,7 @@ def hop(speed: float, friction: float) -> float:
 
 @row(
     "BB-hop",
-    "Full hit by a rolling ball, e = 1: friction at the object ball lifts it; height of the hop",
+    "Full hit by a rolling ball, e = 1: height of the hop that friction at the contact causes",
     unit="m",
     source="Kim 2024 (formula): μ²U²/2g",
     kind=Kind.FORMULA,

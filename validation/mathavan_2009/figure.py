@@ -27,5 +27,5 @@ def figure() -> Figure:
         right.plot(x3, [c.ours for c in chosen], "_", color=plot.COLORS[k], markersize=16,
                    markeredgewidth=2, label=f"{label}, carom")  # fmt: skip
     right.set_xticks(range(3), ["26.4°", "40.5°", "46.5°"])
-    plot.name(right, "cut angle", "speed once both roll, m/s", "Ball on ball")
+    plot.name(right, "cut angle", "speed when both roll, m/s", "Ball on ball")
     return fig

@@ -1,7 +1,7 @@
 """Mathavan, Jackson & Parkin 2009: a snooker table filmed at high speed.
 
 Application of high-speed imaging to determine the dynamics of billiards, Am. J. Phys. 77 (2009)
-788–794. Measurements, beside the defaults of the `snooker` preset.
+788–794. The measurements are shown beside the defaults of the `snooker` preset.
 """
 
 from carom.validation.lab import ball, simulate
@@ -29,7 +29,7 @@ def cl15() -> list[float]:
 
 @row(
     "BB20",
-    "A rolling ball's hit, once both balls roll (default of `snooker`)",
+    "Collision of a rolling ball: speeds and direction when both roll (default of `snooker`)",
     unit="m/s, m/s, °",
     source="Mathavan 2009, table",
     kind=Kind.FITTED,
@@ -71,7 +71,7 @@ def rebound_speed(x: float) -> float:
         table="snooker-12ft",
     )
     event = run.first("rail-collision")
-    # The ball loses a little on the way; the ratio is that of the speed it arrives with.
+    # The ball slows a little before the rail: the ratio is taken from its speed at the rail.
     return event.after["cue"].speed * x / event.before["cue"].speed
 
 

@@ -24,7 +24,7 @@ REACH = math.sqrt(RADIUS**2 - (NOSE - RADIUS) ** 2)
 
 
 def rebound(incidence: float, roll: float, side: float = 0.0, speed: float = 1.0) -> Ball:
-    """The ball just after the top rail.
+    """The ball just after a hit of the top rail.
 
     `incidence` (rad) is measured from the rail, which lies along +x; `roll` is k_T = ω_T R/V₀ and
     `side` is k_S = ω_z R/V₀.
@@ -48,7 +48,7 @@ def angle(after: Ball) -> float:
     "CU-1",
     "Rolling, perpendicular: rebound speed at any speed",
     unit="V₀",
-    source="Mathavan 2009/2010 (figure: .912; film: initial slope .910)",
+    source="the paper's equations; Fig. 9 has .912, the film of 2009 an initial slope of .910",
     kind=Kind.FORMULA,
     reference={"0.5 m/s": 0.911, "1 m/s": 0.911, "2.4 m/s": 0.911},
     tolerance=relative(3e-3),
@@ -59,9 +59,9 @@ def cu_1() -> list[float]:
 
 @row(
     "CU-2",
-    "Perpendicular with backspin and with none: rebound speed",
+    "Perpendicular, with backspin and without spin: rebound speed",
     unit="V₀",
-    source="Mathavan 2010, Fig. 9",
+    source="the paper's equations; as Fig. 9",
     kind=Kind.FORMULA,
     reference={"k_T = −1": 0.866, "k_T = 0": 0.837},
     tolerance=relative(3e-3),
@@ -135,7 +135,7 @@ def cu_6_angle() -> list[float]:
 
 @row(
     "CU-7",
-    "Perpendicular with +k_S and −k_S: the angles sum to 180° (the figure's k_S = 2 breaks this)",
+    "Perpendicular with +k_S and −k_S: the angles add up to 180° (not so in the paper's Fig. 10)",
     unit="°",
     source="mirror symmetry",
     kind=Kind.DERIVED,

@@ -1,4 +1,4 @@
-"""Speeds and angles of shots 2–4, ours and the paper's."""
+"""Speeds and angles of shots 2–4: carom's and the paper's."""
 
 from __future__ import annotations
 
@@ -26,6 +26,6 @@ def figure() -> Figure:
         plot.ours(axes[1], cuts, values[:, 2 + k], ball, k)
         plot.published(axes[1], at, printed[:, 2 + k], color=k)
     title = f"Rolling at {speed} m/s; rings scaled to it"
-    plot.name(axes[0], "cut angle, °", "speed once both roll, m/s", title)
-    plot.name(axes[1], "cut angle, °", "direction off the first line, °")
+    plot.name(axes[0], "cut angle, °", "speed when both roll, m/s", title)
+    plot.name(axes[1], "cut angle, °", "direction from the initial one, °")
     return fig

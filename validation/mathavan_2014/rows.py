@@ -23,7 +23,7 @@ QUANTITIES = ("cue ball, m/s", "object ball, m/s", "cue ball, °", "object ball,
 
 
 def rolled_out(physics: JSON | str, speed: float, cut_degrees: float) -> list[float]:
-    """Speeds (m/s) and directions (° off the first line) once both balls roll."""
+    """Speeds (m/s) and directions (° from the initial one) when both balls roll."""
     run = simulate(
         ball(velocity=(0.0, speed, 0.0), spin=(-speed / RADIUS, 0.0, 0.0), radius=RADIUS),
         ball("object", touching(math.radians(cut_degrees), RADIUS), radius=RADIUS),
@@ -42,9 +42,9 @@ def rolled_out(physics: JSON | str, speed: float, cut_degrees: float) -> list[fl
 
 @row(
     "BB22",
-    "A rolling snooker ball's hit, once both balls roll",
+    "Collision of a rolling snooker ball: speeds and directions when both balls roll",
     unit="m/s, m/s, °, °",
-    source="Mathavan 2014, table (its 0.128 m/s is 1.28)",
+    source="Mathavan 2014, table (which misprints 1.28 m/s as 0.128)",
     kind=Kind.PUBLISHED,
     reference={
         f"shot {n}, {quantity}": value

@@ -1,4 +1,4 @@
-"""Rolled-out speed against tip height."""
+"""Speed of the rolling ball against tip height."""
 
 from __future__ import annotations
 
@@ -17,5 +17,5 @@ def figure() -> Figure:
     heights = np.linspace(-0.2, 0.55, 60)
     plot.ours(ax, heights, [rolled_speed(h) for h in heights])
     ax.axvline(0.235, color=plot.COLORS[1], linestyle=":", label="problem 3.11: x = 0.235")
-    plot.name(ax, "tip height, R", "speed once it rolls, cue speeds", "Elastic tip")
+    plot.name(ax, "tip height, R", "speed when it rolls / cue speed", "Elastic tip")
     return fig

@@ -6,14 +6,14 @@ from carom.validation.row import Kind, absolute, row
 
 
 def rolled_speed(height: float) -> float:
-    """Speed at which the ball rolls, per cue speed, from a tip that gives back everything."""
+    """Speed of the rolling ball per cue speed, for an elastic tip."""
     run = strike(1.0, height=height, tip_restitution=1.0)
     return run.first("motion-transition").after["cue"].speed
 
 
 @row(
     "CU6",
-    "Tip height that gives the fastest rolling ball, elastic tip, m_r = 6/19",
+    "Tip height that makes the rolling ball fastest, elastic tip, m_r = 6/19",
     unit="R",
     source="Shepard 1997, problem 3.11; TP B.12: x = −1 + √(7/5 + 2/5 m_r)",
     kind=Kind.PUBLISHED,

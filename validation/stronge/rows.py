@@ -1,4 +1,4 @@
-"""Stronge, Impact Mechanics (2000): a contact with a spring in the tangent plane too.
+"""Stronge, Impact Mechanics (2000): a contact with a tangential spring.
 
 The cushion of the engine's `stronge` model, its nose at the ball's centre so that the impact is
 plane: β_t/β_n = 3.5, ω_t/ω_n = 1.7, e = 0.85, μ = 0.2.

@@ -29,7 +29,7 @@ def figure() -> Figure:
     plot.ours(left, times, heights)
     fall = np.sqrt(2 * DROP / 9.81)
     k = np.arange(1, BOUNCES + 1)
-    # The k-th apex comes after the fall, the hops before it, and half its own.
+    # Time of the k-th apex: the fall, k − 1 hops and half of the k-th.
     when = fall * (1 + 2 * RETURNED * (1 - RETURNED ** (k - 1)) / (1 - RETURNED) + RETURNED**k)
     plot.published(left, when, DROP * RETURNED ** (2 * k), "e²ᵏh")
     plot.name(left, "time, s", "height above the cloth, m", "Dropped from 0.3 m, e = 0.5")
@@ -38,5 +38,7 @@ def figure() -> Figure:
     plot.ours(right, shares, [lift_off(s * FLIES) for s in shares])
     marks = np.linspace(0.05, 1.1, 15)
     plot.published(right, marks, [rolls_to(s * FLIES) for s in marks], "rolling about the edge")
-    plot.name(right, "speed at the lip, √(gR)", "last touch, ° from the vertical", "Over a lip")
+    plot.name(
+        right, "speed at the lip, √(gR)", "last touch, ° from the vertical", "Rolling over a lip"
+    )
     return fig

@@ -1,4 +1,4 @@
-"""What follows from mechanics alone: a dropped ball, and a ball that tips over a lip."""
+"""Results of textbook mechanics: a dropped ball, and a ball that tips over a lip."""
 
 import math
 from itertools import pairwise
@@ -7,17 +7,17 @@ from carom.validation.lab import Run, ball, simulate
 from carom.validation.row import Kind, absolute, relative, row
 
 GRAVITY, RADIUS = 9.81, 0.028575
-#: The speed at which a ball flies off a lip, m/s.
+#: The least speed at which a ball flies off a lip, m/s.
 FLIES = math.sqrt(GRAVITY * RADIUS)
 
-#: How high the ball is dropped from, m, and what the slate returns.
+#: Height from which the ball is dropped, m, and restitution of the slate.
 DROP, RETURNED = 0.3, 0.5
-#: The bounces that are compared.
+#: Number of bounces that are compared.
 BOUNCES = 4
 
 
 def dropped(height: float = DROP, restitution: float = RETURNED) -> Run:
-    """A ball without spin that falls on endless cloth."""
+    """A ball without spin that falls on unbounded cloth."""
     physics = {
         "gravity": GRAVITY,
         "ball": {"radius": RADIUS},
@@ -27,34 +27,34 @@ def dropped(height: float = DROP, restitution: float = RETURNED) -> Run:
 
 
 def apexes(run: Run) -> list[float]:
-    """How high the ball rises after each bounce, m: read off its path half way to the next."""
+    """Height to which the ball rises after each bounce, m: half-way to the next bounce."""
     times = [e.time for e in run.all("slate-collision")]
     return [float(run.trace.at((a + b) / 2).position[0][2]) - RADIUS for a, b in pairwise(times)]
 
 
 @row(
     "SL4",
-    "A ball dropped from 0.3 m, e = 0.5: how high it rises again, and when it rests",
-    unit="of the height, of the series",
+    "A ball dropped from 0.3 m, e = 0.5: heights of the bounces, and time until rest",
+    unit="per height, per time of the series",
     source="textbook: e²h, e⁴h …; √(2h/g)(1 + e)/(1 − e)",
     kind=Kind.DERIVED,
     reference={
         **{f"apex {k}": RETURNED ** (2 * k) for k in range(1, BOUNCES + 1)},
-        "time of the bounces and the hops left out": 1.0,
+        "time of the bounces, and of those left out": 1.0,
     },
     tolerance=relative(1e-6),
 )
 def sl4() -> list[float]:
     run = dropped()
     last = list(run.all("slate-collision"))[-1]
-    # What the last hop would have risen with goes on as the rest of the series.
+    # The engine leaves out the rest of the series after the last hop; its time is added here.
     left_out = -RETURNED * float(last.before["cue"].velocity[2])
     rest = 2 * left_out / GRAVITY / (1 - RETURNED)
     series = math.sqrt(2 * DROP / GRAVITY) * (1 + RETURNED) / (1 - RETURNED)
     return [*(h / DROP for h in apexes(run)[:BOUNCES]), (last.time + rest) / series]
 
 
-#: A side pocket so wide that nothing but its lip is met.
+#: The table whose side pocket the ball rolls into, and the x of that pocket's lip, m.
 LIP_TABLE = {"base": "wpa-9ft"}
 LIP_X = -0.0682625 + 0.0635
 
@@ -62,7 +62,8 @@ LIP_X = -0.0682625 + 0.0635
 def over_the_lip(speed: float) -> Run:
     """A ball that rolls straight into a side pocket and comes to its lip with `speed`, m/s.
 
-    Rolling friction 0 keeps the speed, and the lip grips as well as it must.
+    The rolling friction is 0, so that the speed stays; the friction of the lip is large enough to
+    prevent slip.
     """
     physics = {
         "base": "pool",
@@ -76,7 +77,7 @@ def over_the_lip(speed: float) -> Run:
 
 
 def lift_off(speed: float) -> float:
-    """The angle from the vertical at which the ball last touches the lip, °; 0 if it flies off."""
+    """Angle from the vertical at which the ball last touches the lip, °; 0 if it flies at once."""
     touches = list(over_the_lip(speed).all("slate-collision"))
     if not touches:
         return 0.0
@@ -85,24 +86,24 @@ def lift_off(speed: float) -> float:
 
 
 def rolls_to(speed: float) -> float:
-    """cos θ = (10 + 7v²/gR)/17."""
+    """The angle θ, °, of cos θ = (10 + 7v²/gR)/17."""
     return math.degrees(math.acos(min(1.0, (10 + 7 * (speed / FLIES) ** 2) / 17)))
 
 
-#: Speeds at the lip as shares of √(gR).
+#: Speeds at the lip, in units of √(gR).
 SHARES = (0.05, 0.2, 0.4, 0.6, 0.8)
 
 
 @row(
     "LIP-roll",
-    "A ball that rolls over the lip of a hole leaves it at the angle from the vertical",
+    "A ball that rolls over the lip of a hole: the angle from the vertical at which it leaves it",
     unit="°",
     source="textbook: rolling without slip about an edge, cos θ = (10 + 7v²/gR)/17",
     kind=Kind.DERIVED,
     reference={f"v = {k:g} √(gR)": round(rolls_to(k * FLIES), 3) for k in SHARES},
     tolerance=absolute(4.0),
-    note="The engine turns a ball about an edge in hops of some degrees: the last touch comes up "
-    "to a hop before the angle.",
+    note="In the engine a ball turns about an edge in hops of a few degrees. Its last touch is up "
+    "to one hop before the angle, so that all differences are negative.",
 )
 def lip_roll() -> list[float]:
     return [lift_off(k * FLIES) for k in SHARES]
@@ -110,9 +111,9 @@ def lip_roll() -> list[float]:
 
 @row(
     "LIP-fly",
-    "From √(gR) up it flies off, and touches the lip no more",
+    "At √(gR) or faster the ball flies off: number of touches of the lip",
     unit="touches",
-    source="textbook: gravity cannot hold it on the edge",
+    source="textbook: at this speed gravity does not keep it on the edge",
     kind=Kind.DERIVED,
     reference={"v = 1.001 √(gR)": 0.0, "v = 3 √(gR)": 0.0},
     tolerance=absolute(0.0),

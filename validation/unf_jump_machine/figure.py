@@ -1,4 +1,4 @@
-"""The two machines' jumps, and the launch that a raised cue gives."""
+"""The two cues' jumps, and launch angle against the elevation of the cue."""
 
 from __future__ import annotations
 
@@ -27,5 +27,5 @@ def figure() -> Figure:
     plot.ours(right, elevations, [launch_angle(e) for e in elevations], "`pool`, centre ball")
     for k, (angle, _) in enumerate(LAUNCHES.values()):
         right.axhline(angle, color=plot.COLORS[k], linewidth=0.8, linestyle="--")
-    plot.name(right, "elevation of the cue, °", "launch of the ball, °")
+    plot.name(right, "elevation of the cue, °", "launch angle of the ball, °")
     return fig

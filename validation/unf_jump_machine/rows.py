@@ -5,12 +5,12 @@ import math
 from carom.validation.lab import INCH, Run, ball, crossing, simulate
 from carom.validation.row import Kind, relative, row
 
-#: Launch angle ° and speed m/s that give the measured ranges and clear the obstacles.
+#: Launch angle, °, and speed, m/s, worked out from the measured ranges.
 LAUNCHES = {"cue X": (25.2, 3.54), "cue Y": (27.6, 4.42)}
 
 
 def launched(angle: float, speed: float) -> Run:
-    """A ball that leaves the cloth along +y."""
+    """A ball that leaves the cloth towards +y, at an angle (°) and speed (m/s)."""
     up = math.radians(angle)
     velocity = (0.0, speed * math.cos(up), speed * math.sin(up))
     return simulate(ball(velocity=velocity))
@@ -37,16 +37,16 @@ def struck(elevation: float) -> Run:
 
 
 def launch_angle(elevation: float) -> float:
-    """At which angle a raised cue makes the ball leave the cloth, °."""
+    """Angle at which a strike with this elevation (°) makes the ball leave the cloth, °."""
     cue = struck(elevation).first("slate-collision").after["cue"]
     return math.degrees(math.atan2(cue.velocity[2], cue.speed))
 
 
 @row(
     "SL7",
-    "Jump shots of a machine: range and apex for the launches that they mean",
+    "Jump shots of a machine: range and apex of the launches worked out from the ranges",
     unit="in",
-    source="UNF jump-cue machine, 2006; launches and apexes worked out from its ranges",
+    source="UNF jump-cue machine, 2006",
     kind=Kind.READ_BACK,
     reference={
         "cue X: range": 38.80,
@@ -61,5 +61,5 @@ def sl7() -> list[float]:
 
 
 def elevation_for(angle: float) -> float:
-    """How far the cue must be raised for a launch at `angle`, °."""
+    """Elevation of the cue that makes the ball leave the cloth at `angle`, °."""
     return crossing(lambda e: launch_angle(e) - angle, 5.0, 60.0, width=1e-6)

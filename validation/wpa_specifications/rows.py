@@ -1,4 +1,4 @@
-"""WPA Tour Table and Equipment Specifications: how far a cushion must send a ball."""
+"""WPA Tour Table and Equipment Specifications: the liveliness of cushions."""
 
 import math
 
@@ -9,7 +9,7 @@ LENGTH = 2.54
 
 
 def lengths_travelled(speed: float) -> float:
-    """Table lengths that a centre-ball shot from the head spot along the middle covers."""
+    """Table lengths that a centre-ball shot from the head spot travels along the middle."""
     run = simulate(
         ball(position=(0.635, 0.25 * LENGTH)),
         table="wpa-9ft",

@@ -130,30 +130,37 @@ def show(result: dict[str, Any], console: Console) -> None:
     console.print(
         f"carom {result['carom']} ({result['commit'] or 'no checkout'}) on "
         f"{result['machine']['processor']}, one core, no traces.\n"
-        "Processor time. Repeated: the median of a shot's rounds, then over the shots of a class.\n"
-        "In turn: the mean over the shots of a class, each unlike the one before.",
+        "Processor time. Repeated: the median of a shot's rounds, then of a class's shots.\n"
+        "In turn: the mean over a class's shots, each unlike the one before.",
         highlight=False,
     )
-    console.print(_times(result), highlight=False)
+    console.print(_medians(result), highlight=False)
+    console.print(_means(result), highlight=False)
     console.print(_events(result), highlight=False)
     console.print(_others(result), highlight=False)
 
 
-def _times(result: dict[str, Any]) -> Table:
-    """The medians of repeated shots and the means over shots in turn, side by side."""
+def _medians(result: dict[str, Any]) -> Table:
+    """The medians of repeated shots."""
     peer = result["peer"]
-    names = ["repeated, median"]
-    names += [peer, "ratio", f"≥ {BAR_RATIO}"] if peer else []
-    names += ["in turn, mean"]
-    names += [peer, "ratio"] if peer else []
-    table = _table(names)
+    names = ["carom", peer, "ratio", f"≥ {BAR_RATIO}"] if peer else ["carom"]
+    table = _table(["repeated, median", *names])
     for name, row in result["classes"].items():
         cells = [CLASSES[name], f"{row['median_us']:.2f} µs"]
         if peer:
             ratio = row["ratio_of_medians"]
             cells.append(f"{row['peer']['median_us'] / 1000:.2f} ms")
             cells += [f"{ratio:.0f}", _verdict(ratio >= BAR_RATIO)]
-        cells.append(f"{row['mixed_mean_us']:.2f} µs")
+        table.add_row(*cells)
+    return table
+
+
+def _means(result: dict[str, Any]) -> Table:
+    """The means over shots in turn."""
+    peer = result["peer"]
+    table = _table(["in turn, mean", *(["carom", peer, "ratio"] if peer else ["carom"])])
+    for name, row in result["classes"].items():
+        cells = [CLASSES[name], f"{row['mixed_mean_us']:.2f} µs"]
         if peer:
             cells.append(f"{row['peer']['mixed_mean_us'] / 1000:.2f} ms")
             cells.append(f"{row['ratio_of_mixed_means']:.0f}")
@@ -164,8 +171,8 @@ def _times(result: dict[str, Any]) -> Table:
 def _events(result: dict[str, Any]) -> Table:
     """Numbers of events, which differ where the default models do, and the cost of an event."""
     peer = result["peer"]
-    names = ["events", "ns/event", "trace"]
-    table = _table([*names, "peer's", "ratio/event"] if peer else names)
+    names = ["carom", "ns/event", "trace"]
+    table = _table(["events", *names, "peer's", "ratio"] if peer else ["events", *names])
     for name, row in result["classes"].items():
         cells = [
             CLASSES[name],
@@ -180,9 +187,10 @@ def _events(result: dict[str, Any]) -> Table:
 
 
 def _table(names: list[str]) -> Table:
+    """An empty table with these columns; the first one is aligned to the left."""
     table = Table()
-    table.add_column("")
-    for name in names:
+    table.add_column(names[0], no_wrap=True)
+    for name in names[1:]:
         table.add_column(name, justify="right")
     return table
 
