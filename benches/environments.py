@@ -1,12 +1,12 @@
-"""Steps a second of the vector of environments, the rules' share of a step, and pooltool beside it.
+"""Steps a second of the vector environment, the rules' share of a step, and pooltool beside it.
 
     python benches/environments.py
 
-4096 environments of eight-ball with 4 to 9 object balls, rules and the Computational Olympiad's
-noise, actions at random that hit a ball. The wall clock says what this machine did beside its other
-work; the processor time what one core does. The share of the rules is counted in instructions by
-valgrind, where it is installed. Where pooltool is (``make bench-peer``), an environment that is
-built on it plays the same on the same table, in turns with ours. The result is kept in
+The vector has 4096 environments of eight-ball with 4 to 9 object balls, rules and the Computational
+Olympiad's noise. The actions are random, but aimed at a ball. Both wall time on all cores and
+processor time per core are measured. The rules' share of the instructions is counted by valgrind
+where it is installed. Where pooltool is installed (``make bench-peer``), an environment built on it
+plays the same on the same table, in turns with ours. The result is stored in
 ``benches/results/environments.json``.
 """
 
@@ -38,23 +38,23 @@ STORED = ROOT / "benches" / "results" / "environments.json"
 NOISE = carom.Noise.olympiad(1.0)
 ENVIRONMENTS = 4096
 STEPS = 20
-#: The fastest of so many runs is kept: the others had more company.
+#: Number of runs. The fastest counts: other work on the machine slowed the others.
 ROUNDS = 5
-#: Shots of pooltool's environment that compile it, and those of a round.
+#: Shots that compile pooltool's environment, and shots of a round.
 PEER_WARM = 30
 PEER_STEPS = 100
-#: What this must reach: steps a second on both cores, times pooltool, and the rules' share.
+#: Required: steps a second on both cores, ratio to pooltool, and largest share of the rules.
 BAR_STEPS = 100_000
 BAR_RATIO = 500
 BAR_RULES = 0.05
-#: The functions of carom-rules that rule on a shot; all the rest of it prepares and plays one.
+#: The functions of carom-rules that apply the rules to a shot.
 RULES = ("carom_rules::facts::Facts::new", "games::Game>::judge", "Frame::settle")
-#: Environments and steps under valgrind, which is fifty times slower.
+#: Environments, steps and threads under valgrind, which is fifty times slower.
 COUNTED = ("256", "4", "1")
 
 
 def main() -> int:
-    """Measures, prints, stores."""
+    """Measures, prints and stores."""
     result: dict[str, Any] = report.where() | steps() | rules() | beside_pooltool()
     print(json.dumps(result, indent=2))
     print(f"bars: {BAR_STEPS} steps/s, {BAR_RATIO} x pooltool, rules under {BAR_RULES:.0%}")
@@ -64,7 +64,7 @@ def main() -> int:
 
 
 def vector(**more: Any) -> Any:
-    """The environments that are stepped."""
+    """The vector environment."""
     return gymnasium.make_vec(
         "carom/EightBall-v2",
         num_envs=ENVIRONMENTS,
@@ -77,13 +77,13 @@ def vector(**more: Any) -> Any:
 
 
 def some_actions(envs: Any) -> Array:
-    """Steps of all environments, shape (STEPS, ENVIRONMENTS, 7)."""
+    """Random actions for all steps, shape (STEPS, ENVIRONMENTS, 7)."""
     random = np.random.default_rng(0)
     return random.uniform(-1, 1, (STEPS, *envs.action_space.shape)).astype(np.float32)
 
 
 def play(envs: Any, actions: Array, seed: int) -> tuple[float, float, float]:
-    """Time by the clock and by the processor, s, and the balls on the table at the end, mean."""
+    """Wall time and processor time, s, and the mean number of balls on the table at the end."""
     observations, _ = envs.reset(seed=seed * ENVIRONMENTS)
     wall, processor = time.perf_counter(), time.process_time()
     for action in actions:
@@ -93,7 +93,7 @@ def play(envs: Any, actions: Array, seed: int) -> tuple[float, float, float]:
 
 
 def steps() -> dict[str, Any]:
-    """Steps a second by the wall clock, and by one core's time."""
+    """Steps a second of wall time, and of processor time."""
     envs = vector()
     actions = some_actions(envs)
     wall, processor, balls = zip(*(play(envs, actions, s) for s in range(ROUNDS)), strict=True)
@@ -125,15 +125,15 @@ def rules() -> dict[str, Any]:
 
 
 def most(costs: list[tuple[int, str]], name: str) -> int:
-    """The inclusive cost of a function; the largest of what its inlined parts are listed with."""
+    """The inclusive cost of a function: the largest of those listed for its inlined parts."""
     found = [cost for cost, function in costs if name in function]
     if not found:
-        raise SystemExit(f"{name} is not in callgrind's list: it was inlined, or has a new name")
+        raise SystemExit(f"{name} is not in callgrind's list: it was inlined or renamed")
     return max(found)
 
 
 def beside_pooltool() -> dict[str, Any]:
-    """Our environments and one on pooltool in turns, on pooltool's table; medians of the rounds."""
+    """Our environments and pooltool's in turns, on pooltool's table; medians of the rounds."""
     envs = vector(table=TABLE)
     layouts, _ = envs.reset(seed=0)
     try:
@@ -159,7 +159,7 @@ def beside_pooltool() -> dict[str, Any]:
             "peer_step_mean_us": round(1e6 * median(map(fmean, theirs))),
             "core_step_us": round(1e6 * median(processor), 2),
             "step_us": round(1e6 * median(wall), 2),
-            # One core against one core; and as the vector is used, on all cores.
+            # One core against one core, and all cores against one.
             "times_per_core": round(median(map(fmean, theirs)) / median(processor)),
             "times": round(median(map(fmean, theirs)) / median(wall)),
         }

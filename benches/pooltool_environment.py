@@ -1,9 +1,9 @@
-"""The step of an environment for learners that is built on pooltool, as lean as it can be.
+"""An environment for learners that is built on pooltool, with as little overhead as possible.
 
-It plays what ``carom/EightBall-v2`` plays with ``aim="relative"``: the same layouts, the same kind
-of action, errors of the same size. It takes the balls as they came to rest from shot to shot. Only
-the referee is missing: whatever ball may be hit first, an episode ends with the eight or with the
-last of the other balls, and nothing is called, so that a shot is simulated once, not twice.
+It has the layouts, the kind of action and the size of errors of ``carom/EightBall-v2`` with
+``aim="relative"``, and the balls stay where they come to rest from shot to shot. It has no referee:
+any ball may be hit first, nothing is called, and an episode ends when the eight or the last of the
+other balls is pocketed. A shot is therefore simulated once, where ours is simulated twice.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ Array = NDArray[Any]
 TABLE = "showood-7ft"
 #: The state of a ball in a pocket.
 POCKETED = 4
-#: Of a miscue limit of half the radius nine tenths are used, as our actions do.
+#: Largest tip offset, radii: nine tenths of the miscue limit of 0.5, as in our actions.
 OFFSET_USED = 0.45
-#: Least and largest speed, m/s; errors leave at least the last of these.
+#: Least and largest speed of an action, m/s, and the least speed after an error.
 SPEED = (0.2, 8.0, 0.01)
 
 
@@ -33,13 +33,13 @@ class EightBall:
     """One environment.
 
     Args:
-        layouts: Observations of ``carom/EightBall-v2`` on the same table: its episodes begin with
+        layouts: Observations of ``carom/EightBall-v2`` on the same table. The episodes begin with
             them, one after the other.
         noise: Errors of every strike.
-        seed: Of the errors.
+        seed: Seed of the errors.
 
     Raises:
-        ImportError: pooltool is not installed, or not in the version that we compare with.
+        ImportError: pooltool is not installed, or its version is not that of the comparison.
     """
 
     def __init__(self, layouts: Array, noise: carom.Noise, seed: int) -> None:
@@ -59,7 +59,7 @@ class EightBall:
         self.reset()
 
     def reset(self) -> Array:
-        """Begins the next episode."""
+        """Begins the next episode and returns its observation."""
         row = self._layouts[self._next % len(self._layouts)]
         self._next += 1
         self._balls = {}
@@ -74,7 +74,7 @@ class EightBall:
         return self.observe()
 
     def step(self, action: Array) -> tuple[Array, float, bool]:
-        """Plays a shot: what is seen then, balls potted less scratches, whether it is over."""
+        """Plays a shot: observation, balls pocketed less scratches, whether the episode is over."""
         self.system.reset_history()
         self.system.strike(**self._strike(action))
         before = self._down()
@@ -88,7 +88,7 @@ class EightBall:
         return self.reset() if over else self.observe(), float(potted), over
 
     def observe(self) -> Array:
-        """Place and presence of every ball, as ours."""
+        """Position and presence of every ball, in the form of our observations."""
         row = np.zeros((16, 4), dtype=np.float32)
         for name, ball in self._balls.items():
             if ball.state.s != POCKETED:
@@ -100,7 +100,7 @@ class EightBall:
         return {name for name, ball in self._balls.items() if ball.state.s == POCKETED}
 
     def _strike(self, action: Array) -> dict[str, float]:
-        """What comes of the action: speed, direction and elevation in degrees, offsets in radii."""
+        """The strike of an action: speed in m/s, angles in degrees, offsets in radii."""
         radius = self._balls["cue"].params.R
         cue = self._balls["cue"].state.rvw[0, :2]
         others = [
@@ -125,7 +125,7 @@ class EightBall:
         }
 
     def _respot(self) -> None:
-        """The cue ball comes back to the first place on the head string where there is room."""
+        """Puts the cue ball on the first free place on the head string."""
         ball = self._balls["cue"]
         lie = [b.state.rvw[0, :2] for name, b in self._balls.items() if name != "cue"]
         for x in np.linspace(0.1, 1.9, 50) * self._half[0]:
@@ -138,7 +138,7 @@ class EightBall:
 
 
 def timed(environment: EightBall, actions: Array) -> list[float]:
-    """Processor time of a step for each of the actions, shape (n, 5 or more), s."""
+    """Processor time of a step, s, for each of the actions, shape (n, 5 or more)."""
     taken = []
     for action in actions.tolist():
         start = time.process_time()

@@ -1,12 +1,12 @@
-"""What the questions take: chances of mid-game shots, a search, maps.
+"""Times of `evaluate`, `solve`, maps and tables.
 
     python benches/questions.py
 
-`evaluate` is asked for 10 000 variants of every mid-game eight-ball shot of the benchmark's states,
-the Computational Olympiad's noise on each: by the wall clock on all cores, which is what its user
-waits for, and by the processor on one thread, which other work disturbs less. What other work does
-not disturb at all are the instructions of a variant, counted by valgrind where it is installed. The
-rest is timed on one shot of ``shots/``. The result is kept in ``benches/results/questions.json``.
+`evaluate` runs with 10 000 variants of every mid-game shot of `carom bench`, with the Computational
+Olympiad's noise. It is measured in wall time on all cores, for which its user waits, and in
+processor time on one thread, which other work disturbs less. The instructions of a variant, which
+other work does not disturb, are counted by valgrind where it is installed. The other functions are
+timed on one shot of ``shots/``. The result is stored in ``benches/results/questions.json``.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ from carom.bench import report, states
 ROOT = Path(__file__).resolve().parents[1]
 STORED = ROOT / "benches" / "results" / "questions.json"
 VARIANTS = 10_000
-#: What `evaluate` of so many variants must stay under, on all cores, ms.
+#: The most that `evaluate` of so many variants may take on all cores, ms.
 BAR = 60.0
-#: The fastest of so many runs is kept: the others had more company.
+#: Number of runs. The fastest counts: other work on the machine slowed the others.
 ROUNDS = 3
-#: Variants of each shot under valgrind; the difference is free of start and parsing.
+#: Variants of each shot in two runs under valgrind. Their difference contains no start or parsing.
 COUNTED = (8, 40)
 
 
 def main() -> int:
-    """Measures, prints, stores."""
+    """Measures, prints and stores."""
     result: dict[str, Any] = report.where() | {"variants": VARIANTS}
     result["evaluate"] = evaluations()
     result |= instructions()
@@ -51,7 +51,7 @@ def main() -> int:
 
 
 def evaluations() -> dict[str, Any]:
-    """Times of `evaluate` over the mid-game states: median, 90th percentile and worst, ms."""
+    """Times of `evaluate` over the mid-game states: median, 90th percentile and maximum, ms."""
     noise, seen = carom.Noise.olympiad(1.0), carom.Perception(position=0.001)
     shots = [carom.Shot.from_dict(s.shot_file()) for s in states.load()["random_eight_ball"]]
     asked: dict[str, Callable[[carom.Shot], object]] = {
@@ -75,7 +75,7 @@ def evaluations() -> dict[str, Any]:
 
 
 def instructions() -> dict[str, int]:
-    """Instructions of a variant, drawing, playing and counting together."""
+    """Instructions of a variant: drawing, simulating and counting."""
     if not callgrind.is_installed():
         print("valgrind is not installed: instructions were not counted", file=sys.stderr)
         return {}
@@ -89,7 +89,7 @@ def instructions() -> dict[str, int]:
 
 
 def others() -> dict[str, float]:
-    """What the other questions about one shot take by the wall clock, ms."""
+    """Wall times of the other functions, ms."""
     shot = carom.Shot.load(ROOT / "shots" / "side_pocket_cut.json")
     speeds, heights = np.linspace(0.8, 4.0, 65), np.linspace(-0.4, 0.4, 5)
     asked: dict[str, Callable[[], object]] = {
@@ -108,7 +108,7 @@ def others() -> dict[str, float]:
 
 
 def fastest(ask: Callable[[], object], clock: Callable[[], float]) -> float:
-    """The fastest of some runs, ms."""
+    """The time of the fastest of `ROUNDS` runs, ms."""
     times = []
     for _ in range(ROUNDS):
         start = clock()

@@ -1,12 +1,13 @@
-"""Rows a second of a sweep, its memory, and what Ray adds on the same cores.
+"""Rows a second of a sweep, its memory, and the overhead of Ray on the same cores.
 
     python benches/sweep.py [ROWS]
 
-Ten million mid-game shots (the benchmark's 400 layouts, their strikes with the Computational
-Olympiad's noise) go to Parquet by the threads of one process, then by Ray's workers on as many
-cores, three times in turns; Ray's start is told apart. The files of all are compared. Beside it
-stand the same shots in a batch, which writes nothing, and a sweep without a referee's facts. Every
-run is a process of its own. The result is kept in ``benches/results/sweep.json``.
+Ten million mid-game shots (the 400 layouts of `carom bench`, with the Computational Olympiad's
+noise) are written to Parquet by the threads of one process, and then by Ray's workers on as many
+cores, three times in turns. Ray's start is measured separately. The files of all runs are compared.
+The same shots are also played in a batch, which writes nothing, and in a sweep without the columns
+of contacts. Every run is a process of its own. The result is stored in
+``benches/results/sweep.json``.
 """
 
 from __future__ import annotations
@@ -30,18 +31,18 @@ from carom.bench import report, states
 ROOT = Path(__file__).resolve().parents[1]
 STORED = ROOT / "benches" / "results" / "sweep.json"
 ROWS = 10_000_000
-#: How often both are measured, in turns.
+#: Number of measurements of each, in turns.
 TURNS = 3
-#: What this must reach: the most that Ray may add.
+#: The largest overhead of Ray that is allowed.
 BAR_OVERHEAD = 0.15
-#: Shots of the batch, and rows of the sweep without facts: as a share of all rows.
+#: Shots of the batch and rows of the small sweep, as a share of all rows.
 SHARE = 0.1
-#: Columns for which nobody needs to know what touched what.
+#: Columns that need no record of contacts.
 WITHOUT_FACTS = ["events", "duration", "pocket", "end_x", "end_y"]
 
 
 def main(rows: int) -> int:
-    """Measures, prints, stores."""
+    """Measures, prints and stores."""
     result: dict[str, Any] = report.where()
     with tempfile.TemporaryDirectory() as folder:
         turns = [(child("here", rows, folder), child("ray", rows, folder)) for _ in range(TURNS)]
@@ -50,7 +51,7 @@ def main(rows: int) -> int:
         batch = child("batch", small, folder)
     runs = [run for turn in turns for run in turn]
     if any(run["files"] != runs[0]["files"] for run in runs):
-        raise SystemExit("the files that Ray wrote differ from those that were written here")
+        raise SystemExit("the files that Ray wrote differ from those of the single process")
     here, ray = (middle(side) for side in zip(*turns, strict=True))
     result |= {
         "cores": os.cpu_count(),
@@ -73,7 +74,7 @@ def middle(runs: Iterable[dict[str, Any]]) -> dict[str, Any]:
 
 
 def without_files(run: dict[str, Any]) -> dict[str, Any]:
-    """What is stored of a run."""
+    """The figures of a run that are stored."""
     return {key: value for key, value in run.items() if key != "files"}
 
 
@@ -87,12 +88,12 @@ def child(what: str, rows: int, folder: str) -> dict[str, Any]:
 
 
 def measure(what: str, rows: int, folder: Path) -> dict[str, Any]:
-    """What the child does."""
+    """The measurement of a child process."""
     return batch(rows) if what == "batch" else sweep(what, rows, folder / what)
 
 
 def sweep(what: str, rows: int, folder: Path) -> dict[str, Any]:
-    """Rows a second, memory, size; the files' hashes, and then no files."""
+    """Rows a second, memory, size and the files' hashes; deletes the files."""
     shots = [state.shot_file() for state in states.load()["random_eight_ball"]]
     spec: dict[str, Any] = {
         "format": "carom-sweep/1",
@@ -130,7 +131,7 @@ def sweep(what: str, rows: int, folder: Path) -> dict[str, Any]:
 
 
 def batch(rows: int) -> dict[str, Any]:
-    """The benchmark's mid-game shots, as they are, in a batch."""
+    """The mid-game shots of `carom bench`, without noise, in a batch."""
     members = [Shot.from_dict(s.shot_file()) for s in states.load()["random_eight_ball"]]
     shots = members * (rows // len(members))
     simulate_batch(members)

@@ -1,9 +1,11 @@
 #!/bin/bash
-# `make bench-peer` runs this with the PYTHON to use: carom and pooltool 0.6.0 side by side in an
-# environment of their own under .cache, and `carom bench` in it.
+# Usage: bench_peer.sh PYTHON (`make bench-peer` runs it).
+# Installs carom and pooltool 0.6.0 into an environment of their own under .cache, and runs
+# `carom bench` and benches/environments.py there. The results, with the medians of repeated shots
+# and the means of shots in turn, go to benches/results with the commit.
 set -euo pipefail
 venv=$PWD/.cache/peer
-# pooltool writes settings into the home directory: it gets one of its own.
+# pooltool writes settings into the home directory, so it gets a separate one.
 home=$PWD/.cache/peer-home
 mkdir -p "$home"
 [ -x "$venv/bin/python" ] || "$1" -m venv "$venv"
@@ -12,7 +14,8 @@ if ! HOME=$home "$venv/bin/python" -c 'import pooltool' 2>/dev/null; then
   echo "Installing pooltool 0.6.0 into .cache/peer (about 1 GB) ..." >&2
   "${pip[@]}" install --upgrade pip
   "${pip[@]}" install --no-deps --group peer
-  # pip complains that pooltool pins other versions of panda3d and rich: that is why we are here.
+  # pip reports that pooltool pins other versions of panda3d and rich. One of them does not exist
+  # on PyPI, which is why the dependencies are installed separately.
   "${pip[@]}" install --group peer-needs
 fi
 "${pip[@]}" install ".[env]"

@@ -1,8 +1,8 @@
-"""Write the goldens anew: event count and hash of every shot in shots/, noisy variants, and games.
+"""Write the goldens again: event counts and hashes of shots, noisy variants, and random games.
 
-The pictures in the README show results too, and are drawn anew.
+    python scripts/write_goldens.py
 
-python scripts/write_goldens.py
+It also draws the README's pictures again, because they show results.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ import carom
 from carom import picture
 
 ROOT = Path(__file__).parents[1]
-# Shot, multiple of the Olympiad's noise, seed, first index. The second is beyond 32 bits.
+# Shot, multiple of the Olympiad's noise, seed, first index. The last two of the second row need
+# more than 32 bits.
 NOISES = (("half_ball_cut", 1.0, 42, 0), ("nine_ball_break", 0.5, (1 << 53) - 1, 1 << 40))
 VARIANTS = 8
 MOVES = 12
@@ -25,7 +26,7 @@ PICTURES = ("nine_ball_break", "jump_shot")
 
 
 def main() -> None:
-    """Simulate every example shot; write what came out, and draw the README's."""
+    """Simulate, write the goldens and draw the README's pictures."""
     goldens = {}
     for path in sorted((ROOT / "shots").glob("*.json")):
         trace = carom.Shot.load(path).simulate()
@@ -38,7 +39,7 @@ def main() -> None:
         trace = carom.Shot.load(ROOT / "shots" / f"{name}.json").simulate()
         drawn = picture.png(trace, title=name.replace("_", " "))
         (ROOT / "docs" / "images" / f"{name}.png").write_bytes(drawn)
-    print(f"{len(goldens)} goldens written; say in CHANGELOG why they changed")
+    print(f"{len(goldens)} goldens written; explain a change in CHANGELOG.md")
 
 
 def _noise() -> str:
@@ -74,7 +75,7 @@ def _games() -> str:
 
 
 def _moves(frame: carom.Frame, chance: random.Random) -> list[dict[str, Any]]:
-    """Play at random: each move, the ruling on it, and the hash of its shot."""
+    """Play random moves: each move with its ruling and the hash of its shot."""
     moves: list[dict[str, Any]] = []
     while len(moves) < MOVES and not frame.over:
         request = frame.request
@@ -119,7 +120,7 @@ def _call(frame: carom.Frame, chance: random.Random) -> carom.Call | None:
 def _place(
     frame: carom.Frame, chance: random.Random, strike: carom.Strike, call: carom.Call | None
 ) -> list[float]:
-    """A place that is behind every head string and in every D, and free."""
+    """A free place for the cue ball that is behind every head string and in every D."""
     while True:
         x, y = chance.uniform(0.61, 0.66), chance.uniform(0.5, 0.6)
         if frame.game == "snooker":

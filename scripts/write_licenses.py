@@ -1,9 +1,9 @@
-"""Write LICENSE-THIRD-PARTY: the notices of all that is built into the wheel and the page.
+"""Write LICENSE-THIRD-PARTY: the licenses of the packages that the wheel and the page contain.
 
-Those are the crates that the extension module and the WebAssembly link, and the packages under
+    python scripts/write_licenses.py [--check]
+
+These packages are the crates that the extension module and the WebAssembly link, and those under
 `dependencies` in web/package.json. Packages with the same terms share one text.
-
-python scripts/write_licenses.py [--check]
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 OUT = ROOT / "LICENSE-THIRD-PARTY"
 WEB = ROOT / "web"
-# Crate, and the platform that it is looked at for.
+# Each crate that is built, and its platform.
 BUILT = (
     ("carom-py", "x86_64-unknown-linux-gnu"),
     ("carom-wasm", "wasm32-unknown-unknown"),
@@ -28,23 +28,23 @@ under these terms. Where a package offers a choice, the MIT license is chosen. T
 of Rust, Copyright (c) The Rust Project Contributors, is used under the MIT license too.
 """
 RULE = "-" * 80
-# The first that there is, for where there are several one may choose ...
+# The first of these that a package has: where there is a choice, one license is enough ...
 CHOICE = ("LICENSE-MIT*", "LICENSE*", "COPYING*")
-# ... and what holds besides.
+# ... and this one, which applies in addition.
 ALSO = "LICENSE-UNICODE*"
 COPYRIGHT = re.compile(r"^\s*(Copyright (?:\(c\)|©|\d).*\S)\s*$")
 TITLE = re.compile(r"^\s*(?:The )?MIT License(?: \(MIT\))?\s*$", re.IGNORECASE)
 
 
 def cargo(*arguments: str) -> str:
-    """What cargo prints."""
+    """The output of a cargo command."""
     return subprocess.run(
         ["cargo", *arguments], cwd=ROOT, check=True, capture_output=True, text=True
     ).stdout
 
 
 def crates() -> dict[str, Path]:
-    """Every linked crate of other people, "name version", with its folder."""
+    """The folder of every linked crate that is not ours, by "name version"."""
     found: dict[str, Path] = {}
     for crate, target in BUILT:
         tree = cargo(
@@ -61,7 +61,7 @@ def crates() -> dict[str, Path]:
 
 
 def modules() -> dict[str, Path]:
-    """Every package of JavaScript in the page, "name version", with its folder."""
+    """The folder of every JavaScript package in the page, by "name version"."""
     found = {}
     for name in json.loads((WEB / "package.json").read_text())["dependencies"]:
         folder = WEB / "node_modules" / name
@@ -70,20 +70,20 @@ def modules() -> dict[str, Path]:
 
 
 def license_of(folder: Path) -> str:
-    """The license of a package.
+    """The text of a package's licenses.
 
     Raises:
-        SystemExit: There is none in its folder.
+        SystemExit: Its folder has no license.
     """
     chosen = next((found for pattern in CHOICE if (found := sorted(folder.glob(pattern)))), None)
     if chosen is None:
-        raise SystemExit(f"carom: {folder} has no license; find its terms before it is built in.")
+        raise SystemExit(f"carom: {folder} has no license file; find its terms before using it.")
     paths = sorted({chosen[0], *folder.glob(ALSO)})
     return "\n".join(path.read_text(encoding="utf-8").strip() for path in paths)
 
 
 def parted(license_: str) -> tuple[list[str], str]:
-    """The copyright lines of a license, and its terms."""
+    """The copyright lines of a license, and its other text."""
     lines = license_.splitlines()
     rights = [match[1] for line in lines if (match := COPYRIGHT.match(line))]
     terms = [line for line in lines if not COPYRIGHT.match(line) and not TITLE.match(line)]
@@ -95,7 +95,7 @@ def text() -> str:
     licenses = {name: license_of(folder) for name, folder in {**crates(), **modules()}.items()}
     shared: dict[str, list[str]] = {}
     for name in sorted(licenses):
-        # Terms that differ in their line breaks only are the same.
+        # Terms that differ only in their line breaks are the same.
         shared.setdefault(" ".join(parted(licenses[name])[1].split()), []).append(name)
     parts = [HEAD]
     for names in sorted(shared.values(), key=lambda names: (-len(names), names)):
@@ -110,7 +110,7 @@ def text() -> str:
 
 
 def main() -> None:
-    """Write the file, or with ``--check`` say whether it is as it should be."""
+    """Write the file; with ``--check`` only compare it, and fail if it is out of date."""
     if "--check" not in sys.argv[1:]:
         OUT.write_text(text(), encoding="utf-8")
     elif OUT.read_text(encoding="utf-8") != text():
