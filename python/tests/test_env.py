@@ -352,7 +352,7 @@ def test_numbers_out_of_bounds_and_nan_are_played_as_the_nearest() -> None:
         ({"opponent": None}, "opponent"),
         ({"nois": NOISE}, 'nois: there is no such setting; did you mean "noise"'),
         ({"render_mode": "human"}, "render_mode"),
-        ({"target_ball": "highest"}, "target"),
+        ({"target_ball": "highest"}, "target_ball"),
         ({"table": "carom-10ft"}, "table"),
         ({"noise": 1.0}, "noise"),
         ({"rewards": 1.0}, "rewards"),

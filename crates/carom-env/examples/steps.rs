@@ -1,5 +1,5 @@
-//! Steps a vector of environments and says how many steps a second were made: the measure of
-//! `carom.bench.environments`, without Python.
+//! Measures the steps per second of a vector of environments, as `carom.bench.environments` does,
+//! but without Python.
 //!
 //! `cargo run --release -p carom-env --example steps -- eight-ball 4096 100 [threads] [noise]`
 
@@ -27,7 +27,7 @@ fn main() -> Result<(), Error> {
     };
     let mut vector = VectorEnv::new(task, n, 0, config)?;
     vector.reset(None, None)?;
-    // A plain linear congruential generator: what the actions are does not matter.
+    // A linear congruential generator is good enough for arbitrary actions.
     let mut state = 1_u64;
     let mut random = || {
         state =

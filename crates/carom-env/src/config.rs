@@ -1,159 +1,35 @@
-//! What an environment is asked to be.
+//! The settings of an environment.
 
 use carom::format::Node;
 use carom::{Error, Noise};
 use carom_rules::{Options, Rules};
 
-use crate::action::Aim;
-use crate::opponent::Opponent;
+use crate::modes::{Aim, Autoreset, Opponent, TargetBall};
+use crate::task::Task;
 
-/// What is played.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Task {
-    /// One shot at balls that lie anywhere: pot one.
-    Potting,
-    /// A frame of a game.
-    Game(Rules),
-    /// Two balls, a table without pockets: exactly three cushions.
-    SumToThree,
-}
+/// Largest cue speed, m/s. The fastest breaks that were measured are near 15 m/s.
+const FASTEST: f64 = 15.0;
 
-impl Task {
-    /// Every task.
-    pub const ALL: [Self; 8] = [
-        Self::Potting,
-        Self::Game(Rules::EightBall),
-        Self::Game(Rules::NineBall),
-        Self::Game(Rules::TenBall),
-        Self::Game(Rules::StraightPool),
-        Self::Game(Rules::Snooker),
-        Self::Game(Rules::ThreeCushion),
-        Self::SumToThree,
-    ];
+/// Largest elevation, rad (80°). Closer to upright, noise could turn the cue past the vertical.
+pub(crate) const STEEPEST: f64 = 1.396;
 
-    /// Its name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Potting => "potting",
-            Self::Game(rules) => rules.name(),
-            Self::SumToThree => "sum-to-three",
-        }
-    }
-
-    /// The task of that name.
-    ///
-    /// # Errors
-    /// [`Error::Input`] if there is none.
-    pub fn read(name: &str) -> Result<Self, Error> {
-        named(&Self::ALL, Self::name, "task", name)
-    }
-
-    /// Whether the cue ball can ever be in hand.
-    pub const fn has_hand(self) -> bool {
-        !matches!(self, Self::Potting | Self::SumToThree | Self::Game(Rules::ThreeCushion))
-    }
-
-    /// Whether fouls cost points that the player may not have.
-    pub(crate) const fn has_negative_scores(self) -> bool {
-        matches!(self, Self::Game(Rules::StraightPool))
-    }
-
-    /// How many object balls can lie at random at the start, least and most; none where the start is always
-    /// the same. In snooker these are the reds, and the colours stand on their spots.
-    const fn balls_at_random(self) -> Option<[usize; 2]> {
-        match self {
-            Self::Potting | Self::Game(Rules::EightBall) => Some([1, 15]),
-            Self::Game(Rules::NineBall) => Some([1, 9]),
-            Self::Game(Rules::TenBall) => Some([1, 10]),
-            Self::Game(Rules::StraightPool) => Some([2, 15]),
-            Self::Game(Rules::Snooker) => Some([0, 15]),
-            Self::Game(Rules::ThreeCushion) => Some([2, 2]),
-            Self::Game(Rules::Practice) | Self::SumToThree => None,
-        }
-    }
-}
-
-/// Which ball the potting task asks for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Target {
-    /// Any object ball.
-    #[default]
-    Any,
-    /// The one with the lowest number.
-    Lowest,
-}
-
-impl Target {
-    const ALL: [Self; 2] = [Self::Any, Self::Lowest];
-
-    /// Its name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Any => "any",
-            Self::Lowest => "lowest",
-        }
-    }
-
-    /// The target of that name.
-    ///
-    /// # Errors
-    /// [`Error::Input`] if there is none.
-    pub fn read(name: &str) -> Result<Self, Error> {
-        named(&Self::ALL, Self::name, "target", name)
-    }
-}
-
-/// When an environment whose episode has ended begins the next one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Autoreset {
-    /// At once: the step that ends an episode gives the next one's first observation, and the last one's
-    /// final observation besides.
-    #[default]
-    SameStep,
-    /// In the next step, whose action is ignored and whose reward is 0.
-    NextStep,
-    /// When it is told to.
-    Disabled,
-}
-
-impl Autoreset {
-    const ALL: [Self; 3] = [Self::SameStep, Self::NextStep, Self::Disabled];
-
-    /// Its name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::SameStep => "same-step",
-            Self::NextStep => "next-step",
-            Self::Disabled => "disabled",
-        }
-    }
-
-    /// The mode of that name.
-    ///
-    /// # Errors
-    /// [`Error::Input`] if there is none.
-    pub fn read(name: &str) -> Result<Self, Error> {
-        named(&Self::ALL, Self::name, "autoreset_mode", name)
-    }
-}
-
-/// What a shot earns.
+/// The reward for a shot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rewards {
-    /// The frame won; lost, its negative.
+    /// For winning the frame; its negative for losing.
     pub win: f64,
-    /// Each ball potted by a legal shot that was the shooter's to pot.
+    /// For each ball that a legal shot pots, if the shooter may pot it.
     pub pot: f64,
-    /// A foul.
+    /// For a foul.
     pub foul: f64,
-    /// A point more than the other player.
+    /// For each point scored; its negative for each point of the other player.
     pub point: f64,
-    /// A shot that could not be played, or reached the cap on events.
+    /// For a shot that cannot be played or reaches the limit of events.
     pub failure: f64,
 }
 
 impl Rewards {
-    /// The usual ones of a task.
+    /// The default rewards of a task.
     pub const fn of(task: Task) -> Self {
         let none = Self { win: 0.0, pot: 0.0, foul: 0.0, point: 0.0, failure: -1.0 };
         match task {
@@ -165,51 +41,67 @@ impl Rewards {
             Task::Game(_) => Self { win: 1.0, pot: 0.1, foul: -0.1, ..none },
         }
     }
+
+    fn check(&self) -> Result<(), Error> {
+        let Self { win, pot, foul, point, failure } = *self;
+        for (name, value) in
+            [("win", win), ("pot", pot), ("foul", foul), ("point", point), ("failure", failure)]
+        {
+            if !value.is_finite() {
+                return Err(Error::input(
+                    format!("rewards.{name}"),
+                    format!("{value} is not a finite number"),
+                    "write a finite number",
+                ));
+            }
+        }
+        Ok(())
+    }
 }
 
-/// What an environment is asked to be.
+/// The settings of an environment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Config {
-    /// Errors of every strike, the opponent's too.
+    /// Noise of every strike, the opponent's included.
     pub noise: Noise,
-    /// What the first action means.
+    /// What the first number of an action means.
     pub aim: Aim,
-    /// The least and the largest speed of the cue, m/s.
+    /// Smallest and largest speed of the cue, m/s.
     pub speed: [f64; 2],
-    /// The largest elevation, rad.
+    /// Largest elevation of the cue, rad.
     pub elevation: f64,
-    /// Who plays player 1.
+    /// Who plays seat 1.
     pub opponent: Opponent,
-    /// Object balls that lie at random at the start, least and most. Potting always has some (1 if none are
-    /// given); a game begins with its rack if none are given, else in the middle, as
-    /// [`carom_rules::Frame::scatter`] has it. In snooker these are the reds (0 to 15; the colours stand on
-    /// their spots), in three-cushion both object balls.
+    /// Smallest and largest number of object balls that are placed at random at the start. If none:
+    /// potting has one ball, and a game starts with its rack. With random balls a game continues as
+    /// after [`carom_rules::Frame::resume_at`]. In snooker these are the reds (0 to 15; the colours
+    /// are on their spots), in three-cushion both object balls.
     pub balls: Option<[usize; 2]>,
-    /// Which ball the potting task asks for.
-    pub target: Target,
-    /// The table as a shot file has it; the task's own if none is given.
+    /// Which ball must be potted in the potting task.
+    pub target_ball: TargetBall,
+    /// The table, as in a shot file; none for the task's own.
     pub table: Option<Node>,
-    /// The physics as a shot file has it; the table's own if none is given.
+    /// The physics, as in a shot file; none for the table's own.
     pub physics: Option<Node>,
-    /// What is agreed on before a frame.
+    /// The options of the game.
     pub options: Options,
-    /// What a shot earns.
+    /// The reward for a shot.
     pub rewards: Rewards,
-    /// Steps after which an episode is truncated; no limit if none is given.
+    /// Number of steps after which an episode is truncated; none for no limit.
     pub max_steps: Option<u32>,
     /// When the next episode begins.
     pub autoreset: Autoreset,
-    /// How many threads step; all cores if none is given.
+    /// Number of threads; none for all cores.
     pub threads: Option<usize>,
 }
 
 impl Config {
-    /// The usual one of a task: no noise, no opponent.
+    /// The default settings of a task: no noise, no opponent.
     pub fn of(task: Task) -> Self {
-        let target = match task {
+        let points = match task {
             Task::SumToThree => 10,
             Task::Game(Rules::StraightPool) => 100,
-            _ => Options::default().target,
+            _ => Options::default().points,
         };
         Self {
             noise: Noise::default(),
@@ -218,10 +110,10 @@ impl Config {
             elevation: 0.5,
             opponent: Opponent::default(),
             balls: None,
-            target: Target::default(),
+            target_ball: TargetBall::default(),
             table: None,
             physics: None,
-            options: Options { target, ..Options::default() },
+            options: Options { points, ..Options::default() },
             rewards: Rewards::of(task),
             max_steps: None,
             autoreset: Autoreset::default(),
@@ -231,6 +123,8 @@ impl Config {
 
     pub(crate) fn check(&self, task: Task) -> Result<(), Error> {
         self.noise.check()?;
+        self.options.check()?;
+        self.rewards.check()?;
         let [slow, fast] = self.speed;
         if !(0.0 < slow && slow <= fast && fast <= FASTEST) {
             return Err(Error::input(
@@ -262,7 +156,7 @@ impl Config {
     fn check_balls(&self, task: Task) -> Result<(), Error> {
         let Some([least, most]) = self.balls else { return Ok(()) };
         let wrong = |what: String, remedy: String| Err(Error::input("balls", what, remedy));
-        let Some([fewest, all]) = task.balls_at_random() else {
+        let Some([fewest, all]) = task.random_balls() else {
             let what = format!("{} always begins in the same way", task.name());
             return wrong(what, "leave it out".into());
         };
@@ -274,27 +168,4 @@ impl Config {
         }
         Ok(())
     }
-}
-
-/// Cue speeds beyond this are no player's, m/s: the record is about 15.
-const FASTEST: f64 = 15.0;
-
-/// Elevations beyond this are near enough to upright that noise could carry a cue past it, rad (80°).
-pub(crate) const STEEPEST: f64 = 1.396;
-
-/// The value of that name.
-pub(crate) fn named<T: Copy>(
-    all: &[T],
-    name_of: impl Fn(T) -> &'static str,
-    place: &str,
-    name: &str,
-) -> Result<T, Error> {
-    all.iter().copied().find(|value| name_of(*value) == name).ok_or_else(|| {
-        let names: Vec<&str> = all.iter().map(|value| name_of(*value)).collect();
-        Error::input(
-            place,
-            format!("there is no \"{name}\""),
-            format!("write one of {}", names.join(", ")),
-        )
-    })
 }

@@ -1,35 +1,33 @@
 //! One environment.
 
-use carom::Error;
-use carom::limits::SMALL_CAPACITY;
-use carom::simulate::Simulation;
-use carom_rules::{Player, Turn};
+use carom::{Error, Simulator};
+use carom_rules::{Seat, Turn};
 
-use crate::action;
-use crate::config::{Config, Task};
-use crate::frame::FrameScene;
-use crate::observe;
-use crate::opponent::Opponent;
+use crate::config::Config;
+use crate::episode::{Ending, Episode, NoisyStrike, ShotResult};
+use crate::frame::FrameEpisode;
+use crate::modes::Opponent;
 use crate::potting::Potting;
 use crate::random::{Dice, episode_seed};
-use crate::scene::{Ending, Played, Scene, Stroke};
 use crate::sum_to_three::SumToThree;
+use crate::task::Task;
+use crate::{action, observe, opponent};
 
-/// What an agent that has an opponent plays.
-const AGENT: Player = 0;
+/// The seat of an agent that has an opponent.
+const AGENT: Seat = 0;
 
-/// The scene of `task`.
-pub(crate) fn scene(task: Task, config: &Config) -> Result<Box<dyn Scene>, Error> {
+/// A new episode of `task`.
+pub(crate) fn episode(task: Task, config: &Config) -> Result<Box<dyn Episode>, Error> {
     Ok(match task {
         Task::Potting => Box::new(Potting::new(config)?),
-        Task::Game(rules) => Box::new(FrameScene::new(rules, config)?),
+        Task::Game(rules) => Box::new(FrameEpisode::new(rules, config)?),
         Task::SumToThree => Box::new(SumToThree::new(config)?),
     })
 }
 
-/// What came of a step.
+/// The result of a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Step {
+pub(crate) struct StepResult {
     pub(crate) reward: f64,
     pub(crate) terminated: bool,
     pub(crate) truncated: bool,
@@ -43,28 +41,29 @@ pub(crate) struct Step {
 #[derive(Clone)]
 pub(crate) struct Environment {
     seed: u64,
-    episode: u64,
+    /// Number of the episode with this seed.
+    number: u64,
     episode_seed: u64,
     /// Steps of this episode.
     steps: u32,
-    /// Shots of this episode, the opponent's too.
+    /// Shots of this episode, the opponent's included.
     shots: u64,
-    pub(crate) scene: Box<dyn Scene>,
+    pub(crate) episode: Box<dyn Episode>,
     /// Whether the episode has ended.
     pub(crate) ended: bool,
-    /// Who shot last.
-    shooter: Player,
+    /// The seat that shot last.
+    shooter: Seat,
 }
 
 impl Environment {
-    pub(crate) fn new(scene: Box<dyn Scene>, seed: u64) -> Self {
+    pub(crate) fn new(episode: Box<dyn Episode>, seed: u64) -> Self {
         Self {
             seed,
-            episode: 0,
+            number: 0,
             episode_seed: 0,
             steps: 0,
             shots: 0,
-            scene,
+            episode,
             ended: true,
             shooter: 0,
         }
@@ -72,65 +71,65 @@ impl Environment {
 
     /// Begins the first episode of `seed`.
     pub(crate) fn seed(&mut self, seed: u64) -> Result<(), Error> {
-        (self.seed, self.episode) = (seed, 0);
+        (self.seed, self.number) = (seed, 0);
         self.begin()
     }
 
     /// Begins the next episode.
     pub(crate) fn next_episode(&mut self) -> Result<(), Error> {
-        self.episode += 1;
+        self.number += 1;
         self.begin()
     }
 
     fn begin(&mut self) -> Result<(), Error> {
-        self.episode_seed = episode_seed(self.seed, self.episode);
+        self.episode_seed = episode_seed(self.seed, self.number);
         (self.steps, self.shots) = (0, 0);
         self.shooter = 0;
         self.ended = true;
-        self.scene.restart(self.episode_seed)?;
+        self.episode.restart(self.episode_seed)?;
         self.ended = false;
         Ok(())
     }
 
-    /// The next shot; none at the end of an episode.
+    /// The next shot; none after the end of the episode.
     pub(crate) fn next(&self) -> Option<&Turn> {
-        self.scene.turn().filter(|_| !self.ended)
+        self.episode.turn().filter(|_| !self.ended)
     }
 
-    /// Whose eyes the agent sees with.
-    pub(crate) fn viewer(&self, config: &Config) -> Player {
+    /// The seat from which the agent observes.
+    pub(crate) fn viewer(&self, config: &Config) -> Seat {
         match config.opponent {
-            Opponent::None => self.scene.turn().map_or(self.shooter, |turn| turn.player),
+            Opponent::None => self.episode.turn().map_or(self.shooter, |turn| turn.player),
             _ => AGENT,
         }
     }
 
-    pub(crate) fn observe(&self, viewer: Player, out: &mut [f32]) {
-        observe::write(&*self.scene, viewer, out);
+    pub(crate) fn observe(&self, viewer: Seat, out: &mut [f32]) {
+        observe::write(&*self.episode, viewer, out);
     }
 
-    /// Plays `action`, and what the opponent replies. Nothing after the end of an episode.
+    /// Plays `action` and the opponent's reply. After the end of the episode nothing is played.
     pub(crate) fn step(
         &mut self,
         config: &Config,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
+        simulator: &mut Simulator,
         action: &[f32],
-    ) -> Step {
-        let mut step = Step::default();
+    ) -> StepResult {
+        let mut step = StepResult::default();
         let Some(turn) = self.next() else {
             self.ended = true;
-            return Step { truncated: true, ..step };
+            return StepResult { truncated: true, ..step };
         };
-        let (scene, errors) = (&*self.scene, (self.episode_seed, self.shots));
-        let stroke = action::stroke(config, scene, turn, action, errors);
+        let (episode, draw) = (&*self.episode, (self.episode_seed, self.shots));
+        let strike = action::strike(config, episode, turn, action, draw);
         let agent = turn.player;
-        if let Some(played) = self.play(config, simulation, stroke, &mut step) {
-            step.reward = self.earned(config, agent, &played);
-            step.legal = played.legal;
-            step.potted = played.potted;
-            self.reply(config, simulation, &mut step);
+        if let Some(result) = self.play(config, simulator, strike, &mut step) {
+            step.reward = self.reward(config, agent, &result);
+            step.legal = result.legal;
+            step.potted = result.potted;
+            self.reply(config, simulator, &mut step);
         }
-        match self.scene.ending() {
+        match self.episode.ending() {
             Some(Ending::Stalemate) => step.truncated = true,
             Some(Ending::Won(_) | Ending::Drawn) => step.terminated = !step.truncated,
             None => {}
@@ -143,52 +142,47 @@ impl Environment {
     }
 
     /// The opponent shoots until it is the agent's turn, or the frame is over.
-    fn reply(
-        &mut self,
-        config: &Config,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
-        step: &mut Step,
-    ) {
+    fn reply(&mut self, config: &Config, simulator: &mut Simulator, step: &mut StepResult) {
         if config.opponent == Opponent::None {
             return;
         }
-        while let Some(turn) = self.scene.turn().filter(|turn| turn.player != AGENT) {
-            let (scene, errors) = (&*self.scene, (self.episode_seed, self.shots));
+        while let Some(turn) = self.episode.turn().filter(|turn| turn.player != AGENT) {
+            let (episode, draw) = (&*self.episode, (self.episode_seed, self.shots));
             let mut dice = Dice::of_opponent(self.episode_seed, self.shots);
-            let stroke = config.opponent.stroke(config, scene, turn, &mut dice, errors);
-            let Some(played) = self.play(config, simulation, stroke, step) else { return };
-            step.reward -= self.earned(config, 1 - AGENT, &played);
+            let strike = opponent::strike(config.opponent, config, episode, turn, &mut dice, draw);
+            let Some(result) = self.play(config, simulator, strike, step) else { return };
+            step.reward -= self.reward(config, 1 - AGENT, &result);
         }
     }
 
-    /// Plays a stroke; one that cannot be played ends the episode as truncated.
+    /// Plays a strike. One that cannot be played truncates the episode.
     fn play(
         &mut self,
         config: &Config,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
-        stroke: Option<Stroke>,
-        step: &mut Step,
-    ) -> Option<Played> {
-        self.shooter = self.scene.turn().map_or(self.shooter, |turn| turn.player);
+        simulator: &mut Simulator,
+        strike: Option<NoisyStrike>,
+        step: &mut StepResult,
+    ) -> Option<ShotResult> {
+        self.shooter = self.episode.turn().map_or(self.shooter, |turn| turn.player);
         self.shots += 1;
-        let played = stroke.and_then(|stroke| self.scene.play(simulation, &stroke).ok());
-        if played.is_none() {
+        let result = strike.and_then(|strike| self.episode.play(simulator, &strike).ok());
+        if result.is_none() {
             step.truncated = true;
             step.reward += config.rewards.failure;
         }
-        played
+        result
     }
 
-    /// What `player`'s shot has earned it.
-    fn earned(&self, config: &Config, player: Player, played: &Played) -> f64 {
+    /// The reward of `seat` for its shot.
+    fn reward(&self, config: &Config, seat: Seat, result: &ShotResult) -> f64 {
         let rewards = &config.rewards;
-        let won = match self.scene.ending() {
-            Some(Ending::Won(winner)) if winner == player => rewards.win,
+        let won = match self.episode.ending() {
+            Some(Ending::Won(winner)) if winner == seat => rewards.win,
             Some(Ending::Won(_)) => -rewards.win,
             _ => 0.0,
         };
-        let foul = if played.legal { 0.0 } else { rewards.foul };
-        let points = played.points[player] - played.points[1 - player];
-        won + foul + rewards.pot * f64::from(played.potted) + rewards.point * f64::from(points)
+        let foul = if result.legal { 0.0 } else { rewards.foul };
+        let points = result.points[seat] - result.points[1 - seat];
+        won + foul + rewards.pot * f64::from(result.potted) + rewards.point * f64::from(points)
     }
 }

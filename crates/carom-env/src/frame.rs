@@ -1,50 +1,51 @@
-//! A frame of a game with a referee.
+//! Episodes of a game with a referee.
 
 use core::ops::Range;
 
-use carom::limits::SMALL_CAPACITY;
-use carom::simulate::Simulation;
-use carom::{Error, Shot};
-use carom_rules::games::Law;
+use carom::{Error, Shot, Simulator};
+use carom_rules::games::GameState;
 use carom_rules::games::eight_ball::Group;
-use carom_rules::{BallIndex, Call, Choice, Frame, Piece, Play, Player, Request, Rules, Turn};
+use carom_rules::{BallIndex, Call, Choice, Frame, FrameBall, Play, Request, Rules, Seat, Turn};
 
 use crate::config::Config;
-use crate::notes::Notes;
-use crate::place;
+use crate::episode::{Ending, Episode, NoisyStrike, ShotResult, Standing};
+use crate::placement;
 use crate::random::Dice;
-use crate::scene::{Ending, Played, Scene, Standing, Stroke, in_order};
+use crate::task_recorder::TaskRecorder;
 
 const EIGHT: BallIndex = 8;
 
-/// What a score is measured by in snooker: the largest break.
+/// A good score in snooker: the maximum break.
 const MAXIMUM_BREAK: f64 = 147.0;
 
-/// Fouls in a row that lose a rack of nine-ball.
+/// Consecutive fouls that lose a rack of nine-ball.
 const SERIOUS: f64 = 3.0;
 
-/// How choices are answered: the first of these that is offered. A foul on the break is answered with the cue
-/// ball in hand; an eight on the break is spotted; else the balls are played as they lie.
+/// The answers to choices: the first of these that is offered. After a foul on the break the cue
+/// ball is played from hand, an eight on the break is spotted, and otherwise the balls are played
+/// as they lie.
 const ANSWERS: [Choice; 3] = [Choice::PlayFromHand, Choice::SpotEight, Choice::PlayOn];
 
-/// A frame.
+/// An episode of a game with a referee: one frame.
 #[derive(Clone)]
-pub(crate) struct FrameScene {
+pub(crate) struct FrameEpisode {
     frame: Frame,
-    target: i32,
-    /// Object balls at the start, where it does not begin with a rack.
+    /// Points that win.
+    points: i32,
+    /// Smallest and largest number of object balls at the start; none if it starts with a rack.
     balls: Option<[usize; 2]>,
+    /// Whether a shot could not be played.
     failed: bool,
 }
 
-impl FrameScene {
+impl FrameEpisode {
     pub(crate) fn new(rules: Rules, config: &Config) -> Result<Self, Error> {
         let (table, physics) = (config.table.clone(), config.physics.clone());
         let frame = Frame::new(rules, config.options, table, physics, 0)?;
-        Ok(Self { frame, target: config.options.target, balls: config.balls, failed: false })
+        Ok(Self { frame, points: config.options.points, balls: config.balls, failed: false })
     }
 
-    /// Whether `ball` is the shooter's to pot in this turn.
+    /// Whether the shooter may pot `ball` in this turn.
     fn may_pot(&self, turn: &Turn, ball: BallIndex) -> bool {
         if ball == turn.cue {
             return false;
@@ -56,7 +57,7 @@ impl FrameScene {
         }
     }
 
-    /// The numbers of the shot's balls in the frame.
+    /// The frame's indices of the balls of the next shot.
     fn balls_of_shot(&self, turn: &Turn) -> Vec<BallIndex> {
         let layout = self.frame.layout();
         (0..layout.len() as BallIndex)
@@ -64,8 +65,8 @@ impl FrameScene {
             .collect()
     }
 
-    /// What the player announces if nothing is foreseen.
-    fn nothing_foreseen(turn: &Turn) -> Call {
+    /// The call for a shot without an expected pot.
+    fn default_call(turn: &Turn) -> Call {
         if turn.calls.nominate {
             Call::On(turn.on[0])
         } else if turn.calls.required {
@@ -75,28 +76,27 @@ impl FrameScene {
         }
     }
 
-    /// What the player announces: what the shot would do if it came out as it is `meant`.
+    /// The call for a shot: the result of the `intended` shot, without noise.
     fn call(
         &self,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
+        simulator: &mut Simulator,
         turn: &Turn,
-        meant: &Shot,
+        intended: &Shot,
         balls: &[BallIndex],
     ) -> Call {
-        let nothing = Self::nothing_foreseen(turn);
-        let mut foresight = Notes::new(meant.cue_ball().unwrap_or_default());
-        // Where nothing can be foreseen, nothing is promised.
-        if nothing == Call::Nothing || simulation.play(meant, &mut foresight).is_err() {
-            return nothing;
+        let default = Self::default_call(turn);
+        let mut expected = TaskRecorder::new(intended.cue_ball().unwrap_or_default());
+        if default == Call::Nothing || simulator.play(intended, &mut expected).is_err() {
+            return default;
         }
         let ball = |k: u16| balls[usize::from(k)];
         if turn.calls.nominate {
-            let first = foresight.first_contact.map(ball);
-            return first.filter(|first| turn.on.contains(first)).map_or(nothing, Call::On);
+            let first = expected.first_contact.map(ball);
+            return first.filter(|first| turn.on.contains(first)).map_or(default, Call::On);
         }
         let pockets = &self.frame.base().table().pockets;
-        let pot = foresight.pots().find(|(k, _)| self.may_pot(turn, ball(*k)));
-        pot.map_or(nothing, |(k, pocket)| Call::Pocket(ball(k), pockets[usize::from(pocket)].name))
+        let pot = expected.pots.iter().find(|(k, _)| self.may_pot(turn, ball(*k)));
+        pot.map_or(default, |&(k, pocket)| Call::Pocket(ball(k), pockets[usize::from(pocket)].name))
     }
 
     fn answer_choices(&mut self) -> Result<(), Error> {
@@ -110,34 +110,34 @@ impl FrameScene {
 
     fn try_play(
         &mut self,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
-        stroke: &Stroke,
-    ) -> Result<Played, Error> {
+        simulator: &mut Simulator,
+        strike: &NoisyStrike,
+    ) -> Result<ShotResult, Error> {
         let Some(turn) = self.frame.turn().cloned() else {
             return Err(Error::input("step", "the episode is over", "reset the environment"));
         };
         let balls = self.balls_of_shot(&turn);
-        let Stroke { meant, struck, cue_ball } = *stroke;
-        let prepared = Play { strike: meant, cue_ball, call: Self::nothing_foreseen(&turn) };
+        let NoisyStrike { intended, actual, cue_ball } = *strike;
+        let prepared = Play { strike: intended, cue_ball, call: Self::default_call(&turn) };
         let prepared = self.frame.shot(&prepared)?;
-        let call = self.call(simulation, &turn, &prepared, &balls);
-        let play = Play { strike: struck, cue_ball, call };
-        let (ruling, outcome) = self.frame.play_prepared(simulation, &play, &prepared)?;
+        let call = self.call(simulator, &turn, &prepared, &balls);
+        let play = Play { strike: actual, cue_ball, call };
+        let (ruling, outcome) = self.frame.play_prepared(simulator, &play, &prepared)?;
         let legal = ruling.is_legal();
-        let mine = |(k, _): &&(u16, _)| self.may_pot(&turn, balls[usize::from(*k)]);
-        let potted = if legal { outcome.pocketed.iter().filter(mine).count() as u32 } else { 0 };
+        let may_pot = |(k, _): &&(u16, _)| self.may_pot(&turn, balls[usize::from(*k)]);
+        let potted = if legal { outcome.pocketed.iter().filter(may_pot).count() as u32 } else { 0 };
         self.answer_choices()?;
-        Ok(Played { legal, potted, points: ruling.points })
+        Ok(ShotResult { legal, potted, points: ruling.points })
     }
 }
 
-impl Scene for FrameScene {
+impl Episode for FrameEpisode {
     fn base(&self) -> &Shot {
         self.frame.base()
     }
 
-    fn pieces(&self) -> &[Piece] {
-        self.frame.layout().pieces()
+    fn balls(&self) -> &[FrameBall] {
+        self.frame.layout().balls()
     }
 
     fn place(&self, ball: BallIndex) -> Option<[f64; 2]> {
@@ -153,7 +153,7 @@ impl Scene for FrameScene {
             _ if self.failed => Some(Ending::Stalemate),
             Request::Over { winner: Some(player), .. } => Some(Ending::Won(*player)),
             Request::Over { winner: None, .. } => {
-                let reached = self.frame.scores().iter().any(|score| *score >= self.target);
+                let reached = self.frame.scores().iter().any(|score| *score >= self.points);
                 let drawn = self.frame.rules() == Rules::ThreeCushion && reached;
                 Some(if drawn { Ending::Drawn } else { Ending::Stalemate })
             }
@@ -164,7 +164,7 @@ impl Scene for FrameScene {
     fn standing(&self) -> Standing {
         let whole = match self.frame.rules() {
             Rules::Snooker => MAXIMUM_BREAK,
-            _ => f64::from(self.target),
+            _ => f64::from(self.points),
         };
         Standing {
             scores: self.frame.scores().map(|score| f64::from(score) / whole),
@@ -177,24 +177,24 @@ impl Scene for FrameScene {
         self.frame.scores()
     }
 
-    fn order(&self, viewer: Player) -> [BallIndex; SMALL_CAPACITY] {
-        let mut order = in_order();
-        match self.frame.law() {
-            // The own group, the eight, the other's.
-            Law::EightBall(game) if game.group(viewer) == Some(Group::Stripes) => {
-                for k in 1..EIGHT {
-                    order.swap(usize::from(k), usize::from(k + EIGHT));
+    fn ball_seen(&self, viewer: Seat, k: BallIndex) -> BallIndex {
+        match (self.frame.game_state(), k) {
+            // The own group, the eight, the other group.
+            (GameState::EightBall(game), 1..=15) if game.group(viewer) == Some(Group::Stripes) => {
+                match k {
+                    EIGHT => EIGHT,
+                    1..EIGHT => k + EIGHT,
+                    _ => k - EIGHT,
                 }
             }
-            // The own cue ball, the other's, the red.
-            Law::ThreeCushion(_) => order.swap(0, viewer),
-            _ => {}
+            // The own cue ball, the other cue ball, the red.
+            (GameState::ThreeCushion(_), 0..=1) if viewer == 1 => 1 - k,
+            _ => k,
         }
-        order
     }
 
     fn restart(&mut self, seed: u64) -> Result<(), Error> {
-        self.frame = self.frame.another(seed)?;
+        self.frame = self.frame.with_seed(seed)?;
         self.failed = false;
         let Some([least, most]) = self.balls else { return Ok(()) };
         let mut dice = Dice::of_layout(seed);
@@ -208,32 +208,33 @@ impl Scene for FrameScene {
             missing -= usize::from(!wanted[ball]);
             wanted[ball] = true;
         }
-        let stands = |ball| spotted.contains(&usize::from(ball));
+        let is_spotted = |ball| spotted.contains(&usize::from(ball));
         let mut places: Vec<_> = (0..layout.len() as BallIndex)
-            .map(|ball| layout.place(ball).filter(|_| stands(ball)))
+            .map(|ball| layout.place(ball).filter(|_| is_spotted(ball)))
             .collect();
         let table = self.frame.base().table();
-        place::scatter(table, layout.pieces(), &wanted, &mut places, &mut dice)?;
-        self.frame.scatter(&places, 0)
+        placement::scatter(table, layout.balls(), &wanted, &mut places, &mut dice)?;
+        self.frame.resume_at(&places, 0)
     }
 
     fn play(
         &mut self,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
-        stroke: &Stroke,
-    ) -> Result<Played, Error> {
-        let played = self.try_play(simulation, stroke);
-        self.failed |= played.is_err();
-        played
+        simulator: &mut Simulator,
+        strike: &NoisyStrike,
+    ) -> Result<ShotResult, Error> {
+        let result = self.try_play(simulator, strike);
+        self.failed |= result.is_err();
+        result
     }
 
-    fn boxed(&self) -> Box<dyn Scene> {
+    fn boxed(&self) -> Box<dyn Episode> {
         Box::new(self.clone())
     }
 }
 
-/// Of a game that begins in the middle, with `count` balls: which of them lie at random in any case, among
-/// which the others are drawn that do, and which stand where they are racked.
+/// The balls of a game that starts from a random layout of `count` balls: those that are always
+/// placed at random; the range from which further ones are drawn; those that stay where they are
+/// racked.
 const fn placed_at_random(
     rules: Rules,
     count: usize,

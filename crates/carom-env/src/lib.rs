@@ -1,8 +1,9 @@
-//! Environments for learners: shots, rules, noise and reward, many at once on all cores.
+//! Environments for reinforcement learning: shots, rules, noise and rewards, many at once on all
+//! cores.
 //!
-//! A [`VectorEnv`] is a row of independent environments of one [`Task`]. Every step plays one shot of the
-//! agent in each of them (and the opponent's reply, if there is one) and gives observations, rewards and
-//! which episodes have ended, as arrays.
+//! A [`VectorEnv`] is a vector of independent environments of one [`Task`]. Each step plays one
+//! shot of the agent in every environment (and the reply of the opponent, if there is one) and
+//! returns observations, rewards and the ends of episodes as arrays.
 //!
 //! ```
 //! use carom::Noise;
@@ -11,11 +12,11 @@
 //! # fn main() -> Result<(), carom::Error> {
 //! let task = Task::read("potting")?;
 //! let config = Config { noise: Noise::olympiad(1.0), aim: Aim::Relative, ..Config::of(task) };
-//! let mut tables = VectorEnv::new(task, 64, 0, config)?; // their seeds are 0 to 63
-//! let seen = tables.reset(None, None)?;
-//! assert_eq!(seen.len(), 64 * tables.observation_size());
-//! let full_on_the_ball = vec![0.0; 64 * tables.action_size()];
-//! let step = tables.step(&full_on_the_ball)?;
+//! let mut envs = VectorEnv::new(task, 64, 0, config)?; // their seeds are 0 to 63
+//! let seen = envs.reset(None, None)?;
+//! assert_eq!(seen.len(), 64 * envs.observation_size());
+//! let full_on_the_ball = vec![0.0; 64 * envs.action_size()];
+//! let step = envs.step(&full_on_the_ball)?;
 //! assert!(step.terminated.iter().all(|&ended| ended)); // potting is one shot
 //! println!("{} pots", step.rewards.iter().sum::<f64>());
 //! # Ok(())
@@ -24,33 +25,42 @@
 //!
 //! # The same bits
 //!
-//! What happens in an environment is a function of its seed, the number of its episode and the actions;
-//! not of the other environments, the number of threads, or the machine. Environment `i` of a vector
-//! that is seeded with `s` is the same as a single one that is seeded with `s + i`.
+//! The results in an environment depend only on its seed, the number of its episode and the
+//! actions; not on the other environments, the number of threads, or the machine. Environment `i`
+//! of a vector with seed `s` is the same as a single environment with seed `s + i`.
 //!
-//! # Nothing hangs
+//! # Every episode can end
 //!
-//! A shot whose simulation reaches its cap on events, or that cannot be played at all, ends its episode as
-//! truncated, with [`Rewards::failure`]. A frame in which nobody gets on ends by its rules
-//! ([`carom_rules::Options::patience`]).
+//! A shot whose simulation reaches the limit of events, or that cannot be played at all, ends its
+//! episode as truncated, with the reward [`Rewards::failure`]. A frame without progress ends by its
+//! rules ([`carom_rules::Options::patience`]).
+//!
+//! Files import downwards only: names ← modes, task ← config ← episode, bare_table, placement,
+//! random, task_recorder ← action ← opponent; frame, potting, sum_to_three ← environment, observe ←
+//! vector.
 
 mod action;
+mod bare_table;
 mod config;
 mod environment;
+mod episode;
 mod frame;
-mod notes;
+mod modes;
+mod names;
 mod observe;
 mod opponent;
-mod place;
+mod placement;
 mod potting;
 mod random;
-mod scene;
 mod sum_to_three;
+mod task;
+mod task_recorder;
 mod vector;
 
-pub use action::{ACTIONS, ACTIONS_WITHOUT_HAND, Aim};
-pub use config::{Autoreset, Config, Rewards, Target, Task};
+pub use action::{ACTIONS, ACTIONS_WITHOUT_HAND};
+pub use config::{Config, Rewards};
+pub use modes::{Aim, Autoreset, Opponent, TargetBall};
 pub use observe::{BALL_FEATURES, FEATURES, POSITION_BOUND, SCORE_BOUND};
-pub use opponent::Opponent;
 pub use sum_to_three::CUSHIONS;
-pub use vector::{Transitions, VectorEnv};
+pub use task::Task;
+pub use vector::{MAX_ENVIRONMENTS, Transitions, VectorEnv};

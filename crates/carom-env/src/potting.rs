@@ -1,24 +1,25 @@
-//! One shot at balls that lie anywhere.
+//! The potting task: one shot at randomly placed balls.
 
-use carom::limits::SMALL_CAPACITY;
-use carom::simulate::Simulation;
-use carom::{Error, Shot};
-use carom_rules::{BallIndex, Calls, Piece, Player, Turn};
+use carom::{Error, Shot, Simulator};
+use carom_rules::{BallIndex, Calls, FrameBall, Turn};
 
-use crate::config::{Config, Target};
-use crate::notes::Notes;
-use crate::place;
+use crate::bare_table::BareTable;
+use crate::config::Config;
+use crate::episode::{Ending, Episode, NoisyStrike, ShotResult, Standing};
+use crate::modes::TargetBall;
+use crate::placement;
 use crate::random::Dice;
-use crate::scene::{Bed, Ending, Played, Scene, Standing, Stroke, in_order};
+use crate::task_recorder::TaskRecorder;
 
 const CUE: BallIndex = 0;
 
-/// The cue ball and some object balls at random; the shot pots, or does not.
+/// The cue ball and some object balls at random places, for one shot.
 #[derive(Clone)]
 pub(crate) struct Potting {
-    bed: Bed,
+    table: BareTable,
+    /// Smallest and largest number of object balls.
     balls: [usize; 2],
-    target: Target,
+    target_ball: TargetBall,
     turn: Turn,
     over: bool,
 }
@@ -28,31 +29,31 @@ impl Potting {
         let balls = config.balls.unwrap_or([1, 1]);
         let ids = (0..=balls[1]).map(|i| if i == 0 { "cue".into() } else { i.to_string() });
         let table = config.table.clone().unwrap_or_else(|| "wpa-9ft".into());
-        let bed = Bed::new(table, config.physics.clone(), ids)?;
-        if bed.base.table().pockets.is_empty() {
+        let table = BareTable::new(table, config.physics.clone(), ids)?;
+        if table.base.table().pockets.is_empty() {
             return Err(Error::input(
                 "table",
-                "nothing can be potted on a table without pockets",
+                "a table without pockets has no pots",
                 "choose a table with pockets",
             ));
         }
         let turn =
             Turn { player: 0, cue: CUE, hand: None, on: Vec::new(), calls: Calls::default() };
-        Ok(Self { bed, balls, target: config.target, turn, over: true })
+        Ok(Self { table, balls, target_ball: config.target_ball, turn, over: true })
     }
 }
 
-impl Scene for Potting {
+impl Episode for Potting {
     fn base(&self) -> &Shot {
-        &self.bed.base
+        &self.table.base
     }
 
-    fn pieces(&self) -> &[Piece] {
-        &self.bed.pieces
+    fn balls(&self) -> &[FrameBall] {
+        &self.table.balls
     }
 
     fn place(&self, ball: BallIndex) -> Option<[f64; 2]> {
-        self.bed.places[usize::from(ball)]
+        self.table.places[usize::from(ball)]
     }
 
     fn turn(&self) -> Option<&Turn> {
@@ -71,22 +72,18 @@ impl Scene for Potting {
         [0; 2]
     }
 
-    fn order(&self, _: Player) -> [BallIndex; SMALL_CAPACITY] {
-        in_order()
-    }
-
     fn restart(&mut self, seed: u64) -> Result<(), Error> {
         let mut dice = Dice::of_layout(seed);
         let [least, most] = self.balls;
         let count = least + dice.below(most - least + 1);
         let wanted: Vec<bool> = (0..=most).map(|ball| ball <= count).collect();
-        let table = self.bed.base.table();
-        self.bed.places.fill(None);
-        place::scatter(table, &self.bed.pieces, &wanted, &mut self.bed.places, &mut dice)?;
+        let BareTable { base, balls, places } = &mut self.table;
+        places.fill(None);
+        placement::scatter(base.table(), balls, &wanted, places, &mut dice)?;
         self.turn.on.clear();
-        match self.target {
-            Target::Any => self.turn.on.extend(1..=count as BallIndex),
-            Target::Lowest => self.turn.on.push(1),
+        match self.target_ball {
+            TargetBall::Any => self.turn.on.extend(1..=count as BallIndex),
+            TargetBall::Lowest => self.turn.on.push(1),
         }
         self.over = false;
         Ok(())
@@ -94,20 +91,20 @@ impl Scene for Potting {
 
     fn play(
         &mut self,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
-        stroke: &Stroke,
-    ) -> Result<Played, Error> {
+        simulator: &mut Simulator,
+        strike: &NoisyStrike,
+    ) -> Result<ShotResult, Error> {
         self.over = true;
-        // Balls are on the table from the first to the last: their numbers are the shot's.
-        let mut notes = Notes::new(CUE.into());
-        self.bed.play(simulation, CUE, stroke.struck, &mut notes)?;
-        let fell = |ball: BallIndex| notes.pots().any(|(down, _)| down == u16::from(ball));
-        let legal = !fell(CUE) && !notes.left_table;
+        // The balls on the table are 0 to `count`, so their indices are those of the shot.
+        let mut recorder = TaskRecorder::new(CUE.into());
+        self.table.play(simulator, CUE, strike.actual, &mut recorder)?;
+        let fell = |ball: BallIndex| recorder.pots.iter().any(|(down, _)| *down == ball);
+        let legal = !fell(CUE) && !recorder.left_table;
         let potted = legal && self.turn.on.iter().any(|ball| fell(*ball));
-        Ok(Played { legal, potted: potted.into(), points: [0; 2] })
+        Ok(ShotResult { legal, potted: potted.into(), points: [0; 2] })
     }
 
-    fn boxed(&self) -> Box<dyn Scene> {
+    fn boxed(&self) -> Box<dyn Episode> {
         Box::new(self.clone())
     }
 }

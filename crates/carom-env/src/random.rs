@@ -1,17 +1,18 @@
-//! The random numbers of an episode: a function of the environment's seed and the episode's number.
+//! The random numbers of an episode. They depend only on the environment's seed and the number of
+//! the episode.
 
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-/// PCG's stream for each purpose: any constants that differ.
+/// PCG's stream for each purpose: arbitrary different constants.
 const LAYOUT: u128 = 0x6361_726f_6d20_6c61_796f;
 const OPPONENT: u128 = 0x6361_726f_6d20_706c_6179;
 
-/// 2⁶⁴ divided by the golden ratio, odd: steps by it visit every number.
+/// 2⁶⁴ divided by the golden ratio. It is odd, so that its multiples visit every number.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// The seed of episode `episode` of the environment with `seed`: two rounds of the finalizer of SplitMix64
-/// (Steele, Lea & Flood 2014), so that neighbours have nothing in common.
+/// The seed of episode `episode` of the environment with `seed`: two rounds of the finalizer of
+/// SplitMix64 (Steele, Lea & Flood 2014), so that neighbouring seeds are uncorrelated.
 pub(crate) fn episode_seed(seed: u64, episode: u64) -> u64 {
     mixed(mixed(seed.wrapping_add(GOLDEN)).wrapping_add(episode.wrapping_mul(GOLDEN)))
 }
@@ -22,16 +23,16 @@ const fn mixed(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Draws numbers.
+/// A generator of random numbers.
 pub(crate) struct Dice(Pcg64);
 
 impl Dice {
-    /// For where the balls lie.
+    /// For the layout of the balls.
     pub(crate) fn of_layout(seed: u64) -> Self {
         Self(Pcg64::new(seed.into(), LAYOUT))
     }
 
-    /// For what the opponent does in its shot number `shot`.
+    /// For shot number `shot`, played by the opponent.
     pub(crate) fn of_opponent(seed: u64, shot: u64) -> Self {
         Self(Pcg64::new(seed.into(), OPPONENT + (u128::from(shot) << 64)))
     }
@@ -57,7 +58,7 @@ mod tests {
     use super::episode_seed;
 
     #[test]
-    fn neighbouring_seeds_and_episodes_share_no_seed() {
+    fn neighbouring_seeds_and_episodes_have_different_seeds() {
         let mut seen = std::collections::HashSet::new();
         for seed in 0..100 {
             for episode in 0..100 {

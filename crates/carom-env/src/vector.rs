@@ -1,78 +1,87 @@
 //! Many environments at once.
 
-use std::sync::Arc;
-
-use carom::Error;
 use carom::format::Node;
-use carom::limits::SMALL_CAPACITY;
-use carom::simulate::Simulation;
-use carom_rules::Player;
-use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use carom::runner::Runner;
+use carom::{Error, Simulator};
+use carom_rules::Seat;
 
 use crate::action::{ACTIONS, ACTIONS_WITHOUT_HAND};
-use crate::config::{Autoreset, Config, Task};
-use crate::environment::{self, Environment, Step};
+use crate::config::Config;
+use crate::environment::{self, Environment, StepResult};
+use crate::modes::Autoreset;
 use crate::observe::{self, SCORE_BOUND};
+use crate::task::Task;
 
-/// Environments that one thread takes at a time: some hundred microseconds of work, so that handing them
-/// out costs nothing and the threads still end together.
+/// Most environments of a vector. Each takes several kilobytes; without a limit a mistyped number
+/// would exhaust the memory and abort the program.
+pub const MAX_ENVIRONMENTS: usize = 1 << 20;
+
+/// Environments in one item of work: some hundred microseconds, so that handing items out costs
+/// nothing and all threads finish at nearly the same time.
 const CHUNK: usize = 16;
 
-/// Episodes that are tried to begin with a layout that fits.
+/// Number of episodes that are tried until one has a layout that fits.
 const RESTARTS: u32 = 8;
 
-/// What came of a step of every environment: a row or a number for each.
+/// The result of a step: one row or number for each environment.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Transitions {
-    /// What is seen now, rows of [`VectorEnv::observation_size`].
+    /// The new observations: rows of [`VectorEnv::observation_size`].
     pub observations: Vec<f32>,
     /// Rewards.
     pub rewards: Vec<f64>,
-    /// Whether the episode has ended by its rules.
+    /// Whether the episode ended by its rules.
     pub terminated: Vec<bool>,
-    /// Whether it has ended otherwise: nobody got on, or a shot could not be played.
+    /// Whether the episode ended otherwise: by a stalemate, the limit on steps, or a shot that
+    /// could not be played.
     pub truncated: Vec<bool>,
-    /// What was seen at the end of an episode, where `observations` is of the next one already: rows as
-    /// there, 0 elsewhere. Empty unless environments reset in the same step, and one has.
+    /// The final observations of episodes that ended, if `observations` already belongs to the next
+    /// episode: rows as there, 0 for the others. Empty unless environments reset in the same step
+    /// and at least one did.
     pub final_observations: Vec<f32>,
-    /// Who shoots next; −1 at the end of an episode.
+    /// The seat that shoots next; −1 at the end of an episode.
     pub players: Vec<i8>,
     /// Whether the agent's shot was legal.
     pub legal: Vec<bool>,
-    /// Balls that the agent's shot potted, and that were the shooter's to pot.
+    /// Number of balls that the agent's shot potted and that the shooter might pot.
     pub potted: Vec<u8>,
 }
 
-/// A row of environments of one task. A clone goes on by itself from where the row is: to try an action,
-/// and forget it.
+/// A vector of independent environments of one task. A clone continues by itself from the present
+/// state, so that a program can try an action and go back.
 #[derive(Clone)]
 pub struct VectorEnv {
     task: Task,
     config: Config,
     balls: usize,
     environments: Vec<Environment>,
-    pool: Option<Arc<ThreadPool>>,
+    runner: Runner,
 }
 
 impl VectorEnv {
-    /// `n` environments, not yet reset. Environment i has the seed `seed` + i.
+    /// `n` environments that have not been reset. Environment i has the seed `seed` + i.
     ///
     /// # Errors
-    /// [`Error::Input`] for numbers out of range, a table or physics that a shot file would be refused
-    /// for, and a table that the task cannot be played on.
+    /// [`Error::Input`] for settings out of range, for more than [`MAX_ENVIRONMENTS`] environments,
+    /// for a table or physics that a shot file could not have, and for a table on which the task
+    /// cannot be played.
     pub fn new(task: Task, n: usize, seed: u64, config: Config) -> Result<Self, Error> {
+        if n > MAX_ENVIRONMENTS {
+            return Err(Error::input(
+                "n",
+                format!("{n} environments are too many"),
+                format!("ask for at most {MAX_ENVIRONMENTS}"),
+            ));
+        }
         config.check(task)?;
-        let scene = environment::scene(task, &config)?;
-        let balls = scene.pieces().len();
-        let environments =
-            (0..n as u64).map(|i| Environment::new(scene.boxed(), seed.wrapping_add(i))).collect();
-        let threads = config.threads.map(|n| ThreadPoolBuilder::new().num_threads(n).build());
-        let pool = threads.transpose().map_err(|e| {
-            Error::input("threads", format!("{e}"), "ask for fewer, or leave it out")
-        })?;
-        let mut vector = Self { task, config, balls, environments, pool: pool.map(Arc::new) };
-        // A layout that does not fit is found here, not in the middle of a run.
+        let runner = Runner::new(config.threads)?;
+        let episode = environment::episode(task, &config)?;
+        let balls = episode.balls().len();
+        let environments = (0..n as u64)
+            .map(|i| Environment::new(episode.boxed(), seed.wrapping_add(i)))
+            .collect();
+        let mut vector = Self { task, config, balls, environments, runner };
+        // Reports a layout that does not fit now, instead of in the middle of a run.
         if let Some(first) = vector.environments.first_mut() {
             first.seed(seed)?;
         }
@@ -84,7 +93,7 @@ impl VectorEnv {
         self.environments.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no environments.
     pub fn is_empty(&self) -> bool {
         self.environments.is_empty()
     }
@@ -94,23 +103,24 @@ impl VectorEnv {
         observe::size(self.balls)
     }
 
-    /// Length of an action; every number is in [−1, 1].
+    /// Length of an action. Each number is in [−1, 1].
     pub const fn action_size(&self) -> usize {
         if self.task.has_hand() { ACTIONS.len() } else { ACTIONS_WITHOUT_HAND }
     }
 
-    /// The least and the largest number at every place of an observation.
+    /// Lower and upper bound of each number of an observation.
     pub fn observation_bounds(&self) -> [Vec<f32>; 2] {
         let least_score = if self.task.has_negative_scores() { -SCORE_BOUND } else { 0.0 };
         [observe::low(self.balls, least_score), observe::high(self.balls)]
     }
 
-    /// Begins a new episode in every environment (in those that `mask` marks, if it is given), and tells
-    /// what is seen in all of them. With `seeds` (one for each environment) it is the first episode of that
-    /// seed, else the next one of the environment's own.
+    /// Starts a new episode in every environment, or in those marked by `mask`. Returns the
+    /// observations of all environments. With `seeds` (one for each environment) it is the first
+    /// episode of that seed, else the next episode of the environment's own seed.
     ///
     /// # Errors
-    /// [`Error::Input`] if `seeds` or `mask` has another length than the row.
+    /// [`Error::Input`] if `seeds` or `mask` has a length other than the number of environments,
+    /// and if a random layout does not fit on the table.
     pub fn reset(
         &mut self,
         seeds: Option<&[u64]>,
@@ -121,32 +131,33 @@ impl VectorEnv {
         check_length("mask", mask.map_or(n, <[bool]>::len), n)?;
         let size = self.observation_size();
         let mut observations = vec![0.0; n * size];
-        let Self { environments, config, pool, .. } = self;
-        let mut work = || {
-            environments
-                .par_iter_mut()
-                .zip(observations.par_chunks_mut(size))
-                .enumerate()
-                .try_for_each(|(i, (environment, out))| {
+        let Self { environments, config, runner, .. } = self;
+        let chunks =
+            environments.chunks_mut(CHUNK).zip(observations.chunks_mut(CHUNK * size)).enumerate();
+        let reset = runner.map(
+            chunks,
+            || (),
+            |(), (chunk, (environments, rows))| -> Result<(), Error> {
+                let first = chunk * CHUNK;
+                let rows = rows.chunks_mut(size);
+                for (i, (environment, row)) in (first..).zip(environments.iter_mut().zip(rows)) {
                     if mask.is_none_or(|mask| mask[i]) {
                         match seeds {
                             Some(seeds) => environment.seed(seeds[i])?,
                             None => environment.next_episode()?,
                         }
                     }
-                    environment.observe(environment.viewer(config), out);
-                    Ok(())
-                })
-        };
-        match pool {
-            Some(pool) => pool.install(work)?,
-            None => work()?,
-        }
+                    environment.observe(environment.viewer(config), row);
+                }
+                Ok(())
+            },
+        );
+        reset.into_iter().collect::<Result<(), Error>>()?;
         Ok(observations)
     }
 
-    /// Plays a shot in every environment. `actions`: rows of [`Self::action_size`]; numbers beyond [−1, 1]
-    /// are brought into it, what is no number is 0.
+    /// Plays a shot in every environment. `actions` are rows of [`Self::action_size`]. Numbers
+    /// outside [−1, 1] are clamped, and NaN becomes 0.
     ///
     /// # Errors
     /// [`Error::Input`] if `actions` has another length.
@@ -158,74 +169,70 @@ impl VectorEnv {
             final_observations: vec![0.0; n * size],
             ..Transitions::default()
         };
-        let mut steps = vec![(Step::default(), -1); n];
-        let Self { environments, config, pool, .. } = self;
-        let mut work = || {
-            environments
-                .par_chunks_mut(CHUNK)
-                .zip(steps.par_chunks_mut(CHUNK))
-                .zip(actions.par_chunks(CHUNK * width))
-                .zip(out.observations.par_chunks_mut(CHUNK * size))
-                .zip(out.final_observations.par_chunks_mut(CHUNK * size))
-                .for_each_init(
-                    || Box::new(Simulation::new()),
-                    |simulation, ((((environments, steps), actions), seen), last)| {
-                        let rows = environments.iter_mut().zip(steps).zip(actions.chunks(width));
-                        let seen = seen.chunks_mut(size).zip(last.chunks_mut(size));
-                        for (((environment, step), action), (seen, last)) in rows.zip(seen) {
-                            *step = advance(environment, config, simulation, action, seen, last);
-                        }
-                    },
-                );
-        };
-        match pool {
-            Some(pool) => pool.install(work),
-            None => work(),
-        }
+        let mut steps = vec![(StepResult::default(), -1); n];
+        let Self { environments, config, runner, .. } = self;
+        let chunks = environments
+            .chunks_mut(CHUNK)
+            .zip(steps.chunks_mut(CHUNK))
+            .zip(actions.chunks(CHUNK * width))
+            .zip(out.observations.chunks_mut(CHUNK * size))
+            .zip(out.final_observations.chunks_mut(CHUNK * size));
+        runner.map(
+            chunks,
+            Simulator::new,
+            |simulator, ((((environments, steps), actions), seen), last)| {
+                let rows = environments.iter_mut().zip(steps).zip(actions.chunks(width));
+                let seen = seen.chunks_mut(size).zip(last.chunks_mut(size));
+                for (((environment, step), action), (seen, last)) in rows.zip(seen) {
+                    *step = advance(environment, config, simulator, action, seen, last);
+                }
+            },
+        );
         out.collect(&steps, config.autoreset);
         Ok(out)
     }
 
-    /// What `viewer` sees in environment `index`.
+    /// The observation of `viewer` in environment `index`.
     ///
     /// # Errors
-    /// [`Error::Input`] if there is no such environment or player.
-    pub fn observe(&self, index: usize, viewer: Player) -> Result<Vec<f32>, Error> {
+    /// [`Error::Input`] if there is no such environment or seat.
+    pub fn observe(&self, index: usize, viewer: Seat) -> Result<Vec<f32>, Error> {
         let environment = self.environment(index)?;
         if viewer > 1 {
-            return Err(Error::input("player", format!("{viewer} is none"), "write 0 or 1"));
+            let what = format!("there is no player {viewer}");
+            return Err(Error::input("player", what, "write 0 or 1"));
         }
         let mut out = vec![0.0; self.observation_size()];
         environment.observe(viewer, &mut out);
         Ok(out)
     }
 
-    /// Who shoots next in environment `index`; none at the end of an episode.
+    /// The seat that shoots next in environment `index`; none at the end of an episode.
     ///
     /// # Errors
     /// [`Error::Input`] if there is no such environment.
-    pub fn player(&self, index: usize) -> Result<Option<Player>, Error> {
+    pub fn player(&self, index: usize) -> Result<Option<Seat>, Error> {
         Ok(self.environment(index)?.next().map(|turn| turn.player))
     }
 
-    /// What a picture of environment `index` needs: its table, its balls (id, radius in m, and place in m) and
-    /// the scores.
+    /// What is needed to draw environment `index`: its table, the balls on it (id, radius in m,
+    /// position in m) and the scores.
     ///
     /// # Errors
     /// [`Error::Input`] if there is no such environment.
     pub fn picture(&self, index: usize) -> Result<Node, Error> {
-        let scene = &self.environment(index)?.scene;
-        let balls = (0..).zip(scene.pieces()).filter_map(|(ball, piece)| {
+        let episode = &self.environment(index)?.episode;
+        let balls = (0..).zip(episode.balls()).filter_map(|(i, ball)| {
             Some(Node::object([
-                ("id", piece.id.as_str().into()),
-                ("radius", piece.ball.radius.into()),
-                ("position", Node::from(scene.place(ball)?)),
+                ("id", ball.id.as_str().into()),
+                ("radius", ball.ball.radius.into()),
+                ("position", Node::from(episode.place(i)?)),
             ]))
         });
         Ok(Node::object([
-            ("table", scene.base().table().to_node()),
+            ("table", episode.base().table().to_node()),
             ("balls", Node::List(balls.collect())),
-            ("scores", Node::list(scene.scores().map(i64::from))),
+            ("scores", Node::list(episode.scores().map(i64::from))),
         ]))
     }
 
@@ -239,7 +246,7 @@ impl VectorEnv {
 }
 
 impl Transitions {
-    fn collect(&mut self, steps: &[(Step, i8)], autoreset: Autoreset) {
+    fn collect(&mut self, steps: &[(StepResult, i8)], autoreset: Autoreset) {
         self.rewards = steps.iter().map(|(step, _)| step.reward).collect();
         self.terminated = steps.iter().map(|(step, _)| step.terminated).collect();
         self.truncated = steps.iter().map(|(step, _)| step.truncated).collect();
@@ -253,20 +260,21 @@ impl Transitions {
     }
 }
 
-/// Plays one shot in one environment, and resets it as asked. Returns what came of it, and who is next.
+/// Plays one shot in one environment, and resets it according to the settings. Returns the result
+/// and the seat that shoots next.
 fn advance(
     environment: &mut Environment,
     config: &Config,
-    simulation: &mut Simulation<SMALL_CAPACITY>,
+    simulator: &mut Simulator,
     action: &[f32],
     seen: &mut [f32],
     last: &mut [f32],
-) -> (Step, i8) {
-    let mut step = Step::default();
+) -> (StepResult, i8) {
+    let mut step = StepResult::default();
     if environment.ended && config.autoreset == Autoreset::NextStep {
         restart(environment);
     } else {
-        step = environment.step(config, simulation, action);
+        step = environment.step(config, simulator, action);
         if environment.ended && config.autoreset == Autoreset::SameStep {
             environment.observe(environment.viewer(config), last);
             restart(environment);
@@ -276,7 +284,7 @@ fn advance(
     (step, environment.next().map_or(-1, |turn| turn.player as i8))
 }
 
-/// The next episode. Should a layout not fit, the next one does; where none of some does, the table is too
+/// Starts the next episode whose layout fits. If several in a row do not fit, the table is too
 /// small for the task, and every step is truncated.
 fn restart(environment: &mut Environment) {
     for _ in 0..RESTARTS {
@@ -290,5 +298,5 @@ fn check_length(place: &str, found: usize, wanted: usize) -> Result<(), Error> {
     if found == wanted {
         return Ok(());
     }
-    Err(Error::input(place, format!("found {found}"), format!("give {wanted}")))
+    Err(Error::input(place, format!("its length is {found}"), format!("give {wanted} numbers")))
 }

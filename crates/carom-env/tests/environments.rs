@@ -1,12 +1,13 @@
-//! Environments as a learner meets them.
+//! Environments through their public interface.
 
 use carom::Noise;
 use carom_env::{
-    Aim, Autoreset, CUSHIONS, Config, FEATURES, Opponent, Rewards, Target, Task, VectorEnv,
+    Aim, Autoreset, CUSHIONS, Config, FEATURES, MAX_ENVIRONMENTS, Opponent, Rewards, TargetBall,
+    Task, VectorEnv,
 };
 use carom_rules::Rules;
 
-/// Actions at random, the same every time.
+/// Random actions that are the same for the same seed.
 fn actions(count: usize, seed: u64) -> Vec<f32> {
     let mut state = seed;
     let mut next = || {
@@ -23,7 +24,7 @@ fn environments(task: Task, n: usize, config: Config) -> VectorEnv {
     vector
 }
 
-/// Every number that comes of some steps at random, as bits.
+/// The bits of all results of some random steps.
 fn bits(task: Task, n: usize, steps: u64, threads: usize) -> Vec<u64> {
     let config = Config { noise: Noise::olympiad(1.0), threads: Some(threads), ..Config::of(task) };
     let mut vector = environments(task, n, config);
@@ -38,14 +39,14 @@ fn bits(task: Task, n: usize, steps: u64, threads: usize) -> Vec<u64> {
 }
 
 #[test]
-fn the_bits_do_not_depend_on_the_threads() {
+fn results_are_the_same_bits_for_any_number_of_threads() {
     for task in Task::ALL {
         assert_eq!(bits(task, 40, 3, 1), bits(task, 40, 3, 3), "{}", task.name());
     }
 }
 
 #[test]
-fn every_observation_is_within_its_bounds_and_every_episode_goes_on_or_ends() {
+fn observations_are_within_their_bounds_and_no_episode_ends_in_two_ways() {
     for task in Task::ALL {
         for opponent in [Opponent::None, Opponent::Random, Opponent::Potter] {
             if task == Task::Potting && opponent != Opponent::None {
@@ -72,33 +73,33 @@ fn every_observation_is_within_its_bounds_and_every_episode_goes_on_or_ends() {
 }
 
 #[test]
-fn a_ball_hit_full_is_potted_as_often_as_pockets_are_wide() {
+fn a_full_hit_pots_at_the_rate_of_the_pockets_share_of_all_directions() {
     let config = Config { aim: Aim::Relative, ..Config::of(Task::Potting) };
     let n = 2000;
     let mut vector = environments(Task::Potting, n, config);
     let full: Vec<f32> = (0..n).flat_map(|_| [0.0, 0.0, 0.0, 0.0, -1.0]).collect();
     let out = vector.step(&full).expect("a step");
     let made = out.rewards.iter().filter(|reward| **reward == 1.0).count();
-    // A ball hit full goes straight on, and pockets take a few per cent of all directions.
+    // A ball hit full continues straight; pockets cover a few per cent of all directions.
     assert!((n / 100..n / 5).contains(&made), "{made} of {n}");
     assert!(out.terminated.iter().all(|ended| *ended), "one shot");
 }
 
 #[test]
 fn the_lowest_ball_is_harder_to_pot_than_any() {
-    let made = |target| {
-        let config = Config { target, balls: Some([5, 5]), ..Config::of(Task::Potting) };
+    let made = |target_ball| {
+        let config = Config { target_ball, balls: Some([5, 5]), ..Config::of(Task::Potting) };
         let n = 3000;
         let mut vector = environments(Task::Potting, n, config);
         let out = vector.step(&actions(n * vector.action_size(), 1)).expect("a step");
         out.rewards.iter().sum::<f64>()
     };
-    assert!(made(Target::Lowest) < 0.6 * made(Target::Any));
+    assert!(made(TargetBall::Lowest) < 0.6 * made(TargetBall::Any));
 }
 
 #[test]
-fn games_begin_in_the_middle_with_as_many_balls_as_asked() {
-    // The balls that are always there, besides the cue ball.
+fn games_start_with_the_requested_number_of_random_balls() {
+    // The third column: balls that are always on the table, besides the cue ball.
     for (rules, balls, always) in [
         (Rules::EightBall, [4, 9], &[8][..]),
         (Rules::NineBall, [2, 5], &[9]),
@@ -118,7 +119,7 @@ fn games_begin_in_the_middle_with_as_many_balls_as_asked() {
             let on_table: Vec<bool> = seen_balls.chunks(4).map(|ball| ball[2] == 1.0).collect();
             assert!(on_table[0], "the cue ball");
             assert!(always.iter().all(|ball| on_table[*ball]), "{}", task.name());
-            // Neither in hand nor an opening shot.
+            // The cue ball is not in hand, and it is not an opening shot.
             assert_eq!([rest[0], rest[1], rest[2], rest[5]], [0.0; 4], "{}", task.name());
             places.insert([row[0].to_bits(), row[1].to_bits()]);
             let spotted = if rules == Rules::Snooker { 6 } else { 0 };
@@ -126,12 +127,12 @@ fn games_begin_in_the_middle_with_as_many_balls_as_asked() {
         }
         let asked: Vec<usize> = (balls[0]..=balls[1]).collect();
         assert_eq!(seen.into_iter().collect::<Vec<_>>(), asked, "{}", task.name());
-        assert_eq!(places.len(), count, "every layout is another");
+        assert_eq!(places.len(), count, "all layouts differ");
     }
 }
 
 #[test]
-fn in_the_middle_of_snooker_the_colours_stand_on_their_spots() {
+fn with_random_reds_the_colours_are_on_their_spots() {
     let task = Task::Game(Rules::Snooker);
     let config = |balls| Config { balls, ..Config::of(task) };
     let colors = |balls| {
@@ -146,10 +147,10 @@ fn in_the_middle_of_snooker_the_colours_stand_on_their_spots() {
 }
 
 #[test]
-fn the_cue_ball_in_hand_is_put_where_the_action_says_or_beside() {
+fn the_cue_ball_in_hand_is_placed_where_the_action_says() {
     let task = Task::Game(Rules::NineBall);
     let mut vector = environments(task, 1, Config::of(task));
-    // Gently along the width: where it was put is seen from its place across.
+    // A slow shot across the table: it changes x a little and y not at all.
     let action = [0.0, -1.0, 0.0, 0.0, -1.0, 0.4, 0.2];
     let out = vector.step(&action).expect("a step");
     let [x, y] = [out.observations[0], out.observations[1]];
@@ -160,7 +161,7 @@ fn the_cue_ball_in_hand_is_put_where_the_action_says_or_beside() {
 }
 
 #[test]
-fn a_group_is_seen_first_by_its_player() {
+fn a_player_sees_the_own_group_first() {
     let task = Task::Game(Rules::EightBall);
     let config = Config {
         balls: Some([9, 9]),
@@ -179,15 +180,15 @@ fn a_group_is_seen_first_by_its_player() {
             continue;
         }
         closed += 1;
-        assert!(on(1..8) > 0 || on(8..9) == 1, "the own group, or the eight");
-        assert_eq!(on(9..16), 0, "nothing of the other's");
+        assert!(on(1..8) > 0 || on(8..9) == 1, "the own group or the eight is on");
+        assert_eq!(on(9..16), 0, "no ball of the other group is on");
     }
-    assert!(closed > 5, "{closed} tables are no more open");
+    assert!(closed > 5, "only {closed} tables have groups");
 }
 
 #[test]
-fn three_cushions_score_in_sum_to_three_and_no_other_number() {
-    // Straight up the long string at the object ball: how many cushions are touched depends on the speed.
+fn sum_to_three_scores_exactly_three_cushions() {
+    // Along the long string at the object ball: the number of cushions depends on the speed.
     let n = 400;
     let mut vector = environments(Task::SumToThree, n, Config::of(Task::SumToThree));
     let shots: Vec<f32> =
@@ -196,15 +197,15 @@ fn three_cushions_score_in_sum_to_three_and_no_other_number() {
     let scored = out.rewards.iter().filter(|reward| **reward == 1.0).count();
     assert_eq!(CUSHIONS, 3);
     assert!(scored > n / 50 && scored < n / 2, "{scored} of {n}");
-    // Who scores goes on.
+    // The player who scores shoots again.
     for (reward, player) in out.rewards.iter().zip(&out.players) {
         assert_eq!(*player, i8::from(*reward == 0.0));
     }
 }
 
 #[test]
-fn a_shot_that_is_never_played_to_its_end_is_truncated_with_a_penalty() {
-    // Cloth without friction: balls that move never stop.
+fn a_shot_that_never_ends_truncates_the_episode_with_a_penalty() {
+    // On cloth without friction moving balls never stop.
     let physics = carom::format::Node::object([(
         "cloth",
         carom::format::Node::object([
@@ -224,7 +225,7 @@ fn a_shot_that_is_never_played_to_its_end_is_truncated_with_a_penalty() {
 }
 
 #[test]
-fn a_clone_goes_on_by_itself_from_where_its_row_is() {
+fn a_clone_continues_independently_from_the_same_state() {
     for task in Task::ALL {
         let config = Config { noise: Noise::olympiad(1.0), ..Config::of(task) };
         let mut vector = environments(task, 4, config);
@@ -238,7 +239,7 @@ fn a_clone_goes_on_by_itself_from_where_its_row_is() {
 }
 
 #[test]
-fn an_episode_of_too_many_steps_is_truncated_and_goes_on_no_more() {
+fn an_episode_is_truncated_after_its_limit_of_steps() {
     let task = Task::Game(Rules::ThreeCushion);
     let config = Config { max_steps: Some(3), autoreset: Autoreset::Disabled, ..Config::of(task) };
     let mut vector = environments(task, 2, config);
@@ -257,7 +258,7 @@ fn an_episode_of_too_many_steps_is_truncated_and_goes_on_no_more() {
 }
 
 #[test]
-fn what_cannot_be_is_refused_with_its_place() {
+fn settings_out_of_range_are_refused_with_their_place() {
     let refused = |task, config| match VectorEnv::new(task, 1, 0, config) {
         Ok(_) => String::new(),
         Err(error) => error.to_string(),
@@ -277,8 +278,25 @@ fn what_cannot_be_is_refused_with_its_place() {
         let middle = Config { balls: Some(balls), ..Config::of(task) };
         assert!(refused(task, middle).starts_with("balls"), "{}", task.name());
     }
+    let mut pointless = Config::of(Task::SumToThree);
+    pointless.options.points = 0;
+    assert!(refused(Task::SumToThree, pointless).starts_with("options.points"));
+    let mut endless = Config::of(Task::Potting);
+    endless.rewards.pot = f64::INFINITY;
+    assert!(refused(Task::Potting, endless).starts_with("rewards.pot"));
+    let idle = Config { threads: Some(0), ..Config::of(Task::Potting) };
+    assert!(refused(Task::Potting, idle).starts_with("threads"));
     let mut vector = environments(Task::SumToThree, 2, Config::of(Task::SumToThree));
     assert!(vector.step(&[0.0; 3]).is_err());
     assert!(vector.reset(Some(&[1]), None).is_err());
     assert!(vector.observe(2, 0).is_err() && vector.observe(0, 2).is_err());
+}
+
+#[test]
+fn a_number_of_environments_that_would_exhaust_the_memory_is_refused() {
+    let config = Config::of(Task::Potting);
+    for n in [MAX_ENVIRONMENTS + 1, usize::MAX] {
+        let refused = VectorEnv::new(Task::Potting, n, 0, config.clone());
+        assert!(refused.is_err_and(|error| error.to_string().starts_with("n: ")));
+    }
 }

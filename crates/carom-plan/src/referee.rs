@@ -1,12 +1,10 @@
 //! Variants of a shot in a game: simulated once, counted and ruled on.
 
 use carom::batch::{BatchResult, OFF_TABLE, ON_TABLE, PADDING};
-use carom::limits::SMALL_CAPACITY;
 use carom::noise::Perception;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::Simulation;
-use carom::{BallState, Error, MotionState, Shot};
+use carom::{BallState, Error, MotionState, Shot, Simulator};
 use carom_rules::{Call, Frame, Play, Request};
 use rayon::prelude::*;
 
@@ -84,7 +82,7 @@ impl<'a> Refereed<'a> {
             (0..strikes.len())
                 .into_par_iter()
                 .map_init(
-                    || Box::new(Simulation::<SMALL_CAPACITY>::new()),
+                    || Simulator::new(),
                     |simulation, k| {
                         if perception.position == 0.0 {
                             return self.rule(simulation, strikes[k], self.shot);
@@ -102,13 +100,13 @@ impl<'a> Refereed<'a> {
 
     fn rule(
         &self,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
+        simulation: &mut Simulator,
         strike: Strike,
         shot: &Shot,
     ) -> Result<Ruled, Error> {
         let mut frame = self.referee.frame.clone();
         let player = frame.player();
-        let (ruling, outcome, last) = frame.play_beside(simulation, &self.play(strike), shot)?;
+        let (ruling, outcome, last) = frame.play_displaced(simulation, &self.play(strike), shot)?;
         let kept = match frame.request() {
             Request::Shot(turn) => Some(turn.player) == player,
             Request::Choice { .. } => false,

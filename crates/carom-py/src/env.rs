@@ -3,7 +3,7 @@
 use carom::format::Node;
 use carom::{Error, Noise};
 use carom_env::{
-    ACTIONS, Aim, Autoreset, BALL_FEATURES, Config, FEATURES, Opponent, Rewards, Target, Task,
+    ACTIONS, Aim, Autoreset, BALL_FEATURES, Config, FEATURES, Opponent, Rewards, TargetBall, Task,
     Transitions,
 };
 use carom_rules::Options;
@@ -75,11 +75,11 @@ impl Settings<'_> {
             elevation: self.max_elevation,
             opponent: Opponent::read(&self.opponent)?,
             balls: self.balls,
-            target: Target::read(&self.target_ball)?,
+            target_ball: TargetBall::read(&self.target_ball)?,
             table,
             physics,
             options: Options {
-                target: self.points.unwrap_or(usual.options.target),
+                points: self.points.unwrap_or(usual.options.points),
                 patience: self.patience,
                 ..usual.options
             },

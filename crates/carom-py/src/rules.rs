@@ -43,7 +43,7 @@ impl Frame {
         };
         let (target, miss, patience) = options;
         let rules = Rules::read(game).map_err(|e| to_exception(py, &e))?;
-        let options = Options { target, miss, patience };
+        let options = Options { points: target, miss, patience };
         carom_rules::Frame::new(rules, options, optional(table)?, optional(physics)?, seed)
             .map(Self)
             .map_err(|e| to_exception(py, &e))
@@ -58,7 +58,7 @@ impl Frame {
         options: (i32, bool, u32),
     ) -> PyResult<Self> {
         let (target, miss, patience) = options;
-        let options = Options { target, miss, patience };
+        let options = Options { points: target, miss, patience };
         let frame = Rules::read(game)
             .and_then(|rules| carom_rules::Frame::of_shot(rules, options, &shot.0));
         frame.map(Self).map_err(|e| to_exception(py, &e))

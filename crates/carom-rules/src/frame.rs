@@ -1,42 +1,44 @@
 //! A game in progress.
 
-mod middle;
 mod play;
-mod progress;
-mod state;
+mod resume;
+mod stalemate;
 
 use carom::format::Node;
 use carom::{Error, Shot};
 
-use crate::Player;
-use crate::games::{Law, Options, Rules};
-use crate::layout::Layout;
+use crate::games::GameState;
+use crate::layout::FrameLayout;
 use crate::request::{Choice, Request, Turn};
+use crate::rules::{Options, Rules};
 use crate::ruling::Ruling;
+use crate::seat::{self, Seat};
+use crate::state::FrameState;
 
-pub(crate) use state::State;
+use stalemate::{Stalemate, StalemateCounter};
 
-use progress::{Progress, Stalemate};
+/// A place inside every table (file frame, m), for the only ball of the base shot.
+const INSIDE: [f64; 2] = [0.25, 0.25];
 
 /// One rack, frame or match of a game between two players.
 #[derive(Clone, Debug)]
 pub struct Frame {
     rules: Rules,
-    law: Law,
-    state: State,
+    game_state: GameState,
+    state: FrameState,
     request: Request,
-    progress: Progress,
+    stalemates: StalemateCounter,
     shots: u32,
 }
 
 impl Frame {
-    /// A new frame: the balls are racked (`seed` says how exactly), and player 0 begins. `table` and
-    /// `physics` are what a shot file says under these keys; the game's own table and the table's own
-    /// physics where they are not given.
+    /// A new frame: the balls are racked, with gaps drawn from `seed`, and seat 0 begins. `table`
+    /// and `physics` have the form of these keys in a shot file; by default the game's own table
+    /// and the table's own physics.
     ///
     /// # Errors
-    /// [`Error::Input`] for a table or physics that a shot file would be refused for, for a table that
-    /// the game cannot be played on, and for options out of range.
+    /// [`Error::Input`] for a table or physics that a shot file could not have, for a table on
+    /// which the game cannot be played, and for options out of range.
     pub fn new(
         rules: Rules,
         options: Options,
@@ -70,34 +72,34 @@ impl Frame {
         Ok(frame)
     }
 
-    /// A new frame of the same game on the same table, racked by `seed`: what [`Self::new`] would give,
-    /// without reading table and physics again.
+    /// A new frame of the same game on the same table, racked with `seed`. Equal to the frame of
+    /// [`Self::new`], but table and physics are not read again.
     ///
     /// # Errors
-    /// None that [`Self::new`] has not had.
-    pub fn another(&self, seed: u64) -> Result<Self, Error> {
+    /// None if [`Self::new`] had none.
+    pub fn with_seed(&self, seed: u64) -> Result<Self, Error> {
         Self::on_table(self.rules, self.state.options, self.state.base.clone(), seed)
     }
 
     fn on_table(rules: Rules, options: Options, base: Shot, seed: u64) -> Result<Self, Error> {
-        let mut state = State::new(rules, options, base, seed)?;
-        let mut law = Law::new(rules);
-        let request = law.game_mut().open(&mut state, 0);
-        let progress = Progress::new(&state);
-        Ok(Self { rules, law, state, request, progress, shots: 0 })
+        let mut state = FrameState::new(rules, options, base, seed)?;
+        let mut game_state = GameState::new(rules);
+        let request = game_state.rules_mut().start(&mut state, 0);
+        let stalemates = StalemateCounter::new(&state);
+        Ok(Self { rules, game_state, state, request, stalemates, shots: 0 })
     }
 
-    /// Which game.
+    /// The game's rules.
     pub const fn rules(&self) -> Rules {
         self.rules
     }
 
-    /// What is asked next, and of whom.
+    /// What the frame asks for next.
     pub const fn request(&self) -> &Request {
         &self.request
     }
 
-    /// The shot that is asked, if it is one.
+    /// The shot that the frame asks for; none if it asks for a choice or is over.
     pub const fn turn(&self) -> Option<&Turn> {
         match &self.request {
             Request::Shot(turn) => Some(turn),
@@ -105,8 +107,8 @@ impl Frame {
         }
     }
 
-    /// Whose turn it is; none when the frame is over.
-    pub const fn player(&self) -> Option<Player> {
+    /// The seat whose turn it is; none when the frame is over.
+    pub const fn player(&self) -> Option<Seat> {
         match &self.request {
             Request::Shot(turn) => Some(turn.player),
             Request::Choice { player, .. } => Some(*player),
@@ -119,65 +121,64 @@ impl Frame {
         matches!(self.request, Request::Over { .. })
     }
 
-    /// Where the balls are.
-    pub const fn layout(&self) -> &Layout {
+    /// The balls and their places.
+    pub const fn layout(&self) -> &FrameLayout {
         &self.state.layout
     }
 
-    /// The players' scores; games without points count none.
+    /// The score of each seat; 0 in games without points.
     pub const fn scores(&self) -> [i32; 2] {
         self.state.scores
     }
 
-    /// How many fouls each player has made in a row.
+    /// Number of consecutive fouls of each seat.
     pub const fn fouls_in_a_row(&self) -> [u32; 2] {
         self.state.fouls
     }
 
-    /// Shots played so far.
+    /// Number of shots played so far.
     pub const fn shots(&self) -> u32 {
         self.shots
     }
 
-    /// A shot on the frame's table, under its physics.
+    /// A shot on the frame's table with its physics; its balls are not those of the frame.
     pub const fn base(&self) -> &Shot {
         &self.state.base
     }
 
-    /// What the game keeps besides: groups, pushes, the ball on.
-    pub const fn law(&self) -> &Law {
-        &self.law
+    /// The state that only this game has: groups, innings, the ball on.
+    pub const fn game_state(&self) -> &GameState {
+        &self.game_state
     }
 
-    /// Sets a scene: puts `ball` somewhere, or takes it off the table.
+    /// Places `ball`, or takes it off the table.
     #[cfg(test)]
     pub(crate) fn put(&mut self, ball: crate::BallIndex, place: Option<[f64; 2]>) {
         self.state.layout.put(ball, place);
     }
 
-    /// Sets a scene.
     #[cfg(test)]
     pub(crate) fn set_scores(&mut self, scores: [i32; 2]) {
         self.state.scores = scores;
     }
 
-    /// What one game has and others have not.
-    pub(crate) fn law_node(&self) -> Node {
-        self.law.game().to_node(&self.state)
+    /// The state that only this game has, for reports.
+    pub(crate) fn game_state_node(&self) -> Node {
+        self.game_state.rules().to_node(&self.state)
     }
 
     /// Answers a choice.
     ///
     /// # Errors
-    /// [`Error::Input`] if no choice is asked, or not this one.
+    /// [`Error::Input`] if the frame does not ask for a choice, or does not offer this one.
     pub fn choose(&mut self, choice: Choice) -> Result<Ruling, Error> {
         let (player, choices) = match &self.request {
             Request::Choice { player, choices, .. } => (*player, choices),
             _ => {
                 return Err(Error::input(
                     "choice",
-                    "no choice is asked now",
-                    "look at the frame's request",
+                    "the frame does not ask for a choice now",
+                    "look at its request",
                 ));
             }
         };
@@ -189,12 +190,12 @@ impl Frame {
                 format!("write one of {}", names.join(", ")),
             ));
         }
-        let request = self.law.game_mut().choose(&mut self.state, player, choice);
+        let request = self.game_state.rules_mut().choose(&mut self.state, player, choice);
         Ok(self.settle(request, 0))
     }
 
-    /// The player whose turn it is gives up, and the other wins (WPA 1.11; WPBSA, section 2, rule 1; UMB,
-    /// article 26).
+    /// The player whose turn it is concedes, and the other wins (WPA 1.11; WPBSA, section 2, rule
+    /// 1; UMB, article 26).
     ///
     /// # Errors
     /// [`Error::Input`] if the frame is over.
@@ -202,11 +203,11 @@ impl Frame {
         let player = self
             .player()
             .ok_or_else(|| Error::input("concede", "the frame is over", "begin a new frame"))?;
-        Ok(self.settle(Request::won(1 - player, "the other player conceded"), 0))
+        Ok(self.settle(Request::won(seat::opponent(player), "the other player conceded"), 0))
     }
 
-    /// Carries out what the ruling on so many `shots` (one, or none for a choice) says, and sees to it that a
-    /// frame without progress ends.
+    /// Completes a shot (`shots` is 1) or a choice (0): updates the scores and the request, and
+    /// ends a stalemate. Returns the ruling.
     fn settle(&mut self, request: Request, shots: u32) -> Ruling {
         self.shots += shots;
         self.request = request;
@@ -214,10 +215,10 @@ impl Frame {
             *score += points;
         }
         if !self.is_over() {
-            match self.progress.follow(self.rules, &self.state, shots) {
-                Some(Stalemate::Again) => self.begin_again(),
+            match self.stalemates.update(self.rules, &self.state, shots) {
+                Some(Stalemate::Rerack) => self.rerack(),
                 Some(Stalemate::End) => {
-                    let why = "nobody got on: a stalemate";
+                    let why = "a stalemate: there was no progress";
                     self.request = Request::Over { winner: None, why };
                 }
                 None => {}
@@ -226,18 +227,18 @@ impl Frame {
         core::mem::take(&mut self.state.ruling)
     }
 
-    /// The balls are racked again, and the first breaker breaks.
-    fn begin_again(&mut self) {
+    /// Starts again after a stalemate: the balls are racked, and the first breaker breaks.
+    fn rerack(&mut self) {
         self.state.rack();
         self.state.fouls = [0; 2];
         if self.rules.is_nullified_by_stalemate() {
-            let State { scores, ruling, .. } = &mut self.state;
-            ruling.points = [0, 1].map(|player| ruling.points[player] - scores[player]);
+            let FrameState { scores, ruling, .. } = &mut self.state;
+            ruling.points = [0, 1].map(|seat| ruling.points[seat] - scores[seat]);
             *scores = [0; 2];
         }
-        self.progress.restart(&self.state);
-        self.law = Law::new(self.rules);
-        self.request = self.law.game_mut().open(&mut self.state, 0);
+        self.stalemates.restart(&self.state);
+        self.game_state = GameState::new(self.rules);
+        self.request = self.game_state.rules_mut().start(&mut self.state, 0);
     }
 }
 
@@ -250,8 +251,7 @@ fn base(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Result<Shot
     if let Some(physics) = physics {
         file.set("physics", physics);
     }
-    // Any place will do that is inside every table.
-    let ball = |place: [f64; 2]| Node::object([("id", "cue".into()), ("position", place.into())]);
-    file.set("balls", Node::list([ball([0.25, 0.25])]));
+    let ball = Node::object([("id", "cue".into()), ("position", INSIDE.into())]);
+    file.set("balls", Node::list([ball]));
     Shot::from_node(&file)
 }

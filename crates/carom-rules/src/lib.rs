@@ -1,10 +1,11 @@
-//! The games of billiards as state machines over the outcome of a shot.
+//! The games of billiards as state machines over the outcomes of shots.
 //!
-//! A [`Frame`] is one rack, frame or match between two players. It says what is asked next and of
-//! whom ([`Frame::request`]): a shot or a choice. A player answers with a [`Play`] or a [`Choice`], and
-//! gets a [`Ruling`]: which fouls, by which rule, what was scored and spotted. The frame then asks
-//! again, until it is over. Nothing is hidden in it: it can be cloned, so that a program can try a shot
-//! and go back.
+//! A [`Frame`] is one rack, frame or match between two players. [`Frame::request`] says what it
+//! needs next and from which seat: a shot or a choice. A shot is given as a [`Play`], an answer to
+//! a choice as a [`Choice`]. Both return a [`Ruling`]: the fouls with the rules that forbid them,
+//! the points, and the balls that were spotted. Then the frame makes its next request, until it is
+//! over. A frame has no hidden state and can be cloned, so that a program can try a shot and go
+//! back.
 //!
 //! ```
 //! use carom::resolve::cue_ball::Strike;
@@ -22,32 +23,33 @@
 //! # }
 //! ```
 //!
-//! Each game is a file of [`games`]. A foul names the rule that forbids it ([`Rules::rule`]); the page
-//! "Rules of the games" in the documentation says which rule books were read.
+//! Each game is a file of [`games`]. [`Rules::rule`] gives the rule that forbids a foul; the
+//! documentation's page "Rules of the games" lists the rule books.
+//!
+//! Files import downwards only: seat, markings ← layout, region ← play, request, ruling, rules ←
+//! state, referee ← games ← frame ← report.
 
-mod facts;
 mod frame;
 pub mod games;
 mod layout;
+mod markings;
 mod play;
-mod pool;
+mod referee;
+mod region;
 mod report;
 mod request;
+mod rules;
 mod ruling;
 #[cfg(test)]
 mod scenarios;
+mod seat;
+mod state;
 
-pub use facts::{Facts, Touch};
 pub use frame::Frame;
-pub use games::{Options, Rules};
-pub use layout::{Layout, Piece};
+pub use layout::{BallIndex, FrameBall, FrameLayout};
 pub use play::{Call, Play};
-pub use request::{Calls, Choice, Region, Request, Turn};
+pub use region::Region;
+pub use request::{Calls, Choice, Request, Turn};
+pub use rules::{Options, Rules};
 pub use ruling::{Foul, Fouls, Ruling};
-
-/// One of the two players: 0 begins.
-pub type Player = usize;
-
-/// A ball by its number in the frame's [`Layout`]. In games with numbered balls the cue ball is 0 and
-/// every other ball has its number.
-pub type BallIndex = u8;
+pub use seat::Seat;

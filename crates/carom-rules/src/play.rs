@@ -1,33 +1,33 @@
-//! What a player does.
+//! A shot as a player plays it.
 
 use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
 
-use crate::BallIndex;
+use crate::layout::BallIndex;
 
 /// A shot as a player plays it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Play {
     /// How the cue ball is struck.
     pub strike: Strike,
-    /// Where the cue ball is put first (its centre in the file's frame, m), if it is in hand.
+    /// Where a cue ball in hand is placed before the strike: its centre (file frame, m).
     pub cue_ball: Option<[f64; 2]>,
-    /// What is announced.
+    /// What the player announces.
     pub call: Call,
 }
 
 impl Play {
-    /// A shot with nothing announced and the cue ball where it lies.
+    /// A shot without an announcement that plays the cue ball where it lies.
     pub const fn new(strike: Strike) -> Self {
         Self { strike, cue_ball: None, call: Call::Nothing }
     }
 
-    /// The same, calling `ball` into `pocket`.
+    /// The same shot with `ball` called into `pocket`.
     pub const fn calling(self, ball: BallIndex, pocket: PocketName) -> Self {
         Self { call: Call::Pocket(ball, pocket), ..self }
     }
 
-    /// The same with the cue ball put at `place` first (m, in the file's frame).
+    /// The same shot with the cue ball placed at `place` (file frame, m) before the strike.
     pub const fn from(self, place: [f64; 2]) -> Self {
         Self { cue_ball: Some(place), ..self }
     }
@@ -41,10 +41,10 @@ pub enum Call {
     Nothing,
     /// This ball in that pocket.
     Pocket(BallIndex, PocketName),
-    /// A safety: the other player shoots next, whatever falls.
+    /// A safety: the other player shoots next, even if a ball is pocketed.
     Safety,
     /// A push-out.
     PushOut,
-    /// This ball is the ball on (snooker: a colour, or the free ball).
+    /// This ball is nominated as the ball on (snooker: a colour, or a free ball).
     On(BallIndex),
 }

@@ -1,13 +1,18 @@
-//! A frame and its rulings as trees of values, with the balls' ids: what the bindings show.
+//! Frames and rulings as trees of values with the balls' ids, for the bindings; and balls, pockets
+//! and calls by their names.
 
 use carom::Error;
 use carom::format::Node;
 use carom::table::PocketName;
 
-use crate::{BallIndex, Call, Frame, Request, Ruling, Turn};
+use crate::frame::Frame;
+use crate::layout::BallIndex;
+use crate::play::Call;
+use crate::request::{Request, Turn};
+use crate::ruling::Ruling;
 
 impl Frame {
-    /// What there is to know of the frame: game, request, scores, balls.
+    /// The frame: game, request, scores, balls.
     pub fn to_node(&self) -> Node {
         let balls = self.layout().on_table().filter_map(|ball| {
             Some((self.id(ball).to_owned(), Node::from(self.layout().place(ball)?)))
@@ -19,11 +24,11 @@ impl Frame {
             ("fouls_in_a_row", Node::list(self.fouls_in_a_row().map(i64::from))),
             ("shots", i64::from(self.shots()).into()),
             ("balls", Node::Object(balls.collect())),
-            ("state", self.law_node()),
+            ("state", self.game_state_node()),
         ])
     }
 
-    /// A ruling on this frame.
+    /// A ruling of this frame.
     pub fn ruling_node(&self, ruling: &Ruling) -> Node {
         let fouls = ruling.fouls.iter().map(|foul| {
             Node::object([("what", foul.words().into()), ("rule", self.rules().rule(foul).into())])
@@ -42,9 +47,9 @@ impl Frame {
     /// # Errors
     /// [`Error::Input`] at `place` if the frame has none.
     pub fn ball(&self, id: &str, place: &str) -> Result<BallIndex, Error> {
-        let known = (0..).zip(self.layout().pieces()).find(|(_, piece)| piece.id == id);
+        let known = (0..).zip(self.layout().balls()).find(|(_, ball)| ball.id == id);
         known.map(|(i, _)| i).ok_or_else(|| {
-            let ids: Vec<&str> = self.layout().pieces().iter().map(|p| p.id.as_str()).collect();
+            let ids: Vec<&str> = self.layout().balls().iter().map(|p| p.id.as_str()).collect();
             Error::input(
                 place,
                 format!("no ball has the id \"{id}\""),
@@ -53,7 +58,7 @@ impl Frame {
         })
     }
 
-    /// The pocket of this name.
+    /// The pocket with this name.
     ///
     /// # Errors
     /// [`Error::Input`] at `place` if the table has none.
@@ -64,17 +69,17 @@ impl Frame {
             let names: Vec<&str> = pockets.iter().map(|pocket| pocket.name.name()).collect();
             Error::input(
                 place,
-                format!("no pocket is called \"{name}\""),
+                format!("there is no pocket \"{name}\""),
                 format!("write one of {}", names.join(", ")),
             )
         })
     }
 
-    /// What is announced, in words: `nothing`, `safety`, `push-out`, `pocket` (of `ball` in `pocket`) or
+    /// The call named `kind`: `nothing`, `safety`, `push-out`, `pocket` (`ball` in `pocket`) or
     /// `on` (`ball`).
     ///
     /// # Errors
-    /// [`Error::Input`] for another word, or a ball or pocket that is missing or unknown.
+    /// [`Error::Input`] for another name, and for a ball or pocket that is missing or unknown.
     pub fn call(
         &self,
         kind: &str,
@@ -92,14 +97,14 @@ impl Frame {
             }
             _ => Err(Error::input(
                 "call",
-                format!("\"{kind}\" is no call"),
+                format!("\"{kind}\" is not a call"),
                 "write nothing, safety, push-out, pocket or on",
             )),
         }
     }
 
     fn id(&self, ball: BallIndex) -> &str {
-        &self.layout().pieces()[usize::from(ball)].id
+        &self.layout().balls()[usize::from(ball)].id
     }
 
     fn ids(&self, balls: &[BallIndex]) -> Node {

@@ -1,67 +1,68 @@
-//! What is asked next, and of whom.
+//! What a frame asks for next: a shot or a choice, and from which seat.
 
-use carom::rack::snooker_spots;
-use carom::{Error, Table};
+use carom::Error;
 
-use crate::layout::{distance, head_string};
-use crate::{BallIndex, Player};
+use crate::layout::BallIndex;
+use crate::region::Region;
+use crate::seat::Seat;
 
-/// What the frame asks next.
+/// What the frame asks for next.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
     /// A shot.
     Shot(Turn),
-    /// A decision.
+    /// A choice.
     Choice {
-        /// Who decides.
-        player: Player,
-        /// Among these.
+        /// Who chooses.
+        player: Seat,
+        /// The options; there are at least two.
         choices: Vec<Choice>,
-        /// Why, in words.
+        /// The reason, in words.
         why: &'static str,
     },
     /// Nothing: the frame is over.
     Over {
-        /// Who won; none where it ends undecided.
-        winner: Option<Player>,
-        /// Why, in words.
+        /// Who won; none if the frame ended undecided.
+        winner: Option<Seat>,
+        /// The reason, in words.
         why: &'static str,
     },
 }
 
 impl Request {
-    pub(crate) fn choice(player: Player, choices: &[Choice], why: &'static str) -> Self {
+    pub(crate) fn choice(player: Seat, choices: &[Choice], why: &'static str) -> Self {
+        debug_assert!(choices.len() > 1, "a single option is applied, not offered");
         Self::Choice { player, choices: choices.to_vec(), why }
     }
 
-    pub(crate) const fn won(winner: Player, why: &'static str) -> Self {
+    pub(crate) const fn won(winner: Seat, why: &'static str) -> Self {
         Self::Over { winner: Some(winner), why }
     }
 }
 
-/// The shot that is asked.
+/// The shot that the frame asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turn {
     /// Who shoots.
-    pub player: Player,
+    pub player: Seat,
     /// The cue ball.
     pub cue: BallIndex,
-    /// Where the cue ball may be put first, if it is in hand; else it is played from where it lies.
+    /// Where a cue ball in hand may be placed; none if it is played from where it lies.
     pub hand: Option<Region>,
-    /// The balls of which one must be hit first; empty where any may be, or none need be.
+    /// The balls on: the cue ball must hit one of them first. Empty where the rules name none.
     pub on: Vec<BallIndex>,
-    /// What may or must be announced.
+    /// What the player may or must announce.
     pub calls: Calls,
 }
 
-/// What may or must be announced before a shot.
+/// What a player may or must announce before a shot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Calls {
     /// A ball and its pocket may be called.
     pub pocket: bool,
     /// A safety may be called.
     pub safety: bool,
-    /// One of the two must be.
+    /// A ball and its pocket or a safety must be called.
     pub required: bool,
     /// A push-out may be announced.
     pub push_out: bool,
@@ -74,76 +75,12 @@ impl Calls {
     pub(crate) const NONE: Self =
         Self { pocket: false, safety: false, required: false, push_out: false, nominate: false };
 
-    /// A ball and its pocket are called, or a safety.
+    /// A ball and its pocket or a safety must be called.
     pub(crate) const REQUIRED: Self =
         Self { pocket: true, safety: true, required: true, ..Self::NONE };
 }
 
-/// Where a cue ball in hand may be put.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Region {
-    /// Anywhere on the table.
-    Anywhere,
-    /// Behind the head string: its centre nearer to the head rail than the string.
-    BehindHeadString,
-    /// In the D, or on its lines.
-    TheD,
-}
-
-impl Region {
-    /// Whether a centre at `place` (m, in the file's frame) is in the region.
-    pub fn holds(self, table: &Table, place: [f64; 2]) -> bool {
-        match self {
-            Self::Anywhere => true,
-            Self::BehindHeadString => place[1] < head_string(table),
-            Self::TheD => {
-                let (center, radius) = the_d(table);
-                place[1] <= center[1] && distance(place, center) <= radius
-            }
-        }
-    }
-
-    /// Its bounding box: least and largest corner, in the file's frame, m.
-    pub fn bounds(self, table: &Table) -> [[f64; 2]; 2] {
-        let size = table.size;
-        match self {
-            Self::Anywhere => [[0.0, 0.0], [size.x, size.y]],
-            Self::BehindHeadString => [[0.0, 0.0], [size.x, head_string(table)]],
-            Self::TheD => {
-                let ([middle, line], radius) = the_d(table);
-                [[middle - radius, line - radius], [middle + radius, line]]
-            }
-        }
-    }
-
-    /// Its name in files and in Python.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Anywhere => "anywhere",
-            Self::BehindHeadString => "behind-head-string",
-            Self::TheD => "the-d",
-        }
-    }
-
-    /// Where it is, in words.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Anywhere => "on the table",
-            Self::BehindHeadString => "behind the head string",
-            Self::TheD => "in the D",
-        }
-    }
-}
-
-/// The D: its middle on the baulk line, where the brown stands (file's frame, m), and its radius, m; from the brown
-/// to the yellow, where the table has none marked.
-pub(crate) fn the_d(table: &Table) -> ([f64; 2], f64) {
-    let [[yellow, _], _, brown, ..] = snooker_spots(table);
-    let marked = table.description.as_ref().and_then(|d| d.markings.d_radius);
-    (brown, marked.unwrap_or(yellow - brown[0]))
-}
-
-/// A decision that a player can be asked for.
+/// An option of a player.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Choice {
     /// Shoot, with the balls as they lie.
@@ -158,11 +95,11 @@ pub enum Choice {
     RebreakByOther,
     /// Spot the eight, and shoot.
     SpotEight,
-    /// Put the balls back, and let the other player shoot again (snooker: a miss).
+    /// Put the balls back, and let the other player shoot again (snooker, after a miss).
     Replace,
-    /// Spot the balls that touch the cue ball, and shoot (three-cushion).
+    /// Spot the cue ball and the balls that touch it, and shoot (three-cushion).
     SpotFrozen,
-    /// Spot the legal ball nearest to the head string, and shoot from behind it (pool).
+    /// Spot the legal ball nearest to the head string, and shoot from behind the string (pool).
     SpotNearest,
 }
 
@@ -180,7 +117,7 @@ impl Choice {
         Self::SpotNearest,
     ];
 
-    /// Its name in files and in Python.
+    /// The choice's name in files and in Python.
     pub const fn name(self) -> &'static str {
         match self {
             Self::PlayOn => "play-on",
@@ -195,12 +132,12 @@ impl Choice {
         }
     }
 
-    /// The choice of that name.
+    /// The choice called `name`, if there is one.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|choice| choice.name() == name)
     }
 
-    /// The choice of that name.
+    /// The choice called `name`.
     ///
     /// # Errors
     /// [`Error::Input`] if there is none.
@@ -209,7 +146,7 @@ impl Choice {
         Self::named(name).ok_or_else(|| {
             Error::input(
                 "choice",
-                format!("\"{name}\" is no choice"),
+                format!("\"{name}\" is not a choice"),
                 format!("write one of {names}"),
             )
         })

@@ -1,8 +1,8 @@
 //! What a referee says after a shot.
 
-use crate::BallIndex;
+use crate::layout::BallIndex;
 
-/// Something that the rules forbid. Balls are meant as [`BallIndex`].
+/// Something that the rules forbid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Foul {
     /// The cue ball was pocketed.
@@ -11,30 +11,31 @@ pub enum Foul {
     CueBallOffTable,
     /// The cue ball touched no ball.
     NoContact,
-    /// The cue ball touched a ball first that was not on.
+    /// The first ball that the cue ball touched was not on.
     WrongBallFirst,
-    /// Nothing was pocketed, and nothing driven to a rail after the contact.
+    /// After the first contact no ball was pocketed or driven to a rail.
     NoRailAfterContact,
     /// An object ball left the table.
     BallOffTable,
-    /// Behind the head string, the cue ball touched a ball there without having crossed the string.
+    /// With the cue ball in hand behind the head string: a ball behind the string was hit before
+    /// the cue ball had crossed it.
     BehindHeadString,
-    /// A break that pocketed nothing and drove too few balls to a rail.
+    /// A break pocketed no ball and drove too few balls to a rail.
     SoftBreak,
     /// A ball that was not on was pocketed (snooker).
     WrongBallPocketed,
     /// The cue ball jumped over a ball (snooker).
     Jump,
-    /// The cue ball moved a ball that it touched at the start (snooker).
+    /// The cue ball moved a ball that it touched before the shot (snooker, three-cushion).
     Push,
-    /// The cue ball was left behind the free ball (snooker).
+    /// The shot left the next player snookered by the free ball (snooker).
     SnookeredByFreeBall,
-    /// The starting shot went to a cushion before the red (three-cushion).
+    /// The cue ball touched a cushion before the red in the starting shot (three-cushion).
     IndirectStart,
 }
 
 impl Foul {
-    /// What it is, in words.
+    /// The foul in words.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Scratch => "the cue ball was pocketed",
@@ -54,7 +55,7 @@ impl Foul {
     }
 }
 
-/// The fouls of one shot: a small set, kept without a list of its own.
+/// The fouls of one shot: a set of [`Foul`], stored as bits so that a ruling needs no allocation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Fouls(u16);
 
@@ -75,42 +76,42 @@ impl Fouls {
         Foul::IndirectStart,
     ];
 
-    /// None.
+    /// The empty set.
     pub const NONE: Self = Self(0);
 
-    /// Adds `foul` if `committed`.
+    /// Adds `foul` if it was `committed`.
     pub(crate) const fn add_if(&mut self, committed: bool, foul: Foul) {
         if committed {
             self.0 |= 1 << foul as u16;
         }
     }
 
-    /// Whether `foul` is among them.
+    /// Whether the set contains `foul`.
     pub const fn has(self, foul: Foul) -> bool {
         self.0 & (1 << foul as u16) != 0
     }
 
-    /// Whether there is none.
+    /// Whether the set is empty.
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// They, in the order in which they are usually told.
+    /// The fouls, in the order of the variants of [`Foul`].
     pub fn iter(self) -> impl Iterator<Item = Foul> {
         Self::ALL.into_iter().filter(move |foul| self.has(*foul))
     }
 }
 
-/// What came of a shot or a choice.
+/// The result of a shot or a choice.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ruling {
-    /// The fouls; none for a legal shot.
+    /// The fouls; empty for a legal shot.
     pub fouls: Fouls,
-    /// What each player's score changed by.
+    /// The change of each seat's score.
     pub points: [i32; 2],
-    /// Balls that were put on a spot.
+    /// Balls that were spotted.
     pub spotted: Vec<BallIndex>,
-    /// Whether the balls were racked again, all or nearly all of them.
+    /// Whether the balls were racked again; in straight pool also if only fourteen of them were.
     pub racked: bool,
 }
 

@@ -1,24 +1,27 @@
-//! Random players: every frame ends, and nothing is lost on the way.
+//! Frames between random players: every frame ends, and no ball and no point is lost on the way.
 
-use carom::limits::SMALL_CAPACITY;
+use carom::Simulator;
 use carom::math::{Vec2, atan2};
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::Simulation;
-use carom_rules::{Call, Choice, Frame, Options, Play, Player, Request, Rules, Turn};
+use carom_rules::{BallIndex, Call, Choice, Frame, Options, Play, Request, Rules, Seat, Turn};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-/// Frames of each game: 1000 in release, fewer in a debug build; `make stress` plays more.
+/// Tests into which the frames of a game are divided, so that all cores are used.
+const SHARDS: u64 = 4;
+
+/// Frames of each game: 1000 in release, fewer in a debug build, 100 000 in `make stress`.
 fn frames() -> u64 {
     let asked = std::env::var("CAROM_FRAMES").ok().and_then(|n| n.parse().ok());
     asked.unwrap_or(if cfg!(debug_assertions) { 30 } else { 1000 })
 }
 
-/// How far a shot may stray from its aim, rad: every other player is a good one. Only they pot so many balls in
-/// a row that fourteen are racked again; only the others miss and foul enough.
+/// Width of the distribution of the errors of aim, rad, for even and for odd seeds. Only players
+/// with the small error pot enough balls in a row for fourteen to be racked again; only those with
+/// the large error miss and foul often enough.
 const SPREADS: [f64; 2] = [0.02, 0.002];
 
-/// The same without pockets: caroms come off cushions more often than straight off the ball.
+/// The same on a table without pockets, where caroms come off cushions more often than directly.
 const SPREAD_OF_CAROMS: f64 = 3.0;
 
 struct Dice {
@@ -41,7 +44,7 @@ impl Dice {
     }
 }
 
-/// A play that is allowed: aimed at a ball on, more or less, with any call that may be made.
+/// A random allowed play: roughly aimed at a ball on, with any allowed call.
 fn any_play(frame: &Frame, turn: &Turn, dice: &mut Dice) -> Play {
     let (layout, size) = (frame.layout(), frame.base().table().size);
     let margin = 0.06;
@@ -51,16 +54,16 @@ fn any_play(frame: &Frame, turn: &Turn, dice: &mut Dice) -> Play {
                 margin + dice.unit() * (size.x - 2.0 * margin),
                 margin + dice.unit() * (size.y - 2.0 * margin),
             ];
-            let touches = layout.pieces().iter().zip(0..).any(|(piece, i)| {
+            let touches = layout.balls().iter().zip(0..).any(|(other, i)| {
                 let there = layout.place(i).filter(|_| i != turn.cue);
-                there.is_some_and(|there| distance(place, there) < 2.001 * piece.ball.radius)
+                there.is_some_and(|there| distance(place, there) < 2.001 * other.ball.radius)
             });
             if region.holds(frame.base().table(), place) && !touches {
                 return place;
             }
         }
     });
-    let others: Vec<u8> = layout.on_table().filter(|ball| *ball != turn.cue).collect();
+    let others: Vec<BallIndex> = layout.on_table().filter(|ball| *ball != turn.cue).collect();
     let targets = if turn.on.is_empty() { &others } else { &turn.on };
     let target = targets[dice.below(targets.len())];
     let from = cue_ball.or(layout.place(turn.cue)).unwrap_or_default();
@@ -87,8 +90,8 @@ fn any_play(frame: &Frame, turn: &Turn, dice: &mut Dice) -> Play {
     Play { strike, cue_ball, call }
 }
 
-/// Where to aim from `from` so that the ball at `to` goes to a pocket that is neither behind it nor, often,
-/// out of reach; and which pocket that is. On a table without pockets, at the ball.
+/// Where to aim from `from` to pot the ball at `to`, and the index of the pocket: a random one of
+/// the pockets with a large enough cut. On a table without pockets the aim is the ball itself.
 fn aim_to_pot(frame: &Frame, from: [f64; 2], to: [f64; 2], dice: &mut Dice) -> ([f64; 2], usize) {
     let table = frame.base().table();
     let diameter = 2.0 * frame.base().physics().ball.radius;
@@ -110,32 +113,35 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     Vec2::new(b[0] - a[0], b[1] - a[1]).length()
 }
 
-/// What must be true at any time.
+/// What must be true after every shot and every choice.
 fn check(frame: &Frame, from: &Frame) {
     let layout = frame.layout();
-    assert_eq!(layout.len(), from.layout().len(), "balls appear or vanish");
-    for (i, piece) in (0..).zip(layout.pieces()) {
+    assert_eq!(layout.len(), from.layout().len(), "the number of balls changed");
+    for (i, ball) in (0..).zip(layout.balls()) {
         let Some([x, y]) = layout.place(i) else { continue };
         assert!(x.is_finite() && y.is_finite());
-        for (j, other) in (0..i).zip(layout.pieces()) {
+        for (j, other) in (0..i).zip(layout.balls()) {
             let Some([u, v]) = layout.place(j) else { continue };
-            let gap = distance([x, y], [u, v]) - piece.ball.radius - other.ball.radius;
-            assert!(gap > -1e-9, "{} and {} overlap by {} m", piece.id, other.id, -gap);
+            let gap = distance([x, y], [u, v]) - ball.ball.radius - other.ball.radius;
+            assert!(gap > -1e-9, "{} and {} overlap by {} m", ball.id, other.id, -gap);
         }
     }
     match frame.request() {
         Request::Shot(turn) => {
             let cue_lies = !layout.is_down(turn.cue);
-            assert!(cue_lies || turn.hand.is_some(), "the cue ball is nowhere");
+            assert!(
+                cue_lies || turn.hand.is_some(),
+                "the cue ball is neither on the table nor in hand"
+            );
             assert!(turn.on.iter().all(|ball| !layout.is_down(*ball)), "a ball on is down");
         }
-        Request::Choice { choices, .. } => assert!(!choices.is_empty()),
+        Request::Choice { choices, .. } => assert!(choices.len() > 1, "a choice of one"),
         Request::Over { .. } => {}
     }
 }
 
-/// What the rules of each game say of its scores.
-fn check_points(rules: Rules, player: Player, points: [i32; 2], legal: bool) {
+/// The points that each game allows for one shot.
+fn check_points(rules: Rules, player: Seat, points: [i32; 2], legal: bool) {
     let [mine, others] = [points[player], points[1 - player]];
     match rules {
         Rules::EightBall | Rules::NineBall | Rules::TenBall => assert_eq!(points, [0, 0]),
@@ -147,13 +153,14 @@ fn check_points(rules: Rules, player: Player, points: [i32; 2], legal: bool) {
     }
 }
 
-fn play_frames(rules: Rules) {
-    let mut simulation = Box::new(Simulation::<SMALL_CAPACITY>::new());
-    // Enough to rack fourteen balls again; three caroms are rare enough.
-    let target = if rules == Rules::ThreeCushion { 3 } else { 20 };
-    let options = Options { target, ..Options::default() };
+/// Plays the frames of one shard.
+fn play_frames(rules: Rules, shard: u64) {
+    let mut simulator = Simulator::new();
+    // 20 points need a second rack of straight pool; random caroms are rare, so 3 must do.
+    let points = if rules == Rules::ThreeCushion { 3 } else { 20 };
+    let options = Options { points, ..Options::default() };
     let mut decided = 0;
-    for seed in 0..frames() {
+    for seed in (0..frames()).filter(|seed| seed % SHARDS == shard) {
         let mut dice = Dice::new(seed);
         let mut frame = Frame::new(rules, options, None, None, seed).expect("the game's own table");
         let mut shots = 0;
@@ -162,7 +169,7 @@ fn play_frames(rules: Rules) {
             match before.request() {
                 Request::Shot(turn) => {
                     let play = any_play(&frame, turn, &mut dice);
-                    match frame.play_in(&mut simulation, &play) {
+                    match frame.play_in(&mut simulator, &play) {
                         Ok((ruling, _)) => {
                             if !ruling.racked {
                                 check_points(rules, turn.player, ruling.points, ruling.is_legal());
@@ -189,30 +196,49 @@ fn play_frames(rules: Rules) {
         decided += u64::from(matches!(frame.request(), Request::Over { winner: Some(_), .. }));
         assert!(frame.turn().is_none() && frame.player().is_none());
     }
-    println!("{}: {decided} of {} frames decided", rules.name(), frames());
+    println!("{}, shard {shard}: {decided} frames decided", rules.name());
 }
 
 macro_rules! games {
-    ($($name:ident: $rules:expr;)*) => { $(
-        #[test]
-        fn $name() {
-            play_frames($rules);
+    ($($game:ident: $rules:expr;)*) => { $(
+        mod $game {
+            use super::{Rules, play_frames};
+
+            #[test]
+            fn random_frames_end_shard_0() {
+                play_frames($rules, 0);
+            }
+
+            #[test]
+            fn random_frames_end_shard_1() {
+                play_frames($rules, 1);
+            }
+
+            #[test]
+            fn random_frames_end_shard_2() {
+                play_frames($rules, 2);
+            }
+
+            #[test]
+            fn random_frames_end_shard_3() {
+                play_frames($rules, 3);
+            }
         }
     )* };
 }
 
 games! {
-    random_eight_ball_ends: Rules::EightBall;
-    random_nine_ball_ends: Rules::NineBall;
-    random_ten_ball_ends: Rules::TenBall;
-    random_straight_pool_ends: Rules::StraightPool;
-    random_snooker_ends: Rules::Snooker;
-    random_three_cushion_ends: Rules::ThreeCushion;
-    random_practice_ends: Rules::Practice;
+    eight_ball: Rules::EightBall;
+    nine_ball: Rules::NineBall;
+    ten_ball: Rules::TenBall;
+    straight_pool: Rules::StraightPool;
+    snooker: Rules::Snooker;
+    three_cushion: Rules::ThreeCushion;
+    practice: Rules::Practice;
 }
 
 #[test]
-fn a_trace_is_ruled_on_as_the_shot_is() {
+fn the_ruling_on_a_trace_equals_the_ruling_on_its_shot() {
     for rules in Rules::ALL {
         let mut dice = Dice::new(5);
         let mut frame = Frame::new(rules, Options::default(), None, None, 5).expect("a rack");
@@ -238,50 +264,53 @@ fn a_trace_is_ruled_on_as_the_shot_is() {
 }
 
 #[test]
-fn a_rack_can_be_begun_in_the_middle() {
+fn a_rack_can_start_from_given_places() {
     let frame = |rules| Frame::new(rules, Options::default(), None, None, 3).expect("a rack");
     let mut middle = frame(Rules::NineBall);
     let mut places = vec![None; 10];
     for (ball, y) in [(0, 0.5), (4, 1.0), (9, 1.5)] {
         places[ball] = Some([0.4, y]);
     }
-    middle.scatter(&places, 1).expect("a nine that lies");
+    middle.resume_at(&places, 1).expect("a valid position");
     let turn = middle.turn().expect("a shot");
     assert_eq!((turn.player, turn.hand, &turn.on[..]), (1, None, &[4][..]));
-    assert_eq!(middle.another(3).expect("the same rack").layout(), frame(Rules::NineBall).layout());
-    // Straight up the table: the four, with what was prepared for another strike.
+    assert_eq!(
+        middle.with_seed(3).expect("the same rack").layout(),
+        frame(Rules::NineBall).layout()
+    );
+    // Straight up the table at the 4, with a shot that was prepared for another strike.
     let up = |speed| {
         let azimuth = core::f64::consts::FRAC_PI_2;
         Play::new(Strike { speed, azimuth, elevation: 0.0, side: 0.0, height: 0.0 })
     };
     let prepared = middle.shot(&up(1.0)).expect("a shot");
     let mut same = middle.clone();
-    let mut simulation = Simulation::new();
-    let one = middle.play_prepared(&mut simulation, &up(3.0), &prepared).expect("it can be played");
+    let mut simulator = Simulator::new();
+    let one = middle.play_prepared(&mut simulator, &up(3.0), &prepared).expect("it can be played");
     assert_eq!(one, same.play(&up(3.0)).expect("it can be played"));
     assert_eq!(middle.layout(), same.layout());
 
     let mut nine_down = places.clone();
     nine_down[9] = None;
-    assert!(same.scatter(&nine_down, 0).is_err());
-    assert!(same.scatter(&places[..9], 0).is_err());
-    assert!(frame(Rules::Snooker).scatter(&places, 0).is_err());
+    assert!(same.resume_at(&nine_down, 0).is_err());
+    assert!(same.resume_at(&places[..9], 0).is_err());
+    assert!(frame(Rules::Snooker).resume_at(&places, 0).is_err());
 }
 
-/// What may be hit first on an open table.
-const OPEN_TABLE: [u8; 14] = [1, 2, 3, 4, 5, 6, 7, 9, 10, 11, 12, 13, 14, 15];
+/// The balls on at an open table.
+const OPEN_TABLE: [BallIndex; 14] = [1, 2, 3, 4, 5, 6, 7, 9, 10, 11, 12, 13, 14, 15];
 
 #[test]
-fn every_game_goes_on_from_the_middle_with_what_is_on_there() {
-    // The racked balls themselves, some of them taken away: what is on, and what is called.
+fn every_game_continues_from_given_places_with_the_right_balls_on() {
+    // The rack, with some of its balls taken away.
     let begun = |rules: Rules, down: &[usize]| {
         let mut frame = Frame::new(rules, Options::default(), None, None, 3).expect("a rack");
-        let count = frame.layout().len() as u8;
+        let count = frame.layout().len() as BallIndex;
         let mut places: Vec<_> = (0..count).map(|ball| frame.layout().place(ball)).collect();
-        // Where the rack has no place for the cue ball because it is in hand.
+        // In some racks the cue ball is in hand and has no place.
         places[0] = places[0].or(Some([0.3, 0.3]));
         down.iter().for_each(|ball| places[*ball] = None);
-        frame.scatter(&places, 1).map(|()| frame)
+        frame.resume_at(&places, 1).map(|()| frame)
     };
     let all_reds: Vec<usize> = (1..=15).collect();
     let to_blue: Vec<usize> = (1..=18).collect();
@@ -295,7 +324,7 @@ fn every_game_goes_on_from_the_middle_with_what_is_on_there() {
         (Rules::ThreeCushion, &[], &[], false),
         (Rules::Practice, &[3], &[], false),
     ] {
-        let frame = begun(rules, down).expect("a game that goes on");
+        let frame = begun(rules, down).expect("a valid position");
         let turn = frame.turn().expect("a shot");
         let found = (turn.player, turn.hand, &turn.on[..], turn.calls.nominate);
         assert_eq!(found, (1, None, on, nominates), "{}", rules.name());
@@ -310,7 +339,8 @@ fn every_game_goes_on_from_the_middle_with_what_is_on_there() {
         (Rules::Snooker, &[21]),
         (Rules::ThreeCushion, &[1]),
     ] {
-        let refused = begun(rules, down).expect_err("a game that cannot be so").to_string();
+        let refused =
+            begun(rules, down).expect_err("a position that the game cannot have").to_string();
         assert!(refused.starts_with("places: "), "{refused}");
     }
     let blue_before_green: Vec<usize> = (1..=16).chain([19]).collect();

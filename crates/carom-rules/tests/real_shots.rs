@@ -1,4 +1,4 @@
-//! What a referee looks at besides the outcome of a shot, in shots that are played.
+//! Rulings that need more than the outcome of a shot, on simulated shots.
 
 use carom::resolve::cue_ball::Strike;
 use carom_rules::{Call, Foul, Frame, Options, Play, Rules, Ruling};
@@ -17,17 +17,21 @@ fn break_at(azimuth: f64, speed: f64) -> Ruling {
 }
 
 #[test]
-fn a_cue_ball_that_crosses_the_head_string_is_seen_to() {
+fn the_referee_sees_whether_the_cue_ball_crossed_the_head_string() {
     let fouls = |ruling: Ruling| ruling.fouls.iter().collect::<Vec<_>>();
     assert_eq!(
         fouls(break_at(UP, 0.15)),
         [Foul::NoContact, Foul::BehindHeadString, Foul::SoftBreak],
         "it stops before the string"
     );
-    assert_eq!(fouls(break_at(UP, 2.0)), [Foul::NoContact, Foul::SoftBreak], "it passes the rack");
+    assert_eq!(
+        fouls(break_at(UP, 2.0)),
+        [Foul::NoContact, Foul::SoftBreak],
+        "it crosses the string"
+    );
 }
 
-/// With the blue in front of the cue ball and a red behind it: the fouls of a stroke up the table.
+/// The ruling on a stroke up the table, with the blue between the cue ball and a red.
 fn over_the_blue(elevation: f64) -> Ruling {
     let mut frame = frame(Rules::Snooker);
     let mut places: Vec<_> = (0..22).map(|ball| frame.layout().place(ball)).collect();
@@ -35,20 +39,21 @@ fn over_the_blue(elevation: f64) -> Ruling {
     places[0] = Some([0.6, 1.0]);
     places[19] = Some([0.6, 1.15]);
     places[1] = Some([0.6, 2.2]);
-    frame.scatter(&places, 0).expect("a red is left");
+    frame.resume_at(&places, 0).expect("a red is left");
     let strike = Strike { speed: 5.0, azimuth: UP, elevation, side: 0.0, height: 0.0 };
     frame.play(&Play::new(strike)).expect("it can be played").0
 }
 
 #[test]
-fn to_jump_over_a_ball_that_is_not_on_is_a_foul_though_the_red_is_hit_first() {
+fn in_snooker_a_jump_over_a_ball_is_a_foul_even_if_the_red_is_hit_first() {
     let jump = over_the_blue(0.9);
     assert!(jump.fouls.has(Foul::Jump) && !jump.fouls.has(Foul::WrongBallFirst), "{jump:?}");
     let level = over_the_blue(0.0);
     assert!(level.fouls.has(Foul::WrongBallFirst) && !level.fouls.has(Foul::Jump), "{level:?}");
 }
 
-/// Two balls of a game that touch, the cue ball below `ball`, and `others`; struck at this azimuth.
+/// The ruling on a stroke at this azimuth: the cue ball touches `ball`, which is up the table from
+/// it, and `others` are elsewhere.
 fn from_contact(rules: Rules, ball: usize, others: &[(usize, [f64; 2])], azimuth: f64) -> Ruling {
     let mut frame = frame(rules);
     let diameter = 2.0 * frame.base().physics().ball.radius;
@@ -56,13 +61,13 @@ fn from_contact(rules: Rules, ball: usize, others: &[(usize, [f64; 2])], azimuth
     places[0] = Some([0.5, 1.0]);
     places[ball] = Some([0.5, 1.0 + diameter]);
     others.iter().for_each(|(other, place)| places[*other] = Some(*place));
-    frame.scatter(&places, 0).expect("a game that goes on");
+    frame.resume_at(&places, 0).expect("a valid position");
     let strike = Strike { speed: 2.0, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
     frame.play(&Play::new(strike)).expect("it can be played").0
 }
 
 #[test]
-fn in_pool_who_shoots_at_a_touching_ball_has_hit_it_and_who_shoots_away_has_not() {
+fn in_pool_a_shot_at_a_touching_ball_hits_it_and_a_shot_away_from_it_does_not() {
     let nine = |ball, other, azimuth| {
         let ruling = from_contact(Rules::NineBall, ball, &[(other, [0.2, 0.3])], azimuth);
         ruling.fouls.iter().collect::<Vec<_>>()
@@ -74,25 +79,25 @@ fn in_pool_who_shoots_at_a_touching_ball_has_hit_it_and_who_shoots_away_has_not(
 }
 
 #[test]
-fn in_snooker_who_shoots_at_a_touching_ball_pushes_and_who_shoots_away_has_hit_it() {
+fn in_snooker_a_shot_at_a_touching_ball_is_a_push_and_a_shot_away_counts_as_a_hit() {
     let colors: Vec<(usize, [f64; 2])> =
         (16..22).map(|color| (color, [1.0, 0.1 * color as f64])).collect();
     let red = |azimuth| from_contact(Rules::Snooker, 1, &colors, azimuth);
     assert_eq!(red(UP).fouls.iter().collect::<Vec<_>>(), [Foul::Push]);
     assert_eq!(red(UP).points, [0, 4]);
-    // Across, and a little away from it.
+    // Across the table, and slightly away from the ball.
     assert!(red(-0.1).is_legal(), "it touches nothing but rails");
 }
 
 #[test]
-fn in_three_cushion_who_shoots_at_a_frozen_ball_fouls() {
+fn in_three_cushion_a_shot_at_a_frozen_ball_is_a_foul() {
     let red = |azimuth| from_contact(Rules::ThreeCushion, 2, &[(1, [1.0, 2.0])], azimuth);
     assert!(red(UP).fouls.has(Foul::Push));
     assert!(red(0.0).is_legal() && red(-UP).is_legal());
 }
 
 #[test]
-fn a_ball_frozen_to_a_rail_and_pressed_into_it_is_not_driven_to_it() {
+fn a_ball_pressed_into_the_rail_to_which_it_is_frozen_is_not_driven_to_it() {
     let fouls = |gap: f64, speed| {
         let mut frame = frame(Rules::NineBall);
         let top = {
@@ -103,7 +108,7 @@ fn a_ball_frozen_to_a_rail_and_pressed_into_it_is_not_driven_to_it() {
         for (ball, place) in [(0, [0.4, 1.8]), (1, [0.4, top - gap]), (9, [0.2, 0.3])] {
             places[ball] = Some(place);
         }
-        frame.scatter(&places, 0).expect("a game that goes on");
+        frame.resume_at(&places, 0).expect("a valid position");
         let strike = Strike { speed, azimuth: UP, elevation: 0.0, side: 0.0, height: 0.0 };
         let ruling = frame.play(&Play::new(strike)).expect("it can be played").0;
         ruling.fouls.iter().collect::<Vec<_>>()
@@ -114,13 +119,13 @@ fn a_ball_frozen_to_a_rail_and_pressed_into_it_is_not_driven_to_it() {
 }
 
 #[test]
-fn a_ball_jumped_over_is_not_hit_in_pool_and_no_foul() {
+fn in_pool_a_jump_over_a_ball_is_not_a_foul() {
     let mut frame = frame(Rules::NineBall);
     let mut places = vec![None; 10];
     for (ball, place) in [(0, [0.6, 0.8]), (2, [0.6, 0.95]), (1, [0.6, 2.0]), (9, [0.2, 0.3])] {
         places[ball] = Some(place);
     }
-    frame.scatter(&places, 0).expect("a game that goes on");
+    frame.resume_at(&places, 0).expect("a valid position");
     let strike = |elevation| Strike { speed: 3.0, azimuth: UP, elevation, side: 0.0, height: 0.0 };
     let mut level = frame.clone();
     let level = level.play(&Play::new(strike(0.0))).expect("it can be played").0;

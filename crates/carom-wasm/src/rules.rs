@@ -113,7 +113,7 @@ impl Frame {
     ) -> Result<Self, JsValue> {
         let read = |json: Option<String>| json.map(|text| Node::from_json(&text)).transpose();
         let frame = || {
-            let options = Options { target, miss, patience };
+            let options = Options { points: target, miss, patience };
             carom_rules::Frame::new(Rules::read(game)?, options, read(table)?, read(physics)?, seed)
         };
         frame().map(Self).map_err(|e| to_exception(&e))
@@ -128,7 +128,7 @@ impl Frame {
         miss: bool,
         patience: u32,
     ) -> Result<Self, JsValue> {
-        let options = Options { target, miss, patience };
+        let options = Options { points: target, miss, patience };
         let frame = Rules::read(game)
             .and_then(|rules| carom_rules::Frame::of_shot(rules, options, &shot.0));
         frame.map(Self).map_err(|e| to_exception(&e))

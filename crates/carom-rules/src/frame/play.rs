@@ -1,34 +1,32 @@
-//! Playing a shot: what is asked is checked, what happened is ruled on.
+//! Playing a shot: the play is checked, simulated and ruled on.
 
-use carom::limits::SMALL_CAPACITY;
 use carom::math::{degrees, radians};
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::Simulation;
-use carom::{BallState, Error, MotionState, Shot, Trace};
+use carom::{BallState, Error, MotionState, Shot, Simulator, Trace};
 
 use super::Frame;
-use crate::BallIndex;
-use crate::facts::{Facts, Witness};
-use crate::games::Played;
-use crate::layout::Layout;
+use crate::games::PlayedShot;
+use crate::layout::{BallIndex, FrameLayout};
 use crate::play::{Call, Play};
+use crate::referee::{CueBallTravel, RefereeRecorder, renumbered};
 use crate::request::Turn;
 use crate::ruling::Ruling;
 
-/// The strike with the angles that come back from degrees. Recorded frames were played so, when shot
-/// files held degrees alone, and must replay to the bit.
+/// The strike with its angles converted to degrees and back. Frames were recorded when shot files held
+/// degrees only, and they must replay to the bit.
 fn through_degrees(strike: &Strike) -> Strike {
     let through = |angle: f64| radians(degrees(angle));
     Strike { azimuth: through(strike.azimuth), elevation: through(strike.elevation), ..*strike }
 }
 
 impl Frame {
-    /// The shot that `play` is, ready to simulate.
+    /// The shot of `play`, ready to simulate.
     ///
     /// # Errors
-    /// [`Error::Input`] if no shot is asked, for a call that is missing or not to be made, for a cue
-    /// ball put where it must not be, and for a strike that a shot file would be refused for.
+    /// [`Error::Input`] if the frame does not ask for a shot, if the call is missing or not
+    /// allowed, if the cue ball is placed where it must not be, and for a strike that a shot file
+    /// could not have.
     pub fn shot(&self, play: &Play) -> Result<Shot, Error> {
         let turn = self.asked_turn()?;
         self.check_call(turn, play.call)?;
@@ -39,15 +37,15 @@ impl Frame {
         let cue = layout.on_table().position(|ball| ball == turn.cue).unwrap_or_default();
         let strike = through_degrees(&play.strike);
         let shot = self.state.base.with_balls(layout.placed(), Some((cue, strike)));
-        shot.map_err(|error| of_cue_ball(error, cue))
+        shot.map_err(|error| at_cue_ball(error, cue))
     }
 
     fn asked_turn(&self) -> Result<&Turn, Error> {
         self.turn().ok_or_else(|| {
             Error::input(
                 "play",
-                "no shot is asked now",
-                "look at the frame's request: answer the choice, or begin a new frame",
+                "the frame does not ask for a shot now",
+                "look at its request: answer the choice, or begin a new frame",
             )
         })
     }
@@ -64,10 +62,9 @@ impl Frame {
             }
             Call::Pocket(ball, _) => {
                 if !calls.pocket {
-                    return wrong("no ball is called in this shot", "leave the call out");
+                    return wrong("this shot is not called", "leave the call out");
                 }
-                let known = usize::from(ball) < self.state.layout.len() && ball != turn.cue;
-                if !known || self.state.layout.is_down(ball) {
+                if ball == turn.cue || self.state.layout.is_down(ball) {
                     return wrong(
                         "the called ball is not on the table",
                         "call an object ball that is",
@@ -76,15 +73,15 @@ impl Frame {
                 Ok(())
             }
             Call::Safety if !calls.safety => {
-                wrong("no safety is called in this shot", "leave the call out")
+                wrong("a safety is not called in this shot", "leave the call out")
             }
             Call::PushOut if !calls.push_out => wrong(
-                "a push-out is allowed in the first shot after a legal break alone",
+                "a push-out is allowed only in the first shot after a legal break",
                 "leave the call out",
             ),
             Call::On(ball) if !calls.nominate || !turn.on.contains(&ball) => wrong(
                 "that ball cannot be nominated",
-                "nominate one of the balls on, if it is asked",
+                "nominate one of the balls on, if the frame asks for it",
             ),
             _ => Ok(()),
         }
@@ -104,142 +101,146 @@ impl Frame {
             };
         };
         let Some(place) = place else {
-            return wrong("the cue ball is in hand".into(), "say where it is put");
+            return wrong("the cue ball is in hand".into(), "give the place where it is put");
         };
         if !region.holds(self.state.base.table(), place) {
             let what = format!("[{:?}, {:?}] is not {}", place[0], place[1], region.words());
             return wrong(what, "put it there");
         }
-        // Where it lies it may stay, even against another ball.
+        // A cue ball that is not moved may stay where it lies, even if it touches another ball.
         if put.is_some() && !self.state.layout.is_free(turn.cue, place) {
             return wrong("it would touch another ball".into(), "put it where there is room");
         }
         Ok(())
     }
 
-    /// Plays a shot: simulates it, rules, and asks anew.
+    /// Plays a shot: simulates it, rules on it, and updates the request.
     ///
     /// # Errors
-    /// As [`Self::shot`], and if the simulation reaches its cap of events. The frame is unchanged then.
+    /// As [`Self::shot`], and if the simulation reaches its limit of events. The frame is unchanged
+    /// then.
     pub fn play(&mut self, play: &Play) -> Result<(Ruling, Outcome), Error> {
-        self.play_in(&mut Simulation::new(), play)
+        self.play_in(&mut Simulator::new(), play)
     }
 
-    /// [`Self::play`] in a simulation that is used again and again.
+    /// As [`Self::play`], with the memory of a simulator that is used many times.
     ///
     /// # Errors
     /// As [`Self::play`].
     pub fn play_in(
         &mut self,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
+        simulator: &mut Simulator,
         play: &Play,
     ) -> Result<(Ruling, Outcome), Error> {
         let shot = self.shot(play)?;
-        let (ruling, outcome, _) = self.play_shot(simulation, play, &shot, shot.strike())?;
+        let (ruling, outcome, _) = self.play_shot(simulator, play, &shot, shot.strike())?;
         Ok((ruling, outcome))
     }
 
-    /// [`Self::play_in`] with a shot that is made already: what [`Self::shot`] gave for the same cue ball's
-    /// place, whatever the strike and the call. For programs that look first at what a strike would do, and
-    /// call, or err, accordingly.
+    /// As [`Self::play_in`], with a shot that was prepared before: `prepared` is what
+    /// [`Self::shot`] returned for the same place of the cue ball, with any strike and any call.
+    /// For programs that simulate the intended strike first, and then choose the call or add errors
+    /// to the strike.
     ///
     /// # Errors
     /// As [`Self::play`].
     pub fn play_prepared(
         &mut self,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
+        simulator: &mut Simulator,
         play: &Play,
         prepared: &Shot,
     ) -> Result<(Ruling, Outcome), Error> {
         self.check_call(self.asked_turn()?, play.call)?;
         let shot = prepared.with_strike(&through_degrees(&play.strike))?;
-        let (ruling, outcome, _) = self.play_shot(simulation, play, &shot, shot.strike())?;
+        let (ruling, outcome, _) = self.play_shot(simulator, play, &shot, shot.strike())?;
         Ok((ruling, outcome))
     }
 
-    /// [`Self::play_prepared`] with the strike to the last bit, on balls that may lie a little beside where
-    /// the frame has them. Tells as well where they came to rest, before any was spotted: the final states
-    /// in the file's frame, in the order of `prepared`.
+    /// As [`Self::play_prepared`], with a strike that is played to the last bit and with balls that
+    /// may be displaced a little from their places in the frame (errors of perception). Also
+    /// returns the final states (file frame, in the order of `prepared`), before any ball was
+    /// spotted.
     ///
     /// # Errors
     /// As [`Self::play`].
-    pub fn play_beside(
+    pub fn play_displaced(
         &mut self,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
+        simulator: &mut Simulator,
         play: &Play,
         prepared: &Shot,
     ) -> Result<(Ruling, Outcome, Vec<BallState>), Error> {
         self.check_call(self.asked_turn()?, play.call)?;
         prepared.resolve_strike(&play.strike)?;
         let strike = prepared.strike().map(|(ball, _)| (ball, play.strike));
-        self.play_shot(simulation, play, prepared, strike)
+        self.play_shot(simulator, play, prepared, strike)
     }
 
-    /// Rules on a shot that was simulated elsewhere: `trace` is of the shot that [`Self::shot`] gives for
-    /// `play`. A trace does not keep all that a referee looks at, so the shot is played once more.
+    /// Rules on a shot that was simulated elsewhere: `trace` is the trace of the shot that
+    /// [`Self::shot`] returns for `play`. A trace does not hold all that a referee needs, so the
+    /// shot is simulated again.
     ///
     /// # Errors
-    /// As [`Self::play`], and [`Error::Input`] if `trace` is of another shot.
+    /// As [`Self::play`], and [`Error::Input`] if `trace` belongs to another shot.
     pub fn apply(&mut self, play: &Play, trace: &Trace) -> Result<Ruling, Error> {
         if *trace.shot() != self.shot(play)? {
             return Err(Error::input(
                 "trace",
-                "it is of another shot than the one that is played",
-                "simulate the shot that the frame gives for this play",
+                "it belongs to another shot than the one that is played",
+                "simulate the shot that the frame returns for this play",
             ));
         }
         let shot = trace.shot();
-        let played = self.play_shot(&mut Simulation::new(), play, shot, shot.strike())?;
+        let played = self.play_shot(&mut Simulator::new(), play, shot, shot.strike())?;
         Ok(played.0)
     }
 
-    /// `shot` with this strike is the shot that `play` is. The last are the final states, in the file's
-    /// frame.
+    /// Simulates `shot` with `strike`, the shot of `play`, and rules on it. Also returns the final
+    /// states (file frame).
     fn play_shot(
         &mut self,
-        simulation: &mut Simulation<SMALL_CAPACITY>,
+        simulator: &mut Simulator,
         play: &Play,
         shot: &Shot,
         strike: Option<(usize, Strike)>,
     ) -> Result<(Ruling, Outcome, Vec<BallState>), Error> {
         let turn = self.asked_turn()?.clone();
-        let mut witness = Witness::new(shot);
-        let summary = simulation
-            .play_strike(shot, strike, &mut witness)
-            .map_err(|failure| shot.explain(failure, strike.as_ref().map(|(_, s)| s)))?;
-        let last: Vec<BallState> =
-            (0..shot.balls().len()).map(|i| simulation.state(i, summary.duration)).collect();
+        let mut recorder = RefereeRecorder::new(shot);
+        let summary = simulator.play_strike(shot, strike, &mut recorder)?;
+        let last: Vec<BallState> = simulator.states(summary.duration).collect();
 
         let layout = &mut self.state.layout;
         layout.put(turn.cue, play.cue_ball.or_else(|| layout.place(turn.cue)));
         let balls: Vec<BallIndex> = layout.on_table().collect();
         let before = layout.clone();
-        let (outcome, facts) = witness.finish(&balls, &last, 0.5 * shot.table().size.y);
+        let (outcome, travel) = recorder.finish(&last, 0.5 * shot.table().size.y);
         let last: Vec<BallState> =
             (0..).zip(&last).map(|(i, state)| shot.to_file_frame(i, state)).collect();
         for (&ball, state) in balls.iter().zip(&last) {
             let gone = matches!(state.motion, MotionState::Pocketed | MotionState::OffTable);
             layout.put(ball, (!gone).then_some([state.position.x, state.position.y]));
         }
-        Ok((self.decide(&turn, play, &facts, &before), outcome, last))
+        let of_frame = renumbered(&outcome, &balls);
+        Ok((self.decide(&turn, play, &of_frame, &travel, &before), outcome, last))
     }
 
-    /// Rules on what happened; the balls already lie where they came to rest.
+    /// Rules on a shot with this outcome, in the frame's ball indices. The balls already are where
+    /// they came to rest.
     pub(crate) fn decide(
         &mut self,
         turn: &Turn,
         play: &Play,
-        facts: &Facts,
-        before: &Layout,
+        outcome: &Outcome,
+        travel: &CueBallTravel,
+        before: &FrameLayout,
     ) -> Ruling {
-        let shot = Played { turn, play, facts, before };
-        let request = self.law.game_mut().judge(&mut self.state, &shot);
+        let shot = PlayedShot { turn, play, outcome, travel, before };
+        let request = self.game_state.rules_mut().judge(&mut self.state, &shot);
         self.settle(request, 1)
     }
 }
 
-/// What is wrong with the cue ball's place, as such.
-fn of_cue_ball(error: Error, cue: usize) -> Error {
+/// An error at the place of ball `cue` of a shot, as an error at the play's `cue_ball`.
+fn at_cue_ball(error: Error, cue: usize) -> Error {
     match error {
         Error::Input(e) if e.place == format!("balls[{cue}].position") => {
             Error::input("cue_ball", e.what, e.remedy)

@@ -2,18 +2,19 @@
 
 use carom::format::Node;
 
-use crate::frame::State;
-use crate::games::{Game, Played};
-use crate::layout::Layout;
+use super::game::{GameRules, PlayedShot};
+use super::pool::{self, BALLS_TO_RAIL};
+use crate::layout::{BallIndex, FrameLayout};
 use crate::play::Call;
-use crate::pool::{self, BALLS_TO_RAIL};
-use crate::request::{Calls, Choice, Region, Request};
+use crate::region::Region;
+use crate::request::{Calls, Choice, Request};
 use crate::ruling::Foul;
-use crate::{BallIndex, Player};
+use crate::seat::{self, Seat};
+use crate::state::FrameState;
 
 const EIGHT: BallIndex = 8;
 
-/// Seven balls that one player has to pocket.
+/// The seven balls that a player must pocket before the eight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Group {
     /// 1 to 7.
@@ -43,25 +44,27 @@ impl Group {
 /// A rack of eight-ball.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EightBall {
-    /// Who has the solids; nobody while the table is open.
-    solids_of: Option<Player>,
-    /// Who broke, or will.
-    breaker: Player,
+    /// The seat with the solids; none while the table is open.
+    solids_of: Option<Seat>,
+    /// The seat that breaks or broke this rack.
+    breaker: Seat,
+    /// Whether the next shot is the break.
     is_break: bool,
 }
 
 impl EightBall {
-    /// The group of `player`; none while the table is open.
-    pub fn group(&self, player: Player) -> Option<Group> {
+    /// The group of `seat`; none while the table is open.
+    pub fn group(&self, seat: Seat) -> Option<Group> {
         let solids = self.solids_of?;
-        Some(if solids == player { Group::Solids } else { Group::Stripes })
+        Some(if solids == seat { Group::Solids } else { Group::Stripes })
     }
 
-    /// The balls of which one must be hit first. On an open table any but the eight may be (WPA 3.4); the
-    /// eight too, once a group is off the table, for it may be claimed (2025: 4.4), by calling the eight.
-    fn balls_on(&self, layout: &Layout, player: Player) -> Vec<BallIndex> {
+    /// The balls on. On an open table these are all balls but the eight (WPA 3.4). Once one group
+    /// is off the table, the player may claim it by calling the eight (2025: 4.4), so the eight is
+    /// on too.
+    fn balls_on(&self, layout: &FrameLayout, seat: Seat) -> Vec<BallIndex> {
         let left = |group: Group| layout.left(group.balls());
-        match self.group(player) {
+        match self.group(seat) {
             Some(group) if left(group).is_empty() => vec![EIGHT],
             Some(group) => left(group),
             None => {
@@ -72,15 +75,16 @@ impl EightBall {
         }
     }
 
-    fn next(&self, state: &State, player: Player, hand: Option<Region>) -> Request {
-        pool::shot(state, player, hand, self.balls_on(&state.layout, player), Calls::REQUIRED)
+    fn next(&self, state: &FrameState, seat: Seat, hand: Option<Region>) -> Request {
+        pool::shot(state, seat, hand, self.balls_on(&state.layout, seat), Calls::REQUIRED)
     }
 
-    /// Whether a ball of the other kind was hit first than the call on an open table asks for: who calls the
-    /// eight claims the group that is gone, and hits the eight; who calls another ball does not.
-    fn is_against_call(&self, shot: &Played<'_>) -> bool {
+    /// On an open table with one group gone: whether the first ball hit contradicts the call. A
+    /// player who calls the eight claims the group that is gone and must hit the eight first; a
+    /// player who calls another ball must not.
+    fn is_against_call(&self, shot: &PlayedShot<'_>) -> bool {
         let is_open = self.solids_of.is_none() && shot.turn.on.contains(&EIGHT);
-        let first = shot.facts.first_contact();
+        let first = shot.first_contact();
         match shot.play.call {
             Call::Pocket(ball, _) if is_open => {
                 first.is_some_and(|first| (first == EIGHT) != (ball == EIGHT))
@@ -89,10 +93,11 @@ impl EightBall {
         }
     }
 
-    /// The eight is off the table (WPA 3.8): it wins if it was called, on, and pocketed by a legal shot.
-    fn end(state: &State, shot: &Played<'_>) -> Request {
-        let lost = |why| Request::won(shot.other(), why);
-        if shot.facts.pocket_of(EIGHT).is_none() {
+    /// The end of the rack, once the eight is off the table (WPA 3.8). The shooter wins if the
+    /// eight was on, called, and pocketed by a legal shot.
+    fn end(state: &FrameState, shot: &PlayedShot<'_>) -> Request {
+        let lost = |why| Request::won(shot.opponent(), why);
+        if shot.pocket_of(EIGHT).is_none() {
             lost("the eight was driven off the table")
         } else if !state.ruling.is_legal() {
             lost("the eight was pocketed with a foul")
@@ -101,34 +106,34 @@ impl EightBall {
         } else if shot.made() != Some(EIGHT) {
             lost("the eight was pocketed in an uncalled pocket")
         } else {
-            Request::won(shot.player(), "the eight was pocketed")
+            Request::won(shot.seat(), "the eight was pocketed")
         }
     }
 
-    /// WPA 3.3.
-    fn judge_break(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
-        let (facts, player, other) = (shot.facts, shot.player(), shot.other());
+    /// Rules on the break (WPA 3.3).
+    fn judge_break(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
+        let (seat, opponent) = (shot.seat(), shot.opponent());
         let fouled = !state.ruling.is_legal();
         let eight = [Choice::SpotEight, Choice::Rebreak];
-        if facts.pocket_of(EIGHT).is_some() {
+        if shot.pocket_of(EIGHT).is_some() {
             return if fouled {
-                Request::choice(other, &eight, "the eight was pocketed with a foul")
+                Request::choice(opponent, &eight, "the eight was pocketed with a foul")
             } else {
-                Request::choice(player, &eight, "the eight was pocketed on the break")
+                Request::choice(seat, &eight, "the eight was pocketed on the break")
             };
         }
         if state.layout.is_down(EIGHT) {
             pool::spot(state, EIGHT);
         }
-        let potted = facts.potted().next().is_some();
-        let soft = !potted && facts.balls_driven() < BALLS_TO_RAIL;
+        let potted = shot.potted().next().is_some();
+        let soft = !potted && shot.balls_driven() < BALLS_TO_RAIL;
         state.ruling.fouls.add_if(soft, Foul::SoftBreak);
         if !fouled && !soft {
-            return self.next(state, if potted { player } else { other }, None);
+            return self.next(state, if potted { seat } else { opponent }, None);
         }
-        let nearest = pool::nearest_behind(state, &self.balls_on(&state.layout, other));
+        let nearest = pool::nearest_behind(state, &self.balls_on(&state.layout, opponent));
         let choices: Vec<Choice> = [
-            (!facts.lost_cue_ball(), Choice::PlayOn),
+            (!shot.lost_cue_ball(), Choice::PlayOn),
             (fouled, Choice::PlayFromHand),
             (fouled && nearest.is_some(), Choice::SpotNearest),
             (soft, Choice::Rebreak),
@@ -137,72 +142,77 @@ impl EightBall {
         .into_iter()
         .filter_map(|(offered, choice)| offered.then_some(choice))
         .collect();
+        // After a scratch there is nothing to choose: the cue ball is in hand behind the head
+        // string.
+        if let [only] = choices[..] {
+            return self.choose(state, opponent, only);
+        }
         let why = if soft { "too few balls were driven to a rail" } else { "a foul on the break" };
-        Request::Choice { player: other, choices, why }
+        Request::choice(opponent, &choices, why)
     }
 }
 
-impl Game for EightBall {
-    fn open(&mut self, _: &mut State, breaker: Player) -> Request {
+impl GameRules for EightBall {
+    fn start(&mut self, _: &mut FrameState, breaker: Seat) -> Request {
         *self = Self { solids_of: None, breaker, is_break: true };
         pool::break_shot(breaker, Vec::new(), Calls::NONE)
     }
 
-    fn middle(&mut self, state: &State, player: Player) -> Request {
+    fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
         *self = Self::default();
-        self.next(state, player, None)
+        self.next(state, seat, None)
     }
 
-    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
+    fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
         state.ruling.fouls = pool::standard_fouls(shot);
-        let from_behind = pool::FromBehind::of(state, shot);
+        let from_behind = pool::HeadStringShot::of(state, shot);
         state.ruling.fouls.add_if(from_behind.is_foul(), Foul::BehindHeadString);
         state.ruling.fouls.add_if(self.is_against_call(shot), Foul::WrongBallFirst);
         if core::mem::take(&mut self.is_break) {
             return self.judge_break(state, shot);
         }
-        let (player, other) = (shot.player(), shot.other());
+        let (seat, opponent) = (shot.seat(), shot.opponent());
         if state.layout.is_down(EIGHT) {
             return Self::end(state, shot);
         }
         if !state.ruling.is_legal() {
-            return self.next(state, other, Some(Region::Anywhere));
+            return self.next(state, opponent, Some(Region::Anywhere));
         }
         let group = shot.made().and_then(Group::of);
         if self.solids_of.is_none() {
-            self.solids_of = group.map(|g| if g == Group::Solids { player } else { other });
+            self.solids_of = group.map(|g| if g == Group::Solids { seat } else { opponent });
         }
-        let scored = group.is_some() && group == self.group(player);
-        self.next(state, if scored { player } else { other }, None)
+        let scored = group.is_some() && group == self.group(seat);
+        self.next(state, if scored { seat } else { opponent }, None)
     }
 
-    fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
+    fn choose(&mut self, state: &mut FrameState, seat: Seat, choice: Choice) -> Request {
         let hand = Some(Region::BehindHeadString);
         match choice {
             Choice::Rebreak | Choice::RebreakByOther => {
                 state.rack();
-                let breaker = if choice == Choice::Rebreak { player } else { 1 - player };
-                self.open(state, breaker)
+                let breaker = if choice == Choice::Rebreak { seat } else { seat::opponent(seat) };
+                self.start(state, breaker)
             }
             Choice::SpotEight => {
                 pool::spot(state, EIGHT);
-                // Who did not break chooses after a foul (WPA 3.3f).
-                self.next(state, player, hand.filter(|_| player != self.breaker))
+                // The player who did not break chooses after a foul only (WPA 3.3f).
+                self.next(state, seat, hand.filter(|_| seat != self.breaker))
             }
             Choice::SpotNearest => {
-                let on = self.balls_on(&state.layout, player);
+                let on = self.balls_on(&state.layout, seat);
                 if let Some(nearest) = pool::nearest_behind(state, &on) {
                     pool::spot(state, nearest);
                 }
-                self.next(state, player, hand)
+                self.next(state, seat, hand)
             }
-            Choice::PlayFromHand => self.next(state, player, hand),
-            _ => self.next(state, player, None),
+            Choice::PlayFromHand => self.next(state, seat, hand),
+            _ => self.next(state, seat, None),
         }
     }
 
-    fn to_node(&self, _: &State) -> Node {
-        let group = |player| match self.group(player) {
+    fn to_node(&self, _: &FrameState) -> Node {
+        let group = |seat| match self.group(seat) {
             Some(Group::Solids) => Node::from("solids"),
             Some(Group::Stripes) => Node::from("stripes"),
             None => Node::Null,
@@ -216,7 +226,7 @@ mod tests {
     use super::Group;
 
     #[test]
-    fn groups_are_seven_balls_each() {
+    fn each_group_has_seven_balls() {
         for group in [Group::Solids, Group::Stripes] {
             assert_eq!(group.balls().count(), 7);
             assert!(group.balls().all(|ball| Group::of(ball) == Some(group)));

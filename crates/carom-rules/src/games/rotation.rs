@@ -1,17 +1,19 @@
 //! Nine-ball (WPA, section 2) and ten-ball (section 9): the lowest ball must be hit first.
 
-use crate::frame::State;
-use crate::games::{Game, Played};
+use super::game::{GameRules, PlayedShot};
+use super::pool::{self, BALLS_TO_RAIL, CUE};
+use crate::layout::BallIndex;
 use crate::play::Call;
-use crate::pool::{self, BALLS_TO_RAIL, CUE};
-use crate::request::{Calls, Choice, Region, Request};
+use crate::region::Region;
+use crate::request::{Calls, Choice, Request};
 use crate::ruling::Foul;
-use crate::{BallIndex, Player};
+use crate::seat::{self, Seat};
+use crate::state::FrameState;
 
 /// Nine-ball or ten-ball.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rotation {
-    /// The ball that wins: the 9 or the 10.
+    /// The ball that wins the rack: the 9 or the 10.
     last: BallIndex,
     /// Whether shots are called (WPA 9.5).
     called: bool,
@@ -29,69 +31,77 @@ impl Rotation {
     }
 
     /// The ball on: the lowest on the table.
-    fn lowest(&self, state: &State) -> Vec<BallIndex> {
+    fn lowest(&self, state: &FrameState) -> Vec<BallIndex> {
         state.layout.on_table().find(|ball| *ball != CUE).into_iter().collect()
     }
 
-    fn next(&self, state: &State, player: Player, hand: Option<Region>, push_out: bool) -> Request {
+    fn next(
+        &self,
+        state: &FrameState,
+        seat: Seat,
+        hand: Option<Region>,
+        push_out: bool,
+    ) -> Request {
         let calls = if self.called { Calls::REQUIRED } else { Calls::NONE };
         let calls = Calls { push_out, ..calls };
-        pool::shot(state, player, hand, self.lowest(state), calls)
+        pool::shot(state, seat, hand, self.lowest(state), calls)
     }
 }
 
-impl Game for Rotation {
-    fn open(&mut self, state: &mut State, breaker: Player) -> Request {
+impl GameRules for Rotation {
+    fn start(&mut self, state: &mut FrameState, breaker: Seat) -> Request {
         self.is_break = true;
         pool::break_shot(breaker, self.lowest(state), Calls::NONE)
     }
 
-    fn middle(&mut self, state: &State, player: Player) -> Request {
+    fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
         self.is_break = false;
-        self.next(state, player, None, false)
+        self.next(state, seat, None, false)
     }
 
-    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
-        let (facts, player, other) = (shot.facts, shot.player(), shot.other());
-        let pushes = shot.play.call == Call::PushOut;
+    fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
+        let (seat, opponent) = (shot.seat(), shot.opponent());
+        let is_push_out = shot.play.call == Call::PushOut;
         let was_break = core::mem::take(&mut self.is_break);
         state.ruling.fouls =
-            if pushes { pool::lost_balls(facts) } else { pool::standard_fouls(shot) };
-        let potted = facts.potted().next().is_some();
-        let soft = was_break && !potted && facts.balls_driven() < BALLS_TO_RAIL;
+            if is_push_out { pool::lost_balls(shot) } else { pool::standard_fouls(shot) };
+        let potted = shot.potted().next().is_some();
+        let soft = was_break && !potted && shot.balls_driven() < BALLS_TO_RAIL;
         state.ruling.fouls.add_if(soft, Foul::SoftBreak);
 
         let legal = state.ruling.is_legal();
-        let third = pool::is_third_foul(state, player);
-        // A called ball in its pocket, whatever falls besides; after a called safety, nothing (WPA 9.7).
+        let third = pool::is_third_foul(state, seat);
+        // Other balls may be pocketed besides the called one. After a called safety no pot counts
+        // (WPA 9.7).
         let as_called = !self.called || was_break || shot.made().is_some();
-        // The ten wins called, and as the last ball (WPA 9.8); the nine whenever it falls (2.5).
+        // The ten wins only if it is called and is the last ball (WPA 9.8); the nine wins whenever
+        // it is pocketed legally (2.5).
         let wins = !self.called || (shot.turn.on == [self.last] && shot.made() == Some(self.last));
-        if wins && legal && !pushes && facts.pocket_of(self.last).is_some() {
-            return Request::won(player, "the last ball was pocketed");
+        if wins && legal && !is_push_out && shot.pocket_of(self.last).is_some() {
+            return Request::won(seat, "the last ball was pocketed");
         }
         if state.layout.is_down(self.last) {
             pool::spot(state, self.last);
         }
         if third {
-            return Request::won(other, "three fouls in a row");
+            return Request::won(opponent, "three fouls in a row");
         }
         if !legal {
-            return self.next(state, other, Some(Region::Anywhere), false);
+            return self.next(state, opponent, Some(Region::Anywhere), false);
         }
         let either = [Choice::PlayOn, Choice::PassBack];
-        if pushes {
-            return Request::choice(other, &either, "after a push-out");
+        if is_push_out {
+            return Request::choice(opponent, &either, "after a push-out");
         }
         if potted && !as_called {
-            return Request::choice(other, &either, "a ball was pocketed that was not called");
+            return Request::choice(opponent, &either, "a ball was pocketed that was not called");
         }
-        let shooter = if potted && shot.play.call != Call::Safety { player } else { other };
+        let shooter = if potted && shot.play.call != Call::Safety { seat } else { opponent };
         self.next(state, shooter, None, was_break)
     }
 
-    fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
-        let shooter = if choice == Choice::PassBack { 1 - player } else { player };
+    fn choose(&mut self, state: &mut FrameState, seat: Seat, choice: Choice) -> Request {
+        let shooter = if choice == Choice::PassBack { seat::opponent(seat) } else { seat };
         self.next(state, shooter, None, false)
     }
 }

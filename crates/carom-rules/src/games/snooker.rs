@@ -1,35 +1,31 @@
 //! Snooker (WPBSA, Official Rules, section 3).
 
+mod balls;
 mod hidden;
 mod spots;
 mod stroke;
 
 use carom::format::Node;
 
-use crate::frame::State;
-use crate::games::{Game, Played};
-use crate::layout::Layout;
-use crate::request::{Calls, Choice, Region, Request, Turn};
+use super::game::{GameRules, PlayedShot};
+use crate::layout::{BallIndex, FrameLayout};
+use crate::region::Region;
+use crate::request::{Calls, Choice, Request, Turn};
 use crate::ruling::Foul;
-use crate::{BallIndex, Player};
+use crate::seat::{self, Seat};
+use crate::state::FrameState;
 
+use balls::CUE;
 use stroke::Stroke;
 
-const CUE: BallIndex = 0;
-pub(crate) const REDS: core::ops::RangeInclusive<BallIndex> = 1..=15;
-const YELLOW: BallIndex = 16;
-pub(crate) const BLACK: BallIndex = 21;
-pub(crate) const COLORS: core::ops::RangeInclusive<BallIndex> = YELLOW..=BLACK;
+pub(crate) use balls::{BLACK, COLORS, REDS};
+pub use balls::{On, value};
 
-/// Misses in a row with a full ball in sight that lose the frame (section 3, rule 14d).
+/// Consecutive misses that lose the frame, if a ball on could be hit full each time (section 3,
+/// rule 14d).
 const MISSES: u32 = 3;
 
-/// Points for `ball`.
-pub const fn value(ball: BallIndex) -> i32 {
-    if ball >= YELLOW { ball as i32 - 14 } else { 1 }
-}
-
-/// The place in the WPBSA's rules of snooker, section 3, that sets the penalty.
+/// The number of the rule that sets the penalty (WPBSA, rules of snooker, section 3).
 pub(crate) const fn rule(foul: Foul) -> &'static str {
     match foul {
         Foul::NoContact => "WPBSA 3.10(a)(vi)",
@@ -44,43 +40,31 @@ pub(crate) const fn rule(foul: Foul) -> &'static str {
     }
 }
 
-/// What is on.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum On {
-    /// Any red.
-    #[default]
-    Red,
-    /// A colour of the player's choice, after a red.
-    Color,
-    /// The colours in ascending order.
-    Sequence,
-}
-
 /// A frame of snooker.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Snooker {
     on: On,
-    /// The player has a free ball.
+    /// Whether the player to shoot has a free ball.
     free_ball: bool,
-    /// Points of the present break.
-    run: i32,
-    /// Misses in a row from the same position with a full ball in sight.
+    /// Points of the current break.
+    break_points: i32,
+    /// Consecutive misses from the same position with a full ball in sight.
     misses: u32,
-    /// Before the last foul: to put the balls back.
-    before: Option<Before>,
+    /// The table before the last foul, for the choice to have the balls replaced.
+    before: Option<TableBefore>,
 }
 
 /// The table before a shot.
 #[derive(Clone, Debug, PartialEq)]
-struct Before {
-    layout: Layout,
+struct TableBefore {
+    layout: FrameLayout,
     turn: Turn,
     on: On,
     free_ball: bool,
 }
 
 impl Snooker {
-    /// What is on.
+    /// The kind of ball that is on.
     pub const fn on(&self) -> On {
         self.on
     }
@@ -90,54 +74,47 @@ impl Snooker {
         self.free_ball
     }
 
-    /// Points of the present break.
-    pub const fn run(&self) -> i32 {
-        self.run
+    /// Points of the current break.
+    pub const fn break_points(&self) -> i32 {
+        self.break_points
     }
 
-    fn turn(&self, state: &State, player: Player, hand: Option<Region>) -> Request {
+    fn turn(&self, state: &FrameState, player: Seat, hand: Option<Region>) -> Request {
         let lost = state.layout.is_down(CUE).then_some(Region::TheD);
         let nominate = self.free_ball || self.on == On::Color;
         let on = if self.free_ball {
             state.layout.left(1..=BLACK)
         } else {
-            self.balls_on(&state.layout)
+            self.on.balls(&state.layout)
         };
         let calls = Calls { nominate, ..Calls::NONE };
         Request::Shot(Turn { player, cue: CUE, hand: hand.or(lost), on, calls })
     }
 
-    /// The balls on, but for a free ball.
-    fn balls_on(&self, layout: &Layout) -> Vec<BallIndex> {
-        match self.on {
-            On::Red => layout.left(REDS),
-            On::Color => layout.left(COLORS),
-            On::Sequence => layout.left(COLORS).into_iter().take(1).collect(),
-        }
-    }
-
-    /// The most points that the balls are worth: a black with every red, then the colours. Who is behind by
-    /// more needs penalty points.
-    fn worth(&self, layout: &Layout) -> i32 {
+    /// The most points that the balls on the table can score without fouls: a black with every red,
+    /// then the colours. A player who trails by more needs penalty points.
+    fn worth(&self, layout: &FrameLayout) -> i32 {
         let reds = layout.left(REDS).len() as i32;
         let colors: i32 = layout.left(COLORS).into_iter().map(value).sum();
         let black = if self.on == On::Color { value(BLACK) } else { 0 };
         reds * (1 + value(BLACK)) + black + colors
     }
 
-    /// Points of a legal shot: every red, or the ball on; a free ball counts as the ball on.
-    fn score(&self, shot: &Played<'_>, stroke: &Stroke) -> i32 {
-        let potted = shot.facts.potted().count() as i32;
+    /// Points of a legal shot: one for each red, or the value of the ball on. A free ball counts as
+    /// the ball on.
+    fn score(&self, shot: &PlayedShot<'_>, stroke: &Stroke) -> i32 {
+        let potted = shot.potted().count() as i32;
         match self.on {
             On::Red => potted,
-            // The ball on and a free ball that fall together count once (rule 12e).
+            // The ball on and a free ball pocketed in one stroke count once (rule 12e).
             _ if potted == 0 => 0,
             _ => stroke.value,
         }
     }
 
-    /// What is on after a shot: a colour after a red, else a red, or the sequence once the reds are gone.
-    fn advance(&mut self, state: &State, after_red: bool) {
+    /// Updates what is on after a shot: a colour after a red, else a red; the colours in order once
+    /// the reds are gone.
+    fn advance(&mut self, state: &FrameState, after_red: bool) {
         self.free_ball = false;
         self.on = match self.on {
             On::Red if after_red => On::Color,
@@ -146,15 +123,20 @@ impl Snooker {
         };
     }
 
-    fn after_foul(&mut self, state: &mut State, shot: &Played<'_>, stroke: &Stroke) -> Request {
-        let other = shot.other();
-        self.before = Some(Before {
+    fn after_foul(
+        &mut self,
+        state: &mut FrameState,
+        shot: &PlayedShot<'_>,
+        stroke: &Stroke,
+    ) -> Request {
+        let opponent = shot.opponent();
+        self.before = Some(TableBefore {
             layout: shot.before.clone(),
             turn: shot.turn.clone(),
             on: self.on,
             free_ball: self.free_ball,
         });
-        self.run = 0;
+        self.break_points = 0;
         let worth_before = self.worth(shot.before);
         self.advance(state, false);
         if let Some(end) = self.end(state, shot) {
@@ -162,13 +144,14 @@ impl Snooker {
         }
         let is_open = lead(state.scores) < worth_before
             && lead(state.scores_after()) < self.worth(&state.layout);
-        // After one with a full ball in sight another from there is a miss at any score (rule 14d).
+        // After a miss with a full ball in sight, another miss from the same position is called at
+        // any score (rule 14d).
         let misses = state.options.miss && stroke.missed && (is_open || self.misses > 0);
         self.misses = if misses && stroke.full_ball { self.misses + 1 } else { 0 };
         if self.misses >= MISSES {
-            return Request::won(other, "three misses in a row with a ball in sight");
+            return Request::won(opponent, "three misses in a row with a ball in sight");
         }
-        let on = self.balls_on(&state.layout);
+        let on = self.on.balls(&state.layout);
         self.free_ball = hidden::is_snookered(state.base.table(), &state.layout, &on);
         let why = match (misses, self.free_ball) {
             (true, true) => "a foul and a miss, and a free ball",
@@ -177,12 +160,13 @@ impl Snooker {
             (false, false) => "a foul",
         };
         let choices = [Choice::PlayOn, Choice::PassBack, Choice::Replace];
-        Request::choice(other, if misses { &choices } else { &choices[..2] }, why)
+        Request::choice(opponent, if misses { &choices } else { &choices[..2] }, why)
     }
 
-    /// With only the black left, the first score or foul ends the frame; if the scores are equal then, the
-    /// black is spotted, the lot says who chooses, and the next score or foul decides (rule 4).
-    fn end(&self, state: &mut State, shot: &Played<'_>) -> Option<Request> {
+    /// The end of the frame, if this shot ended it. With only the black left, the first score or
+    /// foul ends the frame. If the scores are then equal, the black is spotted, a random player
+    /// chooses who plays, and the next score or foul decides (rule 4).
+    fn end(&self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Option<Request> {
         let decided = shot.before.left(1..=BLACK) == [BLACK] && state.ruling.points != [0, 0];
         if !decided {
             return None;
@@ -200,55 +184,55 @@ impl Snooker {
     }
 }
 
-/// By how much one player leads.
+/// Difference of the scores.
 const fn lead(scores: [i32; 2]) -> i32 {
     (scores[0] - scores[1]).abs()
 }
 
-impl Game for Snooker {
-    fn open(&mut self, state: &mut State, breaker: Player) -> Request {
+impl GameRules for Snooker {
+    fn start(&mut self, state: &mut FrameState, breaker: Seat) -> Request {
         *self = Self::default();
         self.turn(state, breaker, Some(Region::TheD))
     }
 
-    fn middle(&mut self, state: &State, player: Player) -> Request {
+    fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
         let on = if state.layout.left(REDS).is_empty() { On::Sequence } else { On::Red };
         *self = Self { on, ..Self::default() };
-        self.turn(state, player, None)
+        self.turn(state, seat, None)
     }
 
-    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
-        let (player, other) = (shot.player(), shot.other());
-        let stroke = Stroke::of(self, shot);
-        let (fouls, penalty) = stroke.fouls(self, state, shot);
+    fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
+        let (seat, opponent) = (shot.seat(), shot.opponent());
+        let stroke = Stroke::of(self.on, self.free_ball, shot);
+        let (fouls, penalty) = stroke.fouls(state, shot);
         state.ruling.fouls = fouls;
         let legal = fouls.is_empty();
         let scored = if legal { self.score(shot, &stroke) } else { 0 };
 
-        // In the sequence the ball on stays down.
+        // When the colours are on in order, the ball on stays down.
         let stays =
-            if legal && self.on == On::Sequence { self.balls_on(shot.before) } else { vec![] };
+            if legal && self.on == On::Sequence { self.on.balls(shot.before) } else { vec![] };
         let gone = |ball: &BallIndex| !shot.before.is_down(*ball) && state.layout.is_down(*ball);
         let back: Vec<_> = COLORS.filter(gone).filter(|ball| !stays.contains(ball)).collect();
         spots::put_back(state, back);
 
         if !legal {
-            state.ruling.points[other] = penalty;
-            state.fouls[player] += 1;
+            state.ruling.points[opponent] = penalty;
+            state.fouls[seat] += 1;
             return self.after_foul(state, shot, &stroke);
         }
-        state.ruling.points[player] = scored;
-        state.fouls[player] = 0;
+        state.ruling.points[seat] = scored;
+        state.fouls[seat] = 0;
         self.misses = 0;
         self.advance(state, scored > 0);
-        self.run = if scored > 0 { self.run + scored } else { 0 };
+        self.break_points = if scored > 0 { self.break_points + scored } else { 0 };
         if let Some(end) = self.end(state, shot) {
             return end;
         }
-        self.turn(state, if scored > 0 { player } else { other }, None)
+        self.turn(state, if scored > 0 { seat } else { opponent }, None)
     }
 
-    fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
+    fn choose(&mut self, state: &mut FrameState, seat: Seat, choice: Choice) -> Request {
         match (choice, self.before.take()) {
             (Choice::Replace, Some(before)) => {
                 state.layout = before.layout;
@@ -257,19 +241,19 @@ impl Game for Snooker {
                 Request::Shot(Turn { hand: None, ..before.turn })
             }
             (Choice::PassBack, _) => {
-                // A free ball is for who takes the table (rule 12f).
+                // The offender who is asked to play again has no free ball (rule 12f).
                 self.free_ball = false;
                 self.misses = 0;
-                self.turn(state, 1 - player, None)
+                self.turn(state, seat::opponent(seat), None)
             }
             _ => {
                 self.misses = 0;
-                self.turn(state, player, None)
+                self.turn(state, seat, None)
             }
         }
     }
 
-    fn to_node(&self, state: &State) -> Node {
+    fn to_node(&self, state: &FrameState) -> Node {
         let on = match self.on {
             On::Red => "red",
             On::Color => "color",
@@ -278,7 +262,7 @@ impl Game for Snooker {
         Node::object([
             ("on", on.into()),
             ("free_ball", self.free_ball.into()),
-            ("break", i64::from(self.run).into()),
+            ("break", i64::from(self.break_points).into()),
             ("points_left", i64::from(self.worth(&state.layout)).into()),
         ])
     }

@@ -4,65 +4,73 @@ use carom::Table;
 use carom::math::sqrt;
 use carom::rack::USUAL_GAP;
 
-use crate::frame::State;
-use crate::games::{Game, Played};
-use crate::layout::{Layout, distance, head_string, spot_named};
-use crate::pool::{self, CUE};
-use crate::request::{Calls, Choice, Region, Request};
+use super::game::{GameRules, PlayedShot};
+use super::pool::{self, CUE};
+use crate::layout::{BallIndex, FrameLayout};
+use crate::markings::{distance, head_string, spot_named};
+use crate::region::Region;
+use crate::request::{Calls, Choice, Request};
 use crate::ruling::Foul;
-use crate::{BallIndex, Player};
+use crate::seat::{self, Seat};
+use crate::state::FrameState;
 
-/// Points for a foul (WPA 4.9), a breaking foul (4.10), and besides for the third foul in a row (4.11).
+/// Points for a standard foul (WPA 4.9).
 const STANDARD_FOUL: i32 = -1;
+
+/// Points for a breaking foul (WPA 4.10).
 const BREAKING_FOUL: i32 = -2;
+
+/// Points for the third consecutive foul, in addition to those of the standard foul (WPA 4.11).
 const SERIOUS_FOUL: i32 = -15;
 
-/// Object balls that must be driven to a rail in an opening break, and the cue ball (WPA 4.3).
+/// Object balls that the opening break must drive to a rail, besides the cue ball (WPA 4.3).
 const OPENING_BALLS: usize = 2;
 
 /// A game of straight pool.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StraightPool {
+    /// Whether the next shot is an opening break.
     is_opening: bool,
 }
 
 impl StraightPool {
-    fn next(state: &State, player: Player, hand: Option<Region>) -> Request {
-        pool::shot(state, player, hand, Vec::new(), Calls::REQUIRED)
+    fn next(state: &FrameState, seat: Seat, hand: Option<Region>) -> Request {
+        pool::shot(state, seat, hand, Vec::new(), Calls::REQUIRED)
     }
 
-    /// The cue ball is in hand behind the head string.
-    fn from_hand(state: &State, player: Player) -> Request {
+    /// The request with the cue ball in hand behind the head string.
+    fn from_hand(state: &FrameState, seat: Seat) -> Request {
         if pool::nearest_behind(state, &Self::left(state)).is_some() {
             let choices = [Choice::PlayFromHand, Choice::SpotNearest];
-            return Request::choice(player, &choices, "all balls are behind the head string");
+            return Request::choice(seat, &choices, "all balls are behind the head string");
         }
-        Self::next(state, player, Some(Region::BehindHeadString))
+        Self::next(state, seat, Some(Region::BehindHeadString))
     }
 
-    fn left(state: &State) -> Vec<BallIndex> {
+    /// The object balls on the table.
+    fn left(state: &FrameState) -> Vec<BallIndex> {
         state.layout.left(1..state.layout.len() as BallIndex)
     }
 
-    /// It does not count towards three fouls in a row (WPA 4.11).
-    fn breaking_foul(state: &mut State, shot: &Played<'_>) -> Request {
-        state.ruling.points[shot.player()] = BREAKING_FOUL;
+    /// A breaking foul. It does not count towards three consecutive fouls (WPA 4.11).
+    fn breaking_foul(state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
+        state.ruling.points[shot.seat()] = BREAKING_FOUL;
         let lost = state.layout.is_down(CUE);
         let accept = if lost { Choice::PlayFromHand } else { Choice::PlayOn };
-        Request::choice(shot.other(), &[accept, Choice::RebreakByOther], "a breaking foul")
+        Request::choice(shot.opponent(), &[accept, Choice::RebreakByOther], "a breaking foul")
     }
 
-    /// All balls are racked, and the offender breaks (WPA 4.11).
-    fn third_foul(&mut self, state: &mut State, player: Player) -> Request {
-        state.ruling.points[player] += SERIOUS_FOUL;
-        state.fouls[player] = 0;
+    /// The third consecutive foul: all balls are racked again, and the offender breaks (WPA 4.11).
+    fn third_foul(&mut self, state: &mut FrameState, seat: Seat) -> Request {
+        state.ruling.points[seat] += SERIOUS_FOUL;
+        state.fouls[seat] = 0;
         state.rack();
-        self.open(state, player)
+        self.start(state, seat)
     }
 
-    /// With one object ball left, or none, the others are racked again (WPA 4.4, 4.8). Returns where the
-    /// cue ball is in hand then, if it is.
-    fn rack_fourteen(state: &mut State) -> Option<Region> {
+    /// Racks the other balls again when one object ball or none is left (WPA 4.4, 4.8). Returns the
+    /// region of the cue ball if it is then in hand.
+    fn rack_fourteen(state: &mut FrameState) -> Option<Region> {
         let left = Self::left(state);
         if left.len() > 1 {
             return None;
@@ -72,8 +80,8 @@ impl StraightPool {
         let table = state.base.table().clone();
         let cue = state.layout.place(CUE);
         let last = left.first().and_then(|ball| Some((*ball, state.layout.place(*ball)?)));
-        let plan = Intermediate::new(&table, &fresh, cue, last);
-        // The apex is left out, unless the last ball has fallen too.
+        let plan = IntermediateRack::new(&table, &fresh, cue, last);
+        // The apex place stays empty, unless the last ball was pocketed too.
         let mut places = racked_places(&fresh);
         if let Some((ball, place)) = plan.last_ball {
             places.remove(0);
@@ -91,105 +99,105 @@ impl StraightPool {
     }
 }
 
-impl Game for StraightPool {
-    fn open(&mut self, _: &mut State, breaker: Player) -> Request {
+impl GameRules for StraightPool {
+    fn start(&mut self, _: &mut FrameState, breaker: Seat) -> Request {
         self.is_opening = true;
         pool::break_shot(breaker, Vec::new(), Calls::REQUIRED)
     }
 
-    fn middle(&mut self, state: &State, player: Player) -> Request {
+    fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
         *self = Self::default();
-        Self::next(state, player, None)
+        Self::next(state, seat, None)
     }
 
-    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
-        let (facts, player, other) = (shot.facts, shot.player(), shot.other());
+    fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
+        let (seat, opponent) = (shot.seat(), shot.opponent());
         state.ruling.fouls = pool::standard_fouls(shot);
-        let from_behind = pool::FromBehind::of(state, shot);
+        let from_behind = pool::HeadStringShot::of(state, shot);
         state.ruling.fouls.add_if(from_behind.is_foul(), Foul::BehindHeadString);
         let made = shot.made().is_some();
         let was_opening = core::mem::take(&mut self.is_opening);
         let driven =
-            facts.balls_driven() >= OPENING_BALLS && facts.is_cue_ball_driven_after_contact();
+            shot.balls_driven() >= OPENING_BALLS && shot.is_cue_ball_driven_after_contact();
         let soft = was_opening && !made && !driven;
         state.ruling.fouls.add_if(soft, Foul::SoftBreak);
         let legal = state.ruling.is_legal();
         let scored = legal && made;
         if scored {
-            state.ruling.points[player] = facts.potted().count() as i32;
+            state.ruling.points[seat] = shot.potted().count() as i32;
         }
-        for ball in facts.potted().filter(|_| !scored).chain(facts.thrown_off()) {
+        for ball in shot.potted().filter(|_| !scored).chain(shot.thrown_off()) {
             pool::spot(state, ball);
         }
         if soft {
             return Self::breaking_foul(state, shot);
         }
         if !legal {
-            state.ruling.points[player] = STANDARD_FOUL;
+            state.ruling.points[seat] = STANDARD_FOUL;
         }
-        if pool::is_third_foul(state, player) {
-            return self.third_foul(state, player);
+        if pool::is_third_foul(state, seat) {
+            return self.third_foul(state, seat);
         }
-        if state.scores_after()[player] >= state.options.target {
-            return Request::won(player, "the target was reached");
+        if state.scores_after()[seat] >= state.options.points {
+            return Request::won(seat, "the target was reached");
         }
         let hand = Self::rack_fourteen(state);
         // WPA 4.9.
-        if facts.lost_cue_ball() || from_behind.stayed {
-            return Self::from_hand(state, other);
+        if shot.lost_cue_ball() || from_behind.stayed {
+            return Self::from_hand(state, opponent);
         }
-        Self::next(state, if scored { player } else { other }, hand)
+        Self::next(state, if scored { seat } else { opponent }, hand)
     }
 
-    fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
+    fn choose(&mut self, state: &mut FrameState, seat: Seat, choice: Choice) -> Request {
         match choice {
             Choice::RebreakByOther => {
                 state.rack();
-                self.open(state, 1 - player)
+                self.start(state, seat::opponent(seat))
             }
             Choice::PlayFromHand | Choice::SpotNearest => {
                 let nearest = pool::nearest_behind(state, &Self::left(state));
                 if let Some(ball) = nearest.filter(|_| choice == Choice::SpotNearest) {
                     pool::spot(state, ball);
                 }
-                Self::next(state, player, Some(Region::BehindHeadString))
+                Self::next(state, seat, Some(Region::BehindHeadString))
             }
-            _ => Self::next(state, player, None),
+            _ => Self::next(state, seat, None),
         }
     }
 }
 
-/// Where the object balls of a rack stand, from the apex to the back row.
-fn racked_places(fresh: &Layout) -> Vec<[f64; 2]> {
+/// The places of the object balls in a rack, from the apex to the back row.
+fn racked_places(fresh: &FrameLayout) -> Vec<[f64; 2]> {
     let mut places: Vec<[f64; 2]> =
         (1..fresh.len() as BallIndex).filter_map(|ball| fresh.place(ball)).collect();
     places.sort_by(|a, b| a[1].total_cmp(&b[1]));
     places
 }
 
-/// Where the fifteenth ball and the cue ball go when fourteen are racked (WPA 4.8).
-struct Intermediate {
-    /// The ball that is left on the table, and where it is put; none if it has fallen, too.
+/// The places of the fifteenth ball and the cue ball when fourteen balls are racked (WPA 4.8).
+struct IntermediateRack {
+    /// The ball left on the table and its place; none if it was pocketed too.
     last_ball: Option<(BallIndex, [f64; 2])>,
-    /// Where the cue ball is put, if it is moved to a spot.
+    /// The spot on which the cue ball is placed, if it is moved to a spot.
     cue_ball: Option<[f64; 2]>,
-    /// Where the cue ball is in hand, if it is.
+    /// The region of the cue ball, if it is in hand.
     hand: Option<Region>,
 }
 
-impl Intermediate {
+impl IntermediateRack {
     fn new(
         table: &Table,
-        fresh: &Layout,
+        fresh: &FrameLayout,
         cue: Option<[f64; 2]>,
         last: Option<(BallIndex, [f64; 2])>,
     ) -> Self {
         let spots = [("head", 0.25), ("center", 0.5), ("foot", 0.75)];
         let [head, center, foot] = spots.map(|(name, at)| spot_named(table, name, at));
         let kitchen = Some(Region::BehindHeadString);
-        let radius = fresh.pieces()[0].ball.radius;
+        let radius = fresh.radius(CUE);
         let rack = Triangle::around(fresh);
-        // A ball that another one placed on the spot would touch is on it.
+        // A ball is on a spot if a second ball on the spot would touch it.
         let is_on = |spot: [f64; 2], place: [f64; 2]| distance(spot, place) < 2.0 * radius;
         let cue_in_rack = cue.is_some_and(|place| rack.touches(place, radius));
         let cue_on_head = cue.is_some_and(|place| is_on(head, place));
@@ -217,15 +225,17 @@ impl Intermediate {
     }
 }
 
-/// The triangle of the centres of a rack's balls.
+/// The triangle through the centres of a rack's outer balls, m.
 struct Triangle {
     apex: [f64; 2],
+    /// y of the back row.
     back: f64,
+    /// Half the width of the back row.
     half_width: f64,
 }
 
 impl Triangle {
-    fn around(fresh: &Layout) -> Self {
+    fn around(fresh: &FrameLayout) -> Self {
         let places = racked_places(fresh);
         let apex = places.first().copied().unwrap_or_default();
         let back = places.last().map_or(apex[1], |p| p[1]);
@@ -233,15 +243,15 @@ impl Triangle {
         Self { apex, back, half_width }
     }
 
-    /// Whether a ball of `radius` at `place` is in the way of the balls in the triangle.
+    /// Whether a ball of `radius` (m) at `place` would touch a ball of the rack.
     fn touches(&self, place: [f64; 2], radius: f64) -> bool {
-        // Its distance from the nearest of the three sides, counted outwards.
+        // Its distance from the nearest of the three sides; positive outside.
         let (x, y) = ((place[0] - self.apex[0]).abs(), place[1] - self.apex[1]);
         let height = self.back - self.apex[1];
         let slope = self.half_width / height;
         let beside = (x - slope * y) / sqrt(1.0 + slope * slope);
         let outside = beside.max(-y).max(y - height);
-        // The balls stand within half a gap of their places.
+        // Racked balls are off their ideal places by up to half the usual gap.
         outside < 2.0 * radius + USUAL_GAP
     }
 }

@@ -2,24 +2,22 @@
 
 use carom::Table;
 use carom::format::Node;
-use carom::table::{Rail, TOUCH_TOLERANCE};
+use carom::outcome::{Outcome, Touched};
+use carom::table::Rail;
 
-use crate::facts::{Facts, Touch};
-use crate::frame::State;
-use crate::games::{Game, Played};
-use crate::layout::{Layout, spot_named};
+use super::game::{GameRules, PlayedShot};
+use crate::layout::{BallIndex, FROZEN, FrameLayout};
+use crate::markings::spot_named;
 use crate::request::{Calls, Choice, Request, Turn};
 use crate::ruling::Foul;
-use crate::{BallIndex, Player};
+use crate::seat::{self, Seat};
+use crate::state::FrameState;
 
-/// The white, the yellow and the red: players 0 and 1 play with the first two.
+/// The red. Ball 0, the white, is the cue ball of seat 0; ball 1, the yellow, is that of seat 1.
 const RED: BallIndex = 2;
 
-/// Cushions that the cue ball must have touched before it touches the second object ball (article 83).
+/// Cushions that the cue ball must touch before it touches the second object ball (article 83).
 const CUSHIONS: usize = 3;
-
-/// Balls nearer than this touch, m: what eye and lamp cannot tell apart.
-const FROZEN: f64 = 1e-9;
 
 /// The article of the UMB's World rules of carom billiard (1 January 1989).
 pub(crate) const fn rule(foul: Foul) -> &'static str {
@@ -39,72 +37,76 @@ pub struct ThreeCushion {
 }
 
 impl ThreeCushion {
-    /// Innings that each player has begun.
+    /// Number of innings that each seat has begun.
     pub const fn innings(&self) -> [u32; 2] {
         self.innings
     }
 
-    /// An inning that begins from the starting position, with the red to be attacked directly (article 23).
-    fn starting_shot(&mut self, player: Player) -> Request {
+    /// Begins an inning of `seat` from the starting position: the red must be hit first and
+    /// directly (article 23).
+    fn starting_shot(&mut self, seat: Seat) -> Request {
         self.is_opening = true;
-        self.innings[player] += 1;
-        Self::turn(player, vec![RED])
+        self.innings[seat] += 1;
+        Self::turn(seat, vec![RED])
     }
 
-    /// What follows on the end of the inning of `player`, with these scores then. Both players have the same
-    /// number of innings (article 29): who has had one less may answer, from the starting position.
-    fn end_inning(&mut self, state: &mut State, player: Player, scores: [i32; 2]) -> Request {
-        let other = 1 - player;
-        if scores.iter().all(|score| *score < state.options.target) {
-            self.innings[other] += 1;
-            return Self::next(state, other);
+    /// The request after an inning of `seat` that ended with these scores. Both players have the
+    /// same number of innings (article 29): if the opponent has had one fewer, it plays a last
+    /// inning from the starting position.
+    fn end_inning(&mut self, state: &mut FrameState, seat: Seat, scores: [i32; 2]) -> Request {
+        let opponent = seat::opponent(seat);
+        if scores.iter().all(|score| *score < state.options.points) {
+            self.innings[opponent] += 1;
+            return Self::next(state, opponent);
         }
-        if self.innings[other] < self.innings[player] {
-            Self::starting_position(state, other);
-            return self.starting_shot(other);
+        if self.innings[opponent] < self.innings[seat] {
+            Self::starting_position(state, opponent);
+            return self.starting_shot(opponent);
         }
         let winner = (scores[0] != scores[1]).then_some(usize::from(scores[1] > scores[0]));
         Request::Over { winner, why: "the target was reached in equal innings" }
     }
 
-    /// The red on the foot spot, the ball of `player` on a starting spot, the other's on the head spot.
-    fn starting_position(state: &mut State, player: Player) {
+    /// The starting position of `seat`: the red on the foot spot, the cue ball of `seat` on a
+    /// starting spot, the other cue ball on the head spot.
+    fn starting_position(state: &mut FrameState, seat: Seat) {
         state.rack();
         let [start, head] = [0, 1].map(|ball| state.layout.place(ball));
-        let own = player as BallIndex;
+        let own = seat as BallIndex;
         state.layout.put(own, start);
         state.layout.put(1 - own, head);
     }
 
-    fn next(state: &State, player: Player) -> Request {
-        if state.layout.touching(player as BallIndex, FROZEN).is_empty() {
-            return Self::turn(player, Vec::new());
+    fn next(state: &FrameState, seat: Seat) -> Request {
+        if state.layout.touching(seat as BallIndex, FROZEN).is_empty() {
+            return Self::turn(seat, Vec::new());
         }
         let choices = [Choice::PlayOn, Choice::SpotFrozen];
-        Request::choice(player, &choices, "the cue ball touches another ball")
+        Request::choice(seat, &choices, "the cue ball touches another ball")
     }
 
-    fn turn(player: Player, on: Vec<BallIndex>) -> Request {
+    fn turn(player: Seat, on: Vec<BallIndex>) -> Request {
         let cue = player as BallIndex;
         Request::Shot(Turn { player, cue, hand: None, on, calls: Calls::NONE })
     }
 
-    /// Spots `balls` for `player`, who shoots next: the red on the foot spot, the own ball on the head spot,
-    /// the other in the middle; where a ball lies in the way, on the spot of that ball.
-    fn spot(state: &mut State, balls: &[BallIndex], player: Player) {
+    /// Spots `balls` for `seat`, who shoots next: the red on the foot spot, the own cue ball on the
+    /// head spot, the other cue ball on the centre spot. If a ball occupies that spot, the spotted
+    /// ball goes to the spot of the ball in the way (article 27).
+    fn spot(state: &mut FrameState, balls: &[BallIndex], seat: Seat) {
         let table = state.base.table();
         let own = |ball: BallIndex| match ball {
             RED => spot_named(table, "foot", 0.75),
-            _ if usize::from(ball) == player => spot_named(table, "head", 0.25),
+            _ if usize::from(ball) == seat => spot_named(table, "head", 0.25),
             _ => spot_named(table, "center", 0.5),
         };
-        let State { layout, ruling, .. } = state;
+        let FrameState { layout, ruling, .. } = state;
         for &ball in balls {
             layout.put(ball, None);
         }
         for &ball in balls {
             let mut place = own(ball);
-            // Of three balls two can lie in the way.
+            // There are three balls, so at most two are in the way.
             for _ in 0..2 {
                 place = layout.in_the_way(ball, place).map_or(place, own);
             }
@@ -114,62 +116,63 @@ impl ThreeCushion {
     }
 }
 
-impl Game for ThreeCushion {
-    fn open(&mut self, _: &mut State, breaker: Player) -> Request {
+impl GameRules for ThreeCushion {
+    fn start(&mut self, _: &mut FrameState, breaker: Seat) -> Request {
         *self = Self::default();
         self.starting_shot(breaker)
     }
 
-    fn middle(&mut self, _: &State, player: Player) -> Request {
+    fn resume(&mut self, _: &FrameState, seat: Seat) -> Request {
         *self = Self::default();
-        self.innings[player] = 1;
-        Self::turn(player, Vec::new())
+        self.innings[seat] = 1;
+        Self::turn(seat, Vec::new())
     }
 
-    fn judge(&mut self, state: &mut State, shot: &Played<'_>) -> Request {
-        let (facts, player) = (shot.facts, shot.player());
-        let frozen = shot.before.touching(facts.cue, FROZEN);
-        let pushed = |touch: &Touch| matches!(touch, Touch::Ball(ball) if frozen.contains(ball));
+    fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
+        let seat = shot.seat();
+        let touched = &shot.outcome.cue_ball_touched;
+        let frozen = shot.before.touching(shot.turn.cue, FROZEN);
+        let pushed = |t: &Touched| matches!(t, Touched::Ball(ball) if frozen.contains(ball));
         let was_opening = core::mem::take(&mut self.is_opening);
-        let first = facts.first_contact().filter(|_| was_opening);
-        let indirect = first == Some(RED) && facts.touched.first() != Some(&Touch::Ball(RED));
+        let first = shot.first_contact().filter(|_| was_opening);
+        let indirect = first == Some(RED) && touched.first() != Some(&Touched::Ball(RED));
         let fouls = &mut state.ruling.fouls;
-        fouls.add_if(facts.off_table.contains(&facts.cue), Foul::CueBallOffTable);
-        fouls.add_if(facts.thrown_off().next().is_some(), Foul::BallOffTable);
+        fouls.add_if(shot.is_cue_ball_off_table(), Foul::CueBallOffTable);
+        fouls.add_if(shot.thrown_off().next().is_some(), Foul::BallOffTable);
         fouls.add_if(first.is_some_and(|ball| ball != RED), Foul::WrongBallFirst);
         fouls.add_if(indirect, Foul::IndirectStart);
-        fouls.add_if(facts.touched.first().is_some_and(pushed), Foul::Push);
-        Self::spot(state, &facts.off_table, shot.other());
+        fouls.add_if(touched.first().is_some_and(pushed), Foul::Push);
+        Self::spot(state, &shot.outcome.off_table, shot.opponent());
 
-        let frozen_to = frozen_to(state.base.table(), shot.before, facts.cue);
-        let scored = state.ruling.is_legal() && is_carom(facts, &frozen_to);
-        state.ruling.points[player] = scored.into();
+        let frozen_to = frozen_to(state.base.table(), shot.before, shot.turn.cue);
+        let scored = state.ruling.is_legal() && is_carom(shot.outcome, &frozen_to);
+        state.ruling.points[seat] = scored.into();
         let scores = state.scores_after();
-        if scored && scores[player] < state.options.target {
-            return Self::next(state, player);
+        if scored && scores[seat] < state.options.points {
+            return Self::next(state, seat);
         }
-        self.end_inning(state, player, scores)
+        self.end_inning(state, seat, scores)
     }
 
-    fn choose(&mut self, state: &mut State, player: Player, choice: Choice) -> Request {
+    fn choose(&mut self, state: &mut FrameState, seat: Seat, choice: Choice) -> Request {
         if choice == Choice::SpotFrozen {
-            let cue = player as BallIndex;
+            let cue = seat as BallIndex;
             let mut balls = state.layout.touching(cue, FROZEN);
             balls.push(cue);
-            Self::spot(state, &balls, player);
+            Self::spot(state, &balls, seat);
         }
-        Self::turn(player, Vec::new())
+        Self::turn(seat, Vec::new())
     }
 
-    fn to_node(&self, _: &State) -> Node {
+    fn to_node(&self, _: &FrameState) -> Node {
         Node::object([("innings", Node::list(self.innings.map(i64::from)))])
     }
 }
 
 /// The rails to which `ball` is frozen.
-fn frozen_to(table: &Table, layout: &Layout, ball: BallIndex) -> Vec<Rail> {
+fn frozen_to(table: &Table, layout: &FrameLayout, ball: BallIndex) -> Vec<Rail> {
     let Some([x, y]) = layout.place(ball) else { return Vec::new() };
-    let reach = table.reach(layout.pieces()[usize::from(ball)].ball.radius) + TOUCH_TOLERANCE;
+    let reach = table.reach(layout.radius(ball)) + FROZEN;
     let near = [
         (x, Rail::Left),
         (table.size.x - x, Rail::Right),
@@ -179,19 +182,20 @@ fn frozen_to(table: &Table, layout: &Layout, ball: BallIndex) -> Vec<Rail> {
     near.into_iter().filter(|(distance, _)| *distance <= reach).map(|(_, rail)| rail).collect()
 }
 
-/// Whether the cue ball touched three cushions or more before it first touched its second object ball. To
-/// be pressed against a cushion that it is `frozen_to` does not count.
-fn is_carom(facts: &Facts, frozen_to: &[Rail]) -> bool {
+/// Whether the cue ball touched at least three cushions before its first contact with the second
+/// object ball. A first touch of a cushion to which it is `frozen_to` does not count.
+fn is_carom(outcome: &Outcome, frozen_to: &[Rail]) -> bool {
+    let touched = &outcome.cue_ball_touched;
     let mut cushions = 0;
     let mut first = None;
-    let pressed = |touch: &Touch| matches!(touch, Touch::Rail(rail) if frozen_to.contains(rail));
-    let skipped = usize::from(facts.touched.first().is_some_and(pressed));
-    for touch in &facts.touched[skipped..] {
-        match (*touch, first) {
-            (Touch::Rail(_), _) => cushions += 1,
-            (Touch::Ball(ball), None) => first = Some(ball),
-            (Touch::Ball(ball), Some(one)) if ball != one => return cushions >= CUSHIONS,
-            (Touch::Ball(_), Some(_)) => {}
+    let pressed = |t: &Touched| matches!(t, Touched::Rail(rail) if frozen_to.contains(rail));
+    let skipped = usize::from(touched.first().is_some_and(pressed));
+    for touched in &touched[skipped..] {
+        match (*touched, first) {
+            (Touched::Rail(_), _) => cushions += 1,
+            (Touched::Ball(ball), None) => first = Some(ball),
+            (Touched::Ball(ball), Some(one)) if ball != one => return cushions >= CUSHIONS,
+            (Touched::Ball(_), Some(_)) => {}
         }
     }
     false

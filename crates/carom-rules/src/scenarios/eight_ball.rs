@@ -1,438 +1,435 @@
 //! WPA, section 3.
 
-use super::{CORNER, SIDE, Scene, assert_fouls, hit};
-use crate::games::Law;
+use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
+use crate::games::GameState;
 use crate::games::eight_ball::Group;
-use crate::{Call, Choice, Foul, Region, Rules};
+use crate::{Call, Choice, Foul, Region, Rules, Seat};
 
 /// After a break that pocketed the 3: player 0 goes on, the table is open.
-fn open_table() -> Scene {
-    let mut scene = Scene::of(Rules::EightBall);
-    let ruling = scene.play(Call::Nothing, hit(&[1]).potting(3, CORNER));
+fn open_table() -> Scenario {
+    let mut scenario = Scenario::of(Rules::EightBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[1]).potting(3, CORNER));
     assert!(ruling.is_legal());
-    assert_eq!(scene.asks(0).hand, None);
-    assert_eq!(group(&scene, 0), None, "a break decides no group (3.3c)");
-    scene
+    assert_eq!(scenario.asks(0).hand, None);
+    assert_eq!(group(&scenario, 0), None, "a break decides no group (3.3c)");
+    scenario
 }
 
-/// Player 0 has the solids and goes on.
-fn solids() -> Scene {
-    let mut scene = open_table();
-    scene.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, CORNER));
-    assert_eq!(group(&scene, 0), Some(Group::Solids));
-    assert_eq!(group(&scene, 1), Some(Group::Stripes));
-    scene
+/// Seat 0 has the solids and goes on.
+fn solids() -> Scenario {
+    let mut scenario = open_table();
+    scenario.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, CORNER));
+    assert_eq!(group(&scenario, 0), Some(Group::Solids));
+    assert_eq!(group(&scenario, 1), Some(Group::Stripes));
+    scenario
 }
 
-fn group(scene: &Scene, player: usize) -> Option<Group> {
-    match scene.0.law() {
-        Law::EightBall(game) => game.group(player),
+fn group(scenario: &Scenario, seat: Seat) -> Option<Group> {
+    match scenario.0.game_state() {
+        GameState::EightBall(game) => game.group(seat),
         other => panic!("{other:?}"),
     }
 }
 
 #[test]
 fn the_break_is_from_behind_the_head_string_without_a_call() {
-    let scene = Scene::of(Rules::EightBall);
-    let turn = scene.asks(0);
+    let scenario = Scenario::of(Rules::EightBall);
+    let turn = scenario.asks(0);
     assert_eq!(turn.hand, Some(Region::BehindHeadString));
     assert!(!turn.calls.pocket && !turn.calls.required);
 }
 
 #[test]
 fn a_break_without_a_pocketed_ball_needs_four_balls_to_a_rail() {
-    let mut scene = Scene::of(Rules::EightBall);
-    let ruling = scene.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]));
+    let mut scenario = Scenario::of(Rules::EightBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]));
     assert_fouls(&ruling, &[Foul::SoftBreak]);
-    scene.offers(1, &[Choice::PlayOn, Choice::Rebreak, Choice::RebreakByOther]);
+    scenario.offers(1, &[Choice::PlayOn, Choice::Rebreak, Choice::RebreakByOther]);
 
-    let mut scene = Scene::of(Rules::EightBall);
-    assert!(scene.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3, 4])).is_legal());
-    scene.asks(1);
+    let mut scenario = Scenario::of(Rules::EightBall);
+    assert!(scenario.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3, 4])).is_legal());
+    scenario.asks(1);
 }
 
 #[test]
 fn after_a_soft_break_either_player_may_be_made_to_break_again() {
     for (choice, breaker) in [(Choice::Rebreak, 1), (Choice::RebreakByOther, 0)] {
-        let mut scene = Scene::of(Rules::EightBall);
-        scene.play(Call::Nothing, hit(&[1]).driving(&[1]));
-        assert!(scene.choose(choice).racked);
-        assert_eq!(scene.asks(breaker).hand, Some(Region::BehindHeadString));
+        let mut scenario = Scenario::of(Rules::EightBall);
+        scenario.play(Call::Nothing, hit(&[1]).driving(&[1]));
+        assert!(scenario.choose(choice).racked);
+        assert_eq!(scenario.asks(breaker).hand, Some(Region::BehindHeadString));
     }
-    let mut scene = Scene::of(Rules::EightBall);
-    scene.play(Call::Nothing, hit(&[1]).driving(&[1]));
-    scene.choose(Choice::PlayOn);
-    assert_eq!(scene.asks(1).hand, None);
+    let mut scenario = Scenario::of(Rules::EightBall);
+    scenario.play(Call::Nothing, hit(&[1]).driving(&[1]));
+    scenario.choose(Choice::PlayOn);
+    assert_eq!(scenario.asks(1).hand, None);
 }
 
 #[test]
 fn the_eight_on_the_break_is_spotted_or_racked_again_as_the_breaker_likes() {
-    let mut scene = Scene::of(Rules::EightBall);
-    assert!(scene.play(Call::Nothing, hit(&[1]).potting(8, SIDE)).is_legal());
-    scene.offers(0, &[Choice::SpotEight, Choice::Rebreak]);
-    assert_eq!(scene.choose(Choice::SpotEight).spotted, [8]);
-    assert!(!scene.is_down(8));
-    assert_eq!(scene.asks(0).hand, None);
+    let mut scenario = Scenario::of(Rules::EightBall);
+    assert!(scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE)).is_legal());
+    scenario.offers(0, &[Choice::SpotEight, Choice::Rebreak]);
+    assert_eq!(scenario.choose(Choice::SpotEight).spotted, [8]);
+    assert!(!scenario.is_down(8));
+    assert_eq!(scenario.asks(0).hand, None);
 }
 
 #[test]
 fn the_eight_and_the_cue_ball_on_the_break_give_the_choice_to_the_other() {
-    let mut scene = Scene::of(Rules::EightBall);
-    let ruling = scene.play(Call::Nothing, hit(&[1]).potting(8, SIDE).potting(0, CORNER));
+    let mut scenario = Scenario::of(Rules::EightBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE).potting(0, CORNER));
     assert_fouls(&ruling, &[Foul::Scratch]);
-    scene.offers(1, &[Choice::SpotEight, Choice::Rebreak]);
-    scene.choose(Choice::SpotEight);
-    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+    scenario.offers(1, &[Choice::SpotEight, Choice::Rebreak]);
+    scenario.choose(Choice::SpotEight);
+    assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
 }
 
 #[test]
-fn a_scratch_on_the_break_puts_the_cue_ball_in_hand_behind_the_head_string() {
-    let mut scene = Scene::of(Rules::EightBall);
-    scene.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
-    scene.offers(1, &[Choice::PlayFromHand]);
-    scene.choose(Choice::PlayFromHand);
-    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
-    assert!(scene.is_down(3), "what fell stays down");
+fn a_scratch_on_the_break_asks_for_no_choice_of_one_but_for_a_shot_from_hand() {
+    let mut scenario = Scenario::of(Rules::EightBall);
+    scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
+    assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
+    assert!(scenario.is_down(3), "a pocketed ball stays down");
 }
 
 #[test]
 fn a_ball_off_the_table_on_the_break_stays_off_and_the_eight_is_spotted() {
-    let mut scene = Scene::of(Rules::EightBall);
-    let ruling = scene.play(Call::Nothing, hit(&[1]).losing(5).losing(8).driving(&[1, 2]));
+    let mut scenario = Scenario::of(Rules::EightBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[1]).losing(5).losing(8).driving(&[1, 2]));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
     assert_eq!(ruling.spotted, [8]);
-    assert!(scene.is_down(5) && !scene.is_down(8));
-    scene.offers(1, &[Choice::PlayOn, Choice::PlayFromHand]);
+    assert!(scenario.is_down(5) && !scenario.is_down(8));
+    scenario.offers(1, &[Choice::PlayOn, Choice::PlayFromHand]);
 }
 
 #[test]
 fn the_table_stays_open_until_a_called_ball_falls() {
-    let mut scene = open_table();
-    scene.play(Call::Pocket(9, CORNER), hit(&[9]).potting(4, SIDE));
-    assert_eq!(group(&scene, 0), None);
-    scene.asks(1);
-    scene.play(Call::Pocket(9, CORNER), hit(&[9]).potting(9, CORNER));
-    assert_eq!(group(&scene, 1), Some(Group::Stripes));
-    scene.asks(1);
+    let mut scenario = open_table();
+    scenario.play(Call::Pocket(9, CORNER), hit(&[9]).potting(4, SIDE));
+    assert_eq!(group(&scenario, 0), None);
+    scenario.asks(1);
+    scenario.play(Call::Pocket(9, CORNER), hit(&[9]).potting(9, CORNER));
+    assert_eq!(group(&scenario, 1), Some(Group::Stripes));
+    scenario.asks(1);
 }
 
 #[test]
 fn on_an_open_table_any_ball_but_the_eight_may_be_hit_first() {
     for first in [1, 9] {
-        let mut scene = open_table();
-        assert!(scene.play(Call::Pocket(9, CORNER), hit(&[first, 9])).is_legal());
+        let mut scenario = open_table();
+        assert!(scenario.play(Call::Pocket(9, CORNER), hit(&[first, 9])).is_legal());
     }
-    let mut scene = open_table();
-    let ruling = scene.play(Call::Pocket(9, CORNER), hit(&[8, 9]).potting(9, CORNER));
+    let mut scenario = open_table();
+    let ruling = scenario.play(Call::Pocket(9, CORNER), hit(&[8, 9]).potting(9, CORNER));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
-    assert_eq!(group(&scene, 0), None, "a foul decides no group");
-    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+    assert_eq!(group(&scenario, 0), None, "a foul decides no group");
+    assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
 }
 
 #[test]
 fn on_an_open_table_a_group_that_is_gone_may_be_claimed_for_the_eight() {
     let claiming = || {
-        let mut scene = open_table().without([1, 2, 4, 5, 6, 7]);
-        scene.play(Call::Safety, hit(&[9]));
-        assert!(scene.asks(1).on.contains(&8));
-        scene
+        let mut scenario = open_table().without([1, 2, 4, 5, 6, 7]);
+        scenario.play(Call::Safety, hit(&[9]));
+        assert!(scenario.asks(1).on.contains(&8));
+        scenario
     };
-    let mut scene = claiming();
-    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
-    scene.is_won_by(1);
-    let mut scene = claiming();
-    scene.play(Call::Pocket(9, SIDE), hit(&[8]).potting(8, SIDE));
-    scene.is_won_by(0);
+    let mut scenario = claiming();
+    scenario.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
+    scenario.is_won_by(1);
+    let mut scenario = claiming();
+    scenario.play(Call::Pocket(9, SIDE), hit(&[8]).potting(8, SIDE));
+    scenario.is_won_by(0);
 }
 
 #[test]
 fn who_claims_a_group_that_is_gone_hits_the_eight_and_who_does_not_hits_another_ball() {
     let open = || {
-        let mut scene = open_table().without([1, 2, 4, 5, 6, 7]);
-        scene.play(Call::Safety, hit(&[9]));
-        scene
+        let mut scenario = open_table().without([1, 2, 4, 5, 6, 7]);
+        scenario.play(Call::Safety, hit(&[9]));
+        scenario
     };
-    let mut scene = open();
-    let ruling = scene.play(Call::Pocket(8, SIDE), hit(&[9, 8]).potting(8, SIDE));
+    let mut scenario = open();
+    let ruling = scenario.play(Call::Pocket(8, SIDE), hit(&[9, 8]).potting(8, SIDE));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
-    scene.is_won_by(0);
-    let mut scene = open();
-    let ruling = scene.play(Call::Pocket(9, SIDE), hit(&[8, 9]).potting(9, SIDE));
+    scenario.is_won_by(0);
+    let mut scenario = open();
+    let ruling = scenario.play(Call::Pocket(9, SIDE), hit(&[8, 9]).potting(9, SIDE));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
-    assert_eq!(group(&scene, 1), None);
+    assert_eq!(group(&scenario, 1), None);
     for first in [8, 9] {
         assert!(open().play(Call::Safety, hit(&[first])).is_legal());
     }
-    let mut scene = open_table().without((1..=15).filter(|ball| *ball != 8));
-    scene.play(Call::Safety, hit(&[8]));
-    assert_eq!(scene.asks(1).on, [8], "nothing else is left");
-    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
-    scene.is_won_by(1);
+    let mut scenario = open_table().without((1..=15).filter(|ball| *ball != 8));
+    scenario.play(Call::Safety, hit(&[8]));
+    assert_eq!(scenario.asks(1).on, [8], "nothing else is left");
+    scenario.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn of_two_groups_that_fall_the_called_ball_decides() {
-    let mut scene = open_table();
+    let mut scenario = open_table();
     let happened = hit(&[1, 9]).potting(1, SIDE).potting(9, CORNER);
-    scene.play(Call::Pocket(9, CORNER), happened);
-    assert_eq!(group(&scene, 0), Some(Group::Stripes));
-    scene.asks(0);
+    scenario.play(Call::Pocket(9, CORNER), happened);
+    assert_eq!(group(&scenario, 0), Some(Group::Stripes));
+    scenario.asks(0);
 }
 
 #[test]
 fn a_safety_on_an_open_table_decides_no_group_whatever_falls() {
-    let mut scene = open_table();
-    scene.play(Call::Safety, hit(&[1]).potting(1, SIDE));
-    assert_eq!(group(&scene, 0), None);
-    scene.asks(1);
+    let mut scenario = open_table();
+    scenario.play(Call::Safety, hit(&[1]).potting(1, SIDE));
+    assert_eq!(group(&scenario, 0), None);
+    scenario.asks(1);
 }
 
 #[test]
 fn a_group_that_the_other_player_cleared_is_cleared() {
-    let mut scene = solids().without([10, 11, 12, 13, 14, 15]);
-    scene.play(Call::Pocket(2, SIDE), hit(&[2, 9]).potting(9, CORNER));
-    assert_eq!(scene.asks(1).on, [8]);
-    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
-    scene.is_won_by(1);
+    let mut scenario = solids().without([10, 11, 12, 13, 14, 15]);
+    scenario.play(Call::Pocket(2, SIDE), hit(&[2, 9]).potting(9, CORNER));
+    assert_eq!(scenario.asks(1).on, [8]);
+    scenario.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn the_eight_on_a_safety_loses() {
-    let mut scene = on_the_eight();
-    scene.play(Call::Safety, hit(&[8]).potting(8, SIDE));
-    scene.is_won_by(1);
-    let mut scene = open_table();
-    scene.play(Call::Pocket(8, SIDE), hit(&[9, 8]).potting(8, SIDE));
-    scene.is_won_by(1);
+    let mut scenario = on_the_eight();
+    scenario.play(Call::Safety, hit(&[8]).potting(8, SIDE));
+    scenario.is_won_by(1);
+    let mut scenario = open_table();
+    scenario.play(Call::Pocket(8, SIDE), hit(&[9, 8]).potting(8, SIDE));
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn on_the_eight_another_ball_first_is_a_foul() {
-    let mut scene = on_the_eight();
-    let ruling = scene.play(Call::Pocket(8, SIDE), hit(&[9, 8]).potting(8, SIDE));
+    let mut scenario = on_the_eight();
+    let ruling = scenario.play(Call::Pocket(8, SIDE), hit(&[9, 8]).potting(8, SIDE));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
-    scene.is_won_by(1);
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn balls_of_the_own_group_off_the_table_stay_off_and_count_as_gone() {
-    let mut scene = solids().without([2, 4, 5, 6]);
-    let ruling = scene.play(Call::Pocket(7, CORNER), hit(&[7]).losing(7));
+    let mut scenario = solids().without([2, 4, 5, 6]);
+    let ruling = scenario.play(Call::Pocket(7, CORNER), hit(&[7]).losing(7));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
-    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
-    scene.play(Call::Safety, hit(&[9]));
-    assert_eq!(scene.asks(0).on, [8]);
+    assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
+    scenario.play(Call::Safety, hit(&[9]));
+    assert_eq!(scenario.asks(0).on, [8]);
 }
 
 #[test]
 fn who_breaks_again_has_the_breakers_choices() {
-    let mut scene = Scene::of(Rules::EightBall);
-    scene.play(Call::Nothing, hit(&[1]).driving(&[1]));
-    scene.choose(Choice::Rebreak);
-    scene.play(Call::Nothing, hit(&[1]).potting(8, SIDE));
-    scene.offers(1, &[Choice::SpotEight, Choice::Rebreak]);
-    scene.choose(Choice::SpotEight);
-    assert_eq!(scene.asks(1).hand, None);
+    let mut scenario = Scenario::of(Rules::EightBall);
+    scenario.play(Call::Nothing, hit(&[1]).driving(&[1]));
+    scenario.choose(Choice::Rebreak);
+    scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE));
+    scenario.offers(1, &[Choice::SpotEight, Choice::Rebreak]);
+    scenario.choose(Choice::SpotEight);
+    assert_eq!(scenario.asks(1).hand, None);
 }
 
 #[test]
 fn after_a_foul_on_the_break_the_table_may_be_played_as_it_lies() {
-    let mut scene = Scene::of(Rules::EightBall);
-    scene.play(Call::Nothing, hit(&[1]).potting(3, SIDE).losing(4));
-    scene.choose(Choice::PlayOn);
-    assert_eq!(scene.asks(1).hand, None);
-    assert!(scene.turn().calls.required && group(&scene, 1).is_none());
+    let mut scenario = Scenario::of(Rules::EightBall);
+    scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).losing(4));
+    scenario.choose(Choice::PlayOn);
+    assert_eq!(scenario.asks(1).hand, None);
+    assert!(scenario.turn().calls.required && group(&scenario, 1).is_none());
 }
 
 #[test]
 fn the_head_string_binds_in_the_first_shot_after_the_break_alone() {
-    let mut scene = solids();
-    scene.play(Call::Safety, hit(&[2]).potting(0, CORNER));
-    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
-    scene.0.put(9, Some([0.3, 0.3]));
-    assert!(scene.play(Call::Safety, hit(&[9]).staying_below(0.4)).is_legal());
+    let mut scenario = solids();
+    scenario.play(Call::Safety, hit(&[2]).potting(0, CORNER));
+    assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
+    scenario.0.put(9, Some([0.3, 0.3]));
+    assert!(scenario.play(Call::Safety, hit(&[9]).staying_below(0.4)).is_legal());
 }
 
 #[test]
 fn a_soft_break_that_is_a_foul_besides_may_be_racked_again_or_played_from_hand() {
-    let mut scene = Scene::of(Rules::EightBall);
-    let ruling = scene.play(Call::Nothing, hit(&[1]).driving(&[1]).potting(0, CORNER));
+    let mut scenario = Scenario::of(Rules::EightBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[1]).driving(&[1]).potting(0, CORNER));
     assert_fouls(&ruling, &[Foul::Scratch, Foul::SoftBreak]);
-    scene.offers(1, &[Choice::PlayFromHand, Choice::Rebreak, Choice::RebreakByOther]);
+    scenario.offers(1, &[Choice::PlayFromHand, Choice::Rebreak, Choice::RebreakByOther]);
 
-    let mut scene = Scene::of(Rules::EightBall);
-    let ruling = scene.play(Call::Nothing, hit(&[]).no_rail());
+    let mut scenario = Scenario::of(Rules::EightBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[]).no_rail());
     assert_fouls(&ruling, &[Foul::NoContact, Foul::SoftBreak]);
     let all = [Choice::PlayOn, Choice::PlayFromHand, Choice::Rebreak, Choice::RebreakByOther];
-    scene.offers(1, &all);
+    scenario.offers(1, &all);
 }
 
 #[test]
 fn balls_off_the_table_count_as_driven_to_a_rail() {
-    let mut scene = Scene::of(Rules::EightBall);
-    let ruling = scene.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]).losing(4));
+    let mut scenario = Scenario::of(Rules::EightBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]).losing(4));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
 }
 
 #[test]
 fn the_eight_on_a_break_with_any_foul_gives_the_cue_ball_in_hand() {
-    let mut scene = Scene::of(Rules::EightBall);
-    let ruling = scene.play(Call::Nothing, hit(&[1]).potting(8, SIDE).losing(4));
+    let mut scenario = Scenario::of(Rules::EightBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE).losing(4));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
-    let mut racked = Scene(scene.0.clone());
-    assert_eq!(scene.choose(Choice::SpotEight).spotted, [8]);
-    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+    let mut racked = Scenario(scenario.0.clone());
+    assert_eq!(scenario.choose(Choice::SpotEight).spotted, [8]);
+    assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
     assert!(racked.choose(Choice::Rebreak).racked);
     racked.asks(1);
 }
 
 #[test]
 fn a_scratch_after_a_contact_is_no_second_foul_for_want_of_a_rail() {
-    let mut scene = solids();
-    let ruling = scene.play(Call::Pocket(2, CORNER), hit(&[2]).no_rail().potting(0, SIDE));
+    let mut scenario = solids();
+    let ruling = scenario.play(Call::Pocket(2, CORNER), hit(&[2]).no_rail().potting(0, SIDE));
     assert_fouls(&ruling, &[Foul::Scratch]);
 }
 
 #[test]
 fn a_called_ball_of_the_other_group_ends_the_turn() {
-    let mut scene = solids();
-    assert!(scene.play(Call::Pocket(9, SIDE), hit(&[2, 9]).potting(9, SIDE)).is_legal());
-    scene.asks(1);
-    assert!(scene.is_down(9));
+    let mut scenario = solids();
+    assert!(scenario.play(Call::Pocket(9, SIDE), hit(&[2, 9]).potting(9, SIDE)).is_legal());
+    scenario.asks(1);
+    assert!(scenario.is_down(9));
 }
 
 #[test]
 fn the_eight_with_the_last_ball_of_the_group_loses() {
-    let mut scene = solids().without([2, 4, 5, 6]);
-    scene.play(Call::Pocket(7, CORNER), hit(&[7]).potting(7, CORNER).potting(8, SIDE));
-    scene.is_won_by(1);
+    let mut scenario = solids().without([2, 4, 5, 6]);
+    scenario.play(Call::Pocket(7, CORNER), hit(&[7]).potting(7, CORNER).potting(8, SIDE));
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn fouls_are_not_counted() {
-    let mut scene = solids();
+    let mut scenario = solids();
     for _ in 0..4 {
-        scene.play(Call::Safety, hit(&[]));
-        scene.play(Call::Safety, hit(&[9]));
+        scenario.play(Call::Safety, hit(&[]));
+        scenario.play(Call::Safety, hit(&[9]));
     }
-    assert_eq!(scene.0.fouls_in_a_row(), [0, 0]);
+    assert_eq!(scenario.0.fouls_in_a_row(), [0, 0]);
 }
 
 #[test]
 fn with_all_legal_balls_behind_the_head_string_the_nearest_may_be_spotted() {
-    let mut scene =
-        Scene::of(Rules::EightBall).without((1..=15).filter(|b| ![3, 8, 9].contains(b)));
-    scene.0.put(3, Some([0.3, 0.3]));
-    scene.0.put(9, Some([0.9, 0.4]));
-    scene.play(Call::Nothing, hit(&[3]).driving(&[1, 2, 4, 5]).potting(0, CORNER));
-    scene.offers(1, &[Choice::PlayFromHand, Choice::SpotNearest]);
-    assert_eq!(scene.choose(Choice::SpotNearest).spotted, [9]);
-    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
-    assert_eq!(scene.0.layout().place(3), Some([0.3, 0.3]));
+    let mut scenario =
+        Scenario::of(Rules::EightBall).without((1..=15).filter(|b| ![3, 8, 9].contains(b)));
+    scenario.0.put(3, Some([0.3, 0.3]));
+    scenario.0.put(9, Some([0.9, 0.4]));
+    scenario.play(Call::Nothing, hit(&[3]).driving(&[1, 2, 4, 5]).potting(0, CORNER));
+    scenario.offers(1, &[Choice::PlayFromHand, Choice::SpotNearest]);
+    assert_eq!(scenario.choose(Choice::SpotNearest).spotted, [9]);
+    assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
+    assert_eq!(scenario.0.layout().place(3), Some([0.3, 0.3]));
 }
 
 #[test]
 fn a_shot_must_be_called() {
-    let scene = open_table();
-    assert!(scene.turn().calls.required);
+    let scenario = open_table();
+    assert!(scenario.turn().calls.required);
 }
 
 #[test]
 fn a_ball_in_an_uncalled_pocket_ends_the_turn_without_a_foul() {
-    let mut scene = solids();
-    let ruling = scene.play(Call::Pocket(2, CORNER), hit(&[2]).potting(2, SIDE));
+    let mut scenario = solids();
+    let ruling = scenario.play(Call::Pocket(2, CORNER), hit(&[2]).potting(2, SIDE));
     assert!(ruling.is_legal());
-    scene.asks(1);
-    assert!(scene.is_down(2), "no other ball than the eight is ever spotted (3.7)");
+    scenario.asks(1);
+    assert!(scenario.is_down(2), "no other ball than the eight is ever spotted (3.7)");
 }
 
 #[test]
 fn after_a_called_safety_the_other_shoots_whatever_fell() {
-    let mut scene = solids();
-    scene.play(Call::Safety, hit(&[2]).potting(2, CORNER));
-    scene.asks(1);
+    let mut scenario = solids();
+    scenario.play(Call::Safety, hit(&[2]).potting(2, CORNER));
+    scenario.asks(1);
 }
 
 #[test]
 fn the_other_group_first_is_a_foul_and_gives_ball_in_hand_anywhere() {
-    let mut scene = solids();
-    let ruling = scene.play(Call::Pocket(2, CORNER), hit(&[9, 2]).potting(2, CORNER));
+    let mut scenario = solids();
+    let ruling = scenario.play(Call::Pocket(2, CORNER), hit(&[9, 2]).potting(2, CORNER));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
-    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+    assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
 }
 
 #[test]
 fn without_a_rail_or_a_pocketed_ball_a_shot_is_a_foul() {
-    let mut scene = solids();
-    let ruling = scene.play(Call::Pocket(2, CORNER), hit(&[2]).no_rail());
+    let mut scenario = solids();
+    let ruling = scenario.play(Call::Pocket(2, CORNER), hit(&[2]).no_rail());
     assert_fouls(&ruling, &[Foul::NoRailAfterContact]);
-    let mut scene = solids();
-    assert!(scene.play(Call::Pocket(2, CORNER), hit(&[2]).no_rail().potting(2, CORNER)).is_legal());
-    let mut scene = solids();
-    assert_fouls(&scene.play(Call::Pocket(2, CORNER), hit(&[])), &[Foul::NoContact]);
+    let mut scenario = solids();
+    assert!(
+        scenario.play(Call::Pocket(2, CORNER), hit(&[2]).no_rail().potting(2, CORNER)).is_legal()
+    );
+    let mut scenario = solids();
+    assert_fouls(&scenario.play(Call::Pocket(2, CORNER), hit(&[])), &[Foul::NoContact]);
 }
 
 /// The eight is on for player 0.
-fn on_the_eight() -> Scene {
-    let mut scene = solids().without([2, 4, 5, 6]);
-    scene.play(Call::Pocket(7, CORNER), hit(&[7]).potting(7, CORNER));
-    assert_eq!(scene.asks(0).on, [8]);
-    scene
+fn on_the_eight() -> Scenario {
+    let mut scenario = solids().without([2, 4, 5, 6]);
+    scenario.play(Call::Pocket(7, CORNER), hit(&[7]).potting(7, CORNER));
+    assert_eq!(scenario.asks(0).on, [8]);
+    scenario
 }
 
 #[test]
 fn the_called_eight_wins() {
-    let mut scene = on_the_eight();
-    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
-    scene.is_won_by(0);
+    let mut scenario = on_the_eight();
+    scenario.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
+    scenario.is_won_by(0);
 }
 
 #[test]
 fn the_eight_loses_with_a_foul_in_another_pocket_too_early_or_off_the_table() {
-    let mut scene = on_the_eight();
-    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE).potting(0, CORNER));
-    scene.is_won_by(1);
-    let mut scene = on_the_eight();
-    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, CORNER));
-    scene.is_won_by(1);
-    let mut scene = solids();
-    scene.play(Call::Pocket(8, SIDE), hit(&[2, 8]).potting(8, SIDE));
-    scene.is_won_by(1);
-    let mut scene = on_the_eight();
-    scene.play(Call::Pocket(8, SIDE), hit(&[8]).losing(8));
-    scene.is_won_by(1);
+    let mut scenario = on_the_eight();
+    scenario.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE).potting(0, CORNER));
+    scenario.is_won_by(1);
+    let mut scenario = on_the_eight();
+    scenario.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, CORNER));
+    scenario.is_won_by(1);
+    let mut scenario = solids();
+    scenario.play(Call::Pocket(8, SIDE), hit(&[2, 8]).potting(8, SIDE));
+    scenario.is_won_by(1);
+    let mut scenario = on_the_eight();
+    scenario.play(Call::Pocket(8, SIDE), hit(&[8]).losing(8));
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn a_foul_without_the_eight_does_not_lose_the_rack() {
-    let mut scene = on_the_eight();
-    scene.play(Call::Pocket(8, SIDE), hit(&[8]).potting(0, CORNER));
-    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+    let mut scenario = on_the_eight();
+    scenario.play(Call::Pocket(8, SIDE), hit(&[8]).potting(0, CORNER));
+    assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
 }
 
 #[test]
 fn behind_the_head_string_a_ball_there_must_not_be_hit_directly() {
-    let mut scene = Scene::of(Rules::EightBall);
-    scene.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
-    scene.choose(Choice::PlayFromHand);
-    scene.0.put(9, Some([0.3, 0.3]));
-    let ruling = scene.play(Call::Pocket(9, SIDE), hit(&[9]).reaching(0.4));
+    let mut scenario = Scenario::of(Rules::EightBall);
+    scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
+    scenario.0.put(9, Some([0.3, 0.3]));
+    let ruling = scenario.play(Call::Pocket(9, SIDE), hit(&[9]).reaching(0.4));
     assert_fouls(&ruling, &[Foul::BehindHeadString]);
 
-    let mut scene = Scene::of(Rules::EightBall);
-    scene.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
-    scene.choose(Choice::PlayFromHand);
-    scene.0.put(9, Some([0.3, 0.3]));
-    assert!(scene.play(Call::Pocket(9, SIDE), hit(&[9]).reaching(1.2)).is_legal());
+    let mut scenario = Scenario::of(Rules::EightBall);
+    scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
+    scenario.0.put(9, Some([0.3, 0.3]));
+    assert!(scenario.play(Call::Pocket(9, SIDE), hit(&[9]).reaching(1.2)).is_legal());
 }
 
 #[test]
 fn behind_the_head_string_the_cue_ball_must_come_out_or_touch_a_ball_that_is() {
     let from_hand = || {
-        let mut scene = Scene::of(Rules::EightBall);
-        scene.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
-        scene.choose(Choice::PlayFromHand);
-        scene
+        let mut scenario = Scenario::of(Rules::EightBall);
+        scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
+        scenario
     };
     let ruling = from_hand().play(Call::Safety, hit(&[]).staying_below(0.6));
     assert_fouls(&ruling, &[Foul::NoContact, Foul::BehindHeadString]);

@@ -1,4 +1,4 @@
-//! Every rule in a scene of its own: what happened in a shot is told, not simulated.
+//! Every rule in a scenario of its own. The shots are described by hand, not simulated.
 
 mod eight_ball;
 mod endings;
@@ -7,26 +7,26 @@ mod snooker;
 mod straight_pool;
 mod three_cushion;
 
+use carom::outcome::{Outcome, Touched};
 use carom::resolve::cue_ball::Strike;
 use carom::table::{PocketName, Rail};
 
-use crate::facts::Touch;
-use crate::layout::distance;
+use crate::markings::distance;
+use crate::referee::CueBallTravel;
 use crate::{
-    BallIndex, Call, Choice, Facts, Foul, Frame, Options, Play, Player, Request, Rules, Ruling,
-    Turn,
+    BallIndex, Call, Choice, Foul, Frame, Options, Play, Request, Rules, Ruling, Seat, Turn,
 };
 
-/// A ball so near to a spot, m, is on it.
+/// A ball within this distance of a spot is on it, m.
 const SPOTTED: f64 = 1e-6;
 
 const CORNER: PocketName = PocketName::TopLeft;
 const SIDE: PocketName = PocketName::Right;
 
 /// A frame in the middle of a test.
-struct Scene(Frame);
+struct Scenario(Frame);
 
-impl Scene {
+impl Scenario {
     fn of(rules: Rules) -> Self {
         Self::with(rules, Options::default())
     }
@@ -36,11 +36,12 @@ impl Scene {
     }
 
     fn turn(&self) -> &Turn {
-        self.0.turn().unwrap_or_else(|| panic!("a shot is asked, not {:?}", self.0.request()))
+        let request = self.0.request();
+        self.0.turn().unwrap_or_else(|| panic!("the frame asks for {request:?}, not for a shot"))
     }
 
-    /// Plays a shot in which `happened` is what came of it, with the cue ball placed if it is in hand.
-    fn play(&mut self, call: Call, happened: Shot) -> Ruling {
+    /// Plays a shot with the outcome `shot`. A cue ball in hand is placed where there is room.
+    fn play(&mut self, call: Call, shot: DescribedShot) -> Ruling {
         let turn = self.turn().clone();
         let strike = Strike { speed: 1.0, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
         let mut play = Play { strike, cue_ball: None, call };
@@ -57,18 +58,19 @@ impl Scene {
         self.0.shot(&play).unwrap_or_else(|e| panic!("{e}"));
         self.0.put(turn.cue, play.cue_ball.or(self.0.layout().place(turn.cue)));
         let before = self.0.layout().clone();
-        for ball in happened.0.pocketed.iter().map(|(b, _)| b).chain(&happened.0.off_table) {
+        let DescribedShot { mut outcome, travel } = shot;
+        for ball in outcome.pocketed.iter().map(|(b, _)| b).chain(&outcome.off_table) {
             self.0.put(*ball, None);
         }
-        let facts = Facts { cue: turn.cue, ..happened.0 };
-        self.0.decide(&turn, &play, &facts, &before)
+        outcome.cue_ball = Some(turn.cue);
+        self.0.decide(&turn, &play, &outcome, &travel, &before)
     }
 
     fn choose(&mut self, choice: Choice) -> Ruling {
         self.0.choose(choice).unwrap_or_else(|e| panic!("{e}"))
     }
 
-    /// Takes balls off the table before a scene.
+    /// The same scenario with `balls` taken off the table.
     fn without(mut self, balls: impl IntoIterator<Item = BallIndex>) -> Self {
         for ball in balls {
             self.0.put(ball, None);
@@ -88,97 +90,108 @@ impl Scene {
     }
 
     #[track_caller]
-    fn asks(&self, player: Player) -> &Turn {
+    fn asks(&self, seat: Seat) -> &Turn {
         let turn = self.turn();
-        assert_eq!(turn.player, player, "another player is to shoot");
+        assert_eq!(turn.player, seat, "the other player shoots");
         turn
     }
 
     #[track_caller]
-    fn offers(&self, to: Player, expected: &[Choice]) {
+    fn offers(&self, to: Seat, expected: &[Choice]) {
         let Request::Choice { player, choices, .. } = self.0.request() else {
-            panic!("a choice is asked, not {:?}", self.0.request());
+            panic!("the frame asks for {:?}, not for a choice", self.0.request());
         };
         assert_eq!((*player, &choices[..]), (to, expected));
     }
 
     #[track_caller]
-    fn is_won_by(&self, player: Player) {
+    fn is_won_by(&self, seat: Seat) {
         let Request::Over { winner, .. } = self.0.request() else {
-            panic!("the frame is over, not {:?}", self.0.request());
+            panic!("the frame asks for {:?}, but should be over", self.0.request());
         };
-        assert_eq!(*winner, Some(player));
+        assert_eq!(*winner, Some(seat));
     }
 }
 
-/// What happened in a shot.
-struct Shot(Facts);
-
-/// The cue ball touched `balls`, in this order, then a rail.
-fn hit(balls: &[BallIndex]) -> Shot {
-    let balls = balls.iter().map(|ball| Touch::Ball(*ball));
-    Shot(Facts {
-        touched: balls.chain([Touch::Rail(Rail::Top)]).collect(),
-        driven: vec![0],
-        rail_after_contact: true,
-        cue_reached: 10.0,
-        cue_farthest: 10.0,
-        ..Facts::default()
-    })
+/// What happened in a shot. Balls are indices of the frame.
+struct DescribedShot {
+    outcome: Outcome,
+    travel: CueBallTravel,
 }
 
-impl Shot {
-    /// Nothing was driven to a rail.
+/// The cue ball touched `balls`, in this order, then a rail.
+fn hit(balls: &[BallIndex]) -> DescribedShot {
+    let touched = balls.iter().map(|ball| Touched::Ball(*ball));
+    DescribedShot {
+        outcome: Outcome {
+            first_contact: balls.first().copied(),
+            cue_ball_touched: touched.chain([Touched::Rail(Rail::Top)]).collect(),
+            driven_to_rail: vec![0],
+            rails_after_first_contact: vec![(0, Rail::Top)],
+            ..Outcome::default()
+        },
+        travel: CueBallTravel {
+            jumped_before_contact: false,
+            reached_before_contact: 10.0,
+            reached: 10.0,
+        },
+    }
+}
+
+impl DescribedShot {
+    /// No ball was driven to a rail.
     fn no_rail(mut self) -> Self {
-        self.0.driven.clear();
-        self.0.touched.retain(|touch| matches!(touch, Touch::Ball(_)));
-        self.0.rail_after_contact = false;
+        self.outcome.driven_to_rail.clear();
+        self.outcome.rails_after_first_contact.clear();
+        self.outcome.cue_ball_touched.retain(|touched| matches!(touched, Touched::Ball(_)));
         self
     }
 
     fn potting(mut self, ball: BallIndex, pocket: PocketName) -> Self {
-        self.0.pocketed.push((ball, pocket));
+        self.outcome.pocketed.push((ball, pocket));
         self
     }
 
     fn losing(mut self, ball: BallIndex) -> Self {
-        self.0.off_table.push(ball);
+        self.outcome.off_table.push(ball);
         self
     }
 
-    /// These object balls, and the cue ball, were driven to a rail.
+    /// These object balls and the cue ball were driven to a rail.
     fn driving(mut self, balls: &[BallIndex]) -> Self {
-        self.0.driven = balls.to_vec();
-        self.0.driven.push(0);
+        self.outcome.driven_to_rail = balls.to_vec();
+        self.outcome.driven_to_rail.push(0);
         self
     }
 
-    /// The cue ball jumped over a ball before it touched one, or (`first` is false) after that.
-    fn jumping(mut self, first: bool) -> Self {
-        self.0.jumped = true;
-        self.0.jumped_first = first;
+    /// The cue ball jumped over a ball, before its first contact or (`before_contact` is false)
+    /// later.
+    fn jumping(mut self, before_contact: bool) -> Self {
+        self.travel.jumped_before_contact = before_contact;
         self
     }
 
-    /// The cue ball never came farther up the table.
+    /// The cue ball's centre never came farther up the table than `y`.
     fn staying_below(mut self, y: f64) -> Self {
-        (self.0.cue_reached, self.0.cue_farthest) = (y, y);
+        (self.travel.reached_before_contact, self.travel.reached) = (y, y);
         self
     }
 
-    /// How far up the table the cue ball came before it touched a ball.
+    /// The cue ball's centre came up to `y` before its first contact.
     fn reaching(mut self, y: f64) -> Self {
-        self.0.cue_reached = y;
+        self.travel.reached_before_contact = y;
         self
     }
 
-    /// Instead of what was said: balls (by number) and cushions (negative) in the order touched.
+    /// The cue ball touched balls (by index) and cushions (negative) in this order, instead of the
+    /// order given before.
     fn touching(mut self, order: &[i32]) -> Self {
-        let touch = |n: &i32| match u8::try_from(*n) {
-            Ok(ball) => Touch::Ball(ball),
-            Err(_) => Touch::Rail(Rail::Top),
+        let touched = |n: &i32| match BallIndex::try_from(*n) {
+            Ok(ball) => Touched::Ball(ball),
+            Err(_) => Touched::Rail(Rail::Top),
         };
-        self.0.touched = order.iter().map(touch).collect();
+        self.outcome.first_contact = order.iter().find_map(|n| BallIndex::try_from(*n).ok());
+        self.outcome.cue_ball_touched = order.iter().map(touched).collect();
         self
     }
 }

@@ -2,162 +2,162 @@
 
 use carom::resolve::cue_ball::Strike;
 
-use super::{CORNER, SIDE, Scene, assert_fouls, hit};
+use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
 use crate::{Call, Choice, Foul, Play, Region, Rules};
 
 /// After a legal break that pocketed the 5: player 0 goes on.
-fn after_break(rules: Rules) -> Scene {
-    let mut scene = Scene::of(rules);
-    scene.play(Call::Nothing, hit(&[1]).potting(5, CORNER));
-    assert_eq!(scene.asks(0).on, [1]);
-    scene
+fn after_break(rules: Rules) -> Scenario {
+    let mut scenario = Scenario::of(rules);
+    scenario.play(Call::Nothing, hit(&[1]).potting(5, CORNER));
+    assert_eq!(scenario.asks(0).on, [1]);
+    scenario
 }
 
-fn past_the_push(rules: Rules) -> Scene {
-    let mut scene = after_break(rules);
+fn past_the_push(rules: Rules) -> Scenario {
+    let mut scenario = after_break(rules);
     let call = if rules == Rules::TenBall { Call::Safety } else { Call::Nothing };
-    scene.play(call, hit(&[1]));
-    scene.asks(1);
-    scene
+    scenario.play(call, hit(&[1]));
+    scenario.asks(1);
+    scenario
 }
 
 #[test]
 fn the_break_must_hit_the_one_first() {
-    let mut scene = Scene::of(Rules::NineBall);
-    let ruling = scene.play(Call::Nothing, hit(&[2]).potting(5, CORNER));
+    let mut scenario = Scenario::of(Rules::NineBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[2]).potting(5, CORNER));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
-    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
-    assert!(!scene.turn().calls.push_out, "a push-out needs a break without a foul (2.4)");
+    assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
+    assert!(!scenario.turn().calls.push_out, "a push-out needs a break without a foul (2.4)");
 }
 
 #[test]
 fn a_soft_break_is_a_foul() {
-    let mut scene = Scene::of(Rules::NineBall);
-    let ruling = scene.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]));
+    let mut scenario = Scenario::of(Rules::NineBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]));
     assert_fouls(&ruling, &[Foul::SoftBreak]);
 }
 
 #[test]
 fn the_nine_wins_whenever_it_falls_legally() {
-    let mut scene = Scene::of(Rules::NineBall);
-    scene.play(Call::Nothing, hit(&[1]).potting(9, CORNER));
-    scene.is_won_by(0);
-    let mut scene = past_the_push(Rules::NineBall);
-    scene.play(Call::Nothing, hit(&[1, 9]).potting(9, SIDE));
-    scene.is_won_by(1);
+    let mut scenario = Scenario::of(Rules::NineBall);
+    scenario.play(Call::Nothing, hit(&[1]).potting(9, CORNER));
+    scenario.is_won_by(0);
+    let mut scenario = past_the_push(Rules::NineBall);
+    scenario.play(Call::Nothing, hit(&[1, 9]).potting(9, SIDE));
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn the_nine_is_spotted_after_a_foul_and_other_balls_are_not() {
-    let mut scene = past_the_push(Rules::NineBall);
-    let ruling = scene.play(Call::Nothing, hit(&[2]).potting(9, SIDE).potting(3, SIDE));
+    let mut scenario = past_the_push(Rules::NineBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[2]).potting(9, SIDE).potting(3, SIDE));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
     assert_eq!(ruling.spotted, [9]);
-    assert!(scene.is_down(3) && !scene.is_down(9));
-    assert_eq!(scene.asks(0).hand, Some(Region::Anywhere));
+    assert!(scenario.is_down(3) && !scenario.is_down(9));
+    assert_eq!(scenario.asks(0).hand, Some(Region::Anywhere));
 }
 
 #[test]
 fn a_push_out_suspends_contact_and_rail_and_gives_the_other_the_choice() {
-    let mut scene = after_break(Rules::NineBall);
-    assert!(scene.turn().calls.push_out);
-    assert!(scene.play(Call::PushOut, hit(&[]).no_rail()).is_legal());
-    scene.offers(1, &[Choice::PlayOn, Choice::PassBack]);
-    scene.choose(Choice::PassBack);
-    assert!(!scene.asks(0).calls.push_out, "one push-out a rack");
+    let mut scenario = after_break(Rules::NineBall);
+    assert!(scenario.turn().calls.push_out);
+    assert!(scenario.play(Call::PushOut, hit(&[]).no_rail()).is_legal());
+    scenario.offers(1, &[Choice::PlayOn, Choice::PassBack]);
+    scenario.choose(Choice::PassBack);
+    assert!(!scenario.asks(0).calls.push_out, "one push-out a rack");
 }
 
 #[test]
 fn a_scratch_is_a_foul_in_a_push_out_too_and_the_nine_comes_back() {
-    let mut scene = after_break(Rules::NineBall);
-    let ruling = scene.play(Call::PushOut, hit(&[9]).potting(0, SIDE));
+    let mut scenario = after_break(Rules::NineBall);
+    let ruling = scenario.play(Call::PushOut, hit(&[9]).potting(0, SIDE));
     assert_fouls(&ruling, &[Foul::Scratch]);
-    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
-    let mut scene = after_break(Rules::NineBall);
-    let ruling = scene.play(Call::PushOut, hit(&[9]).potting(9, SIDE));
+    assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
+    let mut scenario = after_break(Rules::NineBall);
+    let ruling = scenario.play(Call::PushOut, hit(&[9]).potting(9, SIDE));
     assert_eq!(ruling.spotted, [9]);
-    scene.offers(1, &[Choice::PlayOn, Choice::PassBack]);
+    scenario.offers(1, &[Choice::PlayOn, Choice::PassBack]);
 }
 
 #[test]
 fn the_push_out_is_for_the_shot_after_the_break_alone() {
-    let mut scene = after_break(Rules::NineBall);
-    scene.play(Call::Nothing, hit(&[1]).potting(1, CORNER));
-    assert!(!scene.asks(0).calls.push_out);
-    let mut scene = Scene::of(Rules::NineBall);
-    scene.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3, 4]));
-    assert!(scene.asks(1).calls.push_out, "nothing fell: it is the other player's");
+    let mut scenario = after_break(Rules::NineBall);
+    scenario.play(Call::Nothing, hit(&[1]).potting(1, CORNER));
+    assert!(!scenario.asks(0).calls.push_out);
+    let mut scenario = Scenario::of(Rules::NineBall);
+    scenario.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3, 4]));
+    assert!(scenario.asks(1).calls.push_out, "nothing fell: it is the other player's");
 }
 
 #[test]
 fn three_fouls_in_a_row_lose_the_rack_and_a_legal_shot_forgives() {
-    let mut scene = past_the_push(Rules::NineBall);
+    let mut scenario = past_the_push(Rules::NineBall);
     for _ in 0..2 {
-        scene.play(Call::Nothing, hit(&[2]));
-        scene.play(Call::Nothing, hit(&[1]));
+        scenario.play(Call::Nothing, hit(&[2]));
+        scenario.play(Call::Nothing, hit(&[1]));
     }
-    assert_eq!(scene.0.fouls_in_a_row(), [0, 2]);
-    let mut forgiven = Scene(scene.0.clone());
-    scene.play(Call::Nothing, hit(&[2]));
-    scene.is_won_by(0);
+    assert_eq!(scenario.0.fouls_in_a_row(), [0, 2]);
+    let mut forgiven = Scenario(scenario.0.clone());
+    scenario.play(Call::Nothing, hit(&[2]));
+    scenario.is_won_by(0);
     forgiven.play(Call::Nothing, hit(&[1]));
     assert_eq!(forgiven.0.fouls_in_a_row(), [0, 0]);
 }
 
 #[test]
 fn a_ball_driven_off_the_table_is_a_foul_and_stays_off() {
-    let mut scene = past_the_push(Rules::NineBall);
-    let ruling = scene.play(Call::Nothing, hit(&[1]).losing(4));
+    let mut scenario = past_the_push(Rules::NineBall);
+    let ruling = scenario.play(Call::Nothing, hit(&[1]).losing(4));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
-    assert!(scene.is_down(4));
-    assert_eq!(scene.turn().on, [1]);
+    assert!(scenario.is_down(4));
+    assert_eq!(scenario.turn().on, [1]);
 }
 
 #[test]
 fn ten_ball_is_called_and_what_falls_uncalled_is_the_others_choice() {
-    let mut scene = past_the_push(Rules::TenBall);
-    assert!(scene.turn().calls.required);
-    assert!(scene.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, SIDE)).is_legal());
-    scene.offers(0, &[Choice::PlayOn, Choice::PassBack]);
-    let mut scene = past_the_push(Rules::TenBall);
-    scene.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, CORNER).potting(3, SIDE));
-    scene.asks(1);
+    let mut scenario = past_the_push(Rules::TenBall);
+    assert!(scenario.turn().calls.required);
+    assert!(scenario.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, SIDE)).is_legal());
+    scenario.offers(0, &[Choice::PlayOn, Choice::PassBack]);
+    let mut scenario = past_the_push(Rules::TenBall);
+    scenario.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, CORNER).potting(3, SIDE));
+    scenario.asks(1);
 }
 
 #[test]
 fn the_ten_called_before_the_others_are_gone_is_spotted_and_the_shooter_goes_on() {
-    let mut scene = past_the_push(Rules::TenBall);
-    let ruling = scene.play(Call::Pocket(10, SIDE), hit(&[1, 10]).potting(10, SIDE));
+    let mut scenario = past_the_push(Rules::TenBall);
+    let ruling = scenario.play(Call::Pocket(10, SIDE), hit(&[1, 10]).potting(10, SIDE));
     assert_eq!(ruling.spotted, [10]);
-    scene.asks(1);
-    let mut scene = past_the_push(Rules::TenBall);
+    scenario.asks(1);
+    let mut scenario = past_the_push(Rules::TenBall);
     let happened = hit(&[1]).potting(1, CORNER).potting(10, SIDE);
-    assert_eq!(scene.play(Call::Pocket(1, CORNER), happened).spotted, [10]);
-    assert_eq!(scene.asks(1).on, [2]);
+    assert_eq!(scenario.play(Call::Pocket(1, CORNER), happened).spotted, [10]);
+    assert_eq!(scenario.asks(1).on, [2]);
 }
 
 #[test]
 fn a_safety_that_pockets_a_ball_is_the_others_choice() {
-    let mut scene = past_the_push(Rules::TenBall);
-    assert!(scene.play(Call::Safety, hit(&[1]).potting(1, SIDE)).is_legal());
-    scene.offers(0, &[Choice::PlayOn, Choice::PassBack]);
-    scene.choose(Choice::PassBack);
-    assert_eq!(scene.asks(1).on, [2]);
-    let mut scene = past_the_push(Rules::TenBall);
-    scene.play(Call::Safety, hit(&[1]));
-    scene.asks(0);
+    let mut scenario = past_the_push(Rules::TenBall);
+    assert!(scenario.play(Call::Safety, hit(&[1]).potting(1, SIDE)).is_legal());
+    scenario.offers(0, &[Choice::PlayOn, Choice::PassBack]);
+    scenario.choose(Choice::PassBack);
+    assert_eq!(scenario.asks(1).on, [2]);
+    let mut scenario = past_the_push(Rules::TenBall);
+    scenario.play(Call::Safety, hit(&[1]));
+    scenario.asks(0);
 }
 
 #[test]
 fn the_last_ball_comes_back_after_a_foul_on_the_break_and_off_the_table() {
     for (rules, last) in [(Rules::NineBall, 9), (Rules::TenBall, 10)] {
-        let mut scene = Scene::of(rules);
+        let mut scenario = Scenario::of(rules);
         let happened = hit(&[1]).potting(last, SIDE).potting(0, CORNER);
-        assert_eq!(scene.play(Call::Nothing, happened).spotted, [last]);
-        assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
-        let mut scene = past_the_push(rules);
+        assert_eq!(scenario.play(Call::Nothing, happened).spotted, [last]);
+        assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
+        let mut scenario = past_the_push(rules);
         let call = if rules == Rules::TenBall { Call::Safety } else { Call::Nothing };
-        let ruling = scene.play(call, hit(&[1]).losing(last));
+        let ruling = scenario.play(call, hit(&[1]).losing(last));
         assert_fouls(&ruling, &[Foul::BallOffTable]);
         assert_eq!(ruling.spotted, [last]);
     }
@@ -166,37 +166,37 @@ fn the_last_ball_comes_back_after_a_foul_on_the_break_and_off_the_table() {
 #[test]
 fn after_a_push_out_the_other_may_play_too() {
     for rules in [Rules::NineBall, Rules::TenBall] {
-        let mut scene = after_break(rules);
-        scene.play(Call::PushOut, hit(&[3]).no_rail().potting(3, SIDE));
-        scene.choose(Choice::PlayOn);
-        assert!(!scene.asks(1).calls.push_out, "one push-out a rack");
-        assert!(scene.is_down(3));
+        let mut scenario = after_break(rules);
+        scenario.play(Call::PushOut, hit(&[3]).no_rail().potting(3, SIDE));
+        scenario.choose(Choice::PlayOn);
+        assert!(!scenario.asks(1).calls.push_out, "one push-out a rack");
+        assert!(scenario.is_down(3));
     }
 }
 
 #[test]
 fn the_ten_wins_called_but_not_on_the_break_and_not_by_luck() {
-    let mut scene = Scene::of(Rules::TenBall);
-    assert_eq!(scene.play(Call::Nothing, hit(&[1]).potting(10, SIDE)).spotted, [10]);
-    scene.asks(0);
-    let mut scene = past_the_push(Rules::TenBall).without(1..=9);
-    scene.play(Call::Safety, hit(&[10]));
-    assert_eq!(scene.asks(0).on, [10]);
-    scene.play(Call::Pocket(10, SIDE), hit(&[10]).potting(10, SIDE));
-    scene.is_won_by(0);
-    let mut scene = past_the_push(Rules::TenBall);
-    let ruling = scene.play(Call::Pocket(1, SIDE), hit(&[1, 10]).potting(10, SIDE));
+    let mut scenario = Scenario::of(Rules::TenBall);
+    assert_eq!(scenario.play(Call::Nothing, hit(&[1]).potting(10, SIDE)).spotted, [10]);
+    scenario.asks(0);
+    let mut scenario = past_the_push(Rules::TenBall).without(1..=9);
+    scenario.play(Call::Safety, hit(&[10]));
+    assert_eq!(scenario.asks(0).on, [10]);
+    scenario.play(Call::Pocket(10, SIDE), hit(&[10]).potting(10, SIDE));
+    scenario.is_won_by(0);
+    let mut scenario = past_the_push(Rules::TenBall);
+    let ruling = scenario.play(Call::Pocket(1, SIDE), hit(&[1, 10]).potting(10, SIDE));
     assert_eq!(ruling.spotted, [10]);
-    scene.offers(0, &[Choice::PlayOn, Choice::PassBack]);
+    scenario.offers(0, &[Choice::PlayOn, Choice::PassBack]);
 }
 
 #[test]
 fn after_a_foul_on_the_break_nobody_pushes_out() {
     for rules in [Rules::NineBall, Rules::TenBall] {
         for happened in [hit(&[1]).potting(3, SIDE).losing(4), hit(&[1]).driving(&[1]), hit(&[])] {
-            let mut scene = Scene::of(rules);
-            assert!(!scene.play(Call::Nothing, happened).is_legal());
-            let turn = scene.asks(1);
+            let mut scenario = Scenario::of(rules);
+            assert!(!scenario.play(Call::Nothing, happened).is_legal());
+            let turn = scenario.asks(1);
             assert_eq!((turn.hand, turn.calls.push_out), (Some(Region::Anywhere), false));
         }
     }
@@ -204,114 +204,114 @@ fn after_a_foul_on_the_break_nobody_pushes_out() {
 
 #[test]
 fn after_a_push_out_the_incoming_player_may_not_push_again() {
-    let mut scene = after_break(Rules::NineBall);
-    scene.play(Call::PushOut, hit(&[]).no_rail());
-    scene.choose(Choice::PlayOn);
-    scene.play(Call::Nothing, hit(&[1]));
-    assert!(!scene.asks(0).calls.push_out);
+    let mut scenario = after_break(Rules::NineBall);
+    scenario.play(Call::PushOut, hit(&[]).no_rail());
+    scenario.choose(Choice::PlayOn);
+    scenario.play(Call::Nothing, hit(&[1]));
+    assert!(!scenario.asks(0).calls.push_out);
 }
 
 #[test]
 fn a_ball_thrown_off_in_a_push_out_is_a_foul() {
-    let mut scene = after_break(Rules::NineBall);
-    let ruling = scene.play(Call::PushOut, hit(&[2]).losing(2));
+    let mut scenario = after_break(Rules::NineBall);
+    let ruling = scenario.play(Call::PushOut, hit(&[2]).losing(2));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
-    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+    assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
 }
 
 #[test]
 fn a_third_foul_loses_though_the_nine_falls() {
-    let mut scene = past_the_push(Rules::NineBall);
+    let mut scenario = past_the_push(Rules::NineBall);
     for _ in 0..2 {
-        scene.play(Call::Nothing, hit(&[2]));
-        scene.play(Call::Nothing, hit(&[1]));
+        scenario.play(Call::Nothing, hit(&[2]));
+        scenario.play(Call::Nothing, hit(&[1]));
     }
-    assert_eq!(scene.play(Call::Nothing, hit(&[2]).potting(9, SIDE)).spotted, [9]);
-    scene.is_won_by(0);
+    assert_eq!(scenario.play(Call::Nothing, hit(&[2]).potting(9, SIDE)).spotted, [9]);
+    scenario.is_won_by(0);
 }
 
 #[test]
 fn a_foul_on_the_break_is_the_first_of_three() {
-    let mut scene = Scene::of(Rules::NineBall);
-    scene.play(Call::Nothing, hit(&[1]).potting(0, SIDE));
+    let mut scenario = Scenario::of(Rules::NineBall);
+    scenario.play(Call::Nothing, hit(&[1]).potting(0, SIDE));
     for _ in 0..2 {
-        scene.play(Call::Nothing, hit(&[1]));
-        scene.play(Call::Nothing, hit(&[1]).no_rail());
+        scenario.play(Call::Nothing, hit(&[1]));
+        scenario.play(Call::Nothing, hit(&[1]).no_rail());
     }
-    scene.is_won_by(1);
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn any_ball_keeps_the_turn_in_nine_ball_and_the_lowest_left_is_on() {
-    let mut scene = past_the_push(Rules::NineBall);
-    assert!(scene.play(Call::Nothing, hit(&[1, 6]).potting(6, SIDE)).is_legal());
-    assert_eq!(scene.asks(1).on, [1]);
-    scene.play(Call::Nothing, hit(&[1, 2]).potting(2, SIDE).potting(1, CORNER));
-    assert_eq!(scene.asks(1).on, [3]);
+    let mut scenario = past_the_push(Rules::NineBall);
+    assert!(scenario.play(Call::Nothing, hit(&[1, 6]).potting(6, SIDE)).is_legal());
+    assert_eq!(scenario.asks(1).on, [1]);
+    scenario.play(Call::Nothing, hit(&[1, 2]).potting(2, SIDE).potting(1, CORNER));
+    assert_eq!(scenario.asks(1).on, [3]);
 }
 
 #[test]
 fn the_nine_comes_back_behind_the_ball_on_the_foot_spot() {
-    let mut scene = past_the_push(Rules::NineBall).without([1, 2, 4, 6, 7, 8]);
+    let mut scenario = past_the_push(Rules::NineBall).without([1, 2, 4, 6, 7, 8]);
     let foot = [0.635, 1.905];
-    scene.0.put(3, Some(foot));
-    scene.0.put(9, Some([0.3, 1.0]));
-    let ruling = scene.play(Call::Nothing, hit(&[3]).potting(9, SIDE));
+    scenario.0.put(3, Some(foot));
+    scenario.0.put(9, Some([0.3, 1.0]));
+    let ruling = scenario.play(Call::Nothing, hit(&[3]).potting(9, SIDE));
     assert_eq!(ruling.spotted, [9]);
-    let diameter = 2.0 * scene.0.base().physics().ball.radius;
-    scene.lies_at(9, [foot[0], foot[1] + diameter]);
+    let diameter = 2.0 * scenario.0.base().physics().ball.radius;
+    scenario.lies_at(9, [foot[0], foot[1] + diameter]);
 }
 
 #[test]
 fn in_ten_ball_a_foul_takes_precedence_over_what_was_not_called() {
-    let mut scene = past_the_push(Rules::TenBall);
-    let ruling = scene.play(Call::Pocket(1, CORNER), hit(&[2]).potting(3, SIDE));
+    let mut scenario = past_the_push(Rules::TenBall);
+    let ruling = scenario.play(Call::Pocket(1, CORNER), hit(&[2]).potting(3, SIDE));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
-    assert_eq!(scene.asks(0).hand, Some(Region::Anywhere));
+    assert_eq!(scenario.asks(0).hand, Some(Region::Anywhere));
 }
 
 #[test]
 fn in_ten_ball_any_ball_may_be_called_if_the_lowest_is_hit_first() {
-    let mut scene = past_the_push(Rules::TenBall);
-    scene.play(Call::Pocket(4, SIDE), hit(&[1, 4]).potting(4, SIDE));
-    assert_eq!(scene.asks(1).on, [1]);
+    let mut scenario = past_the_push(Rules::TenBall);
+    scenario.play(Call::Pocket(4, SIDE), hit(&[1, 4]).potting(4, SIDE));
+    assert_eq!(scenario.asks(1).on, [1]);
 }
 
 #[test]
 fn the_last_ten_in_another_pocket_is_spotted_and_is_the_others_choice() {
-    let mut scene = past_the_push(Rules::TenBall).without(1..=9);
-    scene.play(Call::Safety, hit(&[10]));
-    let ruling = scene.play(Call::Pocket(10, SIDE), hit(&[10]).potting(10, CORNER));
+    let mut scenario = past_the_push(Rules::TenBall).without(1..=9);
+    scenario.play(Call::Safety, hit(&[10]));
+    let ruling = scenario.play(Call::Pocket(10, SIDE), hit(&[10]).potting(10, CORNER));
     assert_eq!(ruling.spotted, [10]);
-    scene.offers(1, &[Choice::PlayOn, Choice::PassBack]);
-    scene.choose(Choice::PassBack);
-    assert_eq!(scene.asks(0).on, [10]);
+    scenario.offers(1, &[Choice::PlayOn, Choice::PassBack]);
+    scenario.choose(Choice::PassBack);
+    assert_eq!(scenario.asks(0).on, [10]);
 }
 
 #[test]
 fn the_ten_in_a_push_out_or_with_a_foul_is_spotted() {
-    let mut scene = after_break(Rules::TenBall);
-    assert_eq!(scene.play(Call::PushOut, hit(&[10]).potting(10, SIDE)).spotted, [10]);
-    scene.offers(1, &[Choice::PlayOn, Choice::PassBack]);
-    let mut scene = past_the_push(Rules::TenBall).without(1..=9);
-    scene.play(Call::Safety, hit(&[10]));
+    let mut scenario = after_break(Rules::TenBall);
+    assert_eq!(scenario.play(Call::PushOut, hit(&[10]).potting(10, SIDE)).spotted, [10]);
+    scenario.offers(1, &[Choice::PlayOn, Choice::PassBack]);
+    let mut scenario = past_the_push(Rules::TenBall).without(1..=9);
+    scenario.play(Call::Safety, hit(&[10]));
     let happened = hit(&[10]).potting(10, SIDE).potting(0, CORNER);
-    assert_eq!(scene.play(Call::Pocket(10, SIDE), happened).spotted, [10]);
-    assert_eq!(scene.asks(1).hand, Some(Region::Anywhere));
+    assert_eq!(scenario.play(Call::Pocket(10, SIDE), happened).spotted, [10]);
+    assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
 }
 
 #[test]
 fn a_cue_ball_in_hand_may_stay_where_it_lies_even_against_another_ball() {
-    let mut scene = past_the_push(Rules::NineBall);
-    scene.play(Call::Nothing, hit(&[2]));
-    assert_eq!(scene.asks(0).hand, Some(Region::Anywhere));
-    let diameter = 2.0 * scene.0.base().physics().ball.radius;
+    let mut scenario = past_the_push(Rules::NineBall);
+    scenario.play(Call::Nothing, hit(&[2]));
+    assert_eq!(scenario.asks(0).hand, Some(Region::Anywhere));
+    let diameter = 2.0 * scenario.0.base().physics().ball.radius;
     // Less than is seen to overlap.
     let against = [0.3 + (1.0 - 1e-12) * diameter, 1.0];
-    scene.0.put(9, Some([0.3, 1.0]));
-    scene.0.put(0, Some(against));
+    scenario.0.put(9, Some([0.3, 1.0]));
+    scenario.0.put(0, Some(against));
     let strike = Strike { speed: 1.0, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
-    assert!(scene.0.shot(&Play::new(strike)).is_ok());
-    let refused = scene.0.shot(&Play::new(strike).from(against)).expect_err("it is put there");
+    assert!(scenario.0.shot(&Play::new(strike)).is_ok());
+    let refused = scenario.0.shot(&Play::new(strike).from(against)).expect_err("it is put there");
     assert!(refused.to_string().starts_with("cue_ball: it would touch"));
 }

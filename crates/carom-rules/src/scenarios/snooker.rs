@@ -2,159 +2,163 @@
 
 mod free_ball;
 
-use super::{CORNER, SIDE, Scene, assert_fouls, hit};
-use crate::games::Law;
+use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
+use crate::games::GameState;
 use crate::games::snooker::{On, Snooker};
-use crate::{Call, Choice, Foul, Frame, Options, Region, Rules};
+use crate::{BallIndex, Call, Choice, Foul, Frame, Options, Region, Rules};
 
-const RED: u8 = 1;
-const YELLOW: u8 = 16;
-const GREEN: u8 = 17;
-const BLUE: u8 = 19;
-const PINK: u8 = 20;
-const BLACK: u8 = 21;
+const RED: BallIndex = 1;
+const YELLOW: BallIndex = 16;
+const GREEN: BallIndex = 17;
+const BLUE: BallIndex = 19;
+const PINK: BallIndex = 20;
+const BLACK: BallIndex = 21;
 const NOTHING: Call = Call::Nothing;
 const BLACK_SPOT: [f64; 2] = [0.889, 3.569 - 0.324];
 
-fn game(scene: &Scene) -> &Snooker {
-    match scene.0.law() {
-        Law::Snooker(game) => game,
+fn game(scenario: &Scenario) -> &Snooker {
+    match scenario.0.game_state() {
+        GameState::Snooker(game) => game,
         other => panic!("{other:?}"),
     }
 }
 
-/// Player 0 has pocketed a red: a colour is on.
-fn after_a_red() -> Scene {
-    let mut scene = Scene::of(Rules::Snooker);
-    let ruling = scene.play(NOTHING, hit(&[RED]).potting(RED, CORNER));
+/// Seat 0 has pocketed a red: a colour is on.
+fn after_a_red() -> Scenario {
+    let mut scenario = Scenario::of(Rules::Snooker);
+    let ruling = scenario.play(NOTHING, hit(&[RED]).potting(RED, CORNER));
     assert_eq!(ruling.points, [1, 0]);
-    assert_eq!(game(&scene).on(), On::Color);
-    scene.asks(0);
-    scene
+    assert_eq!(game(&scenario).on(), On::Color);
+    scenario.asks(0);
+    scenario
 }
 
-/// Player 0 on the yellow, with all reds gone.
-fn on_the_colors() -> Scene {
-    let mut scene = after_a_red().without(2..=15);
-    let ruling = scene.play(Call::On(BLACK), hit(&[BLACK]).potting(BLACK, CORNER));
+/// Seat 0 on the yellow, with all reds gone.
+fn on_the_colors() -> Scenario {
+    let mut scenario = after_a_red().without(2..=15);
+    let ruling = scenario.play(Call::On(BLACK), hit(&[BLACK]).potting(BLACK, CORNER));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([7, 0], &[BLACK][..]));
-    assert_eq!(game(&scene).on(), On::Sequence);
-    assert_eq!(scene.asks(0).on, [YELLOW]);
-    scene
+    assert_eq!(game(&scenario).on(), On::Sequence);
+    assert_eq!(scenario.asks(0).on, [YELLOW]);
+    scenario
 }
 
 #[test]
 fn the_first_shot_is_from_the_d_at_the_reds() {
-    let scene = Scene::of(Rules::Snooker);
-    assert_eq!(scene.asks(0).hand, Some(Region::TheD));
-    assert_eq!(scene.turn().on.len(), 15);
+    let scenario = Scenario::of(Rules::Snooker);
+    assert_eq!(scenario.asks(0).hand, Some(Region::TheD));
+    assert_eq!(scenario.turn().on.len(), 15);
 }
 
 #[test]
 fn reds_and_colors_alternate_and_colors_come_back() {
-    let mut scene = after_a_red();
-    assert!(scene.turn().calls.nominate);
-    let ruling = scene.play(Call::On(PINK), hit(&[PINK]).potting(PINK, SIDE));
+    let mut scenario = after_a_red();
+    assert!(scenario.turn().calls.nominate);
+    let ruling = scenario.play(Call::On(PINK), hit(&[PINK]).potting(PINK, SIDE));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([6, 0], &[PINK][..]));
-    assert_eq!((game(&scene).on(), game(&scene).run()), (On::Red, 7));
-    assert_eq!(scene.asks(0).on.len(), 14);
+    assert_eq!((game(&scenario).on(), game(&scenario).break_points()), (On::Red, 7));
+    assert_eq!(scenario.asks(0).on.len(), 14);
 }
 
 #[test]
 fn several_reds_count_one_each() {
-    let mut scene = Scene::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Rules::Snooker);
     let happened = hit(&[RED]).potting(RED, CORNER).potting(5, SIDE);
-    assert_eq!(scene.play(NOTHING, happened).points, [2, 0]);
+    assert_eq!(scenario.play(NOTHING, happened).points, [2, 0]);
 }
 
 #[test]
 fn the_colors_go_in_ascending_order_and_stay_down() {
-    let mut scene = on_the_colors();
-    assert_eq!(scene.play(NOTHING, hit(&[YELLOW]).potting(YELLOW, SIDE)).points, [2, 0]);
-    assert!(scene.is_down(YELLOW));
-    assert_eq!(scene.asks(0).on, [GREEN]);
+    let mut scenario = on_the_colors();
+    assert_eq!(scenario.play(NOTHING, hit(&[YELLOW]).potting(YELLOW, SIDE)).points, [2, 0]);
+    assert!(scenario.is_down(YELLOW));
+    assert_eq!(scenario.asks(0).on, [GREEN]);
 }
 
 #[test]
 fn a_miss_of_the_pot_passes_the_turn() {
-    let mut scene = after_a_red();
-    assert!(scene.play(Call::On(BLUE), hit(&[BLUE])).is_legal());
-    assert_eq!((scene.asks(1).on.len(), game(&scene).run()), (14, 0));
+    let mut scenario = after_a_red();
+    assert!(scenario.play(Call::On(BLUE), hit(&[BLUE])).is_legal());
+    assert_eq!((scenario.asks(1).on.len(), game(&scenario).break_points()), (14, 0));
 }
 
 #[test]
 fn a_foul_costs_four_or_the_value_of_the_ball_concerned() {
-    let foul = |scene: &mut Scene, call, happened| scene.play(call, happened).points;
-    let mut scene = Scene::of(Rules::Snooker);
-    assert_eq!(foul(&mut scene, NOTHING, hit(&[])), [0, 4]);
-    let mut scene = Scene::of(Rules::Snooker);
-    assert_eq!(foul(&mut scene, NOTHING, hit(&[BLUE])), [0, 5]);
-    let mut scene = Scene::of(Rules::Snooker);
-    assert_eq!(foul(&mut scene, NOTHING, hit(&[RED]).potting(PINK, SIDE)), [0, 6]);
-    let mut scene = after_a_red();
-    assert_eq!(foul(&mut scene, Call::On(BLACK), hit(&[YELLOW])), [0, 7], "the ball on counts too");
-    let mut scene = after_a_red();
-    assert_eq!(foul(&mut scene, Call::On(YELLOW), hit(&[YELLOW]).potting(2, SIDE)), [0, 4]);
-    let mut scene = Scene::of(Rules::Snooker);
-    assert_eq!(foul(&mut scene, NOTHING, hit(&[RED]).losing(BLACK)), [0, 7]);
+    let foul = |scenario: &mut Scenario, call, happened| scenario.play(call, happened).points;
+    let mut scenario = Scenario::of(Rules::Snooker);
+    assert_eq!(foul(&mut scenario, NOTHING, hit(&[])), [0, 4]);
+    let mut scenario = Scenario::of(Rules::Snooker);
+    assert_eq!(foul(&mut scenario, NOTHING, hit(&[BLUE])), [0, 5]);
+    let mut scenario = Scenario::of(Rules::Snooker);
+    assert_eq!(foul(&mut scenario, NOTHING, hit(&[RED]).potting(PINK, SIDE)), [0, 6]);
+    let mut scenario = after_a_red();
+    assert_eq!(
+        foul(&mut scenario, Call::On(BLACK), hit(&[YELLOW])),
+        [0, 7],
+        "the ball on counts too"
+    );
+    let mut scenario = after_a_red();
+    assert_eq!(foul(&mut scenario, Call::On(YELLOW), hit(&[YELLOW]).potting(2, SIDE)), [0, 4]);
+    let mut scenario = Scenario::of(Rules::Snooker);
+    assert_eq!(foul(&mut scenario, NOTHING, hit(&[RED]).losing(BLACK)), [0, 7]);
 }
 
 #[test]
 fn a_scratch_gives_the_cue_ball_in_the_d() {
-    let mut scene = Scene::of(Rules::Snooker);
-    let ruling = scene.play(NOTHING, hit(&[RED]).potting(0, SIDE));
+    let mut scenario = Scenario::of(Rules::Snooker);
+    let ruling = scenario.play(NOTHING, hit(&[RED]).potting(0, SIDE));
     assert_fouls(&ruling, &[Foul::Scratch]);
-    scene.choose(Choice::PlayOn);
-    assert_eq!(scene.asks(1).hand, Some(Region::TheD));
+    scenario.choose(Choice::PlayOn);
+    assert_eq!(scenario.asks(1).hand, Some(Region::TheD));
 }
 
 #[test]
 fn to_jump_over_a_ball_is_a_foul() {
-    let mut scene = Scene::of(Rules::Snooker);
-    assert_fouls(&scene.play(NOTHING, hit(&[RED]).jumping(true)), &[Foul::Jump]);
-    let mut scene = Scene::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Rules::Snooker);
+    assert_fouls(&scenario.play(NOTHING, hit(&[RED]).jumping(true)), &[Foul::Jump]);
+    let mut scenario = Scenario::of(Rules::Snooker);
     assert!(
-        scene.play(NOTHING, hit(&[RED]).jumping(false)).is_legal(),
+        scenario.play(NOTHING, hit(&[RED]).jumping(false)).is_legal(),
         "after a contact it is none"
     );
 }
 
 #[test]
 fn a_red_that_falls_with_a_foul_stays_down_and_a_color_comes_back() {
-    let mut scene = after_a_red();
+    let mut scenario = after_a_red();
     let happened = hit(&[BLUE]).potting(2, SIDE).potting(BLUE, SIDE);
-    let ruling = scene.play(Call::On(BLUE), happened);
+    let ruling = scenario.play(Call::On(BLUE), happened);
     assert_fouls(&ruling, &[Foul::WrongBallPocketed]);
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 5], &[BLUE][..]));
-    assert!(scene.is_down(2));
+    assert!(scenario.is_down(2));
 }
 
 #[test]
 fn after_a_foul_and_a_miss_the_balls_may_be_put_back() {
-    let mut scene = after_a_red();
-    let before = scene.0.layout().clone();
-    scene.play(Call::On(BLUE), hit(&[2]).potting(2, SIDE));
-    scene.offers(1, &[Choice::PlayOn, Choice::PassBack, Choice::Replace]);
-    scene.choose(Choice::Replace);
-    assert_eq!(*scene.0.layout(), before);
-    assert_eq!(game(&scene).on(), On::Color);
-    assert!(scene.asks(0).calls.nominate);
-    assert_eq!(scene.0.scores(), [1, 5], "the points stay");
+    let mut scenario = after_a_red();
+    let before = scenario.0.layout().clone();
+    scenario.play(Call::On(BLUE), hit(&[2]).potting(2, SIDE));
+    scenario.offers(1, &[Choice::PlayOn, Choice::PassBack, Choice::Replace]);
+    scenario.choose(Choice::Replace);
+    assert_eq!(*scenario.0.layout(), before);
+    assert_eq!(game(&scenario).on(), On::Color);
+    assert!(scenario.asks(0).calls.nominate);
+    assert_eq!(scenario.0.scores(), [1, 5], "the points stay");
 }
 
 #[test]
 fn no_miss_is_called_when_the_ball_on_was_hit_first() {
-    let mut scene = Scene::of(Rules::Snooker);
-    scene.play(NOTHING, hit(&[RED]).potting(0, SIDE));
-    scene.offers(1, &[Choice::PlayOn, Choice::PassBack]);
+    let mut scenario = Scenario::of(Rules::Snooker);
+    scenario.play(NOTHING, hit(&[RED]).potting(0, SIDE));
+    scenario.offers(1, &[Choice::PlayOn, Choice::PassBack]);
 }
 
 /// A foul of player 0 that hits no ball on, at these scores: whether it is a miss.
 fn is_miss_at(scores: [i32; 2], options: Options) -> bool {
-    let mut scene = Scene::with(Rules::Snooker, options).without(2..=15);
-    scene.0.set_scores(scores);
-    scene.play(NOTHING, hit(&[]));
-    match scene.0.request() {
+    let mut scenario = Scenario::with(Rules::Snooker, options).without(2..=15);
+    scenario.0.set_scores(scores);
+    scenario.play(NOTHING, hit(&[]));
+    match scenario.0.request() {
         crate::Request::Choice { choices, .. } => choices.contains(&Choice::Replace),
         other => panic!("{other:?}"),
     }
@@ -175,144 +179,148 @@ fn no_miss_is_called_when_a_player_needs_penalty_points_or_the_scores_could_be_e
 
 #[test]
 fn after_a_miss_with_a_full_ball_in_sight_another_is_one_at_any_score() {
-    let mut scene = Scene::of(Rules::Snooker).without(2..=15);
-    scene.0.put(RED, Some([0.5, 2.4]));
-    scene.0.set_scores([0, 30]);
+    let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+    scenario.0.put(RED, Some([0.5, 2.4]));
+    scenario.0.set_scores([0, 30]);
     for _ in 0..2 {
-        scene.play(NOTHING, hit(&[]));
-        scene.choose(Choice::Replace);
-        assert_eq!(scene.asks(0).hand, None, "it stands where it was played from");
+        scenario.play(NOTHING, hit(&[]));
+        scenario.choose(Choice::Replace);
+        assert_eq!(scenario.asks(0).hand, None, "it stands where it was played from");
     }
-    assert_eq!(scene.0.scores(), [0, 38]);
-    scene.play(NOTHING, hit(&[]));
-    scene.is_won_by(1);
+    assert_eq!(scenario.0.scores(), [0, 38]);
+    scenario.play(NOTHING, hit(&[]));
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn misses_start_again_when_the_balls_are_not_put_back() {
-    let mut scene = Scene::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Rules::Snooker);
     for choice in [Choice::Replace, Choice::PassBack, Choice::Replace, Choice::Replace] {
-        scene.play(NOTHING, hit(&[BLACK]));
-        scene.choose(choice);
-        scene.asks(0);
+        scenario.play(NOTHING, hit(&[BLACK]));
+        scenario.choose(choice);
+        scenario.asks(0);
     }
-    scene.play(NOTHING, hit(&[BLACK]));
-    scene.is_won_by(1);
+    scenario.play(NOTHING, hit(&[BLACK]));
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn misses_without_a_full_ball_in_sight_never_lose_the_frame() {
-    let mut scene = snookered();
-    scene.choose(Choice::PassBack);
+    let mut scenario = snookered();
+    scenario.choose(Choice::PassBack);
     for _ in 0..4 {
-        scene.play(NOTHING, hit(&[YELLOW]));
-        scene.choose(Choice::Replace);
+        scenario.play(NOTHING, hit(&[YELLOW]));
+        scenario.choose(Choice::Replace);
     }
-    scene.asks(1);
+    scenario.asks(1);
 }
 
 #[test]
 fn points_left_are_a_black_with_every_red_and_the_colors() {
-    let left = |scene: &Scene| match scene.0.law_node().get("points_left") {
+    let left = |scenario: &Scenario| match scenario.0.game_state_node().get("points_left") {
         Some(carom::format::Node::Integer(points)) => *points,
         other => panic!("{other:?}"),
     };
-    assert_eq!(left(&Scene::of(Rules::Snooker)), 147);
+    assert_eq!(left(&Scenario::of(Rules::Snooker)), 147);
     assert_eq!(left(&after_a_red()), 146);
     assert_eq!(left(&on_the_colors()), 27);
 }
 
 #[test]
 fn three_misses_in_a_row_with_a_ball_in_sight_lose_the_frame() {
-    let mut scene = Scene::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Rules::Snooker);
     for _ in 0..2 {
-        scene.play(NOTHING, hit(&[BLACK]));
-        scene.choose(Choice::Replace);
+        scenario.play(NOTHING, hit(&[BLACK]));
+        scenario.choose(Choice::Replace);
     }
-    scene.play(NOTHING, hit(&[BLACK]));
-    scene.is_won_by(1);
+    scenario.play(NOTHING, hit(&[BLACK]));
+    scenario.is_won_by(1);
 }
 
 /// A layout with one red and a blue between it and the cue ball.
-fn snookered() -> Scene {
-    let mut scene = Scene::of(Rules::Snooker).without(2..=15);
-    scene.play(NOTHING, hit(&[RED]));
-    scene.0.put(0, Some([0.889, 0.9]));
-    scene.0.put(BLUE, Some([0.889, 1.0]));
-    scene.0.put(RED, Some([0.889, 2.4]));
-    scene.play(NOTHING, hit(&[YELLOW]));
-    scene
+fn snookered() -> Scenario {
+    let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+    scenario.play(NOTHING, hit(&[RED]));
+    scenario.0.put(0, Some([0.889, 0.9]));
+    scenario.0.put(BLUE, Some([0.889, 1.0]));
+    scenario.0.put(RED, Some([0.889, 2.4]));
+    scenario.play(NOTHING, hit(&[YELLOW]));
+    scenario
 }
 
 #[test]
 fn a_color_whose_spot_is_occupied_goes_to_the_highest_free_spot() {
-    let mut scene = after_a_red();
-    let blue = scene.0.layout().place(BLUE);
-    scene.0.put(BLUE, Some([1.4, 1.2]));
-    scene.0.put(2, blue);
-    scene.0.put(BLACK, Some([0.3, 1.2]));
-    let ruling = scene.play(Call::On(BLUE), hit(&[BLUE]).potting(BLUE, SIDE));
+    let mut scenario = after_a_red();
+    let blue = scenario.0.layout().place(BLUE);
+    scenario.0.put(BLUE, Some([1.4, 1.2]));
+    scenario.0.put(2, blue);
+    scenario.0.put(BLACK, Some([0.3, 1.2]));
+    let ruling = scenario.play(Call::On(BLUE), hit(&[BLUE]).potting(BLUE, SIDE));
     assert_eq!(ruling.spotted, [BLUE]);
-    scene.lies_at(BLUE, BLACK_SPOT);
+    scenario.lies_at(BLUE, BLACK_SPOT);
 }
 
 #[test]
 fn of_two_colors_each_goes_to_its_own_spot_if_it_can_and_then_the_highest_first() {
-    let mut scene = after_a_red();
-    let own = scene.0.layout().clone();
+    let mut scenario = after_a_red();
+    let own = scenario.0.layout().clone();
     // A red on the black's spot: the highest free one is the pink's, but for the pink.
-    scene.0.put(BLACK, Some([0.3, 1.2]));
-    scene.0.put(2, Some(BLACK_SPOT));
+    scenario.0.put(BLACK, Some([0.3, 1.2]));
+    scenario.0.put(2, Some(BLACK_SPOT));
     let happened = hit(&[BLACK]).potting(BLACK, SIDE).potting(PINK, SIDE).potting(GREEN, SIDE);
-    let ruling = scene.play(Call::On(BLACK), happened);
+    let ruling = scenario.play(Call::On(BLACK), happened);
     assert_fouls(&ruling, &[Foul::WrongBallPocketed]);
     assert_eq!(ruling.points, [0, 7]);
     for ball in [PINK, GREEN] {
-        assert_eq!(scene.0.layout().place(ball), own.place(ball));
+        assert_eq!(scenario.0.layout().place(ball), own.place(ball));
     }
-    let lies = scene.0.layout().place(BLACK).expect("it is spotted");
+    let lies = scenario.0.layout().place(BLACK).expect("it is spotted");
     assert!(
         lies[0] == BLACK_SPOT[0] && lies[1] > BLACK_SPOT[1],
         "all spots are occupied: {lies:?}"
     );
-    let gap = lies[1] - BLACK_SPOT[1] - 2.0 * scene.0.base().physics().ball.radius;
+    let gap = lies[1] - BLACK_SPOT[1] - 2.0 * scenario.0.base().physics().ball.radius;
     assert!(gap > 0.0 && gap < 1e-3, "near its own, touching no ball: {gap}");
 }
 
 #[test]
 fn where_there_is_no_room_above_its_spot_a_color_goes_below() {
-    let mut scene = after_a_red();
-    let diameter = 2.0 * scene.0.base().physics().ball.radius;
-    scene.0.put(BLACK, Some([0.3, 1.2]));
+    let mut scenario = after_a_red();
+    let diameter = 2.0 * scenario.0.base().physics().ball.radius;
+    scenario.0.put(BLACK, Some([0.3, 1.2]));
     for (ball, up) in [(2, 0.0), (3, 1.1), (4, 2.2), (5, 3.3), (6, 4.4), (7, 5.4)] {
-        scene.0.put(ball, Some([BLACK_SPOT[0], BLACK_SPOT[1] + up * diameter]));
+        scenario.0.put(ball, Some([BLACK_SPOT[0], BLACK_SPOT[1] + up * diameter]));
     }
-    scene.play(Call::On(BLACK), hit(&[BLACK]).potting(BLACK, SIDE));
-    let lies = scene.0.layout().place(BLACK).expect("it is spotted");
+    scenario.play(Call::On(BLACK), hit(&[BLACK]).potting(BLACK, SIDE));
+    let lies = scenario.0.layout().place(BLACK).expect("it is spotted");
     assert!(lies[0] == BLACK_SPOT[0] && lies[1] < BLACK_SPOT[1], "{lies:?}");
 }
 
 #[test]
 fn balls_off_the_table_come_back_but_for_reds_and_the_cue_ball_is_in_the_d() {
-    let mut scene = Scene::of(Rules::Snooker);
-    let own = scene.0.layout().place(BLUE);
-    let ruling = scene.play(NOTHING, hit(&[RED]).losing(RED).losing(BLUE).losing(0));
+    let mut scenario = Scenario::of(Rules::Snooker);
+    let own = scenario.0.layout().place(BLUE);
+    let ruling = scenario.play(NOTHING, hit(&[RED]).losing(RED).losing(BLUE).losing(0));
     assert_fouls(&ruling, &[Foul::CueBallOffTable, Foul::BallOffTable]);
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 5], &[BLUE][..]));
-    assert!(scene.is_down(RED));
-    assert_eq!(scene.0.layout().place(BLUE), own);
-    scene.choose(Choice::PassBack);
-    assert_eq!(scene.asks(0).hand, Some(Region::TheD), "who is asked to play again plays from it");
+    assert!(scenario.is_down(RED));
+    assert_eq!(scenario.0.layout().place(BLUE), own);
+    scenario.choose(Choice::PassBack);
+    assert_eq!(
+        scenario.asks(0).hand,
+        Some(Region::TheD),
+        "who is asked to play again plays from it"
+    );
 }
 
-/// The cue ball touches `ball`, a red is elsewhere.
-fn touching(ball: u8) -> Scene {
-    let mut scene = Scene::of(Rules::Snooker);
-    scene.play(NOTHING, hit(&[RED]));
-    let diameter = 2.0 * scene.0.base().physics().ball.radius;
-    scene.0.put(0, Some([0.5, 1.0]));
-    scene.0.put(ball, Some([0.5 + diameter, 1.0]));
-    scene
+/// The cue ball touches `ball`: the gap is a hair, as when balls come to rest. A red is elsewhere.
+fn touching(ball: BallIndex) -> Scenario {
+    let mut scenario = Scenario::of(Rules::Snooker);
+    scenario.play(NOTHING, hit(&[RED]));
+    let diameter = 2.0 * scenario.0.base().physics().ball.radius;
+    scenario.0.put(0, Some([0.5, 1.0]));
+    scenario.0.put(ball, Some([0.5 + diameter + 5e-5, 1.0]));
+    scenario
 }
 
 #[test]
@@ -339,38 +347,38 @@ fn who_plays_away_from_a_touching_ball_that_is_not_on_must_hit_one_that_is() {
 }
 
 /// Only the black is left, player 0 to shoot with `lead` points more than the other.
-fn black_ball(lead: i32) -> Scene {
-    let mut scene = on_the_colors().without(YELLOW..PINK);
-    scene.0.set_scores([20 + lead - 6, 20]);
-    scene.play(NOTHING, hit(&[PINK]).potting(PINK, SIDE));
-    assert_eq!(scene.asks(0).on, [BLACK]);
-    scene
+fn black_ball(lead: i32) -> Scenario {
+    let mut scenario = on_the_colors().without(YELLOW..PINK);
+    scenario.0.set_scores([20 + lead - 6, 20]);
+    scenario.play(NOTHING, hit(&[PINK]).potting(PINK, SIDE));
+    assert_eq!(scenario.asks(0).on, [BLACK]);
+    scenario
 }
 
 #[test]
 fn with_only_the_black_left_the_first_score_or_foul_ends_the_frame() {
-    let mut scene = black_ball(-3);
-    scene.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE));
-    scene.is_won_by(0);
-    let mut scene = black_ball(3);
-    scene.play(NOTHING, hit(&[]));
-    scene.is_won_by(1);
+    let mut scenario = black_ball(-3);
+    scenario.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE));
+    scenario.is_won_by(0);
+    let mut scenario = black_ball(3);
+    scenario.play(NOTHING, hit(&[]));
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn a_tie_is_decided_by_the_black_on_its_spot() {
-    let mut scene = black_ball(-7);
-    scene.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE));
-    assert_eq!(scene.0.scores(), [20, 20]);
-    scene.lies_at(BLACK, BLACK_SPOT);
-    let lot = scene.0.player().expect("the lot says who chooses");
-    scene.offers(lot, &[Choice::PlayOn, Choice::PassBack]);
+    let mut scenario = black_ball(-7);
+    scenario.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE));
+    assert_eq!(scenario.0.scores(), [20, 20]);
+    scenario.lies_at(BLACK, BLACK_SPOT);
+    let lot = scenario.0.player().expect("the lot says who chooses");
+    scenario.offers(lot, &[Choice::PlayOn, Choice::PassBack]);
     for (choice, player) in [(Choice::PlayOn, lot), (Choice::PassBack, 1 - lot)] {
-        let mut chosen = Scene(scene.0.clone());
+        let mut chosen = Scenario(scenario.0.clone());
         chosen.choose(choice);
         let turn = chosen.asks(player);
         assert_eq!((turn.hand, &turn.on[..]), (Some(Region::TheD), &[BLACK][..]));
-        let mut fouled = Scene(chosen.0.clone());
+        let mut fouled = Scenario(chosen.0.clone());
         chosen.play(NOTHING, hit(&[BLACK]));
         chosen.asks(1 - player);
         chosen.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE));
@@ -382,128 +390,128 @@ fn a_tie_is_decided_by_the_black_on_its_spot() {
 
 #[test]
 fn after_the_color_that_follows_the_last_red_the_yellow_is_on() {
-    let mut scene = Scene::of(Rules::Snooker).without(2..=15);
-    scene.play(NOTHING, hit(&[RED]).potting(RED, SIDE));
-    assert_eq!(scene.turn().on.len(), 6, "any colour");
-    assert!(scene.play(Call::On(GREEN), hit(&[GREEN])).is_legal());
-    assert_eq!(scene.asks(1).on, [YELLOW]);
-    let mut scene = Scene::of(Rules::Snooker).without(2..=15);
-    scene.play(NOTHING, hit(&[RED]).potting(RED, SIDE));
-    let ruling = scene.play(Call::On(GREEN), hit(&[GREEN]).potting(GREEN, SIDE));
+    let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+    scenario.play(NOTHING, hit(&[RED]).potting(RED, SIDE));
+    assert_eq!(scenario.turn().on.len(), 6, "any colour");
+    assert!(scenario.play(Call::On(GREEN), hit(&[GREEN])).is_legal());
+    assert_eq!(scenario.asks(1).on, [YELLOW]);
+    let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+    scenario.play(NOTHING, hit(&[RED]).potting(RED, SIDE));
+    let ruling = scenario.play(Call::On(GREEN), hit(&[GREEN]).potting(GREEN, SIDE));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([3, 0], &[GREEN][..]));
-    assert_eq!(scene.asks(0).on, [YELLOW]);
+    assert_eq!(scenario.asks(0).on, [YELLOW]);
 }
 
 #[test]
 fn the_last_red_with_a_foul_leaves_the_yellow_on() {
-    let mut scene = Scene::of(Rules::Snooker).without(2..=15);
-    let ruling = scene.play(NOTHING, hit(&[RED]).potting(RED, SIDE).potting(0, CORNER));
+    let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+    let ruling = scenario.play(NOTHING, hit(&[RED]).potting(RED, SIDE).potting(0, CORNER));
     assert_eq!(ruling.points, [0, 4], "the red does not count");
-    scene.choose(Choice::PlayOn);
-    assert_eq!(scene.asks(1).on, [YELLOW]);
+    scenario.choose(Choice::PlayOn);
+    assert_eq!(scenario.asks(1).on, [YELLOW]);
 }
 
 #[test]
 fn the_dearest_of_several_fouls_is_paid_once() {
-    let paid = |happened| Scene::of(Rules::Snooker).play(NOTHING, happened).points;
+    let paid = |happened| Scenario::of(Rules::Snooker).play(NOTHING, happened).points;
     assert_eq!(paid(hit(&[BLUE]).potting(PINK, SIDE).potting(0, CORNER)), [0, 6]);
     assert_eq!(paid(hit(&[YELLOW]).potting(GREEN, SIDE)), [0, 4]);
     assert_eq!(paid(hit(&[RED]).potting(RED, SIDE).potting(BLACK, CORNER).losing(BLUE)), [0, 7]);
-    let mut scene = after_a_red();
-    assert_eq!(scene.play(Call::On(PINK), hit(&[])).points, [0, 6], "the color nominated");
-    let mut scene = after_a_red();
-    let ruling = scene.play(Call::On(BLACK), hit(&[2]).potting(0, SIDE));
+    let mut scenario = after_a_red();
+    assert_eq!(scenario.play(Call::On(PINK), hit(&[])).points, [0, 6], "the color nominated");
+    let mut scenario = after_a_red();
+    let ruling = scenario.play(Call::On(BLACK), hit(&[2]).potting(0, SIDE));
     assert_fouls(&ruling, &[Foul::Scratch, Foul::WrongBallFirst]);
     assert_eq!(ruling.points, [0, 7]);
 }
 
 #[test]
 fn the_next_color_falling_too_is_a_foul_and_both_come_back() {
-    let mut scene = on_the_colors();
-    scene.0.put(0, Some([1.5, 0.5]));
+    let mut scenario = on_the_colors();
+    scenario.0.put(0, Some([1.5, 0.5]));
     let happened = hit(&[YELLOW]).potting(YELLOW, SIDE).potting(GREEN, CORNER);
-    let ruling = scene.play(NOTHING, happened);
+    let ruling = scenario.play(NOTHING, happened);
     assert_fouls(&ruling, &[Foul::WrongBallPocketed]);
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 4], &[YELLOW, GREEN][..]));
-    scene.choose(Choice::PlayOn);
-    assert_eq!(scene.asks(1).on, [YELLOW]);
+    scenario.choose(Choice::PlayOn);
+    assert_eq!(scenario.asks(1).on, [YELLOW]);
 }
 
 #[test]
 fn who_plays_again_after_a_foul_on_a_color_is_on_a_red() {
-    let mut scene = after_a_red();
-    scene.play(Call::On(BLUE), hit(&[BLUE]).potting(0, SIDE));
-    scene.choose(Choice::PassBack);
-    let turn = scene.asks(0);
+    let mut scenario = after_a_red();
+    scenario.play(Call::On(BLUE), hit(&[BLUE]).potting(0, SIDE));
+    scenario.choose(Choice::PassBack);
+    let turn = scenario.asks(0);
     assert_eq!((turn.hand, turn.on.len(), turn.calls.nominate), (Some(Region::TheD), 14, false));
 }
 
 #[test]
 fn after_a_miss_the_cue_ball_in_hand_is_put_back_where_it_was_played_from() {
-    let mut scene = Scene::of(Rules::Snooker);
-    scene.play(NOTHING, hit(&[BLACK]));
-    scene.choose(Choice::Replace);
-    let turn = scene.asks(0);
+    let mut scenario = Scenario::of(Rules::Snooker);
+    scenario.play(NOTHING, hit(&[BLACK]));
+    scenario.choose(Choice::Replace);
+    let turn = scenario.asks(0);
     assert_eq!(turn.hand, None);
-    assert!(!scene.is_down(0) && turn.on.len() == 15);
+    assert!(!scenario.is_down(0) && turn.on.len() == 15);
 }
 
 #[test]
 fn with_all_spots_occupied_colors_wait_in_line_the_highest_first() {
-    let mut scene = after_a_red();
-    let table = scene.0.layout().clone();
+    let mut scenario = after_a_red();
+    let table = scenario.0.layout().clone();
     let colors = [YELLOW, GREEN, 18, BLUE, PINK, BLACK];
     for (red, color) in (2..).zip(colors) {
-        scene.0.put(red, table.place(color));
-        scene.0.put(color, Some([0.2 + 0.1 * f64::from(red), 1.2]));
+        scenario.0.put(red, table.place(color));
+        scenario.0.put(color, Some([0.2 + 0.1 * f64::from(red), 1.2]));
     }
     let happened = hit(&[PINK]).potting(PINK, SIDE).potting(BLUE, SIDE);
-    let ruling = scene.play(Call::On(PINK), happened);
+    let ruling = scenario.play(Call::On(PINK), happened);
     assert_eq!((ruling.points, ruling.fouls.has(Foul::WrongBallPocketed)), ([0, 6], true));
     for color in [BLUE, PINK] {
-        let (spot, lies) = (table.place(color), scene.0.layout().place(color));
+        let (spot, lies) = (table.place(color), scenario.0.layout().place(color));
         let (spot, lies) = (spot.expect("a spot"), lies.expect("it is spotted"));
         assert!(lies[0] == spot[0] && lies[1] > spot[1], "{color}: {lies:?}");
-        assert!(scene.0.layout().is_free(color, lies), "it touches nothing");
+        assert!(scenario.0.layout().is_free(color, lies), "it touches nothing");
     }
 }
 
 #[test]
 fn a_cue_ball_in_the_d_does_not_occupy_a_spot() {
-    let mut scene = on_the_colors();
-    scene.0.put(0, Some([0.889, 1.0]));
-    let own = scene.0.layout().place(YELLOW);
-    let ruling = scene.play(NOTHING, hit(&[GREEN]).potting(YELLOW, SIDE).potting(0, CORNER));
+    let mut scenario = on_the_colors();
+    scenario.0.put(0, Some([0.889, 1.0]));
+    let own = scenario.0.layout().place(YELLOW);
+    let ruling = scenario.play(NOTHING, hit(&[GREEN]).potting(YELLOW, SIDE).potting(0, CORNER));
     assert_eq!(ruling.spotted, [YELLOW]);
-    assert_eq!(scene.0.layout().place(YELLOW), own);
+    assert_eq!(scenario.0.layout().place(YELLOW), own);
 }
 
 #[test]
 fn to_pot_the_last_black_and_the_cue_ball_costs_seven_and_ends_the_frame() {
-    let mut scene = black_ball(7);
-    let ruling = scene.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE).potting(0, CORNER));
+    let mut scenario = black_ball(7);
+    let ruling = scenario.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE).potting(0, CORNER));
     assert_eq!(ruling.points, [0, 7]);
-    assert!(matches!(scene.0.request(), crate::Request::Choice { .. }), "the scores are equal");
-    let mut scene = black_ball(6);
-    scene.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE).potting(0, CORNER));
-    scene.is_won_by(1);
+    assert!(matches!(scenario.0.request(), crate::Request::Choice { .. }), "the scores are equal");
+    let mut scenario = black_ball(6);
+    scenario.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE).potting(0, CORNER));
+    scenario.is_won_by(1);
 }
 
 #[test]
 fn a_legal_shot_at_the_last_black_without_a_score_goes_on() {
-    let mut scene = black_ball(30);
-    scene.play(NOTHING, hit(&[BLACK]));
-    assert_eq!(scene.asks(1).on, [BLACK]);
+    let mut scenario = black_ball(30);
+    scenario.play(NOTHING, hit(&[BLACK]));
+    assert_eq!(scenario.asks(1).on, [BLACK]);
 }
 
 #[test]
 fn a_touching_color_is_hit_if_it_is_nominated_and_not_if_another_is() {
     let nominating = |color, order: &[i32]| {
-        let mut scene = after_a_red();
-        let diameter = 2.0 * scene.0.base().physics().ball.radius;
-        scene.0.put(0, Some([0.5, 1.0]));
-        scene.0.put(BLUE, Some([0.5 + diameter, 1.0]));
-        scene.play(Call::On(color), hit(&[]).touching(order))
+        let mut scenario = after_a_red();
+        let diameter = 2.0 * scenario.0.base().physics().ball.radius;
+        scenario.0.put(0, Some([0.5, 1.0]));
+        scenario.0.put(BLUE, Some([0.5 + diameter, 1.0]));
+        scenario.play(Call::On(color), hit(&[]).touching(order))
     };
     assert!(nominating(BLUE, &[-1]).is_legal());
     assert!(nominating(PINK, &[20]).is_legal());
@@ -526,13 +534,13 @@ fn a_rack_that_does_not_fit_on_the_table_is_refused() {
 #[test]
 fn on_every_table_with_pockets_colors_come_back_where_they_stood() {
     for table in ["wpa-9ft", "english-7ft", "snooker-12ft", "poolfiz"] {
-        let begun = Scene(on(table).unwrap_or_else(|e| panic!("{table}: {e}")));
+        let begun = Scenario(on(table).unwrap_or_else(|e| panic!("{table}: {e}")));
         let own = begun.0.layout().clone();
         for color in YELLOW..=BLACK {
-            let mut scene = Scene(begun.0.clone());
-            scene.play(NOTHING, hit(&[RED]).potting(RED, CORNER));
-            scene.play(Call::On(color), hit(&[color]).potting(color, SIDE));
-            assert_eq!(scene.0.layout().place(color), own.place(color), "{color} on {table}");
+            let mut scenario = Scenario(begun.0.clone());
+            scenario.play(NOTHING, hit(&[RED]).potting(RED, CORNER));
+            scenario.play(Call::On(color), hit(&[color]).potting(color, SIDE));
+            assert_eq!(scenario.0.layout().place(color), own.place(color), "{color} on {table}");
         }
         let brown = own.place(18).expect("it stands on its spot");
         let radius = begun.0.base().physics().ball.radius;

@@ -1,118 +1,118 @@
 //! WPA, section 4.
 
-use super::{CORNER, SIDE, Scene, assert_fouls, hit};
+use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
 use crate::{BallIndex, Call, Choice, Foul, Options, Region, Rules};
 
 const SAFE: Call = Call::Safety;
 
 /// After a safe opening break: player 1 shoots.
-fn opened() -> Scene {
-    let mut scene = Scene::of(Rules::StraightPool);
-    assert!(scene.play(SAFE, hit(&[5]).driving(&[1, 2])).is_legal());
-    assert_eq!(scene.asks(1).hand, None);
-    scene
+fn opened() -> Scenario {
+    let mut scenario = Scenario::of(Rules::StraightPool);
+    assert!(scenario.play(SAFE, hit(&[5]).driving(&[1, 2])).is_legal());
+    assert_eq!(scenario.asks(1).hand, None);
+    scenario
 }
 
 #[test]
 fn the_opening_break_drives_the_cue_ball_and_two_balls_to_a_rail() {
     for driven in [&[1][..], &[]] {
-        let mut scene = Scene::of(Rules::StraightPool);
-        let ruling = scene.play(SAFE, hit(&[5]).driving(driven));
+        let mut scenario = Scenario::of(Rules::StraightPool);
+        let ruling = scenario.play(SAFE, hit(&[5]).driving(driven));
         assert_fouls(&ruling, &[Foul::SoftBreak]);
         assert_eq!(ruling.points, [-2, 0]);
-        scene.offers(1, &[Choice::PlayOn, Choice::RebreakByOther]);
-        assert!(scene.choose(Choice::RebreakByOther).racked);
-        scene.asks(0);
+        scenario.offers(1, &[Choice::PlayOn, Choice::RebreakByOther]);
+        assert!(scenario.choose(Choice::RebreakByOther).racked);
+        scenario.asks(0);
     }
 }
 
 #[test]
 fn on_the_opening_break_the_cue_ball_meets_a_rail_after_the_rack() {
-    let mut scene = Scene::of(Rules::StraightPool);
-    let ruling = scene.play(SAFE, hit(&[]).driving(&[1, 2]).touching(&[-1, 5]));
+    let mut scenario = Scenario::of(Rules::StraightPool);
+    let ruling = scenario.play(SAFE, hit(&[]).driving(&[1, 2]).touching(&[-1, 5]));
     assert_fouls(&ruling, &[Foul::SoftBreak]);
-    let mut scene = Scene::of(Rules::StraightPool);
-    assert!(scene.play(SAFE, hit(&[]).driving(&[1, 2]).touching(&[5, -1])).is_legal());
+    let mut scenario = Scenario::of(Rules::StraightPool);
+    assert!(scenario.play(SAFE, hit(&[]).driving(&[1, 2]).touching(&[5, -1])).is_legal());
 }
 
 #[test]
 fn on_the_opening_break_pocketed_balls_were_driven_to_a_rail() {
-    let mut scene = Scene::of(Rules::StraightPool);
-    let ruling = scene.play(SAFE, hit(&[5]).driving(&[1]).potting(2, SIDE));
+    let mut scenario = Scenario::of(Rules::StraightPool);
+    let ruling = scenario.play(SAFE, hit(&[5]).driving(&[1]).potting(2, SIDE));
     assert!(ruling.is_legal());
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[2][..]));
 }
 
 #[test]
 fn a_called_ball_opens_also_if_the_shot_is_a_foul() {
-    let mut scene = Scene::of(Rules::StraightPool);
+    let mut scenario = Scenario::of(Rules::StraightPool);
     let happened = hit(&[5]).driving(&[]).potting(5, CORNER).potting(0, SIDE);
-    let ruling = scene.play(Call::Pocket(5, CORNER), happened);
+    let ruling = scenario.play(Call::Pocket(5, CORNER), happened);
     assert_fouls(&ruling, &[Foul::Scratch]);
     assert_eq!((ruling.points, &ruling.spotted[..]), ([-1, 0], &[5][..]));
-    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+    assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
 }
 
 #[test]
 fn a_breaking_foul_absorbs_a_scratch_and_is_not_one_of_three() {
-    let mut scene = Scene::of(Rules::StraightPool);
-    let ruling = scene.play(SAFE, hit(&[5]).driving(&[]).potting(0, SIDE));
+    let mut scenario = Scenario::of(Rules::StraightPool);
+    let ruling = scenario.play(SAFE, hit(&[5]).driving(&[]).potting(0, SIDE));
     assert_fouls(&ruling, &[Foul::Scratch, Foul::SoftBreak]);
     assert_eq!(ruling.points, [-2, 0]);
-    assert_eq!(scene.0.fouls_in_a_row(), [0, 0]);
-    scene.offers(1, &[Choice::PlayFromHand, Choice::RebreakByOther]);
-    scene.choose(Choice::PlayFromHand);
-    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
+    assert_eq!(scenario.0.fouls_in_a_row(), [0, 0]);
+    scenario.offers(1, &[Choice::PlayFromHand, Choice::RebreakByOther]);
+    scenario.choose(Choice::PlayFromHand);
+    assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
 }
 
 #[test]
 fn who_does_not_come_out_from_behind_the_head_string_gives_the_cue_ball_in_hand() {
     let scratched = || {
-        let mut scene = opened();
-        scene.play(SAFE, hit(&[3]).potting(0, SIDE));
-        scene.0.put(3, Some([0.3, 0.3]));
-        scene
+        let mut scenario = opened();
+        scenario.play(SAFE, hit(&[3]).potting(0, SIDE));
+        scenario.0.put(3, Some([0.3, 0.3]));
+        scenario
     };
-    let mut scene = scratched();
-    let ruling = scene.play(SAFE, hit(&[3]).staying_below(0.5));
+    let mut scenario = scratched();
+    let ruling = scenario.play(SAFE, hit(&[3]).staying_below(0.5));
     assert_fouls(&ruling, &[Foul::BehindHeadString]);
     assert_eq!(ruling.points, [-1, 0]);
-    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
-    let mut scene = scratched();
-    assert_fouls(&scene.play(SAFE, hit(&[3]).reaching(0.5)), &[Foul::BehindHeadString]);
-    assert_eq!(scene.asks(1).hand, None, "it came out later");
+    assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
+    let mut scenario = scratched();
+    assert_fouls(&scenario.play(SAFE, hit(&[3]).reaching(0.5)), &[Foul::BehindHeadString]);
+    assert_eq!(scenario.asks(1).hand, None, "it came out later");
 }
 
 #[test]
 fn with_all_balls_behind_the_head_string_the_nearest_may_be_spotted() {
     let scratched = || {
-        let mut scene = opened().without(3..=15);
-        scene.0.put(1, Some([0.3, 0.3]));
-        scene.0.put(2, Some([0.9, 0.4]));
-        scene.play(SAFE, hit(&[1]).potting(0, SIDE));
-        scene.offers(0, &[Choice::PlayFromHand, Choice::SpotNearest]);
-        scene
+        let mut scenario = opened().without(3..=15);
+        scenario.0.put(1, Some([0.3, 0.3]));
+        scenario.0.put(2, Some([0.9, 0.4]));
+        scenario.play(SAFE, hit(&[1]).potting(0, SIDE));
+        scenario.offers(0, &[Choice::PlayFromHand, Choice::SpotNearest]);
+        scenario
     };
-    let mut scene = scratched();
-    assert_eq!(scene.choose(Choice::SpotNearest).spotted, [2]);
-    scene.lies_at(2, FOOT);
-    assert_eq!(scene.asks(0).hand, Some(Region::BehindHeadString));
-    let mut scene = scratched();
-    assert!(scene.choose(Choice::PlayFromHand).spotted.is_empty());
-    scene.asks(0);
+    let mut scenario = scratched();
+    assert_eq!(scenario.choose(Choice::SpotNearest).spotted, [2]);
+    scenario.lies_at(2, FOOT);
+    assert_eq!(scenario.asks(0).hand, Some(Region::BehindHeadString));
+    let mut scenario = scratched();
+    assert!(scenario.choose(Choice::PlayFromHand).spotted.is_empty());
+    scenario.asks(0);
 }
 
 #[test]
 fn spotted_balls_stand_behind_each_other_on_the_long_string() {
-    let mut scene = opened().without(1..=15);
+    let mut scenario = opened().without(1..=15);
     for ball in [1, 2, 3] {
-        scene.0.put(ball, Some([0.2, 0.3 * f64::from(ball)]));
+        scenario.0.put(ball, Some([0.2, 0.3 * f64::from(ball)]));
     }
-    scene.0.put(0, Some([0.635, 1.93]));
-    let ruling = scene.play(SAFE, hit(&[1]).losing(2).potting(1, SIDE));
+    scenario.0.put(0, Some([0.635, 1.93]));
+    let ruling = scenario.play(SAFE, hit(&[1]).losing(2).potting(1, SIDE));
     assert_eq!(ruling.spotted, [1, 2]);
-    let (diameter, table) = (2.0 * scene.0.base().physics().ball.radius, FOOT);
-    let [one, two] = [1, 2].map(|ball| scene.0.layout().place(ball).expect("it is spotted"));
+    let (diameter, table) = (2.0 * scenario.0.base().physics().ball.radius, FOOT);
+    let [one, two] = [1, 2].map(|ball| scenario.0.layout().place(ball).expect("it is spotted"));
     assert!(one[0] == table[0] && two[0] == table[0], "on the long string");
     let off = one[1] - 1.93 - diameter;
     assert!(off > 0.0 && off < 1e-3, "behind the cue ball without touching it: {off}");
@@ -121,82 +121,85 @@ fn spotted_balls_stand_behind_each_other_on_the_long_string() {
 
 #[test]
 fn balls_pocketed_on_a_safety_come_back() {
-    let mut scene = opened();
-    let ruling = scene.play(SAFE, hit(&[3]).potting(3, CORNER));
+    let mut scenario = opened();
+    let ruling = scenario.play(SAFE, hit(&[3]).potting(3, CORNER));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[3][..]));
-    scene.asks(0);
+    scenario.asks(0);
 }
 
 #[test]
 fn every_ball_of_a_legal_called_shot_counts_one() {
-    let mut scene = opened();
-    let ruling = scene.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, CORNER).potting(7, SIDE));
+    let mut scenario = opened();
+    let ruling =
+        scenario.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, CORNER).potting(7, SIDE));
     assert_eq!(ruling.points, [0, 2]);
-    scene.asks(1);
+    scenario.asks(1);
 }
 
 #[test]
 fn balls_that_were_not_called_or_fell_with_a_foul_come_back() {
-    let mut scene = opened();
-    let ruling = scene.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, SIDE));
+    let mut scenario = opened();
+    let ruling = scenario.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, SIDE));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[3][..]));
-    scene.asks(0);
-    let mut scene = opened();
-    let ruling = scene.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, CORNER).potting(0, SIDE));
+    scenario.asks(0);
+    let mut scenario = opened();
+    let ruling =
+        scenario.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, CORNER).potting(0, SIDE));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, -1], &[3][..]));
-    assert_eq!(scene.asks(0).hand, Some(Region::BehindHeadString));
+    assert_eq!(scenario.asks(0).hand, Some(Region::BehindHeadString));
 }
 
 #[test]
 fn a_foul_costs_a_point_and_the_cue_ball_stays_where_it_is() {
-    let mut scene = opened();
-    let ruling = scene.play(SAFE, hit(&[3]).no_rail());
+    let mut scenario = opened();
+    let ruling = scenario.play(SAFE, hit(&[3]).no_rail());
     assert_fouls(&ruling, &[Foul::NoRailAfterContact]);
     assert_eq!(ruling.points, [0, -1]);
-    assert_eq!(scene.asks(0).hand, None);
+    assert_eq!(scenario.asks(0).hand, None);
 }
 
 #[test]
 fn the_third_foul_in_a_row_costs_fifteen_more_and_a_new_opening_break() {
-    let mut scene = opened();
+    let mut scenario = opened();
     for _ in 0..2 {
-        scene.play(SAFE, hit(&[3]).no_rail());
-        scene.play(SAFE, hit(&[3]));
+        scenario.play(SAFE, hit(&[3]).no_rail());
+        scenario.play(SAFE, hit(&[3]));
     }
-    let ruling = scene.play(SAFE, hit(&[3]).no_rail());
+    let ruling = scenario.play(SAFE, hit(&[3]).no_rail());
     assert_eq!(ruling.points, [0, -16]);
     assert!(ruling.racked);
-    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
-    assert_eq!(scene.0.fouls_in_a_row(), [0, 0]);
-    assert_eq!(scene.0.scores(), [0, -18]);
+    assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
+    assert_eq!(scenario.0.fouls_in_a_row(), [0, 0]);
+    assert_eq!(scenario.0.scores(), [0, -18]);
 }
 
 #[test]
 fn the_target_wins() {
-    let mut scene = opened();
+    let mut scenario = opened();
     let mut made = 0;
-    while !scene.0.is_over() {
-        let ball = scene.0.layout().on_table().find(|b| *b != 0).expect("the rack is renewed");
-        scene.play(Call::Pocket(ball, CORNER), hit(&[ball]).potting(ball, CORNER));
+    while !scenario.0.is_over() {
+        let ball = scenario.0.layout().on_table().find(|b| *b != 0).expect("the rack is renewed");
+        scenario.play(Call::Pocket(ball, CORNER), hit(&[ball]).potting(ball, CORNER));
         made += 1;
     }
-    scene.is_won_by(1);
-    assert_eq!((made, scene.0.scores()), (40, [0, 40]));
+    scenario.is_won_by(1);
+    assert_eq!((made, scenario.0.scores()), (40, [0, 40]));
 }
 
-/// Player 1 pockets the last ball but `break_ball`, which lies at `place`, with the cue ball at `cue`.
-fn fourteen_down(break_ball: BallIndex, place: [f64; 2], cue: [f64; 2]) -> Scene {
+/// Seat 1 pockets the last ball but `break_ball`, which lies at `place`, with the cue ball at
+/// `cue`.
+fn fourteen_down(break_ball: BallIndex, place: [f64; 2], cue: [f64; 2]) -> Scenario {
     let last = if break_ball == 1 { 2 } else { 1 };
     let others = (1..=15).filter(|b| *b != last && *b != break_ball);
-    let mut scene = opened().without(others);
-    scene.0.put(break_ball, Some(place));
-    scene.0.put(last, Some([0.2, 2.0]));
-    scene.0.put(0, Some(cue));
-    let ruling = scene.play(Call::Pocket(last, CORNER), hit(&[last]).potting(last, CORNER));
+    let mut scenario = opened().without(others);
+    scenario.0.put(break_ball, Some(place));
+    scenario.0.put(last, Some([0.2, 2.0]));
+    scenario.0.put(0, Some(cue));
+    let ruling = scenario.play(Call::Pocket(last, CORNER), hit(&[last]).potting(last, CORNER));
     assert!(ruling.racked);
-    assert_eq!(scene.0.layout().on_table().filter(|b| *b != 0).count(), 15);
-    scene.asks(1);
-    scene
+    assert_eq!(scenario.0.layout().on_table().filter(|b| *b != 0).count(), 15);
+    scenario.asks(1);
+    scenario
 }
 
 const FOOT: [f64; 2] = [0.635, 1.905];
@@ -207,8 +210,8 @@ const FAR: [f64; 2] = [0.3, 1.4];
 
 #[test]
 fn fourteen_balls_are_racked_without_the_apex_and_the_rest_stays() {
-    let scene = fourteen_down(7, FAR, [0.9, 1.0]);
-    let layout = scene.0.layout();
+    let scenario = fourteen_down(7, FAR, [0.9, 1.0]);
+    let layout = scenario.0.layout();
     assert_eq!(layout.place(7), Some(FAR));
     assert_eq!(layout.place(0), Some([0.9, 1.0]));
     assert!(layout.is_free(0, FOOT), "no ball on the foot spot");
@@ -216,7 +219,8 @@ fn fourteen_balls_are_racked_without_the_apex_and_the_rest_stays() {
 
 #[test]
 fn the_special_cases_of_racking_fourteen() {
-    // The fifteenth ball in the rack: head spot, foot spot with the cue ball in hand, or center spot.
+    // The fifteenth ball in the rack: head spot, foot spot with the cue ball in hand, or center
+    // spot.
     assert_eq!(fourteen_down(7, IN_RACK, FAR).0.layout().place(7), Some(HEAD));
     assert_eq!(fourteen_down(7, IN_RACK, HEAD).0.layout().place(7), Some(CENTER));
     let both = fourteen_down(7, [0.635, 1.96], [0.635, 2.05]);
@@ -233,110 +237,110 @@ fn the_special_cases_of_racking_fourteen() {
 
 #[test]
 fn with_the_fifteenth_ball_pocketed_too_all_are_racked() {
-    let mut scene = opened().without(3..=15);
+    let mut scenario = opened().without(3..=15);
     let ruling =
-        scene.play(Call::Pocket(1, CORNER), hit(&[1, 2]).potting(1, CORNER).potting(2, SIDE));
+        scenario.play(Call::Pocket(1, CORNER), hit(&[1, 2]).potting(1, CORNER).potting(2, SIDE));
     assert_eq!(ruling.points, [0, 2]);
-    assert!(!scene.0.layout().is_free(0, FOOT), "a ball on the foot spot");
-    scene.asks(1);
+    assert!(!scenario.0.layout().is_free(0, FOOT), "a ball on the foot spot");
+    scenario.asks(1);
 }
 
 #[test]
 fn a_breaker_repeats_until_the_break_is_good_and_loses_two_each_time() {
-    let mut scene = Scene::of(Rules::StraightPool);
+    let mut scenario = Scenario::of(Rules::StraightPool);
     for times in 1..=4 {
-        scene.play(SAFE, hit(&[5]).driving(&[]));
-        assert_eq!(scene.0.scores(), [-2 * times, 0]);
-        scene.choose(Choice::RebreakByOther);
-        assert_eq!(scene.asks(0).hand, Some(Region::BehindHeadString));
+        scenario.play(SAFE, hit(&[5]).driving(&[]));
+        assert_eq!(scenario.0.scores(), [-2 * times, 0]);
+        scenario.choose(Choice::RebreakByOther);
+        assert_eq!(scenario.asks(0).hand, Some(Region::BehindHeadString));
     }
-    assert!(scene.play(SAFE, hit(&[5]).driving(&[1, 2])).is_legal());
-    scene.asks(1);
+    assert!(scenario.play(SAFE, hit(&[5]).driving(&[1, 2])).is_legal());
+    scenario.asks(1);
 }
 
 #[test]
 fn who_accepts_after_a_breaking_foul_plays_without_the_opening_requirements() {
-    let mut scene = Scene::of(Rules::StraightPool);
-    scene.play(SAFE, hit(&[5]).driving(&[]));
-    scene.choose(Choice::PlayOn);
-    assert!(scene.play(SAFE, hit(&[5])).is_legal());
-    scene.asks(0);
+    let mut scenario = Scenario::of(Rules::StraightPool);
+    scenario.play(SAFE, hit(&[5]).driving(&[]));
+    scenario.choose(Choice::PlayOn);
+    assert!(scenario.play(SAFE, hit(&[5])).is_legal());
+    scenario.asks(0);
 }
 
 #[test]
 fn a_ball_that_was_not_called_saves_the_shot_from_a_foul_without_a_rail() {
-    let mut scene = opened();
-    let ruling = scene.play(Call::Pocket(3, CORNER), hit(&[3]).no_rail().potting(7, SIDE));
+    let mut scenario = opened();
+    let ruling = scenario.play(Call::Pocket(3, CORNER), hit(&[3]).no_rail().potting(7, SIDE));
     assert!(ruling.is_legal());
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[7][..]));
-    scene.asks(0);
+    scenario.asks(0);
 }
 
 #[test]
 fn a_legal_shot_forgives_fouls_and_the_third_is_only_in_a_row() {
-    let mut scene = opened();
+    let mut scenario = opened();
     for legal in [false, false, true, false, false] {
         let happened = if legal { hit(&[3]) } else { hit(&[3]).no_rail() };
-        scene.play(SAFE, happened);
-        scene.play(SAFE, hit(&[3]));
+        scenario.play(SAFE, happened);
+        scenario.play(SAFE, hit(&[3]));
     }
-    assert_eq!((scene.0.fouls_in_a_row(), scene.0.scores()), ([0, 2], [0, -4]));
-    assert_eq!(scene.play(SAFE, hit(&[]).no_rail()).points, [0, -16]);
-    scene.asks(1);
+    assert_eq!((scenario.0.fouls_in_a_row(), scenario.0.scores()), ([0, 2], [0, -4]));
+    assert_eq!(scenario.play(SAFE, hit(&[]).no_rail()).points, [0, -16]);
+    scenario.asks(1);
 }
 
 #[test]
 fn after_the_third_foul_the_opening_requirements_are_in_force_again() {
-    let mut scene = opened();
+    let mut scenario = opened();
     for _ in 0..2 {
-        scene.play(SAFE, hit(&[3]).no_rail());
-        scene.play(SAFE, hit(&[3]));
+        scenario.play(SAFE, hit(&[3]).no_rail());
+        scenario.play(SAFE, hit(&[3]));
     }
-    scene.play(SAFE, hit(&[3]).potting(0, SIDE).potting(5, CORNER));
-    assert_eq!(scene.0.layout().on_table().count(), 16, "all are racked");
-    assert_fouls(&scene.play(SAFE, hit(&[5]).driving(&[1])), &[Foul::SoftBreak]);
-    scene.offers(0, &[Choice::PlayOn, Choice::RebreakByOther]);
+    scenario.play(SAFE, hit(&[3]).potting(0, SIDE).potting(5, CORNER));
+    assert_eq!(scenario.0.layout().on_table().count(), 16, "all are racked");
+    assert_fouls(&scenario.play(SAFE, hit(&[5]).driving(&[1])), &[Foul::SoftBreak]);
+    scenario.offers(0, &[Choice::PlayOn, Choice::RebreakByOther]);
 }
 
 #[test]
 fn balls_off_the_table_are_a_foul_and_come_back_though_the_called_ball_fell() {
-    let mut scene = opened();
+    let mut scenario = opened();
     let happened = hit(&[3]).potting(3, CORNER).losing(4);
-    let ruling = scene.play(Call::Pocket(3, CORNER), happened);
+    let ruling = scenario.play(Call::Pocket(3, CORNER), happened);
     assert_fouls(&ruling, &[Foul::BallOffTable]);
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, -1], &[3, 4][..]));
-    assert_eq!(scene.asks(0).hand, None);
+    assert_eq!(scenario.asks(0).hand, None);
 }
 
 #[test]
 fn the_last_but_one_ball_with_a_foul_racks_nothing() {
-    let mut scene = opened().without(3..=15);
-    scene.0.put(1, Some([0.3, 1.3]));
-    scene.0.put(2, Some([0.9, 1.3]));
+    let mut scenario = opened().without(3..=15);
+    scenario.0.put(1, Some([0.3, 1.3]));
+    scenario.0.put(2, Some([0.9, 1.3]));
     let happened = hit(&[1]).potting(1, CORNER).potting(0, SIDE);
-    let ruling = scene.play(Call::Pocket(1, CORNER), happened);
+    let ruling = scenario.play(Call::Pocket(1, CORNER), happened);
     assert!(!ruling.racked);
     assert_eq!(ruling.spotted, [1]);
 }
 
 #[test]
 fn with_both_last_balls_down_a_cue_ball_in_the_rack_is_in_hand() {
-    let mut scene = opened().without(3..=15);
-    scene.0.put(1, Some([0.3, 1.3]));
-    scene.0.put(2, Some([0.9, 1.3]));
-    scene.0.put(0, Some(IN_RACK));
+    let mut scenario = opened().without(3..=15);
+    scenario.0.put(1, Some([0.3, 1.3]));
+    scenario.0.put(2, Some([0.9, 1.3]));
+    scenario.0.put(0, Some(IN_RACK));
     let happened = hit(&[1, 2]).potting(1, CORNER).potting(2, SIDE);
-    let ruling = scene.play(Call::Pocket(1, CORNER), happened);
+    let ruling = scenario.play(Call::Pocket(1, CORNER), happened);
     assert_eq!((ruling.points, ruling.racked), ([0, 2], true));
-    assert_eq!(scene.asks(1).hand, Some(Region::BehindHeadString));
-    assert!(scene.play(SAFE, hit(&[5])).is_legal(), "it is no opening break");
+    assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
+    assert!(scenario.play(SAFE, hit(&[5])).is_legal(), "it is no opening break");
 }
 
 #[test]
 fn the_target_wins_though_the_rack_is_not_finished() {
-    let options = Options { target: 2, ..Options::default() };
-    let mut scene = Scene::with(Rules::StraightPool, options);
+    let options = Options { points: 2, ..Options::default() };
+    let mut scenario = Scenario::with(Rules::StraightPool, options);
     let happened = hit(&[5]).potting(5, CORNER).potting(6, SIDE);
-    scene.play(Call::Pocket(5, CORNER), happened);
-    scene.is_won_by(0);
+    scenario.play(Call::Pocket(5, CORNER), happened);
+    scenario.is_won_by(0);
 }

@@ -1,41 +1,34 @@
-//! What an environment notes of a shot.
+//! Records what the tasks need to know of a shot.
 
 use carom::event::{Event, EventKind, Recorder};
-use carom::limits::SMALL_CAPACITY;
 
-/// Notes what the tasks ask of a shot. Balls are numbered as in the shot.
-pub(crate) struct Notes {
+/// Records what the tasks need to know of a shot. Balls are indices of the shot.
+pub(crate) struct TaskRecorder {
     cue: u16,
     /// The first ball that the cue ball touched.
     pub(crate) first_contact: Option<u16>,
-    /// Touches of cushions, by all balls.
+    /// Number of contacts of any ball with a cushion.
     pub(crate) cushions: u32,
-    /// Whether a ball left the table otherwise than by a pocket.
+    /// Whether a ball left the table other than by a pocket.
     pub(crate) left_table: bool,
-    pots: [(u16, u8); SMALL_CAPACITY],
-    count: usize,
+    /// The pocketed balls and the indices of their pockets, in order.
+    pub(crate) pots: Vec<(u16, u8)>,
 }
 
-impl Notes {
-    /// Of a shot that strikes ball `cue`.
+impl TaskRecorder {
+    /// For a shot whose cue ball is ball `cue`.
     pub(crate) const fn new(cue: usize) -> Self {
         Self {
             cue: cue as u16,
             first_contact: None,
             cushions: 0,
             left_table: false,
-            pots: [(0, 0); SMALL_CAPACITY],
-            count: 0,
+            pots: Vec::new(),
         }
-    }
-
-    /// The balls that fell and the pockets that took them, in order.
-    pub(crate) fn pots(&self) -> impl Iterator<Item = (u16, u8)> + '_ {
-        self.pots[..self.count].iter().copied()
     }
 }
 
-impl Recorder for Notes {
+impl Recorder for TaskRecorder {
     fn record(&mut self, event: &Event<'_>) {
         match event.kind {
             EventKind::BallCollision
@@ -46,8 +39,7 @@ impl Recorder for Notes {
             EventKind::RailCollision(_) => self.cushions += 1,
             EventKind::OffTable => self.left_table = true,
             EventKind::PocketCollision(pocket) => {
-                self.pots[self.count] = (event.balls[0], pocket);
-                self.count += 1;
+                self.pots.push((event.balls[0], pocket));
             }
             _ => {}
         }

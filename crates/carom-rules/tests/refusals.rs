@@ -1,4 +1,5 @@
-//! What is asked of a frame at the wrong time, or is not there at all, is refused, and changes nothing.
+//! Plays and choices that a frame does not ask for, or that do not exist, are refused and change
+//! nothing.
 
 use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
@@ -13,18 +14,18 @@ fn frame(rules: Rules) -> Frame {
     Frame::new(rules, Options::default(), None, None, 4).expect("the game's own table")
 }
 
-/// Three balls of a game that goes on: the cue ball, and two others.
+/// A game that continues with three balls: the cue ball and two others.
 fn middle(rules: Rules, balls: [usize; 2]) -> Frame {
     let mut frame = frame(rules);
     let mut places = vec![None; frame.layout().len()];
     for (ball, place) in [(0, [0.5, 0.5]), (balls[0], [0.4, 1.4]), (balls[1], [0.8, 1.9])] {
         places[ball] = Some(place);
     }
-    frame.scatter(&places, 0).expect("a game that goes on");
+    frame.resume_at(&places, 0).expect("a valid position");
     frame
 }
 
-/// A break of eight-ball that is too soft: player 1 is to choose.
+/// Eight-ball after a break that was too soft: the frame asks player 1 for a choice.
 fn choosing() -> Frame {
     let mut frame = frame(Rules::EightBall);
     frame.play(&Play::new(STRIKE).from(BEHIND)).expect("it can be played");
@@ -43,7 +44,7 @@ fn refused(frame: &mut Frame, play: &Play, place: &str) {
 }
 
 #[test]
-fn no_shot_is_played_while_a_choice_is_due_or_after_the_end() {
+fn a_shot_is_refused_while_a_choice_is_due_and_after_the_end() {
     let mut frame = choosing();
     refused(&mut frame, &Play::new(STRIKE), "play: ");
     frame.concede().expect("player 1 may");
@@ -52,7 +53,7 @@ fn no_shot_is_played_while_a_choice_is_due_or_after_the_end() {
 }
 
 #[test]
-fn no_choice_is_made_while_a_shot_is_due_nor_one_that_is_not_offered() {
+fn a_choice_is_refused_while_a_shot_is_due_and_when_it_is_not_offered() {
     for choice in Choice::ALL {
         assert!(frame(Rules::EightBall).choose(choice).is_err(), "{}", choice.name());
         let mut frame = choosing();
@@ -64,7 +65,7 @@ fn no_choice_is_made_while_a_shot_is_due_nor_one_that_is_not_offered() {
 }
 
 #[test]
-fn a_call_is_of_a_ball_on_the_table_into_a_pocket_that_it_has() {
+fn a_call_must_be_allowed_and_of_a_ball_on_the_table() {
     let mut eight = middle(Rules::EightBall, [1, 8]);
     let call = |call| Play { call, ..Play::new(STRIKE) };
     for ball in [0, 2, 16, 255] {
@@ -73,16 +74,16 @@ fn a_call_is_of_a_ball_on_the_table_into_a_pocket_that_it_has() {
     refused(&mut eight, &call(Call::Nothing), "call: nothing is called");
     refused(&mut eight, &call(Call::PushOut), "call: a push-out");
     refused(&mut eight, &call(Call::On(1)), "call: that ball");
-    refused(&mut middle(Rules::NineBall, [1, 9]), &call(Call::Safety), "call: no safety");
+    refused(&mut middle(Rules::NineBall, [1, 9]), &call(Call::Safety), "call: a safety");
     let snooker = frame(Rules::Snooker);
     let places: Vec<_> = (0..22).map(|ball| snooker.layout().place(ball)).collect();
     let mut snooker = snooker;
-    snooker.scatter(&places, 0).expect("a rack");
+    snooker.resume_at(&places, 0).expect("a rack");
     refused(&mut snooker, &call(Call::On(1)).from([0.8, 0.6]), "call: that ball");
 }
 
 #[test]
-fn a_cue_ball_that_lies_stays_and_one_in_hand_is_put_in_its_region() {
+fn a_cue_ball_may_be_placed_only_if_it_is_in_hand_and_only_in_its_region() {
     let mut lying = middle(Rules::NineBall, [1, 9]);
     refused(&mut lying, &Play::new(STRIKE).from(BEHIND), "cue_ball: ");
     let mut breaking = frame(Rules::NineBall);
@@ -99,14 +100,19 @@ fn a_cue_ball_that_lies_stays_and_one_in_hand_is_put_in_its_region() {
 }
 
 #[test]
-fn only_two_players_play() {
+fn a_third_player_and_places_that_are_not_numbers_are_refused() {
     let mut frame = frame(Rules::Practice);
     let places: Vec<_> = (0..16).map(|ball| frame.layout().place(ball)).collect();
-    assert!(frame.scatter(&places, 2).expect_err("a third").to_string().starts_with("player: "));
+    let mut refused =
+        |places: &[_], seat| frame.resume_at(places, seat).expect_err("it is refused").to_string();
+    assert!(refused(&places, 2).starts_with("player: "));
+    let mut nowhere = places.clone();
+    nowhere[3] = Some([0.5, f64::NAN]);
+    assert!(refused(&nowhere, 0).starts_with("places: "));
 }
 
 #[test]
-fn a_copy_goes_its_own_way_and_the_same_way_to_the_bit() {
+fn a_copy_does_not_change_its_original_and_plays_the_same_bits() {
     let frame = choosing();
     let mut one = frame.clone();
     one.choose(Choice::PlayOn).expect("it is offered");
@@ -117,4 +123,11 @@ fn a_copy_goes_its_own_way_and_the_same_way_to_the_bit() {
     other.play(&play).expect("it can be played");
     assert_eq!(one.to_node().to_json(), other.to_node().to_json());
     assert_ne!(one.to_node(), frame.to_node());
+}
+
+#[test]
+fn a_ball_that_the_frame_does_not_have_is_not_on_the_table() {
+    let frame = frame(Rules::NineBall);
+    assert_eq!(frame.layout().place(255), None);
+    assert!(frame.layout().is_down(255));
 }

@@ -1,0 +1,73 @@
+//! A table with balls, for the tasks that are not games of carom-rules.
+
+use std::sync::Arc;
+
+use carom::event::Recorder;
+use carom::format::{Node, SHOT_FORMAT};
+use carom::math::Vec3;
+use carom::resolve::cue_ball::Strike;
+use carom::shot::PlacedBall;
+use carom::{BallState, Error, MotionState, Shot, Simulator};
+use carom_rules::{BallIndex, FrameBall};
+
+/// A place inside every table (file frame, m), for the only ball of the base shot.
+const INSIDE: [f64; 2] = [0.25, 0.25];
+
+/// A table with balls, without rules.
+#[derive(Clone)]
+pub(crate) struct BareTable {
+    pub(crate) base: Shot,
+    pub(crate) balls: Arc<[FrameBall]>,
+    pub(crate) places: Vec<Option<[f64; 2]>>,
+}
+
+impl BareTable {
+    /// A table without balls on it; `table` and `physics` as in a shot file.
+    pub(crate) fn new(
+        table: Node,
+        physics: Option<Node>,
+        ids: impl Iterator<Item = String>,
+    ) -> Result<Self, Error> {
+        let ball = Node::object([("id", "cue".into()), ("position", INSIDE.into())]);
+        let mut file = Node::object([
+            ("format", SHOT_FORMAT.into()),
+            ("table", table),
+            ("balls", Node::list([ball])),
+        ]);
+        if let Some(physics) = physics {
+            file.set("physics", physics);
+        }
+        let base = Shot::from_node(&file)?;
+        let ball = base.physics().ball;
+        let balls: Arc<[FrameBall]> = ids.map(|id| FrameBall { id, ball }).collect();
+        let places = vec![None; balls.len()];
+        Ok(Self { base, balls, places })
+    }
+
+    /// Plays `strike` on ball `cue` and moves the balls to where they come to rest.
+    pub(crate) fn play(
+        &mut self,
+        simulator: &mut Simulator,
+        cue: BallIndex,
+        strike: Strike,
+        recorder: &mut impl Recorder,
+    ) -> Result<(), Error> {
+        let on_table = |ball: &usize| self.places[*ball].is_some();
+        let balls: Vec<usize> = (0..self.balls.len()).filter(on_table).collect();
+        let placed = balls.iter().filter_map(|&ball| {
+            let ([x, y], FrameBall { id, ball }) = (self.places[ball]?, &self.balls[ball]);
+            let position = Vec3::new(x, y, ball.radius);
+            let state = BallState { position, ..BallState::default() };
+            Some(PlacedBall { id: id.clone(), ball: *ball, state })
+        });
+        let struck = balls.iter().position(|ball| *ball == usize::from(cue)).unwrap_or_default();
+        let shot = self.base.with_balls(placed.collect(), Some((struck, strike)))?;
+        let summary = simulator.play(&shot, recorder)?;
+        for (i, &ball) in balls.iter().enumerate() {
+            let state = simulator.file_state(i, &shot, summary.duration);
+            let gone = matches!(state.motion, MotionState::Pocketed | MotionState::OffTable);
+            self.places[ball] = (!gone).then_some([state.position.x, state.position.y]);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,106 @@
+//! Frames that start from given places of the balls.
+
+use carom::shot::PlacedBall;
+use carom::{Error, MotionState, Shot};
+
+use super::Frame;
+use crate::games::snooker;
+use crate::layout::BallIndex;
+use crate::rules::{Options, Rules};
+use crate::seat::Seat;
+
+/// Fewest object balls in straight pool; with fewer, the others are racked again (WPA 4.4).
+const LEAST_IN_STRAIGHT_POOL: usize = 2;
+
+impl Frame {
+    /// A frame on the table and with the physics of `shot` that continues, as with
+    /// [`Self::resume_at`], from the shot's balls; seat 0 shoots. Balls of the game that are
+    /// missing from the shot are down.
+    ///
+    /// # Errors
+    /// As [`Self::new`] and [`Self::resume_at`]; [`Error::Input`] for a ball that the game does not
+    /// have, with a mass or radius other than the game's, or that is not at rest.
+    pub fn of_shot(rules: Rules, options: Options, shot: &Shot) -> Result<Self, Error> {
+        let file = shot.to_node();
+        let (table, physics) = (file.get("table").cloned(), file.get("physics").cloned());
+        let mut frame = Self::new(rules, options, table, physics, 0)?;
+        let mut places = vec![None; frame.layout().len()];
+        for (i, PlacedBall { id, ball, state }) in shot.balls().iter().enumerate() {
+            let index = usize::from(frame.ball(id, &format!("balls[{i}].id"))?);
+            let wrong = |what: &str, remedy| Err(Error::input(format!("balls[{i}]"), what, remedy));
+            if *ball != frame.layout().balls()[index].ball {
+                return wrong("its mass or radius is not the game's", "leave them out");
+            }
+            if state.motion != MotionState::Stationary {
+                return wrong(
+                    "it moves, but a frame asks for a shot only when all balls are at rest",
+                    "leave out its velocity and angular velocity",
+                );
+            }
+            places[index] = Some([state.position.x, state.position.y]);
+        }
+        frame.resume_at(&places, 0)?;
+        Ok(frame)
+    }
+
+    /// Continues the game with the balls at `places` (one entry for each ball of the layout, file
+    /// frame, m; none for a ball that is down). `seat` shoots next, with the cue ball where it
+    /// lies. Scores and fouls are kept. All else of the game's state is reset: in eight-ball the
+    /// table is open; in snooker reds are on as long as there are any, then the colours in order.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a wrong number of places, a seat other than 0 and 1, and for missing
+    /// balls without which the game would be over or which it would have spotted: the 8, the 9 and
+    /// the 10 in their games; all object balls but one in straight pool; in snooker the black, a
+    /// colour that is not the next in order, or a colour while reds are left; any ball in
+    /// three-cushion. Overlapping balls are reported by the next shot.
+    pub fn resume_at(&mut self, places: &[Option<[f64; 2]>], seat: Seat) -> Result<(), Error> {
+        let wrong = |what: String, remedy: &str| Err(Error::input("places", what, remedy));
+        if places.len() != self.state.layout.len() {
+            let what = format!("{} places for {} balls", places.len(), self.state.layout.len());
+            return wrong(what, "give one for every ball");
+        }
+        if places.iter().flatten().flatten().any(|x| !x.is_finite()) {
+            return wrong("a coordinate is not a finite number".into(), "write places in m");
+        }
+        if seat > 1 {
+            let what = format!("there is no player {seat}");
+            return Err(Error::input("player", what, "write 0 or 1"));
+        }
+        if let Some(what) = missing(self.rules, places) {
+            return wrong(what, "put them on the table");
+        }
+        for (ball, place) in (0..).zip(places) {
+            self.state.layout.put(ball, *place);
+        }
+        self.stalemates.restart(&self.state);
+        self.request = self.game_state.rules_mut().resume(&self.state, seat);
+        Ok(())
+    }
+}
+
+/// Which balls are missing that must be on the table while the game continues.
+fn missing(rules: Rules, places: &[Option<[f64; 2]>]) -> Option<String> {
+    let is_down = |ball: BallIndex| places[usize::from(ball)].is_none();
+    if let Some(ball) = rules.deciding_ball() {
+        return is_down(ball).then(|| format!("the {ball} is down"));
+    }
+    match rules {
+        Rules::StraightPool => {
+            let left = places[1..].iter().flatten().count();
+            let few = left < LEAST_IN_STRAIGHT_POOL;
+            few.then(|| format!("of the object balls only {left} are left"))
+        }
+        Rules::Snooker => {
+            let red_left = snooker::REDS.into_iter().any(|red| !is_down(red));
+            let next = snooker::COLORS.into_iter().find(|color| red_left || !is_down(*color));
+            let next = next.unwrap_or(snooker::BLACK);
+            let gone = (next..=snooker::BLACK).find(|color| is_down(*color))?;
+            Some(format!("the colour of {} points is down", snooker::value(gone)))
+        }
+        Rules::ThreeCushion => {
+            places.contains(&None).then(|| "a ball is not on the table".to_owned())
+        }
+        _ => None,
+    }
+}

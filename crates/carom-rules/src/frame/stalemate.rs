@@ -1,0 +1,68 @@
+//! Detects stalemates: frames without progress.
+
+use crate::rules::Rules;
+use crate::state::FrameState;
+
+/// The stalemate that ends a frame. After an earlier one the balls are racked again.
+const LAST_STALEMATE: u32 = 2;
+
+/// The progress of a frame so far.
+#[derive(Clone, Debug)]
+pub(super) struct StalemateCounter {
+    /// Shots since the last progress.
+    idle: u32,
+    /// The fewest balls on the table so far, since the last rack.
+    fewest: usize,
+    best_scores: [i32; 2],
+    stalemates: u32,
+}
+
+/// The consequence of a stalemate.
+pub(super) enum Stalemate {
+    /// The balls are racked again, and the first breaker breaks.
+    Rerack,
+    /// The frame ends undecided.
+    End,
+}
+
+impl StalemateCounter {
+    pub(super) fn new(state: &FrameState) -> Self {
+        Self { idle: 0, fewest: Self::left(state), best_scores: [0; 2], stalemates: 0 }
+    }
+
+    /// Starts counting again, with the balls that are on the table now.
+    pub(super) fn restart(&mut self, state: &FrameState) {
+        self.idle = 0;
+        self.fewest = Self::left(state);
+    }
+
+    /// Updates the counter after a shot or a choice (`shots` is 1 or 0). Returns a stalemate if
+    /// there is one (WPA 1.12).
+    pub(super) fn update(
+        &mut self,
+        rules: Rules,
+        state: &FrameState,
+        shots: u32,
+    ) -> Option<Stalemate> {
+        let left = Self::left(state);
+        if state.ruling.racked {
+            self.fewest = left;
+        }
+        let better = (0..2).any(|seat| state.scores[seat] > self.best_scores[seat]);
+        let progress = if rules.is_scored_by_shots() { better } else { left < self.fewest };
+        self.fewest = self.fewest.min(left);
+        self.best_scores = [0, 1].map(|seat| self.best_scores[seat].max(state.scores[seat]));
+        self.idle = if progress { 0 } else { self.idle + shots };
+        if self.idle < state.options.patience {
+            return None;
+        }
+        self.idle = 0;
+        self.stalemates += 1;
+        let rerack = self.stalemates < LAST_STALEMATE && rules.is_racked_after_stalemate();
+        Some(if rerack { Stalemate::Rerack } else { Stalemate::End })
+    }
+
+    fn left(state: &FrameState) -> usize {
+        state.layout.on_table().count()
+    }
+}

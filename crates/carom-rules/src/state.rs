@@ -1,0 +1,64 @@
+//! The state that every game has.
+
+use carom::{Error, Shot};
+
+use crate::layout::FrameLayout;
+use crate::rules::{Options, Rules};
+use crate::ruling::Ruling;
+
+/// 2⁶⁴ divided by the golden ratio. It is odd, so that all racks of a frame get different seeds.
+const SEED_STEP: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// The state that every game has.
+#[derive(Clone, Debug)]
+pub(crate) struct FrameState {
+    pub(crate) options: Options,
+    /// A shot on the frame's table with its physics; the balls of this shot are not used.
+    pub(crate) base: Shot,
+    pub(crate) layout: FrameLayout,
+    pub(crate) scores: [i32; 2],
+    /// Consecutive fouls of each seat.
+    pub(crate) fouls: [u32; 2],
+    /// The ruling on the current shot or choice.
+    pub(crate) ruling: Ruling,
+    rules: Rules,
+    seed: u64,
+    seeds_drawn: u64,
+}
+
+impl FrameState {
+    pub(crate) fn new(
+        rules: Rules,
+        options: Options,
+        base: Shot,
+        seed: u64,
+    ) -> Result<Self, Error> {
+        let layout = FrameLayout::rack(rules.rack(), &base, seed)?;
+        let (scores, fouls, ruling) = ([0; 2], [0; 2], Ruling::default());
+        Ok(Self { options, base, layout, scores, fouls, ruling, rules, seed, seeds_drawn: 0 })
+    }
+
+    /// The scores including the points of the current ruling.
+    pub(crate) fn scores_after(&self) -> [i32; 2] {
+        [0, 1].map(|seat| self.scores[seat] + self.ruling.points[seat])
+    }
+
+    /// Racks the balls, with a new seed.
+    pub(crate) fn rack(&mut self) {
+        self.layout = self.fresh_rack();
+        self.ruling.racked = true;
+    }
+
+    pub(crate) fn fresh_rack(&mut self) -> FrameLayout {
+        let seed = self.next_seed();
+        // The frame began with this rack on this table, so racking cannot fail.
+        FrameLayout::rack(self.rules.rack(), &self.base, seed)
+            .unwrap_or_else(|_| self.layout.clone())
+    }
+
+    /// The next seed of the frame's own sequence.
+    pub(crate) fn next_seed(&mut self) -> u64 {
+        self.seeds_drawn += 1;
+        self.seed.wrapping_add(self.seeds_drawn.wrapping_mul(SEED_STEP))
+    }
+}
