@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     #: One number per point; figures have no ranges.
     Numbers = list[Any] | tuple[Any, ...] | NDArray[Any]
 
-#: Colours that can be told apart with any colour vision (Okabe & Ito 2008).
+#: Colours that differ for every kind of colour vision (Okabe & Ito 2008).
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 #: Size of one panel, inches, and dots per inch of the stored figure.
 PANEL, DPI = (4.6, 3.5), 110

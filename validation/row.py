@@ -1,7 +1,6 @@
 """A row of the validation: reference numbers, and a function that returns carom's numbers.
 
-Every row has a kind, which says where its reference numbers come from and who computes the other
-side. Only the first two kinds are published results that the engine reproduces.
+The kind of a row says where its reference numbers come from and who computes the other side. Only the first two kinds are published results that the engine reproduces.
 """
 
 from __future__ import annotations

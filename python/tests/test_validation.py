@@ -1,4 +1,4 @@
-"""The validation: a wrong row fails, every row has a kind, and the page prints the counts."""
+"""The validation: a wrong row fails, kinds are counted apart, and the page prints the counts."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ EXAMPLE = Row(
     id="X1",
     title="an example",
     unit="m",
-    source="nobody",
+    source="an example",
     kind=Kind.PUBLISHED,
     reference={"a": 2.0, "b": Range(1.0, 3.0)},
     tolerance=relative(0.01),

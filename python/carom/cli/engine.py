@@ -54,7 +54,7 @@ def validate(
         str | None, typer.Argument(metavar="[NAME]", help="One paper; all without it.")
     ] = None,
 ) -> None:
-    """Print published numbers beside ours, and the tolerance."""
+    """Print the papers' numbers beside ours, the tolerances, and the counts by kind."""
     from carom import validation
 
     if name is not None and name not in validation.papers():
