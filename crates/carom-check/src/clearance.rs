@@ -10,7 +10,7 @@ use std::cell::Cell;
 
 use crate::closest::Intrusion;
 use crate::curve::Curve;
-use crate::solid::{Distance, Part, Piece, Solid};
+use crate::solid::{Distance, NamedPiece, Solid, SolidPiece};
 
 /// Deepest subdivision: 2⁻⁶⁰ of an interval is less than the rounding of its ends.
 const LEVELS: u32 = 60;
@@ -27,7 +27,7 @@ struct Sample {
 }
 
 impl Sample {
-    fn new(piece: &Piece, curve: &Curve, time: f64) -> Self {
+    fn new(piece: &SolidPiece, curve: &Curve, time: f64) -> Self {
         Self { time, distance: piece.distance(curve.place(time)) }
     }
 
@@ -77,7 +77,7 @@ pub(crate) fn table<'s>(
         return;
     }
     let reach = curve.radius + curve.travel(length);
-    for Part { piece: of, name, .. } in
+    for NamedPiece { piece: of, name, .. } in
         solid.rails.iter().filter(|part| part.at_least(curve.p.xy()) <= reach)
     {
         found(piece(of, curve, length, tolerance), name);
@@ -104,14 +104,14 @@ pub(crate) fn border(solid: &Solid, curve: &Curve, length: f64) -> Intrusion {
 }
 
 /// The deepest that the ball is in `piece`, as far as it matters.
-fn piece(piece: &Piece, curve: &Curve, length: f64, tolerance: f64) -> Intrusion {
+fn piece(piece: &SolidPiece, curve: &Curve, length: f64, tolerance: f64) -> Intrusion {
     let left = Cell::new(MOST_SAMPLES);
     let search = Search { piece, curve, allowed: curve.radius - tolerance, left };
     search.between(Sample::new(piece, curve, 0.0), Sample::new(piece, curve, length), LEVELS)
 }
 
 struct Search<'a> {
-    piece: &'a Piece,
+    piece: &'a SolidPiece,
     curve: &'a Curve,
     /// Nearer than this the centre may not come, m.
     allowed: f64,

@@ -8,14 +8,15 @@
 mod bernstein;
 mod clearance;
 mod closest;
+mod conservation;
 mod curve;
-mod ledger;
 mod places;
+pub mod random;
+pub mod random_shots;
 mod sampled;
-pub mod scenes;
 mod solid;
+mod table_contact;
 mod tally;
-mod touch;
 
 use std::fmt;
 use std::rc::Rc;
@@ -30,9 +31,9 @@ use curve::{Curve, Turning};
 use places::{Ground, ground};
 use solid::Solid;
 
-pub use ledger::LENT;
+pub use conservation::PUSH_ENERGY;
 pub use places::TABLE_GAP;
-pub use sampled::{SEEN_DEPTH, watch};
+pub use sampled::{SAMPLED_DEPTH, check_samples};
 pub use tally::Tally;
 
 /// Deepest overlap that is let pass, m. Law 6 of ARCHITECTURE.md; an atom is 1e-10 m.
@@ -46,14 +47,14 @@ const BEFORE_THE_END: f64 = 1.0 - 1e-10;
 
 /// What is let pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
+pub struct Tolerances {
     /// Deepest overlap, m.
     pub depth: f64,
     /// Largest |gap| at a contact, m.
     pub gap: f64,
 }
 
-impl Limits {
+impl Tolerances {
     /// What the engine promises: [`DEPTH`] and [`CONTACT_GAP`].
     pub const PROMISED: Self = Self { depth: DEPTH, gap: CONTACT_GAP };
 }
@@ -68,11 +69,11 @@ pub enum FaultKind {
     /// An event is said to happen where, or to a ball to which, it cannot.
     Misplaced,
     /// A ball is not where its path leads, or time goes back.
-    Astray,
+    OffPath,
     /// An event raises the energy, or changes a momentum.
-    Ledger,
+    Conservation,
     /// The shot does not end, or not at rest.
-    Endless,
+    NotAtRest,
 }
 
 /// Something that must not be.
@@ -94,9 +95,9 @@ impl fmt::Display for Fault {
 
 /// The judge of one shot.
 #[derive(Debug)]
-pub struct Checker<'a> {
+pub struct CheckRecorder<'a> {
     shot: &'a Shot,
-    limits: Limits,
+    tolerances: Tolerances,
     time: f64,
     solid: Rc<Solid>,
     curves: Vec<Curve>,
@@ -105,7 +106,7 @@ pub struct Checker<'a> {
     since: Vec<f64>,
     /// Everything found wrong.
     pub faults: Vec<Fault>,
-    /// No overlap was deeper at any time, m: a bound, [`Limits::depth`] where proving less was not
+    /// No overlap was deeper at any time, m: a bound, [`Tolerances::depth`] where proving less was not
     /// tried.
     pub deepest: f64,
     /// |Gap| at each ball–ball contact, m.
@@ -114,20 +115,20 @@ pub struct Checker<'a> {
     pub events: u64,
 }
 
-impl<'a> Checker<'a> {
+impl<'a> CheckRecorder<'a> {
     /// Before the shot.
     pub fn new(shot: &'a Shot) -> Self {
-        Self::with_limits(shot, Limits::PROMISED)
+        Self::with_tolerances(shot, Tolerances::PROMISED)
     }
 
     /// A judge who lets more pass, or less.
-    pub fn with_limits(shot: &'a Shot, limits: Limits) -> Self {
+    pub fn with_tolerances(shot: &'a Shot, tolerances: Tolerances) -> Self {
         let states: Vec<BallState> =
             shot.balls().iter().map(|b| shot.table().to_engine_frame(&b.state)).collect();
         let each = || 0..states.len();
         Self {
             shot,
-            limits,
+            tolerances,
             time: 0.0,
             since: vec![0.0; states.len()],
             solid: Rc::new(Solid::of(shot.table())),
@@ -153,7 +154,7 @@ impl<'a> Checker<'a> {
     pub fn finish(&mut self, result: Result<Summary, SimulationError>) {
         match result {
             Ok(_) => self.at_rest(),
-            Err(error) => self.fault(FaultKind::Endless, format!("not finished: {error:?}")),
+            Err(error) => self.fault(FaultKind::NotAtRest, format!("not finished: {error:?}")),
         }
     }
 
@@ -172,7 +173,7 @@ impl<'a> Checker<'a> {
             if s.motion != MotionState::Stationary || !on_bed {
                 let (motion, z) = (s.motion.name(), s.position.z);
                 let what = format!("ball {i} still {motion} in the end, at z = {z:e} m");
-                self.fault(FaultKind::Endless, what);
+                self.fault(FaultKind::NotAtRest, what);
             }
         }
     }
@@ -190,7 +191,7 @@ impl<'a> Checker<'a> {
             .collect();
         for (k, (i, curve)) in curves.iter().enumerate() {
             for (j, other) in &curves[..k] {
-                let found = closest::pair(curve, other, length, self.limits.depth);
+                let found = closest::pair(curve, other, length, self.tolerances.depth);
                 self.judge(found, || format!("balls {j} and {i}"));
             }
             if curve.moves() {
@@ -202,7 +203,7 @@ impl<'a> Checker<'a> {
     /// A moving ball keeps clear of the table, within its border, and where it rolls on the ground.
     fn beside_table(&mut self, i: usize, curve: &Curve, length: f64) {
         let solid = Rc::clone(&self.solid);
-        let tolerance = self.limits.depth;
+        let tolerance = self.tolerances.depth;
         clearance::table(&solid, curve, length, tolerance, |found, name| {
             self.judge(found, || format!("ball {i} and {name}"));
         });
@@ -236,7 +237,7 @@ impl<'a> Checker<'a> {
         if found.depth.is_nan() {
             let what = format!("{} are not proved to be clear of each other", who());
             self.faults.push(Fault { time: self.time, kind: FaultKind::Overlap, what });
-        } else if found.depth > self.limits.depth {
+        } else if found.depth > self.tolerances.depth {
             let (time, depth) = (self.time + found.after, found.depth);
             let what = format!("{} overlap by {depth:e} m", who());
             self.faults.push(Fault { time, kind: FaultKind::Overlap, what });
@@ -259,7 +260,7 @@ impl<'a> Checker<'a> {
                 let what = format!(
                     "ball {i} is {off:e} m from its path, {faster:e} m/s off, {turns:e} m/s at its skin"
                 );
-                self.fault(FaultKind::Astray, what);
+                self.fault(FaultKind::OffPath, what);
             }
         }
     }
@@ -275,7 +276,7 @@ impl<'a> Checker<'a> {
                     closest = closest.min(gap.abs());
                 }
             }
-            if closest > self.limits.gap && !self.starts_within(event, closest) {
+            if closest > self.tolerances.gap && !self.starts_within(event, closest) {
                 let what = format!("balls {:?} collide {closest:e} m apart", event.balls);
                 self.fault(FaultKind::Apart, what);
             }
@@ -289,10 +290,10 @@ impl<'a> Checker<'a> {
     }
 }
 
-impl Recorder for Checker<'_> {
+impl Recorder for CheckRecorder<'_> {
     fn record(&mut self, event: &Event<'_>) {
         if event.time < self.time {
-            self.fault(FaultKind::Astray, format!("time goes back from {}", self.time));
+            self.fault(FaultKind::OffPath, format!("time goes back from {}", self.time));
         }
         self.events += 1;
         self.interval(event.time);
@@ -302,8 +303,8 @@ impl Recorder for Checker<'_> {
         if let Some(fault) = places::audit(self.shot, &self.solid, event) {
             self.fault(FaultKind::Misplaced, fault);
         }
-        if let Some(fault) = ledger::audit(self.shot, &self.solid, event) {
-            self.fault(FaultKind::Ledger, fault);
+        if let Some(fault) = conservation::audit(self.shot, &self.solid, event) {
+            self.fault(FaultKind::Conservation, fault);
         }
         for (k, &ball) in event.balls.iter().enumerate() {
             let i = usize::from(ball);

@@ -7,7 +7,7 @@ use carom::table::Capture;
 use carom::{BallState, MotionState};
 
 use crate::solid::Solid;
-use crate::touch::{self, Touch};
+use crate::table_contact::{self, TableContact};
 
 /// How far a ball may be from what it is said to touch of the table, or from the line that it is said
 /// to cross, m: a hundredth of an atom. Balls touch each other to [`CONTACT_GAP`](crate::CONTACT_GAP).
@@ -62,7 +62,7 @@ pub(crate) fn ground(solid: &Solid, state: &BallState, radius: f64) -> Option<Gr
 
 /// What is wrong with where an event happens, if anything.
 pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<String> {
-    let judge = Judge { shot, solid, event };
+    let judge = EventCheck { shot, solid, event };
     if let Some(k) = event.before.iter().position(|s| !s.motion.in_play()) {
         let (ball, motion) = (event.balls[k], event.before[k].motion.name());
         return Some(format!("ball {ball} is {motion}, and out of play"));
@@ -72,11 +72,11 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
         EventKind::BallCollision => judge.balls_meet(),
         EventKind::RailCollision(k) => {
             let (c, radius) = (event.before[0].position, judge.radius(0));
-            let touched = touch::rail(shot.table(), solid, usize::from(k), c, radius);
+            let touched = table_contact::rail(shot.table(), solid, usize::from(k), c, radius);
             touched.map_or(Some(format!("there is no part {k}")), |t| judge.meets(t))
         }
         EventKind::SlateCollision => {
-            judge.meets(touch::slate(solid, event.before[0].position, judge.radius(0)))
+            judge.meets(table_contact::slate(solid, event.before[0].position, judge.radius(0)))
         }
         EventKind::PocketCollision(k) => judge.is_lost(usize::from(k)),
         EventKind::OffTable => judge.is_off(),
@@ -85,13 +85,13 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
     wrong.or_else(|| judge.stands())
 }
 
-struct Judge<'a> {
+struct EventCheck<'a> {
     shot: &'a Shot,
     solid: &'a Solid,
     event: &'a Event<'a>,
 }
 
-impl Judge<'_> {
+impl EventCheck<'_> {
     fn radius(&self, k: usize) -> f64 {
         self.shot.balls()[usize::from(self.event.balls[k])].ball.radius
     }
@@ -107,7 +107,7 @@ impl Judge<'_> {
     }
 
     /// A ball touches what it meets, comes nearer to it, and does not go on doing so.
-    fn meets(&self, touched: Touch) -> Option<String> {
+    fn meets(&self, touched: TableContact) -> Option<String> {
         let (before, after) = (self.event.before[0], self.event.after[0]);
         let ball = self.event.balls[0];
         if touched.gap.abs() > TABLE_GAP {

@@ -8,11 +8,11 @@ use crate::{Fault, FaultKind};
 
 /// Deepest overlap that a reader of a trace may see, m: [`DEPTH`](crate::DEPTH), and the rounding of a
 /// place on the table and of a path from its last event to the sample.
-pub const SEEN_DEPTH: f64 = 2e-12;
+pub const SAMPLED_DEPTH: f64 = 2e-12;
 
 /// Looks at `trace` of `shot` at `samples` times, evenly from beginning to end: no ball in another one, in
 /// the table, or in play beyond its border.
-pub fn watch(shot: &Shot, trace: &Trace, samples: u32) -> Vec<Fault> {
+pub fn check_samples(shot: &Shot, trace: &Trace, samples: u32) -> Vec<Fault> {
     let solid = Solid::of(shot.table());
     let mut faults = Vec::new();
     for k in 0..=samples {
@@ -21,11 +21,11 @@ pub fn watch(shot: &Shot, trace: &Trace, samples: u32) -> Vec<Fault> {
             Ok(states) => states,
             Err(error) => {
                 let what = format!("no states: {error}");
-                return vec![Fault { time, kind: FaultKind::Astray, what }];
+                return vec![Fault { time, kind: FaultKind::OffPath, what }];
             }
         };
         let mut see = |depth: f64, what: String| {
-            if depth > SEEN_DEPTH || depth.is_nan() {
+            if depth > SAMPLED_DEPTH || depth.is_nan() {
                 let what = format!("{what} overlap by {depth:e} m");
                 faults.push(Fault { time, kind: FaultKind::Overlap, what });
             }

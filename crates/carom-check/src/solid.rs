@@ -16,7 +16,7 @@ use carom::table::{Capture, CushionPart, Part as Edge, Pocket, Shape};
 
 /// One piece of a table.
 #[derive(Clone, Debug)]
-pub(crate) enum Piece {
+pub(crate) enum SolidPiece {
     /// A convex polygon, counter-clockwise, at the height of the nose.
     Plate { corners: Vec<Vec2>, height: f64 },
     /// A slice of less than half a disc there, between two unit vectors from its centre.
@@ -91,7 +91,7 @@ fn in_cone(q: Vec2, from: Vec2, to: Vec2) -> bool {
     from.cross(q) >= 0.0 && q.cross(to) >= 0.0
 }
 
-impl Piece {
+impl SolidPiece {
     /// How far the point `c` is from this piece.
     pub(crate) fn distance(&self, c: Vec3) -> Distance {
         let p = c.xy();
@@ -161,14 +161,14 @@ impl Piece {
 
 /// A piece, what it is called, and where it lies.
 #[derive(Clone, Debug)]
-pub(crate) struct Part {
-    pub(crate) piece: Piece,
+pub(crate) struct NamedPiece {
+    pub(crate) piece: SolidPiece,
     pub(crate) name: String,
     extent: [Vec2; 2],
 }
 
-impl Part {
-    fn new(piece: Piece, name: String) -> Self {
+impl NamedPiece {
+    fn new(piece: SolidPiece, name: String) -> Self {
         let extent = piece.extent();
         Self { piece, name, extent }
     }
@@ -184,9 +184,9 @@ impl Part {
 #[derive(Clone, Debug)]
 pub(crate) struct Solid {
     /// The bed.
-    pub(crate) bed: Part,
+    pub(crate) bed: NamedPiece,
     /// All that stands on it: nothing of it reaches over the playing area.
-    pub(crate) rails: Vec<Part>,
+    pub(crate) rails: Vec<NamedPiece>,
     /// Half the playing area, m.
     pub(crate) half: Vec2,
     /// Half the table with its rails, m.
@@ -210,7 +210,7 @@ impl Solid {
         let height = table.cushion_height;
         let pockets = || table.pockets.iter().filter(|p| p.capture == Capture::DropCircle);
         let holes: Vec<_> = pockets().map(|p| (p.center, p.radius)).collect();
-        let bed = Part::new(Piece::Bed { holes: holes.clone() }, "the slate".into());
+        let bed = NamedPiece::new(SolidPiece::Bed { holes: holes.clone() }, "the slate".into());
         let border = half + Vec2::new(rail_width, rail_width);
         let mut solid = Self { bed, rails: Vec::new(), half, border, height, holes };
         let reach = half + Vec2::new(rail_width, rail_width) * BEYOND;
@@ -246,8 +246,8 @@ impl Solid {
                     }
                     let (from, to) =
                         if start.cross(end) >= 0.0 { (start, end) } else { (end, start) };
-                    let slice = Piece::Slice { center, radius, from, to, height };
-                    self.rails.push(Part::new(slice, format!("a point of the {name} rail")));
+                    let slice = SolidPiece::Slice { center, radius, from, to, height };
+                    self.rails.push(NamedPiece::new(slice, format!("a point of the {name} rail")));
                 }
                 #[allow(unreachable_patterns)]
                 _ => {}
@@ -256,8 +256,8 @@ impl Solid {
         for jaw in jaws(parts) {
             cut(&mut plate, jaw.deep, jaw.normal);
         }
-        let plate = Piece::Plate { corners: plate, height };
-        self.rails.push(Part::new(plate, format!("the {name} rail")));
+        let plate = SolidPiece::Plate { corners: plate, height };
+        self.rails.push(NamedPiece::new(plate, format!("the {name} rail")));
     }
 
     /// What is behind a hole: between its two jaws, whose lines run on until they leave the hole.
@@ -275,8 +275,9 @@ impl Solid {
                 let (a, b) = (end + out * far, end + jaw.along * far);
                 let turn = (a - end).cross(b - end);
                 let corners = if turn > 0.0 { vec![end, a, b] } else { vec![end, b, a] };
-                let wedge = Piece::Plate { corners, height };
-                self.rails.push(Part::new(wedge, format!("the top behind the {name} pocket")));
+                let wedge = SolidPiece::Plate { corners, height };
+                self.rails
+                    .push(NamedPiece::new(wedge, format!("the top behind the {name} pocket")));
             }
         }
         let [a, b] = ends[..] else { return };
@@ -285,8 +286,8 @@ impl Solid {
         let axis = pocket.axis;
         let turns = [a, between(a, axis), axis, between(axis, b), b];
         for (&from, &to) in turns.iter().zip(&turns[1..]) {
-            let liner = Piece::Liner { center, radius, from, to, height };
-            self.rails.push(Part::new(liner, format!("the liner of the {name} pocket")));
+            let liner = SolidPiece::Liner { center, radius, from, to, height };
+            self.rails.push(NamedPiece::new(liner, format!("the liner of the {name} pocket")));
         }
     }
 

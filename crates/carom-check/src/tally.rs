@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::Checker;
+use crate::CheckRecorder;
 
 /// Faulty shots that are kept whole.
 const EXAMPLES: usize = 5;
@@ -30,7 +30,7 @@ pub struct Tally {
 
 impl Tally {
     /// Of one shot.
-    pub fn of(seed: u64, checker: &Checker<'_>, file: &str) -> Self {
+    pub fn of(seed: u64, checker: &CheckRecorder<'_>, file: &str) -> Self {
         let faults: Vec<String> = checker.faults.iter().map(ToString::to_string).collect();
         Self {
             shots: 1,

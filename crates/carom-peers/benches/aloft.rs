@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use carom_peers::families::Case;
 use carom_peers::flight_families::FlightFamily;
-use carom_peers::random::Random;
+use carom_peers::random::{Random, RandomMotion};
 use carom_peers::ring_families::{RingCase, RingFamily};
 use carom_roots::{Motion, first_contact, first_ring_contact};
 

@@ -5,7 +5,7 @@
 //!
 //! METHOD is one method's name, such as `carom`; all of them without it.
 
-use carom_peers::whole_shots::{Contestant, Family, LIMITS, Reading};
+use carom_peers::whole_shots::{Contestant, Reading, ShotSource, TOLERANCES};
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -15,7 +15,7 @@ fn main() {
     let (shots, timed) = (number(0, 100_000), number(1, 1_000));
     let wanted = |finder: &&Contestant| arguments.get(2).is_none_or(|m| finder.method == m);
     let mut lines = Vec::new();
-    for family in [Family::Ordinary, Family::Frozen] {
+    for family in [ShotSource::Ordinary, ShotSource::Frozen] {
         for finder in Contestant::ALL.iter().filter(wanted) {
             if let Some(share) = share(family, finder) {
                 lines.push(line(family, finder, shots / share, timed));
@@ -31,21 +31,21 @@ fn main() {
 
 /// One of so many shots is played: a tenth of the hard ones, and a hundredth where many a shot runs
 /// until it is stopped.
-fn share(family: Family, finder: &Contestant) -> Option<u64> {
+fn share(family: ShotSource, finder: &Contestant) -> Option<u64> {
     match (family, finder.reading) {
         // Its stopped shots would take hours.
         (_, Reading::Smallest) if finder.method == "companion matrix" => None,
-        (Family::Ordinary, Reading::Smallest) => Some(100),
-        (Family::Frozen, Reading::Smallest) => None,
-        (Family::Ordinary, Reading::Approaching | Reading::FirstContact) => Some(1),
-        (Family::Ordinary, Reading::FromTheStart) | (Family::Frozen, _) => Some(10),
+        (ShotSource::Ordinary, Reading::Smallest) => Some(100),
+        (ShotSource::Frozen, Reading::Smallest) => None,
+        (ShotSource::Ordinary, Reading::Approaching | Reading::FirstContact) => Some(1),
+        (ShotSource::Ordinary, Reading::FromTheStart) | (ShotSource::Frozen, _) => Some(10),
     }
 }
 
-fn line(family: Family, finder: &Contestant, shots: u64, timed: u64) -> String {
+fn line(family: ShotSource, finder: &Contestant, shots: u64, timed: u64) -> String {
     let found = finder.judge(family, shots);
     let microseconds = 1e6 * finder.seconds_per_shot(family, timed.min(shots));
-    let impossible: Vec<String> = LIMITS
+    let impossible: Vec<String> = TOLERANCES
         .iter()
         .zip(found.impossible)
         .map(|((name, _), count)| format!(r#""{name}": {count}"#))

@@ -5,7 +5,7 @@
 
 use carom_roots::Motion;
 
-use crate::random::Random;
+use crate::random::{Random, RandomMotion};
 
 /// Two pool balls of 2 1/4 in: the distance of their centres in contact, m.
 pub const BALL_DIAMETER: f64 = 0.057_15;

@@ -6,7 +6,7 @@
 use carom_roots::Motion;
 
 use crate::families::{BALL_DIAMETER, Case};
-use crate::random::Random;
+use crate::random::{Random, RandomMotion};
 
 /// Families of motions aloft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

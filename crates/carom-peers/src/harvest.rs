@@ -19,9 +19,9 @@ thread_local! {
 
 /// The engine's finder, listening.
 #[derive(Clone, Copy, Debug)]
-struct Listening;
+struct HarvestingFinder;
 
-impl ContactFinder for Listening {
+impl ContactFinder for HarvestingFinder {
     fn first_contact(motion: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
         let case = Case { motion: *motion, distance, horizon, metre: 1.0 };
         HARVEST.with_borrow_mut(|harvest| harvest.push(case));
@@ -64,7 +64,7 @@ pub fn pot_pairs(seed: u64, count: usize) -> Vec<Case> {
 /// Plays the shots that `next` gives until they have asked the finder `count` times.
 fn harvest(count: usize, mut next: impl FnMut() -> (Shot, Strike)) -> Vec<Case> {
     HARVEST.with_borrow_mut(Vec::clear);
-    let mut simulation = Simulation::<SMALL_CAPACITY, Listening>::new();
+    let mut simulation = Simulation::<SMALL_CAPACITY, HarvestingFinder>::new();
     while HARVEST.with_borrow(Vec::len) < count {
         let (shot, strike) = next();
         // A shot that is refused or stopped has asked about its pairs all the same.

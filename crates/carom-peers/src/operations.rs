@@ -25,9 +25,9 @@ thread_local! {
 
 /// The engine's finder, counting; with the proofs before it or without.
 #[derive(Clone, Copy, Debug)]
-struct Counting<const PROOFS: bool>;
+struct CountingFinder<const PROOFS: bool>;
 
-impl<const PROOFS: bool> ContactFinder for Counting<PROOFS> {
+impl<const PROOFS: bool> ContactFinder for CountingFinder<PROOFS> {
     const PROOFS: bool = PROOFS;
 
     fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
@@ -68,12 +68,12 @@ impl Operations {
     /// # Errors
     /// If the shot cannot be played.
     pub fn of(shot: &Shot) -> Result<Self, SimulationError> {
-        let mut watch = Watch::new(shot);
+        let mut watch = OperationsRecorder::new(shot);
         CALLS.set(0);
-        Simulation::<SMALL_CAPACITY, Counting<false>>::new().play(shot, &mut watch)?;
+        Simulation::<SMALL_CAPACITY, CountingFinder<false>>::new().play(shot, &mut watch)?;
         let looked_at = CALLS.replace(0);
-        let summary =
-            Simulation::<SMALL_CAPACITY, Counting<true>>::new().play(shot, &mut NullRecorder)?;
+        let summary = Simulation::<SMALL_CAPACITY, CountingFinder<true>>::new()
+            .play(shot, &mut NullRecorder)?;
         let counts = watch.counts;
         assert_eq!(counts.events, u64::from(summary.events), "a proof changed the shot");
         Ok(Self { looked_at, solved: CALLS.get(), duration: summary.duration, ..counts })
@@ -111,7 +111,7 @@ impl Operations {
 }
 
 /// Follows which balls move.
-struct Watch<'a> {
+struct OperationsRecorder<'a> {
     shot: &'a Shot,
     moves: Vec<bool>,
     plays: Vec<bool>,
@@ -119,7 +119,7 @@ struct Watch<'a> {
     counts: Operations,
 }
 
-impl<'a> Watch<'a> {
+impl<'a> OperationsRecorder<'a> {
     fn new(shot: &'a Shot) -> Self {
         let states = shot.balls().iter().map(|b| b.state.motion);
         Self {
@@ -139,7 +139,7 @@ impl<'a> Watch<'a> {
     }
 }
 
-impl Recorder for Watch<'_> {
+impl Recorder for OperationsRecorder<'_> {
     fn record(&mut self, event: &Event<'_>) {
         let steps = (event.time - self.time) / STEP;
         let (moving, pairs) = self.busy();

@@ -3,7 +3,7 @@
 use carom_roots::Motion;
 
 use crate::families::BALL_DIAMETER;
-use crate::random::Random;
+use crate::random::{Random, RandomMotion};
 
 /// A path and a ring.
 #[derive(Clone, Copy, Debug)]
@@ -117,17 +117,17 @@ fn direction(random: &mut Random) -> [f64; 3] {
 
 /// A point of the ring, the direction in which the torus bulges there at `tilt` above the level, and
 /// the two directions of its surface: up the tube and along the ring.
-struct Place {
+struct EdgePoint {
     edge: [f64; 3],
     normal: [f64; 3],
     up: [f64; 3],
     along: [f64; 3],
 }
 
-fn place(random: &mut Random, ring: f64, tilt: f64) -> Place {
+fn place(random: &mut Random, ring: f64, tilt: f64) -> EdgePoint {
     let [x, y] = random.direction();
     let (sin, cos) = tilt.sin_cos();
-    Place {
+    EdgePoint {
         edge: [ring * x, ring * y, 0.0],
         normal: [x * cos, y * cos, sin],
         up: [-x * sin, -y * sin, cos],
@@ -159,7 +159,7 @@ fn any_tilt(random: &mut Random) -> f64 {
 
 fn grazing(random: &mut Random, ring: f64) -> Motion<3> {
     let tilt = any_tilt(random);
-    let Place { edge, normal, up, along } = place(random, ring, tilt);
+    let EdgePoint { edge, normal, up, along } = place(random, ring, tilt);
     let offset = match random.bits() % 4 {
         0 => 0.0,
         _ => random.sign() * random.magnitude(-17.0, -4.0),
@@ -172,7 +172,7 @@ fn grazing(random: &mut Random, ring: f64) -> Motion<3> {
 }
 
 /// Within two roundings of `BALL_RADIUS` from the edge.
-fn at_touch(random: &mut Random, place: &Place) -> [f64; 3] {
+fn at_touch(random: &mut Random, place: &EdgePoint) -> [f64; 3] {
     let roundings = (random.bits() % 5) as f64 - 2.0;
     sum(place.edge, scaled(place.normal, BALL_RADIUS * (1.0 + roundings * f64::EPSILON)))
 }
@@ -212,7 +212,7 @@ fn touching(random: &mut Random, ring: f64, sign: f64) -> Motion<3> {
 
 fn nearly_static(random: &mut Random, ring: f64) -> Motion<3> {
     let tilt = any_tilt(random);
-    let Place { edge, normal, .. } = place(random, ring, tilt);
+    let EdgePoint { edge, normal, .. } = place(random, ring, tilt);
     let gap = random.magnitude(-15.0, -6.0);
     let speed = random.magnitude(-9.0, -3.0);
     let v = scaled(direction(random), speed);

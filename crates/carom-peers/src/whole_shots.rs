@@ -15,8 +15,8 @@ use carom::limits::SMALL_CAPACITY;
 use carom::rack::{Game, USUAL_GAP, rack};
 use carom::resolve::cue_ball::Strike;
 use carom::simulate::{Simulation, SimulationError, Summary};
-use carom_check::scenes::{self, Scene};
-use carom_check::{Checker, FaultKind, Limits};
+use carom_check::random_shots::{self, ShotFamily};
+use carom_check::{CheckRecorder, FaultKind, Tolerances};
 use carom_roots::Motion;
 use rayon::prelude::*;
 
@@ -31,14 +31,14 @@ const BREAK_EVERY: u64 = 10;
 
 /// What is let pass before a shot counts as impossible, least first. An overlap and a gap at a
 /// contact are measured alike.
-pub const LIMITS: [(&str, Limits); 3] = [
-    ("promised", Limits::PROMISED),
-    ("micrometre", Limits { depth: 1e-6, gap: 1e-6 }),
-    ("millimetre", Limits { depth: 1e-3, gap: 1e-3 }),
+pub const TOLERANCES: [(&str, Tolerances); 3] = [
+    ("promised", Tolerances::PROMISED),
+    ("micrometre", Tolerances { depth: 1e-6, gap: 1e-6 }),
+    ("millimetre", Tolerances { depth: 1e-3, gap: 1e-3 }),
 ];
 
 /// A way to solve quartics.
-pub trait Solver {
+pub trait QuarticSolver {
     /// The real roots of a quartic with c₄ ≠ 0.
     fn real_roots(quartic: &Quartic) -> Roots;
 }
@@ -48,7 +48,7 @@ macro_rules! solver {
         #[doc = concat!("[`crate::", stringify!($module), "`].")]
         #[derive(Clone, Copy, Debug)]
         pub struct $name;
-        impl Solver for $name {
+        impl QuarticSolver for $name {
             fn real_roots(quartic: &Quartic) -> Roots {
                 $module::real_roots(quartic)
             }
@@ -63,7 +63,7 @@ solver!(Algorithm1010, algorithm_1010);
 #[derive(Clone, Copy, Debug)]
 pub struct Smallest<S>(PhantomData<S>);
 
-impl<S: Solver> ContactFinder for Smallest<S> {
+impl<S: QuarticSolver> ContactFinder for Smallest<S> {
     const PROOFS: bool = false;
 
     fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
@@ -78,7 +78,7 @@ impl<S: Solver> ContactFinder for Smallest<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct Approaching<S>(PhantomData<S>);
 
-impl<S: Solver> ContactFinder for Approaching<S> {
+impl<S: QuarticSolver> ContactFinder for Approaching<S> {
     const PROOFS: bool = false;
 
     fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
@@ -93,7 +93,7 @@ impl<S: Solver> ContactFinder for Approaching<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct FromTheStart<S>(PhantomData<S>);
 
-impl<S: Solver> ContactFinder for FromTheStart<S> {
+impl<S: QuarticSolver> ContactFinder for FromTheStart<S> {
     const PROOFS: bool = false;
 
     fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
@@ -102,7 +102,7 @@ impl<S: Solver> ContactFinder for FromTheStart<S> {
 }
 
 /// A shot, and its strike if that is not in the file.
-pub type Position = (Shot, Option<Strike>);
+pub type PlayableShot = (Shot, Option<Strike>);
 
 /// How the roots of a quartic are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -131,28 +131,28 @@ impl Reading {
 
 /// Shots to play.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Family {
+pub enum ShotSource {
     /// 2 to 16 balls anywhere on a 9-ft table and an ordinary strike in any direction, or, every
     /// tenth, an eight-ball break with a rack and a strike of its own.
     Ordinary,
-    /// [`Scene::Frozen`]: balls that touch each other and the rails.
+    /// [`ShotFamily::Frozen`]: balls that touch each other and the rails.
     Frozen,
 }
 
-impl Family {
+impl ShotSource {
     /// As it appears in tables.
     pub fn name(self) -> &'static str {
         match self {
-            Family::Ordinary => "ordinary",
-            Family::Frozen => "frozen",
+            ShotSource::Ordinary => "ordinary",
+            ShotSource::Frozen => "frozen",
         }
     }
 
     /// Shot number `index`, and its strike if that is not in the file.
-    pub fn shot(self, index: u64) -> Position {
+    pub fn shot(self, index: u64) -> PlayableShot {
         match self {
-            Family::Ordinary => ordinary_shot(index),
-            Family::Frozen => (frozen_shot(index), None),
+            ShotSource::Ordinary => ordinary_shot(index),
+            ShotSource::Frozen => (frozen_shot(index), None),
         }
     }
 }
@@ -164,8 +164,8 @@ pub struct Contestant {
     pub method: &'static str,
     /// How it reads their roots.
     pub reading: Reading,
-    judge: fn(Family, u64) -> Judged,
-    seconds: fn(&[Position]) -> f64,
+    judge: fn(ShotSource, u64) -> Judged,
+    seconds: fn(&[PlayableShot]) -> f64,
 }
 
 impl Contestant {
@@ -188,16 +188,16 @@ impl Contestant {
     ];
 
     /// Judges the shots 0, 1, 2 … `shots` of a family, over all cores.
-    pub fn judge(&self, family: Family, shots: u64) -> Verdicts {
+    pub fn judge(&self, family: ShotSource, shots: u64) -> FaultCounts {
         (0..shots)
             .into_par_iter()
-            .map(|index| Verdicts::of(&(self.judge)(family, index)))
-            .reduce(Verdicts::default, Verdicts::with)
+            .map(|index| FaultCounts::of(&(self.judge)(family, index)))
+            .reduce(FaultCounts::default, FaultCounts::with)
     }
 
     /// Mean time of one of the shots 0, 1, 2 … `shots`, s, on one core and without a judge; the best
     /// of some passes.
-    pub fn seconds_per_shot(&self, family: Family, shots: u64) -> f64 {
+    pub fn seconds_per_shot(&self, family: ShotSource, shots: u64) -> f64 {
         let shots: Vec<_> = (0..shots).map(|index| family.shot(index)).collect();
         (0..PASSES).map(|_| (self.seconds)(&shots)).fold(f64::INFINITY, f64::min)
     }
@@ -210,15 +210,15 @@ const ALGORITHM_1010: &str = "Algorithm 1010";
 /// Passes that are timed.
 const PASSES: u32 = 5;
 
-/// What was wrong with one shot at each of [`LIMITS`], if anything: the first fault.
-type Judged = [Option<FaultKind>; LIMITS.len()];
+/// What was wrong with one shot at each of [`TOLERANCES`], if anything: the first fault.
+type Judged = [Option<FaultKind>; TOLERANCES.len()];
 
-fn judged<F: ContactFinder>(family: Family, index: u64) -> Judged {
+fn judged<F: ContactFinder>(family: ShotSource, index: u64) -> Judged {
     let (shot, strike) = family.shot(index);
     let mut simulation = Simulation::<SMALL_CAPACITY, F>::new();
-    let mut judged = [None; LIMITS.len()];
-    for (fault, (_, limits)) in judged.iter_mut().zip(LIMITS) {
-        let mut judge = UntilFault(Checker::with_limits(&shot, limits));
+    let mut judged = [None; TOLERANCES.len()];
+    for (fault, (_, limits)) in judged.iter_mut().zip(TOLERANCES) {
+        let mut judge = FirstFaultRecorder(CheckRecorder::with_tolerances(&shot, limits));
         let result = play(&mut simulation, &shot, strike, &mut judge);
         *fault = judge.verdict(result);
         if fault.is_none() {
@@ -230,9 +230,9 @@ fn judged<F: ContactFinder>(family: Family, index: u64) -> Judged {
 }
 
 /// A judge who looks no further than to the first fault.
-struct UntilFault<'a>(Checker<'a>);
+struct FirstFaultRecorder<'a>(CheckRecorder<'a>);
 
-impl UntilFault<'_> {
+impl FirstFaultRecorder<'_> {
     fn verdict(mut self, result: Result<Summary, SimulationError>) -> Option<FaultKind> {
         if self.0.faults.is_empty() || result.is_err() {
             self.0.faults.clear();
@@ -242,7 +242,7 @@ impl UntilFault<'_> {
     }
 }
 
-impl Recorder for UntilFault<'_> {
+impl Recorder for FirstFaultRecorder<'_> {
     fn record(&mut self, event: &Event<'_>) {
         if self.0.faults.is_empty() {
             self.0.record(event);
@@ -262,7 +262,7 @@ fn play<F: ContactFinder, R: Recorder>(
     }
 }
 
-fn seconds<F: ContactFinder>(shots: &[Position]) -> f64 {
+fn seconds<F: ContactFinder>(shots: &[PlayableShot]) -> f64 {
     let mut simulation = Simulation::<SMALL_CAPACITY, F>::new();
     let start = Instant::now();
     for (shot, strike) in shots {
@@ -274,11 +274,11 @@ fn seconds<F: ContactFinder>(shots: &[Position]) -> f64 {
 
 /// Sums over shots.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Verdicts {
+pub struct FaultCounts {
     /// Shots played.
     pub shots: u64,
-    /// Shots with an impossible result, at each of [`LIMITS`].
-    pub impossible: [u64; LIMITS.len()],
+    /// Shots with an impossible result, at each of [`TOLERANCES`].
+    pub impossible: [u64; TOLERANCES.len()],
     /// Of those at one micrometre: overlaps.
     pub overlap: u64,
     /// Collisions of balls that do not touch.
@@ -289,12 +289,12 @@ pub struct Verdicts {
     pub other: u64,
 }
 
-impl Verdicts {
+impl FaultCounts {
     fn of(judged: &Judged) -> Self {
         let [_, kind, _] = judged;
         let is = |wanted: FaultKind| u64::from(*kind == Some(wanted));
         let (overlap, apart) = (is(FaultKind::Overlap), is(FaultKind::Apart));
-        let endless = is(FaultKind::Endless);
+        let endless = is(FaultKind::NotAtRest);
         Self {
             shots: 1,
             impossible: judged.map(|fault| u64::from(fault.is_some())),
@@ -317,7 +317,7 @@ impl Verdicts {
     }
 }
 
-fn ordinary_shot(index: u64) -> Position {
+fn ordinary_shot(index: u64) -> PlayableShot {
     let mut random = Random::new(index.wrapping_mul(0x2006_0000_0001));
     loop {
         let (places, strike) = if index.is_multiple_of(BREAK_EVERY) {
@@ -337,7 +337,7 @@ fn frozen_shot(index: u64) -> Shot {
     let capped = format!(r#"{format} "max_events": {MAX_EVENTS},"#);
     // A ball may have been drawn into a jaw: then the next of this index.
     (0..u64::MAX)
-        .map(|attempt| scenes::shot_file(Scene::Frozen, index + (attempt << 32)))
+        .map(|attempt| random_shots::shot_file(ShotFamily::Frozen, index + (attempt << 32)))
         .find_map(|file| Shot::from_json(&file.replace(format, &capped)).ok())
         .expect("a layout that fits")
 }

@@ -6,8 +6,8 @@
 use std::process::ExitCode;
 
 use carom::Shot;
-use carom_check::scenes::{Scene, shot_file};
-use carom_check::{Checker, Tally};
+use carom_check::random_shots::{ShotFamily, shot_file};
+use carom_check::{CheckRecorder, Tally};
 use indicatif::{ParallelProgressIterator, ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
@@ -26,8 +26,8 @@ fn main() -> ExitCode {
         }
     };
     let mut faulty = false;
-    for scene in Scene::ALL {
-        let count = shots / Scene::ALL.len() as u64;
+    for scene in ShotFamily::ALL {
+        let count = shots / ShotFamily::ALL.len() as u64;
         let style = ProgressStyle::with_template("{msg:16} {wide_bar} {pos}/{len} {eta}")
             .unwrap_or_else(|_| ProgressStyle::default_bar());
         let bar = ProgressBar::new(count).with_style(style).with_message(format!("{scene:?}"));
@@ -45,10 +45,10 @@ fn main() -> ExitCode {
     if faulty { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }
 
-fn judge(scene: Scene, seed: u64) -> Tally {
+fn judge(scene: ShotFamily, seed: u64) -> Tally {
     let file = shot_file(scene, seed);
     match Shot::from_json(&file) {
-        Ok(shot) => Tally::of(seed, &Checker::run(&shot), &file),
+        Ok(shot) => Tally::of(seed, &CheckRecorder::run(&shot), &file),
         Err(_) => Tally::refused(),
     }
 }

@@ -7,10 +7,10 @@ use carom::math::Vec3;
 use carom::runner::Runner;
 use carom::shot::PlacedBall;
 use carom::{BallState, Shot};
-use carom_check::Checker;
+use carom_check::CheckRecorder;
 use proptest::prelude::*;
 
-use crate::log::events;
+use crate::owned_event::events;
 use crate::plan::any_plan;
 
 /// Relative rounding of a shot's whole energy and of a sum of ten momenta.
@@ -20,7 +20,7 @@ proptest! {
     #[test]
     fn every_shot_ends_and_the_judge_finds_nothing(plan in any_plan(10)) {
         let shot = plan.shot();
-        let checker = Checker::run(&shot);
+        let checker = CheckRecorder::run(&shot);
         prop_assert!(checker.faults.is_empty(), "{:#?}\n{}", checker.faults, shot.to_json());
     }
 
@@ -48,7 +48,7 @@ proptest! {
             }
             // States of balls that are not in the event are older, and so have no less energy.
             let now: f64 = energies.iter().sum();
-            prop_assert!(now <= last + ROUNDING * first + carom_check::LENT, "{now} after {last}");
+            prop_assert!(now <= last + ROUNDING * first + carom_check::PUSH_ENERGY, "{now} after {last}");
             last = now;
         }
         let at_rest = states.iter().all(|s| !s.motion.in_play() || s.velocity == Vec3::ZERO);

@@ -2,7 +2,7 @@
 
 use carom::Shot;
 use carom::format::Node;
-use carom_check::Checker;
+use carom_check::CheckRecorder;
 
 /// Most events of such a shot; each once reached the cap of 100 000.
 const MOST_EVENTS: u64 = 5_000;
@@ -14,7 +14,7 @@ fn judged(name: &str) -> u64 {
     let all = Node::from_json(include_str!("../data/long_pushes.json")).expect("JSON");
     let file = all.get(name).unwrap_or_else(|| panic!("no shot {name}"));
     let shot = Shot::from_node(&file).unwrap_or_else(|e| panic!("{name}: {e}"));
-    let checker = Checker::run(&shot);
+    let checker = CheckRecorder::run(&shot);
     assert!(checker.faults.is_empty(), "{name}: {:#?}", checker.faults);
     checker.events
 }

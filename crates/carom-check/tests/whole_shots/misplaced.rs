@@ -1,7 +1,7 @@
 //! Shots with an event that could not be, as random plans found them: mostly the engine was wrong.
 
 use carom::Shot;
-use carom_check::Checker;
+use carom_check::CheckRecorder;
 
 /// A table of 1.25 m by 2.5 m with pockets, and one of 1.25 m by 1.25 m without.
 const POOL: &str = r#"{"base": "wpa-9ft", "width": 1.25, "length": 2.5}"#;
@@ -14,7 +14,7 @@ fn assert_right(table: &str, cushion: &str, balls: &str) {
             "physics": {{"cushion": {{"model": "{cushion}"}}}}}}"#
     );
     let shot = Shot::from_json(&file).unwrap_or_else(|e| panic!("{e}"));
-    let checker = Checker::run(&shot);
+    let checker = CheckRecorder::run(&shot);
     assert!(checker.events > 0);
     assert!(checker.faults.is_empty(), "{:#?}", checker.faults);
 }

@@ -6,7 +6,7 @@ use carom::math::{Vec2, Vec3};
 use carom::{BallState, MotionState, Shot};
 use proptest::prelude::*;
 
-use crate::log::{Kept, events};
+use crate::owned_event::{OwnedEvent, events};
 use crate::plan::{Ground, Plan, any_plan, plan};
 
 /// Events are of one kind wherever they are on the table.
@@ -20,8 +20,8 @@ fn same_kind(a: EventKind, b: EventKind) -> bool {
 
 /// `ours` is what `change` makes of `theirs`, to the bit; times by `clock`.
 fn assert_same(
-    ours: &[Kept],
-    theirs: &[Kept],
+    ours: &[OwnedEvent],
+    theirs: &[OwnedEvent],
     change: impl Fn(&BallState) -> BallState,
     clock: f64,
 ) -> Result<(), TestCaseError> {
@@ -68,7 +68,7 @@ const GENTLE: f64 = 3.0 * carom::resolve::restitution::FULL;
 
 /// Whether it is a contact in which restitution could depend on the speed, or one with a time or a
 /// stiffness of its own: of a ball that tips over an edge, or of several balls at once.
-fn gentle(shot: &Shot, event: &Kept) -> bool {
+fn gentle(shot: &Shot, event: &OwnedEvent) -> bool {
     match event.kind {
         EventKind::RailCollision(part) => {
             let s = &event.before[0];
@@ -170,7 +170,7 @@ proptest! {
         let on_top = |s: &BallState| s.motion != MotionState::Airborne && s.position.z > 0.04;
         prop_assume!(!rest.balls.iter().any(on_top) && rest.read().is_ok());
         let ours = events(&rest.shot());
-        let theirs: Vec<&Kept> = whole.iter().filter(|e| e.time > time).collect();
+        let theirs: Vec<&OwnedEvent> = whole.iter().filter(|e| e.time > time).collect();
         // Events closer to each other than their rounding could come in another order.
         let times: Vec<f64> = theirs.iter().map(|e| e.time - time).take(FOLLOWED + 1).collect();
         prop_assume!(times.windows(2).all(|w| w[1] - w[0] > RESTARTED) && times.first().is_none_or(|t| *t > RESTARTED));
@@ -199,7 +199,7 @@ proptest! {
         };
         // By the balls' names in the first order; an event's balls, and events of one instant, in
         // ascending order.
-        let tied = |a: &Kept, b: &Kept| a.time.total_cmp(&b.time).then(a.balls.cmp(&b.balls));
+        let tied = |a: &OwnedEvent, b: &OwnedEvent| a.time.total_cmp(&b.time).then(a.balls.cmp(&b.balls));
         let (mut ours, mut theirs) = (events(&shuffled.shot()), events(&plan.shot()));
         for event in &mut ours {
             let name = |i: u16| order[usize::from(i)];

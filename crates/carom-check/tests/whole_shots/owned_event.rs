@@ -5,7 +5,7 @@ use carom::{BallState, Shot};
 
 /// One event, states in the engine's frame.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Kept {
+pub(crate) struct OwnedEvent {
     pub(crate) time: f64,
     pub(crate) kind: EventKind,
     pub(crate) balls: Vec<u16>,
@@ -13,7 +13,7 @@ pub(crate) struct Kept {
     pub(crate) after: Vec<BallState>,
 }
 
-impl Kept {
+impl OwnedEvent {
     pub(crate) fn event(&self) -> Event<'_> {
         let Self { time, kind, balls, before, after } = self;
         Event { time: *time, kind: *kind, balls, before, after }
@@ -21,11 +21,11 @@ impl Kept {
 }
 
 #[derive(Debug, Default)]
-struct Log(Vec<Kept>);
+struct EventRecorder(Vec<OwnedEvent>);
 
-impl Recorder for Log {
+impl Recorder for EventRecorder {
     fn record(&mut self, e: &Event<'_>) {
-        self.0.push(Kept {
+        self.0.push(OwnedEvent {
             time: e.time,
             kind: e.kind,
             balls: e.balls.to_vec(),
@@ -36,8 +36,8 @@ impl Recorder for Log {
 }
 
 /// Every event of `shot`.
-pub(crate) fn events(shot: &Shot) -> Vec<Kept> {
-    let mut log = Log::default();
-    carom::simulate(shot, &mut log).unwrap_or_else(|e| panic!("{e:?}\n{}", shot.to_json()));
-    log.0
+pub(crate) fn events(shot: &Shot) -> Vec<OwnedEvent> {
+    let mut recorder = EventRecorder::default();
+    carom::simulate(shot, &mut recorder).unwrap_or_else(|e| panic!("{e:?}\n{}", shot.to_json()));
+    recorder.0
 }

@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 
 use carom::math::{cos, sin};
 
-use super::Random;
+use crate::random::Random;
 
 /// A table to play on: preset, width, length, radius of its balls, all m.
-type Place = (&'static str, f64, f64, f64);
+type TableSize = (&'static str, f64, f64, f64);
 
-/// The presets that scenes use; sizes are those of the rule books.
-const PLACES: [Place; 8] = [
+/// The presets that random_shots use; sizes are those of the rule books.
+const PLACES: [TableSize; 8] = [
     ("wpa-9ft", 1.27, 2.54, 0.028_575),
     ("wpa-8ft", 1.1684, 2.3368, 0.028_575),
     ("bar-7ft", 0.9652, 1.9304, 0.028_575),
@@ -23,7 +23,7 @@ const PLACES: [Place; 8] = [
 
 /// A ball of a layout.
 #[derive(Clone, Copy)]
-pub(super) struct Placed {
+pub(super) struct DrawnBall {
     pub(super) place: [f64; 2],
     /// Height of the centre, where it is not on the cloth, m.
     pub(super) height: Option<f64>,
@@ -31,19 +31,19 @@ pub(super) struct Placed {
     pub(super) motion: Option<[f64; 6]>,
 }
 
-impl Placed {
+impl DrawnBall {
     pub(super) fn resting(place: [f64; 2]) -> Self {
         Self { place, height: None, motion: None }
     }
 }
 
-pub(super) struct Layout {
-    pub(super) place: Place,
-    pub(super) balls: Vec<Placed>,
+pub(super) struct ShotBuilder {
+    pub(super) place: TableSize,
+    pub(super) balls: Vec<DrawnBall>,
     pub(super) rng: Random,
 }
 
-impl Layout {
+impl ShotBuilder {
     /// An empty table.
     pub(super) fn new(mut rng: Random) -> Self {
         let place = PLACES[rng.below(PLACES.len())];
@@ -63,14 +63,14 @@ impl Layout {
 
     pub(super) fn anywhere(&mut self) -> [f64; 2] {
         let (_, w, l, r) = self.place;
-        [self.rng.uniform(r, w - r), self.rng.uniform(r, l - r)]
+        [self.rng.between(r, w - r), self.rng.between(r, l - r)]
     }
 
     pub(super) fn scatter(&mut self, n: usize) {
         while self.balls.len() < n {
             let p = self.anywhere();
             if self.fits(p) {
-                self.balls.push(Placed::resting(p));
+                self.balls.push(DrawnBall::resting(p));
             }
         }
     }
@@ -104,8 +104,8 @@ impl Layout {
     }
 
     pub(super) fn struck(mut self, speed: f64, azimuth_deg: f64, elevation_deg: f64) -> String {
-        let angle = self.rng.uniform(0.0, 6.3);
-        let size = if self.rng.below(4) == 0 { 0.0 } else { self.rng.uniform(0.0, 0.5) };
+        let angle = self.rng.between(0.0, 6.3);
+        let size = if self.rng.below(4) == 0 { 0.0 } else { self.rng.between(0.0, 0.5) };
         let (side, height) = (size * cos(angle), size * sin(angle));
         self.file(Some(format!(
             "{{\"ball\": \"0\", \"speed\": {speed:?}, \"azimuth_deg\": {azimuth_deg:?}, \

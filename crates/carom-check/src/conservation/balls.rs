@@ -23,8 +23,8 @@ pub(super) fn audit(
     event: &Event<'_>,
     balls: &[Ball],
 ) -> Option<String> {
-    let all: Vec<Party> =
-        (0..balls.len()).map(|k| Party::new(shot, solid, event, balls, k)).collect();
+    let all: Vec<CollidingBall> =
+        (0..balls.len()).map(|k| CollidingBall::new(shot, solid, event, balls, k)).collect();
     total(shot, &all).or_else(|| match &all[..] {
         // Of a push between smooth balls, the spin pays for being pressed.
         [a, b] if shot.physics().ball_ball.is_smooth() => [a, b].into_iter().find_map(|p| {
@@ -50,7 +50,7 @@ pub(super) fn audit(
 }
 
 /// One ball of a collision.
-struct Party {
+struct CollidingBall {
     ball: Ball,
     /// Changes of momentum, kg·m/s, and of angular momentum, kg·m²/s.
     push: Vec3,
@@ -66,7 +66,7 @@ struct Party {
     named: u16,
 }
 
-impl Party {
+impl CollidingBall {
     fn new(shot: &Shot, solid: &Solid, event: &Event<'_>, balls: &[Ball], k: usize) -> Self {
         let (ball, before, after) = (balls[k], event.before[k], event.after[k]);
         let inertia = 0.4 * ball.mass * ball.radius * ball.radius;
@@ -101,8 +101,8 @@ fn friction(shot: &Shot) -> f64 {
 }
 
 /// The sum of all momenta: kept, but for what the ground gives.
-fn total(shot: &Shot, all: &[Party]) -> Option<String> {
-    let sum = |of: fn(&Party) -> f64| all.iter().map(of).sum::<f64>();
+fn total(shot: &Shot, all: &[CollidingBall]) -> Option<String> {
+    let sum = |of: fn(&CollidingBall) -> f64| all.iter().map(of).sum::<f64>();
     let change = all.iter().fold(Vec3::ZERO, |sum, p| sum + p.push);
     let (rounding, lift) = (sum(|p| p.push_rounding), sum(|p| p.lift));
     let stands = all.iter().any(|p| p.stands);
@@ -124,7 +124,12 @@ fn total(shot: &Shot, all: &[Party]) -> Option<String> {
 
 /// Whether all is right if only `other` is driven down; `normal` points from `free` to it. If not:
 /// by how much more than may be, relatively, and what is wrong.
-fn alone(shot: &Shot, free: &Party, other: &Party, normal: Vec3) -> Result<(), (f64, String)> {
+fn alone(
+    shot: &Shot,
+    free: &CollidingBall,
+    other: &CollidingBall,
+    normal: Vec3,
+) -> Result<(), (f64, String)> {
     let wrong = |size: f64, most: f64, what: &str| {
         let excess = size / most;
         let text = format!(

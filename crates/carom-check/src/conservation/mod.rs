@@ -14,10 +14,10 @@ use crate::solid::Solid;
 const ROUNDING: f64 = 1e-12;
 
 /// Energy that a push may lend, J: `UNPAID_PRESS_SPEED` in the engine's `simulate/impact.rs`.
-pub const LENT: f64 = 2e-9;
+pub const PUSH_ENERGY: f64 = 2e-9;
 
 /// The same where a ball lies on top of another: `PRESS_SPEED` there.
-const LENT_ALOFT: f64 = 1.5e-7;
+const PUSH_ENERGY_ALOFT: f64 = 1.5e-7;
 
 /// Share of a spin that a push between smooth balls may cost: `SPIN_SHARE` there.
 const SPIN_SHARE: f64 = 1e-3;
@@ -62,7 +62,7 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
     }
     let flies = |s: &BallState| s.motion == MotionState::Airborne;
     let piled = event.kind == EventKind::BallCollision && event.before.iter().any(flies);
-    let lent = if piled { LENT_ALOFT } else { LENT };
+    let lent = if piled { PUSH_ENERGY_ALOFT } else { PUSH_ENERGY };
     if after > before * (1.0 + ROUNDING) + lent {
         return Some(format!("{:?} raises the energy by {given:e} J", event.kind));
     }

@@ -4,7 +4,7 @@ use carom::Table;
 use carom::math::{Vec2, cos, sin, sqrt};
 use carom::table::BRINK;
 
-use super::layout::{Layout, Placed};
+use super::builder::{DrawnBall, ShotBuilder};
 
 /// The largest tip offset that the presets' tip holds, in radii: μ/√(1 + μ²) with μ = 0.6, and a hair.
 const MISCUE: f64 = 0.514_49;
@@ -12,19 +12,19 @@ const MISCUE: f64 = 0.514_49;
 /// Gravity, m/s², near enough to throw balls where they are meant to go.
 const GRAVITY: f64 = 9.8;
 
-impl Layout {
+impl ShotBuilder {
     fn table(&self) -> Table {
         Table::preset(self.place.0).expect("a preset")
     }
 
     /// A direction in space, of a length up to √3.
     fn direction(&mut self) -> [f64; 3] {
-        [(); 3].map(|()| self.rng.uniform(-1.0, 1.0))
+        [(); 3].map(|()| self.rng.between(-1.0, 1.0))
     }
 
     /// None, or up to 500 rad/s about any axis.
     fn spin(&mut self) -> [f64; 3] {
-        let size = if self.rng.below(4) == 0 { 0.0 } else { self.rng.uniform(0.0, 288.0) };
+        let size = if self.rng.below(4) == 0 { 0.0 } else { self.rng.between(0.0, 288.0) };
         self.direction().map(|x| x * size)
     }
 
@@ -35,11 +35,11 @@ impl Layout {
 
     /// Strikes the first ball with any offset up to the miscue limit.
     fn struck_anywhere(mut self, speed: f64, azimuth: f64, elevation: f64) -> String {
-        let angle = self.rng.uniform(0.0, 6.3);
+        let angle = self.rng.between(0.0, 6.3);
         let size = match self.rng.below(4) {
             0 => 0.0,
             1 => MISCUE,
-            _ => self.rng.uniform(0.0, MISCUE),
+            _ => self.rng.between(0.0, MISCUE),
         };
         self.file(Some(format!(
             "{{\"ball\": \"0\", \"speed\": {speed:?}, \"azimuth_deg\": {azimuth:?}, \
@@ -58,7 +58,7 @@ impl Layout {
             1 if !self.balls.is_empty() => {
                 let other = self.rng.below(self.balls.len());
                 let [a, b] = self.balls[other].place;
-                let angle = self.rng.uniform(0.0, 6.3);
+                let angle = self.rng.between(0.0, 6.3);
                 // Two roundings more than touching, or it would not count as free.
                 let d = 2.0 * r * (1.0 + 1e-9);
                 [a + d * cos(angle), b + d * sin(angle)]
@@ -72,11 +72,11 @@ impl Layout {
         for _ in 0..1000 {
             let p = self.anywhere_or_frozen();
             if self.balls.len() < n && self.fits(p) && self.on_cloth(p) {
-                self.balls.push(Placed::resting(p));
+                self.balls.push(DrawnBall::resting(p));
             }
         }
         let speed = self.rng.log_uniform(0.2, 20.0);
-        let (azimuth, elevation) = (self.rng.uniform(0.0, 360.0), self.rng.uniform(0.0, 80.0));
+        let (azimuth, elevation) = (self.rng.between(0.0, 360.0), self.rng.between(0.0, 80.0));
         self.struck_anywhere(speed, azimuth, elevation)
     }
 
@@ -91,7 +91,7 @@ impl Layout {
             let height = r + self.rng.log_uniform(1e-6, 0.5);
             // One in four starts over a rail.
             if self.rng.below(4) == 0 && height > 0.08 {
-                let (x, y) = (self.rng.uniform(-0.12, w + 0.12), self.rng.uniform(-0.12, l + 0.12));
+                let (x, y) = (self.rng.between(-0.12, w + 0.12), self.rng.between(-0.12, l + 0.12));
                 self.balls[k].place = if self.rng.below(2) == 0 {
                     [if x > 0.5 * w { w + 0.05 } else { -0.05 }, y]
                 } else {
@@ -108,13 +108,13 @@ impl Layout {
         let (_, w, l, r) = self.place;
         let below = 1 + self.rng.below(4);
         let cluster = self.rng.below(2) == 0;
-        let middle = [self.rng.uniform(0.2 * w, 0.8 * w), self.rng.uniform(0.2 * l, 0.8 * l)];
+        let middle = [self.rng.between(0.2 * w, 0.8 * w), self.rng.between(0.2 * l, 0.8 * l)];
         if cluster {
             // Frozen to each other: a ball that falls between them meets several at once.
             for k in 0..below.min(3) {
                 let angle = 2.094_395_102_393_195_3 * k as f64;
                 let d = 2.0 * r / sqrt(3.0) * (1.0 + 1e-12);
-                self.balls.push(Placed::resting([
+                self.balls.push(DrawnBall::resting([
                     middle[0] + d * cos(angle),
                     middle[1] + d * sin(angle),
                 ]));
@@ -126,14 +126,14 @@ impl Layout {
         for _ in 0..1 + self.rng.below(3) {
             let under = self.rng.below(self.balls.len());
             let [a, b] = self.balls[under].place;
-            let (angle, off) = (self.rng.uniform(0.0, 6.3), self.rng.uniform(0.0, 2.0 * r));
+            let (angle, off) = (self.rng.between(0.0, 6.3), self.rng.between(0.0, 2.0 * r));
             let off = if self.rng.below(4) == 0 { 0.0 } else { off };
             let place = match self.rng.below(3) {
                 0 if cluster => middle,
                 _ => [a + off * cos(angle), b + off * sin(angle)],
             };
             height += self.rng.log_uniform(1e-6, 0.3);
-            let mut ball = Placed { height: Some(height), ..Placed::resting(place) };
+            let mut ball = DrawnBall { height: Some(height), ..DrawnBall::resting(place) };
             if self.rng.below(2) == 0 {
                 let velocity = self.direction();
                 ball.motion = self.moving(velocity);
@@ -148,19 +148,19 @@ impl Layout {
         let (_, w, l, r) = self.place;
         // Towards a near rail, with a ball on the way and some behind it.
         let cue = self.anywhere();
-        let azimuth = self.rng.uniform(0.0, std::f64::consts::TAU);
+        let azimuth = self.rng.between(0.0, std::f64::consts::TAU);
         let (dx, dy) = (cos(azimuth), sin(azimuth));
-        self.balls.push(Placed::resting(cue));
+        self.balls.push(DrawnBall::resting(cue));
         for reach in [0.1, 0.3, 0.6] {
-            let d = self.rng.uniform(0.7, 1.6) * reach + 2.0 * r;
-            let aside = self.rng.uniform(-1.5, 1.5) * r;
+            let d = self.rng.between(0.7, 1.6) * reach + 2.0 * r;
+            let aside = self.rng.between(-1.5, 1.5) * r;
             let p = [cue[0] + d * dx - aside * dy, cue[1] + d * dy + aside * dx];
             let p = [p[0].clamp(r, w - r), p[1].clamp(r, l - r)];
             if self.fits(p) {
-                self.balls.push(Placed::resting(p));
+                self.balls.push(DrawnBall::resting(p));
             }
         }
-        let (speed, elevation) = (self.rng.uniform(1.0, 12.0), self.rng.uniform(25.0, 75.0));
+        let (speed, elevation) = (self.rng.between(1.0, 12.0), self.rng.between(25.0, 75.0));
         self.struck_anywhere(speed, azimuth.to_degrees(), elevation)
     }
 
@@ -177,25 +177,25 @@ impl Layout {
     pub(super) fn jaws(mut self) -> String {
         let r = self.place.3;
         let Some((hole, axis, radius)) = self.pocket() else { return self.flying() };
-        let (turn, across) = (self.rng.uniform(-1.3, 1.3), self.rng.uniform(-1.5, 1.5) * radius);
+        let (turn, across) = (self.rng.between(-1.3, 1.3), self.rng.between(-1.5, 1.5) * radius);
         // From somewhere before the pocket to somewhere in its mouth.
-        let distance = radius + self.rng.uniform(2.0 * r, 0.6);
+        let distance = radius + self.rng.between(2.0 * r, 0.6);
         let back = axis * -cos(turn) + axis.perp() * -sin(turn);
         let from = hole + back * distance;
-        let to = hole + axis.perp() * across - axis * self.rng.uniform(-0.5, 1.5) * radius;
+        let to = hole + axis.perp() * across - axis * self.rng.between(-0.5, 1.5) * radius;
         let way = to - from;
         let speed = self.rng.log_uniform(0.3, 20.0);
         let velocity = way * (speed / way.length());
-        let start = Placed::resting([from.x, from.y]);
+        let start = DrawnBall::resting([from.x, from.y]);
         let ball = if self.rng.below(2) == 0 {
-            Placed { motion: self.moving([velocity.x, velocity.y, 0.0]), ..start }
+            DrawnBall { motion: self.moving([velocity.x, velocity.y, 0.0]), ..start }
         } else {
             // To come by at any height up to three balls.
-            let (high, aim) = (self.rng.uniform(r, 6.0 * r), self.rng.uniform(0.5 * r, 6.0 * r));
+            let (high, aim) = (self.rng.between(r, 6.0 * r), self.rng.between(0.5 * r, 6.0 * r));
             let time = way.length() / speed;
             let rise = (aim - high) / time + 0.5 * GRAVITY * time;
             let motion = self.moving([velocity.x, velocity.y, rise.clamp(-8.0, 8.0)]);
-            Placed { height: Some(high), motion, ..start }
+            DrawnBall { height: Some(high), motion, ..start }
         };
         self.balls.push(ball);
         let n = 1 + self.rng.below(4);
@@ -210,11 +210,11 @@ impl Layout {
         // friction holds them.
         let n = 1 + self.rng.below(2);
         for _ in 0..100 {
-            let turn = self.rng.uniform(-0.8, 0.8);
+            let turn = self.rng.between(-0.8, 0.8);
             let back = axis * -cos(turn) + axis.perp() * -sin(turn);
             let off = match self.rng.below(8) {
                 0 => 0.0,
-                1 => -BRINK * r * self.rng.uniform(0.0, 1.0),
+                1 => -BRINK * r * self.rng.between(0.0, 1.0),
                 _ => self.rng.log_uniform(1e-9, 0.1),
             };
             let p = hole + back * (radius + off);
@@ -224,7 +224,7 @@ impl Layout {
             });
             let stands = self.table().place_check(p - self.table().center(), r).is_inside();
             if self.balls.len() < n && apart && stands {
-                self.balls.push(Placed::resting([p.x, p.y]));
+                self.balls.push(DrawnBall::resting([p.x, p.y]));
             }
         }
         let target = self.balls.first().map_or([hole.x, hole.y], |ball| ball.place);
@@ -242,12 +242,12 @@ impl Layout {
         self.scatter(before + 1);
         let cue = self.balls[before].place;
         let way = [target[0] - cue[0], target[1] - cue[1]];
-        let aside = self.rng.uniform(-2.0, 2.0) * r;
+        let aside = self.rng.between(-2.0, 2.0) * r;
         let distance = sqrt(way[0] * way[0] + way[1] * way[1]);
         let angle = carom::math::atan2(way[1], way[0]) + carom::math::atan(aside / distance);
         self.balls.swap(0, before);
         let speed = self.rng.log_uniform(0.1, 15.0);
-        let elevation = if self.rng.below(3) == 0 { self.rng.uniform(0.0, 60.0) } else { 0.0 };
+        let elevation = if self.rng.below(3) == 0 { self.rng.between(0.0, 60.0) } else { 0.0 };
         self.struck_anywhere(speed, angle.to_degrees(), elevation)
     }
 }

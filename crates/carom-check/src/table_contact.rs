@@ -4,11 +4,11 @@ use carom::Table;
 use carom::math::{Vec2, Vec3};
 use carom::table::{Part, Shape};
 
-use crate::solid::{Piece, Solid};
+use crate::solid::{Solid, SolidPiece};
 
 /// The contact with a named part of the table.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Touch {
+pub(crate) struct TableContact {
     /// How far the ball is from the part, m; negative inside.
     pub(crate) gap: f64,
     /// Unit vector from the touched point to the centre.
@@ -19,13 +19,19 @@ pub(crate) struct Touch {
 const JOIN: f64 = 1e-6;
 
 /// A ball of radius `radius` (m) with its centre at `c`, and part `k` of `Table::cushions`.
-pub(crate) fn rail(table: &Table, solid: &Solid, k: usize, c: Vec3, radius: f64) -> Option<Touch> {
+pub(crate) fn rail(
+    table: &Table,
+    solid: &Solid,
+    k: usize,
+    c: Vec3,
+    radius: f64,
+) -> Option<TableContact> {
     let part = table.cushions.get(k)?;
     let rise = c.z - table.cushion_height;
     if part.part == Part::Top {
         let over = solid.beside_tops(c.xy());
         let gap = if over > 0.0 { over } else { rise - radius };
-        return Some(Touch { gap, away: Vec3::new(0.0, 0.0, 1.0) });
+        return Some(TableContact { gap, away: Vec3::new(0.0, 0.0, 1.0) });
     }
     match part.shape {
         Shape::Segment { start, end, normal } => {
@@ -34,7 +40,7 @@ pub(crate) fn rail(table: &Table, solid: &Solid, k: usize, c: Vec3, radius: f64)
             let s = from_start.dot(along) / length;
             let beside = (-s).max(s - length);
             let edge = edge(from_start.dot(normal), normal, rise, radius);
-            Some(if beside > JOIN { Touch { gap: beside, ..edge } } else { edge })
+            Some(if beside > JOIN { TableContact { gap: beside, ..edge } } else { edge })
         }
         Shape::Arc { center, radius: bend, .. } => {
             let d = c.xy() - center;
@@ -49,25 +55,25 @@ pub(crate) fn rail(table: &Table, solid: &Solid, k: usize, c: Vec3, radius: f64)
 
 /// An edge at a distance of `level` in the plane, in the direction −`normal`, and `rise` below the
 /// centre. What is under it recedes, so far that centres can come up to the edge line.
-fn edge(level: f64, normal: Vec2, rise: f64, radius: f64) -> Touch {
+fn edge(level: f64, normal: Vec2, rise: f64, radius: f64) -> TableContact {
     if rise < -radius {
-        return Touch { gap: level, away: normal.with_z(0.0) };
+        return TableContact { gap: level, away: normal.with_z(0.0) };
     }
     let distance = (level * level + rise * rise).sqrt();
     let away = (normal * level).with_z(rise) * (1.0 / distance);
-    Touch { gap: distance - radius, away }
+    TableContact { gap: distance - radius, away }
 }
 
 /// The nearest of the liners.
-fn liner(solid: &Solid, c: Vec3, radius: f64) -> Option<Touch> {
-    let liners = solid.rails.iter().filter(|part| matches!(part.piece, Piece::Liner { .. }));
+fn liner(solid: &Solid, c: Vec3, radius: f64) -> Option<TableContact> {
+    let liners = solid.rails.iter().filter(|part| matches!(part.piece, SolidPiece::Liner { .. }));
     let nearest = liners.map(|part| part.piece.distance(c));
     let nearest = nearest.min_by(|a, b| a.value.total_cmp(&b.value))?;
-    Some(Touch { gap: nearest.value - radius, away: nearest.away })
+    Some(TableContact { gap: nearest.value - radius, away: nearest.away })
 }
 
 /// A ball and the bed or the edge of a hole in it.
-pub(crate) fn slate(solid: &Solid, c: Vec3, radius: f64) -> Touch {
+pub(crate) fn slate(solid: &Solid, c: Vec3, radius: f64) -> TableContact {
     let distance = solid.bed.piece.distance(c);
-    Touch { gap: distance.value - radius, away: distance.away }
+    TableContact { gap: distance.value - radius, away: distance.away }
 }

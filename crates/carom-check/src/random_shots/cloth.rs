@@ -2,15 +2,15 @@
 
 use carom::math::{cos, sin};
 
-use super::layout::{Layout, Placed};
+use super::builder::{DrawnBall, ShotBuilder};
 
-impl Layout {
+impl ShotBuilder {
     pub(super) fn pot(mut self) -> String {
         let n = 2 + self.rng.below(15);
         self.scatter(n);
-        let speed = self.rng.uniform(0.3, 6.0);
-        let elevation = if self.rng.below(4) == 0 { self.rng.uniform(0.0, 60.0) } else { 0.0 };
-        let azimuth = self.rng.uniform(0.0, 360.0);
+        let speed = self.rng.between(0.3, 6.0);
+        let elevation = if self.rng.below(4) == 0 { self.rng.between(0.0, 60.0) } else { 0.0 };
+        let azimuth = self.rng.between(0.0, 360.0);
         self.struck(speed, azimuth, elevation)
     }
 
@@ -19,7 +19,7 @@ impl Layout {
         let gap = [1e-4, 1e-6, 0.0][self.rng.below(3)];
         let step = 2.0 * r + gap;
         let cue = [0.5 * w, 0.25 * l];
-        self.balls.push(Placed::resting(cue));
+        self.balls.push(DrawnBall::resting(cue));
         let (full, rows) = if rows == 3 { (false, 5) } else { (true, rows) };
         for row in 0..rows {
             // A nine-ball rack is a diamond: 1, 2, 3, 2, 1.
@@ -28,13 +28,13 @@ impl Layout {
                 let x = 0.5 * w + step * (k as f64 - 0.5 * (in_row as f64 - 1.0));
                 let y = 0.75 * l + step * 0.5 * 3.0_f64.sqrt() * row as f64;
                 let spread = 0.25 * gap;
-                let jitter = [self.rng.uniform(-spread, spread), self.rng.uniform(-spread, spread)];
-                self.balls.push(Placed::resting([x + jitter[0], y + jitter[1]]));
+                let jitter = [self.rng.between(-spread, spread), self.rng.between(-spread, spread)];
+                self.balls.push(DrawnBall::resting([x + jitter[0], y + jitter[1]]));
             }
         }
         let centred = self.rng.below(4) == 0;
-        let off = if centred { 0.0 } else { self.rng.uniform(-3.0, 3.0) };
-        let speed = self.rng.uniform(3.0, 12.0);
+        let off = if centred { 0.0 } else { self.rng.between(-3.0, 3.0) };
+        let speed = self.rng.between(3.0, 12.0);
         self.struck(speed, 90.0 + off, 0.0)
     }
 
@@ -51,7 +51,7 @@ impl Layout {
                 1 if !self.balls.is_empty() => {
                     let other = self.rng.below(self.balls.len());
                     let [a, b] = self.balls[other].place;
-                    let angle = self.rng.uniform(0.0, 6.3);
+                    let angle = self.rng.between(0.0, 6.3);
                     let d = 2.0 * r;
                     [a + d * cos(angle), b + d * sin(angle)]
                 }
@@ -67,15 +67,15 @@ impl Layout {
             let inside = p[0] > margin && p[0] < w - margin && p[1] > margin && p[1] < l - margin;
             let clear = p[0] >= r || p[0] <= w - r;
             if free && inside && clear && self.on_cloth(p) {
-                self.balls.push(Placed::resting(p));
+                self.balls.push(DrawnBall::resting(p));
             }
         }
-        let speed = self.rng.uniform(0.1, 8.0);
+        let speed = self.rng.between(0.1, 8.0);
         let azimuth = match self.rng.below(3) {
             0 => 90.0 * self.rng.below(4) as f64,
-            _ => self.rng.uniform(0.0, 360.0),
+            _ => self.rng.between(0.0, 360.0),
         };
-        let elevation = if self.rng.below(3) == 0 { self.rng.uniform(0.0, 70.0) } else { 0.0 };
+        let elevation = if self.rng.below(3) == 0 { self.rng.between(0.0, 70.0) } else { 0.0 };
         self.struck(speed, azimuth, elevation)
     }
 
@@ -84,11 +84,11 @@ impl Layout {
         self.scatter(n);
         for k in 0..n {
             let speed = self.rng.log_uniform(1e-9, 20.0);
-            let angle = self.rng.uniform(0.0, 6.3);
-            let spin = if self.rng.below(4) == 0 { 0.0 } else { self.rng.uniform(0.0, 500.0) };
+            let angle = self.rng.between(0.0, 6.3);
+            let spin = if self.rng.below(4) == 0 { 0.0 } else { self.rng.between(0.0, 500.0) };
             let mut direction = [0.0; 3];
             for d in &mut direction {
-                *d = self.rng.uniform(-1.0, 1.0) * spin / 1.8;
+                *d = self.rng.between(-1.0, 1.0) * spin / 1.8;
             }
             let [a, b, c] = direction;
             self.balls[k].motion = Some([speed * cos(angle), speed * sin(angle), 0.0, a, b, c]);
@@ -104,11 +104,11 @@ impl Layout {
         let first = 0.35 * l;
         for k in 0..n {
             let y = first + (2.0 * r + gap) * k as f64;
-            let x = 0.5 * w + off * self.rng.uniform(-1.0, 1.0);
+            let x = 0.5 * w + off * self.rng.between(-1.0, 1.0);
             // With sideways offsets the row is longer, never shorter.
-            self.balls.push(Placed::resting([x, y]));
+            self.balls.push(DrawnBall::resting([x, y]));
         }
-        self.balls.insert(0, Placed::resting([0.5 * w, 0.15 * l]));
+        self.balls.insert(0, DrawnBall::resting([0.5 * w, 0.15 * l]));
         if self.rng.below(3) == 0 {
             // All roll the same way, at the same or at different speeds.
             for k in 0..self.balls.len() {
@@ -117,7 +117,7 @@ impl Layout {
             }
             return self.file(None);
         }
-        let speed = self.rng.uniform(0.2, 4.0);
+        let speed = self.rng.between(0.2, 4.0);
         self.struck(speed, 90.0, 0.0)
     }
 }

@@ -3,7 +3,7 @@
 use carom::event::{EventKind, Recorder};
 use carom::math::Vec3;
 use carom::{BallState, MotionState, Shot, Summary};
-use carom_check::Checker;
+use carom_check::CheckRecorder;
 
 /// Radius of a pool ball, m.
 const R: f64 = 0.028_575;
@@ -14,7 +14,7 @@ const NOSE: f64 = 0.635 * 0.057_15;
 
 /// A record written by hand.
 struct Record<'a> {
-    checker: Checker<'a>,
+    checker: CheckRecorder<'a>,
     gravity: f64,
     states: Vec<BallState>,
     time: f64,
@@ -40,7 +40,12 @@ fn shot(balls: &[([f64; 3], [f64; 3])]) -> Shot {
 impl<'a> Record<'a> {
     fn new(shot: &'a Shot) -> Self {
         let states = shot.balls().iter().map(|b| shot.table().to_engine_frame(&b.state)).collect();
-        Self { checker: Checker::new(shot), gravity: shot.physics().gravity, states, time: 0.0 }
+        Self {
+            checker: CheckRecorder::new(shot),
+            gravity: shot.physics().gravity,
+            states,
+            time: 0.0,
+        }
     }
 
     /// All balls fly on freely, then an event of ball 0 happens, after which it is as `change` says.
@@ -101,7 +106,7 @@ fn assert_bounce_noticed(word: &str, change: impl FnOnce(&mut BallState)) {
 }
 
 #[test]
-fn the_judge_finds_nothing_in_a_right_bounce() {
+fn accepts_a_right_bounce() {
     let (shot, act) = bounced(bounce);
     let mut record = Record::new(&shot);
     act(&mut record);
@@ -109,7 +114,7 @@ fn the_judge_finds_nothing_in_a_right_bounce() {
 }
 
 #[test]
-fn the_judge_notices_a_bounce_that_gains_energy() {
+fn detects_a_bounce_that_gains_energy() {
     assert_bounce_noticed("raises the energy", |s| {
         bounce(s);
         s.velocity.z *= 2.1;
@@ -117,7 +122,7 @@ fn the_judge_notices_a_bounce_that_gains_energy() {
 }
 
 #[test]
-fn the_judge_notices_a_bounce_with_more_friction_than_there_is() {
+fn detects_a_bounce_with_more_friction_than_there_is() {
     assert_bounce_noticed("a friction of", |s| {
         let fall = -s.velocity.z;
         s.velocity.z = 0.0;
@@ -128,7 +133,7 @@ fn the_judge_notices_a_bounce_with_more_friction_than_there_is() {
 }
 
 #[test]
-fn the_judge_notices_a_bounce_that_turns_the_ball_as_no_force_at_its_foot_does() {
+fn detects_a_bounce_that_turns_the_ball_as_no_force_at_its_foot_does() {
     assert_bounce_noticed("angular momentum", |s| {
         bounce(s);
         s.angular_velocity.z = 1e-6;
@@ -136,12 +141,12 @@ fn the_judge_notices_a_bounce_that_turns_the_ball_as_no_force_at_its_foot_does()
 }
 
 #[test]
-fn the_judge_notices_a_ball_that_goes_on_into_the_slate() {
+fn detects_a_ball_that_goes_on_into_the_slate() {
     assert_bounce_noticed("goes on into what it has met", |s| s.velocity.z *= 0.5);
 }
 
 #[test]
-fn the_judge_notices_a_bounce_in_mid_air() {
+fn detects_a_bounce_in_mid_air() {
     let shot = falling(0.05);
     let mut record = Record::new(&shot);
     record.then(0.9 * fall(0.05), EventKind::SlateCollision, bounce);
@@ -149,7 +154,7 @@ fn the_judge_notices_a_bounce_in_mid_air() {
 }
 
 #[test]
-fn the_judge_notices_a_flight_through_the_slate() {
+fn detects_a_flight_through_the_slate() {
     let shot = falling(0.05);
     let mut record = Record::new(&shot);
     record.then(1.1 * fall(0.05), EventKind::SlateCollision, bounce);
@@ -157,7 +162,7 @@ fn the_judge_notices_a_flight_through_the_slate() {
 }
 
 #[test]
-fn the_judge_notices_a_ball_let_through_a_nose_from_above() {
+fn detects_a_ball_let_through_a_nose_from_above() {
     let shot = shot(&[([HALF_WIDTH - 0.01, 0.5, 0.1], [0.0, 0.0, 0.0])]);
     let mut record = Record::new(&shot);
     record.then(fall(0.1 - R), EventKind::SlateCollision, |s| s.velocity.z = 0.0);
@@ -165,7 +170,7 @@ fn the_judge_notices_a_ball_let_through_a_nose_from_above() {
 }
 
 #[test]
-fn the_judge_notices_a_ball_let_through_a_nose_at_its_height() {
+fn detects_a_ball_let_through_a_nose_at_its_height() {
     let shot = shot(&[([HALF_WIDTH - 0.05, 0.5, NOSE + 0.01], [8.0, 0.0, 0.0])]);
     let mut record = Record::new(&shot);
     record.then(0.01, EventKind::RailCollision(0), |_| {});
@@ -173,7 +178,7 @@ fn the_judge_notices_a_ball_let_through_a_nose_at_its_height() {
 }
 
 #[test]
-fn the_judge_notices_a_ball_let_through_another_in_the_air() {
+fn detects_a_ball_let_through_another_in_the_air() {
     let shot = shot(&[([0.0, 0.0, 0.2], [3.0, 0.0, 0.5]), ([0.3, 0.01, 0.21], [-3.0, 0.0, 0.4])]);
     let mut record = Record::new(&shot);
     record.then(0.1, EventKind::OffTable, |_| {});
@@ -196,7 +201,7 @@ fn sink(s: &mut BallState) {
 }
 
 #[test]
-fn the_judge_notices_a_ball_sunk_too_early() {
+fn detects_a_ball_sunk_too_early() {
     let shot = over_hole(0.05, 0.1);
     let mut record = Record::new(&shot);
     record.then(0.01, EventKind::PocketCollision(0), sink);
@@ -204,7 +209,7 @@ fn the_judge_notices_a_ball_sunk_too_early() {
 }
 
 #[test]
-fn the_judge_notices_a_ball_sunk_that_could_come_back() {
+fn detects_a_ball_sunk_that_could_come_back() {
     let shot = over_hole(0.04, 4.0);
     let mut record = Record::new(&shot);
     record.then(0.012, EventKind::PocketCollision(0), sink);
@@ -212,7 +217,7 @@ fn the_judge_notices_a_ball_sunk_that_could_come_back() {
 }
 
 #[test]
-fn the_judge_finds_nothing_in_a_ball_that_falls_down_a_hole() {
+fn accepts_a_ball_that_falls_down_a_hole() {
     let shot = over_hole(0.04, 4.0);
     let mut record = Record::new(&shot);
     // A radius below the slate it is lost however fast it is.
@@ -221,7 +226,7 @@ fn the_judge_finds_nothing_in_a_ball_that_falls_down_a_hole() {
 }
 
 #[test]
-fn the_judge_notices_a_flight_through_the_wall_of_a_hole() {
+fn detects_a_flight_through_the_wall_of_a_hole() {
     let table = carom::Table::preset("wpa-9ft").expect("a preset");
     let hole = table.pockets[0].center;
     let shot = shot(&[([hole.x, hole.y, 0.03], [-3.0, -3.0, 0.0])]);
@@ -235,7 +240,7 @@ fn leave(s: &mut BallState) {
 }
 
 #[test]
-fn the_judge_notices_a_ball_off_the_table_that_is_still_over_it() {
+fn detects_a_ball_off_the_table_that_is_still_over_it() {
     let shot = shot(&[([HALF_WIDTH - 0.1, 0.5, 0.2], [4.0, 0.0, 1.0])]);
     let mut record = Record::new(&shot);
     record.then(0.05, EventKind::OffTable, leave);
@@ -243,7 +248,7 @@ fn the_judge_notices_a_ball_off_the_table_that_is_still_over_it() {
 }
 
 #[test]
-fn the_judge_notices_a_ball_beyond_the_border_that_is_not_off_the_table() {
+fn detects_a_ball_beyond_the_border_that_is_not_off_the_table() {
     let shot = shot(&[([HALF_WIDTH - 0.1, 0.5, 0.2], [4.0, 0.0, 1.0])]);
     let mut record = Record::new(&shot);
     record.then(0.08, EventKind::OffTable, leave);
@@ -251,7 +256,7 @@ fn the_judge_notices_a_ball_beyond_the_border_that_is_not_off_the_table() {
 }
 
 #[test]
-fn the_judge_notices_a_ball_that_takes_off_from_level_cloth() {
+fn detects_a_ball_that_takes_off_from_level_cloth() {
     let shot = shot(&[([0.0, 0.0, R], [0.5, 0.0, 0.0])]);
     let mut record = Record::new(&shot);
     let kind =
@@ -261,7 +266,7 @@ fn the_judge_notices_a_ball_that_takes_off_from_level_cloth() {
 }
 
 #[test]
-fn the_judge_notices_a_ball_that_stands_on_air() {
+fn detects_a_ball_that_stands_on_air() {
     let shot = falling(0.05);
     let mut record = Record::new(&shot);
     record.then(fall(0.05), EventKind::SlateCollision, |s| {
@@ -273,7 +278,7 @@ fn the_judge_notices_a_ball_that_stands_on_air() {
 }
 
 #[test]
-fn the_judge_notices_a_ball_that_is_still_in_the_air_in_the_end() {
+fn detects_a_ball_that_is_still_in_the_air_in_the_end() {
     let (shot, act) = bounced(bounce);
     let mut record = Record::new(&shot);
     act(&mut record);
@@ -282,7 +287,7 @@ fn the_judge_notices_a_ball_that_is_still_in_the_air_in_the_end() {
 }
 
 #[test]
-fn the_judge_notices_a_ball_at_rest_on_a_rail_in_the_end() {
+fn detects_a_ball_at_rest_on_a_rail_in_the_end() {
     let shot = shot(&[([HALF_WIDTH + 0.06, 0.5, NOSE + R + 0.05], [0.0, 0.0, 0.0])]);
     let mut record = Record::new(&shot);
     record.then(fall(0.05), EventKind::RailCollision(0), |s| {
@@ -294,10 +299,10 @@ fn the_judge_notices_a_ball_at_rest_on_a_rail_in_the_end() {
 }
 
 #[test]
-fn the_judge_notices_momentum_that_changes_where_no_ball_stands_on_anything() {
+fn detects_momentum_that_changes_where_no_ball_stands_on_anything() {
     let d = 2.0 * R;
     let shot = shot(&[([0.0, 0.0, 0.2], [1.0, 0.0, 0.0]), ([d, 0.0, 0.2], [0.0, 0.0, 0.0])]);
-    let mut checker = Checker::new(&shot);
+    let mut checker = CheckRecorder::new(&shot);
     let before: Vec<BallState> =
         shot.balls().iter().map(|b| shot.table().to_engine_frame(&b.state)).collect();
     let mut after = before.clone();
@@ -315,7 +320,7 @@ fn the_judge_notices_momentum_that_changes_where_no_ball_stands_on_anything() {
 }
 
 #[test]
-fn the_judge_notices_a_pocketed_ball_that_takes_part_in_something() {
+fn detects_a_pocketed_ball_that_takes_part_in_something() {
     let shot = over_hole(0.04, 4.0);
     let mut record = Record::new(&shot);
     record.then(0.018, EventKind::PocketCollision(0), sink);

@@ -3,14 +3,15 @@
 use carom::event::{EventKind, Recorder};
 use carom::math::Vec3;
 use carom::{BallState, Shot};
-use carom_check::Checker;
-use carom_check::scenes::{Scene, shot_file};
+use carom_check::CheckRecorder;
+use carom_check::random_shots::{ShotFamily, shot_file};
 
-use crate::log::{Kept, events};
+use crate::owned_event::{OwnedEvent, events};
 
 /// A shot with a collision of two balls alone, a rail, and much that happens after both.
 fn a_shot() -> Shot {
-    let shots = (0..).map(|seed| Shot::from_json(&shot_file(Scene::Pot, seed)).expect("a shot"));
+    let shots =
+        (0..).map(|seed| Shot::from_json(&shot_file(ShotFamily::Pot, seed)).expect("a shot"));
     let rich = |shot: &Shot| {
         let all = events(shot);
         let early = &all[..all.len() / 3];
@@ -19,35 +20,35 @@ fn a_shot() -> Shot {
     shots.into_iter().find(rich).expect("an ordinary shot")
 }
 
-fn is_collision(e: &Kept) -> bool {
+fn is_collision(e: &OwnedEvent) -> bool {
     e.kind == EventKind::BallCollision && e.balls.len() == 2
 }
 
-fn is_rail(e: &Kept) -> bool {
+fn is_rail(e: &OwnedEvent) -> bool {
     matches!(e.kind, EventKind::RailCollision(_))
 }
 
 /// Index of the first collision of two balls.
-fn collision(events: &[Kept]) -> usize {
+fn collision(events: &[OwnedEvent]) -> usize {
     events.iter().position(is_collision).expect("a collision")
 }
 
-fn faults(falsify: impl FnOnce(&mut Vec<Kept>)) -> Vec<String> {
+fn faults(falsify: impl FnOnce(&mut Vec<OwnedEvent>)) -> Vec<String> {
     let shot = a_shot();
     let mut all = events(&shot);
     falsify(&mut all);
-    let mut checker = Checker::new(&shot);
+    let mut checker = CheckRecorder::new(&shot);
     all.iter().for_each(|e| checker.record(&e.event()));
     checker.faults.iter().map(ToString::to_string).collect()
 }
 
-fn assert_noticed(word: &str, falsify: impl FnOnce(&mut Vec<Kept>)) {
+fn assert_noticed(word: &str, falsify: impl FnOnce(&mut Vec<OwnedEvent>)) {
     let found = faults(falsify);
     assert!(found.iter().any(|f| f.contains(word)), "no {word:?} in {found:#?}");
 }
 
 /// Changes the first ball of the first collision.
-fn after_collision(change: impl Fn(&mut BallState)) -> impl FnOnce(&mut Vec<Kept>) {
+fn after_collision(change: impl Fn(&mut BallState)) -> impl FnOnce(&mut Vec<OwnedEvent>) {
     move |all| {
         let k = collision(all);
         change(&mut all[k].after[0]);
@@ -55,12 +56,12 @@ fn after_collision(change: impl Fn(&mut BallState)) -> impl FnOnce(&mut Vec<Kept
 }
 
 #[test]
-fn the_judge_finds_nothing_in_a_true_record() {
+fn accepts_a_true_record() {
     assert_eq!(faults(|_| {}), Vec::<String>::new());
 }
 
 #[test]
-fn the_judge_notices_a_collision_left_out() {
+fn detects_a_collision_left_out() {
     assert_noticed("overlap", |all| {
         // With all that these balls do later, which alone would give them away.
         let k = collision(all);
@@ -71,7 +72,7 @@ fn the_judge_notices_a_collision_left_out() {
 }
 
 #[test]
-fn the_judge_notices_a_rail_gone_through() {
+fn detects_a_rail_gone_through() {
     assert_noticed(" rail overlap", |all| {
         let k = all.iter().position(is_rail).expect("a rail");
         all.truncate(k);
@@ -82,17 +83,17 @@ fn the_judge_notices_a_rail_gone_through() {
 }
 
 #[test]
-fn the_judge_notices_energy_from_nowhere() {
+fn detects_energy_from_nowhere() {
     assert_noticed("raises the energy", after_collision(|s| s.velocity.x += 20.0));
 }
 
 #[test]
-fn the_judge_notices_momentum_that_is_lost() {
+fn detects_momentum_that_is_lost() {
     assert_noticed("momentum", after_collision(|s| s.velocity = s.velocity * (1.0 - 1e-9)));
 }
 
 #[test]
-fn the_judge_notices_spin_that_no_force_at_the_contact_gives() {
+fn detects_spin_that_no_force_at_the_contact_gives() {
     assert_noticed("angular momentum", |all| {
         let k = collision(all);
         all[k].after[0].angular_velocity += Vec3::new(0.0, 0.0, 1e-6);
@@ -100,7 +101,7 @@ fn the_judge_notices_spin_that_no_force_at_the_contact_gives() {
 }
 
 #[test]
-fn the_judge_notices_a_ball_that_is_not_on_its_path() {
+fn detects_a_ball_that_is_not_on_its_path() {
     assert_noticed("from its path", |all| {
         let last = all.len() - 1;
         all[last].before[0].position.x += 1e-9;
@@ -108,7 +109,7 @@ fn the_judge_notices_a_ball_that_is_not_on_its_path() {
 }
 
 #[test]
-fn the_judge_notices_time_that_goes_back() {
+fn detects_time_that_goes_back() {
     assert_noticed("time goes back", |all| {
         let last = all.len() - 1;
         all[last].time = 0.0;

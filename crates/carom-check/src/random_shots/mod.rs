@@ -1,18 +1,17 @@
 //! Random shots, as shot files: what players play, and what breaks engines.
 
+mod builder;
 mod cloth;
 mod flight;
-mod layout;
-mod random;
 
-use layout::Layout;
+use builder::ShotBuilder;
 
-pub use random::Random;
+use crate::random::Random;
 
 /// Families of shots. Together they hold every hard case of ARCHITECTURE.md that can be drawn by
 /// lot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scene {
+pub enum ShotFamily {
     /// The cue ball and some others, anywhere, an ordinary strike.
     Pot,
     /// An eight-ball break with gaps of 0.1 mm, 1 µm or none.
@@ -40,7 +39,7 @@ pub enum Scene {
     Mouths,
 }
 
-impl Scene {
+impl ShotFamily {
     /// All families.
     pub const ALL: [Self; 12] = [
         Self::Pot,
@@ -59,20 +58,20 @@ impl Scene {
 }
 
 /// The shot file of `scene` number `seed`.
-pub fn shot_file(scene: Scene, seed: u64) -> String {
-    let layout = Layout::new(Random::new(seed ^ ((scene as u64 + 1) << 56)));
+pub fn shot_file(scene: ShotFamily, seed: u64) -> String {
+    let layout = ShotBuilder::new(Random::new(seed ^ ((scene as u64 + 1) << 56)));
     match scene {
-        Scene::Pot => layout.pot(),
-        Scene::EightBallBreak => layout.triangle(5),
-        Scene::NineBallBreak => layout.triangle(3),
-        Scene::Frozen => layout.frozen(),
-        Scene::Wild => layout.wild(),
-        Scene::Row => layout.row(),
-        Scene::Elevated => layout.elevated(),
-        Scene::Flying => layout.flying(),
-        Scene::Dropped => layout.dropped(),
-        Scene::Jump => layout.jump(),
-        Scene::Jaws => layout.jaws(),
-        Scene::Mouths => layout.mouths(),
+        ShotFamily::Pot => layout.pot(),
+        ShotFamily::EightBallBreak => layout.triangle(5),
+        ShotFamily::NineBallBreak => layout.triangle(3),
+        ShotFamily::Frozen => layout.frozen(),
+        ShotFamily::Wild => layout.wild(),
+        ShotFamily::Row => layout.row(),
+        ShotFamily::Elevated => layout.elevated(),
+        ShotFamily::Flying => layout.flying(),
+        ShotFamily::Dropped => layout.dropped(),
+        ShotFamily::Jump => layout.jump(),
+        ShotFamily::Jaws => layout.jaws(),
+        ShotFamily::Mouths => layout.mouths(),
     }
 }

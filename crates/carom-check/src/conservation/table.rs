@@ -10,7 +10,7 @@ use carom::{Ball, MotionState};
 use super::{ROUNDING, STILL};
 use crate::places::TABLE_GAP;
 use crate::solid::Solid;
-use crate::touch;
+use crate::table_contact;
 
 /// How fast a ball that tips over an edge, or runs along a round one, may fall on to it and be thrown
 /// off it again: m/s, and m/s per m/s of its speed. What that takes comes out of its motion along, which
@@ -41,7 +41,7 @@ pub(super) fn rail(
         .iter()
         .map(|surface| surface.friction)
         .fold(fit.a.max(steepest), f64::max);
-    let touched = touch::rail(shot.table(), solid, part, s.position, ball.radius)?;
+    let touched = table_contact::rail(shot.table(), solid, part, s.position, ball.radius)?;
     let is_edge = shot.table().cushions[part].part != Part::Top;
     if is_edge && tips(event, touched.away) {
         return None;
@@ -62,7 +62,7 @@ fn tips(event: &Event<'_>, away: Vec3) -> bool {
 
 /// A ball meets the bed.
 pub(super) fn slate(shot: &Shot, solid: &Solid, event: &Event<'_>, ball: &Ball) -> Option<String> {
-    let touched = touch::slate(solid, event.before[0].position, ball.radius);
+    let touched = table_contact::slate(solid, event.before[0].position, ball.radius);
     let at_lip = solid.over_hole(event.before[0].position.xy()) > -TABLE_GAP;
     if at_lip && tips(event, touched.away) {
         return None;
