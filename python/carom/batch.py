@@ -119,7 +119,7 @@ def own_strike(shot: _core.Shot) -> tuple[float, float, float, float, float]:
         InputError: The shot has none.
     """
     if shot.strike is None:
-        raise InputError("strike: the shot has none that could be varied; give it one")
+        raise InputError("strike: the shot has no strike to vary; give it one")
     return shot.strike
 
 

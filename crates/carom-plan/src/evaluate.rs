@@ -198,7 +198,7 @@ fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
     question.perception.check()?;
     let refuse = |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));
     if shot.strike().is_none() {
-        return refuse("strike", "the shot has none that could be varied".into(), "give it one");
+        return refuse("strike", "the shot has no strike to vary".into(), "give it one");
     }
     check_level(question.level)?;
     let Some(Precision { half_width, watched }) = question.precision else { return Ok(()) };

@@ -118,7 +118,8 @@ pub(crate) fn see(
 /// The σ of the Computational Olympiad's noise: speed, azimuth, elevation, side, height.
 #[pyfunction]
 pub(crate) fn olympiad(multiplier: f64) -> [f64; 5] {
-    let Noise { speed, azimuth, elevation, side, height } = Noise::olympiad(multiplier);
+    let Noise { speed, azimuth, elevation, side_m: side, height_m: height } =
+        Noise::olympiad(multiplier);
     [speed, azimuth, elevation, side, height]
 }
 
@@ -127,11 +128,11 @@ pub(crate) fn olympiad(multiplier: f64) -> [f64; 5] {
 pub(crate) fn noise_presets() -> Vec<(&'static str, [f64; 5])> {
     let olympiad = ("olympiad", Noise::olympiad(1.0));
     let all = SKILLS.into_iter().chain([olympiad]);
-    all.map(|(name, n)| (name, [n.speed, n.azimuth, n.elevation, n.side, n.height])).collect()
+    all.map(|(name, n)| (name, [n.speed, n.azimuth, n.elevation, n.side_m, n.height_m])).collect()
 }
 
 pub(crate) fn noise_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Noise {
-    Noise { speed, azimuth, elevation, side, height }
+    Noise { speed, azimuth, elevation, side_m: side, height_m: height }
 }
 
 /// The runner of `threads` threads; 0 is one per core.

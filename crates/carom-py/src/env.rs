@@ -69,7 +69,7 @@ impl Settings<'_> {
         let usual = Config::of(task);
         let [speed, azimuth, elevation, side, height] = self.noise;
         Ok(Config {
-            noise: Noise { speed, azimuth, elevation, side, height },
+            noise: Noise { speed, azimuth, elevation, side_m: side, height_m: height },
             aim: Aim::read(&self.aim)?,
             speed: self.speed,
             elevation: self.max_elevation,

@@ -53,7 +53,7 @@ pub fn check_noise(noise: &[f64]) -> Result<(), JsValue> {
 
 /// Speed (m/s), azimuth, elevation (rad), side, height (m).
 fn sigmas(noise: &Noise) -> [f64; 5] {
-    [noise.speed, noise.azimuth, noise.elevation, noise.side, noise.height]
+    [noise.speed, noise.azimuth, noise.elevation, noise.side_m, noise.height_m]
 }
 
 /// The inverse of [`sigmas`].
@@ -61,7 +61,7 @@ fn noise_of(sigmas: &[f64]) -> Result<Noise, JsValue> {
     let [speed, azimuth, elevation, side, height] = *sigmas else {
         return Err(js_sys::RangeError::new("noise: write five numbers").into());
     };
-    Ok(Noise { speed, azimuth, elevation, side, height })
+    Ok(Noise { speed, azimuth, elevation, side_m: side, height_m: height })
 }
 
 /// The presets of execution noise, JSON: pairs of a name and the five [`sigmas`]. The levels of play come

@@ -2,6 +2,7 @@
 //! threads.
 
 use alloc::borrow::Cow;
+use alloc::format;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -87,10 +88,14 @@ pub fn simulate_seen(
     }))
 }
 
-/// `n` executions of `shot`'s own strike under `noise`: numbers `first`.. of this seed.
+/// Most strikes of one call of [`draw_strikes`]: 4 GB of them.
+pub const MAX_DRAWN: usize = 100_000_000;
+
+/// `n` variants of `shot`'s own strike under `noise`: numbers `first`.. of this seed.
 ///
 /// # Errors
-/// [`Error::Input`] if the shot has no strike, or [`Noise::check`] refuses.
+/// [`Error::Input`] if the shot has no strike, if [`Noise::check`] refuses, and for more than
+/// [`MAX_DRAWN`] strikes.
 pub fn draw_strikes(
     shot: &Shot,
     noise: &Noise,
@@ -100,12 +105,12 @@ pub fn draw_strikes(
 ) -> Result<Vec<Strike>, Error> {
     noise.check()?;
     let Some((ball, meant)) = shot.strike else {
-        return Err(Error::input(
-            "strike",
-            "the shot has none that could be varied",
-            "give it one",
-        ));
+        return Err(Error::input("strike", "the shot has no strike to vary", "give it one"));
     };
+    if n > MAX_DRAWN {
+        let remedy = format!("draw at most {MAX_DRAWN} at a time, and the next ones with `first`");
+        return Err(Error::input("n", format!("{n} strikes are too many"), remedy));
+    }
     let radius = shot.balls[ball].ball.radius;
     let strike = |k| noise.draw(&meant, radius, seed, first.wrapping_add(k));
     Ok((0..n as u64).map(strike).collect())
@@ -133,7 +138,7 @@ fn run<'a>(
     let chunks = result.final_position.chunks_mut(CHUNK * width);
     let chunks = chunks.zip(result.pocket.chunks_mut(CHUNK * width));
     let chunks = chunks.zip(result.events.chunks_mut(CHUNK)).enumerate();
-    let rows = chunks.map(|(c, ((position, pocket), events))| Rows {
+    let rows = chunks.map(|(c, ((position, pocket), events))| Chunk {
         first: c * CHUNK,
         position,
         pocket,
@@ -145,8 +150,8 @@ fn run<'a>(
     result
 }
 
-/// The rows of some consecutive shots.
-struct Rows<'a> {
+/// The results of some consecutive shots.
+struct Chunk<'a> {
     /// Index of the first of them.
     first: usize,
     position: &'a mut [[f64; 3]],
@@ -157,7 +162,7 @@ struct Rows<'a> {
 /// Plays the shots that `rows` has room for. Returns those that failed.
 fn play_rows<'a>(
     simulator: &mut Simulator,
-    rows: Rows<'_>,
+    rows: Chunk<'_>,
     width: usize,
     item: impl Fn(usize) -> Result<Item<'a>, Error>,
 ) -> Vec<(usize, Error)> {

@@ -1,27 +1,26 @@
-//! Execution noise: how far a player's strike strays from what was meant; and [`Perception`], how far from
-//! where they are the balls are seen.
+//! Execution noise: the random error of a player's strike; and perception: the random error of the
+//! positions at which a player sees the balls.
 //!
-//! Every parameter of the strike errs by a Gaussian of its own, independent of the others, as in the
-//! Computational Olympiad (Archibald, Altman & Shoham, *Analysis of a winning computational
+//! Every parameter of the strike has a Gaussian error of its own, independent of the others, as in
+//! the Computational Olympiad (Archibald, Altman & Shoham, *Analysis of a winning computational
 //! billiards player*, 2009).
 //!
-//! # The random numbers
+//! # Random numbers
 //!
-//! Error `index` of a seed is a function of the two and of nothing else: ChaCha8 (Bernstein 2008)
-//! with the seed in its key and the index as its stream, uniform numbers of 53 bits, and normal
-//! deviates by Box & Muller (1958) with this crate's own arithmetic. So variant 17 is the same
-//! alone or among thousands, in any order, for any number of threads, on every platform. Every
-//! parameter has its own deviate, whether or not it errs: to change one σ moves nothing else.
+//! Variant `index` of a seed depends on these two numbers alone: ChaCha8 (Bernstein 2008) with the
+//! seed in its key and the index as its stream, uniform numbers of 53 bits, and normal deviates by
+//! Box & Muller (1958) in this crate's own arithmetic. So variant 17 is the same alone or among
+//! thousands, in any order, for any number of threads, on every platform. Every parameter has its
+//! own deviate even where its σ is 0: changing one σ changes no other parameter.
 //!
-//! # What cannot be played
+//! # Strikes that cannot be played
 //!
-//! A cue never points upwards: an elevation below 0 becomes 0. All else that a shot file would
-//! refuse fails as it would there: a speed ≤ 0, an elevation of 90° and more, a tip that misses the
-//! ball or slips off it (the latter only if the shot does not ask for miscues to be played:
-//! `strike.miscue`).
+//! A cue never points upwards: an elevation below 0 becomes 0. Every other drawn value that a shot
+//! file would be refused for fails in the same way: a speed ≤ 0, an elevation of 90° or more, a tip
+//! that misses the ball or slips off it (unless `strike.miscue` says that miscues are played).
 
 use alloc::vec::Vec;
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
@@ -32,28 +31,27 @@ use crate::range::Range;
 use crate::resolve::cue_ball::Strike;
 use crate::shot::{self, PlacedBall, Shot};
 
-/// Tells these random numbers from all others that have the same seed.
-const PURPOSE: &[u8; 24] = b"carom: noise of a strike";
-/// The same of what is seen.
-const SIGHT_OF_BALLS: &[u8; 24] = b"carom: sight of a layout";
+/// Part of the generator's key that separates these random numbers from others of the same seed.
+const STRIKE_KEY: &[u8; 24] = b"carom: noise of a strike";
+/// The same for perception.
+const PERCEPTION_KEY: &[u8; 24] = b"carom: sight of a layout";
 
-/// Largest σ of a tip offset, m: a third of a ball's radius. Larger ones are in other units by mistake.
+/// σ of a tip offset: at most a third of a ball's radius. A larger one is a mistake of units.
 const OFFSET: Range = Range::closed(0.0, 0.01, " m");
-/// Largest σ of an angle: half a turn, beyond which every direction is as likely.
-const ANGLE: Range = Range::closed(0.0, core::f64::consts::PI, " rad");
-/// Largest σ of the cue's speed: that of the fastest breaks.
+/// σ of an angle: at most half a turn, beyond which every direction is about as likely.
+const ANGLE: Range = Range::closed(0.0, PI, " rad");
+/// σ of the cue's speed: at most the speed of the fastest breaks.
 const SPEED: Range = Range::closed(0.0, 15.0, " m/s");
+/// σ of a perceived position: at most about two balls' diameters.
+const POSITION: Range = Range::closed(0.0, 0.1, " m");
 
-/// Largest σ of a seen position, m: a ball's width and more.
-const SIGHT: Range = Range::closed(0.0, 0.1, " m");
-
-/// Levels of play, from the least.
+/// Levels of play, the weakest first.
 ///
-/// **Estimated.** Tests of players order the levels, and show that the better ones also spread less (Pan,
+/// **Estimated.** Tests of players order the levels and show that better players also spread less (Pan,
 /// Komar & Kong, *Development of new 9-ball test protocols for assessing expertise in cue sports*, 2021;
-/// Haar, van Assel & Faisal, *Motor learning in real-world pool billiards*, 2020), but none that we found
-/// gives the σ of what a cue does. Directions halve from level to level, about the Olympiad's 0.125°; what
-/// they mean at the table is measured on the documentation's page of evaluations.
+/// Haar, van Assel & Faisal, *Motor learning in real-world pool billiards*, 2020), but we found none that
+/// measures the σ of the cue's motion. The σ of the direction about halves from level to level, around
+/// the Olympiad's 0.125°; docs/evaluate.md has what that means at the table.
 pub const SKILLS: [(&str, Noise); 5] = [
     ("beginner", skill(0.40, 0.60, 2.0, 3.0)),
     ("casual", skill(0.25, 0.30, 1.5, 2.0)),
@@ -62,30 +60,31 @@ pub const SKILLS: [(&str, Noise); 5] = [
     ("professional", skill(0.06, 0.04, 0.3, 0.4)),
 ];
 
-/// σ of speed (m/s), azimuth and elevation (degrees), and of either tip offset (mm).
+/// σ of speed (m/s), of azimuth and elevation (degrees), and of either tip offset (mm).
 const fn skill(speed: f64, azimuth: f64, elevation: f64, offset: f64) -> Noise {
     Noise {
         speed,
         azimuth: radians(azimuth),
         elevation: radians(elevation),
-        side: 0.001 * offset,
-        height: 0.001 * offset,
+        side_m: 0.001 * offset,
+        height_m: 0.001 * offset,
     }
 }
 
 /// Standard deviations of a strike's errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Noise {
-    /// Of the cue's speed, m/s.
+    /// Of the cue's speed, m/s; 0 to 15.
     pub speed: f64,
-    /// Of the cue's direction, rad.
+    /// Of the cue's direction, rad; 0 to π.
     pub azimuth: f64,
-    /// Of the cue's elevation, rad.
+    /// Of the cue's elevation, rad; 0 to π.
     pub elevation: f64,
-    /// Of the contact point to the side, m: a hand's error does not know the ball's radius.
-    pub side: f64,
-    /// Of the contact point's height, m.
-    pub height: f64,
+    /// Of the contact point to the side, m; 0 to 0.01. In metres, unlike the strike's own offsets: a
+    /// hand's error does not depend on the ball's radius.
+    pub side_m: f64,
+    /// Of the contact point's height, m; 0 to 0.01.
+    pub height_m: f64,
 }
 
 impl Noise {
@@ -96,8 +95,8 @@ impl Noise {
             speed: 0.075,
             azimuth: radians(0.125),
             elevation: radians(0.1),
-            side: 0.000_5,
-            height: 0.000_5,
+            side_m: 0.000_5,
+            height_m: 0.000_5,
         }
         .scaled(multiplier)
     }
@@ -115,87 +114,86 @@ impl Noise {
             speed: self.speed * multiplier,
             azimuth: self.azimuth * multiplier,
             elevation: self.elevation * multiplier,
-            side: self.side * multiplier,
-            height: self.height * multiplier,
+            side_m: self.side_m * multiplier,
+            height_m: self.height_m * multiplier,
         }
     }
 
-    /// Refuses what is no standard deviation.
+    /// Rejects a standard deviation out of its range.
     ///
     /// # Errors
-    /// [`Error::Input`] for a σ that is negative, not finite, or beyond all sense.
+    /// [`Error::Input`] for a σ that is negative, not finite, or larger than its field allows.
     pub fn check(&self) -> Result<(), Error> {
         for (key, value, range) in [
             ("speed", self.speed, SPEED),
             ("azimuth", self.azimuth, ANGLE),
             ("elevation", self.elevation, ANGLE),
-            ("side", self.side, OFFSET),
-            ("height", self.height, OFFSET),
+            ("side_m", self.side_m, OFFSET),
+            ("height_m", self.height_m, OFFSET),
         ] {
             range.check(|| alloc::format!("noise.{key}"), value)?;
         }
         Ok(())
     }
 
-    /// Strike `index` of those that come out when `meant` is meant. `radius`: of the struck ball, m.
+    /// Variant `index` of the strike `meant`. `radius`: of the struck ball, m.
     pub fn draw(&self, meant: &Strike, radius: f64, seed: u64, index: u64) -> Strike {
         let [speed, azimuth, elevation, side, height, _] = normal_deviates(seed, index);
         Strike {
             speed: meant.speed + self.speed * speed,
             azimuth: meant.azimuth + self.azimuth * azimuth,
             elevation: (meant.elevation + self.elevation * elevation).max(0.0),
-            side: meant.side + self.side / radius * side,
-            height: meant.height + self.height / radius * height,
+            side: meant.side + self.side_m / radius * side,
+            height: meant.height + self.height_m / radius * height,
         }
     }
 }
 
-/// How far from where they are a player sees the balls: independent Gaussian errors of x and y.
+/// Standard deviation of true minus perceived position: independent Gaussian errors of x and y.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Perception {
-    /// Standard deviation of each coordinate of each ball, m.
+    /// Of each coordinate of each ball, m; 0 to 0.1.
     pub position: f64,
 }
 
-/// A ball that would be seen where there is no room for it is seen half as far off, at most so many times;
-/// then where it is.
+/// Where a drawn position has no room for the ball, the error is halved at most so many times; then
+/// the ball keeps its position.
 const HALVINGS: u32 = 8;
 
 impl Perception {
-    /// Refuses what is no standard deviation.
+    /// Rejects a standard deviation out of its range.
     ///
     /// # Errors
-    /// [`Error::Input`] for a σ that is negative, not finite, or beyond all sense.
+    /// [`Error::Input`] for a σ that is negative, not finite, or larger than 0.1 m.
     pub fn check(&self) -> Result<(), Error> {
-        SIGHT.check(|| "perception.position".into(), self.position)
+        POSITION.check(|| "perception.position".into(), self.position)
     }
 
-    /// `shot` as it is seen the time number `index` of this seed; the balls are those of [`Self::places`].
+    /// Layout `index` of this seed: `shot` with the balls of [`Self::places`].
     ///
     /// # Errors
-    /// As [`Self::check`], and what a strike that cannot be played on the seen balls is refused for.
+    /// As [`Self::check`], and as [`Shot::with_balls`] for a strike that cannot be played there.
     pub fn draw(&self, shot: &Shot, seed: u64, index: u64) -> Result<Shot, Error> {
         self.check()?;
         shot.with_balls(self.places(shot, seed, index), shot.strike())
     }
 
-    /// The balls of `shot` as they are seen the time number `index` of this seed. No ball is seen in
-    /// another or outside the table: one that would be, in the order of the shot, is seen nearer to where it
-    /// is.
+    /// The balls of `shot` with their positions in layout `index` of this seed. No ball overlaps
+    /// another or leaves the table: one that would, in the order of the shot, is moved by a smaller error.
     pub fn places(&self, shot: &Shot, seed: u64, index: u64) -> Vec<PlacedBall> {
-        let mut random = random(SIGHT_OF_BALLS, seed, index);
+        let mut random = random(PERCEPTION_KEY, seed, index);
         let mut balls = shot.balls().to_vec();
         for i in 0..balls.len() {
-            let mut off = normal_pair(&mut random).map(|deviate| self.position * deviate);
-            let there = balls[i].state.position;
+            let mut error = normal_pair(&mut random).map(|deviate| self.position * deviate);
+            let own = balls[i].state.position;
             for _ in 0..HALVINGS {
-                balls[i].state.position.x = there.x + off[0];
-                balls[i].state.position.y = there.y + off[1];
+                balls[i].state.position.x = own.x + error[0];
+                balls[i].state.position.y = own.y + error[1];
                 if shot::fits(i, &balls, shot.table()) {
                     break;
                 }
-                balls[i].state.position = there;
-                off = off.map(|x| 0.5 * x);
+                balls[i].state.position = own;
+                error = error.map(|x| 0.5 * x);
             }
         }
         balls
@@ -204,7 +202,7 @@ impl Perception {
 
 /// Six independent normal deviates, of mean 0 and variance 1.
 fn normal_deviates(seed: u64, index: u64) -> [f64; 6] {
-    let mut random = random(PURPOSE, seed, index);
+    let mut random = random(STRIKE_KEY, seed, index);
     let mut deviates = [0.0; 6];
     for pair in deviates.chunks_exact_mut(2) {
         pair.copy_from_slice(&normal_pair(&mut random));
@@ -212,7 +210,7 @@ fn normal_deviates(seed: u64, index: u64) -> [f64; 6] {
     deviates
 }
 
-/// The random numbers of a purpose that belong to `index` of this seed.
+/// The generator of `index` of this seed; `purpose` separates it from others of the same seed.
 pub(crate) fn random(purpose: &[u8; 24], seed: u64, index: u64) -> ChaCha8Rng {
     let mut key = [0; 32];
     key[..8].copy_from_slice(&seed.to_le_bytes());
@@ -229,7 +227,7 @@ fn normal_pair(random: &mut impl Rng) -> [f64; 2] {
     [length * cos, length * sin]
 }
 
-/// Uniform in (0, 1], in steps of 2⁻⁵³: it has a logarithm.
+/// Uniform in (0, 1], in steps of 2⁻⁵³: never 0, whose logarithm is infinite.
 fn positive_unit(random: &mut impl Rng) -> f64 {
     const STEP: f64 = 1.0 / (1_u64 << 53) as f64;
     ((random.next_u64() >> 11) + 1) as f64 * STEP

@@ -1,27 +1,26 @@
-//! Points of a unit cube, and what they are in a distribution: the parameters of shots that are sampled.
+//! Sampling the parameters of shots: sequences of points in the unit cube, and quantiles of distributions.
 //!
-//! Coordinate `axis` of point `index` of a seed is a function of the three and of nothing else, so that
-//! point 17 is the same alone or among thousands, in any order, for any number of threads, on every
-//! platform.
+//! Coordinate `axis` of point `index` of a seed depends on these three numbers alone: point 17 is the same
+//! alone or among thousands, in any order, for any number of threads, on every platform.
 
 use chacha20::rand_core::Rng;
 
 use crate::math::{exp, log, pow, sqrt};
 use crate::noise::random;
 
-/// Tells these random numbers from all others that have the same seed.
+/// Part of the generator's key that separates these random numbers from others of the same seed.
 const POINT: &[u8; 24] = b"carom: sampled parameter";
-/// The same of where an even sequence begins.
+/// The same for the shift of an even sequence.
 const SHIFT: &[u8; 24] = b"carom: shift of sequence";
 
-/// How points lie in the unit cube.
+/// A sequence of points in the unit cube.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sequence {
     /// Independent of each other, uniform: ChaCha8 (Bernstein 2008).
     Random,
-    /// Evenly: the additive recurrence R of Roberts (2018), after Kronecker, with steps φ⁻¹, φ⁻², … of the
-    /// root φ of x^(d+1) = x + 1. It begins at a random place (Cranley & Patterson 1976), so that each point
-    /// by itself is uniform. Any run of consecutive points is as even as any other.
+    /// Low discrepancy: the additive recurrence R of Roberts (2018), after Kronecker, with steps φ⁻¹, φ⁻²,
+    /// … where φ is the root of x^(d+1) = x + 1. A random shift (Cranley & Patterson 1976) makes each point
+    /// by itself uniform. Any run of consecutive points is as even as any other.
     Even,
 }
 
@@ -46,13 +45,13 @@ impl Sequence {
     }
 }
 
-/// The middle of one of 2⁵² cells of (0, 1): neither 0 nor 1, which have no normal quantile.
+/// The middle of one of 2⁵² cells of (0, 1): never 0 or 1, whose normal quantiles are infinite.
 fn unit(word: u64) -> f64 {
     const CELL: f64 = 1.0 / (1_u64 << 52) as f64;
     ((word >> 12) as f64 + 0.5) * CELL
 }
 
-/// A number in (0, 1) as a share of 2⁶⁴; odd, so that its multiples visit every number.
+/// A number in (0, 1) as a fraction of 2⁶⁴; odd, so that its multiples visit every number.
 fn in_turns(x: f64) -> u64 {
     const WHOLE: f64 = 18_446_744_073_709_551_616.0;
     (x * WHOLE) as u64 | 1
@@ -61,26 +60,26 @@ fn in_turns(x: f64) -> u64 {
 /// The root φ > 1 of x^(d+1) = x + 1.
 fn root(dimensions: usize) -> f64 {
     let mut phi = 2.0;
-    // The root is a fixed point that attracts: every step halves the error, and more.
+    // A fixed-point iteration: every step at least halves the error.
     for _ in 0..64 {
         phi = pow(1.0 + phi, 1.0 / (dimensions as f64 + 1.0));
     }
     phi
 }
 
-/// What a parameter is drawn from.
+/// The distribution of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Distribution {
-    /// Everywhere from the first to the second is as likely.
+    /// Uniform between the two numbers.
     Uniform(f64, f64),
-    /// Its logarithm is uniform from that of the first to that of the second, both positive.
+    /// The logarithm is uniform between those of the two numbers, both positive.
     LogUniform(f64, f64),
     /// Gaussian: mean and standard deviation.
     Normal(f64, f64),
 }
 
 impl Distribution {
-    /// The value that a share `u` in (0, 1) of all values does not exceed.
+    /// The quantile of `u` in (0, 1): the value that a drawn one does not exceed with probability `u`.
     pub fn quantile(self, u: f64) -> f64 {
         match self {
             Self::Uniform(a, b) => a + (b - a) * u,
@@ -91,12 +90,13 @@ impl Distribution {
 }
 
 /// The standard normal distribution's quantile of p in (0, 1), to about 1 part in 10¹⁶: Wichura (1988),
-/// *The percentage points of the normal distribution*, algorithm AS 241, PPND16, whose names these are.
+/// *The percentage points of the normal distribution*, algorithm AS 241, PPND16, with its names. NaN for
+/// p outside (0, 1).
 pub fn normal_quantile(p: f64) -> f64 {
     /// Half the width of the central interval, and its square.
     const SPLIT1: f64 = 0.425;
     const CONST1: f64 = 0.180_625;
-    /// Where the tails' two formulas meet, and the nearer one's centre.
+    /// Where the two formulas for the tails meet, and the centre of the nearer one.
     const SPLIT2: f64 = 5.0;
     const CONST2: f64 = 1.6;
     let q = p - 0.5;

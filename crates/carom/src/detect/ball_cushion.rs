@@ -14,11 +14,7 @@
 use carom_roots::{Motion, first_contact, first_crossing};
 
 use crate::math::Vec2;
-use crate::table::{Shape, arc_sides};
-
-/// By how much a straight part is taken to be longer at either end, m: 1 nm, ten million roundings of a
-/// position. It shows beside a round neighbour by (1 nm)²/2δ ≈ 2e-17 m, less than one rounding.
-pub(crate) const JOIN_OVERLAP: f64 = 1e-9;
+use crate::table::{JOIN_OVERLAP, Shape, arc_sides};
 
 /// First time in [0, `horizon`] (s) at which a ball of `reach` δ (m) on `path` touches `shape` while
 /// approaching it.

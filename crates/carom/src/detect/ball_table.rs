@@ -7,31 +7,11 @@
 
 use carom_roots::{Motion, first_crossing};
 
-use super::ball_cushion::{self, JOIN_OVERLAP};
+use super::ball_cushion;
 use super::ball_pocket;
 use crate::math::Vec2;
-use crate::table::{Shape, Table};
-
-/// What a ball meets first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TableFeature {
-    /// Index into `Table::cushions`.
-    Cushion(u16),
-    /// Index into `Table::pockets`: the ball's centre comes over the hole, or crosses the mouth line
-    /// that captures.
-    Pocket(u8),
-    /// The slate, from above.
-    Slate,
-    /// The edge of a hole in the slate, index into `Table::pockets`.
-    Lip(u8),
-    /// The centre of a ball in the hole of a pocket (index) comes down to a height at which it may be
-    /// lost for good: the slate's surface, or a radius below it.
-    Depth(u8),
-    /// The ball on a rail's top comes over its edge, and loses its support.
-    Brink,
-    /// The outer edge of the rails.
-    Edge,
-}
+pub use crate::table::TableFeature;
+use crate::table::{JOIN_OVERLAP, Shape, Table};
 
 /// First feature of `table` that a ball on the cloth meets, and when. Its radius is `radius` (m);
 /// its centre moves on d + v t + h t² (in the table's frame) within [0, `horizon`] (s, may be

@@ -8,9 +8,8 @@
 
 use carom_roots::{Motion, first_contact, first_crossing, first_ring_contact};
 
-use super::ball_cushion::JOIN_OVERLAP;
 use crate::math::Vec2;
-use crate::table::{Shape, UNDER_EDGE, arc_sides};
+use crate::table::{JOIN_OVERLAP, Shape, UNDER_EDGE, arc_sides};
 
 /// First time in [0, `last`] (s) at which a ball of `radius` (m) on the flight `path` touches
 /// `shape` while approaching it. The edge is at `height` (m); `last` is finite. A rail's top has no

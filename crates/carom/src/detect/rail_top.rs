@@ -5,10 +5,9 @@
 
 use carom_roots::{Motion, first_crossing};
 
-use super::ball_cushion::JOIN_OVERLAP;
 use super::ball_table::TableFeature;
 use crate::math::{Vec2, sqrt};
-use crate::table::{Bounds, Capture, Pocket, Shape, Table, arc_sides};
+use crate::table::{Bounds, Capture, JOIN_OVERLAP, Pocket, Shape, Table, arc_sides};
 
 /// First time in [0, `horizon`] (s, may be infinite) at which a ball on a rail's top loses its
 /// support, and where: `Brink` at the edge of a cushion or pocket, `Edge` at the border. The centre

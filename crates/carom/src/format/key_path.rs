@@ -13,11 +13,11 @@ use crate::error::Error;
 /// named by its id.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct KeyPath {
-    steps: Vec<Step>,
+    steps: Vec<PathStep>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Step {
+enum PathStep {
     /// A key, or the id of an item.
     Key(String),
     Item(usize),
@@ -41,10 +41,10 @@ impl KeyPath {
             if key.is_empty() {
                 return Err(refuse("a key of the path is empty"));
             }
-            steps.push(Step::Key(key.into()));
+            steps.push(PathStep::Key(key.into()));
             for item in items {
                 let number = item.strip_suffix(']').and_then(|digits| digits.parse().ok());
-                steps.push(Step::Item(number.ok_or_else(|| refuse("an item has no number"))?));
+                steps.push(PathStep::Item(number.ok_or_else(|| refuse("an item has no number"))?));
             }
         }
         Ok(Self { steps })
@@ -57,7 +57,8 @@ impl KeyPath {
 
     /// Whether the path consists of these keys.
     pub(super) fn is(&self, keys: &[&str]) -> bool {
-        let is_key = |(step, key): (&Step, &&str)| matches!(step, Step::Key(own) if own == *key);
+        let is_key =
+            |(step, key): (&PathStep, &&str)| matches!(step, PathStep::Key(own) if own == *key);
         self.steps.len() == keys.len() && self.steps.iter().zip(keys).all(is_key)
     }
 
@@ -77,8 +78,8 @@ impl fmt::Display for KeyPath {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, step) in self.steps.iter().enumerate() {
             match step {
-                Step::Key(key) => write!(f, "{}{key}", if i > 0 { "." } else { "" })?,
-                Step::Item(item) => write!(f, "[{item}]")?,
+                PathStep::Key(key) => write!(f, "{}{key}", if i > 0 { "." } else { "" })?,
+                PathStep::Item(item) => write!(f, "[{item}]")?,
             }
         }
         Ok(())
@@ -86,26 +87,26 @@ impl fmt::Display for KeyPath {
 }
 
 /// What stands in `node` at `step`; made, if it is a key that is not there. Else what is wrong, and the remedy.
-fn inside<'a>(node: &'a mut Node, step: &Step) -> Result<&'a mut Node, (String, String)> {
+fn inside<'a>(node: &'a mut Node, step: &PathStep) -> Result<&'a mut Node, (String, String)> {
     // The name of a preset means all that stands in it.
     if let Node::Text(_) = node {
         *node = Node::object([("base", node.clone())]);
     }
     match (node, step) {
-        (Node::Object(fields), Step::Key(key)) => {
+        (Node::Object(fields), PathStep::Key(key)) => {
             let at = fields.iter().position(|(k, _)| k == key).unwrap_or_else(|| {
                 fields.push((key.clone(), Node::object([])));
                 fields.len() - 1
             });
             Ok(&mut fields[at].1)
         }
-        (Node::List(items), Step::Item(item)) => {
+        (Node::List(items), PathStep::Item(item)) => {
             let count = items.len();
             items
                 .get_mut(*item)
                 .ok_or_else(|| (format!("the list has {count} items"), "count them from 0".into()))
         }
-        (Node::List(items), Step::Key(key)) => {
+        (Node::List(items), PathStep::Key(key)) => {
             let is_it = |item: &Node| item.get("id") == Some(&Node::Text(key.clone()));
             items.iter_mut().find(|item| is_it(item)).ok_or_else(|| {
                 (format!("nothing here has the id \"{key}\""), "write an id, or [0]".into())

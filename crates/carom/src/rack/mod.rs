@@ -120,21 +120,21 @@ pub fn rack(
     seed: u64,
     gap: f64,
 ) -> Result<Vec<RackedBall>, Error> {
-    let lay = Lay::new(table, radius, gap)?;
+    let plan = RackPlan::new(table, radius, gap)?;
     let mut random = Pcg64::new(u128::from(seed), STREAM);
     let mut balls = Vec::new();
     match game {
-        Game::Snooker => lay.snooker(&mut balls, &mut random),
-        Game::ThreeCushion => lay.three_cushion(&mut balls),
+        Game::Snooker => plan.snooker(&mut balls, &mut random),
+        Game::ThreeCushion => plan.three_cushion(&mut balls),
         Game::EightBall | Game::NineBall | Game::TenBall | Game::StraightPool => {
             let rows: &[usize] = match game {
                 Game::NineBall => &[1, 2, 3, 2, 1],
                 Game::TenBall => &[1, 2, 3, 4],
                 _ => &[1, 2, 3, 4, 5],
             };
-            balls.push((String::from("cue"), lay.cue_ball()));
+            balls.push((String::from("cue"), plan.cue_ball()));
             let order = pattern::order(game, &mut random);
-            let places = lay.triangle(lay.apex(game), rows, &mut random);
+            let places = plan.triangle(plan.apex(game), rows, &mut random);
             balls.extend(order.into_iter().map(|n| format!("{n}")).zip(places));
         }
     }
@@ -170,13 +170,13 @@ fn marked(table: &Table, name: &str) -> Option<[f64; 2]> {
 }
 
 /// The table and the balls that are laid on it.
-struct Lay<'a> {
+struct RackPlan<'a> {
     table: &'a Table,
     radius: f64,
     gap: f64,
 }
 
-impl<'a> Lay<'a> {
+impl<'a> RackPlan<'a> {
     fn new(table: &'a Table, radius: f64, gap: f64) -> Result<Self, Error> {
         if !table.size.x.is_finite() {
             return Err(Error::input(

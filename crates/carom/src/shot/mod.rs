@@ -194,8 +194,8 @@ impl Shot {
         self.cue_on(ball, &strike).least_elevation()
     }
 
-    fn cue_on(&self, ball: usize, strike: &Strike) -> obstruction::Scene {
-        obstruction::Scene::new(&self.table, &self.balls, ball, strike)
+    fn cue_on(&self, ball: usize, strike: &Strike) -> obstruction::CueLine {
+        obstruction::CueLine::new(&self.table, &self.balls, ball, strike)
     }
 
     fn refuse_obstruction(&self, ball: usize, strike: &Strike) -> Result<(), Error> {

@@ -101,7 +101,7 @@ impl Obstacle {
 }
 
 /// The cue on its ball, and all that may be in its way.
-pub(super) struct Scene {
+pub(super) struct CueLine {
     /// Height of the axis above the ball's centre, perpendicular to it, m.
     height: f64,
     /// How far behind the ball's centre the tip is, m.
@@ -109,20 +109,20 @@ pub(super) struct Scene {
     obstacles: Vec<Obstacle>,
 }
 
-impl Scene {
+impl CueLine {
     /// For `strike` on ball `ball`; its elevation does not matter.
     pub(super) fn new(table: &Table, balls: &[PlacedBall], ball: usize, strike: &Strike) -> Self {
         let radius = balls[ball].ball.radius;
         let (side, height) = (strike.side * radius, strike.height * radius);
         let tip = sqrt((radius * radius - side * side - height * height).max(0.0));
-        let mut scene = Self { height, tip, obstacles: Vec::new() };
+        let mut line = Self { height, tip, obstacles: Vec::new() };
         let center = table.to_engine_frame(&balls[ball].state).position;
         let (sin, cos) = sin_cos(strike.azimuth);
         let (back, right) = (Vec2::new(-cos, -sin), Vec2::new(sin, -cos));
         for (i, other) in (0u16..).zip(balls).filter(|(i, _)| usize::from(*i) != ball) {
             let to = table.to_engine_frame(&other.state).position - center;
             let aside = right.dot(to.xy()) - side;
-            scene.add(Touched::Ball(i), back.dot(to.xy()), to.z, |thickness| {
+            line.add(Touched::Ball(i), back.dot(to.xy()), to.z, |thickness| {
                 let apart = other.ball.radius + thickness;
                 let squared = apart * apart - aside * aside;
                 (squared > 0.0).then(|| Section::Ball { apart: sqrt(squared) })
@@ -132,11 +132,11 @@ impl Scene {
         for edge in edges(table, from, back) {
             let slant = 1.0 / (edge.cos * edge.cos);
             let rise = table.cushion_height - center.z;
-            scene.add(Touched::Rail(edge.rail), edge.distance, rise, |thickness| {
+            line.add(Touched::Rail(edge.rail), edge.distance, rise, |thickness| {
                 Some(Section::Edge { above: thickness, slant })
             });
         }
-        scene
+        line
     }
 
     /// Adds what stands `behind` the ball's centre and `above` it (m) if the cue reaches so far;

@@ -2,9 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::geometry::Layout;
-use super::{CushionPart, Part, Pocket, Shape};
-use crate::detect::ball_cushion::JOIN_OVERLAP;
+use super::Shape;
 use crate::math::Vec2;
 
 /// An upright rectangle, m.
@@ -82,7 +80,7 @@ pub(crate) struct Quadrants {
 
 impl Quadrants {
     /// Of parts, each with its box.
-    fn new(parts: impl Iterator<Item = (u16, Bounds)>) -> Self {
+    pub(super) fn new(parts: impl Iterator<Item = (u16, Bounds)>) -> Self {
         let mut quadrants = Self::default();
         for (part, Bounds { low, high }) in parts {
             let (beside, along) = ([low.x <= 0.0, high.x >= 0.0], [low.y <= 0.0, high.y >= 0.0]);
@@ -105,37 +103,6 @@ impl Quadrants {
             return &self.all;
         }
         &self.parts[usize::from(low.x > 0.0) + 2 * usize::from(low.y > 0.0)]
-    }
-}
-
-impl Layout {
-    /// Gives the parts their boxes, every point, facing and liner to its pocket, and the mouths theirs.
-    pub(super) fn bound_parts(&mut self, cushions: &[CushionPart], pockets: &[Pocket]) {
-        // Straight parts are longer by the overlap at their joins.
-        let bounds = |c: &CushionPart| Bounds::of_shape(&c.shape).grown(JOIN_OVERLAP);
-        self.bounds = cushions.iter().map(bounds).collect();
-        for (mouth, pocket) in self.mouths.iter_mut().zip(pockets) {
-            mouth.bounds = Bounds::of([pocket.center]).grown(pocket.radius);
-        }
-        for (i, (cushion, bounds)) in cushions.iter().zip(&self.bounds).enumerate() {
-            if matches!(cushion.part, Part::Nose | Part::Top) {
-                continue;
-            }
-            let distance = |p: &Pocket| (p.center - bounds.middle()).length_squared();
-            let nearest = (0..pockets.len())
-                .min_by(|a, b| distance(&pockets[*a]).total_cmp(&distance(&pockets[*b])));
-            if let Some(k) = nearest {
-                self.mouths[k].all.push((i as u16, *bounds));
-                self.mouths[k].bounds = self.mouths[k].bounds.with(bounds);
-            }
-        }
-        if pockets.is_empty() {
-            return;
-        }
-        let noses = self.noses.iter().map(|&i| (i, self.bounds[usize::from(i)]));
-        self.nose_quadrants = Quadrants::new(noses);
-        let mouths = self.mouths.iter().enumerate().map(|(k, mouth)| (k as u16, mouth.bounds));
-        self.mouth_quadrants = Quadrants::new(mouths);
     }
 }
 

@@ -2,19 +2,9 @@
 
 use alloc::format;
 
-use super::jaw::Place;
+use super::pocket_kind::PocketKind;
 use super::{Capture, Pocket, PocketDescription, TableDescription, TableError};
 use crate::math::Vec2;
-
-impl Place {
-    /// The key of the pockets that stand here.
-    fn key(self) -> &'static str {
-        match self {
-            Self::Corner => "corner_pocket",
-            Self::Side => "side_pocket",
-        }
-    }
-}
 
 fn positive(key: &str, value: f64) -> Result<(), TableError> {
     if value.is_finite() && value > 0.0 {
@@ -39,12 +29,12 @@ pub(super) fn lengths(d: &TableDescription) -> Result<(), TableError> {
     Ok(())
 }
 
-/// The pocket that stands at `place`, its own figures checked.
+/// The pocket of this kind, its own figures checked.
 pub(super) fn pocket(
     description: &Option<PocketDescription>,
-    place: Place,
+    kind: PocketKind,
 ) -> Result<&PocketDescription, TableError> {
-    let key = place.key();
+    let key = kind.key();
     let Some(pocket) = description else {
         let problem =
             "is missing: describe it, name a \"base\" that has it, or set pockets to \"none\"";
@@ -67,9 +57,9 @@ pub(super) fn pocket(
         );
         return Err(TableError::new(at("cut_angle_deg"), problem));
     }
-    let least = match place {
-        Place::Corner => 0.5 * pocket.mouth - pocket.hole_radius,
-        Place::Side => -pocket.hole_radius,
+    let least = match kind {
+        PocketKind::Corner => 0.5 * pocket.mouth - pocket.hole_radius,
+        PocketKind::Side => -pocket.hole_radius,
     };
     if !(pocket.shelf.is_finite() && pocket.shelf >= least) {
         let problem = format!(
@@ -84,20 +74,20 @@ pub(super) fn pocket(
 /// A jaw: its deep end in its rail's coordinates (along, behind), and whether it has no facing.
 pub(super) fn jaw(
     shape: &PocketDescription,
-    place: Place,
+    kind: PocketKind,
     rubber: f64,
     round_all_through: bool,
     deep: [f64; 2],
 ) -> Result<(), TableError> {
-    let key = place.key();
+    let key = kind.key();
     if round_all_through && shape.throat.is_some() {
         let problem = "has no facing to move, as the point is rounded through the whole cushion: \
                        leave it out, or make point_radius smaller";
         return Err(TableError::new(format!("{key}.throat"), problem));
     }
-    let open = match place {
-        Place::Corner => deep[0] + rubber > 0.0,
-        Place::Side => deep[0] > 0.0,
+    let open = match kind {
+        PocketKind::Corner => deep[0] + rubber > 0.0,
+        PocketKind::Side => deep[0] > 0.0,
     };
     if !open {
         let problem = "is so small that the facings meet before they end: widen it, or make \
@@ -109,7 +99,12 @@ pub(super) fn jaw(
 
 /// Behind the deep ends: whether the hole is as wide as the facings are apart, whether its back lies
 /// behind the deep ends, and whether the facings' lines reach that back before they meet.
-pub(super) fn liner(place: Place, wide: bool, deep: bool, open: bool) -> Result<(), TableError> {
+pub(super) fn liner(
+    kind: PocketKind,
+    wide: bool,
+    deep: bool,
+    open: bool,
+) -> Result<(), TableError> {
     let (field, problem) = if !wide {
         (
             "hole_radius",
@@ -131,7 +126,7 @@ pub(super) fn liner(place: Place, wide: bool, deep: bool, open: bool) -> Result<
     } else {
         return Ok(());
     };
-    Err(TableError::new(format!("{}.{field}", place.key()), problem))
+    Err(TableError::new(format!("{}.{field}", kind.key()), problem))
 }
 
 /// What is left of the noses between the points.

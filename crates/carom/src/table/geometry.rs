@@ -8,79 +8,19 @@ use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
 
 use super::bounds::Quadrants;
-use super::jaw::{Jaw, Place, RailFrame, hole_center, jaw, tangent_length};
+use super::jaw::{Jaw, RailFrame, hole_center, jaw, tangent_length};
+use super::layout::Mouth;
 use super::opening::{Back, Liner, Openings, liner};
+use super::pocket_kind::PocketKind;
 use super::{
-    Bounds, Capture, CushionPart, Part, Pocket, PocketDescription, PocketLayout, PocketModel,
-    PocketName, Rail, Shape, Table, TableDescription, TableError, check,
+    Bounds, Capture, CushionPart, DetectionIndex, Gate, Part, Pocket, PocketDescription,
+    PocketLayout, PocketModel, PocketName, Rail, Shape, Table, TableDescription, TableError, check,
 };
 use crate::math::Vec2;
 
-/// What of the geometry only detection needs.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Layout {
-    /// Half the playing area, nose to nose, m.
-    pub(crate) half: Vec2,
-    /// The bottom and top noses span |x| ≤ `nose_x`, m.
-    pub(crate) nose_x: f64,
-    /// The noses of the long rails span `nose_y[0]` ≤ |y| ≤ `nose_y[1]`, m.
-    pub(crate) nose_y: [f64; 2],
-    /// Indices of the noses: bottom, top; then left and right, each lower, upper.
-    pub(crate) noses: [u16; 6],
-    /// The mouths, in the order of the pockets.
-    pub(crate) mouths: Vec<Mouth>,
-    /// For balls of at least this reach, m, nothing but noses is met inside the rectangle that is
-    /// `reach` smaller than the playing area on every side.
-    pub(crate) clear_reach: f64,
-    /// Half the table up to the outer edge of its rails, m.
-    pub(crate) border: Vec2,
-    /// How many parts, from the first on, a ball on the cloth can meet.
-    pub(crate) on_cloth: usize,
-    /// Indices of the rails' tops, in the order of `noses`.
-    pub(crate) tops: [u16; 6],
-    /// The openings of the pockets; none where there are none.
-    pub(crate) openings: Option<Openings>,
-    /// Boxes around the cushions' parts, in their order.
-    pub(crate) bounds: Vec<Bounds>,
-    /// Where the noses and where the mouths are.
-    pub(crate) nose_quadrants: Quadrants,
-    pub(crate) mouth_quadrants: Quadrants,
-}
-
-/// A pocket's features, for detection.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Mouth {
-    /// Indices of the cushion parts that make it, both neighbouring noses included.
-    pub(crate) parts: Vec<u16>,
-    /// The line that captures.
-    pub(crate) gate: Gate,
-    /// Seen from the hole's centre the liner's round wall stands where the cosine to the pocket's axis is
-    /// greater than this.
-    pub(crate) liner_from: f64,
-    /// All its points, facings and liners, what a flying ball can meet: index and box.
-    pub(crate) all: Vec<(u16, Bounds)>,
-    /// A box around them and the hole.
-    pub(crate) bounds: Bounds,
-}
-
-/// A line across a pocket; a ball on the cloth that crosses it outwards is captured. With the drop-circle
-/// model it lies over the hole and bounds the search: no centre comes to it but over the hole.
-///
-/// A centre p is beyond when axis·p ≥ offset + lean·reach.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Gate {
-    /// Where it meets the pocket's axis, measured along the axis from the table's centre, m.
-    pub(crate) offset: f64,
-    /// How much nearer or further it is for a ball of some reach: the centre of a ball that touches the
-    /// deep end of a facing stands a reach off it, along the facing's normal.
-    pub(crate) lean: f64,
-    /// Half its width, m. It ends inside the rubber.
-    pub(crate) half_width: f64,
-}
-
 /// A jaw of the quadrant, or what belongs to it, mirrored to where it stands.
 #[derive(Clone, Copy)]
-struct Stand<T> {
+struct Mirrored<T> {
     jaw: T,
     /// Signs of x and y.
     signs: Vec2,
@@ -92,8 +32,8 @@ struct Stand<T> {
 
 /// The six rails around the table, each with its first and its last jaw: those of the short rails, of the
 /// long rails at a corner, and of the long rails at a side.
-fn stands<T: Copy>([bottom, left, side]: [T; 3]) -> [(Rail, Stand<T>, Stand<T>); 6] {
-    let stand = |jaw, x, y, pocket, slot| Stand { jaw, signs: Vec2::new(x, y), pocket, slot };
+fn stands<T: Copy>([bottom, left, side]: [T; 3]) -> [(Rail, Mirrored<T>, Mirrored<T>); 6] {
+    let stand = |jaw, x, y, pocket, slot| Mirrored { jaw, signs: Vec2::new(x, y), pocket, slot };
     [
         (Rail::Bottom, stand(bottom, 1.0, 1.0, 0, 0), stand(bottom, -1.0, 1.0, 1, 0)),
         (Rail::RightLower, stand(left, -1.0, 1.0, 1, 1), stand(side, -1.0, 1.0, 3, 0)),
@@ -104,7 +44,7 @@ fn stands<T: Copy>([bottom, left, side]: [T; 3]) -> [(Rail, Stand<T>, Stand<T>);
     ]
 }
 
-/// The places of the rails of [`stands`] in `Layout::noses`.
+/// The places of the rails of [`stands`] in `DetectionIndex::noses`.
 const RAIL_PLACES: [usize; 6] = [0, 4, 5, 1, 3, 2];
 
 /// How a pocket of the quadrant ends.
@@ -124,9 +64,9 @@ impl PocketBack {
         Self { end: jaw.deep, hole: None, liner_from: 1.0 }
     }
 
-    fn of_opening(&self, place: Place) -> Back {
+    fn of_opening(&self, kind: PocketKind) -> Back {
         let (center, radius) = self.hole.unwrap_or((self.end, 0.0));
-        Back { axis: place.axis(), straight: place.axis().dot(self.end), center, radius }
+        Back { axis: kind.axis(), straight: kind.axis().dot(self.end), center, radius }
     }
 }
 
@@ -141,7 +81,7 @@ impl Table {
             cushion_height: 0.0,
             cushions: Vec::new(),
             pockets: Vec::new(),
-            layout: Layout {
+            layout: DetectionIndex {
                 half: size,
                 nose_x: f64::INFINITY,
                 nose_y: [0.0, f64::INFINITY],
@@ -205,16 +145,16 @@ impl Table {
         half: Vec2,
         description: &TableDescription,
     ) -> Result<(), TableError> {
-        let corner = check::pocket(&description.corner_pocket, Place::Corner)?;
-        let side = check::pocket(&description.side_pocket, Place::Side)?;
+        let corner = check::pocket(&description.corner_pocket, PocketKind::Corner)?;
+        let side = check::pocket(&description.side_pocket, PocketKind::Side)?;
         let rubber = description.cushion_width;
         let (right, up) = (Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0));
         let bottom = RailFrame { origin: -half, along: right, behind: -up };
         let left = RailFrame { origin: -half, along: up, behind: -right };
         let below_side = RailFrame { origin: Vec2::new(-half.x, 0.0), along: -up, behind: -right };
-        let at_bottom = jaw(corner, Place::Corner, rubber, bottom)?;
-        let at_left = jaw(corner, Place::Corner, rubber, left)?;
-        let at_side = jaw(side, Place::Side, rubber, below_side)?;
+        let at_bottom = jaw(corner, PocketKind::Corner, rubber, bottom)?;
+        let at_left = jaw(corner, PocketKind::Corner, rubber, left)?;
+        let at_side = jaw(side, PocketKind::Side, rubber, below_side)?;
 
         self.layout.nose_x = half.x - at_bottom.nose_start;
         self.layout.nose_y = [at_side.nose_start, half.y - at_left.nose_start];
@@ -229,7 +169,7 @@ impl Table {
         };
         self.layout.openings = Some(Openings::new(
             jaws,
-            [backs[0].of_opening(Place::Corner), backs[1].of_opening(Place::Side)],
+            [backs[0].of_opening(PocketKind::Corner), backs[1].of_opening(PocketKind::Side)],
         ));
         let corner_jaws = [&at_bottom, &at_left];
         self.add_pockets(model, (corner, corner_jaws), (side, &at_side), backs, in_mouth);
@@ -246,7 +186,7 @@ impl Table {
         in_mouth: &mut [Vec<u16>; 6],
     ) -> Result<[PocketBack; 2], TableError> {
         let half = self.layout.half;
-        let (at_corner, at_side) = (Place::Corner, Place::Side);
+        let (at_corner, at_side) = (PocketKind::Corner, PocketKind::Side);
         let corner_hole = hole_center(corner_shape, at_corner, half);
         let side_hole = hole_center(side_shape, at_side, half);
         let liners = [
@@ -255,10 +195,10 @@ impl Table {
             liner(side, side_shape, side_hole, at_side.axis())?,
         ];
         self.add_liners(&liners, in_mouth);
-        let back = |liner: &Liner, place: Place, center, radius| PocketBack {
+        let back = |liner: &Liner, kind: PocketKind, center, radius| PocketBack {
             end: liner.over_hole,
             hole: Some((center, radius)),
-            liner_from: liner.begins_at(place.axis()),
+            liner_from: liner.begins_at(kind.axis()),
         };
         Ok([
             back(&liners[0], at_corner, corner_hole, corner_shape.hole_radius),
@@ -287,7 +227,7 @@ impl Table {
     }
 
     /// Adds a jaw's parts, from the deep end to the nose or back; returns their indices, the point's first.
-    fn add_jaw(&mut self, rail: Rail, stand: Stand<&Jaw>, from_deep_end: bool) -> Vec<u16> {
+    fn add_jaw(&mut self, rail: Rail, stand: Mirrored<&Jaw>, from_deep_end: bool) -> Vec<u16> {
         let begin = self.cushions.len() as u16;
         let mut parts: Vec<CushionPart> = stand
             .jaw
@@ -326,7 +266,7 @@ impl Table {
 
     /// Adds the tops of the rails, mitred at the corners.
     fn add_tops(&mut self) {
-        let Layout { half, border, .. } = self.layout;
+        let DetectionIndex { half, border, .. } = self.layout;
         let mut add = |rail, places: &[usize], ends: [Vec2; 2]| {
             for &place in places {
                 self.layout.tops[place] = self.cushions.len() as u16;
@@ -363,25 +303,27 @@ impl Table {
         in_mouth: [Vec<u16>; 6],
     ) {
         let half = self.layout.half;
-        let places = [
-            (PocketName::BottomLeft, 1.0, 1.0, Place::Corner),
-            (PocketName::BottomRight, -1.0, 1.0, Place::Corner),
-            (PocketName::Left, 1.0, 1.0, Place::Side),
-            (PocketName::Right, -1.0, 1.0, Place::Side),
-            (PocketName::TopLeft, 1.0, -1.0, Place::Corner),
-            (PocketName::TopRight, -1.0, -1.0, Place::Corner),
+        let pockets = [
+            (PocketName::BottomLeft, 1.0, 1.0, PocketKind::Corner),
+            (PocketName::BottomRight, -1.0, 1.0, PocketKind::Corner),
+            (PocketName::Left, 1.0, 1.0, PocketKind::Side),
+            (PocketName::Right, -1.0, 1.0, PocketKind::Side),
+            (PocketName::TopLeft, 1.0, -1.0, PocketKind::Corner),
+            (PocketName::TopRight, -1.0, -1.0, PocketKind::Corner),
         ];
-        for ((name, sx, sy, place), parts) in places.into_iter().zip(in_mouth) {
+        for ((name, sx, sy, kind), parts) in pockets.into_iter().zip(in_mouth) {
             let signs = Vec2::new(sx, sy);
             // The two jaws' tips and deep ends; a side's upper jaw is its lower one mirrored.
-            let (shape, jaw, ends, back) = match place {
-                Place::Corner => (corner, bottom_jaw, [left_jaw.tip, left_jaw.deep], &backs[0]),
-                Place::Side => {
+            let (shape, jaw, ends, back) = match kind {
+                PocketKind::Corner => {
+                    (corner, bottom_jaw, [left_jaw.tip, left_jaw.deep], &backs[0])
+                }
+                PocketKind::Side => {
                     let up = Vec2::new(1.0, -1.0);
                     (side, side_jaw, [by(side_jaw.tip, up), by(side_jaw.deep, up)], &backs[1])
                 }
             };
-            let (axis, middle) = (place.axis(), place.middle(half));
+            let (axis, middle) = (kind.axis(), kind.middle(half));
             let mouth = [jaw.tip, ends[0]].map(|p| by(p, signs));
             let throat = [jaw.deep, ends[1]].map(|p| by(p, signs));
             let gate = match model {
@@ -399,7 +341,7 @@ impl Table {
             };
             self.pockets.push(Pocket {
                 name,
-                center: by(hole_center(shape, place, half), signs),
+                center: by(hole_center(shape, kind, half), signs),
                 radius: shape.hole_radius,
                 capture: match model {
                     PocketModel::DropCircle => Capture::DropCircle,

@@ -19,37 +19,13 @@
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
 
+use super::pocket_kind::PocketKind;
 use super::{Part, PocketDescription, Shape, TableError, check};
 use crate::math::{Vec2, radians, sin_cos, sqrt, tan};
 
-/// Whether a corner, made of two jaws across a right angle, or a side pocket, of two facing each other.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Place {
-    Corner,
-    Side,
-}
-
-impl Place {
-    /// Unit vector along the axis of the quadrant's pocket, away from the table.
-    pub(super) fn axis(self) -> Vec2 {
-        match self {
-            Self::Corner => Vec2::new(-FRAC_1_SQRT_2, -FRAC_1_SQRT_2),
-            Self::Side => Vec2::new(-1.0, 0.0),
-        }
-    }
-
-    /// The middle of the quadrant's pocket on the nose line (the corner, or the middle of the rail), m.
-    pub(super) fn middle(self, half: Vec2) -> Vec2 {
-        match self {
-            Self::Corner => -half,
-            Self::Side => Vec2::new(-half.x, 0.0),
-        }
-    }
-}
-
 /// One jaw of the pocket in the quadrant x ≤ 0, y ≤ 0.
 pub(super) struct Jaw {
-    pub(super) place: Place,
+    pub(super) kind: PocketKind,
     pub(super) rail: RailFrame,
     /// Tip, m.
     pub(super) tip: Vec2,
@@ -102,30 +78,30 @@ pub(super) fn tangent_length(shape: &PocketDescription) -> f64 {
 
 /// From the middle of the nose line (the corner, or the middle of the rail) to the hole's centre, along
 /// the pocket's axis, m.
-fn hole_depth(shape: &PocketDescription, place: Place) -> f64 {
-    match place {
+fn hole_depth(shape: &PocketDescription, kind: PocketKind) -> f64 {
+    match kind {
         // The mouth lies in front of the corner.
-        Place::Corner => shape.shelf + shape.hole_radius - 0.5 * shape.mouth,
-        Place::Side => shape.shelf + shape.hole_radius,
+        PocketKind::Corner => shape.shelf + shape.hole_radius - 0.5 * shape.mouth,
+        PocketKind::Side => shape.shelf + shape.hole_radius,
     }
 }
 
 /// The centre of the hole of the quadrant's pocket, m.
-pub(super) fn hole_center(shape: &PocketDescription, place: Place, half: Vec2) -> Vec2 {
-    place.middle(half) + place.axis() * hole_depth(shape, place)
+pub(super) fn hole_center(shape: &PocketDescription, kind: PocketKind, half: Vec2) -> Vec2 {
+    kind.middle(half) + kind.axis() * hole_depth(shape, kind)
 }
 
 /// The jaw of `shape` on the rail whose frame is `rail`.
 pub(super) fn jaw(
     shape: &PocketDescription,
-    place: Place,
+    kind: PocketKind,
     rubber: f64,
     rail: RailFrame,
 ) -> Result<Jaw, TableError> {
     let radius = shape.point_radius;
-    let tip = match place {
-        Place::Corner => shape.mouth * FRAC_1_SQRT_2,
-        Place::Side => 0.5 * shape.mouth,
+    let tip = match kind {
+        PocketKind::Corner => shape.mouth * FRAC_1_SQRT_2,
+        PocketKind::Side => 0.5 * shape.mouth,
     };
     let nose_start = tip + tangent_length(shape);
     let (mut sin, mut cos) = sin_cos(turn(shape));
@@ -136,13 +112,13 @@ pub(super) fn jaw(
         sin = sqrt(1.0 - cos * cos);
     }
     let point_end = [nose_start - radius * sin, radius * (1.0 - cos)];
-    let deep = match (shape.throat, place) {
+    let deep = match (shape.throat, kind) {
         _ if round_all_through => point_end,
         (None, _) => [tip - rubber * cos / sin, rubber],
-        (Some(throat), Place::Corner) => [throat * FRAC_1_SQRT_2 - rubber, rubber],
-        (Some(throat), Place::Side) => [0.5 * throat, rubber],
+        (Some(throat), PocketKind::Corner) => [throat * FRAC_1_SQRT_2 - rubber, rubber],
+        (Some(throat), PocketKind::Side) => [0.5 * throat, rubber],
     };
-    check::jaw(shape, place, rubber, round_all_through, deep)?;
+    check::jaw(shape, kind, rubber, round_all_through, deep)?;
 
     let tangent_normal = [-sin, -cos];
     let normal = match shape.throat {
@@ -174,7 +150,7 @@ pub(super) fn jaw(
         parts.push((Part::Facing, facing));
     }
     Ok(Jaw {
-        place,
+        kind,
         rail,
         tip: rail.point([tip, 0.0]),
         deep: rail.point(deep),

@@ -7,12 +7,16 @@
 mod bounds;
 mod check;
 mod description;
+mod dimensions;
 mod error;
+mod feature;
 mod frame;
 mod geometry;
 mod jaw;
+mod layout;
 mod opening;
 mod place;
+mod pocket_kind;
 mod presets;
 mod sheet;
 mod sights;
@@ -24,14 +28,16 @@ use alloc::vec::Vec;
 pub use description::{
     Markings, PocketDescription, PocketLayout, PocketModel, Sights, Spot, TableDescription,
 };
+pub use dimensions::Dimension;
 pub use error::TableError;
+pub use feature::TableFeature;
 pub use place::{BRINK, Placement, TOUCH_TOLERANCE};
 pub use presets::PRESETS;
-pub use sheet::{Dimension, Source};
+pub use sheet::Source;
 
 use crate::math::{Vec2, sqrt};
 pub(crate) use bounds::Bounds;
-pub(crate) use geometry::{Gate, Layout};
+pub(crate) use layout::{DetectionIndex, Gate, JOIN_OVERLAP};
 pub(crate) use surface::UNDER_EDGE;
 
 /// A table's geometry, in the engine's frame: origin at the centre of the playing area, x along
@@ -54,7 +60,7 @@ pub struct Table {
     /// Pockets, in the order that results number them: bottom-left, bottom-right, left, right,
     /// top-left, top-right.
     pub pockets: Vec<Pocket>,
-    pub(crate) layout: Layout,
+    pub(crate) layout: DetectionIndex,
 }
 
 /// How far from the nose line the centre of a ball on the cloth is when they touch, m:

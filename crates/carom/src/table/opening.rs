@@ -65,7 +65,7 @@ pub(super) fn liner(
     let from_center = exit - center;
     // The exit stays on its own side of the axis.
     let beside = axis.cross(jaw.deep - center) * axis.cross(from_center) > 0.0;
-    check::liner(jaw.place, across.abs() < radius, length > 0.0, across > 0.0 && beside)?;
+    check::liner(jaw.kind, across.abs() < radius, length > 0.0, across > 0.0 && beside)?;
 
     let at_axis = jaw.deep + normal * (axis.cross(from_deep) / axis.cross(normal));
     let covered = |p: Vec2| (p - center).length() < radius;

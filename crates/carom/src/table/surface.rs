@@ -6,8 +6,7 @@
 //! * A liner's round wall is the cylinder through the hole's edge, up to the height of the nose.
 //! * Behind all these edges lies the flat top of the rails, out to the border.
 
-use super::{Capture, Shape, Table, arc_sides};
-use crate::detect::ball_table::TableFeature;
+use super::{Capture, Shape, Table, TableFeature, arc_sides};
 use crate::math::{Vec2, Vec3};
 
 /// Centres this much further below an edge than a radius meet what is under it, m: ten thousand roundings

@@ -1,4 +1,4 @@
-//! Where two traces of one shot part.
+//! The first difference of two traces.
 
 use alloc::format;
 use alloc::string::String;

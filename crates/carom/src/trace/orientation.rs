@@ -1,27 +1,31 @@
-//! How balls have turned since the shot began.
+//! Orientations: the rotation of every ball since the shot began.
 //!
-//! The spin ω of a ball is linear in time on each piece of its way, or on two parts of it where its
-//! sidespin dies out in between. The orientation obeys dR/dt = ω × R. Where ω keeps its axis the turn is
-//! exact: the mean spin times the time. Elsewhere it is integrated with the Magnus expansion of fourth
-//! order (Blanes, Casas, Oteo & Ros 2009, section 5.3): in a step h from mid-spin ω and with the rate b
-//! of the spin, by the rotation vector hω + (h³/12) b × ω.
+//! The spin ω of a ball is linear in time between two of its events, or on two parts of that time if its
+//! sidespin ends in between. The orientation obeys dR/dt = ω × R. Where the axis of ω is constant, the
+//! rotation is exact: the mean spin times the time. Elsewhere it is integrated with the Magnus expansion of
+//! fourth order (Blanes, Casas, Oteo & Ros 2009, section 5.3): a step h with the spin ω at its middle and
+//! the rate b of the spin is the rotation vector hω + (h³/12) b × ω.
 
 use alloc::vec::Vec;
 
 use super::{Piece, Trace};
 use crate::math::{Vec3, ceil, sin_cos, sqrt};
 
-/// Longest turn in a Magnus step, rad. A break then errs by less than 1e-5 rad in all.
+/// Largest rotation in a Magnus step, rad. The error over a whole break is then less than 1e-5 rad.
 const STEP: f64 = 0.1;
 
-/// Between two kept orientations are so many steps: few enough that any instant is reached in a
-/// microsecond, many enough that a break keeps a few thousand.
+/// Steps between two stored orientations: few enough that any instant is reached in a microsecond,
+/// and enough that a break stores only a few thousand.
 const STEPS_PER_KEY: usize = 16;
 
-/// Directions of spin that differ by less, rad, are one axis, seen through rounding.
+/// Most steps of a stretch: 2 MB of stored orientations. Ten seconds at 10 000 rad/s need as many; a ball
+/// that spins longer while it slides (almost no friction) gets longer steps, which are less exact.
+const MOST_STEPS: f64 = 1_048_576.0;
+
+/// Two spins whose directions differ by less, rad, have the same axis: the difference is rounding.
 const SAME_AXIS: f64 = 1e-12;
 
-/// A turn as a unit quaternion.
+/// A rotation as a unit quaternion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Quaternion {
     vector: Vec3,
@@ -31,7 +35,7 @@ struct Quaternion {
 impl Quaternion {
     const IDENTITY: Self = Self { vector: Vec3::ZERO, scalar: 1.0 };
 
-    /// The turn by a rotation vector, rad.
+    /// The rotation by a rotation vector, rad.
     fn turn(by: Vec3) -> Self {
         let angle = by.length();
         if angle == 0.0 {
@@ -41,7 +45,7 @@ impl Quaternion {
         Self { vector: by * (sin / angle), scalar: cos }
     }
 
-    /// First `first`, then this.
+    /// This rotation after `first`.
     fn after(self, first: Self) -> Self {
         let (u, v) = (self.vector, first.vector);
         Self {
@@ -67,14 +71,15 @@ struct Stretch {
     spin: Vec3,
     /// Rate of change of the spin, rad/s².
     rate: Vec3,
-    /// Length of a step, s: the whole of it if the axis stays.
+    /// Length of a step, s: that of the stretch if the axis is constant.
     step: f64,
     /// Orientations at the start and after every [`STEPS_PER_KEY`] steps.
     keys: Vec<Quaternion>,
 }
 
 impl Stretch {
-    /// The stretch that begins `from` seconds into `piece` and ends at `to`, oriented `first` at its start.
+    /// The stretch from `from` to `to` (s after the start of `piece`); `first` is the orientation at its
+    /// start.
     fn new(piece: &Piece, from: f64, to: f64, first: Quaternion) -> Self {
         let length = to - from;
         let spin = piece.path.at(from).angular_velocity;
@@ -92,7 +97,7 @@ impl Stretch {
         stretch
     }
 
-    /// Into steps, with `last` the spin at the end.
+    /// Divides the stretch into steps; `last` is the spin at its end.
     fn divide(&mut self, last: Vec3) {
         self.rate = (last - self.spin) * (1.0 / self.length);
         let across = self.spin.cross(last).length();
@@ -100,7 +105,7 @@ impl Stretch {
             return;
         }
         let fastest = self.spin.length().max(last.length());
-        let steps = ceil(fastest * self.length / STEP).max(1.0);
+        let steps = ceil(fastest * self.length / STEP).clamp(1.0, MOST_STEPS);
         self.step = self.length / steps;
         for k in 1..=(steps as usize) / STEPS_PER_KEY {
             let key = self.walk((k - 1) * STEPS_PER_KEY, STEPS_PER_KEY);
@@ -114,7 +119,7 @@ impl Stretch {
         (from..from + steps).fold(key, |q, k| self.turn(k as f64 * self.step, self.step).after(q))
     }
 
-    /// The turn in `h` seconds that begin `t` seconds into the stretch.
+    /// The rotation in the `h` seconds from `t` seconds into the stretch.
     fn turn(&self, t: f64, h: f64) -> Quaternion {
         let mid = self.spin + self.rate * (t + 0.5 * h);
         Quaternion::turn(mid * h + self.rate.cross(mid) * (h * h * h / 12.0))
@@ -123,25 +128,25 @@ impl Stretch {
     /// The orientation `t` seconds into the stretch.
     fn at(&self, t: f64) -> Quaternion {
         let t = t.clamp(0.0, self.length);
-        // NaN, which the cast makes 0, in a stretch of no length.
+        // In a stretch of no length this is NaN, which the cast turns into 0.
         let whole = (t / self.step) as usize;
         let key = (whole / STEPS_PER_KEY).min(self.keys.len() - 1);
         let q = self.walk(key * STEPS_PER_KEY, whole - key * STEPS_PER_KEY);
-        // Without this 0 times an endless step.
+        // 0 times an infinite step would be NaN.
         let walked = if whole == 0 { 0.0 } else { whole as f64 * self.step };
         let rest = t - walked;
         if rest > 0.0 { self.turn(walked, rest).after(q).normalized() } else { q.normalized() }
     }
 }
 
-/// The orientations of a trace's balls at any time: worked out once, so that each look is cheap.
+/// The orientations of a trace's balls at any time, computed once for many queries.
 #[derive(Clone, Debug)]
 pub struct Orientations {
     balls: Vec<Vec<Stretch>>,
 }
 
 impl Trace {
-    /// How the balls have turned, at any time.
+    /// The orientations of the balls at any time.
     pub fn orientations(&self) -> Orientations {
         let balls = 0..self.shot.balls.len();
         Orientations { balls: balls.map(|ball| stretches(&self.pieces(ball))).collect() }
@@ -154,7 +159,7 @@ fn stretches(pieces: &[Piece]) -> Vec<Stretch> {
     for piece in pieces {
         let path = &piece.path;
         let length = (piece.end - piece.start).min(path.duration);
-        // 0/0 where there is no sidespin and none is lost: NaN is not between.
+        // NaN (0/0) without sidespin and without its deceleration: the filter drops it.
         let dies_out = path.angular_velocity.z.abs() / path.spin_deceleration;
         let cut = Some(dies_out).filter(|t| *t > 0.0 && *t < length);
         let mut from = 0.0;
@@ -171,8 +176,8 @@ fn stretches(pieces: &[Piece]) -> Vec<Stretch> {
 }
 
 impl Orientations {
-    /// How ball `ball` (an index into the shot's balls) lies at `time` (s ≥ 0 since the strike): the unit
-    /// quaternion x, y, z, w that turns it from how it lay at the start. After the shot's end, as then.
+    /// The orientation of ball `ball` (an index into the shot's balls) at `time` (s ≥ 0 since the strike): the
+    /// unit quaternion x, y, z, w of its rotation since the start. After the shot's end it stays the same.
     pub fn at(&self, ball: usize, time: f64) -> [f64; 4] {
         let stretches = &self.balls[ball];
         let after = stretches.partition_point(|s| s.start <= time);

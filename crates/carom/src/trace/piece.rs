@@ -1,4 +1,4 @@
-//! A ball's way, cut at its events: one closed-form path after the other.
+//! A ball's path, cut at its events into closed-form pieces.
 
 use alloc::vec::Vec;
 
@@ -6,7 +6,7 @@ use super::Trace;
 use crate::BallState;
 use crate::motion::Path;
 
-/// What a ball does from one of its events to its next, in the file's frame.
+/// The motion of a ball from one of its events to the next, in the file's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
     /// When it starts, s since the strike.
@@ -20,7 +20,7 @@ pub struct Piece {
 }
 
 impl Trace {
-    /// Everything that ball `ball` (an index into the shot's balls) does, in order.
+    /// The motion of ball `ball` (an index into the shot's balls), in order.
     pub fn pieces(&self, ball: usize) -> Vec<Piece> {
         let placed = &self.shot.balls[ball];
         let physics = &*self.shot.physics;

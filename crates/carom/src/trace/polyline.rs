@@ -1,4 +1,4 @@
-//! A ball's way as a line of points, for pictures.
+//! A ball's path as a polyline, for pictures.
 
 use alloc::vec::Vec;
 
@@ -6,7 +6,7 @@ use super::{Piece, Trace};
 use crate::math::{Vec3, ceil, sqrt};
 use crate::motion::Path;
 
-/// A point of a ball's way.
+/// A point of a ball's path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Waypoint {
     /// The ball's centre in the file's frame, m.
@@ -15,20 +15,20 @@ pub struct Waypoint {
     pub time: f64,
 }
 
-/// No path is cut into more chords, however small the tolerance: no picture shows more.
+/// Most chords of one curve, however small the tolerance: a picture shows no more.
 const MOST_CHORDS: f64 = 4096.0;
 
 impl Trace {
-    /// The way of ball `ball` (an index into the shot's balls): points on its exact path, one at every
-    /// event of the ball, and so many between that the path is nowhere further than `tolerance` (m,
-    /// greater than 0) from the line through them. It starts at time 0 and ends with the ball's last
-    /// event, or with the shot for a ball that never rests. Where a ball falls into a pocket there are
-    /// two points at one time: where it fell, and where it lies below the hole.
+    /// The path of ball `ball` (an index into the shot's balls): points on the exact path, one at every
+    /// event of the ball, and enough in between that the path is nowhere further than `tolerance` (m,
+    /// greater than 0) from the polyline; at most 4096 chords between two events. It starts at time 0 and ends
+    /// with the ball's last event, or with the shot for a ball that never rests. Where a ball falls into a
+    /// pocket there are two points at one time: where it fell, and where it lies below the hole.
     pub fn polyline(&self, ball: usize, tolerance: f64) -> Vec<Waypoint> {
         let mut points: Vec<Waypoint> = Vec::new();
         for piece in self.pieces(ball) {
             let start = Waypoint { position: piece.state.position, time: piece.start };
-            // Where a piece ends the next begins, but for rounding, or in a pocket.
+            // The next piece begins where the last ended, up to rounding, except in a pocket.
             points.pop_if(|last| {
                 last.time == start.time && (last.position - start.position).length() <= tolerance
             });
@@ -45,10 +45,10 @@ impl Trace {
 /// Adds points from the start of `piece`, without it, to the time `end`.
 ///
 /// Between the times t₀ and t₁ the path r₀ + vt + ht² is |h × v|/|c|·(t − t₀)(t₁ − t) from its chord,
-/// c = v + h(t₀ + t₁) being the mean velocity; at most |h × v|/c·Δt²/4, and at most |h|·Δt²/4 however
-/// slow the ball. That is its distance from the segment too unless the ball turns back, so the instant
-/// of least speed is a point as well. Across h the ball moves evenly, with |h × v|/|h|: where that leads
-/// it no further than the tolerance, as when it rolls out straight, one chord will do.
+/// where c = v + h(t₀ + t₁) is the mean velocity. That is at most |h × v|/|c|·Δt²/4, and at most |h|·Δt²/4
+/// at any speed. It is also the distance from the segment, unless the ball turns back; so the instant of
+/// least speed is a point as well. Perpendicular to h the velocity is constant, |h × v|/|h|: where that
+/// moves the ball by no more than the tolerance, as on a straight path, one chord is enough.
 fn follow(points: &mut Vec<Waypoint>, piece: &Piece, end: f64, tolerance: f64) {
     let path = &piece.path;
     let length = end - piece.start;
@@ -78,7 +78,7 @@ fn follow(points: &mut Vec<Waypoint>, piece: &Piece, end: f64, tolerance: f64) {
     }
 }
 
-/// When on `path` the speed is least, s after its start, if that is later.
+/// The instant of least speed on `path`, s after its start, if it is after the start.
 fn slowest(path: &Path) -> Option<f64> {
     let h = path.half_acceleration;
     let time = -0.5 * path.velocity.dot(h) / h.length_squared();

@@ -21,8 +21,8 @@ fn errors(noise: &Noise, seed: u64, count: u64) -> [Vec<f64>; 5] {
             (s.speed - MEANT.speed) / noise.speed,
             (s.azimuth - MEANT.azimuth) / noise.azimuth,
             (s.elevation - MEANT.elevation) / noise.elevation,
-            (s.side - MEANT.side) * RADIUS / noise.side,
-            (s.height - MEANT.height) * RADIUS / noise.height,
+            (s.side - MEANT.side) * RADIUS / noise.side_m,
+            (s.height - MEANT.height) * RADIUS / noise.height_m,
         ];
         for (column, error) in all.iter_mut().zip(errors) {
             column.push(error);
@@ -132,7 +132,7 @@ fn what_cannot_be_played_fails_with_its_reason() {
     strike.set("side", 0.5);
     file.set("strike", strike.clone());
     let edge = Shot::from_node(&file).expect("a shot");
-    let noise = Noise { side: 0.002, ..Noise::default() };
+    let noise = Noise { side_m: 0.002, ..Noise::default() };
     let result = play(&edge, &noise);
     assert!(result.errors.len() > 20, "{} miscues", result.errors.len());
     for (row, error) in &result.errors {
@@ -159,8 +159,8 @@ fn what_is_no_noise_is_refused() {
         (Noise { speed: -0.1, ..Noise::default() }, "noise.speed"),
         (Noise { azimuth: f64::NAN, ..Noise::default() }, "noise.azimuth"),
         (Noise { elevation: 4.0, ..Noise::default() }, "noise.elevation"),
-        (Noise { side: 0.5, ..Noise::default() }, "noise.side"),
-        (Noise { height: f64::INFINITY, ..Noise::default() }, "noise.height"),
+        (Noise { side_m: 0.5, ..Noise::default() }, "noise.side_m"),
+        (Noise { height_m: f64::INFINITY, ..Noise::default() }, "noise.height_m"),
     ] {
         let error = draw_strikes(&shot, &noise, 1, 0, 0).expect_err(place);
         assert!(error.to_string().starts_with(place), "{error}");
@@ -192,4 +192,11 @@ fn the_goldens_of_noise_are_the_same_bits_as_ever() {
             assert_eq!(cue.to_vec(), numbers(&variant["final"]), "see goldens/README.md");
         }
     }
+}
+
+#[test]
+fn more_strikes_than_fit_in_memory_are_refused() {
+    let error = draw_strikes(&shot("half_ball_cut"), &Noise::default(), usize::MAX, 0, 0);
+    let sentence = error.expect_err("too many").to_string();
+    assert!(sentence.starts_with("n: 18446744073709551615 strikes are too many"), "{sentence}");
 }
