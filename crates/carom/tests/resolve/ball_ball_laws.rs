@@ -1,5 +1,5 @@
-//! What holds in every collision of two balls, whatever the model: energy, momentum, angular
-//! momentum about the contact, symmetry. Inputs are random but seeded.
+//! Laws of every collision of two balls, whatever the model: energy, momentum, angular momentum
+//! about the contact, symmetry. Inputs are pseudo-random, the same in every run.
 
 use crate::near::assert_near;
 use crate::random::Random;
@@ -19,14 +19,14 @@ const MODELS: [BallBallModel; 4] = [
     BallBallModel::Compliant,
 ];
 
-struct Impact {
+struct RandomImpact {
     law: BallBall,
     normal: Vec3,
     a: Body,
     b: Body,
 }
 
-impl Impact {
+impl RandomImpact {
     /// Balls of any size, with speeds from 1e-6 to 10 m/s, most of them spinning.
     fn random(random: &mut Random, model: BallBallModel) -> Self {
         let mut ball = |alike: bool| {
@@ -57,7 +57,7 @@ impl Impact {
             1 => a = Body { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, ..a },
             _ => {}
         }
-        // On the bed, or anywhere: one right above the other, too.
+        // On the bed or anywhere, including one directly above the other.
         let on_bed = random.pick(2) == 0;
         if on_bed {
             (a.velocity.z, b.velocity.z) = (0.0, 0.0);
@@ -83,7 +83,7 @@ impl Impact {
             let tilt = (b.radius - a.radius) / (a.radius + b.radius);
             let level = sqrt(1.0 - tilt * tilt) / d.length();
             d = (d.xy() * level).with_z(tilt);
-            // The other way round, it still rises to the larger ball.
+            // With the opposite sign it still rises to the larger ball.
             if (a.velocity - b.velocity).dot(d) < 0.0 {
                 d = (-d.xy()).with_z(tilt);
             }
@@ -116,20 +116,20 @@ fn energy(ball: &Body) -> f64 {
     0.5 * ball.mass * ball.velocity.length_squared() + 0.2 * ball.mass * surface.length_squared()
 }
 
-fn every_impact(check: impl Fn(&Impact, Body, Body)) {
+fn every_impact(check: impl Fn(&RandomImpact, Body, Body)) {
     for (seed, model) in MODELS.into_iter().enumerate() {
         let mut random = Random(1 + seed as u64);
         // Integrated collisions take a hundred times longer.
         let impacts = if model == BallBallModel::Mathavan2014 { IMPACTS / 25 } else { IMPACTS };
         for _ in 0..impacts {
-            let impact = Impact::random(&mut random, model);
+            let impact = RandomImpact::random(&mut random, model);
             let (a, b) = impact.resolve();
             check(&impact, a, b);
         }
     }
 }
 
-fn assert_energy_does_not_rise(impact: &Impact, a: &Body, b: &Body) {
+fn assert_energy_does_not_rise(impact: &RandomImpact, a: &Body, b: &Body) {
     let before = energy(&impact.a) + energy(&impact.b);
     let after = energy(a) + energy(b);
     assert!(
@@ -150,7 +150,7 @@ fn energy_never_rises() {
 fn energy_never_rises_in_a_hundred_thousand_integrated_impacts() {
     let mut random = Random(5);
     for _ in 0..IMPACTS {
-        let impact = Impact::random(&mut random, BallBallModel::Mathavan2014);
+        let impact = RandomImpact::random(&mut random, BallBallModel::Mathavan2014);
         let (a, b) = impact.resolve();
         assert_energy_does_not_rise(&impact, &a, &b);
     }
@@ -160,7 +160,7 @@ fn energy_never_rises_in_a_hundred_thousand_integrated_impacts() {
 fn an_elastic_impact_conserves_energy_for_balls_of_any_size() {
     let mut random = Random(7);
     for _ in 0..IMPACTS {
-        let mut impact = Impact::random(&mut random, BallBallModel::Elastic);
+        let mut impact = RandomImpact::random(&mut random, BallBallModel::Elastic);
         impact.law.restitution = 1.0;
         let (a, b) = impact.resolve();
         let before = energy(&impact.a) + energy(&impact.b);
@@ -168,8 +168,8 @@ fn an_elastic_impact_conserves_energy_for_balls_of_any_size() {
     }
 }
 
-/// Whether the cloth takes part in the impact.
-fn on_cloth(impact: &Impact) -> bool {
+/// Whether friction of the cloth takes part in the impact.
+fn on_cloth(impact: &RandomImpact) -> bool {
     impact.law.model == BallBallModel::Mathavan2014
         && impact.normal.z == 0.0
         && impact.a.velocity.z == 0.0
@@ -196,13 +196,13 @@ fn mathavan_2014_keeps_balls_on_the_cloth_and_is_a_rigid_impulse_off_it() {
             assert_eq!((a.velocity.z, b.velocity.z), (0.0, 0.0));
         } else if impact.law.model == BallBallModel::Mathavan2014 {
             let law = BallBall { model: BallBallModel::Frictional, ..impact.law };
-            assert_eq!(Impact { law, ..*impact }.resolve(), (a, b));
+            assert_eq!(RandomImpact { law, ..*impact }.resolve(), (a, b));
         }
     });
 }
 
 #[test]
-fn momentum_is_conserved_where_the_cloth_takes_no_part() {
+fn momentum_is_conserved_without_friction_of_the_cloth() {
     every_impact(|impact, a, b| {
         if on_cloth(impact) {
             return;
@@ -233,7 +233,7 @@ fn each_balls_angular_momentum_about_the_contact_is_conserved() {
 }
 
 #[test]
-fn friction_opposes_the_slip_and_keeps_coulombs_bound() {
+fn friction_opposes_the_slip_and_stays_within_coulombs_bound() {
     every_impact(|impact, a, b| {
         if on_cloth(impact) {
             return;
@@ -254,7 +254,7 @@ fn friction_opposes_the_slip_and_keeps_coulombs_bound() {
         assert!(friction.dot(before) >= -rounding * scale);
         let mu = impact.law.friction.at(before.length());
         assert!(friction.length() <= mu * along + rounding, "{:?}", impact.law);
-        // Rigid surfaces slip on as they did, or not at all.
+        // With rigid surfaces the slip keeps its direction or ends.
         let left = slip(&a, &b);
         if impact.law.model == BallBallModel::Frictional {
             assert!(left.dot(before) >= -1e-14 * scale * scale);
@@ -269,7 +269,7 @@ fn turning_the_whole_impact_about_the_vertical_turns_the_result() {
     for model in MODELS {
         let impacts = if model == BallBallModel::Mathavan2014 { IMPACTS / 100 } else { IMPACTS };
         for _ in 0..impacts {
-            let impact = Impact::random(&mut random, model);
+            let impact = RandomImpact::random(&mut random, model);
             let (s, c) = sin_cos(random.between(0.0, core::f64::consts::TAU));
             let turn = |v: Vec3| Vec3::new(v.x * c - v.y * s, v.x * s + v.y * c, v.z);
             let turned = |ball: Body| Body {
@@ -277,7 +277,7 @@ fn turning_the_whole_impact_about_the_vertical_turns_the_result() {
                 angular_velocity: turn(ball.angular_velocity),
                 ..ball
             };
-            let image = Impact {
+            let image = RandomImpact {
                 law: impact.law,
                 normal: turn(impact.normal),
                 a: turned(impact.a),
@@ -297,13 +297,13 @@ fn turning_the_whole_impact_about_the_vertical_turns_the_result() {
 }
 
 #[test]
-fn the_result_changes_smoothly_as_the_line_of_centres_tilts_out_of_the_level() {
-    /// rad.
+fn the_result_changes_smoothly_as_the_line_of_centres_tilts() {
+    /// Tilt, rad.
     const STEP: f64 = 1e-7;
     let mut random = Random(17);
     for model in [BallBallModel::Elastic, BallBallModel::Frictional, BallBallModel::Compliant] {
         for _ in 0..IMPACTS / 10 {
-            let mut impact = Impact::random(&mut random, model);
+            let mut impact = RandomImpact::random(&mut random, model);
             let level = impact.normal.xy();
             if level == Vec2::ZERO {
                 continue;
@@ -313,7 +313,7 @@ fn the_result_changes_smoothly_as_the_line_of_centres_tilts_out_of_the_level() {
                 impact.normal = level.with_z(tilt);
                 impact.resolve()
             });
-            // Where they hardly approach, a tilt decides whether they meet.
+            // If they hardly approach, a tilt decides whether they meet.
             let approach = (impact.a.velocity - impact.b.velocity).xy().dot(level);
             if approach.abs() < 1e-5 * impact.speeds() {
                 continue;
@@ -322,8 +322,8 @@ fn the_result_changes_smoothly_as_the_line_of_centres_tilts_out_of_the_level() {
                 for (p, q) in [(pair[0].0, pair[1].0), (pair[0].1, pair[1].1)] {
                     let gap = (p.velocity - q.velocity).length()
                         + p.radius * (p.angular_velocity - q.angular_velocity).length();
-                    // Friction's coefficients change with the speed; the speeds' share is at most
-                    // a few thousand radians.
+                    // Coefficients of friction change with the speed; the relative change is at
+                    // most a few thousand per radian.
                     assert!(gap <= 1e4 * STEP * impact.speeds(), "{:?}: {gap:e}", impact.law);
                 }
             }
@@ -332,7 +332,7 @@ fn the_result_changes_smoothly_as_the_line_of_centres_tilts_out_of_the_level() {
 }
 
 #[test]
-fn english_pools_unequal_balls_still_part_once_the_slate_has_answered() {
+fn english_pools_unequal_balls_still_separate_after_the_slate_has_acted() {
     let mut random = Random(19);
     let english = carom::Physics::english();
     let sizes = [(0.116, 0.0254), (0.094, 0.0238)];
@@ -347,7 +347,7 @@ fn english_pools_unequal_balls_still_part_once_the_slate_has_answered() {
                 radius,
             };
             let (mut a, mut b) = (ball(sizes[0]), ball(sizes[1]));
-            let normal = Impact::normal(&mut random, true, &a, &b);
+            let normal = RandomImpact::normal(&mut random, true, &a, &b);
             let before = (a.velocity - b.velocity).dot(normal);
             ball_ball::resolve(&law, &CLOTH, normal, &mut a, &mut b);
             for ball in [&mut a, &mut b] {
@@ -369,7 +369,7 @@ fn a_mirrored_impact_gives_the_mirrored_result_to_the_bit() {
         ..ball
     };
     every_impact(|impact, a, b| {
-        let image = Impact {
+        let image = RandomImpact {
             law: impact.law,
             normal: flip(impact.normal),
             a: mirror(impact.a),
@@ -383,7 +383,7 @@ fn a_mirrored_impact_gives_the_mirrored_result_to_the_bit() {
 fn exchanging_the_balls_exchanges_the_results_to_the_bit() {
     every_impact(|impact, a, b| {
         let exchanged =
-            Impact { law: impact.law, normal: -impact.normal, a: impact.b, b: impact.a };
+            RandomImpact { law: impact.law, normal: -impact.normal, a: impact.b, b: impact.a };
         assert_eq!(exchanged.resolve(), (b, a), "{:?}", impact.law);
     });
 }
@@ -395,13 +395,13 @@ fn a_networks_energy_never_rises_and_its_momentum_is_conserved() {
         let model = MODELS[random.pick(4)];
         let size = 3 + random.pick(4);
         let mut bodies: Vec<Body> =
-            (0..size).map(|_| Impact::random(&mut random, model).a).collect();
-        let law = Impact::random(&mut random, model).law;
+            (0..size).map(|_| RandomImpact::random(&mut random, model).a).collect();
+        let law = RandomImpact::random(&mut random, model).law;
         let mut contacts = Vec::new();
         for j in 1..size {
             for _ in 0..1 + random.pick(2) {
                 let i = random.pick(j);
-                let normal = Impact::normal(&mut random, false, &bodies[i], &bodies[j]);
+                let normal = RandomImpact::normal(&mut random, false, &bodies[i], &bodies[j]);
                 contacts.push(Touch { a: i as u8, b: j as u8, normal, gap: 0.0 });
             }
         }

@@ -1,5 +1,5 @@
-//! Mathavan 2014 beside the same force laws in many small equal steps of impulse, as the paper
-//! takes them, written anew in plain vectors.
+//! Mathavan 2014 compared with an independent implementation of its force laws, in many small equal
+//! steps of impulse, as in the paper.
 
 use crate::near::assert_near;
 use carom::math::{Vec3, cos, radians, sin};
@@ -11,10 +11,11 @@ const CLOTH: Cloth =
 const UP: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 const STEPS: u32 = 160_000;
 
-/// What the steps leave, m/s, while the balls slip on each other to the end.
+/// Error of the steps, m/s, for balls that slip on each other until the end.
 const SMOOTH: f64 = 1e-9;
 
-/// What they leave where the slip ends, m/s: there a step's friction overshoots and chatters.
+/// Error of the steps where the slip ends, m/s: there the friction of a step overshoots and
+/// alternates.
 const CHATTER: f64 = 2e-5;
 
 fn law(restitution: f64, friction: f64) -> BallBall {
@@ -31,7 +32,7 @@ fn unit(v: Vec3) -> Vec3 {
     if length < 1e-12 { Vec3::ZERO } else { v * (1.0 / length) }
 }
 
-/// Pushes `ball` with `impulse` at `arm` from its centre; the centre stays at its height.
+/// Applies `impulse` to `ball` at `arm` from its centre; the height of the centre stays constant.
 fn push(ball: &mut Body, arm: Vec3, impulse: Vec3) {
     let inertia = 0.4 * ball.mass * ball.radius * ball.radius;
     ball.velocity += Vec3 { z: 0.0, ..impulse * (1.0 / ball.mass) };
@@ -62,7 +63,7 @@ fn stepped(law: &BallBall, n: Vec3, mut a: Body, mut b: Body) -> (Body, Body) {
     loop {
         let w = approach(&a, &b);
         if end == f64::NEG_INFINITY && w <= 0.0 {
-            // To the summit of the parabola that the work follows.
+            // Up to the maximum of the parabola of the work.
             end = (work + 0.5 * reduced * w * w) * (1.0 - law.restitution * law.restitution);
         }
         let before = (a, b, work);
@@ -87,7 +88,7 @@ fn between(from: &Body, to: &Body, share: f64) -> Body {
 }
 
 #[test]
-fn results_are_those_of_the_papers_equations_in_small_steps() {
+fn results_agree_with_the_papers_equations_in_small_steps() {
     let ball = |v: [f64; 3], w: [f64; 3]| Body {
         velocity: v.into(),
         angular_velocity: w.into(),
@@ -136,12 +137,12 @@ fn friction_of_the_cloth_acts_on_the_ball_that_the_collision_presses_down() {
         let (law, n) = (law(0.89, 0.05), Vec3::new(0.0, 1.0, 0.0));
         let [a, b] = &mut balls;
         ball_ball::resolve(&law, &CLOTH, n, a, b);
-        // A follow shot presses the object ball, which slides forwards and is braked; a draw shot
-        // presses the cue ball, whose surface slides forwards too.
+        // A follow shot presses the object ball down, which slides forwards and is braked. A draw
+        // shot presses the cue ball down, whose surface also slides forwards.
         let lost = before - momentum(&balls);
         let normal = [1.5 - balls[0].velocity.y, balls[1].velocity.y][1 - pressed];
         assert_near(lost, 0.212 * 0.05 * normal, 1e-9);
-        // Friction between the balls gives both the same spin; the rest is the cloth's.
+        // Friction between the balls gives both the same spin; the difference is due to the cloth.
         let change = [balls[0].angular_velocity.x - spin, balls[1].angular_velocity.x];
         let cloth = change[pressed] - change[1 - pressed];
         assert_near(cloth * 0.02625 / 2.5, -lost, 1e-9);

@@ -1,6 +1,6 @@
-//! The pool preset beside measured throw (Alciatore, Billiards Digest, Sept 2006, diagram 4; Throw
-//! follow-up II, 2014), read off figures to ±0.5°. The two tests differ by up to 2° where they
-//! overlap (30° cut, 1 to 1.3 m/s), so no single friction meets both.
+//! The pool preset compared with measured throw (Alciatore, Billiards Digest, Sept 2006, diagram 4;
+//! Throw follow-up II, 2014), read from figures to ±0.5°. The two tests differ by up to 2° where
+//! they overlap (30° cut, 1 to 1.3 m/s), so no single friction agrees with both.
 
 use crate::near::assert_near;
 use carom::Physics;
@@ -11,7 +11,7 @@ use carom::resolve::{Body, ball_ball};
 /// Object-ball speed (ft/s) and throw (°) at a 30° cut, stun (2014).
 const BY_SPEED: [(f64, f64); 5] = [(2.8, 6.05), (3.55, 6.15), (4.5, 5.5), (7.2, 4.2), (10.7, 3.45)];
 
-/// Cut (°) and throw (°) at slow, medium and fast stun (2006), taken as TP A.14's speeds.
+/// Cut (°) and throw (°) at slow, medium and fast stun (2006), with the speeds of TP A.14.
 const BY_CUT: [(f64, [f64; 3]); 5] = [
     (10.0, [1.6, 2.05, 1.55]),
     (20.0, [4.5, 3.5, 3.4]),
@@ -37,7 +37,7 @@ fn throw(physics: &Physics, law: &BallBall, speed: f64, cut: f64) -> f64 {
     cut - atan2(object.velocity.x, object.velocity.y) / radians(1.0)
 }
 
-/// Root mean square of throw minus measured throw in the 2014 and the 2006 test, °.
+/// Root mean square of throw minus measured throw in the tests of 2014 and 2006, °.
 fn misses(law: &BallBall) -> (f64, f64) {
     let physics = Physics::pool();
     let to_object = 0.5 * (1.0 + law.restitution) * cos(radians(30.0));
@@ -69,15 +69,15 @@ fn bb23_a_friction_fitted_to_the_2014_test_alone_meets_it_within_reading_error()
 }
 
 #[test]
-fn rigid_balls_cannot_throw_as_much_as_measured() {
+fn the_rigid_model_cannot_reach_the_measured_throw() {
     let physics = Physics::pool();
     let model = BallBallModel::Frictional;
-    // However large the friction, the throw stays at atan(2/7·tan φ/(1 + e)).
+    // With any friction the throw is at most atan(2/7·tan φ/(1 + e)).
     let grip = BallBall { model, friction: SlipFriction::constant(10.0), ..physics.ball_ball };
     let rigid = throw(&physics, &grip, 1.0, 30.0);
     assert_near(rigid, 4.84, 0.01);
     assert!(BY_SPEED[0].1 - rigid > 1.0);
-    // Alciatore's friction (TP A.14) in the rigid model misses the tests twice as far as ours.
+    // With Alciatore's friction (TP A.14) the error of the rigid model is twice that of ours.
     let friction = SlipFriction { a: 0.009951, b: 0.108, c: 1.088 };
     let (by_speed, by_cut) = misses(&BallBall { model, friction, ..physics.ball_ball });
     assert!(by_speed > 2.0 && by_cut > 0.9, "{by_speed}°, {by_cut}°");

@@ -1,4 +1,4 @@
-//! How the ball–ball models relate to each other, and the impacts where they are simple.
+//! Relations between the ball–ball models, and simple impacts with known results.
 
 use crate::near::assert_near;
 use carom::Physics;
@@ -28,7 +28,7 @@ fn resolve(law: &BallBall, normal: Vec3, mut a: Body, mut b: Body) -> (Body, Bod
 const Y: Vec3 = Vec3::new(0.0, 1.0, 0.0);
 
 #[test]
-fn surfaces_that_slide_throughout_do_not_feel_their_compliance() {
+fn compliance_has_no_effect_on_surfaces_that_slide_to_the_end() {
     let a = ball(Vec3::new(2.0, 1.0, 0.0), Vec3::new(30.0, -5.0, 20.0), 0.2, 0.03);
     let b = ball(Vec3::new(-0.5, 0.0, 0.0), Vec3::new(0.0, 4.0, 0.0), 0.17, 0.03);
     let (rigid, soft) = (
@@ -42,7 +42,7 @@ fn surfaces_that_slide_throughout_do_not_feel_their_compliance() {
 }
 
 #[test]
-fn rigid_surfaces_that_grip_end_without_sideways_slip_whatever_the_masses() {
+fn rigid_surfaces_that_stick_end_without_slip_for_any_masses() {
     let a = ball(Vec3::new(0.05, 3.0, 0.0), Vec3::new(0.0, 0.0, 4.0), 0.094, 0.0238);
     let b = ball(Vec3::ZERO, Vec3::ZERO, 0.2, 0.0238);
     let (a, b) = resolve(&law(BallBallModel::Frictional, 0.5), Y, a, b);
@@ -52,7 +52,7 @@ fn rigid_surfaces_that_grip_end_without_sideways_slip_whatever_the_masses() {
 }
 
 #[test]
-fn compliant_surfaces_that_slip_and_then_grip_spring_back() {
+fn compliant_surfaces_that_slip_and_then_stick_spring_back() {
     let a = ball(Vec3::new(0.6, 3.0, 0.0), Vec3::ZERO, 0.17, 0.0286);
     let b = ball(Vec3::ZERO, Vec3::ZERO, 0.17, 0.0286);
     let (a, b) = resolve(&law(BallBallModel::Compliant, 0.1), Y, a, b);
@@ -91,7 +91,7 @@ fn a_small_ball_into_a_large_one_lifts_it_along_the_line_of_centres() {
     let a = ball(Y, Vec3::ZERO, 0.17, small);
     let b = ball(Vec3::ZERO, Vec3::ZERO, 0.17, large);
     let (a, b) = resolve(&law, normal, a, b);
-    // Equal masses exchange what they have along the line.
+    // Equal masses exchange their velocities along the line of centres.
     let given = normal * normal.y;
     assert_near((b.velocity - given).length(), 0.0, 1e-15);
     assert_near((a.velocity - (Y - given)).length(), 0.0, 1e-15);
@@ -100,7 +100,7 @@ fn a_small_ball_into_a_large_one_lifts_it_along_the_line_of_centres() {
 }
 
 #[test]
-fn a_ball_that_falls_on_another_gives_it_its_fall() {
+fn a_ball_that_falls_on_another_passes_its_velocity_on() {
     let law = BallBall { restitution: 1.0, ..law(BallBallModel::Frictional, 0.1) };
     let down = Vec3::new(0.0, 0.0, -1.0);
     let a = ball(Vec3::new(0.3, 0.0, -2.0), Vec3::new(0.0, 0.0, 50.0), 0.17, 0.03);
@@ -108,10 +108,10 @@ fn a_ball_that_falls_on_another_gives_it_its_fall() {
     let (a, b) = resolve(&law, down, a, b);
     assert_near(b.velocity.z, -2.0, 1e-15);
     assert_near(a.velocity.z, 0.0, 1e-15);
-    // Rigid surfaces that grip: a seventh of the slip each, to the velocities.
+    // Rigid surfaces that stick: each velocity changes by a seventh of the slip.
     assert_near(b.velocity.x, 0.3 / 7.0, 1e-15);
     assert_near(a.velocity.x, 0.3 - 0.3 / 7.0, 1e-15);
-    // A spin about the line of centres has no slip.
+    // A spin about the line of centres causes no slip.
     assert_eq!((a.angular_velocity.z, b.angular_velocity.z), (50.0, 0.0));
 }
 
@@ -152,14 +152,14 @@ fn a_gentle_touch_is_elastic_in_every_model() {
 }
 
 #[test]
-fn balls_that_part_are_left_alone() {
+fn balls_that_separate_are_left_unchanged() {
     let a = ball(-Y, Vec3::new(1.0, 2.0, 3.0), 0.17, 0.03);
     let b = ball(Y, Vec3::ZERO, 0.17, 0.03);
     assert_eq!(resolve(&Physics::pool().ball_ball, Y, a, b), (a, b));
 }
 
 #[test]
-fn a_shot_file_that_asks_for_elastic_balls_gets_restitution_one_unless_it_writes_another() {
+fn elastic_balls_have_restitution_one_unless_the_file_gives_another() {
     let restitution = |ball_ball: &str| {
         let file = format!(
             r#"{{"format": "carom-shot/1", "table": {{"cloth": "unbounded"}},

@@ -8,7 +8,7 @@ use carom::resolve::Body;
 use carom::resolve::ball_ball::network::{Touch, resolve};
 use carom::resolve::ball_ball::{self, network};
 
-/// How far the steps of the network may lead from the limit of small ones, in parts of the speed.
+/// Largest difference from the limit of small steps, as a fraction of the speed.
 const STEPS: f64 = 9e-4;
 
 const RADIUS: f64 = 0.028_575;
@@ -39,13 +39,13 @@ fn elastic() -> BallBall {
     law(BallBallModel::Elastic, 1.0, 0.0)
 }
 
-/// A row along x, each ball touching the next.
+/// A row along x in which each ball touches the next.
 fn row(bodies: &[Body]) -> Vec<Touch> {
     let touch = |k: usize| Touch { a: k as u8, b: k as u8 + 1, normal: along_x(1.0), gap: 0.0 };
     (0..bodies.len() - 1).map(touch).collect()
 }
 
-/// The speeds after a row of equal balls, of which the first few move with 1 m/s, is left alone.
+/// The speeds after the impact of a row of equal balls, of which the first `moving` have 1 m/s.
 fn cradle<const N: usize>(moving: usize) -> [f64; N] {
     let mut bodies = core::array::from_fn(|k| ball(along_x(f64::from(k < moving))));
     let touches = row(&bodies);
@@ -53,8 +53,8 @@ fn cradle<const N: usize>(moving: usize) -> [f64; N] {
     bodies.map(|b: Body| b.velocity.x)
 }
 
-/// The same from the equations, by the classical Runge–Kutta method with 50 000 small steps:
-/// m v̇ = ±k δ^(3/2), with any k.
+/// The same by the classical Runge–Kutta method with 50 000 small steps: m v̇ = ±k δ^(3/2), with
+/// any k.
 fn reference(speeds: &[f64], masses: &[f64], stiffness: &[f64]) -> Vec<f64> {
     let n = speeds.len();
     let rate = |y: &[f64]| -> Vec<f64> {
@@ -83,9 +83,9 @@ fn reference(speeds: &[f64], masses: &[f64], stiffness: &[f64]) -> Vec<f64> {
     y.split_off(n)
 }
 
-/// TP B.29: a ball of 1 m/s hits two that touch in line.
+/// TP B.29: a ball of 1 m/s hits two in line that touch.
 #[test]
-fn three_balls_in_line_leave_as_hertz_contacts_make_them() {
+fn three_balls_in_line_leave_with_the_published_speeds_of_hertz_contacts() {
     let speeds = cradle::<3>(1);
     for (ours, published) in speeds.into_iter().zip([-0.071, 0.076, 0.995]) {
         assert_near(ours, published, 1e-3);
@@ -93,7 +93,7 @@ fn three_balls_in_line_leave_as_hertz_contacts_make_them() {
 }
 
 #[test]
-fn rows_struck_by_one_and_by_two_balls_leave_as_an_independent_integration_says() {
+fn rows_struck_by_one_or_more_balls_agree_with_an_independent_integration() {
     fn compare<const N: usize>(moving: usize) {
         let speeds: [f64; N] = core::array::from_fn(|k| f64::from(k < moving));
         let expected = reference(&speeds, &[1.0; N], &[1.0; N]);
@@ -110,7 +110,7 @@ fn rows_struck_by_one_and_by_two_balls_leave_as_an_independent_integration_says(
 }
 
 #[test]
-fn a_cradles_last_balls_take_nearly_all_and_the_others_part_slowly() {
+fn the_last_ball_of_a_cradle_takes_most_of_the_speed_and_the_others_separate_slowly() {
     for speeds in [cradle::<3>(1).to_vec(), cradle::<4>(1).to_vec(), cradle::<5>(1).to_vec()] {
         let last = speeds[speeds.len() - 1];
         assert!((0.988..0.996).contains(&last), "{speeds:?}");
@@ -119,7 +119,7 @@ fn a_cradles_last_balls_take_nearly_all_and_the_others_part_slowly() {
 }
 
 #[test]
-fn balls_of_different_size_yield_as_their_radii_and_masses_say() {
+fn unequal_balls_agree_with_an_independent_integration() {
     let radii = [0.0254, 0.030_75, 0.023_8];
     let mut bodies =
         radii.map(|radius| Body { mass: 7e3 * radius * radius * radius, radius, ..still() });
@@ -135,7 +135,7 @@ fn balls_of_different_size_yield_as_their_radii_and_masses_say() {
 }
 
 #[test]
-fn a_gap_closes_before_it_presses_and_one_too_wide_is_left_to_a_later_impact() {
+fn a_narrow_gap_closes_within_the_impact_and_a_wide_one_is_left_to_a_later_impact() {
     let speeds = |gap: f64| {
         let mut bodies = [ball(along_x(1.0)), still(), still()];
         let mut touches = row(&bodies);
@@ -143,17 +143,18 @@ fn a_gap_closes_before_it_presses_and_one_too_wide_is_left_to_a_later_impact() {
         resolve(&elastic(), &mut bodies, &touches);
         bodies.map(|b| b.velocity.x)
     };
-    // A contact at 1 m/s presses balls together by about 0.1 mm.
+    // A contact at 1 m/s compresses the balls by about 0.1 mm.
     let (none, tiny, wide) = (speeds(0.0), speeds(1e-9), speeds(1e-3));
     assert!(none.iter().zip(tiny).all(|(a, b)| (a - b).abs() < 1e-4), "{none:?} and {tiny:?}");
     assert!(wide[0].abs() < STEPS && (wide[1] - 1.0).abs() < STEPS && wide[2] == 0.0, "{wide:?}");
-    // The later the second contact, the nearer to two impacts one after another: 0, 0, 1.
+    // The later the second contact begins, the closer the result is to two separate impacts: 0, 0,
+    // 1.
     let between = speeds(5e-5)[1];
     assert!(between > 0.0 && between < none[1], "{between}");
 }
 
 #[test]
-fn results_grow_with_the_speed_and_do_not_depend_on_it_otherwise() {
+fn results_are_proportional_to_the_speed() {
     let speeds = |v: f64| {
         let mut bodies = [ball(along_x(v)), still(), still(), still()];
         let touches = row(&bodies);
@@ -174,8 +175,8 @@ fn skew_pair(angle: f64) -> ([Body; 2], Touch) {
     ([a, still()], Touch { a: 0, b: 1, normal: Vec3::new(c, s, 0.0), gap: 0.0 })
 }
 
-/// Differences between a pair in the network and the pair's own law, in parts of the approach:
-/// in the speeds of the centres and of the surfaces.
+/// Differences between a pair in the network and the pair's own law, as fractions of the approach
+/// speed, in the velocities of centres and surfaces.
 fn difference_from_pair_law(law: &BallBall, angle: f64) -> f64 {
     let (mut ours, touch) = skew_pair(angle);
     let [mut a, mut b] = ours;
@@ -191,7 +192,7 @@ fn difference_from_pair_law(law: &BallBall, angle: f64) -> f64 {
 }
 
 #[test]
-fn a_pair_alone_leaves_with_the_laws_restitution_and_rigid_friction() {
+fn a_pair_alone_agrees_with_the_laws_restitution_and_rigid_friction() {
     for angle in [0.0, 0.2, 0.6, 1.0] {
         for e in [1.0, 0.95, 0.7, 0.3] {
             let smooth = difference_from_pair_law(&law(BallBallModel::Elastic, e, 0.0), angle);
@@ -205,18 +206,18 @@ fn a_pair_alone_leaves_with_the_laws_restitution_and_rigid_friction() {
 }
 
 #[test]
-fn a_compliant_pair_alone_is_thrown_nearly_as_its_own_law_throws_it() {
+fn the_throw_of_a_compliant_pair_alone_is_close_to_that_of_its_own_law() {
     for angle in [0.1, 0.2, 0.35, 0.5, 0.8, 1.1] {
         for mu in [0.03, 0.06, 0.12] {
             let law = law(BallBallModel::Compliant, 0.95, mu);
             let difference = difference_from_pair_law(&law, angle);
-            // Of surfaces; of centres it is 2/5 of that, 0.4° of throw.
+            // Of the surfaces. That of the centres is 2/5 of it, 0.4° of throw.
             assert!(difference < 0.018, "μ {mu}, angle {angle}: {difference}");
         }
     }
 }
 
-/// Fifteen frozen balls, and one that comes along y; the rack is symmetric about x = 0.
+/// Fifteen frozen balls and a cue ball that moves along y; the rack is symmetric about x = 0.
 fn rack(velocity: Vec3) -> (Vec<Body>, Vec<Touch>, Vec<[f64; 2]>) {
     let mut places = vec![[0.0, -2.0 * RADIUS]];
     for line in 0..5 {
@@ -249,7 +250,7 @@ fn break_law() -> BallBall {
 }
 
 #[test]
-fn a_rack_struck_in_its_axis_breaks_symmetrically_to_the_bit() {
+fn a_rack_struck_along_its_axis_breaks_symmetrically_to_the_bit() {
     let (mut bodies, touches, places) = rack(Vec3::new(0.0, 9.0, 0.0));
     assert_eq!(touches.len(), 31);
     resolve(&break_law(), &mut bodies, &touches);
@@ -264,7 +265,8 @@ fn a_rack_struck_in_its_axis_breaks_symmetrically_to_the_bit() {
     }
 }
 
-/// TP B.20 estimates v/5 for balls without losses, the rack being one and a half balls: ±30 %.
+/// TP B.20 estimates v/5 for balls without losses, with an effective mass of the rack of one and a
+/// half balls: ±30 %.
 #[test]
 fn a_cue_ball_comes_back_from_a_frozen_rack_with_about_a_fifth_of_its_speed() {
     let speed = 13.4; // 30 mph
@@ -273,7 +275,7 @@ fn a_cue_ball_comes_back_from_a_frozen_rack_with_about_a_fifth_of_its_speed() {
         resolve(&law, &mut bodies, &touches);
         let back = -bodies[0].velocity.y / speed;
         assert!((0.14..0.26).contains(&back), "{back}");
-        // The corner balls leave fastest, and the middle of the rack hardly moves.
+        // The corner balls leave fastest, and the balls inside the rack hardly move.
         let fastest = bodies.iter().map(|b| b.velocity.length()).fold(0.0, f64::max);
         assert_eq!(fastest, bodies[11].velocity.length());
         assert!(bodies[5].velocity.length() < 0.05 * speed);
@@ -302,7 +304,7 @@ fn the_order_of_the_balls_and_of_their_contacts_does_not_matter() {
 }
 
 #[test]
-fn no_two_balls_of_a_broken_rack_approach_and_its_momentum_is_kept() {
+fn no_two_balls_of_a_broken_rack_approach_and_momentum_is_conserved() {
     for (x, y) in [(0.0, 9.0), (0.8, 9.0), (-3.0, 5.0), (0.1, 0.05)] {
         let velocity = Vec3::new(x, y, 0.0);
         let (mut bodies, touches, _) = rack(velocity);
@@ -335,8 +337,8 @@ fn balls_that_the_impact_does_not_reach_keep_their_bits() {
 }
 
 #[test]
-fn a_frozen_combination_is_thrown_by_friction() {
-    // The cue ball drives the first ball across the line of centres of the frozen two.
+fn friction_throws_the_second_ball_of_a_frozen_combination() {
+    // The cue ball hits the first ball at an angle to the line of centres of the frozen pair.
     let throw = |mu: f64| {
         let angle = 0.5;
         let mut bodies = [ball(along_x(1.0)), still(), still()];

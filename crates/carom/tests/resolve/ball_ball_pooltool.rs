@@ -1,4 +1,4 @@
-//! Ball–ball collisions beside pooltool 0.6.0, sample by sample.
+//! Ball–ball collisions compared with pooltool 0.6.0, sample by sample.
 
 use crate::near::assert_near;
 use carom::math::{Vec2, Vec3, sqrt};
@@ -10,15 +10,15 @@ const CLOTH: Cloth =
 /// Restitution.
 const E: f64 = 0.95;
 
-/// A few roundings, in parts of the speeds.
+/// A few rounding errors, as fractions of the speeds.
 const ROUNDING: f64 = 1e-14;
 
-/// What its 1000 steps leave, in parts of the speeds.
+/// The error of its 1000 steps, as a fraction of the speeds.
 const COARSE_STEPS: f64 = 1e-3;
 
-/// pooltool's Mathavan model takes the slip on the cloth as v − Rẑ×ω, the spin with the wrong sign
-/// (its friction then does not oppose the slip, in any of its samples), so only samples in which
-/// the ball that friction presses on the cloth has no horizontal spin are comparable.
+/// pooltool's Mathavan model computes the slip on the cloth as v − Rẑ×ω, with the wrong sign of the
+/// spin (in none of its samples does friction of the cloth oppose the slip). So samples are
+/// comparable only if the ball that friction presses on the cloth has no horizontal spin.
 fn pressed_ball_is_unspun(a: &Body, b: &Body, line: Vec3) -> bool {
     let spin = a.angular_velocity + b.angular_velocity;
     let pressed = if spin.dot(Vec3::new(-line.y, line.x, 0.0)) < 0.0 { a } else { b };
@@ -26,8 +26,8 @@ fn pressed_ball_is_unspun(a: &Body, b: &Body, line: Vec3) -> bool {
 }
 
 fn compare(model: BallBallModel, column: usize, tolerance: f64) {
-    // pooltool's frictional model rubs with μ times the speed of separation, e·w, where the normal
-    // impulse is (1 + e)/2·w: the same as a friction that is smaller by 2e/(1 + e).
+    // In pooltool's frictional model friction is μ times the separation speed, e·w, while the
+    // normal impulse is (1 + e)/2·w: equivalent to a friction smaller by the factor 2e/(1 + e).
     let fault = if model == BallBallModel::Frictional { 2.0 * E / (1.0 + E) } else { 1.0 };
     let law = BallBall {
         model,
@@ -75,16 +75,16 @@ fn compare(model: BallBallModel, column: usize, tolerance: f64) {
 }
 
 #[test]
-fn elastic_is_pooltools_frictionless_elastic() {
+fn elastic_agrees_with_pooltools_frictionless_elastic() {
     compare(BallBallModel::Elastic, 0, ROUNDING);
 }
 
 #[test]
-fn frictional_is_pooltools_frictional_inelastic() {
+fn frictional_agrees_with_pooltools_frictional_inelastic() {
     compare(BallBallModel::Frictional, 1, ROUNDING);
 }
 
 #[test]
-fn mathavan_2014_is_pooltools_within_its_coarse_steps() {
+fn mathavan_2014_agrees_with_pooltools_within_its_coarse_steps() {
     compare(BallBallModel::Mathavan2014, 2, COARSE_STEPS);
 }

@@ -21,7 +21,7 @@ fn law(restitution: f64, friction: SlipFriction) -> BallBall {
     BallBall { model: BallBallModel::Frictional, restitution, friction, frequency_ratio: 1.7 }
 }
 
-/// The cue ball moves along +y at `speed` with `spin`; it meets a resting equal ball whose line of
+/// The cue ball moves along +y at `speed` with `spin` and hits a resting equal ball. The line of
 /// centres is turned clockwise by `cut`.
 fn collide(law: &BallBall, speed: f64, spin: Vec3, cut: f64) -> (Body, Body) {
     let body = |velocity, angular_velocity| Body {
@@ -53,8 +53,8 @@ fn bearing(v: Vec2) -> f64 {
     degrees(atan2(v.x, v.y))
 }
 
-/// Throw: how far the object ball leaves from the line of centres towards the cue ball's line of
-/// motion, degrees.
+/// Throw: the angle between the object ball's direction and the line of centres, positive towards
+/// the cue ball's direction of motion, degrees.
 fn throw(law: &BallBall, speed: f64, spin: Vec3, cut: f64) -> f64 {
     let (_, object) = collide(law, speed, spin, cut);
     degrees(cut) - bearing(object.velocity.xy())
@@ -204,7 +204,7 @@ fn bb13_a_straight_stop_shot_with_english_gives_at_most_five_fourteenths_of_the_
 }
 
 #[test]
-fn bb15_how_rolling_balls_share_the_speed() {
+fn bb15_shares_of_the_speed_after_a_rolling_hit() {
     let law = law(1.0, SlipFriction::constant(0.0));
     let shares = |cut: f64| {
         let (cue, object) = collide(&law, 1.0, rolling(1.0), cut);
@@ -222,7 +222,7 @@ fn bb15_how_rolling_balls_share_the_speed() {
 }
 
 #[test]
-fn bb18_a_full_rolling_hit_leaves_the_cue_ball_what_restitution_leaves() {
+fn bb18_a_full_rolling_hit_leaves_the_cue_ball_the_speed_that_restitution_predicts() {
     for (e, expected) in [(1.0, 0.2857), (0.95, 0.3036), (0.94, 0.3071), (0.89, 0.3250)] {
         let (cue, _) = collide(&law(e, SlipFriction::constant(0.0)), 1.0, rolling(1.0), 0.0);
         assert_near(rolled_out(&cue).length(), expected, 1e-4);
@@ -231,8 +231,8 @@ fn bb18_a_full_rolling_hit_leaves_the_cue_ball_what_restitution_leaves() {
 
 #[test]
 fn bb22_mathavan_2014_on_the_papers_own_shots() {
-    // Shots 2 to 4 of the paper's table are those of Mathavan et al. 2009 (row BB20), which gives
-    // their speed and cut; the figures are those after both balls roll.
+    // Shots 2 to 4 of the paper's table are those of Mathavan et al. 2009 (row BB20), which has
+    // their speeds and cuts. The numbers are those after both balls roll.
     let cloth = Cloth { sliding_friction: 0.21, ..CLOTH };
     let law =
         BallBall { model: BallBallModel::Mathavan2014, ..law(0.89, SlipFriction::constant(0.05)) };

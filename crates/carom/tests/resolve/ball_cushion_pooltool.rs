@@ -1,18 +1,18 @@
-//! Cushion impacts beside pooltool 0.6.0's, on its own 7-ft table (facts in
+//! Cushion impacts compared with pooltool 0.6.0, on its own 7-ft table (facts in
 //! `data/cushion_pooltool.json`).
 //!
-//! Compared is the resolution alone, with the normal that pooltool gives it. Where it differs:
+//! Only the impacts are compared, with pooltool's normal. Differences:
 //!
-//! * It finds the impact with a vertical plane through the nose, so at a rail its ball is R from
-//!   the nose horizontally. Its Stronge model then takes the direction from the nose line to the
-//!   ball's centre for the normal, sin θ = (h − R)/√(R² + (h − R)²) instead of (h − R)/R, and at a
-//!   jaw the direction from the *centre* of the jaw's arc, which is flatter still; its Han and
-//!   Mathavan models take (h − R)/R.
-//! * Its Mathavan model steps the impulse by 1e-3 N·s, 6 mm/s of the ball's speed, and at most
-//!   1000 times a phase.
-//! * All its models put the ball 1 µm away first; the directions here are those from there.
-//!
-//! * All its models drop the vertical velocity after the impact.
+//! * It finds the impact with a vertical plane through the nose, so at a rail its ball is at the
+//!   horizontal distance R from the nose. The normal of its Stronge model is the direction from the
+//!   nose line to the ball's centre, sin θ = (h − R)/√(R² + (h − R)²) instead of (h − R)/R; at a
+//!   jaw it is the direction from the *centre* of the jaw's arc, which is even flatter. Its Han and
+//!   Mathavan models use (h − R)/R.
+//! * Its Mathavan model has steps of impulse of 1e-3 N·s, 6 mm/s of the ball's speed, and at most
+//!   1000 of them in a phase.
+//! * All its models first move the ball 1 µm away; the directions here are those after this move.
+//! * All its models set the vertical velocity after the impact to 0.
+
 use carom::math::{Vec2, Vec3, sqrt};
 use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::resolve::{Body, ball_cushion::resolve};
@@ -68,11 +68,11 @@ fn data() -> Value {
     serde_json::from_str(include_str!("../data/cushion_pooltool.json")).expect("JSON")
 }
 
-/// 12 digits are stored of each number.
+/// Each number is stored with 12 digits.
 const STORED: f64 = 1e-10;
 
 #[test]
-fn a_reflection_is_pooltools_unrealistic_cushion() {
+fn a_reflection_agrees_with_pooltools_unrealistic_cushion() {
     for kind in ["linear", "circular"] {
         let off = largest_difference(&data(), kind, "unrealistic", CushionModel::Restitution, 1.0);
         assert!(off < STORED, "{kind}: {off:e}");
@@ -80,7 +80,7 @@ fn a_reflection_is_pooltools_unrealistic_cushion() {
 }
 
 #[test]
-fn han_2005_is_pooltools() {
+fn han_2005_agrees_with_pooltools() {
     for kind in ["linear", "circular"] {
         let off = largest_difference(&data(), kind, "han_2005", CushionModel::Han2005, 0.85);
         assert!(off < STORED, "{kind}: {off:e}");
@@ -88,8 +88,8 @@ fn han_2005_is_pooltools() {
 }
 
 #[test]
-fn stronge_is_pooltools() {
-    /// pooltool's root search ends early; m/s.
+fn stronge_agrees_with_pooltools() {
+    /// pooltool's search for the root ends early, m/s.
     const SEARCHED: f64 = 1e-7;
     for kind in ["linear", "circular"] {
         let off =
@@ -99,9 +99,9 @@ fn stronge_is_pooltools() {
 }
 
 #[test]
-fn mathavan_2010_is_pooltools_to_its_own_steps() {
-    /// Three of its steps, m/s: compression and restitution end up to a step late, and the
-    /// friction of a step has the direction of its start.
+fn mathavan_2010_agrees_with_pooltools_within_its_steps() {
+    /// Three of its steps, m/s: compression and restitution end up to one step late, and the
+    /// friction of a step has the direction at its start.
     const COARSE: f64 = 3.0 * 1e-3 / 0.170_097;
     for kind in ["linear", "circular"] {
         let off =

@@ -1,4 +1,4 @@
-//! What holds for every cushion model, whatever its parameters.
+//! Laws of every cushion model, whatever its parameters.
 
 use crate::random::Random;
 use carom::math::{Vec2, Vec3, sin_cos, sqrt};
@@ -13,7 +13,7 @@ const MODELS: [CushionModel; 5] = [
     CushionModel::Factors,
 ];
 
-/// Impacts per model: enough to meet every regime at every kind of parameter.
+/// Impacts per model: enough for every regime with every kind of parameter.
 const IMPACTS: u32 = 100_000;
 
 #[derive(Clone)]
@@ -25,9 +25,9 @@ struct Case {
     ball: Body,
 }
 
-/// Speeds from 1e-9 to 20 m/s, spins to 500 rad/s and none, every incidence, every geometry, fits
-/// that leave the physical range and must be clamped; half of the balls on the bed, the others at
-/// any height, some right above the edge.
+/// Speeds from 1e-9 to 20 m/s, spins up to 500 rad/s or none, every angle of incidence, every
+/// geometry, and fits that leave the physical range and must be clamped. Half of the balls are on
+/// the bed, the others at any height, some directly above the edge.
 fn case(model: CushionModel, random: &mut Random) -> Case {
     let on_bed = random.unit() < 0.5;
     let (sin, cos) = sin_cos(random.between(-1.57, 1.57));
@@ -105,10 +105,10 @@ fn into(case: &Case) -> Vec2 {
 }
 
 #[test]
-fn energy_never_rises_and_the_ball_never_goes_on_into_the_rail() {
-    /// Rounding of the sums over the components, as a share of the energy.
+fn energy_never_rises_and_the_ball_never_moves_on_into_the_rail() {
+    /// Rounding error of the sums over the components, as a fraction of the energy.
     const ROUNDING: f64 = 4e-15;
-    /// Rounding of the turn into the rail's frame and back, as a share of the speeds.
+    /// Rounding error of the rotation into the rail's frame and back, as a fraction of the speeds.
     const TURNED: f64 = 1e-15;
     for model in MODELS {
         let mut random = Random(1);
@@ -144,7 +144,7 @@ fn energy_never_rises_and_the_ball_never_goes_on_into_the_rail() {
 
 #[test]
 fn restitution_holds_along_the_normal_off_the_bed_and_the_rest_of_the_impulse_is_friction() {
-    /// Rounding as a share of the speeds.
+    /// Rounding error as a fraction of the speeds.
     const ROUNDING: f64 = 1e-14;
     for model in MODELS {
         let mut random = Random(6);
@@ -161,15 +161,15 @@ fn restitution_holds_along_the_normal_off_the_bed_and_the_rest_of_the_impulse_is
             let parting = -ball.velocity.dot(case.normal);
             assert!((parting - e * approach).abs() < ROUNDING * size, "{model:?}");
             if model == CushionModel::Factors {
-                // A rule, not an impulse: what it takes from the spin has no arm.
+                // Constant factors are not an impulse: the change of the spin has no lever arm.
                 continue;
             }
-            // The edge's impulse has no moment about the touched point.
+            // The edge's impulse has no moment about the point of contact.
             let kick = ball.velocity - case.ball.velocity;
             let turn = ball.angular_velocity - case.ball.angular_velocity;
             let moment = turn * (0.4 * ball.radius) - case.normal.cross(kick);
             assert!(moment.length() < ROUNDING * size, "{model:?}: {moment:?}");
-            // Coulomb's bound, and friction against the slip.
+            // Coulomb's bound, and friction opposite to the slip.
             let friction = kick - case.normal * kick.dot(case.normal);
             let across = case.ball.velocity - case.normal * approach;
             let slip = across + case.ball.angular_velocity.cross(case.normal) * case.ball.radius;
@@ -198,8 +198,9 @@ fn mathavan_2010_keeps_the_ball_on_the_bed_and_off_it_is_a_rigid_impulse() {
 }
 
 #[test]
-fn a_rebound_from_the_bed_is_that_from_the_air_but_for_what_the_slate_holds() {
-    /// Where no fit tells the two apart; rounding, as a share of the speeds.
+fn a_rebound_on_the_bed_is_that_in_the_air_without_the_velocity_that_the_slate_stops() {
+    /// For models without a fit that distinguishes the two; rounding error as a fraction of the
+    /// speeds.
     const ROUNDING: f64 = 1e-14;
     for model in [CushionModel::Han2005, CushionModel::Stronge] {
         let mut random = Random(8);
@@ -214,7 +215,7 @@ fn a_rebound_from_the_bed_is_that_from_the_air_but_for_what_the_slate_holds() {
             let bed = after(&case);
             case.on_bed = false;
             let mut air = after(&case);
-            // What slate and nose hold as a wedge does.
+            // Slate and nose wedge the ball.
             let on = air.velocity.xy().dot(into(&case)).max(0.0);
             air.velocity -= (into(&case) * on).with_z(0.0);
             air.velocity.z = air.velocity.z.max(0.0);
@@ -231,7 +232,7 @@ fn a_rebound_from_the_bed_is_that_from_the_air_but_for_what_the_slate_holds() {
 
 #[test]
 fn the_rebound_of_a_flying_ball_changes_smoothly_with_the_height_of_the_nose() {
-    /// Over a step of 1e-6 in the angle, as a share of the speeds.
+    /// Over a step of 1e-6 in the angle, as a fraction of the speeds.
     const STEP: f64 = 1e-6;
     const SMOOTH: f64 = 200.0 * STEP;
     for model in MODELS {
@@ -267,7 +268,7 @@ fn the_rebound_of_a_flying_ball_changes_smoothly_with_the_height_of_the_nose() {
 }
 
 #[test]
-fn mirrored_impacts_have_mirrored_outcomes_bit_for_bit() {
+fn mirrored_impacts_have_mirrored_results_bit_for_bit() {
     type Mirror = fn(Vec3) -> Vec3;
     let mirrors: [Mirror; 3] =
         [|v| Vec3 { x: -v.x, ..v }, |v| Vec3 { y: -v.y, ..v }, |v| Vec3 { x: v.y, y: v.x, z: v.z }];
@@ -291,9 +292,9 @@ fn mirrored_impacts_have_mirrored_outcomes_bit_for_bit() {
 }
 
 #[test]
-fn a_turned_rail_has_the_turned_outcome_to_rounding() {
-    /// Rounding in the direction of the rail, as a share of the speeds; Mathavan's step
-    /// control may turn it into its own step error.
+fn a_rotated_rail_has_the_rotated_result_to_rounding() {
+    /// Rounding error of the rail's direction, as a fraction of the speeds. Mathavan's step control
+    /// may enlarge it to the error of its steps.
     const ROUNDING: f64 = 2e-13;
     const INTEGRATED: f64 = 1e-7;
     let turned =
@@ -324,7 +325,7 @@ fn a_turned_rail_has_the_turned_outcome_to_rounding() {
 }
 
 #[test]
-fn a_slow_ball_comes_back_as_it_went() {
+fn a_slow_ball_is_reflected_without_loss() {
     for model in MODELS {
         let mut random = Random(4);
         let mut case = case(model, &mut random);
@@ -339,7 +340,7 @@ fn a_slow_ball_comes_back_as_it_went() {
         let expected = Vec3::new(0.001, 0.3, 0.0) - case.normal * 0.0016;
         assert!((ball.velocity - expected).length() < 1e-17);
         assert_eq!(ball.angular_velocity, case.ball.angular_velocity);
-        // At 1.5 mm/s, half a reflection and half the model's own outcome.
+        // At 1.5 mm/s, half a reflection and half the model's own result.
         case.law.restitution = CushionRestitution { a: 0.0, b: 0.0, c: 0.0 };
         case.law.friction = CushionFriction { a: 0.0, b: 0.0 };
         case.normal = Vec3::new(1.0, 0.0, 0.0);
@@ -353,7 +354,7 @@ fn a_slow_ball_comes_back_as_it_went() {
 }
 
 #[test]
-fn a_ball_that_leaves_the_rail_is_left_alone() {
+fn a_ball_that_leaves_the_rail_is_left_unchanged() {
     for model in MODELS {
         let mut case = case(model, &mut Random(5));
         case.ball.velocity = -case.ball.velocity;
@@ -362,7 +363,7 @@ fn a_ball_that_leaves_the_rail_is_left_alone() {
 }
 
 #[test]
-fn a_ball_that_lands_upon_the_edge_bounces_as_from_a_floor() {
+fn a_ball_that_lands_on_the_edge_bounces_as_from_a_floor() {
     for model in MODELS {
         let mut case = case(model, &mut Random(10));
         case.law.restitution = CushionRestitution { a: 0.6, b: 0.0, c: 0.0 };
@@ -377,12 +378,12 @@ fn a_ball_that_lands_upon_the_edge_bounces_as_from_a_floor() {
 }
 
 #[test]
-fn a_nose_above_the_centre_presses_a_ball_down_and_friction_that_is_stronger_makes_it_hop() {
+fn a_nose_above_the_centre_presses_a_ball_down_and_strong_friction_makes_it_hop() {
     let mut case = case(CushionModel::Han2005, &mut Random(11));
     case.law.restitution = CushionRestitution { a: 0.8, b: 0.0, c: 0.0 };
     (case.normal, case.on_bed) = (Vec3::new(sqrt(1.0 - 0.2 * 0.2), 0.0, 0.2), true);
     case.ball.velocity = Vec3::new(2.0, 0.0, 0.0);
-    // Top spin: the face runs down along the nose, which lifts it.
+    // Top spin: the ball's surface moves down along the nose, which lifts the ball.
     case.ball.angular_velocity = Vec3::new(0.0, 5.0 / case.ball.radius, 0.0);
     for (friction, hops) in [(0.1, false), (0.4, true)] {
         case.law.friction = CushionFriction { a: friction, b: 0.0 };

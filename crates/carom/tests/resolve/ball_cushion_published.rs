@@ -4,7 +4,7 @@ use carom::math::{Vec3, atan2, radians, sin_cos, sqrt};
 use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::resolve::{Body, ball_cushion::resolve};
 
-/// Mathavan 2010: ball, nose height 7R/5, and the parameters fitted to its film.
+/// Mathavan 2010: ball, nose height 7R/5, and the parameters fitted to the film.
 const SNOOKER: (f64, f64) = (0.1406, 0.02625);
 const MATHAVAN_SIN: f64 = 0.4;
 
@@ -23,9 +23,9 @@ fn cloth(mu: f64) -> Cloth {
     Cloth { sliding_friction: mu, rolling_friction: 0.01, spin_deceleration: 10.0 }
 }
 
-/// Speed over the incoming speed and angle from the rail (degrees) with which Mathavan's model
-/// sends a ball of 1 m/s back that comes in at `alpha` degrees from the rail, with `k_t` times
-/// the spin of rolling and `k_s` times that as sidespin.
+/// Rebound of a ball of 1 m/s by Mathavan's model: speed ratio, and angle from the rail (degrees).
+/// The ball comes in at `alpha` degrees from the rail, with `k_t` times the spin of rolling and
+/// `k_s` times that as sidespin.
 fn mathavan(alpha: f64, k_t: f64, k_s: f64, speed: f64) -> (f64, f64) {
     let (sin, cos) = sin_cos(radians(alpha));
     let (mass, radius) = SNOOKER;
@@ -95,7 +95,7 @@ fn mathavan_2010_figure_10_rolling_with_sidespin() {
         (60.0, 1.0, 0.970, 54.6),
         (90.0, 1.0, 0.968, 76.0),
     ] {
-        // The paper's x axis runs the other way along the rail.
+        // The paper's x axis has the opposite direction along the rail.
         let (ours, out) = mathavan(alpha, 1.0, -k_s, 1.0);
         assert_close(ours, rebound, SPEED * rebound);
         assert_close(out, angle, ANGLE);
@@ -104,10 +104,12 @@ fn mathavan_2010_figure_10_rolling_with_sidespin() {
 
 #[test]
 fn opposite_sidespins_rebound_at_supplementary_angles() {
-    /// Row CU-7 (the paper's own curve for k_S = 2 breaks it); rounding of the two arctangents.
+    /// Row CU-7 (the paper's own curve for k_S = 2 violates it); rounding error of the two
+    /// arctangents.
     const ROUNDING: f64 = 1e-12;
     for k_s in [0.5, 1.0, 2.0] {
-        // `mathavan` turns the incidence by its cosine, whose rounding at 90° is no mirror image.
+        // `mathavan` rotates the incidence by its cosine, whose rounding error at 90° is not a
+        // mirror image.
         let rebound = |k_s: f64| {
             let (mass, radius) = SNOOKER;
             let mut ball = Body {
@@ -125,10 +127,10 @@ fn opposite_sidespins_rebound_at_supplementary_angles() {
 }
 
 #[test]
-fn stronge_by_an_independent_integration() {
+fn stronge_agrees_with_an_independent_integration() {
     /// Row CU-11: the digits given there.
     const TOLERANCE: f64 = 1e-4;
-    // Final slip over approach speed, positive where the slip has turned round.
+    // Final slip divided by approach speed, positive if the slip has changed its direction.
     for (ratio, last) in [
         (0.05, -0.007_00),
         (0.2, 0.022_79),
@@ -178,20 +180,22 @@ fn tp_6_3_a_frictionless_rail_turns_tangents_by_restitution() {
 fn tp_7_3_a_rail_that_pushes_above_the_centre() {
     /// Row CU-9: ft/s and rad/s.
     const TOLERANCE: f64 = 0.01;
-    // TP 7.3's rail is no model of the engine: friction σμ at the centre's height, and the normal
-    // impulse at `a` above it. The formula is checked by that impulse on a `Body`'s equations.
+    // The rail of TP 7.3 is not a model of the engine: friction σμ at the height of the centre, and
+    // the normal impulse `a` above it. The formula is checked with that impulse on the equations of
+    // a `Body`.
     const FOOT: f64 = 0.3048;
     let (e, mu, radius) = (0.7, 0.17, 1.125 * 0.0254);
     let (v, a) = (5.0 * FOOT, 0.08 * radius);
     let w = v / radius;
     let impulse = (1.0 + e) * v;
-    // Rolling in, the ball's face moves down at the nose: friction turns it back.
+    // For a rolling ball the surface at the nose moves down, and friction lifts it.
     let turn = 2.5 / (radius * radius) * impulse * (mu * radius + a);
     assert_close((impulse - v) / FOOT, 3.5, TOLERANCE);
     assert_close(turn - w, 3.333, TOLERANCE);
     assert_close(e * v / radius, 37.33, TOLERANCE);
 
-    // Han's rail with its nose at the centre has the same friction where it slips to the end.
+    // Han's rail with its nose at the height of the centre has the same friction if the ball slips
+    // until the end.
     let w = 2.0 * w;
     let mut ball = Body {
         velocity: Vec3::new(v, 0.0, 0.0),
@@ -211,12 +215,12 @@ fn tp_b_6_a_ball_that_stuns_on_every_rebound() {
     const FOOT: f64 = 0.3048;
     const MILE_PER_HOUR: f64 = 0.447_04;
     const GRAVITY: f64 = 9.807;
-    /// The centre's way between two rebounds, 100 in.
+    /// The centre's distance between two rebounds, 100 in.
     const LEG: f64 = 100.0 * 0.0254;
     let (mu_s, mu_r, e) = (0.2, 0.01, 0.7);
 
-    // A leg from rolling (or from stun, where `slide` is the way in which it starts to roll):
-    // the way that is left to go, or the speed at its end.
+    // One length of the table from rolling (or from stun, where `slide` is the distance until the
+    // ball rolls): the distance that is left to roll, or the speed at the end.
     let travel = |mut v: f64| {
         let mut way = 0.0;
         let mut stun = false;
@@ -253,7 +257,7 @@ fn tp_b_6_a_ball_that_stuns_on_every_rebound() {
 /// FastFiz.h: the speed along a rail × 0.9, against it × 0.6, the spin × 0.1.
 #[test]
 fn poolfiz_multiplies_the_two_speeds_and_the_spin() {
-    /// Of numbers up to 70.
+    /// For numbers up to 70.
     const ROUNDING: f64 = 1e-13;
     let physics = carom::Physics::poolfiz();
     for on_bed in [true, false] {
@@ -276,7 +280,7 @@ fn poolfiz_multiplies_the_two_speeds_and_the_spin() {
 }
 
 #[test]
-fn han_2005_fits_are_his_and_stay_physical() {
+fn the_fits_of_han_2005_are_as_published_and_stay_physical() {
     const ROUNDING: f64 = 1e-12;
     let fit = Cushion {
         restitution: CushionRestitution { a: 0.39, b: 0.257, c: -0.044 },
@@ -295,7 +299,7 @@ fn han_2005_fits_are_his_and_stay_physical() {
     };
     for v in [0.2, 1.0, 2.5, 4.0] {
         let e = 0.39 + 0.257 * v - 0.044 * v * v;
-        // At 60° the ball slips on: Δv_y = μ(1 + e)V.
+        // At 60° the ball slips until the end: Δv_y = μ(1 + e)V.
         let along = v * sqrt(3.0);
         let mu = 0.471 - 0.241 * core::f64::consts::FRAC_PI_3;
         let out = rebound(v, along);

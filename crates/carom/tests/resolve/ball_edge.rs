@@ -1,5 +1,5 @@
-//! A ball that tips over an edge: hops off it, followed here by the exact times of their parabolas,
-//! beside the textbook's ball that turns about the edge.
+//! A ball that falls over an edge. Its hops are integrated here with the exact times of their
+//! parabolas and compared with the textbook's ball that turns about the edge.
 
 use crate::near::assert_near;
 use crate::random::Random;
@@ -24,7 +24,7 @@ struct Fall {
     /// cos of the angle from the vertical at the last contact.
     cosine: f64,
     contacts: u32,
-    /// Largest rise of the whole energy in a contact, as a share of it.
+    /// Largest relative increase of the total energy in a contact.
     gain: f64,
     /// From the first contact to the last, s.
     time: f64,
@@ -71,7 +71,7 @@ fn tip_aslant(law: &Surface, velocity: Vec2) -> Fall {
     }
 }
 
-/// Velocity, surface speed Rω and place of the centre in flight where its height is that of the edge.
+/// Velocity, surface velocity Rω and position of the centre when it is at the height of the edge.
 fn at_the_edges_height(x: f64, z: f64, velocity: Vec3, surface: f64) -> [f64; 4] {
     let rise = velocity.z;
     let fall = sqrt(rise * rise + 2.0 * GRAVITY * z);
@@ -79,7 +79,7 @@ fn at_the_edges_height(x: f64, z: f64, velocity: Vec3, surface: f64) -> [f64; 4]
     [velocity.x, -fall, surface, x + velocity.x * t]
 }
 
-/// The same fall by the equations of a ball held on its circle about the edge, with Coulomb
+/// The same fall from the equations of a ball held on its circle about the edge, with Coulomb
 /// friction, in small steps of time: the cosine of lift-off, and the flight.
 fn turned(friction: f64, speed: f64) -> (f64, [f64; 4]) {
     const STEP: f64 = 1e-6;
@@ -106,7 +106,7 @@ fn edge(friction: f64) -> Surface {
 }
 
 #[test]
-fn a_ball_that_rolls_slowly_over_an_edge_lifts_off_where_the_textbook_says() {
+fn a_ball_that_rolls_slowly_over_an_edge_leaves_it_at_the_textbooks_angle() {
     /// Two hops of 0.04 rad, in the cosine.
     const LIFT_OFF: f64 = 0.08;
     for speed in SPEEDS {
@@ -117,11 +117,11 @@ fn a_ball_that_rolls_slowly_over_an_edge_lifts_off_where_the_textbook_says() {
 }
 
 #[test]
-fn a_ball_that_tips_over_an_edge_flies_as_one_that_was_held_on_it_with_the_same_friction() {
+fn a_ball_that_falls_over_an_edge_leaves_it_like_a_ball_held_on_it_with_the_same_friction() {
     const LIFT_OFF: f64 = 0.08;
     /// m/s, of about 0.7.
     const VELOCITY: f64 = 0.0025;
-    /// m/s, of about 0.3; without friction nothing gives back what the first hops took.
+    /// m/s, of about 0.3; without friction nothing restores the loss of the first hops.
     const SURFACE: f64 = 0.02;
     /// m.
     const PLACE: f64 = 1e-4;
@@ -138,7 +138,7 @@ fn a_ball_that_tips_over_an_edge_flies_as_one_that_was_held_on_it_with_the_same_
 }
 
 #[test]
-fn a_ball_tips_over_in_a_bounded_number_of_hops_and_gains_no_energy() {
+fn a_ball_falls_over_an_edge_in_a_bounded_number_of_hops_and_gains_no_energy() {
     const ROUNDING: f64 = 4e-15;
     for friction in [0.0, 0.2, 1.0] {
         for restitution in [0.0, 0.5, 1.0] {
@@ -153,7 +153,7 @@ fn a_ball_tips_over_in_a_bounded_number_of_hops_and_gains_no_energy() {
 }
 
 #[test]
-fn from_the_speed_of_root_g_r_up_a_ball_leaves_the_edge_at_once_and_keeps_its_motion() {
+fn from_the_speed_root_g_r_on_a_ball_leaves_the_edge_at_once_and_keeps_its_motion() {
     let speed = sqrt(GRAVITY * RADIUS) * (1.0 + 1e-9);
     let fall = tip(&edge(0.2), speed);
     assert_eq!(fall.contacts, 1);
@@ -162,13 +162,13 @@ fn from_the_speed_of_root_g_r_up_a_ball_leaves_the_edge_at_once_and_keeps_its_mo
 }
 
 #[test]
-fn a_ball_that_rolls_fast_along_an_edge_tips_over_it_as_one_that_only_crosses_it() {
-    // Without friction the two motions have nothing to do with each other.
+fn a_ball_that_rolls_fast_along_an_edge_falls_over_it_like_one_that_only_crosses_it() {
+    // Without friction the two motions are independent.
     let alone = tip(&edge(0.0), 0.1);
     let fast = tip_aslant(&edge(0.0), Vec2::new(0.1, 3.0));
     assert!(fast.contacts <= alone.contacts + 2, "{} contacts", fast.contacts);
     assert_near(fast.cosine / alone.cosine, 1.0, 0.08);
-    // Friction along the edge couples them; the hops stay as few.
+    // Friction along the edge couples them; the number of hops stays small.
     let rubbed = tip_aslant(&edge(0.2), Vec2::new(0.1, 3.0));
     assert!(rubbed.contacts > 10 && rubbed.contacts < 80, "{} contacts", rubbed.contacts);
     assert!(rubbed.gain < 4e-15);
@@ -192,13 +192,13 @@ fn a_ball_that_drops_on_an_edge_bounces_with_the_surfaces_restitution_and_fricti
     let slip = before.velocity - normal * 1.6;
     assert_near(friction.cross(slip).length(), 0.0, 1e-15);
     assert!(friction.dot(slip) < 0.0);
-    // Nothing turns the ball about the touched point.
+    // There is no torque about the point of contact.
     let moment = ball.angular_velocity * (0.4 * RADIUS) - normal.cross(kick);
     assert_near(moment.length(), 0.0, 1e-15);
 }
 
 #[test]
-fn whatever_the_contact_energy_never_rises_the_ball_parts_and_mirrored_contacts_are_mirrored() {
+fn in_any_contact_energy_never_rises_the_ball_separates_and_mirrored_contacts_are_mirrored() {
     let mut random = Random(3);
     for _ in 0..100_000 {
         let surface = Surface {
@@ -239,8 +239,8 @@ fn whatever_the_contact_energy_never_rises_the_ball_parts_and_mirrored_contacts_
 }
 
 #[test]
-fn a_ball_that_runs_along_a_round_wall_is_held_by_it_in_few_hops_and_gains_nothing() {
-    // The centre keeps to a circle of this radius about the axis, m.
+fn a_ball_follows_a_round_wall_in_few_hops_and_gains_no_energy() {
+    // The centre stays on a circle of this radius about the axis, m.
     const WAY: f64 = 0.035;
     let (mut x, mut y) = (WAY, 0.0);
     let mut ball = Body {

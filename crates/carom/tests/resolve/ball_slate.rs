@@ -55,7 +55,7 @@ fn settled(law: &Surface, mut ball: Body) -> Body {
 }
 
 #[test]
-fn a_bounce_gives_back_e_times_the_fall_and_rubs_with_mu_times_its_impulse_up_to_rolling() {
+fn a_bounce_has_restitution_e_and_friction_mu_and_at_most_stops_the_slip() {
     falls(|law, before| {
         let after = bounced(&law, before);
         let fall = -before.velocity.z;
@@ -68,14 +68,14 @@ fn a_bounce_gives_back_e_times_the_fall_and_rubs_with_mu_times_its_impulse_up_to
         assert_near(impulse.length(), expected, 1e-15 * scale);
         assert_near(impulse.cross(old), 0.0, 1e-15 * scale * scale);
         assert!(impulse.dot(old) <= 0.0);
-        // The slip falls by 7/2 of the impulse, and never turns round.
+        // The slip falls by 7/2 of the impulse and never changes its direction.
         assert_near((new - old - impulse * 3.5).length(), 0.0, 2e-15 * scale);
         assert!(new.dot(old) >= -1e-15 * scale * scale);
     });
 }
 
 #[test]
-fn neither_a_bounce_nor_a_press_raises_energy() {
+fn neither_a_bounce_nor_settling_raises_the_energy() {
     falls(|law, before| {
         let most = energy(&before) * (1.0 + 1e-15);
         assert!(energy(&bounced(&law, before)) <= most);
@@ -99,7 +99,7 @@ fn mirrored_bounces_are_mirrored_to_the_bit() {
 }
 
 #[test]
-fn a_ball_that_settles_loses_its_vertical_speed_alone_or_bounces_later() {
+fn a_ball_that_settles_loses_only_its_vertical_speed_or_bounces_later() {
     falls(|law, before| {
         let after = settled(&law, before);
         if bounced(&law, before).velocity.z >= last_hop_speed(GRAVITY) {
@@ -111,7 +111,7 @@ fn a_ball_that_settles_loses_its_vertical_speed_alone_or_bounces_later() {
 }
 
 #[test]
-fn a_ball_that_rises_flies_from_the_last_hops_speed_on_and_stays_down_below_it() {
+fn a_rising_ball_flies_from_the_last_hops_speed_on_and_stays_down_below_it() {
     let least = last_hop_speed(GRAVITY);
     assert_near(least * least / (2.0 * GRAVITY), LAST_HOP, 1e-18);
     let rising = |speed: f64| ball(Vec3::new(1.0, 0.5, speed), Vec3::new(3.0, 4.0, 5.0));
@@ -126,7 +126,7 @@ fn a_ball_that_rises_flies_from_the_last_hops_speed_on_and_stays_down_below_it()
 }
 
 #[test]
-fn sl4_a_dropped_balls_apexes_shrink_by_the_square_of_restitution_to_the_last_hop() {
+fn sl4_the_apexes_of_a_dropped_ball_shrink_by_the_square_of_restitution_until_the_last_hop() {
     let height = 0.5;
     let mut ball = ball(Vec3::new(0.0, 0.0, -sqrt(2.0 * GRAVITY * height)), Vec3::ZERO);
     let (mut apex, mut time, mut hops) = (height, sqrt(2.0 * height / GRAVITY), 0);
@@ -145,7 +145,7 @@ fn sl4_a_dropped_balls_apexes_shrink_by_the_square_of_restitution_to_the_last_ho
         ball.velocity.z = -rise;
     }
     assert_eq!(hops, 9);
-    // The geometric series, less what the hops left out would have taken.
+    // The geometric series, minus the duration of the omitted hops.
     let all = sqrt(2.0 * height / GRAVITY) * 1.6 / 0.4;
     let left_out = 2.0 * last_hop_speed(GRAVITY) / GRAVITY / 0.4;
     assert!(time < all && time > all - left_out);
@@ -177,7 +177,7 @@ const FOOT: f64 = 0.3048;
 /// Of TP B.10.
 const FEET_PER_SECOND_SQUARED: f64 = 32.174;
 
-/// How far the ball hops, and turns it towards the slate again.
+/// Distance of the ball's hop. Turns its velocity towards the slate again.
 fn hop(ball: &mut Body) -> f64 {
     let rise = ball.velocity.z;
     ball.velocity.z = -rise;
@@ -185,8 +185,8 @@ fn hop(ball: &mut Body) -> f64 {
 }
 
 #[test]
-fn sl1_tp_b_10_a_draw_shot_by_a_cue_raised_by_5_degrees_hops() {
-    /// Half a digit of the last figure, and 0.2 %.
+fn sl1_tp_b_10_a_draw_shot_with_a_cue_raised_by_5_degrees_hops() {
+    /// Half a unit of the last digit, and 0.2 %.
     const TOLERANCE: f64 = 0.002;
     let turns = |ball: &Body| ball.angular_velocity.length() / radians(360.0);
     let mut ball = launch(5.0);
@@ -217,7 +217,7 @@ fn sl1_tp_b_10_a_draw_shot_by_a_cue_raised_by_5_degrees_hops() {
 }
 
 #[test]
-fn sl3_tp_b_10_a_draw_shot_by_a_cue_raised_by_15_degrees_hops_further() {
+fn sl3_tp_b_10_a_draw_shot_with_a_cue_raised_by_15_degrees_hops_further() {
     const TOLERANCE: f64 = 0.002;
     let mut ball = launch(15.0);
     bounce(&SLATE, &mut ball);

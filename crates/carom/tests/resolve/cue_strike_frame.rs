@@ -1,4 +1,5 @@
-//! What the words of a strike mean: side, height, elevation and azimuth, from first principles.
+//! The meaning of a strike's parameters (side, height, elevation and azimuth), from first
+//! principles.
 
 use carom::Ball;
 use carom::ball::cloth_slip;
@@ -14,10 +15,10 @@ const CUE: Cue = Cue {
     tip_friction: 0.8,
     tip: Tip::Restitution(0.7),
 };
-/// Rounding of a few sums and products of numbers about 100.
+/// Rounding error of a few sums and products of numbers near 100.
 const ROUNDING: f64 = 1e-11;
 
-/// Azimuths and elevations (degrees), sides and heights (ball radii) all over their ranges.
+/// Azimuths and elevations (degrees), sides and heights (ball radii) over their whole ranges.
 fn strikes() -> impl Iterator<Item = Strike> {
     let offsets = [(0.0, 0.0), (0.4, 0.0), (-0.4, 0.3), (0.2, -0.5), (0.0, 0.5)];
     [0.0, 37.0, 90.0, 200.0, 359.0].into_iter().flat_map(move |azimuth| {
@@ -45,7 +46,7 @@ fn along_y(elevation: f64, side: f64, height: f64) -> Strike {
 #[test]
 fn a_strike_is_one_impulse_along_the_cue_at_the_contact_point() {
     for strike in strikes() {
-        // A level cue along +x, its contact point seen from behind, then raised, then turned.
+        // A level cue along +x and its contact point seen from behind; then raised; then turned.
         let (x, y) = (strike.side, strike.height);
         let raise = |v: Vec3| {
             let (s, c) = (sin(strike.elevation), cos(strike.elevation));
@@ -61,7 +62,8 @@ fn a_strike_is_one_impulse_along_the_cue_at_the_contact_point() {
 
         let (velocity, spin) = struck(&CUE, &strike);
         let inertia = 0.4 * BALL.mass * BALL.radius * BALL.radius;
-        // Newton at the tip: the ball's contact point runs from the cue with e times its speed.
+        // Newton's law of restitution at the tip: the ball's contact point moves away from the cue
+        // with e times the cue's speed.
         let per_impulse =
             1.0 / BALL.mass + 1.0 / CUE.mass + contact.cross(cue).length_squared() / inertia;
         let impulse = 1.7 * strike.speed / per_impulse;
@@ -81,7 +83,7 @@ fn right_english_spins_the_ball_counter_clockwise_and_left_english_clockwise() {
 }
 
 #[test]
-fn height_0_4_of_a_level_cue_rolls_at_once_and_more_or_less_is_follow_or_draw() {
+fn a_level_cue_at_height_0_4_makes_the_ball_roll_at_once_and_higher_or_lower_is_follow_or_draw() {
     let slip = |height: f64| {
         let (velocity, spin) = struck(&CUE, &along_y(0.0, 0.0, height));
         assert!(velocity.x.abs() < ROUNDING && velocity.y > 0.0);
@@ -93,7 +95,7 @@ fn height_0_4_of_a_level_cue_rolls_at_once_and_more_or_less_is_follow_or_draw() 
 }
 
 #[test]
-fn squirt_goes_away_from_the_english_and_swerve_towards_it() {
+fn squirt_is_away_from_the_english_and_swerve_towards_it() {
     let shaft = Cue { end_mass: 0.006, ..CUE };
     for side in [0.4, -0.4] {
         let (velocity, _) = struck(&shaft, &along_y(0.0, side, 0.0));
@@ -101,7 +103,7 @@ fn squirt_goes_away_from_the_english_and_swerve_towards_it() {
         for elevation in [2.0, 10.0, 60.0] {
             let (velocity, spin) = struck(&CUE, &along_y(elevation, side, 0.0));
             assert!(velocity.x.abs() < ROUNDING);
-            // Friction is against the slip: the ball curves to the side that it was struck on.
+            // Friction opposes the slip: the ball curves to the side on which it was struck.
             assert!(cloth_slip(velocity, spin, BALL.radius).x * side < 0.0, "{elevation}, {side}");
         }
     }

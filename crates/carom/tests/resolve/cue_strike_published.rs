@@ -108,12 +108,12 @@ fn cu8_squirt_for_four_end_masses_to_the_left_of_right_english_at_any_speed() {
 
 #[test]
 fn cl10_a_masse_shot_ends_in_coriolis_direction_at_any_speed() {
-    // TP A.19 counts b downwards.
+    // TP A.19 measures b downwards.
     let offset = 0.5 * cos(radians(45.0));
     for speed in [0.5, 3.0, 9.0] {
         let strike = Strike { elevation: radians(4.0), ..level(speed, offset, -offset) };
         let v = rolled_out(resolve(&cue(Tip::Restitution(0.73)), &BALL, &strike).unwrap());
-        // Right English with the butt raised curves the ball to the right.
+        // Right English with a raised butt curves the ball to the right.
         assert_near(degrees(atan2(v.x, v.y)), 2.193, 5e-3);
     }
 }
@@ -122,7 +122,7 @@ fn cl10_a_masse_shot_ends_in_coriolis_direction_at_any_speed() {
 fn cl12_a_steep_masse_shot_slides_to_the_side() {
     let strike = Strike { elevation: radians(75.0), ..level(1.0, 0.25, -0.25) };
     let cue = cue(Tip::Restitution(0.73));
-    // The row gives the speed along the cue's axis that the ball receives.
+    // The row gives the ball's speed along the cue's axis.
     let ratio = 1.73 / (MASS_RATIO + 1.0 + 2.5 * 0.125);
     let strike = Strike { speed: 9.0 * MPH / ratio, ..strike };
     let launch = resolve(&cue, &BALL, &strike).unwrap();
@@ -161,7 +161,7 @@ fn leckie_and_greenspans_own_expressions_give_the_same_launch_at_every_elevation
         let (v, spin) = resolve(&cue, &BALL, &strike).unwrap();
         assert_near(v.y, impulse / BALL.mass * cos(theta), 1e-12);
         assert_near(v.z, -impulse / BALL.mass * sin(theta), 1e-12);
-        // Their y axis points towards the shooter and their x axis, seen so, to the left.
+        // Their y axis points towards the shooter and so their x axis points to the left.
         assert_near(spin.x, -theirs.x, 1e-9);
         assert_near(spin.y, -theirs.y, 1e-9);
         assert_near(spin.z, theirs.z, 1e-9);
@@ -169,7 +169,7 @@ fn leckie_and_greenspans_own_expressions_give_the_same_launch_at_every_elevation
 }
 
 #[test]
-fn a_tip_that_misses_the_ball_and_an_efficiency_out_of_reach_are_refused_with_a_remedy() {
+fn rejects_a_tip_that_misses_the_ball_and_an_unreachable_efficiency_with_a_remedy() {
     let refused =
         |cue: &Cue, side, height| resolve(cue, &BALL, &level(1.0, side, height)).unwrap_err();
     let sticky = Cue { tip_friction: 10.0, ..cue(Tip::Efficiency(0.87)) };
@@ -182,7 +182,7 @@ fn a_tip_that_misses_the_ball_and_an_efficiency_out_of_reach_are_refused_with_a_
 }
 
 #[test]
-fn the_cue_strike_of_pooltool() {
+fn the_cue_strike_agrees_with_pooltools() {
     let cue = Cue {
         mass: 0.567,
         end_mass: BALL.mass / 30.0,
@@ -201,8 +201,8 @@ fn the_cue_strike_of_pooltool() {
         for (ours, theirs) in spin.to_array().into_iter().zip([wx, wy, wz]) {
             assert_near(ours, theirs, 1e-10);
         }
-        // pooltool turns the horizontal velocity by the squirt angle; we turn the whole, so that
-        // the sideways speed does not fall with elevation.
+        // pooltool rotates the horizontal velocity by the squirt angle; we rotate the whole
+        // velocity, so that the sideways speed does not decrease with elevation.
         let alpha = squirt(&cue, &BALL, strike.side);
         let push = sqrt(vx * vx + vy * vy) / cos(strike.elevation);
         let sideways = v.xy().dot(Vec2::new(sin(strike.azimuth), -cos(strike.azimuth)));

@@ -1,4 +1,4 @@
-//! What a collision and a strike do: every model against its paper, its laws, measurements and
+//! Collisions and strikes: every model compared with its paper, its laws, measurements and
 //! pooltool.
 
 mod ball_ball_laws;

@@ -1,6 +1,6 @@
-//! Comparison of figures in tests.
+//! Comparison of numbers in tests.
 
-/// Fails, with both figures, unless `ours` is within `tolerance` of `expected`.
+/// Fails, with both numbers, unless `ours` is within `tolerance` of `expected`.
 #[track_caller]
 pub(crate) fn assert_near(ours: f64, expected: f64, tolerance: f64) {
     assert!(

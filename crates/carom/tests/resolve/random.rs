@@ -1,4 +1,4 @@
-//! Random inputs, the same on every run.
+//! Pseudo-random inputs, the same in every run.
 
 use carom::math::Vec3;
 

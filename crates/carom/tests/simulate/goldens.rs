@@ -1,5 +1,5 @@
-//! Every example shot gives the same bits as ever: in this build, with and without a trace, alone
-//! and in batches of one and two threads.
+//! Every example shot keeps its bits: in this build, with and without a trace, alone and in batches
+//! of one and two threads.
 
 use std::fs;
 use std::path::Path;
@@ -51,7 +51,7 @@ fn every_example_shot_has_a_golden() {
 }
 
 #[test]
-fn the_events_and_final_states_of_every_example_shot_are_the_same_bits_as_ever() {
+fn every_example_shot_has_the_bits_of_its_golden() {
     let held = goldens();
     let form = |g: &Golden, events: u64, hash: &str| {
         (g.name.clone(), json!({"events": events, "hash": hash}))
@@ -64,7 +64,8 @@ fn the_events_and_final_states_of_every_example_shot_are_the_same_bits_as_ever()
         })
         .collect();
     let golden: Map<String, Value> = held.iter().map(|g| form(g, g.events, &g.hash)).collect();
-    // All at once: a change on purpose shows which shots it touches.
+    // All shots are compared before the test fails, so that an intended change shows every shot it
+    // affects.
     assert_eq!(ours, golden, "see goldens/README.md");
 }
 

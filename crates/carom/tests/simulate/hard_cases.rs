@@ -1,5 +1,5 @@
-//! Hard cases of event-based billiards. Each test says what was seen in another engine, or what
-//! goes wrong by nature, what is right, and why.
+//! Hard cases of event-based billiards. Each test has the fault seen in an engine, or the
+//! difficulty by nature, and the right result with its reason.
 
 use crate::support::{Log, energy, play, shot};
 use carom::event::EventKind;
@@ -19,9 +19,9 @@ fn frozen_to_left_rail(azimuth_deg: f64, speed: f64) -> Shot {
     ))
 }
 
-/// Seen: pooltool 0.6.0 drops roots ≤ ε, so a ball frozen to a rail and driven into it goes
-/// through (175 of 400 rail-frozen layouts). Right: it touches and approaches, so it collides at
-/// once.
+/// Seen: pooltool 0.6.0 drops roots ≤ ε, so a ball frozen to a rail and driven into it passes
+/// through it (175 of 400 layouts with a ball frozen to a rail). Right: it touches and approaches,
+/// so it collides at once.
 #[test]
 fn a_ball_frozen_to_a_rail_and_driven_into_it_bounces_at_once() {
     for azimuth in [180.0, 135.0, 225.0, 100.0, 181.0] {
@@ -33,8 +33,8 @@ fn a_ball_frozen_to_a_rail_and_driven_into_it_bounces_at_once() {
     }
 }
 
-/// By nature: along the rail the gap is zero all the way. Right: a ball that does not approach
-/// meets nothing, however long it touches, and it stays where it rolls.
+/// By nature: along the rail the gap is zero all the way. Right: a ball that does not approach has
+/// no contact, however long it touches, and rolls on along the rail.
 #[test]
 fn a_ball_frozen_to_a_rail_and_rolled_along_it_never_hits_it() {
     let table = carom::Table::preset("wpa-9ft").expect("a preset");
@@ -60,8 +60,8 @@ fn a_ball_frozen_to_a_rail_and_driven_off_it_does_not_touch_it() {
 }
 
 /// Seen: pooltool's quartic loses its leading coefficient when two balls roll in exactly the same
-/// direction: false instant collisions at 0.6 m, or an exception. Right: equal decelerations
-/// cancel, the faster one catches up on a straight line or not at all.
+/// direction: wrong instant collisions at 0.6 m, or an exception. Right: equal decelerations
+/// cancel, and the faster ball catches up on a straight line or not at all.
 #[test]
 fn balls_rolling_in_exactly_the_same_direction_meet_when_the_faster_one_has_caught_up() {
     let r = 0.028_575;
@@ -94,7 +94,8 @@ fn tight_rack(gap: f64, cue_ball: &str, strike: &str) -> Shot {
     let mut balls = vec![format!(r#"{{"id": "cue", "position": [0.635, 0.635], {cue_ball}}}"#)];
     for row in 0..5 {
         for k in 0..=row {
-            // Offsets in multiples of 2⁻⁵⁰ m: both frames then hold a mirrored rack exactly.
+            // Offsets in multiples of 2⁻⁵⁰ m, so that both frames represent a mirrored rack
+            // exactly.
             let grid = f64::from(1u32 << 25) * f64::from(1u32 << 25);
             let dx = (step * (f64::from(k) - 0.5 * f64::from(row)) * grid).round() / grid;
             let y = 1.905 + step * 0.75_f64.sqrt() * f64::from(row);
@@ -105,14 +106,14 @@ fn tight_rack(gap: f64, cue_ball: &str, strike: &str) -> Shot {
     shot(&format!(r#""table": "wpa-9ft", "balls": [{}]{strike}"#, balls.join(", ")))
 }
 
-/// By nature: the head ball of an exact rack meets two balls at once, and one after the other
-/// would favour one side; pooltool resolves such ties by energy, in some order. Right: contacts
-/// of one instant that share a ball are resolved together, and the engine's frame has the axis of
-/// symmetry at 0, so that both halves get the same bits.
+/// By nature: the head ball of an exact rack meets two balls at once, and resolving one after the
+/// other would favour one side; pooltool orders such ties by energy. Right: contacts of one instant
+/// that share a ball are resolved together, and the axis of symmetry is at 0 in the engine's frame,
+/// so that both halves have the same bits.
 #[test]
 fn a_mirror_symmetric_frozen_rack_stays_mirror_symmetric_to_the_bit() {
     for gap in [0.0, 1e-4] {
-        // Not struck: cos 90° is 6e-17, not 0, which is enough to break the symmetry.
+        // Set in motion, not struck: cos 90° is 6e-17, not 0, which would break the symmetry.
         let shot = tight_rack(gap, r#""velocity": [0.0, 9.0, 0.0]"#, "");
         let (log, _) = play(&shot);
         let mirror = |i: usize| {
@@ -133,10 +134,11 @@ fn a_mirror_symmetric_frozen_rack_stays_mirror_symmetric_to_the_bit() {
     }
 }
 
-/// By nature (Zeno): friction presses one ball into another and bounces shrink for ever; with
-/// constant restitution 18 % of tight eight-ball breaks never ended. Seen: pooltool's patch for
-/// it creates up to 1.5 mJ in a frozen nine-ball rack, and its spacer makes overlaps of 14 µm.
-/// Right: restitution rises to one at low speed, which ends them all and adds no energy.
+/// By nature (Zeno's paradox): friction presses one ball against another and the bounces shrink
+/// without end; with constant restitution 18 % of tight eight-ball breaks never ended. Seen:
+/// pooltool's remedy adds up to 1.5 mJ in a frozen nine-ball rack, and its spacer makes overlaps of
+/// 14 µm. Right: restitution rises to 1 at low speed, which ends every such sequence and adds no
+/// energy.
 #[test]
 fn tight_and_frozen_racks_end_soon_and_never_gain_energy() {
     for (gap, azimuth) in [(0.0, 90.0), (0.0, 91.3), (1e-6, 90.7), (1e-4, 89.2), (0.0, 88.0)] {
@@ -153,9 +155,9 @@ fn tight_and_frozen_racks_end_soon_and_never_gain_energy() {
     }
 }
 
-/// By nature: a ball at rest against a cushion, spun so that the cloth drives it into the rail,
-/// accelerates into what it already touches: contact after contact in no time. Right: it stays
-/// at the rail while the push lasts, in finitely many contacts, and ends.
+/// By nature: a ball at rest against a cushion, spinning so that the cloth drives it into the rail,
+/// accelerates towards a rail that it already touches: one contact after another in no time. Right:
+/// it stays at the rail while the push lasts, with a finite number of contacts, and the shot ends.
 #[test]
 fn a_push_from_rest_against_a_rail_ends() {
     let table = carom::Table::preset("carom-10ft").expect("a preset");
@@ -172,7 +174,7 @@ fn a_push_from_rest_against_a_rail_ends() {
     assert_eq!(log.last(&shot, 0).motion, MotionState::Stationary);
 }
 
-/// The same between two balls: one spins towards the other, which it touches.
+/// The same with two balls: one ball spins towards another that it touches.
 #[test]
 fn a_push_from_rest_against_a_ball_ends_and_moves_both() {
     let shot = shot(
@@ -190,9 +192,9 @@ fn a_push_from_rest_against_a_ball_ends_and_moves_both() {
     }
 }
 
-/// A ball between two others, pressed from both sides.
+/// A ball between two others that push it from both sides.
 #[test]
-fn a_ball_squeezed_between_two_that_push_ends() {
+fn a_shot_with_a_ball_squeezed_between_two_that_push_ends() {
     let shot = shot(
         r#""table": {"cloth": "unbounded"}, "balls": [
             {"id": "a", "position": [0.0, 0.0], "angular_velocity": [-80.0, 0.0, 0.0]},
@@ -203,9 +205,9 @@ fn a_ball_squeezed_between_two_that_push_ends() {
     assert!(summary.events < 90_000, "{}", summary.events);
 }
 
-/// A ball driven into one that is frozen to a rail: three bodies in one instant.
+/// A ball driven into a ball that is frozen to a rail: three bodies in one instant.
 #[test]
-fn a_ball_driven_into_one_frozen_to_a_rail_neither_enters_the_other_nor_the_rail() {
+fn a_ball_driven_into_one_frozen_to_a_rail_enters_neither_ball_nor_rail() {
     let table = carom::Table::preset("wpa-9ft").expect("a preset");
     let (r, rise) = (0.028_575, table.cushion_height - 0.028_575);
     let x: f64 = (r * r - rise * rise).sqrt();
@@ -224,10 +226,10 @@ fn a_ball_driven_into_one_frozen_to_a_rail_neither_enters_the_other_nor_the_rail
     }
 }
 
-/// Seen: an event explosion in pooltool, 10 139 events in a cradle of ten balls. Right: one blow
-/// runs down the row; and as the cue ball still spins forward, it then pushes the row along.
+/// Seen: 10 139 events in pooltool in a cradle of ten balls. Right: one impulse passes down the
+/// row; as the cue ball still spins forwards, it then pushes the row.
 #[test]
-fn a_newtons_cradle_passes_the_blow_on_and_ends() {
+fn a_newtons_cradle_passes_the_impulse_on_and_ends() {
     let r = 0.028_575;
     let mut balls = vec![r#"{"id": "cue", "position": [0.0, -0.3]}"#.to_string()];
     for k in 0..10 {
@@ -247,10 +249,10 @@ fn a_newtons_cradle_passes_the_blow_on_and_ends() {
     }
 }
 
-/// Seen: tip offsets off the ball give NaN in pooltool, or a shot that never ends. Right: refused
-/// before anything is simulated.
+/// Seen: tip offsets outside the ball give NaN in pooltool, or a shot that never ends. Right: such
+/// a strike is rejected before the simulation.
 #[test]
-fn a_tip_offset_off_the_ball_is_refused() {
+fn rejects_a_tip_offset_outside_the_ball() {
     let text = r#"{"format": "carom-shot/1", "table": "wpa-9ft",
         "balls": [{"id": "cue", "position": [0.6, 0.6]}],
         "strike": {"ball": "cue", "speed": 2.0, "azimuth_deg": 0.0, "side": 0.8, "height": 0.8}}"#;
@@ -258,8 +260,8 @@ fn a_tip_offset_off_the_ball_is_refused() {
     assert!(error.contains("strike"), "{error}");
 }
 
-/// Seen: cushions detected with a vertical plane and resolved with a tilted normal disagree by
-/// 1.1 mm of ball position. Right: the sphere meets the nose at its height, in both.
+/// Seen: cushions detected with a vertical plane and resolved with an inclined normal disagree by
+/// 1.1 mm of the ball's position. Right: in both, the sphere meets the nose at its height.
 #[test]
 fn a_ball_meets_the_nose_where_the_sphere_touches_it() {
     let shot = shot(
@@ -286,11 +288,11 @@ fn a_corner_is_hit_on_both_rails() {
     assert!(hits[1].after[0].velocity.x < 0.0 && hits[1].after[0].velocity.y < 0.0);
 }
 
-/// By nature: a sliding ball that starts to roll in the very instant in which it hits. Right: the
-/// transition is listed first, and the collision is not lost.
+/// By nature: a sliding ball begins to roll at the instant of a collision. Right: the transition is
+/// listed first, and the collision is not lost.
 #[test]
 fn a_collision_at_the_instant_of_a_transition_is_not_lost() {
-    // Stun start at 1 m/s: rolls after 2u/(7μg) s, having come (12/49) v²/(μ g) m.
+    // Stun start at 1 m/s: the ball rolls after 2u/(7μg) s, at a distance of (12/49) v²/(μ g) m.
     let (mu, g, r) = (0.2, 9.81, 0.028_575);
     let way = 12.0 / (49.0 * mu * g);
     for nudge in [0.0, 1e-16, -1e-16, 1e-15, -1e-15] {
@@ -309,7 +311,7 @@ fn a_collision_at_the_instant_of_a_transition_is_not_lost() {
 }
 
 #[test]
-fn speeds_of_a_nanometre_a_second_and_of_twenty_metres_a_second_both_end() {
+fn shots_at_a_nanometre_per_second_and_at_twenty_metres_per_second_end() {
     for v in [1e-9, 1e-6, 1e-3, 20.0] {
         let shot = shot(&format!(
             r#""table": "wpa-9ft", "balls": [
@@ -325,7 +327,7 @@ fn speeds_of_a_nanometre_a_second_and_of_twenty_metres_a_second_both_end() {
 }
 
 #[test]
-fn sidespin_that_outlasts_everything_ends_in_spinning_and_then_rest() {
+fn sidespin_that_outlasts_all_other_motion_ends_in_spinning_and_then_rest() {
     let shot = shot(
         r#""table": {"cloth": "unbounded"}, "balls": [{"id": "a", "position": [0.0, 0.0],
            "velocity": [0.1, 0.0, 0.0], "angular_velocity": [0.0, 0.0, 500.0]}]"#,
@@ -341,7 +343,8 @@ fn sidespin_that_outlasts_everything_ends_in_spinning_and_then_rest() {
     assert!((summary.duration - 500.0 / shot.physics().cloth.spin_deceleration).abs() < 1e-12);
 }
 
-/// Rω₀ = −2.5 v₀ stops dead (TP 4.1): sliding to stationary, the rarest of the paper's five.
+/// Rω₀ = −2.5 v₀ ends at rest (TP 4.1): from sliding to stationary, the rarest of the paper's five
+/// transitions.
 #[test]
 fn a_ball_with_just_enough_draw_stops_dead_when_its_slide_ends() {
     let (v, r) = (1.0, 0.028_575);
@@ -360,7 +363,7 @@ fn a_ball_with_just_enough_draw_stops_dead_when_its_slide_ends() {
     );
 }
 
-/// A shot that cannot end (a frictionless table) reaches its cap as an error, not as a hang.
+/// A shot that cannot end (a frictionless table) ends with an error at its cap on events.
 #[test]
 fn reaching_the_cap_is_an_error() {
     let shot = shot(
@@ -372,9 +375,9 @@ fn reaching_the_cap_is_an_error() {
     assert!(simulate(&shot, &mut Log::default()).is_err());
 }
 
-/// Without friction on endless cloth nothing more can happen, and the shot is over.
+/// On unbounded cloth without friction no further event can happen, and the shot is over.
 #[test]
-fn a_shot_in_which_nothing_more_can_happen_is_over_though_a_ball_still_moves() {
+fn a_shot_without_further_events_is_over_even_if_a_ball_still_moves() {
     let shot = shot(
         r#""table": {"cloth": "unbounded"}, "physics": {"cloth": {"sliding_friction": 0,
            "rolling_friction": 0, "spin_deceleration": 0}},
@@ -383,12 +386,13 @@ fn a_shot_in_which_nothing_more_can_happen_is_over_though_a_ball_still_moves() {
     assert_eq!(play(&shot).1.events, 0);
 }
 
-/// By nature: with restitution 0 the bodies of an impact stay together, and nothing tells the next
-/// contact from this one. Seen here: they were parted by taking the whole impact anew, so gently
-/// that friction was lost. Right: friction does all its work; they part by a rounding.
+/// By nature: with restitution 0 the bodies of an impact stay together, and the next contact
+/// repeats this one. Seen here: they were separated by computing the whole impact again, so gently
+/// that friction was lost. Right: friction acts in full, and the bodies separate at the speed of a
+/// rounding error.
 #[test]
-fn an_impact_that_leaves_its_bodies_together_has_all_its_friction() {
-    // Relative to the friction of an impact of restitution 1e-9.
+fn an_impact_that_leaves_its_bodies_together_has_its_full_friction() {
+    // Relative to the friction of an impact with restitution 1e-9.
     const NEARLY_EQUAL: f64 = 1e-8;
     let throw = |e: f64| {
         let shot = shot(&format!(
@@ -419,12 +423,13 @@ fn an_impact_that_leaves_its_bodies_together_has_all_its_friction() {
     }
 }
 
-/// By nature: follow presses a cue ball against a row of balls for as long as it slides, and
-/// frictionless contacts take none of what pressing lends. Seen here: 100 000 events and no end.
-/// Right: the spin that presses pays, and the shot ends.
+/// By nature: follow presses a cue ball against a row of balls while it slides, and contacts
+/// without friction dissipate none of the energy that the minimum separation speed adds. Seen here:
+/// 100 000 events and no end. Right: the spin that causes the push supplies the energy, and the
+/// shot ends.
 #[test]
-fn a_follow_shot_into_a_row_of_frictionless_balls_ends_and_its_spin_pays_for_it() {
-    // J: what a ball of 0.17 kg has at the speed that it is lent where no spin can pay, 0.1 mm/s.
+fn a_follow_shot_into_a_row_of_frictionless_balls_ends_and_its_spin_supplies_the_energy() {
+    // Energy of a ball of 0.17 kg at the separation speed that no spin supplies, 0.1 mm/s, J.
     const LENT: f64 = 1e-9;
     let row: String = (1..=4)
         .map(|i| {
@@ -446,7 +451,7 @@ fn a_follow_shot_into_a_row_of_frictionless_balls_ends_and_its_spin_pays_for_it(
         })
         .collect();
     assert!(rises.len() > 100);
-    // Rounding aside, hardly any contact may have to borrow.
+    // Apart from rounding, hardly any contact may add energy.
     let borrowed: f64 = rises.iter().sum();
     assert!(borrowed < 10.0 * LENT, "{borrowed:e} J in {} contacts", rises.len());
 }

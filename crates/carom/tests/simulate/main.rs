@@ -1,4 +1,4 @@
-//! Whole shots: the event loop, its traces and outcomes, and the goldens.
+//! Whole shots: the event loop, traces, outcomes and goldens.
 #![cfg(feature = "json")]
 
 mod goldens;

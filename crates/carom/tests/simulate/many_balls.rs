@@ -4,7 +4,7 @@ use crate::support::{Kept, Log, play, shot};
 use carom::event::EventKind;
 use carom::rack::{Break, Game, break_shot};
 
-/// Balls in a row along y that touch, of which the first moves; more text for each of them.
+/// Balls in a row along y that touch, of which the first moves; with extra text for each of them.
 fn row(count: usize, speed: f64, physics: &str) -> carom::Shot {
     let balls: Vec<String> = (0..count)
         .map(|k| {
@@ -24,7 +24,7 @@ fn first_collision(log: &Log) -> &Kept {
 }
 
 #[test]
-fn a_row_that_is_struck_is_one_event_with_all_its_balls_in_the_order_of_the_shot() {
+fn the_impact_on_a_row_is_one_event_with_all_its_balls_in_the_order_of_the_shot() {
     let (log, _) = play(&row(5, 1.0, "ideal"));
     let event = first_collision(&log);
     assert_eq!(event.balls, [0, 1, 2, 3, 4]);
@@ -35,13 +35,13 @@ fn a_row_that_is_struck_is_one_event_with_all_its_balls_in_the_order_of_the_shot
 }
 
 #[test]
-fn a_slow_push_is_settled_pair_by_pair() {
+fn a_slow_push_is_resolved_pair_by_pair() {
     let (log, _) = play(&row(3, 5e-3, "ideal"));
     assert!(log.ball_collisions().iter().all(|e| e.balls.len() == 2));
 }
 
 #[test]
-fn a_row_longer_than_one_network_passes_the_blow_on_to_its_end_at_once() {
+fn a_row_longer_than_one_network_passes_the_impulse_on_to_its_end_at_once() {
     let count = 40;
     let (log, _) = play(&row(count, 2.0, "ideal"));
     let hit = log.ball_collisions().into_iter().find(|e| e.balls.contains(&(count - 1)));
@@ -52,7 +52,7 @@ fn a_row_longer_than_one_network_passes_the_blow_on_to_its_end_at_once() {
 }
 
 #[test]
-fn a_ball_that_touches_but_is_not_reached_takes_no_part_and_the_pair_follows_its_own_law() {
+fn a_touching_ball_that_the_impact_does_not_reach_takes_no_part_and_the_pair_follows_its_own_law() {
     // The third ball touches the second one on the side from which the first one comes.
     let text = |third: &str| {
         format!(
@@ -90,8 +90,8 @@ fn a_gap_that_closes_during_the_contact_counts_as_touching_and_a_wide_one_does_n
     assert_eq!(reached(3e-4), 2);
 }
 
-/// Breaks of 10 m/s of the cue: how much of its speed the cue ball comes back with, and how many
-/// balls reach a rail.
+/// Breaks with the cue at 10 m/s: the fraction of its speed with which the cue ball comes back, and
+/// the number of balls that reach a rail.
 fn breaks(gap: f64) -> (Vec<f64>, f64) {
     let seeds = 0..30_u32;
     let count = f64::from(seeds.end);
@@ -112,9 +112,9 @@ fn breaks(gap: f64) -> (Vec<f64>, f64) {
     (rebounds, at_rails as f64 / count)
 }
 
-/// TP B.20 estimates that a cue ball comes back from a rack with a fifth of its speed, less for
-/// losses. Seen: with pairs one after another it comes back from a frozen rack, but stops at one
-/// whose balls are 0.01 mm apart.
+/// TP B.20 estimates that a cue ball comes back from a rack with a fifth of its speed, less with
+/// losses. Seen: with pairs resolved one after another it comes back from a frozen rack, but stops
+/// at a rack with gaps of 0.01 mm.
 #[test]
 fn a_cue_ball_comes_back_from_tight_and_from_usual_racks_and_most_balls_reach_a_rail() {
     for gap in [0.0, 1e-5, 1e-4] {

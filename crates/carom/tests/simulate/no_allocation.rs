@@ -1,4 +1,4 @@
-//! Law 2: nothing is allocated while a shot runs.
+//! Nothing is allocated while a shot runs.
 
 use carom::event::NullRecorder;
 use carom::limits::SMALL_CAPACITY;

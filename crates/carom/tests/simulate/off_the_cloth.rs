@@ -1,4 +1,4 @@
-//! Flight in whole shots: hops, falls over edges, and the ways out of play.
+//! Flight in whole shots: hops, falls over edges, and balls that go out of play.
 
 use crate::support::{Log, play, shot};
 use carom::event::EventKind;
@@ -8,8 +8,8 @@ fn count(log: &Log, wanted: impl Fn(&EventKind) -> bool) -> usize {
     log.of(wanted).len()
 }
 
-/// A ball that rolls from 0.1 m before the middle of the bottom right pocket of a WPA table's long way
-/// into it, so that it comes over the lip at `speed` (m/s).
+/// A ball that rolls into the middle of the bottom right pocket of a WPA table, along the pocket's
+/// axis and from 0.1 m before it, so that it comes over the lip at `speed` (m/s).
 fn into_the_corner(speed: f64) -> Shot {
     let start = 0.3;
     let table = carom::Table::preset("wpa-9ft").expect("a preset");
@@ -17,7 +17,7 @@ fn into_the_corner(speed: f64) -> Shot {
     let center = pocket.center + table.center();
     let away = -pocket.axis;
     let place = center + away * (pocket.radius + start);
-    // Rolling resistance takes μ_r g of the speed in every second.
+    // Rolling resistance reduces the speed by μ_r g per second.
     let v = (speed * speed + 2.0 * 0.01 * 9.806_65 * start).sqrt();
     let velocity = pocket.axis * v;
     let spin = velocity.perp() * (1.0 / 0.028_575);
@@ -48,7 +48,7 @@ fn a_ball_struck_down_bounces_at_once_hops_ever_lower_and_then_rolls_to_rest() {
 }
 
 #[test]
-fn a_fast_ball_flies_over_the_lip_and_a_slow_one_tips_over_it_and_both_are_pocketed() {
+fn a_fast_ball_flies_over_the_lip_and_a_slow_one_turns_about_it_and_both_are_pocketed() {
     let lips = |speed: f64| {
         let shot = into_the_corner(speed);
         let (log, _) = play(&shot);
@@ -63,8 +63,8 @@ fn a_fast_ball_flies_over_the_lip_and_a_slow_one_tips_over_it_and_both_are_pocke
 }
 
 #[test]
-fn a_ball_that_comes_to_the_lip_as_good_as_at_rest_hangs_there() {
-    // Rolling resistance holds a ball slower than μ_r√(gR) = 5.3 mm/s.
+fn a_ball_that_is_almost_at_rest_at_the_lip_hangs_there() {
+    // Rolling resistance stops a ball slower than μ_r√(gR) = 5.3 mm/s.
     let shot = into_the_corner(0.004);
     let (log, _) = play(&shot);
     let end = log.last(&shot, 0);
@@ -105,7 +105,7 @@ fn a_ball_that_flies_over_the_rails_is_off_the_table_at_their_outer_edge() {
 }
 
 #[test]
-fn a_rail_at_its_height_throws_a_falling_ball_back_and_up_or_down_as_the_nose_lies() {
+fn a_rail_deflects_a_falling_ball_up_or_down_depending_on_the_height_of_its_nose() {
     for (height, up) in [(0.06, true), (0.032, false)] {
         let shot = shot(&format!(
             r#""table": "wpa-9ft", "physics": {{"slate": {{"friction": 0}},
@@ -121,10 +121,11 @@ fn a_rail_at_its_height_throws_a_falling_ball_back_and_up_or_down_as_the_nose_li
     }
 }
 
-/// Seen: a ball set or dropped exactly on top of another never came off it. Right: it falls off, for no
-/// ball balances. Why: nothing but a rounding leans it, and what it presses down the slate takes.
+/// Seen: a ball set or dropped exactly on top of another never left it. Right: it falls off,
+/// because no ball balances. Cause: only rounding errors incline the line of centres, and the slate
+/// absorbs the impulses on the lower ball.
 #[test]
-fn a_ball_exactly_on_top_of_another_comes_off_it() {
+fn a_ball_exactly_on_top_of_another_falls_off() {
     for height in ["0.085725", "0.3"] {
         for physics in ["pool", "ideal"] {
             let shot = shot(&format!(

@@ -1,4 +1,4 @@
-//! The order in which a file lists its balls decides ties, and nothing else.
+//! The order in which a file lists its balls decides ties and nothing else.
 
 use carom::Shot;
 
@@ -11,8 +11,8 @@ fn events(balls: &str) -> u32 {
     carom::simulate(&shot, &mut carom::event::NullRecorder).unwrap().events
 }
 
-/// Seen: a cue ball listed last went through every ball. Cause: at time 0 only pairs of a moving
-/// ball with later ones were looked at.
+/// Seen: a cue ball listed last passed through every ball. Cause: at time 0 only pairs of a moving
+/// ball with later ones were searched.
 #[test]
 fn a_struck_ball_meets_the_balls_listed_before_it() {
     let cue = r#"{"id": "cue", "position": [0.635, 0.635]}"#;

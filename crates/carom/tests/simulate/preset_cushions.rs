@@ -1,10 +1,10 @@
-//! The cushions of the presets, through whole shots, against what was measured.
+//! The cushions of the presets in whole shots, compared with measurements.
 
 use carom::trace::TraceEventKind;
 use carom::{Physics, Shot};
 
-/// Speed (m/s) after over before the first touch of the top rail, for a ball that rolls squarely at
-/// the rail of `table`, first `speed` m/s fast.
+/// Speeds (m/s) before and after the first contact with the top rail, for a ball that rolls
+/// squarely at this rail of `table` with `speed` m/s at the start.
 fn square_rebound(table: &str, physics: &str, speed: f64) -> (f64, f64) {
     let radius = Physics::preset(physics).expect("a preset").ball.radius;
     let size = carom::Table::preset(table).expect("a preset").size;
@@ -24,12 +24,12 @@ fn square_rebound(table: &str, physics: &str, speed: f64) -> (f64, f64) {
 }
 
 #[test]
-fn a_snooker_ball_rebounds_as_on_mathavans_film() {
+fn a_snooker_ball_rebounds_as_in_mathavans_film() {
     // Mathavan, Jackson & Parkin 2009, Fig. 9 (row CU-8): 31 rebounds, 0.28 to 3.5 m/s.
     let film = |x: f64| -0.0877 * x * x + 1.131 * x - 0.0953;
-    /// As the row is held, m/s.
+    /// Tolerance of the row, m/s.
     const TOLERANCE: f64 = 0.05;
-    /// What the preset's fit leaves, m/s.
+    /// Error of the preset's fit, m/s.
     const RMS: f64 = 0.025;
     const SPEEDS: u32 = 40;
     let mut sum = 0.0;
@@ -46,7 +46,7 @@ fn a_snooker_ball_rebounds_as_on_mathavans_film() {
 }
 
 #[test]
-fn a_cushion_gives_back_less_of_a_faster_ball_and_never_nothing() {
+fn restitution_of_a_cushion_falls_with_the_speed_and_never_vanishes() {
     for (table, physics) in [("snooker-12ft", "snooker"), ("english-7ft", "english")] {
         let mut last = 1.0;
         for n in 4..40 {

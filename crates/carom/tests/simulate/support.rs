@@ -1,9 +1,9 @@
-//! What the whole-shot tests share.
+//! Helpers of the whole-shot tests.
 
 use carom::event::{Event, EventKind, Recorder};
 use carom::{BallState, Shot, Summary};
 
-/// One event, kept.
+/// A copy of one event.
 #[derive(Clone, Debug)]
 pub(crate) struct Kept {
     pub(crate) time: f64,
@@ -13,7 +13,7 @@ pub(crate) struct Kept {
     pub(crate) after: Vec<BallState>,
 }
 
-/// Keeps everything.
+/// Keeps every event.
 #[derive(Debug, Default)]
 pub(crate) struct Log {
     pub(crate) events: Vec<Kept>,
