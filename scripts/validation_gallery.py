@@ -36,7 +36,7 @@ def table(paper: str) -> tuple[list[str], Tally]:
         lines.append(f"| **{row.id}** | *{row.title}* [{row.unit}] ({row.source}) | | | | |")
         lines.append(f"| | *{row.kind.value}* | | | | |")
         lines += [
-            f"| {c.label} | {c.reference} | {c.ours:.6g} | {c.difference:+.1e} "
+            f"| {c.label} | {c.printed_reference} | {c.ours:.6g} | {c.difference:+.1e} "
             f"| {c.tolerance} | {verdict(row, c)} |"
             for c in comparisons
         ]

@@ -93,13 +93,17 @@ def _totals(tally: Tally) -> list[str]:
     published = sum(c.numbers for (_, k), c in tally.items() if k.is_published_and_computed)
     checked = [count for (must_agree, _), count in tally.items() if must_agree]
     shown = [count for (must_agree, _), count in tally.items() if not must_agree]
-    return [
+    lines = [
         f"{published} numbers are published and computed by the engine",
         f"{sum(c.numbers for c in checked)} numbers must agree, "
         f"{sum(c.outside for c in checked)} failed",
-        f"{sum(c.numbers for c in shown)} numbers are shown only, "
-        f"{sum(c.outside for c in shown)} outside their tolerance",
     ]
+    if shown:
+        lines.append(
+            f"{sum(c.numbers for c in shown)} numbers are shown only, "
+            f"{sum(c.outside for c in shown)} outside their tolerance"
+        )
+    return lines
 
 
 def run(name: str | None = None, out: TextIO | None = None) -> int:
@@ -126,7 +130,7 @@ def run(name: str | None = None, out: TextIO | None = None) -> int:
             print(f"    {row.kind.value}", file=out)
             for c in comparisons:
                 print(
-                    f"    {c.label:<34} {c.reference!s:>12}  {c.ours:>14.8g}"
+                    f"    {c.label:<34} {c.printed_reference:>12}  {c.ours:>14.8g}"
                     f"  {c.difference:>+11.2e}  ± {c.tolerance!s:<8}  {verdict(row, c)}",
                     file=out,
                 )

@@ -1,6 +1,7 @@
 """A row of the validation: reference numbers, and a function that returns carom's numbers.
 
-The kind of a row says where its reference numbers come from and who computes the other side. Only the first two kinds are published results that the engine reproduces.
+The kind of a row says where its reference numbers come from and who computes the other side. Only
+the first two kinds are published results that the engine reproduces.
 """
 
 from __future__ import annotations
@@ -99,6 +100,13 @@ class Comparison:
     reference: Reference
     ours: float
     tolerance: Tolerance
+
+    @property
+    def printed_reference(self) -> str:
+        """The reference number with at most eight digits, or the range."""
+        if isinstance(self.reference, Range):
+            return str(self.reference)
+        return f"{self.reference:.8g}"
 
     @property
     def difference(self) -> float:

@@ -35,6 +35,8 @@ def figure() -> Figure:
     steps = np.array(STEPS)
     left.loglog(steps, [end_error(dt) for dt in steps], "o-", color=plot.COLORS[1],
                 markersize=4, label="final positions, m")  # fmt: skip
+    left.loglog(steps, [end_error(dt, order=2) for dt in steps], "^-", color=plot.COLORS[3],
+                markersize=4, label="the same, steps with ½aΔt²")  # fmt: skip
     first = exact().first("ball-collision").time
     late = [abs(by_steps(dt).contacts[0] - first) for dt in steps]
     left.loglog(steps, late, "s-", color=plot.COLORS[2], markersize=4, label="first collision, s")
