@@ -23,8 +23,8 @@ STORED = ROOT / "benches" / "results" / "many_balls.json"
 RADIUS, BALLS = 0.028575, 5
 #: Mean gaps in the rack, m; racks for each; speed of the cue, m/s.
 GAPS, RACKS, SPEED = (0.0, 1e-5, 1e-4, 3e-4), 100, 10.0
-#: The cue ball's contacts with the rack are over after this time from the first, s.
-RACK_ANSWERS = 5e-3
+#: Time from the first contact after which the cue ball's contacts with the rack have ended, s.
+REBOUND_TIME = 5e-3
 
 
 def main() -> int:
@@ -62,7 +62,7 @@ def row(moving: int) -> list[float]:
 
 
 def breaks(gap: float) -> dict[str, Any]:
-    """Eight-ball breaks of racks with a mean gap, m, in the mean."""
+    """Means over eight-ball breaks of racks with a mean gap, m."""
     found = [one_break(gap, seed) for seed in range(RACKS)]
     rebounds, to_rail, pocketed = zip(*found, strict=True)
     return {
@@ -80,8 +80,8 @@ def one_break(gap: float, seed: int) -> tuple[float, int, int]:
     events = trace.to_dict()["events"]
     cue = trace.outcome["cue_ball"]
     hits = [e for e in events if e["type"] == "ball-collision" and cue in e["balls"]]
-    hits = [e for e in hits if e["time"] < hits[0]["time"] + RACK_ANSWERS]
-    before, after = of(cue, hits[0]["before"]), of(cue, hits[-1]["after"])
+    hits = [e for e in hits if e["time"] < hits[0]["time"] + REBOUND_TIME]
+    before, after = velocity_of(cue, hits[0]["before"]), velocity_of(cue, hits[-1]["after"])
     forward = (before[0] ** 2 + before[1] ** 2) ** 0.5
     back = -(after[0] * before[0] + after[1] * before[1]) / forward
     touched = {
@@ -90,7 +90,7 @@ def one_break(gap: float, seed: int) -> tuple[float, int, int]:
     return back / forward, len(touched), len(trace.outcome["pocketed"])
 
 
-def of(name: str, balls: list[dict[str, Any]]) -> list[float]:
+def velocity_of(name: str, balls: list[dict[str, Any]]) -> list[float]:
     """The velocity of a ball in a list of states, m/s."""
     velocity: list[float] = next(ball["velocity"] for ball in balls if ball["id"] == name)
     return velocity
