@@ -1,0 +1,158 @@
+"""The tables of the documentation that are made from stored results.
+
+    python benches/tables.py                 # print them
+    python benches/tables.py --write         # write them into the pages
+    python benches/tables.py --write 2026-11-21-4866d77.json    # with another run of `carom bench`
+
+In a page a table is below a comment `<!-- table: NAME FILE -->`, where FILE is the stored result in
+``benches/results``. A test compares the pages with the tables.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from carom.bench.states import CLASSES
+
+ROOT = Path(__file__).resolve().parents[1]
+RESULTS = ROOT / "benches" / "results"
+PAGES = tuple(ROOT / "docs" / f"{name}.md" for name in ("benchmarks", "guarantees", "many-balls"))
+#: The comment above a table, and the table.
+PLACE = re.compile(r"<!-- table: (\S+) (\S+) -->\n\n((?:\|.*\n)*)")
+
+JSON = dict[str, Any]
+
+
+def main() -> None:
+    """Reads the command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--write", action="store_true", help="write the tables into the pages")
+    parser.add_argument("bench", nargs="?", help="a stored result of `carom bench`")
+    arguments = parser.parse_args()
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        written = filled(text, arguments.bench)
+        if arguments.write:
+            page.write_text(written, encoding="utf-8")
+        else:
+            for name, file, table in PLACE.findall(written):
+                print(f"{page.name}: {name}, from {file}\n\n{table}")
+
+
+def filled(text: str, bench: str | None = None) -> str:
+    """A page with its tables made from the stored results."""
+
+    def replace(place: re.Match[str]) -> str:
+        name, file = place[1], place[2]
+        if bench is not None and name in {"times", "events"}:
+            file = bench
+        result = json.loads((RESULTS / file).read_text(encoding="utf-8"))
+        return f"<!-- table: {name} {file} -->\n\n{TABLES[name](result)}\n"
+
+    return PLACE.sub(replace, text)
+
+
+def markdown(head: list[str], lines: list[list[str]]) -> str:
+    """A Markdown table."""
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in (head, ["---"] * len(head), *lines))
+
+
+def digits(value: float) -> str:
+    """A number with three digits, or with all digits before the point if there are more."""
+    return f"{value:.0f}" if value >= 1000 else f"{value:#.3g}".rstrip(".")
+
+
+def times(result: JSON) -> str:
+    """Medians of repeated shots beside means over shots in turn."""
+    head = ["", "carom, repeated, median", f"{result['peer']}, median", "ratio"]
+    head += ["carom, in turn, mean", f"{result['peer']}, mean", "ratio"]
+    lines = []
+    for name, row in result["classes"].items():
+        peer = row["peer"]
+        mean = peer.get("mixed_mean_us", peer["mean_us"])
+        cells = [f"{digits(row['median_us'])} µs", f"{digits(peer['median_us'] / 1000)} ms"]
+        cells += [f"{row['ratio_of_medians']:.0f}", f"{digits(row['mixed_mean_us'])} µs"]
+        cells += [f"{digits(mean / 1000)} ms", f"{row['ratio_of_mixed_means']:.0f}"]
+        lines.append([CLASSES[name], *cells])
+    return markdown(head, lines)
+
+
+def events(result: JSON) -> str:
+    """Numbers and costs of events, the cost of a trace, and the agreement of the engines."""
+    head = ["", "events", "ns per event", "pooltool's events", "ratio per event", "with a trace"]
+    lines = [
+        [
+            CLASSES[name],
+            f"{row['events_mean']:.1f}",
+            f"{row['ns_per_event']:.0f}",
+            f"{row['peer']['events_mean']:.1f}",
+            f"{row['ratio_per_event']:.0f}",
+            f"× {row['trace_ratio']:.2f}",
+            f"{row['same_balls_pocketed']:.0%}".replace("%", " %"),
+        ]
+        for name, row in result["classes"].items()
+    ]
+    return markdown([*head, "same balls pocketed"], lines)
+
+
+def amplification(result: JSON) -> str:
+    """The growth of a tiny shift."""
+    head = [
+        "",
+        f"growth of a shift of {result['shift_m']:.0e} m, median",
+        f"a shift of {1e6 * result['nudge_m']:.0f} µm moves a ball by more than 1 mm",
+    ]
+    lines = [
+        [
+            CLASSES[name],
+            f"{row['median_growth']:,.0f}".replace(",", " "),
+            f"{100 * row['nudge_seen']:.0f} % of the shots",
+        ]
+        for name, row in result["classes"].items()
+    ]
+    return markdown(head, lines)
+
+
+def rows_of_balls(result: JSON) -> str:
+    """Speeds of balls in a row after the impact."""
+    names = {"1 moving": "one moves", "2 moving": "two move"}
+    lines = [
+        [names[name], ", ".join(f"{speed:.3f}".replace("-", "−") for speed in speeds)]
+        for name, speeds in result["speeds_after_m_s"].items()
+    ]
+    return markdown(["Five equal balls, 1 m/s, no losses", "speeds after, m/s"], lines)
+
+
+def breaks(result: JSON) -> str:
+    """Eight-ball breaks by the gap in the rack."""
+    head = ["Mean gap in the rack", "rebound", "object balls that reach a rail", "balls pocketed"]
+    lines = []
+    for row in result["breaks"]:
+        low, high = row["rebound_range"]
+        lines.append(
+            [
+                f"{row['gap_mm']:g} mm" if row["gap_mm"] else "none",
+                f"{row['rebound_median']:.2f} ({low:.2f} to {high:.2f})",
+                f"{row['balls_to_a_rail']:.1f}",
+                f"{row['pocketed']:.1f}",
+            ]
+        )
+    return markdown(head, lines)
+
+
+TABLES: dict[str, Callable[[JSON], str]] = {
+    "times": times,
+    "events": events,
+    "amplification": amplification,
+    "rows": rows_of_balls,
+    "breaks": breaks,
+}
+
+
+if __name__ == "__main__":
+    main()
