@@ -32,16 +32,6 @@ ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 # The same pattern as in the tests of the snippets.
 SNIPPET = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
-# Starts the replay of the live table when its engine is ready.
-PLAY = """<script>
-function play() {
-  if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
-  if (window.carom) window.carom.store.setSession({ playing: true });
-  else setTimeout(play, 50);
-}
-play();
-</script>
-"""
 SHOTS = ("jump_shot", "rail_top_landing", "off_the_table", "masse", "spit_out")
 
 
@@ -73,7 +63,9 @@ def write_live_table(folder: Path) -> None:
     """
     folder.mkdir()
     trace = Shot.load(ROOT / "shots" / "nine_ball_break.json").simulate()
-    page = html(trace, title="nine-ball break").replace("</body>", PLAY + "</body>", 1)
+    element = 'id="carom-document"'
+    # With this attribute the page plays the trace by itself, and then lets the visitor aim.
+    page = html(trace, title="nine-ball break").replace(element, f"{element} data-play", 1)
     (folder / "live.html").write_text(page, encoding="utf-8")
 
 
