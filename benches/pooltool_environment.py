@@ -120,8 +120,8 @@ class EightBall:
             "phi": math.degrees(azimuth),
             "theta": math.degrees(abs(noise.elevation * error[2])),
             # Positive to the left in pooltool.
-            "a": -(action[2] / out + noise.side / radius * error[3]),
-            "b": action[3] / out + noise.height / radius * error[4],
+            "a": -(action[2] / out + noise.side_m / radius * error[3]),
+            "b": action[3] / out + noise.height_m / radius * error[4],
         }
 
     def _respot(self) -> None:

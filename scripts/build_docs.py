@@ -81,10 +81,10 @@ def draw_shots(folder: Path) -> None:
     save(cut.evaluate(club), folder / "chances.png", title="side pocket cut")
     balls = {"cue": (0.5, 0.5), "8": (0.5, 0.8), "1": (0.5, 1.2)}
     hidden = Shot("wpa-9ft", balls, Strike(speed=2.0, azimuth=np.pi / 2))
-    raised = hidden.solve(first="1", noise=club, elevation=1.2, wanted=60, of_a_way=1)
+    raised = hidden.solve(first="1", noise=club, elevation=1.2, wanted=60, per_route=1)
     speeds, heights = np.linspace(0.8, 4.0, 65), np.linspace(-0.4, 0.4, 5)
     for name, found in (
-        ("solutions", cut.solve(pot=("1", "right"), noise=club, of_a_way=2)),
+        ("solutions", cut.solve(pot=("1", "right"), noise=club, per_route=2)),
         ("raised", [way for way in raised if "jump" in way.kind or "massé" in way.kind]),
         ("pot_map", pot_map(cut, "1", "right", noise=club)),
         ("position_map", position_map(cut, "1", "right", speed=speeds, height=heights)),

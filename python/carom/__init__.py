@@ -18,28 +18,39 @@ from typing import TYPE_CHECKING
 from carom._core import __version__
 from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
-from carom.cushions import CushionTable, bank_table, kick_table
+from carom.call import Call
 from carom.errors import CaromError, EventCapError, InputError, PageError
-from carom.maps import (
+from carom.noise import Noise, NoisyResult, Perception
+from carom.plan import (
     Acceptance,
     BreakStatistics,
+    Chance,
+    CushionTable,
+    Evaluation,
     PositionMap,
     PotMap,
+    Solution,
     acceptance,
+    bank_table,
     break_statistics,
+    evaluate,
+    kick_table,
     position_map,
     pot_map,
+    solve,
 )
-from carom.noise import Noise, NoisyResult, Perception
-from carom.plan import Chance, Evaluation
 from carom.racks import break_shot
 from carom.reference import schema, tables
-from carom.rules import Call, Frame, Ruling, rule_sets
+from carom.rules import Frame, Ruling, rule_sets
 from carom.shot import Shot
-from carom.solve import Solution
 from carom.trace import Snapshot, Trace
 
 if TYPE_CHECKING:
+    from carom import bench as bench
+    from carom import convert as convert
+    from carom import page as page
+    from carom import picture as picture
+    from carom import serve as serve
     from carom.sweeps import Sweep, sweep
 
 __all__ = [
@@ -75,29 +86,27 @@ __all__ = [
     "bank_table",
     "break_shot",
     "break_statistics",
+    "evaluate",
     "kick_table",
     "position_map",
     "pot_map",
     "rule_sets",
     "schema",
     "simulate_batch",
+    "solve",
     "sweep",
     "tables",
 ]
 
 
-def _svg(trace: Trace) -> str:
-    # Matplotlib takes half a second to load.
-    from carom.picture import svg
-
-    return svg(trace)
-
-
-Trace._svg = _svg
+# Modules that few programs use; they are imported when they are first used.
+_LAZY_MODULES = {"bench", "convert", "page", "picture", "serve"}
+_LAZY_NAMES = {"Sweep": "carom.sweeps", "sweep": "carom.sweeps"}
 
 
 def __getattr__(name: str) -> object:
-    # Sweeps take half as long to import as all the rest, and few programs use them.
-    if name in {"Sweep", "sweep"}:
-        return getattr(import_module("carom.sweeps"), name)
+    if name in _LAZY_MODULES:
+        return import_module(f"carom.{name}")
+    if name in _LAZY_NAMES:
+        return getattr(import_module(_LAZY_NAMES[name]), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

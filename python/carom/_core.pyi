@@ -7,6 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.env.settings import Settings
+from carom.noise import Noise, Perception
+from carom.plan.options import Goal, Sampling, Search
 
 __all__ = [
     "Frame",
@@ -17,7 +19,7 @@ __all__ = [
     "acceptance",
     "bank_table",
     "break_shot",
-    "breaks",
+    "break_statistics",
     "check_noise",
     "check_perception",
     "draw_strikes",
@@ -42,6 +44,7 @@ __all__ = [
     "simulate_seen",
     "simulate_strikes",
     "solve",
+    "stages",
     "tables",
     "tasks",
     "wilson",
@@ -55,7 +58,7 @@ _Play = tuple[
     tuple[str, str | None, str | None],
 ]
 
-# Layouts, which of them, paths and values, keys of a strike and numbers, noise.
+# Layouts, the index of each row's layout, paths and values, keys of a strike and numbers, noise.
 _Rows = tuple[
     list[Shot],
     NDArray[np.int32],
@@ -63,7 +66,7 @@ _Rows = tuple[
     list[tuple[str, NDArray[np.float64]]],
     tuple[tuple[float, ...], int, NDArray[np.int64]] | None,
 ]
-_Errs = tuple[tuple[float, ...], float, int, int, float | None, float]
+_Report = Callable[[int, int, int], object]
 
 @final
 class Frame:
@@ -132,32 +135,28 @@ def simulate_strikes(shot: Shot, strikes: NDArray[np.float64], threads: int) -> 
 def simulate_seen(
     shot: Shot,
     strikes: NDArray[np.float64],
-    position: float,
+    perception: Perception,
     seed: int,
     first: int,
     threads: int,
 ) -> _Arrays: ...
-def check_perception(position: float) -> None: ...
-def check_noise(noise: tuple[float, ...]) -> None: ...
+def check_perception(perception: Perception) -> None: ...
+def check_noise(noise: Noise) -> None: ...
 def draw_strikes(
-    shot: Shot, noise: tuple[float, ...], seed: int, first: int, count: int
+    shot: Shot, noise: Noise, n: int, seed: int, first: int
 ) -> NDArray[np.float64]: ...
 def olympiad(multiplier: float) -> list[float]: ...
 def noise_presets() -> list[tuple[str, list[float]]]: ...
 def evaluate(
     shot: Shot,
-    noise: tuple[float, ...],
-    position: float,
-    seed: int,
-    most: int,
-    level: float,
-    precision: tuple[float, tuple[str, str | None] | None] | None,
+    sampling: Sampling,
+    watch: tuple[str, str | None] | None,
     referee: tuple[Frame, tuple[str, str | None, str | None]] | None,
     threads: int,
-    progress: Callable[[int], object],
+    report: _Report,
 ) -> dict[str, Any]: ...
 def plain(value: object) -> Any: ...
-def play_rows(rows: _Rows, balls: int, facts: bool) -> dict[str, Any]: ...
+def play_rows(rows: _Rows, balls: int, outcomes: bool) -> dict[str, Any]: ...
 def row_shot(rows: _Rows) -> Shot: ...
 def points(
     sequence: str, seed: int, index: NDArray[np.int64], dimensions: int
@@ -165,14 +164,14 @@ def points(
 def quantiles(
     distribution: str, a: list[float], b: list[float], u: NDArray[np.float64]
 ) -> NDArray[np.float64]: ...
-def see(shot: Shot, position: float, seed: int, index: int) -> Shot: ...
+def see(shot: Shot, perception: Perception, seed: int, index: int) -> Shot: ...
 def pot_map(
     shot: Shot,
     target: tuple[int, int],
     cells: tuple[int, int],
-    errs: _Errs,
+    sampling: Sampling,
     threads: int,
-    progress: Callable[[int], object],
+    report: _Report,
 ) -> tuple[
     NDArray[np.float64],
     NDArray[np.float64],
@@ -188,7 +187,7 @@ def kick_table(
     height: float,
     most: int,
     threads: int,
-    progress: Callable[[int], object],
+    report: _Report,
 ) -> tuple[list[str], NDArray[np.float64]]: ...
 def bank_table(
     shot: Shot,
@@ -197,7 +196,7 @@ def bank_table(
     speeds: list[float],
     most: int,
     threads: int,
-    progress: Callable[[int], object],
+    report: _Report,
 ) -> tuple[list[str], NDArray[np.float64]]: ...
 def position_map(
     shot: Shot,
@@ -205,7 +204,7 @@ def position_map(
     speeds: list[float],
     spins: list[list[float]],
     threads: int,
-    progress: Callable[[int], object],
+    report: _Report,
 ) -> tuple[NDArray[np.bool_], NDArray[np.float64], NDArray[np.float64]]: ...
 def acceptance(
     shot: Shot,
@@ -215,33 +214,26 @@ def acceptance(
     offsets: list[float],
     distance: float,
     threads: int,
-    progress: Callable[[int], object],
+    report: _Report,
 ) -> NDArray[np.int8]: ...
-def breaks(
+def break_statistics(
     game: str,
     table: str | None,
     speed: float | None,
     gap: float | None,
-    noise: tuple[float, ...],
-    seed: int,
-    first: int,
-    racks: int,
+    sampling: Sampling,
     threads: int,
-) -> _Arrays: ...
-
-_Solved = tuple[list[float], str, str, list[float], int, int, tuple[float, float]]
-
+    report: _Report,
+) -> tuple[_Arrays, dict[str, Any]]: ...
 def solve(
     shot: Shot,
-    pot: tuple[int, int | None] | None,
-    leave: tuple[tuple[float, float], float] | None,
-    first: int | None,
-    limits: tuple[tuple[float, ...], float | None],
-    counts: tuple[int, int, int],
-    errs: _Errs,
+    goal: Goal,
+    search: Search,
+    sampling: Sampling,
     threads: int,
-    progress: Callable[[str, int, int], object],
-) -> list[_Solved]: ...
+    report: _Report,
+) -> list[dict[str, Any]]: ...
+def stages() -> list[str]: ...
 def wilson(hits: int, trials: int, level: float) -> tuple[float, float]: ...
 def break_shot(
     game: str, table: str | None, speed: float | None, seed: int, gap: float | None

@@ -1,32 +1,38 @@
-"""What a caller gives, before it goes to Rust: what is refused is named, with the remedy."""
+"""Checks of arguments before they go to Rust. An error names the argument and the remedy."""
 
 from __future__ import annotations
 
-import math
 import operator
 import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from carom.errors import InputError
+from carom.lazy import np
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
 T = TypeVar("T")
 
-# Seeds and indices are 64 bits wide.
+# Seeds and indices have 64 bits.
 WORD = 1 << 64
 
-# More threads than any machine has cores; beyond it an operating system may have none to give.
+# More threads than any machine has cores; an operating system may refuse to start more.
 _MOST_THREADS = 1024
+
+# Most numbers along one axis of a grid, as Rust limits a whole grid.
+_MOST_NUMBERS = 10**7
+
+# Most results of balls in one call: 25 bytes each, 10 GB in all. A larger array would exhaust the
+# memory of most machines, and the operating system would end the process.
+_MOST_RESULTS = 4 * 10**8
 
 
 def whole(name: str, value: Any, end: int = WORD, *, low: int = 0) -> int:
-    """A whole number from ``low`` up to but not including ``end``, NumPy's as well."""
+    """A whole number, Python's or NumPy's, from ``low`` up to but not including ``end``."""
     try:
-        # Python's own truth values are integers, and none that anyone means.
+        # Truth values are integers in Python, but are no sensible number here.
         found = None if isinstance(value, bool) else operator.index(value)
     except TypeError:
         found = None
@@ -38,7 +44,7 @@ def whole(name: str, value: Any, end: int = WORD, *, low: int = 0) -> int:
 
 
 def number(name: str, value: Any) -> float:
-    """A number, finite or not."""
+    """A number, which may be infinite or NaN."""
     try:
         if not isinstance(value, str | bytes | bytearray | bool):
             return float(value)
@@ -48,7 +54,7 @@ def number(name: str, value: Any) -> float:
 
 
 def numbers(name: str, value: Any, count: int) -> tuple[float, ...]:
-    """So many numbers, such as the coordinates of a place."""
+    """A sequence of ``count`` numbers, such as coordinates."""
     items = list(value) if isinstance(value, Iterable) and not isinstance(value, str) else []
     if len(items) != count:
         raise InputError(f"{name}: {_shown(value)} is not {count} numbers; write them as a list")
@@ -56,9 +62,7 @@ def numbers(name: str, value: Any, count: int) -> tuple[float, ...]:
 
 
 def array(name: str, value: ArrayLike) -> NDArray[np.float64]:
-    """A number or an array of any shape, finite or not."""
-    import numpy as np
-
+    """A number or an array of any shape, whose values may be infinite or NaN."""
     try:
         found = np.asarray(value)
         # Integers beyond 64 bits are objects.
@@ -69,20 +73,18 @@ def array(name: str, value: ArrayLike) -> NDArray[np.float64]:
     raise InputError(f"{name}: not a number or an array of numbers; give one")
 
 
-def flat(name: str, values: ArrayLike, *, above: float = -math.inf) -> NDArray[np.float64]:
-    """A flat array of finite numbers, all ``above``; a single number is one of length 1."""
-    import numpy as np
-
+def flat(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """A flat array of finite numbers; a single number gives an array of length 1."""
     found = np.atleast_1d(array(name, values))
     if found.ndim != 1 or not found.size or not np.isfinite(found).all():
         raise InputError(f"{name}: neither a finite number nor a flat array of such; give one")
-    if not (found > above).all():
-        raise InputError(f"{name}: {found.min():g} is out of range; give more than {above:g}")
+    if found.size > _MOST_NUMBERS:
+        raise InputError(f"{name}: {found.size} numbers are too many; give at most {_MOST_NUMBERS}")
     return found
 
 
 def text(name: str, value: Any, such_as: str = "") -> str:
-    """A string that Rust can have; ``such_as`` says in the refusal what would be right."""
+    """A string in valid Unicode; ``such_as`` is an example for the error message."""
     remedy = f"write a text{such_as and f', such as {such_as}'}"
     if not isinstance(value, str):
         raise InputError(f"{name}: {_shown(value)} is not a text; {remedy}")
@@ -94,14 +96,14 @@ def text(name: str, value: Any, such_as: str = "") -> str:
 
 
 def truth(name: str, value: Any) -> bool:
-    """True or False, NumPy's as well."""
+    """True or False, Python's or NumPy's."""
     if type(value).__name__ not in ("bool", "bool_"):
         raise InputError(f"{name}: {_shown(value)} is neither True nor False; give one of them")
     return bool(value)
 
 
 def instance(name: str, value: Any, kind: type[T], such_as: str) -> T:
-    """A value of a class of ours; ``such_as`` says how to come by one."""
+    """An instance of one of carom's classes; ``such_as`` is an example for the error message."""
     if not isinstance(value, kind):
         found = type(value).__name__
         raise InputError(
@@ -110,8 +112,29 @@ def instance(name: str, value: Any, kind: type[T], such_as: str) -> T:
     return value
 
 
+def core(name: str, value: Any, kind: type[T], such_as: str) -> T:
+    """The Rust object inside one of carom's objects; ``such_as`` is an example for the error."""
+    found = getattr(value, "_core", None)
+    if not isinstance(found, kind):
+        raise InputError(
+            f"{name}: found a {type(value).__name__}; give carom.{kind.__name__}, for example "
+            f"{such_as}"
+        )
+    return found
+
+
+def check_results(name: str, shots: int, balls: int) -> None:
+    """Reject a number of shots whose results would exhaust the memory."""
+    most = _MOST_RESULTS // max(balls, 1)
+    if shots > most:
+        raise InputError(
+            f"{name}: {shots} shots of {balls} balls are too many for one call; "
+            f"give at most {most}, and call several times"
+        )
+
+
 def thread_count(threads: int | None) -> int:
-    """``threads`` as Rust takes it: 0 is one per core."""
+    """``threads`` in the form that Rust accepts: 0 is one per core."""
     if threads is None:
         return 0
     try:
@@ -122,11 +145,11 @@ def thread_count(threads: int | None) -> int:
 
 
 def cores(threads: int | None) -> int:
-    """How many threads that is here."""
+    """The number of threads on this machine."""
     return thread_count(threads) or os.cpu_count() or 1
 
 
 def _shown(value: Any) -> str:
-    """A value in one line of a sentence, or what kind it is if it would be longer than that."""
+    """The value as written in Python if that is short, else its type."""
     shown = repr(value)
     return shown if len(shown) <= 60 and "\n" not in shown else f"a {type(value).__name__}"

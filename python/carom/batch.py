@@ -1,26 +1,29 @@
-"""Many shots at once: all cores, no traces, arrays out."""
+"""Many shots at once, on all cores: results as arrays, without traces."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+import math
+import time
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from carom import _core
-from carom.arguments import array, thread_count
+from carom.arguments import array, check_results, core, thread_count
 from carom.errors import InputError
+from carom.lazy import np
+from carom.progress import progress_bar
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
-    from carom.shot import Shot
+    import carom
 
-# Shots that go to Rust in one call. Between calls Ctrl-C is heard and the bar moves; at a few
-# microseconds a shot a call takes some hundredths of a second, and starting one costs less than
-# a thousandth of that.
-CHUNK = 8192
+# Shots that go to Rust in the first call. Ctrl-C is noticed between two calls.
+_FIRST_CHUNK = 512
+# A call should take about this long, s. A person notices a longer delay of Ctrl-C, and starting a
+# call costs less than a thousandth of it.
+_CHUNK_TIME = 0.1
 
 # ``pocket`` where a shot has no such ball.
 PADDING = -3
@@ -31,7 +34,7 @@ VARIABLES = ("speed", "azimuth", "elevation", "side", "height")
 
 @dataclass(frozen=True, slots=True)
 class BatchResult:
-    """The ends of many shots, in the order in which they were given.
+    """The ends of many shots, in the order of the arguments.
 
     Attributes:
         final_position: Centres at the end, m, float64 of shape (n_shots, n_balls, 3); NaN where
@@ -39,7 +42,7 @@ class BatchResult:
         pocket: int8 of shape (n_shots, n_balls): index of the pocket, in the order of
             ``carom tables``; −1 on the table, −2 off it, −3 padding.
         events: Number of events, int32 of shape (n_shots,); 0 where a shot failed.
-        errors: What went wrong, by index; the other shots are unharmed.
+        errors: Error messages of the shots that failed, by index.
     """
 
     final_position: NDArray[np.float64]
@@ -51,31 +54,35 @@ class BatchResult:
         return len(self.events)
 
 
-# What Rust gives: positions, pockets, events, errors.
+# The arrays from Rust: positions, pockets, events, errors.
 Arrays = tuple["NDArray[np.float64]", "NDArray[np.int8]", "NDArray[np.int32]", dict[int, str]]
 
 
 def simulate_batch(
-    shots: Iterable[Shot], *, threads: int | None = None, progress: bool = False
+    shots: Iterable[carom.Shot], *, threads: int | None = None, progress: bool = False
 ) -> BatchResult:
-    """Simulate many shots over all cores, without traces.
+    """Simulate many shots on all cores, without traces.
 
     Args:
-        shots: The shots; they may differ in everything.
-        threads: How many; None is one per core. Results do not depend on it.
+        shots: The shots; they may have different tables, physics and balls.
+        threads: Number of threads; None is one per core. The result does not depend on it.
         progress: Show a progress bar on stderr.
 
     Returns:
         Arrays in the order of ``shots``, padded to the shot with the most balls.
 
     Raises:
-        InputError: One of them is no shot, or ``threads`` no count. A shot that reaches its cap of
-            events does not raise: it is in ``errors`` of the result.
+        InputError: An item is not a ``carom.Shot``, ``threads`` is out of range, or there are too
+            many shots for one call. A shot that reaches its cap of events does not raise: it is
+            in ``errors`` of the result.
     """
     if not isinstance(shots, Iterable):
         raise InputError(f"shots: found a {type(shots).__name__}; give a list of carom.Shot")
-    cores = [_core_of(shot, index) for index, shot in enumerate(shots)]
-    balls = max((len(core) for core in cores), default=0)
+    cores = [
+        core(f"shots[{index}]", shot, _core.Shot, "carom.Shot.from_dict(...)")
+        for index, shot in enumerate(shots)
+    ]
+    balls = max(map(len, cores), default=0)
 
     def run(start: int, end: int) -> Arrays:
         return _core.simulate_batch(cores[start:end], thread_count(threads))
@@ -83,37 +90,63 @@ def simulate_batch(
     return in_chunks(run, len(cores), balls, progress=progress)
 
 
-def vary(
-    shot: _core.Shot,
-    given: Mapping[str, ArrayLike | None],
+def batch(
+    shot: carom.Shot,
     *,
-    threads: int | None,
-    progress: bool,
+    speed: ArrayLike | None = None,
+    azimuth: ArrayLike | None = None,
+    side: ArrayLike | None = None,
+    height: ArrayLike | None = None,
+    elevation: ArrayLike | None = None,
+    threads: int | None = None,
+    progress: bool = False,
 ) -> BatchResult:
-    """``Shot.batch``."""
-    import numpy as np
+    """Simulate many variants of a shot's strike, on all cores, without traces.
 
-    columns = []
-    for name, default in zip(VARIABLES, own_strike(shot), strict=True):
-        value = given[name]
-        columns.append(array(name, default if value is None else value))
+    Arguments that are None keep the value of the shot. Scalars and arrays broadcast against each
+    other; the result is flat, in C order.
+
+    Args:
+        shot: The shot.
+        speed: The cue's speed, m/s.
+        azimuth: The cue's direction, counter-clockwise from +x, rad.
+        side: Contact point right of centre, ball radii.
+        height: Contact point above centre, ball radii.
+        elevation: Butt raised above horizontal, rad.
+        threads: Number of threads; None is one per core. The result does not depend on it.
+        progress: Show a progress bar on stderr.
+
+    Raises:
+        InputError: The shot has no strike, the shapes do not broadcast, or there are too many
+            strikes for one call. A strike out of range does not raise: it is in ``errors`` of the
+            result.
+    """
+    inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
+    given = (speed, azimuth, elevation, side, height)
+    columns = [
+        array(name, default if value is None else value)
+        for name, value, default in zip(VARIABLES, given, own_strike(inner), strict=True)
+    ]
     try:
-        full = np.broadcast_arrays(*columns)
+        shape = np.broadcast_shapes(*(column.shape for column in columns))
     except ValueError:
         shapes = ", ".join(
             f"{name} {column.shape}" for name, column in zip(VARIABLES, columns, strict=True)
         )
         raise InputError(f"shapes do not broadcast: {shapes}; make them agree") from None
+    # Python's integers: a product of NumPy's could overflow.
+    check_results("shapes", math.prod(shape), len(inner))
+    full = [np.broadcast_to(column, shape) for column in columns]
     strikes = np.ascontiguousarray(np.stack([column.ravel() for column in full], axis=1))
 
     def run(start: int, end: int) -> Arrays:
-        return _core.simulate_strikes(shot, strikes[start:end], thread_count(threads))
+        return _core.simulate_strikes(inner, strikes[start:end], thread_count(threads))
 
-    return in_chunks(run, len(strikes), len(shot), progress=progress)
+    return in_chunks(run, len(strikes), len(inner), progress=progress)
 
 
 def own_strike(shot: _core.Shot) -> tuple[float, float, float, float, float]:
-    """The strike that is to be varied: speed, azimuth, elevation, side, height.
+    """The shot's own strike: speed, azimuth, elevation, side, height.
 
     Raises:
         InputError: The shot has none.
@@ -123,62 +156,36 @@ def own_strike(shot: _core.Shot) -> tuple[float, float, float, float, float]:
     return shot.strike
 
 
-def _core_of(shot: Any, index: int) -> _core.Shot:
-    from carom.shot import Shot
-
-    if not isinstance(shot, Shot):
-        raise InputError(
-            f"shots[{index}]: found a {type(shot).__name__}; give carom.Shot, "
-            "for example carom.Shot.from_dict(...)"
-        )
-    return shot._core
-
-
 def in_chunks(
     run: Callable[[int, int], Arrays], count: int, balls: int, *, progress: bool
 ) -> BatchResult:
-    """The results of ``run`` on row ``start`` up to ``end``, a chunk at a time."""
-    import numpy as np
+    """The results of many shots, simulated in chunks.
 
+    Args:
+        run: Simulates the shots from one index up to but not including another.
+        count: Number of shots.
+        balls: Number of balls of the largest shot.
+        progress: Show a progress bar on stderr.
+
+    Raises:
+        InputError: The results would exhaust the memory.
+    """
+    check_results("shots", count, balls)
     position = np.full((count, balls, 3), np.nan)
     pocket = np.full((count, balls), PADDING, dtype=np.int8)
     events = np.empty(count, dtype=np.int32)
     errors: dict[int, str] = {}
+    start, chunk = 0, _FIRST_CHUNK
     with progress_bar(count, show=progress) as advance:
-        for start in range(0, count, CHUNK):
-            end = min(start + CHUNK, count)
+        while start < count:
+            end = min(start + chunk, count)
+            began = time.perf_counter()
             places, pockets, events[start:end], failed = run(start, end)
+            fast = time.perf_counter() - began < _CHUNK_TIME
             # A chunk is as wide as its own largest shot.
             width = places.shape[1]
             position[start:end, :width], pocket[start:end, :width] = places, pockets
             errors |= {start + index: text for index, text in failed.items()}
             advance(end - start)
+            start, chunk = end, 2 * chunk if fast else max(chunk // 2, 1)
     return BatchResult(position, pocket, events, errors)
-
-
-@contextmanager
-def progress_bar(
-    count: int, *, show: bool, what: str = "shots"
-) -> Iterator[Callable[[int], object]]:
-    """A bar on stderr; what it yields is told how many more are done."""
-    if not show:
-        yield lambda _: None
-        return
-    from rich.console import Console
-    from rich.progress import (
-        BarColumn,
-        MofNCompleteColumn,
-        Progress,
-        TextColumn,
-        TimeRemainingColumn,
-    )
-
-    with Progress(
-        TextColumn(what),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeRemainingColumn(),
-        console=Console(stderr=True),
-    ) as bar:
-        task = bar.add_task(what, total=count)
-        yield lambda done: bar.advance(task, done)

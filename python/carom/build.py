@@ -1,7 +1,7 @@
 """The parts that a shot is built from: table, physics, layout, strike.
 
-Each is the piece of the shot file that it writes, with names and angles as Python has them;
-whether the values make sense is for the engine to say when the shot is built.
+Each stands for a part of the shot file, with Python's names and with angles in radians. The engine
+checks the values when the shot is built.
 """
 
 from __future__ import annotations
@@ -11,12 +11,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Self
 
+from carom import _core
+from carom.arguments import number, text, whole
+
 JSON = dict[str, Any]
 
 
 @dataclass(frozen=True)
 class Table:
-    """A table: a preset, possibly with changed keys, a plain rectangle, or endless cloth.
+    """A table: a preset, possibly with changed keys, a plain rectangle, or unbounded cloth.
 
     Args:
         description: The shot file's ``table``: a preset's name (`carom tables` lists them) or
@@ -43,7 +46,7 @@ class Table:
 
     @classmethod
     def unbounded(cls) -> Self:
-        """Endless cloth without rails."""
+        """Unbounded cloth without rails."""
         return cls({"cloth": "unbounded"})
 
 
@@ -83,7 +86,7 @@ class Layout:
     @classmethod
     def at(cls, positions: Mapping[str, Sequence[float]]) -> Self:
         """Balls at rest, by id: ``Layout.at({"cue": (0.6, 0.6), "1": (0.6, 1.9)})``, in m."""
-        # What is no place is for the engine to refuse, which knows where it stands.
+        # The engine rejects invalid positions and names their place in the file.
         return cls(tuple({"id": i, "position": p} for i, p in positions.items()))
 
     @classmethod
@@ -96,20 +99,19 @@ class Layout:
             game: ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``, ``snooker`` or
                 ``three-cushion``.
             table: A preset's name; the game's own table if None.
-            seed: Which of the random racks; the same seed is the same rack everywhere.
-            gap: Mean gap between the balls, m; 0 is frozen, None is usual (0.1 mm).
+            seed: Seed of the rack; the same seed gives the same rack on every platform.
+            gap: Mean gap between the balls, m; 0 is frozen, None is the usual 0.1 mm.
 
         Raises:
             InputError: There is no such game or table.
         """
-        from carom.racks import break_shot
-
-        return cls(tuple(break_shot(game, table=table, seed=seed, gap=gap).to_dict()["balls"]))
+        rack = opening(game, table=table, speed=None, seed=seed, gap=gap)
+        return cls(tuple(rack.to_object()["balls"]))
 
 
 @dataclass(frozen=True)
 class Strike:
-    """What the player does.
+    """A strike of the cue.
 
     Args:
         ball: Id of the struck ball.
@@ -130,7 +132,7 @@ class Strike:
     obstruction: str = "report"
 
     def to_dict(self) -> JSON:
-        """The shot file's ``strike``, which has its angles in degrees."""
+        """The shot file's ``strike``, with angles in degrees."""
         return {
             "ball": self.ball,
             "speed": self.speed,
@@ -146,5 +148,22 @@ def _degrees(angle: Any) -> Any:
     try:
         return math.degrees(angle)
     except (TypeError, OverflowError):
-        # No number: for the engine to refuse, which knows its place.
+        # Not a number: the engine rejects it and names its place in the file.
         return angle
+
+
+def opening(
+    game: str, *, table: str | None, speed: float | None, seed: int, gap: float | None
+) -> _core.Shot:
+    """The opening shot of a game; see ``carom.break_shot`` for the arguments.
+
+    Raises:
+        InputError: There is no such game or table, or a value is out of range.
+    """
+    return _core.break_shot(
+        text("game", game, '"nine-ball"'),
+        None if table is None else text("table", table, "a preset's name"),
+        None if speed is None else number("speed", speed),
+        whole("seed", seed),
+        None if gap is None else number("gap", gap),
+    )

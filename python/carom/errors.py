@@ -1,7 +1,7 @@
-"""Every error of ours.
+"""The exceptions that carom raises.
 
-``CaromError`` is the base; what the user can put right is an ``InputError``, which is also a
-``ValueError``.
+``CaromError`` is the base class. Errors that the user can correct are ``InputError``, which is also
+a ``ValueError``.
 """
 
 from __future__ import annotations
@@ -10,22 +10,22 @@ from typing import Any
 
 
 class CaromError(Exception):
-    """Base of every error that carom raises on purpose."""
+    """Base class of the exceptions that carom raises."""
 
 
 class InputError(CaromError, ValueError):
-    """Bad input: the message names the place, what is wrong there and what would be right."""
+    """Bad input. The message names the place, the fault and the remedy."""
 
 
 class PageError(CaromError):
-    """The page that ``carom play`` opens is not built; the message says how to build it."""
+    """The page that ``carom play`` opens has not been built. The message says how to build it."""
 
 
 class EventCapError(CaromError):
-    """A shot reached its cap of events (``max_events``) before it ended.
+    """A shot reached its largest number of events (``max_events``) before it ended.
 
     Attributes:
-        shot: The shot file (``carom-shot/1``) as a dict, ready to be run again or reported.
+        shot: The shot file (``carom-shot/1``) as a dict, for a bug report.
     """
 
     def __init__(self, message: str, shot: dict[str, Any]) -> None:

@@ -1,6 +1,6 @@
 """A trace as a table of events: plain for ``print``, coloured for a terminal.
 
-Made to fit 80 columns; the exact numbers are in the trace.
+The table fits 80 columns, so its numbers are rounded.
 """
 
 from __future__ import annotations
@@ -11,18 +11,25 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom.flights import Heights, highest, runs
+from carom.lazy import LazyModule
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
+    import rich.console as rich_console
+    import rich.table as tables
+    import rich.text as rich_text
+else:
+    rich_console = LazyModule("rich.console")
+    tables = LazyModule("rich.table")
+    rich_text = LazyModule("rich.text")
 
 HEADINGS = ("", "time s", "event", "balls", "where", "speed m/s")
 _RIGHT = {0, 1}
-# Hops lower than this, m, are not worth a word.
+# Hops lower than this, m, are not mentioned: they are invisible on a table.
 SEEN = 1e-3
 
 
 def printable(text: str) -> str:
-    """A text in one line that does nothing to a terminal, whatever a ball or a file is called."""
+    """The text with control characters escaped; ids and file names may contain some."""
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
 
 
@@ -32,7 +39,7 @@ def rows(trace: dict[str, Any]) -> list[tuple[str, ...]]:
 
 
 def _lines(trace: dict[str, Any]) -> list[tuple[str, tuple[str, ...]]]:
-    """Each row with its kind of event."""
+    """Each row with the type of its event."""
     events = trace["events"]
     flights = _flights(trace)
     rises: defaultdict[int, float] = defaultdict(float)
@@ -47,7 +54,7 @@ def _lines(trace: dict[str, Any]) -> list[tuple[str, tuple[str, ...]]]:
         else:
             where = _where(first, aloft=run[0] in landings)
         rise = rises[run[-1]]
-        # A height is there already where there are three coordinates.
+        # Three coordinates include the height already.
         if rise >= SEEN and where.count(",") < 2:
             where += f" ↑ {1000 * rise:.0f} mm"
         row = (
@@ -64,7 +71,7 @@ def _lines(trace: dict[str, Any]) -> list[tuple[str, tuple[str, ...]]]:
 
 @dataclass(frozen=True, slots=True)
 class _Flight:
-    """A ball's way in the air from one of its events to the next."""
+    """A ball's flight between two of its events."""
 
     start: int
     end: int
@@ -72,12 +79,12 @@ class _Flight:
 
     @property
     def rise(self) -> float:
-        """How far above its start the ball gets, m."""
+        """Greatest height above the start, m."""
         return highest(self.heights) - self.heights[0]
 
     @property
     def seen(self) -> bool:
-        """Whether the ball is not as good as on the slate."""
+        """Whether the flight is high enough to be mentioned."""
         return highest(self.heights) - min(self.heights) >= SEEN
 
 
@@ -113,7 +120,7 @@ def _where(event: dict[str, Any], *, aloft: bool) -> str:
         case "motion-transition":
             return f"{event['from']}→{event['to']}"
         case _:
-            # The height too where the ball is in the air; on the slate it says nothing.
+            # The height is given only for balls in the air.
             coordinates = 3 if aloft and event["type"] != "slate-collision" else 2
             return ", ".join(f"{x:.3f}" for x in event["before"][0]["position"][:coordinates])
 
@@ -130,7 +137,7 @@ def _speeds(states_before: list[dict[str, Any]], states_after: list[dict[str, An
 
 
 def summary(trace: dict[str, Any]) -> list[str]:
-    """The end of the shot in a few lines."""
+    """A summary of the shot in a few lines."""
     count = len(trace["events"])
     outcome = trace["outcome"]
     lines = [
@@ -162,7 +169,7 @@ def _remedy(outcome: dict[str, Any]) -> str:
 
 
 def plain(trace: dict[str, Any]) -> str:
-    """The table as text, without colour, as wide as it needs."""
+    """The table as text without colours."""
     body = rows(trace)
     widths = [max(len(row[i]) for row in [HEADINGS, *body]) for i in range(len(HEADINGS))]
 
@@ -187,16 +194,12 @@ _STYLES = {
 }
 
 
-def rich_table(trace: dict[str, Any]) -> RenderableType:
+def rich_table(trace: dict[str, Any]) -> rich_console.RenderableType:
     """The table for a terminal."""
-    from rich.console import Group
-    from rich.table import Table
-    from rich.text import Text
-
-    table = Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="bold")
+    table = tables.Table(box=None, pad_edge=False, padding=(0, 1, 0, 0), header_style="bold")
     for index, heading in enumerate(HEADINGS):
         table.add_column(heading, justify="right" if index in _RIGHT else "left", no_wrap=index < 3)
     for kind, row in _lines(trace):
-        # Text, not markup: a ball may be called "[red]".
-        table.add_row(*(Text(cell) for cell in row), style=_STYLES.get(kind, ""))
-    return Group(table, *(Text(line) for line in summary(trace)))
+        # Text, not markup, because a ball's id may be "[red]".
+        table.add_row(*(rich_text.Text(cell) for cell in row), style=_STYLES.get(kind, ""))
+    return rich_console.Group(table, *(rich_text.Text(line) for line in summary(trace)))

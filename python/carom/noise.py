@@ -1,4 +1,4 @@
-"""How a player errs: strikes stray from what was meant, balls lie beside where they are seen."""
+"""Errors of a player: strikes differ from the intended ones, positions from the perceived ones."""
 
 from __future__ import annotations
 
@@ -6,49 +6,60 @@ from dataclasses import astuple, dataclass, fields
 from typing import TYPE_CHECKING, Self
 
 from carom import _core
-from carom.arguments import WORD, instance, number, text, thread_count, whole
+from carom.arguments import (
+    WORD,
+    check_results,
+    core,
+    instance,
+    number,
+    text,
+    thread_count,
+    whole,
+)
 from carom.batch import Arrays, BatchResult, in_chunks, own_strike
 from carom.build import Strike
+from carom.deprecated import renamed_fields
 from carom.errors import InputError
+from carom.lazy import np
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import NDArray
 
-    from carom.shot import Shot
+    import carom
 
 
+@renamed_fields(side="side_m", height="height_m")
 @dataclass(frozen=True, slots=True)
 class Noise:
-    """Standard deviations of a strike's errors: Gaussian, independent of each other.
+    """Standard deviations of a strike's errors, which are Gaussian and independent of each other.
 
     Attributes:
         speed: Of the cue's speed, m/s.
         azimuth: Of the cue's direction, rad.
         elevation: Of the cue's elevation, rad.
-        side: Of the contact point to the side, **m**, where a strike has ball radii: a hand's
-            error does not know the ball's size.
-        height: Of the contact point's height, m.
+        side_m: Of the contact point to the side, m. A strike has its offset in ball radii; the
+            error of a hand does not depend on the ball's size, so it is in metres.
+        height_m: Of the contact point's height, m.
 
     Raises:
-        InputError: A number is negative, not finite, or beyond all sense.
+        InputError: A number is negative, not finite, or far beyond what a player does.
     """
 
     speed: float = 0.0
     azimuth: float = 0.0
     elevation: float = 0.0
-    side: float = 0.0
-    height: float = 0.0
+    side_m: float = 0.0
+    height_m: float = 0.0
 
     def __post_init__(self) -> None:
         for field in fields(self):
             value = number(f"noise.{field.name}", getattr(self, field.name))
             object.__setattr__(self, field.name, value)
-        _core.check_noise(astuple(self))
+        _core.check_noise(self)
 
     @classmethod
     def olympiad(cls, multiplier: float = 1.0) -> Self:
-        """The Computational Olympiad's noise; its tournaments were played at 0.5, 1 and 2 times it.
+        """The noise of the Computational Olympiad. Its tournaments used 0.5, 1 and 2 times these σ.
 
         σ: offsets 0.5 mm each, elevation 0.1°, azimuth 0.125°, speed 0.075 m/s (Archibald, Altman
         & Shoham, *Analysis of a winning computational billiards player*, 2009).
@@ -57,11 +68,11 @@ class Noise:
 
     @classmethod
     def preset(cls, name: str) -> Self:
-        """A level of play by its name, or the Olympiad's noise.
+        """The noise of a level of play by its name, or the Olympiad's noise.
 
-        ``beginner``, ``casual``, ``club``, ``advanced`` and ``professional`` are **estimated**: no
-        study that we found gives the σ of what a cue does. ``olympiad`` is published.
-        A multiplier may follow: ``olympiad:0.5``.
+        ``beginner``, ``casual``, ``club``, ``advanced`` and ``professional`` are **estimates**: we
+        found no study that measured these σ. ``olympiad`` is published. A multiplier may follow
+        the name: ``olympiad:0.5``.
 
         Raises:
             InputError: There is no such preset.
@@ -74,28 +85,28 @@ class Noise:
         try:
             multiplier = float(factor) if colon else 1.0
         except ValueError:
-            raise InputError(f"noise: {factor!r} is no multiplier; write a number") from None
+            raise InputError(f"noise: {factor!r} is not a multiplier; write a number") from None
         return cls(*presets[base]).scaled(multiplier)
 
     def scaled(self, multiplier: float) -> Self:
-        """The same with every σ times ``multiplier``."""
+        """This noise with every σ multiplied by ``multiplier``.
+
+        Raises:
+            InputError: The multiplier is negative, not finite or too large.
+        """
         factor = number("multiplier", multiplier)
         return type(self)(*(sigma * factor for sigma in astuple(self)))
 
-    def draw(self, shot: Shot, index: int = 0, *, seed: int = 0) -> Strike:
-        """The strike that comes out when a player means that of ``shot``.
+    def draw(self, shot: carom.Shot, index: int = 0, *, seed: int = 0) -> Strike:
+        """One execution of the strike of ``shot``: that of variant ``index`` of ``Shot.vary``.
 
-        It is that of variant ``index`` of ``Shot.vary`` with the same seed. It may be one that
-        cannot be played: a miscue, a speed ≤ 0.
+        It may be impossible to play, such as a miscue or a speed ≤ 0.
 
         Raises:
             InputError: The shot has no strike, or a number is out of range.
         """
-        from carom.shot import Shot
-
-        core = instance("shot", shot, Shot, "carom.Shot.from_dict(...)")._core
-        index, seed = whole("index", index), whole("seed", seed)
-        (row,) = _core.draw_strikes(core, astuple(self), seed, index, 1)
+        inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
+        (row,) = _core.draw_strikes(inner, self, 1, whole("seed", seed), whole("index", index))
         speed, azimuth, elevation, side, height = row.tolist()
         meant = shot.to_dict()["strike"]
         obstruction = meant.get("obstruction", Strike.obstruction)
@@ -104,13 +115,14 @@ class Noise:
 
 @dataclass(frozen=True, slots=True)
 class Perception:
-    """How far from where they are a player sees the balls: Gaussian, each on its own.
+    """Errors of the positions at which a player perceives the balls, which are Gaussian.
 
-    Given to ``Shot.evaluate`` and its like, the shot is what the player sees and plans on, and each
-    variant has the balls where they may truly lie: to err about one is to err about the other.
+    ``Shot.evaluate`` and similar questions take the shot as what the player sees and plans. Every
+    variant has the balls at positions where they may truly be: the difference between true and
+    perceived positions has the same distribution in both directions.
 
     Attributes:
-        position: Standard deviation of each coordinate of each ball, m.
+        position: Standard deviation of true minus perceived position, per coordinate, m.
 
     Raises:
         InputError: It is negative, not finite, or more than 0.1 m.
@@ -120,36 +132,33 @@ class Perception:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "position", number("perception.position", self.position))
-        _core.check_perception(self.position)
+        _core.check_perception(self)
 
-    def see(self, shot: Shot, index: int = 0, *, seed: int = 0) -> Shot:
-        """The shot with the balls a little beside where they are.
+    def see(self, shot: carom.Shot, index: int = 0, *, seed: int = 0) -> carom.Shot:
+        """The shot with the balls at perceived positions.
 
-        No ball is seen in another or outside the table; one that would be is seen nearer to where
-        it is: half as far off, or a quarter, ... ``index`` and ``seed`` say which of all sights,
-        the same on every platform.
+        Perceived balls do not overlap and stay on the table: where they would not, the error is
+        halved until they do. The same ``index`` and ``seed`` give the same positions on every
+        platform.
 
         Raises:
-            InputError: A number is out of range, or the strike cannot be played on what is seen.
+            InputError: A number is out of range, or the strike cannot be played on the perceived
+                positions.
         """
-        from carom.shot import Shot
-
-        core = instance("shot", shot, Shot, "carom.Shot.from_dict(...)")._core
-        return Shot._wrap(
-            _core.see(core, self.position, whole("seed", seed), whole("index", index))
-        )
+        inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
+        return shot._wrap(_core.see(inner, self, whole("seed", seed), whole("index", index)))
 
 
 @dataclass(frozen=True, slots=True)
 class NoisyResult(BatchResult):
-    """The ends of a shot's noisy variants, and the strikes that they were played with.
+    """The ends of a shot's noisy variants, with their strikes.
 
     Attributes:
-        speed: The cue's speed, m/s, float64 of shape (n_shots,), as all that follow.
-        azimuth: The cue's direction, rad.
-        elevation: Butt raised above horizontal, rad.
-        side: Contact point right of centre, ball radii.
-        height: Contact point above centre, ball radii.
+        speed: The cue's speed, m/s, float64 of shape (n_shots,).
+        azimuth: The cue's direction, rad, same shape.
+        elevation: Butt raised above horizontal, rad, same shape.
+        side: Contact point right of centre, ball radii, same shape.
+        height: Contact point above centre, ball radii, same shape.
     """
 
     speed: NDArray[np.float64]
@@ -160,44 +169,76 @@ class NoisyResult(BatchResult):
 
 
 def vary(
-    shot: _core.Shot,
+    shot: carom.Shot,
     noise: Noise,
     n: int,
+    seed: int = 0,
     *,
-    perception: Perception | None,
-    seed: int,
-    first: int,
-    threads: int | None,
-    progress: bool,
+    perception: Perception | None = None,
+    first: int = 0,
+    threads: int | None = None,
+    progress: bool = False,
 ) -> NoisyResult:
-    """``Shot.vary``."""
-    import numpy as np
+    """Simulate ``n`` executions of the shot's strike by a player who errs.
 
-    sigmas, position = sigmas_of(noise), position_of(perception)
+    Variant ``index`` of a seed is the same for any ``n``, ``first`` and ``threads``, on every
+    platform. A cue never points upwards: an elevation drawn below 0 becomes 0.
+
+    Args:
+        shot: The shot as the player sees and plans it.
+        noise: Errors of the strike.
+        n: Number of variants.
+        seed: Seed of the random numbers, a whole number from 0 to 2⁶⁴ − 1.
+        perception: Errors of the perceived positions, as in ``Shot.evaluate``.
+        first: Index of the first variant, so that long runs can be continued.
+        threads: Number of threads; None is one per core.
+        progress: Show a progress bar on stderr.
+
+    Returns:
+        A row for each variant, and the strikes. ``errors`` has the variants that cannot be played,
+        by row: a miscue (unless the shot has ``"miscue": "report"``), a speed ≤ 0, ...
+
+    Raises:
+        InputError: The shot has no strike, a number is out of range, or there are too many
+            variants for one call.
+    """
+    inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
+    noise, perception = noise_or_default(noise), perception_or_none(perception)
     seed, first = whole("seed", seed), whole("first", first)
     n = whole("n", n, WORD - first)
-    own_strike(shot)
+    own_strike(inner)
+    check_results("n", n, len(inner))
     strikes = np.empty((5, n))
 
     def run(start: int, end: int) -> Arrays:
-        rows = _core.draw_strikes(shot, sigmas, seed, first + start, end - start)
+        rows = _core.draw_strikes(inner, noise, end - start, seed, first + start)
         strikes[:, start:end] = rows.T
-        if position == 0.0:
-            return _core.simulate_strikes(shot, rows, thread_count(threads))
-        return _core.simulate_seen(shot, rows, position, seed, first + start, thread_count(threads))
+        if perception.position == 0.0:
+            return _core.simulate_strikes(inner, rows, thread_count(threads))
+        return _core.simulate_seen(
+            inner, rows, perception, seed, first + start, thread_count(threads)
+        )
 
-    ends = in_chunks(run, n, len(shot), progress=progress)
+    ends = in_chunks(run, n, len(inner), progress=progress)
     return NoisyResult(ends.final_position, ends.pocket, ends.events, ends.errors, *strikes)
 
 
-def sigmas_of(noise: Noise | None) -> tuple[float, ...]:
-    """The σ as Rust takes them; the Olympiad's if None."""
-    noise = Noise.olympiad() if noise is None else noise
-    return astuple(instance("noise", noise, Noise, 'carom.Noise.preset("club")'))
+def noise_or_default(noise: Noise | None) -> Noise:
+    """The noise; the Olympiad's if None.
+
+    Raises:
+        InputError: It is neither None nor a ``carom.Noise``.
+    """
+    return instance(
+        "noise", Noise.olympiad() if noise is None else noise, Noise, 'carom.Noise.preset("club")'
+    )
 
 
-def position_of(perception: Perception | None) -> float:
-    """The σ of positions, m; 0 if None."""
-    if perception is None:
-        return 0.0
-    return instance("perception", perception, Perception, "carom.Perception(0.002)").position
+def perception_or_none(perception: Perception | None) -> Perception:
+    """The perception; one without errors if None.
+
+    Raises:
+        InputError: It is neither None nor a ``carom.Perception``.
+    """
+    exact = Perception() if perception is None else perception
+    return instance("perception", exact, Perception, "carom.Perception(0.002)")

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from carom import _core
-from carom.arguments import number, text, whole
+from carom.build import opening
 from carom.shot import Shot
 
 
@@ -22,18 +21,10 @@ def break_shot(
             ``three-cushion``.
         table: A preset's name; the game's own table if None.
         speed: The cue's speed, m/s; the game's usual one if None.
-        seed: Which of the random racks; the same seed is the same rack everywhere.
-        gap: Mean gap between the balls, m; 0 is frozen, None is usual (0.1 mm).
+        seed: Seed of the rack; the same seed gives the same rack on every platform.
+        gap: Mean gap between the balls, m; 0 is frozen, None is the usual 0.1 mm.
 
     Raises:
         InputError: There is no such game or table, or a value is out of range.
     """
-    return Shot._wrap(
-        _core.break_shot(
-            text("game", game, '"nine-ball"'),
-            None if table is None else text("table", table, "a preset's name"),
-            None if speed is None else number("speed", speed),
-            whole("seed", seed),
-            None if gap is None else number("gap", gap),
-        )
-    )
+    return Shot._wrap(opening(game, table=table, speed=speed, seed=seed, gap=gap))

@@ -1,4 +1,4 @@
-"""Games with a referee: whose shot it is, what is a foul and by which rule, and who wins."""
+"""Games with a referee, who decides whose turn it is, what is a foul, and who wins."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from carom import _core
 from carom.arguments import instance, number, numbers, text, truth, whole
 from carom.batch import VARIABLES
 from carom.build import Physics, Strike, Table
+from carom.call import Call, fields_of
 from carom.errors import InputError
 from carom.shot import Shot
 from carom.trace import Record, Trace
@@ -19,61 +20,16 @@ _FORMAT = "carom-frame/1"
 
 
 @dataclass(frozen=True)
-class Call:
-    """What a player announces before a shot.
-
-    Build one with ``Call.pocket("3", "top-left")``, ``Call.on("blue")``, ``Call.safety()`` or
-    ``Call.push_out()``; no call at all is ``None``.
-
-    Attributes:
-        kind: ``pocket``, ``on``, ``safety`` or ``push-out``.
-        ball: The ball that is called or nominated.
-        into: The pocket that is called.
-    """
-
-    kind: str
-    ball: str | None = None
-    into: str | None = None
-
-    def __post_init__(self) -> None:
-        text("call.kind", self.kind, '"pocket"')
-        if self.ball is not None:
-            text("call.ball", self.ball, "its id")
-        if self.into is not None:
-            text("call.pocket", self.into, "its name")
-
-    @classmethod
-    def pocket(cls, ball: str, pocket: str) -> Self:
-        """This ball in that pocket."""
-        return cls("pocket", ball, pocket)
-
-    @classmethod
-    def on(cls, ball: str) -> Self:
-        """This ball is the ball on: a colour, or the free ball (snooker)."""
-        return cls("on", ball)
-
-    @classmethod
-    def safety(cls) -> Self:
-        """The other player shoots next, whatever falls."""
-        return cls("safety")
-
-    @classmethod
-    def push_out(cls) -> Self:
-        """A push-out, after a legal break of nine-ball or ten-ball."""
-        return cls("push-out")
-
-
-@dataclass(frozen=True)
 class Ruling:
-    """What the referee says after a shot or a choice.
+    """The referee's ruling after a shot or a choice.
 
     Attributes:
         legal: Whether there was no foul.
-        fouls: Each with ``what`` (words) and ``rule`` (its number in the rule book, or empty).
-        points: What each player's score changed by.
-        spotted: Balls that were put on a spot.
+        fouls: Each with ``what`` (in words) and ``rule`` (its number in the rule book, or empty).
+        points: Change of each player's score.
+        spotted: Ids of the balls that were spotted.
         racked: Whether the balls were racked again.
-        trace: What happened; None for a choice.
+        trace: The shot; None for a choice.
     """
 
     legal: bool
@@ -99,7 +55,8 @@ class Ruling:
 class Frame:
     """One rack, frame or match between players 0 and 1.
 
-    It asks (``request``), and a player answers with ``play`` or ``choose``, until it is over::
+    ``request`` tells what is asked of which player, who answers with ``play`` or ``choose``, until
+    the frame is over::
 
         frame = carom.Frame("nine-ball", seed=7)
         ruling = frame.play(carom.Strike(speed=8.0, azimuth=1.57), cue_ball=(0.635, 0.6))
@@ -110,13 +67,14 @@ class Frame:
             ``three-cushion`` or ``practice``.
         table: As in a shot; the game's own table if None.
         physics: As in a shot; the table's own if None.
-        seed: Which of the random racks.
+        seed: Seed of the racks.
         target: Points that win straight pool and three-cushion.
         miss: Whether a foul and a miss is called in snooker.
-        patience: Shots in a row without progress that make a stalemate; so every frame ends.
+        patience: Number of shots in a row without progress that make a stalemate. It makes sure
+            that every frame ends.
 
     Raises:
-        InputError: There is no such game, or table and physics do not make sense.
+        InputError: There is no such game, or table or physics are invalid.
     """
 
     __slots__ = ("_core", "_moves", "_setup")
@@ -153,21 +111,21 @@ class Frame:
     def of_shot(
         cls, game: str, shot: Shot, *, target: int = 40, miss: bool = True, patience: int = 100
     ) -> Frame:
-        """A frame that goes on with the balls of a shot, as if nothing else had happened.
+        """A frame that continues from the balls of a shot.
 
-        Balls that the shot does not have are down, and player 0 shoots from where the cue ball
-        lies: nobody has a point, a group or a foul; in eight-ball the table is open. Table and
-        physics are the shot's, its strike does not count.
+        Balls that the shot does not have count as pocketed. Player 0 shoots from where the cue
+        ball is; no player has a point, a group or a foul; in eight-ball the table is open. Table
+        and physics are the shot's; its strike is not used.
 
         Args:
-            game: As for a new frame, like ``target``, ``miss`` and ``patience``.
-            shot: Whose balls.
+            game: The game, as for a new frame.
+            shot: Table, physics and balls.
             target: Points that win.
             miss: Whether a foul and a miss is called in snooker.
-            patience: Shots in a row without progress that make a stalemate.
+            patience: Number of shots in a row without progress that make a stalemate.
 
         Raises:
-            InputError: The game has no such balls, or would be over with them.
+            InputError: The game does not have such balls, or would be over with them.
         """
         options = _options(target, miss, patience)
         frame = Frame.__new__(cls)
@@ -182,23 +140,24 @@ class Frame:
 
     @classmethod
     def replay(cls, record: Mapping[str, Any]) -> Frame:
-        """The frame of a record: begun anew, and every move of it made again.
+        """The frame of a record, with every move repeated.
 
-        The same version of the engine gives the same frame, to the bit; with another one a shot may
-        end otherwise, and a later move may then be refused.
+        The same version of the engine gives the same frame, to the bit. With another version a
+        shot may end differently, and a later move may then be refused.
 
         Args:
-            record: What ``record`` gave.
+            record: The value of ``Frame.record``.
 
         Raises:
-            InputError: It is no such record, or a move is not allowed, with its index.
+            InputError: It is not such a record, or a move is not allowed; the message has its
+                index.
             EventCapError: As for ``play``.
         """
         if not isinstance(record, Mapping) or record.get("format") != _FORMAT:
-            raise InputError(f'format: no record of a frame; its format would be "{_FORMAT}"')
+            raise InputError(f'format: not a record of a frame; its format would be "{_FORMAT}"')
         setup, moves = record.get("setup"), record.get("moves")
         if not isinstance(setup, Mapping) or not isinstance(moves, Sequence):
-            raise InputError("record: setup or moves are missing; write what Frame.record gives")
+            raise InputError("record: setup or moves are missing; write the value of Frame.record")
         try:
             if "shot" in setup:
                 shot = Shot.from_dict(setup["shot"])
@@ -206,7 +165,7 @@ class Frame:
             else:
                 frame = cls(**setup)
         except TypeError as error:
-            raise InputError(f"setup: {error}; write what Frame.record gives") from None
+            raise InputError(f"setup: {error}; write the value of Frame.record") from None
         for index, move in enumerate(moves):
             try:
                 frame._make(move)
@@ -223,21 +182,21 @@ class Frame:
                         play["call"] = Call(**play["call"])
                     self.play(Strike(**strike), **play)
                 except TypeError as error:
-                    raise InputError(f"play: {error}; write what Frame.record gives") from None
+                    raise InputError(f"play: {error}; write the value of Frame.record") from None
             case {"choice": choice}:
                 self.choose(choice)
             case {"concede": True}:
                 self.concede()
             case _:
-                raise InputError("neither a play nor a choice; write what Frame.record gives")
+                raise InputError("neither a play nor a choice; write the value of Frame.record")
 
     @property
     def record(self) -> dict[str, Any]:
-        """How the frame began and every move of it, as plain values that JSON can hold.
+        """The start of the frame and all its moves, as plain values that JSON can hold.
 
-        ``format``; ``setup``: what ``Frame`` or ``Frame.of_shot`` was given; ``moves``: each with
-        ``play`` (``strike`` in SI units and radians, ``cue_ball``, ``call``), ``choice`` or
-        ``concede``. ``Frame.replay`` makes the frame of it; so does ``pickle``.
+        The keys are ``format``; ``setup``: the arguments of ``Frame`` or ``Frame.of_shot``;
+        ``moves``: each with ``play`` (``strike`` in SI units and radians, ``cue_ball``, ``call``),
+        ``choice`` or ``concede``. ``Frame.replay`` restores the frame; ``pickle`` uses both.
         """
         return deepcopy({"format": _FORMAT, "setup": self._setup, "moves": self._moves})
 
@@ -245,21 +204,21 @@ class Frame:
         return Frame.replay, (self.record,)
 
     def copy(self) -> Frame:
-        """The same frame once more: to try a shot and go back."""
+        """A copy of the frame, for example to try a shot."""
         twin = Frame.__new__(Frame)
         twin._core = self._core.copy()
-        # Neither a setup nor a move that was made ever changes.
+        # Setup and moves never change, so the copy may share them.
         twin._setup, twin._moves = self._setup, [*self._moves]
         return twin
 
-    # Without these the copy module would give a second name for the same game.
+    # Without these the copy module would share the game between both frames.
     __copy__ = copy
 
     def __deepcopy__(self, _: dict[int, Any]) -> Frame:
         return self.copy()
 
     def to_dict(self) -> dict[str, Any]:
-        """Everything that the properties say, as plain values."""
+        """The values of all properties, as plain values."""
         return self._core.to_object()
 
     @property
@@ -269,11 +228,11 @@ class Frame:
 
     @property
     def request(self) -> Record:
-        """What is asked next.
+        """The next request.
 
         ``kind`` is ``shot`` (with ``player``, ``cue_ball``, ``in_hand``: None, ``anywhere``,
-        ``behind-head-string`` or ``the-d``; ``on``: balls of which one must be hit first, none if
-        any may be; ``calls``: the kinds that may be made), ``choice`` (with ``player``,
+        ``behind-head-string`` or ``the-d``; ``on``: balls of which one must be hit first, empty if
+        any may be; ``calls``: the kinds of call that are allowed), ``choice`` (with ``player``,
         ``choices``, ``why``) or ``over`` (with ``winner``, ``why``).
         """
         return Record(self.to_dict()["request"])
@@ -285,29 +244,29 @@ class Frame:
 
     @property
     def player(self) -> int | None:
-        """Whose turn it is; None when the frame is over."""
+        """The player whose turn it is; None when the frame is over."""
         return self.request.get("player")
 
     @property
     def scores(self) -> tuple[int, int]:
-        """Points of the two players; games without points count none."""
+        """Points of the two players; zero in games without points."""
         one, other = self.to_dict()["scores"]
         return one, other
 
     @property
     def fouls_in_a_row(self) -> tuple[int, int]:
-        """Fouls that each player has made in a row."""
+        """Number of fouls in a row of each player."""
         one, other = self.to_dict()["fouls_in_a_row"]
         return one, other
 
     @property
     def balls(self) -> dict[str, tuple[float, float]]:
-        """Where the balls on the table lie, m."""
+        """Positions of the balls on the table, m, by id."""
         return {ball: (x, y) for ball, (x, y) in self.to_dict()["balls"].items()}
 
     @property
     def state(self) -> Record:
-        """What this game has and others have not.
+        """Values that only this game has.
 
         ``groups`` in eight-ball; ``on``, ``free_ball``, ``break`` and ``points_left`` (the most
         that the balls on the table are worth) in snooker; ``innings`` in three-cushion.
@@ -321,7 +280,7 @@ class Frame:
         cue_ball: Sequence[float] | None = None,
         call: Call | None = None,
     ) -> Shot:
-        """The shot that ``play`` would play.
+        """The shot that ``play`` would simulate.
 
         Raises:
             InputError: As for ``play``.
@@ -335,17 +294,17 @@ class Frame:
         cue_ball: Sequence[float] | None = None,
         call: Call | None = None,
     ) -> Ruling:
-        """Play a shot: it is simulated and ruled on, and the frame asks anew.
+        """Play a shot: simulate it, rule on it, and update the request.
 
         Args:
-            strike: How the cue ball is struck; which ball that is, the frame knows.
-            cue_ball: Where the cue ball is put first (x, y in m), if it is in hand.
-            call: What is announced.
+            strike: The strike. Its ``ball`` is not used: the frame determines the cue ball.
+            cue_ball: Where to place the cue ball first (x, y in m), if it is in hand.
+            call: What the player announces.
 
         Raises:
-            InputError: No shot is asked, the call is missing or not to be made, the cue ball is put
-                where it must not be, or the strike cannot be played. The frame is unchanged then.
-            EventCapError: The simulation reached its cap of events.
+            InputError: No shot is requested, the call is missing or not allowed, the cue ball must
+                not be placed there, or the strike cannot be played. The frame is unchanged then.
+            EventCapError: The simulation reached its largest number of events.
         """
         arguments = _arguments(strike, cue_ball, call)
         ruling, trace = self._core.play(arguments)
@@ -359,17 +318,17 @@ class Frame:
         return Ruling._read(ruling, Trace._wrap(trace))
 
     def choose(self, choice: str) -> Ruling:
-        """Answer a choice, with one of ``request.choices``.
+        """Answer a choice with one of ``request.choices``.
 
         Raises:
-            InputError: No choice is asked, or not this one.
+            InputError: No choice is requested, or this answer is not among the choices.
         """
         ruling = self._core.choose(text("choice", choice, "one of request.choices"))
         self._moves.append({"choice": choice})
         return Ruling._read(ruling)
 
     def concede(self) -> Ruling:
-        """The player whose turn it is gives up, and the other wins.
+        """Concede: the player whose turn it is loses.
 
         Raises:
             InputError: The frame is over.
@@ -396,19 +355,11 @@ def _arguments(
         number(f"strike.{key}", getattr(strike, key)) for key in VARIABLES
     )
     place = None if cue_ball is None else numbers("cue_ball", cue_ball, 2)
-    return (speed, azimuth, elevation, side, height), place, said(call)
-
-
-def said(call: Call | None) -> tuple[str, str | None, str | None]:
-    """What is announced, as Rust takes it."""
-    if call is None:
-        return "nothing", None, None
-    instance("call", call, Call, 'carom.Call.pocket("1", "left")')
-    return call.kind, call.ball, call.into
+    return (speed, azimuth, elevation, side, height), place, fields_of(call)
 
 
 def _options(target: int, miss: bool, patience: int) -> tuple[int, bool, int]:
-    # As Rust has them: 32 bits, one of them for a sign.
+    # Rust holds them in 32 bits, `target` with a sign.
     return (
         whole("options.target", target, 1 << 31),
         truth("options.miss", miss),
@@ -417,10 +368,10 @@ def _options(target: int, miss: bool, patience: int) -> tuple[int, bool, int]:
 
 
 def _written(options: tuple[int, bool, int]) -> dict[str, int | bool]:
-    """The options as a record has them."""
+    """The options in the form of a record."""
     return dict(zip(("target", "miss", "patience"), options, strict=True))
 
 
 def rule_sets() -> list[str]:
-    """The names of the games that ``Frame`` knows."""
+    """The names of the games that ``Frame`` can play."""
     return _core.rule_sets()

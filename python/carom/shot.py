@@ -1,29 +1,25 @@
-"""A shot: everything that is decided before it starts."""
+"""A shot: everything that is fixed before it starts, and the questions about it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 import carom
-from carom import _core, arguments
+from carom import _core, arguments, plan
 from carom._core import Shot as CoreShot
+from carom.batch import VARIABLES, batch, own_strike
 from carom.build import Layout, Physics, Strike, Table
-from carom.errors import InputError
+from carom.files import read_text
+from carom.lazy import np
+from carom.noise import vary
+from carom.trace import Trace
 
 if TYPE_CHECKING:
     import os
 
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
-
-    from carom.batch import BatchResult
-    from carom.noise import Noise, NoisyResult, Perception
-    from carom.plan import Evaluation
-    from carom.rules import Call, Frame
-    from carom.solve import Solution
-    from carom.trace import Trace
+    from numpy.typing import NDArray
 
 
 class Shot:
@@ -31,15 +27,19 @@ class Shot:
 
     Build one from its parts, or read one with ``load``, ``from_dict`` or ``from_json``.
 
+    Every question about a shot is a method: ``simulate``, ``batch``, ``vary``, ``evaluate``,
+    ``solve``, ``pot_map``, ``position_map``, ``acceptance``, ``kick_table``, ``bank_table``. The
+    functions of the same names in ``carom.plan`` take the shot as their first argument.
+
     Args:
-        table: The table, or what the shot file writes for it (a preset's name, an object).
-        layout: The balls, or what the shot file writes for them, or positions (m) by id.
-        strike: What the player does; None if the balls move by themselves.
+        table: The table, or the shot file's ``table`` (a preset's name, an object).
+        layout: The balls, or the shot file's ``balls``, or positions (m) by id.
+        strike: The strike; None if the balls have velocities of their own.
         physics: The parameters; None is the preset that belongs to the table.
-        max_events: More events than this are an error; None is the engine's default.
+        max_events: Largest number of events; more are an error. None is the engine's default.
 
     Raises:
-        InputError: Something does not make sense; the message names the place.
+        InputError: A value is invalid; the message names the place.
     """
 
     __slots__ = ("_core",)
@@ -81,7 +81,7 @@ class Shot:
 
         Raises:
             OSError: The file cannot be read.
-            InputError: It is no valid shot.
+            InputError: It is not a valid shot.
         """
         return cls.from_json(read_text(path))
 
@@ -90,16 +90,16 @@ class Shot:
         """Read a shot from JSON text.
 
         Raises:
-            InputError: It is no valid shot.
+            InputError: It is not a valid shot.
         """
         return cls._wrap(_core.Shot.from_json(arguments.text("text", text)))
 
     @classmethod
     def from_dict(cls, file: Mapping[str, Any]) -> Self:
-        """Read a shot from a dict as the shot file has it.
+        """Read a shot from a dict in the form of the shot file.
 
         Raises:
-            InputError: It is no valid shot.
+            InputError: It is not a valid shot.
         """
         return cls._wrap(_core.Shot.from_object(file))
 
@@ -123,15 +123,11 @@ class Shot:
     @property
     def radius(self) -> NDArray[np.float64]:
         """The balls' radii, m, shape (n_balls,)."""
-        import numpy as np
-
         return np.array(self._core.radius)
 
     @property
     def mass(self) -> NDArray[np.float64]:
         """The balls' masses, kg, shape (n_balls,)."""
-        import numpy as np
-
         return np.array(self._core.mass)
 
     @property
@@ -155,11 +151,11 @@ class Shot:
         height: float | None = None,
         elevation: float | None = None,
     ) -> Self:
-        """The same shot struck otherwise; what is None stays as in this shot.
+        """The same shot with another strike. Arguments that are None keep the value of this shot.
 
-        A shot is always what its file says. Therefore angles are kept as the degrees that a file
-        holds, which moves one in ten by its last bit; what ``azimuth`` and ``elevation`` then say
-        is kept exactly, and simulated exactly as ``batch`` does.
+        A shot file holds angles in degrees, so the angles of the new shot are converted, which
+        changes the last bit of about one in ten. The properties ``azimuth`` and ``elevation`` give
+        the converted values, with which ``simulate`` and ``batch`` agree to the bit.
 
         Args:
             speed: The cue's speed, m/s.
@@ -173,8 +169,6 @@ class Shot:
                 range, the tip would slip off, or the cue would pass through something and the shot
                 has ``"obstruction": "refuse"``.
         """
-        from carom.batch import VARIABLES, own_strike
-
         given = (speed, azimuth, elevation, side, height)
         own = own_strike(self._core)
         strike = tuple(
@@ -191,251 +185,35 @@ class Shot:
         """Simulate the shot to its end.
 
         Raises:
-            EventCapError: It reached its cap of events; the error carries the shot.
+            EventCapError: It reached its largest number of events; the error has the shot.
         """
-        # By the package's name, for the two modules need each other: an import here would be a
-        # tenth of what a short shot takes.
-        return carom.Trace._wrap(self._core.simulate())
+        return Trace._wrap(self._core.simulate())
 
-    def batch(
-        self,
-        *,
-        speed: ArrayLike | None = None,
-        azimuth: ArrayLike | None = None,
-        side: ArrayLike | None = None,
-        height: ArrayLike | None = None,
-        elevation: ArrayLike | None = None,
-        threads: int | None = None,
-        progress: bool = False,
-    ) -> BatchResult:
-        """Simulate many variants of this shot's strike, over all cores, without traces.
-
-        What is None stays as in this shot; scalars and arrays broadcast against each other, and
-        the result is flat, in C order.
-
-        Args:
-            speed: The cue's speed, m/s.
-            azimuth: The cue's direction, counter-clockwise from +x, rad.
-            side: Contact point right of centre, ball radii.
-            height: Contact point above centre, ball radii.
-            elevation: Butt raised above horizontal, rad.
-            threads: How many; None is one per core. Results do not depend on it.
-            progress: Show a progress bar on stderr.
-
-        Raises:
-            InputError: The shot has no strike, or the shapes do not broadcast. A strike that is
-                out of range does not raise: it is in ``errors`` of the result.
-        """
-        from carom.batch import vary
-
-        given = {
-            "speed": speed,
-            "azimuth": azimuth,
-            "elevation": elevation,
-            "side": side,
-            "height": height,
-        }
-        return vary(self._core, given, threads=threads, progress=progress)
-
-    def vary(
-        self,
-        noise: Noise,
-        n: int,
-        seed: int = 0,
-        *,
-        perception: Perception | None = None,
-        first: int = 0,
-        threads: int | None = None,
-        progress: bool = False,
-    ) -> NoisyResult:
-        """Simulate what comes out when a player means this strike, ``n`` times over.
-
-        Variant ``index`` of a seed is the same whatever ``n``, ``first`` and ``threads`` are, on
-        every platform. A cue never points upwards: an elevation drawn below 0 becomes 0.
-
-        Args:
-            noise: How far the strike strays.
-            n: How many variants.
-            seed: Which random numbers, a whole number from 0 to 2⁶⁴ − 1.
-            perception: How far from where they are seen the balls truly lie, as in ``evaluate``.
-            first: Index of the first variant, so that long runs can be continued.
-            threads: How many; None is one per core.
-            progress: Show a progress bar on stderr.
-
-        Returns:
-            A row for each variant, and the strikes. ``errors`` has those that cannot be played, by
-            row: a miscue (unless the shot has ``"miscue": "report"``), a speed ≤ 0, ...
-
-        Raises:
-            InputError: The shot has no strike, a σ is negative, or a number is out of range.
-        """
-        from carom.noise import vary
-
-        return vary(
-            self._core,
-            noise,
-            n,
-            perception=perception,
-            seed=seed,
-            first=first,
-            threads=threads,
-            progress=progress,
-        )
-
-    def evaluate(
-        self,
-        noise: Noise,
-        n: int = 10_000,
-        seed: int = 0,
-        *,
-        perception: Perception | None = None,
-        precision: float | None = None,
-        watch: str | tuple[str, str] | None = None,
-        frame: Frame | None = None,
-        call: Call | None = None,
-        level: float = 0.95,
-        threads: int | None = None,
-        progress: bool = False,
-    ) -> Evaluation:
-        """The chances of what comes out when a player means this strike.
-
-        The variants are those of ``vary`` with the same noise, perception and seed.
-
-        Args:
-            noise: How far the strike strays.
-            n: How many variants, at most.
-            seed: Which random numbers, a whole number from 0 to 2⁶⁴ − 1.
-            perception: How far from where they are seen the balls truly lie. The shot is what the
-                player sees and plans on; every variant has a layout of its own around it, as
-                ``Perception.see`` draws it. The tip meets the cue ball where that truly is.
-            precision: Stop as soon as half the width of the watched interval is at most this;
-                looked at after every 1024 variants. None plays all ``n``.
-            watch: Whose: a ball's id, ``(ball, pocket)``, ``"scratch"`` or ``"legal"``; None is
-                everything that is counted.
-            frame: The game in which it is played; it says what is legal, and must ask for this
-                shot: ``frame.shot(...)`` gives it.
-            call: What is announced to the frame.
-            level: Confidence of the intervals.
-            threads: How many; None is one per core. Results do not depend on it.
-            progress: Show a progress bar on stderr.
-
-        Raises:
-            InputError: The shot has no strike, a number is out of range, there is nothing such to
-                watch, or the frame asks for another shot.
-        """
-        from carom.plan import evaluate
-
-        return evaluate(
-            self,
-            noise,
-            n,
-            perception=perception,
-            seed=seed,
-            precision=precision,
-            watch=watch,
-            frame=frame,
-            call=call,
-            level=level,
-            threads=threads,
-            progress=progress,
-        )
-
-    def solve(
-        self,
-        *,
-        pot: str | tuple[str, str] | None = None,
-        leave: tuple[Sequence[float], float] | None = None,
-        first: str | None = None,
-        noise: Noise | None = None,
-        perception: Perception | None = None,
-        wanted: int = 10,
-        of_a_way: int = 3,
-        n: int = 1000,
-        precision: float | None = None,
-        speed: tuple[float, float] = (0.5, 7.0),
-        offset: float = 0.45,
-        elevation: float | None = None,
-        samples: int = 4096,
-        seed: int = 0,
-        level: float = 0.95,
-        threads: int | None = None,
-        progress: bool = False,
-    ) -> list[Solution]:
-        """The strikes that do what is wanted, the likeliest first.
-
-        All that is named must come true, and the cue ball must stay on the table. Every direction
-        that geometry proposes (ghost balls, mirror images, other balls' flanks) and points spread
-        over all strikes are played, the nearest of every way refined until they do it exactly, and
-        what is left ranked by its chance. Of this shot's own strike only the struck ball and the
-        elevation count; the cue is raised where something is in its way, and with ``elevation`` to
-        jump over balls or to curve around them.
-
-        Args:
-            pot: A ball that falls, or ``(ball, pocket)``.
-            leave: ``((x, y), radius)``: the cue ball comes to rest with its centre in this disc, m.
-            first: The ball that the cue ball touches before any other.
-            noise: Under which the strikes are ranked; the Olympiad's if None.
-            perception: How far from where they are seen the balls truly lie when they are.
-            wanted: How many strikes.
-            of_a_way: How many of them over the same cushions and balls.
-            n: Variants that each chance is counted with, at most.
-            precision: Stop counting a chance when half its interval's width is at most this;
-                looked at after every 128 variants. None plays all ``n``.
-            speed: Least and greatest speed of the cue, m/s.
-            offset: Largest tip offset, ball radii; at most 95 % of the miscue limit.
-            elevation: How far the cue may be raised, rad, for jumps and massés: they are tried
-                besides strikes at the shot's elevation. None tries only those.
-            samples: Points spread over all strikes.
-            seed: Which random numbers.
-            level: Confidence of the intervals.
-            threads: How many; None is one per core. Results do not depend on it.
-            progress: Show a progress bar on stderr.
-
-        Raises:
-            InputError: Nothing is wanted, there is no such ball or pocket, the shot has no strike,
-                or a number is out of range.
-        """
-        from carom.solve import solve
-
-        return solve(
-            self,
-            pot=pot,
-            leave=leave,
-            first=first,
-            noise=noise,
-            perception=perception,
-            wanted=wanted,
-            of_a_way=of_a_way,
-            n=n,
-            precision=precision,
-            speed=speed,
-            offset=offset,
-            elevation=elevation,
-            samples=samples,
-            seed=seed,
-            level=level,
-            threads=threads,
-            progress=progress,
-        )
+    # Questions: functions whose first argument is the shot.
+    batch = batch
+    vary = vary
+    evaluate = plan.evaluate
+    solve = plan.solve
+    pot_map = plan.pot_map
+    position_map = plan.position_map
+    acceptance = plan.acceptance
+    kick_table = plan.kick_table
+    bank_table = plan.bank_table
 
     def show(self, *, height: int | None = None) -> None:
-        """Aim and play it: in the notebook, or else in the browser until Ctrl-C.
+        """Aim and play the shot in the notebook, or else in the browser until Ctrl-C.
 
         Args:
-            height: Of the viewer in the notebook, CSS pixels; None is a usual one.
+            height: Height of the viewer in the notebook, CSS pixels; None is the usual one.
 
         Raises:
             PageError: The page is not built into this installation.
         """
-        from carom import page
-
-        page.show(self, height=height or page.HEIGHT)
+        carom.page.show(self, height=height or carom.page.HEIGHT)
 
     def _repr_html_(self) -> str | None:
-        """The viewer, for notebooks; nothing but text where the page is not built."""
-        from carom import page
-
-        return page.frame(self) if page.is_built() else None
+        """The viewer, for notebooks; None if the page is not built."""
+        return carom.page.frame(self) if carom.page.is_built() else None
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Shot) and self._core.to_json() == other._core.to_json()
@@ -450,19 +228,6 @@ class Shot:
         count = len(self.ids)
         name = self.geometry()["name"] or "table"
         return f"<carom.Shot: {count} ball{'s' * (count != 1)} on {name}>"
-
-
-def read_text(path: str | os.PathLike[str]) -> str:
-    """The text of a UTF-8 file.
-
-    Raises:
-        OSError: The file cannot be read.
-        InputError: It is not UTF-8.
-    """
-    try:
-        return Path(path).read_text(encoding="utf-8")
-    except UnicodeDecodeError as error:
-        raise InputError(f"{path}: not a text file ({error.reason}); JSON is UTF-8") from None
 
 
 def _balls(layout: Any) -> Any:

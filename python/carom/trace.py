@@ -1,27 +1,31 @@
-"""What a shot did: every event, and the exact state at any time."""
+"""A simulated shot: every event, and the exact state at any time."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, Self
 
+# Shot and Trace refer to each other, so a trace gets its Shot, and the pages and pictures that are
+# seldom needed, through the package.
+import carom
 from carom import _core, arguments
 from carom._core import Trace as CoreTrace
 from carom.errors import InputError
-from carom.shot import Shot, read_text
+from carom.event_table import plain
+from carom.files import read_text
+from carom.lazy import np
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Callable, Mapping
+    from collections.abc import Mapping
 
-    import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
 
 class Record(dict[str, Any]):
-    """A dict whose keys can also be read as attributes: ``event.time``, ``event["time"]``."""
+    """A dict whose keys are also attributes: ``event.time`` is ``event["time"]``."""
 
     __slots__ = ()
 
@@ -42,9 +46,9 @@ class Snapshot:
         position: Centres, m, shape ([n_times,] n_balls, 3).
         velocity: m/s, same shape.
         angular_velocity: rad/s, same shape.
-        orientation: The turn from how each ball lay at the start, unit quaternions x, y, z, w;
-            shape ([n_times,] n_balls, 4). Where the axis of the spin stays it is exact to
-            rounding; elsewhere it is integrated from the spin (Magnus expansion of fourth order,
+        orientation: Rotation of each ball since the start, unit quaternions x, y, z, w; shape
+            ([n_times,] n_balls, 4). While the axis of the spin is constant, it is exact to
+            rounding. Otherwise it is integrated from the spin (Magnus expansion of fourth order,
             Blanes et al. 2009) to better than 1e-5 rad.
         motion: ``"stationary"``, ``"spinning"``, ``"rolling"``, ``"sliding"``, ``"airborne"``,
             ``"pocketed"`` or ``"off-table"``; strings, shape ([n_times,] n_balls).
@@ -63,8 +67,6 @@ class Trace:
 
     # No __slots__: cached_property keeps its values in the instance's dict.
     _core: CoreTrace
-    # Draws the trace. carom/__init__.py sets it, because pictures are built on traces.
-    _svg: ClassVar[Callable[[Trace], str]]
 
     def __init__(self) -> None:
         raise TypeError("a Trace comes from Shot.simulate(), Trace.load() or Trace.from_dict()")
@@ -81,7 +83,7 @@ class Trace:
 
         Raises:
             OSError: The file cannot be read.
-            InputError: It is no valid trace.
+            InputError: It is not a valid trace.
         """
         return cls.from_json(read_text(path))
 
@@ -90,7 +92,7 @@ class Trace:
         """Read a trace from JSON text.
 
         Raises:
-            InputError: It is no valid trace.
+            InputError: It is not a valid trace.
         """
         return cls._wrap(_core.Trace.from_json(arguments.text("text", text)))
 
@@ -99,14 +101,14 @@ class Trace:
         """Read a trace from a dict as ``to_dict`` gives it.
 
         Raises:
-            InputError: It is no valid trace.
+            InputError: It is not a valid trace.
         """
         return cls._wrap(_core.Trace.from_object(file))
 
     @cached_property
-    def shot(self) -> Shot:
+    def shot(self) -> carom.Shot:
         """The shot that was simulated."""
-        return Shot._wrap(self._core.shot())
+        return carom.Shot._wrap(self._core.shot())
 
     @cached_property
     def _dict(self) -> dict[str, Any]:
@@ -119,12 +121,12 @@ class Trace:
 
     @cached_property
     def outcome(self) -> Record:
-        """What a referee needs, as ``carom-trace/1`` has it."""
+        """The result that rules need, as ``carom-trace/1`` has it."""
         return Record(self._dict["outcome"])
 
     @property
     def duration(self) -> float:
-        """Time from the strike until everything rests, s."""
+        """Time from the strike until all balls rest, s."""
         return self._core.duration
 
     @property
@@ -136,15 +138,13 @@ class Trace:
         """The exact state at one time, or at many.
 
         Args:
-            time: s since the strike, ≥ 0; a number or an array of shape (n_times,). At the
+            time: Time since the strike, s, ≥ 0; a number or an array of shape (n_times,). At the
                 instant of an event the state is the one after it; past the end it is the final
-                one.
+                state.
 
         Raises:
             InputError: A time is negative or not finite, or the array has more than one axis.
         """
-        import numpy as np
-
         times = arguments.array("time", time)
         if times.ndim > 1:
             raise InputError(f"time: found {times.ndim} axes; give a number or a flat array")
@@ -156,7 +156,11 @@ class Trace:
         return Snapshot(times, position, velocity, spin, orientation, motions)
 
     def difference(self, again: Trace) -> str | None:
-        """Where the two part first, in any bit of any event or final state; None if nowhere."""
+        """The first difference in any bit of any event or final state; None if there is none.
+
+        Raises:
+            InputError: ``again`` is not a ``carom.Trace``.
+        """
         other = arguments.instance("again", again, Trace, "Shot.simulate()")
         return self._core.first_difference(other._core)
 
@@ -173,33 +177,29 @@ class Trace:
         Path(path).write_text(self.to_json() + "\n", encoding="utf-8")
 
     def show(self, *, height: int | None = None) -> None:
-        """Replay it: in the notebook, or else in the browser until Ctrl-C.
+        """Replay the trace in the notebook, or else in the browser until Ctrl-C.
 
         Args:
-            height: Of the viewer in the notebook, CSS pixels; None is a usual one.
+            height: Height of the viewer in the notebook, CSS pixels; None is the usual one.
 
         Raises:
             PageError: The page is not built into this installation.
         """
-        from carom import page
-
-        page.show(self, height=height or page.HEIGHT)
+        carom.page.show(self, height=height or carom.page.HEIGHT)
 
     def _repr_html_(self) -> str:
-        """The viewer, for notebooks; the picture where the page is not built."""
-        from carom import page
-
-        if page.is_built():
-            return page.frame(self)
-        text = self._svg()
-        # The XML prologue of a stand-alone file has no place inside a page.
+        """The viewer, for notebooks; a picture if the page is not built."""
+        if carom.page.is_built():
+            return carom.page.frame(self)
+        text = carom.picture.svg(self)
+        # The XML prologue of a stand-alone file is not allowed inside a page.
         return text[text.index("<svg") :]
 
     def __len__(self) -> int:
         return len(self._dict["events"])
 
     def __bool__(self) -> bool:
-        # A shot in which nothing happens is a trace too.
+        # A trace without events is still a trace.
         return True
 
     def __eq__(self, other: object) -> bool:
@@ -212,8 +212,6 @@ class Trace:
         return (Trace.from_json, (self.to_json(),))
 
     def __str__(self) -> str:
-        from carom.event_table import plain
-
         return plain(self._dict)
 
     def __repr__(self) -> str:

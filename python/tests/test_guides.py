@@ -23,7 +23,7 @@ COMMANDS = [
 
 def test_the_guide_has_a_command_for_every_question() -> None:
     asked = {" ".join(word for word in line.split()[1:3]) for line in COMMANDS}
-    for question in ("solve shot.json", "map pot", "map position", "map pocket", "map kick"):
+    for question in ("solve shot.json", "map pot", "map position", "map acceptance", "map kick"):
         assert question in asked
     assert {"evaluate best.json", "stats break"} <= asked
 

@@ -58,9 +58,9 @@ def test_a_ball_is_hit_first_or_not_at_all(cut: Shot) -> None:
 def test_with_a_raised_cue_balls_in_the_way_are_jumped_or_passed_on_a_curve() -> None:
     balls = {"cue": (0.5, 0.5), "1": (0.5, 1.2), "8": (0.5, 0.8)}
     hidden = Shot("wpa-9ft", balls, carom.Strike(speed=2.0, azimuth=math.pi / 2))
-    ask = {"first": "1", "noise": CLUB, "n": 100, "wanted": 40, "of_a_way": 1, "samples": 512}
+    ask = {"first": "1", "noise": CLUB, "n": 100, "wanted": 40, "per_route": 1, "samples": 512}
     assert all("kick" in s.kind for s in hidden.solve(**ask))
-    ways = {s.way: s for s in hidden.solve(**ask, elevation=math.radians(70))}
+    ways = {s.route: s for s in hidden.solve(**ask, elevation=math.radians(70))}
     jump, curve = ways["over 8, 1"], ways["around 8, 1"]
     assert (jump.kind, curve.kind) == ("jump", "massé")
     assert ["cue", "8"] in jump.shot.simulate().outcome.jumped
@@ -220,8 +220,8 @@ def test_the_commands_print_numbers_and_draw(run: CommandLine, tmp_path: Path) -
     for words, key, part in (
         (("map", "pot", str(FILE), *ball, "--columns", "4", "-n", "10"), "chance", "chance"),
         (("map", "position", str(FILE), *ball, "--speed", "1:2:3"), "end", "spin-0"),
-        (("map", "pocket", str(FILE), "--pocket", "left"), "width", "speed-0"),
-        (("map", "kick", str(FILE), "--azimuth", "0:90:3"), "contact", "way-0-0-0"),
+        (("map", "acceptance", str(FILE), "--pocket", "left"), "width", "speed-0"),
+        (("map", "kick", str(FILE), "--azimuth-deg", "0:90:3"), "contact", "way-0-0-0"),
         (("map", "bank", str(FILE), "--ball", "1"), "rail", "way-0-0-0"),
         (("stats", "break", "-n", "20"), "chances", "axes_1"),
     ):
@@ -241,12 +241,58 @@ def test_the_commands_print_numbers_and_draw(run: CommandLine, tmp_path: Path) -
     best = tmp_path / "best.json"
     assert run(*ask, "--best", str(best)).returncode == 0
     assert Shot.load(best).to_dict()["strike"] == found[0]["strike"]
-    raised = run("solve", str(FILE), "--pot", "1:right", "-n", "50", "--elevation", "95")
+    raised = run("solve", str(FILE), "--pot", "1:right", "-n", "50", "--elevation-deg", "95")
     assert raised.returncode == 2
     assert raised.stderr.startswith("carom: elevation: ")
     refused = run("solve", str(FILE), "--leave", "1,2")
     assert refused.returncode == 2
-    assert refused.stderr.startswith("carom: leave: ")
+    assert refused.stderr.startswith("carom: --leave: ")
+
+
+def test_old_spellings_on_the_command_line_work_and_name_the_new_ones(run: CommandLine) -> None:
+    for old, new, line in (
+        (
+            ("map", "pocket", str(FILE), "--pocket", "left"),
+            ("map", "acceptance", str(FILE), "--pocket", "left"),
+            "carom: carom map pocket is now carom map acceptance; the old spelling still works",
+        ),
+        (
+            ("map", "kick", str(FILE), "--azimuth=0:90:3"),
+            ("map", "kick", str(FILE), "--azimuth-deg=0:90:3"),
+            "carom: --azimuth is now --azimuth-deg; the old spelling still works",
+        ),
+        (
+            ("map", "bank", str(FILE), "--ball", "1", "--azimuth", "0:90:3"),
+            ("map", "bank", str(FILE), "--ball", "1", "--azimuth-deg", "0:90:3"),
+            "carom: --azimuth is now --azimuth-deg; the old spelling still works",
+        ),
+    ):
+        before, after = run(*old), run(*new)
+        assert before.stdout == after.stdout
+        assert (before.returncode, after.returncode) == (0, 0)
+        assert before.stderr.splitlines() == [line]
+        assert after.stderr == ""
+    ask = ("solve", str(FILE), "--pot", "1:right", "-n", "20", "--samples", "64")
+    old_flags = run(*ask, "--of-a-way", "1", "--elevation", "5")
+    assert len(old_flags.stderr.splitlines()) == 2
+    assert old_flags.stdout == run(*ask, "--per-route", "1", "--elevation-deg", "5").stdout
+
+
+def test_angles_in_json_are_given_in_the_unit_of_their_names(run: CommandLine) -> None:
+    kick = json.loads(run("map", "kick", str(FILE), "--azimuth-deg", "0:90:3", "--json").stdout)
+    assert kick["azimuth_deg"] == pytest.approx([0.0, 45.0, 90.0])
+    assert kick["azimuth"] == pytest.approx([0.0, math.pi / 4, math.pi / 2])
+    taken = json.loads(run("map", "acceptance", str(FILE), "--pocket", "left", "--json").stdout)
+    assert np.degrees(taken["angle"]) == pytest.approx(taken["angle_deg"])
+
+
+def test_the_old_names_of_a_route_warn_and_give_the_new_ones(cut: Shot) -> None:
+    ask: dict[str, Any] = {"pot": "1", "noise": CLUB, "n": 20, "samples": 64}
+    with pytest.warns(FutureWarning, match=r"solve\(per_route=\.\.\.\)"):
+        (found, *_) = cut.solve(**ask, of_a_way=1)
+    with pytest.warns(FutureWarning, match=r"Solution\.way is now Solution\.route"):
+        assert found.way == found.route
+    assert found.to_dict()["way"] == found.to_dict()["route"] == found.route
 
 
 def test_maps_print_as_tables_that_lie_as_the_table_does(cut: Shot) -> None:

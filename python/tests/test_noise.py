@@ -42,7 +42,7 @@ def test_the_goldens_of_noise_are_the_same_bits_as_ever(golden: dict[str, Any]) 
 
 def test_the_olympiad_errs_by_half_a_millimetre_and_an_eighth_of_a_degree() -> None:
     noise = Noise.olympiad()
-    assert (noise.side, noise.height, noise.speed) == (0.0005, 0.0005, 0.075)
+    assert (noise.side_m, noise.height_m, noise.speed) == (0.0005, 0.0005, 0.075)
     assert noise.elevation == math.radians(0.1)
     assert noise.azimuth == math.radians(0.125)
     assert Noise.olympiad(2.0) == noise.scaled(2.0)
@@ -55,7 +55,7 @@ def test_variants_are_the_same_for_any_threads_and_pieces(
     shot = Shot.from_dict(pot)
     whole = shot.vary(Noise.olympiad(), 300, seed=3, threads=1)
     assert same(shot.vary(Noise.olympiad(), 300, seed=3, threads=2), whole)
-    monkeypatch.setattr(batch, "CHUNK", 7)
+    monkeypatch.setattr(batch, "_FIRST_CHUNK", 7)
     assert same(shot.vary(Noise.olympiad(), 300, seed=3), whole)
     tail = shot.vary(Noise.olympiad(), 100, seed=3, first=200)
     assert strikes_of(tail).tolist() == strikes_of(whole)[200:].tolist()
@@ -90,7 +90,7 @@ def test_no_strike_is_drawn_around_none(pot: dict[str, Any]) -> None:
 def test_offsets_err_in_metres_whatever_the_ball(pot: dict[str, Any]) -> None:
     pool = Shot.from_dict(pot)
     small = Shot.from_dict({**pot, "physics": {"base": "pool", "ball": {"radius": 0.02}}})
-    a, b = (shot.vary(Noise(side=0.001), 20) for shot in (pool, small))
+    a, b = (shot.vary(Noise(side_m=0.001), 20) for shot in (pool, small))
     assert np.allclose(a.side * pool.radius[0], b.side * small.radius[0], rtol=1e-12, atol=0)
     assert (a.height == 0).all()
     assert (a.azimuth == math.radians(90)).all()
@@ -108,14 +108,14 @@ def test_seeds_differ_and_errors_scatter_as_they_should(pot: dict[str, Any]) -> 
 
 def test_a_miscue_is_an_error_of_its_row_unless_the_shot_plays_it(pot: dict[str, Any]) -> None:
     pot["strike"]["side"] = 0.51
-    result = Shot.from_dict(pot).vary(Noise(side=0.002), 60)
+    result = Shot.from_dict(pot).vary(Noise(side_m=0.002), 60)
     assert 5 < len(result.errors) < 55
     for row, text in result.errors.items():
         assert "miscue" in text
         assert result.events[row] == 0
         assert abs(result.side[row]) > 0.51
     pot["strike"]["miscue"] = "report"
-    assert Shot.from_dict(pot).vary(Noise(side=0.002), 60).errors == {}
+    assert Shot.from_dict(pot).vary(Noise(side_m=0.002), 60).errors == {}
 
 
 def test_no_variants_and_a_lone_late_one_can_be_asked_for(pot: dict[str, Any]) -> None:
@@ -129,8 +129,8 @@ def test_no_variants_and_a_lone_late_one_can_be_asked_for(pot: dict[str, Any]) -
     [
         ({"speed": -0.1}, "noise.speed"),
         ({"azimuth": math.nan}, "noise.azimuth"),
-        ({"side": 0.5}, "noise.side"),
-        ({"height": math.inf}, "noise.height"),
+        ({"side_m": 0.5}, "noise.side_m"),
+        ({"height_m": math.inf}, "noise.height_m"),
         ({"elevation": "0.1 degrees"}, "noise.elevation"),
         ({"elevation": None}, "noise.elevation"),
     ],
@@ -155,3 +155,11 @@ def test_what_cannot_be_varied_is_refused(pot: dict[str, Any]) -> None:
 
 def test_a_noise_can_be_sent_to_another_process() -> None:
     assert pickle.loads(pickle.dumps(Noise.olympiad(0.5))) == Noise.olympiad(0.5)
+
+
+def test_the_old_names_of_the_offsets_warn_and_mean_the_same() -> None:
+    with pytest.warns(FutureWarning, match=r"Noise\(side=\.\.\.\) is now Noise\(side_m=\.\.\.\)"):
+        noise = Noise(side=0.001)  # type: ignore[call-arg]
+    assert noise == Noise(side_m=0.001)
+    with pytest.warns(FutureWarning, match=r"Noise\.height is now Noise\.height_m"):
+        assert noise.height == 0.0  # type: ignore[attr-defined]

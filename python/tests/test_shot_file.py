@@ -233,7 +233,7 @@ def test_a_dict_with_something_odd_in_it_is_refused_where_it_stands(pot: dict[st
     pot["balls"][1]["position"] = b"ab"
     with pytest.raises(InputError, match=r"^balls\[1\].position: found bytes"):
         Shot.from_dict(pot)
-    with pytest.raises(InputError, match="no string"):
+    with pytest.raises(InputError, match="not a string"):
         Shot.from_dict({1: 2})  # type: ignore[dict-item]
 
 

@@ -1,13 +1,12 @@
-//! Evaluates the shots of a file, one in a line, so many variants of each: what `benches/questions.py`
-//! counts the instructions of.
+//! Evaluates the shots of a file, one per line, with a number of variants each.
+//! `benches/questions.py` counts its instructions.
 //!
 //!     cargo run --release -p carom-plan --example chances -- SHOTS VARIANTS
 
 use std::process::exit;
 
-use carom::noise::Perception;
-use carom::{Noise, Shot};
-use carom_plan::{Question, evaluate};
+use carom::Shot;
+use carom_plan::{ErrorModel, Progress, Question, evaluate};
 
 fn main() {
     let given: Vec<String> = std::env::args().skip(1).collect();
@@ -24,23 +23,18 @@ fn main() {
     }
 }
 
-/// How many balls fell in all.
+/// The number of balls that fell in all variants.
 fn run(file: &str, variants: &str) -> Result<u64, Box<dyn std::error::Error>> {
     let question = Question {
-        noise: Noise::olympiad(1.0),
-        perception: Perception::default(),
-        seed: 0,
-        most: variants.parse()?,
-        level: 0.95,
-        precision: None,
-        referee: None,
+        model: ErrorModel { variants: variants.parse()?, ..ErrorModel::default() },
         // Valgrind runs one thread at a time.
         threads: Some(1),
+        ..Question::default()
     };
     let mut fell = 0;
     for line in std::fs::read_to_string(file)?.lines() {
         let shot = Shot::from_json(line)?;
-        fell += evaluate(&shot, &question, &mut |_| true)?.potted.iter().sum::<u64>();
+        fell += evaluate(&shot, &question, &Progress::default())?.potted.iter().sum::<u64>();
     }
     Ok(fell)
 }

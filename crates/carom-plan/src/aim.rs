@@ -1,75 +1,77 @@
-//! Where to aim: by geometry first, then by the engine.
+//! Where to aim: first by geometry, then by simulation.
 //!
-//! Geometry knows the ghost ball (where the cue ball must be to send a ball on a line) and mirror images
-//! (where a target seems to be behind a cushion). It knows nothing of throw, squirt, slip and of what spin
-//! does at a cushion: that is what [`refine`] finds, by playing the shot.
+//! Geometry gives the ghost ball (where the cue ball must be to send a ball along a line) and mirror
+//! images (where a target appears behind a cushion). It ignores throw, squirt, slip and the effect of
+//! spin at a cushion. [`refine`] corrects for these by playing the shot.
 
 use carom::Shot;
 use carom::math::{Vec2, asin, atan2};
 use carom::resolve::cue_ball::Strike;
 
-use crate::goal::{Attempt, Goal, Player};
+use crate::goal::{Attempt, Goal, GoalTester};
 
-/// First steps of the refinement: azimuth (rad), speed (as a share), side and height (ball radii), elevation
-/// (rad).
+/// First steps of the refinement: azimuth (rad), speed (relative), side and height (ball radii),
+/// elevation (rad). Smaller steps need more plays, larger ones leave the route that was found.
 const FIRST_STEPS: [f64; 5] = [4e-3, 0.05, 0.05, 0.05, 0.02];
-/// It ends when the step of the azimuth is less than this, rad: 0.02 mm over the length of a table.
+/// The refinement ends when the step of the azimuth is less than this, rad: 0.02 mm over the length
+/// of a table. Larger values would miss narrow solutions, smaller ones would waste plays.
 const LEAST_STEP: f64 = 1e-5;
-/// Plays that one refinement may take.
+/// Largest number of plays in one refinement: a few milliseconds.
 const MOST_PLAYS: u32 = 90;
 
-/// First step to the side from an azimuth that meets the goal, rad, and the most that is looked at: 3°.
+/// First step to the side of an azimuth that meets the goal, rad, and the farthest that is searched:
+/// 0.01° and 3°.
 const FIRST_WIDTH: f64 = 2e-4;
 const MOST_WIDTH: f64 = 0.05;
-/// Halvings of the last step: the edge is known to a sixteenth of it.
+/// Halvings of the last step, which locate the edge to a sixteenth of it.
 const HALVINGS: u32 = 4;
 
-/// Rays across a ball's apparent width along which it may be hit.
+/// Aims that are spread over a ball's apparent width.
 const RAYS: usize = 24;
 
-/// Azimuths (rad) that geometry proposes for `goal`.
+/// The azimuths (rad) that geometry proposes for `goal`.
 pub(crate) fn azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
-    let scene = Scene::new(shot);
+    let geometry = AimGeometry::new(shot);
     let mut points = Vec::new();
     if let Some((ball, pocket)) = goal.pot {
-        scene.pots(ball, pocket, &mut points);
+        geometry.pots(ball, pocket, &mut points);
     }
     let mut found: Vec<f64> =
-        points.iter().map(|point| direction(scene.cue_ball(), *point)).collect();
+        points.iter().map(|point| direction(geometry.cue_ball(), *point)).collect();
     if let Some(ball) = goal.first {
-        scene.hits(ball, &mut found);
+        geometry.hits(ball, &mut found);
     }
     found
 }
 
-/// Straight azimuths (rad) to the ball that is wanted, from which massés turn away.
+/// The azimuths (rad) of straight lines to the ball that the goal names. Massés start beside them.
 pub(crate) fn straight_azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
-    let scene = Scene::new(shot);
+    let geometry = AimGeometry::new(shot);
     let mut points = Vec::new();
     if let Some((ball, pocket)) = goal.pot {
         let wanted = |i: usize| pocket.is_none_or(|p| p == i);
         let pockets = shot.table().pockets.iter().enumerate().filter(|(i, _)| wanted(*i));
-        points.extend(pockets.map(|(_, hole)| scene.ghost(ball, hole.center, scene.cue)));
+        points.extend(pockets.map(|(_, hole)| geometry.ghost(ball, hole.center, geometry.cue)));
     }
-    points.extend(goal.first.map(|ball| scene.places[ball]));
-    points.into_iter().map(|point| direction(scene.cue_ball(), point)).collect()
+    points.extend(goal.first.map(|ball| geometry.places[ball]));
+    points.into_iter().map(|point| direction(geometry.cue_ball(), point)).collect()
 }
 
-/// The azimuth (rad) of the straight pot of `ball` into `pocket`, as geometry sees it.
+/// The azimuth (rad) of the straight pot of `ball` into `pocket` by the ghost ball.
 pub(crate) fn straight(shot: &Shot, ball: usize, pocket: usize) -> f64 {
-    let scene = Scene::new(shot);
-    let ghost = scene.ghost(ball, shot.table().pockets[pocket].center, scene.cue);
-    direction(scene.cue_ball(), ghost)
+    let geometry = AimGeometry::new(shot);
+    let ghost = geometry.ghost(ball, shot.table().pockets[pocket].center, geometry.cue);
+    direction(geometry.cue_ball(), ghost)
 }
 
-/// The balls and what their centres can reach, in the engine's frame.
-struct Scene<'a> {
+/// The balls of a shot, in the engine's frame, and lines of aim between them.
+struct AimGeometry<'a> {
     shot: &'a Shot,
     cue: usize,
     places: Vec<Vec2>,
 }
 
-impl<'a> Scene<'a> {
+impl<'a> AimGeometry<'a> {
     fn new(shot: &'a Shot) -> Self {
         let center = shot.table().center();
         let places = shot.balls().iter().map(|b| b.state.position.xy() - center).collect();
@@ -89,13 +91,13 @@ impl<'a> Scene<'a> {
         (0..self.places.len()).filter(|ball| *ball != self.cue)
     }
 
-    /// Where ball `by` must be when it sends `ball` to `target`.
+    /// The ghost ball: where ball `by` must be to send `ball` towards `target`.
     fn ghost(&self, ball: usize, target: Vec2, by: usize) -> Vec2 {
-        let way = target - self.places[ball];
-        self.places[ball] - way * ((self.radius(ball) + self.radius(by)) / way.length())
+        let line = target - self.places[ball];
+        self.places[ball] - line * ((self.radius(ball) + self.radius(by)) / line.length())
     }
 
-    /// `point`, and its images behind up to `cushions` of them, as the centre of `ball` sees them.
+    /// `point` and its mirror images behind up to `cushions` cushions, for the centre of `ball`.
     fn images(&self, point: Vec2, ball: usize, cushions: u32) -> Vec<Vec2> {
         let table = self.shot.table();
         let size = table.size;
@@ -123,12 +125,12 @@ impl<'a> Scene<'a> {
         all
     }
 
-    /// Points to send the cue ball at so that `ball` falls.
+    /// Adds points at which to aim the cue ball so that `ball` falls.
     fn pots(&self, ball: usize, pocket: Option<usize>, points: &mut Vec<Vec2>) {
         let pockets = self.shot.table().pockets.iter().enumerate();
         for (_, hole) in pockets.filter(|(i, _)| pocket.is_none_or(|p| p == *i)) {
             let targets = self.images(hole.center, ball, 2);
-            // Straight and banked, kicked, in combination.
+            // Direct pots and banks, kicks, combinations.
             points.extend(targets.iter().map(|target| self.ghost(ball, *target, self.cue)));
             let ghost = self.ghost(ball, hole.center, self.cue);
             points.extend(self.images(ghost, self.cue, 2).into_iter().skip(1));
@@ -138,7 +140,7 @@ impl<'a> Scene<'a> {
                 }
             }
         }
-        // Off another ball: which line that takes is for the engine to find.
+        // Caroms off another ball: the simulation finds the line.
         let cue_ball = self.cue_ball();
         for by in self.objects().filter(|by| *by != ball) {
             points.extend(self.rays(by, self.places[by]).map(|azimuth| {
@@ -148,14 +150,14 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// Azimuths at which the cue ball may come to `ball`, straight or off up to two cushions.
+    /// Adds azimuths that lead the cue ball to `ball`, directly or off up to two cushions.
     fn hits(&self, ball: usize, found: &mut Vec<f64>) {
         for image in self.images(self.places[ball], self.cue, 2) {
             found.extend(self.rays(ball, image));
         }
     }
 
-    /// Azimuths across the apparent width of `ball`, were it at `place`.
+    /// Azimuths across the apparent width of `ball` if it were at `place`.
     fn rays(&self, ball: usize, place: Vec2) -> impl Iterator<Item = f64> + use<> {
         let middle = direction(self.cue_ball(), place);
         let reach = self.radius(self.cue) + self.radius(ball);
@@ -166,27 +168,27 @@ impl<'a> Scene<'a> {
 }
 
 fn direction(from: Vec2, to: Vec2) -> f64 {
-    let way = to - from;
-    atan2(way.y, way.x)
+    let line = to - from;
+    atan2(line.y, line.x)
 }
 
-/// A strike, and what comes of it.
+/// A strike and its result.
 #[derive(Clone, Debug)]
-pub(crate) struct Tried {
+pub(crate) struct TriedStrike {
     pub(crate) strike: Strike,
     pub(crate) attempt: Attempt,
 }
 
-/// What may change when a strike is refined.
+/// The parameters that a refinement may change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Free {
     /// The azimuth alone.
     Azimuth,
-    /// Azimuth, and within these limits all else.
+    /// All parameters, within these limits; the azimuth freely.
     Within(Limits),
 }
 
-/// Which strikes may be found.
+/// The range of strikes that a search may return.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Limits {
     /// Least and greatest speed, m/s.
@@ -207,18 +209,14 @@ impl Free {
     }
 }
 
-/// Makes a miss smaller: pattern search (Hooke & Jeeves 1961), one parameter at a time, steps halved where
-/// none helps.
-pub(crate) fn refine<const N: usize>(
-    player: &mut Player<'_, N>,
-    start: Tried,
-    free: Free,
-) -> Tried {
+/// Reduces the miss of a strike by a pattern search (Hooke & Jeeves 1961): one parameter at a time,
+/// with halved steps when no step helps.
+pub(crate) fn refine(tester: &mut GoalTester<'_>, start: TriedStrike, free: Free) -> TriedStrike {
     let mut best = start;
     let mut steps = FIRST_STEPS;
     let parameters = match free {
         Free::Azimuth => 1,
-        // Where the elevation is given, nothing is to be had of it.
+        // A fixed elevation is not a parameter.
         Free::Within(Limits { elevation: [least, most], .. }) if least == most => 4,
         Free::Within(_) => steps.len(),
     };
@@ -232,9 +230,9 @@ pub(crate) fn refine<const N: usize>(
                     continue;
                 }
                 plays += 1;
-                let Some(attempt) = player.play(&strike) else { continue };
+                let Some(attempt) = tester.play(&strike) else { continue };
                 if attempt.miss < best.attempt.miss {
-                    best = Tried { strike, attempt };
+                    best = TriedStrike { strike, attempt };
                     helped = true;
                     break;
                 }
@@ -259,12 +257,12 @@ fn moved(strike: &Strike, parameter: usize, by: f64) -> Strike {
     strike
 }
 
-/// Moves the azimuth of a strike that meets its goal to the middle between those, on either side, that no
-/// longer do: what errs least often.
-pub(crate) fn center<const N: usize>(player: &mut Player<'_, N>, found: Tried) -> Tried {
+/// Moves the azimuth of a strike that meets its goal to the middle of the azimuths that do, where a
+/// small error is least likely to miss.
+pub(crate) fn center(tester: &mut GoalTester<'_>, found: TriedStrike) -> TriedStrike {
     let mut edge = |sign: f64| {
         let turned = |by: f64| moved(&found.strike, 0, sign * by);
-        let mut meets = |by: f64| player.play(&turned(by)).is_some_and(|a| a.is_met());
+        let mut meets = |by: f64| tester.play(&turned(by)).is_some_and(|a| a.is_met());
         let (mut inside, mut width) = (0.0, FIRST_WIDTH);
         while width < MOST_WIDTH && meets(width) {
             inside = width;
@@ -282,9 +280,9 @@ pub(crate) fn center<const N: usize>(player: &mut Player<'_, N>, found: Tried) -
     };
     let (left, right) = (edge(1.0), edge(-1.0));
     let strike = moved(&found.strike, 0, 0.5 * (left - right));
-    match player.play(&strike) {
-        Some(attempt) if attempt.is_met() => Tried { strike, attempt },
-        // The goal is met in several pieces, and the middle lies between two.
+    match tester.play(&strike) {
+        Some(attempt) if attempt.is_met() => TriedStrike { strike, attempt },
+        // The azimuths that meet the goal are not contiguous, and their middle is between two parts.
         _ => found,
     }
 }

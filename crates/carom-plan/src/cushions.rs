@@ -1,63 +1,76 @@
 //! Kick and bank tables: where a ball, alone on the table, meets one cushion after the other.
 
+use core::sync::atomic::{AtomicUsize, Ordering};
+
 use carom::event::{Event, EventKind, Recorder};
-use carom::limits::SMALL_CAPACITY;
 use carom::math::{Vec3, sin_cos};
 use carom::resolve::cue_ball::Strike;
 use carom::shot::PlacedBall;
-use carom::simulate::Simulation;
 use carom::table::{Part, Rail};
-use carom::{BallState, Error, Shot};
-use rayon::prelude::*;
+use carom::{BallState, Error, Shot, Simulator};
 
-use crate::maps::Progress;
-use crate::threads::Threads;
+use crate::grid::{check_cells, each_cell};
+use crate::maps::{FASTEST_BALL, check_each, check_has_edges};
+use crate::progress::Progress;
 
-/// A cushion that was met: its rail, and the ball's centre, m, in the file's frame.
-pub type Met = (Rail, [f64; 2]);
+/// A contact with a cushion: its rail, and the ball's centre in the file's frame, m.
+pub type CushionContact = (Rail, [f64; 2]);
 
-/// Where the struck ball of `shot` meets the first `most` cushions, up to the first jaw, with nothing else on
-/// the table: for each azimuth (rad), of each speed (m/s), of each side (ball radii). Elevation is the shot's
-/// own; `height` in ball radii. `progress` is told after every azimuth how many are done.
+/// The strikes of a kick table: every azimuth with every speed and every side.
+#[derive(Clone, Copy, Debug)]
+pub struct Kicks<'a> {
+    /// Directions of the cue, rad.
+    pub azimuths: &'a [f64],
+    /// Speeds of the cue, m/s.
+    pub speeds: &'a [f64],
+    /// Contact points right of the centre, ball radii.
+    pub sides: &'a [f64],
+    /// Contact point above the centre, ball radii.
+    pub height: f64,
+}
+
+/// The first `most` cushions that the struck ball of `shot` meets before any jaw, with nothing else on
+/// the table: for each azimuth, of each speed, of each side. The elevation is that of the shot's own
+/// strike. Cells that were not reached before `progress` was stopped are empty.
 ///
 /// # Errors
-/// [`Error::Input`] without a strike, and for strikes that cannot be played.
-#[expect(
-    clippy::too_many_arguments,
-    reason = "the axes of a table, and what is the same in all of it"
-)]
+/// [`Error::Input`] without a strike, for cloth without cushions, for strikes that cannot be played, and
+/// for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) contacts.
 pub fn kick_table(
     shot: &Shot,
-    azimuths: &[f64],
-    speeds: &[f64],
-    sides: &[f64],
-    height: f64,
+    kicks: &Kicks<'_>,
     most: usize,
     threads: Option<usize>,
-    progress: Progress<'_>,
-) -> Result<Vec<Vec<Met>>, Error> {
+    progress: &Progress,
+) -> Result<Vec<Vec<CushionContact>>, Error> {
     let Some((struck, own)) = shot.strike() else {
         return Err(Error::input(
             "strike",
-            "the shot has none; it says which ball is struck",
-            "give it one",
+            "the shot has none",
+            "give it one: it names the ball that is struck",
         ));
     };
+    let Kicks { azimuths, speeds, sides, height } = *kicks;
+    check_has_edges(shot)?;
+    let axes = [azimuths.len(), speeds.len(), sides.len(), most];
+    check_cells("azimuth, speed, side, cushions", &axes)?;
     let ball = shot.balls()[struck].clone();
-    // The shot's own strike need not be one that can be played without the other balls.
-    let cells = speeds.len() * sides.len();
-    table(azimuths, cells, most, threads, progress, |azimuth, cell| {
+    // The shot's own strike may be impossible without the other balls, so it is replaced at once.
+    let per_azimuth = speeds.len() * sides.len();
+    table(azimuths, per_azimuth, most, threads, progress, |azimuth, cell| {
         let (speed, side) = (speeds[cell / sides.len()], sides[cell % sides.len()]);
         let strike = Strike { azimuth, speed, side, height, ..own };
         shot.with_balls(vec![ball.clone()], Some((0, strike)))
     })
 }
 
-/// Where ball `ball` of `shot`, sent off with each speed (m/s) in each direction (rad) as if hit by another,
-/// without new spin, meets the first `most` cushions; else as [`kick_table`].
+/// The first `most` cushions that ball number `ball` of `shot` meets before any jaw, if it starts with
+/// each speed (m/s) in each direction (rad) and with the spin that it has in `shot`. Otherwise as
+/// [`kick_table`].
 ///
 /// # Errors
-/// [`Error::Input`] for a ball that does not exist, and for speeds out of range.
+/// [`Error::Input`] for a ball that does not exist, for cloth without cushions, for speeds out of range,
+/// and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) contacts.
 pub fn bank_table(
     shot: &Shot,
     ball: usize,
@@ -65,81 +78,76 @@ pub fn bank_table(
     speeds: &[f64],
     most: usize,
     threads: Option<usize>,
-    progress: Progress<'_>,
-) -> Result<Vec<Vec<Met>>, Error> {
+    progress: &Progress,
+) -> Result<Vec<Vec<CushionContact>>, Error> {
     let Some(own) = shot.balls().get(ball) else {
         return Err(Error::input("ball", format!("there is no ball {ball}"), "count from 0"));
     };
+    check_has_edges(shot)?;
+    check_each("speed", speeds, |v| 0.0 < v && v <= FASTEST_BALL, "give m/s, > 0 and <= 100")?;
+    check_cells("azimuth, speed, cushions", &[azimuths.len(), speeds.len(), most])?;
     table(azimuths, speeds.len(), most, threads, progress, |azimuth, cell| {
         let (sin, cos) = sin_cos(azimuth);
         let velocity = Vec3::new(speeds[cell] * cos, speeds[cell] * sin, 0.0);
-        let sent = PlacedBall { state: BallState { velocity, ..own.state }, ..own.clone() };
-        shot.with_balls(vec![sent], None)
+        let moving = PlacedBall { state: BallState { velocity, ..own.state }, ..own.clone() };
+        shot.with_balls(vec![moving], None)
     })
 }
 
-/// What each cell of each azimuth meets; `make` gives its shot of one ball.
+/// The contacts of each cell of each azimuth; `make` returns the cell's shot of one ball.
 fn table(
     azimuths: &[f64],
-    cells: usize,
+    per_azimuth: usize,
     most: usize,
     threads: Option<usize>,
-    progress: Progress<'_>,
-    make: impl Fn(f64, usize) -> Result<Shot, Error> + Sync,
-) -> Result<Vec<Vec<Met>>, Error> {
-    let threads = Threads::new(threads);
-    let mut all = Vec::with_capacity(azimuths.len() * cells);
-    // Enough cells at once that every thread has some.
-    let rows = (threads.count() * CELLS).div_ceil(cells.max(1));
-    for some in azimuths.chunks(rows) {
-        let found: Result<Vec<Vec<Met>>, Error> = threads.run(|| {
-            (0..some.len() * cells)
-                .into_par_iter()
-                .map_init(
-                    || Box::new(Simulation::<SMALL_CAPACITY>::new()),
-                    |simulation, k| met(simulation, &make(some[k / cells], k % cells)?, most),
-                )
-                .collect()
-        });
-        all.extend(found?);
-        if !progress(all.len() / cells.max(1)) {
-            break;
+    progress: &Progress,
+    make: impl Fn(f64, usize) -> Result<Shot, Error> + Sync + Send,
+) -> Result<Vec<Vec<CushionContact>>, Error> {
+    let cells = azimuths.len() * per_azimuth;
+    // Cells after the first that fails are skipped; cells before it never are, so that the error does
+    // not depend on the threads.
+    let first_failed = AtomicUsize::new(usize::MAX);
+    let found = each_cell(cells, threads, progress, Simulator::new, |simulator, k| {
+        if k > first_failed.load(Ordering::Relaxed) {
+            return Ok(Vec::new());
         }
-    }
-    all.resize(azimuths.len() * cells, Vec::new());
-    Ok(all)
+        make(azimuths[k / per_azimuth], k % per_azimuth)
+            .and_then(|shot| contacts(simulator, &shot, most))
+            .inspect_err(|_| {
+                first_failed.fetch_min(k, Ordering::Relaxed);
+            })
+    })?;
+    found.into_iter().map(|cell| cell.unwrap_or_else(|| Ok(Vec::new()))).collect()
 }
 
-/// Cells for each thread between two tellings of the progress: a millisecond of work.
-const CELLS: usize = 64;
-
-fn met(
-    simulation: &mut Simulation<SMALL_CAPACITY>,
+fn contacts(
+    simulator: &mut Simulator,
     shot: &Shot,
     most: usize,
-) -> Result<Vec<Met>, Error> {
-    let mut noses = Noses { shot, most, met: Vec::new(), jaw: false };
-    simulation.play(shot, &mut noses).map_err(|failure| shot.explain(failure, None))?;
-    Ok(noses.met)
+) -> Result<Vec<CushionContact>, Error> {
+    let mut recorder = CushionRecorder { shot, most, contacts: Vec::new(), jaw: false };
+    simulator.play(shot, &mut recorder)?;
+    Ok(recorder.contacts)
 }
 
-/// Notes noses up to the first jaw.
-struct Noses<'a> {
+/// Records contacts with noses up to the first jaw.
+struct CushionRecorder<'a> {
     shot: &'a Shot,
     most: usize,
-    met: Vec<Met>,
+    contacts: Vec<CushionContact>,
+    /// Whether a jaw was met.
     jaw: bool,
 }
 
-impl Recorder for Noses<'_> {
+impl Recorder for CushionRecorder<'_> {
     fn record(&mut self, event: &Event<'_>) {
         let EventKind::RailCollision(cushion) = event.kind else { return };
         let cushion = &self.shot.table().cushions[usize::from(cushion)];
         self.jaw |= cushion.part != Part::Nose;
-        if self.jaw || self.met.len() == self.most {
+        if self.jaw || self.contacts.len() == self.most {
             return;
         }
         let Vec3 { x, y, .. } = self.shot.to_file_frame(0, &event.before[0]).position;
-        self.met.push((cushion.rail, [x, y]));
+        self.contacts.push((cushion.rail, [x, y]));
     }
 }

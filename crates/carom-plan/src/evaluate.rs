@@ -1,69 +1,55 @@
-//! What comes of a strike that a player means but does not hit exactly.
+//! The results of a strike that a player intends but does not hit exactly.
 //!
-//! Variants of the strike are drawn as [`carom::noise`] says and simulated in rounds of [`ROUND`]; after
-//! every round what is known may be precise enough to stop. Rounds do not depend on the number of
-//! threads, so neither does the answer.
+//! Variants of the strike are drawn as described in [`carom::noise`] and simulated in rounds of
+//! [`VARIANTS_PER_ROUND`]. After every round the results may be precise enough to stop. Rounds do not
+//! depend on the number of threads, so the results do not either.
 //!
-//! Stopping as soon as an interval is short enough makes its true level a little lower than the one asked
-//! for, since the width is itself estimated. With rounds of a thousand variants that is less than what a
-//! seed changes.
+//! Stopping as soon as an interval is short enough makes its true confidence level slightly lower than
+//! asked for, since the width itself is estimated. With rounds of a thousand variants this effect is
+//! smaller than the difference between two seeds.
+
+use std::time::{Duration, Instant};
 
 use carom::batch::{self, BatchResult, OFF_TABLE, PADDING};
-use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
-use carom::{Error, Noise, Shot};
-use rayon::prelude::*;
+use carom::{Error, Shot};
 
-use crate::errs::{check_half_width, check_level};
+use crate::error_model::ErrorModel;
 use crate::interval::{Interval, wilson};
 use crate::moments::Moments;
+use crate::progress::Progress;
 use crate::referee::{Referee, Refereed, Verdicts};
-use crate::threads::Threads;
 
-/// Variants between two looks at the precision: a few milliseconds of work.
-pub const ROUND: usize = 1024;
-/// Rounds at once where nobody looks: the threads wait less often for each other.
-const UNWATCHED: usize = 4;
-/// Strikes that one thread draws at a time, some tens of microseconds of work.
-const DRAWN: usize = 128;
+/// Variants between two checks of the precision: some milliseconds of work.
+pub const VARIANTS_PER_ROUND: u64 = 1024;
+/// Largest number of variants. The cue ball's ends take 16 bytes each, and intervals are then shorter
+/// than any use.
+pub const MOST_VARIANTS: u64 = 1_000_000_000;
+/// Variants that are simulated before the first look at the clock, for each thread.
+const FIRST_PART: usize = 64;
+/// Time between two checks whether to stop. Shorter times would let the threads wait for each other
+/// more often; longer ones would delay Ctrl-C.
+const PART_TIME: Duration = Duration::from_millis(60);
 
-/// What is asked about a shot.
-#[derive(Clone, Copy, Debug)]
+/// A question about the strike of a shot.
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Question<'a> {
-    /// How far the strike strays.
-    pub noise: Noise,
-    /// How far from where they are seen the balls truly lie. The shot is what the player sees and plans
-    /// on; every variant has a layout of its own around it. The tip meets the cue ball where that truly is:
-    /// errors of the contact point are the noise's.
-    pub perception: Perception,
-    /// Which random numbers.
-    pub seed: u64,
-    /// Variants to play, at most.
-    pub most: usize,
-    /// Confidence of all intervals, in (0, 1).
-    pub level: f64,
-    /// When to stop before that.
-    pub precision: Option<Precision>,
-    /// Who says whether a variant was legal.
+    /// The errors of the player, the number of variants and the precision.
+    pub model: ErrorModel,
+    /// The probability whose precision ends the evaluation early.
+    pub watched: Watched,
+    /// The game that decides whether a variant is legal.
     pub referee: Option<Referee<'a>>,
-    /// How many threads; all cores if none.
+    /// Number of threads; one per core if None.
     pub threads: Option<usize>,
 }
 
-/// How precisely something is to be known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Precision {
-    /// Half the width of the interval, a probability.
-    pub half_width: f64,
-    /// Of what.
-    pub watched: Watched,
-}
-
-/// A probability that can be watched.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// A probability whose precision can be watched.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Watched {
-    /// All that there are.
+    /// All that are counted.
+    #[default]
     Everything,
     /// This ball falls.
     Ball(usize),
@@ -71,12 +57,12 @@ pub enum Watched {
     Pocket(usize, usize),
     /// The cue ball falls.
     Scratch,
-    /// The shot is legal: the question needs a referee.
+    /// The shot is legal; the question needs a referee.
     Legal,
 }
 
 impl Watched {
-    /// What `name` says about `shot`: a ball's id, into `pocket` if one is named, or else `scratch` or
+    /// Reads `name`: the id of a ball of `shot`, falling into `pocket` if one is named; or `scratch` or
     /// `legal`.
     ///
     /// # Errors
@@ -104,107 +90,125 @@ impl Watched {
     }
 }
 
-/// What came of a shot's variants.
+/// The results of a shot's variants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evaluation {
-    /// Variants played.
+    /// Number of variants.
     pub variants: u64,
-    /// Of these, how many could not be played: miscues, a cue that passes through a ball. They count as
-    /// variants in which nothing falls.
+    /// Number of variants that could not be played, such as miscues. They count as variants in which
+    /// no ball falls.
     pub failed: u64,
-    /// Why the first of them could not.
+    /// The error of the first of them.
     pub first_failure: Option<Error>,
     /// Index of the cue ball.
     pub cue_ball: usize,
     /// Number of pockets.
     pub pockets: usize,
-    /// How often each ball fell into each pocket: row by ball, column by pocket.
+    /// Number of variants in which each ball fell into each pocket: row by ball, column by pocket.
     pub potted: Vec<u64>,
-    /// How often each ball left the table.
+    /// Number of variants in which each ball left the table.
     pub off_table: Vec<u64>,
-    /// How often the shot was legal, with a referee.
+    /// Number of legal variants; None without a referee.
     pub legal: Option<u64>,
-    /// How often it is the same player's turn again, or they have won, with a referee.
+    /// Number of variants after which the same player shoots again or has won; None without a referee.
     pub turn_kept: Option<u64>,
-    /// Where each ball came to rest on the table, m, in the file's frame.
+    /// Mean and covariance of each ball's place of rest on the table, m, in the file's frame.
     pub ends: Vec<Moments>,
-    /// Where the cue ball came to rest in each variant, m; NaN where it did not.
+    /// Where the cue ball came to rest in each variant, m; NaN where it did not stay on the table.
     pub cue_ball_ends: Vec<[f64; 2]>,
     /// Confidence of all intervals.
     pub level: f64,
 }
 
-/// Plays variants of `shot`'s strike. `progress` is told after every round how many have been played, and
-/// says whether to go on.
+/// Plays variants of `shot`'s strike. If `progress` is stopped, the result holds the variants played so
+/// far.
 ///
 /// # Errors
-/// [`Error::Input`] if the shot has no strike, for what [`Noise::check`] and [`Perception::check`] refuse, for a
-/// level or a half-width out of range, for something watched that does not exist, and if the referee's frame
-/// does not ask for this shot. A variant that cannot be played is no error: it is counted.
+/// [`Error::Input`] if the shot has no strike, for what [`ErrorModel::check`] rejects, for something
+/// watched that does not exist, and if the referee's frame does not ask for this shot. A variant that
+/// cannot be played is not an error: it is counted.
 pub fn evaluate(
     shot: &Shot,
     question: &Question<'_>,
-    progress: &mut dyn FnMut(u64) -> bool,
+    progress: &Progress,
 ) -> Result<Evaluation, Error> {
     check(shot, question)?;
+    let Question { model, watched, .. } = question;
     let refereed = question.referee.map(|referee| Refereed::new(shot, referee)).transpose()?;
-    let threads = Threads::new(question.threads);
-    let round = if question.precision.is_some() { ROUND } else { UNWATCHED * ROUND };
-    let mut evaluation = Evaluation::nothing_yet(shot, question);
-    while (evaluation.variants as usize) < question.most {
+    let runner = Runner::new(question.threads)?;
+    let round = model.half_width.map_or(u64::MAX, |_| VARIANTS_PER_ROUND);
+    let mut part = FIRST_PART * runner.threads();
+    let mut evaluation = Evaluation::empty(shot, question);
+    progress.begin(0, model.variants as usize);
+    while evaluation.variants < model.variants && !progress.is_stopped() {
         let first = evaluation.variants;
-        let count = round.min(question.most - first as usize);
-        let strikes = threads.run(|| drawn(shot, question, first, count));
+        let round_left = model.variants.min(round - first % round + first) - first;
+        let count = part.min(usize::try_from(round_left).unwrap_or(part));
+        evaluation.reserve(count)?;
+        let began = Instant::now();
+        let strikes = draw(shot, model, first, count, &runner);
         if let Some(refereed) = &refereed {
-            let Question { perception, seed, .. } = question;
-            let (ends, verdicts) = refereed.simulate(&strikes, perception, *seed, first, &threads);
+            let (ends, verdicts) = refereed.simulate(&strikes, model, first, &runner);
             evaluation.count(&ends);
             evaluation.rule(verdicts);
         } else {
-            let ends = threads.run(|| unrefereed(shot, &strikes, question, first))?;
-            evaluation.count(&ends);
+            evaluation.count(&simulate(shot, &strikes, model, first, &runner)?);
         }
-        let precise = question.precision.is_some_and(|p| evaluation.is_precise(&p));
-        if !progress(evaluation.variants) || precise {
+        part = if began.elapsed() < PART_TIME { 2 * part } else { part.div_ceil(2) };
+        progress.add(count);
+        let ends_round = evaluation.variants % round == 0 || evaluation.variants == model.variants;
+        if ends_round && model.is_precise(evaluation.watched_counts(*watched), evaluation.variants)
+        {
             break;
         }
     }
     Ok(evaluation)
 }
 
-/// The strikes of variants `first`.., as [`batch::draw_strikes`] has them.
-fn drawn(shot: &Shot, question: &Question<'_>, first: u64, count: usize) -> Vec<Strike> {
+/// The strikes of `count` variants from number `first` on, as [`batch::draw_strikes`] draws them.
+fn draw(shot: &Shot, model: &ErrorModel, first: u64, count: usize, runner: &Runner) -> Vec<Strike> {
     let Some((ball, meant)) = shot.strike() else { return Vec::new() };
     let radius = shot.balls()[ball].ball.radius;
-    let strikes = (0..count).into_par_iter().with_min_len(DRAWN);
-    strikes.map(|k| question.noise.draw(&meant, radius, question.seed, first + k as u64)).collect()
+    let chunks = (0..count).step_by(DRAWN).map(|start| start..count.min(start + DRAWN));
+    let drawn = runner.map(
+        chunks,
+        || (),
+        |(), chunk| {
+            let strike = |k| model.noise.draw(&meant, radius, model.seed, first + k as u64);
+            chunk.map(strike).collect::<Vec<_>>()
+        },
+    );
+    drawn.into_iter().flatten().collect()
 }
 
-fn unrefereed(
+/// Strikes that one thread draws at a time: some tens of microseconds of work.
+const DRAWN: usize = 128;
+
+fn simulate(
     shot: &Shot,
     strikes: &[Strike],
-    question: &Question<'_>,
+    model: &ErrorModel,
     first: u64,
+    runner: &Runner,
 ) -> Result<BatchResult, Error> {
-    let Question { perception, seed, .. } = question;
-    if perception.position == 0.0 {
-        return Ok(batch::simulate_strikes(shot, strikes, &Runner::default()));
+    if model.perception.position == 0.0 {
+        return Ok(batch::simulate_strikes(shot, strikes, runner));
     }
-    batch::simulate_seen(shot, strikes, perception, *seed, first, &Runner::default())
+    batch::simulate_seen(shot, strikes, &model.perception, model.seed, first, runner)
 }
 
 fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
-    question.noise.check()?;
-    question.perception.check()?;
     let refuse = |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));
     if shot.strike().is_none() {
         return refuse("strike", "the shot has no strike to vary".into(), "give it one");
     }
-    check_level(question.level)?;
-    let Some(Precision { half_width, watched }) = question.precision else { return Ok(()) };
-    check_half_width(half_width)?;
+    question.model.check()?;
+    if question.model.variants > MOST_VARIANTS {
+        let what = format!("{} is out of range", question.model.variants);
+        return refuse("n", what, &format!("give at most {MOST_VARIANTS}"));
+    }
     let (balls, pockets) = (shot.balls().len(), shot.table().pockets.len());
-    match watched {
+    match question.watched {
         Watched::Ball(ball) | Watched::Pocket(ball, _) if ball >= balls => {
             refuse("watch", format!("there is no ball {ball}"), "count the balls from 0")
         }
@@ -213,7 +217,7 @@ fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
         }
         Watched::Legal if question.referee.is_none() => refuse(
             "watch",
-            "nobody says what is legal".into(),
+            "without a frame no rules say what is legal".into(),
             "give the frame in which the shot is played",
         ),
         _ => Ok(()),
@@ -221,7 +225,7 @@ fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
 }
 
 impl Evaluation {
-    fn nothing_yet(shot: &Shot, question: &Question<'_>) -> Self {
+    fn empty(shot: &Shot, question: &Question<'_>) -> Self {
         let (balls, pockets) = (shot.balls().len(), shot.table().pockets.len());
         let refereed = question.referee.map(|_| 0);
         Self {
@@ -235,8 +239,8 @@ impl Evaluation {
             legal: refereed,
             turn_kept: refereed,
             ends: vec![Moments::default(); balls],
-            cue_ball_ends: Vec::with_capacity(question.most.min(ROUND)),
-            level: question.level,
+            cue_ball_ends: Vec::new(),
+            level: question.model.level,
         }
     }
 
@@ -271,9 +275,18 @@ impl Evaluation {
         self.turn_kept = self.turn_kept.map(|count| count + verdicts.turn_kept);
     }
 
-    fn is_precise(&self, wanted: &Precision) -> bool {
+    /// Makes room for `count` more variants.
+    fn reserve(&mut self, count: usize) -> Result<(), Error> {
+        self.cue_ball_ends.try_reserve(count).map_err(|_| {
+            let what = format!("no memory for more than {} variants", self.variants);
+            Error::input("n", what, "give fewer, or a precision")
+        })
+    }
+
+    /// The counts of the watched probability, or of all.
+    fn watched_counts(&self, watched: Watched) -> Vec<u64> {
         let mut counts: Vec<u64> = Vec::new();
-        match wanted.watched {
+        match watched {
             Watched::Ball(ball) => counts.push(self.falls(ball)),
             Watched::Pocket(ball, pocket) => counts.push(self.falls_into(ball, pocket)),
             Watched::Scratch => counts.push(self.falls(self.cue_ball)),
@@ -285,20 +298,20 @@ impl Evaluation {
                 counts.extend(self.legal.into_iter().chain(self.turn_kept));
             }
         }
-        counts.iter().all(|&count| self.interval(count).half_width() <= wanted.half_width)
+        counts
     }
 
-    /// How often ball `ball` fell.
+    /// Number of variants in which ball `ball` fell.
     pub fn falls(&self, ball: usize) -> u64 {
         self.potted[ball * self.pockets..][..self.pockets].iter().sum()
     }
 
-    /// How often ball `ball` fell into pocket `pocket`.
+    /// Number of variants in which ball `ball` fell into pocket `pocket`.
     pub fn falls_into(&self, ball: usize, pocket: usize) -> u64 {
         self.potted[ball * self.pockets + pocket]
     }
 
-    /// The confidence interval of something that happened `count` times.
+    /// The confidence interval of a result that occurred in `count` variants.
     pub fn interval(&self, count: u64) -> Interval {
         wilson(count, self.variants, self.level)
     }

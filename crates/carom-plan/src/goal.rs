@@ -1,23 +1,23 @@
-//! What a strike is to bring about, and by how much one misses that.
+//! Goals of a strike, and the distance by which a strike misses one.
 
 use carom::event::{Event, EventKind, Recorder};
 use carom::math::Vec2;
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::Simulation;
-use carom::{Error, MotionState, Shot};
+use carom::{Error, MotionState, Shot, Simulator};
 
-use crate::errs::{Chance, Errs};
+use crate::error_model::{Chance, ErrorModel};
 use crate::places::{Places, distance};
-use crate::way::{Log, Way};
+use crate::progress::Progress;
+use crate::route::{Route, RouteLog};
 
-/// A miss where the cue ball is lost, which no goal wants, m: more than a table is long, so that nothing
-/// else is as bad.
+/// Added to the miss when the cue ball is pocketed or leaves the table, m. It exceeds the length of
+/// every table, so that losing the cue ball is worse than any other miss.
 const LOST_CUE_BALL: f64 = 10.0;
 
-/// What a strike is to bring about: all the parts that are there, and the cue ball stays on the table.
+/// What a strike must achieve: all parts that are given. The cue ball must also stay on the table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Goal {
-    /// This ball falls, into that pocket or into any.
+    /// This ball falls: into that pocket, or into any if None.
     pub pot: Option<(usize, Option<usize>)>,
     /// The cue ball comes to rest with its centre in this disc.
     pub leave: Option<Disc>,
@@ -30,30 +30,30 @@ pub struct Goal {
 pub struct Disc {
     /// Its centre in the file's frame, m.
     pub center: [f64; 2],
-    /// m.
+    /// Its radius, m.
     pub radius: f64,
 }
 
 impl Goal {
-    /// Refuses goals that no strike of `shot` can have.
+    /// Rejects goals that no strike of `shot` can reach.
     ///
     /// # Errors
-    /// [`Error::Input`] for a goal without parts, a ball or pocket that does not exist, the cue ball where
-    /// another is meant, a disc without size, and a shot without strike: it says which ball is struck.
+    /// [`Error::Input`] for a goal without parts, a ball or pocket that does not exist, the cue ball as
+    /// object ball, a disc without size, and a shot without a strike, which names the cue ball.
     pub fn check(&self, shot: &Shot) -> Result<(), Error> {
         let refuse = |place: &str, what: &str, remedy: &str| Err(Error::input(place, what, remedy));
         let Some((cue_ball, _)) = shot.strike() else {
             return refuse(
                 "strike",
                 "the shot has none",
-                "give it one: it says which ball is struck",
+                "give it one: it names the ball that is struck",
             );
         };
         if *self == Self::default() {
             return refuse(
                 "goal",
-                "nothing is wanted",
-                "say what is to fall, to be left or to be hit",
+                "it has no part",
+                "name a ball to pot, a disc to leave the cue ball in, or a ball to hit first",
             );
         }
         let (balls, pockets) = (shot.balls().len(), shot.table().pockets.len());
@@ -72,22 +72,22 @@ impl Goal {
         {
             return refuse(
                 "goal",
-                "the area has no size",
-                "give centre and radius in m, radius > 0",
+                "the disc to leave the cue ball in has no size",
+                "give its centre and radius in m, radius > 0",
             );
         }
         Ok(())
     }
 }
 
-/// What came of one strike.
+/// The result of one strike.
 #[derive(Clone, Debug)]
 pub struct Attempt {
-    /// How far from the goal, m; 0 if it is met.
+    /// The distance from the goal, m; 0 if it is met.
     pub miss: f64,
-    /// How the cue ball's motion came to the ball that counts.
-    pub way: Way,
-    /// Where the cue ball is at the end, m, in the file's frame.
+    /// The route to the ball that the goal names.
+    pub route: Route,
+    /// Where the cue ball ends, m, in the file's frame.
     pub cue_ball_end: [f64; 2],
 }
 
@@ -98,25 +98,28 @@ impl Attempt {
     }
 }
 
-/// Listens to a shot for how near it comes to a goal.
+/// Records how near a shot comes to a goal.
 #[derive(Clone, Debug)]
-pub(crate) struct Listener {
+pub(crate) struct GoalRecorder {
     goal: Goal,
     cue_ball: usize,
-    /// Centres of the pockets that count.
+    /// Index and centre of each pocket that the goal accepts.
     targets: Vec<(usize, Vec2)>,
-    log: Log,
+    log: RouteLog,
     places: Places,
-    /// Least distance of the potted ball's path from a target.
+    /// Least distance of the object ball's path from a target, m.
     pot: f64,
+    /// Whether the object ball fell into a target.
     potted: bool,
+    /// Whether any ball has hit the object ball.
     moved: bool,
-    /// Least gap between the cue ball's path and the ball that it is to reach.
+    /// Least gap between the cue ball's path and the ball that it must reach, m.
     gap: f64,
+    /// The first ball that the cue ball touched.
     first_touched: Option<usize>,
 }
 
-impl Listener {
+impl GoalRecorder {
     pub(crate) fn new(shot: &Shot, goal: Goal) -> Self {
         let cue_ball = shot.cue_ball().unwrap_or_default();
         let places = Places::new(shot);
@@ -127,7 +130,7 @@ impl Listener {
             goal,
             cue_ball,
             targets,
-            log: Log::new(cue_ball, &places),
+            log: RouteLog::new(cue_ball, &places),
             places,
             pot: f64::INFINITY,
             potted: false,
@@ -137,14 +140,14 @@ impl Listener {
         }
     }
 
-    /// The ball to be reached by the cue ball.
+    /// The ball that the cue ball must reach.
     fn reached(&self) -> Option<usize> {
         self.goal.first.or(self.goal.pot.map(|(ball, _)| ball))
     }
 
-    /// Ball `i` has come from where it was last to `to`.
+    /// Ball `i` has moved from its last place to `to`.
     fn follow(&mut self, i: usize, to: Vec2) {
-        let from = self.places.go(i, to);
+        let from = self.places.replace(i, to);
         if self.goal.pot.is_some_and(|(ball, _)| ball == i) {
             for (_, target) in &self.targets {
                 self.pot = self.pot.min(distance(from, to, *target));
@@ -161,18 +164,13 @@ impl Listener {
         }
     }
 
-    /// What came of it; `simulation` is at its end, `duration` after the strike.
-    fn finish<const N: usize>(
-        &mut self,
-        shot: &Shot,
-        simulation: &Simulation<N>,
-        duration: f64,
-    ) -> Attempt {
+    /// The result. `simulator` has played the shot, which ended `duration` after the strike.
+    fn finish(&mut self, shot: &Shot, simulator: &Simulator, duration: f64) -> Attempt {
         for i in 0..self.places.count() {
-            let end = simulation.state(i, duration).position.xy();
+            let end = simulator.state(i, duration).position.xy();
             self.follow(i, end);
         }
-        let state = simulation.file_state(self.cue_ball, shot, duration);
+        let state = simulator.file_state(self.cue_ball, shot, duration);
         let end = [state.position.x, state.position.y];
         let mut miss = 0.0;
         if self.goal.pot.is_some() && !self.potted {
@@ -181,7 +179,7 @@ impl Listener {
         if let Some(ball) = self.goal.first
             && self.first_touched != Some(ball)
         {
-            // Another ball in the way is a miss even where the gap has closed.
+            // A hit on another ball first is a miss even if the gap has closed later.
             miss += self.gap.max(self.places.radius(ball));
         }
         if let Some(Disc { center: [x, y], radius }) = self.goal.leave {
@@ -191,28 +189,28 @@ impl Listener {
             miss += LOST_CUE_BALL;
         }
         let target = self.goal.pot.map(|(ball, _)| ball).or(self.goal.first);
-        let mut way = self.log.way(target, shot.table());
+        let mut route = self.log.route(target, shot.table());
         if let (None, Some(ball)) = (self.goal.pot, self.goal.first) {
-            way.end_at(ball);
+            route.end_at(ball);
         }
-        Attempt { miss, way, cue_ball_end: end }
+        Attempt { miss, route, cue_ball_end: end }
     }
 }
 
-impl Recorder for Listener {
+impl Recorder for GoalRecorder {
     fn record(&mut self, event: &Event<'_>) {
         self.log.add(event, &self.places);
         for (ball, state) in event.balls.iter().zip(event.before) {
             self.follow(usize::from(*ball), state.position.xy());
         }
-        self.places.settle(event);
+        self.places.update_resting(event);
         let has = |ball: usize| event.balls.iter().any(|b| usize::from(*b) == ball);
         match event.kind {
             EventKind::BallCollision => {
                 if self.first_touched.is_none() && has(self.cue_ball) {
                     let others = event.balls.iter().map(|b| usize::from(*b));
                     let mut others = others.filter(|b| *b != self.cue_ball);
-                    // Of balls that are touched at once the wanted one counts.
+                    // If several balls are touched at once, the one that the goal names counts.
                     let wanted = self.goal.first.filter(|ball| has(*ball));
                     self.first_touched = wanted.or_else(|| others.next());
                 }
@@ -227,47 +225,52 @@ impl Recorder for Listener {
     }
 }
 
-/// Plays strikes of one shot for one goal.
-pub(crate) struct Player<'a, const N: usize> {
+/// Plays strikes of one shot and compares the results with one goal.
+pub(crate) struct GoalTester<'a> {
     shot: &'a Shot,
-    fresh: Listener,
-    simulation: Box<Simulation<N>>,
+    fresh: GoalRecorder,
+    simulator: Simulator,
 }
 
-impl<'a, const N: usize> Player<'a, N> {
+impl<'a> GoalTester<'a> {
     pub(crate) fn new(shot: &'a Shot, goal: Goal) -> Self {
-        Self { shot, fresh: Listener::new(shot, goal), simulation: Box::new(Simulation::new()) }
+        Self { shot, fresh: GoalRecorder::new(shot, goal), simulator: Simulator::new() }
     }
 
-    /// What comes of `strike`; none if it cannot be played.
+    /// The result of `strike`; None if it cannot be played.
     pub(crate) fn play(&mut self, strike: &Strike) -> Option<Attempt> {
         self.shot.resolve_strike(strike).ok()?;
         let (ball, _) = self.shot.strike()?;
-        let mut listener = self.fresh.clone();
-        let played = self.simulation.play_strike(self.shot, Some((ball, *strike)), &mut listener);
-        Some(listener.finish(self.shot, &self.simulation, played.ok()?.duration))
+        let mut recorder = self.fresh.clone();
+        let played = self.simulator.play_strike(self.shot, Some((ball, *strike)), &mut recorder);
+        Some(recorder.finish(self.shot, &self.simulator, played.ok()?.duration))
     }
 
-    /// What comes of `strike` where the balls lie as `seen` has them; none if it cannot be played.
-    fn play_on(&mut self, seen: &Shot, strike: &Strike) -> Option<Attempt> {
-        let (ball, _) = seen.strike()?;
-        let mut listener = Listener::new(seen, self.fresh.goal);
-        let played = self.simulation.play_strike(seen, Some((ball, *strike)), &mut listener);
-        Some(listener.finish(seen, &self.simulation, played.ok()?.duration))
+    /// The result of `strike` on another layout of the same balls; None if it cannot be played.
+    fn play_on(&mut self, layout: &Shot, strike: &Strike) -> Option<Attempt> {
+        let (ball, _) = layout.strike()?;
+        let mut recorder = GoalRecorder::new(layout, self.fresh.goal);
+        let played = self.simulator.play_strike(layout, Some((ball, *strike)), &mut recorder);
+        Some(recorder.finish(layout, &self.simulator, played.ok()?.duration))
     }
 
-    /// The chance that `strike` meets the goal.
-    pub(crate) fn chance(&mut self, strike: &Strike, errs: &Errs) -> Chance {
+    /// The probability that `strike` meets the goal. A stopped `progress` ends the count early.
+    pub(crate) fn chance(
+        &mut self,
+        strike: &Strike,
+        model: &ErrorModel,
+        progress: &Progress,
+    ) -> Chance {
         let struck = self.fresh.cue_ball;
         let radius = self.fresh.places.radius(struck);
-        errs.count(|k| {
-            let strike = errs.noise.draw(strike, radius, errs.seed, k);
-            let attempt = if errs.perception.position == 0.0 {
+        model.count(progress, |k| {
+            let strike = model.noise.draw(strike, radius, model.seed, k);
+            let attempt = if model.perception.position == 0.0 {
                 self.play(&strike)
             } else {
-                let places = errs.perception.places(self.shot, errs.seed, k);
-                let seen = self.shot.with_balls(places, Some((struck, strike))).ok();
-                seen.and_then(|seen| self.play_on(&seen, &strike))
+                let places = model.perception.places(self.shot, model.seed, k);
+                let layout = self.shot.with_balls(places, Some((struck, strike))).ok();
+                layout.and_then(|layout| self.play_on(&layout, &strike))
             };
             attempt.is_some_and(|a| a.is_met())
         })

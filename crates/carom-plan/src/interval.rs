@@ -1,32 +1,34 @@
-//! How sure one can be of a probability that was counted.
+//! Confidence intervals of probabilities that were counted.
 
 use carom::math::sqrt;
 
-/// Newton's steps for the normal quantile end when they move it by less than this: beyond it is
-/// rounding.
+/// Newton's iteration for the normal quantile ends when a step is smaller than this, which is about
+/// the rounding of the result.
 const SMALLEST_STEP: f64 = 1e-14;
-/// From 0 Newton's method climbs monotonically, about 1/z a step; levels below 1 − 1e-15 need fewer.
+/// Largest number of these steps. From 0 the iteration increases monotonically, by about 1/z a step;
+/// levels below 1 − 1e-15 need fewer.
 const MOST_STEPS: u32 = 200;
 
-/// An interval that holds a probability with the confidence that was asked for.
+/// A confidence interval of a probability.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// Its lower end, in [0, 1].
+    /// Lower end, in [0, 1].
     pub low: f64,
-    /// Its upper end, in [0, 1].
+    /// Upper end, in [0, 1].
     pub high: f64,
 }
 
 impl Interval {
-    /// Half of its width.
+    /// Half the width.
     pub fn half_width(self) -> f64 {
         0.5 * (self.high - self.low)
     }
 }
 
 /// The score interval of Wilson (1927, *Probable inference, the law of succession, and statistical
-/// inference*) for `hits` among `trials` at the confidence `level` (0.95, say). It keeps what it
-/// promises also near 0 and 1, where the interval of Wald does not. Without trials it is [0, 1].
+/// inference*) for `hits` among `trials` at the confidence `level` (0.95, say). Its
+/// coverage is close to the level also near 0 and 1, unlike that of Wald's interval. Without trials it
+/// is [0, 1].
 pub fn wilson(hits: u64, trials: u64, level: f64) -> Interval {
     if trials == 0 {
         return Interval { low: 0.0, high: 1.0 };
@@ -36,7 +38,7 @@ pub fn wilson(hits: u64, trials: u64, level: f64) -> Interval {
     let z2 = z * z;
     let middle = (hits + 0.5 * z2) / (n + z2);
     let half = z / (n + z2) * sqrt(hits * (n - hits) / n + 0.25 * z2);
-    // At the ends the formula gives 0 and 1 but for rounding.
+    // At the ends the formula gives 0 and 1 up to rounding.
     let low = if hits == 0.0 { 0.0 } else { middle - half };
     let high = if hits == n { 1.0 } else { middle + half };
     Interval { low, high }
@@ -66,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn quantiles_are_those_of_the_tables() {
+    fn quantiles_agree_with_published_tables() {
         for (level, z) in [
             (0.5, 0.674_489_750_196_081_7),
             (0.9, 1.644_853_626_951_472_2),
@@ -80,7 +82,7 @@ mod tests {
 
     // Newcombe (1998), "Two-sided confidence intervals for the single proportion", table I.
     #[test]
-    fn intervals_are_those_that_newcombe_published() {
+    fn intervals_agree_with_newcombe_1998() {
         for (hits, trials, low, high) in [
             (81, 263, 0.2553, 0.3662),
             (15, 148, 0.0624, 0.1605),
@@ -94,13 +96,13 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_known_without_trials() {
+    fn the_interval_without_trials_is_zero_to_one() {
         let interval = wilson(0, 0, 0.95);
         assert_eq!((interval.low, interval.high), (0.0, 1.0));
     }
 
     #[test]
-    fn all_hits_and_none_mirror_each_other() {
+    fn the_intervals_of_all_hits_and_of_none_are_symmetric() {
         let (all, none) = (wilson(50, 50, 0.99), wilson(0, 50, 0.99));
         assert_eq!(all.high, 1.0);
         assert_eq!(none.low, 0.0);

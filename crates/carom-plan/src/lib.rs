@@ -1,37 +1,45 @@
-//! Questions about shots, answered by playing them many times over.
+//! Questions about shots, answered by simulating many variants of them.
 //!
-//! [`evaluate()`]: what comes of a strike that a player means but does not hit exactly? Every answer is a
-//! count with its confidence interval ([`Interval`]). [`solve()`]: which strikes bring about what is wanted?
-//! [`maps`]: one question asked over a grid; [`cushions`]: where a ball meets one cushion after the other.
-//! Every answer is a pure function of shot, noise, seed and number of variants: the same for any number of
-//! threads, on every platform.
+//! - [`evaluate()`] counts what happens when a player intends a strike but does not hit it exactly.
+//!   Every answer is a count with its confidence interval ([`Interval`]).
+//! - [`solve()`] searches the strikes that reach a goal.
+//! - [`maps`] ask one question over a grid; [`breaks`] counts what happens in many breaks;
+//!   [`cushions`] lists where a ball meets one cushion after the other.
+//! - [`sweep`] plays the rows of a table of shots.
+//!
+//! Every answer depends only on the shot, the noise, the seed and the number of variants: it is the
+//! same for any number of threads and on every platform. Long tasks take a [`Progress`], through
+//! which another thread can watch and stop them.
 
 mod aim;
+pub mod breaks;
 pub mod cushions;
-pub mod errs;
+pub mod error_model;
 pub mod evaluate;
 pub mod goal;
+pub mod grid;
 pub mod interval;
 pub mod maps;
 pub mod moments;
 mod places;
+pub mod progress;
 pub mod referee;
+pub mod route;
 pub mod solve;
 pub mod sweep;
-mod threads;
-pub mod way;
 
-pub use errs::{Chance, Errs, check_level};
-pub use evaluate::{Evaluation, Precision, Question, Watched, evaluate};
+pub use error_model::{Chance, ErrorModel, check_level};
+pub use evaluate::{Evaluation, Question, Watched, evaluate};
 pub use goal::{Disc, Goal};
 pub use interval::{Interval, wilson};
 pub use moments::Moments;
+pub use progress::Progress;
 pub use referee::Referee;
+pub use route::{Leg, Route};
 pub use solve::{Search, Solution, Stage, solve};
-pub use way::{Step, Way};
 
-/// The examples of the documentation's page on Rust, which are tested with this crate, since it knows the engine and
-/// the games.
+/// The examples of the documentation's page on Rust. They are tested with this crate because it
+/// depends on both the engine and the games.
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/rust.md")]
 struct Documentation;

@@ -1,4 +1,4 @@
-//! Mean and covariance of points in the plane, one after the other.
+//! Mean and covariance of points in the plane, updated point by point.
 
 /// Mean and covariance of the points so far (Welford 1962, in two dimensions).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,17 +23,17 @@ impl Moments {
         self.sums[2] += dy * ey;
     }
 
-    /// How many points there were.
+    /// The number of points.
     pub const fn count(&self) -> u64 {
         self.count
     }
 
-    /// Their mean; NaN if there are none.
+    /// The mean of the points; NaN without points.
     pub fn mean(&self) -> [f64; 2] {
         if self.count == 0 { [f64::NAN; 2] } else { self.mean }
     }
 
-    /// Their covariance (unbiased): of x, of x with y, of y. NaN for fewer than two points.
+    /// The unbiased covariance: xx, xy, yy. NaN for fewer than two points.
     pub fn covariance(&self) -> [f64; 3] {
         if self.count < 2 {
             return [f64::NAN; 3];
@@ -48,7 +48,7 @@ mod tests {
     use super::Moments;
 
     #[test]
-    fn moments_are_those_of_the_definition() {
+    fn moments_agree_with_their_definition() {
         let points = [[1.0, 5.0], [2.0, 1.0], [4.0, 2.0], [1.0, 0.0]];
         let mut moments = Moments::default();
         points.into_iter().for_each(|p| moments.add(p));
@@ -60,7 +60,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_said_of_too_few_points() {
+    fn moments_of_too_few_points_are_nan() {
         let mut moments = Moments::default();
         assert!(moments.mean()[0].is_nan());
         moments.add([1.0, 2.0]);

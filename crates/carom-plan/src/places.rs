@@ -1,13 +1,14 @@
-//! Where balls are between their events, and who stands in whose way.
+//! Where the balls are at each event, and which balls block a straight path.
 
 use carom::event::Event;
 use carom::math::Vec2;
 use carom::{MotionState, Shot};
 
-/// What nobody sees, m: a ball that another passes by less is not said to have been in its way.
-const SEEN: f64 = 1e-4;
+/// Overlap below which a ball does not count as blocking a path, m. A tenth of a millimetre is not
+/// visible on a table; without the margin, grazing passes would be called jumps or curves.
+const VISIBLE: f64 = 1e-4;
 
-/// Where each ball was at its last event, in the engine's frame.
+/// The place of each ball at its last event, in the engine's frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Places {
     last: Vec<Vec2>,
@@ -37,21 +38,21 @@ impl Places {
         self.radius[ball]
     }
 
-    /// `ball` is at `to` now; where it was before.
-    pub(crate) fn go(&mut self, ball: usize, to: Vec2) -> Vec2 {
+    /// Moves `ball` to `to` and returns where it was before.
+    pub(crate) fn replace(&mut self, ball: usize, to: Vec2) -> Vec2 {
         std::mem::replace(&mut self.last[ball], to)
     }
 
-    /// After an event, some of its balls rest.
-    pub(crate) fn settle(&mut self, event: &Event<'_>) {
+    /// Updates which balls rest after an event.
+    pub(crate) fn update_resting(&mut self, event: &Event<'_>) {
         for (ball, state) in event.balls.iter().zip(event.after) {
             self.rests[usize::from(*ball)] = state.motion == MotionState::Stationary;
         }
     }
 
-    /// The resting balls that `ball` would touch on the cloth on a straight way from where it touches none,
-    /// but for those `met` at its end.
-    pub(crate) fn in_the_way<'a>(
+    /// The resting balls that block the straight path of `ball` on the cloth from `from` to `to`. Balls
+    /// that it touches at the start and the balls `met` at the end do not count.
+    pub(crate) fn blocking<'a>(
         &'a self,
         ball: usize,
         from: Vec2,
@@ -60,7 +61,7 @@ impl Places {
     ) -> impl Iterator<Item = u16> + 'a {
         (0..self.count() as u16).filter(move |&other| {
             let i = usize::from(other);
-            let near = self.radius[ball] + self.radius[i] - SEEN;
+            let near = self.radius[ball] + self.radius[i] - VISIBLE;
             i != ball
                 && self.rests[i]
                 && !met.contains(&other)
@@ -70,7 +71,7 @@ impl Places {
     }
 }
 
-/// From a point to a straight path.
+/// The distance of `point` from the segment `from`–`to`.
 pub(crate) fn distance(from: Vec2, to: Vec2, point: Vec2) -> f64 {
     let (along, beside) = (to - from, point - from);
     let squared = along.length_squared();

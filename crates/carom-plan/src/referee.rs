@@ -1,49 +1,48 @@
-//! Variants of a shot in a game: simulated once, counted and ruled on.
+//! Variants of a shot in a game: each is simulated once, and the frame rules on it.
 
 use carom::batch::{BatchResult, OFF_TABLE, ON_TABLE, PADDING};
-use carom::noise::Perception;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
+use carom::runner::Runner;
 use carom::{BallState, Error, MotionState, Shot, Simulator};
 use carom_rules::{Call, Frame, Play, Request};
-use rayon::prelude::*;
 
-use crate::threads::Threads;
+use crate::error_model::ErrorModel;
 
 /// A game in which the shot is played.
 #[derive(Clone, Copy, Debug)]
 pub struct Referee<'a> {
-    /// The frame; it asks for the shot.
+    /// The frame. The shot must be the one that it asks for.
     pub frame: &'a Frame,
-    /// What the player announces.
+    /// The player's call.
     pub call: Call,
 }
 
-/// A shot as its frame asks for it.
+/// A shot that its frame asks for.
 pub(crate) struct Refereed<'a> {
     referee: Referee<'a>,
     shot: &'a Shot,
-    /// Where the player puts the cue ball, if it is in hand.
+    /// Where the player places the cue ball, m, if it is in hand.
     place: Option<[f64; 2]>,
 }
 
-/// In how many variants.
+/// Numbers of variants.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Verdicts {
     /// The shot was legal.
     pub(crate) legal: u64,
-    /// It is the same player's turn again, or they have won.
+    /// The same player shoots again or has won.
     pub(crate) turn_kept: u64,
 }
 
-/// One variant: where every ball ended, and what the frame says of it.
-struct Ruled {
+/// One variant: the end of every ball, and the frame's ruling.
+struct RuledVariant {
     ends: Vec<(i8, [f64; 3])>,
     verdicts: Verdicts,
 }
 
 impl<'a> Refereed<'a> {
-    /// Refuses a shot that `referee`'s frame does not ask for.
+    /// Rejects a shot that `referee`'s frame does not ask for.
     pub(crate) fn new(shot: &'a Shot, referee: Referee<'a>) -> Result<Self, Error> {
         let mut refereed = Self { referee, shot, place: None };
         let Some((cue_ball, strike)) = shot.strike() else { return Ok(refereed) };
@@ -51,7 +50,7 @@ impl<'a> Refereed<'a> {
         let in_hand = referee.frame.turn().is_some_and(|turn| turn.hand.is_some());
         refereed.place = in_hand.then_some([lies.x, lies.y]);
         let asked = referee.frame.shot(&refereed.play(strike))?;
-        // The strike's angles may differ by the rounding of degrees.
+        // The strike may differ, because the conversion of angles to degrees rounds them.
         if asked.balls() != shot.balls()
             || asked.table() != shot.table()
             || asked.physics() != shot.physics()
@@ -69,60 +68,51 @@ impl<'a> Refereed<'a> {
         Play { strike, cue_ball: self.place, call: self.referee.call }
     }
 
-    /// Plays each of `strikes`, on the layouts number `first`.. that `perception` draws.
+    /// Plays each of `strikes`, on the layouts from number `first` on that the model's perception draws.
     pub(crate) fn simulate(
         &self,
         strikes: &[Strike],
-        perception: &Perception,
-        seed: u64,
+        model: &ErrorModel,
         first: u64,
-        threads: &Threads,
+        runner: &Runner,
     ) -> (BatchResult, Verdicts) {
-        let played: Vec<Result<Ruled, Error>> = threads.run(|| {
-            (0..strikes.len())
-                .into_par_iter()
-                .map_init(
-                    || Simulator::new(),
-                    |simulation, k| {
-                        if perception.position == 0.0 {
-                            return self.rule(simulation, strikes[k], self.shot);
-                        }
-                        let places = perception.places(self.shot, seed, first + k as u64);
-                        let struck = self.shot.strike().map(|(ball, _)| (ball, strikes[k]));
-                        let shot = self.shot.with_balls(places, struck)?;
-                        self.rule(simulation, strikes[k], &shot)
-                    },
-                )
-                .collect()
+        let played = runner.map(0..strikes.len(), Simulator::new, |simulator, k| {
+            if model.perception.position == 0.0 {
+                return self.rule(simulator, strikes[k], self.shot);
+            }
+            let places = model.perception.places(self.shot, model.seed, first + k as u64);
+            let struck = self.shot.strike().map(|(ball, _)| (ball, strikes[k]));
+            let shot = self.shot.with_balls(places, struck)?;
+            self.rule(simulator, strikes[k], &shot)
         });
-        self.gathered(played)
+        self.gather(played)
     }
 
     fn rule(
         &self,
-        simulation: &mut Simulator,
+        simulator: &mut Simulator,
         strike: Strike,
         shot: &Shot,
-    ) -> Result<Ruled, Error> {
+    ) -> Result<RuledVariant, Error> {
         let mut frame = self.referee.frame.clone();
         let player = frame.player();
-        let (ruling, outcome, last) = frame.play_displaced(simulation, &self.play(strike), shot)?;
+        let (ruling, outcome, last) = frame.play_displaced(simulator, &self.play(strike), shot)?;
         let kept = match frame.request() {
             Request::Shot(turn) => Some(turn.player) == player,
             Request::Choice { .. } => false,
             Request::Over { winner, .. } => winner.is_some() && *winner == player,
         };
         let verdicts = Verdicts { legal: u64::from(ruling.is_legal()), turn_kept: u64::from(kept) };
-        Ok(Ruled { ends: ends(shot, &outcome, &last), verdicts })
+        Ok(RuledVariant { ends: ends(shot, &outcome, &last), verdicts })
     }
 
-    fn gathered(&self, played: Vec<Result<Ruled, Error>>) -> (BatchResult, Verdicts) {
+    fn gather(&self, played: Vec<Result<RuledVariant, Error>>) -> (BatchResult, Verdicts) {
         let balls = self.shot.balls().len();
         let mut all = BatchResult { shots: played.len(), balls, ..BatchResult::default() };
         let mut verdicts = Verdicts::default();
         for (k, one) in played.into_iter().enumerate() {
             match one {
-                Ok(Ruled { ends, verdicts: one }) => {
+                Ok(RuledVariant { ends, verdicts: one }) => {
                     all.pocket.extend(ends.iter().map(|(pocket, _)| pocket));
                     all.final_position.extend(ends.iter().map(|(_, place)| place));
                     verdicts.legal += one.legal;
@@ -139,7 +129,7 @@ impl<'a> Refereed<'a> {
     }
 }
 
-/// The pocket of every ball, as batches have it, and where it ended.
+/// The end of every ball: its pocket, numbered as in a batch, and its position.
 fn ends(shot: &Shot, outcome: &Outcome, last: &[BallState]) -> Vec<(i8, [f64; 3])> {
     let pockets = &shot.table().pockets;
     let pocket = |ball: usize| {

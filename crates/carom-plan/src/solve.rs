@@ -1,73 +1,85 @@
-//! Which strikes do what is wanted: searched everywhere, refined, ranked by their chance.
+//! The strikes that reach a goal: searched, refined, and ranked by their probability.
 //!
-//! 1. **Everywhere.** Every azimuth that geometry proposes ([`crate::aim`]) with a few speeds and spins, and
-//!    points spread evenly over azimuth × speed × spin (the additive recurrence R of Roberts 2018), are
-//!    played; where the cue may be raised, also over its elevation. Each tells by how much it misses ([`Goal`]) and by which way ([`Way`]).
-//! 2. **Refined.** Of every way the nearest are refined until they meet the goal, and turned to the middle of
-//!    the azimuths that do.
-//! 3. **Ranked.** What is left is played many times under noise, all with the same errors, and sorted by how
-//!    often the goal is met.
+//! 1. **Search.** The candidates are every azimuth that geometry proposes (`aim.rs`) with some speeds
+//!    and spins, and points spread evenly over azimuth × speed × spin (the additive recurrence R of
+//!    Roberts 2018); also over the elevation if the cue may be raised. All are played. Each has a miss
+//!    ([`Goal`]) and a route ([`Route`]).
+//! 2. **Refinement.** On every route the strikes with the smallest misses are refined until they meet
+//!    the goal, and turned to the middle of the azimuths that meet it.
+//! 3. **Ranking.** The strikes that meet the goal are played many times under noise, all with the same
+//!    errors, and sorted by how often they meet it.
 //!
-//! Nothing in this depends on the number of threads.
+//! The result does not depend on the number of threads.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use carom::limits::{MAX_BALLS, SMALL_CAPACITY};
 use carom::math::{cos, exp, log, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
+use carom::runner::Runner;
 use carom::{Error, Shot};
-use rayon::prelude::*;
 use std::collections::HashMap;
 
-use crate::aim::{Free, Limits, Tried, azimuths, center, refine, straight_azimuths};
-use crate::errs::{Chance, Errs};
-use crate::goal::{Goal, Player};
+use crate::aim::{Free, Limits, TriedStrike, azimuths, center, refine, straight_azimuths};
+use crate::error_model::{Chance, ErrorModel};
+use crate::goal::{Goal, GoalTester};
 use crate::interval::Interval;
-use crate::threads::Threads;
-use crate::way::Way;
+use crate::progress::Progress;
+use crate::route::Route;
 
-/// Speeds and spins that every azimuth of the geometry is tried with.
+/// Pairs of speed and spin tried with every azimuth that geometry proposes. All azimuths together
+/// cover the range of speeds and spins; fewer pairs leave gaps, more cost time.
 const SPINS: usize = 16;
-/// Speeds and elevations that it is tried with where the cue may be raised.
+/// Pairs of speed and elevation tried with every such azimuth if the cue may be raised.
 const JUMPS: usize = 32;
-/// Massés that are tried for every straight azimuth, half of them from either side.
+/// Massés tried for every straight azimuth, half of them on either side.
 const MASSES: usize = 1024;
-/// Strikes of one way that are refined, the nearest, and ways that are, the simplest.
-const REFINED_OF_A_WAY: usize = 6;
-const REFINED_WAYS: usize = 96;
-/// Misses beyond this are not refined, m: steps of a degree do not bridge it.
+/// Strikes refined on each route: those with the smallest misses.
+const REFINED_PER_ROUTE: usize = 6;
+/// Routes refined: the shortest.
+const REFINED_ROUTES: usize = 96;
+/// Strikes that miss by more than this are not refined, m. The refinement's steps of a degree seldom
+/// make up for a larger miss.
 const TOO_FAR: f64 = 0.6;
-/// Variants for the first ranking; the best then get as many as were asked for.
+/// Variants in the first ranking. The best strikes are then ranked with as many as were asked for.
 const FIRST_VARIANTS: u64 = 128;
-/// How many times more strikes than are wanted survive it.
+/// Strikes that survive the first ranking, as a multiple of those asked for.
 const SURVIVORS: usize = 3;
-/// Two strikes of one way are different when they differ by this much in speed (as a share), in a tip offset
-/// (ball radii), or in an angle (rad).
+/// Two strikes on one route are different if they differ by this much in speed (relative), in a tip
+/// offset (ball radii) or in an angle (rad).
 const DIFFERENT: f64 = 0.15;
-/// No strike is farther off the middle than this share of the miscue limit.
+/// Largest tip offset as a share of the miscue limit. Closer to the limit, a small error of the tip
+/// would miscue.
 const NEAREST_MISCUE: f64 = 0.95;
-/// A raised cue is raised this much more than it must be, rad (half a degree): to be seen to be clear.
+/// A cue raised over an obstacle is raised by this much more than necessary, rad (half a degree), so
+/// that it is visibly clear.
 const CLEARANCE: f64 = 0.008_726_646_259_971_648;
 
-/// What may be tried, and how hard.
+/// Largest number of samples and of strikes asked for. Ten million samples take minutes, and a
+/// longer list of strikes helps nobody.
+const MOST_SAMPLES: usize = 10_000_000;
+const MOST_WANTED: usize = 10_000;
+/// Items that are worked on before the empty results among them are dropped: some megabytes.
+const PART: usize = 65_536;
+
+/// The range and the effort of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Search {
     /// Least and greatest speed of the cue, m/s.
     pub speed: [f64; 2],
     /// Largest tip offset, ball radii; at most 95 % of the miscue limit.
     pub offset: f64,
-    /// How far the cue may be raised, rad, for jumps and massés, which are tried besides strikes at the shot's
-    /// own elevation. Without it nothing is tried but those.
+    /// Largest elevation, rad, for jumps and massés. They are tried in addition to strikes at the
+    /// shot's own elevation. None tries only the latter.
     pub elevation: Option<f64>,
-    /// Strikes spread over everything, besides those that geometry proposes.
+    /// Strikes spread over the whole range, in addition to those that geometry proposes.
     pub samples: usize,
-    /// Under which the strikes are ranked, and how well their chances are to be known.
-    pub errs: Errs,
-    /// How many strikes are wanted.
+    /// The errors under which the strikes are ranked, and the precision of the ranking.
+    pub model: ErrorModel,
+    /// Largest number of strikes returned.
     pub wanted: usize,
-    /// How many of them by the same way.
-    pub of_a_way: usize,
-    /// How many threads; all cores if none.
+    /// Largest number of them on the same route.
+    pub per_route: usize,
+    /// Number of threads; one per core if None.
     pub threads: Option<usize>,
 }
 
@@ -78,147 +90,164 @@ impl Default for Search {
             offset: 0.45,
             elevation: None,
             samples: 4096,
-            errs: Errs::default(),
+            model: ErrorModel::default(),
             wanted: 10,
-            of_a_way: 3,
+            per_route: 3,
             threads: None,
         }
     }
 }
 
-/// A strike that does what is wanted.
+/// A strike that reaches the goal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// It meets the goal when it is hit exactly.
+    /// The strike. It meets the goal when it is hit exactly.
     pub strike: Strike,
-    /// By which way.
-    pub way: Way,
-    /// Where it leaves the cue ball, m.
+    /// Its route.
+    pub route: Route,
+    /// Where the cue ball ends, m.
     pub cue_ball_end: [f64; 2],
-    /// How likely the goal is met.
+    /// The probability that the goal is met under the errors.
     pub chance: Chance,
-    /// The interval of that.
+    /// Its confidence interval.
     pub interval: Interval,
 }
 
-/// What a search is at.
+/// The stages of a search, in order: what [`Progress::read`] counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// Strikes are tried everywhere.
+    /// Candidates are played.
     Search,
-    /// The nearest are refined.
+    /// The best of them are refined.
     Refine,
-    /// What is left is sifted by a few variants.
+    /// The strikes that meet the goal are ranked with a few variants.
     Sift,
-    /// The best are ranked by their chance.
+    /// The best are ranked with all variants.
     Rank,
 }
 
-/// Told a stage, how many of its strikes are done and how many there are; says whether to go on.
-pub type Progress<'a> = &'a mut dyn FnMut(Stage, usize, usize) -> bool;
+impl Stage {
+    /// All stages in order; a reading's `stage` is an index into it.
+    pub const ALL: [Self; 4] = [Self::Search, Self::Refine, Self::Sift, Self::Rank];
+}
 
-/// The strikes that bring about `goal`, the likeliest first; none if `progress` stopped the search.
+/// The strikes that reach `goal`, the most probable first; none if `progress` was stopped.
 ///
 /// # Errors
-/// [`Error::Input`] for what [`Goal::check`] and [`Errs::check`] refuse, and for speeds or offsets out of
-/// range.
+/// [`Error::Input`] for what [`Goal::check`] and [`ErrorModel::check`] reject, and for speeds, offsets,
+/// elevations or counts out of range.
 pub fn solve(
     shot: &Shot,
     goal: &Goal,
     search: &Search,
-    progress: Progress<'_>,
+    progress: &Progress,
 ) -> Result<Vec<Solution>, Error> {
     goal.check(shot)?;
     search.check()?;
-    let threads = Threads::new(search.threads);
-    let found = if shot.balls().len() <= SMALL_CAPACITY {
-        Solver::<SMALL_CAPACITY> { shot, goal, search, threads, progress }.run()
-    } else {
-        Solver::<MAX_BALLS> { shot, goal, search, threads, progress }.run()
-    };
-    Ok(found.unwrap_or_default())
+    let runner = Runner::new(search.threads)?;
+    Ok(Solver { shot, goal, search, runner, progress }.run().unwrap_or_default())
 }
 
 impl Search {
     fn check(&self) -> Result<(), Error> {
-        self.errs.check()?;
+        self.model.check()?;
         let refuse =
             |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));
         let [least, most] = self.speed;
         if !(0.0 < least && least <= most && most <= 50.0) {
-            let what = format!("{least:?} to {most:?} m/s is no range of speeds");
+            let what = format!("{least:?} to {most:?} m/s is not a range of speeds");
             return refuse("speed", what, "give 0 < least <= most <= 50");
         }
         if !(0.0..=1.0).contains(&self.offset) {
-            let what = format!("{:?} ball radii is off the ball", self.offset);
+            let what = format!("{:?} ball radii is out of range", self.offset);
             return refuse("offset", what, "give a number from 0 to 1");
         }
         if let Some(elevation) = self.elevation
             && !(0.0..FRAC_PI_2).contains(&elevation)
         {
-            let what = format!("no cue is raised by {elevation:?} rad");
+            let what = format!("{elevation:?} rad is out of range");
             return refuse("elevation", what, "give at least 0 and less than a right angle");
+        }
+        let counts = [
+            ("samples", self.samples, 0, MOST_SAMPLES),
+            ("wanted", self.wanted, 1, MOST_WANTED),
+            ("per_route", self.per_route, 1, MOST_WANTED),
+        ];
+        for (place, count, least, most) in counts {
+            if !(least..=most).contains(&count) {
+                let what = format!("{count} is out of range");
+                return refuse(place, what, &format!("give a whole number from {least} to {most}"));
+            }
         }
         Ok(())
     }
 }
 
-struct Solver<'a, const N: usize> {
+/// A search at work.
+struct Solver<'a> {
     shot: &'a Shot,
     goal: &'a Goal,
     search: &'a Search,
-    threads: Threads,
-    progress: Progress<'a>,
+    runner: Runner,
+    progress: &'a Progress,
 }
 
-impl<const N: usize> Solver<'_, N> {
-    /// None if it was stopped.
-    fn run(&mut self) -> Option<Vec<Solution>> {
-        let tried = self.each(Stage::Search, self.candidates(), |player, strike| {
-            let attempt = player.play(&strike)?;
-            Some(Tried { strike, attempt })
+impl Solver<'_> {
+    /// The solutions; None if the search was stopped.
+    fn run(&self) -> Option<Vec<Solution>> {
+        let tried = self.each(Stage::Search, self.candidates(), |tester, strike| {
+            let attempt = tester.play(&strike).filter(|a| a.miss < TOO_FAR)?;
+            Some(TriedStrike { strike, attempt })
         })?;
         let (shot, free) = (self.shot, Free::Within(self.limits()));
-        let refined = self.each(Stage::Refine, nearest(tried), |player, tried| {
-            let tried = refine(player, tried, Free::Azimuth);
-            let tried = refine(player, tried, free);
+        let refined = self.each(Stage::Refine, nearest(tried), |tester, tried| {
+            let tried = refine(tester, tried, Free::Azimuth);
+            let tried = refine(tester, tried, free);
             if !tried.attempt.is_met() {
                 return None;
             }
             let strike = with_the_cue_clear(shot, tried.strike)?;
-            let attempt = player.play(&strike).filter(|a| a.is_met())?;
-            let centered = center(player, Tried { strike, attempt });
-            // What is judged is what a shot's file can hold, so that whoever plays it sees the same.
+            let attempt = tester.play(&strike).filter(|a| a.is_met())?;
+            let centered = center(tester, TriedStrike { strike, attempt });
+            // A shot file holds angles in degrees. The strike is judged after this conversion, so
+            // that the file reproduces the result.
             let (_, strike) = shot.with_strike(&centered.strike).ok()?.strike()?;
-            let attempt = player.play(&strike).filter(|a| a.is_met())?;
-            Some(Tried { strike, attempt })
+            let attempt = tester.play(&strike).filter(|a| a.is_met())?;
+            Some(TriedStrike { strike, attempt })
         })?;
         self.rank(refined)
     }
 
-    /// What `work` makes of each of `items`, in their order; none if it was stopped.
-    fn each<A: Send + Sync + Clone, B: Send>(
-        &mut self,
+    /// What `work` returns for each of `items` that it returns something for, in their order; None
+    /// if the search was stopped.
+    fn each<A: Send, B: Send>(
+        &self,
         stage: Stage,
         items: Vec<A>,
-        work: impl Fn(&mut Player<'_, N>, A) -> Option<B> + Sync,
+        work: impl Fn(&mut GoalTester<'_>, A) -> Option<B> + Sync + Send,
     ) -> Option<Vec<B>> {
-        let (shot, goal) = (self.shot, *self.goal);
+        let (shot, goal, progress) = (self.shot, *self.goal, self.progress);
+        progress.begin(stage as u64, items.len());
         let mut all = Vec::new();
-        let mut done = 0;
-        for some in items.chunks(stage.at_once() * self.threads.count()) {
-            let made: Vec<Option<B>> = self.threads.run(|| {
-                some.par_iter()
-                    .map_init(|| Player::<N>::new(shot, goal), |player, a| work(player, a.clone()))
-                    .collect()
-            });
-            all.extend(made.into_iter().flatten());
-            done += some.len();
-            if !(self.progress)(stage, done, items.len()) {
-                return None;
-            }
+        let mut items = items.into_iter();
+        // In parts, because most items return nothing and the results of a part are then dropped.
+        while items.len() > 0 && !progress.is_stopped() {
+            let part: Vec<A> = items.by_ref().take(PART).collect();
+            let found = self.runner.map(
+                part,
+                || GoalTester::new(shot, goal),
+                |tester, item| {
+                    if progress.is_stopped() {
+                        return None;
+                    }
+                    let made = work(tester, item);
+                    progress.add(1);
+                    made
+                },
+            );
+            all.extend(found.into_iter().flatten());
         }
-        Some(all)
+        (!progress.is_stopped()).then_some(all)
     }
 
     fn limits(&self) -> Limits {
@@ -233,7 +262,7 @@ impl<const N: usize> Solver<'_, N> {
         let geometric = azimuths(self.shot, self.goal);
         let (in_three, in_four) = (recurrence::<3>(), recurrence::<4>());
         let aimed = geometric.iter().enumerate().flat_map(|(k, azimuth)| {
-            // Other spins for every azimuth, so that together they leave no gap.
+            // Every azimuth gets other spins; together they cover the range.
             (0..SPINS).map(move |i| self.strike(*azimuth, in_three(k * SPINS + i), elevation))
         });
         let spread = (0..self.search.samples).map(|i| {
@@ -247,20 +276,21 @@ impl<const N: usize> Solver<'_, N> {
         all
     }
 
-    /// Jumps, massés, and strikes spread over everything, with the cue raised above the shot's own elevation.
+    /// Jumps, massés and strikes spread over the range, with the cue raised above the shot's own
+    /// elevation.
     fn raised(&self, geometric: &[f64]) -> Vec<Strike> {
         let [least, most] = self.limits().elevation;
         let elevation = |share: f64| least + (most - least) * share;
         let (in_two, in_five) = (recurrence::<2>(), recurrence::<5>());
-        // A ball that is struck in the middle keeps its line.
+        // A jump is struck without side, so that the ball keeps its line.
         let jumps = geometric.iter().enumerate().flat_map(|(k, azimuth)| {
             (0..JUMPS).map(move |i| {
                 let [speed, share] = in_two(k * JUMPS + i);
                 self.strike(*azimuth, [speed, 0.0, 0.0], elevation(share))
             })
         });
-        // One that is struck low on the right goes left first, by less than the cue is raised, and then curves
-        // to the right.
+        // A ball struck low on the right starts to the left, by an angle below the elevation, and then
+        // curves to the right.
         let masses = straight_azimuths(self.shot, self.goal).into_iter().flat_map(|azimuth| {
             (0..MASSES).map(move |i| {
                 let [speed, share, out, low, away] = in_five(i);
@@ -280,7 +310,8 @@ impl<const N: usize> Solver<'_, N> {
         jumps.chain(masses).chain(spread).collect()
     }
 
-    /// The strike at a point of the unit cube: speed, then radius² and angle of the tip offset.
+    /// The strike at a point of the unit cube, whose coordinates stand for the speed and for the squared
+    /// radius and the angle of the tip offset.
     fn strike(&self, azimuth: f64, [speed, out, turn]: [f64; 3], elevation: f64) -> Strike {
         let Limits { speed: [least, most], offset: largest, .. } = self.limits();
         let (sin, cos) = sin_cos(TAU * turn);
@@ -294,63 +325,54 @@ impl<const N: usize> Solver<'_, N> {
         }
     }
 
-    fn rank(&mut self, refined: Vec<Tried>) -> Option<Vec<Solution>> {
-        let errs = self.search.errs;
-        let few = Errs { variants: FIRST_VARIANTS.min(errs.variants), half_width: None, ..errs };
+    fn rank(&self, refined: Vec<TriedStrike>) -> Option<Vec<Solution>> {
+        let model = self.search.model;
+        let few =
+            ErrorModel { variants: FIRST_VARIANTS.min(model.variants), half_width: None, ..model };
         let first = self.counted(Stage::Sift, refined, &few)?;
-        let mut kept: Vec<Tried> = Vec::new();
-        let mut of_way: HashMap<Way, usize> = HashMap::new();
+        let mut kept: Vec<TriedStrike> = Vec::new();
+        let mut on_route: HashMap<Route, usize> = HashMap::new();
         for (_, tried) in first {
-            let same_way = |other: &&Tried| other.attempt.way == tried.attempt.way;
+            let same_route = |other: &&TriedStrike| other.attempt.route == tried.attempt.route;
             let known =
-                kept.iter().filter(same_way).any(|other| are_alike(&other.strike, &tried.strike));
-            let count = of_way.entry(tried.attempt.way.clone()).or_default();
+                kept.iter().filter(same_route).any(|other| are_alike(&other.strike, &tried.strike));
+            let count = on_route.entry(tried.attempt.route.clone()).or_default();
             if !known
-                && *count < self.search.of_a_way
+                && *count < self.search.per_route
                 && kept.len() < SURVIVORS * self.search.wanted
             {
                 *count += 1;
                 kept.push(tried);
             }
         }
-        let mut ranked = self.counted(Stage::Rank, kept, &errs)?;
+        let mut ranked = self.counted(Stage::Rank, kept, &model)?;
         ranked.truncate(self.search.wanted);
-        let solution = |(chance, tried): (Chance, Tried)| Solution {
+        let solution = |(chance, tried): (Chance, TriedStrike)| Solution {
             strike: tried.strike,
             cue_ball_end: tried.attempt.cue_ball_end,
-            way: tried.attempt.way,
+            route: tried.attempt.route,
             chance,
-            interval: chance.interval(errs.level),
+            interval: chance.interval(model.level),
         };
         Some(ranked.into_iter().map(solution).collect())
     }
 
-    /// The chances of all, the greatest first.
+    /// The strikes with their chances, the greatest first.
     fn counted(
-        &mut self,
+        &self,
         stage: Stage,
-        list: Vec<Tried>,
-        errs: &Errs,
-    ) -> Option<Vec<(Chance, Tried)>> {
-        let mut counted = self
-            .each(stage, list, |player, tried| Some((player.chance(&tried.strike, errs), tried)))?;
+        list: Vec<TriedStrike>,
+        model: &ErrorModel,
+    ) -> Option<Vec<(Chance, TriedStrike)>> {
+        let mut counted = self.each(stage, list, |tester, tried| {
+            Some((tester.chance(&tried.strike, model, self.progress), tried))
+        })?;
         counted.sort_by(|(a, _), (b, _)| b.compare(*a));
         Some(counted)
     }
 }
 
-impl Stage {
-    /// How many strikes a thread gets between two tellings: some milliseconds of work.
-    const fn at_once(self) -> usize {
-        match self {
-            Self::Search => 512,
-            Self::Refine | Self::Sift => 16,
-            Self::Rank => 4,
-        }
-    }
-}
-
-/// The same strike with the cue raised over what is in its way; none if nothing helps.
+/// The strike with the cue raised over an obstacle, if there is one; None if no elevation is clear.
 fn with_the_cue_clear(shot: &Shot, strike: Strike) -> Option<Strike> {
     let shot = shot.with_strike(&strike).ok()?;
     if shot.cue_obstruction().is_none() {
@@ -360,23 +382,22 @@ fn with_the_cue_clear(shot: &Shot, strike: Strike) -> Option<Strike> {
     Some(Strike { elevation: least + CLEARANCE, ..strike })
 }
 
-/// Of every way the strikes that miss least; simple ways come first, since luck finds many of the others.
-fn nearest(mut tried: Vec<Tried>) -> Vec<Tried> {
-    tried.retain(|t| t.attempt.miss < TOO_FAR);
+/// The strikes on each route that miss by least. Short routes come first, because many long ones are
+/// found by luck.
+fn nearest(mut tried: Vec<TriedStrike>) -> Vec<TriedStrike> {
     tried.sort_by(|a, b| {
-        let steps = |t: &Tried| t.attempt.way.steps.len();
-        steps(a).cmp(&steps(b)).then(a.attempt.miss.total_cmp(&b.attempt.miss))
+        let legs = |t: &TriedStrike| t.attempt.route.legs.len();
+        legs(a).cmp(&legs(b)).then(a.attempt.miss.total_cmp(&b.attempt.miss))
     });
-    let mut of_way: HashMap<Way, usize> = HashMap::new();
+    let mut on_route: HashMap<Route, usize> = HashMap::new();
     tried.retain(|t| {
-        let ways = of_way.len();
-        let known = of_way.contains_key(&t.attempt.way);
-        if !known && ways >= REFINED_WAYS {
+        let known = on_route.contains_key(&t.attempt.route);
+        if !known && on_route.len() >= REFINED_ROUTES {
             return false;
         }
-        let count = of_way.entry(t.attempt.way.clone()).or_default();
+        let count = on_route.entry(t.attempt.route.clone()).or_default();
         *count += 1;
-        *count <= REFINED_OF_A_WAY
+        *count <= REFINED_PER_ROUTE
     });
     tried
 }
@@ -389,11 +410,11 @@ fn are_alike(a: &Strike, b: &Strike) -> bool {
         && 1.0 - cos(a.azimuth - b.azimuth) < 0.5 * DIFFERENT * DIFFERENT
 }
 
-/// The points of the additive recurrence of Roberts (2018), by their index: multiples of 1/φ, 1/φ², … with
-/// φ^(D+1) = φ + 1, modulo 1.
+/// The points of the additive recurrence of Roberts (2018) by their index: multiples of 1/φ, 1/φ², …
+/// modulo 1, with φ^(D+1) = φ + 1.
 fn recurrence<const D: usize>() -> impl Fn(usize) -> [f64; D] + Copy {
     let mut phi = 2.0;
-    // The root is a fixed point that attracts: every step halves the error, and more.
+    // The iteration converges to the root: every step at least halves the error.
     for _ in 0..64 {
         phi = carom::math::pow(1.0 + phi, 1.0 / (D as f64 + 1.0));
     }

@@ -1,42 +1,41 @@
-//! Rows of a table of shots: what each is, and what comes of it.
+//! The rows of a table of shots: their parameters and their results.
 //!
-//! A row is a layout, values put into it where paths say, numbers of its strike, and an error of that strike if it
-//! is played with noise. What comes of it is a function of these alone: of no other row, no order, no
-//! number of threads.
+//! A row has a layout, values that replace parts of it, numbers of its strike, and an error of that
+//! strike if it is played with noise. Its result depends only on these: not on other rows, on their
+//! order or on the number of threads.
 
 use carom::batch::{OFF_TABLE, PADDING, PocketRecorder};
 use carom::event::{Event, Recorder};
 use carom::format::{KeyPath, Node};
-use carom::limits::{MAX_BALLS, SMALL_CAPACITY};
 use carom::math::{degrees, radians};
 use carom::outcome::{OutcomeRecorder, Touched};
 use carom::resolve::cue_ball::Strike;
-use carom::simulate::Simulation;
-use carom::{Error, MotionState, Noise, Outcome, Shot, ShotFile, Summary};
+use carom::{Error, MotionState, Noise, Outcome, Shot, ShotFile, Simulator, Summary};
 
-/// The numbers of a strike as a shot file has them: m/s, degrees, ball radii.
+/// The numbers of a strike, named and measured as in a shot file: m/s, degrees, ball radii.
 pub const STRIKE: [&str; 5] = ["speed", "azimuth_deg", "elevation_deg", "side", "height"];
 
-/// Where no ball or rail is counted: there is no such contact.
+/// Stands for a ball or a number that does not exist, such as the first contact of a shot without one.
 pub const NONE: i16 = -1;
 
-/// Rows of parameters, column by column.
+/// The parameters of rows, column by column.
 #[derive(Clone, Copy, Debug)]
-pub struct Rows<'a> {
+pub struct SweepRows<'a> {
     /// The layouts to choose from.
     pub layouts: &'a [&'a ShotFile],
-    /// Which of them each row is.
+    /// The index of each row's layout.
     pub layout: &'a [i32],
-    /// What is put into it, in this order.
+    /// The values that replace parts of the layout, in this order.
     pub columns: &'a [Column<'a>],
-    /// The numbers of the strike that differ from the layout's: which of [`STRIKE`], and one per row.
+    /// The numbers of the strike that differ from the layout's: an index into [`STRIKE`], and a number
+    /// per row.
     pub strike: &'a [(usize, &'a [f64])],
-    /// With what noise the strike is played, with which seed, and which of that seed's errors each row has.
+    /// The noise of the strike, its seed, and the index of each row's error.
     pub noise: Option<(Noise, u64, &'a [i64])>,
 }
 
-impl<'a> Rows<'a> {
-    /// The layout with the row's values in it.
+impl<'a> SweepRows<'a> {
+    /// The layout with the row's values.
     fn make(&self, row: usize, layout: &ShotFile) -> Result<ShotFile, Error> {
         let strike = (self.strike.iter())
             .map(|&(key, numbers)| {
@@ -46,8 +45,8 @@ impl<'a> Rows<'a> {
         let column = |column: &Column<'a>| (column.path, column.values.at(row));
         let mut values: Vec<_> = self.columns.iter().map(column).collect();
         match layout.with_values(values.clone()) {
-            // Rows that only differ in their strikes share what was made. The layout's own strike may be
-            // one that cannot be played here, and the row's one that can.
+            // Rows that differ only in their strikes share the shot that was made. The layout's own
+            // strike may be impossible with these values where the row's is possible.
             Err(_) if !strike.is_empty() => {
                 values.extend(strike.iter().map(|(path, n)| (path, Node::Number(n[row]))));
                 layout.with_values(values)
@@ -56,7 +55,7 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// The strike that is meant: a shot's own, with the row's numbers.
+    /// The intended strike: the shot's own with the row's numbers.
     fn meant(&self, row: usize, own: Strike) -> Strike {
         let mut numbers = [own.speed, own.azimuth, own.elevation, own.side, own.height];
         for &(key, values) in self.strike {
@@ -68,23 +67,23 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// Values that are put into a layout at one path.
+/// Values that replace one part of a layout.
 #[derive(Clone, Copy, Debug)]
 pub struct Column<'a> {
-    /// Where.
+    /// The place of that part.
     pub path: &'a KeyPath,
-    /// What.
+    /// Its values.
     pub values: Values<'a>,
 }
 
 /// One value per row.
 #[derive(Clone, Copy, Debug)]
 pub enum Values<'a> {
-    /// A number each.
+    /// A number per row.
     Numbers(&'a [f64]),
-    /// A list of so many numbers each.
+    /// A list per row, of this many numbers.
     Lists(usize, &'a [f64]),
-    /// One of a few values each, by its index.
+    /// One of these values per row, by its index.
     Choices(&'a [Node], &'a [i32]),
 }
 
@@ -112,53 +111,53 @@ impl Values<'_> {
     }
 }
 
-/// What came of rows, column by column; `balls` values per row where it is said so.
+/// The results of rows, column by column. Columns per ball have `balls` values per row.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Played {
-    /// Values per row in what is per ball.
+pub struct RowResults {
+    /// Number of values per row in columns per ball.
     pub balls: usize,
     /// Number of events; 0 where the shot failed.
     pub events: Vec<i32>,
-    /// When the last event was, s; NaN where the shot failed.
+    /// Time of the last event, s; NaN where the shot failed.
     pub duration: Vec<f64>,
     /// Per ball: the pocket it fell into, or [`ON_TABLE`], [`OFF_TABLE`], [`PADDING`].
     pub pocket: Vec<i8>,
     /// Per ball: the final centre in the file's frame, m; NaN for padding and where the shot failed.
     pub end: [Vec<f64>; 3],
-    /// The cue ball: the struck ball, else the one with the id `cue`, else [`NONE`].
+    /// Index of the cue ball: the struck ball, else the ball with the id `cue`, else [`NONE`].
     pub cue_ball: Vec<i16>,
-    /// The strike that was played, in the units of [`STRIKE`], where there is noise.
+    /// The strike that was played, in the units of [`STRIKE`]; empty without noise.
     pub strike: [Vec<f64>; 5],
-    /// What a referee needs, if it was asked for.
-    pub facts: Vec<Facts>,
-    /// Rows that failed, and why.
+    /// The outcome of each shot, if it was asked for; else empty.
+    pub outcomes: Vec<OutcomeColumns>,
+    /// The rows that failed, with their errors.
     pub errors: Vec<(usize, Error)>,
 }
 
-/// What a referee needs of a shot, in numbers. Balls are indices into the shot's balls.
+/// An [`Outcome`] in numbers. Balls are indices into the shot's balls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Facts {
+pub struct OutcomeColumns {
     /// The first ball that the cue ball touched, or [`NONE`].
     pub first_contact: i16,
     /// Whether the cue ball fell.
     pub scratch: bool,
-    /// Cushions that the cue ball touched before its first contact.
+    /// Number of cushions that the cue ball touched before its first contact.
     pub rails_before_contact: i16,
-    /// Touches of any ball with a cushion after the first contact.
+    /// Number of contacts of any ball with a cushion after the first contact.
     pub rails_after_contact: i16,
-    /// Balls that were driven to a rail.
+    /// Number of balls that were driven to a rail.
     pub driven_to_rail: i16,
-    /// Different balls that the cue ball touched.
+    /// Number of different balls that the cue ball touched.
     pub balls_touched: i16,
-    /// Cushions that the cue ball touched before the second of them, or [`NONE`].
+    /// Number of cushions that the cue ball touched before the second of them, or [`NONE`].
     pub rails_before_second_ball: i16,
-    /// Balls over which another one flew.
+    /// Number of balls over which another ball flew.
     pub jumped: i16,
-    /// Balls that hang over the edge of a pocket.
+    /// Number of balls that hang over the edge of a pocket.
     pub hanging: i16,
 }
 
-impl Default for Facts {
+impl Default for OutcomeColumns {
     fn default() -> Self {
         Self {
             first_contact: NONE,
@@ -174,11 +173,11 @@ impl Default for Facts {
     }
 }
 
-impl Facts {
-    fn of(outcome: &Outcome) -> Self {
+impl From<&Outcome> for OutcomeColumns {
+    fn from(outcome: &Outcome) -> Self {
         let count = |n: usize| i16::try_from(n).unwrap_or(i16::MAX);
         let index = |ball: u16| i16::try_from(ball).unwrap_or(NONE);
-        let mut facts = Self {
+        let mut columns = Self {
             first_contact: outcome.first_contact.map_or(NONE, index),
             scratch: outcome.cue_ball_scratched(),
             rails_before_contact: count(outcome.rails_before_first_contact().count()),
@@ -195,33 +194,29 @@ impl Facts {
                 Touched::Rail(_) => rails += 1,
                 ball if touched[..k].contains(ball) => {}
                 Touched::Ball(_) => {
-                    facts.balls_touched += 1;
-                    if facts.balls_touched == 2 {
-                        facts.rails_before_second_ball = rails;
+                    columns.balls_touched += 1;
+                    if columns.balls_touched == 2 {
+                        columns.rails_before_second_ball = rails;
                     }
                 }
             }
         }
-        facts
+        columns
     }
 }
 
-/// Plays every row. `balls` is how many balls the largest shot has; `facts` says whether a referee's facts are
-/// wanted, which cost time.
-pub fn play(rows: &Rows<'_>, balls: usize, facts: bool) -> Played {
-    if balls <= SMALL_CAPACITY {
-        Player::<SMALL_CAPACITY>::new(rows, balls, facts).play()
-    } else {
-        Player::<MAX_BALLS>::new(rows, balls, facts).play()
-    }
+/// Plays every row. `balls` is the number of balls of the largest shot. `outcomes` asks for
+/// [`RowResults::outcomes`], which take more time.
+pub fn play(rows: &SweepRows<'_>, balls: usize, outcomes: bool) -> RowResults {
+    RowPlayer::new(rows, balls, outcomes).play()
 }
 
-/// The shot of one row: its layout with the row's values, and the strike that is played. The strike's angles
-/// are kept as in [`Shot::with_strike`], which moves some by one rounding.
+/// The shot of one row: its layout with the row's values, and the strike that is played. The strike's
+/// angles are converted as in [`Shot::with_strike`], which may round them.
 ///
 /// # Errors
-/// [`Error::Input`] as in [`Played::errors`].
-pub fn shot(rows: &Rows<'_>, row: usize) -> Result<ShotFile, Error> {
+/// [`Error::Input`] as in [`RowResults::errors`].
+pub fn shot(rows: &SweepRows<'_>, row: usize) -> Result<ShotFile, Error> {
     let layout = rows.layouts[rows.layout[row] as usize];
     let made = rows.make(row, layout)?;
     let Some((struck, own)) = made.strike() else {
@@ -235,23 +230,24 @@ pub fn shot(rows: &Rows<'_>, row: usize) -> Result<ShotFile, Error> {
     made.with_strike(&played)
 }
 
-struct Player<'a, const N: usize> {
-    rows: &'a Rows<'a>,
-    facts: bool,
-    /// A referee for each layout who has looked at its balls, which takes longer than to be copied.
-    referees: Vec<Option<OutcomeRecorder<'a>>>,
-    simulation: Box<Simulation<N>>,
-    /// The last shot that was made of a layout and values, and for which row.
+/// Plays rows one after the other.
+struct RowPlayer<'a> {
+    rows: &'a SweepRows<'a>,
+    outcomes: bool,
+    /// A recorder for each layout. Making one takes longer than cloning it.
+    recorders: Vec<Option<OutcomeRecorder<'a>>>,
+    simulator: Simulator,
+    /// The last shot that was made from a layout and values, and the row for which it was made.
     made: Option<(usize, ShotFile)>,
-    played: Played,
+    results: RowResults,
 }
 
-impl<'a, const N: usize> Player<'a, N> {
-    fn new(rows: &'a Rows<'a>, balls: usize, facts: bool) -> Self {
+impl<'a> RowPlayer<'a> {
+    fn new(rows: &'a SweepRows<'a>, balls: usize, outcomes: bool) -> Self {
         let n = rows.layout.len();
         let nothing = || vec![f64::NAN; n * balls];
         let strikes = if rows.noise.is_some() { n } else { 0 };
-        let played = Played {
+        let results = RowResults {
             balls,
             events: vec![0; n],
             duration: vec![f64::NAN; n],
@@ -259,23 +255,22 @@ impl<'a, const N: usize> Player<'a, N> {
             end: [nothing(), nothing(), nothing()],
             cue_ball: vec![NONE; n],
             strike: core::array::from_fn(|_| vec![f64::NAN; strikes]),
-            facts: vec![Facts::default(); if facts { n } else { 0 }],
+            outcomes: vec![OutcomeColumns::default(); if outcomes { n } else { 0 }],
             errors: Vec::new(),
         };
-        let referees = vec![None; rows.layouts.len()];
-        let simulation = Box::new(Simulation::new());
-        Self { rows, facts, referees, simulation, made: None, played }
+        let recorders = vec![None; rows.layouts.len()];
+        Self { rows, outcomes, recorders, simulator: Simulator::new(), made: None, results }
     }
 
-    fn play(mut self) -> Played {
+    fn play(mut self) -> RowResults {
         for row in 0..self.rows.layout.len() {
             if let Err(error) = self.row(row) {
-                let balls = self.played.balls;
-                self.played.pocket[row * balls..][..balls].fill(PADDING);
-                self.played.errors.push((row, error));
+                let balls = self.results.balls;
+                self.results.pocket[row * balls..][..balls].fill(PADDING);
+                self.results.errors.push((row, error));
             }
         }
-        self.played
+        self.results
     }
 
     fn row(&mut self, row: usize) -> Result<(), Error> {
@@ -283,22 +278,22 @@ impl<'a, const N: usize> Player<'a, N> {
         let number = rows.layout[row] as usize;
         let layout = rows.layouts[number];
         if rows.columns.is_empty() {
-            let referee = self.facts.then(|| {
-                let looked = &mut self.referees[number];
-                looked.get_or_insert_with(|| OutcomeRecorder::new(layout)).clone()
+            let recorder = self.outcomes.then(|| {
+                let kept = &mut self.recorders[number];
+                kept.get_or_insert_with(|| OutcomeRecorder::new(layout)).clone()
             });
-            return self.shot(row, layout, referee);
+            return self.shot(row, layout, recorder);
         }
-        let again = |&(other, _): &(usize, ShotFile)| {
+        let is_same = |&(other, _): &(usize, ShotFile)| {
             rows.layout[other] == rows.layout[row]
                 && rows.columns.iter().all(|column| column.values.same(other, row))
         };
-        let made = match self.made.take().filter(again) {
+        let made = match self.made.take().filter(is_same) {
             Some(made) => made,
             None => (row, rows.make(row, layout)?),
         };
-        let referee = self.facts.then(|| OutcomeRecorder::new(&made.1));
-        let result = self.shot(row, &made.1, referee);
+        let recorder = self.outcomes.then(|| OutcomeRecorder::new(&made.1));
+        let result = self.shot(row, &made.1, recorder);
         self.made = Some(made);
         result
     }
@@ -308,10 +303,10 @@ impl<'a, const N: usize> Player<'a, N> {
         &mut self,
         row: usize,
         shot: &Shot,
-        referee: Option<OutcomeRecorder<'_>>,
+        outcome: Option<OutcomeRecorder<'_>>,
     ) -> Result<(), Error> {
         let Some((struck, own)) = shot.strike() else {
-            return self.simulate(row, shot, None, referee);
+            return self.simulate(row, shot, None, outcome);
         };
         let mut strike = self.rows.meant(row, own);
         shot.resolve_strike(&strike)?;
@@ -320,12 +315,12 @@ impl<'a, const N: usize> Player<'a, N> {
             strike = noise.draw(&strike, radius, seed, index[row] as u64);
             let Strike { speed, azimuth, elevation, side, height } = strike;
             let drawn = [speed, degrees(azimuth), degrees(elevation), side, height];
-            for (column, value) in self.played.strike.iter_mut().zip(drawn) {
+            for (column, value) in self.results.strike.iter_mut().zip(drawn) {
                 column[row] = value;
             }
             shot.resolve_strike(&strike)?;
         }
-        self.simulate(row, shot, Some((struck, strike)), referee)
+        self.simulate(row, shot, Some((struck, strike)), outcome)
     }
 
     fn simulate(
@@ -333,49 +328,49 @@ impl<'a, const N: usize> Player<'a, N> {
         row: usize,
         shot: &Shot,
         strike: Option<(usize, Strike)>,
-        referee: Option<OutcomeRecorder<'_>>,
+        outcome: Option<OutcomeRecorder<'_>>,
     ) -> Result<(), Error> {
         let count = shot.balls().len();
-        let first = row * self.played.balls;
-        let pockets = &mut self.played.pocket[first..][..count];
-        let explain = |failure| shot.explain(failure, strike.as_ref().map(|(_, s)| s));
-        let Summary { duration, events } = if let Some(referee) = referee {
-            let mut ears = Ears { pockets: PocketRecorder::new(pockets), referee };
-            let played = self.simulation.play_strike(shot, strike, &mut ears).map_err(explain)?;
-            let last = |i| self.simulation.state(i, played.duration);
+        let first = row * self.results.balls;
+        let pockets = &mut self.results.pocket[first..][..count];
+        let pockets = PocketRecorder::new(pockets);
+        let Summary { duration, events } = if let Some(outcome) = outcome {
+            let mut recorder = RowRecorder { pockets, outcome };
+            let played = self.simulator.play_strike(shot, strike, &mut recorder)?;
+            let last = |i| self.simulator.state(i, played.duration);
             let last: Vec<_> = (0..count).map(last).collect();
-            self.played.facts[row] = Facts::of(&ears.referee.finish(&last));
+            self.results.outcomes[row] = OutcomeColumns::from(&recorder.outcome.finish(&last));
             played
         } else {
-            let mut pockets = PocketRecorder::new(pockets);
-            self.simulation.play_strike(shot, strike, &mut pockets).map_err(explain)?
+            let mut pockets = pockets;
+            self.simulator.play_strike(shot, strike, &mut pockets)?
         };
         let cue_ball = shot.cue_ball().and_then(|i| i16::try_from(i).ok());
-        self.played.cue_ball[row] = cue_ball.unwrap_or(NONE);
-        self.played.events[row] = events as i32;
-        self.played.duration[row] = duration;
+        self.results.cue_ball[row] = cue_ball.unwrap_or(NONE);
+        self.results.events[row] = events as i32;
+        self.results.duration[row] = duration;
         for i in 0..count {
-            let state = self.simulation.file_state(i, shot, duration);
-            for (column, x) in self.played.end.iter_mut().zip(state.position.to_array()) {
+            let state = self.simulator.file_state(i, shot, duration);
+            for (column, x) in self.results.end.iter_mut().zip(state.position.to_array()) {
                 column[first + i] = x;
             }
             if state.motion == MotionState::OffTable {
-                self.played.pocket[first + i] = OFF_TABLE;
+                self.results.pocket[first + i] = OFF_TABLE;
             }
         }
         Ok(())
     }
 }
 
-/// Notes the pockets, and all that a referee needs.
-struct Ears<'a> {
+/// Records the pockets and the outcome.
+struct RowRecorder<'a> {
     pockets: PocketRecorder<'a>,
-    referee: OutcomeRecorder<'a>,
+    outcome: OutcomeRecorder<'a>,
 }
 
-impl Recorder for Ears<'_> {
+impl Recorder for RowRecorder<'_> {
     fn record(&mut self, event: &Event<'_>) {
         self.pockets.record(event);
-        self.referee.record(event);
+        self.outcome.record(event);
     }
 }

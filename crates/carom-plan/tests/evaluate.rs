@@ -1,11 +1,12 @@
-//! Evaluations count what the variants do, and nothing else.
+//! Evaluations count the results of the variants.
 
 use carom::batch::{OFF_TABLE, draw_strikes, simulate_strikes};
 use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom::{Noise, Shot};
-use carom_plan::{Evaluation, Precision, Question, Referee, Watched, evaluate};
+use carom_plan::evaluate::VARIANTS_PER_ROUND;
+use carom_plan::{ErrorModel, Evaluation, Progress, Question, Referee, Watched, evaluate};
 use carom_rules::{Call, Frame, Options, Play, Rules};
 
 fn shot(name: &str) -> Shot {
@@ -13,31 +14,31 @@ fn shot(name: &str) -> Shot {
     Shot::from_json(&std::fs::read_to_string(file).expect("a shot file")).expect("a shot")
 }
 
-fn question(most: usize) -> Question<'static> {
-    Question {
-        noise: Noise::olympiad(1.0),
-        perception: Perception::default(),
-        seed: 7,
-        most,
-        level: 0.95,
-        precision: None,
-        referee: None,
-        threads: None,
-    }
+fn model(variants: u64) -> ErrorModel {
+    ErrorModel { seed: 7, variants, ..ErrorModel::default() }
+}
+
+fn question(variants: u64) -> Question<'static> {
+    Question { model: model(variants), ..Question::default() }
+}
+
+fn question_of(model: ErrorModel) -> Question<'static> {
+    Question { model, ..Question::default() }
 }
 
 fn answer(shot: &Shot, question: &Question<'_>) -> Evaluation {
-    evaluate(shot, question, &mut |_| true).expect("an evaluation")
+    evaluate(shot, question, &Progress::default()).expect("an evaluation")
 }
 
 #[test]
 fn counts_are_those_of_the_simulated_variants() {
     let shot = shot("half_ball_cut");
-    let most = 2500;
-    let evaluation = answer(&shot, &question(most));
-    let strikes = draw_strikes(&shot, &Noise::olympiad(1.0), most, 7, 0).expect("drawn");
+    let variants = 2500;
+    let evaluation = answer(&shot, &question(variants));
+    let strikes =
+        draw_strikes(&shot, &Noise::olympiad(1.0), variants as usize, 7, 0).expect("drawn");
     let ends = simulate_strikes(&shot, &strikes, &Runner::default());
-    assert_eq!(evaluation.variants, most as u64);
+    assert_eq!(evaluation.variants, variants);
     let mut fell = 0;
     for ball in 0..ends.balls {
         let column = || ends.pocket.iter().skip(ball).step_by(ends.balls);
@@ -77,21 +78,22 @@ fn evaluations_are_the_same_for_any_number_of_threads() {
 fn sampling_stops_when_the_interval_is_short_enough() {
     let shot = shot("half_ball_cut");
     let object = 1;
-    let precision = Precision { half_width: 0.015, watched: Watched::Ball(object) };
-    let evaluation = answer(&shot, &Question { precision: Some(precision), ..question(100_000) });
+    let model = ErrorModel { half_width: Some(0.015), ..model(100_000) };
+    let watched = Watched::Ball(object);
+    let evaluation = answer(&shot, &Question { model, watched, ..Question::default() });
     let interval = evaluation.interval(evaluation.falls(object));
     assert!(interval.half_width() <= 0.015);
     assert!(evaluation.variants < 100_000);
-    // One round less would not have done.
-    let before =
-        answer(&shot, &question(evaluation.variants as usize - carom_plan::evaluate::ROUND));
+    // After one round less the interval was too long.
+    let before = answer(&shot, &question(evaluation.variants - VARIANTS_PER_ROUND));
     assert!(before.interval(before.falls(object)).half_width() > 0.015);
 }
 
 #[test]
 fn without_noise_every_variant_is_the_shot_itself() {
     let shot = shot("draw_shot");
-    let evaluation = answer(&shot, &Question { noise: Noise::default(), ..question(10) });
+    let evaluation =
+        answer(&shot, &question_of(ErrorModel { noise: Noise::default(), ..model(10) }));
     let trace = shot.simulate().expect("a trace");
     let fell = trace.outcome().pocketed.len() as u64;
     assert_eq!(evaluation.potted.iter().sum::<u64>(), 10 * fell);
@@ -128,19 +130,19 @@ fn a_referee_says_what_is_legal() {
     assert!(kept <= legal && kept > 0);
 
     let foreign = self::shot("stop_shot");
-    let refused = evaluate(&foreign, &Question { referee, ..question(1) }, &mut |_| true);
+    let refused = evaluate(&foreign, &Question { referee, ..question(1) }, &Progress::default());
     assert!(refused.is_err());
 }
 
 #[test]
-fn a_referee_changes_nothing_about_what_is_counted() {
+fn a_referee_does_not_change_the_counts() {
     let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 3).expect("a frame");
     let place = [0.5 * frame.base().table().size.x, 0.5];
     let strike = Strike { speed: 8.0, azimuth: 1.57, elevation: 0.02, side: 0.0, height: 0.1 };
     let shot = frame.shot(&Play::new(strike).from(place)).expect("a break");
     let perception = Perception { position: 0.001 };
     for perception in [Perception::default(), perception] {
-        let asked = Question { perception, ..question(150) };
+        let asked = question_of(ErrorModel { perception, ..model(150) });
         let alone = answer(&shot, &asked);
         let referee = Some(Referee { frame: &frame, call: Call::Nothing });
         let ruled = answer(&shot, &Question { referee, ..asked });
@@ -153,24 +155,24 @@ fn a_referee_changes_nothing_about_what_is_counted() {
 }
 
 #[test]
-fn who_sees_badly_pots_less_though_every_strike_is_hit_exactly() {
+fn poor_perception_pots_less_even_with_exact_strikes() {
     let shot = shot("side_pocket_cut");
     let (object, variants) = (1, 2000);
     let fell = [0.0, 0.001, 0.004].map(|position| {
         let perception = Perception { position };
-        let asked = Question { noise: Noise::default(), perception, ..question(variants) };
-        answer(&shot, &asked).falls(object)
+        let exact = ErrorModel { noise: Noise::default(), perception, ..model(variants) };
+        answer(&shot, &question_of(exact)).falls(object)
     });
-    assert_eq!(fell[0], variants as u64, "without any error it always falls");
+    assert_eq!(fell[0], variants, "without any error it always falls");
     assert!(fell[0] > fell[1] && fell[1] > fell[2], "{fell:?}");
 }
 
 #[test]
-fn every_variant_is_the_strike_played_on_the_layout_of_its_own_number() {
+fn every_variant_plays_its_strike_on_the_layout_of_the_same_index() {
     let shot = shot("frozen_combination");
     let perception = Perception { position: 0.003 };
     let noise = Noise::olympiad(1.0);
-    let asked = Question { noise, perception, ..question(60) };
+    let asked = question_of(ErrorModel { noise, perception, ..model(60) });
     let evaluation = answer(&shot, &asked);
     let (struck, meant) = shot.strike().expect("a strike");
     let radius = shot.balls()[struck].ball.radius;
@@ -195,25 +197,30 @@ fn every_variant_is_the_strike_played_on_the_layout_of_its_own_number() {
 }
 
 #[test]
-fn nonsense_is_refused_by_name() {
+fn bad_questions_are_rejected_by_name() {
     let shot = shot("stop_shot");
     let refuse = |question: Question<'_>| {
-        evaluate(&shot, &question, &mut |_| true).expect_err("nonsense").to_string()
+        evaluate(&shot, &question, &Progress::default()).expect_err("nonsense").to_string()
     };
-    assert!(refuse(Question { level: 1.0, ..question(1) }).starts_with("level: "));
+    assert!(refuse(question_of(ErrorModel { level: 1.0, ..model(1) })).starts_with("level: "));
     let perception = Perception { position: -0.001 };
-    assert!(refuse(Question { perception, ..question(1) }).starts_with("perception.position: "));
+    assert!(
+        refuse(question_of(ErrorModel { perception, ..model(1) }))
+            .starts_with("perception.position: ")
+    );
     let precision = |half_width, watched| Question {
-        precision: Some(Precision { half_width, watched }),
-        ..question(1)
+        model: ErrorModel { half_width: Some(half_width), ..model(1) },
+        watched,
+        ..Question::default()
     };
+    assert!(refuse(question(u64::MAX)).starts_with("n: "));
     assert!(refuse(precision(0.0, Watched::Scratch)).starts_with("precision: "));
     assert!(refuse(precision(0.1, Watched::Ball(99))).starts_with("watch: "));
     assert!(refuse(precision(0.1, Watched::Legal)).starts_with("watch: "));
 }
 
 #[test]
-fn balls_are_seen_beside_where_they_are_and_never_in_one_another() {
+fn perceived_positions_have_the_given_spread_and_never_overlap() {
     let shot = shot("frozen_combination");
     let sight = Perception { position: 0.002 };
     let (mut sum, mut count) = (0.0, 0.0);

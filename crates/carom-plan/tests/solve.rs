@@ -1,7 +1,7 @@
-//! What is solved is brought about, and the likeliest comes first.
+//! Solutions reach their goal, and the most probable comes first.
 
 use carom::Shot;
-use carom_plan::{Disc, Errs, Goal, Search, Solution, Stage};
+use carom_plan::{Disc, ErrorModel, Goal, Progress, Search, Solution, Stage};
 
 fn shot(text: &str) -> Shot {
     Shot::from_json(text).expect("a shot")
@@ -18,15 +18,15 @@ fn cut() -> Shot {
 }
 
 fn search() -> Search {
-    Search { errs: errs(300), samples: 2048, ..Search::default() }
+    Search { model: model(300), samples: 2048, ..Search::default() }
 }
 
-fn errs(variants: u64) -> Errs {
-    Errs { variants, ..Errs::default() }
+fn model(variants: u64) -> ErrorModel {
+    ErrorModel { variants, ..ErrorModel::default() }
 }
 
 fn solve(shot: &Shot, goal: &Goal, search: &Search) -> Result<Vec<Solution>, carom::Error> {
-    carom_plan::solve(shot, goal, search, &mut |_, _, _| true)
+    carom_plan::solve(shot, goal, search, &Progress::default())
 }
 
 fn assert_in_order(solutions: &[Solution]) {
@@ -54,12 +54,12 @@ fn every_solution_pots_when_it_is_played() {
     }
     assert_in_order(&solutions);
     let best = &solutions[0];
-    assert_eq!(best.way.kind(), "direct");
+    assert_eq!(best.route.kind(), "direct");
     assert!(best.chance.share() > 0.8, "an easy cut, {best:?}");
 }
 
 #[test]
-fn no_strike_is_outside_what_may_be_tried() {
+fn every_strike_is_within_the_limits_of_the_search() {
     let goal = Goal { pot: Some((1, None)), ..Goal::default() };
     let all = Search { wanted: 40, speed: [1.5, 3.0], offset: 0.2, ..search() };
     let solutions = solve(&cut(), &goal, &all).expect("solutions");
@@ -71,7 +71,7 @@ fn no_strike_is_outside_what_may_be_tried() {
 }
 
 #[test]
-fn the_cue_ball_is_left_where_it_is_wanted() {
+fn the_cue_ball_stops_in_the_disc_that_was_asked_for() {
     let shot = cut();
     let area = Disc { center: [0.4, 0.8], radius: 0.15 };
     let goal = Goal { pot: Some((1, Some(5))), leave: Some(area), ..Goal::default() };
@@ -102,15 +102,16 @@ fn a_snooker_is_escaped() {
         let trace =
             shot.with_strike(&solution.strike).expect("a shot").simulate().expect("a trace");
         assert_eq!(trace.outcome().first_contact, Some(2));
-        // What the ball does afterwards is no part of the way.
-        assert!(matches!(solution.way.kind().as_str(), "direct" | "kick"), "{:?}", solution.way);
+        // The route ends at the first contact.
+        let kind = solution.route.kind();
+        assert!(matches!(kind.as_str(), "direct" | "kick"), "{:?}", solution.route);
     }
 }
 
 #[test]
-fn what_is_judged_is_what_the_file_of_the_shot_holds() {
+fn a_solution_is_judged_with_the_angles_that_a_shot_file_holds() {
     let goal = Goal { pot: Some((1, None)), ..Goal::default() };
-    let few = Search { samples: 512, errs: errs(100), ..search() };
+    let few = Search { samples: 512, model: model(100), ..search() };
     for Solution { strike, cue_ball_end, .. } in solve(&cut(), &goal, &few).expect("solutions") {
         let struck = cut().with_strike(&strike).expect("a shot");
         assert_eq!(struck.strike(), Some((0, strike)));
@@ -120,16 +121,16 @@ fn what_is_judged_is_what_the_file_of_the_shot_holds() {
 }
 
 #[test]
-fn threads_change_nothing() {
+fn solutions_are_the_same_for_any_number_of_threads() {
     let goal = Goal { pot: Some((1, None)), ..Goal::default() };
-    let few = Search { samples: 512, errs: errs(100), ..search() };
+    let few = Search { samples: 512, model: model(100), ..search() };
     let alone = solve(&cut(), &goal, &Search { threads: Some(1), ..few }).expect("solutions");
     let together = solve(&cut(), &goal, &Search { threads: Some(2), ..few }).expect("solutions");
     assert_eq!(alone, together);
 }
 
 #[test]
-fn nonsense_is_refused() {
+fn bad_goals_and_limits_are_rejected_by_name() {
     let shot = cut();
     let refuse = |goal: Goal| {
         let error = solve(&shot, &goal, &search()).expect_err("nonsense");
@@ -148,10 +149,10 @@ fn nonsense_is_refused() {
 }
 
 #[test]
-fn chances_are_counted_until_they_are_known_as_well_as_is_wanted() {
+fn chances_are_counted_until_they_are_as_precise_as_was_asked_for() {
     let goal = Goal { pot: Some((1, Some(5))), ..Goal::default() };
-    let errs = Errs { half_width: Some(0.03), ..errs(5000) };
-    let few = Search { samples: 512, errs, ..search() };
+    let model = ErrorModel { half_width: Some(0.03), ..model(5000) };
+    let few = Search { samples: 512, model, ..search() };
     let solutions = solve(&cut(), &goal, &few).expect("solutions");
     assert_in_order(&solutions);
     for solution in &solutions {
@@ -163,32 +164,41 @@ fn chances_are_counted_until_they_are_known_as_well_as_is_wanted() {
 }
 
 #[test]
-fn who_sees_badly_has_lower_chances() {
+fn poor_perception_lowers_the_chances() {
     let goal = Goal { pot: Some((1, Some(5))), ..Goal::default() };
     let best = |position| {
         let perception = carom::noise::Perception { position };
-        let errs = Errs { perception, ..errs(300) };
-        let few = Search { samples: 512, errs, ..search() };
+        let model = ErrorModel { perception, ..model(300) };
+        let few = Search { samples: 512, model, ..search() };
         solve(&cut(), &goal, &few).expect("solutions")[0].chance.share()
     };
     assert!(best(0.0) > best(0.004) + 0.1);
 }
 
 #[test]
-fn a_search_tells_how_far_it_is_and_can_be_stopped() {
+fn a_search_reports_its_last_stage_and_can_be_stopped() {
     let goal = Goal { pot: Some((1, None)), ..Goal::default() };
-    let few = Search { samples: 512, errs: errs(100), ..search() };
-    let mut told = Vec::new();
-    carom_plan::solve(&cut(), &goal, &few, &mut |stage, done, of| {
-        told.push((stage, done, of));
-        true
-    })
-    .expect("solutions");
-    for stage in [Stage::Search, Stage::Refine, Stage::Sift, Stage::Rank] {
-        let last = told.iter().rfind(|(s, ..)| *s == stage).expect("every stage is told");
-        assert_eq!(last.1, last.2, "{stage:?} is done in the end");
+    let few = Search { samples: 512, model: model(100), ..search() };
+    let progress = Progress::default();
+    let found = carom_plan::solve(&cut(), &goal, &few, &progress).expect("solutions");
+    let end = progress.read();
+    assert_eq!(Stage::ALL[end.stage as usize], Stage::Rank);
+    assert!(end.done == end.total && end.total >= found.len() as u64, "{end:?}");
+
+    let stopped = Progress::default();
+    stopped.stop();
+    assert_eq!(carom_plan::solve(&cut(), &goal, &few, &stopped).expect("no error"), []);
+}
+
+#[test]
+fn counts_out_of_range_are_rejected_by_name() {
+    let goal = Goal { pot: Some((1, None)), ..Goal::default() };
+    for (place, search) in [
+        ("samples", Search { samples: usize::MAX, ..search() }),
+        ("wanted", Search { wanted: 0, ..search() }),
+        ("per_route", Search { per_route: usize::MAX, ..search() }),
+    ] {
+        let error = solve(&cut(), &goal, &search).expect_err("out of range").to_string();
+        assert!(error.starts_with(&format!("{place}: ")), "{error}");
     }
-    assert!(told.iter().filter(|(stage, ..)| *stage == Stage::Search).count() > 1);
-    let stopped = carom_plan::solve(&cut(), &goal, &few, &mut |stage, _, _| stage == Stage::Search);
-    assert_eq!(stopped.expect("no error"), []);
 }

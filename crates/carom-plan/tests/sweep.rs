@@ -1,10 +1,10 @@
-//! Rows of a table of shots.
+//! The rows of a table of shots.
 
 use carom::batch::{draw_strikes, simulate_strikes};
 use carom::format::{KeyPath, Node};
 use carom::runner::Runner;
 use carom::{Noise, ShotFile};
-use carom_plan::sweep::{self, Column, Played, Rows, Values};
+use carom_plan::sweep::{self, Column, RowResults, SweepRows, Values};
 
 const SPEEDS: [f64; 6] = [0.5, 1.0, 1.5, 2.0, 4.0, 8.0];
 
@@ -21,15 +21,15 @@ fn rows_of_strikes_are_the_batch_of_the_same_strikes() {
     let (_, own) = shot.strike().unwrap();
     let strikes = SPEEDS.map(|speed| carom::resolve::cue_ball::Strike { speed, ..own });
     let batch = simulate_strikes(&shot, &strikes, &Runner::default());
-    let rows = Rows {
+    let rows = SweepRows {
         layouts: &[&shot],
         layout: &[0; SPEEDS.len()],
         columns: &[],
         strike: &[(0, &SPEEDS)],
         noise: None,
     };
-    for facts in [false, true] {
-        let Played { events, pocket, end, errors, .. } = sweep::play(&rows, 2, facts);
+    for outcomes in [false, true] {
+        let RowResults { events, pocket, end, errors, .. } = sweep::play(&rows, 2, outcomes);
         assert_eq!((&events, &pocket, errors.len()), (&batch.events, &batch.pocket, 0));
         let places: Vec<_> = (0..end[0].len()).map(|i| [end[0][i], end[1][i], end[2][i]]).collect();
         assert_eq!(places, batch.final_position);
@@ -37,10 +37,10 @@ fn rows_of_strikes_are_the_batch_of_the_same_strikes() {
 }
 
 #[test]
-fn a_row_with_noise_plays_the_variant_that_it_names() {
+fn a_row_with_noise_plays_the_variant_of_its_index() {
     let shot = cut();
     let (noise, seed) = (Noise::olympiad(1.0), 7);
-    let rows = Rows {
+    let rows = SweepRows {
         layouts: &[&shot],
         layout: &[0; 3],
         columns: &[],
@@ -54,17 +54,17 @@ fn a_row_with_noise_plays_the_variant_that_it_names() {
 }
 
 #[test]
-fn what_a_row_gives_does_not_depend_on_the_row_before() {
+fn the_result_of_a_row_does_not_depend_on_the_row_before() {
     let shot = cut();
     let path = KeyPath::parse("physics.cue.tip_friction").unwrap();
-    // A slippery tip, with which the layout's neighbours cannot be played so far off centre.
+    // With a slippery tip, strikes far off centre cannot be played.
     let choices = [0.1, 0.7].map(Node::Number);
     let play = |order: &[usize]| {
         let choice: Vec<i32> = order.iter().map(|i| i32::from(i % 2 == 0)).collect();
         let side: Vec<f64> = order.iter().map(|i| 0.1 * *i as f64).collect();
         let columns = [Column { path: &path, values: Values::Choices(&choices, &choice) }];
         let layout = vec![0; order.len()];
-        let rows = Rows {
+        let rows = SweepRows {
             layouts: &[&shot],
             layout: &layout,
             columns: &columns,
@@ -74,7 +74,7 @@ fn what_a_row_gives_does_not_depend_on_the_row_before() {
         let played = sweep::play(&rows, 2, true);
         let error = |row| played.errors.iter().find(|(k, _)| *k == row).map(|(_, e)| e.to_string());
         let mut rows: Vec<_> = (0..order.len())
-            .map(|k| (order[k], played.events[k], played.facts[k], error(k)))
+            .map(|k| (order[k], played.events[k], played.outcomes[k], error(k)))
             .collect();
         rows.sort_by_key(|row| row.0);
         rows

@@ -1,10 +1,10 @@
-//! `_core.simulate_batch`, `_core.simulate_strikes`, and what errs.
+//! `_core.simulate_batch`, `_core.simulate_strikes`, noise and perception.
 
 use std::array::from_fn;
 
 use carom::Noise;
 use carom::batch::{self, BatchResult};
-use carom::noise::{Perception, SKILLS};
+use carom::noise::SKILLS;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::to_exception;
+use crate::options::{NoiseOptions, PerceptionOptions};
 use crate::shot::{Shot, strike_of};
 
 pub(crate) type Arrays<'py> = (
@@ -30,13 +31,13 @@ pub(crate) fn simulate_batch<'py>(
     threads: usize,
 ) -> PyResult<Arrays<'py>> {
     let shots: Vec<_> = shots.iter().map(|shot| shot.0.clone()).collect();
-    let runner = runner(py, threads)?;
     let shots: Vec<&carom::Shot> = shots.iter().map(|shot| shot.shot()).collect();
+    let runner = runner(py, threads)?;
     let result = py.detach(|| batch::simulate_batch(&shots, &runner));
     arrays(py, result)
 }
 
-/// The same for one shot struck otherwise: rows of speed, azimuth, elevation, side, height.
+/// The same for one shot with other strikes: rows of speed, azimuth, elevation, side, height.
 #[pyfunction]
 pub(crate) fn simulate_strikes<'py>(
     py: Python<'py>,
@@ -50,19 +51,19 @@ pub(crate) fn simulate_strikes<'py>(
     arrays(py, result)
 }
 
-/// The same on layouts number `first`.. of `seed`; `position`: σ of each coordinate of each ball, m.
+/// The same on the layouts of `perception` and `seed` from number `first` on.
 #[pyfunction]
 pub(crate) fn simulate_seen<'py>(
     py: Python<'py>,
     shot: &Shot,
     strikes: PyReadonlyArray2<'py, f64>,
-    position: f64,
+    perception: PerceptionOptions,
     seed: u64,
     first: u64,
     threads: usize,
 ) -> PyResult<Arrays<'py>> {
     let strikes = strikes_of(&strikes);
-    let (perception, runner) = (Perception { position }, runner(py, threads)?);
+    let (perception, runner) = (perception.perception(), runner(py, threads)?);
     let result =
         py.detach(|| batch::simulate_seen(&shot.0, &strikes, &perception, seed, first, &runner));
     arrays(py, result.map_err(|e| to_exception(py, &e))?)
@@ -73,46 +74,46 @@ fn strikes_of(rows: &PyReadonlyArray2<'_, f64>) -> Vec<Strike> {
     rows.as_array().rows().into_iter().map(strike).collect()
 }
 
-/// Strikes number `first`.. of `seed` that come out when the shot's own is meant: rows as
-/// `simulate_strikes` takes them. `noise`: the σ of speed, azimuth, elevation, side, height.
+/// `n` executions of the shot's own strike under `noise`, from number `first` of `seed` on: rows as
+/// `simulate_strikes` takes them.
 #[pyfunction]
 pub(crate) fn draw_strikes<'py>(
     py: Python<'py>,
     shot: &Shot,
-    noise: [f64; 5],
+    noise: NoiseOptions,
+    n: usize,
     seed: u64,
     first: u64,
-    count: usize,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let strikes = batch::draw_strikes(&shot.0, &noise_of(noise), count, seed, first)
+    let strikes = batch::draw_strikes(&shot.0, &noise.noise(), n, seed, first)
         .map_err(|e| to_exception(py, &e))?;
     let row = |s: Strike| [s.speed, s.azimuth, s.elevation, s.side, s.height];
-    PyArray1::from_vec(py, strikes.into_iter().flat_map(row).collect()).reshape([count, 5])
+    PyArray1::from_vec(py, strikes.into_iter().flat_map(row).collect()).reshape([n, 5])
 }
 
-/// Refuses what is no σ of positions, m.
+/// Rejects an invalid standard deviation of positions.
 #[pyfunction]
-pub(crate) fn check_perception(py: Python<'_>, position: f64) -> PyResult<()> {
-    Perception { position }.check().map_err(|e| to_exception(py, &e))
+pub(crate) fn check_perception(py: Python<'_>, perception: PerceptionOptions) -> PyResult<()> {
+    perception.perception().check().map_err(|e| to_exception(py, &e))
 }
 
-/// Refuses what is no noise; the σ as `draw_strikes` takes them.
+/// Rejects invalid standard deviations of a strike.
 #[pyfunction]
-pub(crate) fn check_noise(py: Python<'_>, noise: [f64; 5]) -> PyResult<()> {
-    noise_of(noise).check().map_err(|e| to_exception(py, &e))
+pub(crate) fn check_noise(py: Python<'_>, noise: NoiseOptions) -> PyResult<()> {
+    noise.noise().check().map_err(|e| to_exception(py, &e))
 }
 
-/// The shot as it is seen the time number `index`; `position`: σ of each coordinate, m.
+/// The shot with its balls where they are perceived: layout number `index` of `seed`.
 #[pyfunction]
 pub(crate) fn see(
     py: Python<'_>,
     shot: &Shot,
-    position: f64,
+    perception: PerceptionOptions,
     seed: u64,
     index: u64,
 ) -> PyResult<Shot> {
-    let seen = Perception { position }.draw(&shot.0, seed, index);
-    seen.map(|shot| Shot::from(shot)).map_err(|e| to_exception(py, &e))
+    let seen = perception.perception().draw(&shot.0, seed, index);
+    seen.map(Shot::from).map_err(|e| to_exception(py, &e))
 }
 
 /// The σ of the Computational Olympiad's noise: speed, azimuth, elevation, side, height.
@@ -123,7 +124,7 @@ pub(crate) fn olympiad(multiplier: f64) -> [f64; 5] {
     [speed, azimuth, elevation, side, height]
 }
 
-/// The names of the presets, and their σ: speed, azimuth, elevation, side, height.
+/// The names of the noise presets and their σ: speed, azimuth, elevation, side, height.
 #[pyfunction]
 pub(crate) fn noise_presets() -> Vec<(&'static str, [f64; 5])> {
     let olympiad = ("olympiad", Noise::olympiad(1.0));

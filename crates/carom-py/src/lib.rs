@@ -5,7 +5,9 @@ mod env;
 mod error;
 mod maps;
 mod node;
+mod options;
 mod plan;
+mod progress;
 mod reference;
 mod rules;
 mod shot;
@@ -27,11 +29,13 @@ mod _core {
     #[pymodule_export]
     use crate::env::{VectorEnv, meanings, tasks};
     #[pymodule_export]
-    use crate::maps::{acceptance, bank_table, breaks, kick_table, position_map, pot_map};
+    use crate::maps::{
+        acceptance, bank_table, break_statistics, kick_table, position_map, pot_map,
+    };
     #[pymodule_export]
     use crate::node::plain;
     #[pymodule_export]
-    use crate::plan::{evaluate, solve, wilson};
+    use crate::plan::{evaluate, solve, stages, wilson};
     #[pymodule_export]
     use crate::reference::{break_shot, games, schema, tables};
     #[pymodule_export]

@@ -1,28 +1,22 @@
-//! `_core.pot_map` and its like: one question asked over a grid.
+//! `_core.pot_map`, `position_map`, `acceptance`, `breaks`, `kick_table` and `bank_table`.
 
 use carom::rack::{Break, Game, USUAL_GAP};
 use carom::table::Rail;
 use carom_plan::Chance;
-use carom_plan::cushions::{self, Met};
+use carom_plan::breaks;
+use carom_plan::cushions::{self, CushionContact, Kicks};
 use carom_plan::maps::{self, Accepted, Approaches};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
-use crate::batch::{Arrays, arrays, count, noise_of};
+use crate::batch::{Arrays, arrays, count};
 use crate::error::to_exception;
-use crate::plan::{ErrsArguments, errs_of, told};
+use crate::options::SamplingOptions;
+use crate::progress;
 use crate::shot::Shot;
 
-/// [`told`] how many rows are done.
-fn rows_told<T: Send>(
-    py: Python<'_>,
-    progress: &Py<PyAny>,
-    work: impl FnOnce(maps::Progress<'_>) -> Result<T, carom::Error> + Send,
-) -> PyResult<T> {
-    told(py, |tell| work(&mut |done| tell(&|py| progress.call1(py, (done,)))))
-}
-
-/// What a map of pots has in each cell: arrays (rows, columns).
+/// Chance, the ends of its interval, variants, azimuth: arrays of shape (rows, columns).
 type Pots<'py> = (
     Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray2<f64>>,
@@ -31,25 +25,25 @@ type Pots<'py> = (
     Bound<'py, PyArray2<f64>>,
 );
 
-/// How likely a pot is from each cell, the interval's ends, the variants behind it, and the azimuths.
+/// The probability of a pot from each cell.
 #[pyfunction]
 pub(crate) fn pot_map<'py>(
     py: Python<'py>,
     shot: &Shot,
     target: (usize, usize),
     cells: [usize; 2],
-    errs: ErrsArguments,
+    sampling: SamplingOptions,
     threads: usize,
-    progress: Py<PyAny>,
+    report: Py<PyAny>,
 ) -> PyResult<Pots<'py>> {
     let shot = shot.0.clone();
-    let errs = errs_of(errs);
-    let map = rows_told(py, &progress, |tell| {
-        maps::pot_map(&shot, target, cells, &errs, count(threads), tell)
+    let model = sampling.model();
+    let map = progress::run(py, &report, |progress| {
+        maps::pot_map(&shot, target, cells, &model, count(threads), progress)
     })?;
     let shape = [cells[1], cells[0]];
     let grid = |values| PyArray1::from_vec(py, values).reshape(shape);
-    // Without variants nothing is known, and the whole of [0, 1] is not what is meant.
+    // Without variants the interval would be [0, 1]; NaN says that there is none.
     let of = |value: &dyn Fn(&Chance) -> f64| {
         let known = |c: &Chance| if c.variants == 0 { f64::NAN } else { value(c) };
         grid(map.chance.iter().map(known).collect())
@@ -57,8 +51,8 @@ pub(crate) fn pot_map<'py>(
     let variants = map.chance.iter().map(|c| c.variants as i64).collect();
     Ok((
         of(&|c| c.share())?,
-        of(&|c| c.interval(errs.level).low)?,
-        of(&|c| c.interval(errs.level).high)?,
+        of(&|c| c.interval(model.level).low)?,
+        of(&|c| c.interval(model.level).high)?,
         PyArray1::from_vec(py, variants).reshape(shape)?,
         grid(map.azimuth)?,
     ))
@@ -67,7 +61,8 @@ pub(crate) fn pot_map<'py>(
 type Positions<'py> =
     (Bound<'py, PyArray2<bool>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray3<f64>>);
 
-/// Whether the ball falls, azimuth, and the cue ball's end, for each speed (rows) and spin (columns).
+/// Whether the ball falls, the azimuth, and the cue ball's end, for each speed (rows) and spin
+/// (columns).
 #[pyfunction]
 pub(crate) fn position_map<'py>(
     py: Python<'py>,
@@ -76,11 +71,11 @@ pub(crate) fn position_map<'py>(
     speeds: Vec<f64>,
     spins: Vec<[f64; 2]>,
     threads: usize,
-    progress: Py<PyAny>,
+    report: Py<PyAny>,
 ) -> PyResult<Positions<'py>> {
     let shot = shot.0.clone();
-    let map = rows_told(py, &progress, |tell| {
-        maps::position_map(&shot, target, &speeds, &spins, count(threads), tell)
+    let map = progress::run(py, &report, |progress| {
+        maps::position_map(&shot, target, &speeds, &spins, count(threads), progress)
     })?;
     let (rows, columns) = (speeds.len(), spins.len());
     Ok((
@@ -90,9 +85,10 @@ pub(crate) fn position_map<'py>(
     ))
 }
 
-/// 1 where the ball falls, 0 where it does not, −1 where it cannot start: (speeds, angles, offsets).
+/// 1 where the ball falls, 0 where it does not, −1 where it has no room at the start: shape (speeds,
+/// angles, offsets).
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
+#[expect(clippy::too_many_arguments, reason = "the axes of the map and how to work on it")]
 pub(crate) fn acceptance<'py>(
     py: Python<'py>,
     shot: &Shot,
@@ -102,12 +98,12 @@ pub(crate) fn acceptance<'py>(
     offsets: Vec<f64>,
     distance: f64,
     threads: usize,
-    progress: Py<PyAny>,
+    report: Py<PyAny>,
 ) -> PyResult<Bound<'py, PyArray3<i8>>> {
     let shot = shot.0.clone();
     let approaches = Approaches { angles: &angles, offsets: &offsets, speeds: &speeds, distance };
-    let found = rows_told(py, &progress, |tell| {
-        maps::acceptance(&shot, pocket, &approaches, count(threads), tell)
+    let found = progress::run(py, &report, |progress| {
+        maps::acceptance(&shot, pocket, &approaches, count(threads), progress)
     })?;
     let number = |accepted: Accepted| match accepted {
         Accepted::Falls => 1,
@@ -118,50 +114,61 @@ pub(crate) fn acceptance<'py>(
     PyArray1::from_vec(py, flat).reshape([speeds.len(), angles.len(), offsets.len()])
 }
 
-/// Racks `first`.. of a game broken with errors: as `simulate_batch`.
+/// Racks of a game, broken with errors: the arrays of `simulate_batch`, and the counts behind the
+/// statistics, by name.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
-pub(crate) fn breaks<'py>(
+#[expect(clippy::too_many_arguments, reason = "what is racked and how often")]
+pub(crate) fn break_statistics<'py>(
     py: Python<'py>,
     game: &str,
     table: Option<String>,
     speed: Option<f64>,
     gap: Option<f64>,
-    noise: [f64; 5],
-    seed: u64,
-    first: u64,
-    racks: usize,
+    sampling: SamplingOptions,
     threads: usize,
-) -> PyResult<Arrays<'py>> {
-    let raise = |e| to_exception(py, &e);
-    let game = Game::parse(game).map_err(raise)?;
-    let opening =
-        Break { game, table: table.as_deref(), speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
-    let found =
-        py.detach(|| maps::breaks(&opening, &noise_of(noise), first, racks, count(threads)));
-    arrays(py, found.map_err(raise)?)
+    report: Py<PyAny>,
+) -> PyResult<(Arrays<'py>, Bound<'py, PyDict>)> {
+    let game = Game::parse(game).map_err(|e| to_exception(py, &e))?;
+    let model = sampling.model();
+    let (table, gap, seed) = (table.as_deref(), gap.unwrap_or(USUAL_GAP), model.seed);
+    let opening = Break { game, table, speed, seed, gap };
+    let found = progress::run(py, &report, |progress| {
+        breaks::breaks(&opening, &model, count(threads), progress)
+    })?;
+    let counts = PyDict::new(py);
+    counts.set_item("any_potted", found.any_potted)?;
+    counts.set_item("any_potted_without_scratch", found.any_potted_without_scratch)?;
+    counts.set_item("scratched", found.scratched)?;
+    counts.set_item("any_off_table", found.any_off_table)?;
+    counts.set_item("ball_potted", found.ball_potted)?;
+    counts.set_item("pocket_used", found.pocket_used)?;
+    Ok((arrays(py, found.result)?, counts))
 }
 
 /// Rails by name (empty where no cushion is met) and centres, m: cell by cell, `most` of each.
 type Cushions<'py> = (Vec<&'static str>, Bound<'py, PyArray2<f64>>);
 
-fn cushions_of<'py>(py: Python<'py>, cells: Vec<Vec<Met>>, most: usize) -> PyResult<Cushions<'py>> {
+fn cushions_of<'py>(
+    py: Python<'py>,
+    cells: &[Vec<CushionContact>],
+    most: usize,
+) -> PyResult<Cushions<'py>> {
     let (mut rails, mut places) = (Vec::new(), Vec::new());
-    for cell in &cells {
+    for cell in cells {
         for k in 0..most {
-            let met = cell.get(k);
-            rails.push(met.map_or("", |(rail, _): &(Rail, _)| rail.name()));
-            places.extend(met.map_or([f64::NAN; 2], |(_, place)| *place));
+            let contact = cell.get(k);
+            rails.push(contact.map_or("", |(rail, _): &(Rail, _)| rail.name()));
+            places.extend(contact.map_or([f64::NAN; 2], |(_, place)| *place));
         }
     }
     let shape = [rails.len(), 2];
     Ok((rails, PyArray1::from_vec(py, places).reshape(shape)?))
 }
 
-/// Where the struck ball, alone on the table, meets the first `most` cushions: azimuth by azimuth, speed by
-/// speed, side by side.
+/// The first `most` cushions that the struck ball meets, alone on the table: azimuth by azimuth, speed
+/// by speed, side by side.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
+#[expect(clippy::too_many_arguments, reason = "the axes of the table and how to work on it")]
 pub(crate) fn kick_table<'py>(
     py: Python<'py>,
     shot: &Shot,
@@ -171,18 +178,19 @@ pub(crate) fn kick_table<'py>(
     height: f64,
     most: usize,
     threads: usize,
-    progress: Py<PyAny>,
+    report: Py<PyAny>,
 ) -> PyResult<Cushions<'py>> {
     let (shot, threads) = (shot.0.clone(), count(threads));
-    let found = rows_told(py, &progress, |tell| {
-        cushions::kick_table(&shot, &azimuths, &speeds, &sides, height, most, threads, tell)
+    let kicks = Kicks { azimuths: &azimuths, speeds: &speeds, sides: &sides, height };
+    let found = progress::run(py, &report, |progress| {
+        cushions::kick_table(&shot, &kicks, most, threads, progress)
     })?;
-    cushions_of(py, found, most)
+    cushions_of(py, &found, most)
 }
 
-/// The same of a ball that is sent off: azimuth by azimuth, speed by speed.
+/// The same for a ball that starts with a velocity: azimuth by azimuth, speed by speed.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "keywords in Python, where the face is")]
+#[expect(clippy::too_many_arguments, reason = "the axes of the table and how to work on it")]
 pub(crate) fn bank_table<'py>(
     py: Python<'py>,
     shot: &Shot,
@@ -191,11 +199,11 @@ pub(crate) fn bank_table<'py>(
     speeds: Vec<f64>,
     most: usize,
     threads: usize,
-    progress: Py<PyAny>,
+    report: Py<PyAny>,
 ) -> PyResult<Cushions<'py>> {
     let (shot, threads) = (shot.0.clone(), count(threads));
-    let found = rows_told(py, &progress, |tell| {
-        cushions::bank_table(&shot, ball, &azimuths, &speeds, most, threads, tell)
+    let found = progress::run(py, &report, |progress| {
+        cushions::bank_table(&shot, ball, &azimuths, &speeds, most, threads, progress)
     })?;
-    cushions_of(py, found, most)
+    cushions_of(py, &found, most)
 }

@@ -1,9 +1,9 @@
-//! What sweeps need: `_core.play_rows`, `row_shot`, `read_json`, `points` and `quantiles`.
+//! Functions for sweeps: `_core.play_rows`, `row_shot`, `read_json`, `points` and `quantiles`.
 
 use carom::ShotFile;
 use carom::format::{KeyPath, Node};
 use carom::sample::{Distribution, Sequence};
-use carom_plan::sweep::{self, Column, Facts, Played, Rows, STRIKE, Values};
+use carom_plan::sweep::{self, Column, OutcomeColumns, RowResults, STRIKE, SweepRows, Values};
 use numpy::{
     PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
 };
@@ -53,12 +53,12 @@ impl<'py> Kept<'py> {
 /// σ as in `draw_strikes`, seed, indices of shape (n,).
 type Noisy<'py> = ([f64; 5], u64, PyReadonlyArray1<'py, i64>);
 
-/// The name of a number among the facts, and how to get it.
-type Fact = (&'static str, fn(&Facts) -> i16);
+/// The name of a column of outcomes, and how to get its value.
+type OutcomeColumn = (&'static str, fn(&OutcomeColumns) -> i16);
 
-/// Rows of parameters: layouts; which of them each row is, shape (n,); paths and values; keys of a strike and
-/// numbers of shape (n,); noise. All arrays are contiguous.
-type Asked<'py> = (
+/// The parameters of rows: layouts; the index of each row's layout, shape (n,); paths and values; keys of a
+/// strike and numbers of shape (n,); noise. All arrays are contiguous.
+type RowArguments<'py> = (
     Vec<PyRef<'py, Shot>>,
     PyReadonlyArray1<'py, i32>,
     Vec<(String, Given<'py>)>,
@@ -66,29 +66,29 @@ type Asked<'py> = (
     Option<Noisy<'py>>,
 );
 
-/// What came of rows, as a dict of arrays of shape (n,), or (n, balls) where it is per ball.
+/// The results of rows, as a dict of arrays of shape (n,), or (n, balls) for columns per ball.
 #[pyfunction]
 pub(crate) fn play_rows<'py>(
     py: Python<'py>,
-    rows: Asked<'py>,
+    rows: RowArguments<'py>,
     balls: usize,
-    facts: bool,
+    outcomes: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let played = with_rows(py, rows, |rows| py.detach(|| sweep::play(rows, balls, facts)))?;
-    to_dict(py, played)
+    let results = with_rows(py, rows, |rows| py.detach(|| sweep::play(rows, balls, outcomes)))?;
+    to_dict(py, results)
 }
 
-/// The shot that the first of the rows is.
+/// The shot of the first row.
 #[pyfunction]
-pub(crate) fn row_shot<'py>(py: Python<'py>, rows: Asked<'py>) -> PyResult<Shot> {
+pub(crate) fn row_shot<'py>(py: Python<'py>, rows: RowArguments<'py>) -> PyResult<Shot> {
     let shot = with_rows(py, rows, |rows| sweep::shot(rows, 0))?;
     shot.map(|shot| Shot(shot.into())).map_err(|error| to_exception(py, &error))
 }
 
 fn with_rows<'py, T>(
     py: Python<'py>,
-    (layouts, layout, columns, strike, noise): Asked<'py>,
-    answer: impl FnOnce(&Rows<'_>) -> T,
+    (layouts, layout, columns, strike, noise): RowArguments<'py>,
+    answer: impl FnOnce(&SweepRows<'_>) -> T,
 ) -> PyResult<T> {
     let raise = |error| to_exception(py, &error);
     let layouts: Vec<_> = layouts.iter().map(|shot| shot.0.clone()).collect();
@@ -113,7 +113,7 @@ fn with_rows<'py, T>(
         Some((sigmas, seed, index)) => Some((noise_of(*sigmas), *seed, index.as_slice()?)),
         None => None,
     };
-    Ok(answer(&Rows {
+    Ok(answer(&SweepRows {
         layouts: &layouts,
         layout: layout.as_slice()?,
         columns: &columns,
@@ -122,8 +122,9 @@ fn with_rows<'py, T>(
     }))
 }
 
-fn to_dict(py: Python<'_>, played: Played) -> PyResult<Bound<'_, PyDict>> {
-    let Played { balls, events, duration, pocket, end, cue_ball, strike, facts, errors } = played;
+fn to_dict(py: Python<'_>, results: RowResults) -> PyResult<Bound<'_, PyDict>> {
+    let RowResults { balls, events, duration, pocket, end, cue_ball, strike, outcomes, errors } =
+        results;
     let n = events.len();
     let dict = PyDict::new(py);
     dict.set_item("events", PyArray1::from_vec(py, events))?;
@@ -136,10 +137,10 @@ fn to_dict(py: Python<'_>, played: Played) -> PyResult<Bound<'_, PyDict>> {
     for (name, values) in STRIKE.into_iter().zip(strike).filter(|(_, v)| !v.is_empty()) {
         dict.set_item(format!("played_{name}"), PyArray1::from_vec(py, values))?;
     }
-    if !facts.is_empty() {
-        let scratch = PyArray1::from_iter(py, facts.iter().map(|f| f.scratch));
+    if !outcomes.is_empty() {
+        let scratch = PyArray1::from_iter(py, outcomes.iter().map(|f| f.scratch));
         dict.set_item("scratch", scratch)?;
-        let numbers: [Fact; 8] = [
+        let numbers: [OutcomeColumn; 8] = [
             ("first_contact", |f| f.first_contact),
             ("rails_before_contact", |f| f.rails_before_contact),
             ("rails_after_contact", |f| f.rails_after_contact),
@@ -150,7 +151,7 @@ fn to_dict(py: Python<'_>, played: Played) -> PyResult<Bound<'_, PyDict>> {
             ("hanging", |f| f.hanging),
         ];
         for (name, number) in numbers {
-            dict.set_item(name, PyArray1::from_iter(py, facts.iter().map(number)))?;
+            dict.set_item(name, PyArray1::from_iter(py, outcomes.iter().map(number)))?;
         }
     }
     let texts = PyDict::new(py);

@@ -7,11 +7,13 @@ from typing import Annotated
 
 import typer
 
+import carom
 from carom.cli.output import emit, read_bytes, say
+from carom.errors import InputError
 
 
 class Format(StrEnum):
-    """Whose file it is."""
+    """The engine that wrote the file."""
 
     POOLTOOL = "pooltool"
     FASTFIZ = "fastfiz"
@@ -20,50 +22,49 @@ class Format(StrEnum):
 def import_(
     file: Annotated[str, typer.Argument(metavar="FILE", help="The file; - is stdin.")],
     format_: Annotated[
-        Format | None, typer.Option("--format", help="Whose it is; seen from the file without it.")
+        Format | None,
+        typer.Option(
+            "--format", help="The engine that wrote it; recognised from the file without it."
+        ),
     ] = None,
     strike: Annotated[
         str | None,
         typer.Option(
             metavar='"A B THETA PHI V"',
-            help="FastFiz's strike, not in a table state: mm, mm, degrees, degrees, m/s.",
+            help="FastFiz's strike, which a table state does not hold: mm, mm, degrees, degrees, "
+            "m/s.",
         ),
     ] = None,
 ) -> None:
     """Print a pooltool system or a FastFiz table state as a shot file.
 
-    What could not be carried over is said on stderr.
+    Messages on stderr name what the shot file cannot hold.
     """
-    from carom import convert
-    from carom.errors import InputError
-
     data = read_bytes(file)
     if format_ is None:
-        # A table state begins with its number of balls, a system with a brace or no text at all.
+        # A table state begins with its number of balls; a system with a brace, or it is not text.
         format_ = Format.FASTFIZ if data.lstrip()[:1].isdigit() else Format.POOLTOOL
     if format_ is Format.POOLTOOL:
         if strike is not None:
             raise InputError("--strike is for FastFiz; a pooltool system has its own strike")
-        made = convert.pooltool(data)
+        made = carom.convert.pooltool(data)
     else:
-        made = convert.fastfiz(_text(data), None if strike is None else _numbers(strike))
+        made = carom.convert.fastfiz(_text(data), None if strike is None else _numbers(strike))
     for sentence in made.left_out:
         say(sentence)
     emit(made.shot.to_json())
 
 
 def _text(data: bytes) -> str:
-    from carom.errors import InputError
-
     try:
         return data.decode("ascii")
     except UnicodeDecodeError:
-        raise InputError("the file is no text; a FastFiz table state is numbers") from None
+        raise InputError(
+            "the file is not text; a FastFiz table state is a list of numbers"
+        ) from None
 
 
 def _numbers(words: str) -> list[float]:
-    from carom.errors import InputError
-
     try:
         return [float(word) for word in words.replace(",", " ").split()]
     except ValueError:

@@ -1,15 +1,22 @@
-"""``carom replay``, ``carom validate``, ``carom bench``: is the engine what it says it is?"""
+"""``carom replay``, ``carom validate`` and ``carom bench``: checks of the engine."""
 
 from __future__ import annotations
 
 import json as js
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+import carom
 from carom.cli.output import emit, read
 from carom.errors import InputError
+from carom.lazy import LazyModule
+
+if TYPE_CHECKING:
+    from carom import validation
+else:
+    validation = LazyModule("carom.validation")
 
 
 def replay(
@@ -19,15 +26,13 @@ def replay(
     ] = False,
 ) -> None:
     """Simulate the shot of a saved trace again; print the trace."""
-    from carom import Trace
-
     text = read(file)
-    saved = Trace.from_json(text)
+    saved = carom.Trace.from_json(text)
     again = saved.shot.simulate()
     if not check:
         emit(again.to_json())
         return
-    # As written: a trace that is read has its outcome worked out anew from its events.
+    # The text as written: reading a trace derives its outcome anew from the events.
     written, ours = js.loads(text.removeprefix("\ufeff")), again.to_dict()
     difference = saved.difference(again) or _other_outcome(written, ours)
     if difference is not None:
@@ -39,7 +44,7 @@ def replay(
 
 
 def _other_outcome(written: dict[str, Any], ours: dict[str, Any]) -> str | None:
-    """Where the saved outcome says something else, as far as this engine knows its keys."""
+    """The first difference of the saved outcome, in the keys that this engine has."""
     outcome = written.get("outcome")
     if not isinstance(outcome, dict):
         return "outcome: the key is missing"
@@ -55,8 +60,6 @@ def validate(
     ] = None,
 ) -> None:
     """Print the papers' numbers beside ours, the tolerances, and the counts by kind."""
-    from carom import validation
-
     if name is not None and name not in validation.papers():
         known = ", ".join(validation.papers())
         raise InputError(f"there is no paper {name!r}; there are: {known}")
@@ -70,10 +73,8 @@ def bench(
         typer.Option(metavar="DIR", help="Write the JSON there; in a checkout, benches/results."),
     ] = None,
 ) -> None:
-    """Measure how fast the engine is here.
+    """Measure the speed of the engine on this machine.
 
-    Beside pooltool where that is installed.
+    If pooltool is installed, it is measured too.
     """
-    from carom import bench as benchmark
-
-    raise typer.Exit(benchmark.run(json=json, store=store))
+    raise typer.Exit(carom.bench.run(json=json, store=store))

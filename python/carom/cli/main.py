@@ -1,4 +1,4 @@
-"""The commands, and what happens to their errors."""
+"""The commands, and the exit codes of their errors."""
 
 from __future__ import annotations
 
@@ -12,11 +12,21 @@ from typing import NoReturn
 import typer
 
 from carom import __version__
-from carom.cli import INTERRUPTED, convert, engine, plan, play, reference, shots, sweep
+from carom.cli import (
+    INTERRUPTED,
+    convert,
+    engine,
+    plan,
+    play,
+    reference,
+    renamed,
+    shots,
+    sweep,
+)
 from carom.cli.output import say, say_json
 from carom.errors import EventCapError, InputError, PageError
 
-# A cap below this was asked for; this one is the engine's own, and no shot should reach it.
+# The engine's own cap, which no shot should reach. A lower cap was set by the user.
 DEFAULT_EVENT_CAP = 100_000
 
 app = typer.Typer(
@@ -31,7 +41,9 @@ app.command("shot")(shots.shot)
 app.command("break")(shots.break_)
 app.command("play")(play.play)
 app.command("evaluate")(plan.evaluate)
-app.command("solve")(plan.solve)
+app.command("solve", cls=renamed.command(elevation="elevation-deg", of_a_way="per-route"))(
+    plan.solve
+)
 app.add_typer(plan.maps, name="map")
 app.add_typer(plan.stats, name="stats")
 app.command("sweep")(sweep.sweep)
@@ -61,10 +73,10 @@ def _options(
 def run() -> NoReturn:
     """Run the command line and exit the process."""
     if hasattr(signal, "SIGPIPE"):
-        # `carom shot ... | head` ends quietly, as every filter does.
+        # `carom shot ... | head` ends quietly, like every filter.
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     for stream in (sys.stdout, sys.stderr):
-        # A terminal without → prints ? in its place, rather than failing.
+        # A terminal that cannot print → prints ? instead of failing.
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
     sys.exit(_run())
@@ -85,15 +97,15 @@ def _run() -> int:
     except OSError as error:
         if error.errno is None:
             return _our_bug()
-        # Without a name it is one of the standard streams, such as stdout on a full disk.
+        # An error without a file name concerns a standard stream, such as stdout on a full disk.
         say(f"{error.filename or 'stdout'}: {error.strerror}; check the path")
         if not error.filename:
-            # Else Python writes what is left once more when it ends, and fails with 120.
+            # Otherwise Python would write the rest again at exit, and fail with code 120.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 2
     except KeyboardInterrupt:
         return INTERRUPTED
-    except BaseException:  # noqa: BLE001 -- a panic in Rust is no Exception
+    except BaseException:  # noqa: BLE001 -- a panic in Rust is not an Exception
         return _our_bug()
     return 0
 

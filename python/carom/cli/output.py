@@ -10,7 +10,7 @@ from typing import Any
 
 from carom.errors import InputError
 from carom.event_table import printable
-from carom.shot import read_text
+from carom.files import read_text
 from carom.streams import emit
 
 __all__ = ["emit", "keep_sockets", "read", "read_bytes", "save", "say", "say_json"]

@@ -1,4 +1,4 @@
-"""``carom evaluate``, ``solve``, ``map`` and ``stats``: questions about shots."""
+"""``carom evaluate``, ``carom solve``, ``carom map`` and ``carom stats``: questions about shots."""
 
 from __future__ import annotations
 
@@ -10,17 +10,33 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+import carom
+from carom import Call, CushionTable, Frame, Noise, Perception, Shot, Strike
+from carom.batch import own_strike
+from carom.cli import renamed
 from carom.cli.output import emit, read, save
 from carom.errors import InputError
+from carom.lazy import LazyModule
+from carom.plan.chance import or_null
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    import numpy as np
     from matplotlib.figure import Figure
+    from numpy.typing import NDArray
 
-    from carom import Call, Frame, Shot
-    from carom.cushions import CushionTable
+    from carom.picture import evaluation as evaluation_picture
+    from carom.picture import maps as maps_picture
+    from carom.picture import output as picture_output
+    from carom.picture import solutions as solutions_picture
     from carom.picture.maps import Drawn
+else:
+    # Matplotlib takes half a second to load.
+    evaluation_picture = LazyModule("carom.picture.evaluation")
+    maps_picture = LazyModule("carom.picture.maps")
+    picture_output = LazyModule("carom.picture.output")
+    solutions_picture = LazyModule("carom.picture.solutions")
 
 File = Annotated[str, typer.Argument(metavar="FILE", help="A shot file; - is stdin.")]
 NoiseName = Annotated[
@@ -37,18 +53,18 @@ Sight = Annotated[
     typer.Option(
         "--perception",
         metavar="SIGMA",
-        help="How far from where they are seen the balls truly lie: σ of each coordinate, m.",
+        help="Standard deviation of true minus perceived positions, per coordinate, m.",
     ),
 ]
 Precise = Annotated[
     float | None,
     typer.Option(
         "--precision",
-        help="Stop counting a chance when half its interval's width is at most this.",
+        help="Stop counting a chance when half the width of its interval is at most this.",
     ),
 ]
-Level = Annotated[float, typer.Option(help="Confidence of the intervals.")]
-Seed = Annotated[int, typer.Option(help="Which random numbers.")]
+Level = Annotated[float, typer.Option(help="Confidence level of the intervals.")]
+Seed = Annotated[int, typer.Option(help="Seed of the random numbers.")]
 Svg = Annotated[Path | None, typer.Option("--svg", metavar="OUT", help="Write a picture (SVG).")]
 Png = Annotated[Path | None, typer.Option("--png", metavar="OUT", help="Write a picture (PNG).")]
 Json = Annotated[bool, typer.Option("--json", help="Print the answer as JSON.")]
@@ -58,35 +74,37 @@ def evaluate(
     file: File,
     noise: NoiseName = "olympiad",
     perception: Sight = 0.0,
-    n: Annotated[int, typer.Option("-n", min=1, help="How many variants, at most.")] = 10_000,
+    n: Annotated[int, typer.Option("-n", min=1, help="Largest number of variants.")] = 10_000,
     seed: Seed = 0,
     precision: Annotated[
         float | None,
-        typer.Option(help="Stop when half the watched interval's width is at most this."),
+        typer.Option(help="Stop when half the width of the watched interval is at most this."),
     ] = None,
     watch: Annotated[
         str | None,
         typer.Option(
-            metavar="WHAT", help="A ball, BALL:POCKET, scratch or legal; else everything."
+            metavar="WHAT",
+            help="The watched chance: a ball, BALL:POCKET, scratch or legal; all without it.",
         ),
     ] = None,
     game: Annotated[
         str | None,
-        typer.Option(help="A game whose rules say what is legal, as if played up to this shot."),
+        typer.Option(
+            help="The game whose rules decide what is legal; it continues from this shot."
+        ),
     ] = None,
     call: Annotated[
         str | None,
-        typer.Option(metavar="WHAT", help="With a game: BALL:POCKET, a ball on, or safety."),
+        typer.Option(
+            metavar="WHAT", help="The call in the game: BALL:POCKET, a ball on, or safety."
+        ),
     ] = None,
     level: Level = 0.95,
     json: Json = False,
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print the chances of a shot whose player errs."""
-    from carom import Noise, Perception, Shot
-    from carom.picture.evaluation import draw
-
+    """Print the probabilities of a shot's results when the player errs."""
     if call is not None and game is None:
         raise InputError("--call: there is no game to announce it in; give --game too")
     shot = Shot.from_json(read(file))
@@ -104,59 +122,57 @@ def evaluate(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    _draw(lambda: draw(answer, title=_title(file)), svg=svg, png=png)
+    _draw(lambda: evaluation_picture.draw(answer, title=_title(file)), svg=svg, png=png)
     emit(js.dumps(answer.to_dict()) if json else str(answer))
 
 
 def solve(
     file: File,
     pot: Annotated[
-        str | None, typer.Option(metavar="BALL[:POCKET]", help="A ball that falls.")
+        str | None, typer.Option(metavar="BALL[:POCKET]", help="The ball to pot.")
     ] = None,
     leave: Annotated[
         str | None,
-        typer.Option(metavar="X,Y,R", help="A disc in which the cue ball comes to rest, m."),
+        typer.Option(metavar="X,Y,R", help="The disc in which the cue ball comes to rest, m."),
     ] = None,
     first: Annotated[
-        str | None, typer.Option(metavar="BALL", help="The ball that is hit before any other.")
+        str | None, typer.Option(metavar="BALL", help="The ball to hit before any other.")
     ] = None,
     noise: NoiseName = "olympiad",
     perception: Sight = 0.0,
-    wanted: Annotated[int, typer.Option(min=1, help="How many strikes.")] = 10,
-    of_a_way: Annotated[
-        int, typer.Option(min=1, help="How many of them over the same cushions and balls.")
+    wanted: Annotated[int, typer.Option(min=1, help="Largest number of strikes.")] = 10,
+    per_route: Annotated[
+        int,
+        typer.Option(min=1, help="Largest number of them over the same cushions and balls."),
     ] = 3,
     n: Annotated[
-        int, typer.Option("-n", min=1, help="Variants behind each chance, at most.")
+        int, typer.Option("-n", min=1, help="Largest number of variants behind each chance.")
     ] = 1000,
     precision: Precise = None,
     speed: Annotated[
-        str, typer.Option(metavar="LEAST:MOST", help="Speeds of the cue that are tried, m/s.")
+        str, typer.Option(metavar="LEAST:MOST", help="Least and greatest speed of the cue, m/s.")
     ] = "0.5:7",
-    elevation: Annotated[
+    elevation_deg: Annotated[
         float | None,
         typer.Option(
             metavar="DEGREES",
-            help="How far the cue may be raised for jumps and massés, which are tried as well.",
+            help="Largest elevation of the cue, for jumps and massés; without it none are tried.",
         ),
     ] = None,
     samples: Annotated[
-        int, typer.Option(min=1, help="Strikes tried besides those that geometry proposes.")
+        int, typer.Option(min=1, help="Strikes tried in addition to those that geometry proposes.")
     ] = 4096,
     seed: Seed = 0,
     level: Level = 0.95,
     best: Annotated[
         Path | None,
-        typer.Option(metavar="OUT", help="Write the likeliest of them as a shot file."),
+        typer.Option(metavar="OUT", help="Write the most probable strike as a shot file."),
     ] = None,
     json: Json = False,
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print the strikes that do what is wanted, the likeliest first."""
-    from carom import Noise, Perception, Shot
-    from carom.picture.solutions import draw
-
+    """Print the strikes that reach a goal, the most probable first."""
     shot = Shot.from_json(read(file))
     area = None if leave is None else _disc(leave)
     least, most = _numbers("speed", speed, ":", "LEAST:MOST", 2)
@@ -167,17 +183,21 @@ def solve(
         noise=Noise.preset(noise),
         perception=Perception(perception),
         wanted=wanted,
-        of_a_way=of_a_way,
+        per_route=per_route,
         n=n,
         precision=precision,
         speed=(least, most),
-        elevation=None if elevation is None else math.radians(elevation),
+        elevation=None if elevation_deg is None else math.radians(elevation_deg),
         samples=samples,
         seed=seed,
         level=level,
         progress=sys.stderr.isatty(),
     )
-    _draw(lambda: draw(shot, found, leave=area, title=_title(file)), svg=svg, png=png)
+    _draw(
+        lambda: solutions_picture.draw(shot, found, leave=area, title=_title(file)),
+        svg=svg,
+        png=png,
+    )
     if best is not None and found:
         found[0].shot.save(best)
     if json:
@@ -186,19 +206,25 @@ def solve(
         emit("\n".join(map(str, found)) or "no strike was found")
 
 
-maps = typer.Typer(help="Maps: one question asked over a grid.", no_args_is_help=True)
+maps = typer.Typer(
+    cls=renamed.group(pocket="acceptance"),
+    help="Maps: one question asked over a grid.",
+    no_args_is_help=True,
+)
 stats = typer.Typer(help="Statistics of many shots.", no_args_is_help=True)
 
 
 @maps.command("pot")
 def map_pot(
     file: File,
-    ball: Annotated[str, typer.Option(help="The ball that is to fall.")],
-    pocket: Annotated[str, typer.Option(help="Where; carom tables has the names.")],
+    ball: Annotated[str, typer.Option(help="The ball to pot.")],
+    pocket: Annotated[str, typer.Option(help="The pocket; carom tables prints the names.")],
     noise: NoiseName = "olympiad",
     perception: Sight = 0.0,
-    columns: Annotated[int, typer.Option(min=1, help="Cells along the width.")] = 32,
-    n: Annotated[int, typer.Option("-n", min=1, help="Variants of each cell, at most.")] = 200,
+    columns: Annotated[int, typer.Option(min=1, help="Number of cells along the width.")] = 32,
+    n: Annotated[
+        int, typer.Option("-n", min=1, help="Largest number of variants of each cell.")
+    ] = 200,
     precision: Precise = None,
     seed: Seed = 0,
     level: Level = 0.95,
@@ -206,12 +232,9 @@ def map_pot(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print how likely a pot is from every place of the cue ball."""
-    from carom import Noise, Perception, Shot, pot_map
-
+    """Print the chance of a pot from every place of the cue ball."""
     shot = Shot.from_json(read(file))
-    found = pot_map(
-        shot,
+    found = shot.pot_map(
         ball,
         pocket,
         noise=Noise.preset(noise),
@@ -224,15 +247,15 @@ def map_pot(
         progress=sys.stderr.isatty(),
     )
     names = ("x", "y", "chance", "azimuth", "low", "high", "n")
-    rows = {name: getattr(found, name) for name in names}
+    rows = {name: getattr(found, name) for name in names} | _degrees("azimuth", found.azimuth)
     _show(found, rows, json=json, svg=svg, png=png)
 
 
 @maps.command("position")
 def map_position(
     file: File,
-    ball: Annotated[str, typer.Option(help="The ball that is to fall.")],
-    pocket: Annotated[str, typer.Option(help="Where; carom tables has the names.")],
+    ball: Annotated[str, typer.Option(help="The ball to pot.")],
+    pocket: Annotated[str, typer.Option(help="The pocket; carom tables prints the names.")],
     speed: Annotated[str, typer.Option(help="Speeds of the cue, m/s: FROM:TO:COUNT.")] = "0.8:4:65",
     height: Annotated[
         str, typer.Option(help="Contact heights, ball radii: FROM:TO:COUNT.")
@@ -243,10 +266,7 @@ def map_position(
     png: Png = None,
 ) -> None:
     """Print where the cue ball ends with every speed and spin."""
-    from carom import Shot, position_map
-
-    found = position_map(
-        Shot.from_json(read(file)),
+    found = Shot.from_json(read(file)).position_map(
         ball,
         pocket,
         speed=_steps("speed", speed),
@@ -261,53 +281,52 @@ def map_position(
         "falls": found.falls,
         "azimuth": found.azimuth,
         "end": found.end,
-    }
+    } | _degrees("azimuth", found.azimuth)
     _show(found, rows, json=json, svg=svg, png=png)
 
 
-@maps.command("pocket")
-def map_pocket(
+@maps.command("acceptance")
+def map_acceptance(
     file: File,
-    pocket: Annotated[str, typer.Option(help="Which; carom tables has the names.")],
-    distance: Annotated[float, typer.Option(help="From the start to the mouth, m.")] = 0.3,
+    pocket: Annotated[str, typer.Option(help="The pocket; carom tables prints the names.")],
+    distance: Annotated[
+        float, typer.Option(help="Distance from the start to the mouth's centre, m.")
+    ] = 0.3,
     json: Json = False,
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print which balls that roll at a pocket it takes."""
-    from carom import Shot, acceptance
-
+    """Print which speeds, angles and offsets of approach a pocket accepts."""
     shot = Shot.from_json(read(file))
-    found = acceptance(shot, pocket, distance=distance, progress=sys.stderr.isatty())
+    found = shot.acceptance(pocket, distance=distance, progress=sys.stderr.isatty())
     rows = {
         "speed": found.speed,
         "angle": found.angle,
         "offset": found.offset,
         "width": found.width,
         "accepted": found.accepted,
-    }
+    } | _degrees("angle", found.angle)
     _show(found, rows, json=json, svg=svg, png=png)
 
 
-@maps.command("kick")
+@maps.command("kick", cls=renamed.command(azimuth="azimuth-deg"))
 def map_kick(
     file: File,
     speed: Annotated[str, typer.Option(help="Speeds of the cue, m/s: FROM:TO:COUNT.")] = "1.5:5:3",
     side: Annotated[
         str, typer.Option(help="Contact points right of centre, ball radii: FROM:TO:COUNT.")
     ] = "-0.4:0.4:3",
-    azimuth: Annotated[str, typer.Option(help="Directions, degrees: FROM:TO:COUNT.")] = "0:355:72",
-    cushions: Annotated[int, typer.Option(min=1, help="How many are listed.")] = 3,
+    azimuth_deg: Annotated[
+        str, typer.Option(help="Directions, degrees: FROM:TO:COUNT.")
+    ] = "0:355:72",
+    cushions: Annotated[int, typer.Option(min=1, help="Largest number of cushions listed.")] = 3,
     json: Json = False,
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print where the struck ball, alone, meets the cushions."""
-    from carom import Shot, kick_table
-
-    found = kick_table(
-        Shot.from_json(read(file)),
-        azimuth=[math.radians(turn) for turn in _steps("azimuth", azimuth)],
+    """Print where the struck ball, alone on the table, meets the cushions."""
+    found = Shot.from_json(read(file)).kick_table(
+        azimuth=[math.radians(turn) for turn in _steps("azimuth-deg", azimuth_deg)],
         speed=_steps("speed", speed),
         side=_steps("side", side),
         cushions=cushions,
@@ -316,24 +335,23 @@ def map_kick(
     _show_cushions(found, json=json, svg=svg, png=png)
 
 
-@maps.command("bank")
+@maps.command("bank", cls=renamed.command(azimuth="azimuth-deg"))
 def map_bank(
     file: File,
-    ball: Annotated[str, typer.Option(help="Which ball.")],
+    ball: Annotated[str, typer.Option(help="The ball's id.")],
     speed: Annotated[str, typer.Option(help="Speeds of the ball, m/s: FROM:TO:COUNT.")] = "1:4:3",
-    azimuth: Annotated[str, typer.Option(help="Directions, degrees: FROM:TO:COUNT.")] = "0:355:72",
-    cushions: Annotated[int, typer.Option(min=1, help="How many are listed.")] = 2,
+    azimuth_deg: Annotated[
+        str, typer.Option(help="Directions, degrees: FROM:TO:COUNT.")
+    ] = "0:355:72",
+    cushions: Annotated[int, typer.Option(min=1, help="Largest number of cushions listed.")] = 2,
     json: Json = False,
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print where a ball without spin, alone, meets the cushions."""
-    from carom import Shot, bank_table
-
-    found = bank_table(
-        Shot.from_json(read(file)),
+    """Print where a ball without spin, alone on the table, meets the cushions."""
+    found = Shot.from_json(read(file)).bank_table(
         ball,
-        azimuth=[math.radians(turn) for turn in _steps("azimuth", azimuth)],
+        azimuth=[math.radians(turn) for turn in _steps("azimuth-deg", azimuth_deg)],
         speed=_steps("speed", speed),
         cushions=cushions,
         progress=sys.stderr.isatty(),
@@ -342,10 +360,7 @@ def map_bank(
 
 
 def _show_cushions(found: CushionTable, *, json: bool, svg: Path | None, png: Path | None) -> None:
-    from carom.picture.maps import draw
-    from carom.plan import or_null
-
-    _draw(lambda: draw(found), svg=svg, png=png)
+    _draw(lambda: maps_picture.draw(found), svg=svg, png=png)
     if json:
         rows = {
             "azimuth": found.azimuth,
@@ -353,7 +368,7 @@ def _show_cushions(found: CushionTable, *, json: bool, svg: Path | None, png: Pa
             "side": found.side,
             "contact": found.contact,
             "rail": found.rail,
-        }
+        } | _degrees("azimuth", found.azimuth)
         emit(js.dumps({name: or_null(values.tolist()) for name, values in rows.items()}))
         return
     emit("azimuth_deg speed side  cushions: rail (x, y) m")
@@ -367,8 +382,8 @@ def _show_cushions(found: CushionTable, *, json: bool, svg: Path | None, png: Pa
 
 @stats.command("break")
 def stats_break(
-    game: Annotated[str, typer.Option(help="As for carom break.")] = "nine-ball",
-    racks: Annotated[int, typer.Option("-n", min=1, help="How many, at most.")] = 1000,
+    game: Annotated[str, typer.Option(help="The game, as for carom break.")] = "nine-ball",
+    racks: Annotated[int, typer.Option("-n", min=1, help="Largest number of racks.")] = 1000,
     noise: NoiseName = "olympiad",
     speed: Annotated[float | None, typer.Option(help="The cue's speed, m/s.")] = None,
     table: Annotated[str | None, typer.Option(help="A table's preset.")] = None,
@@ -380,11 +395,8 @@ def stats_break(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Break many racks; print how often what falls."""
-    from carom import Noise, break_statistics
-    from carom.picture.maps import draw
-
-    found = break_statistics(
+    """Break many racks; print the chance of every result."""
+    found = carom.break_statistics(
         game,
         racks,
         noise=Noise.preset(noise),
@@ -396,18 +408,15 @@ def stats_break(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    _draw(lambda: draw(found), svg=svg, png=png)
+    _draw(lambda: maps_picture.draw(found), svg=svg, png=png)
     emit(js.dumps(found.to_dict()) if json else str(found))
 
 
 def _show(
     found: Drawn, rows: dict[str, Any], *, json: bool, svg: Path | None, png: Path | None
 ) -> None:
-    """Pictures to files, numbers to stdout: the rows as JSON, or a table of text."""
-    from carom.picture.maps import draw
-    from carom.plan import or_null
-
-    _draw(lambda: draw(found), svg=svg, png=png)
+    """Write pictures to files, and to stdout the rows as JSON or a table of text."""
+    _draw(lambda: maps_picture.draw(found), svg=svg, png=png)
     if json:
         emit(js.dumps({name: or_null(values.tolist()) for name, values in rows.items()}))
     else:
@@ -415,12 +424,15 @@ def _show(
 
 
 def _draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) -> None:
-    from carom.picture.output import to_png, to_svg
-
     if svg is not None:
-        save(svg, to_svg(figure()))
+        save(svg, picture_output.to_svg(figure()))
     if png is not None:
-        save(png, to_png(figure()))
+        save(png, picture_output.to_png(figure()))
+
+
+def _degrees(name: str, radians: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+    """A column in degrees beside the one in radians, as ``NAME_deg``."""
+    return {f"{name}_deg": radians * (180.0 / math.pi)}
 
 
 def _ball_and_pocket(text: str) -> str | tuple[str, str]:
@@ -429,8 +441,6 @@ def _ball_and_pocket(text: str) -> str | tuple[str, str]:
 
 
 def _call(text: str) -> Call:
-    from carom import Call
-
     ball, colon, pocket = text.partition(":")
     if colon:
         return Call.pocket(ball, pocket)
@@ -438,10 +448,7 @@ def _call(text: str) -> Call:
 
 
 def _in_game(shot: Shot, game: str, call: Call | None) -> tuple[Shot, Frame]:
-    """The same shot as the frame asks for it, which may have the balls in another order."""
-    from carom import Frame, Strike
-    from carom.batch import own_strike
-
+    """The shot, with its balls in the order in which its frame asks for them, and the frame."""
     strike = Strike(*own_strike(shot._core))
     frame = Frame.of_shot(game, shot)
     return frame.shot(strike, call=call), frame
@@ -457,7 +464,7 @@ def _numbers(name: str, text: str, separator: str, shape: str, count: int = 3) -
     except ValueError:
         numbers = []
     if len(numbers) != count:
-        raise InputError(f"{name}: {text!r} is not {shape}; write {count} numbers")
+        raise InputError(f"--{name}: {text!r} is not {shape}; write {count} numbers")
     return numbers
 
 
@@ -469,6 +476,6 @@ def _disc(text: str) -> tuple[tuple[float, float], float]:
 def _steps(name: str, text: str) -> list[float]:
     start, end, count = _numbers(name, text, ":", "FROM:TO:COUNT")
     if not (count.is_integer() and 1 <= count <= 10_000):
-        raise InputError(f"{name}: {count:g} is no count of steps; write 1 to 10000")
+        raise InputError(f"--{name}: {count:g} is not a number of steps; write 1 to 10000")
     steps = max(1, int(count) - 1)
     return [start + (end - start) * k / steps for k in range(int(count))]

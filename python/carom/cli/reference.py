@@ -1,4 +1,4 @@
-"""``carom tables`` and ``carom schema``: what the engine knows by itself."""
+"""``carom tables`` and ``carom schema``: the built-in tables and the file formats."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
+import carom
 from carom.cli.output import emit
 
 
@@ -14,9 +15,7 @@ def tables(
     json: Annotated[bool, typer.Option("--json", help="Print every dimension as JSON.")] = False,
 ) -> None:
     """Print the tables' presets with their dimensions."""
-    from carom import tables as presets
-
-    known = presets()
+    known = carom.tables()
     if json:
         emit(js.dumps(known, indent=2))
         return
@@ -24,12 +23,12 @@ def tables(
 
 
 def schema(
-    kind: Annotated[str, typer.Argument(metavar="[shot|trace|sweep]", help="Which file.")] = "shot",
+    kind: Annotated[
+        str, typer.Argument(metavar="[shot|trace|sweep]", help="The kind of file.")
+    ] = "shot",
 ) -> None:
     """Print the JSON Schema of a shot, a trace or a sweep."""
-    from carom import schema as schema_of
-
-    emit(js.dumps(schema_of(kind), indent=2))  # type: ignore[arg-type] # checked there
+    emit(js.dumps(carom.schema(kind), indent=2))  # type: ignore[arg-type] # checked there
 
 
 def _describe(table: dict[str, Any]) -> str:

@@ -7,10 +7,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+import carom
 from carom.cli.output import emit, read, save
+from carom.event_table import plain, rich_table
+from carom.lazy import LazyModule
 
 if TYPE_CHECKING:
-    from carom.trace import Trace
+    import rich.console as rich_console
+else:
+    rich_console = LazyModule("rich.console")
 
 Json = Annotated[bool, typer.Option("--json", help="Print the trace (carom-trace/1).")]
 Html = Annotated[
@@ -29,9 +34,7 @@ def shot(
     png: Png = None,
 ) -> None:
     """Simulate a shot file; print its table of events."""
-    from carom import Shot
-
-    trace = Shot.from_json(read(file)).simulate()
+    trace = carom.Shot.from_json(read(file)).simulate()
     title = "shot" if file == "-" else Path(file).stem.replace("_", " ").replace("-", " ")
     _show(trace, title, json=json, html=html, svg=svg, png=png)
 
@@ -44,9 +47,9 @@ def break_(
         ),
     ] = "nine-ball",
     speed: Annotated[
-        float | None, typer.Option(help="The cue's speed, m/s; as usual without it.")
+        float | None, typer.Option(help="The cue's speed, m/s; the game's usual one without it.")
     ] = None,
-    seed: Annotated[int, typer.Option(help="Which of the random racks.")] = 0,
+    seed: Annotated[int, typer.Option(help="Seed of the random rack.")] = 0,
     table: Annotated[
         str | None, typer.Option(help="A table's preset; the game's own without it.")
     ] = None,
@@ -62,9 +65,7 @@ def break_(
     png: Png = None,
 ) -> None:
     """Break a rack; print the table of events."""
-    from carom import break_shot
-
-    the_break = break_shot(game, table=table, speed=speed, seed=seed, gap=gap)
+    the_break = carom.break_shot(game, table=table, speed=speed, seed=seed, gap=gap)
     if shot_file:
         emit(the_break.to_json())
         return
@@ -72,7 +73,7 @@ def break_(
 
 
 def _show(
-    trace: Trace,
+    trace: carom.Trace,
     title: str,
     *,
     json: bool,
@@ -80,22 +81,16 @@ def _show(
     svg: Path | None,
     png: Path | None,
 ) -> None:
-    from carom import page, picture
-
     if html is not None:
-        save(html, page.html(trace, title=title))
+        save(html, carom.page.html(trace, title=title))
     if svg is not None:
-        save(svg, picture.svg(trace, title=title))
+        save(svg, carom.picture.svg(trace, title=title))
     if png is not None:
-        save(png, picture.png(trace, title=title))
+        save(png, carom.picture.png(trace, title=title))
     if json:
         emit(trace.to_json())
         return
-    from rich.console import Console
-
-    from carom.event_table import plain, rich_table
-
-    console = Console()
+    console = rich_console.Console()
     if console.is_terminal:
         console.print(rich_table(trace.to_dict()))
     else:

@@ -9,35 +9,38 @@ from typing import Annotated
 
 import typer
 
+import carom
 from carom.cli.output import emit, keep_sockets, read, say
 
 
 def sweep(
-    file: Annotated[str, typer.Argument(metavar="SPEC", help="A spec, JSON; - is stdin.")],
-    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the files go.")],
+    file: Annotated[str, typer.Argument(metavar="SPEC", help="A sweep's spec, JSON; - is stdin.")],
+    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Folder for the files.")],
     threads: Annotated[
-        int | None, typer.Option(min=1, help="How many; one per core if left out.")
+        int | None, typer.Option(min=1, help="Number of threads; one per core without it.")
     ] = None,
     part_rows: Annotated[
-        int | None, typer.Option(min=1, help="Rows of a file; else as the sweep's size wants it.")
+        int | None,
+        typer.Option(min=1, help="Rows of a file; chosen from the sweep's size without it."),
     ] = None,
-    ray: Annotated[bool, typer.Option("--ray", help="Play on Ray, started here.")] = False,
+    ray: Annotated[
+        bool, typer.Option("--ray", help="Simulate on Ray, started on this machine.")
+    ] = False,
     address: Annotated[
         str | None,
         typer.Option(
             "--address",
             metavar="ADDRESS",
-            help="Play on this Ray cluster, whose machines all see DIR; auto is the one of here.",
+            help="Simulate on this Ray cluster, whose machines all have access to DIR; auto is the "
+            "cluster of this machine.",
         ),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print the summary as JSON.")] = False,
 ) -> None:
-    """Play a table of shots to Parquet; after a kill, go on."""
-    from carom import Sweep
-
+    """Simulate a table of shots to Parquet; the same command continues after a stop."""
     if address or ray:
         keep_sockets()
-    spec = Sweep.from_json(read(file)) if file == "-" else Sweep.load(file)
+    spec = carom.Sweep.from_json(read(file)) if file == "-" else carom.Sweep.load(file)
     try:
         report = spec.run(
             out,
@@ -47,6 +50,6 @@ def sweep(
             progress=sys.stderr.isatty(),
         )
     except KeyboardInterrupt:
-        say("stopped; the same command goes on from here")
+        say("stopped; the same command continues from here")
         raise
     emit(js.dumps(report.to_dict()) if json else str(report))

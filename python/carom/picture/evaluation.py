@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import astuple
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -87,7 +86,7 @@ def png(evaluation: Evaluation, *, title: str | None = None) -> bytes:
 def variants(evaluation: Evaluation, count: int) -> list[Shot]:
     """The valid ones among the first ``count`` variants."""
     shot, seed = evaluation.shot, evaluation.seed
-    strikes = _core.draw_strikes(shot._core, astuple(evaluation.noise), seed, 0, count)
+    strikes = _core.draw_strikes(shot._core, evaluation.noise, count, seed, 0)
     played = []
     for index, strike in enumerate(strikes.tolist()):
         try:
@@ -105,7 +104,7 @@ def _errors(evaluation: Evaluation) -> str:
     said = (
         f"σ of the strike: {noise.speed:.3g} m/s, direction {math.degrees(noise.azimuth):.3g}°,\n"
         f"  elevation {math.degrees(noise.elevation):.3g}°, "
-        f"tip {1e3 * noise.side:.3g} and {1e3 * noise.height:.3g} mm"
+        f"tip {1e3 * noise.side_m:.3g} and {1e3 * noise.height_m:.3g} mm"
     )
     if evaluation.perception.position:
         said += (

@@ -12,12 +12,11 @@ from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.figure import Figure
 
 from carom.arguments import instance
-from carom.cushions import CushionTable
-from carom.maps import Acceptance, BreakStatistics, PositionMap, PotMap
 from carom.picture import colors
 from carom.picture.balls import draw_ball
 from carom.picture.output import as_written, to_png, to_svg
 from carom.picture.sheet import sheet
+from carom.plan import Acceptance, BreakStatistics, CushionTable, PositionMap, PotMap
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

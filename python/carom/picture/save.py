@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING
 from carom.errors import InputError
 from carom.picture import canvas, evaluation, maps, solutions
 from carom.picture.output import to_png, to_svg
-from carom.plan import Evaluation
-from carom.solve import Solution
+from carom.plan import Evaluation, Solution
 from carom.trace import Trace
 
 if TYPE_CHECKING:

@@ -15,8 +15,9 @@ from carom.picture.balls import DOTTED, curve, draw_ball, points_per_metre
 from carom.picture.output import as_written, to_png, to_svg
 from carom.picture.paths import routes, starts
 from carom.picture.sheet import MARGIN_INCHES, sheet
+from carom.plan import Solution
+from carom.plan.solve import signed
 from carom.shot import Shot
-from carom.solve import Solution, signed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -252,7 +253,7 @@ def _draw_list(figure: Figure, shown: list[Solution], title: str) -> None:
         )
         raised = math.degrees(solution.elevation)
         lines = (
-            *wrap(f"{solution.kind}: {solution.way}" if solution.way else solution.kind, LINE),
+            *wrap(f"{solution.kind}: {solution.route}" if solution.route else solution.kind, LINE),
             f"{solution.speed:.2f} m/s, azimuth {math.degrees(solution.azimuth) % 360:.1f}°",
             f"side {signed(solution.side)}, height {signed(solution.height)}"
             + (f", elevation {raised:.1f}°" if raised else ""),

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 from carom import __version__
 from carom.arguments import cores, whole
-from carom.batch import progress_bar
 from carom.errors import InputError
+from carom.progress import progress_bar
 from carom.sweeps import on_ray
 from carom.sweeps.parts import UNFINISHED, Parts, Receipt, default_rows
 from carom.sweeps.report import Report

@@ -11,8 +11,9 @@ from carom import _core
 from carom.arguments import cores, instance, truth, whole
 from carom.arguments import text as checked_text
 from carom.errors import InputError
+from carom.files import read_text
 from carom.lazy import pa
-from carom.shot import Shot, read_text
+from carom.shot import Shot
 from carom.sweeps import on_ray
 from carom.sweeps.parts import play_rows
 from carom.sweeps.play import RowPlayer

@@ -1,12 +1,13 @@
-//! Layouts in which a ball falls in one kind of way: that is found, named, and comes first.
+//! Layouts in which a ball can fall on one kind of route: the search finds it, names it and ranks it
+//! first.
 
 use carom::Shot;
-use carom_plan::{Disc, Errs, Goal, Search, Solution, solve};
+use carom_plan::{Disc, ErrorModel, Goal, Progress, Search, Solution, solve};
 
 const TOP_RIGHT: usize = 5;
-/// Less than this is luck.
+/// Strikes with a smaller chance succeed by luck and are not checked.
 const LUCK: f64 = 0.1;
-/// How far the cue may be raised for jumps and massés, rad.
+/// Largest elevation of jumps and massés, rad.
 const RAISED: f64 = 1.2;
 
 fn shot(balls: &[(&str, [f64; 2])]) -> Shot {
@@ -23,23 +24,23 @@ fn shot(balls: &[(&str, [f64; 2])]) -> Shot {
 }
 
 fn search() -> Search {
-    let errs = Errs { variants: 200, ..Errs::default() };
-    Search { errs, samples: 2048, wanted: 40, of_a_way: 1, ..Search::default() }
+    let model = ErrorModel { variants: 200, ..ErrorModel::default() };
+    Search { model, samples: 2048, wanted: 40, per_route: 1, ..Search::default() }
 }
 
-/// All that is found.
+/// The solutions without jumps and massés.
 fn found(shot: &Shot, goal: Goal) -> Vec<Solution> {
     solutions(shot, goal, &search())
 }
 
-/// The same with jumps and massés.
+/// The solutions with jumps and massés.
 fn found_raised(shot: &Shot, goal: Goal) -> Vec<Solution> {
     solutions(shot, goal, &Search { elevation: Some(RAISED), ..search() })
 }
 
-/// What a search finds, each played once more: it does what it says.
+/// The solutions of a search. Each is played again and must reach the goal.
 fn solutions(shot: &Shot, goal: Goal, search: &Search) -> Vec<Solution> {
-    let solutions = solve(shot, &goal, search, &mut |_, _, _| true).expect("solutions");
+    let solutions = solve(shot, &goal, search, &Progress::default()).expect("solutions");
     for solution in &solutions {
         let again = shot.with_strike(&solution.strike).expect("a shot");
         let trace = again.simulate().expect("a trace");
@@ -62,7 +63,7 @@ fn pot(ball: usize, pocket: usize) -> Goal {
 }
 
 fn is_of(solution: &Solution, kind: &str) -> bool {
-    solution.way.kind().split('+').any(|name| name == kind)
+    solution.route.kind().split('+').any(|name| name == kind)
 }
 
 fn without_cushions(solution: &Solution) -> bool {
@@ -70,20 +71,20 @@ fn without_cushions(solution: &Solution) -> bool {
 }
 
 #[test]
-fn where_all_is_open_the_direct_way_comes_first() {
+fn the_direct_route_comes_first_when_nothing_blocks_it() {
     let open = shot(&[("cue", [0.5, 1.2]), ("1", [0.9, 1.9])]);
     let solutions = found(&open, pot(1, TOP_RIGHT));
-    assert_eq!(solutions[0].way.kind(), "direct");
+    assert_eq!(solutions[0].route.kind(), "direct");
     for kind in ["bank", "kick"] {
-        assert!(solutions.iter().any(|s| s.way.kind() == kind), "no {kind}");
+        assert!(solutions.iter().any(|s| s.route.kind() == kind), "no {kind}");
     }
 }
 
 #[test]
-fn where_the_pocket_is_hidden_from_the_ball_only_banks_pot_it() {
+fn only_banks_pot_a_ball_whose_line_to_the_pocket_is_blocked() {
     let hidden = shot(&[("cue", [0.45, 1.3]), ("1", [0.635, 1.75]), ("2", [0.93, 2.18])]);
     let solutions = found(&hidden, Goal { first: Some(1), ..pot(1, TOP_RIGHT) });
-    assert_eq!(solutions[0].way.kind(), "bank");
+    assert_eq!(solutions[0].route.kind(), "bank");
     for solution in solutions.iter().filter(|s| s.chance.share() > LUCK) {
         assert!(is_of(solution, "bank") || is_of(solution, "kiss"), "{solution:?}");
         assert!(!is_of(solution, "direct"), "{solution:?}");
@@ -91,28 +92,28 @@ fn where_the_pocket_is_hidden_from_the_ball_only_banks_pot_it() {
 }
 
 #[test]
-fn where_the_ball_is_hidden_from_the_cue_ball_only_kicks_pot_it() {
+fn only_kicks_pot_a_ball_that_is_hidden_from_the_cue_ball() {
     let hidden = shot(&[("cue", [0.3, 0.9]), ("1", [1.21, 2.48]), ("2", [0.345, 0.98])]);
     let solutions = found(&hidden, Goal { first: Some(1), ..pot(1, TOP_RIGHT) });
-    assert_eq!(solutions[0].way.kind(), "kick");
+    assert_eq!(solutions[0].route.kind(), "kick");
     for solution in &solutions {
         assert!(is_of(solution, "kick"), "{solution:?}");
     }
 }
 
 #[test]
-fn where_another_ball_must_be_hit_first_it_drives_the_ball_in() {
+fn a_combination_pots_a_ball_behind_the_one_to_be_hit_first() {
     let behind = shot(&[("cue", [0.6, 1.8]), ("1", [1.2, 2.47]), ("2", [1.08, 2.35])]);
     let solutions = found(&behind, Goal { first: Some(2), ..pot(1, TOP_RIGHT) });
-    assert_eq!(solutions[0].way.kind(), "combination");
+    assert_eq!(solutions[0].route.kind(), "combination");
     for solution in solutions.iter().filter(|s| without_cushions(s)) {
         assert!(is_of(solution, "combination"), "{solution:?}");
     }
 }
 
 #[test]
-fn where_that_ball_cannot_come_to_it_the_cue_ball_goes_on_by_itself() {
-    // Seen from the cue ball, ball 1 lies behind ball 2, which only goes forward.
+fn a_carom_pots_a_ball_that_no_combination_can_reach() {
+    // Ball 1 is beside ball 2, which can only be driven forward.
     let aside = shot(&[("cue", [0.7, 1.0]), ("1", [1.24, 1.27]), ("2", [0.7, 1.4])]);
     let right = aside.table().pockets.iter().position(|p| p.name.name() == "right");
     let goal = Goal { first: Some(2), ..pot(1, right.expect("a side pocket")) };
@@ -125,7 +126,7 @@ fn where_that_ball_cannot_come_to_it_the_cue_ball_goes_on_by_itself() {
 }
 
 #[test]
-fn a_pot_and_a_place_for_the_cue_ball_are_had_together() {
+fn a_pot_and_a_position_of_the_cue_ball_are_reached_together() {
     let open = shot(&[("cue", [0.5, 1.2]), ("1", [0.9, 1.9])]);
     let area = Disc { center: [0.9, 1.2], radius: 0.2 };
     let both = found(&open, Goal { leave: Some(area), ..pot(1, TOP_RIGHT) });
@@ -136,11 +137,11 @@ fn a_pot_and_a_place_for_the_cue_ball_are_had_together() {
         let (dx, dy) = (x - area.center[0], y - area.center[1]);
         assert!(dx * dx + dy * dy <= area.radius * area.radius, "{solution:?}");
     }
-    assert!(both[0].chance.share() < alone[0].chance.share(), "two wishes are harder than one");
+    assert!(both[0].chance.share() < alone[0].chance.share(), "two goals are harder than one");
 }
 
 #[test]
-fn a_snooker_is_escaped_to_where_the_cue_ball_is_wanted() {
+fn an_escape_from_a_snooker_leaves_the_cue_ball_in_the_disc() {
     let hidden = shot(&[("cue", [0.3, 0.5]), ("8", [0.3, 0.7]), ("1", [0.3, 2.0])]);
     let area = Disc { center: [0.8, 0.4], radius: 0.4 };
     let safe = found(&hidden, Goal { first: Some(2), leave: Some(area), ..Goal::default() });
@@ -152,26 +153,26 @@ fn a_snooker_is_escaped_to_where_the_cue_ball_is_wanted() {
     }
 }
 
-/// Blocked by a ball: the straight way to the pot, and that to the ball.
+/// A layout in which a ball blocks the straight line to the object ball.
 fn blocked() -> Shot {
     shot(&[("cue", [0.4, 0.75]), ("1", [0.9, 1.9]), ("2", [0.57, 1.13])])
 }
 
 #[test]
-fn where_a_ball_blocks_the_line_the_cue_ball_jumps_over_it_if_the_cue_may_be_raised() {
+fn a_jump_is_found_over_a_blocking_ball_if_the_cue_may_be_raised() {
     let goal = Goal { first: Some(1), ..pot(1, TOP_RIGHT) };
     for solution in found(&blocked(), goal) {
         assert!(is_of(&solution, "kick"), "{solution:?}");
     }
     let solutions = found_raised(&blocked(), goal);
-    let jump = solutions.iter().find(|s| s.way.kind() == "jump").expect("a jump");
-    assert_eq!(jump.way.words(&blocked()), "over 2, 1");
+    let jump = solutions.iter().find(|s| s.route.kind() == "jump").expect("a jump");
+    assert_eq!(jump.route.words(&blocked()), "over 2, 1");
     assert!(jump.chance.share() > LUCK, "{jump:?}");
     assert!((0.2..=RAISED).contains(&jump.strike.elevation), "{jump:?}");
 }
 
 #[test]
-fn what_is_called_a_jump_has_jumped_and_what_is_called_a_masse_has_curved() {
+fn a_jump_has_jumped_and_a_masse_has_curved() {
     let hidden = shot(&[("cue", [0.5, 0.5]), ("1", [0.5, 1.2]), ("8", [0.5, 0.8])]);
     let solutions = found_raised(&hidden, Goal { first: Some(1), ..Goal::default() });
     for solution in &solutions {
@@ -181,16 +182,16 @@ fn what_is_called_a_jump_has_jumped_and_what_is_called_a_masse_has_curved() {
         assert!(!is_of(solution, "jump") || jumped, "{solution:?}");
         assert!(is_of(solution, "massé") || jumped || is_of(solution, "kick"), "{solution:?}");
     }
-    let curved = solutions.iter().find(|s| s.way.kind() == "massé").expect("a massé");
-    assert_eq!(curved.way.words(&hidden), "around 8, 1");
+    let curved = solutions.iter().find(|s| s.route.kind() == "massé").expect("a massé");
+    assert_eq!(curved.route.words(&hidden), "around 8, 1");
     assert!(curved.chance.share() > 0.5, "{curved:?}");
-    // Hit low on the side to which it curves, and sent off to the other.
+    // A massé is hit low on the side to which it curves and starts to the other side.
     let left = curved.strike.azimuth - core::f64::consts::FRAC_PI_2;
     assert!(left * curved.strike.side > 0.0 && curved.strike.height < 0.0, "{curved:?}");
 }
 
 #[test]
-fn a_cue_that_may_not_be_raised_changes_nothing() {
+fn a_largest_elevation_of_zero_gives_the_same_solutions_as_none() {
     let few = Search { samples: 512, ..search() };
     let goal = pot(1, TOP_RIGHT);
     let own = solutions(&blocked(), goal, &few);

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 
 from carom import _core
 from carom.arguments import flat, number, thread_count, whole
-from carom.plan import so_far
-from carom.solve import a_shot, ball_index
+from carom.lazy import np
+from carom.plan.lookup import ball_index, core_of
+from carom.progress import stage_bars
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
-    from carom.shot import Shot
+    import carom
 
-# Cushions that a table can list; balls die before.
+# Most cushions of one ball. Balls stop before; every cushion of a cell takes 80 bytes.
 _MOST_CUSHIONS = 12
 
 
@@ -25,18 +25,18 @@ class CushionTable:
     """Where a ball, alone on the table, meets one cushion after the other.
 
     Attributes:
-        shot: Its table, its physics and where the ball starts.
-        ball: Which ball.
+        shot: Table, physics and the ball's starting place.
+        ball: The ball's id.
         azimuth: Directions, rad, shape (n_azimuths,).
         speed: Of the cue (kicks) or the ball (banks), m/s, shape (n_speeds,).
-        side: Contact points right of centre, ball radii, shape (n_sides,); a 0 for banks.
+        side: Contact points right of centre, ball radii, shape (n_sides,); a single 0 for banks.
         contact: The ball's centre at each cushion, m, shape (n_azimuths, n_speeds, n_sides,
-            n_cushions, 2); NaN where it stops, falls or meets a jaw before.
+            n_cushions, 2); NaN where the ball stops, falls or meets a jaw before.
         rail: The rails' names, strings of shape (n_azimuths, n_speeds, n_sides, n_cushions);
             empty where ``contact`` is NaN.
     """
 
-    shot: Shot
+    shot: carom.Shot
     ball: str
     azimuth: NDArray[np.float64]
     speed: NDArray[np.float64]
@@ -46,7 +46,7 @@ class CushionTable:
 
 
 def kick_table(
-    shot: Shot,
+    shot: carom.Shot,
     *,
     azimuth: ArrayLike | None = None,
     speed: ArrayLike = (1.5, 3.0, 5.0),
@@ -56,40 +56,41 @@ def kick_table(
     threads: int | None = None,
     progress: bool = False,
 ) -> CushionTable:
-    """Where the struck ball of a shot meets the cushions, with nothing else on the table.
+    """Where the struck ball of a shot meets the cushions, alone on the table.
 
     Args:
-        shot: Its table, physics and struck ball; the elevation is its strike's.
+        shot: Table, physics and struck ball. The elevation is that of its strike.
         azimuth: Directions of the cue, rad; None is every 5°.
         speed: Speeds of the cue, m/s.
         side: Contact points right of centre, ball radii.
         height: Contact point above centre, ball radii.
-        cushions: How many are listed.
-        threads: How many; None is one per core. Results do not depend on it.
+        cushions: Largest number of cushions listed per ball, at most 12.
+        threads: Number of threads; None is one per core. The result does not depend on it.
         progress: Show a progress bar on stderr.
 
     Raises:
-        InputError: The shot has no strike, or one of these cannot be played.
+        InputError: The shot has no strike, the cloth has no cushions, a strike cannot be played,
+            or there are more than ten million contacts.
     """
     turns, speeds, sides = _turns(azimuth), flat("speed", speed), flat("side", side)
     cushions = whole("cushions", cushions, _MOST_CUSHIONS + 1, low=1)
-    with so_far(len(turns), show=progress, what="directions") as tell:
+    with stage_bars(["balls"], show=progress) as report:
         found = _core.kick_table(
-            a_shot(shot)._core,
+            core_of(shot),
             turns.tolist(),
             speeds.tolist(),
             sides.tolist(),
             number("height", height),
             cushions,
             thread_count(threads),
-            tell,
+            report,
         )
     struck = shot.to_dict()["strike"]["ball"]
     return _table(shot, struck, (turns, speeds, sides), cushions, found)
 
 
 def bank_table(
-    shot: Shot,
+    shot: carom.Shot,
     ball: str,
     *,
     azimuth: ArrayLike | None = None,
@@ -98,51 +99,48 @@ def bank_table(
     threads: int | None = None,
     progress: bool = False,
 ) -> CushionTable:
-    """Where a ball that is sent off without spin meets the cushions, alone on the table.
+    """Where a ball that starts without spin meets the cushions, alone on the table.
 
     Args:
-        shot: Its table, physics and ball.
-        ball: Which ball.
+        shot: Table, physics and ball.
+        ball: The ball's id.
         azimuth: Directions in which it starts, rad; None is every 5°.
-        speed: Its speeds at the start, m/s; it slides first, as a ball that was hit does.
-        cushions: How many are listed.
-        threads: How many; None is one per core. Results do not depend on it.
+        speed: Its speeds at the start, m/s, in (0, 100]; it slides first, as after a collision.
+        cushions: Largest number of cushions listed per ball, at most 12.
+        threads: Number of threads; None is one per core. The result does not depend on it.
         progress: Show a progress bar on stderr.
 
     Raises:
-        InputError: There is no such ball, or a number is out of range.
+        InputError: There is no such ball, the cloth has no cushions, a number is out of range, or
+            there are more than ten million contacts.
     """
     index = ball_index(shot, ball)
-    turns, speeds = _turns(azimuth), flat("speed", speed, above=0.0)
+    turns, speeds = _turns(azimuth), flat("speed", speed)
     cushions = whole("cushions", cushions, _MOST_CUSHIONS + 1, low=1)
-    with so_far(len(turns), show=progress, what="directions") as tell:
+    with stage_bars(["balls"], show=progress) as report:
         found = _core.bank_table(
-            shot._core,
+            core_of(shot),
             index,
             turns.tolist(),
             speeds.tolist(),
             cushions,
             thread_count(threads),
-            tell,
+            report,
         )
     return _table(shot, ball, (turns, speeds, flat("side", 0.0)), cushions, found)
 
 
 def _turns(azimuth: ArrayLike | None) -> NDArray[np.float64]:
-    import numpy as np
-
     return flat("azimuth", np.radians(np.arange(0, 360, 5)) if azimuth is None else azimuth)
 
 
 def _table(
-    shot: Shot,
+    shot: carom.Shot,
     ball: str,
     axes: tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]],
     cushions: int,
     found: tuple[list[str], NDArray[np.float64]],
 ) -> CushionTable:
-    import numpy as np
-
     rails, contact = found
     shape = (*map(len, axes), cushions)
     names = np.array(rails, dtype="U16").reshape(shape)

@@ -1,0 +1,179 @@
+//! How a player errs, and how precisely a probability is to be known.
+
+use carom::noise::Perception;
+use carom::{Error, Noise};
+
+use crate::interval::{Interval, wilson};
+use crate::progress::Progress;
+
+/// Variants between two checks of one probability's precision. A nearly certain probability needs
+/// few variants, so checks are frequent; at 128 variants a check costs nothing beside them.
+const VARIANTS_BETWEEN_CHECKS: u64 = 128;
+
+/// How a player errs, and how precisely a probability is to be known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ErrorModel {
+    /// Errors of the strike.
+    pub noise: Noise,
+    /// Errors of the balls' perceived positions. The shot is what the player sees and plans on;
+    /// every variant has a layout of its own around it. The tip meets the cue ball where that truly
+    /// is: errors of the contact point belong to `noise`.
+    pub perception: Perception,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// Largest number of variants.
+    pub variants: u64,
+    /// Stop earlier, when half the width of the confidence interval is at most this. None plays
+    /// all variants.
+    pub half_width: Option<f64>,
+    /// Confidence level of all intervals, in (0, 1).
+    pub level: f64,
+}
+
+impl Default for ErrorModel {
+    fn default() -> Self {
+        Self {
+            noise: Noise::olympiad(1.0),
+            perception: Perception::default(),
+            seed: 0,
+            variants: 1000,
+            half_width: None,
+            level: 0.95,
+        }
+    }
+}
+
+impl ErrorModel {
+    /// Rejects an invalid standard deviation, confidence level or half-width.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for what [`Noise::check`] and [`Perception::check`] reject, and for a level
+    /// or a half-width out of range.
+    pub fn check(&self) -> Result<(), Error> {
+        self.noise.check()?;
+        self.perception.check()?;
+        check_level(self.level)?;
+        self.half_width.map_or(Ok(()), check_half_width)
+    }
+
+    /// Whether probabilities that were counted as `counts` among `trials` are known as precisely as
+    /// was asked for. False if no precision was asked for.
+    pub(crate) fn is_precise(&self, counts: impl IntoIterator<Item = u64>, trials: u64) -> bool {
+        let precise = |wanted| {
+            move |met| Chance { met, variants: trials }.interval(self.level).half_width() <= wanted
+        };
+        self.half_width.is_some_and(|wanted| counts.into_iter().all(precise(wanted)))
+    }
+
+    /// The probability that `happens` holds for a variant, counted until it is precise enough. A
+    /// stopped `progress` ends the count early.
+    pub(crate) fn count(
+        &self,
+        progress: &Progress,
+        mut happens: impl FnMut(u64) -> bool,
+    ) -> Chance {
+        let mut chance = Chance::default();
+        while chance.variants < self.variants && !progress.is_stopped() {
+            let end = self.variants.min(chance.variants + VARIANTS_BETWEEN_CHECKS);
+            chance.met += (chance.variants..end).filter(|k| happens(*k)).count() as u64;
+            chance.variants = end;
+            if self.is_precise([chance.met], chance.variants) {
+                break;
+            }
+        }
+        chance
+    }
+}
+
+/// Rejects an invalid confidence level.
+///
+/// # Errors
+/// [`Error::Input`] unless it is between 0 and 1.
+pub fn check_level(level: f64) -> Result<(), Error> {
+    if level > 0.0 && level < 1.0 {
+        return Ok(());
+    }
+    let what = format!("{level:?} is not a confidence level");
+    Err(Error::input("level", what, "give a number between 0 and 1, such as 0.95"))
+}
+
+/// Rejects an invalid half-width.
+fn check_half_width(half_width: f64) -> Result<(), Error> {
+    if half_width > 0.0 && half_width < 0.5 {
+        return Ok(());
+    }
+    let what = format!("{half_width:?} is not a half-width of a probability's interval");
+    Err(Error::input("precision", what, "give a number between 0 and 0.5, such as 0.01"))
+}
+
+/// A probability that was counted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Chance {
+    /// Number of variants in which it happened.
+    pub met: u64,
+    /// Number of variants.
+    pub variants: u64,
+}
+
+impl Chance {
+    /// The share of variants in which it happened; NaN without variants.
+    pub fn share(self) -> f64 {
+        self.met as f64 / self.variants as f64
+    }
+
+    /// Its confidence interval.
+    pub fn interval(self, level: f64) -> Interval {
+        wilson(self.met, self.variants, level)
+    }
+
+    /// Compares the shares of two chances, exactly: equal shares of different numbers of variants
+    /// are equal.
+    pub(crate) fn compare(self, other: Self) -> core::cmp::Ordering {
+        let scaled = |a: u64, b: u64| u128::from(a) * u128::from(b);
+        scaled(self.met, other.variants).cmp(&scaled(other.met, self.variants))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Chance, ErrorModel, Progress, VARIANTS_BETWEEN_CHECKS};
+
+    #[test]
+    fn counting_ends_at_the_first_check_that_finds_the_chance_precise() {
+        let progress = Progress::default();
+        let model =
+            ErrorModel { variants: 10_000, half_width: Some(0.05), ..ErrorModel::default() };
+        let half = model.count(&progress, |k| k % 2 == 0);
+        let width = |variants| Chance { met: variants / 2, variants }.interval(0.95).half_width();
+        assert!(width(half.variants) <= 0.05);
+        assert!(width(half.variants - VARIANTS_BETWEEN_CHECKS) > 0.05);
+        // A certain event is precise sooner.
+        let first_check =
+            Chance { met: VARIANTS_BETWEEN_CHECKS, variants: VARIANTS_BETWEEN_CHECKS };
+        assert_eq!(model.count(&progress, |_| true), first_check);
+        let all = ErrorModel { half_width: None, ..model }.count(&progress, |k| k < 3);
+        assert_eq!(all, Chance { met: 3, variants: 10_000 });
+    }
+
+    #[test]
+    fn a_stopped_count_ends_at_the_next_check() {
+        let progress = Progress::default();
+        let model = ErrorModel { variants: u64::MAX, ..ErrorModel::default() };
+        let chance = model.count(&progress, |k| {
+            if k == 200 {
+                progress.stop();
+            }
+            true
+        });
+        assert_eq!(chance.variants, 2 * VARIANTS_BETWEEN_CHECKS);
+    }
+
+    #[test]
+    fn chances_compare_as_shares() {
+        use core::cmp::Ordering::{Equal, Greater, Less};
+        let chance = |met, variants| Chance { met, variants };
+        assert_eq!(chance(1, 2).compare(chance(500, 1000)), Equal);
+        assert_eq!(chance(2, 3).compare(chance(600, 1000)), Greater);
+        assert_eq!(chance(0, 3).compare(chance(1, 1000)), Less);
+    }
+}

@@ -1,0 +1,265 @@
+"""The probabilities of a shot whose player errs."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import TYPE_CHECKING, Any
+
+from carom import _core
+from carom.arguments import core, thread_count
+from carom.call import fields_of
+from carom.errors import InputError
+from carom.noise import Noise, Perception, noise_or_default, perception_or_none
+from carom.plan.chance import Chance, chances_to_dict, or_null
+from carom.plan.lookup import ball_and_pocket, core_of, pocket_names
+from carom.plan.options import Sampling
+from carom.progress import stage_bars
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    import carom
+    from carom.call import Call
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evaluation:
+    """The results of a shot's variants; ``print`` it for a table.
+
+    Attributes:
+        shot: The intended shot.
+        noise: Errors of the strike.
+        perception: Errors of the perceived positions.
+        seed: Seed of the random numbers.
+        n: Number of variants.
+        level: Confidence level of the intervals.
+        pockets: The pockets' names; columns of ``potted``.
+        potted: Number of variants in which each ball fell into each pocket, int64 of shape
+            (n_balls, n_pockets).
+        off_table: Number of variants in which each ball left the table, int64 of shape
+            (n_balls,).
+        failed: Number of variants that could not be played, such as miscues. No ball falls in
+            them.
+        first_failure: The error of the first of them; None if there is none.
+        legal_count: Number of legal variants; None without a frame.
+        turn_kept_count: Number of variants after which the player shoots again or has won; None
+            without a frame.
+        at_rest: Number of variants in which each ball came to rest on the table, int64 of shape
+            (n_balls,).
+        end_mean: Mean place of rest in these variants, m, shape (n_balls, 2); NaN without any.
+        end_covariance: Covariance of the place of rest, m², shape (n_balls, 2, 2); NaN with fewer
+            than two such variants.
+        cue_ball: Index of the cue ball.
+        cue_ball_ends: Where the cue ball came to rest in each variant, m, shape (n, 2); NaN where
+            it fell, left the table, or the variant failed.
+    """
+
+    shot: carom.Shot
+    noise: Noise
+    perception: Perception
+    seed: int
+    n: int
+    level: float
+    pockets: tuple[str, ...]
+    potted: NDArray[np.int64]
+    off_table: NDArray[np.int64]
+    failed: int
+    first_failure: str | None
+    legal_count: int | None
+    turn_kept_count: int | None
+    at_rest: NDArray[np.int64]
+    end_mean: NDArray[np.float64]
+    end_covariance: NDArray[np.float64]
+    cue_ball: int
+    cue_ball_ends: NDArray[np.float64]
+
+    def chance(self, count: int) -> Chance:
+        """The chance of a result that occurred in ``count`` of the variants."""
+        return Chance.of(int(count), self.n, self.level)
+
+    def pot(self, ball: str) -> Chance:
+        """The chance that a ball falls into any pocket.
+
+        Raises:
+            InputError: There is no such ball.
+        """
+        return self.chance(self.potted[self._ball(ball)].sum())
+
+    def pocket(self, ball: str, pocket: str) -> Chance:
+        """The chance that a ball falls into the given pocket.
+
+        Raises:
+            InputError: There is no such ball or pocket.
+        """
+        if pocket not in self.pockets:
+            known = ", ".join(self.pockets) or "none on this table"
+            raise InputError(f"pocket: there is no {pocket!r}; there are: {known}")
+        return self.chance(self.potted[self._ball(ball), self.pockets.index(pocket)])
+
+    def leaves_table(self, ball: str) -> Chance:
+        """The chance that a ball leaves the table.
+
+        Raises:
+            InputError: There is no such ball.
+        """
+        return self.chance(self.off_table[self._ball(ball)])
+
+    @property
+    def scratch(self) -> Chance:
+        """The chance that the cue ball falls."""
+        return self.chance(self.potted[self.cue_ball].sum())
+
+    @property
+    def failure(self) -> Chance:
+        """The chance that the strike cannot be played, such as a miscue."""
+        return self.chance(self.failed)
+
+    @property
+    def legal(self) -> Chance | None:
+        """The chance that the shot is legal; None without a frame."""
+        return None if self.legal_count is None else self.chance(self.legal_count)
+
+    @property
+    def turn_kept(self) -> Chance | None:
+        """The chance that the player shoots again or has won; None without a frame."""
+        return None if self.turn_kept_count is None else self.chance(self.turn_kept_count)
+
+    def chances(self) -> dict[str, Chance]:
+        """The chances of all results that occurred, by name; ``scratch`` in any case."""
+        ids = self.shot.ids
+        named: dict[str, Chance] = {}
+        for row, ball in enumerate(ids):
+            if row == self.cue_ball:
+                continue
+            if self.potted[row].any():
+                named[f"{ball} falls"] = self.pot(ball)
+            for column, pocket in enumerate(self.pockets):
+                if self.potted[row, column]:
+                    named[f"{ball} into {pocket}"] = self.chance(self.potted[row, column])
+        if self.pockets:
+            named["scratch"] = self.scratch
+        for row, ball in enumerate(ids):
+            if self.off_table[row]:
+                named[f"{ball} off the table"] = self.chance(self.off_table[row])
+        if self.legal is not None and self.turn_kept is not None:
+            named |= {"legal": self.legal, "turn kept": self.turn_kept}
+        if self.failed:
+            named["not to be played"] = self.failure
+        return named
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON; without ``cue_ball_ends``."""
+        return {
+            "n": self.n,
+            "seed": self.seed,
+            "level": self.level,
+            "noise": asdict(self.noise),
+            "perception": {"position": self.perception.position},
+            "balls": self.shot.ids,
+            "pockets": list(self.pockets),
+            "potted": self.potted.tolist(),
+            "off_table": self.off_table.tolist(),
+            "failed": self.failed,
+            "first_failure": self.first_failure,
+            "legal": self.legal_count,
+            "turn_kept": self.turn_kept_count,
+            "at_rest": self.at_rest.tolist(),
+            "end_mean": or_null(self.end_mean.tolist()),
+            "end_covariance": or_null(self.end_covariance.tolist()),
+            "chances": chances_to_dict(self.chances()),
+        }
+
+    def __str__(self) -> str:
+        rows = [(what, str(chance)) for what, chance in self.chances().items()]
+        x, y = self.end_mean[self.cue_ball]
+        if self.at_rest[self.cue_ball] > 1:
+            spread = [float(v) ** 0.5 for v in self.end_covariance[self.cue_ball].diagonal()]
+            place = f"{x:.3f} ± {spread[0]:.3f}, {y:.3f} ± {spread[1]:.3f} m"
+            rows.append((f"{self.shot.ids[self.cue_ball]} ends at", place))
+        width = max(len(what) for what, _ in rows) if rows else 0
+        title = f"{self.n} variants; intervals at {100 * self.level:g} % confidence"
+        return "\n".join([title, *(f"  {what:<{width}}  {value}" for what, value in rows)])
+
+    def __repr__(self) -> str:
+        return f"<carom.Evaluation: {self.n} variants of {self.shot!r}>"
+
+    def _ball(self, ball: str) -> int:
+        ids = self.shot.ids
+        if ball not in ids:
+            raise InputError(f"ball: there is no {ball!r}; there are: {', '.join(ids)}")
+        return ids.index(ball)
+
+
+def evaluate(
+    shot: carom.Shot,
+    noise: Noise,
+    n: int = 10_000,
+    seed: int = 0,
+    *,
+    perception: Perception | None = None,
+    precision: float | None = None,
+    watch: str | tuple[str, str] | None = None,
+    frame: carom.Frame | None = None,
+    call: Call | None = None,
+    level: float = 0.95,
+    threads: int | None = None,
+    progress: bool = False,
+) -> Evaluation:
+    """The probabilities of the results when a player intends the shot's strike.
+
+    The variants are those of ``Shot.vary`` with the same noise, perception and seed.
+
+    Args:
+        shot: The shot as the player sees and plans it.
+        noise: Errors of the strike.
+        n: Largest number of variants.
+        seed: Seed of the random numbers, a whole number from 0 to 2⁶⁴ − 1.
+        perception: Errors of the perceived positions. Every variant has a layout of its own
+            around the shot's, as ``Perception.see`` draws it. The tip meets the cue ball where
+            that truly is.
+        precision: Stop as soon as half the width of the watched interval is at most this; checked
+            after every 1024 variants. None plays all ``n``.
+        watch: The watched chance: a ball's id, ``(ball, pocket)``, ``"scratch"`` or ``"legal"``;
+            None watches all that are counted.
+        frame: The game in which the shot is played. It decides what is legal, and must ask for
+            this shot: ``frame.shot(...)`` gives it.
+        call: What the player announces to the frame.
+        level: Confidence level of the intervals, in (0, 1).
+        threads: Number of threads; None is one per core. The result does not depend on it.
+        progress: Show a progress bar on stderr.
+
+    Raises:
+        InputError: The shot has no strike, a number is out of range, there is no such ball or
+            pocket to watch, or the frame asks for another shot.
+    """
+    sampling = Sampling(noise, perception, seed, n, precision, level)
+    watched = None
+    if watch is not None:
+        if precision is None:
+            raise InputError("watch: it has no effect without a precision; give one too")
+        watched = ball_and_pocket("watch", watch)
+    with stage_bars(["shots"], show=progress) as report:
+        found = _core.evaluate(
+            core_of(shot), sampling, watched, _referee(frame, call), thread_count(threads), report
+        )
+    return Evaluation(
+        shot=shot,
+        noise=noise_or_default(noise),
+        perception=perception_or_none(perception),
+        seed=sampling.seed,
+        level=sampling.level,
+        pockets=tuple(pocket_names(shot)),
+        **found,
+    )
+
+
+def _referee(
+    frame: carom.Frame | None, call: Call | None
+) -> tuple[_core.Frame, tuple[str, str | None, str | None]] | None:
+    """The frame that rules and the call, in the form that Rust accepts."""
+    if frame is None:
+        if call is not None:
+            raise InputError("call: there is no game to announce it in; give its frame too")
+        return None
+    return core("frame", frame, _core.Frame, "carom.Frame.of_shot(...)"), fields_of(call)
