@@ -21,7 +21,10 @@ from carom.bench.states import CLASSES
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benches" / "results"
-PAGES = tuple(ROOT / "docs" / f"{name}.md" for name in ("benchmarks", "guarantees", "many-balls"))
+PAGES = (
+    ROOT / "README.md",
+    *(ROOT / "docs" / f"{name}.md" for name in ("benchmarks", "guarantees", "many-balls")),
+)
 #: The comment above a table, and the table.
 PLACE = re.compile(r"<!-- table: (\S+) (\S+) -->\n\n((?:\|.*\n)*)")
 
@@ -49,7 +52,7 @@ def filled(text: str, bench: str | None = None) -> str:
 
     def replace(place: re.Match[str]) -> str:
         name, file = place[1], place[2]
-        if bench is not None and name in {"times", "events"}:
+        if bench is not None and name in {"summary", "times", "events"}:
             file = bench
         result = json.loads((RESULTS / file).read_text(encoding="utf-8"))
         return f"<!-- table: {name} {file} -->\n\n{TABLES[name](result)}\n"
@@ -62,9 +65,10 @@ def markdown(head: list[str], lines: list[list[str]]) -> str:
     return "\n".join(f"| {' | '.join(cells)} |" for cells in (head, ["---"] * len(head), *lines))
 
 
-def digits(value: float) -> str:
-    """A number with three digits, or with all digits before the point if there are more."""
-    return f"{value:.0f}" if value >= 1000 else f"{value:#.3g}".rstrip(".")
+def digits(value: float, count: int = 3) -> str:
+    """A number rounded to some digits, without an exponent."""
+    rounded = float(f"{value:.{count}g}")
+    return f"{rounded:.0f}" if rounded >= 10 ** (count - 1) else f"{rounded:#.{count}g}"
 
 
 def times(result: JSON) -> str:
@@ -79,6 +83,26 @@ def times(result: JSON) -> str:
         cells += [f"{row['ratio_of_medians']:.0f}", f"{digits(row['mixed_mean_us'])} µs"]
         cells += [f"{digits(mean / 1000)} ms", f"{row['ratio_of_mixed_means']:.0f}"]
         lines.append([CLASSES[name], *cells])
+    return markdown(head, lines)
+
+
+def summary(result: JSON) -> str:
+    """The README's table: means over shots in turn, then medians of repeated shots.
+
+    The pot shot is left out where one of the engines did not pot it.
+    """
+    head = ["", "carom, mean", "pooltool, mean", "ratio"]
+    head += ["carom, median, repeated", "pooltool, median", "ratio"]
+    lines = []
+    for name, row in result["classes"].items():
+        if name == "pot_shot" and row["same_balls_pocketed"] < 1:
+            continue
+        peer = row["peer"]
+        mean = peer.get("mixed_mean_us", peer["mean_us"])
+        cells = [f"{digits(row['mixed_mean_us'], 2)} µs", f"{digits(mean / 1000, 2)} ms"]
+        cells += [digits(row["ratio_of_mixed_means"]), f"{digits(row['median_us'], 2)} µs"]
+        cells += [f"{digits(peer['median_us'] / 1000, 2)} ms", digits(row["ratio_of_medians"])]
+        lines.append([CLASSES[name].removeprefix("random "), *cells])
     return markdown(head, lines)
 
 
@@ -146,6 +170,7 @@ def breaks(result: JSON) -> str:
 
 
 TABLES: dict[str, Callable[[JSON], str]] = {
+    "summary": summary,
     "times": times,
     "events": events,
     "amplification": amplification,

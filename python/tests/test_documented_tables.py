@@ -12,7 +12,6 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).parents[2]
-PAGES = ("benchmarks", "guarantees", "many-balls")
 
 
 def load_tables() -> ModuleType:
@@ -26,21 +25,23 @@ def load_tables() -> ModuleType:
 
 
 tables: Any = load_tables()
+#: The pages with tables, by name.
+PAGES = {page.stem: page for page in tables.PAGES}
 
 
 @pytest.mark.parametrize("name", PAGES)
 def test_a_page_has_the_tables_of_the_stored_results(name: str) -> None:
-    page = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
+    page = PAGES[name].read_text(encoding="utf-8")
     assert tables.PLACE.search(page)
     assert tables.filled(page) == page, "run: python benches/tables.py --write"
 
 
 @pytest.mark.parametrize("name", PAGES)
 def test_a_page_names_the_commit_of_each_stored_result(name: str) -> None:
-    page = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
+    page = PAGES[name].read_text(encoding="utf-8")
     for file in set(re.findall(r"<!-- table: \S+ (\S+) -->", page)):
         stored = json.loads((tables.RESULTS / file).read_text(encoding="utf-8"))
-        assert stored["commit"].rstrip("+") in page, f"docs/{name}.md: {file} has another commit"
+        assert stored["commit"].rstrip("+") in page, f"{PAGES[name]}: {file} has another commit"
 
 
 def test_every_stored_result_names_its_commit() -> None:
@@ -50,7 +51,7 @@ def test_every_stored_result_names_its_commit() -> None:
 
 
 def test_a_wrong_number_in_a_page_is_found() -> None:
-    page = (ROOT / "docs" / "benchmarks.md").read_text(encoding="utf-8")
+    page = PAGES["benchmarks"].read_text(encoding="utf-8")
     place = tables.PLACE.search(page)
     first_number = re.search(r"\d+", place[3])
     assert first_number is not None
