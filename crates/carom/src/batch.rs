@@ -1,4 +1,4 @@
-//! Many shots at once, without traces: the same results in the same order for any number of
+//! Batches: many shots without traces, with the same results in the same order for any number of
 //! threads.
 
 use alloc::borrow::Cow;
@@ -14,8 +14,8 @@ use crate::runner::Runner;
 use crate::simulator::Simulator;
 use crate::{MotionState, Noise, Shot};
 
-/// Shots that one thread takes at a time: a few hundred microseconds of work, so that handing
-/// them out costs nothing and the threads still end together.
+/// Shots that a thread gets at a time: some hundred microseconds of work, so that the overhead is
+/// negligible and all threads end at about the same time.
 const CHUNK: usize = 64;
 
 /// Pocket index of a ball that is on the table at the end.
@@ -35,7 +35,7 @@ pub struct BatchResult {
     pub balls: usize,
     /// Final centres in the file's frame, m, NaN where a shot has no such ball.
     pub final_position: Vec<[f64; 3]>,
-    /// Index of the pocket that took the ball, in the order of `Table::pockets`, or
+    /// Index of the pocket that the ball fell into, in the order of `Table::pockets`, or
     /// [`ON_TABLE`], [`OFF_TABLE`], [`PADDING`].
     pub pocket: Vec<i8>,
     /// Number of events of each shot.
@@ -159,7 +159,7 @@ struct Chunk<'a> {
     events: &'a mut [i32],
 }
 
-/// Plays the shots that `rows` has room for. Returns those that failed.
+/// Plays the shots of a chunk. Returns the errors of those that failed.
 fn play_rows<'a>(
     simulator: &mut Simulator,
     rows: Chunk<'_>,

@@ -1,14 +1,14 @@
-//! The one error type of the engine.
+//! The error type of the engine.
 
 use alloc::boxed::Box;
 use alloc::string::String;
 use core::fmt;
 
-/// Everything that can go wrong, in the user's words.
+/// An error, in the user's terms.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Error {
-    /// What was given is refused before anything is simulated.
+    /// Bad input, refused before anything is simulated.
     Input(Box<InputError>),
     /// The shot reached its cap of events. Please report it with the shot that it carries.
     TooManyEvents {
@@ -19,19 +19,19 @@ pub enum Error {
     },
 }
 
-/// Bad input: where it is, what is wrong with it, and what would be right.
+/// Bad input: the place, the fault and the remedy.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
     /// Path in the input, such as `balls[3].position`.
     pub place: String,
     /// What is wrong.
     pub what: String,
-    /// What would be right; empty if `what` says so already.
+    /// What to do about it; empty if `what` says so already.
     pub remedy: String,
 }
 
 impl Error {
-    /// Bad input at `place`: `what` is wrong, `remedy` would be right.
+    /// Bad input at `place`: `what` is wrong, `remedy` says what to do.
     pub fn input(
         place: impl Into<String>,
         what: impl Into<String>,
@@ -44,7 +44,7 @@ impl Error {
         }))
     }
 
-    /// The same error, of something that stands under `key` of something larger.
+    /// The same error for a value that is under `key` of a larger one.
     pub fn inside(mut self, key: &str) -> Self {
         if let Self::Input(e) = &mut self {
             let dot = if e.place.is_empty() || e.place.starts_with('[') { "" } else { "." };

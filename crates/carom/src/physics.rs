@@ -1,15 +1,15 @@
-//! The parameters of every physical model: plain data, immutable during a shot.
+//! The parameters of the physical models: plain data, immutable during a shot.
 
 pub mod presets;
 
 use crate::table::Part;
 
-/// Everything physical about a shot except the table's geometry and the single balls.
+/// All physical parameters of a shot except the table's geometry and the single balls.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Physics {
     /// Gravitational acceleration, m/s².
     pub gravity: f64,
-    /// Ball that a shot file gets when it names neither mass nor radius.
+    /// Mass and radius of a ball for which a shot file gives none.
     pub ball: crate::Ball,
     /// Ball on cloth.
     pub cloth: Cloth,
@@ -17,8 +17,8 @@ pub struct Physics {
     pub ball_ball: BallBall,
     /// Ball against cushion.
     pub cushion: Cushion,
-    /// Ball against the facings and points of a pocket's jaws: instead of the cushion's restitution
-    /// and friction, in the cushion's model.
+    /// Ball against the facings and points of a pocket's jaws: they replace the cushion's restitution and
+    /// friction, in the cushion's model.
     pub facing: Surface,
     /// Ball against a pocket's liner, in the cushion's model.
     pub liner: Surface,
@@ -29,8 +29,8 @@ pub struct Physics {
 }
 
 impl Physics {
-    /// What a `part` of a cushion does to a ball. Facings, points and liners have their own
-    /// surfaces in the cushion's model, and so has a rail's top where a ball meets it as a cushion.
+    /// The parameters for a `part` of a cushion. Facings, points and liners have their own surfaces in the
+    /// cushion's model, and so has a rail's top where a ball collides with it as a cushion.
     pub fn cushion_of(&self, part: Part) -> Cushion {
         match part {
             Part::Nose => self.cushion,
@@ -55,14 +55,14 @@ pub struct Cloth {
 /// Which published model resolves a collision of two balls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BallBallModel {
-    /// Exchange along the line of centres with restitution, no friction. A shot file that chooses
-    /// it gets restitution 1, unless it writes another.
+    /// Impulse along the line of centres with restitution, no friction. In a shot file this model has the
+    /// restitution 1 unless the file gives another.
     Elastic,
     /// Impulse with restitution and Coulomb friction, rigid in the tangent plane.
     Frictional,
     /// Mathavan, Jackson & Parkin 2014: impulse integrated, with cloth friction.
     Mathavan2014,
-    /// Stronge's tangentially compliant contact: real throw.
+    /// Stronge's tangentially compliant contact, with realistic throw.
     Compliant,
 }
 
@@ -71,7 +71,7 @@ pub enum BallBallModel {
 pub struct SlipFriction {
     /// Limit at high slip speed.
     pub a: f64,
-    /// What is added at rest.
+    /// Addition at slip speed 0.
     pub b: f64,
     /// Decay with slip speed, s/m.
     pub c: f64,
@@ -125,8 +125,8 @@ pub enum CushionModel {
     Factors,
 }
 
-/// Restitution of the cushion: a number is `a` alone; a fit in the normal speed V is
-/// e = a + bV + cV², kept in 0..=1 (Han 2005; here for `stronge` too).
+/// Restitution of the cushion as a function of the normal speed V: e = a + bV + cV², limited to 0..=1
+/// (Han 2005; here for `stronge` too). A constant is `a` alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CushionRestitution {
     /// Constant part.
@@ -137,8 +137,8 @@ pub struct CushionRestitution {
     pub c: f64,
 }
 
-/// Friction of the cushion: a number is `a` alone; Han's fit is μ = a + bγ, γ the incidence from
-/// the normal, rad.
+/// Friction of the cushion as a function of the incidence γ from the normal, rad: μ = a + bγ (Han 2005). A
+/// constant is `a` alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CushionFriction {
     /// Constant part.
@@ -175,7 +175,7 @@ impl Cushion {
     }
 }
 
-/// How a surface returns a ball.
+/// The restitution and friction of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     /// Coefficient of restitution.
@@ -184,7 +184,7 @@ pub struct Surface {
     pub friction: f64,
 }
 
-/// How the tip gives back what it took.
+/// How much the tip returns of the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tip {
     /// Newton's coefficient of restitution.
@@ -200,8 +200,8 @@ pub struct Cue {
     pub mass: f64,
     /// Mass of the shaft's end that takes part in squirt, kg; 0: no squirt.
     pub end_mass: f64,
-    /// Radius of the tip's curvature, m. It does not change the strike, for tip offsets are those
-    /// of the contact point; a cue whose axis stands off the ball's by o touches it at
+    /// Radius of the tip's curvature, m. It does not change the strike, because tip offsets are those of the
+    /// contact point. A cue whose axis has the offset o from the ball's centre touches the ball at
     /// o/(1 + tip_radius/R).
     pub tip_radius: f64,
     /// Friction between tip and ball; sets the miscue limit μ/√(1 + μ²), in ball radii.

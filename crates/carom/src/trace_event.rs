@@ -1,10 +1,10 @@
-//! An event as traces and outcomes have it: rails and pockets by name, states in the file's frame.
+//! Events as traces and outcomes use them: rails and pockets by name, states in the file's frame.
 
 use crate::event::EventKind;
 use crate::table::{Part, PocketName, Rail};
 use crate::{BallState, MotionState, Table};
 
-/// What happened in an event, in the words of a trace.
+/// The kind of an event, with the names of rails and pockets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TraceEventKind {
     /// The cue meets the cue ball.
@@ -34,7 +34,7 @@ pub enum TraceEventKind {
 }
 
 impl TraceEventKind {
-    /// What the engine's `kind` of event is called on `table`.
+    /// The engine's `kind` of event with the names of `table`.
     pub fn of(kind: EventKind, table: &Table) -> Self {
         match kind {
             EventKind::CueStrike => Self::CueStrike,

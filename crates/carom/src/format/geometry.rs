@@ -1,5 +1,4 @@
-//! A table's geometry as a tree of values, in the file's frame: what bindings hand out and pictures
-//! are drawn from.
+//! A table's geometry as a tree of values, in the file's frame, for bindings and pictures.
 
 use super::node::Node;
 use super::table::{write_sights, write_spots};
@@ -9,8 +8,8 @@ use crate::table::{
 };
 
 impl Table {
-    /// Cushions, liners, pockets and, of a table with rails, markings and dimensions. m; origin at the
-    /// bottom left corner. What is infinite is null.
+    /// Cushions, liners and pockets, and for a table with rails also markings and dimensions. Lengths in m,
+    /// origin at the bottom left corner; infinite sizes are null.
     pub fn to_node(&self) -> Node {
         let point = |p: Vec2| {
             let p = p + self.center();
@@ -82,7 +81,7 @@ fn pocket(pocket: &Pocket, point: impl Fn(Vec2) -> Node) -> Node {
     node
 }
 
-/// What only pictures and racks need.
+/// Adds what only pictures and racks need.
 fn drawn(node: &mut Node, description: &TableDescription) {
     node.set("cushion_width", description.cushion_width);
     node.set("rail_width", description.rail_width);

@@ -18,7 +18,7 @@ impl Node {
     /// [`Error::Input`] for what JSON refuses, for a number too large for a double, and for a key
     /// that stands twice in one object.
     pub fn from_json(text: &str) -> Result<Self, Error> {
-        // A byte-order mark is what some editors put in front of UTF-8.
+        // Some editors put a byte-order mark in front of UTF-8.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut source = serde_json::Deserializer::from_str(text);
         let node = match serde_path_to_error::deserialize::<_, Self>(&mut source) {
@@ -32,11 +32,11 @@ impl Node {
     }
 }
 
-/// Names longer than this say no more than their beginning: only nonsense nests so deep.
+/// Longest place in an error, characters. Only malformed files nest so deep.
 const LONGEST_PLACE: usize = 80;
 
-/// The place of a syntax error as far as it has a name: a key that is still being read, or that
-/// should have come, shows as `?`, and the whole file as `.`.
+/// The known part of the place of a syntax error. A key that is incomplete or missing is shown as `?`, and
+/// the whole file as `.`.
 fn known_part(place: &str) -> &str {
     let known = place.trim_end_matches('?').trim_end_matches('.');
     match known.char_indices().nth(LONGEST_PLACE) {
@@ -84,7 +84,7 @@ fn explain(text: &str, place: &str, e: &serde_json::Error) -> Error {
     )
 }
 
-/// The word that a syntax error at this line and column points into.
+/// The word at this line and column, where a syntax error is.
 fn token_at(text: &str, line: usize, column: usize) -> String {
     let Some(line) = line.checked_sub(1).and_then(|i| text.split('\n').nth(i)) else {
         return String::new();

@@ -1,5 +1,5 @@
-//! Values put into a shot file where a path says, such as `physics.cloth.sliding_friction`,
-//! `balls.cue.position` or `balls.cue.position[0]`.
+//! Paths of values in a shot file, such as `physics.cloth.sliding_friction`, `balls.cue.position` or
+//! `balls.cue.position[0]`.
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -9,8 +9,8 @@ use core::fmt;
 use super::node::Node;
 use crate::error::Error;
 
-/// Where a value stands in a shot file: keys with dots between them, `[i]` for an item of a list. A ball may be
-/// named by its id.
+/// The path of a value in a shot file: keys with dots between them, `[i]` for an item of a list. A ball
+/// may be named by its id.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct KeyPath {
     steps: Vec<PathStep>,
@@ -27,7 +27,7 @@ impl KeyPath {
     /// Reads a path.
     ///
     /// # Errors
-    /// [`Error::Input`] if it is none.
+    /// [`Error::Input`] for a text that is not a path.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let refuse = |what: &str| {
             let remedy = "write keys with dots between them, such as strike.speed, \
@@ -50,7 +50,7 @@ impl KeyPath {
         Ok(Self { steps })
     }
 
-    /// Whether `other` stands inside of what this path names, or is the same.
+    /// Whether `other` is the same path, or that of a value inside this one.
     pub fn holds(&self, other: &Self) -> bool {
         other.steps.starts_with(&self.steps)
     }
@@ -86,9 +86,9 @@ impl fmt::Display for KeyPath {
     }
 }
 
-/// What stands in `node` at `step`; made, if it is a key that is not there. Else what is wrong, and the remedy.
+/// The value in `node` at `step`; a missing key is added. The error is what is wrong, and the remedy.
 fn inside<'a>(node: &'a mut Node, step: &PathStep) -> Result<&'a mut Node, (String, String)> {
-    // The name of a preset means all that stands in it.
+    // The name of a preset stands for all its values.
     if let Node::Text(_) = node {
         *node = Node::object([("base", node.clone())]);
     }
@@ -113,7 +113,7 @@ fn inside<'a>(node: &'a mut Node, step: &PathStep) -> Result<&'a mut Node, (Stri
             })
         }
         _ => Err((
-            "nothing can stand inside of a number".into(),
+            "a number has no values inside".into(),
             "write the path of the number, or of a list or an object".into(),
         )),
     }
@@ -158,12 +158,12 @@ mod tests {
     }
 
     #[test]
-    fn what_a_file_would_be_refused_for_is_refused_with_its_place() {
+    fn a_value_that_a_file_would_be_refused_for_is_refused_with_its_place() {
         for (path, value, place) in [
             ("physics.cloth.slide", Node::Number(0.1), "physics.cloth.slide: unknown key"),
             ("balls.9.position", Node::Number(0.1), "balls.9: nothing here has the id \"9\""),
             ("balls[7].position", Node::Number(0.1), "balls[7]: the list has 2 items"),
-            ("strike.speed.x", Node::Number(0.1), "strike.speed.x: nothing can stand inside"),
+            ("strike.speed.x", Node::Number(0.1), "strike.speed.x: a number has no values inside"),
             ("strike.speed", Node::Number(-1.0), "strike.speed: -1.0 is out of range"),
             (
                 "balls.cue.position",

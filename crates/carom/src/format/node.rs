@@ -1,12 +1,10 @@
-//! A tree of plain values: what a JSON text or a Python dictionary says, before anyone asks
-//! whether it makes sense.
+//! A tree of plain values: the content of a JSON text or a Python dictionary, before it is checked.
 
 use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt::Write;
 
-/// A value as written. NaN and infinities are kept, so that whoever reads them can say where
-/// they stand.
+/// A value as written. NaN and infinities are kept, so that a reader can refuse them with their place.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Node {
     /// `null`.
@@ -47,8 +45,8 @@ impl Node {
         }
     }
 
-    /// Sets the value under `key`, in its place if the key exists, else at the end. Does nothing
-    /// to anything but an object.
+    /// Sets the value under `key`: in its place if the key exists, else at the end. Does nothing if this is
+    /// not an object.
     pub fn set(&mut self, key: &str, value: impl Into<Node>) {
         let Self::Object(fields) = self else { return };
         match fields.iter_mut().find(|(k, _)| k == key) {
@@ -57,15 +55,15 @@ impl Node {
         }
     }
 
-    /// Removes `key`; does nothing where there is none.
+    /// Removes `key`, if it is there.
     pub fn remove(&mut self, key: &str) {
         if let Self::Object(fields) = self {
             fields.retain(|(k, _)| k != key);
         }
     }
 
-    /// JSON text, indented where a line would be too long. Every finite number reads back to the
-    /// same bits; a number that is not finite becomes `null`, which JSON has instead.
+    /// JSON text, indented where a line would be too long. Every finite number reads back to the same
+    /// bits; other numbers become `null`, because JSON has none.
     pub fn to_json(&self) -> String {
         let mut out = String::new();
         self.write_json(&mut out, 0);
@@ -111,16 +109,16 @@ impl Node {
         }
     }
 
-    /// Writes the value on one line; gives up, with `false`, once `out` is longer than `limit`, so
-    /// that a long value is not written out whole at every level of its nesting.
+    /// Writes the value on one line. Stops, and returns `false`, once `out` is longer than `limit`, so that a
+    /// long value is not written out at every level of its nesting.
     fn write_flat(&self, out: &mut String, limit: usize) -> bool {
         match self {
             Self::Null => out.push_str("null"),
             Self::Bool(b) => out.push_str(if *b { "true" } else { "false" }),
             Self::Integer(i) => _ = write!(out, "{i}"),
             Self::Number(x) if !x.is_finite() => out.push_str("null"),
-            // Debug, unlike Display, keeps the point or the exponent that marks a float, and is
-            // the shortest text that reads back to the same bits.
+            // Debug, unlike Display, keeps the point or the exponent that marks a float. It is the
+            // shortest text that reads back to the same bits.
             Self::Number(x) => _ = write!(out, "{x:?}"),
             Self::Text(s) => write_string(out, s),
             Self::List(items) => {

@@ -9,8 +9,8 @@ use crate::shot::Shot;
 use crate::table::{PocketName, Rail};
 
 impl Outcome {
-    /// The outcome as a trace shows it, with the balls' ids, and with what is to be said of `shot`'s
-    /// strike before anything moves.
+    /// The outcome as it is written in a trace: with the balls' ids, and with the miscue and the
+    /// obstruction of `shot`'s strike.
     pub fn to_node(&self, shot: &Shot) -> Node {
         let balls = shot.balls();
         let id = |i: u16| Node::from(&balls[usize::from(i)].id);

@@ -18,7 +18,7 @@ use crate::shot::{MASS, RADIUS};
 const FRACTION: Range = Range::closed(0.0, 1.0, "");
 /// A coefficient of friction.
 const FRICTION: Range = Range::not_negative("");
-/// ω_t/ω_n: Stronge's piecewise solution holds where the tangential spring swings faster than the
+/// ω_t/ω_n: Stronge's piecewise solution holds if the tangential spring oscillates faster than the
 /// normal one, but less than twice as fast.
 const FREQUENCY_RATIO: Range = Range::closed(1.0, 2.0, "");
 
@@ -112,7 +112,7 @@ fn ball_ball(at: &At<'_>, law: &mut BallBall) -> Result<(), Error> {
     if let Some(at) = fields.get("model") {
         law.model = at.choice("ball–ball model", BALL_BALL_MODELS)?;
         if law.model == BallBallModel::Elastic {
-            // Who asks for elastic balls does not mean the base's lossy ones.
+            // A user who chooses elastic balls does not expect the base's losses.
             law.restitution = 1.0;
         }
     }
@@ -165,13 +165,13 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
     fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
 }
 
-/// Models that take the restitution as a fit in the speed: Han's by his paper; Stronge's, because
-/// measured cushions need it and his contact takes any e.
+/// Models whose restitution may be a fit in the speed: Han's by his paper; Stronge's because measured
+/// cushions need it and his contact allows any e.
 const RESTITUTION_FITS: &[CushionModel] = &[CushionModel::Han2005, CushionModel::Stronge];
-/// Models that take the friction as a fit in the incidence.
+/// Models whose friction may be a fit in the incidence.
 const FRICTION_FITS: &[CushionModel] = &[CushionModel::Han2005];
 
-/// A base's fit that the model does not take becomes its value for a slow, perpendicular impact.
+/// Replaces a fit of the base that the model does not allow by its value for a slow, perpendicular impact.
 fn keep_what_the_model_takes(law: &mut Cushion) {
     if !RESTITUTION_FITS.contains(&law.model) {
         law.restitution = CushionRestitution { a: law.restitution.at(0.0), b: 0.0, c: 0.0 };
@@ -219,7 +219,7 @@ fn cushion_friction(
     fields.number_into("b", &Range::any(" per rad"), &mut friction.b)
 }
 
-/// Refuses a fit that `model`, being none of `models`, does not take.
+/// Refuses a fit if `model` is not one of `models`, which allow it.
 fn only_for(models: &[CushionModel], at: &At<'_>, model: CushionModel) -> Result<(), Error> {
     if models.contains(&model) {
         return Ok(());
@@ -255,7 +255,7 @@ fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
     match (fields.get("tip_restitution"), fields.get("tip_efficiency")) {
         (Some(_), Some(efficiency)) => {
             return Err(efficiency.refuse(
-                "tip_restitution and tip_efficiency say the same thing twice",
+                "tip_restitution and tip_efficiency describe the same property",
                 "keep one of the two",
             ));
         }

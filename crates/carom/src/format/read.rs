@@ -1,5 +1,4 @@
-//! Reading a [`Node`] tree strictly: every refusal names the place, what is wrong there, and what
-//! would be right.
+//! Reading a [`Node`] tree strictly: every error names the place, the fault and the remedy.
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -9,11 +8,11 @@ use super::node::Node;
 use crate::error::Error;
 use crate::range::{Range, describe_number};
 
-/// A parameter smaller than this, whatever its unit, means 0: its square would underflow, and
-/// quotients by it overflow. −0 means 0 too, since 1/−0 is not 1/0.
+/// A parameter smaller than this, whatever its unit, is read as 0: its square would underflow, and
+/// quotients by it overflow. −0 is read as 0 too, because 1/−0 is not 1/0.
 const VANISHING: f64 = 1e-150;
 
-/// A node and where it stands.
+/// A node and its place in the input.
 #[derive(Clone, Debug)]
 pub(crate) struct At<'a> {
     node: &'a Node,
@@ -31,12 +30,12 @@ impl<'a> At<'a> {
         self.node
     }
 
-    /// The node's path, such as `balls[3].position`; empty for the whole input.
+    /// The place of the node, such as `balls[3].position`; empty for the whole input.
     pub(crate) fn place(&self) -> &str {
         &self.place
     }
 
-    /// Refuses what stands here.
+    /// The error that this node is refused with.
     pub(crate) fn refuse(&self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
         Error::input(&*self.place, what, remedy)
     }
@@ -45,7 +44,7 @@ impl<'a> At<'a> {
         self.refuse(format!("found {}", describe(self.node)), format!("write {wanted}"))
     }
 
-    /// The fields of an object, none of which may be unknown.
+    /// The fields of an object; unknown keys are refused.
     pub(crate) fn fields(&self, allowed: &'static [&'static str]) -> Result<Fields<'a>, Error> {
         let Node::Object(fields) = self.node else {
             return Err(self.wrong_type("an object {...}"));
@@ -65,7 +64,7 @@ impl<'a> At<'a> {
         Ok(Fields { fields, at: self.clone() })
     }
 
-    /// The fields of an object, known or not.
+    /// The fields of an object; unknown keys are accepted.
     pub(crate) fn known_fields(&self) -> Result<Fields<'a>, Error> {
         match self.node {
             Node::Object(fields) => Ok(Fields { fields, at: self.clone() }),
@@ -87,7 +86,7 @@ impl<'a> At<'a> {
             .collect())
     }
 
-    /// Whether an object stands here.
+    /// Whether this is an object.
     pub(crate) const fn is_object(&self) -> bool {
         matches!(self.node, Node::Object(_))
     }
@@ -116,7 +115,7 @@ impl<'a> At<'a> {
         let wanted = format!("a whole number from {low} to {high}");
         let i = match self.node {
             Node::Integer(i) => *i,
-            // 100.0 is how some writers spell 100.
+            // Some writers write 100 as 100.0.
             Node::Number(x) if *x == (*x as i64) as f64 => *x as i64,
             Node::Number(x) => {
                 return Err(
@@ -155,7 +154,7 @@ impl<'a> At<'a> {
             let found = format!("found a list of {}", items.len());
             return Err(self.refuse(found, format!("write {}", wanted())));
         }
-        // The place of a number is put into words only where it is refused.
+        // The place of a number is formatted only if it is refused.
         let number = |(i, node): (usize, &'a Node)| match node {
             Node::Number(x) if range.check(String::new, *x).is_ok() => Ok(*x),
             _ => At { node, place: format!("{}[{i}]", self.place) }.number(range),
@@ -169,7 +168,7 @@ impl<'a> At<'a> {
         Ok(crate::math::Vec3::new(v[0], v[1], v[2]))
     }
 
-    /// One of a few words; `kind` is what they are called.
+    /// One of a few words; `kind` names them in errors.
     pub(crate) fn choice<T: Copy>(
         &self,
         kind: &str,
@@ -183,7 +182,7 @@ impl<'a> At<'a> {
         }
     }
 
-    /// Refuses `word`, which is none of the `known` ones.
+    /// The error for `word`, which is not one of the `known` ones.
     pub(crate) fn unknown_word(&self, word: &str, kind: &str, known: &[&'static str]) -> Error {
         let remedy = match nearest(word, known) {
             Some(near) => format!("did you mean \"{near}\"? (known: {})", quoted(known)),
@@ -193,7 +192,7 @@ impl<'a> At<'a> {
     }
 }
 
-/// The fields of an object, all known.
+/// The fields of an object.
 #[derive(Clone, Debug)]
 pub(crate) struct Fields<'a> {
     fields: &'a [(String, Node)],
@@ -248,9 +247,9 @@ fn describe(node: &Node) -> String {
     }
 }
 
-/// The known word that `word` most likely was meant to be.
+/// The known word that `word` was most likely meant to be.
 fn nearest(word: &str, known: &[&'static str]) -> Option<&'static str> {
-    // A third of the letters wrong is still a slip of the fingers; more is another word.
+    // Up to a third of the letters wrong is a typing error; more is another word.
     let slips = (word.chars().count() / 3).max(2);
     let extends = |k: &&&str| word.len() >= 3 && (k.starts_with(word) || word.starts_with(**k));
     known

@@ -1,4 +1,4 @@
-//! The `table` of a shot file: a preset's name, or an object that may start from one.
+//! The `table` of a shot file: a preset's name, or an object that may be based on one.
 
 use alloc::format;
 use alloc::string::String;
@@ -20,7 +20,7 @@ const UNBOUNDED_PHYSICS: &str = "pool";
 const LENGTH: Range = Range::positive(" m");
 const OPEN_LENGTH: Range = Range::not_negative(" m");
 const ANYWHERE: Range = Range::any(" m");
-/// Inside the rubber between nose and facing.
+/// Angle inside the rubber between nose and facing.
 const CUT_ANGLE: Range = Range::half_open(90.0, 180.0, " degrees");
 
 const KEYS: &[&str] = &[
@@ -100,7 +100,7 @@ fn unknown_preset(at: &At<'_>, name: &str) -> Error {
     at.unknown_word(name, "table preset", &table::PRESETS)
 }
 
-/// `d` with what `fields` say.
+/// `d` changed by `fields`.
 fn changed(fields: &Fields<'_>, mut d: TableDescription) -> Result<TableDescription, Error> {
     fields.number_into("length", &LENGTH, &mut d.length)?;
     fields.number_into("width", &LENGTH, &mut d.width)?;
@@ -135,7 +135,7 @@ fn changed(fields: &Fields<'_>, mut d: TableDescription) -> Result<TableDescript
     Ok(d)
 }
 
-/// A pocket: `base` with what stands here, or whole where there is no base.
+/// A pocket: `base` changed by the keys here, which must be complete without a base.
 fn pocket(at: &At<'_>, base: Option<PocketDescription>) -> Result<PocketDescription, Error> {
     let fields =
         at.fields(&["mouth", "cut_angle_deg", "shelf", "hole_radius", "point_radius", "throat"])?;

@@ -1,7 +1,7 @@
-//! `carom-trace/1`: a trace as a tree of values and as JSON, both ways without losing a bit.
+//! `carom-trace/1`: a trace as a tree of values and as JSON, read and written without losing a bit.
 //!
-//! The reader takes keys that it does not know as written by a newer engine and passes over them;
-//! it checks what it does know, and that the events still have the hash that stands beside them.
+//! The reader ignores unknown keys, which a newer engine may have written. It checks the known ones, and
+//! that the events have the hash that the trace states.
 
 use alloc::format;
 use alloc::string::String;
@@ -23,7 +23,7 @@ use crate::{BallState, MotionState};
 pub const TRACE_FORMAT: &str = "carom-trace/1";
 
 const TIME: Range = Range::closed(0.0, f64::MAX, " s");
-/// Traces may hold any finite number, since they are results.
+/// Traces may have any finite number, because they are results.
 const RESULT: Range = Range::closed(f64::MIN, f64::MAX, "");
 
 const RAILS: [Rail; 8] = [
@@ -84,8 +84,8 @@ impl Trace {
         Self::from_node(&Node::from_json(text)?)
     }
 
-    /// Reads a trace from a tree of values. The outcome is worked out from the events, so that a
-    /// trace of an older engine gets the keys of this one.
+    /// Reads a trace from a tree of values. The outcome is computed from the events, so that a trace of an
+    /// older engine gets the keys of this one.
     ///
     /// # Errors
     /// [`Error::Input`] that names the place, as for a shot file.

@@ -102,7 +102,7 @@ impl<'a> Collector<'a> {
         let Some(me) = event.balls.iter().position(|&ball| ball == cue) else { return };
         self.contact = true;
         let mut last = None;
-        // Nearest first; a pair is the usual case.
+        // Nearest first. Most contacts are of a pair.
         while let Some((gap, k)) = self.next_touched(event, me, last) {
             let other = event.balls[k];
             self.outcome.first_contact = self.outcome.first_contact.or(Some(other));
@@ -111,9 +111,9 @@ impl<'a> Collector<'a> {
         }
     }
 
-    /// Of the balls in a contact, the one that ball `me` of it touches itself next after `last`, by the
-    /// gap between them, m, then by its number there: in a many-ball contact most are reached through
-    /// others.
+    /// The next ball after `last` that ball `me` of a contact touches directly, in the order of the gap
+    /// between them (m), then of the number in the contact. In a many-ball contact most balls are only
+    /// touched by others.
     fn next_touched(
         &self,
         event: &TraceEvent<'_>,
@@ -126,7 +126,7 @@ impl<'a> Collector<'a> {
         for (k, other) in event.before.iter().enumerate().filter(|(k, _)| *k != me) {
             let gap = (other.position - mine.position).length() - radius(me) - radius(k);
             let speed = (other.velocity - mine.velocity).length();
-            // Whoever is in the contact touches at least the nearest.
+            // Every ball of a contact touches at least the nearest one.
             let touches = last.is_none() || gap <= TOUCH_TOLERANCE + CLOSING_TIME * speed;
             let is_after = last.is_none_or(|last| last < (gap, k));
             if touches && is_after && next.is_none_or(|next| (gap, k) < next) {
@@ -172,7 +172,7 @@ impl<'a> Collector<'a> {
     }
 }
 
-/// Listens to a shot and collects its [`Outcome`].
+/// Records the [`Outcome`] of a shot.
 #[derive(Clone, Debug)]
 pub struct OutcomeRecorder<'a> {
     collector: Collector<'a>,
@@ -181,12 +181,12 @@ pub struct OutcomeRecorder<'a> {
 }
 
 impl<'a> OutcomeRecorder<'a> {
-    /// For one simulation of `shot`.
+    /// A recorder for one simulation of `shot`.
     pub fn new(shot: &'a Shot) -> Self {
         Self { collector: Collector::new(shot), before: Vec::new(), after: Vec::new() }
     }
 
-    /// What is known after the events so far.
+    /// The outcome of the events so far.
     pub const fn so_far(&self) -> &Outcome {
         &self.collector.outcome
     }

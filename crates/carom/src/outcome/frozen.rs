@@ -1,4 +1,4 @@
-//! Balls frozen to a rail when the shot starts, and when they have left it.
+//! Balls that are frozen to a rail at the start, and whether they have left it.
 
 use alloc::vec::Vec;
 
@@ -15,7 +15,7 @@ pub(super) struct Frozen {
     rail: Rail,
     /// Unit vector from the cushion to the ball.
     away: Vec2,
-    /// How far the ball stood along it at the start, m.
+    /// Coordinate of the ball along it at the start, m.
     start: f64,
     left: bool,
 }
@@ -30,7 +30,7 @@ impl Frozen {
             let above = position.z - table.cushion_height;
             let radius = placed.ball.radius;
             let reach = radius + TOUCH_TOLERANCE;
-            // No cushion reaches in beyond the noses' lines.
+            // No cushion lies inside the nose lines.
             let inner = table.layout.half - Vec2::new(reach, reach);
             if position.x.abs() < inner.x && position.y.abs() < inner.y {
                 continue;
@@ -66,8 +66,8 @@ impl Frozen {
     }
 }
 
-/// From the nearest point of `cushion` to `position`, if that is no end of it and at most `reach` (m)
-/// away: unit vector and distance, m.
+/// Unit vector and distance (m) from the nearest point of `cushion` to `position`, if that point is not
+/// an end of the cushion and at most `reach` (m) away.
 fn across(cushion: &CushionPart, position: Vec2, reach: f64) -> Option<(Vec2, f64)> {
     match cushion.shape {
         Shape::Segment { start, end, normal } => {

@@ -1,4 +1,4 @@
-//! Which ball flew over which.
+//! Jumps: balls that fly over other balls.
 
 use alloc::vec::Vec;
 
@@ -10,19 +10,19 @@ use crate::MotionState;
 use crate::math::sqrt;
 use crate::trace_event::TraceEvent;
 
-/// Flights under way. A flight is a ball's path in the air from one of its events to the next.
+/// The flights in progress. A flight is a ball's path in the air from one of its events to the next.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Jumps {
     /// Balls in the air.
     aloft: Vec<u16>,
-    /// For each of them the balls from which it took off.
+    /// Pairs of such a ball and a ball that it touched at take-off.
     touched: Vec<(u16, u16)>,
-    /// And those above which it has been.
+    /// Pairs of such a ball and a ball that it has been above.
     over: Vec<(u16, u16)>,
 }
 
 impl Jumps {
-    /// A path of `ball` begins, with an event of `balls`.
+    /// Begins a path of `ball` at an event of `balls`.
     pub(super) fn begin(&mut self, ball: u16, motion: MotionState, balls: &[u16]) {
         if motion == MotionState::Airborne {
             self.aloft.push(ball);
@@ -30,7 +30,7 @@ impl Jumps {
         }
     }
 
-    /// The paths of the balls of `event` end; `jumped` gets what that settles.
+    /// Ends the paths of the balls of `event`. Adds the jumps that are then certain to `jumped`.
     pub(super) fn end(
         &mut self,
         event: &TraceEvent<'_>,
@@ -73,8 +73,8 @@ impl Jumps {
     }
 }
 
-/// Whether `flyer` is above `under`, in plan [`SEEN`] closer than they touch on the cloth, at any
-/// time from which both are on their paths to `until` (s).
+/// Whether `flyer` is above `under`, and [`SEEN`] closer in plan than balls that touch on the cloth, at any
+/// time from the start of both paths to `until` (s).
 fn passes_over(flyer: &Track, under: &Track, until: f64) -> bool {
     let from = flyer.since.max(under.since);
     if !under.path.motion.in_play() || until <= from {
@@ -82,7 +82,7 @@ fn passes_over(flyer: &Track, under: &Track, until: f64) -> bool {
     }
     let touching = flyer.path.radius + under.path.radius;
     let distance = touching - SEEN;
-    // They do not overlap in space, so this is how much higher the flyer must be.
+    // The balls do not overlap in space: so much higher the flyer must be.
     let height = sqrt(touching * touching - distance * distance);
     let lowest = [from, until].map(|t| under.path.position_at(t - under.since).z);
     if flyer.apex() - lowest[0].min(lowest[1]) < height {

@@ -11,7 +11,7 @@ pub(super) struct Track {
 }
 
 impl Track {
-    /// How high the path of a ball in the air leads at most, m.
+    /// The greatest height of a path in the air, m.
     pub(super) fn apex(&self) -> f64 {
         let rise = self.path.velocity.z.max(0.0);
         self.path.position.z - 0.25 * rise * rise / self.path.half_acceleration.z

@@ -1,7 +1,7 @@
 //! The named physics of `carom-shot/1`.
 //!
-//! Sources are given by value. Values marked *estimated* or *from memory* were read nowhere; they
-//! are the first to replace when a measurement turns up.
+//! Every value has its source. Values marked *estimated* or *from memory* have none; they are the first
+//! to be replaced by a measurement.
 
 use super::{
     BallBall, BallBallModel, Cloth, Cue, Cushion, CushionFriction, CushionModel,
@@ -17,7 +17,7 @@ pub const STANDARD_GRAVITY: f64 = 9.80665;
 const BALL_FREQUENCY_RATIO: f64 = 1.70;
 
 impl Physics {
-    /// The names that [`Physics::preset`] knows.
+    /// The names of the presets.
     pub const PRESETS: [&str; 6] = ["pool", "snooker", "english", "carom", "poolfiz", "ideal"];
 
     /// The preset of this name.
@@ -100,8 +100,8 @@ impl Physics {
         }
     }
 
-    /// English pool: 2 in balls on napped cloth. The smaller cue ball (1⅞ in, about 94 g) is the
-    /// layout's to give.
+    /// English pool: 2 in balls on napped cloth. The layout gives the smaller cue ball (1⅞ in, about
+    /// 94 g).
     pub fn english() -> Self {
         let snooker = Self::snooker();
         Self {
@@ -137,8 +137,8 @@ impl Physics {
         }
     }
 
-    /// Near the Computational Olympiad's engine, Poolfiz, as its successor FastFiz 0.2 has its figures
-    /// (`FastFiz.h`); docs/poolfiz.md says what is the same and what is not.
+    /// Close to Poolfiz, the engine of the Computational Olympiad, with the figures of its successor FastFiz
+    /// 0.2 (`FastFiz.h`); docs/poolfiz.md lists what agrees and what differs.
     pub fn poolfiz() -> Self {
         const GRAVITY: f64 = 9.81;
         const RADIUS: f64 = 0.028575;
@@ -169,9 +169,9 @@ impl Physics {
                 spin_factor: 0.1,
                 ..RAIL
             },
-            // Its rails end without jaws; a ball that meets an end here meets rail.
+            // Its rails end without jaws: the end of a rail here acts as a rail.
             facing: Surface { restitution: 0.6, friction: 0.0 },
-            // No ball leaves its cloth: the slate takes what a raised cue drives down.
+            // No ball leaves its cloth: the slate absorbs the downward motion from a raised cue.
             slate: Surface { restitution: 0.0, friction: 0.0 },
             // No squirt, and a tip that gives everything back.
             cue: Cue {
@@ -203,7 +203,7 @@ impl Physics {
             },
             facing: Surface { restitution: 1.0, friction: 0.0 },
             liner: Surface { friction: 0.0, ..pool.liner },
-            // The slate still takes energy, or a ball that hops would hop for ever.
+            // The slate still absorbs energy; otherwise a hopping ball would hop for ever.
             slate: Surface { restitution: 0.5, friction: 0.0 },
             cue: Cue { end_mass: 0.0, tip: Tip::Restitution(1.0), ..pool.cue },
             ..pool
@@ -233,10 +233,10 @@ const RAIL: Cushion = Cushion {
 
 /// Cushions of a snooker table, fitted to the 31 filmed rebounds of a rolling ball that hits a nose
 /// at 7R/5 squarely (Mathavan, Jackson & Parkin 2009, Fig. 9, 0.28 to 3.5 m/s): 0.023 m/s rms,
-/// 0.044 m/s at most. Friction is the least that comes so near, since more turns oblique rebounds
-/// further from Mathavan 2010's equations. The fit is 1 up to 2 m/s: the wedge of slate and nose takes
-/// the rest of what is lost there. It is least at 10 m/s (0.58), so that it stays plausible for every
-/// shot beyond the film. Frequency ratio as in pooltool 0.6.0.
+/// 0.044 m/s at most. The friction is the least with this error, because more friction moves oblique
+/// rebounds away from Mathavan 2010's equations. The fit is 1 up to 2 m/s: the remaining loss there comes
+/// from the wedge of slate and nose. Its minimum is 0.58 at 10 m/s, so that it stays plausible for shots
+/// faster than the film. Frequency ratio as in pooltool 0.6.0.
 const SNOOKER_RAIL: Cushion = Cushion {
     model: CushionModel::Stronge,
     restitution: CushionRestitution { a: 1.24, b: -0.132, c: 0.0066 },

@@ -13,7 +13,7 @@ use crate::{Ball, BallState, Physics, Table};
 /// The cue ball on English tables (1⅞ in; from memory).
 const ENGLISH_CUE_BALL: Ball = Ball { mass: 0.094, radius: 0.023_812_5 };
 
-/// The cue ball that is played on `table`, where it is another than the object balls.
+/// The cue ball of `table`, if it differs from the object balls.
 pub fn cue_ball_of_its_own(table: &Table) -> Option<Ball> {
     (table.name.as_deref() == Some("english-7ft")).then_some(ENGLISH_CUE_BALL)
 }
@@ -23,9 +23,9 @@ pub fn cue_ball_of_its_own(table: &Table) -> Option<Ball> {
 pub struct Break<'a> {
     /// The game.
     pub game: Game,
-    /// The table preset's name; [`Game::table`] where none is given.
+    /// The table preset's name; none for [`Game::table`].
     pub table: Option<&'a str>,
-    /// The cue's speed, m/s; [`Game::break_speed`] where none is given.
+    /// The cue's speed, m/s; none for [`Game::break_speed`].
     pub speed: Option<f64>,
     /// Seed of the rack.
     pub seed: u64,
@@ -53,8 +53,8 @@ impl Game {
         }
     }
 
-    /// The ball that the opening shot aims at, by its number in the rack (the cue ball is 0), and
-    /// how far beside its centre, in ball radii, to the right.
+    /// The ball that the opening shot aims at, by its number in the rack (the cue ball is 0), and the
+    /// aim's offset to the right of its centre, in ball radii.
     const fn break_aim(self) -> (usize, f64) {
         match self {
             Self::EightBall | Self::NineBall | Self::TenBall => (1, 0.0),
@@ -96,7 +96,7 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
     }
     let strike = Strike {
         speed: opening.speed.unwrap_or(game.break_speed()),
-        // As the degrees of the file give it, in which it is written.
+        // The angle that a file gives in degrees, as which breaks are written.
         azimuth: radians(degrees(azimuth)),
         elevation: 0.0,
         side: 0.0,

@@ -1,10 +1,10 @@
-//! Racks: where the balls stand before the break, by each game's rule book.
+//! Racks: the positions of the balls before the break, by each game's rule book.
 //!
-//! A rack is a lattice of balls whose centres stand one ball's diameter and a gap apart; every
-//! ball is then moved at random, up to half the gap, in any direction. Balls can never overlap so,
-//! neighbours stand a gap apart on average, and a gap of 0 gives the exactly frozen rack, whose
-//! bits are mirror-symmetric. The randomness is PCG64 (O'Neill 2014) from the seed alone: the same
-//! seed gives the same rack in every process and on every platform.
+//! A rack is a lattice of balls whose centres are one ball's diameter and a gap apart. Every ball is
+//! then moved at random, up to half the gap, in any direction. So balls never overlap, neighbours are
+//! a gap apart on average, and a gap of 0 gives an exactly frozen rack, whose bits are
+//! mirror-symmetric. The random numbers are PCG64 (O'Neill 2014) from the seed alone: the same seed
+//! gives the same rack in every process and on every platform.
 
 mod break_shot;
 mod pattern;
@@ -25,18 +25,18 @@ use crate::math::{Vec2, sqrt};
 /// the thickness of a sheet of paper. Estimated.
 pub const USUAL_GAP: f64 = 1e-4;
 
-/// Wider gaps are no rack any more, m.
+/// Widest gap of a rack, m.
 const WIDEST_GAP: f64 = 5e-3;
 
 /// Gap between the pink and the first red, m: "as close to the pink as possible without touching
 /// it" (rules of snooker, section 3). Estimated.
 const PINK_GAP: f64 = 1e-3;
 
-/// From the middle to the cue ball on the head string in a three-cushion start, m (UMB; from
+/// Distance of the cue ball from the middle of the head string in a three-cushion start, m (UMB; from
 /// memory).
 const THREE_CUSHION_OFFSET: f64 = 0.1825;
 
-/// PCG's stream: any constant; another one would give other racks for every seed.
+/// PCG's stream. Any constant would do; another one changes the rack of every seed.
 const STREAM: u128 = 0x6361_726f_6d20_7261_636b;
 
 /// The games that can be racked.
@@ -67,7 +67,7 @@ impl Game {
         Self::ThreeCushion,
     ];
 
-    /// Its name on the command line.
+    /// The name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::EightBall => "eight-ball",
@@ -94,7 +94,7 @@ impl Game {
         })
     }
 
-    /// The preset of the table that it is played on.
+    /// The table preset that it is played on.
     pub const fn table(self) -> &'static str {
         match self {
             Self::Snooker => "snooker-12ft",
@@ -141,13 +141,13 @@ pub fn rack(
     Ok(balls)
 }
 
-/// Where the colours of snooker stand on `table`, from the yellow to the black (file's frame, m): on the spots
-/// that it has for them, else where a snooker table would have them, in proportion.
+/// Positions of the colours of snooker on `table`, from the yellow to the black (file's frame, m): on the
+/// table's own spots, else where a snooker table has them, in proportion.
 pub fn snooker_spots(table: &Table) -> [[f64; 2]; 6] {
     let [middle, baulk] = spot(table, "brown", 0.2);
     let [yellow, _] = spot(table, "yellow", 0.2);
     let d = if yellow > middle { yellow - middle } else { 0.15 * table.size.x };
-    // A black spot alone is that of English pool, where snooker has the pink.
+    // A black spot without a pink one is that of English pool, at the place of snooker's pink.
     let black = marked(table, "black").filter(|_| marked(table, "pink").is_some());
     [
         [mirrored(middle, d), baulk],
@@ -169,7 +169,7 @@ fn marked(table: &Table, name: &str) -> Option<[f64; 2]> {
     Some(description.markings.spots.iter().find(|s| s.name == name)?.position)
 }
 
-/// The table and the balls that are laid on it.
+/// The table and the balls that are racked on it.
 struct RackPlan<'a> {
     table: &'a Table,
     radius: f64,
@@ -181,7 +181,7 @@ impl<'a> RackPlan<'a> {
         if !table.size.x.is_finite() {
             return Err(Error::input(
                 "table",
-                "unbounded cloth has no place for a rack",
+                "unbounded cloth has no spots to rack on",
                 "choose a table with rails",
             ));
         }
@@ -218,8 +218,8 @@ impl<'a> RackPlan<'a> {
         [0.5 * self.table.size.x, self.head_string() - self.radius]
     }
 
-    /// The apex stands on the foot spot. On English tables it is the 8 that stands on its spot, two
-    /// rows behind (WEPF).
+    /// The apex is on the foot spot. On English tables the 8, two rows behind the apex, is on its spot
+    /// (WEPF).
     fn apex(&self, game: Game) -> [f64; 2] {
         match (game, marked(self.table, "foot"), marked(self.table, "black")) {
             (Game::EightBall, None, Some([x, y])) => [x, y - 2.0 * self.row()],
@@ -227,7 +227,7 @@ impl<'a> RackPlan<'a> {
         }
     }
 
-    /// Places of rows of balls, the first of them at `apex`, from left to right.
+    /// Positions of rows of balls, from left to right; the first row is at `apex`.
     fn triangle(&self, [x, y]: [f64; 2], rows: &[usize], random: &mut Pcg64) -> Vec<[f64; 2]> {
         let pitch = 2.0 * self.radius + self.gap;
         let mut places = Vec::new();
@@ -277,8 +277,7 @@ impl<'a> RackPlan<'a> {
     }
 }
 
-/// `middle + offset`, rounded so that `middle - offset` is rounded to its exact mirror image: both
-/// then have opposite bits in the engine's frame.
+/// `middle + offset`, rounded so that the same call with `-offset` gives the exact mirror image.
 fn mirrored(middle: f64, offset: f64) -> f64 {
     let exact = (middle + offset.abs()) - middle;
     middle + exact.copysign(offset)

@@ -1,4 +1,4 @@
-//! Whether balls can lie where a shot puts them.
+//! Checks that balls have room where a shot puts them.
 
 use alloc::format;
 use alloc::string::String;
@@ -12,9 +12,9 @@ use crate::range::Range;
 use crate::table::TOUCH_TOLERANCE;
 use crate::{BallState, MotionState, Table, motion};
 
-/// Balls faster than this do not occur (the fastest breaks are near 15 m/s), m/s.
+/// Largest speed of a ball, m/s. The fastest breaks are near 15 m/s.
 const LARGEST_SPEED: f64 = 100.0;
-/// A tip at the miscue limit gives a ball of 30 m/s about 1300 rad/s; rad/s.
+/// Largest spin of a ball, rad/s. A tip at the miscue limit gives a ball of 30 m/s about 1300 rad/s.
 const LARGEST_SPIN: f64 = 10_000.0;
 
 /// A ball's mass.
@@ -70,7 +70,7 @@ fn check(balls: &[PlacedBall], table: &Table) -> Result<(), Error> {
     check_overlaps(balls)
 }
 
-/// Whether ball `index` is inside the table and in no other ball.
+/// Whether ball `index` is inside the table and overlaps no other ball.
 pub(crate) fn fits(index: usize, balls: &[PlacedBall], table: &Table) -> bool {
     let ball = &balls[index];
     let mut others = balls.iter().enumerate().filter(|(i, _)| *i != index);
@@ -78,8 +78,8 @@ pub(crate) fn fits(index: usize, balls: &[PlacedBall], table: &Table) -> bool {
         && super::place::check(index, ball, table).is_ok()
 }
 
-/// The height of a centre, m: exactly the radius where it is that but for [`TOUCH_TOLERANCE`], so
-/// that a ball either lies on the bed or does not.
+/// The height of a centre, m: exactly the radius if it is within [`TOUCH_TOLERANCE`] of it, so that a
+/// ball either lies on the bed or does not.
 fn height(place: impl FnOnce() -> String, z: f64, radius: f64) -> Result<f64, Error> {
     if z < radius - TOUCH_TOLERANCE {
         return Err(Error::input(
@@ -94,9 +94,9 @@ fn height(place: impl FnOnce() -> String, z: f64, radius: f64) -> Result<f64, Er
     Ok(if z > radius + TOUCH_TOLERANCE { z } else { radius })
 }
 
-/// The motion state that a ball begins in.
+/// The motion state at the start.
 fn motion(state: &BallState, radius: f64) -> MotionState {
-    // Driven down on the bed counts as flying too: it bounces at once.
+    // A ball on the bed with a downward velocity is airborne too: it bounces at once.
     if state.position.z > radius || state.velocity.z != 0.0 {
         MotionState::Airborne
     } else {
@@ -118,9 +118,9 @@ fn check_length(
     Err(Error::input(place(), format!("{length:?} {unit} is out of range"), remedy))
 }
 
-/// Refuses pairs that are deeper in one another than touching.
+/// Refuses pairs that overlap by more than [`TOUCH_TOLERANCE`].
 fn check_overlaps(balls: &[PlacedBall]) -> Result<(), Error> {
-    // Sorted along x, only neighbours can overlap.
+    // Only neighbours in the order along x can overlap.
     let mut order: Vec<usize> = (0..balls.len()).collect();
     let left = |i: usize| balls[i].state.position.x - balls[i].ball.radius;
     order.sort_by(|&i, &j| left(i).total_cmp(&left(j)));

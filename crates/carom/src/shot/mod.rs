@@ -1,4 +1,4 @@
-//! A shot: everything that is decided before it starts. Validated, immutable data.
+//! A shot: everything that is decided before it starts, as validated, immutable data.
 //!
 //! Shots come from files ([`crate::format`]), from racks ([`crate::rack`]), and from other shots:
 //! [`Shot::with_strike`], [`Shot::with_balls`]. Each way ends in the same checks.
@@ -62,7 +62,7 @@ impl AsRef<Shot> for Shot {
 pub(crate) struct Parts {
     pub(crate) table: Arc<Table>,
     pub(crate) physics: Physics,
-    /// Heights and motion states are worked out by [`Shot::new`].
+    /// [`Shot::new`] works out their heights and motion states.
     pub(crate) balls: Vec<PlacedBall>,
     pub(crate) strike: Option<(usize, Strike)>,
     pub(crate) policy: StrikePolicy,
@@ -128,8 +128,8 @@ impl Shot {
         &self.table
     }
 
-    /// The physics. Where a miscue is only to be reported, its `cue.tip_friction` is so large that
-    /// the tip holds.
+    /// The physics. If miscues are only reported, its `cue.tip_friction` is so large that the tip never
+    /// slips.
     pub fn physics(&self) -> &Arc<Physics> {
         &self.physics
     }
@@ -144,12 +144,12 @@ impl Shot {
         self.strike
     }
 
-    /// What to do about a strike that a player could not play cleanly.
+    /// The policy for strikes that a player could not play cleanly.
     pub const fn strike_policy(&self) -> StrikePolicy {
         self.policy
     }
 
-    /// More events than this are an error.
+    /// The cap on the number of events; reaching it is an error.
     pub const fn max_events(&self) -> u32 {
         self.max_events
     }
@@ -167,9 +167,9 @@ impl Shot {
     /// Velocity (m/s) and spin (rad/s) that `strike` gives to the struck ball.
     ///
     /// # Errors
-    /// [`Error::Input`] if there is nothing to strike, or the strike is out of range, off the
-    /// ball, past the miscue limit, or out of the tip efficiency's reach, or if the cue is
-    /// obstructed and the shot refuses that.
+    /// [`Error::Input`] if the shot has no strike, if the strike is out of range, off the ball, past
+    /// the miscue limit or unreachable with the tip's efficiency, and if the cue is obstructed and the
+    /// shot refuses that.
     pub fn resolve_strike(&self, strike: &Strike) -> Result<(Vec3, Vec3), Error> {
         let Some((ball, _)) = self.strike else {
             return Err(Error::input("strike", "the shot has no strike", "add one to vary it"));
@@ -180,15 +180,15 @@ impl Shot {
         Ok(struck)
     }
 
-    /// The ball or rail that the cue would pass through, nearest to its tip. A strike at less than 5°
-    /// is judged as if raised so far, should that be needed: players do.
+    /// The ball or rail nearest to the tip that the cue would pass through. A cue below 5° may be raised
+    /// to 5° to clear an obstacle, as players do.
     pub fn cue_obstruction(&self) -> Option<Touched> {
         let (ball, strike) = self.strike?;
         self.cue_on(ball, &strike).obstruction(strike.elevation)
     }
 
-    /// The least elevation (rad) at which the cue would pass through nothing, all else of the strike
-    /// the same; none without a strike, or if even an upright cue would.
+    /// The least elevation (rad) at which the cue is not obstructed, with the rest of the strike unchanged;
+    /// none without a strike, or if even an upright cue is obstructed.
     pub fn least_elevation(&self) -> Option<f64> {
         let (ball, strike) = self.strike?;
         self.cue_on(ball, &strike).least_elevation()
@@ -220,8 +220,8 @@ impl Shot {
         ))
     }
 
-    /// A state of ball `ball` in the engine's frame, in the file's. A coordinate that has not changed
-    /// since the start is exactly what the file says, which shifting to and fro would round.
+    /// A state of ball `ball` in the engine's frame, converted to the file's. A coordinate that has not
+    /// changed since the start gets the exact value of the file; the conversion would round it.
     pub fn to_file_frame(&self, ball: usize, state: &BallState) -> BallState {
         let written = &self.balls[ball].state;
         let start = self.table.to_engine_frame(written).position;
@@ -235,7 +235,7 @@ impl Shot {
         out
     }
 
-    /// Whether the tip would slip off in this shot, which it only may on request.
+    /// Whether this shot is a miscue, which is played only if the shot says so.
     pub fn is_miscue(&self) -> bool {
         self.strike.is_some_and(|(_, strike)| strike.offset() > self.miscue_limit())
     }
@@ -245,7 +245,7 @@ impl Shot {
         self.tip_friction
     }
 
-    /// The largest tip offset √(side² + height²) that the friction of the tip holds, in ball radii.
+    /// The largest tip offset √(side² + height²) without a miscue, in ball radii.
     pub fn miscue_limit(&self) -> f64 {
         miscue_limit(self.tip_friction)
     }

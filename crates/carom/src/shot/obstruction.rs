@@ -1,18 +1,18 @@
-//! What the cue would pass through on its way to the ball, and how far it must be raised.
+//! Balls and rails that obstruct the cue, and the elevation that clears them.
 //!
-//! The cue is a straight cone from the contact point backwards. Raising it turns it about the struck
-//! ball's centre, in the vertical plane through its axis, since the tip offset is measured
-//! perpendicular to the cue. Seen in that plane from that centre, an obstacle stands at the polar
-//! angle φ above the horizontal, at the distance ρ; with the cue at the elevation θ it is
-//! ρ·sin(φ − θ) above the line through the centre, the axis `height` ball radii. So each obstacle
-//! forbids an interval of elevations that has a closed form. The cue is taken to be as thick there as
-//! it is ρ from the ball's centre; that is right to 0.1 mm.
+//! The cue is a straight cone from the contact point backwards. Raising it rotates it about the struck
+//! ball's centre, in the vertical plane through its axis, because the tip offset is measured
+//! perpendicular to the cue. In that plane, an obstacle has the polar angle φ above the horizontal and
+//! the distance ρ from that centre. With the cue at the elevation θ, the obstacle is ρ·sin(φ − θ) above
+//! the line through the centre, and the axis is `height` ball radii above it. So the interval of elevations
+//! that an obstacle blocks has a closed form. The thickness of the cue at the obstacle is taken at the
+//! distance ρ from the ball's centre, which is right to 0.1 mm.
 //!
-//! * A ball is in the way that is nearer to the axis than the two radii.
-//! * The rails' tops are flat at the height of the nose. Over the edge where such a top begins, or
-//!   ends, the cue must be higher by its radius r in the plane; if the edge runs aslant, crossing the
-//!   plane's normal at an angle ψ, by r√(cos²θ + sin²θ/cos²ψ), since the cue's flank meets it first.
-//!   Over a pocket there is no top before the back of the hole.
+//! * A ball blocks the cue if its distance from the axis is less than the sum of the two radii.
+//! * The rails' tops are flat at the height of the nose. Over an edge of a top the cue's axis must be
+//!   higher by its radius r in the plane. If the edge is oblique, at an angle ψ to the plane's normal, the
+//!   side of the cue touches it first, and the axis must be higher by r√(cos²θ + sin²θ/cos²ψ). Over a pocket
+//!   the top begins at the back of the hole.
 
 use alloc::vec::Vec;
 
@@ -28,17 +28,17 @@ const TIP: f64 = 0.0065;
 /// Radius at the butt, m: 29 mm across, as usual.
 const BUTT: f64 = 0.0145;
 
-/// Elevation that a player gives the cue anyway, rad (5°): a level cue would pass through the
-/// rail behind it at nearly every shot. A strike below it may be raised so far.
+/// Elevation of the cue in a usual stance, rad (5°): a level cue would pass through the rail behind it in
+/// nearly every shot. A cue at a lower elevation may be raised to this one.
 const STANCE: f64 = 0.087_266_462_599_716_48;
 
-/// The least elevation is searched in steps of at least this, rad: under 2 µm at the butt. Steps
-/// repeat only over edges that the cue crosses aslant, and end after a few.
+/// Least step of the search for the least elevation, rad: under 2 µm at the butt. The search needs more
+/// than one step only for oblique edges, and then a few.
 const RESOLUTION: f64 = 1e-6;
 
 const UPRIGHT: f64 = core::f64::consts::FRAC_PI_2;
 
-/// What a cue ball, or a cue, touches.
+/// A ball or a rail that a cue ball, or a cue, touches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Touched {
     /// Another ball, by index.
@@ -47,7 +47,7 @@ pub enum Touched {
     Rail(Rail),
 }
 
-/// Something beside or under the cue, in the cue's plane as seen from the struck ball's centre.
+/// A possible obstacle, in the vertical plane of the cue, relative to the struck ball's centre.
 #[derive(Clone, Copy, Debug)]
 struct Obstacle {
     what: Touched,
@@ -58,18 +58,17 @@ struct Obstacle {
     shape: Section,
 }
 
-/// What the cue's axis must keep away from an obstacle.
+/// The distance that the cue's axis must keep from an obstacle.
 #[derive(Clone, Copy, Debug)]
 enum Section {
-    /// So far to either side, m.
+    /// `apart` to either side, m.
     Ball { apart: f64 },
-    /// So far above, m, if level; `slant` is 1/cos²ψ.
+    /// `above` it, m, for a level cue; `slant` is 1/cos²ψ.
     Edge { above: f64, slant: f64 },
 }
 
 impl Obstacle {
-    /// How much higher the axis must be than it is at `elevation`, m, to be above this: the room
-    /// wanted, and the height had, of the axis above the obstacle.
+    /// Heights of the axis above the obstacle, m: the one that clears it, and the one at `elevation`.
     fn wanted_and_had(&self, height: f64, elevation: f64) -> (f64, f64) {
         let (sin, _) = sin_cos(self.polar - elevation);
         let wanted = match self.shape {
@@ -82,7 +81,7 @@ impl Obstacle {
         (wanted, height - self.distance * sin)
     }
 
-    /// Whether a cue whose axis passes `height` (m) above the ball's centre goes through this.
+    /// Whether a cue whose axis passes `height` (m) above the ball's centre passes through the obstacle.
     fn blocks(&self, height: f64, elevation: f64) -> bool {
         let (wanted, had) = self.wanted_and_had(height, elevation);
         let behind = (self.polar - elevation).abs() < UPRIGHT;
@@ -91,8 +90,8 @@ impl Obstacle {
         behind && had < wanted - TOUCH_TOLERANCE && !passes_below
     }
 
-    /// No lesser elevation than this from `elevation` on, where it blocks, takes the cue above it;
-    /// none if no elevation does.
+    /// A lower bound of the elevations above `elevation`, where the obstacle blocks, that clear it; none if
+    /// no elevation does.
     fn cleared_from(&self, height: f64, elevation: f64) -> Option<f64> {
         let (wanted, _) = self.wanted_and_had(height, elevation);
         let sin = (height - wanted) / self.distance;
@@ -100,17 +99,17 @@ impl Obstacle {
     }
 }
 
-/// The cue on its ball, and all that may be in its way.
+/// The cue at its ball, and all possible obstacles.
 pub(super) struct CueLine {
     /// Height of the axis above the ball's centre, perpendicular to it, m.
     height: f64,
-    /// How far behind the ball's centre the tip is, m.
+    /// Distance of the tip behind the ball's centre, m.
     tip: f64,
     obstacles: Vec<Obstacle>,
 }
 
 impl CueLine {
-    /// For `strike` on ball `ball`; its elevation does not matter.
+    /// The cue of `strike` on ball `ball`. The elevation of `strike` is not used.
     pub(super) fn new(table: &Table, balls: &[PlacedBall], ball: usize, strike: &Strike) -> Self {
         let radius = balls[ball].ball.radius;
         let (side, height) = (strike.side * radius, strike.height * radius);
@@ -139,8 +138,8 @@ impl CueLine {
         line
     }
 
-    /// Adds what stands `behind` the ball's centre and `above` it (m) if the cue reaches so far;
-    /// `section` is told how thick it is there.
+    /// Adds an obstacle `behind` the ball's centre and `above` it (m) if the cue is that long; `section`
+    /// takes the cue's radius there, m.
     fn add(
         &mut self,
         what: Touched,
@@ -158,7 +157,7 @@ impl CueLine {
         }
     }
 
-    /// The least elevation, rad, from `elevation` on at which the cue passes through nothing.
+    /// The least elevation, rad, from `elevation` on at which nothing blocks the cue.
     fn least_from(&self, mut elevation: f64) -> Option<f64> {
         loop {
             let blocking = self.obstacles.iter().filter(|o| o.blocks(self.height, elevation));
@@ -177,13 +176,13 @@ impl CueLine {
         }
     }
 
-    /// The least elevation, rad, at which the cue passes through nothing; none if there is none.
+    /// The least elevation, rad, at which nothing blocks the cue; none if every elevation is blocked.
     pub(super) fn least_elevation(&self) -> Option<f64> {
         self.least_from(0.0)
     }
 
-    /// The ball or rail nearest to the tip that a cue at `elevation` would pass through, even if it
-    /// is raised to [`STANCE`].
+    /// The ball or rail nearest to the tip that blocks a cue at `elevation`, even if it is raised to
+    /// [`STANCE`].
     pub(super) fn obstruction(&self, elevation: f64) -> Option<Touched> {
         let raised = elevation.max(STANCE);
         if self.least_from(elevation).is_some_and(|least| least <= raised) {
@@ -194,10 +193,10 @@ impl CueLine {
     }
 }
 
-/// Where a ray crosses an edge of the rails' tops.
+/// The point where a ray crosses an edge of the rails' tops.
 struct Crossing {
     rail: Rail,
-    /// From the ray's start, m.
+    /// Distance from the ray's start, m.
     distance: f64,
     /// Cosine of the angle between the ray and the edge's normal.
     cos: f64,
@@ -249,7 +248,8 @@ fn edges(table: &Table, from: Vec2, way: Vec2) -> Vec<Crossing> {
     found
 }
 
-/// Where the line from `from` along `way` crosses a circle: how far on, m, and the unit normal there.
+/// The points where the line from `from` along `way` crosses a circle: the distance, m, and the unit
+/// normal.
 fn circle(from: Vec2, way: Vec2, center: Vec2, radius: f64) -> impl Iterator<Item = (f64, Vec2)> {
     let to_center = center - from;
     let (ahead, aside) = (way.dot(to_center), way.cross(to_center));

@@ -1,4 +1,4 @@
-//! Refusing a ball that is not inside the table, in words.
+//! Errors for balls that are not inside the table.
 
 use alloc::format;
 use alloc::string::String;
@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::math::{Vec2, Vec3};
 use crate::table::{Capture, Placement, Pocket, Table, nose_reach};
 
-/// Refuses a ball that is not inside (see [`Table::place_check`] and [`Table::place_in_air`]). It is
+/// Refuses a ball that is not inside (see [`Table::place_check`] and [`Table::place_in_air`]), which is
 /// `balls[index]` of the file.
 pub(super) fn check(index: usize, placed: &PlacedBall, table: &Table) -> Result<(), Error> {
     if !table.size.x.is_finite() {
@@ -53,7 +53,7 @@ pub(super) fn check(index: usize, placed: &PlacedBall, table: &Table) -> Result<
     })
 }
 
-/// What is wrong and what would be right.
+/// What is wrong, and the remedy.
 type Problem = Option<(String, String)>;
 
 fn on_the_cloth(table: &Table, position: Vec2, radius: f64) -> Problem {
@@ -102,7 +102,7 @@ fn over(table: &Table, pocket: u8) -> String {
     format!("the ball stands over the {} pocket", table.pockets[usize::from(pocket)].name.name())
 }
 
-/// Within the playing area, widened on all sides by `margin` (m).
+/// The remedy: stay within the playing area, widened on all sides by `margin` (m).
 fn keep_within(table: &Table, margin: f64) -> String {
     let least = -margin;
     format!(

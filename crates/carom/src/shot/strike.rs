@@ -10,28 +10,28 @@ use crate::physics::Physics;
 use crate::range::{LARGEST, Range};
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 
-/// Cue speeds, m/s: the record is about 15.
+/// Speed of the cue, m/s: the record is about 15.
 pub(crate) const SPEED: Range = Range::above(0.0, 50.0, " m/s");
 pub(crate) const OFFSET: Range = Range::closed(-1.0, 1.0, " ball radii");
 
-/// Friction of a tip that never slips off.
+/// Friction of a tip that never slips.
 pub(super) const TIP_THAT_HOLDS: f64 = LARGEST;
 
-/// What to do about something that a player could not do, or not cleanly.
+/// What to do about a strike that a player could not play, or not cleanly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Policy {
-    /// Simulate, and say so in the outcome.
+    /// Simulate it, and report it in the outcome.
     Report,
     /// Refuse the shot.
     Refuse,
 }
 
-/// What to do about a strike that a player could not play cleanly.
+/// The policies for strikes that a player could not play cleanly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct StrikePolicy {
     /// What to do if the cue would pass through a ball or a rail.
     pub obstruction: Policy,
-    /// What to do if the tip would slip off.
+    /// What to do about a miscue.
     pub miscue: Policy,
 }
 
@@ -41,7 +41,7 @@ impl Default for StrikePolicy {
     }
 }
 
-/// Refuses numbers that a shot file would refuse. `place` is where the strike stands.
+/// Refuses numbers that a shot file would refuse. `place` is the place of the strike.
 pub(super) fn check_ranges(place: &str, strike: &Strike) -> Result<(), Error> {
     let quarter_turn = Range::half_open(0.0, core::f64::consts::FRAC_PI_2, " rad");
     for (key, value, range) in [
@@ -56,9 +56,11 @@ pub(super) fn check_ranges(place: &str, strike: &Strike) -> Result<(), Error> {
     Ok(())
 }
 
-/// Refuses a strike on a ball that moves or is not on the cloth, out of range, off the ball, past the miscue limit, or out
-/// of reach; otherwise the velocity (m/s) and the spin (rad/s) that it gives. `place` is where
-/// the strike stands.
+/// The velocity (m/s) and the spin (rad/s) that a strike gives. `place` is the place of the strike.
+///
+/// # Errors
+/// [`Error::Input`] for a ball that moves or is not on the cloth, and for a strike off the ball, past the
+/// miscue limit, or unreachable with the tip's efficiency.
 pub(super) fn check(
     place: &str,
     ball: usize,
@@ -70,7 +72,7 @@ pub(super) fn check(
     if struck.state.velocity != Vec3::ZERO || struck.state.angular_velocity != Vec3::ZERO {
         return Err(Error::input(
             format!("{place}.ball"),
-            format!("ball \"{}\" (balls[{}]) moves already", struck.id, ball),
+            format!("ball \"{}\" (balls[{}]) is already moving", struck.id, ball),
             "strike a ball at rest, or leave the strike out",
         ));
     }
@@ -84,9 +86,9 @@ pub(super) fn check(
     cue_ball::resolve(&physics.cue, &struck.ball, strike).map_err(|e| explain(place, strike, e))
 }
 
-/// A refused strike in words. `place` is where the strike stands.
+/// The error for a strike that cannot be played. `place` is the place of the strike.
 pub(crate) fn explain(place: &str, strike: &Strike, e: StrikeError) -> Error {
-    // The larger offset is the one to blame.
+    // The place is the larger of the two offsets.
     let key = if strike.side.abs() >= strike.height.abs() { "side" } else { "height" };
     let place = format!("{place}.{key}");
     match e {

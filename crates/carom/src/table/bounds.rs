@@ -1,11 +1,11 @@
-//! Boxes around parts of the table, to turn away what is nowhere near.
+//! Bounding boxes around parts of the table, for a cheap rejection of parts that are far away.
 
 use alloc::vec::Vec;
 
 use super::Shape;
 use crate::math::Vec2;
 
-/// An upright rectangle, m.
+/// An axis-aligned rectangle, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bounds {
     low: Vec2,
@@ -13,7 +13,7 @@ pub(crate) struct Bounds {
 }
 
 impl Bounds {
-    /// Around all `points`.
+    /// The box around all `points`.
     #[inline]
     pub(crate) fn of<const N: usize>(points: [Vec2; N]) -> Self {
         let first = points[0];
@@ -23,7 +23,7 @@ impl Bounds {
         })
     }
 
-    /// Around a part of a cushion seen from above; around the whole circle of a round one.
+    /// The box around a part of a cushion seen from above; of a round part, around its whole circle.
     pub(crate) fn of_shape(shape: &Shape) -> Self {
         match *shape {
             Shape::Segment { start, end, .. } => Self::of([start, end]),
@@ -38,18 +38,18 @@ impl Bounds {
         (self.low + self.high) * 0.5
     }
 
-    /// Around both.
+    /// The box around both.
     pub(crate) fn with(&self, other: &Self) -> Self {
         Self::of([self.low, self.high, other.low, other.high])
     }
 
-    /// The same, larger by `margin` (m) on every side.
+    /// The box that is larger by `margin` (m) on every side.
     pub(crate) fn grown(self, margin: f64) -> Self {
         let by = Vec2::new(margin, margin);
         Self { low: self.low - by, high: self.high + by }
     }
 
-    /// Whether the two do not meet. One jump for all four sides, of which nobody can guess the one.
+    /// Whether the boxes are disjoint. One branch for all four sides: which side decides is unpredictable.
     #[inline(always)]
     pub(crate) fn is_clear_of(&self, other: &Self) -> bool {
         (self.low.x > other.high.x)
@@ -59,7 +59,7 @@ impl Bounds {
     }
 }
 
-/// One instruction, where `f64::min` takes several for what is not a number.
+/// One instruction; `f64::min` takes several because it handles NaN.
 #[inline(always)]
 fn lesser(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
@@ -70,16 +70,16 @@ fn greater(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// Which of some parts reach into each quadrant of the table: what keeps to one touches no others.
+/// The parts that reach into each quadrant of the table. A path within one quadrant can touch no others.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Quadrants {
-    /// Left and right at the bottom, left and right at the top.
+    /// Bottom left, bottom right, top left, top right.
     parts: [Vec<u16>; 4],
     all: Vec<u16>,
 }
 
 impl Quadrants {
-    /// Of parts, each with its box.
+    /// The quadrants of parts, each given with its box.
     pub(super) fn new(parts: impl Iterator<Item = (u16, Bounds)>) -> Self {
         let mut quadrants = Self::default();
         for (part, Bounds { low, high }) in parts {
@@ -94,7 +94,7 @@ impl Quadrants {
         quadrants
     }
 
-    /// The parts that what keeps to `field` may touch, and some more, in the order in which they were given.
+    /// All parts that a path within `field` can touch, and possibly others, in the order given.
     #[inline(always)]
     pub(crate) fn near(&self, field: &Bounds) -> &[u16] {
         let Bounds { low, high } = field;
@@ -111,13 +111,13 @@ mod tests {
     use super::{Bounds, Quadrants};
     use crate::math::Vec2;
 
-    /// Around two points.
+    /// The box around two points.
     fn around(a: [f64; 2], b: [f64; 2]) -> Bounds {
         Bounds::of([a, b].map(|[x, y]| Vec2::new(x, y)))
     }
 
     #[test]
-    fn what_keeps_to_a_quadrant_is_near_the_parts_that_reach_into_it() {
+    fn a_field_in_one_quadrant_is_near_the_parts_that_reach_into_it() {
         let bottom_left = around([-3.0, -3.0], [-1.0, -1.0]);
         let bottom = around([-1.0, -2.0], [1.0, -1.0]);
         let top_right = around([1.0, 1.0], [2.0, 2.0]);
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn what_crosses_an_axis_may_be_near_any_part() {
+    fn a_field_across_an_axis_may_be_near_any_part() {
         let parts = [(0, around([1.0, 1.0], [2.0, 2.0])), (1, around([-2.0, 1.0], [-1.0, 2.0]))];
         let quadrants = Quadrants::new(parts.into_iter());
         assert_eq!(quadrants.near(&around([-0.1, 1.0], [0.0, 2.0])), [0, 1]);

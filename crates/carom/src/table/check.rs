@@ -1,4 +1,4 @@
-//! What a description must hold to be a table.
+//! Checks that a description makes a table.
 
 use alloc::format;
 
@@ -13,7 +13,7 @@ fn positive(key: &str, value: f64) -> Result<(), TableError> {
     Err(TableError::new(key, format!("is {value}, but must be a finite number of metres above 0")))
 }
 
-/// The sizes of the whole table.
+/// Checks the sizes of the whole table.
 pub(super) fn lengths(d: &TableDescription) -> Result<(), TableError> {
     positive("width", d.width)?;
     positive("length", d.length)?;
@@ -29,7 +29,7 @@ pub(super) fn lengths(d: &TableDescription) -> Result<(), TableError> {
     Ok(())
 }
 
-/// The pocket of this kind, its own figures checked.
+/// The pocket of this kind, with its own figures checked.
 pub(super) fn pocket(
     description: &Option<PocketDescription>,
     kind: PocketKind,
@@ -71,7 +71,8 @@ pub(super) fn pocket(
     Ok(pocket)
 }
 
-/// A jaw: its deep end in its rail's coordinates (along, behind), and whether it has no facing.
+/// Checks a jaw. `deep` is its deep end in the coordinates of its rail (along, behind);
+/// `round_all_through` says that it has no facing.
 pub(super) fn jaw(
     shape: &PocketDescription,
     kind: PocketKind,
@@ -97,8 +98,8 @@ pub(super) fn jaw(
     Ok(())
 }
 
-/// Behind the deep ends: whether the hole is as wide as the facings are apart, whether its back lies
-/// behind the deep ends, and whether the facings' lines reach that back before they meet.
+/// Checks the back of a pocket: the hole is as wide as the facings are apart (`wide`), its back lies
+/// behind the deep ends (`deep`), and the facings' lines reach that back before they meet (`open`).
 pub(super) fn liner(
     kind: PocketKind,
     wide: bool,
@@ -129,7 +130,7 @@ pub(super) fn liner(
     Err(TableError::new(format!("{}.{field}", kind.key()), problem))
 }
 
-/// What is left of the noses between the points.
+/// Checks that straight noses remain between the points.
 pub(super) fn noses(nose_x: f64, nose_y: [f64; 2]) -> Result<(), TableError> {
     let remedy = "make mouth or point_radius smaller, or the table larger";
     if nose_x <= 0.0 {
@@ -144,7 +145,7 @@ pub(super) fn noses(nose_x: f64, nose_y: [f64; 2]) -> Result<(), TableError> {
     Ok(())
 }
 
-/// Holes apart from each other.
+/// Checks that the holes do not overlap.
 pub(super) fn holes(pockets: &[Pocket]) -> Result<(), TableError> {
     let overlap = |a: &Pocket, b: &Pocket| {
         let apart: Vec2 = a.center - b.center;
@@ -167,7 +168,7 @@ pub(super) fn holes(pockets: &[Pocket]) -> Result<(), TableError> {
     Ok(())
 }
 
-/// Holes within the rails.
+/// Checks that the rails are wide enough for the holes.
 pub(super) fn rails(border: Vec2, half: Vec2, pockets: &[Pocket]) -> Result<(), TableError> {
     let drops = |p: &&Pocket| matches!(p.capture, Capture::DropCircle);
     for pocket in pockets.iter().filter(drops) {

@@ -1,4 +1,4 @@
-//! What a table is, in the words of its maker: plain data, from which the geometry follows.
+//! The description of a table in a maker's terms: plain data, from which the geometry follows.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -54,11 +54,12 @@ pub enum PocketLayout {
 /// What captures a ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PocketModel {
-    /// Over the hole in the slate a ball falls, and is captured once it cannot come back.
+    /// A ball falls when its centre is over the hole in the slate, and is captured once it cannot come
+    /// back.
     #[default]
     DropCircle,
     /// The ball's centre crosses the line from tip to tip away from the table's centre (Leckie &
-    /// Greenspan 2006, section 2.2). Nothing behind that line exists.
+    /// Greenspan 2006, section 2.2). There is no table behind that line.
     MouthLine,
 }
 
@@ -70,8 +71,8 @@ pub enum PocketModel {
 pub struct PocketDescription {
     /// Distance between the two tips, m.
     pub mouth: f64,
-    /// Angle inside the rubber between nose and facing, degrees: 135 at a corner and 90 at a side
-    /// make the facings parallel; more makes the pocket narrow inwards.
+    /// Angle inside the rubber between nose and facing, degrees. Facings are parallel at 135 in a corner and
+    /// at 90 in a side pocket; with larger angles the pocket narrows inwards.
     pub cut_angle_deg: f64,
     /// From the mouth (the line from tip to tip) to the edge of the hole, along the pocket's axis, m.
     /// Negative where the hole reaches in front of the mouth.
@@ -80,15 +81,15 @@ pub struct PocketDescription {
     pub hole_radius: f64,
     /// Radius that rounds the point between nose and facing, m; 0 leaves it sharp.
     pub point_radius: f64,
-    /// Distance between the deep ends of the two facings, m, where it is not the one that
-    /// `cut_angle_deg` gives: the facing then runs straight from the rounding to that end.
+    /// Distance between the deep ends of the two facings, m, if it differs from the one that
+    /// `cut_angle_deg` gives: the facing is then straight from the rounding to that end.
     pub throat: Option<f64>,
 }
 
-/// Sights (diamonds): where they lie on the rails.
+/// Positions of the sights (diamonds) on the rails.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sights {
-    /// Intervals along the length; the ends and, with pockets, the middle bear no sight.
+    /// Intervals along the length; the ends and, with pockets, the middle have no sight.
     pub along_length: u32,
     /// Intervals along the width.
     pub along_width: u32,

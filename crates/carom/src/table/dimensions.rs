@@ -15,12 +15,12 @@ pub struct Dimension {
     pub value: f64,
     /// `m` or `deg`.
     pub unit: &'static str,
-    /// Where a preset's figure is from; none in a table of the user's own.
+    /// The source of a preset's figure; none for a table of the user.
     pub source: Option<Source>,
 }
 
 impl TableDescription {
-    /// Its dimensions in a fixed order, without sources.
+    /// The dimensions in a fixed order, without sources.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let mut list = Vec::new();
         let mut add = |key: String, value: f64| {
@@ -62,7 +62,7 @@ impl TableDescription {
 }
 
 impl Table {
-    /// Its dimensions in a fixed order, with the source of each figure if it is an unchanged preset;
+    /// The dimensions in a fixed order, with the source of each figure if the table is an unchanged preset;
     /// empty for unbounded cloth.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let Some(description) = &self.description else { return Vec::new() };

@@ -1,4 +1,4 @@
-//! Why a description is not a table.
+//! The error of a description that does not make a table.
 
 use alloc::string::String;
 use core::fmt;
@@ -8,7 +8,7 @@ use core::fmt;
 pub struct TableError {
     /// The key at fault, from the table on: `corner_pocket.mouth`.
     pub key: String,
-    /// What is wrong and what would be right, in one sentence without its full stop.
+    /// What is wrong, and the remedy: one sentence without its full stop.
     pub problem: String,
 }
 

@@ -5,17 +5,16 @@
 pub enum TableFeature {
     /// Index into `Table::cushions`.
     Cushion(u16),
-    /// Index into `Table::pockets`: the ball's centre comes over the hole, or crosses the mouth line
-    /// that captures.
+    /// Index into `Table::pockets`: the ball's centre comes over the hole, or crosses the mouth line.
     Pocket(u8),
     /// The slate, from above.
     Slate,
     /// The edge of a hole in the slate, index into `Table::pockets`.
     Lip(u8),
-    /// The centre of a ball in the hole of a pocket (index) comes down to a height at which it may be
-    /// lost for good: the slate's surface, or a radius below it.
+    /// The centre of a ball in the hole of a pocket (index) comes down to a height below which it may not
+    /// come back: the slate's surface, or a radius below it.
     Depth(u8),
-    /// The ball on a rail's top comes over its edge, and loses its support.
+    /// The edge of a rail's top, where a ball on the top loses its support.
     Brink,
     /// The outer edge of the rails.
     Edge,

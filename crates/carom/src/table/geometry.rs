@@ -1,8 +1,8 @@
 //! From a description to noses, points, facings, mouths and holes.
 //!
 //! Everything is built once, in the quadrant x ≤ 0, y ≤ 0, and mirrored by negation, so that a
-//! mirrored table has mirrored bits. The jaws are [`super::jaw`]'s, what lies behind their deep ends
-//! [`super::opening`]'s.
+//! mirrored table has mirrored bits. [`super::jaw`] builds the jaws, [`super::opening`] what lies behind
+//! their deep ends.
 
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
@@ -18,7 +18,7 @@ use super::{
 };
 use crate::math::Vec2;
 
-/// A jaw of the quadrant, or what belongs to it, mirrored to where it stands.
+/// A jaw of the quadrant, or something that belongs to it, and how it is mirrored into another quadrant.
 #[derive(Clone, Copy)]
 struct Mirrored<T> {
     jaw: T,
@@ -26,12 +26,12 @@ struct Mirrored<T> {
     signs: Vec2,
     /// Index of its pocket.
     pocket: usize,
-    /// Which of the pocket's two jaws it is; mirrored jaws have the same.
+    /// Number of the jaw in its pocket, 0 or 1; the same for mirrored jaws.
     slot: usize,
 }
 
-/// The six rails around the table, each with its first and its last jaw: those of the short rails, of the
-/// long rails at a corner, and of the long rails at a side.
+/// The six rails around the table, each with its first and its last jaw. The three given are the jaws of a
+/// short rail, of a long rail at a corner, and of a long rail at a side pocket.
 fn stands<T: Copy>([bottom, left, side]: [T; 3]) -> [(Rail, Mirrored<T>, Mirrored<T>); 6] {
     let stand = |jaw, x, y, pocket, slot| Mirrored { jaw, signs: Vec2::new(x, y), pocket, slot };
     [
@@ -47,9 +47,9 @@ fn stands<T: Copy>([bottom, left, side]: [T; 3]) -> [(Rail, Mirrored<T>, Mirrore
 /// The places of the rails of [`stands`] in `DetectionIndex::noses`.
 const RAIL_PLACES: [usize; 6] = [0, 4, 5, 1, 3, 2];
 
-/// How a pocket of the quadrant ends.
+/// The back of a pocket of the quadrant.
 struct PocketBack {
-    /// A point of the (first) jaw's line, m: between it and its mirror image there is hole, or with the
+    /// A point on the line of the (first) jaw, m. Between it and its mirror image lies the hole, or with the
     /// mouth-line model the end of the opening.
     end: Vec2,
     /// Centre and radius of the hole that closes it, m; none with the mouth-line model.
@@ -59,7 +59,7 @@ struct PocketBack {
 }
 
 impl PocketBack {
-    /// Nothing exists there.
+    /// The back with the mouth-line model: the opening ends between the deep ends.
     fn at(jaw: &Jaw) -> Self {
         Self { end: jaw.deep, hole: None, liner_from: 1.0 }
     }
@@ -71,7 +71,7 @@ impl PocketBack {
 }
 
 impl Table {
-    /// Endless cloth without rails. Its frame is the file's.
+    /// Unbounded cloth without rails. The engine's frame is the file's.
     pub fn unbounded() -> Self {
         let size = Vec2::new(f64::INFINITY, f64::INFINITY);
         Self {
@@ -102,9 +102,8 @@ impl Table {
     /// The table that `description` describes.
     ///
     /// # Errors
-    /// A length that is not finite and positive, a pocket that is missing, jaws, mouths and holes that
-    /// do not fit together, or rails too narrow for the holes: the error names the key and what would be
-    /// right.
+    /// [`TableError`] with the key and the remedy: for a length that is not finite and positive, a missing
+    /// pocket, jaws, mouths and holes that do not fit together, or rails too narrow for the holes.
     pub fn from_description(description: &TableDescription) -> Result<Self, TableError> {
         check::lengths(description)?;
         let half = Vec2::new(0.5 * description.width, 0.5 * description.length);
@@ -178,7 +177,8 @@ impl Table {
         check::rails(self.layout.border, half, &self.pockets)
     }
 
-    /// Closes the pockets behind the deep ends of their jaws; returns the back of a corner and of a side.
+    /// Adds the liners, which close the pockets behind the deep ends of their jaws. Returns the backs of a
+    /// corner and of a side pocket.
     fn add_backs(
         &mut self,
         [bottom, left, side]: [&Jaw; 3],
@@ -226,7 +226,8 @@ impl Table {
         jaws.map(|slots| slots.concat())
     }
 
-    /// Adds a jaw's parts, from the deep end to the nose or back; returns their indices, the point's first.
+    /// Adds a jaw's parts, from the deep end to the nose or the other way round. Returns their indices, that
+    /// of the point first.
     fn add_jaw(&mut self, rail: Rail, stand: Mirrored<&Jaw>, from_deep_end: bool) -> Vec<u16> {
         let begin = self.cushions.len() as u16;
         let mut parts: Vec<CushionPart> = stand
@@ -243,8 +244,8 @@ impl Table {
         if from_deep_end { indices.rev().collect() } else { indices.collect() }
     }
 
-    /// Adds what is behind the deep ends: first the straight runs, then the walls. A run that a ball on the
-    /// cloth can touch joins its pocket's list.
+    /// Adds the liners: first the straight runs, then the walls. A run that a ball on the cloth can touch is
+    /// added to the parts of its mouth.
     fn add_liners(&mut self, [bottom, left, side]: &[Liner; 3], in_mouth: &mut [Vec<u16>; 6]) {
         let rails = stands([bottom, left, side]);
         let each = rails.iter().flat_map(|(rail, first, last)| [(*rail, first), (*rail, last)]);
@@ -313,7 +314,7 @@ impl Table {
         ];
         for ((name, sx, sy, kind), parts) in pockets.into_iter().zip(in_mouth) {
             let signs = Vec2::new(sx, sy);
-            // The two jaws' tips and deep ends; a side's upper jaw is its lower one mirrored.
+            // Tips and deep ends of both jaws; the upper jaw of a side pocket mirrors the lower one.
             let (shape, jaw, ends, back) = match kind {
                 PocketKind::Corner => {
                     (corner, bottom_jaw, [left_jaw.tip, left_jaw.deep], &backs[0])
@@ -335,7 +336,7 @@ impl Table {
                 PocketModel::MouthLine => Gate {
                     offset: axis.dot(jaw.tip),
                     lean: 0.0,
-                    // The line goes on into the rounded point.
+                    // The line continues into the rounded point.
                     half_width: axis.cross(jaw.tip - middle).abs() + tangent_length(shape),
                 },
             };
@@ -395,7 +396,7 @@ fn nose(rail: Rail, start: Vec2, end: Vec2) -> CushionPart {
     CushionPart { rail, part: Part::Nose, shape: Shape::Segment { start, end, normal } }
 }
 
-/// The reach from which on the rectangle inset by it holds neither hole nor gate, m.
+/// The least reach for which the playing area, made smaller by it, contains no hole and no gate, m.
 fn clear_reach(
     model: PocketModel,
     corner: &PocketDescription,
@@ -403,7 +404,7 @@ fn clear_reach(
     bottom: &Jaw,
 ) -> f64 {
     let inwards = Vec2::new(FRAC_1_SQRT_2, FRAC_1_SQRT_2);
-    // Distances in front of the corner along the diagonal; the rectangle's corner is at √2·reach.
+    // Distances in front of the corner along the diagonal; the smaller area's corner is at √2·reach.
     let at_corner = match model {
         PocketModel::MouthLine => 0.5 * corner.mouth * FRAC_1_SQRT_2,
         PocketModel::DropCircle => {

@@ -14,7 +14,8 @@
 //! ```
 //!
 //! With tip T, point radius r and turn φ, the point's centre is r behind the nose line and
-//! r·tan(φ/2) further along than T; it is tangent to the nose there, and to the facing as far down it.
+//! r·tan(φ/2) further along than T. The arc is tangent to the nose there, and to the facing at the same
+//! distance from T.
 
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
@@ -37,7 +38,7 @@ pub(super) struct Jaw {
     /// Radius of the point, m, and how far behind the nose line it ends, m.
     pub(super) point_radius: f64,
     pub(super) point_end: f64,
-    /// From nose to deep end: what a ball meets.
+    /// The parts that a ball can touch, from nose to deep end.
     pub(super) parts: Vec<(Part, Shape)>,
     /// Where the straight nose begins, m, and how far along the rail from the pocket's middle.
     pub(super) nose_end: Vec2,
@@ -66,18 +67,18 @@ impl RailFrame {
     }
 }
 
-/// φ: by how much a jaw turns from the nose to the facing, rad.
+/// φ, the angle between the nose and the facing, rad.
 fn turn(shape: &PocketDescription) -> f64 {
     radians(180.0 - shape.cut_angle_deg)
 }
 
-/// From a tip to where the rounding begins, on either side, m.
+/// Distance from a tip to the beginning of the rounding, on either side, m.
 pub(super) fn tangent_length(shape: &PocketDescription) -> f64 {
     shape.point_radius * tan(0.5 * turn(shape))
 }
 
-/// From the middle of the nose line (the corner, or the middle of the rail) to the hole's centre, along
-/// the pocket's axis, m.
+/// Distance along the pocket's axis from the middle of the pocket on the nose line (the corner, or the
+/// middle of the rail) to the hole's centre, m.
 fn hole_depth(shape: &PocketDescription, kind: PocketKind) -> f64 {
     match kind {
         // The mouth lies in front of the corner.
@@ -107,7 +108,7 @@ pub(super) fn jaw(
     let (mut sin, mut cos) = sin_cos(turn(shape));
     let round_all_through = radius * (1.0 - cos) >= rubber;
     if round_all_through {
-        // The point ends with the rubber, before it has turned all the way: there is no facing.
+        // The rubber ends before the arc has turned by φ: there is no facing.
         cos = 1.0 - rubber / radius;
         sin = sqrt(1.0 - cos * cos);
     }
@@ -136,8 +137,8 @@ pub(super) fn jaw(
     };
     let mut parts = Vec::new();
     parts.push(arc([nose_start, radius], radius, [0.0, -1.0], tangent_normal));
-    // A throat of its own turns the facing off the tangent. Where the rubber then has a corner, a ball
-    // rolls around it as around a point of radius 0; where it has a notch, both parts meet the ball.
+    // With an explicit throat the facing is not tangent to the arc. Where that makes a convex corner, the
+    // corner is a point of radius 0; in a concave one the ball touches both parts.
     if tangent_normal[1] * normal[0] - tangent_normal[0] * normal[1] > 0.0 {
         parts.push(arc(point_end, 0.0, tangent_normal, normal));
     }

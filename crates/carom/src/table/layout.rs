@@ -1,4 +1,4 @@
-//! What detection needs of a table's geometry: where to look for what.
+//! The part of a table's geometry that only detection needs: where a ball can touch what.
 
 use alloc::vec::Vec;
 
@@ -7,11 +7,11 @@ use super::opening::Openings;
 use super::{CushionPart, Part, Pocket};
 use crate::math::Vec2;
 
-/// By how much a straight part is taken to be longer at either end, m: 1 nm, ten million roundings of a
-/// position. It shows beside a round neighbour by (1 nm)²/2δ ≈ 2e-17 m, less than one rounding.
+/// Extra length of a straight part at either end in detection, m: 1 nm, ten million roundings of a
+/// position. Beside a round neighbour it stands out by (1 nm)²/2δ ≈ 2e-17 m, less than one rounding.
 pub(crate) const JOIN_OVERLAP: f64 = 1e-9;
 
-/// What of the geometry only detection needs.
+/// Where a ball can touch which part, and the bounding boxes of the parts.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DetectionIndex {
     /// Half the playing area, nose to nose, m.
@@ -24,20 +24,20 @@ pub(crate) struct DetectionIndex {
     pub(crate) noses: [u16; 6],
     /// The mouths, in the order of the pockets.
     pub(crate) mouths: Vec<Mouth>,
-    /// For balls of at least this reach, m, nothing but noses is met inside the rectangle that is
-    /// `reach` smaller than the playing area on every side.
+    /// A ball of at least this reach, m, can touch only noses while its centre is in the playing area
+    /// made smaller by `reach` on every side.
     pub(crate) clear_reach: f64,
-    /// Half the table up to the outer edge of its rails, m.
+    /// Half the table, to the outer edge of its rails, m.
     pub(crate) border: Vec2,
-    /// How many parts, from the first on, a ball on the cloth can meet.
+    /// Number of parts, from the first on, that a ball on the cloth can touch.
     pub(crate) on_cloth: usize,
     /// Indices of the rails' tops, in the order of `noses`.
     pub(crate) tops: [u16; 6],
-    /// The openings of the pockets; none where there are none.
+    /// The openings of the pockets; none without pockets.
     pub(crate) openings: Option<Openings>,
     /// Boxes around the cushions' parts, in their order.
     pub(crate) bounds: Vec<Bounds>,
-    /// Where the noses and where the mouths are.
+    /// The noses and the mouths by quadrant.
     pub(crate) nose_quadrants: Quadrants,
     pub(crate) mouth_quadrants: Quadrants,
 }
@@ -45,38 +45,39 @@ pub(crate) struct DetectionIndex {
 /// A pocket's features, for detection.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Mouth {
-    /// Indices of the cushion parts that make it, both neighbouring noses included.
+    /// Indices of the cushion parts around it, with both neighbouring noses.
     pub(crate) parts: Vec<u16>,
-    /// The line that captures.
+    /// The line that captures balls.
     pub(crate) gate: Gate,
-    /// Seen from the hole's centre the liner's round wall stands where the cosine to the pocket's axis is
-    /// greater than this.
+    /// Cosine of the largest angle to the pocket's axis at which the liner's round wall stands, seen from
+    /// the hole's centre.
     pub(crate) liner_from: f64,
-    /// All its points, facings and liners, what a flying ball can meet: index and box.
+    /// All its points, facings and liners, which a flying ball can touch: index and box.
     pub(crate) all: Vec<(u16, Bounds)>,
-    /// A box around them and the hole.
+    /// The box around them and the hole.
     pub(crate) bounds: Bounds,
 }
 
-/// A line across a pocket; a ball on the cloth that crosses it outwards is captured. With the drop-circle
-/// model it lies over the hole and bounds the search: no centre comes to it but over the hole.
+/// A line across a pocket that captures a ball on the cloth which crosses it outwards. With the drop-circle
+/// model it lies over the hole and only bounds the search: a centre can reach it only over the hole.
 ///
-/// A centre p is beyond when axis·p ≥ offset + lean·reach.
+/// A centre p is beyond the line when axis·p ≥ offset + lean·reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Gate {
-    /// Where it meets the pocket's axis, measured along the axis from the table's centre, m.
+    /// Its distance from the table's centre along the pocket's axis, m.
     pub(crate) offset: f64,
-    /// How much nearer or further it is for a ball of some reach: the centre of a ball that touches the
-    /// deep end of a facing stands a reach off it, along the facing's normal.
+    /// Change of that distance per metre of reach: the centre of a ball that touches the deep end of a
+    /// facing is one reach away from it, along the facing's normal.
     pub(crate) lean: f64,
     /// Half its width, m. It ends inside the rubber.
     pub(crate) half_width: f64,
 }
 
 impl DetectionIndex {
-    /// Gives the parts their boxes, every point, facing and liner to its pocket, and the mouths theirs.
+    /// Computes the boxes of all parts, and assigns every point, facing and liner to the mouth of its
+    /// pocket.
     pub(super) fn bound_parts(&mut self, cushions: &[CushionPart], pockets: &[Pocket]) {
-        // Straight parts are longer by the overlap at their joins.
+        // Straight parts are longer by JOIN_OVERLAP at either end.
         let bounds = |c: &CushionPart| Bounds::of_shape(&c.shape).grown(JOIN_OVERLAP);
         self.bounds = cushions.iter().map(bounds).collect();
         for (mouth, pocket) in self.mouths.iter_mut().zip(pockets) {

@@ -1,8 +1,8 @@
 //! The table: one parametric description, and the geometry that follows from it.
 //!
-//! A [`TableDescription`] holds what a maker would say; [`Table::from_description`] works out noses,
-//! points, facings, holes and mouths ([`geometry`], [`jaw`]), liners and the tops of the rails ([`opening`]);
-//! [`crate::detect`] finds what a ball meets among them.
+//! A [`TableDescription`] has the dimensions that a maker would give; [`Table::from_description`] computes
+//! noses, points, facings, holes and mouths ([`geometry`], [`jaw`]), liners and the tops of the rails
+//! ([`opening`]); [`crate::detect`] finds the contacts of a ball with them.
 
 mod bounds;
 mod check;
@@ -44,9 +44,9 @@ pub(crate) use surface::UNDER_EDGE;
 /// the width, y along the length. Mirrored parts have mirrored bits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// Preset's name, if it is one unchanged.
+    /// Name of the preset, if the table is an unchanged one.
     pub name: Option<String>,
-    /// What it was made from; none for unbounded cloth.
+    /// The description that it was made from; none for unbounded cloth.
     pub description: Option<TableDescription>,
     /// Playing area, nose to nose, along x and y, m; infinite for unbounded cloth.
     pub size: Vec2,
@@ -57,7 +57,7 @@ pub struct Table {
     /// with the drop-circle model the liners (first their straight runs, then their round walls, two each
     /// per rail), and the rails' tops.
     pub cushions: Vec<CushionPart>,
-    /// Pockets, in the order that results number them: bottom-left, bottom-right, left, right,
+    /// Pockets, in the order of their numbers in results: bottom-left, bottom-right, left, right,
     /// top-left, top-right.
     pub pockets: Vec<Pocket>,
     pub(crate) layout: DetectionIndex,
@@ -72,15 +72,15 @@ pub fn nose_reach(cushion_height: f64, radius: f64) -> Option<f64> {
 }
 
 impl Table {
-    /// Distance from a cushion's nose line to the centre of a touching ball, m ([`nose_reach`]);
-    /// 0 for a ball that the nose does not touch at all, which no valid shot holds.
+    /// Distance from a cushion's nose line to the centre of a touching ball, m ([`nose_reach`]). 0 for a
+    /// ball that the nose cannot touch; a valid shot has none.
     #[inline]
     pub fn reach(&self, radius: f64) -> f64 {
         let above = self.cushion_height - radius;
         sqrt((radius * radius - above * above).max(0.0))
     }
 
-    /// The parts that a ball on the cloth can meet; in [`Table::cushions`] they come first.
+    /// The parts that a ball on the cloth can touch, the first ones of [`Table::cushions`].
     pub fn parts_on_cloth(&self) -> &[CushionPart] {
         &self.cushions[..self.layout.on_cloth]
     }
@@ -103,7 +103,7 @@ impl Table {
     }
 }
 
-/// A rail.
+/// A rail, or a half of a long rail that has a side pocket.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Rail {
     /// y = 0.
@@ -224,7 +224,7 @@ pub(crate) fn arc_sides(start: Vec2, end: Vec2) -> [Vec2; 2] {
 pub struct CushionPart {
     /// The rail it belongs to.
     pub rail: Rail,
-    /// Which part of it.
+    /// The part of the cushion.
     pub part: Part,
     /// Its edge line.
     pub shape: Shape,
@@ -262,12 +262,12 @@ impl PocketName {
     }
 }
 
-/// When a ball counts as pocketed.
+/// The condition for a ball to be pocketed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Capture {
-    /// Its centre comes over the hole.
+    /// The centre comes over the hole.
     DropCircle,
-    /// Its centre crosses the mouth, away from the table's centre (Leckie & Greenspan 2006,
+    /// The centre crosses the mouth, away from the table's centre (Leckie & Greenspan 2006,
     /// section 2.2).
     MouthLine {
         /// One end of the mouth, m.
@@ -280,13 +280,13 @@ pub enum Capture {
 /// A pocket.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pocket {
-    /// Which.
+    /// Its name.
     pub name: PocketName,
     /// Centre of the hole in the slate, m.
     pub center: Vec2,
     /// Radius of the hole in the slate, m.
     pub radius: f64,
-    /// What captures a ball.
+    /// When it captures a ball.
     pub capture: Capture,
     /// Unit vector along the pocket's axis, away from the table.
     pub axis: Vec2,

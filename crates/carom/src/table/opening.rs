@@ -1,8 +1,8 @@
 //! What lies behind the jaws of a pocket, up to the outer edge of the rails.
 //!
-//! Behind its deep end the line of a facing runs straight on to the back of the hole's circle, and the
-//! far arc of that circle joins the two: the liner. So the edges of a pocket close around its opening,
-//! and what lies behind an edge line, within the border, is the flat top of the rails:
+//! Behind its deep end the line of each facing continues straight to the back of the hole's circle, and
+//! the far arc of that circle joins the two: this is the liner. So the edges of a pocket enclose its
+//! opening, and everything behind an edge line, within the border, is the flat top of the rails:
 //!
 //! ```text
 //!   ───────────╮            ╭───────────   noses and points
@@ -13,27 +13,27 @@
 //!                   ╰──╯                   the liner's wall, halved at the pocket's axis
 //! ```
 //!
-//! With the mouth-line model nothing exists behind the mouth: the opening ends between the deep ends.
+//! With the mouth-line model there is no liner: the opening ends between the deep ends.
 
 use super::jaw::{Jaw, RailFrame};
 use super::{PocketDescription, Shape, TableError, check};
 use crate::math::{Vec2, sqrt};
 
-/// The continuation of one jaw of the quadrant x ≤ 0, y ≤ 0.
+/// The liner behind one jaw of the quadrant x ≤ 0, y ≤ 0.
 pub(super) struct Liner {
     /// From the deep end to the back of the circle: an edge like the facing's.
     pub(super) run: Shape,
     /// From there to the pocket's axis.
     pub(super) wall: Shape,
-    /// A point of the jaw's line over the hole, at or behind the deep end, m. Between it and its mirror
-    /// image all is hole.
+    /// A point on the jaw's line over the hole, at or behind the deep end, m. Between it and its mirror
+    /// image there is only hole.
     pub(super) over_hole: Vec2,
     /// Whether a ball on the cloth can touch the run before its centre is over the hole.
     pub(super) exposed: bool,
 }
 
 impl Liner {
-    /// Cosine of the angle between `axis` and the beginning of the round wall.
+    /// Cosine of the angle between `axis` and the start of the round wall.
     pub(super) fn begins_at(&self, axis: Vec2) -> f64 {
         match self.wall {
             Shape::Hollow { start, .. } => axis.dot(start),
@@ -42,11 +42,11 @@ impl Liner {
     }
 }
 
-/// The liner behind `jaw`, of a hole of radius `radius` (m) about `center`.
+/// The liner behind `jaw`, for a hole about `center` (m).
 ///
 /// # Errors
-/// A hole that does not reach from facing to facing behind both deep ends: nothing would close the
-/// pocket.
+/// [`TableError`] if the hole does not reach from facing to facing behind both deep ends, so that the
+/// pocket would not be closed.
 pub(super) fn liner(
     jaw: &Jaw,
     shape: &PocketDescription,
@@ -57,13 +57,13 @@ pub(super) fn liner(
     let normal = jaw.facing_normal;
     let down = jaw.down;
     let from_deep = center - jaw.deep;
-    // The foot of the perpendicular from the hole's centre on the jaw's line, and half the chord there.
+    // Foot of the perpendicular from the hole's centre to the jaw's line, and half the chord on that line.
     let (across, foot) = (normal.dot(from_deep), down.dot(from_deep));
     let half_chord = sqrt((radius * radius - across * across).max(0.0));
     let length = foot + half_chord;
     let exit = jaw.deep + down * length;
     let from_center = exit - center;
-    // The exit stays on its own side of the axis.
+    // The exit must lie on the same side of the axis as the jaw.
     let beside = axis.cross(jaw.deep - center) * axis.cross(from_center) > 0.0;
     check::liner(jaw.kind, across.abs() < radius, length > 0.0, across > 0.0 && beside)?;
 
@@ -86,9 +86,9 @@ pub(super) fn liner(
 /// The openings of the quadrant x ≤ 0, y ≤ 0; the others are its mirror images.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Openings {
-    /// The corner's, between the jaws of the short and of the long rail.
+    /// Of the corner pocket, between the jaws of the short and the long rail.
     corner: ([JawLine; 2], Back),
-    /// The side's, whose other jaw is the mirror image.
+    /// Of the side pocket, whose other jaw is the mirror image.
     side: ([JawLine; 1], Back),
 }
 
@@ -103,8 +103,8 @@ impl Openings {
         }
     }
 
-    /// Whether `p`, in the quadrant and behind a nose line, is in the opening of its corner or (second)
-    /// of its side, which begins behind the long rail.
+    /// Whether `p`, in the quadrant and behind a nose line, is in the opening of the corner pocket, and
+    /// whether it is in that of the side pocket, which begins behind the long rail.
     pub(super) fn hold(&self, p: Vec2) -> [bool; 2] {
         fn within<const N: usize>((jaws, back): &([JawLine; N], Back), p: Vec2) -> bool {
             jaws.iter().all(|jaw| jaw.is_behind(p)) && back.is_behind(p)
@@ -114,12 +114,12 @@ impl Openings {
     }
 }
 
-/// Where an opening ends.
+/// The back of an opening.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Back {
     /// Unit vector along the pocket's axis, away from the table.
     pub(super) axis: Vec2,
-    /// The opening holds all up to here along the axis, from the table's centre, m,
+    /// The opening contains everything up to this distance along the axis from the table's centre, m,
     pub(super) straight: f64,
     /// and this disc, m; of radius 0 with the mouth-line model.
     pub(super) center: Vec2,
@@ -134,7 +134,7 @@ impl Back {
     }
 }
 
-/// The edge line of a jaw, endless at its back.
+/// The edge line of a jaw, without an end at its back.
 #[derive(Clone, Debug, PartialEq)]
 struct JawLine {
     rail: RailFrame,
@@ -165,8 +165,8 @@ impl JawLine {
         self.rail.behind.dot(p - self.rail.origin)
     }
 
-    /// Whether the jaw lies behind `p`, seen from the pocket: all along it the edge goes deeper and
-    /// deeper behind the nose line, so that each depth has one end.
+    /// Whether the jaw lies behind `p`, seen from the pocket. Along the edge the depth behind the nose line
+    /// only grows, so that each depth has one edge point.
     fn is_behind(&self, p: Vec2) -> bool {
         let behind = self.depth(p);
         if behind <= 0.0 {

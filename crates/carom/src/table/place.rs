@@ -1,17 +1,17 @@
-//! May a ball stand there?
+//! Whether a ball has room at a position.
 
 use super::{Capture, CushionPart, Shape, Table, arc_sides};
 use crate::math::{Vec2, Vec3, sqrt};
 
 /// Gaps and overlaps up to this count as touching, m: 1 nm, far more than the rounding of positions in
-/// a file, far less than anybody can measure. Deeper overlap is refused.
+/// a file and far less than can be measured. Deeper overlap is refused.
 pub const TOUCH_TOLERANCE: f64 = 1e-9;
 
-/// So far beyond the lip of a hole, in radii of the ball, rolling friction may hold a ball as if it stood on the
-/// slate: it is then 2e-10 m lower.
+/// How far beyond the lip of a hole, in radii of the ball, rolling friction may hold a ball as if it
+/// stood on the slate. It is 2e-10 m lower there.
 pub const BRINK: f64 = 1e-4;
 
-/// Where a ball on the cloth stands.
+/// How a ball at a position stands to the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Placement {
     /// Inside, touching nothing.
@@ -28,7 +28,7 @@ pub enum Placement {
         /// By how much, m.
         depth: f64,
     },
-    /// Where a pocket captures balls.
+    /// Where a pocket captures the ball.
     OverHole {
         /// Index into `Table::pockets`.
         pocket: u8,
@@ -45,8 +45,8 @@ impl Placement {
 }
 
 impl Table {
-    /// Where a ball of radius `radius` (m) on the cloth stands whose centre is at `position` (m, in the
-    /// engine's frame).
+    /// How a ball of radius `radius` (m) on the cloth with its centre at `position` (m, engine's frame)
+    /// stands to the table.
     pub fn place_check(&self, position: Vec2, radius: f64) -> Placement {
         let reach = self.reach(radius);
         let half = self.layout.half;
@@ -56,19 +56,19 @@ impl Table {
         };
         let in_opening = self.opening_at(position).is_some();
         let (in_area, in_rails) = (within(0.0), within(rubber) || in_opening);
-        // A ball that a shot left hanging there may be in the next one; what rounding adds is far less.
+        // A shot may leave a ball hanging there, and the next shot starts with it. Rounding adds far less.
         let brink = BRINK * radius + TOUCH_TOLERANCE;
         if let Some(pocket) = self.captured_at(position, reach, brink, in_rails) {
             return Placement::OverHole { pocket };
         }
-        // Nothing that a ball on the cloth meets reaches in beyond the noses' lines.
+        // No part that a ball on the cloth can touch lies inside the nose lines.
         if within(-reach - 2.0 * TOUCH_TOLERANCE) {
             return Placement::Inside;
         }
         let parts = self.parts_on_cloth().iter();
         let deepest = deepest(parts, |part| depth_in(part, position, reach, rubber));
         match deepest {
-            // Also where a NaN was given.
+            // Also for NaN.
             _ if !in_rails => Placement::Outside,
             Some((part, depth)) if depth > TOUCH_TOLERANCE => Placement::InCushion { part, depth },
             _ if !in_area && !in_opening => Placement::Outside,
@@ -77,8 +77,8 @@ impl Table {
         }
     }
 
-    /// The pocket that holds a ball at `position`: over its hole by more than `brink`, or in the rails beyond
-    /// its gate.
+    /// The pocket that has captured a ball at `position`: the centre is over its hole by more than `brink`,
+    /// or in the rails beyond its gate.
     fn captured_at(&self, position: Vec2, reach: f64, brink: f64, in_rails: bool) -> Option<u8> {
         let holds = |i: &usize| {
             let (pocket, gate) = (&self.pockets[*i], &self.layout.mouths[*i].gate);
@@ -92,15 +92,15 @@ impl Table {
         (0..self.pockets.len()).find(holds).map(|i| i as u8)
     }
 
-    /// Where a ball of radius `radius` (m) in the air is whose centre is at `position` (m, in the engine's
-    /// frame), at least `radius` above the slate. Over a hole it is inside; beyond a mouth line, which
-    /// captures balls lower than the rails, it is not.
+    /// How a ball of radius `radius` (m) in the air with its centre at `position` (m, engine's frame), at
+    /// least `radius` above the slate, stands to the table. Over a hole it is inside; beyond a mouth line,
+    /// which captures balls lower than the rails, it is not.
     pub fn place_in_air(&self, position: Vec3, radius: f64) -> Placement {
         let (plan, rise) = (position.xy(), self.cushion_height - position.z);
         if self.is_outside(plan) {
             return Placement::Outside;
         }
-        // Of a ball so high that it can rest on a rail's top, that is all.
+        // High enough to rest on a rail's top: it can touch no cushion.
         if rise <= TOUCH_TOLERANCE - radius {
             return Placement::Inside;
         }
@@ -132,7 +132,7 @@ impl Table {
     }
 }
 
-/// The part that a ball overlaps most, or is nearest to, and the depth, m.
+/// The part that a ball overlaps most, or the nearest one, and the depth of the overlap, m.
 fn deepest<'a>(
     parts: impl Iterator<Item = &'a CushionPart>,
     depth: impl Fn(&CushionPart) -> Option<f64>,
@@ -147,7 +147,8 @@ fn deepest<'a>(
     deepest
 }
 
-/// How deep a ball is in a part beside which or on which its centre stands, m; negative if apart.
+/// Depth of a ball's overlap with a part, m, negative if apart; none where the centre lies beyond the
+/// ends of the part.
 fn depth_in(cushion: &CushionPart, position: Vec2, reach: f64, rubber: f64) -> Option<f64> {
     match cushion.shape {
         Shape::Segment { start, end, normal } => {

@@ -1,4 +1,4 @@
-//! The tables known by name. Every figure bears its source; `docs/tables.md` lists them.
+//! The table presets. Every figure has its source; `docs/tables.md` lists them.
 
 use alloc::string::ToString;
 use alloc::sync::Arc;
@@ -105,7 +105,7 @@ const BAR_7FT: Sheet = Sheet {
     ..WPA_9FT
 };
 
-/// The same pocket on a table that the source does not speak of.
+/// The same pocket on a table that its source does not cover.
 const fn as_if(p: PocketSheet, source: Source) -> PocketSheet {
     PocketSheet {
         mouth: figure(p.mouth.value, source),
@@ -117,8 +117,8 @@ const fn as_if(p: PocketSheet, source: Source) -> PocketSheet {
     }
 }
 
-/// pooltool gives, of a pocket, the angle between facing and axis (5.3° and 7.14°), and the depth of
-/// the hole's centre behind the nose lines (41.7 and 68.5 mm); shelf and cut angle follow.
+/// For a pocket pooltool gives the angle between facing and axis (5.3° and 7.14°) and the depth of the
+/// hole's centre behind the nose lines (41.7 and 68.5 mm); shelf and cut angle follow from them.
 const SHOWOOD_7FT: Sheet = Sheet {
     name: "showood-7ft",
     length: figure(1.9812, SHOWOOD),
@@ -141,7 +141,7 @@ const SHOWOOD_7FT: Sheet = Sheet {
             shelf: figure(0.0685 - 0.0645, SHOWOOD),
             hole_radius: figure(0.0645, SHOWOOD),
             point_radius: figure(0.00795, SHOWOOD),
-            // pooltool brings the facing in by c·sin 7.14° where the angle asks for c·tan 7.14°.
+            // pooltool moves the facing inwards by c·sin 7.14°; the angle would require c·tan 7.14°.
             throat: Some(figure(0.137 - 2.0 * 0.0508 * SIN_7_14_DEG, SHOWOOD)),
         },
     ]),
@@ -254,8 +254,8 @@ const CAROM_9FT: Sheet = Sheet {
     ..CAROM_10FT
 };
 
-/// A ball turns where its centre is R from a rail's line, so the nose stands as high as the centre;
-/// `RAIL_HEIGHT`, 40.005 mm, only says there which cues are in the way.
+/// In FastFiz a ball rebounds when its centre is R from a rail's line, so the nose is as high as the
+/// centre. FastFiz uses its `RAIL_HEIGHT`, 40.005 mm, only to find cues that are obstructed.
 const POOLFIZ: Sheet = Sheet {
     name: "poolfiz",
     length: figure(2.236, FASTFIZ),
@@ -317,14 +317,14 @@ impl TableDescription {
 impl Table {
     /// The preset of that name ([`PRESETS`]).
     pub fn preset(name: &str) -> Option<Self> {
-        // Every preset makes a table: the tests build them all.
+        // Every preset makes a table: the tests build each one.
         let mut table = Self::from_description(&TableDescription::preset(name)?).ok()?;
         table.name = Some(name.to_string());
         Some(table)
     }
 
-    /// The preset of that name, one for all shots on it: who plays one after another finds the table in
-    /// the processor's cache. (Without the standard library: a new one.)
+    /// The preset of that name, shared by all shots on it: successive shots find the table in the
+    /// processor's cache. (Without the standard library every call makes a new one.)
     pub(crate) fn shared_preset(name: &str) -> Option<Arc<Self>> {
         #[cfg(feature = "std")]
         {

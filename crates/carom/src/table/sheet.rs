@@ -1,4 +1,4 @@
-//! A preset's figures, each with where it was taken from.
+//! The figures of a preset, each with its source.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -7,21 +7,21 @@ use super::{
     Markings, PocketDescription, PocketLayout, PocketModel, Sights, Spot, TableDescription,
 };
 
-/// Where a figure was taken from.
+/// The source of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// Read in a rule book; where that allows a range, a value inside it.
+    /// A rule book; where it allows a range, a value inside it.
     RuleBook(&'static str),
-    /// Read in a publication or in another engine.
+    /// A publication or another engine.
     Published(&'static str),
     /// From memory: not verified.
     Memory,
-    /// Estimated, so that the table plays like a real one: no source.
+    /// No source: estimated, so that the table plays like a real one.
     Estimated(&'static str),
 }
 
 impl Source {
-    /// In words.
+    /// The source as text.
     pub fn text(self) -> String {
         match self {
             Self::RuleBook(s) | Self::Published(s) => s.to_string(),
@@ -53,7 +53,7 @@ pub(super) struct PocketSheet {
     pub(super) throat: Option<Figure>,
 }
 
-/// Which spots a table has.
+/// The spots of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SpotPattern {
     /// Head and foot spot a quarter of the length from the ends, and the centre.

@@ -1,16 +1,17 @@
-//! What is under a place, and which way a touched part lies: the table as a solid body.
+//! The table as a solid body: what lies under a point, and the normal of a touched part.
 //!
 //! * The slate is the plane z = 0, with the pockets' holes in it; a hole's edge is the lip.
 //! * Every nose, point, facing and straight run of a liner is a sharp edge at the height of the nose; the
-//!   rubber below recedes, by a ball's radius far below: there a centre comes up to the edge line.
+//!   rubber below it recedes. Far below the edge it has receded by a ball's radius, so that a centre can
+//!   come up to the edge line.
 //! * A liner's round wall is the cylinder through the hole's edge, up to the height of the nose.
-//! * Behind all these edges lies the flat top of the rails, out to the border.
+//! * Behind these edges the top of the rails is flat, out to the border.
 
 use super::{Capture, Shape, Table, TableFeature, arc_sides};
 use crate::math::{Vec2, Vec3};
 
-/// Centres this much further below an edge than a radius meet what is under it, m: ten thousand roundings
-/// of a height, so that detection and normal agree on which of the two was touched.
+/// A centre that is lower than an edge by a radius and this much, m, touches the body under the edge: ten
+/// thousand roundings of a height, so that detection and normal agree on which of the two was touched.
 pub(crate) const UNDER_EDGE: f64 = 1e-12;
 
 impl Table {
@@ -39,8 +40,8 @@ impl Table {
         corner.then_some(at_corner).or(side.then_some(at_side))
     }
 
-    /// The pocket beyond whose mouth line the point `p` (m, engine's frame) lies, where nothing exists; none
-    /// with the drop-circle model.
+    /// The pocket beyond whose mouth line the point `p` (m, engine's frame) lies; none with the drop-circle
+    /// model. There is no table beyond a mouth line.
     pub fn beyond_mouth_line(&self, p: Vec2) -> Option<u8> {
         if self.pockets.is_empty() {
             return None;
@@ -51,7 +52,7 @@ impl Table {
             }
             Capture::DropCircle => false,
         };
-        // The line of a corner cuts the playing area's corner off.
+        // The mouth line of a corner pocket cuts off the corner of the playing area.
         let in_area = !self.is_behind_nose_line(p);
         let [corner, _] = self.nearest_pockets(p);
         let here = if in_area { Some(corner) } else { self.opening_at(p) };
@@ -80,7 +81,7 @@ impl Table {
     }
 
     /// Unit vector from the centre `position` (m, engine's frame) of a ball of radius `radius` (m) to the
-    /// point of `feature` that it touches. A capture or the border has none: zero.
+    /// point of `feature` that it touches. Zero for features without a surface: a capture, the border.
     pub fn contact_normal(&self, feature: TableFeature, position: Vec3, radius: f64) -> Vec3 {
         let down = Vec3::new(0.0, 0.0, -1.0);
         match feature {
@@ -144,8 +145,8 @@ fn edge_normal(shape: &Shape, p: Vec2, rise: f64, radius: f64) -> Vec3 {
     }
 }
 
-/// Unit vector to the nearest point of a circle of radius `ring` (m) from a point that lies `from_center`
-/// off its axis and `rise` below its plane.
+/// Unit vector to the nearest point of a horizontal circle of radius `ring` (m), from a point `rise` (m)
+/// below its plane, at `from_center` from its axis.
 fn to_ring(from_center: Vec2, ring: f64, rise: f64) -> Vec3 {
     let distance = from_center.length();
     let outwards = if distance > 0.0 { from_center * (1.0 / distance) } else { Vec2::ZERO };

@@ -37,8 +37,8 @@ pub struct Trace {
     outcome: Outcome,
 }
 
-/// Events in a row: the balls and states of all of them stand in one list each, so that recording
-/// allocates a few times a shot and not a few times an event.
+/// The events in order. The balls and states of all events are in one list each, so that recording
+/// allocates a few times per shot and not per event.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Log {
     entries: Vec<Entry>,
@@ -100,14 +100,14 @@ impl Trace {
         &self.last
     }
 
-    /// What a referee needs.
+    /// The facts that rules need.
     pub const fn outcome(&self) -> &Outcome {
         &self.outcome
     }
 
-    /// All balls' states at `time` (s), in the file's frame: exact to rounding, since each follows
-    /// the closed form from its last event. At the instant of an event, the state after it; after
-    /// the end, the final state.
+    /// All balls' states at `time` (s), in the file's frame, from the closed-form path since each ball's last
+    /// event: exact to rounding. At the instant of an event, the state after it; after the end, the final
+    /// state.
     ///
     /// # Errors
     /// [`Error::Input`] if `time` is negative or not finite.
@@ -115,7 +115,7 @@ impl Trace {
         if !(time >= 0.0 && time.is_finite()) {
             return Err(Error::input(
                 "time",
-                format!("there is nothing at {time:?} s"),
+                format!("{time:?} s is out of range"),
                 "ask for a finite time ≥ 0",
             ));
         }

@@ -9,10 +9,10 @@ use crate::event::{Event, Recorder};
 use crate::outcome::Collector;
 use crate::shot::Shot;
 
-/// Room that is reserved at the start: a break has about a hundred and fifty events.
+/// Events that memory is reserved for at the start; a break has about 150.
 const USUAL_EVENTS: usize = 64;
 
-/// Listens to a shot and makes a [`Trace`] of it.
+/// Records a [`Trace`] of a shot.
 #[derive(Clone, Debug)]
 pub struct TraceRecorder<'a> {
     shot: &'a Shot,

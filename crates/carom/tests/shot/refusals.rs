@@ -263,7 +263,7 @@ fn the_struck_ball_must_exist_and_rest() {
         "[0.635, 0.635]",
         "[0.635, 0.635], \"velocity\": [1, 0, 0]",
         "strike.ball",
-        &["moves already"],
+        &["is already moving"],
     );
 }
 
