@@ -1,7 +1,7 @@
 """Rust's side of carom: conversions only. Private; the public face is the package around it."""
 
-from collections.abc import Callable
-from typing import Any, final
+from collections.abc import Callable, Sequence
+from typing import Any, NoReturn, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ __all__ = [
     "bank_table",
     "break_shot",
     "break_statistics",
+    "check_keys",
     "check_noise",
     "check_perception",
     "draw_strikes",
@@ -36,6 +37,8 @@ __all__ = [
     "pot_map",
     "quantiles",
     "read_json",
+    "read_number",
+    "read_whole",
     "row_shot",
     "rule_sets",
     "schema",
@@ -47,7 +50,9 @@ __all__ = [
     "stages",
     "tables",
     "tasks",
+    "unknown_word",
     "wilson",
+    "wrong_type",
 ]
 
 __version__: str
@@ -260,5 +265,10 @@ class VectorEnv:
     def observation_bounds(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]: ...
 
 def read_json(text: str) -> Any: ...
+def check_keys(value: object, place: str, known: Sequence[str]) -> None: ...
+def read_number(value: object, place: str) -> float: ...
+def read_whole(value: object, place: str, low: int, high: int) -> int: ...
+def wrong_type(value: object, place: str, wanted: str) -> NoReturn: ...
+def unknown_word(word: str, place: str, kind: str, known: Sequence[str]) -> NoReturn: ...
 def tasks() -> list[str]: ...
 def meanings() -> tuple[list[str], list[str], list[str]]: ...

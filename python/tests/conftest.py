@@ -1,4 +1,4 @@
-"""What the tests share: shots, and the command line as a user runs it."""
+"""Fixtures of the tests: shots, and the command line as a user runs it."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ POT: dict[str, Any] = {
     },
 }
 
-# A ball that stands still and one that rolls into it, on endless cloth.
+# A ball that rolls into a ball at rest, on unbounded cloth.
 ENDLESS: dict[str, Any] = {
     "format": "carom-shot/1",
     "table": {"cloth": "unbounded"},
@@ -51,7 +51,7 @@ def pot() -> dict[str, Any]:
 
 @pytest.fixture
 def endless() -> dict[str, Any]:
-    """Two balls on endless cloth, no strike."""
+    """Two balls on unbounded cloth, without a strike."""
     return copy.deepcopy(ENDLESS)
 
 
@@ -69,7 +69,7 @@ def nine_ball_trace(nine_ball: carom.Shot) -> carom.Trace:
 
 @pytest.fixture
 def spec(pot: dict[str, Any]) -> dict[str, Any]:
-    """A sweep of two layouts, a grid of speeds and of physics, a drawn azimuth."""
+    """A sweep of two layouts, grids of speeds and frictions, and a drawn azimuth."""
     other = copy.deepcopy(pot)
     other["balls"].append({"id": "8", "position": [0.9, 1.2]})
     return {
@@ -86,7 +86,7 @@ def spec(pot: dict[str, Any]) -> dict[str, Any]:
 
 
 class CommandLine:
-    """Runs ``carom`` in a process of its own."""
+    """Runs ``carom`` in a separate process."""
 
     def __init__(self, cwd: Path) -> None:
         self.cwd = cwd

@@ -14,7 +14,7 @@ from carom.bench import peer, report, states, timing
 
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A bench of two shots a class, once each, without a peer."""
+    """A bench of two shots per class, once each, without a peer."""
     few = {name: members[:2] for name, members in states.load().items()}
     monkeypatch.setattr(states, "load", lambda: few)
     monkeypatch.setattr(timing, "ROUNDS", 1)
@@ -88,7 +88,7 @@ def test_the_breaks_move_the_rack() -> None:
 
 
 @pytest.mark.usefixtures("quick")
-def test_json_goes_to_stdout_and_into_the_folder(
+def test_json_is_printed_and_stored_in_the_folder(
     capsys: pytest.CaptureFixture[str], tmp_path: object
 ) -> None:
     assert bench.run(json=True, store=tmp_path) == 0  # type: ignore[arg-type]
@@ -105,7 +105,7 @@ def test_json_goes_to_stdout_and_into_the_folder(
 
 
 @pytest.mark.usefixtures("quick")
-def test_without_the_peer_a_sentence_says_how_to_get_it(
+def test_without_the_peer_a_message_says_how_to_install_it(
     capsys: pytest.CaptureFixture[str], tmp_path: object
 ) -> None:
     assert bench.run(store=tmp_path) == 0  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""Environments for learners."""
+"""Environments for reinforcement learning."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from pettingzoo.test import api_test, seed_test
 
 NAMES = sorted(carom.env.ENVIRONMENTS)
 TASKS = sorted(carom.env.ENVIRONMENTS.values())
-# Object balls on the table when a game begins in the middle: as asked, and besides.
+# Object balls of a game that begins in the middle: the setting, and additional ones.
 MIDDLES = {
     "carom/EightBall-v2": (6, 0),
     "carom/NineBall-v0": (3, 0),
@@ -50,7 +50,7 @@ RESULTS = {
 
 
 def play(envs: Any, steps: int, seed: int = 3) -> list[np.ndarray[Any, Any]]:
-    """Everything that comes of some steps."""
+    """All results of some steps with random actions."""
     random = np.random.default_rng(5)
     shape = envs.action_space.shape
     out = [envs.reset(seed=seed)[0]]
@@ -60,10 +60,10 @@ def play(envs: Any, steps: int, seed: int = 3) -> list[np.ndarray[Any, Any]]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_gymnasium_finds_nothing_wrong(name: str) -> None:
+def test_gymnasiums_checker_accepts_the_environment(name: str) -> None:
     env = gymnasium.make(name, render_mode="rgb_array", noise=NOISE)
     with warnings.catch_warnings():
-        # The checker recommends to test a wrapped environment's inside, which is what is given.
+        # The checker warns about wrapped environments; this one is unwrapped.
         warnings.simplefilter("error")
         check_env(env.unwrapped)
 
@@ -81,7 +81,7 @@ def test_observations_stay_within_their_bounds(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_an_environment_of_a_vector_is_the_single_one_with_its_seed(name: str) -> None:
+def test_an_environment_of_a_vector_equals_the_single_one_with_its_seed(name: str) -> None:
     envs = gymnasium.make_vec(name, num_envs=3, noise=NOISE, autoreset_mode="next-step")
     single = gymnasium.make(name, noise=NOISE)
     random = np.random.default_rng(2)
@@ -114,8 +114,8 @@ def test_the_bits_do_not_depend_on_the_threads(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_version_gives_the_results_it_has_always_given(name: str) -> None:
-    """Where this fails on purpose, the version in the name goes up, and the hash changes."""
+def test_a_version_keeps_its_results(name: str) -> None:
+    """After an intended change of results, increase the version in the name and change the hash."""
     envs = gymnasium.make_vec(name, num_envs=16, noise=NOISE)
     run = hashlib.sha256(b"".join(part.tobytes() for part in play(envs, 5))).hexdigest()
     assert {name: run[:16]} == {name: RESULTS[name]}
@@ -133,7 +133,7 @@ def test_a_game_can_begin_in_the_middle(name: str) -> None:
     features = len(_core.meanings()[2])
     seen = observations[:, :-features].reshape(20, -1, 4)
     assert (seen[:, 1:, 2].sum(axis=1) == balls + besides).all()
-    # The cue ball lies where it is played from, another place each time.
+    # The cue ball is at another place each time.
     assert len(np.unique(seen[:, 0, :2], axis=0)) == 20
     assert (observations[:, -features : 3 - features] == 0).all()
     ended = np.zeros(20, dtype=bool)
@@ -144,7 +144,7 @@ def test_a_game_can_begin_in_the_middle(name: str) -> None:
     assert ended.any()
 
 
-def test_another_seed_is_another_game() -> None:
+def test_different_seeds_give_different_games() -> None:
     envs = gymnasium.make_vec("carom/EightBall-v2", num_envs=4)
     one, other = play(envs, 2, seed=3), play(envs, 2, seed=30)
     assert any((a != b).any() for a, b in zip(one, other, strict=True))
@@ -156,17 +156,17 @@ def test_make_vec_steps_in_rust() -> None:
     assert envs.metadata["autoreset_mode"] is AutoresetMode.SAME_STEP
 
 
-def test_in_the_same_step_the_end_is_seen_beside_the_new_beginning() -> None:
+def test_same_step_mode_returns_the_final_observation_with_the_new_episode() -> None:
     envs = gymnasium.make_vec("carom/Potting-v0", num_envs=5)
     envs.reset(seed=0)
     observations, _, terminated, _, info = envs.step(np.zeros(envs.action_space.shape))
-    # One shot, and it is over.
+    # An episode of potting is one shot.
     assert terminated.all()
     assert info["_final_obs"].all()
     assert (info["final_obs"] != observations).any(axis=1).all()
 
 
-def test_in_the_same_step_the_end_is_told_as_gymnasium_tells_it() -> None:
+def test_same_step_mode_has_the_infos_of_gymnasiums_own_vector() -> None:
     settings = {"balls": 2, "noise": NOISE, "patience": 6}
     ours = gymnasium.make_vec("carom/NineBall-v0", num_envs=3, **settings)
     theirs = SyncVectorEnv(
@@ -197,7 +197,7 @@ def test_in_the_same_step_the_end_is_told_as_gymnasium_tells_it() -> None:
 
 
 @pytest.mark.parametrize("name", ["carom/SumToThree-v0", "carom/NineBall-v0"])
-def test_episodes_of_a_vector_have_a_limit_if_gymnasium_is_told_one(name: str) -> None:
+def test_max_episode_steps_limits_the_episodes_of_a_vector(name: str) -> None:
     envs = gymnasium.make_vec(name, num_envs=2, max_episode_steps=3)
     envs.reset(seed=0)
     gentle = np.full(envs.action_space.shape, -0.9, dtype=np.float32)
@@ -206,7 +206,7 @@ def test_episodes_of_a_vector_have_a_limit_if_gymnasium_is_told_one(name: str) -
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_deep_copy_goes_on_by_itself_from_the_same_place(name: str) -> None:
+def test_a_deep_copy_is_independent_and_in_the_same_state(name: str) -> None:
     env = gymnasium.make(name, noise=NOISE)
     env.reset(seed=4)
     env.action_space.seed(0)
@@ -218,12 +218,12 @@ def test_a_deep_copy_goes_on_by_itself_from_the_same_place(name: str) -> None:
     assert tried[1:] == again[1:]
 
 
-def test_an_environment_in_play_says_why_it_is_not_pickled() -> None:
+def test_pickling_an_environment_is_refused_with_a_remedy() -> None:
     with pytest.raises(TypeError, match=r"send what makes it.*copy\.deepcopy"):
         pickle.dumps(gymnasium.make("carom/Potting-v0"))
 
 
-def test_gymnasiums_vectors_and_wrappers_take_the_environments() -> None:
+def test_the_environments_work_in_gymnasiums_vectors_and_wrappers() -> None:
     def make() -> gymnasium.Env[Any, Any]:
         return gymnasium.make("carom/NineBall-v0", balls=2)
 
@@ -241,7 +241,7 @@ def test_gymnasiums_vectors_and_wrappers_take_the_environments() -> None:
         play(wrapper(ours), 8)
 
 
-def test_a_vector_that_does_not_reset_is_reset_by_mask() -> None:
+def test_a_vector_with_autoreset_disabled_is_reset_by_mask() -> None:
     envs = gymnasium.make_vec("carom/Potting-v0", num_envs=3, autoreset_mode="disabled")
     first, _ = envs.reset(seed=0)
     last, *_ = envs.step(np.zeros(envs.action_space.shape))
@@ -252,7 +252,7 @@ def test_a_vector_that_does_not_reset_is_reset_by_mask() -> None:
     assert (after[mask] != first[mask]).any(axis=1).all()
 
 
-def test_a_ball_that_is_aimed_at_is_often_potted_and_rewarded() -> None:
+def test_relative_aim_pots_often_and_is_rewarded() -> None:
     envs = gymnasium.make_vec("carom/Potting-v0", num_envs=2000, aim="relative")
     envs.reset(seed=0)
     actions = np.zeros(envs.action_space.shape, dtype=np.float32)
@@ -260,7 +260,7 @@ def test_a_ball_that_is_aimed_at_is_often_potted_and_rewarded() -> None:
     _, rewards, *_, info = envs.step(actions)
     assert set(np.unique(rewards)) == {0.0, 1.0}
     np.testing.assert_array_equal(rewards, (info["potted"] > 0).astype(float))
-    # Full on the ball: it goes somewhere along the line, seldom into a pocket.
+    # A full hit sends the ball along the line of centres, seldom into a pocket.
     assert 0.01 < rewards.mean() < 0.3
 
 
@@ -289,7 +289,7 @@ def test_with_an_opponent_the_agent_always_shoots_next(name: str, opponent: str)
 
 
 @pytest.mark.parametrize("name", ["carom/ThreeCushion-v2", "carom/SumToThree-v0"])
-def test_the_shooter_goes_on_after_a_point(name: str) -> None:
+def test_the_shooter_continues_after_a_point(name: str) -> None:
     envs = gymnasium.make_vec(name, num_envs=200)
     envs.action_space.seed(0)
     envs.reset(seed=0)
@@ -301,7 +301,7 @@ def test_the_shooter_goes_on_after_a_point(name: str) -> None:
         np.testing.assert_array_equal(info["player"], np.where(point, player, 1 - player))
         player = info["player"]
         scored += point.sum()
-    # Blind shots score now and then.
+    # Random shots score now and then.
     assert scored > 5
 
 
@@ -314,7 +314,7 @@ def test_episodes_end_even_if_nothing_is_hit() -> None:
     assert truncated[4].all()
 
 
-def test_numbers_out_of_bounds_and_nan_are_played_as_the_nearest() -> None:
+def test_actions_out_of_bounds_are_clipped_and_nan_counts_as_zero() -> None:
     envs = gymnasium.make_vec("carom/EightBall-v2", num_envs=1)
     envs.reset(seed=0)
     out = envs.step(np.full(envs.action_space.shape, 9.0, dtype=np.float32))
@@ -360,7 +360,7 @@ def test_numbers_out_of_bounds_and_nan_are_played_as_the_nearest() -> None:
         ({"threads": 0}, "threads"),
     ],
 )
-def test_what_is_wrong_is_said_with_its_place(settings: dict[str, Any], place: str) -> None:
+def test_an_invalid_setting_is_refused_by_name(settings: dict[str, Any], place: str) -> None:
     with pytest.raises(InputError, match=rf"^{place}"):
         carom.env.CaromEnv("potting", **settings)
 
@@ -391,7 +391,7 @@ def test_options_of_a_reset_that_are_not_a_dict_are_refused(options: Any) -> Non
         carom.env.CaromVectorEnv("nine-ball", 1).reset(seed=0, options=options)
 
 
-def test_counts_of_numpy_are_counts() -> None:
+def test_numpy_integers_are_accepted_as_counts() -> None:
     three = np.int64(3)
     envs = gymnasium.make_vec("carom/NineBall-v0", num_envs=three, balls=three)
     same = gymnasium.make_vec("carom/NineBall-v0", num_envs=3, balls=3)
@@ -408,14 +408,14 @@ def test_actions_of_another_shape_are_refused(shape: tuple[int, ...]) -> None:
 
 
 @pytest.mark.parametrize("action", ["left", None, [["a"] * 7], {}])
-def test_actions_that_are_no_numbers_are_refused(action: Any) -> None:
+def test_actions_that_are_not_numbers_are_refused(action: Any) -> None:
     for env in (carom.env.CaromEnv("nine-ball"), carom.env.CaromVectorEnv("nine-ball", 1)):
         env.reset(seed=0)
         with pytest.raises(InputError, match=r"^actions?: "):
             env.step(action)
 
 
-def test_single_environments_take_the_seeds_that_vectors_take() -> None:
+def test_single_environments_accept_the_same_seeds_as_vectors() -> None:
     env = carom.env.CaromEnv("nine-ball")
     (first, _), (same, _) = env.reset(seed=np.int64(3)), env.reset(seed=3)  # type: ignore[arg-type]
     np.testing.assert_array_equal(first, same)
@@ -428,14 +428,14 @@ def test_single_environments_take_the_seeds_that_vectors_take() -> None:
 
 
 @pytest.mark.parametrize("seed", [-1, 2**64, 1.5, "x", [1], [1, None], [1, -1]])
-def test_seeds_that_are_none_are_refused(seed: Any) -> None:
+def test_invalid_seeds_are_refused(seed: Any) -> None:
     envs = gymnasium.make_vec("carom/NineBall-v0", num_envs=2)
     with pytest.raises(InputError, match=r"^seeds?: "):
         envs.reset(seed=seed)
 
 
 @pytest.mark.parametrize("mask", [[True], "xx", [0, 1], [[True, False]]])
-def test_masks_that_are_none_are_refused(mask: Any) -> None:
+def test_invalid_masks_are_refused(mask: Any) -> None:
     envs = gymnasium.make_vec("carom/NineBall-v0", num_envs=2, autoreset_mode="disabled")
     envs.reset(seed=0)
     with pytest.raises(InputError, match=r"^reset_mask: "):
@@ -450,7 +450,7 @@ def test_masks_that_are_none_are_refused(mask: Any) -> None:
         carom.env.aec("nine-ball"),
     ],
 )
-def test_nothing_is_played_before_a_reset(env: Any) -> None:
+def test_a_step_before_the_first_reset_is_refused(env: Any) -> None:
     with pytest.raises(ResetNeeded, match="reset"):
         env.step(np.zeros((1, 7)))
 
@@ -467,7 +467,7 @@ def test_a_picture_is_an_array_of_pixels() -> None:
 
 
 @pytest.mark.parametrize("game", [task for task in TASKS if task != "potting"])
-def test_pettingzoo_finds_nothing_wrong(game: str) -> None:
+def test_pettingzoos_tests_accept_the_match(game: str) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)
         api_test(carom.env.aec(game), num_cycles=100)

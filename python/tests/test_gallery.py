@@ -1,4 +1,4 @@
-"""The shots in shots/ in which balls leave the cloth do what their names say."""
+"""The shots of shots/ in which balls leave the cloth do what their names say."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ SHOTS = Path(__file__).parents[2] / "shots"
 GRAVITY = 9.80665
 RADIUS = 0.028575
 CUSHION_HEIGHT = 1.27 * RADIUS
-# A flight is looked at this often, s: a ball of 5 m/s moves by 2.5 mm.
+# Sampling interval of a flight, s: a ball of 5 m/s moves by 2.5 mm.
 STEP = 5e-4
 
 
@@ -21,7 +21,7 @@ def played(name: str) -> Trace:
 
 
 def of(trace: Trace, ball: str, kind: str, *parts: str) -> list[float]:
-    """Times of a ball's events of one kind, of rail collisions those with some parts only."""
+    """Times of a ball's events of one kind; of rail collisions, only those with given parts."""
     return [
         event.time
         for event in trace.events
@@ -60,7 +60,7 @@ def test_the_masse_bends_round_the_eight() -> None:
     contact = of(trace, "cue", "ball-collision")[0]
     path = trace.at(np.arange(0.0, contact, STEP)).position
     cue, eight, one = (path[:, trace.shot.ids.index(ball), :2] for ball in ("cue", "8", "1"))
-    # The three stand in a row along y.
+    # The three balls are in a row along y.
     aside = cue[:, 0] - eight[:, 0]
     beside = np.abs(cue[:, 1] - eight[:, 1]) < RADIUS
     assert (aside[beside] > 2 * RADIUS).all()
@@ -86,7 +86,7 @@ def test_the_cue_ball_lands_on_the_rails_top_and_comes_back_to_the_cloth() -> No
     assert trace.outcome.off_table == []
 
 
-def test_the_rattling_ball_goes_from_jaw_to_jaw_and_stays_up() -> None:
+def test_the_rattling_ball_hits_both_jaws_and_is_not_pocketed() -> None:
     trace = played("rattle")
     touches = of(trace, "1", "rail-collision", "facing", "point")
     assert len(touches) >= 2
@@ -94,7 +94,7 @@ def test_the_rattling_ball_goes_from_jaw_to_jaw_and_stays_up() -> None:
     assert rails == {"top", "right-upper"}
     assert trace.outcome.pocketed == []
     assert trace.outcome.hanging == []
-    # It never was over the hole.
+    # The ball was never over the hole.
     assert set(trace.at(np.arange(touches[0], trace.duration, STEP)).motion[:, 1]) <= {
         "sliding",
         "rolling",
@@ -138,14 +138,14 @@ def test_the_frozen_combination_pots_the_second_ball_in_one_impact() -> None:
     assert trace.outcome.pocketed == [["2", "top-right"]]
 
 
-def test_the_cue_ball_of_the_follow_hop_hops_off_the_ball_that_it_hits() -> None:
+def test_the_cue_ball_of_the_follow_hop_leaves_the_cloth_at_the_contact() -> None:
     trace = played("follow_hop")
     contact = next(event for event in trace.events if event.type == "ball-collision")
     after = contact.after[contact.balls.index("cue")]
     assert after["motion"] == "airborne"
     rise = after["velocity"][2] ** 2 / (2 * GRAVITY)
     assert 3e-4 < rise < 1e-3
-    # Topspin takes it on after the ball; while it is in the air nothing does.
+    # Topspin drives it forwards only after the landing, when it has contact with the cloth again.
     landing = of(trace, "cue", "slate-collision")[0]
     assert contact.time < landing
     before, later = trace.at([contact.time, trace.duration]).position[:, 0, :2]

@@ -1,4 +1,4 @@
-"""Every example shot gives the same bits as ever: here in release, from one and two threads."""
+"""Every example shot gives its golden bits in a release build, with one and two threads."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ def test_every_example_shot_has_a_golden() -> None:
 
 
 @pytest.mark.parametrize("name", GOLDENS)
-def test_the_events_and_final_states_are_the_same_bits_as_ever(name: str) -> None:
+def test_events_and_final_states_have_their_golden_bits(name: str) -> None:
     trace = Shot.load(ROOT / "shots" / f"{name}.json").simulate()
     assert (len(trace), trace.hash) == GOLDENS[name]
 
 
 @pytest.mark.parametrize("threads", [1, 2])
-def test_a_batch_of_all_examples_ends_in_the_same_bits(threads: int) -> None:
+def test_a_batch_of_all_examples_has_the_same_bits_as_single_shots(threads: int) -> None:
     shots = [Shot.load(ROOT / "shots" / f"{name}.json") for name in GOLDENS]
     result = carom.simulate_batch(shots, threads=threads)
     assert result.errors == {}
@@ -42,7 +42,7 @@ def test_a_batch_of_all_examples_ends_in_the_same_bits(threads: int) -> None:
 
 
 @pytest.mark.parametrize("golden", GAMES, ids=lambda golden: golden["game"])
-def test_the_moves_of_a_game_get_the_rulings_that_they_have_always_got(
+def test_the_moves_of_a_game_have_their_golden_rulings(
     golden: dict[str, Any],
 ) -> None:
     frame = carom.Frame(golden["game"], seed=golden["seed"])

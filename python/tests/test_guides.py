@@ -1,4 +1,4 @@
-"""The commands of the guide for players and coaches run as they stand."""
+"""The commands of the guide for players and coaches run unchanged."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def test_the_guide_has_a_command_for_every_question() -> None:
 def test_a_command_of_the_guide_runs(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # The files that the page's snippets save, with the balls that its commands name.
+    # The files that the page's snippets save, with the balls in the page's commands.
     balls = {"cue": (0.45, 0.75), "8": (0.8, 1.45), "9": (0.35, 2.2), "1": (1.0, 1.0)}
     shot = carom.Shot("wpa-9ft", balls, carom.Strike(speed=2.0, azimuth=1.05))
     for name in re.findall(r"\w+\.json", command):

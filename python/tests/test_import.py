@@ -1,4 +1,4 @@
-"""Systems of pooltool and table states of FastFiz become the shots that they were."""
+"""Systems of pooltool and table states of FastFiz are converted to the same shots."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
 
 DATA = Path(__file__).parent / "data" / "pooltool"
 
-# Where the cue ball of the pot stops, against pooltool's, m, whose friction between balls is taken
-# at another speed: 1.1 mm after one collision and half a metre.
+# Tolerance of the cue ball's final position against pooltool's, m. pooltool evaluates the friction
+# between balls at another speed, which makes 1.1 mm after one collision and half a metre.
 SAME_STOP = 2e-3
-# Trigonometry on the way, ball radii.
+# Rounding of the trigonometry, ball radii.
 ROUNDING = 1e-12
 
-# Eight: cue ball, a ball at rest, one in the left pocket, one rolling, one not in play.
+# Five balls: the cue ball, one at rest, one in the left pocket, one rolling, one not in play.
 STATE = (
     "5 0.028575 1 0 0.4 0.6 0.028575 1 8 0.8 1.7 0.028575 6 3 0 0 "
     "0.028575 4 9 0.3 1.2 0.028575 0 15 0 0 "
@@ -40,7 +40,7 @@ def said(made: convert.Converted, words: str) -> bool:
     return any(words in sentence for sentence in made.left_out)
 
 
-def test_a_pot_of_pooltools_is_a_pot_here_and_the_cue_ball_stops_where_it_did() -> None:
+def test_a_pot_of_pooltool_is_a_pot_here_and_the_cue_ball_stops_at_the_same_place() -> None:
     theirs = unpack((DATA / "pot_simulated.msgpack").read_bytes())["balls"]
     trace = convert.pooltool(DATA / "pot.json").shot.simulate()
     assert trace.outcome["pocketed"] == [["1", "top-right"]]
@@ -60,7 +60,7 @@ def test_json_messagepack_dict_and_a_simulated_system_are_the_same_shot() -> Non
     assert said(convert.pooltool(DATA / "pot_simulated.msgpack"), "from its start")
 
 
-def test_the_cues_parameters_are_the_strikes() -> None:
+def test_the_strike_has_the_parameters_of_the_cue() -> None:
     strike = convert.pooltool(pot()).shot.to_dict()["strike"]
     assert strike["ball"] == "cue"
     assert strike["speed"] == 2.2
@@ -70,7 +70,7 @@ def test_the_cues_parameters_are_the_strikes() -> None:
     assert strike["azimuth_deg"] == pot()["cue"]["phi"]
 
 
-def test_a_table_that_is_a_presets_bears_its_name_and_another_its_figures() -> None:
+def test_a_preset_table_is_written_by_name_and_another_by_its_dimensions() -> None:
     assert convert.pooltool(pot()).shot.to_dict()["table"] == "showood-7ft"
     assert convert.pooltool(DATA / "three_cushion.json").shot.to_dict()["table"] == "carom-10ft"
     made = convert.pooltool(DATA / "snooker.json")
@@ -82,7 +82,7 @@ def test_a_table_that_is_a_presets_bears_its_name_and_another_its_figures() -> N
     assert len(made.shot.ids) == 22
 
 
-def test_what_balls_do_at_the_start_is_carried_over_without_a_second_strike() -> None:
+def test_moving_balls_keep_their_motion_and_the_shot_has_no_strike() -> None:
     system = pot()
     system["balls"]["2"]["state"] = {
         "rvw": [[0.2, 1.7, 0.028575], [0.5, 0.0, 0.0], [0.0, 17.5, 3.0]],
@@ -97,7 +97,7 @@ def test_what_balls_do_at_the_start_is_carried_over_without_a_second_strike() ->
     assert said(made, "would not strike")
 
 
-def test_what_a_shot_file_cannot_hold_is_said() -> None:
+def test_everything_that_is_lost_is_reported() -> None:
     system = pot()
     system["balls"]["1"]["state"]["s"] = 4
     system["balls"]["2"]["params"]["u_s"] = 0.3
@@ -118,7 +118,7 @@ def test_what_a_shot_file_cannot_hold_is_said() -> None:
         (["cue", "V0"], math.inf, ["cue.V0", "finite"]),
         (["table", "table_type"], "bar", ["table.table_type", "snooker"]),
         (["table", "pockets", "lb"], None, ["table.pockets", '"lb"']),
-        (["balls"], [], ["balls", "no object"]),
+        (["balls"], [], ["balls", "not an object"]),
     ],
 )
 def test_a_bad_system_is_refused_with_the_place(
@@ -136,7 +136,7 @@ def test_a_bad_system_is_refused_with_the_place(
 
 
 @pytest.mark.parametrize("data", [b"\xc1", b"\x82\xa1a", b"{", b"[1, 2]", b""])
-def test_what_is_no_system_is_refused(data: bytes) -> None:
+def test_data_that_is_not_a_system_is_refused(data: bytes) -> None:
     with pytest.raises(carom.InputError):
         convert.pooltool(data)
 
@@ -155,7 +155,7 @@ def test_without_msgpack_the_error_says_what_to_install(monkeypatch: pytest.Monk
         convert.pooltool(DATA / "pot_simulated.msgpack")
 
 
-def test_a_table_state_has_its_balls_in_play_on_the_table_poolfiz() -> None:
+def test_a_table_state_gives_its_balls_in_play_on_the_table_poolfiz() -> None:
     made = convert.fastfiz(STATE)
     file = made.shot.to_dict()
     assert file["table"] == "poolfiz"
@@ -168,7 +168,7 @@ def test_a_table_state_has_its_balls_in_play_on_the_table_poolfiz() -> None:
 
 
 @pytest.mark.parametrize("theta", [0.0, 12.0, 40.0])
-def test_a_fastfiz_strike_gives_the_ball_what_its_formula_says(theta: float) -> None:
+def test_a_fastfiz_strike_gives_the_ball_the_velocity_of_its_formula(theta: float) -> None:
     """Leckie and Greenspan's strike, with a and b level and upright at the ball, is FastFiz's."""
     a, b, phi, v = 6.0, 9.0, 70.0, 2.0
     shot = convert.fastfiz(STATE, (a, b, theta, phi, v)).shot
@@ -216,7 +216,7 @@ def test_a_bad_fastfiz_strike_is_refused(strike: tuple[float, ...]) -> None:
         convert.fastfiz(STATE, strike)
 
 
-def test_the_command_prints_the_shot_file_and_says_the_rest_on_stderr(run: CommandLine) -> None:
+def test_the_command_prints_the_shot_file_and_what_is_lost_on_stderr(run: CommandLine) -> None:
     done = run("import", str(DATA / "pot.json"))
     assert done.returncode == 0
     assert carom.Shot.from_json(done.stdout) == convert.pooltool(DATA / "pot.json").shot

@@ -1,4 +1,4 @@
-"""The package itself: light to import, small to ship, honest about its types."""
+"""The package itself: its import time, its size and its types."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pathlib import Path
 import carom
 import pytest
 
-# The bars of the project: what a user waits for and carries.
+# The project's limits for memory after the import and for the wheel.
 IMPORT_MEGABYTES = 60
 WHEEL_MEGABYTES = 5
 
@@ -23,7 +23,7 @@ def python(program: str) -> str:
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="needs Linux's /proc")
 def test_importing_takes_little_memory() -> None:
-    # Not ru_maxrss: a new process inherits its parent's peak there.
+    # Not ru_maxrss, where a new process inherits its parent's peak.
     program = (
         "import carom, re\n"
         "status = open('/proc/self/status').read()\n"
@@ -32,7 +32,7 @@ def test_importing_takes_little_memory() -> None:
     assert float(python(program)) < IMPORT_MEGABYTES
 
 
-def test_importing_loads_nothing_that_only_some_need() -> None:
+def test_importing_loads_no_heavy_library() -> None:
     heavy = {"numpy", "matplotlib", "typer", "rich", "jsonschema"}
     program = "import sys, carom; print(' '.join(m for m in sys.modules if '.' not in m))"
     assert heavy.isdisjoint(python(program).split())
@@ -52,7 +52,7 @@ def test_the_package_is_small_enough_to_ship() -> None:
     assert packed < WHEEL_MEGABYTES * 1e6
 
 
-def test_the_package_says_that_it_is_typed() -> None:
+def test_the_package_has_the_marker_of_a_typed_package() -> None:
     assert (Path(carom.__file__).parent / "py.typed").exists()
 
 
@@ -62,7 +62,7 @@ def test_every_public_name_exists_and_has_a_docstring() -> None:
         assert name == "__version__" or thing.__doc__, name
 
 
-def test_drawing_leaves_the_home_directory_alone(tmp_path: Path) -> None:
+def test_drawing_writes_nothing_to_the_home_directory(tmp_path: Path) -> None:
     program = (
         "import carom, carom.picture\n"
         "s = carom.Shot('wpa-9ft', {'cue': (0.6, 0.6)}, carom.Strike(speed=1, azimuth=1))\n"

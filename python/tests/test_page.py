@@ -1,4 +1,4 @@
-"""The page outside the browser: served, in a file, in a notebook; and where it is missing."""
+"""The page outside the browser: from a server, in a file, in a notebook; and without the page."""
 
 from __future__ import annotations
 
@@ -27,19 +27,19 @@ if TYPE_CHECKING:
     from conftest import CommandLine
 
 needs_page = pytest.mark.skipif(not page.is_built(), reason="needs the page: run `make page`")
-# A page as small as can be: what is tested here is what is put into it.
+# A minimal page; these tests check what is put into it.
 SMALL = f"<!doctype html><title>carom</title>{page.MARKER}</script><p>&amp;</p>"
 
 
 def document_of(text: str) -> Any:
-    """What a page shows, as its script will find it."""
+    """The document of a page, as the page's script reads it."""
     content = text.split(page.MARKER)[1].split("</script>", maxsplit=1)[0]
     return json.loads(content) if content else None
 
 
 @pytest.fixture
 def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Instead of the built page one that is always there."""
+    """A small page in place of the built one, which may be missing."""
     path = tmp_path / "index.html"
     path.write_text(SMALL)
     monkeypatch.setattr(page, "path", lambda: path)
@@ -52,7 +52,7 @@ def missing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @needs_page
-def test_the_built_page_shows_what_is_put_into_it(pot: dict[str, Any]) -> None:
+def test_the_built_page_contains_the_document(pot: dict[str, Any]) -> None:
     shot = Shot.from_dict(pot)
     assert document_of(page.html()) is None
     assert document_of(page.html(shot)) == shot.to_dict()
@@ -62,13 +62,13 @@ def test_the_built_page_shows_what_is_put_into_it(pot: dict[str, Any]) -> None:
 
 
 @needs_page
-def test_the_built_page_fetches_nothing() -> None:
+def test_the_built_page_loads_nothing_from_elsewhere() -> None:
     text = page.html()
     assert not re.search(r"<(script|link|img|iframe)[^>]* (src|href)=[\"'](?!data:)", text)
 
 
 @pytest.mark.usefixtures("small")
-def test_no_id_and_no_title_breaks_out_of_its_place(pot: dict[str, Any]) -> None:
+def test_ids_and_titles_with_markup_are_escaped(pot: dict[str, Any]) -> None:
     pot["balls"][1]["id"] = "</script><!--<script>&quot;"
     shot = Shot.from_dict(pot)
     text = page.html(shot, title="</title><b>")
@@ -78,14 +78,14 @@ def test_no_id_and_no_title_breaks_out_of_its_place(pot: dict[str, Any]) -> None
 
 
 @pytest.mark.usefixtures("small")
-def test_the_page_in_a_notebook_is_the_page_in_a_sandbox(pot: dict[str, Any]) -> None:
+def test_a_notebook_has_the_page_in_a_sandbox(pot: dict[str, Any]) -> None:
     shot = Shot.from_dict(pot)
     for thing in (shot, shot.simulate()):
         text = thing._repr_html_()
         assert text is not None
         attributes = dict(re.findall(r'(\w+)="([^"]*)"', text))
         assert unescape(attributes["srcdoc"]) == page.html(thing)
-        # With its parent's origin a page could reach out of its frame.
+        # With its parent's origin the page could change the notebook.
         assert "allow-scripts" in attributes["sandbox"]
         assert "same-origin" not in attributes["sandbox"]
 
@@ -106,7 +106,7 @@ def test_show_displays_the_viewer_in_a_notebook(
 
 
 @pytest.mark.usefixtures("small")
-def test_show_serves_the_page_where_there_is_no_notebook(
+def test_show_serves_the_page_outside_a_notebook(
     pot: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     served: list[str] = []
@@ -117,20 +117,20 @@ def test_show_serves_the_page_where_there_is_no_notebook(
 
 
 @pytest.mark.usefixtures("missing")
-def test_without_the_page_a_notebook_has_the_picture(pot: dict[str, Any]) -> None:
+def test_without_the_page_a_notebook_shows_the_picture(pot: dict[str, Any]) -> None:
     shot = Shot.from_dict(pot)
     assert shot._repr_html_() is None
     assert shot.simulate()._repr_html_().startswith("<svg")
 
 
 @pytest.mark.usefixtures("missing")
-def test_without_the_page_all_else_says_how_to_build_it(pot: dict[str, Any]) -> None:
+def test_without_the_page_the_error_says_how_to_build_it(pot: dict[str, Any]) -> None:
     for ask in (page.html, Shot.from_dict(pot).show, Shot.from_dict(pot).simulate().show):
         with pytest.raises(PageError, match=r"not built .*`make page`.* Node"):
             ask()
 
 
-def test_a_page_of_another_kind_is_refused(
+def test_a_file_that_is_not_the_page_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pot: dict[str, Any]
 ) -> None:
     path = tmp_path / "index.html"
@@ -161,7 +161,7 @@ def ask(
     return response, body
 
 
-def test_the_server_has_one_page_packed_for_those_who_can_unpack() -> None:
+def test_the_server_has_one_page_and_compresses_it_on_request() -> None:
     text = "<p>ω</p>" * 1000
     with served(text) as server:
         plain, body = ask(server, "GET", "/")
@@ -178,7 +178,7 @@ def test_the_server_has_one_page_packed_for_those_who_can_unpack() -> None:
         assert ask(server, "POST", "/")[0].status == 501
 
 
-def test_a_browser_that_does_not_wait_is_passed_over_and_a_bug_is_not(
+def test_a_closed_connection_is_ignored_and_a_bug_is_reported(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     def said_after(error: Exception) -> str:
@@ -194,12 +194,12 @@ def test_a_browser_that_does_not_wait_is_passed_over_and_a_bug_is_not(
     assert "a wheel came off" in said_after(RuntimeError("a wheel came off"))
 
 
-def test_the_server_listens_to_this_machine_only() -> None:
+def test_the_server_accepts_this_machine_only() -> None:
     with serve.PageServer("") as server:
         assert server.server_address[0] == "127.0.0.1"
 
 
-def test_a_taken_port_is_refused_with_its_remedy() -> None:
+def test_a_port_in_use_is_refused_with_a_remedy() -> None:
     with (
         serve.PageServer("") as server,
         pytest.raises(carom.InputError, match=rf"--port: {server.server_port} .*free one"),
@@ -209,7 +209,7 @@ def test_a_taken_port_is_refused_with_its_remedy() -> None:
 
 @contextmanager
 def playing(*arguments: str, stdin: str = "") -> Iterator[tuple[str, subprocess.Popen[str]]]:
-    """``carom play``, and the address that it names."""
+    """The port that ``carom play`` prints, and its process."""
     with subprocess.Popen(
         [sys.executable, "-m", "carom", "play", "--no-browser", *arguments],
         stdin=subprocess.PIPE,
@@ -251,12 +251,12 @@ def test_play_serves_a_shot_or_a_trace_and_ends_quietly_on_ctrl_c(pot: dict[str,
 
 
 @needs_page
-def test_play_goes_on_when_a_browser_does_not_wait_for_the_page() -> None:
+def test_play_continues_when_a_browser_closes_the_connection() -> None:
     with playing() as (port, process):
         for _ in range(3):
             with socket.create_connection((serve.HOST, int(port)), timeout=10) as browser:
                 browser.sendall(b"GET / HTTP/1.1\r\nHost: here\r\n\r\n")
-        # A page that is read to its end is behind them.
+        # The server handles this request after those.
         assert document_of(get(port)) is None
         process.send_signal(signal.SIGINT)
         _, err = process.communicate(timeout=10)
@@ -264,7 +264,7 @@ def test_play_goes_on_when_a_browser_does_not_wait_for_the_page() -> None:
 
 
 @needs_page
-def test_play_without_a_file_serves_the_page_as_it_is() -> None:
+def test_play_without_a_file_serves_the_page_without_a_document() -> None:
     with playing() as (port, _):
         assert document_of(get(port)) is None
 
@@ -288,7 +288,7 @@ def test_play_refuses_bad_input_before_it_serves(run: CommandLine, pot: dict[str
 
 
 @needs_page
-def test_html_writes_a_page_that_holds_the_trace(
+def test_html_writes_a_page_that_contains_the_trace(
     run: CommandLine, pot: dict[str, Any], tmp_path: Path
 ) -> None:
     done = run("shot", "-", "--html", "out.html", "--json", stdin=json.dumps(pot))
@@ -298,7 +298,7 @@ def test_html_writes_a_page_that_holds_the_trace(
     assert [p.name for p in tmp_path.iterdir()] == ["out.html"]
 
 
-def test_an_installation_without_the_page_says_so_and_does_nothing_else(tmp_path: Path) -> None:
+def test_an_installation_without_the_page_reports_it_and_writes_no_file(tmp_path: Path) -> None:
     program = (
         "import sys, pathlib, carom.page\n"
         "carom.page.path = lambda: pathlib.Path('nowhere.html')\n"

@@ -1,4 +1,4 @@
-"""Pictures: paths exactly as computed, everything drawn that belongs there."""
+"""Pictures: exact paths, and all the elements that belong in a picture."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from carom.picture.colors import look
 from carom.picture.paths import Leg, routes
 from carom.picture.table import Ground
 
-# A leg's curve and the state in between are computed by different closed forms: some roundings
-# of positions of some metres, m.
+# Tolerance between a leg's curve and the ball's state, m. They are computed by different closed
+# forms, which differ by some roundings of positions of some metres.
 CURVE_ROUNDING = 1e-12
-# The numerical length below has this relative accuracy.
+# Relative accuracy of the numerical length below.
 QUADRATURE = 1e-9
 
-# A trace of two balls by hand: `a` slides on a parabola into a rail, and comes back straight;
-# `b` never moves.
+# A trace of two balls, written by hand: `a` slides on a parabola into a rail and comes back on a
+# straight line; `b` never moves.
 BY_HAND: dict[str, Any] = {
     "engine": "by hand",
     "hash": "0" * 16,
@@ -75,7 +75,7 @@ def test_a_flight_is_the_parabola_in_height_too() -> None:
     assert falling.top == 0.07
 
 
-def test_curves_run_where_the_balls_run(nine_ball_trace: carom.Trace) -> None:
+def test_the_curves_are_the_paths_of_the_balls(nine_ball_trace: carom.Trace) -> None:
     shot = nine_ball_trace.shot
     start = nine_ball_trace.at(0.0)
     balls = [
@@ -127,7 +127,7 @@ def of_gallery(name: str) -> carom.Trace:
     return Shot.load(Path(__file__).parents[2] / "shots" / f"{name}.json").simulate()
 
 
-def test_a_jump_is_dotted_over_its_shadow_and_shown_from_the_side_with_what_it_passes() -> None:
+def test_a_jump_is_dotted_has_a_shadow_and_a_side_view_with_the_ball_under_it() -> None:
     trace = of_gallery("jump_shot")
     figure = picture.draw(trace)
     ids = [patch.get_gid() for patch in figure.axes[0].patches]
@@ -136,9 +136,9 @@ def test_a_jump_is_dotted_over_its_shadow_and_shown_from_the_side_with_what_it_p
     curves = [patch for patch in side.patches if patch.get_gid() == "side-cue"]
     heights = trace.at(np.linspace(0.0, trace.duration, 20_001)).position[:, 0, 2]
     drawn = max(patch.get_path().interpolated(1).vertices[:, 1].max() for patch in curves)
-    # The control point of a parabola stands twice as high over its ends as the curve.
+    # The control point of a parabola is twice as high above its ends as the curve.
     assert math.isclose(drawn - heights[0], 2 * (heights.max() - heights[0]), rel_tol=1e-4)
-    # The 8 is under the way, with its number, at its distance from the cue ball.
+    # The 8 is drawn under the path, with its number, at its distance from the cue ball.
     eight = next(text for text in side.texts if text.get_text() == "8")
     cue, passed = (np.array(trace.shot.to_dict()["balls"][i]["position"]) for i in (0, 1))
     assert math.isclose(eight.get_position()[0], np.linalg.norm(passed - cue), rel_tol=1e-3)
@@ -148,7 +148,7 @@ def test_a_jump_is_dotted_over_its_shadow_and_shown_from_the_side_with_what_it_p
     assert math.isclose(scale[0] / box.width, scale[1] / box.height, rel_tol=1e-9)
 
 
-def test_balls_that_fly_over_endless_cloth_have_a_side_view_each(endless: dict[str, Any]) -> None:
+def test_each_ball_that_flies_over_unbounded_cloth_has_a_side_view(endless: dict[str, Any]) -> None:
     endless["balls"] = [
         {"id": "a", "position": [0.0, 0.0, 0.3], "velocity": [1.0, 0.2, 0.0]},
         {"id": "b", "position": [0.4, 0.1]},
@@ -166,21 +166,21 @@ def test_a_shot_on_the_cloth_has_no_side_view(pot: dict[str, Any]) -> None:
     assert not [p for p in figure.axes[0].patches if str(p.get_gid()).startswith("flight")]
 
 
-def test_the_hops_over_an_edge_are_marked_once() -> None:
+def test_a_run_of_hops_over_an_edge_has_one_mark() -> None:
     trace = of_gallery("rail_top_landing")
     nose = [e for e in trace.events if e.type == "rail-collision" and e.part == "nose"]
     bounces = [e for e in trace.events if e.type == "slate-collision"]
     assert len(nose) > 5
     marks = picture.draw(trace).axes[0].lines
     diamonds = [line for line in marks if line.get_marker() == "D"]
-    # The hops over the nose, two cushions, and the key.
+    # One for the hops over the nose, two for the cushions, one in the legend.
     assert len(diamonds) == 1 + 2 + 1
     hops = [line for line in marks if line.get_marker() == "v"]
     tops = [e for e in trace.events if e.type == "rail-collision" and e.part == "top"]
     assert 1 < len(hops) - 1 < len(bounces) + len(tops)
 
 
-def test_what_leaves_the_table_is_marked_where_it_does() -> None:
+def test_a_ball_that_leaves_the_table_is_marked_at_that_place() -> None:
     trace = of_gallery("off_the_table")
     marks = picture.draw(trace).axes[0].lines
     crosses = [line for line in marks if line.get_marker() == "X"]
@@ -188,7 +188,7 @@ def test_what_leaves_the_table_is_marked_where_it_does() -> None:
     assert (x, y) in [(line.get_xdata()[0], line.get_ydata()[0]) for line in crosses]
 
 
-def test_the_ground_is_bed_hole_rail_and_floor() -> None:
+def test_the_ground_under_a_point_is_bed_hole_rail_or_floor() -> None:
     geometry = next(table for table in carom.tables() if table["name"] == "wpa-9ft")
     under = Ground(geometry).under
     assert under((0.6, 1.0)) == "bed"
@@ -196,7 +196,7 @@ def test_the_ground_is_bed_hole_rail_and_floor() -> None:
     assert under((-0.12, 0.6)) == "rail"
     assert under((-0.16, 0.6)) == "floor"
     assert under(tuple(geometry["pockets"][0]["center"])) == "hole"
-    # In the mouth of a corner, behind both nose lines.
+    # In the mouth of a corner pocket, behind both nose lines.
     assert under((0.012, 0.012)) in {"bed", "hole"}
     assert under((-0.002, 0.03)) == "bed"
 
@@ -246,7 +246,7 @@ def test_ids_with_markup_do_not_break_a_picture(endless: dict[str, Any]) -> None
 
 
 @pytest.mark.parametrize("name", ["$$", r"$\frac$", "\x1b[31m", "\x00", "8\n", "\N{BILLIARDS}"])
-def test_a_ball_and_a_picture_may_be_called_anything(endless: dict[str, Any], name: str) -> None:
+def test_a_ball_and_a_picture_may_have_any_name(endless: dict[str, Any], name: str) -> None:
     endless["balls"][0]["id"] = name
     trace = Shot.from_dict(endless).simulate()
     ElementTree.fromstring(picture.svg(trace, title=name))
@@ -267,7 +267,7 @@ def test_an_answer_about_a_ball_with_any_name_can_be_drawn(
         ElementTree.parse(tmp_path / "a.svg")
 
 
-def test_pool_balls_look_as_they_are_sold() -> None:
+def test_pool_balls_have_their_usual_colours() -> None:
     assert look("9", 0).striped
     assert not look("8", 0).striped
     assert look("9", 0).body == look("1", 0).body
@@ -282,7 +282,7 @@ def test_drawing_does_not_change_the_trace(pot: dict[str, Any]) -> None:
     assert trace.to_dict() == before
 
 
-def test_the_cue_is_drawn_where_there_is_a_strike(
+def test_the_cue_is_drawn_only_if_there_is_a_strike(
     pot: dict[str, Any], endless: dict[str, Any]
 ) -> None:
     assert 'id="cue"' in picture.svg(Shot.from_dict(pot).simulate())

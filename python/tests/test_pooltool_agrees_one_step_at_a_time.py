@@ -1,6 +1,7 @@
-"""Single steps of pooltool 0.6.0 beside ours, through the public API.
+"""Single steps of pooltool 0.6.0 compared with ours, through the public API.
 
-`data/README.md` says where the samples are from and which of its faults the bounds below allow for.
+`data/README.md` describes the source of the samples and pooltool's faults, which the bounds below
+allow for.
 """
 
 from __future__ import annotations
@@ -29,14 +30,14 @@ PHYSICS: JSON = {
     "cloth": {
         "sliding_friction": 0.2,
         "rolling_friction": 0.01,
-        # Its μ_sp = 4/9·R turns into α = 5 μ_sp g/(2R).
+        # pooltool's μ_sp = 4/9·R gives α = 5 μ_sp g/(2R).
         "spin_deceleration": 2.5 * (4.0 / 9.0 * RADIUS) * GRAVITY / RADIUS,
     },
     "cue": {
         "mass": 0.567,
         "end_mass": MASS / 30,
         "tip_radius": 0.0106045,
-        # It never miscues; 0.7 off centre needs 0.98.
+        # pooltool has no miscues; an offset of 0.7 needs at least 0.98.
         "tip_friction": 2.0,
         "tip_restitution": 1.0,
     },
@@ -79,8 +80,9 @@ def first(trace: Any, kind: str) -> JSON:
 
 
 def off(ours: JSON, theirs: list[float]) -> float:
-    """Largest difference of velocity along the table and of spin × radius, m/s; its models drop
-    the vertical part of an impulse, which lifts or presses a ball here.
+    """Largest difference of horizontal velocity and of spin × radius, m/s.
+
+    The vertical velocity is left out: pooltool's models drop the vertical part of an impulse.
     """
     v = max(abs(a - b) for a, b in zip(ours["velocity"][:2], theirs[3:5], strict=True))
     w = max(abs(a - b) for a, b in zip(ours["angular_velocity"], theirs[6:9], strict=True))
@@ -92,18 +94,20 @@ def speed(state: list[float]) -> float:
     return math.hypot(*state[3:6]) + RADIUS * math.hypot(*state[6:9])
 
 
-#: Largest difference allowed, per speed before the impact, where both compute the same.
+#: Largest difference, per speed before the impact, where both solve the same equations exactly.
 SAME = 1e-12
-#: What its impulse steps leave: 1000 of them for two balls, of 1e-3 N·s at a cushion.
+#: The same where pooltool integrates in steps: 1000 for two balls, of 1e-3 N·s at a cushion.
 COARSE_BALLS, COARSE_CUSHION = 1e-3, 2e-2
-#: Its `frictional_inelastic` rubs with μ times e·w, w being the approach speed, where the normal
-#: impulse is (1 + e)/2·w: as if its friction were smaller by this.
+#: pooltool's `frictional_inelastic` has a friction impulse of μ·e·w, with w the approach speed, but
+#: its normal impulse is (1 + e)/2·w. Its friction is therefore smaller by this factor.
 FAULT = 2 * 0.95 / (1 + 0.95)
 
 
 def spun_against(sample: JSON) -> bool:
-    """Whether its `frictional_mathavan` errs: it takes the spin of the ball that friction presses
-    on the cloth with the wrong sign, which only a ball without horizontal spin does not show.
+    """Whether the sample shows the fault of pooltool's `frictional_mathavan`.
+
+    It has the wrong sign for the spin of the ball that friction presses on the cloth. The fault
+    has no effect if that ball has no horizontal spin.
     """
     a, b = sample["in"]
     spin = [a[k] + b[k] for k in (6, 7)]
@@ -131,14 +135,14 @@ def spun_against(sample: JSON) -> bool:
         ),
     ],
 )
-def test_two_balls_leave_each_other_as_in_pooltool(theirs: str, law: JSON, bound: float) -> None:
+def test_two_balls_rebound_as_in_pooltool(theirs: str, law: JSON, bound: float) -> None:
     worst, compared = 0.0, 0
     for sample in samples()["ball_ball"]:
         if theirs == "frictional_mathavan" and spun_against(sample):
             continue
         compared += 1
         a, b = sample["in"]
-        # Its line of centres is that of the balls as it has nudged them.
+        # pooltool moves the balls slightly first; its line of centres is that of the moved balls.
         p, q = (out[:2] for out in sample["out"][theirs])
         reach = 2 * RADIUS / math.dist(p, q)
         touching = [p[k] + reach * (q[k] - p[k]) for k in (0, 1)]
@@ -170,18 +174,20 @@ CUSHION_LAWS = [
 
 
 def nose_sine(theirs: str, distance: float) -> float:
-    """Its sine of the nose's angle above the ball's centre.
+    """pooltool's sine of the nose's angle above the ball's centre.
 
-    (h − R)/R, but its `stronge_compliant` looks from the ball's centre to the nose line, or to the
-    centre of a jaw's arc, `distance` m away.
+    It is (h − R)/R, except in `stronge_compliant`, which uses the direction from the ball's centre
+    to the nose line, or to the centre of a jaw's arc, at the horizontal distance `distance`, m.
     """
     rise = NOSE_HEIGHT - RADIUS
     return rise / math.hypot(distance, rise) if theirs == "stronge_compliant" else rise / RADIUS
 
 
 def rebound(state: list[float], into: tuple[float, float], sine: float, law: JSON) -> JSON:
-    """The ball after our cushion, whose nose stands at this angle: on a rectangle whose top rail
-    takes the place of the cushion, with everything turned so that `into` points up.
+    """The ball after our cushion, whose nose is at this angle.
+
+    The top rail of a rectangle takes the place of the cushion; everything is turned so that `into`
+    points in the direction of +y.
     """
     x, y = into
 
@@ -206,7 +212,9 @@ def rebound(state: list[float], into: tuple[float, float], sine: float, law: JSO
 
 
 @pytest.mark.parametrize(("theirs", "law", "bound"), CUSHION_LAWS)
-def test_a_straight_cushion_answers_as_in_pooltool(theirs: str, law: JSON, bound: float) -> None:
+def test_a_ball_rebounds_off_a_straight_cushion_as_in_pooltool(
+    theirs: str, law: JSON, bound: float
+) -> None:
     worst = 0.0
     for sample in samples()["cushion_linear"]:
         lx, ly, l0 = samples()["meta"]["linear_cushions"][sample["segment"]]["line_lx_ly_l0"]
@@ -219,7 +227,7 @@ def test_a_straight_cushion_answers_as_in_pooltool(theirs: str, law: JSON, bound
 
 
 @pytest.mark.parametrize(("theirs", "law", "bound"), CUSHION_LAWS)
-def test_a_jaw_answers_as_in_pooltool(theirs: str, law: JSON, bound: float) -> None:
+def test_a_ball_rebounds_off_a_jaw_as_in_pooltool(theirs: str, law: JSON, bound: float) -> None:
     worst = 0.0
     for sample in samples()["cushion_circular"]:
         center = samples()["meta"]["circular_cushions"][sample["segment"]]["center"]
@@ -231,7 +239,7 @@ def test_a_jaw_answers_as_in_pooltool(theirs: str, law: JSON, bound: float) -> N
     assert worst < bound
 
 
-def test_the_cue_sends_the_ball_off_as_in_pooltool() -> None:
+def test_a_struck_ball_starts_as_in_pooltool() -> None:
     worst = 0.0
     for sample in samples()["stick_ball"]:
         shot = carom.Shot.from_dict(
@@ -245,14 +253,14 @@ def test_the_cue_sends_the_ball_off_as_in_pooltool() -> None:
                     "speed": sample["V0"],
                     "azimuth_deg": sample["phi"],
                     "elevation_deg": sample["theta"],
-                    "side": -sample["a"],  # its a is left of centre
+                    "side": -sample["a"],  # pooltool's a is positive to the left
                     "height": sample["b"],
                 },
             }
         )
         after = first(shot.simulate(), "cue-strike")["after"][0]
-        # Squirt is an angle of the horizontal velocity there and of the whole velocity here, so
-        # that the push to the side does not fall with elevation.
+        # In pooltool squirt turns the horizontal velocity, here the whole velocity, so our sideways
+        # velocity does not decrease with elevation.
         azimuth, elevation = math.radians(sample["phi"]), math.radians(sample["theta"])
         c, s = math.cos(azimuth), math.sin(azimuth)
         x, y, z = after["velocity"]
@@ -275,12 +283,12 @@ def test_a_ball_moves_on_the_cloth_as_in_pooltool() -> None:
         assert off(ours, out) < 1e-12
 
 
-def test_two_balls_meet_when_pooltool_says() -> None:
+def test_two_balls_collide_at_pooltools_time() -> None:
     met = 0
     for sample in samples()["ball_ball_times"]:
         a, b = sample["in"]
         events = simulate([ball("a", a), ball("b", b)]).to_dict()["events"]
-        # Its time holds on the first paths only, which it follows beyond their end.
+        # pooltool's time is valid only until the first transition; it ignores later paths.
         before = [e for e in events if e["type"] == "motion-transition"]
         path_ends = before[0]["time"] if before else math.inf
         time = next((e["time"] for e in events if e["type"] == "ball-collision"), math.inf)

@@ -1,4 +1,4 @@
-"""Properties that hold for every shot."""
+"""Properties of every shot, checked on random shots."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from hypothesis import strategies as st
 
 WIDTH, LENGTH = 1.27, 2.54
 RADIUS = 0.028575
-# Balls are placed on a grid this far apart, m, so that none overlap.
+# Balls are placed on a grid of this spacing, m, so that they cannot overlap.
 PITCH = 0.1
 COLUMNS, ROWS = 11, 23
 
-# Whole shots; each example simulates several.
+# Each example simulates several whole shots.
 EXAMPLES = settings(
     max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow], derandomize=True
 )
@@ -64,7 +64,7 @@ def shots(draw: st.DrawFn, *, most: int = 8) -> dict[str, Any]:
 
 @EXAMPLES
 @given(shots())
-def test_json_loses_nothing_in_either_direction(file: dict[str, Any]) -> None:
+def test_json_keeps_every_bit_of_shots_and_traces(file: dict[str, Any]) -> None:
     shot = Shot.from_dict(file)
     assert shot.to_dict() == file
     assert Shot.from_json(shot.to_json()) == shot
@@ -95,7 +95,7 @@ def test_a_batch_equals_its_single_shots_for_any_threads(files: list[dict[str, A
 
 @EXAMPLES
 @given(shots(most=6))
-def test_a_mirrored_shot_is_the_mirrored_shot(file: dict[str, Any]) -> None:
+def test_a_mirrored_shot_moves_as_the_mirror_image(file: dict[str, Any]) -> None:
     mirrored = {
         **file,
         "balls": [
@@ -108,8 +108,8 @@ def test_a_mirrored_shot_is_the_mirrored_shot(file: dict[str, Any]) -> None:
             "side": -file["strike"]["side"],
         },
     }
-    # Mirroring rounds the positions, and collisions amplify a rounding about tenfold to a
-    # hundredfold each: the first second of a shot is compared before that is visible.
+    # Mirroring rounds the positions, and each collision amplifies a rounding error ten- to a
+    # hundredfold, so only the time before the third collision is compared.
     ours, theirs = Shot.from_dict(file).simulate(), Shot.from_dict(mirrored).simulate()
     collisions = [e["time"] for e in ours.events if e["type"] == "ball-collision"]
     until = collisions[2] if len(collisions) > 2 else ours.duration
@@ -120,7 +120,7 @@ def test_a_mirrored_shot_is_the_mirrored_shot(file: dict[str, Any]) -> None:
 
 @EXAMPLES
 @given(shots())
-def test_nothing_overlaps_and_everything_ends_at_rest(file: dict[str, Any]) -> None:
+def test_balls_never_overlap_and_all_end_at_rest(file: dict[str, Any]) -> None:
     trace = Shot.from_dict(file).simulate()
     for time in np.linspace(0.0, trace.duration, 40):
         state = trace.at(time)
@@ -132,7 +132,7 @@ def test_nothing_overlaps_and_everything_ends_at_rest(file: dict[str, Any]) -> N
     assert set(end.motion) <= {"stationary", "pocketed", "off-table"}
 
 
-# Anything that JSON can hold, with the shot file's own keys among it.
+# Any JSON value; some keys are those of the shot file.
 _KEYS = st.sampled_from(
     ["format", "table", "physics", "balls", "strike", "id", "position", "base", "speed", "model"]
 )
@@ -153,7 +153,7 @@ _VALUES = st.recursive(
 
 @settings(EXAMPLES, max_examples=300)
 @given(st.dictionaries(_KEYS | st.text(max_size=5), _VALUES, max_size=6))
-def test_whatever_is_no_shot_is_refused_with_a_sentence(file: dict[str, Any]) -> None:
+def test_a_random_object_is_refused_with_a_message(file: dict[str, Any]) -> None:
     with pytest.raises(InputError) as refusal:
         Shot.from_dict(file)
     assert str(refusal.value)
@@ -161,7 +161,7 @@ def test_whatever_is_no_shot_is_refused_with_a_sentence(file: dict[str, Any]) ->
 
 @settings(EXAMPLES, max_examples=150)
 @given(shots(most=3), st.data())
-def test_a_shot_with_one_value_replaced_is_simulated_or_refused(
+def test_a_shot_with_one_random_value_is_simulated_or_refused(
     file: dict[str, Any], data: st.DataObject
 ) -> None:
     target: Any = file
@@ -185,7 +185,7 @@ def test_a_shot_with_one_value_replaced_is_simulated_or_refused(
 @pytest.mark.stress
 @settings(EXAMPLES, max_examples=20_000, derandomize=False)
 @given(shots(most=15))
-def test_many_more_shots_replay_and_batch_to_the_same_bits(file: dict[str, Any]) -> None:
+def test_many_more_shots_replay_and_batch_with_the_same_bits(file: dict[str, Any]) -> None:
     shot = Shot.from_dict(file)
     trace = shot.simulate()
     assert trace.difference(Trace.from_json(trace.to_json()).shot.simulate()) is None

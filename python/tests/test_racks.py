@@ -1,4 +1,4 @@
-"""Racks from Python: every game, reproducible, loose or frozen."""
+"""Racks from Python: every game, reproducible, with gaps or frozen."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ GAMES = {
     "snooker": 22,
     "three-cushion": 3,
 }
-# Neighbours in a frozen rack touch to a rounding of their positions, m.
+# Largest gap of neighbours in a frozen rack, m: the rounding of their positions.
 TOUCH = 1e-12
 
 
@@ -38,7 +38,7 @@ def test_every_game_has_its_balls(game: str) -> None:
     assert shot.ids[0] == "cue"
 
 
-def test_a_rack_is_loose_by_about_a_tenth_of_a_millimetre() -> None:
+def test_the_gaps_of_a_rack_are_about_a_tenth_of_a_millimetre() -> None:
     loose = gaps(break_shot("nine-ball", seed=1))
     assert len(loose) == 16
     assert min(loose) > 0
@@ -51,12 +51,12 @@ def test_a_frozen_rack_is_frozen() -> None:
     assert max(abs(gap) for gap in frozen) < TOUCH
 
 
-def test_the_same_seed_is_the_same_rack_and_another_is_another() -> None:
+def test_the_seed_determines_the_rack() -> None:
     assert break_shot("eight-ball", seed=7) == break_shot("eight-ball", seed=7)
     assert break_shot("eight-ball", seed=7) != break_shot("eight-ball", seed=8)
 
 
-def test_a_rack_is_a_layout_like_any_other() -> None:
+def test_a_rack_can_be_used_as_a_layout() -> None:
     layout = Layout.rack("nine-ball", seed=3)
     shot = Shot("wpa-9ft", layout, Strike(speed=8.0, azimuth=math.pi / 2))
     assert shot.ids == break_shot("nine-ball", seed=3).ids
@@ -73,7 +73,7 @@ def test_a_rack_is_a_layout_like_any_other() -> None:
     ],
     ids=str,
 )
-def test_what_cannot_be_racked_is_refused(arguments: dict[str, Any], place: str) -> None:
+def test_an_invalid_rack_is_refused_with_its_place(arguments: dict[str, Any], place: str) -> None:
     with pytest.raises(InputError) as refusal:
         break_shot(**arguments)
     assert str(refusal.value).startswith(place)

@@ -1,4 +1,4 @@
-"""The JSON Schemas that `carom schema` prints hold for what goes in and what comes out."""
+"""The JSON Schemas of `carom schema` agree with the files that carom reads and writes."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ BROKEN = {
 
 
 @pytest.mark.parametrize("what", BROKEN)
-def test_what_the_schema_refuses_the_engine_refuses_too(
+def test_a_shot_that_the_schema_refuses_is_refused_by_the_engine(
     what: str, pot: dict[str, Any], shot_file: jsonschema.Draft202012Validator
 ) -> None:
     assert shot_file.is_valid(pot)
@@ -108,9 +108,7 @@ BROKEN_SPECS: dict[str, dict[str, Any]] = {
 
 
 @pytest.mark.parametrize("what", BROKEN_SPECS)
-def test_what_the_schema_of_a_sweep_refuses_is_refused_when_it_is_read(
-    what: str, pot: dict[str, Any]
-) -> None:
+def test_a_spec_that_the_schema_refuses_is_refused_by_sweep(what: str, pot: dict[str, Any]) -> None:
     schema = carom.schema("sweep")
     jsonschema.Draft202012Validator.check_schema(schema)
     validator = jsonschema.Draft202012Validator(schema)
@@ -122,7 +120,7 @@ def test_what_the_schema_of_a_sweep_refuses_is_refused_when_it_is_read(
         Sweep.from_dict(whole | BROKEN_SPECS[what])
 
 
-def test_a_schema_knows_every_column_of_a_sweep() -> None:
+def test_the_schema_lists_every_column_of_a_sweep() -> None:
     known = carom.schema("sweep")["properties"]["columns"]["items"]["enum"]
     assert known == list(OUTCOMES)
 

@@ -1,4 +1,4 @@
-"""The Python snippets of the README and of the documentation run, page by page, as they stand."""
+"""The Python snippets of the README and of the documentation run unchanged, page by page."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-# What `make docs` writes is made of these pages, and not looked at again.
+# `make docs` writes these folders from the same pages.
 BUILT = {"_build", "gallery"}
 PAGES = [
     ROOT / "README.md",
     *(p for p in sorted((ROOT / "docs").rglob("*.md")) if BUILT.isdisjoint(p.parts)),
 ]
 SNIPPET = re.compile(r"^```python\n(.*?)^```", re.DOTALL | re.MULTILINE)
-# A page's snippets build on each other, so a page is one program.
+# The snippets of a page build on each other, so they run as one program.
 PROGRAMS = {
     str(page.relative_to(ROOT)): "\n".join(SNIPPET.findall(page.read_text(encoding="utf-8")))
     for page in PAGES
@@ -31,8 +31,8 @@ def test_the_readme_and_the_tutorials_have_snippets() -> None:
 
 
 @pytest.mark.parametrize("page", PROGRAMS)
-def test_the_snippets_of_a_page_run_one_after_the_other(page: str, tmp_path: Path) -> None:
-    # They speak of files of the checkout, and may write some of their own.
+def test_the_snippets_of_a_page_run_in_order(page: str, tmp_path: Path) -> None:
+    # Snippets read files of the checkout and may write files of their own.
     (tmp_path / "shots").symlink_to(ROOT / "shots")
     done = subprocess.run(
         [sys.executable, "-W", "error", "-c", PROGRAMS[page]],

@@ -1,4 +1,4 @@
-"""`carom sweep`: rows are functions of the spec and of their number."""
+"""`carom sweep`: each row is a function of the spec and the row's number."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from carom import InputError, Sweep
 from carom.sweeps.columns import OUTCOMES
 from scipy import special, stats
 
-# How often a correct generator fails a test of its distribution.
+# Probability that a correct generator fails a test of its distribution.
 SIGNIFICANCE = 1e-4
 
 Spec = dict[str, Any]
 
 
-# What a row is.
+# Rows.
 
 
-def test_a_row_is_the_shot_file_with_its_values_in_it(spec: Spec) -> None:
+def test_a_row_equals_the_shot_file_with_the_values_of_the_row(spec: Spec) -> None:
     sweep = Sweep.from_dict({**spec, "columns": [*OUTCOMES]})
     table = sweep.table()
     assert len(table) == len(sweep) == 2 * 5 * 2 * 10
@@ -68,16 +68,23 @@ def test_the_shot_of_a_row_ends_as_the_row_does(spec: Spec) -> None:
         assert (ends[: len(shot.ids)] == end).all()
 
 
-def test_the_shot_of_a_row_with_noise_has_the_strike_that_came_out(spec: Spec) -> None:
+def test_the_shot_of_a_row_with_noise_has_the_strike_after_the_noise(spec: Spec) -> None:
     sweep = Sweep.from_dict({**spec, "noise": "olympiad", "variants": 2})
     for row in sweep.table().to_pylist()[::29]:
-        strike = sweep.shot(row["row"]).to_dict()["strike"]
-        for key in ("speed", "azimuth_deg", "elevation_deg", "side", "height"):
-            # Angles come back from the degrees of a file.
-            assert strike[key] == pytest.approx(row[f"played_{key}"], rel=1e-15, abs=0)
+        shot = sweep.shot(row["row"])
+        strike = shot.to_dict()["strike"]
+        for key in ("speed", "side", "height"):
+            assert strike[key] == row[f"played_{key}"]
+        # The shot has radians where degrees would not keep the bits.
+        for key in ("azimuth", "elevation"):
+            degrees = strike[f"{key}_deg"] if f"{key}_deg" in strike else np.degrees(strike[key])
+            assert degrees == pytest.approx(row[f"played_{key}_deg"], rel=1e-15, abs=0)
+        trace = shot.simulate()
+        end = trace.at(trace.duration).position[:, 0]
+        assert end.tolist() == row["end_x"][: len(shot.ids)]
 
 
-def test_the_shot_of_a_row_that_cannot_be_played_is_refused_with_its_error(spec: Spec) -> None:
+def test_the_shot_of_a_row_that_fails_is_refused_with_the_error_of_the_row(spec: Spec) -> None:
     vary = {"strike.side": {"grid": [0.1, 0.95]}}
     sweep = Sweep.from_dict({**spec, "vary": vary, "samples": 1})
     error = sweep.table()["error"][1].as_py()
@@ -86,7 +93,7 @@ def test_the_shot_of_a_row_that_cannot_be_played_is_refused_with_its_error(spec:
     assert str(refused.value) == error
 
 
-def test_rows_stand_in_c_order_of_layout_grids_and_sample(spec: Spec) -> None:
+def test_rows_are_in_c_order_of_layout_grids_and_sample(spec: Spec) -> None:
     table = Sweep.from_dict(spec).parameters()
     row = np.arange(200)
     assert table["row"].to_pylist() == row.tolist()
@@ -104,7 +111,7 @@ def test_a_row_has_the_same_bits_alone_and_among_others(spec: Spec) -> None:
         assert sweep.table(start, stop).equals(whole.slice(start, stop - start))
 
 
-def test_the_order_of_the_rows_that_are_played_does_not_matter(spec: Spec) -> None:
+def test_the_order_in_which_rows_are_simulated_does_not_matter(spec: Spec) -> None:
     spec["vary"]["physics.ball_ball.model"] = {"grid": ["elastic", "compliant"]}
     sweep = Sweep.from_dict(spec | {"noise": "olympiad", "variants": 2})
     order = np.random.default_rng(1).permutation(len(sweep))
@@ -120,7 +127,7 @@ def test_a_table_in_memory_is_the_same_for_any_number_of_threads(spec: Spec) -> 
     assert one.equals(sweep.table(5, 37_000))
 
 
-def test_the_ends_of_a_range_are_met_to_the_bit(pot: dict[str, Any]) -> None:
+def test_a_range_includes_both_ends_to_the_bit(pot: dict[str, Any]) -> None:
     vary = {"strike.speed": {"from": 0.1, "to": 0.7, "count": 7}}
     sweep = Sweep.from_dict({"format": "carom-sweep/1", "shots": pot, "vary": vary})
     speeds = sweep.parameters()["speed"].to_pylist()
@@ -164,7 +171,7 @@ def test_any_value_of_a_shot_file_may_vary(pot: dict[str, Any]) -> None:
         assert row["end_x"] == trace.at(trace.duration).position[:, 0].tolist()
 
 
-def test_noise_plays_the_variants_that_the_shot_has(pot: dict[str, Any]) -> None:
+def test_noise_gives_the_same_variants_as_vary(pot: dict[str, Any]) -> None:
     shot = carom.Shot.from_dict(pot)
     spec = {"format": "carom-sweep/1", "shots": shot, "noise": "club", "variants": 50, "seed": 9}
     table = Sweep.from_dict(spec).table()
@@ -187,7 +194,7 @@ def test_paired_draws_are_the_same_at_every_point_of_the_grids(spec: Spec) -> No
         assert (drawn[name, False][0] != drawn[name, False][1]).any()
 
 
-def test_draws_have_the_distributions_that_were_asked_for(pot: dict[str, Any]) -> None:
+def test_draws_have_the_distributions_of_the_spec(pot: dict[str, Any]) -> None:
     vary = {
         "strike.speed": {"log_uniform": [0.5, 8]},
         "strike.azimuth_deg": {"normal": [90, 2.5]},
@@ -207,14 +214,14 @@ def test_draws_have_the_distributions_that_were_asked_for(pot: dict[str, Any]) -
         assert stats.chisquare(counts).pvalue > SIGNIFICANCE
 
 
-def test_normal_draws_are_the_quantiles_that_scipy_has() -> None:
+def test_normal_draws_are_the_quantiles_of_scipy() -> None:
     share = np.concatenate([np.linspace(1e-6, 1 - 1e-6, 10_001), [1e-300, 1e-16]])[:, None]
     ours = carom._core.quantiles("normal", [0.0], [1.0], share)
-    # Both claim to be right to about 1 part in 10¹⁶ of their own formulas.
+    # Both formulas are accurate to about 1 part in 10¹⁶.
     assert ours[:, 0] == pytest.approx(special.ndtri(share[:, 0]), rel=4e-15, abs=1e-15)
 
 
-def test_rows_that_cannot_be_played_say_why_and_are_null(pot: dict[str, Any]) -> None:
+def test_rows_that_fail_have_an_error_and_no_outcome(pot: dict[str, Any]) -> None:
     vary = {"strike.side": {"grid": [0.0, 0.95]}, "balls.1.position[1]": {"grid": [1.9, 0.64]}}
     table = Sweep.from_dict({"format": "carom-sweep/1", "shots": pot, "vary": vary}).table()
     good, overlap, miscue, both = table.to_pylist()
@@ -228,8 +235,10 @@ def test_rows_that_cannot_be_played_say_why_and_are_null(pot: dict[str, Any]) ->
     assert all(good[name] is not None for name in ("pocket", "end_x", "events", "first_contact"))
 
 
-def test_a_strike_that_only_the_row_can_play_is_played(pot: dict[str, Any]) -> None:
-    # The file's own strike is a miscue with the slippery tip, the first row's is none.
+def test_a_strike_that_is_valid_only_with_the_rows_physics_is_simulated(
+    pot: dict[str, Any],
+) -> None:
+    # With the slippery tip the file's own strike is a miscue, and the first row's is not.
     pot["strike"]["side"] = 0.4
     vary = {"physics.cue.tip_friction": {"grid": [0.2, 0.7]}, "strike.side": {"grid": [0.1, 0.4]}}
     table = Sweep.from_dict({"format": "carom-sweep/1", "shots": pot, "vary": vary}).table()
@@ -243,13 +252,13 @@ def test_a_strike_that_only_the_row_can_play_is_played(pot: dict[str, Any]) -> N
     ("change", "message"),
     [
         ({"format": "carom-shot/1"}, r'^format: .*write "carom-sweep/1"'),
-        # Of another file the first unknown key is not what is wrong.
+        # For a file of another format the error names the format, not the first unknown key.
         ({"format": "carom-shot/1", "table": "wpa-9ft"}, r"^format: .*a shot under `shots`"),
         ({"sample": 3}, r"^sample: unknown key; did you mean `samples`"),
         ({"shots": []}, r"^shots: the list is empty"),
         ({"shots": ["nowhere/*.json"]}, r"^shots\[0\]: no file matches"),
         ({"shots": [{"format": "carom-shot/1"}]}, r"^shots\[0\]: table: the key is missing"),
-        ({"vary": {"stroke.speed": {"grid": [1]}}}, r"^vary.stroke.speed: .*did you mean `strike`"),
+        ({"vary": {"stroke.speed": {"grid": [1]}}}, r'^vary.stroke.speed: .*did you mean "strike"'),
         (
             {"vary": {"strike.speed": [1, 2]}},
             r"^vary.strike.speed: found a list of 2; write",
@@ -262,7 +271,7 @@ def test_a_strike_that_only_the_row_can_play_is_played(pot: dict[str, Any]) -> N
         ({"vary": {"strike.speed": {"grids": [1]}}}, r"^vary.strike.speed.grids: unknown key; did"),
         (
             {"vary": {"strike.speed": {"from": 1, "to": 2, "count": 0}}},
-            r"^vary.strike.speed.count: found the number 0; write a whole number from 1",
+            r"^vary.strike.speed.count: 0 is out of range; write a whole number from 1",
         ),
         (
             {"vary": {"strike.speed": {"uniform": [2, 1]}}},
@@ -293,34 +302,32 @@ def test_a_strike_that_only_the_row_can_play_is_played(pot: dict[str, Any]) -> N
         ),
         ({"vary": {5: {"grid": [1]}}}, r"^vary: the key 5 is not a string"),
         ({5: 1}, r"^the key 5 is not a string"),
-        ({"samples": 0}, r"^samples: found the number 0"),
+        ({"samples": 0}, r"^samples: 0 is out of range; write"),
         ({"samples": True}, r"^samples: found true"),
         ({"vary": {}, "samples": 5}, r"^samples: nothing is drawn"),
-        ({"seed": -1}, r"^seed: found the number -1"),
-        ({"sequence": "sobol"}, r"^sequence: there is no sequence 'sobol'"),
+        ({"seed": -1}, r"^seed: -1 is out of range; write"),
+        ({"sequence": "sobol"}, r'^sequence: there is no sequence "sobol"'),
         ({"variants": 5}, r"^variants: without noise"),
         ({"noise": "amateur"}, r"^noise: there is no preset 'amateur'"),
         ({"noise": {"azimuth": 0.1}}, r"^noise.azimuth: unknown key; did you mean `azimuth_deg`"),
         ({"paired": 1}, r"^paired: found the number 1"),
         ({"columns": [["pocket"]]}, r"^columns\[0\]: found a list of 1; write a name"),
         ({"vary": {"strike.speed": {"grid": [1], "name": 0}}}, r"^vary.strike.speed.name: found"),
-        ({"columns": ["pockets"]}, r"^columns\[0\]: .*did you mean `pocket`"),
+        ({"columns": ["pockets"]}, r'^columns\[0\]: .*did you mean "pocket"'),
     ],
 )
-def test_what_makes_no_sense_is_refused_with_its_place(
-    spec: Spec, change: Spec, message: str
-) -> None:
+def test_an_invalid_spec_is_refused_with_the_place(spec: Spec, change: Spec, message: str) -> None:
     with pytest.raises(InputError, match=message):
         Sweep.from_dict({**spec, **change})
 
 
-def test_a_missing_number_of_samples_is_asked_for(spec: Spec) -> None:
+def test_draws_without_a_number_of_samples_are_refused(spec: Spec) -> None:
     del spec["samples"]
     with pytest.raises(InputError, match=r"^samples: the key is missing, and strike.azimuth_deg"):
         Sweep.from_dict(spec)
 
 
-def test_a_sweep_of_which_no_row_can_be_played_is_refused(spec: Spec, tmp_path: Path) -> None:
+def test_a_sweep_without_any_valid_row_is_refused(spec: Spec, tmp_path: Path) -> None:
     spec["vary"]["physics.cloth.slippery"] = {"grid": [1]}
     with pytest.raises(
         InputError, match=r"no row can be simulated.*physics.cloth.slippery: unknown"
@@ -338,12 +345,12 @@ def test_a_sweep_of_which_no_row_can_be_played_is_refused(spec: Spec, tmp_path: 
         ("[]", r"^the spec: found a list of 0"),
     ],
 )
-def test_text_that_is_no_spec_is_refused(text: str, message: str) -> None:
+def test_text_that_is_not_a_spec_is_refused(text: str, message: str) -> None:
     with pytest.raises(InputError, match=message):
         Sweep.from_json(text)
 
 
-def test_numpy_arrays_and_numbers_stand_in_a_spec_like_any_other(pot: dict[str, Any]) -> None:
+def test_a_spec_may_hold_numpy_arrays_and_numbers(pot: dict[str, Any]) -> None:
     spec = {"format": "carom-sweep/1", "shots": pot}
     plain = Sweep.from_dict(spec | {"vary": {"strike.speed": {"grid": [1.0, 1.5, 2.0]}}})
     array = {"strike.speed": {"grid": np.linspace(1.0, 2.0, 3)}}
@@ -352,7 +359,7 @@ def test_numpy_arrays_and_numbers_stand_in_a_spec_like_any_other(pot: dict[str, 
 
 
 @pytest.mark.parametrize(("start", "stop"), [("a", None), (0, "b"), (0.5, None), (2, 1), (-1, 1)])
-def test_rows_that_are_none_are_refused(pot: dict[str, Any], start: Any, stop: Any) -> None:
+def test_invalid_ranges_of_rows_are_refused(pot: dict[str, Any], start: Any, stop: Any) -> None:
     vary = {"strike.speed": {"grid": [1.0, 1.5, 2.0]}}
     sweep = Sweep.from_dict({"format": "carom-sweep/1", "shots": pot, "vary": vary})
     with pytest.raises(InputError, match=r"^(start|stop|rows)\b"):
@@ -416,7 +423,7 @@ def test_sigmas_of_the_noise_have_their_unit_in_the_name(pot: dict[str, Any]) ->
         Sweep.from_dict(spec | {"noise": {"side_m": 1e-3, "side": 1e-3}})
 
 
-def test_what_is_no_spec_at_all_is_refused(tmp_path: Path) -> None:
+def test_a_spec_of_a_wrong_type_is_refused(tmp_path: Path) -> None:
     wrong: Any
     for wrong in (None, 5, ["spec.json"]):
         with pytest.raises(InputError, match=r"^spec: found a .*; give a Sweep"):

@@ -1,4 +1,4 @@
-"""`carom sweep` writes parts whole or not at all: a kill changes nothing."""
+"""`carom sweep` writes parts completely or not at all, so a kill changes no result."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def read(folder: Path) -> pa.Table:
 # Files.
 
 
-def test_the_same_files_for_any_number_of_threads(spec: Spec, tmp_path: Path) -> None:
+def test_the_files_are_the_same_for_any_number_of_threads(spec: Spec, tmp_path: Path) -> None:
     for threads in (1, 3):
         report = carom.sweep(spec, tmp_path / str(threads), threads=threads, part_rows=37)
         assert (report.rows, report.parts, report.parts_before) == (200, 6, 0)
@@ -46,14 +46,14 @@ def test_the_same_files_for_any_number_of_threads(spec: Spec, tmp_path: Path) ->
     assert len(hashes(tmp_path / "1")) == 6
 
 
-def test_the_same_rows_in_parts_of_any_size(spec: Spec, tmp_path: Path) -> None:
+def test_the_rows_are_the_same_in_parts_of_any_size(spec: Spec, tmp_path: Path) -> None:
     whole = Sweep.from_dict(spec).table()
     for rows in (1, 64, 1000):
         carom.sweep(spec, tmp_path / str(rows), part_rows=rows)
         assert read(tmp_path / str(rows)).equals(whole)
 
 
-def test_the_parts_of_the_largest_tables_are_counted_and_sorted(tmp_path: Path) -> None:
+def test_the_parts_of_a_very_large_table_are_counted_and_sorted(tmp_path: Path) -> None:
     parts = Parts(tmp_path, rows=10**17 + 1, part_rows=10**5)
     assert len(parts) == 10**12 + 1
     assert parts.range(10**12) == (10**17, 10**17 + 1)
@@ -71,7 +71,7 @@ def test_parts_of_several_row_groups_have_the_same_rows(
     assert read(tmp_path).equals(Sweep.from_dict(spec).table())
 
 
-def test_a_file_says_which_sweep_it_is_of(spec: Spec, tmp_path: Path) -> None:
+def test_a_file_names_its_sweep(spec: Spec, tmp_path: Path) -> None:
     sweep = Sweep.from_dict(spec)
     sweep.run(tmp_path, part_rows=100)
     said = pq.read_metadata(tmp_path / "part-000001.parquet").metadata
@@ -86,7 +86,7 @@ def test_a_file_says_which_sweep_it_is_of(spec: Spec, tmp_path: Path) -> None:
     assert field.metadata[b"is"] == b"time of the last event, s"
 
 
-def test_only_what_is_missing_is_played_again(spec: Spec, tmp_path: Path) -> None:
+def test_a_second_run_writes_only_missing_parts(spec: Spec, tmp_path: Path) -> None:
     carom.sweep(spec, tmp_path, part_rows=25)
     before = hashes(tmp_path)
     times = {p.name: p.stat().st_mtime_ns for p in tmp_path.glob("*.parquet")}
@@ -118,7 +118,7 @@ def test_a_folder_of_another_sweep_is_refused(spec: Spec, tmp_path: Path) -> Non
         carom.sweep(spec, tmp_path)
 
 
-def test_a_broken_or_strange_part_is_refused_by_name(spec: Spec, tmp_path: Path) -> None:
+def test_a_broken_or_foreign_part_is_refused_by_name(spec: Spec, tmp_path: Path) -> None:
     carom.sweep(spec, tmp_path, part_rows=100)
     second = tmp_path / "part-000001.parquet"
     second.write_bytes((tmp_path / "part-000000.parquet").read_bytes())
@@ -220,7 +220,7 @@ def slow(spec: Spec) -> Spec:
 
 
 def started(spec: Spec, folder: Path) -> subprocess.Popen[bytes]:
-    """`carom sweep` on its way, with some parts done and some not."""
+    """A running `carom sweep`, with some parts done and some not."""
     (folder / "spec.json").write_text(json.dumps(spec), encoding="utf-8")
     command = [sys.executable, "-m", "carom", "sweep", "spec.json", "--out", "out"]
     command += ["--part-rows", "500"]
@@ -234,7 +234,7 @@ def started(spec: Spec, folder: Path) -> subprocess.Popen[bytes]:
 
 
 @pytest.mark.parametrize("how", ["SIGKILL", "SIGTERM", "SIGINT"])
-def test_a_killed_run_goes_on_with_nothing_lost_or_doubled(
+def test_a_killed_run_continues_without_lost_or_duplicate_rows(
     spec: Spec, tmp_path: Path, how: str
 ) -> None:
     spec = slow(spec)
@@ -252,17 +252,17 @@ def test_a_killed_run_goes_on_with_nothing_lost_or_doubled(
     assert not list((tmp_path / "out").glob("*.unfinished"))
 
 
-def test_ctrl_c_ends_with_130_and_says_how_to_go_on(spec: Spec, tmp_path: Path) -> None:
+def test_ctrl_c_exits_with_130_and_says_how_to_continue(spec: Spec, tmp_path: Path) -> None:
     process = started(slow(spec), tmp_path)
     process.send_signal(signal.SIGINT)
     _, told = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert told.decode() == "carom: stopped; the same command goes on from here\n"
+    assert told.decode() == "carom: stopped; run the same command again to continue\n"
     assert not list((tmp_path / "out").glob("*.unfinished"))
 
 
 def test_memory_does_not_grow_with_the_number_of_rows(tmp_path: Path) -> None:
-    # On many threads more parts are under way at once; what is asked is whether they are let go.
+    # Two threads, because the number of parts in memory grows with the number of threads.
     program = (
         "import sys, resource, carom\n"
         "spec = {'format': 'carom-sweep/1', 'shots': sys.argv[1], 'samples': int(sys.argv[2]),\n"
@@ -282,7 +282,7 @@ def test_memory_does_not_grow_with_the_number_of_rows(tmp_path: Path) -> None:
         ]
         done = subprocess.run(command, capture_output=True, text=True, check=True)
         peaks.append(int(done.stdout))
-    # Sixteen balls, none of which is hit: the rows that are more would take half as much again.
+    # If all rows were kept in memory, the peak would be half as large again.
     assert peaks[1] < 1.2 * peaks[0]
 
 

@@ -1,6 +1,6 @@
-"""`carom sweep --ray`: the same files as here, also when a worker or a machine is lost half-way.
+"""`carom sweep --ray` writes the same files, also when a worker or a machine is lost half-way.
 
-In a process of its own, since Ray leaves threads, handlers and warnings behind.
+Ray runs in separate processes, because it leaves threads, handlers and warnings behind.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ write = on_ray.write
 def write_and_kill(*arguments):
     for receipt in write(*arguments):
         if not killed:
-            # It has begun with another part by now.
+            # The worker has begun another part by now.
             os.kill(receipt.worker, signal.SIGKILL)
             killed.append(receipt.worker)
         yield receipt
@@ -69,7 +69,7 @@ cluster = Cluster(initialize_head=True, head_node_args={"num_cpus": 1})
 to_lose = cluster.add_node(num_cpus=1)
 cluster.add_node(num_cpus=1)
 cluster.wait_for_nodes()
-# As on any cluster, the machines' processes were started elsewhere.
+# As on any cluster, the processes of the machines have another current folder.
 os.makedirs("elsewhere")
 os.chdir("elsewhere")
 lost = []
@@ -87,7 +87,7 @@ report = sweep.run("lost", part_rows=1000, ray=cluster.address)
 on_ray.write = write
 left = sum(node["Alive"] for node in ray.nodes())
 
-# Another carom on the machines, or one that cannot be loaded.
+# The machines have another version of carom, or one that cannot be loaded.
 refused = []
 for text in ("__version__ = '0.0.1'", "raise ImportError('none here')"):
     (pathlib.Path("other") / "carom" / "sweeps").mkdir(parents=True, exist_ok=True)
@@ -108,7 +108,7 @@ print(json.dumps({"left": left, "refused": refused, "report": report.to_dict()})
 
 
 def played(folder: Path, program: str, samples: int) -> dict[str, Any]:
-    """What a program prints that stands in a folder with a spec."""
+    """Write a spec into a folder, run a program there, and return what it prints."""
     spec = {
         "format": "carom-sweep/1",
         "shots": str(ROOT / "shots" / "eight_ball_break.json"),
@@ -132,14 +132,14 @@ def played(folder: Path, program: str, samples: int) -> dict[str, Any]:
 
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, Any]]:
-    """A folder in which Ray has played a sweep, a worker killed half-way, and its report."""
+    """A folder with a sweep by Ray in which a worker was killed half-way, and the report."""
     folder = tmp_path_factory.mktemp("ray")
     return folder, played(folder, PROGRAM, 16_000)
 
 
 @pytest.fixture(scope="module")
 def on_machines(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, Any]]:
-    """The same by a cluster of three machines, of which one is lost."""
+    """The same by a cluster of three machines, one of which is lost half-way."""
     folder = tmp_path_factory.mktemp("machines")
     return folder, played(folder, CLUSTER, 24_000)
 
@@ -151,7 +151,7 @@ def hashes(folder: Path) -> dict[str, str]:
 def test_a_killed_worker_changes_no_bit_of_any_file(ran: tuple[Path, dict[str, Any]]) -> None:
     folder, report = ran
     assert len(report["killed"]) == 1
-    # Two at a time, and one that has taken the place of the killed one.
+    # Two workers at a time, and one that replaced the killed one.
     assert report["first"]["workers"] >= 3
     assert (report["first"]["rows"], report["first"]["parts"]) == (16_000, 16)
     Sweep.load(folder / "spec.json").run(folder / "here", part_rows=1000)
@@ -163,7 +163,7 @@ def test_an_address_without_a_cluster_is_refused(ran: tuple[Path, dict[str, Any]
     assert report["refused"].startswith("address: no Ray cluster answers at 'auto'; start one")
 
 
-def test_ray_goes_on_where_a_run_has_ended(ran: tuple[Path, dict[str, Any]]) -> None:
+def test_ray_continues_an_earlier_run(ran: tuple[Path, dict[str, Any]]) -> None:
     _, report = ran
     assert report["again"]["parts_before"] == 14
     assert report["again"]["rows"] == 16_000
@@ -187,7 +187,7 @@ def test_a_machine_that_is_lost_changes_no_bit_of_any_file(
     assert hashes(folder / "elsewhere" / "lost") == hashes(folder / "here")
 
 
-def test_a_machine_without_this_very_carom_is_refused_by_its_name(
+def test_a_machine_with_another_or_no_carom_is_refused_by_its_name(
     on_machines: tuple[Path, dict[str, Any]],
 ) -> None:
     _, said = on_machines
@@ -206,9 +206,7 @@ def test_a_machine_that_does_not_see_the_folder_is_refused(tmp_path: Path) -> No
 
 @pytest.mark.parametrize("parts", [0, 1, 5, 77, 1000, 200_000])
 @pytest.mark.parametrize("cores", [1, 2, 64])
-def test_tasks_begin_large_end_small_and_have_every_part_once_in_order(
-    parts: int, cores: int
-) -> None:
+def test_tasks_shrink_and_contain_every_part_once_in_order(parts: int, cores: int) -> None:
     from carom.sweeps.on_ray import _tasks
 
     tasks = list(_tasks(list(range(parts)), cores))

@@ -43,7 +43,10 @@ mod _core {
     #[pymodule_export]
     use crate::shot::Shot;
     #[pymodule_export]
-    use crate::sweep::{play_rows, points, quantiles, read_json, row_shot};
+    use crate::sweep::{
+        check_keys, play_rows, points, quantiles, read_json, read_number, read_whole, row_shot,
+        unknown_word, wrong_type,
+    };
     #[pymodule_export]
     use crate::trace::Trace;
 

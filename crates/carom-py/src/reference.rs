@@ -35,7 +35,7 @@ pub(crate) fn break_shot(
 ) -> PyResult<Shot> {
     let game = Game::parse(game).map_err(|e| to_exception(py, &e))?;
     let opening = Break { game, table, speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
-    open(&opening).map(|shot| Shot::from(shot)).map_err(|e| to_exception(py, &e))
+    open(&opening).map(Shot::from).map_err(|e| to_exception(py, &e))
 }
 
 /// The JSON Schema of `shot` or `trace`, as JSON.

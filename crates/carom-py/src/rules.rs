@@ -70,7 +70,7 @@ impl Frame {
 
     fn shot(&self, py: Python<'_>, play: PlayArguments) -> PyResult<Shot> {
         let shot = self.play_of(play).and_then(|play| self.0.shot(&play));
-        shot.map(|shot| Shot::from(shot)).map_err(|e| to_exception(py, &e))
+        shot.map(Shot::from).map_err(|e| to_exception(py, &e))
     }
 
     /// The ruling, and the trace of the shot.

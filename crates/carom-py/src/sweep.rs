@@ -1,8 +1,8 @@
 //! Functions for sweeps: `_core.play_rows`, `row_shot`, `read_json`, `points` and `quantiles`.
 
-use carom::ShotFile;
-use carom::format::{KeyPath, Node};
+use carom::format::{KeyPath, Node, Reader};
 use carom::sample::{Distribution, Sequence};
+use carom::{Error, ShotFile};
 use carom_plan::sweep::{self, Column, OutcomeColumns, RowResults, STRIKE, SweepRows, Values};
 use numpy::{
     PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
@@ -167,6 +167,63 @@ fn to_dict(py: Python<'_>, results: RowResults) -> PyResult<Bound<'_, PyDict>> {
 pub(crate) fn read_json<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
     let node = Node::from_json(text).map_err(|error| to_exception(py, &error))?;
     to_python(py, &node)
+}
+
+/// Rejects a value that is not an object, and unknown keys. `place` is the value's path in its file.
+#[pyfunction]
+pub(crate) fn check_keys(
+    value: &Bound<'_, PyAny>,
+    place: &str,
+    known: Vec<String>,
+) -> PyResult<()> {
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    read(value, place, |reader| reader.keys(&known))
+}
+
+/// A finite number.
+#[pyfunction]
+pub(crate) fn read_number(value: &Bound<'_, PyAny>, place: &str) -> PyResult<f64> {
+    read(value, place, |reader| reader.number())
+}
+
+/// A whole number from `low` up to `high`.
+#[pyfunction]
+pub(crate) fn read_whole(
+    value: &Bound<'_, PyAny>,
+    place: &str,
+    low: i64,
+    high: i64,
+) -> PyResult<i64> {
+    read(value, place, |reader| reader.whole(low, high))
+}
+
+/// Raises the error of a value of a wrong type; `wanted` says what to write.
+#[pyfunction]
+pub(crate) fn wrong_type(value: &Bound<'_, PyAny>, place: &str, wanted: &str) -> PyResult<()> {
+    read(value, place, |reader| Err(reader.wrong_type(wanted)))
+}
+
+/// Raises the error of an unknown word; `kind` is what the `known` words are.
+#[pyfunction]
+pub(crate) fn unknown_word(
+    py: Python<'_>,
+    word: &str,
+    place: &str,
+    kind: &str,
+    known: Vec<String>,
+) -> PyResult<()> {
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    let error = Reader::new(&Node::Null, place).unknown_word(word, kind, &known);
+    Err(to_exception(py, &error))
+}
+
+fn read<T>(
+    value: &Bound<'_, PyAny>,
+    place: &str,
+    answer: impl FnOnce(Reader<'_>) -> Result<T, Error>,
+) -> PyResult<T> {
+    let node = from_python(value)?;
+    answer(Reader::new(&node, place)).map_err(|error| to_exception(value.py(), &error))
 }
 
 /// Points of the unit cube, shape (n, dimensions): those of `seed` with the given indices. `sequence` is

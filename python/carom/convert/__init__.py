@@ -1,8 +1,8 @@
-"""Shots of other engines as shot files of this one.
+"""Shots of other engines, converted to shots of this one.
 
 made = carom.convert.pooltool("shot.msgpack")
 made.shot.simulate()
-made.left_out                      # what could not be carried over, in sentences
+made.left_out                      # sentences on what could not be converted
 """
 
 from carom.convert._fastfiz import fastfiz

@@ -1,4 +1,4 @@
-"""FastFiz table states: ``TableState::toString``, and ``ShotParams`` beside it."""
+"""FastFiz table states, as ``TableState::toString`` writes them, and ``ShotParams``."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from carom.convert._made import Converted
 from carom.errors import InputError
 from carom.shot import Shot
 
-# Ball::State of FastFiz.h.
+# Values of Ball::State in FastFiz.h.
 _NOT_IN_PLAY, _STATIONARY = 0, 1
 _POCKETS = {
     5: "bottom-left",
@@ -27,32 +27,30 @@ _FIELDS = 5
 
 
 def fastfiz(text: str, strike: Sequence[float] | None = None) -> Converted:
-    """A FastFiz table state as a shot on the table ``poolfiz``.
+    """Convert a FastFiz table state to a shot on the table ``poolfiz``.
 
     Args:
-        text: What ``TableState::toString`` writes: the number of balls, then for each its radius
-            (m), state, type and position x, y (m, from the south-west corner).
-        strike: FastFiz's ``ShotParams`` a, b (mm), theta, phi (degrees), v (m/s), which the state
-            does not hold; None is a shot without a strike.
+        text: The output of ``TableState::toString``: the number of balls, then for each ball its
+            radius (m), state, type and position x, y (m, from the south-west corner).
+        strike: FastFiz's ``ShotParams`` a, b (mm), theta, phi (degrees), v (m/s), which are not in
+            the state; None gives a shot without a strike.
 
     Raises:
-        InputError: The text is no table state, or the engine refuses the shot.
+        InputError: The text is not a table state, or the engine rejects the shot.
     """
     balls, notes = _balls(checked("text", text).split())
     file: dict[str, Any] = {"format": "carom-shot/1", "table": "poolfiz", "balls": balls}
+    notes.append("A table state does not name its table; FastFiz's default table was assumed.")
     notes.append(
-        "A table state does not say on which table it is: taken to be FastFiz's default one."
-    )
-    notes.append(
-        "Positions are as in FastFiz, whose head string is at the top end; that of the table "
-        "poolfiz is at the bottom."
+        "Positions are FastFiz's, with the head string at the top; that of the table poolfiz is "
+        "at the bottom."
     )
     if strike is None:
-        notes.append("A table state holds no strike, and none was given: the shot has none.")
+        notes.append("A table state has no strike, and none was given: the shot has none.")
     else:
         radius = next((b["radius"] for b in balls if b["id"] == "cue"), None)
         if radius is None:
-            raise InputError("the table state has no cue ball in play, which the strike needs")
+            raise InputError("the table state has no cue ball in play; leave the strike out")
         file["strike"] = _strike(strike, radius)
     return Converted(Shot.from_dict(file), notes)
 
@@ -61,8 +59,8 @@ def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
     count = int(_number(words, 0, "the number of balls"))
     if count < 1 or len(words) != 1 + _FIELDS * count:
         raise InputError(
-            f"the table state says {count} balls and holds {len(words) - 1} numbers after that; "
-            f"FastFiz writes {_FIELDS} a ball: radius, state, type, x and y"
+            f"the table state names {count} balls, and {len(words) - 1} numbers follow; "
+            f"write {_FIELDS} numbers for each ball: radius, state, type, x and y"
         )
     balls, notes, pocketed, moving, absent = [], [], [], [], []
     for i in range(count):
@@ -70,8 +68,8 @@ def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
         radius, state, kind, x, y = (_number(words, at + j, f"ball {i}") for j in range(_FIELDS))
         if kind not in range(_TYPES) or state not in range(_STATES):
             raise InputError(
-                f"ball {i}: state {state:g} and type {kind:g} are none that FastFiz has "
-                "(states 0 to 10, types 0 to 15)"
+                f"ball {i}: state {state:g} and type {kind:g} do not exist in FastFiz; "
+                "write a state from 0 to 10 and a type from 0 to 15"
             )
         name = "cue" if kind == 0 else str(int(kind))
         if state in _POCKETS:
@@ -85,26 +83,28 @@ def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
     for names, what in (
         (pocketed, "Pocketed balls were left out: {}."),
         (absent, "Balls that are not in play were left out: {}."),
-        (moving, "A table state holds no velocities, so balls that moved are at rest: {}."),
+        (moving, "A table state has no velocities, so moving balls are at rest: {}."),
     ):
         if names:
             notes.append(what.format(", ".join(names)))
     if not balls:
-        raise InputError("the table state has no ball in play, and a shot needs one")
+        raise InputError("the table state has no ball in play; add one")
     return balls, notes
 
 
 def _strike(params: Sequence[float], radius: float) -> dict[str, Any]:
-    """FastFiz measures a and b level and upright, we across the cue."""
+    """The strike in our frame: FastFiz measures b vertically, we perpendicular to the cue."""
     params = numbers("strike", params, _FIELDS)
     if not all(math.isfinite(p) for p in params):
         raise InputError(
-            "strike: must be FastFiz's five numbers a, b (mm), theta, phi (degrees), v (m/s)"
+            "strike: a number is not finite; write a, b (mm), theta, phi (degrees), v (m/s)"
         )
     a, b, theta, phi, speed = params
     a, b = 1e-3 * a / radius, 1e-3 * b / radius
     if a * a + b * b > 1.0:
-        raise InputError(f"strike: a and b are {math.hypot(a, b):.3g} ball radii from the centre")
+        raise InputError(
+            f"strike: a and b are {math.hypot(a, b):.3g} ball radii off centre; give less than 1"
+        )
     towards_cue = math.sqrt(1.0 - a * a - b * b)
     sin, cos = math.sin(math.radians(theta)), math.cos(math.radians(theta))
     return {
@@ -114,7 +114,7 @@ def _strike(params: Sequence[float], radius: float) -> dict[str, Any]:
         "elevation_deg": theta,
         "side": a,
         "height": b * cos - towards_cue * sin,
-        # FastFiz knows no miscue.
+        # FastFiz has no miscues.
         "miscue": "report",
     }
 
@@ -125,8 +125,8 @@ def _number(words: list[str], index: int, what: str) -> float:
     except (IndexError, ValueError):
         found = words[index] if index < len(words) else "nothing"
         raise InputError(
-            f"{what}: {found!r} is no number; a FastFiz table state is numbers with blanks between"
+            f"{what}: {found!r} is not a number; write numbers separated by blanks"
         ) from None
     if not math.isfinite(value):
-        raise InputError(f"{what}: {words[index]} is not finite")
+        raise InputError(f"{what}: {words[index]} is not finite; write a finite number")
     return value

@@ -1,4 +1,4 @@
-"""What an import gives back."""
+"""The result of a conversion."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from carom.shot import Shot
 
 
 class Converted(NamedTuple):
-    """A shot of another engine.
+    """A converted shot of another engine.
 
     Attributes:
         shot: The shot.
-        left_out: What could not be carried over, or had to be assumed, each in a sentence.
+        left_out: What could not be converted or had to be assumed, one sentence each.
     """
 
     shot: Shot

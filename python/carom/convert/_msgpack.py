@@ -1,8 +1,8 @@
 """MessagePack with NumPy arrays, as msgpack-numpy writes them.
 
-An array is a map with the keys ``nd``, ``type``, ``kind``, ``shape`` and ``data``, in bytes. What
-msgpack-numpy itself would unpickle (arrays of objects) is refused: a file from elsewhere must not
-run code.
+An array is a map with the keys ``nd``, ``type``, ``kind``, ``shape`` and ``data``, in bytes. Arrays
+of objects, which msgpack-numpy would unpickle, are rejected: a file from elsewhere must not run
+code.
 """
 
 from __future__ import annotations
@@ -10,15 +10,17 @@ from __future__ import annotations
 from typing import Any
 
 from carom.errors import InputError
+from carom.lazy import np
 
 
 def unpack(data: bytes) -> Any:
-    """The tree in ``data``, its arrays as nested lists.
+    """The tree in ``data``, with arrays as nested lists.
 
     Raises:
-        InputError: msgpack is not installed, or this is no MessagePack.
+        InputError: msgpack is not installed, or ``data`` is not MessagePack.
     """
     try:
+        # An extra.
         import msgpack
     except ImportError:
         raise InputError(
@@ -30,7 +32,7 @@ def unpack(data: bytes) -> Any:
     except InputError:
         raise
     except Exception as error:  # noqa: BLE001 -- msgpack raises whatever its hook and parser raise
-        # A stack of maps that is too high has no words.
+        # The error of too deep nesting has no text.
         why = str(error) or "nested too deeply"
         raise InputError(
             f"the file is neither JSON nor MessagePack ({why}); give a system that pooltool saved"
@@ -40,13 +42,13 @@ def unpack(data: bytes) -> Any:
 def _array(map_: dict[Any, Any]) -> Any:
     if b"nd" not in map_:
         return map_
-    import numpy as np
-
     kind = map_[b"type"]
     if map_.get(b"kind") or not isinstance(kind, str):
-        raise InputError("the file holds an array that is not of numbers; pooltool saves none")
+        raise InputError(
+            "the file holds an array that is not of numbers; give a system that pooltool saved"
+        )
     dtype = np.dtype(kind)
     if dtype.hasobject:
-        raise InputError("the file holds an array of objects; pooltool saves none")
+        raise InputError("the file holds an array of objects; give a system that pooltool saved")
     values = np.frombuffer(map_[b"data"], dtype=dtype)
     return values.reshape(map_[b"shape"]).tolist() if map_[b"nd"] else values[0].item()

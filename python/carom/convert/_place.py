@@ -1,4 +1,4 @@
-"""Reading a tree of other people's data, with errors that name the place."""
+"""Reading another engine's data, with errors that name the place."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Place:
         self.path = path
 
     def refuse(self, problem: str) -> InputError:
-        """The error that this value deserves."""
+        """The error for this value."""
         return InputError(f"{self.path or 'the file'}: {problem}")
 
     def __getitem__(self, key: str | int) -> Place:
@@ -27,46 +27,46 @@ class Place:
             return Place(self.items()[key], f"{self.path}[{key}]")
         found = self.get(key)
         if found is None:
-            raise self.refuse(f'has no "{key}"; is this a system that pooltool 0.6 saved?')
+            raise self.refuse(f'has no "{key}"; give a system that pooltool 0.6 saved')
         return found
 
     def get(self, key: str) -> Place | None:
-        """The value at a key, None where there is none or it is null."""
+        """The value at a key; None if it is missing or null."""
         if not isinstance(self.value, Mapping):
-            raise self.refuse("is no object {...}; is this a system that pooltool 0.6 saved?")
+            raise self.refuse("is not an object {...}; give a system that pooltool 0.6 saved")
         value = self.value.get(key)
         return None if value is None else Place(value, f"{self.path}.{key}".lstrip("."))
 
     def members(self) -> Iterator[tuple[str, Place]]:
         """The keys of an object, each with its value."""
         if not isinstance(self.value, Mapping):
-            raise self.refuse("is no object {...}")
+            raise self.refuse("is not an object {...}; give a system that pooltool 0.6 saved")
         return ((str(key), self[key]) for key in self.value)
 
     def items(self) -> Sequence[Any]:
         """The items of a list that is not empty."""
         if isinstance(self.value, str | bytes) or not isinstance(self.value, Sequence):
-            raise self.refuse("is no list [...]")
+            raise self.refuse("is not a list [...]; give a system that pooltool 0.6 saved")
         if not self.value:
-            raise self.refuse("is an empty list")
+            raise self.refuse("is an empty list; give a system that pooltool 0.6 saved")
         return self.value
 
     def number(self) -> float:
         """A finite number."""
         if isinstance(self.value, bool) or not isinstance(self.value, int | float):
-            raise self.refuse(f"is {self.value!r}, but must be a number")
+            raise self.refuse(f"is {self.value!r}; write a number")
         if not math.isfinite(self.value):
-            raise self.refuse(f"is {self.value}, but must be finite")
+            raise self.refuse(f"is {self.value}; write a finite number")
         return float(self.value)
 
     def vector(self) -> list[float]:
         """Three finite numbers."""
         if len(self.items()) != 3:
-            raise self.refuse("must be three numbers")
+            raise self.refuse(f"has {len(self.items())} items; write three numbers")
         return [self[i].number() for i in range(3)]
 
     def text(self) -> str:
         """A string."""
         if not isinstance(self.value, str):
-            raise self.refuse(f"is {self.value!r}, but must be text")
+            raise self.refuse(f"is {self.value!r}; write a text")
         return self.value

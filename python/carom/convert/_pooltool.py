@@ -1,4 +1,4 @@
-"""pooltool systems, as ``System.save`` of pooltool 0.6 writes them."""
+"""Systems of pooltool, in the format that ``System.save`` of pooltool 0.6 writes."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from carom.errors import InputError
 from carom.shot import Shot
 
 _POCKETED = 4
-# A height within this of the radius lies on the cloth, m.
+# A ball whose height differs from its radius by less than this is on the cloth, m.
 _ON_CLOTH = 1e-9
-# What BallParams holds besides a ball's own mass and radius.
+# The fields of BallParams other than a ball's own mass and radius.
 _SHARED = ("u_s", "u_r", "u_sp_proportionality", "e_b", "e_c", "f_c", "g")
 
 
 def pooltool(source: str | os.PathLike[str] | bytes | Mapping[str, Any]) -> Converted:
-    """A pooltool system as a shot.
+    """Convert a pooltool system to a shot.
 
-    A system that was simulated gives the shot from its start.
+    A simulated system gives the shot from its start.
 
     Args:
         source: Path of a file that ``System.save`` wrote (JSON or MessagePack), its bytes, or its
@@ -33,7 +33,7 @@ def pooltool(source: str | os.PathLike[str] | bytes | Mapping[str, Any]) -> Conv
 
     Raises:
         OSError: The file cannot be read.
-        InputError: It is no system of pooltool 0.6, the engine refuses the shot, or msgpack is
+        InputError: It is not a system of pooltool 0.6, the engine rejects the shot, or msgpack is
             needed and not installed (``pip install 'carom[import]'``).
     """
     tree = _tree(source)
@@ -57,7 +57,7 @@ def pooltool(source: str | os.PathLike[str] | bytes | Mapping[str, Any]) -> Conv
 
 
 def _tree(source: Any) -> Any:
-    """What a path, bytes or a dict hold."""
+    """The tree of a file, of bytes or of a dict."""
     if isinstance(source, Mapping):
         return source
     if isinstance(source, bytes):
@@ -74,9 +74,13 @@ def _decode(data: bytes) -> Any:
     try:
         return json.loads(data)
     except ValueError as error:
-        raise InputError(f"the file is no JSON: {error}") from None
+        raise InputError(
+            f"the file is not JSON ({error}); give a system that pooltool saved"
+        ) from None
     except RecursionError:
-        raise InputError("the file is nested too deeply for a pooltool system") from None
+        raise InputError(
+            "the file is nested too deeply; give a system that pooltool saved"
+        ) from None
 
 
 def _balls(at: Place, notes: list[str]) -> list[dict[str, Any]]:
@@ -106,9 +110,9 @@ def _balls(at: Place, notes: list[str]) -> list[dict[str, Any]]:
 
 
 def _first_state(ball: Place) -> tuple[Any, bool]:
-    """The rows of ``rvw`` and ``s`` before anything moved, and whether that is history.
+    """The initial rows of ``rvw`` and ``s``, and whether they come from a history.
 
-    JSON has a list of states there, MessagePack a list of three arrays (rvw, s, t).
+    A history is a list of states in JSON, and a list of three arrays (rvw, s, t) in MessagePack.
     """
     history = ball.get("history")
     if history is not None and isinstance(history.value, Mapping):
@@ -125,7 +129,9 @@ def _physics(system: Place, base: str, notes: list[str]) -> dict[str, Any]:
     balls = dict(system["balls"].members())
     struck = system["cue"]["cue_ball_id"].text()
     if struck not in balls:
-        raise system["cue"].refuse(f'cue_ball_id is "{struck}", and there is no such ball')
+        raise system["cue"].refuse(
+            f'cue_ball_id is "{struck}", and there is no such ball; write the id of a ball'
+        )
     params = balls[struck]["params"]
     p = {key: params[key].number() for key in ("m", "R", *_SHARED)}
     others = [
@@ -135,16 +141,16 @@ def _physics(system: Place, base: str, notes: list[str]) -> dict[str, Any]:
     ]
     if others:
         notes.append(
-            f"Frictions, restitutions and gravity are the cue ball's for all; those of "
+            f"All balls have the cue ball's frictions, restitutions and gravity; those of "
             f"{', '.join(others)} differed."
         )
     notes.append(
-        "A system does not say which models it was simulated with: taken to be pooltool 0.6.0's "
-        "default ones (its u_b plays no part in them)."
+        "A system does not say which models it was simulated with; pooltool 0.6.0's default models "
+        "were assumed (they do not use its u_b)."
     )
     notes.append(
-        "pooltool 0.6.0 keeps balls on the cloth; here a pocket's walls and a ball that climbs "
-        "or jumps are as in this engine's preset."
+        "pooltool 0.6.0 keeps balls on the cloth; the walls of pockets, and balls that climb or "
+        "jump, follow this engine's preset."
     )
     specs = system["cue"]["specs"]
     surface = {"restitution": p["e_c"], "friction": p["f_c"]}
@@ -165,7 +171,7 @@ def _physics(system: Place, base: str, notes: list[str]) -> dict[str, Any]:
         },
         "cushion": {"model": "stronge", **surface, "frequency_ratio": 1.8},
         "facing": surface,
-        # A raised cue's downward part is dropped there.
+        # pooltool drops the downward part of a strike with a raised cue.
         "slate": {"restitution": 0.0, "friction": 0.0},
         "cue": {
             "mass": specs["M"].number(),
@@ -192,6 +198,6 @@ def _strike(cue: Place, moves: bool, notes: list[str]) -> dict[str, Any] | None:
         # a = +1 is the leftmost point.
         "side": -cue["a"].number(),
         "height": cue["b"].number(),
-        # pooltool knows no miscue.
+        # pooltool has no miscues.
         "miscue": "report",
     }

@@ -1,7 +1,7 @@
-"""A pooltool table, of which a file holds segments, arcs and holes, as a parametric description.
+"""A pooltool table, which a file describes by segments, arcs and holes, as parameters.
 
-What pooltool's ``create_pocket_table_cushion_segments`` made of the table's specs is undone here,
-from one corner pocket (``lb``) and one side pocket (``lc``).
+This inverts pooltool's ``create_pocket_table_cushion_segments``, which computed the segments from
+the table's specs. It reads one corner pocket (``lb``) and one side pocket (``lc``).
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from carom.reference import tables
 
 JSON = dict[str, Any]
 
-# Figures that went through pooltool's sines and back agree to this, m or degrees.
+# Dimensions computed by pooltool's sines and back agree to this, m or degrees.
 _SAME = 1e-9
-# A picometre is more than their rounding.
+# Decimal digits that are kept: a picometre is more than their rounding error.
 _DIGITS = 12
 _PRESETS = {"pocket": "showood-7ft", "snooker": "snooker-12ft", "billiard": "carom-10ft"}
 _PHYSICS = {"pocket": "pool", "snooker": "snooker", "billiard": "carom"}
@@ -25,10 +25,10 @@ _BAULK, _D_RADIUS, _BLACK = 0.737, 0.292, 0.324
 
 
 def table(at: Place, notes: list[str]) -> tuple[str | JSON, str]:
-    """What a shot file writes for the table, and the physics preset to start from."""
+    """The table for a shot file, and the name of its base physics preset."""
     kind = at["table_type"].text()
     if kind not in _PRESETS:
-        raise at["table_type"].refuse(f'is "{kind}", but must be one of {", ".join(_PRESETS)}')
+        raise at["table_type"].refuse(f'is "{kind}"; write one of {", ".join(_PRESETS)}')
     segments, base = at["cushion_segments"]["linear"], _PRESETS[kind]
     width = segments["12"]["p1"].vector()[0]
     length = segments["9"]["p1"].vector()[1]
@@ -47,13 +47,13 @@ def table(at: Place, notes: list[str]) -> tuple[str | JSON, str]:
         _quarters(width, length) if kind == "pocket" else _snooker_spots(width, length)
     )
     notes.append(
-        f"Rails behind the cushions and sights are not in the file: they are those of {base}."
+        f"Sights and the rails behind the cushions are not in the file: those of {base} were used."
     )
     return _named(base, found), _PHYSICS[kind]
 
 
 def _corner(at: Place) -> JSON:
-    """Nose "18" and facing "1" of the bottom rail's left end; the tip is where they would meet."""
+    """The corner pocket, from nose "18" and facing "1"; the tip is their intersection."""
     facing = at["cushion_segments"]["linear"]["1"]
     deep, shallow = facing["p1"].vector(), facing["p2"].vector()
     angle = math.atan2(shallow[0] - deep[0], shallow[1] - deep[1])
@@ -71,10 +71,10 @@ def _corner(at: Place) -> JSON:
 
 
 def _side(at: Place, rubber: float) -> JSON:
-    """Nose "6" and facing "5" of the left rail's upper half.
+    """The side pocket, from nose "6" and facing "5" of the left rail's upper half.
 
-    The point touches the nose at the distance d from the tip, and the facing at as much: there at
-    d·cos α behind the nose line and d·sin α towards the pocket, which gives d and α.
+    The rounded point touches the nose and the facing at the same distance d from the tip. On the
+    facing this is d·cos α behind the nose line and d·sin α towards the pocket, which gives d and α.
     """
     segments = at["cushion_segments"]["linear"]
     deep, shallow = segments["5"]["p1"].vector(), segments["5"]["p2"].vector()
@@ -105,31 +105,31 @@ def _side(at: Place, rubber: float) -> JSON:
 
 
 def _rounded(pocket: JSON) -> JSON:
-    """Without the rounding of pooltool's sines, so that 0.083 m is written as that."""
+    """The pocket without the rounding errors of pooltool's sines, so that 0.083 m stays 0.083."""
     return {key: round(value, _DIGITS) for key, value in pocket.items()}
 
 
 def _widen(pocket: JSON, rubber: float, notes: list[str]) -> None:
-    """Widen a side's hole that does not reach the lines on which its jaws end.
+    """Widen a side pocket's hole that does not reach the lines on which its jaws end.
 
-    It would leave slate beside it, which this engine does not have. Its edge on the pocket's axis
-    stays where it is. With half a gap g at the deep ends, w behind the nose line, and lines that
-    close in at φ, the centre of a hole of radius r that begins s behind the nose line is as far
-    from them as g·cos φ + (w − s − r)·sin φ.
+    Otherwise there would be slate beside the hole, which this engine does not model. The hole's
+    edge on the pocket's axis stays in place. Let the jaws' deep ends be 2g apart and w behind the
+    nose line, and let the jaws converge at the angle φ. The centre of a hole of radius r whose edge
+    is s behind the nose line is then at the distance g·cos φ + (w − s − r)·sin φ from the jaws.
     """
     arc, radius = pocket["point_radius"], pocket["hole_radius"]
     angle = math.radians(pocket["cut_angle_deg"] - 90.0)
     touch = arc / math.tan(0.5 * (0.5 * math.pi + angle))
     gap = 0.5 * pocket["mouth"] - rubber * math.tan(angle)
     if touch * math.cos(angle) >= rubber:
-        # The point's arc ends before it is a facing.
+        # The rail ends within the point's arc, before the facing.
         angle = math.asin((arc - rubber) / arc)
         gap = 0.5 * pocket["mouth"] + touch - arc * math.cos(angle)
     gap = 0.5 * pocket.get("throat", 2.0 * gap)
     sin, cos = math.sin(angle), math.cos(angle)
     least = (gap * cos + (rubber - pocket["shelf"]) * sin) / (1.0 + sin)
     if radius < least:
-        # So that the engine's rounding finds it wide enough too.
+        # The margin keeps the hole wide enough after the engine's rounding.
         pocket["hole_radius"] = least + _SAME
         notes.append(
             "The holes of the side pockets do not reach their jaws: widened from a radius of "
@@ -138,7 +138,7 @@ def _widen(pocket: JSON, rubber: float, notes: list[str]) -> None:
 
 
 def _check_symmetry(at: Place, width: float, length: float, notes: list[str]) -> None:
-    """A description has two mirror planes; a table built by hand need not."""
+    """Note a table that is not symmetric: a parametric description always is."""
     points = [
         (*(c["center"].vector()[:2]), c["radius"].number())
         for part in (at["pockets"], at["cushion_segments"]["circular"])
@@ -152,8 +152,8 @@ def _check_symmetry(at: Place, width: float, length: float, notes: list[str]) ->
 
     if not all(held(width - x, y, r) and held(x, length - y, r) for x, y, r in points):
         notes.append(
-            "The table is not symmetric: its pockets are taken to be as the bottom left and the "
-            "left one."
+            "The table is not symmetric: all its pockets were made like the bottom left one and "
+            "the left one."
         )
 
 
@@ -183,7 +183,7 @@ def _snooker_spots(width: float, length: float) -> JSON:
 
 
 def _named(base: str, found: JSON) -> str | JSON:
-    """The preset's bare name where every figure is its own."""
+    """The preset's name if all dimensions are the preset's, else the description."""
     preset = next(t for t in tables() if t["name"] == base)
     own = {d["key"]: d["value"] for d in preset["dimensions"]}
     for key, value in found.items():

@@ -8,13 +8,12 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, NoReturn
 
 from carom import _core
 from carom.errors import InputError
 from carom.noise import Noise
 from carom.shot import Shot
-from carom.sweeps import read
 from carom.sweeps.columns import CHOSEN, OUTCOMES
 
 FORMAT = "carom-sweep/1"
@@ -44,6 +43,9 @@ _OLD_SIGMAS = {"side": "side_m", "height": "height_m"}
 _MOST_STEPS = 10**12
 # Names that no parameter may have, because every table has these columns.
 _TAKEN = ("row", "layout", "sample", "variant", "error")
+
+# Largest whole number that both Python and Rust count with.
+_LARGEST = (1 << 63) - 1
 
 Kind = Literal["number", "list", "choice"]
 
@@ -185,26 +187,29 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
     plain = _plain(file)
     # This check comes first: in a file of another format every key would be unknown.
     if isinstance(plain, Mapping) and plain.get("format") != FORMAT:
-        what = f"found {read.describe(plain.get('format'))}"
-        read.refuse("format", what, f'write "{FORMAT}", and a shot under `shots`')
-    found = read.fields("", plain, _KEYS)
+        _core.wrong_type(plain.get("format"), "format", f'"{FORMAT}", and a shot under `shots`')
+    if not isinstance(plain, Mapping):
+        _core.wrong_type(plain, "the spec", "an object {...}")
+    _core.check_keys(dict.fromkeys(plain), "", _KEYS)
+    found = dict(plain)
     if "shots" not in found:
-        read.refuse("shots", "the key is missing", "write a shot, the name of its file, or a list")
+        _refuse("shots", "the key is missing", "write a shot, the name of its file, or a list")
     layouts = _layouts(found["shots"], folder)
     parameters = _parameters(found.get("vary", {}))
-    seed = read.whole("seed", found.get("seed", 0), 0)
+    seed = _core.read_whole(found.get("seed", 0), "seed", 0, _LARGEST)
     samples = _samples(found, parameters)
     sequence = found.get("sequence", "random")
     if sequence not in ("random", "even"):
-        remedy = read.nearest(str(sequence), ("random", "even"))
-        read.refuse("sequence", f"there is no sequence {sequence!r}", remedy)
+        if not isinstance(sequence, str):
+            _core.wrong_type(sequence, "sequence", "a text")
+        _core.unknown_word(sequence, "sequence", "sequence", ("random", "even"))
     noise = None if found.get("noise") is None else _noise(found["noise"])
-    variants = read.whole("variants", found.get("variants", 1), 1)
+    variants = _core.read_whole(found.get("variants", 1), "variants", 1, _LARGEST)
     if noise is None and variants > 1:
-        read.refuse("variants", "without noise all variants would be equal", "write `noise`")
+        _refuse("variants", "without noise all variants would be equal", "write `noise`")
     paired = found.get("paired", False)
     if not isinstance(paired, bool):
-        read.refuse("paired", f"found {read.describe(paired)}", "write true or false")
+        _core.wrong_type(paired, "paired", "true or false")
     _check_strikes(layouts, parameters, noise)
     columns = _columns(found.get("columns"))
     whole = {
@@ -222,11 +227,30 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
     spec = Spec(
         layouts, parameters, samples, sequence, seed, noise, variants, paired, columns, whole
     )
-    if spec.rows > read.LARGEST_WHOLE:
+    if spec.rows > _LARGEST:
         what = f"the table would have {spec.rows} rows"
-        remedy = f"vary fewer parameters or take fewer steps (at most {read.LARGEST_WHOLE} rows)"
-        read.refuse("vary", what, remedy)
+        remedy = f"vary fewer parameters or take fewer steps (at most {_LARGEST} rows)"
+        _refuse("vary", what, remedy)
     return spec
+
+
+def _refuse(place: str, what: str, remedy: str) -> NoReturn:
+    raise InputError(f"{place}: {what}; {remedy}")
+
+
+def _fields(place: str, value: Any, known: tuple[str, ...]) -> dict[str, Any]:
+    """The fields of an object without unknown keys."""
+    _core.check_keys(value, place, known)
+    return dict(value)
+
+
+def _numbers(place: str, value: Any) -> tuple[float, ...]:
+    """One finite number, or a list of them."""
+    if isinstance(value, list | tuple):
+        if not value:
+            _refuse(place, "found an empty list", "write at least one number")
+        return tuple(_core.read_number(x, f"{place}[{i}]") for i, x in enumerate(value))
+    return (_core.read_number(value, place),)
 
 
 def _plain(file: Any) -> Any:
@@ -247,7 +271,7 @@ def _plain(file: Any) -> Any:
 def _layouts(value: Any, folder: Path) -> tuple[Shot, ...]:
     if isinstance(value, list | tuple):
         if not value:
-            read.refuse("shots", "the list is empty", "write at least one shot")
+            _refuse("shots", "the list is empty", "write at least one shot")
         items = [(f"shots[{i}]", item) for i, item in enumerate(value)]
     else:
         items = [("shots", value)]
@@ -270,34 +294,32 @@ def _shots(place: str, item: Any, folder: Path) -> list[Shot]:
             return [Shot.load(folder / item)]
         names = sorted(folder.glob(item))
         if not names:
-            read.refuse(place, f'no file matches "{item}"', f"give a path relative to {folder}")
+            _refuse(place, f'no file matches "{item}"', f"give a path relative to {folder}")
         return [Shot.load(name) for name in names]
     if isinstance(item, Mapping):
         return [Shot.from_dict(item)]
-    return read.refuse(
-        place, f"found {read.describe(item)}", "write a shot or the path of its file"
-    )
+    return _core.wrong_type(item, place, "a shot or the path of its file")
 
 
 def _parameters(vary: Any) -> tuple[Parameter, ...]:
     if not isinstance(vary, Mapping):
-        read.refuse("vary", f"found {read.describe(vary)}", "write an object: {path: how, ...}")
+        _core.wrong_type(vary, "vary", "an object: {path: how, ...}")
     found: list[Parameter] = []
     for path, how in vary.items():
         place = f"vary.{path}"
         if not isinstance(path, str):
-            read.refuse(place, "the path is not a string", "write one such as strike.speed")
+            _refuse(place, "the path is not a string", "write one such as strike.speed")
         _check_path(place, path)
         parameter = _parameter(place, path, how)
         for other in found:
             if other.name == parameter.name:
-                read.refuse(
+                _refuse(
                     place,
                     f'its column would be "{other.name}", like that of {other.path}',
                     'give it another "name"',
                 )
             if re.match(re.escape(path) + r"[.\[]", other.path):
-                read.refuse(place, f"it would overwrite {other.path}", "write it before that")
+                _refuse(place, f"it would overwrite {other.path}", "write it before that")
         found.append(parameter)
     return tuple(found)
 
@@ -306,9 +328,9 @@ def _check_path(place: str, path: str) -> None:
     head = re.split(r"[.\[]", path)[0]
     tops = ("table", "physics", "balls", "strike", "max_events")
     if head not in tops:
-        read.refuse(place, "no such path in a shot file", read.nearest(head, tops))
+        _core.unknown_word(head, place, "key of a shot file", tops)
     if path == "balls" or re.fullmatch(r"balls[.\[][^.\[]+\]?(\.id)?", path):
-        read.refuse(
+        _refuse(
             place,
             "the ids of the balls cannot vary",
             "write the layouts in `shots`, or vary balls.ID.position",
@@ -316,31 +338,34 @@ def _check_path(place: str, path: str) -> None:
 
 
 def _parameter(place: str, path: str, how: Any) -> Parameter:
-    found = read.fields(place, how, ("grid", *_STEPS, *_DISTRIBUTIONS, "choice", *_OPTIONS))
+    found = _fields(place, how, ("grid", *_STEPS, *_DISTRIBUTIONS, "choice", *_OPTIONS))
     relative = found.pop("relative", False)
     if not isinstance(relative, bool):
-        read.refuse(f"{place}.relative", f"found {read.describe(relative)}", "write true or false")
+        _core.wrong_type(relative, f"{place}.relative", "true or false")
     name = found.pop("name", None)
     if name is None:
         name = column_name(path) + ("_offset" if relative else "")
     if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
-        read.refuse(f"{place}.name", f"found {read.describe(name)}", "write letters, digits and _")
+        _core.wrong_type(name, f"{place}.name", "letters, digits and _")
     if name in (*_TAKEN, *OUTCOMES):
-        read.refuse(place, f'the table already has a column "{name}"', 'give it another "name"')
+        _refuse(place, f'the table already has a column "{name}"', 'give it another "name"')
     parameter = _how(place, path, name, relative, found)
     if relative and (path.removeprefix("strike.") not in STRIKE or parameter.kind != "number"):
         what = "only a strike's numbers can vary relative to the layout's own"
-        read.refuse(f"{place}.relative", what, f"write strike.{', strike.'.join(STRIKE)}")
+        _refuse(f"{place}.relative", what, f"write strike.{', strike.'.join(STRIKE)}")
     return parameter
 
 
 def _how(place: str, path: str, name: str, relative: bool, found: dict[str, Any]) -> Parameter:
     if set(found) == set(_STEPS):
-        ends = read.number(f"{place}.from", found["from"]), read.number(f"{place}.to", found["to"])
-        count = read.whole(f"{place}.count", found["count"], 1, _MOST_STEPS)
+        ends = (
+            _core.read_number(found["from"], f"{place}.from"),
+            _core.read_number(found["to"], f"{place}.to"),
+        )
+        count = _core.read_whole(found["count"], f"{place}.count", 1, _MOST_STEPS)
         return Grid(path, name, "number", relative, steps=(*ends, count))
     if len(found) != 1 or not set(found).isdisjoint(_STEPS):
-        read.refuse(place, "found no single way to vary it", f"write one of {_WAYS}")
+        _refuse(place, "found no single way to vary it", f"write one of {_WAYS}")
     ((way, value),) = found.items()
     at = f"{place}.{way}"
     if way in ("grid", "choice"):
@@ -355,36 +380,36 @@ def _how(place: str, path: str, name: str, relative: bool, found: dict[str, Any]
 def _drawn(place: str, way: str, value: Any) -> tuple[Kind, tuple[float, ...], tuple[float, ...]]:
     meaning = "[mean, sigma]" if way == "normal" else "[from, to]"
     if not isinstance(value, list | tuple) or len(value) != 2:
-        read.refuse(place, f"found {read.describe(value)}", f"write {meaning}")
-    a, b = (read.numbers(f"{place}[{i}]", x) for i, x in enumerate(value))
+        _core.wrong_type(value, place, meaning)
+    a, b = (_numbers(f"{place}[{i}]", x) for i, x in enumerate(value))
     kind: Kind = "list" if isinstance(value[0], list | tuple) else "number"
     if way == "normal" and not isinstance(value[1], list | tuple):
         b = b * len(a)
     if len(a) != len(b):
-        read.refuse(place, f"found {len(a)} and {len(b)} numbers", "write two lists of one length")
+        _refuse(place, f"found {len(a)} and {len(b)} numbers", "write two lists of one length")
     for i, (low, high) in enumerate(zip(a, b, strict=True)):
         at = f"{place}[1]" if kind == "number" else f"{place}[1][{i}]"
         if way == "normal" and high < 0:
-            read.refuse(at, f"{high!r} is not a standard deviation", "write a number ≥ 0")
+            _refuse(at, f"{high!r} is not a standard deviation", "write a number ≥ 0")
         if way != "normal" and high < low:
-            read.refuse(at, f"{high!r} is less than {low!r}", "write the smaller number first")
+            _refuse(at, f"{high!r} is less than {low!r}", "write the smaller number first")
         if way == "log_uniform" and low <= 0:
-            read.refuse(f"{place}[0]", f"{low!r} has no logarithm", "write a number > 0")
+            _refuse(f"{place}[0]", f"{low!r} has no logarithm", "write a number > 0")
     return kind, a, b
 
 
 def _values(place: str, value: Any) -> tuple[Kind, tuple[Any, ...]]:
     if not isinstance(value, list | tuple) or not value:
-        read.refuse(place, f"found {read.describe(value)}", "write a list of values")
+        _core.wrong_type(value, place, "a list of values")
     values = tuple(value)
     if all(_is_number(x) for x in values):
-        return "number", tuple(read.number(f"{place}[{i}]", x) for i, x in enumerate(values))
+        return "number", tuple(_core.read_number(x, f"{place}[{i}]") for i, x in enumerate(values))
     rows = [x for x in values if isinstance(x, list | tuple) and x and all(map(_is_number, x))]
     if len(rows) == len(values) and len({len(row) for row in rows}) == 1:
-        return "list", tuple(read.numbers(f"{place}[{i}]", x) for i, x in enumerate(values))
+        return "list", tuple(_numbers(f"{place}[{i}]", x) for i, x in enumerate(values))
     texts = [as_text(x) for x in values]
     if len(set(texts)) < len(texts):
-        read.refuse(place, "a value occurs twice", "keep one of them")
+        _refuse(place, "a value occurs twice", "keep one of them")
     return "choice", values
 
 
@@ -404,24 +429,24 @@ def column_name(path: str) -> str:
 
 def _samples(found: Mapping[str, Any], parameters: tuple[Parameter, ...]) -> int:
     drawn = [p.path for p in parameters if isinstance(p, Draw)]
-    samples = read.whole("samples", found.get("samples", 1), 1)
+    samples = _core.read_whole(found.get("samples", 1), "samples", 1, _LARGEST)
     if drawn and "samples" not in found:
-        read.refuse("samples", f"the key is missing, and {drawn[0]} is drawn", "write a number")
+        _refuse("samples", f"the key is missing, and {drawn[0]} is drawn", "write a number")
     if not drawn and samples > 1:
-        read.refuse("samples", "nothing is drawn", "leave it out, or draw a parameter in `vary`")
+        _refuse("samples", "nothing is drawn", "leave it out, or draw a parameter in `vary`")
     return samples
 
 
 def _noise(value: Any) -> Noise:
     if isinstance(value, str):
         return Noise.preset(value)
-    given = read.fields("noise", value, (*_SIGMAS, *_OLD_SIGMAS))
+    given = _fields("noise", value, (*_SIGMAS, *_OLD_SIGMAS))
     sigmas = dict.fromkeys(_SIGMAS, 0.0)
     for key, sigma in given.items():
-        x = read.number(f"noise.{key}", sigma)
+        x = _core.read_number(sigma, f"noise.{key}")
         new = _OLD_SIGMAS.get(key, key)
         if new != key and new in given:
-            read.refuse(f"noise.{key}", f"{new} is given too", f"write {new} only")
+            _refuse(f"noise.{key}", f"{new} is given too", f"write {new} only")
         sigmas[new] = x * RADIANS if key.endswith("_deg") else x
     return Noise(*sigmas.values())
 
@@ -439,18 +464,17 @@ def _check_strikes(
     for i, shot in enumerate(layouts):
         if shot.azimuth is None:
             what = f"the shot has no strike, but {struck[0] if struck else 'noise'} needs one"
-            read.refuse(f"shots[{i}]", what, "add a strike to the shot")
+            _refuse(f"shots[{i}]", what, "add a strike to the shot")
 
 
 def _columns(value: Any) -> tuple[str, ...]:
     if value is None:
         return CHOSEN
     if not isinstance(value, list | tuple):
-        read.refuse("columns", f"found {read.describe(value)}", "write a list of names")
+        _core.wrong_type(value, "columns", "a list of names")
     for i, name in enumerate(value):
         if not isinstance(name, str):
-            read.refuse(f"columns[{i}]", f"found {read.describe(name)}", "write a name")
+            _core.wrong_type(name, f"columns[{i}]", "a name")
         if name not in OUTCOMES:
-            remedy = read.nearest(name, tuple(OUTCOMES))
-            read.refuse(f"columns[{i}]", f"there is no outcome {name!r}", remedy)
+            _core.unknown_word(name, f"columns[{i}]", "outcome", tuple(OUTCOMES))
     return tuple(name for name in OUTCOMES if name in value)

@@ -129,8 +129,7 @@ class Sweep:
     def shot(self, row: int) -> Shot:
         """The shot of one row, to look at or to simulate with a trace.
 
-        With noise its strike is the one after the noise. A shot file holds angles in degrees, so
-        some angles differ from the row's by one rounding.
+        With noise its strike is the one after the noise. It simulates to the bits of the row.
 
         Raises:
             InputError: The sweep has no such row, or the row cannot be simulated.

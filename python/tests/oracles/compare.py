@@ -1,4 +1,4 @@
-"""Follows a trace with an oracle and measures how far they part, event by event."""
+"""Follows a trace with an oracle and measures their differences event by event."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ if TYPE_CHECKING:
 
 JSON = dict[str, Any]
 
-#: Events closer than this may be told in either order, s.
+#: Events closer in time than this, s, may be listed in either order.
 TIE = 1e-9
 
 
 @dataclass
 class Worst:
-    """The largest differences met; states are in m, m/s and m/s (spin × radius)."""
+    """The largest differences: of times in s, of states in m, m/s and m/s (spin × radius)."""
 
     time: float = 0.0
     before: float = 0.0
@@ -45,13 +45,13 @@ def differ(a: State, b: State, radius: float) -> float:
 def follow(
     oracle: Any, world: World, events: Sequence[JSON], resync: bool, limit: int | None = None
 ) -> Worst:
-    """Asks the oracle for event after event and compares each with the trace's.
+    """Compares each event of the oracle with the trace's.
 
     With `resync` the oracle takes over the trace's states after each event, so that each event is
-    judged by itself; without, differences grow as the shot makes them.
+    compared separately; without it, differences grow from event to event.
 
     Raises:
-        AssertionError: the oracle sees another event than the trace.
+        AssertionError: The oracle finds another event than the trace has.
     """
     worst = Worst()
     waiting = [e for e in events if e["type"] != "cue-strike"]
@@ -92,13 +92,13 @@ def _match(seen: Happening, waiting: list[JSON]) -> JSON:
         if event["time"] - waiting[0]["time"] > TIE:
             break
     raise AssertionError(
-        f"the oracle sees {seen.key} at {float(seen.time)!r}, "
+        f"the oracle finds {seen.key} at {float(seen.time)!r}, "
         f"the trace {key_of(waiting[0])} at {waiting[0]['time']!r}"
     )
 
 
 def trace_of(oracle: Any, limit: int = 10_000) -> list[JSON]:
-    """The oracle's own events as `carom-trace/1` would list them."""
+    """The oracle's own events, in the form of a `carom-trace/1`."""
     found: list[JSON] = []
     while len(found) < limit and (event := oracle.next()) is not None:
         item: JSON = {"time": float(event.time), "type": event.key[0], "balls": [*event.balls]}

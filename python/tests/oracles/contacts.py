@@ -1,9 +1,10 @@
-"""When a flying ball first meets the table, proved: the roots of each contact's polynomial are
-isolated by Sturm's theorem in exact rational arithmetic, and then refined to 50 digits.
+"""The first contact of a flying ball with the table, with a proof that no earlier one exists.
 
-The squared distance of a parabola from a line is of degree 4 in time, from a plane of degree 2.
-From a circle of radius ρ it is not a polynomial; |p|² + ρ² − R² = 2ρ·(distance from the axis),
-squared, is one of degree 8, whose roots are those of the near and of the far side.
+Sturm's theorem isolates the roots of each contact's polynomial in exact rational arithmetic; then
+they are refined to 50 digits. The squared distance of a parabola from a line is a polynomial of
+degree 4 in time, the distance from a plane of degree 2. The distance from a circle of radius ρ is
+not a polynomial, but the square of |p|² + ρ² − R² = 2ρ·(distance from the axis) is one of degree 8.
+Its roots are those of the near and of the far side of the circle.
 """
 
 from __future__ import annotations
@@ -26,15 +27,15 @@ if TYPE_CHECKING:
 Poly = list[Fraction]
 
 DIGITS = 50
-#: What 50 digits leave of a distance that is 0, m.
+#: Rounding error of a distance that is 0, with 50 digits, m.
 ON_LINE = mpf(10) ** -30
-#: Bits to which a root is bisected before Newton's steps begin.
+#: Number of bisections of a root before Newton's steps.
 BISECTED = 40
 
 
 @dataclass(frozen=True)
 class Meeting:
-    """A contact: when, with what, and how many degrees its polynomial has."""
+    """A contact: its time, what is touched, and the degree of its polynomial."""
 
     time: Any
     key: tuple[str, ...]
@@ -43,7 +44,7 @@ class Meeting:
 
 @dataclass(frozen=True)
 class Shape:
-    """Where `poly` falls to 0 the ball touches, if `valid` says so of the place."""
+    """The ball touches where `poly` falls to 0, if `valid` holds at that place."""
 
     key: tuple[str, ...]
     poly: Poly
@@ -101,7 +102,7 @@ def _shapes(world: World, r: Fraction, path: list[Poly]) -> Iterator[Shape]:
             return bool(off >= -ON_LINE and 0 <= along <= t[0] ** 2 + t[1] ** 2)
 
         yield Shape(rail_key(w), gap, before)
-        # The rubber below an edge recedes: there a centre comes up to the edge's line.
+        # The rubber recedes below an edge, so a centre there reaches the edge's line.
         yield Shape(rail_key(w), off, lambda p, before=before: before(p) and p[2] < under)
     for post in world.posts:
         ends = [[mpf(e[k]) - mpf(post.center[k]) for k in (0, 1)] for e in post.ends]
@@ -136,14 +137,14 @@ def _pocket(hole: Hole, r: Fraction, h: Fraction, path: Any) -> Iterator[Shape]:
 
     lip = _ring(hole.center, hole.radius, r, x, y, z)
     yield Shape(("slate-collision",), lip, lambda p: within(p) and p[2] >= 0)
-    # The wall: how far within the circle of the centres, so that it falls.
+    # The wall, as the distance inside the circle of the centres, so that the polynomial falls.
     above = mpf(h.numerator) / h.denominator
     wall = _minus([(Fraction(hole.radius) - r) ** 2], _round(hole.center, x, y))
     key = ("rail-collision", "liner")
     yield Shape(key, wall, lambda p: within(p) and behind(p) and p[2] <= above)
     yield Shape(("slate-collision",), wall, lambda p: within(p) and not behind(p) and p[2] <= 0)
     for end in hole.wall:
-        # Its upright ends.
+        # The upright ends of the wall.
         post = _minus(_round(end, x, y), [r * r])
         yield Shape(key, post, lambda p: within(p) and not behind(p) and p[2] <= above)
     rim = _ring(hole.center, hole.radius, r, x, y, _minus(z, [h]))
@@ -151,7 +152,7 @@ def _pocket(hole: Hole, r: Fraction, h: Fraction, path: Any) -> Iterator[Shape]:
 
 
 def _ring(center: Any, radius: float, r: Fraction, x: Poly, y: Poly, z: Poly) -> Poly:
-    """Falls where the distance from a horizontal circle falls to r."""
+    """A polynomial that falls to 0 where the distance from a horizontal circle falls to r."""
     rho = Fraction(radius)
     axis = _round(center, x, y)
     s = _plus(_plus(axis, _times(z, z)), [rho * rho - r * r])
@@ -212,7 +213,7 @@ def _trim(c: Poly) -> Poly:
 
 
 def _sturm(c: Poly) -> list[Poly]:
-    """Sturm's chain; each member scaled, so that the numbers stay short."""
+    """Sturm's chain; each member is scaled, so that the numbers stay short."""
     chain = [c, [k * p for k, p in enumerate(c)][1:]]
     while True:
         rest, by = list(chain[-2]), chain[-1]
@@ -235,7 +236,7 @@ def _changes(chain: list[Poly], t: Fraction) -> int:
 
 
 def _falls(c: Poly, end: Fraction) -> Iterator[Any]:
-    """Where c falls through 0 in (0, end], in order."""
+    """The times in (0, end] at which c falls through 0, in order."""
     c = _trim(c)
     if len(c) < 2:
         return
@@ -246,7 +247,7 @@ def _falls(c: Poly, end: Fraction) -> Iterator[Any]:
         if at_low == at_high:
             continue
         if at_low - at_high == 1:
-            # The only root here: c falls through it, or rises.
+            # One root in this interval: c falls or rises through it.
             if _value(c, low) > 0:
                 yield _refined(c, low, high)
             continue
@@ -257,7 +258,7 @@ def _falls(c: Poly, end: Fraction) -> Iterator[Any]:
 
 
 def _refined(c: Poly, low: Fraction, high: Fraction) -> Any:
-    """The only root in an interval through which c falls: bisected, then Newton's."""
+    """The only root in an interval, where c falls: bisection, then Newton's method."""
     for _ in range(BISECTED):
         middle = (low + high) / 2
         if _value(c, middle) > 0:

@@ -1,7 +1,7 @@
-"""The impact laws, from the papers, for any kind of number (float or mpmath's).
+"""The impact laws from the papers, for any kind of number (float or mpmath's).
 
-Written in vectors and from the definitions (velocity of the contact points, impulse, torque), not
-in the engine's components.
+They are written with vectors and from the definitions (velocity of the contact points, impulse,
+torque), not with the engine's components.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ Vec = tuple[Number, Number, Number]
 #: The engine's documented rule at low speed (m/s): restitution is 1 up to the first and the law's
 #: own from the second.
 QUIET, LOUD = 1e-3, 2e-3
-#: The engine's documented rule for the last hop: a ball that would rise less than this stays, m.
+#: The engine's documented rule for the last hop: a ball that would rise less than this, m, stays.
 LAST_HOP = 5e-5
-#: Contacts of a flying ball slower than this, m/s, may be lasting ones: tipping over an edge.
+#: Contacts of a flying ball slower than this, m/s, may be persistent: tipping over an edge.
 PRESSED = 0.1
 
 
 class Functions(Protocol):
-    """What the laws need of a kind of number; the modules `math` and `mpmath.mp` both have it."""
+    """The functions that the laws use; the modules `math` and `mpmath.mp` both have them."""
 
     def sqrt(self, x: Number, /) -> Number: ...
     def exp(self, x: Number, /) -> Number: ...
@@ -63,7 +63,7 @@ def scale(a: Vec, k: Number) -> Vec:
 
 
 def quiet_share(approach: Number) -> Number:
-    """How much of a slow impact is a lossless reflection: 1 below `QUIET`, 0 from `LOUD` up."""
+    """The share of lossless reflection in a slow impact: 1 below `QUIET`, 0 from `LOUD` up."""
     if approach >= LOUD:
         return 0
     if approach <= QUIET:
@@ -79,7 +79,7 @@ def slip_friction(law: Any, slip: Number, fn: Functions) -> Number:
 
 
 def collide(law: dict[str, Any], a: Body, b: Body, fn: Functions = math) -> tuple[Body, Body]:
-    """Two balls that touch, on the cloth or aloft: `elastic` or `frictional` (Coulomb friction)."""
+    """A collision of two balls, on the cloth or in the air: `elastic` or `frictional` (Coulomb)."""
     d = add(b.position, a.position, -1)
     n = scale(d, 1 / fn.sqrt(dot(d, d)))
     relative = add(a.velocity, b.velocity, -1)
@@ -104,7 +104,7 @@ def collide(law: dict[str, Any], a: Body, b: Body, fn: Functions = math) -> tupl
 
 
 def push(ball: Body, towards: Vec, impulse: Vec) -> Body:
-    """A solid sphere after an impulse (kg m/s) at its point in the direction `towards`."""
+    """A solid sphere after an impulse (kg m/s) at its surface point in the direction `towards`."""
     inertia = ball.mass * ball.radius**2 * 2 / 5
     torque = cross(scale(towards, ball.radius), impulse)
     return replace(
@@ -114,14 +114,14 @@ def push(ball: Body, towards: Vec, impulse: Vec) -> Body:
     )
 
 
-#: A liner's wall leans over the hole by this angle, rad, where it throws a ball.
+#: Angle by which a liner's wall leans over the hole in an impact, rad.
 LINER_LEAN = math.radians(15)
 
 
 def rebound_off_wall(law: dict[str, Any], ball: Body, normal: Vec) -> Body:
-    """A ball in the air that meets the round wall of a liner, taken as upright: `normal` is level.
+    """A flying ball that hits the round wall of a liner, detected as upright: `normal` is level.
 
-    It is thrown as by a wall that leans over the hole, unless it falls along that slope.
+    It rebounds as from a wall that leans over the hole, unless it moves away along that slope.
     """
     cos, sin = math.cos(LINER_LEAN), math.sin(LINER_LEAN)
     leaning = (cos * normal[0], cos * normal[1], sin)
@@ -135,10 +135,10 @@ def rebound_off_wall(law: dict[str, Any], ball: Body, normal: Vec) -> Body:
 def rebound(
     law: dict[str, Any], ball: Body, normal: Vec, on_bed: bool, fn: Functions = math
 ) -> Body:
-    """A ball that touches an edge, a wall or a rail's top: `restitution` or `han-2005`.
+    """A ball that hits an edge, a wall or a rail's top: `restitution` or `han-2005`.
 
-    `normal` is the unit vector from the ball's centre to the touched point. On the bed the slate
-    bears the ball: its approach is horizontal, and it never goes on into the rail, nor down.
+    `normal` is the unit vector from the ball's centre to the contact point. On the bed the slate
+    supports the ball: its approach is horizontal, and it moves neither into the rail nor down.
     """
     level = fn.sqrt(normal[0] ** 2 + normal[1] ** 2)
     into: Vec = (normal[0] / level, normal[1] / level, 0) if on_bed else normal
@@ -165,12 +165,12 @@ def rebound(
             tangential = scale(u, -friction / slip)
             impulse = add(impulse, tangential)
             spin_change = scale(cross(normal, tangential), 5 / (2 * ball.radius))
-        # Slate and nose hold the ball as a wedge does.
+        # Slate and nose hold the ball like a wedge.
         left = dot(impulse, into) + approach
         if on_bed and left > 0:
             impulse = add(impulse, into, -left)
         if on_bed:
-            # What the nose presses down, the slate holds.
+            # The slate takes the downward part of the nose's impulse.
             impulse = (impulse[0], impulse[1], max(impulse[2], 0))
     elif law["model"] != "restitution":
         raise NotImplementedError(law["model"])
@@ -184,10 +184,10 @@ def rebound(
 
 
 def bounce(law: dict[str, Any], gravity: Number, ball: Body, fn: Functions = math) -> Body:
-    """A ball that comes down on the slate or on a rail's top.
+    """A ball that lands on the slate or on a rail's top.
 
-    Restitution, and Coulomb friction against the slip, at most what stops it; spin about the
-    vertical stays. What would rise less than `LAST_HOP` stays down.
+    Restitution, and Coulomb friction against the slip, at most until the slip stops; the spin about
+    the vertical stays. A ball that would rise less than `LAST_HOP` stays down.
     """
     fall = -ball.velocity[2]
     e = law["restitution"]
@@ -207,8 +207,8 @@ def bounce(law: dict[str, Any], gravity: Number, ball: Body, fn: Functions = mat
 def settle(law: dict[str, Any], gravity: Number, ball: Body, fn: Functions = math) -> Body:
     """A ball on the slate after an impact there.
 
-    Too slow upwards, or driven down too gently to rise again, it stays. Otherwise it is left as it
-    is: it flies, or bounces next.
+    It stays on the slate if it moves up too slowly, or down too slowly to rise again. Otherwise its
+    velocity is unchanged, and it flies or bounces next.
     """
     up = ball.velocity[2]
     if (up if up >= 0 else law["restitution"] * -up) >= last_hop(gravity, fn):
@@ -217,7 +217,7 @@ def settle(law: dict[str, Any], gravity: Number, ball: Body, fn: Functions = mat
 
 
 def last_hop(gravity: Number, fn: Functions = math) -> Number:
-    """The slowest upward speed that leaves the slate, m/s."""
+    """The least upward speed with which a ball leaves the slate, m/s."""
     return fn.sqrt(2 * gravity * LAST_HOP)
 
 

@@ -1,7 +1,7 @@
-"""Where a ball touches the table: gaps and normals, straight from the shapes.
+"""Gaps and normals between a ball and the table, computed from the shapes.
 
-Positions are arrays of shape (3, …); a gap is how far a ball of radius `r` is from touching, and
-`CLEAR` where the shape is not met from there at all.
+Positions are arrays of shape (3, …). A gap is the distance of a ball of radius `r` from contact; it
+is `CLEAR` where the shape cannot be touched from that place.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
 Array = Any
 
-#: The gap where a shape is not met, m: far enough that no search looks closer.
+#: The gap where a shape cannot be touched, m: large enough that no search looks closer.
 CLEAR = 1.0
-#: A centre that has just come over an edge may stand a rounding before it, m.
+#: A centre that has just crossed an edge may be this far before it by rounding, m.
 EDGE = 1e-12
 
 
@@ -35,7 +35,7 @@ class Place:
 
 
 def places_of(world: World, radius: float) -> list[Place]:
-    """Everything that a flying ball can touch."""
+    """All shapes that a flying ball can touch."""
     h = world.nose_height
     found = [_slate(world, radius)]
     found += [_wall(w, h, radius) for w in world.walls]
@@ -48,14 +48,14 @@ def places_of(world: World, radius: float) -> list[Place]:
 
 
 def edges_of(world: World, radius: float) -> list[Place]:
-    """What a ball on the slate can touch."""
+    """The shapes that a ball on the slate can touch."""
     h = world.nose_height
     walls = [_wall(w, h, radius) for w in world.walls]
     return walls + [_post(p, h, radius) for p in world.posts]
 
 
 def rail_key(piece: Wall | Post) -> tuple[str, ...]:
-    """A piece of the rails in an event's words; a liner belongs to no rail."""
+    """The event key of a piece of the rails; a liner belongs to no rail."""
     if piece.part == "liner":
         return ("rail-collision", "liner")
     return ("rail-collision", piece.rail, piece.part)
@@ -79,7 +79,7 @@ def from_center(p: Array, hole: Any) -> Array:
 
 
 def on_top(world: World, p: Array) -> Array:
-    """Whether the centre is over the rails, outside the line of their edges."""
+    """Whether the centre is above the rails, outside the line of their edges."""
     return ~inside(world.inside, p)
 
 
@@ -104,15 +104,15 @@ def _top(world: World, h: float, radius: float) -> Place:
 
 
 def _from_edge(off: Array, rise: Array, radius: float) -> Array:
-    """From an edge at `off` before it and `rise` above it.
+    """The gap to an edge of a centre at the distance `off` before it and `rise` above it.
 
-    The rubber below recedes: centres more than a radius under the edge come up to its very line.
+    The rubber recedes below the edge, so centres more than a radius below it reach the edge's line.
     """
     return np.where(rise < -radius, off, np.hypot(off, rise) - radius)
 
 
 def _is_before(off: Array, rise: Array, radius: float) -> Array:
-    """Whether a centre stands before an edge; under it, it may just have come through the line."""
+    """Whether a centre is before an edge; below the edge it may just have crossed its line."""
     return off >= np.where(rise < -radius, -radius, -EDGE)
 
 
@@ -132,7 +132,7 @@ def _wall(wall: Wall, h: float, radius: float) -> Place:
     def gap(p: Array) -> Array:
         along = (p[0] - a[0]) * t[0] + (p[1] - a[1]) * t[1]
         off = (p[0] - a[0]) * n[0] + (p[1] - a[1]) * n[1]
-        # Behind the line is the rail's top; beside its ends other edges go on.
+        # Behind the line is the rail's top; beyond its ends other edges continue.
         met = (along >= 0.0) & (along <= length) & _is_before(off, p[2] - h, radius)
         return np.where(met, _from_edge(off, p[2] - h, radius), CLEAR)
 
@@ -166,14 +166,14 @@ def _post(post: Post, h: float, radius: float) -> Place:
 
 
 def _is_at_wall(hole: Hole, p: Array) -> Array:
-    """Whether a point lies on the side of the wall behind the hole."""
+    """Whether a point is at the angles of the wall behind the hole."""
     begins, ends = (np.arctan2(w[1] - hole.center[1], w[0] - hole.center[0]) for w in hole.wall)
     angle = np.arctan2(p[1] - hole.center[1], p[0] - hole.center[0])
     return (angle - begins) % (2 * np.pi) <= (ends - begins) % (2 * np.pi)
 
 
 def _lip(hole: Hole, radius: float) -> Place:
-    """The hole's edge; below the slate's surface its wall, on the table's side."""
+    """The hole's edge, and below the slate's surface its wall on the side of the table."""
 
     def gap(p: Array) -> Array:
         short = hole.radius - from_center(p, hole)
@@ -190,13 +190,13 @@ def _lip(hole: Hole, radius: float) -> Place:
 
 
 def _liner(hole: Hole, h: float, radius: float) -> Place:
-    """The wall behind the hole, and above the rails' tops its upper edge."""
+    """The wall behind the hole, and its upper edge at the height of the rails."""
 
     def gap(p: Array) -> Array:
         short = hole.radius - from_center(p, hole)
         met = _is_at_wall(hole, p) & (short >= 0.0)
         round_ = np.hypot(short, np.maximum(p[2] - h, 0.0)) - radius
-        # Beside the wall its upright ends are met, below the edges that run on from the facings.
+        # Beside the wall a ball touches its upright ends, below the edges after the facings.
         post = np.minimum.reduce([np.hypot(p[0] - e[0], p[1] - e[1]) for e in hole.wall]) - radius
         return np.where(met, round_, np.where((p[2] <= h) & (short >= 0.0), post, CLEAR))
 

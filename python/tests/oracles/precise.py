@@ -1,7 +1,7 @@
 """Oracle B: the event simulation of Leckie & Greenspan with 50 digits (mpmath), and with flight.
 
-Contacts are roots of polynomials, found all at once; no proof, no shortcut, no rounding that
-matters. For a few balls, on endless cloth or between four straight rails.
+All roots of each contact's polynomial are computed, without proofs or shortcuts; rounding errors
+are negligible. It is for a few balls on unbounded cloth or between four straight rails.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 Number = Any
 
 DIGITS = 50
-#: An imaginary part below this is rounding of `polyroots` (double roots keep half the digits).
+#: A smaller imaginary part is a rounding error of `polyroots`; double roots keep half the digits.
 REAL = mpf(10) ** -20
-#: Times this close to zero are the contact that has just been resolved, s.
+#: A root this close to zero, s, is the contact that has just been resolved.
 NOW = mpf(10) ** -25
-#: A flying ball nearer to slate or top than this touches it, m.
+#: A flying ball whose gap to the slate or a rail's top is smaller than this, m, touches it.
 TOUCH = mpf(10) ** -10
 
 
@@ -34,7 +34,7 @@ Three = tuple[Number, Number, Number]
 
 @dataclass(frozen=True)
 class Leg:
-    """The closed-form path of one motion state: r + v t + h t², from `start` for `lasts`."""
+    """The closed-form path r + v t + h t² of one motion state, from `start`, for `lasts`."""
 
     start: Number
     state: State
@@ -44,7 +44,7 @@ class Leg:
 
 
 class Precise:
-    """A shot, advanced event by event from given states."""
+    """A shot that is advanced event by event from given states."""
 
     def __init__(self, world: World, states: Sequence[State], time: float = 0.0) -> None:
         mp.dps = DIGITS
@@ -59,15 +59,15 @@ class Precise:
         self.leg[i] = self._leg(i, _exact(state))
 
     def resume(self, time: float) -> None:
-        """Sets the clock; balls that are not replaced keep their paths."""
+        """Sets the time; balls that are not replaced keep their paths."""
         self.time = mpf(time)
 
     def next(self) -> Happening | None:
-        """Advances to the next event and applies it; None when all is at rest."""
+        """Advances to the next event and applies it; None when all balls are at rest."""
         best: tuple[Number, tuple[str, ...], tuple[int, ...]] | None = None
         for i, leg in enumerate(self.leg):
             if leg.state.motion == "stationary" and self._is_on_top(i, leg.state):
-                # A rail is no place to rest on.
+                # A ball cannot rest on a rail.
                 best = _earlier(best, (self.time, ("off-table", self.world.ids[i]), (i,)))
             if leg.state.motion in ("sliding", "rolling", "spinning"):
                 time = leg.start + leg.lasts
@@ -132,11 +132,11 @@ class Precise:
         )
 
     def _motion(self, i: int) -> tuple[State, Three]:
-        """The path re-centred on the present time."""
+        """The path, with time counted from the present."""
         return self._at(i, self.time), self.leg[i].half
 
     def _coordinate(self, i: int, axis: Sequence[Number], origin: Sequence[Number]) -> list[Number]:
-        """Along an axis of space, as a polynomial in time from now (highest power first)."""
+        """The coordinate along an axis as a polynomial in time from now (highest power first)."""
         state, half = self._motion(i)
         n = len(axis)
         return [
@@ -148,7 +148,7 @@ class Precise:
     # -- event times -----------------------------------------------------------------------------
 
     def _contact(self, i: int, j: int, before: Number | None) -> Number | None:
-        """First contact of two balls: the first root of the quartic at which they approach."""
+        """The first contact of two balls: the first root of the quartic at which they approach."""
         (a, ha), (b, hb) = self._motion(i), self._motion(j)
         if not {a.motion, b.motion} & {"sliding", "rolling", "airborne"}:
             return None
@@ -167,7 +167,7 @@ class Precise:
         return self.time + time
 
     def _table(self, i: int) -> list[tuple[tuple[str, ...], Number]]:
-        """What the ball meets of the table, and when first."""
+        """The pieces of the table that the ball hits, each with its first time."""
         world, name = self.world, self.world.ids[i]
         state = self._at(i, self.time)
         r, h = mpf(world.radius[i]), mpf(world.nose_height)
@@ -219,11 +219,11 @@ class Precise:
         return all(_off(w, s) >= 0 for w in self.world.walls)
 
     def _is_within_noses(self, s: State) -> bool:
-        """Over the line of the edges, with the rounding of a crossing."""
+        """Whether the centre is inside the line of the edges, with the rounding of a crossing."""
         return all(_off(w, s) >= -NOW for w in self.world.walls)
 
     def _faces(self, wall: Wall, s: State) -> bool:
-        """Whether the centre stands before a wall, between its ends."""
+        """Whether the centre is before a wall, between its ends."""
         x, y = (s.position[k] - mpf(wall.start[k]) for k in (0, 1))
         t = [mpf(wall.end[k]) - mpf(wall.start[k]) for k in (0, 1)]
         along = x * t[0] + y * t[1]
@@ -285,7 +285,7 @@ class Precise:
         return laws.Body(mass, radius, s.position, s.velocity, s.spin)
 
     def _take(self, i: int, s: State, body: laws.Body) -> None:
-        """After an impact: a ball that the slate bears stays on it, or leaves it."""
+        """Sets a ball after an impact; a ball that is on the slate stays there or leaves it."""
         down = s.position[2] - body.radius
         if self.world.walls and not self._is_over_bed(s):
             down -= mpf(self.world.nose_height)
@@ -308,7 +308,7 @@ def _three(f: Any) -> Three:
 
 
 def _off(wall: Wall, s: State) -> Number:
-    """How far before a wall's line the centre stands."""
+    """Distance of the centre before a wall's line."""
     return sum((s.position[k] - mpf(wall.start[k])) * mpf(wall.inward[k]) for k in (0, 1))
 
 
@@ -342,12 +342,12 @@ def _value(c: Sequence[Number], t: Number) -> tuple[Number, Number]:
 
 
 def _approaches(c: Sequence[Number]) -> Iterator[Number]:
-    """The t ≥ 0 with f ≤ 0 and f′ < 0, in order, f being given highest power first."""
+    """The times t ≥ 0 with f ≤ 0 and f′ < 0, in order; f is given highest power first."""
     if c[-1] <= NOW and c[-2] < -NOW:
         yield mpf(0)
     meets = [t for t in _real_roots(c) if t > NOW and _value(c, t)[1] < 0]
     if c[-1] < 0:
-        # A rounding inside: what turns back before it is clear meets where it turns.
+        # Bodies overlap by a rounding. If they turn back before they separate, they meet there.
         n = len(c) - 1
         turns = _real_roots([k * (n - p) for p, k in enumerate(c[:-1])])
         meets += [t for t in turns if t > NOW and _value(c, t)[0] < -NOW]

@@ -1,4 +1,4 @@
-"""Random shots with every parameter written out, for oracles that know no presets."""
+"""Random shots with every parameter written out, because the oracles have no presets."""
 
 from __future__ import annotations
 
@@ -49,8 +49,9 @@ def random_shot(
     size: tuple[float, float] = (1.0, 2.0),
     **physics: JSON,
 ) -> JSON:
-    """Balls at random places, of unequal mass and radius for every third seed; two of them move,
-    one of them fast, roughly towards another ball.
+    """Balls at random places; one moves fast towards another ball, and a second one moves slowly.
+
+    For every third seed the balls have different masses and radii.
     """
     rng = np.random.default_rng(seed)
     width, length = size
@@ -74,7 +75,7 @@ def random_shot(
 
 
 def random_flight(seed: int, balls: int, **more: Any) -> JSON:
-    """The same, but the fast ball leaves the cloth at once: thrown up, or dropped from a height."""
+    """Like `random_shot`, but the fast ball starts in the air, thrown up or dropped."""
     shot = random_shot(seed, balls, **more)
     rng = np.random.default_rng([seed, 3])
     ball = shot["balls"][0]
@@ -88,7 +89,7 @@ def random_flight(seed: int, balls: int, **more: Any) -> JSON:
 
 
 def random_stroke(seed: int, balls: int, **more: Any) -> JSON:
-    """Balls at rest, and an elevated cue: draw, follow and side, roughly towards another ball."""
+    """Balls at rest and a strike with an elevated cue and any spin, towards another ball."""
     shot = random_shot(seed, balls, **more)
     rng = np.random.default_rng([seed, 4])
     for ball in shot["balls"]:
@@ -109,7 +110,7 @@ def random_stroke(seed: int, balls: int, **more: Any) -> JSON:
 
 
 def flight_at_a_pocket(seed: int, table: JSON) -> JSON:
-    """A ball that flies at a pocket, and one that rolls into another, among others at rest."""
+    """A ball that flies at a pocket, one that rolls into a pocket, and others at rest."""
     shot = random_shot(seed, 4, table=table["name"], size=tuple(table["size"]))
     rng = np.random.default_rng([seed, 5])
     pockets = table["pockets"]

@@ -1,8 +1,8 @@
 """Oracle A: the force laws, integrated through time (Dormand–Prince of order 8).
 
-Knows no closed form: friction is a force against the slip at this instant, a rolling ball is held
-by its constraint, a flying one falls, and events are found where a gap, a slip or a spin falls
-through zero.
+It uses no closed form. Friction is a force against the present slip, a rolling ball obeys its
+constraint, and a flying ball falls. Events are the times when a gap, a slip or a spin falls through
+zero.
 """
 
 from __future__ import annotations
@@ -23,20 +23,20 @@ if TYPE_CHECKING:
 
 Array = Any
 
-#: Error per step that the integrator may make, relative and absolute (m, m/s, rad/s).
+#: Tolerances of the integrator per step, relative and absolute (m, m/s, rad/s).
 RELATIVE, ABSOLUTE = 1e-13, 1e-14
-#: Longest step, s, and into how many parts it is looked at. At 10 m/s a ball moves 1 cm between
-#: looks, and what dips below zero between two looks is searched for.
+#: Longest step, s, and number of samples of each step. At 10 m/s a ball moves 1 cm between two
+#: samples; a value that may dip below zero between two samples is minimised.
 STEP, LOOKS = 0.008, 8
-#: Gap below which two bodies touch, m.
+#: Bodies with a smaller gap than this, m, touch.
 TOUCH = 1e-10
 
 
-#: Bodies that touch meet if they come nearer faster than this, m/s.
+#: Touching bodies collide if they approach faster than this, m/s.
 PARTED = 1e-12
-#: Rates below this are rounding, m/s, where a ball comes level over an edge.
+#: Rates below this, m/s, are rounding errors where a ball passes level over an edge.
 LEVEL = 1e-9
-#: When it is looked whether such a ball has come nearer, s: it falls 50 nm by then.
+#: Time after which such a ball is checked for approach, s; it falls 50 nm in it.
 SOON = 1e-4
 
 ON_CLOTH = ("sliding", "rolling", "spinning", "stationary")
@@ -44,7 +44,7 @@ ON_CLOTH = ("sliding", "rolling", "spinning", "stationary")
 
 @dataclass(frozen=True)
 class Watch:
-    """Something that happens where `value` falls through zero."""
+    """A possible event: it happens when `value` falls through zero."""
 
     key: tuple[str, ...]
     balls: tuple[int, ...]
@@ -54,13 +54,13 @@ class Watch:
 
 
 class Stepping:
-    """A shot, advanced event by event from given states."""
+    """A shot that is advanced event by event from given states."""
 
     def __init__(self, world: World, states: Sequence[State], time: float = 0.0) -> None:
         self.world = world
         self.time = time
         n = len(world.ids)
-        #: Positions, velocities and spins, one column a ball.
+        #: Positions, velocities and spins; one column per ball.
         self.y = np.zeros((9, n))
         self.motion = [""] * n
         self.radius = np.array(world.radius)
@@ -79,7 +79,7 @@ class Stepping:
         return State((x, y, z), (vx, vy, vz), (wx, wy, wz), self.motion[i])
 
     def next(self) -> Happening | None:
-        """Advances to the next event and applies it; None when all is at rest."""
+        """Advances to the next event and applies it; None when all balls are at rest."""
         while True:
             watches = self._watches()
             if not watches:
@@ -108,8 +108,8 @@ class Stepping:
             d[0:2] = y[3:5] * (sliding | rolling | flying)
             d[2] = y[5] * flying
             d[5] = -g * flying
-            # Past the instant at which slip or speed vanishes the force goes on as it was, so that
-            # the integrator may step over that instant, which is then found as a root.
+            # The force continues unchanged after slip or speed vanishes, so that the integrator can
+            # step over that instant, which is then found as a root.
             u = _unit(_slip(y, r), u0)
             force = -cloth["sliding_friction"] * g * u * sliding
             d[3:5] += force
@@ -133,7 +133,7 @@ class Stepping:
         moving = [m in ("sliding", "rolling", "airborne") for m in self.motion]
         for i, motion in enumerate(self.motion):
             if motion == "stationary" and self._is_on_top(i):
-                # A rail is no place to rest on.
+                # A ball cannot rest on a rail.
                 return [Watch(("off-table", ids[i]), (i,), lambda y: np.asarray(-1.0))]
             if motion == "sliding":
                 u0 = _slip(self.y, r)[:, i].copy()
@@ -185,11 +185,11 @@ class Stepping:
         return bool(self.y[2, i] > self.radius[i] + self.world.nose_height / 2)
 
     def _ends_of_the_top(self, i: int) -> list[Watch]:
-        """A ball on a rail's top comes to its edge, or to the table's border."""
+        """The events of a ball on a rail's top: it reaches the edge or the table's border."""
         outline = self.world.inside
 
         def from_edge(y: Array) -> Array:
-            """Distance to the nearest straight piece of the edges' line, negative inside it."""
+            """Distance to the nearest straight piece of the edges' line; negative inside it."""
             p = y[0:2, i]
             nearest = np.full(np.shape(p[0]), np.inf)
             a = np.array(outline[-1])
@@ -216,7 +216,7 @@ class Stepping:
         return Watch(("off-table", self.world.ids[i]), (i,), within)
 
     def _fates(self, i: int) -> list[Watch]:
-        """A flying ball leaves the table, or falls where it cannot come back from."""
+        """The final events of a flying ball: it leaves the table or falls into a pocket."""
         found = [self._border(i)] if self.world.border is not None else []
         depth = 0.0 if self._is_trapped(i) else -self.radius[i]
         for hole in self.world.holes:
@@ -229,7 +229,7 @@ class Stepping:
         return found
 
     def _is_trapped(self, i: int) -> bool:
-        """Whether its energy cannot lift the ball back on the slate."""
+        """Whether the ball has too little energy to return to the slate."""
         v, w, r = self.y[3:6, i], self.y[6:9, i], self.radius[i]
         energy = v @ v / 2 + w @ w * r * r / 5 + self.world.gravity * self.y[2, i]
         return bool(energy < self.world.gravity * r)
@@ -249,7 +249,7 @@ class Stepping:
         return None
 
     def _rate_of(self, watch: Watch) -> float:
-        """How fast a gap grows at this instant, by the bodies' motion."""
+        """The present rate of growth of a gap, from the bodies' velocities."""
         if watch.place is None:
             i, j = watch.balls
             d = self.y[0:3, j] - self.y[0:3, i]
@@ -258,7 +258,7 @@ class Stepping:
         return -float(watch.place.normal(self.y[0:3, i]) @ self.y[3:6, i])
 
     def _presses(self, watch: Watch) -> bool:
-        """Whether what comes level over an edge, or along a round wall, is pressed on it."""
+        """Whether a ball that moves level over an edge, or along a round wall, presses on it."""
         if watch.place is None or watch.place.key[-1] in ("slate-collision", "top"):
             return False
         if self.motion[watch.balls[0]] != "airborne":
@@ -269,7 +269,7 @@ class Stepping:
         return bool(watch.place.gap(soon) < 0.0)
 
     def _search(self, watches: list[Watch]) -> Watch:
-        """Integrates to the first instant at which a watched value falls through zero."""
+        """Integrates to the first time at which a watched value falls through zero."""
         shape = self.y.shape
         solver = DOP853(
             self._forces(), self.time, self.y.ravel(), np.inf,
@@ -287,7 +287,7 @@ class Stepping:
             for k, w in enumerate(watches):
                 values = np.array(w.value(looks))
                 if touching[k]:
-                    # Just touched, and parting: it counts again once it is clear.
+                    # The bodies touch and separate; a new contact needs a clear gap first.
                     values[0] = TOUCH
                     touching[k] = False
                 time = _first_fall(w, values, times, dense, shape)
@@ -365,7 +365,7 @@ class Stepping:
         return laws.Body(self.world.mass[i], self.world.radius[i], s.position, s.velocity, s.spin)
 
     def _take(self, i: int, body: laws.Body) -> None:
-        """After an impact: a ball that the slate bears stays on it, or leaves it."""
+        """Sets a ball after an impact; a ball that is on the slate stays there or leaves it."""
         borne = self.motion[i] in ON_CLOTH or self._is_down(i)
         if borne:
             body = laws.settle(self.world.physics["slate"], self.world.gravity, body)
@@ -390,14 +390,14 @@ def _slip(y: Array, r: Array) -> Array:
 
 
 def _unit(v: Array, before: Array) -> Array:
-    """v/|v|, turned round where v points against `before`; 0 where v is 0."""
+    """v/|v|, reversed where v points against `before`; 0 where v is 0."""
     size = np.hypot(v[0], v[1])
     size = np.where(size == 0.0, 1.0, size)
     return v / size * np.where((v * before).sum(axis=0) < 0.0, -1.0, 1.0)
 
 
 def _along(v0: Array, r: Array, i: int, slip: bool) -> Callable[[Array], Array]:
-    """The part of slip or velocity along what it was at first."""
+    """The component of slip or velocity along its initial direction."""
     n = v0 / np.hypot(*v0)
 
     def value(y: Array) -> Array:
@@ -419,7 +419,7 @@ def _first_fall(
     for k in range(len(times) - 1):
         if values[k] > 0.0 >= values[k + 1]:
             low = times[k]
-            # A body that has just parted from this one starts inside by a rounding.
+            # Bodies that have just separated may start with an overlap by rounding.
             while at(low) <= 0.0:
                 low += 0.01 * (times[k + 1] - low)
                 if times[k + 1] - low < 1e-12:

@@ -1,7 +1,8 @@
-"""When a flying ball first meets the table: the engine's times against exact arithmetic.
+"""The time when a flying ball first hits the table, compared with exact arithmetic.
 
 The reference isolates the roots of each contact's polynomial, of degree 2 to 8, by Sturm's theorem
-in rational numbers, so that none is missed, and refines them to 50 digits.
+in rational numbers, so that no root is missed, and refines them to 50 digits. The shapes of the
+table come from the engine (`carom.tables()`).
 """
 
 from __future__ import annotations
@@ -22,20 +23,20 @@ from oracles.world import State, World, geometry_of, key_of, state_of, world_of
 
 JSON = dict[str, Any]
 
-#: Largest error of a time, as the way that the ball goes in it, m: a few roundings of a position.
-#: Where a ball grazes an edge, time is as uncertain as the root of that.
+#: Largest error of a time, as the distance that the ball moves in it, m: a few roundings of a
+#: position. At a grazing contact the error of the time grows as the square root of a rounding.
 WAY = 1e-14
 #: Largest gap at the engine's contact, m.
 GAP = 2e-15
-#: Slower than this along the contact's normal, m/s, a ball grazes.
+#: A contact whose speed along the normal is below this, m/s, is grazing.
 GRAZE = 0.02
-#: How long a flight is followed, s: longer than any of these lasts.
+#: Time for which a flight is followed, s; every flight here is shorter.
 HORIZON = 2.0
 
 
 @dataclass(frozen=True)
 class Case:
-    """A flight, and the table that it is flown at."""
+    """A flight and the table under it."""
 
     shot: JSON
     world: World
@@ -43,7 +44,7 @@ class Case:
 
 
 def cases(name: str, seed: int, count: int) -> list[Case]:
-    """Flights that come down near the edges: aimed at pockets' rims, at jaws and at noses."""
+    """Flights that land near edges: at the rims of pockets, at jaws and at noses."""
     table = next(table for table in carom.tables() if table["name"] == name)
     geometry = geometry_of(table)
     size = np.array(table["size"])
@@ -67,7 +68,7 @@ def cases(name: str, seed: int, count: int) -> list[Case]:
 
 @dataclass
 class Worst:
-    """What was met, and the largest differences."""
+    """The contacts, counted by kind, and the largest differences."""
 
     met: Counter[str]
     time: float = 0.0
@@ -81,7 +82,7 @@ def judge(made: list[Case]) -> Worst:
         event = carom.Shot.from_dict(case.shot).simulate().to_dict()["events"][0]
         expected = first_meeting(case.world, RADIUS, case.state, HORIZON)
         if event["type"] in ("off-table", "pocket-collision"):
-            # No contact: it flies over the rails, or falls through the hole's middle.
+            # No contact: the ball flies over the rails, or falls through the middle of the hole.
             assert expected is None or float(expected.time) > event["time"] - WAY, case.shot
             continue
         assert expected is not None, case.shot
@@ -105,7 +106,7 @@ def judge(made: list[Case]) -> Worst:
 
 
 @pytest.mark.parametrize(("name", "count"), [("wpa-9ft", 40), ("snooker-12ft", 20)])
-def test_a_flight_meets_the_table_when_and_where_exact_arithmetic_says(
+def test_a_flight_hits_the_table_when_and_where_exact_arithmetic_says(
     name: str, count: int
 ) -> None:
     worst = judge(cases(name, 1, count))
@@ -114,6 +115,6 @@ def test_a_flight_meets_the_table_when_and_where_exact_arithmetic_says(
 
 @pytest.mark.stress
 @pytest.mark.parametrize("name", ["wpa-9ft", "snooker-12ft", "english-7ft"])
-def test_thousands_of_flights_do(name: str) -> None:
+def test_thousands_of_flights_hit_the_table_when_exact_arithmetic_says(name: str) -> None:
     worst = judge(cases(name, 2, 2000))
     assert {k.split()[-1] for k in worst.met} == {"2", "4", "8"}

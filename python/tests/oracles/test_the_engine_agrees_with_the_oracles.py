@@ -1,8 +1,9 @@
-"""The engine against two oracles that share nothing with it, event by event.
+"""The engine compared event by event with two oracles, which share no code with it.
 
 `stepping` integrates the force laws through time; `precise` solves event times with 50 digits. Both
-take over the engine's states after each event, so that each event is judged by itself; for a few
-events they also run alone.
+take over the engine's states after each event, so that each event is compared separately; for a
+few events they also run alone. The oracles take the geometry of tables with pockets and the state
+after a strike from the engine; `oracles/__init__.py` lists the models that they cover.
 """
 
 from __future__ import annotations
@@ -30,11 +31,11 @@ if TYPE_CHECKING:
 
 JSON = dict[str, Any]
 
-#: What the integrator gives at each event, m, m/s, s (its tolerance is 1e-13 a step).
+#: Accuracy of the integrator at each event, m, m/s, s (its tolerance is 1e-13 per step).
 STEPPED = 1e-10
-#: What doubles give at each event against 50 digits: a few roundings, more where balls graze.
+#: Accuracy of doubles at each event against 50 digits: a few roundings, more at grazing contacts.
 EXACT = 1e-13
-#: A shot multiplies differences: a few events later.
+#: The same after a few events without resynchronisation, because a shot magnifies differences.
 ALONE = 1e-8
 
 UNBOUNDED: JSON = {"cloth": "unbounded"}
@@ -48,12 +49,12 @@ def play(shot: JSON) -> list[JSON]:
 
 
 def struck(events: list[JSON]) -> JSON | None:
-    """The strike, which the oracles do not play."""
+    """The strike, which the oracles do not simulate."""
     return next((e for e in events if e["type"] == "cue-strike"), None)
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_the_force_laws_integrated_through_time_give_the_engines_events(seed: int) -> None:
+def test_integrating_the_force_laws_gives_the_engines_events(seed: int) -> None:
     shot = random_shot(seed, balls=6)
     world = world_of(shot)
     worst = follow(Stepping(world, start_of(shot)), world, play(shot), resync=True)
@@ -65,7 +66,7 @@ def pocket_table(name: str) -> JSON:
     return next(table for table in carom.tables() if table["name"] == name)
 
 
-#: Shots that meet points and facings, or fall, or both.
+#: Shots with contacts at points and facings, or with pocketed balls, or both.
 AMONG_JAWS = [
     *(("wpa-9ft", seed) for seed in (8, 15, 17, 45, 47, 49)),
     *(("snooker-12ft", seed) for seed in (5, 9, 33, 57)),
@@ -73,7 +74,7 @@ AMONG_JAWS = [
 
 
 @pytest.mark.parametrize(("name", "seed"), AMONG_JAWS)
-def test_they_give_them_among_jaws_and_pockets(name: str, seed: int) -> None:
+def test_integration_gives_the_engines_events_at_jaws_and_pockets(name: str, seed: int) -> None:
     table = pocket_table(name)
     shot = random_shot(seed, 6, table=name, size=tuple(table["size"]))
     events = play(shot)
@@ -85,7 +86,9 @@ def test_they_give_them_among_jaws_and_pockets(name: str, seed: int) -> None:
 
 @pytest.mark.parametrize("make", [random_flight, random_stroke])
 @pytest.mark.parametrize("seed", range(6))
-def test_they_give_them_for_balls_that_fly(seed: int, make: Callable[..., JSON]) -> None:
+def test_integration_gives_the_engines_events_of_flying_balls(
+    seed: int, make: Callable[..., JSON]
+) -> None:
     shot = make(seed, balls=5)
     events = play(shot)
     assert any(e["type"] == "slate-collision" for e in events)
@@ -96,7 +99,7 @@ def test_they_give_them_for_balls_that_fly(seed: int, make: Callable[..., JSON])
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_an_elevated_cue_strikes_as_leckie_and_greenspan_say(seed: int) -> None:
+def test_a_strike_with_an_elevated_cue_follows_leckie_and_greenspan(seed: int) -> None:
     shot = random_stroke(seed, balls=2)
     played = struck(play(shot))
     assert played is not None
@@ -110,7 +113,7 @@ def test_an_elevated_cue_strikes_as_leckie_and_greenspan_say(seed: int) -> None:
     assert state.spin == pytest.approx(body.spin, abs=EXACT / ball["radius"])
 
 
-#: Flights among jaws: over the lip, against points, facings and liners, on the rails' tops.
+#: Flights at pockets: over the lip, against points, facings and liners, on the rails' tops.
 FLYING_AMONG_JAWS = [
     *(("wpa-9ft", seed) for seed in range(7)),
     *(("snooker-12ft", seed) for seed in range(3)),
@@ -118,7 +121,7 @@ FLYING_AMONG_JAWS = [
 
 
 @pytest.mark.parametrize(("name", "seed"), FLYING_AMONG_JAWS)
-def test_they_give_them_for_flights_among_jaws_and_pockets(name: str, seed: int) -> None:
+def test_integration_gives_the_engines_events_of_flights_at_pockets(name: str, seed: int) -> None:
     table = pocket_table(name)
     shot = flight_at_a_pocket(seed, table)
     events = play(shot)
@@ -128,14 +131,14 @@ def test_they_give_them_for_flights_among_jaws_and_pockets(name: str, seed: int)
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_they_give_them_alone_for_a_few_events(seed: int) -> None:
+def test_integration_alone_gives_the_first_events(seed: int) -> None:
     shot = random_shot(seed, balls=6)
     world = world_of(shot)
     worst = follow(Stepping(world, start_of(shot)), world, play(shot), resync=False, limit=6)
     assert worst.largest < ALONE, worst
 
 
-#: On the cloth, thrown or dropped, and struck by a raised cue.
+#: On the cloth, thrown or dropped, and struck by an elevated cue.
 EXACT_SHOTS = [
     *((random_shot, seed) for seed in range(8)),
     *((random_flight, seed) for seed in range(4)),

@@ -1,5 +1,7 @@
-"""Before they judge the engine: a time-stepping integrator and a 50-digit event simulation, which
-share only the impact laws, tell the same story.
+"""The two oracles agree with each other before they judge the engine.
+
+One is a time-stepping integrator, the other a 50-digit event simulation. They share the impact
+laws, the reading of shots and the description of the table.
 """
 
 from __future__ import annotations
@@ -17,15 +19,13 @@ from oracles.world import start_of, world_of
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-#: What the integrator can give, m and s: its tolerances, and roots near grazing contacts.
+#: Accuracy of the integrator, m and s, limited by its tolerances and by roots at grazing contacts.
 ACCURACY = 1e-9
 
 
 @pytest.mark.parametrize("make", [random_shot, random_flight])
 @pytest.mark.parametrize("seed", range(4))
-def test_stepping_and_precise_tell_the_same_story_event_by_event(
-    seed: int, make: Callable[..., Any]
-) -> None:
+def test_both_oracles_find_the_same_events(seed: int, make: Callable[..., Any]) -> None:
     shot = make(seed, balls=3)
     world = world_of(shot)
     events = trace_of(Precise(world, start_of(shot)), limit=25)

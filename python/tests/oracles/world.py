@@ -1,4 +1,4 @@
-"""A shot, as the two oracles read it."""
+"""A shot in the form that both oracles use."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Point = tuple[float, float]
 
 @dataclass(frozen=True)
 class Wall:
-    """A straight edge of a cushion, at the nose's height; `inward` points to the playing area."""
+    """A straight edge of a cushion at the nose's height; `inward` points to the playing area."""
 
     rail: str
     start: tuple[float, float]
@@ -25,7 +25,7 @@ class Wall:
 
 @dataclass(frozen=True)
 class Post:
-    """A round edge of a cushion, bulging to the playing area, between two ends."""
+    """A round edge of a cushion between two ends, convex towards the playing area."""
 
     rail: str
     center: tuple[float, float]
@@ -36,9 +36,9 @@ class Post:
 
 @dataclass(frozen=True)
 class Hole:
-    """A pocket: a hole in the slate, and round the back of it a wall up to the rails' tops.
+    """A pocket: a hole in the slate, with a wall behind it up to the rails' tops.
 
-    `wall` is where that wall begins and ends, counter-clockwise: where the facings' lines meet it.
+    `wall` has the two ends of that wall, counter-clockwise, where the facings' lines meet it.
     """
 
     name: str
@@ -49,10 +49,10 @@ class Hole:
 
 @dataclass(frozen=True)
 class World:
-    """Everything about a shot that does not change.
+    """Everything in a shot that does not change.
 
-    `inside` is the polygon of edges that the rails' tops begin behind; `border` the outer rectangle
-    (x and y from, x and y to) that they end at.
+    The rails' tops lie between the polygon of edges `inside` and the outer rectangle `border`
+    (least x and y, largest x and y).
     """
 
     ids: list[str]
@@ -82,7 +82,7 @@ class World:
 
 
 def world_of(shot: JSON, geometry: JSON | None = None) -> World:
-    """Reads a shot whose physics is written out in full (no preset is known here).
+    """Reads a shot whose physics is written out in full, without presets.
 
     The table is unbounded cloth or a plain rectangle, unless `geometry` gives its edges, holes,
     border and nose height.
@@ -117,14 +117,15 @@ def _border(size: Any, rail: float) -> tuple[float, float, float, float]:
     return (-rail, -rail, size[0] + rail, size[1] + rail)
 
 
-#: Into how many straight pieces an arc of the polygon `World.inside` is cut: its sagitta is then
-#: below 10 µm, and only where a ball touches an edge's very line could it matter.
+#: Number of straight pieces of an arc in the polygon `World.inside`. Their sagitta is below 10 µm,
+#: which matters only where a ball touches exactly the line of an edge.
 PIECES = 64
 
 
 def geometry_of(table: JSON) -> JSON:
-    """Edges and holes of a table as `carom.tables()` lists it: rails counter-clockwise, and of each
-    its nose between the points and, where it has them, the facings.
+    """Edges and holes of a table from `carom.tables()`, which lists rails counter-clockwise.
+
+    Each rail has its nose, between its points and, where it has them, its facings.
     """
     rails = [list(group) for _, group in groupby(table["cushions"], key=lambda c: c["rail"])]
     walls: list[Wall] = []
@@ -135,7 +136,7 @@ def geometry_of(table: JSON) -> JSON:
         nose = next(m for m, c in enumerate(rail) if c["part"] == "nose")
         for m, c in enumerate(rail):
             a, b = tuple(c["start"]), tuple(c["end"])
-            # Before the nose the pieces are listed from their ends at the nose.
+            # Pieces before the nose are listed from their ends at the nose.
             way = (b, a) if m < nose else (a, b)
             if "center" in c:
                 posts.append(Post(c["rail"], tuple(c["center"]), c["radius"], (a, b)))
@@ -144,7 +145,7 @@ def geometry_of(table: JSON) -> JSON:
                 along = _direction(*way)
                 walls.append(Wall(c["rail"], a, b, (-along[1], along[0]), c["part"]))
                 inside += way
-        # The pocket that follows: its liner runs on behind both jaws, and then round the hole.
+        # The next pocket: its liner continues behind both jaws and then around the hole.
         here, there = rail[-1], rails[(k + 1) % len(rails)][0]
         hole = min(table["pockets"], key=lambda h: math.dist(h["center"], here["end"]))
         ends = []
@@ -167,7 +168,7 @@ def geometry_of(table: JSON) -> JSON:
 
 
 def _deep_end(jaw: JSON) -> tuple[Point, Point]:
-    """Where a jaw ends, and which way it goes there."""
+    """The deep end of a jaw, and its direction there."""
     a, b = tuple(jaw["start"]), tuple(jaw["end"])
     if "center" not in jaw:
         return b, _direction(a, b)
@@ -178,7 +179,7 @@ def _deep_end(jaw: JSON) -> tuple[Point, Point]:
 
 
 def _leaves(deep: Point, down: Point, hole: JSON) -> Point:
-    """Where a line leaves the hole's disc."""
+    """The point where a line leaves the hole's disc."""
     d = (deep[0] - hole["center"][0], deep[1] - hole["center"][1])
     half = d[0] * down[0] + d[1] * down[1]
     square = half * half - (d[0] ** 2 + d[1] ** 2 - hole["radius"] ** 2)
@@ -187,7 +188,7 @@ def _leaves(deep: Point, down: Point, hole: JSON) -> Point:
 
 
 def _arc(center: Any, a: Any, b: Any, outward: bool = False) -> list[Point]:
-    """The shorter way round from a to b; `outward`, counter-clockwise."""
+    """Points of the shorter arc from a to b; with `outward`, of the counter-clockwise arc."""
     start = math.atan2(a[1] - center[1], a[0] - center[0])
     turn = math.remainder(math.atan2(b[1] - center[1], b[0] - center[0]) - start, 2 * math.pi)
     if outward:
@@ -209,7 +210,7 @@ def _direction(a: Point, b: Point) -> Point:
 
 @dataclass(frozen=True)
 class State:
-    """A ball at one instant, in the trace's words."""
+    """A ball at one instant, as in a trace."""
 
     position: tuple[Number, Number, Number]
     velocity: tuple[Number, Number, Number]
@@ -219,10 +220,10 @@ class State:
 
 @dataclass(frozen=True)
 class Happening:
-    """An event, in the trace's words; `key` names what happened without the numbers.
+    """An event as in a trace; `key` identifies it without numbers.
 
-    `gentle` contacts are so slow, or so pressed, that the engine's rules for lasting contacts may
-    decide their outcome.
+    `gentle` contacts are so slow, or press so lightly, that the engine's rules for persistent
+    contacts may decide their result.
     """
 
     time: Number
@@ -234,7 +235,7 @@ class Happening:
 
 
 def start_of(shot: JSON, played: JSON | None = None) -> list[State]:
-    """The balls at time 0; the struck one as the trace's event `played` leaves it."""
+    """The balls at time 0; the struck ball in the state after the trace's strike `played`."""
     radius = shot["physics"]["ball"]["radius"]
     states = []
     for b in shot["balls"]:
@@ -250,7 +251,7 @@ def start_of(shot: JSON, played: JSON | None = None) -> list[State]:
 
 
 def motion_of(v: Any, w: Any, radius: Number, rounding: float = 1e-12) -> str:
-    """The motion state that a ball's velocities mean; slip below `rounding` of them is none."""
+    """The motion state of a ball from its velocities; slip below `rounding` of them counts as 0."""
     slip = (v[0] - radius * w[1]) ** 2 + (v[1] + radius * w[0]) ** 2
     speeds = v[0] ** 2 + v[1] ** 2 + radius**2 * (w[0] ** 2 + w[1] ** 2)
     if slip > rounding**2 * speeds:
@@ -261,7 +262,7 @@ def motion_of(v: Any, w: Any, radius: Number, rounding: float = 1e-12) -> str:
 
 
 def state_of(item: JSON) -> State:
-    """A ball of a trace."""
+    """The state of a ball of a trace."""
     return State(
         tuple(item["position"]),
         tuple(item["velocity"]),
@@ -271,10 +272,10 @@ def state_of(item: JSON) -> State:
 
 
 def key_of(event: JSON) -> tuple[str, ...]:
-    """What happened, without the numbers."""
+    """The key of an event: what happened, without numbers."""
     kind = event["type"]
     if kind == "rail-collision":
-        # The top and the liner are one piece each: which rail is nearest is the engine's to say.
+        # The top and the liner are one piece each here, while the engine names the nearest rail.
         rail = () if event["part"] in ("top", "liner") else (event["rail"],)
         return (kind, *event["balls"], *rail, event["part"])
     if kind == "motion-transition":

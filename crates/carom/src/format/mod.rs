@@ -22,5 +22,6 @@ mod trace;
 
 pub use key_path::KeyPath;
 pub use node::Node;
+pub use read::Reader;
 pub use shot::{SHOT_FORMAT, ShotFile};
 pub use trace::TRACE_FORMAT;

@@ -3,6 +3,7 @@
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
+use core::fmt::Display;
 
 use super::node::Node;
 use crate::error::Error;
@@ -11,6 +12,51 @@ use crate::range::{Range, describe_number};
 /// A parameter smaller than this, whatever its unit, is read as 0: its square would underflow, and
 /// quotients by it overflow. −0 is read as 0 too, because 1/−0 is not 1/0.
 const VANISHING: f64 = 1e-150;
+
+/// Reads a value of another file format by the rules of shot files, with the same error messages.
+#[derive(Clone, Debug)]
+pub struct Reader<'a>(At<'a>);
+
+impl<'a> Reader<'a> {
+    /// A reader of `node`; `place` is its path in the file, such as `vary.strike.speed`.
+    pub fn new(node: &'a Node, place: &str) -> Self {
+        Self(At { node, place: place.into() })
+    }
+
+    /// Checks that the value is an object without unknown keys.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with the first unknown key and the known key that is most like it.
+    pub fn keys(&self, known: &[&str]) -> Result<(), Error> {
+        self.0.fields(known).map(drop)
+    }
+
+    /// The value as a finite number.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if it is not one, or larger than any number of a shot file.
+    pub fn number(&self) -> Result<f64, Error> {
+        self.0.number(&Range::any(""))
+    }
+
+    /// The value as a whole number from `low` up to `high`.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if it is not one.
+    pub fn whole(&self, low: i64, high: i64) -> Result<i64, Error> {
+        self.0.whole(low, high)
+    }
+
+    /// The error of a value of a wrong type; `wanted` says what to write.
+    pub fn wrong_type(&self, wanted: &str) -> Error {
+        self.0.wrong_type(wanted)
+    }
+
+    /// The error of an unknown word; `kind` is what the `known` words are.
+    pub fn unknown_word(&self, word: &str, kind: &str, known: &[&str]) -> Error {
+        self.0.unknown_word(word, kind, known)
+    }
+}
 
 /// A node and its place in the input.
 #[derive(Clone, Debug)]
@@ -45,7 +91,7 @@ impl<'a> At<'a> {
     }
 
     /// The fields of an object; unknown keys are refused.
-    pub(crate) fn fields(&self, allowed: &'static [&'static str]) -> Result<Fields<'a>, Error> {
+    pub(crate) fn fields(&self, allowed: &[&str]) -> Result<Fields<'a>, Error> {
         let Node::Object(fields) = self.node else {
             return Err(self.wrong_type("an object {...}"));
         };
@@ -111,7 +157,10 @@ impl<'a> At<'a> {
     }
 
     /// A whole number from `low` up to `high`.
-    pub(crate) fn whole(&self, low: u32, high: u32) -> Result<u32, Error> {
+    pub(crate) fn whole<T>(&self, low: T, high: T) -> Result<T, Error>
+    where
+        T: TryFrom<i64> + PartialOrd + Display,
+    {
         let wanted = format!("a whole number from {low} to {high}");
         let i = match self.node {
             Node::Integer(i) => *i,
@@ -124,7 +173,7 @@ impl<'a> At<'a> {
             }
             _ => return Err(self.wrong_type(&wanted)),
         };
-        match u32::try_from(i) {
+        match T::try_from(i) {
             Ok(i) if (low..=high).contains(&i) => Ok(i),
             _ => Err(self.refuse(format!("{i} is out of range"), format!("write {wanted}"))),
         }
@@ -183,7 +232,7 @@ impl<'a> At<'a> {
     }
 
     /// The error for `word`, which is not one of the `known` ones.
-    pub(crate) fn unknown_word(&self, word: &str, kind: &str, known: &[&'static str]) -> Error {
+    pub(crate) fn unknown_word(&self, word: &str, kind: &str, known: &[&str]) -> Error {
         let remedy = match nearest(word, known) {
             Some(near) => format!("did you mean \"{near}\"? (known: {})", quoted(known)),
             None => format!("write one of {}", quoted(known)),
@@ -248,7 +297,7 @@ fn describe(node: &Node) -> String {
 }
 
 /// The known word that `word` was most likely meant to be.
-fn nearest(word: &str, known: &[&'static str]) -> Option<&'static str> {
+fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     // Up to a third of the letters wrong is a typing error; more is another word.
     let slips = (word.chars().count() / 3).max(2);
     let extends = |k: &&&str| word.len() >= 3 && (k.starts_with(word) || word.starts_with(**k));

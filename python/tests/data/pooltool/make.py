@@ -1,10 +1,10 @@
-"""Makes the systems of this folder in the present one, with pooltool-billiards 0.6.0."""
+"""Writes the systems of this folder to the current folder, with pooltool-billiards 0.6.0."""
 
 import math
 
 import pooltool as pt
 
-# A ball on the left, cut into the top right pocket.
+# A ball on the left half of the table, cut into the top right pocket.
 CUE, OBJECT = (0.45, 0.6), (0.62, 1.2)
 balls = {
     "cue": pt.Ball.create("cue", xy=CUE),
