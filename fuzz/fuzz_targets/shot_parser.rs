@@ -1,4 +1,4 @@
-//! Any text is either a shot, which reads back to itself, or bad input with a sentence about it.
+//! Any text is either a shot that survives writing and reading, or bad input with an error message.
 #![no_main]
 
 use carom::{Shot, Trace};
@@ -8,7 +8,7 @@ fuzz_target!(|text: &str| {
     match Shot::from_json(text) {
         Ok(shot) => {
             let json = shot.to_json();
-            let again = Shot::from_json(&json).expect("what was written reads back");
+            let again = Shot::from_json(&json).expect("a written shot can be read");
             assert_eq!(shot, again);
             assert_eq!(json, again.to_json());
         }

@@ -1,5 +1,6 @@
-//! What one impact of two equal balls on the cloth costs in each model: `cargo run --release
-//! --example ball_ball_cost`.
+//! The time of one impact of two equal balls on the cloth, for each model.
+//!
+//! `cargo run --release -p carom --example ball_ball_cost`
 
 use carom::Physics;
 use carom::math::{Vec3, sin_cos};

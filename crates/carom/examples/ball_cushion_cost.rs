@@ -1,5 +1,6 @@
-//! What one impact with a cushion costs in each model: `cargo run --release --example
-//! ball_cushion_cost`.
+//! The time of one impact on a cushion, for each model.
+//!
+//! `cargo run --release -p carom --example ball_cushion_cost`
 
 use carom::Physics;
 use carom::math::{Vec3, sin_cos, sqrt};

@@ -1,11 +1,12 @@
-//! How the steps of `carom::resolve::ball_ball::network` were chosen: the error of its long steps against
-//! an integration with small ones, over a grid of the two constants `ahead` and `trend`. Prints JSON.
+//! The choice of the steps of `carom::resolve::ball_ball::network`: the error of its long steps against an
+//! integration with small ones, over a grid of the two constants `ahead` and `trend`. Prints JSON.
 //!
 //! `cargo run --release -p carom --example network_step_choice`
 //!
 //! Balls stand in rows of three to eight and touch; the first one to four of them move at 1 m/s. There
 //! are no losses. The reference solves m·dv/dt = k·δ^(3/2) by the classical Runge–Kutta method. The error
-//! of a row is the largest difference of a ball's speed from the reference, as a part of the first speed.
+//! of a row is the largest difference of a ball's speed from the reference, as a fraction of the first
+//! ball's speed.
 
 use std::process::Command;
 
@@ -16,9 +17,9 @@ use carom::resolve::ball_ball::network::{Stepping, Touch, resolve_in_steps};
 
 /// Lengths of the rows, number of balls.
 const ROWS: std::ops::RangeInclusive<usize> = 3..=8;
-/// Most balls that move at the start.
+/// The most balls that move at the start.
 const MOST_MOVING: usize = 4;
-/// The values of `ahead`; the last one is best for small steps.
+/// The values of `ahead`; 1/12 is best for small steps.
 const AHEAD: [f64; 10] = [0.045, 0.05, 0.055, 0.06, 0.065, 0.07, 0.075, 0.08, 1.0 / 12.0, 0.09];
 /// The values of `trend`; 1 is best for small steps.
 const TREND: [f64; 8] = [0.75, 1.0, 1.125, 1.25, 1.375, 1.5, 1.75, 2.0];
@@ -35,7 +36,7 @@ struct Row {
     reference: Vec<f64>,
 }
 
-/// Errors of all rows with one choice of the constants, as parts of the first speed.
+/// Errors of all rows with one choice of the constants, as fractions of the first speed.
 struct Errors {
     worst: f64,
     root_mean_square: f64,
@@ -68,7 +69,9 @@ fn main() {
     println!(r#" "commit": "{}","#, commit());
     println!(r#" "rows": {},"#, rows.len());
     println!(r#" "steps_per_contact": {},"#, Stepping::CHOSEN.steps_per_contact);
-    println!(r#" "of_each_pair": "worst and root mean square error, parts of the first speed","#);
+    println!(
+        r#" "of_each_pair": "worst and root mean square error, fractions of the first speed","#
+    );
     println!(" \"trend\": {TREND:?},");
     println!(" \"grid\": [\n{}\n ],", lines.join(",\n"));
     println!(
