@@ -222,7 +222,7 @@ struct Link {
     /// Set of `a` and `b`, one bit each.
     both: u32,
     normal: Vec3,
-    across: Across,
+    tangents: TangentBasis,
     /// Approach speed and slip at the start.
     approach: f64,
     slip: Vec2,
@@ -260,17 +260,17 @@ impl Link {
         let surface = (a.angular_velocity * a.radius + b.angular_velocity * b.radius) * per_speed;
         let approach = velocity.dot(n);
         let length = units.length();
-        let across = Across::of(n);
+        let tangents = TangentBasis::of(n);
         let mobility = units.mass / a.mass + units.mass / b.mass;
         Self {
             a: usize::from(touch.a),
             b: usize::from(touch.b),
             both: 1 << touch.a | 1 << touch.b,
             normal: n,
-            across,
+            tangents,
             approach,
             now: approach,
-            slip: across.slip(velocity, surface),
+            slip: tangents.slip(velocity, surface),
             stiffness: stiffness(a, b) * sqrt(length) * units.time * units.time / units.mass,
             mass: 1.0 / mobility,
             mobility,
@@ -284,13 +284,13 @@ impl Link {
 
 /// Two unit vectors in the tangent plane; **n** × the first is the second.
 #[derive(Clone, Copy, Default)]
-struct Across {
+struct TangentBasis {
     /// Horizontal.
     first: Vec2,
     second: Vec3,
 }
 
-impl Across {
+impl TangentBasis {
     fn of(normal: Vec3) -> Self {
         let level = normal.xy();
         let length = level.length();
@@ -340,7 +340,7 @@ fn integrate<const GRIP: u8>(
         active |= u64::from(link.approach != 0.0) << k;
     }
     for _ in 0..MAX_STEPS {
-        let (mut pushed, mut meeting, mut liveliest) = (0_u32, f64::INFINITY, 0.0);
+        let (mut loaded, mut next_contact, mut greatest_square) = (0_u32, f64::INFINITY, 0.0);
         let ahead = stepping.ahead * step.length;
         for k in Bits(active) {
             let link = &mut links[k];
@@ -354,31 +354,31 @@ fn integrate<const GRIP: u8>(
             if depth <= 0.0 {
                 link.presses = false;
                 if approach > STILL {
-                    liveliest = larger(liveliest, approach * approach);
+                    greatest_square = larger(greatest_square, approach * approach);
                     if link.touches {
                         let time = larger(-link.depth, 0.0) / approach;
-                        meeting = if time < meeting { time } else { meeting };
+                        next_contact = if time < next_contact { time } else { next_contact };
                     }
                 }
                 continue;
             }
             let spring = link.stiffness * sqrt(depth);
             let tension = 0.8 * spring * link.mobility * depth * depth;
-            liveliest = larger(liveliest, approach * approach + tension);
-            let normal = link.press(law, &step, approach, spring * depth);
+            greatest_square = larger(greatest_square, approach * approach + tension);
+            let normal = link.normal_impulse(law, &step, approach, spring * depth);
             if normal == 0.0 {
                 continue;
             }
             let mut push = link.normal * normal;
             let mut turn = Vec3::ZERO;
             if GRIP != SMOOTH {
-                let slip = link.slip + link.across.slip(velocity, a.surface + b.surface);
-                let friction = link.rub::<GRIP>(law, &step, slip, normal, spring);
-                push += link.across.vector(friction.x, friction.y);
-                turn = snap(link.across.vector(-friction.y, friction.x));
+                let slip = link.slip + link.tangents.slip(velocity, a.surface + b.surface);
+                let friction = link.friction_impulse::<GRIP>(law, &step, slip, normal, spring);
+                push += link.tangents.vector(friction.x, friction.y);
+                turn = round_to_grid(link.tangents.vector(-friction.y, friction.x));
             }
-            let push = snap(push);
-            pushed |= link.both;
+            let push = round_to_grid(push);
+            loaded |= link.both;
             let a = &mut balls[link.a % BITS];
             a.push -= push;
             a.turn += turn;
@@ -387,14 +387,14 @@ fn integrate<const GRIP: u8>(
             b.turn += turn;
         }
         let last = step.length;
-        step.adapt(liveliest);
-        if pushed != 0 {
+        step.adapt(greatest_square);
+        if loaded != 0 {
             drift = 0.5 * (last + step.length);
-            for k in Bits(u64::from(pushed)) {
+            for k in Bits(u64::from(loaded)) {
                 active |= balls[k % BITS].update();
             }
-        } else if meeting < f64::INFINITY {
-            drift = meeting + 0.5 * step.length;
+        } else if next_contact < f64::INFINITY {
+            drift = next_contact + 0.5 * step.length;
         } else {
             return;
         }
@@ -423,7 +423,7 @@ struct TimeStep {
     /// In units of T.
     length: f64,
     /// The (speed)² for which the length was chosen.
-    liveliness: f64,
+    square_speed: f64,
     /// The unit of speed, m/s.
     speed: f64,
 }
@@ -431,18 +431,18 @@ struct TimeStep {
 impl TimeStep {
     fn first(units: &Units, stepping: &Stepping) -> Self {
         let length = CONTACT_TIME / stepping.steps_per_contact;
-        Self { length, liveliness: 1.0, speed: units.speed }
+        Self { length, square_speed: 1.0, speed: units.speed }
     }
 
     /// Lengthens the step a little where the impact has faded, and shortens it where speeds have grown.
     #[inline(always)]
-    fn adapt(&mut self, liveliest: f64) {
-        if liveliest < RELAXED * self.liveliness {
-            self.liveliness *= RELAXED;
+    fn adapt(&mut self, greatest_square: f64) {
+        if greatest_square < RELAXED * self.square_speed {
+            self.square_speed *= RELAXED;
             self.length *= LONGER;
         }
-        while liveliest > self.liveliness {
-            self.liveliness *= 1.0 / RELAXED;
+        while greatest_square > self.square_speed {
+            self.square_speed *= 1.0 / RELAXED;
             self.length *= 1.0 / LONGER;
         }
     }
@@ -461,7 +461,13 @@ impl BallChange {
 impl Link {
     /// The normal impulse of one step. `force` is that of a closing contact.
     #[inline(always)]
-    fn press(&mut self, law: &BallBall, step: &TimeStep, approach: f64, force: f64) -> f64 {
+    fn normal_impulse(
+        &mut self,
+        law: &BallBall,
+        step: &TimeStep,
+        approach: f64,
+        force: f64,
+    ) -> f64 {
         let full = force * step.length;
         self.fastest = larger(approach, self.fastest);
         // The impulse that stops the approach; from there on the contact opens.
@@ -476,7 +482,7 @@ impl Link {
 
     /// The friction impulse of one step on b. `spring` is F/δ.
     #[inline(always)]
-    fn rub<const GRIP: u8>(
+    fn friction_impulse<const GRIP: u8>(
         &mut self,
         law: &BallBall,
         step: &TimeStep,
@@ -545,7 +551,7 @@ fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-fn snap(v: Vec3) -> Vec3 {
-    let snap = |x: f64| (x + GRID) - GRID;
-    Vec3::new(snap(v.x), snap(v.y), snap(v.z))
+fn round_to_grid(v: Vec3) -> Vec3 {
+    let rounded = |x: f64| (x + GRID) - GRID;
+    Vec3::new(rounded(v.x), rounded(v.y), rounded(v.z))
 }

@@ -165,17 +165,18 @@ pub fn resolve(law: &Cushion, cloth: &Cloth, normal: Vec3, on_bed: bool, ball: &
     if impact.approach <= 0.0 {
         return;
     }
-    let change = if on_bed { on_the_bed(law, cloth, &impact) } else { aloft(law, &impact) };
+    let change =
+        if on_bed { resolve_on_bed(law, cloth, &impact) } else { resolve_off_bed(law, &impact) };
     ball.velocity += change.velocity;
     ball.angular_velocity += change.spin;
 }
 
 /// Off the bed: the model's result along the normal.
 #[cold]
-fn aloft(law: &Cushion, impact: &NoseContact) -> Change {
+fn resolve_off_bed(law: &Cushion, impact: &NoseContact) -> Change {
     let approach = impact.approach;
     let reflection = impact.change(2.0 * approach, Vec3::ZERO);
-    faded(approach, reflection, || {
+    blended(approach, reflection, || {
         let e = law.restitution.at(approach);
         let mu = || {
             let across = impact.velocity - impact.normal * approach;
@@ -196,14 +197,14 @@ fn aloft(law: &Cushion, impact: &NoseContact) -> Change {
 
 /// On the bed: the model's result, without motion into the rail or into the slate.
 #[inline(always)]
-fn on_the_bed(law: &Cushion, cloth: &Cloth, impact: &NoseContact) -> Change {
+fn resolve_on_bed(law: &Cushion, cloth: &Cloth, impact: &NoseContact) -> Change {
     let (velocity, normal) = (impact.velocity.xy(), impact.normal.xy());
     let cos = normal.length();
     let into = normal * (1.0 / cos);
     let rail = RailFrame { into, cos, approach: velocity.dot(into) };
     let approach = rail.approach;
     let back = |speed: f64| Change { velocity: (into * -speed).with_z(0.0), spin: Vec3::ZERO };
-    faded(approach, back(2.0 * approach), || {
+    blended(approach, back(2.0 * approach), || {
         let e = law.restitution.at(approach);
         let mu = || law.friction.at(velocity.dot(into.perp()).abs(), approach);
         let mut change = match law.model {
@@ -227,7 +228,7 @@ fn on_the_bed(law: &Cushion, cloth: &Cloth, impact: &NoseContact) -> Change {
 
 /// The model's `outcome`, mixed with the mirror reflection if the impact is slow.
 #[inline(always)]
-fn faded(approach: f64, reflection: Change, outcome: impl FnOnce() -> Change) -> Change {
+fn blended(approach: f64, reflection: Change, outcome: impl FnOnce() -> Change) -> Change {
     // The effective restitution for e = 0 is the weight of the reflection.
     let reflected = restitution::effective(0.0, approach);
     if reflected == 1.0 {
