@@ -76,7 +76,7 @@ impl fmt::Display for StrikeError {
         match *self {
             Self::OffBall { offset } => write!(
                 f,
-                "the tip passes the ball: side and height are {offset:.4} radii from its centre; \
+                "the tip misses the ball: side and height are {offset:.4} radii from its centre; \
                  keep √(side² + height²) below 1"
             ),
             Self::Miscue { offset, limit } => write!(

@@ -340,6 +340,7 @@ fn integrate<const GRIP: u8>(
         active |= u64::from(link.approach != 0.0) << k;
     }
     for _ in 0..MAX_STEPS {
+        // The balls with an impulse, one bit each; the time to the next contact; the largest (speed)².
         let (mut loaded, mut next_contact, mut greatest_square) = (0_u32, f64::INFINITY, 0.0);
         let ahead = stepping.ahead * step.length;
         for k in Bits(active) {
