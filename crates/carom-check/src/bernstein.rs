@@ -1,14 +1,14 @@
-//! Lower bounds of polynomials on an interval from their Bernstein coefficients: a polynomial
-//! lies in the convex hull of them (Farouki & Rajan 1987). The engine finds contacts by Newton's
-//! and Halley's methods; the checker must not share that.
+//! Lower bounds of polynomials on an interval from their Bernstein coefficients: a polynomial lies
+//! in the convex hull of its coefficients (Farouki & Rajan 1987). The engine finds contacts by
+//! Newton's and Halley's methods, so the checker uses another one.
 
 /// A polynomial of degree D = N − 1 on [0, 1], by its Bernstein coefficients.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bernstein<const N: usize>(pub(crate) [f64; N]);
 
 impl<const N: usize> Bernstein<N> {
-    /// From c₀ + c₁t + … on t ∈ [0, `length`]: bᵢ = Σⱼ (i over j)/(D over j) cⱼ lengthʲ, by rows of
-    /// Pascal's triangle.
+    /// The polynomial c₀ + c₁t + … on t ∈ [0, `length`]: bᵢ = Σⱼ C(i, j)/C(D, j) cⱼ lengthʲ, by
+    /// rows of Pascal's triangle.
     pub(crate) fn from_monomials(mut c: [f64; N], length: f64) -> Self {
         let degree = (N - 1) as f64;
         let mut scale = 1.0;
@@ -25,12 +25,13 @@ impl<const N: usize> Bernstein<N> {
         Self(c)
     }
 
-    /// The smallest coefficient: the polynomial is nowhere less on [0, 1].
+    /// The smallest coefficient, a lower bound of the polynomial on [0, 1].
     pub(crate) fn lower(&self) -> f64 {
         self.0.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// The two halves (de Casteljau 1959); the value in the middle stands first in the second.
+    /// The polynomial on both halves of the interval (de Casteljau 1959). The first coefficient of
+    /// the second half is the value in the middle.
     pub(crate) fn halves(&self) -> (Self, Self) {
         let (mut left, mut right) = (self.0, self.0);
         for level in 1..N {

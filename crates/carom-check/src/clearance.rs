@@ -1,10 +1,10 @@
-//! Whether a ball keeps clear of the table on an interval: a proof, or a place where it does not.
+//! Proves that a ball stays clear of the table on an interval of time, or finds an overlap.
 //!
-//! From where a ball is at one instant, its distance from a piece of the table is bounded below for
-//! the times around it twice: it changes no faster than the ball moves; and it is at least what the
-//! tangent plane at the nearest point leaves, less what the piece's hollow side can take back
-//! ([`Distance`]). The second is a quadratic in time and exact for a ball that leaves, or slides along,
-//! what it touches. Where neither proves enough, the interval is halved.
+//! Two lower bounds hold for the distance from a piece of the table around a time at which it is
+//! known. First, the distance changes no faster than the ball moves. Second, it is at least the
+//! distance from the tangent plane at the nearest point, minus a correction for concave pieces
+//! ([`Distance`]). The second bound is quadratic in time, and exact for a ball that leaves a piece
+//! or slides along it. Where neither bound suffices, the interval is halved.
 
 use std::cell::Cell;
 
@@ -12,14 +12,14 @@ use crate::closest::Intrusion;
 use crate::curve::Curve;
 use crate::solid::{Distance, NamedPiece, Solid, SolidPiece};
 
-/// Deepest subdivision: 2⁻⁶⁰ of an interval is less than the rounding of its ends.
+/// Number of subdivisions: 2⁻⁶⁰ of an interval is less than the rounding error of its ends.
 const LEVELS: u32 = 60;
 
-/// Samples after which a proof is given up, which is a fault. Two bounces off the same thing need about
-/// a hundred.
+/// Number of samples after which a proof is abandoned, which counts as a fault. Between two bounces
+/// off the same piece about a hundred are needed.
 const MOST_SAMPLES: u32 = 100_000;
 
-/// One instant of a path beside one piece.
+/// The distance from a piece at one time.
 #[derive(Clone, Copy)]
 struct Sample {
     time: f64,
@@ -31,7 +31,7 @@ impl Sample {
         Self { time, distance: piece.distance(curve.place(time)) }
     }
 
-    /// The ball's centre is no nearer to the piece at any time between `from` and `to`, m.
+    /// Lower bound of the distance of the ball's centre from the piece between `from` and `to`, m.
     fn bound(&self, curve: &Curve, from: f64, to: f64) -> f64 {
         let (v, h) = (curve.velocity(self.time), curve.h);
         let (early, late) = (from - self.time, to - self.time);
@@ -53,15 +53,15 @@ impl Sample {
     }
 }
 
-/// Whether the ball keeps over the playing area, clear of all that stands around it.
+/// Whether the ball stays over the playing area, out of reach of the rails.
 pub(crate) fn over_cloth(solid: &Solid, curve: &Curve, length: f64) -> bool {
     let reach = curve.radius + curve.travel(length);
     let inside = |half: f64, p: f64| half - p.abs() > reach;
     inside(solid.half.x, curve.p.x) && inside(solid.half.y, curve.p.y)
 }
 
-/// Calls `found` with how `curve` comes to every piece of the table within `length` seconds that is not
-/// plainly out of reach.
+/// Calls `found` with the largest overlap of the ball and each piece of the table within `length`
+/// seconds. Pieces out of reach are left out.
 pub(crate) fn table<'s>(
     solid: &'s Solid,
     curve: &Curve,
@@ -84,7 +84,7 @@ pub(crate) fn table<'s>(
     }
 }
 
-/// How far the centre goes beyond the outer border of the rails, m; negative within it.
+/// Largest distance of the centre beyond the outer border of the rails, m; negative inside.
 pub(crate) fn border(solid: &Solid, curve: &Curve, length: f64) -> Intrusion {
     let mut farthest = Intrusion::NONE;
     let axes = [
@@ -103,7 +103,7 @@ pub(crate) fn border(solid: &Solid, curve: &Curve, length: f64) -> Intrusion {
     farthest
 }
 
-/// The deepest that the ball is in `piece`, as far as it matters.
+/// The largest overlap of the ball and `piece`, or a bound of it within `tolerance`.
 fn piece(piece: &SolidPiece, curve: &Curve, length: f64, tolerance: f64) -> Intrusion {
     let left = Cell::new(MOST_SAMPLES);
     let search = Search { piece, curve, allowed: curve.radius - tolerance, left };
@@ -113,9 +113,9 @@ fn piece(piece: &SolidPiece, curve: &Curve, length: f64, tolerance: f64) -> Intr
 struct Search<'a> {
     piece: &'a SolidPiece,
     curve: &'a Curve,
-    /// Nearer than this the centre may not come, m.
+    /// Smallest allowed distance of the centre, m.
     allowed: f64,
-    /// Samples that may still be taken.
+    /// Number of samples left.
     left: Cell<u32>,
 }
 
@@ -159,7 +159,7 @@ mod tests {
 
     use super::*;
 
-    /// The deepest overlap of a ball on a path beside the pool table's matter, and with what.
+    /// The largest overlap of a ball on this path and the pool table, and the name of the piece.
     fn deepest(p: [f64; 3], v: [f64; 3], length: f64) -> (f64, String) {
         let table = Table::preset("wpa-9ft").expect("a preset");
         let solid = Solid::of(&table);
@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn a_flying_ball_is_clear_of_all_that_it_does_not_touch() {
+    fn accepts_a_flying_ball_that_touches_nothing() {
         // Over the cloth, over a rail and out, and down the middle of a hole.
         let hole = Table::preset("wpa-9ft").expect("a preset").pockets[0].center;
         for (p, v, length) in [
@@ -193,16 +193,16 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_that_comes_too_near_to_anything_is_found_out() {
+    fn detects_an_overlap_with_each_piece_of_the_table() {
         let table = Table::preset("wpa-9ft").expect("a preset");
         let hole = table.pockets[0].center;
         let (x, h) = (0.5 * table.size.x, table.cushion_height);
         for (p, v, length, what) in [
-            // Into the slate; through the nose from the side; onto it from above.
+            // Into the slate; through the nose from the side; onto the nose from above.
             ([0.0, 0.0, 0.1], [1.0, 0.0, -3.0], 0.1, "the slate"),
             ([x - 0.1, 0.5, h], [10.0, 0.0, 0.05], 0.02, "the right-upper rail"),
             ([x + 0.01, 0.5, h + 0.1], [-1.0, 0.0, -3.0], 0.025, "the right-upper rail"),
-            // Down on the lip; up against the wall of the hole; out of it through the liner.
+            // Down onto the lip; through the wall of the hole.
             ([hole.x + 0.05, hole.y + 0.03, 0.1], [0.0, 0.0, -2.0], 0.1, "the slate"),
             (
                 [hole.x, hole.y, 0.03],
@@ -217,17 +217,17 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_that_slides_along_what_it_touches_is_clear_of_it() {
+    fn accepts_a_ball_that_slides_along_a_piece() {
         let table = Table::preset("wpa-9ft").expect("a preset");
         let (x, h, r) = (0.5 * table.size.x, table.cushion_height, 0.028_575);
         let reach = table.reach(r);
-        // Above the nose that it touches, rising it leaves; below it, rising is into it.
+        // A ball above the nose that it touches leaves it when rising; a ball below moves into it.
         let above = (r * r - 1e-4_f64).sqrt();
         let (depth, name) = deepest([x - above, -0.6, h + 0.01], [0.0, 2.0, 1.0], 0.2);
         assert!(depth <= 1e-12, "{depth} in {name}");
         let (depth, name) = deepest([x - reach, -0.6, r], [0.0, 2.0, 1.0], 0.1);
         assert!(depth > 1e-6, "{depth} in {name}");
-        // Level on a rail's top, and level against the nose.
+        // Level motion on a rail's top, and along the nose.
         let solid = Solid::of(&table);
         for p in [[x + 0.05, -0.6, h + r], [x - reach, -0.6, r]] {
             let curve =

@@ -1,15 +1,17 @@
-//! Closest approach on an interval, by subdivision of Bernstein polynomials: of two balls, and of a
-//! ball on the cloth and a hole. Of a ball and what stands around the cloth, see [`crate::clearance`].
+//! The closest approach of two balls, and of a ball on the cloth and a hole, on an interval of
+//! time, by subdivision of Bernstein polynomials. For a ball and the rails see
+//! [`crate::clearance`].
 
 use carom::math::{Vec2, Vec3};
 
 use crate::bernstein::Bernstein;
 use crate::curve::Curve;
 
-/// Deepest subdivision: 2⁻⁵⁰ of an interval is less than the rounding of its ends.
+/// Number of subdivisions: 2⁻⁵⁰ of an interval is less than the rounding error of its ends.
 const LEVELS: u32 = 50;
 
-/// The deepest overlap on an interval, m (negative or −∞: none), and when, s.
+/// The largest overlap on an interval, m (negative or −∞ if there is none), and its time from the
+/// start, s.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Intrusion {
     pub(crate) depth: f64,
@@ -20,7 +22,7 @@ impl Intrusion {
     pub(crate) const NONE: Self = Self { depth: f64::NEG_INFINITY, after: 0.0 };
 }
 
-/// Two balls.
+/// The largest overlap of two balls.
 pub(crate) fn pair(a: &Curve, b: &Curve, length: f64, tolerance: f64) -> Intrusion {
     if !a.moves() && !b.moves() {
         return Intrusion::NONE;
@@ -34,7 +36,7 @@ pub(crate) fn pair(a: &Curve, b: &Curve, length: f64, tolerance: f64) -> Intrusi
     search(&gap, 2.0 * touching, tolerance, 0.0, length, LEVELS)
 }
 
-/// A ball on the cloth and a hole, over which its centre may not come.
+/// The largest distance of a ball's centre beyond the edge of a hole, over which it must not come.
 pub(crate) fn hole(
     curve: &Curve,
     center: Vec2,
@@ -59,8 +61,8 @@ fn quartic(d: Vec3, v: Vec3, h: Vec3, square: f64, length: f64) -> Bernstein<5> 
     )
 }
 
-/// Halves the interval until the polynomial is proved nowhere below −`tolerance`·`slope`, or is
-/// seen to be. `slope` turns its values into metres.
+/// Halves the interval until the polynomial is proved to stay above −`tolerance`·`slope`, or a
+/// value below is found. Dividing its values by `slope` gives metres.
 fn search<const N: usize>(
     gap: &Bernstein<N>,
     slope: f64,

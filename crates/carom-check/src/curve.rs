@@ -1,10 +1,11 @@
-//! The path of a ball's centre between two events, from the equation of motion of its state.
+//! The motion of a ball between two events, integrated from its equation of motion independently of
+//! the engine.
 
 use carom::math::{Vec2, Vec3};
 use carom::shot::Shot;
 use carom::{BallState, MotionState};
 
-/// A centre's path p + v t + h t², and the ball's radius.
+/// The path p + v t + h t² of a ball's centre, and the ball's radius.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Curve {
     pub(crate) p: Vec3,
@@ -14,7 +15,7 @@ pub(crate) struct Curve {
 }
 
 impl Curve {
-    /// From the equation of motion of the ball's state, written anew: m dv/dt = F.
+    /// The path from `state`, by m dv/dt = F.
     pub(crate) fn new(shot: &Shot, i: usize, state: &BallState) -> Self {
         let radius = shot.balls()[i].ball.radius;
         let (cloth, g) = (shot.physics().cloth, shot.physics().gravity);
@@ -51,13 +52,13 @@ impl Curve {
         Self { p: self.place(t), v: self.velocity(t), ..*self }
     }
 
-    /// No farther than this does the centre come in `length` seconds, m.
+    /// Upper bound of the centre's displacement in `length` seconds, m.
     pub(crate) fn travel(&self, length: f64) -> f64 {
         length * (self.v.length() + length * self.h.length())
     }
 
-    /// Least of the centre's heights in `length` seconds, m. On a parabola that opens downwards, or on
-    /// a straight line, it is at one of the ends.
+    /// Smallest height of the centre in `length` seconds, m. On a straight line, or a parabola that
+    /// opens downwards, it is at one of the ends.
     pub(crate) fn lowest(&self, length: f64) -> f64 {
         debug_assert!(self.h.z <= 0.0);
         self.p.z.min(self.place(length).z)
@@ -68,7 +69,7 @@ impl Curve {
     }
 }
 
-/// How a ball turns between two events.
+/// The rotation of a ball between two events.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turning {
     state: BallState,
@@ -80,7 +81,7 @@ pub(crate) struct Turning {
 }
 
 impl Turning {
-    /// From I dω/dt = T, written anew.
+    /// The rotation from `state`, by I dω/dt = T.
     pub(crate) fn new(shot: &Shot, i: usize, state: &BallState) -> Self {
         let radius = shot.balls()[i].ball.radius;
         let (cloth, g) = (shot.physics().cloth, shot.physics().gravity);

@@ -1,9 +1,20 @@
-//! Judges whole shots: listens to the engine as a [`Recorder`] and verifies, by means that share
-//! nothing with the engine's own, that between all consecutive events no ball came into another, or
-//! into anything of the table, or went on without ground under it, and that every event is one.
+//! Checks whole shots. A [`CheckRecorder`] receives the events of a shot and verifies them: between
+//! consecutive events no ball may overlap another ball or the table, leave the table unnoticed, or
+//! roll where there is no ground; each event must happen where it can, and must conserve what
+//! mechanics conserves.
+//!
+//! The checker has its own equations of motion, its own search for the closest approach (Bernstein
+//! polynomials and distance bounds, where the engine uses Newton's and Halley's methods), and its
+//! own reading of a table's cushions as solid pieces. It shares with the engine: the shot file's
+//! reader, the initial states, the physics' numbers, and the geometry of the table's noses, points,
+//! facings and pockets. An error in these is not detected here.
+//!
+//! These are not checked: in a contact of several balls, whether pairs other than the closest
+//! touch; the impulses of a rail on a ball on the cloth; the impulses of the ball–ball model
+//! `mathavan-2014` between balls on the cloth; the spin where a motion state ends.
 //!
 //! Tests of single functions are not enough: an early exit on an unconverged time once let balls
-//! through each other in 2 of a million shots and passed every test of the root finder.
+//! pass through each other in 2 of a million shots and passed every test of the root finder.
 
 mod bernstein;
 mod clearance;
@@ -36,54 +47,56 @@ pub use places::TABLE_GAP;
 pub use sampled::{SAMPLED_DEPTH, check_samples};
 pub use tally::Tally;
 
-/// Deepest overlap that is let pass, m. Law 6 of ARCHITECTURE.md; an atom is 1e-10 m.
+/// Largest allowed overlap, m (law 6 of ARCHITECTURE.md). An atom is 1e-10 m.
 pub const DEPTH: f64 = 1e-12;
 
-/// How far the gap at a contact may be from 0, m.
+/// Largest allowed |gap| at a contact, m.
 pub const CONTACT_GAP: f64 = 1e-14;
 
-/// Share of a time that is as good as the whole: a ball at 10 m/s is then a nanometre short.
+/// A fraction just below 1 of the time to an event: a ball at 10 m/s is then a nanometre short of
+/// it.
 const BEFORE_THE_END: f64 = 1.0 - 1e-10;
 
-/// What is let pass.
+/// Allowed errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerances {
-    /// Deepest overlap, m.
+    /// Largest overlap, m.
     pub depth: f64,
     /// Largest |gap| at a contact, m.
     pub gap: f64,
 }
 
 impl Tolerances {
-    /// What the engine promises: [`DEPTH`] and [`CONTACT_GAP`].
+    /// What the engine guarantees: [`DEPTH`] and [`CONTACT_GAP`].
     pub const PROMISED: Self = Self { depth: DEPTH, gap: CONTACT_GAP };
 }
 
 /// Kinds of [`Fault`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FaultKind {
-    /// A ball is in another one or in the table, or has left it, or goes on where no ground is.
+    /// A ball overlaps another ball or the table, is beyond the table's border, or rolls where
+    /// there is no ground.
     Overlap,
-    /// Balls collide that do not touch.
+    /// Balls that do not touch collide.
     Apart,
-    /// An event is said to happen where, or to a ball to which, it cannot.
+    /// An event happens at a place, or to a ball, where it cannot.
     Misplaced,
-    /// A ball is not where its path leads, or time goes back.
+    /// A ball is not on its path, or time runs backwards.
     OffPath,
-    /// An event raises the energy, or changes a momentum.
+    /// An event raises the energy, or does not conserve a momentum.
     Conservation,
-    /// The shot does not end, or not at rest.
+    /// The shot does not end, or balls move after its end.
     NotAtRest,
 }
 
-/// Something that must not be.
+/// An error in a shot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
-    /// When, s.
+    /// Time, s.
     pub time: f64,
-    /// Of which kind.
+    /// Kind.
     pub kind: FaultKind,
-    /// What.
+    /// Description.
     pub what: String,
 }
 
@@ -93,7 +106,7 @@ impl fmt::Display for Fault {
     }
 }
 
-/// The judge of one shot.
+/// Checks one shot while it is simulated.
 #[derive(Debug)]
 pub struct CheckRecorder<'a> {
     shot: &'a Shot,
@@ -104,10 +117,10 @@ pub struct CheckRecorder<'a> {
     turnings: Vec<Turning>,
     states: Vec<BallState>,
     since: Vec<f64>,
-    /// Everything found wrong.
+    /// All errors found.
     pub faults: Vec<Fault>,
-    /// No overlap was deeper at any time, m: a bound, [`Tolerances::depth`] where proving less was not
-    /// tried.
+    /// Upper bound of the overlaps at all times, m. It is [`Tolerances::depth`] where no smaller
+    /// bound was proved.
     pub deepest: f64,
     /// |Gap| at each ball–ball contact, m.
     pub gaps: Vec<f64>,
@@ -116,12 +129,12 @@ pub struct CheckRecorder<'a> {
 }
 
 impl<'a> CheckRecorder<'a> {
-    /// Before the shot.
+    /// For one simulation of `shot`.
     pub fn new(shot: &'a Shot) -> Self {
         Self::with_tolerances(shot, Tolerances::PROMISED)
     }
 
-    /// A judge who lets more pass, or less.
+    /// For one simulation of `shot`, with other tolerances.
     pub fn with_tolerances(shot: &'a Shot, tolerances: Tolerances) -> Self {
         let states: Vec<BallState> =
             shot.balls().iter().map(|b| shot.table().to_engine_frame(&b.state)).collect();
@@ -142,7 +155,7 @@ impl<'a> CheckRecorder<'a> {
         }
     }
 
-    /// Simulates `shot` and judges it.
+    /// Simulates and checks `shot`.
     pub fn run(shot: &'a Shot) -> Self {
         let mut checker = Self::new(shot);
         let result = carom::simulate(shot, &mut checker);
@@ -150,10 +163,11 @@ impl<'a> CheckRecorder<'a> {
         checker
     }
 
-    /// After the shot: it has ended, and at rest.
+    /// Completes the check with the result of the simulation: the shot must have ended, with all
+    /// balls at rest.
     pub fn finish(&mut self, result: Result<Summary, SimulationError>) {
         match result {
-            Ok(_) => self.at_rest(),
+            Ok(_) => self.check_rest(),
             Err(error) => self.fault(FaultKind::NotAtRest, format!("not finished: {error:?}")),
         }
     }
@@ -162,8 +176,8 @@ impl<'a> CheckRecorder<'a> {
         self.faults.push(Fault { time: self.time, kind, what });
     }
 
-    /// In the end nothing moves, and what is still in play lies on the bed.
-    fn at_rest(&mut self) {
+    /// After the shot all balls in play must be at rest on the bed.
+    fn check_rest(&mut self) {
         for i in 0..self.states.len() {
             let s = self.states[i];
             if !s.motion.in_play() {
@@ -178,8 +192,8 @@ impl<'a> CheckRecorder<'a> {
         }
     }
 
-    /// Nothing may have met anything since the last event.
-    fn interval(&mut self, until: f64) {
+    /// Checks that nothing has touched since the last event.
+    fn check_interval(&mut self, until: f64) {
         let length = until - self.time;
         if length <= 0.0 {
             return;
@@ -192,47 +206,49 @@ impl<'a> CheckRecorder<'a> {
         for (k, (i, curve)) in curves.iter().enumerate() {
             for (j, other) in &curves[..k] {
                 let found = closest::pair(curve, other, length, self.tolerances.depth);
-                self.judge(found, || format!("balls {j} and {i}"));
+                self.report_overlap(found, || format!("balls {j} and {i}"));
             }
             if curve.moves() {
-                self.beside_table(*i, curve, length);
+                self.check_table(*i, curve, length);
             }
         }
     }
 
-    /// A moving ball keeps clear of the table, within its border, and where it rolls on the ground.
-    fn beside_table(&mut self, i: usize, curve: &Curve, length: f64) {
+    /// Checks that a moving ball stays clear of the table, inside its border and, unless it flies,
+    /// on the ground.
+    fn check_table(&mut self, i: usize, curve: &Curve, length: f64) {
         let solid = Rc::clone(&self.solid);
         let tolerance = self.tolerances.depth;
         clearance::table(&solid, curve, length, tolerance, |found, name| {
-            self.judge(found, || format!("ball {i} and {name}"));
+            self.report_overlap(found, || format!("ball {i} and {name}"));
         });
         if !clearance::over_cloth(&solid, curve, length) {
             let found = clearance::border(&solid, curve, length);
-            self.judge(found, || format!("ball {i} and the border"));
+            self.report_overlap(found, || format!("ball {i} and the border"));
         }
         if self.states[i].motion == MotionState::Airborne {
             return;
         }
         if solid.is_on_top(curve.p.z, curve.radius) {
-            // Within one motion state a ball does not leave a top and come back to it.
+            // Within one motion state a ball does not leave a top and return to it, so two times
+            // suffice.
             let beside = |t: f64| solid.beside_tops(curve.place(t).xy());
-            // At its very end it may stand on the edge, on either side of it by a rounding.
+            // At the end itself it may be on either side of the edge by rounding.
             let depth = beside(0.5 * length).max(beside(length * BEFORE_THE_END));
             let found = Intrusion { depth, after: length };
-            self.judge(found, || format!("ball {i} and the edge of the top under it"));
+            self.report_overlap(found, || format!("ball {i} and the edge of the top under it"));
         } else {
-            // A ball that hung on a brink may roll back, and no further over.
+            // A ball that hangs over a lip may roll back, but no farther over it.
             let hung = places::overhang(&solid, curve.p.xy(), curve.radius);
             for &(center, radius) in &solid.holes {
                 let mut found = closest::hole(curve, center, radius, length, tolerance);
                 found.depth -= hung;
-                self.judge(found, || format!("ball {i} and the hole under it"));
+                self.report_overlap(found, || format!("ball {i} and the hole under it"));
             }
         }
     }
 
-    fn judge(&mut self, found: Intrusion, who: impl FnOnce() -> String) {
+    fn report_overlap(&mut self, found: Intrusion, who: impl FnOnce() -> String) {
         self.deepest = self.deepest.max(found.depth);
         if found.depth.is_nan() {
             let what = format!("{} are not proved to be clear of each other", who());
@@ -244,8 +260,8 @@ impl<'a> CheckRecorder<'a> {
         }
     }
 
-    /// The balls must be where their paths have led them.
-    fn arrivals(&mut self, event: &Event<'_>) {
+    /// Checks that the balls of an event are on their paths.
+    fn check_paths(&mut self, event: &Event<'_>) {
         for (&ball, before) in event.balls.iter().zip(event.before) {
             let i = usize::from(ball);
             let since = event.time - self.since[i];
@@ -258,14 +274,14 @@ impl<'a> CheckRecorder<'a> {
             let surface = self.curves[i].radius * spin.length();
             if off > 1e-12 * (1.0 + speed) || faster > 1e-11 || turns > 1e-11 * (1.0 + surface) {
                 let what = format!(
-                    "ball {i} is {off:e} m from its path, {faster:e} m/s off, {turns:e} m/s at its skin"
+                    "ball {i} is {off:e} m from its path, {faster:e} m/s off, and {turns:e} m/s at its surface"
                 );
                 self.fault(FaultKind::OffPath, what);
             }
         }
     }
 
-    fn contacts(&mut self, event: &Event<'_>) {
+    fn check_contact(&mut self, event: &Event<'_>) {
         let reach = |i: u16| self.shot.balls()[usize::from(i)].ball.radius;
         if let EventKind::BallCollision = event.kind {
             let mut closest = f64::INFINITY;
@@ -276,7 +292,7 @@ impl<'a> CheckRecorder<'a> {
                     closest = closest.min(gap.abs());
                 }
             }
-            if closest > self.tolerances.gap && !self.starts_within(event, closest) {
+            if closest > self.tolerances.gap && !self.overlaps_at_start(event, closest) {
                 let what = format!("balls {:?} collide {closest:e} m apart", event.balls);
                 self.fault(FaultKind::Apart, what);
             }
@@ -284,8 +300,8 @@ impl<'a> CheckRecorder<'a> {
         }
     }
 
-    /// Balls that the shot itself places a little into each other, which is let pass as touching.
-    fn starts_within(&self, event: &Event<'_>, gap: f64) -> bool {
+    /// Whether the shot file itself lets these balls overlap within the tolerance for touching.
+    fn overlaps_at_start(&self, event: &Event<'_>, gap: f64) -> bool {
         event.time == 0.0 && gap < carom::table::TOUCH_TOLERANCE
     }
 }
@@ -293,13 +309,13 @@ impl<'a> CheckRecorder<'a> {
 impl Recorder for CheckRecorder<'_> {
     fn record(&mut self, event: &Event<'_>) {
         if event.time < self.time {
-            self.fault(FaultKind::OffPath, format!("time goes back from {}", self.time));
+            self.fault(FaultKind::OffPath, format!("time runs backwards from {}", self.time));
         }
         self.events += 1;
-        self.interval(event.time);
+        self.check_interval(event.time);
         self.time = event.time;
-        self.arrivals(event);
-        self.contacts(event);
+        self.check_paths(event);
+        self.check_contact(event);
         if let Some(fault) = places::audit(self.shot, &self.solid, event) {
             self.fault(FaultKind::Misplaced, fault);
         }

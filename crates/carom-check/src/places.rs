@@ -1,4 +1,4 @@
-//! Where each kind of event may happen, and in what motion a ball may leave it.
+//! Checks where each kind of event happens, and the motion of its balls afterwards.
 
 use carom::event::{Event, EventKind};
 use carom::math::Vec2;
@@ -9,46 +9,48 @@ use carom::{BallState, MotionState};
 use crate::solid::Solid;
 use crate::table_contact::{self, TableContact};
 
-/// How far a ball may be from what it is said to touch of the table, or from the line that it is said
-/// to cross, m: a hundredth of an atom. Balls touch each other to [`CONTACT_GAP`](crate::CONTACT_GAP).
+/// Largest allowed distance of a ball from the part of the table that it touches in an event, or
+/// from the line that it crosses, m: a hundredth of an atom. For pairs of balls it is
+/// [`CONTACT_GAP`](crate::CONTACT_GAP).
 pub const TABLE_GAP: f64 = 1e-12;
 
-/// Speed that counts as none in a verdict on whether bodies approach, m/s: rounding of speeds to 100 m/s.
+/// Rounding error of speeds up to 100 m/s, m/s: below it, bodies neither approach nor separate.
 const NO_SPEED: f64 = 1e-12;
 
-/// How far a velocity may jump where a motion state ends, m/s per m/s: rounding, and the slip that
-/// the engine takes for none.
+/// Largest allowed jump of a velocity where a motion state ends, m/s per m/s: rounding, and the
+/// slip below which the engine lets a ball roll.
 const SMOOTH: f64 = 1e-11;
 
-/// A ball that comes to a lip slower than this, m/s, may stop there, however smooth the cloth.
+/// A ball slower than this, m/s, may stop at a lip on any cloth.
 const HANGS_BELOW: f64 = 1e-3;
 
-/// So far over a lip, in radii, a slow ball may hang as if it stood on the slate: the engine's `BRINK`, rounded up.
+/// Largest distance beyond a lip, in radii, at which a slow ball may rest as on the slate: the
+/// engine's `BRINK`, rounded up.
 const BRINK: f64 = 1.000_001e-4;
 
-/// A ball at the edge of a rail's top is beyond it after so much more of its way, m.
+/// Distance after which a ball at the edge of a rail's top must be beyond it, m.
 const STEP: f64 = 1e-9;
 
-/// How far over a lip a ball at `p` stands that may hang there, m; 0 elsewhere.
+/// Distance of `p` beyond a lip, m, if a ball may rest there; 0 elsewhere.
 pub(crate) fn overhang(solid: &Solid, p: Vec2, radius: f64) -> f64 {
     let over = solid.over_hole(p);
     if over > 0.0 && over <= BRINK * radius { over } else { 0.0 }
 }
 
-/// How far a ball that hangs over the lip there comes up to stand on the slate, m.
+/// Height by which a ball that rests beyond a lip is raised to the level of the slate, m.
 pub(crate) fn raised(solid: &Solid, state: &BallState, radius: f64) -> f64 {
     let over = overhang(solid, state.position.xy(), radius);
     0.5 * over * over / radius
 }
 
-/// What a ball stands on.
+/// What supports a ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ground {
     Bed,
     Top,
 }
 
-/// What a ball with its centre at that height stands on, if anything.
+/// What supports a ball with its centre at this height, if anything.
 pub(crate) fn ground(solid: &Solid, state: &BallState, radius: f64) -> Option<Ground> {
     let z = state.position.z;
     if (z - radius).abs() <= TABLE_GAP {
@@ -60,29 +62,31 @@ pub(crate) fn ground(solid: &Solid, state: &BallState, radius: f64) -> Option<Gr
     }
 }
 
-/// What is wrong with where an event happens, if anything.
+/// The error in where an event happens, if there is one.
 pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<String> {
-    let judge = EventCheck { shot, solid, event };
+    let check = EventCheck { shot, solid, event };
     if let Some(k) = event.before.iter().position(|s| !s.motion.in_play()) {
         let (ball, motion) = (event.balls[k], event.before[k].motion.name());
         return Some(format!("ball {ball} is {motion}, and out of play"));
     }
     let wrong = match event.kind {
         EventKind::CueStrike => None,
-        EventKind::BallCollision => judge.balls_meet(),
+        EventKind::BallCollision => check.balls_approach(),
         EventKind::RailCollision(k) => {
-            let (c, radius) = (event.before[0].position, judge.radius(0));
+            let (c, radius) = (event.before[0].position, check.radius(0));
             let touched = table_contact::rail(shot.table(), solid, usize::from(k), c, radius);
-            touched.map_or(Some(format!("there is no part {k}")), |t| judge.meets(t))
+            touched.map_or(Some(format!("there is no part {k}")), |t| check.touches_part(t))
         }
-        EventKind::SlateCollision => {
-            judge.meets(table_contact::slate(solid, event.before[0].position, judge.radius(0)))
-        }
-        EventKind::PocketCollision(k) => judge.is_lost(usize::from(k)),
-        EventKind::OffTable => judge.is_off(),
-        EventKind::MotionTransition { from, to } => judge.goes_on(from, to),
+        EventKind::SlateCollision => check.touches_part(table_contact::slate(
+            solid,
+            event.before[0].position,
+            check.radius(0),
+        )),
+        EventKind::PocketCollision(k) => check.is_pocketed(usize::from(k)),
+        EventKind::OffTable => check.is_off(),
+        EventKind::MotionTransition { from, to } => check.is_continuous(from, to),
     };
-    wrong.or_else(|| judge.stands())
+    wrong.or_else(|| check.is_supported())
 }
 
 struct EventCheck<'a> {
@@ -96,8 +100,8 @@ impl EventCheck<'_> {
         self.shot.balls()[usize::from(self.event.balls[k])].ball.radius
     }
 
-    /// A ball that flies is met by one that it comes nearer to.
-    fn balls_meet(&self) -> Option<String> {
+    /// Balls of which one flies must approach each other.
+    fn balls_approach(&self) -> Option<String> {
         let [p, q] = self.event.before else { return None };
         let flies = [p, q].iter().any(|s| s.motion == MotionState::Airborne);
         let line = q.position - p.position;
@@ -106,25 +110,25 @@ impl EventCheck<'_> {
             .then(|| format!("balls {:?} meet parting at {parting:e} m/s", self.event.balls))
     }
 
-    /// A ball touches what it meets, comes nearer to it, and does not go on doing so.
-    fn meets(&self, touched: TableContact) -> Option<String> {
+    /// The ball must touch the part, approach it before the event and not approach it afterwards.
+    fn touches_part(&self, touched: TableContact) -> Option<String> {
         let (before, after) = (self.event.before[0], self.event.after[0]);
         let ball = self.event.balls[0];
         if touched.gap.abs() > TABLE_GAP {
             let gap = touched.gap;
-            return Some(format!("ball {ball} is {gap:e} m from what it is said to touch"));
+            return Some(format!("ball {ball} is {gap:e} m from the part that it touches"));
         }
         let rounding = NO_SPEED * (1.0 + before.velocity.length());
         let (came, went) = (before.velocity.dot(touched.away), after.velocity.dot(touched.away));
         if before.motion == MotionState::Airborne && came > rounding {
-            return Some(format!("ball {ball} meets what it leaves at {came:e} m/s"));
+            return Some(format!("ball {ball} leaves the part that it meets at {came:e} m/s"));
         }
         (went < -rounding)
-            .then(|| format!("ball {ball} goes on into what it has met at {:e} m/s", -went))
+            .then(|| format!("ball {ball} moves on into the part that it met at {:e} m/s", -went))
     }
 
-    /// A ball that is pocketed cannot come back.
-    fn is_lost(&self, k: usize) -> Option<String> {
+    /// A pocketed ball must be unable to come back.
+    fn is_pocketed(&self, k: usize) -> Option<String> {
         let Some(pocket) = self.shot.table().pockets.get(k) else {
             return Some(format!("there is no pocket {k}"));
         };
@@ -154,7 +158,7 @@ impl EventCheck<'_> {
         })
     }
 
-    /// A ball that has left the table is beyond the rails, or at rest on them.
+    /// A ball off the table must be beyond the rails, or at rest on them.
     fn is_off(&self) -> Option<String> {
         let (s, after) = (self.event.before[0], self.event.after[0]);
         let (radius, ball) = (self.radius(0), self.event.balls[0]);
@@ -173,20 +177,20 @@ impl EventCheck<'_> {
         (p.x.abs() - self.solid.border.x).max(p.y.abs() - self.solid.border.y)
     }
 
-    /// How far over a hole ball `k` of the event may stand, m.
+    /// Largest distance over a hole at which ball `k` of the event may rest, m.
     fn on_brink(&self, k: usize) -> f64 {
         TABLE_GAP + BRINK * self.radius(k)
     }
 
-    /// Nothing jumps where a motion state ends by itself.
-    fn goes_on(&self, from: MotionState, to: MotionState) -> Option<String> {
+    /// Where a motion state ends, position and velocity must be continuous.
+    fn is_continuous(&self, from: MotionState, to: MotionState) -> Option<String> {
         let (before, after) = (self.event.before[0], self.event.after[0]);
         let (radius, ball) = (self.radius(0), self.event.balls[0]);
         if (before.motion, after.motion) != (from, to) {
             return Some(format!("ball {ball} does not go from {} to {}", from.name(), to.name()));
         }
         if from == MotionState::Airborne {
-            return Some(format!("the flight of ball {ball} ends by itself"));
+            return Some(format!("the flight of ball {ball} ends without a contact"));
         }
         let p = before.position.xy();
         let at_edge = match ground(self.solid, &before, radius) {
@@ -209,11 +213,11 @@ impl EventCheck<'_> {
             && after.velocity.length() == 0.0
             && speed <= holding.max(HANGS_BELOW) * (1.0 + SMOOTH);
         (jump > SMOOTH * (1.0 + speed) && !hangs)
-            .then(|| format!("ball {ball} goes on {jump:e} m/s faster or slower"))
+            .then(|| format!("the velocity of ball {ball} jumps by {jump:e} m/s"))
     }
 
-    /// A ball that does not fly stands on something, level.
-    fn stands(&self) -> Option<String> {
+    /// A ball that does not fly must be supported and have no vertical velocity.
+    fn is_supported(&self) -> Option<String> {
         for (k, s) in self.event.after.iter().enumerate() {
             let ball = self.event.balls[k];
             if !s.motion.in_play() || s.motion == MotionState::Airborne {

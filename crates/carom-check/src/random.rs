@@ -1,7 +1,7 @@
 //! A small seeded generator, so that every random case is named by a family and a seed.
 
-/// SplitMix64 (Steele, Lea & Flood 2014). It uses integer arithmetic only, so its numbers are the same
-/// on every machine.
+/// SplitMix64 (Steele, Lea & Flood 2014). It uses integer arithmetic only, so its numbers are the
+/// same on every machine.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 

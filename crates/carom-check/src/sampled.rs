@@ -1,4 +1,4 @@
-//! What an outside reader of a trace sees: the balls at many times, nothing in between.
+//! Checks a trace at sampled times, as a reader of the trace would see it.
 
 use carom::shot::Shot;
 use carom::{BallState, Trace};
@@ -6,12 +6,12 @@ use carom::{BallState, Trace};
 use crate::solid::Solid;
 use crate::{Fault, FaultKind};
 
-/// Deepest overlap that a reader of a trace may see, m: [`DEPTH`](crate::DEPTH), and the rounding of a
-/// place on the table and of a path from its last event to the sample.
+/// Largest allowed overlap at a sampled time, m: [`DEPTH`](crate::DEPTH), and the rounding errors
+/// of a position on the table and of a path from its last event to the sample.
 pub const SAMPLED_DEPTH: f64 = 2e-12;
 
-/// Looks at `trace` of `shot` at `samples` times, evenly from beginning to end: no ball in another one, in
-/// the table, or in play beyond its border.
+/// Checks `trace` of `shot` at `samples` + 1 evenly spaced times: no ball may overlap another one
+/// or the table, or be in play beyond the table's border.
 pub fn check_samples(shot: &Shot, trace: &Trace, samples: u32) -> Vec<Fault> {
     let solid = Solid::of(shot.table());
     let mut faults = Vec::new();
@@ -20,7 +20,7 @@ pub fn check_samples(shot: &Shot, trace: &Trace, samples: u32) -> Vec<Fault> {
         let states = match trace.at(time) {
             Ok(states) => states,
             Err(error) => {
-                let what = format!("no states: {error}");
+                let what = format!("no states at this time: {error}");
                 return vec![Fault { time, kind: FaultKind::OffPath, what }];
             }
         };

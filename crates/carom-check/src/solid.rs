@@ -1,14 +1,15 @@
-//! What of a table is matter, as a set of pieces whose distances from a point are known in closed
-//! form: the judge's own reading of the table's plain figures.
+//! The solid parts of a table, as a set of pieces with closed-form distances from a point. They are
+//! built here from the table's noses, points, facings and pockets, independently of the engine's
+//! detection.
 //!
-//! * **Bed**: all that lies at or below z = 0, except the holes.
-//! * **Plates**: cushion and rail end in a flat top at the height of the nose. Rubber is undercut, so
-//!   nothing below that edge is ever met, and a rail is a plate without thickness: a convex polygon
-//!   behind its nose and its facings, and a slice of a disc for every rounded point.
-//! * **Liners**: behind the far arc of a hole everything up to that height.
+//! * **Bed**: everything at or below z = 0, except the holes.
+//! * **Plates**: cushion and rail have a flat top at the height of the nose. The rubber is undercut, so
+//!   nothing below that edge can be touched, and a rail is a plate without thickness: a convex polygon
+//!   behind its nose and its facings, and a slice of a disc for each rounded point.
+//! * **Liners**: everything behind the far arc of a hole, up to the height of the nose.
 //!
-//! A ball is clear of a piece where its centre is no nearer to it than its radius. Balls that are so
-//! at all times never pass through a plate, however thin.
+//! A ball is clear of a piece if its centre is at least its radius away. A ball that is clear at
+//! all times cannot pass through a plate, however thin the plate is.
 
 use carom::Table;
 use carom::math::{Vec2, Vec3};
@@ -19,32 +20,34 @@ use carom::table::{Capture, CushionPart, Part as Edge, Pocket, Shape};
 pub(crate) enum SolidPiece {
     /// A convex polygon, counter-clockwise, at the height of the nose.
     Plate { corners: Vec<Vec2>, height: f64 },
-    /// A slice of less than half a disc there, between two unit vectors from its centre.
+    /// A slice of less than half a disc at that height, between two unit vectors from its centre.
     Slice { center: Vec2, radius: f64, from: Vec2, to: Vec2, height: f64 },
-    /// Everything up to that height outside a circle, between two unit vectors from its centre, the
-    /// second up to a quarter turn counter-clockwise from the first.
+    /// Everything up to that height outside a circle, between two unit vectors from its centre; the
+    /// second is up to a quarter turn counter-clockwise from the first.
     Liner { center: Vec2, radius: f64, from: Vec2, to: Vec2, height: f64 },
     /// The bed with its holes, by centre and radius.
     Bed { holes: Vec<(Vec2, f64)> },
 }
 
-/// How far a point is from a piece.
+/// The distance of a point from a piece.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Distance {
     /// Metres; 0 inside.
     pub(crate) value: f64,
-    /// Its gradient: the unit vector away from the piece.
+    /// The gradient of the distance: the unit vector away from the piece.
     pub(crate) away: Vec3,
-    /// Seen from here the piece is hollow with this radius of curvature, m: the distance at a point δ
-    /// further is at least `value` + `away`·δ − |δ|²/2ρ, with ρ by |δ| less than this. Infinite for
-    /// what is convex.
+    /// Radius of curvature of a concave piece as seen from the point, m; infinite for a convex one.
+    /// The distance at a point displaced by δ is at least `value` + `away`·δ − |δ|²/2ρ, where ρ is
+    /// `hollow` −
+    /// |δ|.
     pub(crate) hollow: f64,
-    /// How far that holds, m.
+    /// Largest |δ| for which that holds, m.
     pub(crate) valid: f64,
 }
 
 impl Distance {
-    /// From the distance in the plane and its gradient, and the height above the piece.
+    /// The distance from its part in plan, with that part's gradient, and the height above the
+    /// piece.
     fn combine(level: f64, gradient: Vec2, rise: f64, hollow: f64, valid: f64) -> Self {
         let value = (level * level + rise * rise).sqrt();
         let away = if value > 0.0 {
@@ -80,8 +83,8 @@ fn from_polygon(p: Vec2, corners: &[Vec2]) -> (f64, Vec2) {
     if edges().all(|(&start, &end)| (end - start).cross(p - start) >= 0.0) {
         return (0.0, Vec2::ZERO);
     }
-    // All edges, also those that have the point on their inner side: where two are in one line,
-    // rounding may have it outside only of the farther one.
+    // All edges, including those with the point on their inner side: if two edges are in one line,
+    // rounding may put the point outside of the farther edge only.
     let from_edges = edges().map(|(&start, &end)| from_segment(p, start, end));
     from_edges.fold((f64::INFINITY, Vec2::ZERO), nearer)
 }
@@ -92,7 +95,7 @@ fn in_cone(q: Vec2, from: Vec2, to: Vec2) -> bool {
 }
 
 impl SolidPiece {
-    /// How far the point `c` is from this piece.
+    /// The distance of the point `c` from this piece.
     pub(crate) fn distance(&self, c: Vec3) -> Distance {
         let p = c.xy();
         match self {
@@ -122,7 +125,7 @@ impl SolidPiece {
                     nearer(side(*from), side(*to))
                 };
                 let rise = (c.z - height).max(0.0);
-                // Where it is doubtful which end is the nearer, the piece is a radius away.
+                // Where rounding could select the wrong end, the piece is a radius away.
                 Distance::combine(level, away, rise, rho, 0.5 * (radius - level).max(0.0))
             }
             Self::Bed { holes } => {
@@ -137,7 +140,7 @@ impl SolidPiece {
         }
     }
 
-    /// The rectangle that holds the piece, seen from above: two opposite corners.
+    /// The bounding rectangle of the piece in plan: two opposite corners.
     fn extent(&self) -> [Vec2; 2] {
         let around = |points: &[Vec2]| {
             let fold = |f: fn(f64, f64) -> f64, x: f64| {
@@ -159,7 +162,7 @@ impl SolidPiece {
     }
 }
 
-/// A piece, what it is called, and where it lies.
+/// A piece with its name and its bounding rectangle.
 #[derive(Clone, Debug)]
 pub(crate) struct NamedPiece {
     pub(crate) piece: SolidPiece,
@@ -173,19 +176,20 @@ impl NamedPiece {
         Self { piece, name, extent }
     }
 
-    /// No nearer than this is the rectangle around the piece to `p`, m, along either axis.
+    /// Lower bound of the distance between `p` and the piece, m: that of its bounding rectangle
+    /// along one axis.
     pub(crate) fn at_least(&self, p: Vec2) -> f64 {
         let [low, high] = self.extent;
         (low.x - p.x).max(p.x - high.x).max((low.y - p.y).max(p.y - high.y))
     }
 }
 
-/// All matter of a table.
+/// All solid parts of a table.
 #[derive(Clone, Debug)]
 pub(crate) struct Solid {
     /// The bed.
     pub(crate) bed: NamedPiece,
-    /// All that stands on it: nothing of it reaches over the playing area.
+    /// The rails and liners, none of which reaches over the playing area.
     pub(crate) rails: Vec<NamedPiece>,
     /// Half the playing area, m.
     pub(crate) half: Vec2,
@@ -197,10 +201,10 @@ pub(crate) struct Solid {
     pub(crate) holes: Vec<(Vec2, f64)>,
 }
 
-/// Rails are drawn out to this many times their width.
+/// Plates extend to this many times the rails' width.
 const BEYOND: f64 = 4.0;
 
-/// Places closer than this are one, up to rounding, m.
+/// Points closer than this are the same up to rounding, m.
 const SAME_PLACE: f64 = 1e-9;
 
 impl Solid {
@@ -227,7 +231,7 @@ impl Solid {
         solid
     }
 
-    /// The plate behind a rail's edges, and the slices of its points.
+    /// Adds the plate behind a rail's edges, and the slices of its points.
     fn add_rail(&mut self, parts: &[CushionPart], reach: Vec2) {
         let (height, name) = (self.height, parts[0].rail.name());
         let mut plate = vec![
@@ -260,7 +264,7 @@ impl Solid {
         self.rails.push(NamedPiece::new(plate, format!("the {name} rail")));
     }
 
-    /// What is behind a hole: between its two jaws, whose lines run on until they leave the hole.
+    /// Adds the liner of a pocket, between the extended lines of its two jaws.
     fn add_liner(&mut self, pocket: &Pocket, jaws: &[Jaw], far: f64) {
         let (center, radius, height) = (pocket.center, pocket.radius, self.height);
         let name = pocket.name.name();
@@ -270,7 +274,7 @@ impl Solid {
             let Some(end) = jaw.leaves(center, radius) else { continue };
             let out = (end - center) * (1.0 / radius);
             ends.push(out);
-            // Between the line that runs on and the liner there is wood as well.
+            // The region between the extended line and the liner is solid too.
             if out.dot(jaw.normal) > 0.0 {
                 let (a, b) = (end + out * far, end + jaw.along * far);
                 let turn = (a - end).cross(b - end);
@@ -291,8 +295,8 @@ impl Solid {
         }
     }
 
-    /// How deep a ball of radius `radius` (m) with its centre at `c` is in the table, m, and in what;
-    /// negative by as much as it is clear.
+    /// The largest overlap of the table and a ball of radius `radius` (m) with its centre at `c`,
+    /// m, and the name of the piece; negative if the ball is clear.
     pub(crate) fn depth(&self, c: Vec3, radius: f64) -> (f64, &str) {
         self.rails.iter().chain([&self.bed]).fold((f64::NEG_INFINITY, ""), |deepest, part| {
             let depth = radius - part.piece.distance(c).value;
@@ -300,26 +304,27 @@ impl Solid {
         })
     }
 
-    /// Whether the height of a centre is that of a ball on a top rather than on the bed.
+    /// Whether a ball with its centre at height `z` is nearer to a rail's top than to the bed.
     pub(crate) fn is_on_top(&self, z: f64, radius: f64) -> bool {
         !self.rails.is_empty() && z > radius + 0.5 * self.height
     }
 
-    /// How far inside the hole over which it stands a centre is, m; negative: so far from any.
+    /// Distance of `p` inside the edge of the hole under it, m; negative: the distance from the
+    /// nearest hole.
     pub(crate) fn over_hole(&self, p: Vec2) -> f64 {
         let inside = |(center, radius): &(Vec2, f64)| radius - (p - *center).length();
         self.holes.iter().map(inside).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// How far from the rails' tops a centre is, seen from above, m; 0 over them.
+    /// Distance of `p` from the rails' tops in plan, m; 0 over them.
     pub(crate) fn beside_tops(&self, p: Vec2) -> f64 {
         let c = p.with_z(self.height);
         self.rails.iter().map(|part| part.piece.distance(c).value).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// Where a rail ends at a pocket: the line of its facing, or of the tangent to a point that takes up
-/// all the rubber.
+/// The end of a rail at a pocket: the line of its facing, or of the tangent to a point that takes
+/// the place of a facing.
 struct Jaw {
     /// Deep end, m.
     deep: Vec2,
@@ -330,7 +335,7 @@ struct Jaw {
 }
 
 impl Jaw {
-    /// Where its line leaves the circle, if it meets it.
+    /// The point where the line leaves the circle, if it meets it.
     fn leaves(&self, center: Vec2, radius: f64) -> Option<Vec2> {
         let d = self.deep - center;
         let b = d.dot(self.along);
@@ -357,8 +362,8 @@ fn jaws(parts: &[CushionPart]) -> Vec<Jaw> {
     [parts.first(), parts.last()].into_iter().flatten().filter_map(at).collect()
 }
 
-/// Cuts off a convex polygon what lies in front of the line through `place` with the normal `normal`
-/// (Sutherland & Hodgman 1974).
+/// Cuts off the part of a convex polygon in front of the line through `place` with the normal
+/// `normal` (Sutherland & Hodgman 1974).
 fn cut(corners: &mut Vec<Vec2>, place: Vec2, normal: Vec2) {
     let front = |p: Vec2| (p - place).dot(normal);
     let mut kept = Vec::with_capacity(corners.len() + 1);

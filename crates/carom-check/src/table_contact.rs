@@ -1,4 +1,4 @@
-//! What a ball is said to touch of the table: how far it is from it, and in which direction.
+//! The distance and direction from a ball to the part of the table that it touches in an event.
 
 use carom::Table;
 use carom::math::{Vec2, Vec3};
@@ -6,16 +6,17 @@ use carom::table::{Part, Shape};
 
 use crate::solid::{Solid, SolidPiece};
 
-/// The contact with a named part of the table.
+/// The contact of a ball with a part of the table.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TableContact {
-    /// How far the ball is from the part, m; negative inside.
+    /// Distance of the ball from the part, m; negative for an overlap.
     pub(crate) gap: f64,
-    /// Unit vector from the touched point to the centre.
+    /// Unit vector from the touched point to the ball's centre.
     pub(crate) away: Vec3,
 }
 
-/// Straight parts reach this far beyond their ends, m, where they join round ones tangentially.
+/// Straight parts may be touched this far beyond their ends, m, since they join round parts
+/// tangentially.
 const JOIN: f64 = 1e-6;
 
 /// A ball of radius `radius` (m) with its centre at `c`, and part `k` of `Table::cushions`.
@@ -53,8 +54,9 @@ pub(crate) fn rail(
     }
 }
 
-/// An edge at a distance of `level` in the plane, in the direction −`normal`, and `rise` below the
-/// centre. What is under it recedes, so far that centres can come up to the edge line.
+/// The contact with an edge at the distance `level` in plan in the direction −`normal`, and `rise`
+/// below the ball's centre. The surface under the edge recedes so far that centres can reach the
+/// edge's line.
 fn edge(level: f64, normal: Vec2, rise: f64, radius: f64) -> TableContact {
     if rise < -radius {
         return TableContact { gap: level, away: normal.with_z(0.0) };

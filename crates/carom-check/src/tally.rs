@@ -1,35 +1,35 @@
-//! Sums over many judged shots.
+//! Sums over many checked shots.
 
 use std::fmt;
 
 use crate::CheckRecorder;
 
-/// Faulty shots that are kept whole.
+/// Number of faulty shots whose files are kept.
 const EXAMPLES: usize = 5;
 
-/// What judging many shots has found.
+/// The result of checking many shots.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     /// Shots simulated.
     pub shots: u64,
-    /// Layouts that are no shots: a ball drawn into a jaw or over a hole.
+    /// Drawn layouts that are not valid shots: a ball in a jaw or over a hole.
     pub refused: u64,
     /// Shots with a fault.
     pub faulty: u64,
     /// Events of all shots.
     pub events: u64,
-    /// Most events of one shot, and its seed.
+    /// Largest number of events of one shot, and its seed.
     pub longest: (u64, u64),
-    /// No overlap was deeper at any time, m.
+    /// Upper bound of all overlaps, m.
     pub deepest: f64,
     /// Largest |gap| at a contact of two balls, m.
     pub widest: f64,
-    /// Some faulty shots: seed, and faults with the shot file.
+    /// Some faulty shots: the seed, and the faults with the shot file.
     pub examples: Vec<(u64, String)>,
 }
 
 impl Tally {
-    /// Of one shot.
+    /// The tally of one shot.
     pub fn of(seed: u64, checker: &CheckRecorder<'_>, file: &str) -> Self {
         let faults: Vec<String> = checker.faults.iter().map(ToString::to_string).collect();
         Self {
@@ -48,12 +48,12 @@ impl Tally {
         }
     }
 
-    /// A layout that is no shot.
+    /// The tally of a layout that is not a valid shot.
     pub fn refused() -> Self {
         Self { refused: 1, ..Self::default() }
     }
 
-    /// Both.
+    /// The sum of two tallies.
     #[must_use]
     pub fn with(mut self, other: Self) -> Self {
         self.shots += other.shots;

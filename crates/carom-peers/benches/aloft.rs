@@ -1,6 +1,6 @@
-//! Nanoseconds per question of a flying ball: `cargo bench -p carom-peers --bench aloft`.
+//! Time per question about a flying ball, ns: `cargo bench -p carom-peers --bench aloft`.
 //!
-//! Times here are noisy, so each figure is the least of several passes over the same questions.
+//! Times are noisy, so each figure is the smallest of several passes over the same questions.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -11,10 +11,10 @@ use carom_peers::random::{Random, RandomMotion};
 use carom_peers::ring_families::{RingCase, RingFamily};
 use carom_roots::{Motion, first_contact, first_ring_contact};
 
-/// Questions per set: they fit a second-level cache.
+/// Questions per set. A set fits into a second-level cache.
 const QUESTIONS: usize = 4096;
 
-/// Passes over a set, of which the fastest counts.
+/// Number of passes over a set; the fastest counts.
 const PASSES: usize = 15;
 
 fn nanoseconds_each<C>(cases: &[C], ask: impl Fn(&C) -> Option<f64>) -> f64 {
@@ -28,7 +28,7 @@ fn nanoseconds_each<C>(cases: &[C], ask: impl Fn(&C) -> Option<f64>) -> f64 {
     (0..PASSES).map(|_| pass()).fold(f64::INFINITY, f64::min)
 }
 
-/// One line: the cost of the questions that are answered by a contact, and of those that are not.
+/// Prints one line: the time of the questions with a contact, and of those without.
 fn report<C>(name: &str, mut draw: impl FnMut() -> C, ask: impl Fn(&C) -> Option<f64>) {
     let (mut hits, mut misses) = (Vec::new(), Vec::new());
     for _ in 0..40 * QUESTIONS {
@@ -53,7 +53,7 @@ fn ring_contact(case: &RingCase) -> Option<f64> {
     first_ring_contact(&case.motion, case.ring, case.distance, case.from, case.horizon)
 }
 
-/// A hop somewhere on a 9-ft table, asked of the lip of a corner pocket.
+/// A hop at a random place on a 9-ft table, and the lip of a corner pocket.
 fn hop_on_a_table(random: &mut Random) -> RingCase {
     let d = [random.between(-2.5, 0.0), random.between(0.0, 1.2), 0.0286];
     let [x, y] = random.direction();

@@ -1,7 +1,7 @@
-//! Nanoseconds per pair of each finder: `cargo bench -p carom-peers --bench first_contact`.
+//! Time per pair of each finder, ns: `cargo bench -p carom-peers --bench first_contact`.
 //!
-//! The pairs of breaks and of pot shots are those that the engine's cheap proofs leave to its finder.
-//! Times here are noisy, so each figure is the least of several passes over the same pairs.
+//! The pairs of breaks and of pot shots are those that the engine's cheap proofs leave to its
+//! finder. Times are noisy, so each figure is the smallest of several passes over the same pairs.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -12,10 +12,10 @@ use carom_peers::harvest::{break_pairs, pot_pairs};
 use carom_peers::random::Random;
 use carom_roots::Row;
 
-/// Pairs per set: they fit a second-level cache, as a shot's pairs do.
+/// Pairs per set. A set fits into a second-level cache, as the pairs of a shot do.
 const PAIRS: usize = 4096;
 
-/// Passes over a set, of which the fastest counts.
+/// Number of passes over a set; the fastest counts.
 const PASSES: usize = 15;
 
 fn nanoseconds_each(cases: &[Case], finder: Finder) -> f64 {
@@ -40,7 +40,7 @@ fn uniform_hits(seed: u64) -> Vec<Case> {
     std::iter::repeat_with(|| uniform_pair(&mut random)).filter(hit).take(PAIRS).collect()
 }
 
-/// Lanes of a row: the most balls that a table holds, in full vectors.
+/// Lanes of a row: the largest number of balls on a table, in full vectors.
 const LANES: usize = 24;
 
 fn row_nanoseconds_per_pair(cases: &[Case]) -> (f64, f64) {

@@ -1,13 +1,14 @@
-//! What each finder loses and invents in the hard families: `cargo run --release --example accuracy`.
+//! Counts missed and false contacts of each finder in the hard families:
+//! `cargo run --release -p carom-peers --example accuracy -- [CASES]`.
 //!
-//! The one argument is the number of cases per family (default 100 000).
+//! CASES is the number of cases per family (default 100 000).
 
 use carom_peers::families::{Case, Family, cluster_pair, uniform_pair};
 use carom_peers::finder::Finder;
 use carom_peers::judge::{Verdict, judge};
 use carom_peers::random::Random;
 
-/// Depths below have no meaning on a table, m.
+/// Faults smaller than this have no meaning on a table, m.
 const DEPTH: f64 = 1e-15;
 
 #[derive(Default)]

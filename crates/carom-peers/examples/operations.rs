@@ -1,5 +1,5 @@
-//! Counts what the engine looks at and solves in the shots of a file, one `carom-shot/1` in a line, and
-//! prints the sums as JSON. `scripts/count_operations.py` runs it on the benchmarks' shots.
+//! Counts the operations of the engine in the shots of a file, one `carom-shot/1` per line, and
+//! prints the sums as JSON. `scripts/count_operations.py` runs it on the shots of the benchmarks.
 //!
 //! `cargo run --release -p carom-peers --example operations -- FILE`
 

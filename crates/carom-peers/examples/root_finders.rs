@@ -1,9 +1,11 @@
-//! The 100 000 random shots of Leckie & Greenspan 2006, section 3, with each root finder in the event
-//! loop: how many have an impossible result, and how long a shot takes. Prints JSON.
+//! Simulates the 100 000 random shots of Leckie & Greenspan 2006, section 3, with each root finder
+//! in the event loop, and prints as JSON how many have an impossible result and how long a shot
+//! takes. The engine's own finder is timed with its proofs of no contact, the others without;
+//! `proofs` says so.
 //!
 //! `cargo run --release -p carom-peers --example root_finders -- [SHOTS [TIMED [METHOD]]]`
 //!
-//! METHOD is one method's name, such as `carom`; all of them without it.
+//! METHOD is the name of one method, such as `carom`; the default is all of them.
 
 use carom_peers::whole_shots::{Contestant, Reading, ShotSource, TOLERANCES};
 
@@ -29,11 +31,11 @@ fn main() {
     println!(" \"finders\": [\n{}\n ]\n}}", lines.join(",\n"));
 }
 
-/// One of so many shots is played: a tenth of the hard ones, and a hundredth where many a shot runs
-/// until it is stopped.
+/// The divisor of the number of shots: a tenth of the hard shots is simulated, and a hundredth
+/// where many shots run until the limit of events. None: the combination is left out.
 fn share(family: ShotSource, finder: &Contestant) -> Option<u64> {
     match (family, finder.reading) {
-        // Its stopped shots would take hours.
+        // Its shots that never end would take hours.
         (_, Reading::Smallest) if finder.method == "companion matrix" => None,
         (ShotSource::Ordinary, Reading::Smallest) => Some(100),
         (ShotSource::Frozen, Reading::Smallest) => None,
@@ -43,7 +45,7 @@ fn share(family: ShotSource, finder: &Contestant) -> Option<u64> {
 }
 
 fn line(family: ShotSource, finder: &Contestant, shots: u64, timed: u64) -> String {
-    let found = finder.judge(family, shots);
+    let found = finder.check(family, shots);
     let microseconds = 1e6 * finder.seconds_per_shot(family, timed.min(shots));
     let impossible: Vec<String> = TOLERANCES
         .iter()
@@ -53,8 +55,9 @@ fn line(family: ShotSource, finder: &Contestant, shots: u64, timed: u64) -> Stri
     let (family, reading) = (family.name(), finder.reading.name());
     eprintln!("{family}, {}, {reading}: {found:?}, {microseconds:.1} µs", finder.method);
     format!(
-        r#"  {{"family": "{family}", "method": "{}", "reading": "{reading}", "shots": {shots}, "impossible": {{{}}}, "overlap": {}, "apart": {}, "endless": {}, "other": {}, "microseconds_per_shot": {microseconds:.1}}}"#,
+        r#"  {{"family": "{family}", "method": "{}", "reading": "{reading}", "shots": {shots}, "proofs": {}, "impossible": {{{}}}, "overlap": {}, "apart": {}, "endless": {}, "other": {}, "microseconds_per_shot": {microseconds:.1}}}"#,
         finder.method,
+        finder.reading == Reading::FirstContact,
         impossible.join(", "),
         found.overlap,
         found.apart,

@@ -1,20 +1,21 @@
-//! Orellana & De Michele 2020, "Algorithm 1010: Boosting efficiency in solving quartic equations with
-//! no compromise in accuracy", ACM Trans. Math. Softw. 46(2), 20, written from the method's formulas.
+//! Orellana & De Michele 2020, "Algorithm 1010: Boosting efficiency in solving quartic equations
+//! with no compromise in accuracy", ACM Trans. Math. Softw. 46(2), 20, written from the method's
+//! formulas.
 //!
-//! x⁴ + ax³ + bx² + cx + d = (x² + l₁x + l₃)² + d₂(x + l₂)², the LDLᵀ factorisation of the symmetric
-//! matrix of the quartic in (x², x, 1), made singular by a root φ of its resolvent cubic. For d₂ < 0 it
-//! splits into (x² + α₁x + β₁)(x² + α₂x + β₂), which Newton's method then refines. Departures: no
-//! rescaling against overflow, which motions on a table do not need.
+//! x⁴ + ax³ + bx² + cx + d = (x² + l₁x + l₃)² + d₂(x + l₂)², the LDLᵀ factorisation of the
+//! symmetric matrix of the quartic in (x², x, 1), made singular by a root φ of its resolvent cubic.
+//! For d₂ < 0 it splits into (x² + α₁x + β₁)(x² + α₂x + β₂), which Newton's method then refines.
+//! Departures: no rescaling against overflow, which motions on a table do not need.
 
 use nalgebra::Complex;
 
 use crate::quartic::{Quartic, Roots};
 
-/// A complex root whose imaginary part is less, relative to its size, is taken as real: two roots
-/// that coincide are known to the square root of a rounding.
+/// A complex root with a smaller imaginary part, relative to its size, counts as real: a double
+/// root is known only to the square root of a rounding.
 const REAL: f64 = 1e-9;
 
-/// Refinements of φ and of the factors; each stops as soon as it no longer improves.
+/// Limit of refinements of φ and of the factors; each stops when it no longer improves.
 const MAX_REFINEMENTS: usize = 8;
 
 /// The real roots of a quartic with c₄ ≠ 0.
@@ -27,8 +28,8 @@ pub fn real_roots(quartic: &Quartic) -> Roots {
     let l3 = b / 6.0 + 0.5 * phi;
     let (d2, l2, error) = second_row([a, b, c, d], phi, l1, l3);
     let mut roots = Roots::default();
-    // d₂ is zero where both factors have the same middle, as on a straight path; then only roundings
-    // decide its sign, and the factors without it are the better ones.
+    // d₂ is zero if both factors have the same middle, as on a straight path. Then its sign is
+    // decided by rounding, and the factors without it are more accurate.
     let flat = flat_factors([a, b, c, d], l1, l3);
     let flat_error = flat.map_or(f64::INFINITY, |flat| flat.error([a, b, c, d]));
     if d2 < 0.0 {
@@ -75,8 +76,8 @@ fn deviation(x: f64, y: f64) -> f64 {
     if y == 0.0 { x.abs() } else { ((x - y) / y).abs() }
 }
 
-/// d₂ and l₂, from whichever of the three equivalent formulas reproduces the coefficients best, and
-/// how well it does.
+/// d₂ and l₂ by the one of the three equivalent formulas that reproduces the coefficients best, and
+/// its error.
 fn second_row([a, b, c, d]: [f64; 4], phi: f64, l1: f64, l3: f64) -> (f64, f64, f64) {
     let delta2 = 0.5 * c - l1 * l3;
     let d2 = 2.0 / 3.0 * b - phi - l1 * l1;
@@ -85,7 +86,7 @@ fn second_row([a, b, c, d]: [f64; 4], phi: f64, l1: f64, l3: f64) -> (f64, f64, 
         let error = deviation(d2 + l1 * l1 + 2.0 * l3, b)
             + deviation(2.0 * (d2 * l2 + l1 * l3), c)
             + deviation(d2 * l2 * l2 + l3 * l3, d);
-        // A formula that divides by zero loses.
+        // A formula that divides by zero is not chosen.
         (d2, l2, if error.is_nan() { f64::INFINITY } else { error })
     };
     let candidates = [(d2, delta2 / d2), (delta2 / l2, l2), (d2, l2)].map(with_error);
@@ -180,7 +181,7 @@ impl Factors {
     }
 }
 
-/// d₂ > 0: two conjugate factors, whose roots are real only where they coincide.
+/// d₂ > 0: two conjugate factors, whose roots are real only if they coincide.
 fn push_nearly_real(roots: &mut Roots, gamma: f64, l1: f64, l2: f64, l3: f64) {
     let half = Complex::new(-0.5 * l1, -0.5 * gamma);
     let beta = Complex::new(l3, gamma * l2);

@@ -1,15 +1,16 @@
-//! The eigenvalues of the companion matrix, balanced and by the QR algorithm: what GSL's
-//! `gsl_poly_complex_solve` does, and with it FastFiz.
+//! Roots as eigenvalues of the balanced companion matrix, by the QR algorithm: the method of GSL's
+//! `gsl_poly_complex_solve`, which FastFiz uses.
 
 use nalgebra::Matrix4;
 use nalgebra::linalg::{Schur, balancing::balance_parlett_reinsch};
 
 use crate::quartic::{Quartic, Roots};
 
-/// A root whose imaginary part is less is taken as real, 1/s; the value that FastFiz uses.
+/// A root with a smaller imaginary part counts as real, s; the value of FastFiz.
 const REAL: f64 = 1e-11;
 
-/// More QR sweeps than a matrix of order four needs; a failure to converge finds no roots.
+/// Limit of QR sweeps, more than a matrix of order four needs. Without convergence no roots are
+/// returned.
 const MAX_SWEEPS: usize = 500;
 
 /// The real roots of a quartic with c₄ ≠ 0.

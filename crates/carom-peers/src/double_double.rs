@@ -1,6 +1,7 @@
-//! Numbers of 106 bits as unevaluated sums of two doubles: the arithmetic of the judge.
+//! Numbers of 106 bits as unevaluated sums of two doubles, for the judge.
 //!
-//! Dekker 1971 (the product) and Knuth's two-sum. Relative error of one operation: a few 2⁻¹⁰⁴.
+//! By Dekker 1971 (the product) and Knuth's two-sum. The relative error of one operation is a few
+//! 2⁻¹⁰⁴.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -24,7 +25,7 @@ impl DoubleDouble {
         quick_two_sum(hi, rest.value() / q)
     }
 
-    /// The square root; 0 of what is negative.
+    /// The square root; 0 for negative numbers.
     pub fn sqrt(self) -> Self {
         let hi = self.value().max(0.0).sqrt();
         if hi == 0.0 {
@@ -106,14 +107,14 @@ mod tests {
     const TINY: f64 = 7.888609052210118e-31;
 
     #[test]
-    fn a_sum_keeps_what_a_double_loses() {
+    fn a_sum_keeps_bits_that_a_double_loses() {
         let one = DoubleDouble::from(1.0);
         let tiny = DoubleDouble::from(TINY);
         assert_eq!(((one + tiny) - one).value(), TINY);
     }
 
     #[test]
-    fn a_root_and_a_ratio_times_themselves_give_back_the_number() {
+    fn a_squared_root_and_a_tripled_third_give_the_number_again() {
         let two = DoubleDouble::from(2.0);
         assert!((two.sqrt() * two.sqrt() - two).value().abs() <= 4.0 * TINY);
         let third = DoubleDouble::ratio(1.0, 3.0);

@@ -1,7 +1,8 @@
-//! The nine hard families of motions, and uniformly random ones.
+//! Nine hard families of motions, and uniformly random motions.
 //!
-//! Each is built so that a finder has a chance to fail: a graze within roundings, a quartic whose
-//! leading coefficient vanishes, bodies that already touch. Lengths in m and times in s, as on a table.
+//! Each family is a case in which finders can fail: a graze within rounding, a quartic whose
+//! leading coefficient vanishes, bodies that already touch. Lengths are in m and times in s, as on
+//! a table.
 
 use carom_roots::Motion;
 
@@ -10,8 +11,8 @@ use crate::random::{Random, RandomMotion};
 /// Two pool balls of 2 1/4 in: the distance of their centres in contact, m.
 pub const BALL_DIAMETER: f64 = 0.057_15;
 
-/// The diagonal of a 12-ft snooker table: no two balls are farther apart, m. Positions are rounded in
-/// proportion to it, so that faults of 1e-15 m have a meaning only within.
+/// The diagonal of a 12-ft snooker table, the largest distance of two balls, m. The rounding of
+/// positions grows with distance, so faults of 1e-15 m have a meaning only within it.
 pub const LARGEST_TABLE: f64 = 4.0;
 
 /// A question for a finder.
@@ -23,11 +24,11 @@ pub struct Case<const N: usize = 2> {
     pub distance: f64,
     /// The last time of interest, s; may be infinite.
     pub horizon: f64,
-    /// The unit of length that a table's metre has become here: 1 but in [`Family::Scaled`].
+    /// The length of a table's metre in this case; 1 except in [`Family::Scaled`].
     pub metre: f64,
 }
 
-/// A way to make hard cases.
+/// Families of hard cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// N1: the closest approach is within 1e-4 … 0 (relative) of touching.
@@ -36,17 +37,17 @@ pub enum Family {
     LeadingToZero,
     /// N3: no acceleration.
     LeadingZero,
-    /// N4: touching within roundings, separating, pushed back.
+    /// N4: touching within rounding, separating, accelerated back.
     TouchingSeparating,
-    /// N5: touching within roundings, approaching.
+    /// N5: touching within rounding, approaching.
     TouchingApproaching,
     /// N6: gaps down to 1e-15 m and speeds down to 1e-9 m/s.
     TinyGapAndSpeed,
-    /// N7: from metres away at up to 20 m/s, grazing.
+    /// N7: grazing from metres away, at up to 20 m/s.
     FarFastGrazing,
-    /// N8: touching within a rounding, sliding past with no normal speed at all.
+    /// N8: touching within rounding, with a normal speed of exactly zero.
     NoNormalSpeed,
-    /// N9: the others in units of 1e-6 … 1e6 m and s.
+    /// N9: the other families in units of 1e-6 … 1e6 m and s.
     Scaled,
 }
 
@@ -64,7 +65,7 @@ impl Family {
         Family::Scaled,
     ];
 
-    /// One case, whose bodies do not overlap at first by more than roundings.
+    /// One case. At the start its bodies overlap by no more than rounding.
     pub fn sample(self, random: &mut Random) -> Case {
         apart(random, |random| self.draw(random))
     }
@@ -94,7 +95,7 @@ impl Family {
     }
 }
 
-/// The first drawn case that fits on a table and does not overlap at the start but by roundings.
+/// The first drawn case that fits on a table and overlaps at the start by no more than rounding.
 fn apart(random: &mut Random, draw: impl Fn(&mut Random) -> Case) -> Case {
     /// Relative to the contact distance: 1e-16 m for balls.
     const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
@@ -128,8 +129,8 @@ fn draw_uniform_pair(random: &mut Random) -> Case {
     }
 }
 
-/// A pair as they occur in the first moments of a break: close together, mostly without spin, so
-/// that friction is along the path.
+/// A pair as in the first moments of a break: close together and mostly without spin, so that
+/// friction acts along the path.
 pub fn cluster_pair(random: &mut Random) -> Case {
     let mut case = uniform_pair(random);
     let distance = BALL_DIAMETER + random.magnitude(-4.0, -0.3);
@@ -155,7 +156,7 @@ const SLIDING_DECELERATION: f64 = 1.962;
 /// μ g of a rolling ball, 0.01 × 9.81 m/s².
 const ROLLING_DECELERATION: f64 = 0.0981;
 
-/// Velocity, half acceleration and the time for which they hold.
+/// Velocity, half the acceleration, and the time for which the acceleration holds.
 fn moving_ball(random: &mut Random) -> ([f64; 2], [f64; 2], f64) {
     let direction = random.direction();
     let speed = random.magnitude(-1.0, 0.8);
@@ -183,7 +184,7 @@ fn quadratic(d: [f64; 2], v: [f64; 2], h: [f64; 2], t: f64) -> [f64; 2] {
     [0, 1].map(|i| d[i] + t * (v[i] + t * h[i]))
 }
 
-/// Half an acceleration of a table: that of cloth friction, or of two frictions.
+/// Half of a relative acceleration by friction on the cloth.
 fn friction(random: &mut Random) -> [f64; 2] {
     let size = random.magnitude(-2.0, 0.4);
     scaled(random.direction(), size)
@@ -193,7 +194,8 @@ fn horizon(random: &mut Random) -> f64 {
     if random.chance(0.5) { f64::INFINITY } else { random.magnitude(-3.0, 1.0) }
 }
 
-/// Closest at `time`, at a distance within 1e-4 … 0 of touching, with a speed up to `speed`.
+/// The closest approach is at `time`, within 1e-4 … 0 (relative) of touching, with a speed up to
+/// `speed`.
 fn grazing(random: &mut Random, time: f64, speed: f64) -> Motion<2> {
     let offset = match random.bits() % 4 {
         0 => 0.0,
@@ -209,7 +211,7 @@ fn grazing(random: &mut Random, time: f64, speed: f64) -> Motion<2> {
     Motion { d: back, v: [0, 1].map(|i| velocity[i] - 2.0 * time * h[i]), h }
 }
 
-/// From up to 2.5 m away, aimed to within two diameters.
+/// From up to 2.5 m away, aimed within two diameters.
 fn aimed(random: &mut Random) -> Motion<2> {
     let reach = random.between(1.01 * BALL_DIAMETER, 2.5);
     let d = scaled(random.direction(), reach);
@@ -219,7 +221,7 @@ fn aimed(random: &mut Random) -> Motion<2> {
     Motion { d, v: scaled(towards, speed), h: friction(random) }
 }
 
-/// Within two roundings of touching; `sign` of the normal speed.
+/// Within two roundings of touching; `sign` is that of the normal speed.
 fn touching(random: &mut Random, sign: f64) -> Motion<2> {
     let n = random.direction();
     let roundings = (random.bits() % 5) as f64 - 2.0;

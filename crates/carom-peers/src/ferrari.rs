@@ -1,6 +1,6 @@
 //! The textbook closed form: Ferrari's two quadratics, by Cardano's root of the resolvent cubic.
 //!
-//! As in any handbook, in real arithmetic, without refinement.
+//! As in handbooks: in real arithmetic, without refinement.
 
 use crate::quartic::{Quartic, Roots};
 

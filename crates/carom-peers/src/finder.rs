@@ -1,4 +1,4 @@
-//! Every finder of a first contact behind one interface.
+//! All finders of a first contact behind one interface.
 
 use carom_roots::Motion;
 
@@ -16,14 +16,14 @@ pub enum Finder {
     Companion,
     /// [`crate::algorithm_1010`].
     Algorithm1010,
-    /// `kurbo::common::solve_quartic`, itself of Algorithm 1010's kind.
+    /// `kurbo::common::solve_quartic`, similar to Algorithm 1010.
     Kurbo,
     /// `polycool`, Yuksel 2022: Newton's method bracketed by the roots of the derivatives.
     Polycool,
 }
 
 impl Finder {
-    /// All, ours first.
+    /// All of them, this project's first.
     pub const ALL: [Finder; 6] = [
         Finder::Carom,
         Finder::Ferrari,
@@ -33,7 +33,7 @@ impl Finder {
         Finder::Polycool,
     ];
 
-    /// As it appears in tables.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Finder::Carom => "carom-roots",
@@ -47,8 +47,8 @@ impl Finder {
 
     /// First contact within `horizon` (s) of centres that touch at `distance` (m).
     ///
-    /// All but ours take the smallest real root in [0, horizon] at which the bodies approach, and the
-    /// start if they touch and approach there.
+    /// All but this project's finder return the smallest real root in [0, horizon] at which the
+    /// bodies approach, or 0 if they touch and approach at the start.
     pub fn first_contact(self, motion: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
         let hunt = |solve: fn(&Quartic) -> Roots| {
             smallest_approaching_root(motion, distance, horizon, solve)
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn no_finder_sees_a_contact_where_bodies_miss_or_separate() {
+    fn no_finder_reports_a_contact_where_bodies_miss_or_separate() {
         let miss = Motion { d: [1.0, 0.5], v: [-2.0, 0.0], h: [0.1, 0.0] };
         let apart = Motion { d: [1.0, 0.0], v: [2.0, 0.0], h: [0.1, 0.2] };
         for finder in Finder::ALL {

@@ -1,27 +1,29 @@
-//! Hard motions of balls of which one or both are aloft, and of a flying ball and a straight edge.
+//! Hard motions of two balls of which at least one is in the air, and of a flying ball and a
+//! straight edge.
 //!
-//! In three dimensions the motion is that of a pair: with half of gravity down the last axis if one
-//! ball is aloft, with none if both are. In two it is that of a ball across a straight edge: (n·x, z).
+//! In three dimensions the motion is that of a pair: with gravity along the last axis if one ball
+//! is in the air, without if both are. In two dimensions it is that of a ball relative to a
+//! straight edge: (n·x, z).
 
 use carom_roots::Motion;
 
 use crate::families::{BALL_DIAMETER, Case};
 use crate::random::{Random, RandomMotion};
 
-/// Families of motions aloft.
+/// Families of motions in the air.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FlightFamily {
     /// Passes within two contact distances, at 0.1 to 20 m/s.
     Aimed,
     /// The closest approach is within 1e-4 … 0 (relative) of touching.
     Grazing,
-    /// Touching within roundings, parting at down to 1e-9 m/s.
+    /// Touching within rounding, separating at down to 1e-9 m/s.
     Parting,
-    /// Touching within roundings, approaching.
+    /// Touching within rounding, approaching.
     Approaching,
     /// Gaps down to 1e-15 m and speeds down to 1e-9 m/s.
     TinyGapAndSpeed,
-    /// Touching along an axis, sliding past with no normal speed at all.
+    /// Touching along an axis, with a normal speed of exactly zero.
     NoNormalSpeed,
 }
 
@@ -64,7 +66,8 @@ impl FlightFamily {
     }
 }
 
-/// That of one ball aloft and one on the cloth, or of two aloft; on an edge, always of one aloft.
+/// Half of the relative acceleration of one ball in the air and one on the cloth, or of two in the
+/// air; with an edge, always of one in the air.
 fn half_acceleration<const N: usize>(random: &mut Random) -> [f64; N] {
     let aloft = N == 2 || random.chance(0.7);
     let [x, y] = random.direction();
@@ -89,7 +92,7 @@ fn direction<const N: usize>(random: &mut Random) -> [f64; N] {
     }
 }
 
-/// A unit vector across n.
+/// A unit vector perpendicular to n.
 fn across<const N: usize>(random: &mut Random, n: &[f64; N]) -> [f64; N] {
     loop {
         let a = direction::<N>(random);
@@ -110,7 +113,7 @@ fn scaled<const N: usize>(a: [f64; N], by: f64) -> [f64; N] {
     a.map(|x| by * x)
 }
 
-/// The motion that is at `x` with `velocity` at `time`.
+/// The motion that passes `x` with `velocity` at `time`.
 fn through<const N: usize>(x: [f64; N], velocity: [f64; N], h: [f64; N], time: f64) -> Motion<N> {
     Motion {
         d: std::array::from_fn(|i| x[i] - time * (velocity[i] - time * h[i])),

@@ -1,4 +1,4 @@
-//! Pairs as the engine meets them: every pair of balls that its cheap proofs leave to the finder.
+//! Pairs of balls from real shots: those that the engine's cheap proofs leave to the finder.
 
 use std::cell::RefCell;
 
@@ -17,7 +17,7 @@ thread_local! {
     static HARVEST: RefCell<Vec<Case>> = const { RefCell::new(Vec::new()) };
 }
 
-/// The engine's finder, listening.
+/// The engine's finder; it stores every question.
 #[derive(Clone, Copy, Debug)]
 struct HarvestingFinder;
 
@@ -61,13 +61,13 @@ pub fn pot_pairs(seed: u64, count: usize) -> Vec<Case> {
     })
 }
 
-/// Plays the shots that `next` gives until they have asked the finder `count` times.
+/// Simulates the shots of `next` until the finder was called `count` times.
 fn harvest(count: usize, mut next: impl FnMut() -> (Shot, Strike)) -> Vec<Case> {
     HARVEST.with_borrow_mut(Vec::clear);
     let mut simulation = Simulation::<SMALL_CAPACITY, HarvestingFinder>::new();
     while HARVEST.with_borrow(Vec::len) < count {
         let (shot, strike) = next();
-        // A shot that is refused or stopped has asked about its pairs all the same.
+        // Shots that are refused or stopped count too.
         let _ = simulation.play_strike(&shot, Some((0, strike)), &mut NullRecorder);
     }
     let mut pairs = HARVEST.with_borrow_mut(std::mem::take);
@@ -75,12 +75,12 @@ fn harvest(count: usize, mut next: impl FnMut() -> (Shot, Strike)) -> Vec<Case> 
     pairs
 }
 
-/// Balls anywhere on a 9-ft table, none touching; the first is the cue ball.
+/// Balls at random places on a 9-ft table, none touching; the first is the cue ball.
 fn layout(random: &mut Random, balls: usize) -> Shot {
     Shot::from_json(&shot_file(&places(random, balls))).expect("a layout without overlaps")
 }
 
-/// Centres anywhere on a 9-ft table, m, none touching.
+/// Random places of balls on a 9-ft table, m, none touching.
 pub(crate) fn places(random: &mut Random, balls: usize) -> Vec<[f64; 2]> {
     let mut places: Vec<[f64; 2]> = Vec::new();
     while places.len() < balls {
@@ -96,7 +96,7 @@ pub(crate) fn places(random: &mut Random, balls: usize) -> Vec<[f64; 2]> {
     places
 }
 
-/// Most events of a shot; ordinary ones have fewer than 300.
+/// Limit of events of a shot; ordinary ones have fewer than 300.
 pub(crate) const MAX_EVENTS: u32 = 5000;
 
 /// Balls at rest on a 9-ft table; the first is the cue ball.
@@ -121,7 +121,7 @@ mod tests {
     use super::{break_pairs, pot_pairs};
 
     #[test]
-    fn most_pairs_that_the_engine_asks_about_are_contacts() {
+    fn most_pairs_that_reach_the_finder_are_contacts() {
         for pairs in [break_pairs(1, 2000), pot_pairs(1, 2000)] {
             let contacts = pairs
                 .iter()

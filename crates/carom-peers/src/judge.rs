@@ -1,14 +1,14 @@
-//! Whether an answer is right, decided without solving the quartic.
+//! Decides whether the answer of a finder is right, without solving the quartic.
 //!
-//! The gap can only close where it falls, so that what a finder passed over shows at the stationary
-//! points of f = |d + vt + ht²|² − D²: roots of a cubic, which bisection brackets with certainty. An
-//! error δ of such a time changes the gap there by δ² only. The gap itself is computed in 106 bits,
-//! good to about 1e-30 m on a table.
+//! The gap can close only where it falls, so a missed contact shows at the stationary points of f =
+//! |d + vt + ht²|² − D². These are roots of a cubic, which bisection brackets reliably. An error δ
+//! of such a time changes the gap by δ² only. The gap is computed in 106 bits, accurate to about
+//! 1e-30 m on a table.
 //!
-//! Two doubles away from the truth in d are physically nothing; so a fault is measured as a **depth**:
-//! how far the bodies overlap in a contact that was lost, or how far they are from touching, or from
-//! approaching, in one that was invented. On a path that leads farther than any table, positions are
-//! rounded in proportion, and the tolerance grows so.
+//! An error of two roundings in d has no physical meaning, so a fault is measured as a **depth**:
+//! the overlap of the bodies in a missed contact, or the distance from touching or approaching in a
+//! false one. On a path longer than any table the rounding of positions, and so the tolerance,
+//! grows in proportion.
 
 use std::ops::RangeInclusive;
 
@@ -17,21 +17,21 @@ use carom_roots::Motion;
 use crate::double_double::DoubleDouble;
 use crate::families::{Case, LARGEST_TABLE};
 
-/// What an answer is worth.
+/// The judgement of an answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
-    /// Nothing was lost or invented; the depth is zero or meaningless.
+    /// No contact was missed, and none is false: the depth is zero or below the tolerance.
     Right {
-        /// ||x| − D| at the returned time, or 0 for "no contact", m; like the tolerance, in proportion
-        /// where the path leads farther than any table.
+        /// ||x| − D| at the returned time, or 0 for "no contact", m; divided by the same factor as the
+        /// tolerance on a path longer than any table.
         gap: f64,
     },
-    /// The bodies overlap by `depth` (m), falling into each other, before the answer.
+    /// The bodies approach and overlap by `depth` (m) before the answer: a missed contact.
     Lost {
         /// Overlap, m.
         depth: f64,
     },
-    /// At the answer the bodies are `clearance` (m) from a contact.
+    /// At the answer the bodies are `clearance` (m) away from a contact: a false contact.
     Invented {
         /// Distance to the nearest position that would be a contact, m.
         clearance: f64,
@@ -40,32 +40,33 @@ pub enum Verdict {
     OutOfRange,
 }
 
-/// Bisection from the widest bracket to neighbouring doubles, and a margin.
+/// Limit of bisections: from the widest bracket to neighbouring doubles, with a margin.
 const MAX_HALVINGS: usize = 160;
 
-/// Judge `answer`; faults of less than `tolerance` (m, on a table) are right.
+/// Judges `answer`. Faults smaller than `tolerance` (m, on a table) count as right.
 pub fn judge<const N: usize>(case: &Case<N>, answer: Option<f64>, tolerance: f64) -> Verdict {
     Exact::new(case, tolerance).judge(answer)
 }
 
-/// A path and what it is to meet, known so well that an answer can be judged by it.
+/// A path and its obstacle in high precision.
 pub(crate) trait Truth {
-    /// When a contact may be, s.
+    /// The interval of time in which a contact counts, s.
     fn window(&self) -> RangeInclusive<f64>;
 
-    /// Depth below which a fault counts as none, m on a table.
+    /// Depth below which a fault does not count, m on a table.
     fn tolerance(&self) -> f64;
 
-    /// How far the path has led by `t`: 1 on any table, in tables beyond it.
+    /// Length of the path up to `t` in units of the largest table, at least 1.
     fn extent(&self, t: f64) -> f64;
 
     /// Distance from touching at `t`, m, negative in an overlap.
     fn gap(&self, t: f64) -> f64;
 
-    /// A number with the sign of the gap's rate at `t`.
+    /// A number with the sign of the gap's rate of change at `t`.
     fn rate(&self, t: f64) -> f64;
 
-    /// Every time in the window, or any at all, at which the gap may turn, ascending.
+    /// All times in the window, and possibly others, at which the gap may have an extremum,
+    /// ascending.
     fn stationary_times(&self) -> Vec<f64>;
 
     fn tolerance_at(&self, t: f64) -> f64 {
@@ -91,12 +92,13 @@ pub(crate) trait Truth {
         Verdict::Right { gap: gap.abs() / self.extent(t) }
     }
 
-    /// The first overlap beyond the tolerance that the bodies reach by falling, up to `end`.
+    /// The first overlap beyond the tolerance that the bodies reach while the gap falls, up to
+    /// `end`.
     fn overlap_fallen_into(&self, stationary: &[f64], end: f64) -> Option<f64> {
         let from = *self.window().start();
         let mut times = vec![from];
         times.extend(stationary.iter().copied().filter(|&t| from < t && t < end));
-        // After the last stationary point the gap rises for ever.
+        // After the last stationary point the gap only rises.
         if end.is_finite() {
             times.push(end);
         }
@@ -106,7 +108,8 @@ pub(crate) trait Truth {
         })
     }
 
-    /// How much the gap changes between t and the nearest time at which the bodies stop separating.
+    /// Change of the gap between `t` and the stationary point with the nearest gap; 0 if the bodies
+    /// approach at `t`.
     fn lift_to_approach(&self, stationary: &[f64], t: f64) -> f64 {
         if self.rate(t) <= 0.0 {
             return 0.0;
@@ -198,7 +201,7 @@ impl<const N: usize> Truth for Exact<N> {
         (self.g[0] + time * (self.g[1] + time * (self.g[2] + time * self.g[3]))).value()
     }
 
-    /// Every real t with f′ = 0, ascending.
+    /// All real t with f′ = 0, ascending.
     fn stationary_times(&self) -> Vec<f64> {
         let [g0, g1, g2, g3] = self.g.map(DoubleDouble::value);
         if g3 == 0.0 {
@@ -232,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn a_head_on_contact_is_right_at_its_time_only() {
+    fn only_the_time_of_a_head_on_contact_is_right() {
         let motion = Motion { d: [3.0, 0.0], v: [-2.0, 0.0], h: [0.0, 0.0] };
         assert_eq!(verdict(&motion, Some(1.0)), Verdict::Right { gap: 0.0 });
         assert_eq!(verdict(&motion, None), Verdict::Lost { depth: 1.0 });
@@ -250,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn a_return_after_touching_is_a_contact() {
+    fn bodies_that_separate_and_return_have_a_contact() {
         let motion = Motion { d: [1.0, 0.0], v: [2.0, 0.0], h: [-1.0, 0.0] };
         assert_eq!(verdict(&motion, Some(2.0)), Verdict::Right { gap: 0.0 });
         assert!(matches!(verdict(&motion, None), Verdict::Lost { .. }));

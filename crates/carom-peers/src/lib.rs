@@ -1,4 +1,5 @@
-//! What the finder of first contacts is measured against: other finders, hard cases, and a judge.
+//! Comparisons for the finder of first contacts: other finders, hard cases, and a judge of their
+//! answers that works in 106-bit arithmetic.
 //!
 //! Nothing here is part of the engine.
 

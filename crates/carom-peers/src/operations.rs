@@ -1,9 +1,9 @@
-//! What the engine looks at and solves in a shot, counted beside the operation counts of Leckie &
-//! Greenspan 2006, section 3.
+//! Counts the operations of the engine in a shot, for comparison with the operation counts of
+//! Leckie & Greenspan 2006, section 3.
 //!
-//! Every proof of the engine is a pair (or a path and the table) that the paper's algorithm would
-//! have solved. The finder counts the calls; run once more with the proofs off it counts the pairs
-//! that were looked at, in a shot of the same bits.
+//! Each of the engine's proofs of no contact saves a pair (or a path and the table) that the
+//! paper's algorithm would solve. The finder counts its calls. A second run without the proofs has
+//! the same bits, and its calls are the pairs that were considered.
 
 use std::cell::Cell;
 
@@ -16,14 +16,14 @@ use carom::motion::Path;
 use carom::simulate::{Simulation, SimulationError};
 use carom_roots::Motion;
 
-/// Step of the integration that the counts are compared with, s: the paper's "rather coarse" one.
+/// Time step of the integration for comparison, s: the paper's "rather coarse" one.
 const STEP: f64 = 1e-3;
 
 thread_local! {
     static CALLS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// The engine's finder, counting; with the proofs before it or without.
+/// The engine's finder, with a count of its calls; with or without the proofs of no contact.
 #[derive(Clone, Copy, Debug)]
 struct CountingFinder<const PROOFS: bool>;
 
@@ -31,55 +31,55 @@ impl<const PROOFS: bool> ContactFinder for CountingFinder<PROOFS> {
     const PROOFS: bool = PROOFS;
 
     fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
-        // No horizon: there is no such pair, one of the balls is in a pocket.
+        // A NaN horizon marks a lane without a pair: one of its balls is in a pocket.
         CALLS.set(CALLS.get() + u64::from(!horizon.is_nan()));
         carom_roots::first_contact(path, distance, horizon)
     }
 }
 
-/// Counts of a shot, or of many.
+/// Operation counts of one shot or of many.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Operations {
     /// Events.
     pub events: u64,
     /// Time from strike to rest, s.
     pub duration: f64,
-    /// Balls that move right after an event, summed over the events.
+    /// Number of moving balls after each event, summed over the events.
     pub moving: u64,
-    /// Pairs of which a ball moves right after an event, likewise: what the paper solves.
+    /// Number of pairs with a moving ball after each event, summed: the paper solves all of them.
     pub pairs: u64,
-    /// Pairs that the engine looks at.
+    /// Pairs that the engine considers.
     pub looked_at: u64,
-    /// Pairs that its proofs leave: quartics solved.
+    /// Pairs that its proofs leave, whose quartics it solves.
     pub solved: u64,
     /// Balls whose state is advanced and whose next transition is predicted.
     pub advanced: u64,
     /// Paths searched for cushions and pockets.
     pub searched: u64,
-    /// Of those, paths that provably stay clear of them.
+    /// Those of them that are proved to stay clear.
     pub clear: u64,
-    /// Operations of the integration with steps of a millisecond, as the paper counts.
+    /// Operations of an integration with steps of 1 ms, counted as in the paper.
     pub by_steps: f64,
 }
 
 impl Operations {
-    /// Counts those of `shot`.
+    /// The counts of `shot`.
     ///
     /// # Errors
-    /// If the shot cannot be played.
+    /// If the shot cannot be simulated.
     pub fn of(shot: &Shot) -> Result<Self, SimulationError> {
-        let mut watch = OperationsRecorder::new(shot);
+        let mut recorder = OperationsRecorder::new(shot);
         CALLS.set(0);
-        Simulation::<SMALL_CAPACITY, CountingFinder<false>>::new().play(shot, &mut watch)?;
+        Simulation::<SMALL_CAPACITY, CountingFinder<false>>::new().play(shot, &mut recorder)?;
         let looked_at = CALLS.replace(0);
         let summary = Simulation::<SMALL_CAPACITY, CountingFinder<true>>::new()
             .play(shot, &mut NullRecorder)?;
-        let counts = watch.counts;
+        let counts = recorder.counts;
         assert_eq!(counts.events, u64::from(summary.events), "a proof changed the shot");
         Ok(Self { looked_at, solved: CALLS.get(), duration: summary.duration, ..counts })
     }
 
-    /// Both.
+    /// The sum of two counts.
     #[must_use]
     pub fn with(self, other: Self) -> Self {
         Self {
@@ -102,15 +102,16 @@ impl Operations {
         28 * self.moving + 19 * self.pairs
     }
 
-    /// Those of the engine in the same coin. A proof is one operation, as the paper's test of two
-    /// balls for overlap is; of the table, four quadratics are left of the paper's twelve.
+    /// Operations of the engine, counted in the same way. A proof is one operation, like the
+    /// paper's test of two balls for overlap; for the table, four quadratics remain of the paper's
+    /// twelve.
     pub fn of_the_engine(&self) -> u64 {
         let table = self.searched + 8 * (self.searched - self.clear);
         4 * self.advanced + self.looked_at + 19 * self.solved + table
     }
 }
 
-/// Follows which balls move.
+/// Records the counts that follow from the events: which balls and pairs move.
 struct OperationsRecorder<'a> {
     shot: &'a Shot,
     moves: Vec<bool>,
@@ -131,7 +132,7 @@ impl<'a> OperationsRecorder<'a> {
         }
     }
 
-    /// Balls that move, and pairs of which one does.
+    /// Number of moving balls, and of pairs with a moving ball.
     fn busy(&self) -> (u64, u64) {
         let count = |flags: &[bool]| flags.iter().filter(|&&f| f).count() as u64;
         let (moving, playing) = (count(&self.moves), count(&self.plays));

@@ -1,4 +1,4 @@
-//! The reading of a contact that hunts for roots: expand the quartic, take its smallest root.
+//! Contacts by roots: expand the quartic and take its smallest root.
 
 use carom_roots::Motion;
 
@@ -10,7 +10,7 @@ pub struct Roots {
 }
 
 impl Roots {
-    /// One more root.
+    /// Adds a root.
     pub fn push(&mut self, root: f64) {
         self.list[self.count] = root;
         self.count += 1;
@@ -65,7 +65,7 @@ impl Quartic {
     }
 }
 
-/// The real roots; of a quartic without leading coefficient, those of the quadratic that it is.
+/// The real roots. If the leading coefficient is zero, the quartic is solved as a quadratic.
 pub fn real_roots(quartic: &Quartic, solve: impl FnOnce(&Quartic) -> Roots) -> Roots {
     let [c0, c1, c2, _, c4] = quartic.0;
     if c4 != 0.0 {
@@ -78,9 +78,10 @@ pub fn real_roots(quartic: &Quartic, solve: impl FnOnce(&Quartic) -> Roots) -> R
     roots
 }
 
-/// The smallest root in [0, horizon] at which the gap falls, as every finder that hunts roots reads a
-/// contact. Two favours: bodies that touch and approach at t = 0 are found whatever the solver says,
-/// and a quartic without leading coefficient is solved as the quadratic that it is.
+/// The smallest root in [0, horizon] at which the gap falls: the rule of finders that solve for
+/// roots. It helps the solvers in two cases: a contact of bodies that touch and approach at t = 0
+/// does not depend on the solver, and a quartic without leading coefficient is solved as a
+/// quadratic.
 pub fn smallest_approaching_root(
     motion: &Motion<2>,
     distance: f64,

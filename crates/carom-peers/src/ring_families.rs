@@ -1,4 +1,4 @@
-//! Paths near a round edge, chosen to be hard: the lip and the rim of a pocket, the points of its jaw.
+//! Hard paths near a round edge: the lip and the rim of a pocket, the points of its jaw.
 
 use carom_roots::Motion;
 
@@ -8,7 +8,7 @@ use crate::random::{Random, RandomMotion};
 /// A path and a ring.
 #[derive(Clone, Copy, Debug)]
 pub struct RingCase {
-    /// The path of the ball's centre, the ring's centre being the origin and its axis z.
+    /// The path of the ball's centre. The origin is the ring's centre, and z is its axis.
     pub motion: Motion<3>,
     /// Radius of the ring, m.
     pub ring: f64,
@@ -16,7 +16,7 @@ pub struct RingCase {
     pub distance: f64,
     /// The first time of interest, s.
     pub from: f64,
-    /// The last, s; finite.
+    /// The last time of interest, s; finite.
     pub horizon: f64,
 }
 
@@ -25,19 +25,19 @@ pub struct RingCase {
 pub enum RingFamily {
     /// Passes over, through and beside the ring, at up to 20 m/s.
     Passing,
-    /// Nearest within 1e-4 … 1e-17 R of the torus, at any side of it.
+    /// The closest approach is within 1e-4 … 1e-17 R of the torus, on any side of it.
     Grazing,
-    /// At rest on the lip but for 5 mm/s to 1.2 m/s inward: it tips, or flies.
+    /// On the lip with 5 mm/s to 1.2 m/s inward: the ball tips over or flies.
     Tipping,
-    /// From inside the ring towards its far side, also from below its level.
+    /// From inside the ring towards its far side, from above or below its level.
     FarRim,
-    /// Touching within roundings and parting, most pulled back.
+    /// Touching within rounding and separating; most are accelerated back.
     Parting,
-    /// Touching within roundings and approaching.
+    /// Touching within rounding and approaching.
     Approaching,
-    /// A gap of 1e-15 … 1e-6 m, and 1e-9 … 1e-3 m/s.
+    /// Gaps of 1e-15 … 1e-6 m and speeds of 1e-9 … 1e-3 m/s.
     NearlyStatic,
-    /// Falls on the edge, or down the axis, where the box or the lemon's tip is touched first.
+    /// Falls on the edge or down the axis.
     Falling,
     /// In a vertical plane through the axis, so that the path crosses it.
     Meridian,
@@ -90,7 +90,8 @@ const BALL_RADIUS: f64 = 0.5 * BALL_DIAMETER;
 /// Half of gravity, 9.81 m/s².
 const FREE_FALL: [f64; 3] = [0.0, 0.0, -4.905];
 
-/// A pocket's hole, a point of its jaw, or a radius next to the ball's, where the torus has no hole.
+/// Radius of a pocket's hole, of a point of its jaw, or near the ball's, where the torus has no
+/// hole.
 fn ring(random: &mut Random) -> f64 {
     match random.bits() % 4 {
         0 | 1 => random.between(0.04, 0.07),
@@ -115,8 +116,8 @@ fn direction(random: &mut Random) -> [f64; 3] {
     [x * across, y * across, z]
 }
 
-/// A point of the ring, the direction in which the torus bulges there at `tilt` above the level, and
-/// the two directions of its surface: up the tube and along the ring.
+/// A point of the ring, the normal of the torus there at `tilt` above the horizontal, and the two
+/// tangents of its surface: up the tube and along the ring.
 struct EdgePoint {
     edge: [f64; 3],
     normal: [f64; 3],

@@ -1,10 +1,10 @@
-//! Whether the answer for a round edge is right, decided without solving for it.
+//! Decides whether the answer for a round edge is right, without solving for the contact.
 //!
-//! As in [`crate::judge`]: what a finder passed over shows at the stationary points of the squared gap
-//! F = |x|² + a² − R² − 2aρ. There x·ẋ = aρ′, so that (x·ẋ)²ρ² − a²(xẋ + yẏ)² = 0: a polynomial of degree
-//! ten, which also vanishes where the path crosses the axis. Its roots are isolated by the sign
-//! variations of its Bernstein coefficients (Descartes' rule: none means no root) in 106 bits. It has
-//! further roots, of no harm: between neighbours of them the gap is monotone.
+//! As in [`crate::judge`], a missed contact shows at the stationary points of the squared gap F =
+//! |x|² + a² − R² − 2aρ. There x·ẋ = aρ′, so that (x·ẋ)²ρ² − a²(xẋ + yẏ)² = 0: a polynomial of
+//! degree ten, which also vanishes where the path crosses the axis. Its roots are isolated by the
+//! sign variations of its Bernstein coefficients (Descartes' rule: none means no root) in 106 bits.
+//! It has further roots, of no harm: between neighbours of them the gap is monotone.
 
 use std::ops::RangeInclusive;
 
@@ -15,7 +15,7 @@ use crate::families::LARGEST_TABLE;
 use crate::judge::{Truth, Verdict};
 use crate::ring_families::RingCase;
 
-/// Judge `answer`; faults of less than `tolerance` (m, on a table) are right.
+/// Judges `answer`. Faults smaller than `tolerance` (m, on a table) count as right.
 pub fn judge_ring(case: &RingCase, answer: Option<f64>, tolerance: f64) -> Verdict {
     Exact::new(case, tolerance).judge(answer)
 }
@@ -48,8 +48,8 @@ fn sum(a: &[DoubleDouble], b: &[DoubleDouble]) -> Polynomial {
     (0..a.len().max(b.len())).map(|i| at(a, i) + at(b, i)).collect()
 }
 
-/// The window is halved so often that a stationary point is known to its 2⁵⁶th part. As an error δ of
-/// its time changes the gap by δ² only, this is more than enough.
+/// Number of halvings: a stationary point is known to 2⁻⁵⁶ of the window. Since an error δ of its
+/// time changes the gap by δ² only, this is more than enough.
 const HALVINGS: u32 = 56;
 
 impl Exact {
@@ -69,7 +69,8 @@ impl Exact {
         [0, 1, 2].map(|i| self.v[i] + twice * self.h[i])
     }
 
-    /// The polynomial of degree ten, and its factor at the axis xẋ + yẏ, on the window scaled to [0, 1].
+    /// The polynomial of degree ten, and its factor at the axis xẋ + yẏ, on the window scaled to
+    /// [0, 1].
     fn stationary_polynomials(&self) -> [Polynomial; 2] {
         let RingCase { from, horizon, ring, .. } = self.case;
         let span = DoubleDouble::from(horizon) - DoubleDouble::from(from);
@@ -126,12 +127,12 @@ impl Truth for Exact {
         ((level + x[2] * w[2]) * radius - DoubleDouble::from(self.case.ring) * level).value()
     }
 
-    /// Every time in the window at which the gap may turn, ascending.
+    /// All times in the window at which the gap may have an extremum, ascending.
     fn stationary_times(&self) -> Vec<f64> {
         let RingCase { from, horizon, .. } = self.case;
         let mut times = Vec::new();
-        // A path through the axis makes a double root there, which roundings may hide, of the one, but
-        // a single root of the other.
+        // On a path through the axis the first polynomial has a double root, which rounding may
+        // hide; the second has a single root there.
         for polynomial in self.stationary_polynomials() {
             isolate(&bernstein(&polynomial), 0.0, 1.0, HALVINGS, &mut times);
         }
@@ -163,7 +164,7 @@ fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64)
 }
 
-/// Adds to `roots` one point of each part of [low, high] that may hold a root.
+/// Adds to `roots` one point of each part of [low, high] that may contain a root.
 fn isolate(b: &[DoubleDouble], low: f64, high: f64, halvings: u32, roots: &mut Vec<f64>) {
     let mut signs = b.iter().map(|b| b.value()).filter(|&b| b != 0.0);
     let Some(first) = signs.next() else { return };
@@ -207,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn a_contact_from_outside_is_right_at_its_time_only() {
+    fn only_the_time_of_a_contact_from_outside_is_right() {
         let (d, v) = ([4.5, 0.0, 0.0], [-1.0, 0.0, 0.0]);
         assert_eq!(verdict(d, v, Some(2.0)), Verdict::Right { gap: 0.0 });
         assert_eq!(verdict(d, v, None), Verdict::Lost { depth: 0.5 });
@@ -217,16 +218,16 @@ mod tests {
     }
 
     #[test]
-    fn a_contact_across_the_axis_is_right_at_its_time_only() {
+    fn only_the_time_of_a_contact_across_the_axis_is_right() {
         let (d, v) = ([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
         assert_eq!(verdict(d, v, Some(2.5)), Verdict::Right { gap: 0.0 });
         assert_eq!(verdict(d, v, Some(0.5)), Verdict::Invented { clearance: 1.0 });
-        let Verdict::Lost { depth } = verdict(d, v, None) else { panic!("it is lost") };
+        let Verdict::Lost { depth } = verdict(d, v, None) else { panic!("a missed contact") };
         assert!((depth - 0.5).abs() <= DEPTH, "{depth}");
     }
 
     #[test]
-    fn a_touching_start_that_parts_is_no_contact() {
+    fn touching_and_separating_is_no_contact() {
         let (d, v) = ([2.5, 0.0, 0.0], [1.0, 0.0, 0.0]);
         assert_eq!(verdict(d, v, None), Verdict::Right { gap: 0.0 });
         let (d, v) = ([2.4, 0.0, 0.0], [1.0, 0.0, 0.0]);

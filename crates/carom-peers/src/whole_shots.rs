@@ -1,8 +1,10 @@
-//! Whole shots with each finder in the event loop: the 100 000 random shots of Leckie & Greenspan
-//! 2006, section 3, judged.
+//! Whole shots with each finder in the event loop, checked: the 100 000 random shots of Leckie &
+//! Greenspan 2006, section 3.
 //!
-//! The peers are asked about every pair, as in the paper: the engine's proofs are off, so that what
-//! comes out is their own verdict.
+//! The other finders solve every pair, as in the paper, so that the results are their own: the
+//! engine's proofs of no contact are off for them. The engine's own finder runs with its proofs. So
+//! the times of [`Contestant::seconds_per_shot`] compare the engine with proofs to the others
+//! without.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 use core::marker::PhantomData;
@@ -26,11 +28,11 @@ use crate::quartic::{Quartic, Roots, real_roots, smallest_approaching_root};
 use crate::random::Random;
 use crate::{algorithm_1010, companion, ferrari};
 
-/// One shot in so many is a break.
+/// Every tenth shot is a break.
 const BREAK_EVERY: u64 = 10;
 
-/// What is let pass before a shot counts as impossible, least first. An overlap and a gap at a
-/// contact are measured alike.
+/// Tolerances above which a shot counts as impossible, the smallest first. The same value limits
+/// overlaps and gaps at contacts.
 pub const TOLERANCES: [(&str, Tolerances); 3] = [
     ("promised", Tolerances::PROMISED),
     ("micrometre", Tolerances { depth: 1e-6, gap: 1e-6 }),
@@ -59,7 +61,7 @@ solver!(Ferrari, ferrari);
 solver!(Companion, companion);
 solver!(Algorithm1010, algorithm_1010);
 
-/// The paper's words: "the smallest positive real root".
+/// The paper's rule: "the smallest positive real root".
 #[derive(Clone, Copy, Debug)]
 pub struct Smallest<S>(PhantomData<S>);
 
@@ -73,8 +75,8 @@ impl<S: QuarticSolver> ContactFinder for Smallest<S> {
     }
 }
 
-/// The smallest positive real root at which the balls approach: the two that have just collided
-/// do not collide again.
+/// The smallest positive real root at which the balls approach, so that two balls that have just
+/// collided do not collide again.
 #[derive(Clone, Copy, Debug)]
 pub struct Approaching<S>(PhantomData<S>);
 
@@ -89,7 +91,7 @@ impl<S: QuarticSolver> ContactFinder for Approaching<S> {
     }
 }
 
-/// The same, and balls that touch and approach at the start collide there.
+/// As [`Approaching`], and balls that touch and approach at the start collide at once.
 #[derive(Clone, Copy, Debug)]
 pub struct FromTheStart<S>(PhantomData<S>);
 
@@ -101,10 +103,10 @@ impl<S: QuarticSolver> ContactFinder for FromTheStart<S> {
     }
 }
 
-/// A shot, and its strike if that is not in the file.
+/// A shot, and its strike if the file does not hold it.
 pub type PlayableShot = (Shot, Option<Strike>);
 
-/// How the roots of a quartic are read.
+/// The rule that selects the contact among the roots of a quartic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
     /// [`Smallest`].
@@ -113,12 +115,12 @@ pub enum Reading {
     Approaching,
     /// [`FromTheStart`].
     FromTheStart,
-    /// As `carom-roots` defines a first contact: also where friction turns touching balls back.
+    /// The definition of carom-roots, which includes touching balls that friction turns back.
     FirstContact,
 }
 
 impl Reading {
-    /// As it appears in tables.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             Reading::Smallest => "smallest positive root",
@@ -129,18 +131,18 @@ impl Reading {
     }
 }
 
-/// Shots to play.
+/// Where the shots come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShotSource {
-    /// 2 to 16 balls anywhere on a 9-ft table and an ordinary strike in any direction, or, every
-    /// tenth, an eight-ball break with a rack and a strike of its own.
+    /// 2 to 16 balls at random places on a 9-ft table with an ordinary strike in any direction;
+    /// every tenth shot is an eight-ball break with a random rack and strike.
     Ordinary,
     /// [`ShotFamily::Frozen`]: balls that touch each other and the rails.
     Frozen,
 }
 
 impl ShotSource {
-    /// As it appears in tables.
+    /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
             ShotSource::Ordinary => "ordinary",
@@ -148,7 +150,7 @@ impl ShotSource {
         }
     }
 
-    /// Shot number `index`, and its strike if that is not in the file.
+    /// Shot number `index`, and its strike if the file does not hold it.
     pub fn shot(self, index: u64) -> PlayableShot {
         match self {
             ShotSource::Ordinary => ordinary_shot(index),
@@ -160,20 +162,20 @@ impl ShotSource {
 /// A finder in the event loop.
 #[derive(Clone, Copy, Debug)]
 pub struct Contestant {
-    /// How it solves quartics.
+    /// The method that solves quartics.
     pub method: &'static str,
-    /// How it reads their roots.
+    /// The rule that selects the contact among their roots.
     pub reading: Reading,
-    judge: fn(ShotSource, u64) -> Judged,
+    check: fn(ShotSource, u64) -> FirstFaults,
     seconds: fn(&[PlayableShot]) -> f64,
 }
 
 impl Contestant {
     const fn new<F: ContactFinder>(method: &'static str, reading: Reading) -> Self {
-        Self { method, reading, judge: judged::<F>, seconds: seconds::<F> }
+        Self { method, reading, check: first_faults::<F>, seconds: seconds::<F> }
     }
 
-    /// All, ours last.
+    /// All of them, the engine's own last.
     pub const ALL: [Self; 10] = [
         Self::new::<Smallest<Ferrari>>(FERRARI, Reading::Smallest),
         Self::new::<Smallest<Companion>>(COMPANION, Reading::Smallest),
@@ -187,18 +189,19 @@ impl Contestant {
         Self::new::<FirstContact>("carom", Reading::FirstContact),
     ];
 
-    /// Judges the shots 0, 1, 2 … `shots` of a family, over all cores.
-    pub fn judge(&self, family: ShotSource, shots: u64) -> FaultCounts {
+    /// Checks the shots 0 to `shots` − 1 of a source, on all cores.
+    pub fn check(&self, source: ShotSource, shots: u64) -> FaultCounts {
         (0..shots)
             .into_par_iter()
-            .map(|index| FaultCounts::of(&(self.judge)(family, index)))
+            .map(|index| FaultCounts::of(&(self.check)(source, index)))
             .reduce(FaultCounts::default, FaultCounts::with)
     }
 
-    /// Mean time of one of the shots 0, 1, 2 … `shots`, s, on one core and without a judge; the best
-    /// of some passes.
-    pub fn seconds_per_shot(&self, family: ShotSource, shots: u64) -> f64 {
-        let shots: Vec<_> = (0..shots).map(|index| family.shot(index)).collect();
+    /// Mean time per shot of the shots 0 to `shots` − 1, s, on one core and without checks: the
+    /// smallest of some passes. The engine's own finder runs with its proofs of no contact, the
+    /// others without.
+    pub fn seconds_per_shot(&self, source: ShotSource, shots: u64) -> f64 {
+        let shots: Vec<_> = (0..shots).map(|index| source.shot(index)).collect();
         (0..PASSES).map(|_| (self.seconds)(&shots)).fold(f64::INFINITY, f64::min)
     }
 }
@@ -207,33 +210,33 @@ const FERRARI: &str = "textbook closed form";
 const COMPANION: &str = "companion matrix";
 const ALGORITHM_1010: &str = "Algorithm 1010";
 
-/// Passes that are timed.
+/// Number of timed passes.
 const PASSES: u32 = 5;
 
-/// What was wrong with one shot at each of [`TOLERANCES`], if anything: the first fault.
-type Judged = [Option<FaultKind>; TOLERANCES.len()];
+/// The first fault of one shot at each of [`TOLERANCES`], if there is one.
+type FirstFaults = [Option<FaultKind>; TOLERANCES.len()];
 
-fn judged<F: ContactFinder>(family: ShotSource, index: u64) -> Judged {
-    let (shot, strike) = family.shot(index);
+fn first_faults<F: ContactFinder>(source: ShotSource, index: u64) -> FirstFaults {
+    let (shot, strike) = source.shot(index);
     let mut simulation = Simulation::<SMALL_CAPACITY, F>::new();
     let mut judged = [None; TOLERANCES.len()];
-    for (fault, (_, limits)) in judged.iter_mut().zip(TOLERANCES) {
-        let mut judge = FirstFaultRecorder(CheckRecorder::with_tolerances(&shot, limits));
-        let result = play(&mut simulation, &shot, strike, &mut judge);
-        *fault = judge.verdict(result);
+    for (fault, (_, tolerances)) in judged.iter_mut().zip(TOLERANCES) {
+        let mut recorder = FirstFaultRecorder(CheckRecorder::with_tolerances(&shot, tolerances));
+        let result = play(&mut simulation, &shot, strike, &mut recorder);
+        *fault = recorder.first_fault(result);
         if fault.is_none() {
-            // Wider limits let pass what narrower ones do.
+            // Larger tolerances allow whatever smaller ones do.
             break;
         }
     }
     judged
 }
 
-/// A judge who looks no further than to the first fault.
+/// Checks a shot up to its first fault.
 struct FirstFaultRecorder<'a>(CheckRecorder<'a>);
 
 impl FirstFaultRecorder<'_> {
-    fn verdict(mut self, result: Result<Summary, SimulationError>) -> Option<FaultKind> {
+    fn first_fault(mut self, result: Result<Summary, SimulationError>) -> Option<FaultKind> {
         if self.0.faults.is_empty() || result.is_err() {
             self.0.faults.clear();
             self.0.finish(result);
@@ -266,31 +269,31 @@ fn seconds<F: ContactFinder>(shots: &[PlayableShot]) -> f64 {
     let mut simulation = Simulation::<SMALL_CAPACITY, F>::new();
     let start = Instant::now();
     for (shot, strike) in shots {
-        // A shot that is stopped has taken its time all the same.
+        // Shots stopped at the limit of events count with their time.
         let _ = play(&mut simulation, shot, *strike, &mut NullRecorder);
     }
     start.elapsed().as_secs_f64() / shots.len() as f64
 }
 
-/// Sums over shots.
+/// Numbers of faulty shots.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FaultCounts {
     /// Shots played.
     pub shots: u64,
     /// Shots with an impossible result, at each of [`TOLERANCES`].
     pub impossible: [u64; TOLERANCES.len()],
-    /// Of those at one micrometre: overlaps.
+    /// Of those at 1 µm: shots with an overlap.
     pub overlap: u64,
-    /// Collisions of balls that do not touch.
+    /// Of those at 1 µm: shots with a collision of balls that do not touch.
     pub apart: u64,
-    /// Stopped by the cap on events.
+    /// Of those at 1 µm: shots stopped at the limit of events.
     pub endless: u64,
-    /// Anything else: energy or momentum from nowhere, a ball off its path.
+    /// Of those at 1 µm: other faults, such as a gain of energy or a ball off its path.
     pub other: u64,
 }
 
 impl FaultCounts {
-    fn of(judged: &Judged) -> Self {
+    fn of(judged: &FirstFaults) -> Self {
         let [_, kind, _] = judged;
         let is = |wanted: FaultKind| u64::from(*kind == Some(wanted));
         let (overlap, apart) = (is(FaultKind::Overlap), is(FaultKind::Apart));
@@ -325,7 +328,7 @@ fn ordinary_shot(index: u64) -> PlayableShot {
         } else {
             position(&mut random)
         };
-        // A ball may have been drawn over a hole.
+        // A ball may be over a hole; then another layout is drawn.
         if let Ok(shot) = Shot::from_json(&shot_file(&places)) {
             return (shot, Some(strike));
         }
@@ -335,7 +338,7 @@ fn ordinary_shot(index: u64) -> PlayableShot {
 fn frozen_shot(index: u64) -> Shot {
     let format = r#""format": "carom-shot/1","#;
     let capped = format!(r#"{format} "max_events": {MAX_EVENTS},"#);
-    // A ball may have been drawn into a jaw: then the next of this index.
+    // A ball may be in a jaw; then the next layout of this index is drawn.
     (0..u64::MAX)
         .map(|attempt| random_shots::shot_file(ShotFamily::Frozen, index + (attempt << 32)))
         .find_map(|file| Shot::from_json(&file.replace(format, &capped)).ok())

@@ -1,50 +1,50 @@
-//! Whole shots with each finder in the event loop, a few; `validation/leckie_greenspan_2006` stores
+//! A few whole shots with each finder in the event loop. `validation/leckie_greenspan_2006` stores
 //! the counts of 100 000.
 
 use carom_peers::operations::Operations;
 use carom_peers::whole_shots::{Contestant, FaultCounts, Reading, ShotSource};
 
-/// Shots per finder. Every count below is of these very shots, so it is the same in each run.
+/// Shots per finder. The shots, and so the counts below, are the same in each run.
 const SHOTS: u64 = 500;
 
-fn judged(method: &str, reading: Reading, family: ShotSource) -> FaultCounts {
+fn checked(method: &str, reading: Reading, source: ShotSource) -> FaultCounts {
     let found = |c: &&Contestant| c.method == method && c.reading == reading;
-    Contestant::ALL.iter().find(found).expect("a contestant").judge(family, SHOTS)
+    Contestant::ALL.iter().find(found).expect("a contestant").check(source, SHOTS)
 }
 
 #[test]
-fn with_the_engines_finder_no_shot_is_impossible() {
-    for family in [ShotSource::Ordinary, ShotSource::Frozen] {
-        let verdicts = judged("carom", Reading::FirstContact, family);
-        assert_eq!(verdicts, FaultCounts { shots: SHOTS, ..FaultCounts::default() });
+fn the_engines_finder_gives_no_impossible_shot() {
+    for source in [ShotSource::Ordinary, ShotSource::Frozen] {
+        let counts = checked("carom", Reading::FirstContact, source);
+        assert_eq!(counts, FaultCounts { shots: SHOTS, ..FaultCounts::default() });
     }
 }
 
 #[test]
-fn the_textbook_closed_form_lets_balls_through_each_other() {
-    let verdicts = judged("textbook closed form", Reading::Approaching, ShotSource::Ordinary);
-    let [_, micrometre, _] = verdicts.impossible;
-    assert!(micrometre > 0 && verdicts.overlap > 0, "{verdicts:?}");
+fn the_textbook_closed_form_lets_balls_pass_through_each_other() {
+    let counts = checked("textbook closed form", Reading::Approaching, ShotSource::Ordinary);
+    let [_, micrometre, _] = counts.impossible;
+    assert!(micrometre > 0 && counts.overlap > 0, "{counts:?}");
 }
 
 #[test]
-fn sound_roots_read_with_care_give_ordinary_shots_without_visible_faults() {
+fn accurate_roots_with_approach_give_ordinary_shots_without_visible_faults() {
     for method in ["companion matrix", "Algorithm 1010"] {
         let [_, micrometre, _] =
-            judged(method, Reading::Approaching, ShotSource::Ordinary).impossible;
+            checked(method, Reading::Approaching, ShotSource::Ordinary).impossible;
         assert_eq!(micrometre, 0, "{method}");
     }
 }
 
 #[test]
-fn sound_roots_read_without_the_start_lose_contacts_of_frozen_balls() {
-    let without = judged("Algorithm 1010", Reading::Approaching, ShotSource::Frozen);
-    let with = judged("Algorithm 1010", Reading::FromTheStart, ShotSource::Frozen);
+fn accurate_roots_without_the_start_miss_contacts_of_frozen_balls() {
+    let without = checked("Algorithm 1010", Reading::Approaching, ShotSource::Frozen);
+    let with = checked("Algorithm 1010", Reading::FromTheStart, ShotSource::Frozen);
     assert!(without.impossible[1] > 10 * (1 + with.impossible[1]), "{without:?}, {with:?}");
 }
 
 #[test]
-fn the_engine_solves_few_of_the_quartics_that_the_paper_would() {
+fn the_engine_solves_few_of_the_papers_quartics() {
     let shot = include_str!("../../../shots/eight_ball_break.json");
     let shot = carom::Shot::from_json(shot).expect("a shot of the project");
     let counts = Operations::of(&shot).expect("a shot that ends");

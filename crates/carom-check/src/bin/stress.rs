@@ -1,5 +1,5 @@
-//! `make stress`: random shots by the million, every one judged. Prints what was found and, of
-//! every faulty shot, the shot file.
+//! `make stress`: checks millions of random shots. Prints the tally of each family and, for some
+//! faulty shots, the shot file.
 //!
 //! Usage: `stress [SHOTS] [FIRST_SEED]`, by default 10 million from seed 0.
 
@@ -26,27 +26,27 @@ fn main() -> ExitCode {
         }
     };
     let mut faulty = false;
-    for scene in ShotFamily::ALL {
+    for family in ShotFamily::ALL {
         let count = shots / ShotFamily::ALL.len() as u64;
         let style = ProgressStyle::with_template("{msg:16} {wide_bar} {pos}/{len} {eta}")
             .unwrap_or_else(|_| ProgressStyle::default_bar());
-        let bar = ProgressBar::new(count).with_style(style).with_message(format!("{scene:?}"));
+        let bar = ProgressBar::new(count).with_style(style).with_message(format!("{family:?}"));
         let tally = (first..first + count)
             .into_par_iter()
             .progress_with(bar)
-            .map(|seed| judge(scene, seed))
+            .map(|seed| check(family, seed))
             .reduce(Tally::default, Tally::with);
-        println!("{scene:?}: {tally}");
+        println!("{family:?}: {tally}");
         for (seed, text) in &tally.examples {
-            println!("--- {scene:?} seed {seed}\n{text}");
+            println!("--- {family:?} seed {seed}\n{text}");
         }
         faulty |= tally.faulty > 0;
     }
     if faulty { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }
 
-fn judge(scene: ShotFamily, seed: u64) -> Tally {
-    let file = shot_file(scene, seed);
+fn check(family: ShotFamily, seed: u64) -> Tally {
+    let file = shot_file(family, seed);
     match Shot::from_json(&file) {
         Ok(shot) => Tally::of(seed, &CheckRecorder::run(&shot), &file),
         Err(_) => Tally::refused(),

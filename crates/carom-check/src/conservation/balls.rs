@@ -1,10 +1,10 @@
-//! What the balls of a collision exchange, and what the ground may add to it.
+//! Checks of momentum and angular momentum in collisions of balls.
 //!
-//! The contact gives the two balls opposite impulses J at one point. The ground can only press: on a
-//! ball that stands on it and is driven down, with an impulse upwards and friction of at most μ times
-//! that. Of two balls at most one is driven down, so that the other's spin and velocity tell J to
-//! rounding, and then the one's what the ground has given it. What would lift a ball off the ground by
-//! less than the last hop may be left out.
+//! The contact gives the two balls opposite impulses J at one point. The ground acts on a ball only
+//! if it supports the ball and the ball is driven down: with an upward impulse, and friction of at
+//! most μ times that impulse. At most one of two balls is driven down. The other's change of spin
+//! and velocity gives J up to rounding, and the difference for the first ball is the impulse of the
+//! ground. An impulse that would lift a ball by less than the smallest hop may be left out.
 
 use carom::event::Event;
 use carom::math::Vec3;
@@ -16,7 +16,7 @@ use super::{ROUNDING, SPIN_SHARE, STILL, last_hop_speed};
 use crate::places::ground;
 use crate::solid::Solid;
 
-/// What is wrong with the momenta of a collision, if anything.
+/// The violation of a conservation law in a collision, if there is one.
 pub(super) fn audit(
     shot: &Shot,
     solid: &Solid,
@@ -25,8 +25,8 @@ pub(super) fn audit(
 ) -> Option<String> {
     let all: Vec<CollidingBall> =
         (0..balls.len()).map(|k| CollidingBall::new(shot, solid, event, balls, k)).collect();
-    total(shot, &all).or_else(|| match &all[..] {
-        // Of a push between smooth balls, the spin pays for being pressed.
+    check_total(shot, &all).or_else(|| match &all[..] {
+        // A persistent contact of smooth balls may take a small fraction of the spin.
         [a, b] if shot.physics().ball_ball.is_smooth() => [a, b].into_iter().find_map(|p| {
             let (turned, most) = (p.turn.length(), p.turn_rounding + SPIN_SHARE * p.spin);
             (turned > most).then(|| {
@@ -36,12 +36,12 @@ pub(super) fn audit(
         [a, b] => {
             let d = event.before[1].position - event.before[0].position;
             let normal = d * (1.0 / d.length());
-            // Where the cloth's friction is part of the model, it turns both balls.
+            // This model includes the cloth's friction on both balls, so it is not checked.
             let model = shot.physics().ball_ball.model;
             if model == BallBallModel::Mathavan2014 && a.stands && b.stands {
                 return None;
             }
-            let cases = [alone(shot, a, b, normal), alone(shot, b, a, -normal)];
+            let cases = [check_pair(shot, a, b, normal), check_pair(shot, b, a, -normal)];
             let [Err(first), Err(second)] = cases else { return None };
             Some(if first.0 < second.0 { first.1 } else { second.1 })
         }
@@ -58,10 +58,10 @@ struct CollidingBall {
     /// Angular momentum, kg·m²/s.
     spin: f64,
     stands: bool,
-    /// Rounding of either.
+    /// Rounding errors of the two changes.
     push_rounding: f64,
     turn_rounding: f64,
-    /// Impulse by which the ground may fail to let go, kg·m/s.
+    /// Largest upward impulse that may be suppressed because the hop would be too small, kg·m/s.
     lift: f64,
     named: u16,
 }
@@ -72,7 +72,8 @@ impl CollidingBall {
         let inertia = 0.4 * ball.mass * ball.radius * ball.radius;
         let stands = ground(solid, &before, ball.radius).is_some();
         let kept_down = stands && after.motion != MotionState::Airborne;
-        // Slow partings are made from sums over all balls, so that each rounds like the fastest.
+        // Separation speeds are computed from sums over all balls, so each has the rounding error
+        // of the fastest.
         let fastest = event.before.iter().map(|s| s.velocity.length()).fold(0.0, f64::max);
         let spins = event.before.iter().chain(event.after).map(|s| s.angular_velocity.length());
         let surface = ball.radius * spins.fold(0.0, f64::max);
@@ -92,25 +93,25 @@ impl CollidingBall {
     }
 }
 
-/// Up to this slope a line of centres counts as upright, and so far it may be taken to lean.
+/// A line of centres with at most this slope counts as vertical, and may be tilted by that much.
 const LEAN: f64 = 1.000_001e-3;
 
-/// Friction that the ground has at most.
+/// Largest coefficient of friction of the ground.
 fn friction(shot: &Shot) -> f64 {
     shot.physics().cloth.sliding_friction.max(shot.physics().slate.friction)
 }
 
-/// The sum of all momenta: kept, but for what the ground gives.
-fn total(shot: &Shot, all: &[CollidingBall]) -> Option<String> {
+/// Checks the sum of all momenta: it changes only by the impulse of the ground.
+fn check_total(shot: &Shot, all: &[CollidingBall]) -> Option<String> {
     let sum = |of: fn(&CollidingBall) -> f64| all.iter().map(of).sum::<f64>();
     let change = all.iter().fold(Vec3::ZERO, |sum, p| sum + p.push);
     let (rounding, lift) = (sum(|p| p.push_rounding), sum(|p| p.lift));
     let stands = all.iter().any(|p| p.stands);
-    // Where nothing acts between balls but along a level line, nothing is pressed.
+    // Impulses along horizontal lines of centres do not press any ball down.
     let level = shot.physics().ball_ball.is_smooth()
         && all.iter().all(|p| p.stands && p.ball.radius == all[0].ball.radius);
     let pressed = if stands && !level { change.z + lift } else { 0.0 };
-    // Impulses that are integrated with the cloth's friction drop their vertical part.
+    // The model that integrates the cloth's friction drops the vertical part of the impulses.
     let integrated = shot.physics().ball_ball.model == BallBallModel::Mathavan2014 && stands;
     let dropped = if integrated { sum(|p| p.push.length()) } else { 0.0 };
     let most = rounding + friction(shot) * (2.0 * pressed.max(0.0) + dropped);
@@ -122,9 +123,9 @@ fn total(shot: &Shot, all: &[CollidingBall]) -> Option<String> {
     })
 }
 
-/// Whether all is right if only `other` is driven down; `normal` points from `free` to it. If not:
-/// by how much more than may be, relatively, and what is wrong.
-fn alone(
+/// Checks a collision under the assumption that only `other` is driven down; `normal` points from
+/// `free` to it. The error holds the ratio of the excess to its allowance, and a description.
+fn check_pair(
     shot: &Shot,
     free: &CollidingBall,
     other: &CollidingBall,
@@ -138,11 +139,12 @@ fn alone(
         );
         if size > most { Err((excess, text)) } else { Ok(()) }
     };
-    // Balanced on top of another, a ball is taken to lean: the blow is up to 2·LEAN off the line of
-    // centres. Where a press parts them, which is along that line, the blow is up to twice what is left.
+    // A ball balanced on top of another is treated as tilted: the impulse is up to 2·LEAN off the
+    // line of centres. If a persistent contact separates them along that line, the impulse is up to
+    // twice the remaining one.
     let upright = normal.xy().length_squared() < LEAN * LEAN;
     let leaning = if upright { 4.0 * LEAN * free.push.length() } else { 0.0 };
-    // The arm of the contact is Rn: I Δω = Rn × J. It tells the part of J across n.
+    // The arm of the contact is Rn, so I Δω = Rn × J gives the part of J perpendicular to n.
     let about_normal = free.turn.dot(normal).abs();
     wrong(about_normal, free.turn_rounding, "angular momentum about the line of centres")?;
     let across = free.turn.cross(normal) * (1.0 / free.ball.radius);
@@ -170,7 +172,7 @@ fn alone(
         return wrong(ground.length(), rounding, "momentum");
     }
     wrong(-ground.z, other.lift + rounding, "momentum, downwards,")?;
-    // A bounce too small to see is kept down, after its push and friction; half of it at most.
+    // A suppressed bounce has already had its impulse and friction; at most half of it is left.
     let most = friction(shot) * 2.0 * ground.z.max(0.0) + rounding + leaning;
     wrong(ground.xy().length(), most, "momentum, by friction on the ground,")
 }

@@ -1,4 +1,4 @@
-//! What every event must keep: energy, momentum, angular momentum, and plain sanity.
+//! Checks of conservation at every event: energy, momentum, angular momentum, and finite states.
 
 mod balls;
 mod table;
@@ -10,37 +10,39 @@ use carom::{Ball, BallState, MotionState};
 use crate::places::{self, TABLE_GAP};
 use crate::solid::Solid;
 
-/// Relative rounding that is let pass in sums over the balls of an event.
+/// Allowed relative rounding error of sums over the balls of an event.
 const ROUNDING: f64 = 1e-12;
 
-/// Energy that a push may lend, J: `UNPAID_PRESS_SPEED` in the engine's `simulate/impact.rs`.
+/// Largest energy that a persistent contact may add, J: that of `UNPAID_PRESS_SPEED` in the
+/// engine's `simulate/persistent_contact.rs`.
 pub const PUSH_ENERGY: f64 = 2e-9;
 
-/// The same where a ball lies on top of another: `PRESS_SPEED` there.
+/// The same if one of the balls is in the air, J: that of `PRESS_SPEED` there.
 const PUSH_ENERGY_ALOFT: f64 = 1.5e-7;
 
-/// Share of a spin that a push between smooth balls may cost: `SPIN_SHARE` there.
+/// Largest fraction of a spin that a persistent contact of smooth balls may take: `SPIN_SHARE`
+/// there.
 const SPIN_SHARE: f64 = 1e-3;
 
-/// Speed that the engine takes for rest, m/s: `STILL` in its `motion.rs`.
+/// Speed below which the engine puts a ball at rest, m/s: `STILL` in its `motion`.
 const STILL: f64 = 1e-13;
 
-/// Height of the last hop that a ball leaves out, m: the engine's rule for the end of bouncing.
+/// Height below which the engine suppresses a hop, m.
 const LAST_HOP: f64 = 1e-4;
 
-/// Upward speed, m/s, below which a ball on the bed may be kept down.
+/// Upward speed, m/s, below which a ball on the bed may be kept on it.
 fn last_hop_speed(shot: &Shot) -> f64 {
     (2.0 * shot.physics().gravity * LAST_HOP).sqrt() * (1.0 + ROUNDING)
 }
 
-/// What is wrong with an event, if anything.
+/// The violation of a conservation law in an event, if there is one.
 pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<String> {
     let balls: Vec<Ball> = event.balls.iter().map(|&i| shot.balls()[usize::from(i)].ball).collect();
     for (k, s) in event.after.iter().enumerate() {
         if !(s.position.is_finite() && s.velocity.is_finite() && s.angular_velocity.is_finite()) {
             return Some(format!("ball {} is not finite after {:?}", event.balls[k], event.kind));
         }
-        // A ball that comes to stand on something is put at its very height.
+        // A ball that comes to rest on a surface is placed exactly at its height.
         let moved = (event.before[k].position - s.position).length();
         let most = TABLE_GAP + places::raised(solid, s, balls[k].radius);
         if moved > most && s.motion != MotionState::Pocketed {
@@ -54,16 +56,16 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
     let (before, after) = (energy(event.before), energy(event.after));
     let given = after - before;
     if let EventKind::CueStrike = event.kind {
-        // A strike that is not the shot's own is not known here.
+        // Only the strike in the shot itself is known here.
         let (_, strike) = shot.strike()?;
         let had = 0.5 * shot.physics().cue.mass * strike.speed * strike.speed;
         return (given > had * (1.0 + ROUNDING))
-            .then(|| format!("the cue gives {given:e} J, of {had:e} J that it had"));
+            .then(|| format!("the cue gives {given:e} J but had only {had:e} J"));
     }
     let flies = |s: &BallState| s.motion == MotionState::Airborne;
-    let piled = event.kind == EventKind::BallCollision && event.before.iter().any(flies);
-    let lent = if piled { PUSH_ENERGY_ALOFT } else { PUSH_ENERGY };
-    if after > before * (1.0 + ROUNDING) + lent {
+    let in_air = event.kind == EventKind::BallCollision && event.before.iter().any(flies);
+    let allowed = if in_air { PUSH_ENERGY_ALOFT } else { PUSH_ENERGY };
+    if after > before * (1.0 + ROUNDING) + allowed {
         return Some(format!("{:?} raises the energy by {given:e} J", event.kind));
     }
     match event.kind {

@@ -1,5 +1,6 @@
-//! What the table gives a flying ball: an impulse at the point that it touches, which pushes, and turns
-//! it as that point tells; its friction is at most μ times its push.
+//! Checks of the impulse of the table on a flying ball. It acts at the touched point, pushes the
+//! ball away, and its friction is at most μ times its normal part. Impulses of a rail on a ball on
+//! the cloth are not checked.
 
 use carom::event::Event;
 use carom::math::Vec3;
@@ -12,16 +13,17 @@ use crate::places::TABLE_GAP;
 use crate::solid::Solid;
 use crate::table_contact;
 
-/// How fast a ball that tips over an edge, or runs along a round one, may fall on to it and be thrown
-/// off it again: m/s, and m/s per m/s of its speed. What that takes comes out of its motion along, which
-/// no force at one point does. Twice the hops of 8 ms and of 0.04 rad that the engine promises.
+/// Largest normal speed of a ball that tips over an edge or runs along a round one: m/s, and m/s
+/// per m/s of its speed. The engine replaces such a motion by small hops whose energy comes from
+/// the motion along the edge, which no force at one point could do. The values are twice the hops
+/// of 8 ms and of 0.04 rad that the engine guarantees.
 const TIPPING: [f64; 2] = [0.08, 0.06];
 
-/// By how much the wall of a liner may lean over its hole, rad: 15°, the back draft of a facing. It
-/// stands where an upright one does, but pushes a ball down as well.
+/// Largest inclination of a liner's wall over its hole, rad: 15°, the back draft of a facing. The
+/// wall is where a vertical one would be, but also pushes a ball down.
 const LEAN: f64 = std::f64::consts::PI / 12.0;
 
-/// A flying ball meets a rail.
+/// Checks the contact of a flying ball with a rail.
 pub(super) fn rail(
     shot: &Shot,
     solid: &Solid,
@@ -30,7 +32,7 @@ pub(super) fn rail(
     part: usize,
 ) -> Option<String> {
     let s = event.before[0];
-    // The bed takes part in what happens to a ball that stands on it.
+    // The bed acts on a ball that it supports, so this contact is not checked.
     if s.motion != MotionState::Airborne || s.position.z <= ball.radius + TABLE_GAP {
         return None;
     }
@@ -46,32 +48,32 @@ pub(super) fn rail(
     if is_edge && tips(event, touched.away) {
         return None;
     }
-    let wrong = push(event, ball, touched.away, friction)?;
+    let wrong = check_impulse(event, ball, touched.away, friction)?;
     if shot.table().cushions[part].part == Part::Liner && touched.away.z == 0.0 {
         let (sin, cos) = carom::math::sin_cos(LEAN);
-        return push(event, ball, (touched.away.xy() * cos).with_z(-sin), friction);
+        return check_impulse(event, ball, (touched.away.xy() * cos).with_z(-sin), friction);
     }
     Some(wrong)
 }
 
-/// Whether a ball is rather pressed on an edge, by its weight or its way around it, than thrown at it.
+/// Whether a ball is pressed against an edge by its weight, or by its motion around the edge.
 fn tips(event: &Event<'_>, away: Vec3) -> bool {
     let v = event.before[0].velocity;
     v.dot(away).abs() <= TIPPING[0] + TIPPING[1] * v.length()
 }
 
-/// A ball meets the bed.
+/// Checks the contact of a flying ball with the bed.
 pub(super) fn slate(shot: &Shot, solid: &Solid, event: &Event<'_>, ball: &Ball) -> Option<String> {
     let touched = table_contact::slate(solid, event.before[0].position, ball.radius);
     let at_lip = solid.over_hole(event.before[0].position.xy()) > -TABLE_GAP;
     if at_lip && tips(event, touched.away) {
         return None;
     }
-    push(event, ball, touched.away, shot.physics().slate.friction)
+    check_impulse(event, ball, touched.away, shot.physics().slate.friction)
 }
 
-/// What is wrong with an impulse from a point in the direction −`away` of the centre, if anything.
-fn push(event: &Event<'_>, ball: &Ball, away: Vec3, friction: f64) -> Option<String> {
+/// The error in an impulse at the point in the direction −`away` from the centre, if there is one.
+fn check_impulse(event: &Event<'_>, ball: &Ball, away: Vec3, friction: f64) -> Option<String> {
     let (before, after) = (event.before[0], event.after[0]);
     let impulse = (after.velocity - before.velocity) * ball.mass;
     let inertia = 0.4 * ball.mass * ball.radius * ball.radius;
@@ -86,7 +88,8 @@ fn push(event: &Event<'_>, ball: &Ball, away: Vec3, friction: f64) -> Option<Str
             event.kind
         ));
     }
-    // By what it came with: a bounce too small to see is kept down, which takes part of the push.
+    // A suppressed bounce loses part of its impulse, so the incoming momentum limits the friction
+    // too.
     let came = -before.velocity.dot(away).min(0.0) * ball.mass;
     let pushed = impulse.dot(away).max(2.0 * came);
     let across = (impulse - away * impulse.dot(away)).length();

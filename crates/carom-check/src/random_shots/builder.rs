@@ -1,4 +1,4 @@
-//! Balls on a table, drawn by lot, and the file that they make.
+//! Builds a random shot file: a random table, and random balls on it.
 
 use std::fmt::Write as _;
 
@@ -6,10 +6,10 @@ use carom::math::{cos, sin};
 
 use crate::random::Random;
 
-/// A table to play on: preset, width, length, radius of its balls, all m.
+/// A table: its preset, width, length and radius of the balls, m.
 type TableSize = (&'static str, f64, f64, f64);
 
-/// The presets that random_shots use; sizes are those of the rule books.
+/// The presets that are drawn, with the sizes of the rule books.
 const PLACES: [TableSize; 8] = [
     ("wpa-9ft", 1.27, 2.54, 0.028_575),
     ("wpa-8ft", 1.1684, 2.3368, 0.028_575),
@@ -21,13 +21,13 @@ const PLACES: [TableSize; 8] = [
     ("carom-9ft", 1.27, 2.54, 0.030_75),
 ];
 
-/// A ball of a layout.
+/// A ball of a random shot.
 #[derive(Clone, Copy)]
 pub(super) struct DrawnBall {
     pub(super) place: [f64; 2],
-    /// Height of the centre, where it is not on the cloth, m.
+    /// Height of the centre, m; none for a ball on the cloth.
     pub(super) height: Option<f64>,
-    /// Velocity, m/s, and spin, rad/s.
+    /// Velocity, m/s, and angular velocity, rad/s.
     pub(super) motion: Option<[f64; 6]>,
 }
 
@@ -37,6 +37,7 @@ impl DrawnBall {
     }
 }
 
+/// A random shot under construction.
 pub(super) struct ShotBuilder {
     pub(super) place: TableSize,
     pub(super) balls: Vec<DrawnBall>,
@@ -44,7 +45,7 @@ pub(super) struct ShotBuilder {
 }
 
 impl ShotBuilder {
-    /// An empty table.
+    /// A random table without balls.
     pub(super) fn new(mut rng: Random) -> Self {
         let place = PLACES[rng.below(PLACES.len())];
         Self { place, balls: Vec::new(), rng }
@@ -75,7 +76,7 @@ impl ShotBuilder {
         }
     }
 
-    /// Whether a centre is no nearer to a nose line than a frozen ball's.
+    /// Whether a ball at this place is no nearer to a nose line than a frozen ball.
     pub(super) fn on_cloth(&self, [x, y]: [f64; 2]) -> bool {
         let (_, w, l, _) = self.place;
         let reach = self.reach() * (1.0 - 1e-12);
@@ -90,7 +91,7 @@ impl ShotBuilder {
         (r * r - rise * rise).sqrt()
     }
 
-    /// Moves a place onto the middle part of a rail, clear of the pockets.
+    /// Maps a place to a place frozen to the middle part of a random rail, clear of the pockets.
     pub(super) fn on_rail(&mut self, [x, y]: [f64; 2]) -> [f64; 2] {
         let (_, w, l, _) = self.place;
         let reach = self.reach();

@@ -38,7 +38,7 @@ impl ShotBuilder {
         self.struck(speed, 90.0 + off, 0.0)
     }
 
-    /// Some balls frozen to a rail, some to another ball; the cue ball may be one of them.
+    /// Some balls are frozen to a rail, some to another ball; the cue ball may be one of them.
     pub(super) fn frozen(mut self) -> String {
         let (_, w, l, r) = self.place;
         let n = 2 + self.rng.below(9);
@@ -57,7 +57,7 @@ impl ShotBuilder {
                 }
                 _ => [x, y],
             };
-            // Frozen pairs are 2R apart up to rounding, which the test for free places refuses.
+            // Frozen pairs are 2R apart up to rounding, so `fits` would refuse them.
             let free = self.balls.iter().all(|ball| {
                 let [a, b] = ball.place;
                 let (dx, dy) = (p[0] - a, p[1] - b);
@@ -105,12 +105,12 @@ impl ShotBuilder {
         for k in 0..n {
             let y = first + (2.0 * r + gap) * k as f64;
             let x = 0.5 * w + off * self.rng.between(-1.0, 1.0);
-            // With sideways offsets the row is longer, never shorter.
+            // Sideways offsets make the row longer, so balls do not overlap.
             self.balls.push(DrawnBall::resting([x, y]));
         }
         self.balls.insert(0, DrawnBall::resting([0.5 * w, 0.15 * l]));
         if self.rng.below(3) == 0 {
-            // All roll the same way, at the same or at different speeds.
+            // All balls roll in the same direction, at the same or at different speeds.
             for k in 0..self.balls.len() {
                 let v = [1.0, 1.0, 0.5][self.rng.below(3)];
                 self.balls[k].motion = Some([0.0, v, 0.0, -v / r, 0.0, 0.0]);

@@ -6,10 +6,10 @@ use carom::table::BRINK;
 
 use super::builder::{DrawnBall, ShotBuilder};
 
-/// The largest tip offset that the presets' tip holds, in radii: μ/√(1 + μ²) with μ = 0.6, and a hair.
+/// The presets' miscue limit, in radii: μ/√(1 + μ²) with μ = 0.6, rounded down.
 const MISCUE: f64 = 0.514_49;
 
-/// Gravity, m/s², near enough to throw balls where they are meant to go.
+/// Approximate gravity, m/s², to aim balls in the air.
 const GRAVITY: f64 = 9.8;
 
 impl ShotBuilder {
@@ -17,12 +17,12 @@ impl ShotBuilder {
         Table::preset(self.place.0).expect("a preset")
     }
 
-    /// A direction in space, of a length up to √3.
+    /// A random vector of a length up to √3.
     fn direction(&mut self) -> [f64; 3] {
         [(); 3].map(|()| self.rng.between(-1.0, 1.0))
     }
 
-    /// None, or up to 500 rad/s about any axis.
+    /// A spin of zero, or of up to 500 rad/s about any axis.
     fn spin(&mut self) -> [f64; 3] {
         let size = if self.rng.below(4) == 0 { 0.0 } else { self.rng.between(0.0, 288.0) };
         self.direction().map(|x| x * size)
@@ -33,7 +33,7 @@ impl ShotBuilder {
         Some([u, v, w, a, b, c])
     }
 
-    /// Strikes the first ball with any offset up to the miscue limit.
+    /// The shot file, with a strike of the first ball with any offset up to the miscue limit.
     fn struck_anywhere(mut self, speed: f64, azimuth: f64, elevation: f64) -> String {
         let angle = self.rng.between(0.0, 6.3);
         let size = match self.rng.below(4) {
@@ -49,7 +49,7 @@ impl ShotBuilder {
         )))
     }
 
-    /// A place, free or frozen to a ball or a rail.
+    /// A random place, free or frozen to a ball or a rail.
     fn anywhere_or_frozen(&mut self) -> [f64; 2] {
         let r = self.place.3;
         let p = self.anywhere();
@@ -59,7 +59,7 @@ impl ShotBuilder {
                 let other = self.rng.below(self.balls.len());
                 let [a, b] = self.balls[other].place;
                 let angle = self.rng.between(0.0, 6.3);
-                // Two roundings more than touching, or it would not count as free.
+                // Slightly more than touching, so that `fits` accepts it.
                 let d = 2.0 * r * (1.0 + 1e-9);
                 [a + d * cos(angle), b + d * sin(angle)]
             }
@@ -110,7 +110,7 @@ impl ShotBuilder {
         let cluster = self.rng.below(2) == 0;
         let middle = [self.rng.between(0.2 * w, 0.8 * w), self.rng.between(0.2 * l, 0.8 * l)];
         if cluster {
-            // Frozen to each other: a ball that falls between them meets several at once.
+            // Balls frozen to each other: a ball that falls between them touches several at once.
             for k in 0..below.min(3) {
                 let angle = 2.094_395_102_393_195_3 * k as f64;
                 let d = 2.0 * r / sqrt(3.0) * (1.0 + 1e-12);
@@ -146,7 +146,7 @@ impl ShotBuilder {
 
     pub(super) fn jump(mut self) -> String {
         let (_, w, l, r) = self.place;
-        // Towards a near rail, with a ball on the way and some behind it.
+        // One ball in the path of the cue ball, and some behind it.
         let cue = self.anywhere();
         let azimuth = self.rng.between(0.0, std::f64::consts::TAU);
         let (dx, dy) = (cos(azimuth), sin(azimuth));
@@ -164,7 +164,7 @@ impl ShotBuilder {
         self.struck_anywhere(speed, azimuth.to_degrees(), elevation)
     }
 
-    /// A pocket's middle and axis, in the file's frame, and its radius.
+    /// Centre and axis of a random pocket (file frame), and its radius.
     fn pocket(&mut self) -> Option<(Vec2, Vec2, f64)> {
         let table = self.table();
         if table.pockets.is_empty() {
@@ -178,7 +178,7 @@ impl ShotBuilder {
         let r = self.place.3;
         let Some((hole, axis, radius)) = self.pocket() else { return self.flying() };
         let (turn, across) = (self.rng.between(-1.3, 1.3), self.rng.between(-1.5, 1.5) * radius);
-        // From somewhere before the pocket to somewhere in its mouth.
+        // From a random place before the pocket to a random place in its mouth.
         let distance = radius + self.rng.between(2.0 * r, 0.6);
         let back = axis * -cos(turn) + axis.perp() * -sin(turn);
         let from = hole + back * distance;
@@ -190,7 +190,7 @@ impl ShotBuilder {
         let ball = if self.rng.below(2) == 0 {
             DrawnBall { motion: self.moving([velocity.x, velocity.y, 0.0]), ..start }
         } else {
-            // To come by at any height up to three balls.
+            // Passes the pocket at any height up to three balls.
             let (high, aim) = (self.rng.between(r, 6.0 * r), self.rng.between(0.5 * r, 6.0 * r));
             let time = way.length() / speed;
             let rise = (aim - high) / time + 0.5 * GRAVITY * time;
@@ -206,8 +206,8 @@ impl ShotBuilder {
     pub(super) fn mouths(mut self) -> String {
         let r = self.place.3;
         let Some((hole, axis, radius)) = self.pocket() else { return self.dropped() };
-        // In the mouth, hanging over the lip by nothing to a ball's width; a few beyond it, as far as
-        // friction holds them.
+        // In the mouth, 0 to 0.1 m from the lip; some of them beyond it, as far as friction holds
+        // them.
         let n = 1 + self.rng.below(2);
         for _ in 0..100 {
             let turn = self.rng.between(-0.8, 0.8);
@@ -230,7 +230,7 @@ impl ShotBuilder {
         let target = self.balls.first().map_or([hole.x, hole.y], |ball| ball.place);
         let rolled = self.rng.below(3) == 0 && !self.balls.is_empty();
         if rolled {
-            // The ball itself creeps towards the hole.
+            // The ball rolls slowly towards the hole.
             let way = hole - Vec2::new(target[0], target[1]);
             let speed = self.rng.log_uniform(1e-6, 2.0);
             let v = way * (speed / way.length());

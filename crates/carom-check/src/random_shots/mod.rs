@@ -1,4 +1,4 @@
-//! Random shots, as shot files: what players play, and what breaks engines.
+//! Random shots, as shot files: ordinary ones, and hard cases.
 
 mod builder;
 mod cloth;
@@ -8,34 +8,35 @@ use builder::ShotBuilder;
 
 use crate::random::Random;
 
-/// Families of shots. Together they hold every hard case of ARCHITECTURE.md that can be drawn by
-/// lot.
+/// Families of random shots. Together they contain every hard case of ARCHITECTURE.md that can be
+/// drawn at random.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShotFamily {
-    /// The cue ball and some others, anywhere, an ordinary strike.
+    /// The cue ball and some others at random places, with an ordinary strike.
     Pot,
     /// An eight-ball break with gaps of 0.1 mm, 1 µm or none.
     EightBallBreak,
-    /// A nine-ball break, likewise.
+    /// A nine-ball break with the same gaps.
     NineBallBreak,
     /// Balls frozen to rails and to each other.
     Frozen,
-    /// Every ball moves already, at 1e-9 to 20 m/s with spins of 0 to 500 rad/s.
+    /// Every ball moves at the start, at 1e-9 to 20 m/s with spins of 0 to 500 rad/s.
     Wild,
-    /// Balls in a row along one line, some touching, rolled or struck at: Newton's cradle.
+    /// Balls in a row, some touching, that roll or are struck: Newton's cradle.
     Row,
-    /// Struck with the butt raised by 0 to 80° at 0.2 to 20 m/s, up to the miscue limit, among free and
-    /// frozen balls.
+    /// Strikes with an elevation of 0 to 80° at 0.2 to 20 m/s, with offsets up to the miscue limit,
+    /// among free and frozen balls.
     Elevated,
-    /// Some balls fly already, over cloth and rails, at 1e-3 to 20 m/s with spins of 0 to 500 rad/s.
+    /// Some balls fly at the start, over cloth and rails, at 1e-3 to 20 m/s with spins of 0 to 500
+    /// rad/s.
     Flying,
-    /// Balls fall on others, from a micrometre to a third of a metre above them.
+    /// Balls that fall on others from 1 µm to 0.3 m above them.
     Dropped,
     /// A jump shot over a ball, near rails and other balls.
     Jump,
-    /// A ball on the cloth or in the air comes hard into the jaws of a pocket.
+    /// A fast ball on the cloth or in the air that enters the jaws of a pocket.
     Jaws,
-    /// Balls in the mouths of pockets, gently rolled over a lip, or hit.
+    /// Balls in the mouths of pockets that roll slowly over a lip or are hit.
     Mouths,
 }
 
@@ -57,21 +58,21 @@ impl ShotFamily {
     ];
 }
 
-/// The shot file of `scene` number `seed`.
-pub fn shot_file(scene: ShotFamily, seed: u64) -> String {
-    let layout = ShotBuilder::new(Random::new(seed ^ ((scene as u64 + 1) << 56)));
-    match scene {
-        ShotFamily::Pot => layout.pot(),
-        ShotFamily::EightBallBreak => layout.triangle(5),
-        ShotFamily::NineBallBreak => layout.triangle(3),
-        ShotFamily::Frozen => layout.frozen(),
-        ShotFamily::Wild => layout.wild(),
-        ShotFamily::Row => layout.row(),
-        ShotFamily::Elevated => layout.elevated(),
-        ShotFamily::Flying => layout.flying(),
-        ShotFamily::Dropped => layout.dropped(),
-        ShotFamily::Jump => layout.jump(),
-        ShotFamily::Jaws => layout.jaws(),
-        ShotFamily::Mouths => layout.mouths(),
+/// The shot file number `seed` of a family.
+pub fn shot_file(family: ShotFamily, seed: u64) -> String {
+    let builder = ShotBuilder::new(Random::new(seed ^ ((family as u64 + 1) << 56)));
+    match family {
+        ShotFamily::Pot => builder.pot(),
+        ShotFamily::EightBallBreak => builder.triangle(5),
+        ShotFamily::NineBallBreak => builder.triangle(3),
+        ShotFamily::Frozen => builder.frozen(),
+        ShotFamily::Wild => builder.wild(),
+        ShotFamily::Row => builder.row(),
+        ShotFamily::Elevated => builder.elevated(),
+        ShotFamily::Flying => builder.flying(),
+        ShotFamily::Dropped => builder.dropped(),
+        ShotFamily::Jump => builder.jump(),
+        ShotFamily::Jaws => builder.jaws(),
+        ShotFamily::Mouths => builder.mouths(),
     }
 }

@@ -1,4 +1,4 @@
-//! The judge sees what is wrong: records of true shots are falsified in one place.
+//! The checker detects faults: records of simulated shots are falsified in one place.
 
 use carom::event::{EventKind, Recorder};
 use carom::math::Vec3;
@@ -8,7 +8,7 @@ use carom_check::random_shots::{ShotFamily, shot_file};
 
 use crate::owned_event::{OwnedEvent, events};
 
-/// A shot with a collision of two balls alone, a rail, and much that happens after both.
+/// A shot with a collision of exactly two balls and a rail contact, both early in the shot.
 fn a_shot() -> Shot {
     let shots =
         (0..).map(|seed| Shot::from_json(&shot_file(ShotFamily::Pot, seed)).expect("a shot"));
@@ -42,7 +42,7 @@ fn faults(falsify: impl FnOnce(&mut Vec<OwnedEvent>)) -> Vec<String> {
     checker.faults.iter().map(ToString::to_string).collect()
 }
 
-fn assert_noticed(word: &str, falsify: impl FnOnce(&mut Vec<OwnedEvent>)) {
+fn assert_detected(word: &str, falsify: impl FnOnce(&mut Vec<OwnedEvent>)) {
     let found = faults(falsify);
     assert!(found.iter().any(|f| f.contains(word)), "no {word:?} in {found:#?}");
 }
@@ -56,14 +56,14 @@ fn after_collision(change: impl Fn(&mut BallState)) -> impl FnOnce(&mut Vec<Owne
 }
 
 #[test]
-fn accepts_a_true_record() {
+fn accepts_an_unchanged_record() {
     assert_eq!(faults(|_| {}), Vec::<String>::new());
 }
 
 #[test]
-fn detects_a_collision_left_out() {
-    assert_noticed("overlap", |all| {
-        // With all that these balls do later, which alone would give them away.
+fn detects_a_missing_collision() {
+    assert_detected("overlap", |all| {
+        // Also without the later events of these balls, which would be off their paths.
         let k = collision(all);
         let gone = all[k].balls.clone();
         let rest = all.split_off(k);
@@ -72,8 +72,8 @@ fn detects_a_collision_left_out() {
 }
 
 #[test]
-fn detects_a_rail_gone_through() {
-    assert_noticed(" rail overlap", |all| {
+fn detects_a_missing_rail_contact() {
+    assert_detected(" rail overlap", |all| {
         let k = all.iter().position(is_rail).expect("a rail");
         all.truncate(k);
         let mut end = all[k - 1].clone();
@@ -83,34 +83,34 @@ fn detects_a_rail_gone_through() {
 }
 
 #[test]
-fn detects_energy_from_nowhere() {
-    assert_noticed("raises the energy", after_collision(|s| s.velocity.x += 20.0));
+fn detects_a_gain_of_energy() {
+    assert_detected("raises the energy", after_collision(|s| s.velocity.x += 20.0));
 }
 
 #[test]
-fn detects_momentum_that_is_lost() {
-    assert_noticed("momentum", after_collision(|s| s.velocity = s.velocity * (1.0 - 1e-9)));
+fn detects_a_loss_of_momentum() {
+    assert_detected("momentum", after_collision(|s| s.velocity = s.velocity * (1.0 - 1e-9)));
 }
 
 #[test]
-fn detects_spin_that_no_force_at_the_contact_gives() {
-    assert_noticed("angular momentum", |all| {
+fn detects_spin_that_no_force_at_the_contact_can_cause() {
+    assert_detected("angular momentum", |all| {
         let k = collision(all);
         all[k].after[0].angular_velocity += Vec3::new(0.0, 0.0, 1e-6);
     });
 }
 
 #[test]
-fn detects_a_ball_that_is_not_on_its_path() {
-    assert_noticed("from its path", |all| {
+fn detects_a_ball_off_its_path() {
+    assert_detected("from its path", |all| {
         let last = all.len() - 1;
         all[last].before[0].position.x += 1e-9;
     });
 }
 
 #[test]
-fn detects_time_that_goes_back() {
-    assert_noticed("time goes back", |all| {
+fn detects_time_that_runs_backwards() {
+    assert_detected("time runs backwards", |all| {
         let last = all.len() - 1;
         all[last].time = 0.0;
     });

@@ -1,4 +1,4 @@
-//! The judge sees what is wrong off the cloth: records written by hand, each false in one place.
+//! The checker detects faults off the cloth: records written by hand, each wrong in one place.
 
 use carom::event::{EventKind, Recorder};
 use carom::math::Vec3;
@@ -20,7 +20,7 @@ struct Record<'a> {
     time: f64,
 }
 
-/// A shot of balls at places and with velocities in the engine's frame, on the 9-ft pool table.
+/// A shot of balls with these positions and velocities (engine frame) on the 9-ft pool table.
 fn shot(balls: &[([f64; 3], [f64; 3])]) -> Shot {
     let list: Vec<String> = balls
         .iter()
@@ -48,7 +48,8 @@ impl<'a> Record<'a> {
         }
     }
 
-    /// All balls fly on freely, then an event of ball 0 happens, after which it is as `change` says.
+    /// All balls fly freely for `after` seconds; then ball 0 has an event that applies `change` to
+    /// it.
     fn then(&mut self, after: f64, kind: EventKind, change: impl FnOnce(&mut BallState)) {
         self.time += after;
         for s in self.states.iter_mut().filter(|s| s.motion == MotionState::Airborne) {
@@ -67,23 +68,23 @@ impl<'a> Record<'a> {
         });
     }
 
-    fn assert_noticed(self, word: &str) {
+    fn assert_detected(self, word: &str) {
         let found: Vec<String> = self.checker.faults.iter().map(ToString::to_string).collect();
         assert!(found.iter().any(|f| f.contains(word)), "no {word:?} in {found:#?}");
     }
 }
 
-/// When a ball that falls from rest has fallen so far, s.
+/// Time in which a ball falls from rest by `distance`, s.
 fn fall(distance: f64) -> f64 {
     (2.0 * distance / carom::physics::presets::STANDARD_GRAVITY).sqrt()
 }
 
-/// Over the cloth, `height` m above where it lands.
+/// A ball in the air, `height` m above the point where it touches the cloth.
 fn falling(height: f64) -> Shot {
     shot(&[([0.1, 0.3, R + height], [0.5, 0.0, 0.0])])
 }
 
-/// A right bounce: half the speed, and of the friction what grips.
+/// A valid bounce: half the normal speed, and the friction that stops the slip.
 fn bounce(s: &mut BallState) {
     let fall = -s.velocity.z;
     s.velocity.z = 0.5 * fall;
@@ -92,21 +93,21 @@ fn bounce(s: &mut BallState) {
     s.angular_velocity.y = 2.5 * impulse / R;
 }
 
-/// The record of a ball that falls 5 cm on to the slate, and is then changed.
+/// A ball that falls 5 cm onto the slate, and its bounce there.
 fn bounced(change: impl FnOnce(&mut BallState)) -> (Shot, impl FnOnce(&mut Record<'_>)) {
     let act = |record: &mut Record<'_>| record.then(fall(0.05), EventKind::SlateCollision, change);
     (falling(0.05), act)
 }
 
-fn assert_bounce_noticed(word: &str, change: impl FnOnce(&mut BallState)) {
+fn assert_bounce_detected(word: &str, change: impl FnOnce(&mut BallState)) {
     let (shot, act) = bounced(change);
     let mut record = Record::new(&shot);
     act(&mut record);
-    record.assert_noticed(word);
+    record.assert_detected(word);
 }
 
 #[test]
-fn accepts_a_right_bounce() {
+fn accepts_a_valid_bounce() {
     let (shot, act) = bounced(bounce);
     let mut record = Record::new(&shot);
     act(&mut record);
@@ -115,15 +116,15 @@ fn accepts_a_right_bounce() {
 
 #[test]
 fn detects_a_bounce_that_gains_energy() {
-    assert_bounce_noticed("raises the energy", |s| {
+    assert_bounce_detected("raises the energy", |s| {
         bounce(s);
         s.velocity.z *= 2.1;
     });
 }
 
 #[test]
-fn detects_a_bounce_with_more_friction_than_there_is() {
-    assert_bounce_noticed("a friction of", |s| {
+fn detects_a_bounce_with_too_much_friction() {
+    assert_bounce_detected("a friction of", |s| {
         let fall = -s.velocity.z;
         s.velocity.z = 0.0;
         let impulse = 0.5 * fall;
@@ -133,16 +134,16 @@ fn detects_a_bounce_with_more_friction_than_there_is() {
 }
 
 #[test]
-fn detects_a_bounce_that_turns_the_ball_as_no_force_at_its_foot_does() {
-    assert_bounce_noticed("angular momentum", |s| {
+fn detects_a_bounce_with_spin_that_no_force_at_the_contact_can_cause() {
+    assert_bounce_detected("angular momentum", |s| {
         bounce(s);
         s.angular_velocity.z = 1e-6;
     });
 }
 
 #[test]
-fn detects_a_ball_that_goes_on_into_the_slate() {
-    assert_bounce_noticed("goes on into what it has met", |s| s.velocity.z *= 0.5);
+fn detects_a_ball_that_moves_on_into_the_slate() {
+    assert_bounce_detected("moves on into the part that it met", |s| s.velocity.z *= 0.5);
 }
 
 #[test]
@@ -150,7 +151,7 @@ fn detects_a_bounce_in_mid_air() {
     let shot = falling(0.05);
     let mut record = Record::new(&shot);
     record.then(0.9 * fall(0.05), EventKind::SlateCollision, bounce);
-    record.assert_noticed("from what it is said to touch");
+    record.assert_detected("from the part that it touches");
 }
 
 #[test]
@@ -158,34 +159,34 @@ fn detects_a_flight_through_the_slate() {
     let shot = falling(0.05);
     let mut record = Record::new(&shot);
     record.then(1.1 * fall(0.05), EventKind::SlateCollision, bounce);
-    record.assert_noticed("the slate overlap");
+    record.assert_detected("the slate overlap");
 }
 
 #[test]
-fn detects_a_ball_let_through_a_nose_from_above() {
+fn detects_a_ball_that_falls_through_a_nose() {
     let shot = shot(&[([HALF_WIDTH - 0.01, 0.5, 0.1], [0.0, 0.0, 0.0])]);
     let mut record = Record::new(&shot);
     record.then(fall(0.1 - R), EventKind::SlateCollision, |s| s.velocity.z = 0.0);
-    record.assert_noticed("the right-upper rail overlap");
+    record.assert_detected("the right-upper rail overlap");
 }
 
 #[test]
-fn detects_a_ball_let_through_a_nose_at_its_height() {
+fn detects_a_ball_that_flies_through_a_nose() {
     let shot = shot(&[([HALF_WIDTH - 0.05, 0.5, NOSE + 0.01], [8.0, 0.0, 0.0])]);
     let mut record = Record::new(&shot);
     record.then(0.01, EventKind::RailCollision(0), |_| {});
-    record.assert_noticed("the right-upper rail overlap");
+    record.assert_detected("the right-upper rail overlap");
 }
 
 #[test]
-fn detects_a_ball_let_through_another_in_the_air() {
+fn detects_a_ball_that_flies_through_another() {
     let shot = shot(&[([0.0, 0.0, 0.2], [3.0, 0.0, 0.5]), ([0.3, 0.01, 0.21], [-3.0, 0.0, 0.4])]);
     let mut record = Record::new(&shot);
     record.then(0.1, EventKind::OffTable, |_| {});
-    record.assert_noticed("balls 0 and 1 overlap");
+    record.assert_detected("balls 0 and 1 overlap");
 }
 
-/// Over the middle of a corner's hole, at the height `z`, m, falling at `speed` m/s.
+/// A ball over the centre of a corner pocket at height `z` (m) that falls at `speed` (m/s).
 fn over_hole(z: f64, speed: f64) -> Shot {
     let table = carom::Table::preset("wpa-9ft").expect("a preset");
     let hole = table.pockets[0].center;
@@ -201,26 +202,26 @@ fn sink(s: &mut BallState) {
 }
 
 #[test]
-fn detects_a_ball_sunk_too_early() {
+fn detects_a_ball_pocketed_too_early() {
     let shot = over_hole(0.05, 0.1);
     let mut record = Record::new(&shot);
     record.then(0.01, EventKind::PocketCollision(0), sink);
-    record.assert_noticed("is pocketed");
+    record.assert_detected("is pocketed");
 }
 
 #[test]
-fn detects_a_ball_sunk_that_could_come_back() {
+fn detects_a_pocketed_ball_that_could_come_back() {
     let shot = over_hole(0.04, 4.0);
     let mut record = Record::new(&shot);
     record.then(0.012, EventKind::PocketCollision(0), sink);
-    record.assert_noticed("could come up to");
+    record.assert_detected("could come up to");
 }
 
 #[test]
 fn accepts_a_ball_that_falls_down_a_hole() {
     let shot = over_hole(0.04, 4.0);
     let mut record = Record::new(&shot);
-    // A radius below the slate it is lost however fast it is.
+    // A radius below the slate a ball counts as pocketed at any speed.
     record.then(0.018, EventKind::PocketCollision(0), sink);
     assert!(record.checker.faults.is_empty(), "{:#?}", record.checker.faults);
 }
@@ -232,7 +233,7 @@ fn detects_a_flight_through_the_wall_of_a_hole() {
     let shot = shot(&[([hole.x, hole.y, 0.03], [-3.0, -3.0, 0.0])]);
     let mut record = Record::new(&shot);
     record.then(0.03, EventKind::PocketCollision(0), sink);
-    record.assert_noticed("the liner of the bottom-left pocket overlap");
+    record.assert_detected("the liner of the bottom-left pocket overlap");
 }
 
 fn leave(s: &mut BallState) {
@@ -244,7 +245,7 @@ fn detects_a_ball_off_the_table_that_is_still_over_it() {
     let shot = shot(&[([HALF_WIDTH - 0.1, 0.5, 0.2], [4.0, 0.0, 1.0])]);
     let mut record = Record::new(&shot);
     record.then(0.05, EventKind::OffTable, leave);
-    record.assert_noticed("inside its border");
+    record.assert_detected("inside its border");
 }
 
 #[test]
@@ -252,7 +253,7 @@ fn detects_a_ball_beyond_the_border_that_is_not_off_the_table() {
     let shot = shot(&[([HALF_WIDTH - 0.1, 0.5, 0.2], [4.0, 0.0, 1.0])]);
     let mut record = Record::new(&shot);
     record.then(0.08, EventKind::OffTable, leave);
-    record.assert_noticed("the border overlap");
+    record.assert_detected("the border overlap");
 }
 
 #[test]
@@ -262,11 +263,11 @@ fn detects_a_ball_that_takes_off_from_level_cloth() {
     let kind =
         EventKind::MotionTransition { from: MotionState::Sliding, to: MotionState::Airborne };
     record.then(0.0, kind, |s| s.motion = MotionState::Airborne);
-    record.assert_noticed("takes off where there is ground");
+    record.assert_detected("takes off where there is ground");
 }
 
 #[test]
-fn detects_a_ball_that_stands_on_air() {
+fn detects_a_ball_at_rest_without_support() {
     let shot = falling(0.05);
     let mut record = Record::new(&shot);
     record.then(fall(0.05), EventKind::SlateCollision, |s| {
@@ -274,20 +275,20 @@ fn detects_a_ball_that_stands_on_air() {
         s.position.z += 1e-6;
         s.motion = MotionState::Stationary;
     });
-    record.assert_noticed("is stationary at z =");
+    record.assert_detected("is stationary at z =");
 }
 
 #[test]
-fn detects_a_ball_that_is_still_in_the_air_in_the_end() {
+fn detects_a_ball_in_the_air_at_the_end() {
     let (shot, act) = bounced(bounce);
     let mut record = Record::new(&shot);
     act(&mut record);
     record.checker.finish(Ok(Summary { duration: record.time, events: 1 }));
-    record.assert_noticed("still airborne in the end");
+    record.assert_detected("still airborne in the end");
 }
 
 #[test]
-fn detects_a_ball_at_rest_on_a_rail_in_the_end() {
+fn detects_a_ball_at_rest_on_a_rail_at_the_end() {
     let shot = shot(&[([HALF_WIDTH + 0.06, 0.5, NOSE + R + 0.05], [0.0, 0.0, 0.0])]);
     let mut record = Record::new(&shot);
     record.then(fall(0.05), EventKind::RailCollision(0), |s| {
@@ -295,11 +296,11 @@ fn detects_a_ball_at_rest_on_a_rail_in_the_end() {
         s.motion = MotionState::Stationary;
     });
     record.checker.finish(Ok(Summary { duration: record.time, events: 1 }));
-    record.assert_noticed("still stationary in the end");
+    record.assert_detected("still stationary in the end");
 }
 
 #[test]
-fn detects_momentum_that_changes_where_no_ball_stands_on_anything() {
+fn detects_a_change_of_momentum_of_two_balls_in_the_air() {
     let d = 2.0 * R;
     let shot = shot(&[([0.0, 0.0, 0.2], [1.0, 0.0, 0.0]), ([d, 0.0, 0.2], [0.0, 0.0, 0.0])]);
     let mut checker = CheckRecorder::new(&shot);
@@ -320,10 +321,10 @@ fn detects_momentum_that_changes_where_no_ball_stands_on_anything() {
 }
 
 #[test]
-fn detects_a_pocketed_ball_that_takes_part_in_something() {
+fn detects_an_event_of_a_pocketed_ball() {
     let shot = over_hole(0.04, 4.0);
     let mut record = Record::new(&shot);
     record.then(0.018, EventKind::PocketCollision(0), sink);
     record.then(0.0, EventKind::SlateCollision, |_| {});
-    record.assert_noticed("is pocketed, and out of play");
+    record.assert_detected("is pocketed, and out of play");
 }

@@ -1,6 +1,5 @@
-//! What mechanics keeps, in shots with every model on every ground: each event keeps energy,
-//! momentum and angular momentum about the contact, nothing overlaps at any time between, and every
-//! shot ends. That the judge would notice is in `judge_notices`.
+//! Conservation laws in random shots with every model on every ground. The tests in
+//! `detected_faults` show that the checker detects violations.
 
 use carom::batch::simulate_batch;
 use carom::math::Vec3;
@@ -13,19 +12,18 @@ use proptest::prelude::*;
 use crate::owned_event::events;
 use crate::plan::any_plan;
 
-/// Relative rounding of a shot's whole energy and of a sum of ten momenta.
+/// Relative rounding error of a shot's total energy and of a sum of ten momenta.
 const ROUNDING: f64 = 1e-12;
 
 proptest! {
     #[test]
-    fn every_shot_ends_and_the_judge_finds_nothing(plan in any_plan(10)) {
+    fn every_shot_ends_and_the_checker_finds_no_fault(plan in any_plan(10)) {
         let shot = plan.shot();
         let checker = CheckRecorder::run(&shot);
         prop_assert!(checker.faults.is_empty(), "{:#?}\n{}", checker.faults, shot.to_json());
     }
 
-    /// What the balls have lost in the end is all that they had: nothing is left over, nothing
-    /// comes from nowhere. In between, the energy of all balls never rises.
+    /// The total energy of all balls never rises, and at the end none is left.
     #[test]
     fn the_energy_of_all_balls_only_falls(plan in any_plan(8)) {
         let shot = plan.shot();
@@ -42,11 +40,11 @@ proptest! {
             for (&ball, after) in event.balls.iter().zip(&event.after) {
                 let i = usize::from(ball);
                 states[i] = *after;
-                // A ball that goes out of play takes along what it has, but leaves what it owes.
+                // A ball that leaves play takes its energy with it, unless that is negative.
                 let in_play = after.motion.in_play();
                 energies[i] = if in_play { energy(i, after) } else { energies[i].min(0.0) };
             }
-            // States of balls that are not in the event are older, and so have no less energy.
+            // The states of the other balls are older, so their energy is at most overestimated.
             let now: f64 = energies.iter().sum();
             prop_assert!(now <= last + ROUNDING * first + carom_check::PUSH_ENERGY, "{now} after {last}");
             last = now;
@@ -57,7 +55,7 @@ proptest! {
     }
 
     #[test]
-    fn a_shot_played_again_is_the_same_to_the_bit(plan in any_plan(8)) {
+    fn a_shot_simulated_again_has_the_same_bits(plan in any_plan(8)) {
         let shot = plan.shot();
         let trace = shot.simulate().expect("it ends");
         let again = Shot::from_json(&shot.to_json()).expect("a shot file").simulate().expect("it ends");
@@ -66,7 +64,7 @@ proptest! {
     }
 
     #[test]
-    fn a_batch_ends_as_its_shots_do_alone(plans in prop::collection::vec(any_plan(6), 1..6)) {
+    fn a_batch_has_the_results_of_its_single_shots(plans in prop::collection::vec(any_plan(6), 1..6)) {
         let shots: Vec<Shot> = plans.iter().map(|p| p.shot()).collect();
         for threads in [1, 2] {
             let batch = simulate_batch(&shots, &Runner::new(Some(threads)).expect("threads"));

@@ -1,5 +1,5 @@
-//! Whole shots before the judge: random ones, those that once never ended or had impossible events,
-//! and the symmetries of mechanics, which no engine keeps by accident.
+//! Checks of whole shots: random ones, shots that once never ended or had impossible events, and
+//! the symmetries of mechanics.
 
 mod detected_faults;
 mod detected_flight_faults;

@@ -1,4 +1,5 @@
-//! Shots with an event that could not be, as random plans found them: mostly the engine was wrong.
+//! Shots in which the checker once found an impossible event. In most of them the engine was wrong,
+//! in some the checker.
 
 use carom::Shot;
 use carom_check::CheckRecorder;
@@ -7,8 +8,8 @@ use carom_check::CheckRecorder;
 const POOL: &str = r#"{"base": "wpa-9ft", "width": 1.25, "length": 2.5}"#;
 const SQUARE: &str = r#"{"width": 1.25, "length": 1.25}"#;
 
-/// Plays `balls` on `table` with its usual physics but for the model `cushion`.
-fn assert_right(table: &str, cushion: &str, balls: &str) {
+/// Checks a shot of `balls` on `table` with its own physics, except for the model `cushion`.
+fn assert_no_faults(table: &str, cushion: &str, balls: &str) {
     let file = format!(
         r#"{{"format": "carom-shot/1", "table": {table}, "balls": {balls},
             "physics": {{"cushion": {{"model": "{cushion}"}}}}}}"#
@@ -19,11 +20,12 @@ fn assert_right(table: &str, cushion: &str, balls: &str) {
     assert!(checker.faults.is_empty(), "{:#?}", checker.faults);
 }
 
-/// Seen: two balls fly over a rail; one leaves the table, and 0.9 ms later the other collides with it.
-/// Right: what has left the table meets nothing. Why: contacts were searched anew with every ball.
+/// Seen: two balls fly over a rail; one leaves the table, and 0.9 ms later the other collides with
+/// it. Expected: a ball off the table has no contacts. Cause: contacts were predicted with every
+/// ball.
 #[test]
-fn a_ball_that_has_left_the_table_is_met_by_none() {
-    assert_right(
+fn a_ball_off_the_table_has_no_collisions() {
+    assert_no_faults(
         SQUARE,
         "stronge",
         r#"[{"id": "a", "position": [0.4, 0.5, 0.27], "velocity": [1.3, 6, -3]},
@@ -31,10 +33,10 @@ fn a_ball_that_has_left_the_table_is_met_by_none() {
     );
 }
 
-/// Seen: a ball collides with one that a pocket has taken. Right and why: as above.
+/// Seen: a ball collides with a pocketed ball. Expected and cause: as above.
 #[test]
-fn a_ball_in_a_pocket_is_met_by_none() {
-    assert_right(
+fn a_pocketed_ball_has_no_collisions() {
+    assert_no_faults(
         POOL,
         "mathavan-2010",
         r#"[{"id": "a", "position": [1, 0.4], "velocity": [-4.4, 0.3, 0],
@@ -44,11 +46,12 @@ fn a_ball_in_a_pocket_is_met_by_none() {
     );
 }
 
-/// Seen: a ball falls almost upright on the top of another, and the lower one slides on with 0.2 mm/s
-/// down into the slate. Right: the slate takes that. Why: the speed on a plane was not kept level.
+/// Seen: a ball falls almost vertically on the top of another, and the lower one then moves into
+/// the slate at 0.2 mm/s. Expected: the slate stops that motion. Cause: the velocity on the cloth
+/// was not kept horizontal.
 #[test]
-fn a_ball_that_is_pressed_from_above_slides_level() {
-    assert_right(
+fn a_ball_pressed_from_above_slides_horizontally() {
+    assert_no_faults(
         r#"{"cloth": "unbounded"}"#,
         "stronge",
         r#"[{"id": "a", "position": [0.19, -0.418, 0.206], "velocity": [0, 0, -0.96],
@@ -57,17 +60,18 @@ fn a_ball_that_is_pressed_from_above_slides_level() {
     );
 }
 
-/// Seen: a ball that falls along the liner of a hole goes on into it at 1 mm/s, up to the cap on events.
-/// Right: it comes off. Why: the liner's slope and its upright part threw it one after the other.
+/// Seen: a ball that falls along the liner of a hole moves on into it at 1 mm/s, until the limit of
+/// events. Expected: it leaves the liner. Cause: the liner's inclined and its vertical part acted
+/// one after the other.
 #[test]
-fn a_ball_comes_off_the_wall_of_a_hole_that_it_falls_along() {
-    assert_right(
+fn a_ball_that_falls_along_the_wall_of_a_hole_leaves_it() {
+    assert_no_faults(
         POOL,
         "han-2005",
         r#"[{"id": "a", "position": [0.136, 0.171, 0.098], "velocity": [-0.43, -0.45, -1.1],
              "angular_velocity": [49, -94, 25]}]"#,
     );
-    assert_right(
+    assert_no_faults(
         POOL,
         "restitution",
         r#"[{"id": "a", "position": [0.108, 1.379, 0.052], "velocity": [-0.27, -0.41, 1.84],
@@ -75,13 +79,14 @@ fn a_ball_comes_off_the_wall_of_a_hole_that_it_falls_along() {
     );
 }
 
-/// Seen: a collision of three balls, none of which touched another. Right: with the fourth, which one of
-/// them had hit from straight above. Why: the slate held it, and what had not moved was left out.
+/// Seen: a collision of three balls, none of which touched another. Expected: the fourth ball,
+/// which one of them had hit from directly above, is part of the event. Cause: the slate held that
+/// ball, and balls that had not moved were left out.
 #[test]
-fn a_ball_hit_from_straight_above_takes_part_in_the_event() {
-    // Two columns side by side; the second one's upper ball comes down while the first one's is nearly
-    // beside it.
-    assert_right(
+fn a_ball_hit_from_directly_above_is_part_of_the_event() {
+    // Two columns side by side; the upper ball of the second one falls while that of the first is
+    // nearly beside it.
+    assert_no_faults(
         "\"showood-7ft\"",
         "stronge",
         r#"[{"id": "0", "position": [0.4608565636008476, 1.4312675522423928]},
@@ -92,11 +97,12 @@ fn a_ball_hit_from_straight_above_takes_part_in_the_event() {
     );
 }
 
-/// Seen: a ball rolls off a rail's top into a hole "where there is ground". The engine was right: the
-/// judge took the edge for 3 cm off, since rounding had the ball beside the line of another edge.
+/// Seen: a ball rolls off a rail's top into a hole, reported as "where there is ground". The engine
+/// was right: the checker put the edge 3 cm away, since rounding put the ball beside the line of
+/// another edge.
 #[test]
-fn a_ball_that_rolls_off_a_top_where_two_edges_are_in_one_line_is_judged_right() {
-    assert_right(
+fn accepts_a_ball_that_rolls_off_a_top_where_two_edges_are_in_one_line() {
+    assert_no_faults(
         "\"bar-7ft\"",
         "stronge",
         r#"[{"id": "0", "position": [0.7630514921022022, 0.427514002026946, 0.16144054169616612],
@@ -107,11 +113,12 @@ fn a_ball_that_rolls_off_a_top_where_two_edges_are_in_one_line_is_judged_right()
     );
 }
 
-/// Seen: a ball hangs on a lip, its centre 3 µm over the hole, and is put up to the slate by 0.1 nm, which
-/// the judge took for a jump and for standing on nothing. Right: docs/guarantees.md allows both.
+/// Seen: a ball rests at a lip with its centre 3 µm over the hole, and is raised to the slate by
+/// 0.1 nm, which the checker reported as a jump and as a lack of support. Expected:
+/// docs/guarantees.md allows both.
 #[test]
-fn a_ball_that_hangs_a_hair_over_a_lip_is_judged_right() {
-    assert_right(
+fn accepts_a_ball_that_rests_slightly_beyond_a_lip() {
+    assert_no_faults(
         "\"wpa-8ft\"",
         "stronge",
         r#"[{"id": "0", "position": [0.0017558557080810666, 1.1407080582133937],
@@ -121,11 +128,11 @@ fn a_ball_that_hangs_a_hair_over_a_lip_is_judged_right() {
     );
 }
 
-/// Seen: a ball on the very top of another is taken to lean to the other side, and pressed off it; the
-/// judge allowed half of the blow across the line of centres that this can mean.
+/// Seen: a ball exactly on top of another is treated as tilted to the other side, and pressed off
+/// it. The checker allowed only half of the resulting impulse across the line of centres.
 #[test]
-fn a_ball_that_leans_on_top_of_another_and_is_pressed_off_is_judged_right() {
-    assert_right(
+fn accepts_a_ball_that_is_pressed_off_the_top_of_another() {
+    assert_no_faults(
         "\"carom-9ft\"",
         "stronge",
         r#"[{"id": "0", "position": [0.8805432110409643, 0.7641792741923771]},
@@ -136,11 +143,12 @@ fn a_ball_that_leans_on_top_of_another_and_is_pressed_off_is_judged_right() {
     );
 }
 
-/// Seen: a ball rolls on a rail's top back to its edge, at 4 mm/s, and stops there. The engine was right:
-/// rolling friction holds so slow a ball on any edge, and the judge knew it of the lips of holes alone.
+/// Seen: a ball rolls on a rail's top back to its edge at 4 mm/s and stops there. The engine was
+/// right: rolling friction holds such a slow ball on any edge. The checker allowed it only at the
+/// lips of holes.
 #[test]
-fn a_ball_that_stops_on_the_edge_of_a_top_is_judged_right() {
-    assert_right(
+fn accepts_a_ball_that_stops_on_the_edge_of_a_top() {
+    assert_no_faults(
         "\"wpa-8ft\"",
         "stronge",
         r#"[{"id": "0", "position": [1.0628399618092603, 1.6467013179760484, 0.09867492139303582],

@@ -1,9 +1,9 @@
-//! All that happens in a shot, kept.
+//! The events of a shot, as owned values.
 
 use carom::event::{Event, EventKind, Recorder};
 use carom::{BallState, Shot};
 
-/// One event, states in the engine's frame.
+/// One event; states in the engine frame.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct OwnedEvent {
     pub(crate) time: f64,
@@ -20,6 +20,7 @@ impl OwnedEvent {
     }
 }
 
+/// Records all events.
 #[derive(Debug, Default)]
 struct EventRecorder(Vec<OwnedEvent>);
 
@@ -35,7 +36,7 @@ impl Recorder for EventRecorder {
     }
 }
 
-/// Every event of `shot`.
+/// All events of `shot`.
 pub(crate) fn events(shot: &Shot) -> Vec<OwnedEvent> {
     let mut recorder = EventRecorder::default();
     carom::simulate(shot, &mut recorder).unwrap_or_else(|e| panic!("{e:?}\n{}", shot.to_json()));

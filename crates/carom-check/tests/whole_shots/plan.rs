@@ -1,4 +1,4 @@
-//! Shots as proptest draws and shrinks them: some balls of a layout, each at rest or moving.
+//! Random shots that proptest can draw and shrink: some balls of a grid, each at rest or moving.
 
 use carom::format::{Node, SHOT_FORMAT};
 use carom::math::{Vec2, Vec3};
@@ -6,48 +6,48 @@ use carom::{BallState, Error, MotionState, Shot};
 use proptest::prelude::*;
 use proptest::sample::{select, subsequence};
 
-/// Places are multiples of this, m, and so is half a side of the tables: then the file's frame and
-/// the engine's hold the same place exactly, and a mirrored shot has mirrored bits.
+/// Places and half sides of the tables are multiples of this, m. Then the file frame and the engine
+/// frame hold the same place exactly, and a mirrored shot has mirrored bits.
 const GRID: f64 = 1.0 / (1u64 << 40) as f64;
 
-/// Balls stand in cells of a quarter of a metre, up to this far from their middle, m: any two a pool
-/// ball's diameter apart.
+/// Largest distance of a ball from the centre of its cell of 0.25 m, along each axis, m: any two
+/// balls are at least a pool ball's diameter apart.
 const JITTER: f64 = 0.09;
 
 const BALL_BALL_MODELS: [&str; 4] = ["elastic", "frictional", "mathavan-2014", "compliant"];
 const CUSHION_MODELS: [&str; 4] = ["restitution", "han-2005", "mathavan-2010", "stronge"];
 
-/// A table with sides that are short binary fractions.
+/// A table whose sides are short binary fractions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Ground {
     /// A pool table with pockets, 1.25 m by 2.5 m.
     Pool,
     /// Four cushions, 1.25 m by 1.25 m.
     Square,
-    /// No end.
+    /// Unbounded cloth.
     Cloth,
 }
 
-/// A shot, in the engine's frame: x, y from the table's centre.
+/// A shot in the engine frame: x, y from the table's centre.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
     pub(crate) ground: Ground,
     pub(crate) ball_ball: &'static str,
     pub(crate) cushion: &'static str,
-    /// Changes to the physics besides the models: key and value, in their groups.
+    /// Changes to the physics besides the models: group, key and value.
     pub(crate) changes: Vec<(&'static str, &'static str, f64)>,
-    /// m/s².
+    /// Gravity, m/s².
     pub(crate) gravity: f64,
     pub(crate) balls: Vec<BallState>,
 }
 
 impl Plan {
-    /// The shot. Balls that fly stand at their height, others on the cloth.
+    /// The shot. Balls in the air are at their height, the others on the cloth.
     pub(crate) fn shot(&self) -> Shot {
         self.read().unwrap_or_else(|e| panic!("{e}"))
     }
 
-    /// The same, where its balls may stand or fly.
+    /// The shot, if it is valid.
     pub(crate) fn read(&self) -> Result<Shot, Error> {
         let (table, center) = match self.ground {
             Ground::Pool => (
@@ -98,7 +98,7 @@ impl Plan {
         Shot::from_node(&file)
     }
 
-    /// The same with every ball's state changed.
+    /// The same plan with every ball's state changed.
     pub(crate) fn map(&self, change: impl Fn(&BallState) -> BallState) -> Self {
         Self { balls: self.balls.iter().map(change).collect(), ..self.clone() }
     }
@@ -123,14 +123,15 @@ prop_compose! {
     }
 }
 
-/// A ball in the cell with the middle `x`, `y`: at rest, moving and spinning, or only sliding.
+/// A ball in the cell with the centre `x`, `y`: at rest, moving and spinning, or moving without
+/// spin.
 fn ball((x, y): (f64, f64)) -> impl Strategy<Value = BallState> {
     let motion = prop_oneof![
         Just((Vec3::ZERO, Vec3::ZERO)),
         moving(),
         moving().prop_map(|(velocity, _)| (velocity, Vec3::ZERO)),
     ];
-    // Some fly, up to a third of a metre high.
+    // Some balls fly, up to 0.33 m high.
     let flight = prop::option::weighted(0.2, (0.03..0.33, -3.0..3.0));
     (-JITTER..JITTER, -JITTER..JITTER, motion, flight).prop_map(move |(dx, dy, motion, flight)| {
         let (velocity, spin) = motion;

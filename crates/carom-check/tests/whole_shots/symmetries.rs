@@ -1,5 +1,5 @@
-//! Symmetries of mechanics that whole shots must keep, most of them to the last bit: the engine's
-//! origin is the table's centre, and no formula of it prefers a side.
+//! Symmetries of mechanics in whole shots, most of them to the last bit: the engine's origin is the
+//! table's centre, and none of its formulas prefers a side.
 
 use carom::event::EventKind;
 use carom::math::{Vec2, Vec3};
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use crate::owned_event::{OwnedEvent, events};
 use crate::plan::{Ground, Plan, any_plan, plan};
 
-/// Events are of one kind wherever they are on the table.
+/// Whether two events are of the same kind, at any part of the table.
 fn same_kind(a: EventKind, b: EventKind) -> bool {
     match (a, b) {
         (EventKind::RailCollision(_), EventKind::RailCollision(_))
@@ -18,7 +18,8 @@ fn same_kind(a: EventKind, b: EventKind) -> bool {
     }
 }
 
-/// `ours` is what `change` makes of `theirs`, to the bit; times by `clock`.
+/// Asserts that `ours` equals `theirs` after `change`, to the bit, with times multiplied by
+/// `clock`.
 fn assert_same(
     ours: &[OwnedEvent],
     theirs: &[OwnedEvent],
@@ -37,7 +38,7 @@ fn assert_same(
     Ok(())
 }
 
-/// Left for right: of a spin, which is an axial vector, the other components change sign.
+/// Mirrors left and right. The spin is an axial vector, so its other components change sign.
 fn left_right(s: &BallState) -> BallState {
     let flip = |v: Vec3, side: f64| Vec3::new(-side * v.x, side * v.y, side * v.z);
     BallState {
@@ -62,12 +63,12 @@ fn half_turn(s: &BallState) -> BallState {
     quarter_turn(&quarter_turn(s))
 }
 
-/// Approach speed of a contact below which restitution depends on the speed
-/// (`carom::resolve::restitution`), m/s, with room for a change by a factor of two.
+/// Approach speed below which restitution depends on the speed (`carom::resolve::restitution`),
+/// m/s, with a margin for a change by a factor of two.
 const GENTLE: f64 = 3.0 * carom::resolve::restitution::FULL;
 
-/// Whether it is a contact in which restitution could depend on the speed, or one with a time or a
-/// stiffness of its own: of a ball that tips over an edge, or of several balls at once.
+/// Whether the result of an event may depend on a speed, time or stiffness of its own: a slow
+/// contact, a ball that tips over an edge, or several balls at once.
 fn gentle(shot: &Shot, event: &OwnedEvent) -> bool {
     match event.kind {
         EventKind::RailCollision(part) => {
@@ -87,12 +88,13 @@ fn gentle(shot: &Shot, event: &OwnedEvent) -> bool {
     }
 }
 
-/// Lengths, in m, to which a shot started anew in its middle agrees with the whole one over its
-/// next [`FOLLOWED`] events: the rounding of a start from a file, amplified tenfold per contact.
+/// Largest difference (m, or s) between a shot restarted in its middle and the whole shot over the
+/// next [`FOLLOWED`] events: the rounding of a start from a file, amplified tenfold by each
+/// contact.
 const RESTARTED: f64 = 1e-9;
 const FOLLOWED: usize = 5;
 
-/// The shot `plan` as it is at `time`: the balls that are still in play, and which those are.
+/// The state of `plan` at `time`: the balls still in play, and their indices.
 fn resumed(plan: &Plan, shot: &Shot, time: f64) -> (Plan, Vec<u16>) {
     let center = shot.table().center();
     let states = shot.simulate().expect("it ends").at(time).expect("a time");
@@ -125,9 +127,9 @@ proptest! {
         assert_same(&ours, &theirs, quarter_turn, 1.0)?;
     }
 
-    /// All speeds doubled, gravity and what else makes accelerations fourfold: the same places, in
-    /// half the time, to the bit, for these factors are powers of two; up to the first contact so
-    /// gentle that restitution depends on its speed.
+    /// With doubled speeds and fourfold accelerations the places are the same in half the time.
+    /// They agree to the bit, since the factors are powers of two, up to the first contact that is
+    /// so slow that its restitution depends on the speed.
     #[test]
     fn twice_the_speeds_under_four_times_the_gravity_give_the_same_places(
         plan in any_plan(6), restitution in 0.7..1.0,
@@ -158,7 +160,7 @@ proptest! {
     }
 
     #[test]
-    fn a_shot_started_anew_in_its_middle_goes_on_as_it_would_have(
+    fn a_shot_restarted_in_its_middle_continues_like_the_whole_shot(
         plan in any_plan(5), part in 0.05..0.95,
     ) {
         let shot = plan.shot();
@@ -166,12 +168,12 @@ proptest! {
         let time = part * whole.last().map_or(0.0, |e| e.time);
         let (rest, balls) = resumed(&plan, &shot, time);
         prop_assume!(!balls.is_empty());
-        // A shot file has no ball that rolls on a rail's top, and none that falls into a hole.
+        // A shot file cannot hold a ball that rolls on a rail's top or falls into a hole.
         let on_top = |s: &BallState| s.motion != MotionState::Airborne && s.position.z > 0.04;
         prop_assume!(!rest.balls.iter().any(on_top) && rest.read().is_ok());
         let ours = events(&rest.shot());
         let theirs: Vec<&OwnedEvent> = whole.iter().filter(|e| e.time > time).collect();
-        // Events closer to each other than their rounding could come in another order.
+        // Events closer to each other than rounding could change their order.
         let times: Vec<f64> = theirs.iter().map(|e| e.time - time).take(FOLLOWED + 1).collect();
         prop_assume!(times.windows(2).all(|w| w[1] - w[0] > RESTARTED) && times.first().is_none_or(|t| *t > RESTARTED));
         for (a, b) in ours.iter().zip(&theirs).take(FOLLOWED) {
@@ -187,7 +189,7 @@ proptest! {
     }
 
     #[test]
-    fn the_order_in_which_balls_are_listed_decides_the_order_of_ties_and_nothing_else(
+    fn the_order_of_the_balls_in_a_file_only_changes_the_order_of_simultaneous_events(
         (plan, order) in any_plan(8).prop_flat_map(|plan| {
             let order: Vec<u16> = (0..plan.balls.len() as u16).collect();
             (Just(plan), Just(order).prop_shuffle())
@@ -197,8 +199,8 @@ proptest! {
             balls: order.iter().map(|&i| plan.balls[usize::from(i)]).collect(),
             ..plan.clone()
         };
-        // By the balls' names in the first order; an event's balls, and events of one instant, in
-        // ascending order.
+        // Compares with the first order's indices; the balls of an event, and simultaneous events,
+        // are sorted.
         let tied = |a: &OwnedEvent, b: &OwnedEvent| a.time.total_cmp(&b.time).then(a.balls.cmp(&b.balls));
         let (mut ours, mut theirs) = (events(&shuffled.shot()), events(&plan.shot()));
         for event in &mut ours {

@@ -13,8 +13,8 @@ use crate::referee::{CueBallTravel, RefereeRecorder, renumbered};
 use crate::request::Turn;
 use crate::ruling::Ruling;
 
-/// The strike with its angles converted to degrees and back. Frames were recorded when shot files held
-/// degrees only, and they must replay to the bit.
+/// The strike with its angles converted to degrees and back. Frames were recorded when shot files
+/// held degrees only, and they must replay to the bit.
 fn through_degrees(strike: &Strike) -> Strike {
     let through = |angle: f64| radians(degrees(angle));
     Strike { azimuth: through(strike.azimuth), elevation: through(strike.elevation), ..*strike }

@@ -1,11 +1,11 @@
-//! WPA, section 3.
+//! Eight-ball (WPA, section 3).
 
 use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
 use crate::games::GameState;
 use crate::games::eight_ball::Group;
 use crate::{Call, Choice, Foul, Region, Rules, Seat};
 
-/// After a break that pocketed the 3: player 0 goes on, the table is open.
+/// After a break that pocketed the 3: player 0 shoots again, and the table is open.
 fn open_table() -> Scenario {
     let mut scenario = Scenario::of(Rules::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).potting(3, CORNER));
@@ -15,7 +15,7 @@ fn open_table() -> Scenario {
     scenario
 }
 
-/// Seat 0 has the solids and goes on.
+/// Player 0 has the solids and shoots again.
 fn solids() -> Scenario {
     let mut scenario = open_table();
     scenario.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, CORNER));
@@ -52,7 +52,7 @@ fn a_break_without_a_pocketed_ball_needs_four_balls_to_a_rail() {
 }
 
 #[test]
-fn after_a_soft_break_either_player_may_be_made_to_break_again() {
+fn after_a_soft_break_the_other_player_may_choose_who_breaks_again() {
     for (choice, breaker) in [(Choice::Rebreak, 1), (Choice::RebreakByOther, 0)] {
         let mut scenario = Scenario::of(Rules::EightBall);
         scenario.play(Call::Nothing, hit(&[1]).driving(&[1]));
@@ -66,7 +66,7 @@ fn after_a_soft_break_either_player_may_be_made_to_break_again() {
 }
 
 #[test]
-fn the_eight_on_the_break_is_spotted_or_racked_again_as_the_breaker_likes() {
+fn after_the_eight_on_the_break_the_breaker_chooses_to_spot_it_or_to_break_again() {
     let mut scenario = Scenario::of(Rules::EightBall);
     assert!(scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE)).is_legal());
     scenario.offers(0, &[Choice::SpotEight, Choice::Rebreak]);
@@ -76,7 +76,7 @@ fn the_eight_on_the_break_is_spotted_or_racked_again_as_the_breaker_likes() {
 }
 
 #[test]
-fn the_eight_and_the_cue_ball_on_the_break_give_the_choice_to_the_other() {
+fn after_the_eight_and_a_scratch_on_the_break_the_other_player_chooses() {
     let mut scenario = Scenario::of(Rules::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE).potting(0, CORNER));
     assert_fouls(&ruling, &[Foul::Scratch]);
@@ -104,7 +104,7 @@ fn a_ball_off_the_table_on_the_break_stays_off_and_the_eight_is_spotted() {
 }
 
 #[test]
-fn the_table_stays_open_until_a_called_ball_falls() {
+fn the_table_stays_open_until_a_called_ball_is_pocketed() {
     let mut scenario = open_table();
     scenario.play(Call::Pocket(9, CORNER), hit(&[9]).potting(4, SIDE));
     assert_eq!(group(&scenario, 0), None);
@@ -128,7 +128,7 @@ fn on_an_open_table_any_ball_but_the_eight_may_be_hit_first() {
 }
 
 #[test]
-fn on_an_open_table_a_group_that_is_gone_may_be_claimed_for_the_eight() {
+fn on_an_open_table_a_cleared_group_may_be_claimed_by_calling_the_eight() {
     let claiming = || {
         let mut scenario = open_table().without([1, 2, 4, 5, 6, 7]);
         scenario.play(Call::Safety, hit(&[9]));
@@ -144,7 +144,7 @@ fn on_an_open_table_a_group_that_is_gone_may_be_claimed_for_the_eight() {
 }
 
 #[test]
-fn who_claims_a_group_that_is_gone_hits_the_eight_and_who_does_not_hits_another_ball() {
+fn a_player_who_claims_a_cleared_group_must_hit_the_eight_first_and_others_must_not() {
     let open = || {
         let mut scenario = open_table().without([1, 2, 4, 5, 6, 7]);
         scenario.play(Call::Safety, hit(&[9]));
@@ -163,13 +163,13 @@ fn who_claims_a_group_that_is_gone_hits_the_eight_and_who_does_not_hits_another_
     }
     let mut scenario = open_table().without((1..=15).filter(|ball| *ball != 8));
     scenario.play(Call::Safety, hit(&[8]));
-    assert_eq!(scenario.asks(1).on, [8], "nothing else is left");
+    assert_eq!(scenario.asks(1).on, [8], "the only ball left");
     scenario.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE));
     scenario.is_won_by(1);
 }
 
 #[test]
-fn of_two_groups_that_fall_the_called_ball_decides() {
+fn the_called_ball_decides_when_balls_of_both_groups_are_pocketed() {
     let mut scenario = open_table();
     let happened = hit(&[1, 9]).potting(1, SIDE).potting(9, CORNER);
     scenario.play(Call::Pocket(9, CORNER), happened);
@@ -178,7 +178,7 @@ fn of_two_groups_that_fall_the_called_ball_decides() {
 }
 
 #[test]
-fn a_safety_on_an_open_table_decides_no_group_whatever_falls() {
+fn a_safety_on_an_open_table_decides_no_group() {
     let mut scenario = open_table();
     scenario.play(Call::Safety, hit(&[1]).potting(1, SIDE));
     assert_eq!(group(&scenario, 0), None);
@@ -186,7 +186,7 @@ fn a_safety_on_an_open_table_decides_no_group_whatever_falls() {
 }
 
 #[test]
-fn a_group_that_the_other_player_cleared_is_cleared() {
+fn a_group_cleared_by_the_other_player_counts_as_cleared() {
     let mut scenario = solids().without([10, 11, 12, 13, 14, 15]);
     scenario.play(Call::Pocket(2, SIDE), hit(&[2, 9]).potting(9, CORNER));
     assert_eq!(scenario.asks(1).on, [8]);
@@ -195,7 +195,7 @@ fn a_group_that_the_other_player_cleared_is_cleared() {
 }
 
 #[test]
-fn the_eight_on_a_safety_loses() {
+fn pocketing_the_eight_on_a_safety_loses() {
     let mut scenario = on_the_eight();
     scenario.play(Call::Safety, hit(&[8]).potting(8, SIDE));
     scenario.is_won_by(1);
@@ -205,7 +205,7 @@ fn the_eight_on_a_safety_loses() {
 }
 
 #[test]
-fn on_the_eight_another_ball_first_is_a_foul() {
+fn hitting_another_ball_before_the_eight_is_a_foul() {
     let mut scenario = on_the_eight();
     let ruling = scenario.play(Call::Pocket(8, SIDE), hit(&[9, 8]).potting(8, SIDE));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
@@ -213,7 +213,7 @@ fn on_the_eight_another_ball_first_is_a_foul() {
 }
 
 #[test]
-fn balls_of_the_own_group_off_the_table_stay_off_and_count_as_gone() {
+fn balls_of_the_own_group_driven_off_the_table_count_as_pocketed() {
     let mut scenario = solids().without([2, 4, 5, 6]);
     let ruling = scenario.play(Call::Pocket(7, CORNER), hit(&[7]).losing(7));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
@@ -223,7 +223,7 @@ fn balls_of_the_own_group_off_the_table_stay_off_and_count_as_gone() {
 }
 
 #[test]
-fn who_breaks_again_has_the_breakers_choices() {
+fn a_player_who_breaks_again_has_the_choices_of_a_breaker() {
     let mut scenario = Scenario::of(Rules::EightBall);
     scenario.play(Call::Nothing, hit(&[1]).driving(&[1]));
     scenario.choose(Choice::Rebreak);
@@ -243,7 +243,7 @@ fn after_a_foul_on_the_break_the_table_may_be_played_as_it_lies() {
 }
 
 #[test]
-fn the_head_string_binds_in_the_first_shot_after_the_break_alone() {
+fn the_head_string_restricts_only_the_first_shot_after_the_break() {
     let mut scenario = solids();
     scenario.play(Call::Safety, hit(&[2]).potting(0, CORNER));
     assert_eq!(scenario.asks(1).hand, Some(Region::Anywhere));
@@ -252,7 +252,7 @@ fn the_head_string_binds_in_the_first_shot_after_the_break_alone() {
 }
 
 #[test]
-fn a_soft_break_that_is_a_foul_besides_may_be_racked_again_or_played_from_hand() {
+fn a_soft_break_with_another_foul_offers_a_new_break_or_the_cue_ball_in_hand() {
     let mut scenario = Scenario::of(Rules::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).driving(&[1]).potting(0, CORNER));
     assert_fouls(&ruling, &[Foul::Scratch, Foul::SoftBreak]);
@@ -273,7 +273,7 @@ fn balls_off_the_table_count_as_driven_to_a_rail() {
 }
 
 #[test]
-fn the_eight_on_a_break_with_any_foul_gives_the_cue_ball_in_hand() {
+fn after_the_eight_on_a_break_with_a_foul_the_cue_ball_is_in_hand() {
     let mut scenario = Scenario::of(Rules::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE).losing(4));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
@@ -285,7 +285,7 @@ fn the_eight_on_a_break_with_any_foul_gives_the_cue_ball_in_hand() {
 }
 
 #[test]
-fn a_scratch_after_a_contact_is_no_second_foul_for_want_of_a_rail() {
+fn a_scratch_after_contact_is_not_also_a_foul_for_missing_rails() {
     let mut scenario = solids();
     let ruling = scenario.play(Call::Pocket(2, CORNER), hit(&[2]).no_rail().potting(0, SIDE));
     assert_fouls(&ruling, &[Foul::Scratch]);
@@ -300,14 +300,14 @@ fn a_called_ball_of_the_other_group_ends_the_turn() {
 }
 
 #[test]
-fn the_eight_with_the_last_ball_of_the_group_loses() {
+fn pocketing_the_eight_with_the_last_ball_of_the_group_loses() {
     let mut scenario = solids().without([2, 4, 5, 6]);
     scenario.play(Call::Pocket(7, CORNER), hit(&[7]).potting(7, CORNER).potting(8, SIDE));
     scenario.is_won_by(1);
 }
 
 #[test]
-fn fouls_are_not_counted() {
+fn consecutive_fouls_do_not_count_in_eight_ball() {
     let mut scenario = solids();
     for _ in 0..4 {
         scenario.play(Call::Safety, hit(&[]));
@@ -345,14 +345,14 @@ fn a_ball_in_an_uncalled_pocket_ends_the_turn_without_a_foul() {
 }
 
 #[test]
-fn after_a_called_safety_the_other_shoots_whatever_fell() {
+fn after_a_called_safety_the_other_player_shoots_even_if_a_ball_was_pocketed() {
     let mut scenario = solids();
     scenario.play(Call::Safety, hit(&[2]).potting(2, CORNER));
     scenario.asks(1);
 }
 
 #[test]
-fn the_other_group_first_is_a_foul_and_gives_ball_in_hand_anywhere() {
+fn hitting_the_other_group_first_gives_ball_in_hand_anywhere() {
     let mut scenario = solids();
     let ruling = scenario.play(Call::Pocket(2, CORNER), hit(&[9, 2]).potting(2, CORNER));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
@@ -372,7 +372,7 @@ fn without_a_rail_or_a_pocketed_ball_a_shot_is_a_foul() {
     assert_fouls(&scenario.play(Call::Pocket(2, CORNER), hit(&[])), &[Foul::NoContact]);
 }
 
-/// The eight is on for player 0.
+/// Player 0 has the eight on.
 fn on_the_eight() -> Scenario {
     let mut scenario = solids().without([2, 4, 5, 6]);
     scenario.play(Call::Pocket(7, CORNER), hit(&[7]).potting(7, CORNER));
@@ -388,7 +388,7 @@ fn the_called_eight_wins() {
 }
 
 #[test]
-fn the_eight_loses_with_a_foul_in_another_pocket_too_early_or_off_the_table() {
+fn the_eight_loses_if_it_goes_with_a_foul_into_another_pocket_too_early_or_off_the_table() {
     let mut scenario = on_the_eight();
     scenario.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE).potting(0, CORNER));
     scenario.is_won_by(1);
@@ -411,7 +411,7 @@ fn a_foul_without_the_eight_does_not_lose_the_rack() {
 }
 
 #[test]
-fn behind_the_head_string_a_ball_there_must_not_be_hit_directly() {
+fn from_behind_the_head_string_a_ball_behind_it_must_not_be_hit_directly() {
     let mut scenario = Scenario::of(Rules::EightBall);
     scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
     scenario.0.put(9, Some([0.3, 0.3]));
@@ -425,7 +425,7 @@ fn behind_the_head_string_a_ball_there_must_not_be_hit_directly() {
 }
 
 #[test]
-fn behind_the_head_string_the_cue_ball_must_come_out_or_touch_a_ball_that_is() {
+fn from_behind_the_head_string_the_cue_ball_must_cross_it_or_hit_a_ball_beyond_it() {
     let from_hand = || {
         let mut scenario = Scenario::of(Rules::EightBall);
         scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));

@@ -1,15 +1,15 @@
-//! How a frame ends that nobody wins at the table.
+//! Frames that end by concession or stalemate.
 
 use super::{CORNER, SIDE, Scenario, hit};
 use crate::{Call, Choice, Options, Request, Rules};
 
 #[test]
-fn who_concedes_loses_whether_a_shot_or_a_choice_is_asked() {
+fn a_player_who_concedes_a_shot_or_a_choice_loses() {
     for rules in Rules::ALL {
         let mut scenario = Scenario::of(rules);
         scenario.0.concede().expect("a shot is asked");
         scenario.is_won_by(1);
-        assert!(scenario.0.concede().is_err(), "it is over");
+        assert!(scenario.0.concede().is_err(), "the frame is over");
     }
     let mut scenario = Scenario::of(Rules::EightBall);
     scenario.play(Call::Nothing, hit(&[1]).driving(&[1]));
@@ -17,7 +17,7 @@ fn who_concedes_loses_whether_a_shot_or_a_choice_is_asked() {
     scenario.is_won_by(0);
 }
 
-/// Nobody pockets anything, with the reds or the first ball hit each time.
+/// Plays `shots` legal shots that pocket nothing. Returns whether the last one led to a new rack.
 fn idle(scenario: &mut Scenario, shots: u32) -> bool {
     let mut racked = false;
     for _ in 0..shots {
@@ -30,7 +30,7 @@ fn idle(scenario: &mut Scenario, shots: u32) -> bool {
 }
 
 #[test]
-fn a_stalemate_is_racked_again_for_the_first_breaker_and_the_second_ends_the_frame() {
+fn after_a_stalemate_the_first_breaker_breaks_again_and_a_second_one_ends_the_frame() {
     let options = Options { patience: 5, ..Options::default() };
     for rules in
         [Rules::EightBall, Rules::NineBall, Rules::TenBall, Rules::StraightPool, Rules::Snooker]
@@ -48,7 +48,7 @@ fn a_stalemate_is_racked_again_for_the_first_breaker_and_the_second_ends_the_fra
 }
 
 #[test]
-fn a_stalemate_takes_the_points_of_snooker_but_not_of_straight_pool() {
+fn a_stalemate_resets_the_scores_of_snooker_but_not_of_straight_pool() {
     let options = Options { patience: 5, ..Options::default() };
     let mut scenario = Scenario::with(Rules::Snooker, options);
     scenario.0.set_scores([12, 7]);
@@ -61,13 +61,13 @@ fn a_stalemate_takes_the_points_of_snooker_but_not_of_straight_pool() {
     scenario.play(Call::Safety, hit(&[1]).no_rail());
     assert_eq!(scenario.0.scores(), [-2, 0]);
     scenario.choose(Choice::PlayOn);
-    assert!(!idle(&mut scenario, 3), "a choice is no shot");
+    assert!(!idle(&mut scenario, 3), "a choice does not count as a shot");
     assert!(idle(&mut scenario, 1));
     assert_eq!(scenario.0.scores(), [-2, 0]);
 }
 
 #[test]
-fn balls_that_were_racked_again_can_be_progress_again() {
+fn after_a_new_rack_pocketed_balls_count_as_progress_again() {
     let mut scenario =
         Scenario::with(Rules::EightBall, Options { patience: 3, ..Options::default() });
     let happened = hit(&[1]).potting(8, SIDE).potting(1, CORNER).potting(2, CORNER);
@@ -75,6 +75,6 @@ fn balls_that_were_racked_again_can_be_progress_again() {
     scenario.choose(Choice::Rebreak);
     idle(&mut scenario, 2);
     scenario.play(Call::Safety, hit(&[1]).potting(1, CORNER));
-    assert!(!idle(&mut scenario, 2), "the 1 fell: that is progress");
+    assert!(!idle(&mut scenario, 2), "pocketing the 1 was progress");
     assert!(idle(&mut scenario, 1));
 }

@@ -1,11 +1,11 @@
-//! WPA, sections 2 and 9.
+//! Nine-ball and ten-ball (WPA, sections 2 and 9).
 
 use carom::resolve::cue_ball::Strike;
 
 use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
 use crate::{Call, Choice, Foul, Play, Region, Rules};
 
-/// After a legal break that pocketed the 5: player 0 goes on.
+/// After a legal break that pocketed the 5: player 0 shoots again.
 fn after_break(rules: Rules) -> Scenario {
     let mut scenario = Scenario::of(rules);
     scenario.play(Call::Nothing, hit(&[1]).potting(5, CORNER));
@@ -38,7 +38,7 @@ fn a_soft_break_is_a_foul() {
 }
 
 #[test]
-fn the_nine_wins_whenever_it_falls_legally() {
+fn the_nine_wins_whenever_it_is_pocketed_legally() {
     let mut scenario = Scenario::of(Rules::NineBall);
     scenario.play(Call::Nothing, hit(&[1]).potting(9, CORNER));
     scenario.is_won_by(0);
@@ -58,7 +58,7 @@ fn the_nine_is_spotted_after_a_foul_and_other_balls_are_not() {
 }
 
 #[test]
-fn a_push_out_suspends_contact_and_rail_and_gives_the_other_the_choice() {
+fn a_push_out_needs_no_contact_and_no_rail_and_gives_the_other_player_the_choice() {
     let mut scenario = after_break(Rules::NineBall);
     assert!(scenario.turn().calls.push_out);
     assert!(scenario.play(Call::PushOut, hit(&[]).no_rail()).is_legal());
@@ -68,7 +68,7 @@ fn a_push_out_suspends_contact_and_rail_and_gives_the_other_the_choice() {
 }
 
 #[test]
-fn a_scratch_is_a_foul_in_a_push_out_too_and_the_nine_comes_back() {
+fn a_scratch_is_a_foul_in_a_push_out_too_and_the_nine_is_spotted() {
     let mut scenario = after_break(Rules::NineBall);
     let ruling = scenario.play(Call::PushOut, hit(&[9]).potting(0, SIDE));
     assert_fouls(&ruling, &[Foul::Scratch]);
@@ -80,17 +80,17 @@ fn a_scratch_is_a_foul_in_a_push_out_too_and_the_nine_comes_back() {
 }
 
 #[test]
-fn the_push_out_is_for_the_shot_after_the_break_alone() {
+fn a_push_out_is_allowed_only_in_the_shot_after_the_break() {
     let mut scenario = after_break(Rules::NineBall);
     scenario.play(Call::Nothing, hit(&[1]).potting(1, CORNER));
     assert!(!scenario.asks(0).calls.push_out);
     let mut scenario = Scenario::of(Rules::NineBall);
     scenario.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3, 4]));
-    assert!(scenario.asks(1).calls.push_out, "nothing fell: it is the other player's");
+    assert!(scenario.asks(1).calls.push_out, "no ball was pocketed, so the other player shoots");
 }
 
 #[test]
-fn three_fouls_in_a_row_lose_the_rack_and_a_legal_shot_forgives() {
+fn three_consecutive_fouls_lose_the_rack_and_a_legal_shot_resets_the_count() {
     let mut scenario = past_the_push(Rules::NineBall);
     for _ in 0..2 {
         scenario.play(Call::Nothing, hit(&[2]));
@@ -114,7 +114,7 @@ fn a_ball_driven_off_the_table_is_a_foul_and_stays_off() {
 }
 
 #[test]
-fn ten_ball_is_called_and_what_falls_uncalled_is_the_others_choice() {
+fn in_ten_ball_an_uncalled_pocketed_ball_gives_the_other_player_the_choice() {
     let mut scenario = past_the_push(Rules::TenBall);
     assert!(scenario.turn().calls.required);
     assert!(scenario.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, SIDE)).is_legal());
@@ -125,7 +125,7 @@ fn ten_ball_is_called_and_what_falls_uncalled_is_the_others_choice() {
 }
 
 #[test]
-fn the_ten_called_before_the_others_are_gone_is_spotted_and_the_shooter_goes_on() {
+fn a_called_ten_with_other_balls_left_is_spotted_and_the_shooter_continues() {
     let mut scenario = past_the_push(Rules::TenBall);
     let ruling = scenario.play(Call::Pocket(10, SIDE), hit(&[1, 10]).potting(10, SIDE));
     assert_eq!(ruling.spotted, [10]);
@@ -137,7 +137,7 @@ fn the_ten_called_before_the_others_are_gone_is_spotted_and_the_shooter_goes_on(
 }
 
 #[test]
-fn a_safety_that_pockets_a_ball_is_the_others_choice() {
+fn a_safety_that_pockets_a_ball_gives_the_other_player_the_choice() {
     let mut scenario = past_the_push(Rules::TenBall);
     assert!(scenario.play(Call::Safety, hit(&[1]).potting(1, SIDE)).is_legal());
     scenario.offers(0, &[Choice::PlayOn, Choice::PassBack]);
@@ -149,7 +149,7 @@ fn a_safety_that_pockets_a_ball_is_the_others_choice() {
 }
 
 #[test]
-fn the_last_ball_comes_back_after_a_foul_on_the_break_and_off_the_table() {
+fn the_last_ball_is_spotted_after_a_foul_on_the_break_and_after_leaving_the_table() {
     for (rules, last) in [(Rules::NineBall, 9), (Rules::TenBall, 10)] {
         let mut scenario = Scenario::of(rules);
         let happened = hit(&[1]).potting(last, SIDE).potting(0, CORNER);
@@ -164,7 +164,7 @@ fn the_last_ball_comes_back_after_a_foul_on_the_break_and_off_the_table() {
 }
 
 #[test]
-fn after_a_push_out_the_other_may_play_too() {
+fn after_a_push_out_the_other_player_may_shoot() {
     for rules in [Rules::NineBall, Rules::TenBall] {
         let mut scenario = after_break(rules);
         scenario.play(Call::PushOut, hit(&[3]).no_rail().potting(3, SIDE));
@@ -175,7 +175,7 @@ fn after_a_push_out_the_other_may_play_too() {
 }
 
 #[test]
-fn the_ten_wins_called_but_not_on_the_break_and_not_by_luck() {
+fn the_ten_wins_only_if_called_and_not_on_the_break() {
     let mut scenario = Scenario::of(Rules::TenBall);
     assert_eq!(scenario.play(Call::Nothing, hit(&[1]).potting(10, SIDE)).spotted, [10]);
     scenario.asks(0);
@@ -191,7 +191,7 @@ fn the_ten_wins_called_but_not_on_the_break_and_not_by_luck() {
 }
 
 #[test]
-fn after_a_foul_on_the_break_nobody_pushes_out() {
+fn after_a_foul_on_the_break_no_push_out_is_allowed() {
     for rules in [Rules::NineBall, Rules::TenBall] {
         for happened in [hit(&[1]).potting(3, SIDE).losing(4), hit(&[1]).driving(&[1]), hit(&[])] {
             let mut scenario = Scenario::of(rules);
@@ -203,7 +203,7 @@ fn after_a_foul_on_the_break_nobody_pushes_out() {
 }
 
 #[test]
-fn after_a_push_out_the_incoming_player_may_not_push_again() {
+fn after_a_push_out_the_next_player_may_not_push_out() {
     let mut scenario = after_break(Rules::NineBall);
     scenario.play(Call::PushOut, hit(&[]).no_rail());
     scenario.choose(Choice::PlayOn);
@@ -212,7 +212,7 @@ fn after_a_push_out_the_incoming_player_may_not_push_again() {
 }
 
 #[test]
-fn a_ball_thrown_off_in_a_push_out_is_a_foul() {
+fn a_ball_driven_off_the_table_in_a_push_out_is_a_foul() {
     let mut scenario = after_break(Rules::NineBall);
     let ruling = scenario.play(Call::PushOut, hit(&[2]).losing(2));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
@@ -220,7 +220,7 @@ fn a_ball_thrown_off_in_a_push_out_is_a_foul() {
 }
 
 #[test]
-fn a_third_foul_loses_though_the_nine_falls() {
+fn a_third_foul_loses_even_if_the_nine_is_pocketed() {
     let mut scenario = past_the_push(Rules::NineBall);
     for _ in 0..2 {
         scenario.play(Call::Nothing, hit(&[2]));
@@ -251,7 +251,7 @@ fn any_ball_keeps_the_turn_in_nine_ball_and_the_lowest_left_is_on() {
 }
 
 #[test]
-fn the_nine_comes_back_behind_the_ball_on_the_foot_spot() {
+fn the_nine_is_spotted_behind_a_ball_on_the_foot_spot() {
     let mut scenario = past_the_push(Rules::NineBall).without([1, 2, 4, 6, 7, 8]);
     let foot = [0.635, 1.905];
     scenario.0.put(3, Some(foot));
@@ -263,7 +263,7 @@ fn the_nine_comes_back_behind_the_ball_on_the_foot_spot() {
 }
 
 #[test]
-fn in_ten_ball_a_foul_takes_precedence_over_what_was_not_called() {
+fn in_ten_ball_a_foul_takes_precedence_over_an_uncalled_ball() {
     let mut scenario = past_the_push(Rules::TenBall);
     let ruling = scenario.play(Call::Pocket(1, CORNER), hit(&[2]).potting(3, SIDE));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
@@ -278,7 +278,7 @@ fn in_ten_ball_any_ball_may_be_called_if_the_lowest_is_hit_first() {
 }
 
 #[test]
-fn the_last_ten_in_another_pocket_is_spotted_and_is_the_others_choice() {
+fn a_last_ten_in_an_uncalled_pocket_is_spotted_and_gives_the_other_player_the_choice() {
     let mut scenario = past_the_push(Rules::TenBall).without(1..=9);
     scenario.play(Call::Safety, hit(&[10]));
     let ruling = scenario.play(Call::Pocket(10, SIDE), hit(&[10]).potting(10, CORNER));
@@ -301,12 +301,12 @@ fn the_ten_in_a_push_out_or_with_a_foul_is_spotted() {
 }
 
 #[test]
-fn a_cue_ball_in_hand_may_stay_where_it_lies_even_against_another_ball() {
+fn a_cue_ball_in_hand_may_stay_where_it_lies_even_touching_another_ball() {
     let mut scenario = past_the_push(Rules::NineBall);
     scenario.play(Call::Nothing, hit(&[2]));
     assert_eq!(scenario.asks(0).hand, Some(Region::Anywhere));
     let diameter = 2.0 * scenario.0.base().physics().ball.radius;
-    // Less than is seen to overlap.
+    // An overlap within the tolerance of a shot file.
     let against = [0.3 + (1.0 - 1e-12) * diameter, 1.0];
     scenario.0.put(9, Some([0.3, 1.0]));
     scenario.0.put(0, Some(against));

@@ -1,4 +1,4 @@
-//! WPBSA, section 3.
+//! Snooker (WPBSA, section 3).
 
 mod free_ball;
 
@@ -23,7 +23,7 @@ fn game(scenario: &Scenario) -> &Snooker {
     }
 }
 
-/// Seat 0 has pocketed a red: a colour is on.
+/// Player 0 has pocketed a red, so a colour is on.
 fn after_a_red() -> Scenario {
     let mut scenario = Scenario::of(Rules::Snooker);
     let ruling = scenario.play(NOTHING, hit(&[RED]).potting(RED, CORNER));
@@ -33,7 +33,7 @@ fn after_a_red() -> Scenario {
     scenario
 }
 
-/// Seat 0 on the yellow, with all reds gone.
+/// Player 0 has the yellow on, with all reds down.
 fn on_the_colors() -> Scenario {
     let mut scenario = after_a_red().without(2..=15);
     let ruling = scenario.play(Call::On(BLACK), hit(&[BLACK]).potting(BLACK, CORNER));
@@ -44,14 +44,14 @@ fn on_the_colors() -> Scenario {
 }
 
 #[test]
-fn the_first_shot_is_from_the_d_at_the_reds() {
+fn the_first_shot_is_played_from_the_d_at_the_reds() {
     let scenario = Scenario::of(Rules::Snooker);
     assert_eq!(scenario.asks(0).hand, Some(Region::TheD));
     assert_eq!(scenario.turn().on.len(), 15);
 }
 
 #[test]
-fn reds_and_colors_alternate_and_colors_come_back() {
+fn reds_and_colors_alternate_and_colors_are_spotted() {
     let mut scenario = after_a_red();
     assert!(scenario.turn().calls.nominate);
     let ruling = scenario.play(Call::On(PINK), hit(&[PINK]).potting(PINK, SIDE));
@@ -61,14 +61,14 @@ fn reds_and_colors_alternate_and_colors_come_back() {
 }
 
 #[test]
-fn several_reds_count_one_each() {
+fn several_reds_in_one_stroke_count_one_each() {
     let mut scenario = Scenario::of(Rules::Snooker);
     let happened = hit(&[RED]).potting(RED, CORNER).potting(5, SIDE);
     assert_eq!(scenario.play(NOTHING, happened).points, [2, 0]);
 }
 
 #[test]
-fn the_colors_go_in_ascending_order_and_stay_down() {
+fn after_the_reds_colors_are_on_in_ascending_order_and_stay_down() {
     let mut scenario = on_the_colors();
     assert_eq!(scenario.play(NOTHING, hit(&[YELLOW]).potting(YELLOW, SIDE)).points, [2, 0]);
     assert!(scenario.is_down(YELLOW));
@@ -113,7 +113,7 @@ fn a_scratch_gives_the_cue_ball_in_the_d() {
 }
 
 #[test]
-fn to_jump_over_a_ball_is_a_foul() {
+fn a_jump_over_a_ball_is_a_foul() {
     let mut scenario = Scenario::of(Rules::Snooker);
     assert_fouls(&scenario.play(NOTHING, hit(&[RED]).jumping(true)), &[Foul::Jump]);
     let mut scenario = Scenario::of(Rules::Snooker);
@@ -124,7 +124,7 @@ fn to_jump_over_a_ball_is_a_foul() {
 }
 
 #[test]
-fn a_red_that_falls_with_a_foul_stays_down_and_a_color_comes_back() {
+fn a_red_pocketed_with_a_foul_stays_down_and_a_color_is_spotted() {
     let mut scenario = after_a_red();
     let happened = hit(&[BLUE]).potting(2, SIDE).potting(BLUE, SIDE);
     let ruling = scenario.play(Call::On(BLUE), happened);
@@ -134,7 +134,7 @@ fn a_red_that_falls_with_a_foul_stays_down_and_a_color_comes_back() {
 }
 
 #[test]
-fn after_a_foul_and_a_miss_the_balls_may_be_put_back() {
+fn after_a_foul_and_a_miss_the_balls_may_be_replaced() {
     let mut scenario = after_a_red();
     let before = scenario.0.layout().clone();
     scenario.play(Call::On(BLUE), hit(&[2]).potting(2, SIDE));
@@ -143,7 +143,7 @@ fn after_a_foul_and_a_miss_the_balls_may_be_put_back() {
     assert_eq!(*scenario.0.layout(), before);
     assert_eq!(game(&scenario).on(), On::Color);
     assert!(scenario.asks(0).calls.nominate);
-    assert_eq!(scenario.0.scores(), [1, 5], "the points stay");
+    assert_eq!(scenario.0.scores(), [1, 5], "the points are kept");
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn no_miss_is_called_when_the_ball_on_was_hit_first() {
     scenario.offers(1, &[Choice::PlayOn, Choice::PassBack]);
 }
 
-/// A foul of player 0 that hits no ball on, at these scores: whether it is a miss.
+/// Whether a foul of player 0 that hits no ball on is called a miss at these scores.
 fn is_miss_at(scores: [i32; 2], options: Options) -> bool {
     let mut scenario = Scenario::with(Rules::Snooker, options).without(2..=15);
     scenario.0.set_scores(scores);
@@ -165,27 +165,27 @@ fn is_miss_at(scores: [i32; 2], options: Options) -> bool {
 }
 
 #[test]
-fn no_miss_is_called_when_a_player_needs_penalty_points_or_the_scores_could_be_equal() {
-    // A red and the colours are worth 35.
+fn no_miss_is_called_when_a_player_needs_penalty_points_or_could_only_tie() {
+    // The red and the colours left are worth 35 points.
     let rules = Options::default();
     assert!(is_miss_at([0, 0], rules));
     assert!(is_miss_at([0, 30], rules), "34 behind after the foul");
     assert!(!is_miss_at([0, 31], rules), "35 behind after the foul");
     assert!(!is_miss_at([0, 36], rules), "36 behind before it");
     assert!(is_miss_at([34, 0], rules));
-    assert!(!is_miss_at([35, 0], rules), "the other could be equal");
-    assert!(!is_miss_at([0, 0], Options { miss: false, ..rules }), "it was agreed on");
+    assert!(!is_miss_at([35, 0], rules), "the other player could tie");
+    assert!(!is_miss_at([0, 0], Options { miss: false, ..rules }), "the option excludes misses");
 }
 
 #[test]
-fn after_a_miss_with_a_full_ball_in_sight_another_is_one_at_any_score() {
+fn after_a_miss_with_a_full_ball_in_sight_the_next_miss_is_called_at_any_score() {
     let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
     scenario.0.put(RED, Some([0.5, 2.4]));
     scenario.0.set_scores([0, 30]);
     for _ in 0..2 {
         scenario.play(NOTHING, hit(&[]));
         scenario.choose(Choice::Replace);
-        assert_eq!(scenario.asks(0).hand, None, "it stands where it was played from");
+        assert_eq!(scenario.asks(0).hand, None, "it is where it was played from");
     }
     assert_eq!(scenario.0.scores(), [0, 38]);
     scenario.play(NOTHING, hit(&[]));
@@ -193,7 +193,7 @@ fn after_a_miss_with_a_full_ball_in_sight_another_is_one_at_any_score() {
 }
 
 #[test]
-fn misses_start_again_when_the_balls_are_not_put_back() {
+fn the_count_of_misses_restarts_when_the_balls_are_not_replaced() {
     let mut scenario = Scenario::of(Rules::Snooker);
     for choice in [Choice::Replace, Choice::PassBack, Choice::Replace, Choice::Replace] {
         scenario.play(NOTHING, hit(&[BLACK]));
@@ -237,7 +237,7 @@ fn three_misses_in_a_row_with_a_ball_in_sight_lose_the_frame() {
     scenario.is_won_by(1);
 }
 
-/// A layout with one red and a blue between it and the cue ball.
+/// Player 0 is snookered after a foul: the blue is between the cue ball and the only red.
 fn snookered() -> Scenario {
     let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
     scenario.play(NOTHING, hit(&[RED]));
@@ -261,10 +261,10 @@ fn a_color_whose_spot_is_occupied_goes_to_the_highest_free_spot() {
 }
 
 #[test]
-fn of_two_colors_each_goes_to_its_own_spot_if_it_can_and_then_the_highest_first() {
+fn colors_go_to_their_own_spots_first_and_then_the_highest_to_the_highest_free_spot() {
     let mut scenario = after_a_red();
     let own = scenario.0.layout().clone();
-    // A red on the black's spot: the highest free one is the pink's, but for the pink.
+    // A red is on the black's spot; the highest free spot is the pink's, unless the pink takes it.
     scenario.0.put(BLACK, Some([0.3, 1.2]));
     scenario.0.put(2, Some(BLACK_SPOT));
     let happened = hit(&[BLACK]).potting(BLACK, SIDE).potting(PINK, SIDE).potting(GREEN, SIDE);
@@ -284,7 +284,7 @@ fn of_two_colors_each_goes_to_its_own_spot_if_it_can_and_then_the_highest_first(
 }
 
 #[test]
-fn where_there_is_no_room_above_its_spot_a_color_goes_below() {
+fn a_color_without_room_above_its_spot_goes_below_it() {
     let mut scenario = after_a_red();
     let diameter = 2.0 * scenario.0.base().physics().ball.radius;
     scenario.0.put(BLACK, Some([0.3, 1.2]));
@@ -297,7 +297,7 @@ fn where_there_is_no_room_above_its_spot_a_color_goes_below() {
 }
 
 #[test]
-fn balls_off_the_table_come_back_but_for_reds_and_the_cue_ball_is_in_the_d() {
+fn colors_off_the_table_are_spotted_and_the_cue_ball_is_in_hand_in_the_d() {
     let mut scenario = Scenario::of(Rules::Snooker);
     let own = scenario.0.layout().place(BLUE);
     let ruling = scenario.play(NOTHING, hit(&[RED]).losing(RED).losing(BLUE).losing(0));
@@ -309,7 +309,7 @@ fn balls_off_the_table_come_back_but_for_reds_and_the_cue_ball_is_in_the_d() {
     assert_eq!(
         scenario.asks(0).hand,
         Some(Region::TheD),
-        "who is asked to play again plays from it"
+        "a player asked to play again plays from the D"
     );
 }
 
@@ -324,14 +324,17 @@ fn touching(ball: BallIndex) -> Scenario {
 }
 
 #[test]
-fn who_plays_away_from_a_touching_ball_that_is_on_has_hit_it() {
+fn playing_away_from_a_touching_ball_that_is_on_counts_as_hitting_it() {
     assert!(touching(2).play(NOTHING, hit(&[]).touching(&[-1])).is_legal());
-    assert!(touching(2).play(NOTHING, hit(&[]).touching(&[-1, 19])).is_legal(), "whatever is next");
+    assert!(
+        touching(2).play(NOTHING, hit(&[]).touching(&[-1, 19])).is_legal(),
+        "any ball may be hit next"
+    );
     assert!(touching(2).play(NOTHING, hit(&[]).touching(&[-1, 2])).is_legal());
 }
 
 #[test]
-fn to_move_a_touching_ball_is_a_push() {
+fn moving_a_touching_ball_is_a_push() {
     let ruling = touching(2).play(NOTHING, hit(&[2]));
     assert_fouls(&ruling, &[Foul::Push]);
     assert_eq!(ruling.points, [4, 0]);
@@ -341,12 +344,12 @@ fn to_move_a_touching_ball_is_a_push() {
 }
 
 #[test]
-fn who_plays_away_from_a_touching_ball_that_is_not_on_must_hit_one_that_is() {
+fn playing_away_from_a_touching_ball_that_is_not_on_must_hit_a_ball_on() {
     assert!(touching(BLUE).play(NOTHING, hit(&[3])).is_legal());
     assert_fouls(&touching(BLUE).play(NOTHING, hit(&[])), &[Foul::NoContact]);
 }
 
-/// Only the black is left, player 0 to shoot with `lead` points more than the other.
+/// Only the black is left; player 0 shoots and has `lead` points more than the other.
 fn black_ball(lead: i32) -> Scenario {
     let mut scenario = on_the_colors().without(YELLOW..PINK);
     scenario.0.set_scores([20 + lead - 6, 20]);
@@ -366,7 +369,7 @@ fn with_only_the_black_left_the_first_score_or_foul_ends_the_frame() {
 }
 
 #[test]
-fn a_tie_is_decided_by_the_black_on_its_spot() {
+fn a_tie_is_decided_by_a_respotted_black() {
     let mut scenario = black_ball(-7);
     scenario.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE));
     assert_eq!(scenario.0.scores(), [20, 20]);
@@ -412,7 +415,7 @@ fn the_last_red_with_a_foul_leaves_the_yellow_on() {
 }
 
 #[test]
-fn the_dearest_of_several_fouls_is_paid_once() {
+fn only_the_highest_penalty_of_several_fouls_is_paid() {
     let paid = |happened| Scenario::of(Rules::Snooker).play(NOTHING, happened).points;
     assert_eq!(paid(hit(&[BLUE]).potting(PINK, SIDE).potting(0, CORNER)), [0, 6]);
     assert_eq!(paid(hit(&[YELLOW]).potting(GREEN, SIDE)), [0, 4]);
@@ -426,7 +429,7 @@ fn the_dearest_of_several_fouls_is_paid_once() {
 }
 
 #[test]
-fn the_next_color_falling_too_is_a_foul_and_both_come_back() {
+fn pocketing_the_next_color_too_is_a_foul_and_both_are_spotted() {
     let mut scenario = on_the_colors();
     scenario.0.put(0, Some([1.5, 0.5]));
     let happened = hit(&[YELLOW]).potting(YELLOW, SIDE).potting(GREEN, CORNER);
@@ -438,7 +441,7 @@ fn the_next_color_falling_too_is_a_foul_and_both_come_back() {
 }
 
 #[test]
-fn who_plays_again_after_a_foul_on_a_color_is_on_a_red() {
+fn after_a_foul_on_a_color_the_reds_are_on_for_a_player_asked_to_play_again() {
     let mut scenario = after_a_red();
     scenario.play(Call::On(BLUE), hit(&[BLUE]).potting(0, SIDE));
     scenario.choose(Choice::PassBack);
@@ -447,7 +450,7 @@ fn who_plays_again_after_a_foul_on_a_color_is_on_a_red() {
 }
 
 #[test]
-fn after_a_miss_the_cue_ball_in_hand_is_put_back_where_it_was_played_from() {
+fn after_a_miss_a_cue_ball_from_hand_is_replaced_where_it_was_played_from() {
     let mut scenario = Scenario::of(Rules::Snooker);
     scenario.play(NOTHING, hit(&[BLACK]));
     scenario.choose(Choice::Replace);
@@ -457,7 +460,7 @@ fn after_a_miss_the_cue_ball_in_hand_is_put_back_where_it_was_played_from() {
 }
 
 #[test]
-fn with_all_spots_occupied_colors_wait_in_line_the_highest_first() {
+fn with_all_spots_occupied_colors_line_up_above_their_own_spots_the_highest_first() {
     let mut scenario = after_a_red();
     let table = scenario.0.layout().clone();
     let colors = [YELLOW, GREEN, 18, BLUE, PINK, BLACK];
@@ -487,7 +490,7 @@ fn a_cue_ball_in_the_d_does_not_occupy_a_spot() {
 }
 
 #[test]
-fn to_pot_the_last_black_and_the_cue_ball_costs_seven_and_ends_the_frame() {
+fn pocketing_the_last_black_and_the_cue_ball_costs_seven_and_ends_the_frame() {
     let mut scenario = black_ball(7);
     let ruling = scenario.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE).potting(0, CORNER));
     assert_eq!(ruling.points, [0, 7]);
@@ -498,14 +501,14 @@ fn to_pot_the_last_black_and_the_cue_ball_costs_seven_and_ends_the_frame() {
 }
 
 #[test]
-fn a_legal_shot_at_the_last_black_without_a_score_goes_on() {
+fn a_legal_shot_at_the_last_black_without_a_score_does_not_end_the_frame() {
     let mut scenario = black_ball(30);
     scenario.play(NOTHING, hit(&[BLACK]));
     assert_eq!(scenario.asks(1).on, [BLACK]);
 }
 
 #[test]
-fn a_touching_color_is_hit_if_it_is_nominated_and_not_if_another_is() {
+fn playing_away_from_a_touching_color_hits_it_only_if_it_is_nominated() {
     let nominating = |color, order: &[i32]| {
         let mut scenario = after_a_red();
         let diameter = 2.0 * scenario.0.base().physics().ball.radius;
@@ -532,7 +535,7 @@ fn a_rack_that_does_not_fit_on_the_table_is_refused() {
 }
 
 #[test]
-fn on_every_table_with_pockets_colors_come_back_where_they_stood() {
+fn colors_are_spotted_where_they_were_racked_on_every_table_with_pockets() {
     for table in ["wpa-9ft", "english-7ft", "snooker-12ft", "poolfiz"] {
         let begun = Scenario(on(table).unwrap_or_else(|e| panic!("{table}: {e}")));
         let own = begun.0.layout().clone();

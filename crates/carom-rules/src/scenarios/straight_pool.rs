@@ -1,4 +1,4 @@
-//! WPA, section 4.
+//! Straight pool (WPA, section 4).
 
 use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
 use crate::{BallIndex, Call, Choice, Foul, Options, Region, Rules};
@@ -27,7 +27,7 @@ fn the_opening_break_drives_the_cue_ball_and_two_balls_to_a_rail() {
 }
 
 #[test]
-fn on_the_opening_break_the_cue_ball_meets_a_rail_after_the_rack() {
+fn on_the_opening_break_the_cue_ball_must_touch_a_rail_after_the_rack() {
     let mut scenario = Scenario::of(Rules::StraightPool);
     let ruling = scenario.play(SAFE, hit(&[]).driving(&[1, 2]).touching(&[-1, 5]));
     assert_fouls(&ruling, &[Foul::SoftBreak]);
@@ -36,7 +36,7 @@ fn on_the_opening_break_the_cue_ball_meets_a_rail_after_the_rack() {
 }
 
 #[test]
-fn on_the_opening_break_pocketed_balls_were_driven_to_a_rail() {
+fn on_the_opening_break_pocketed_balls_count_as_driven_to_a_rail() {
     let mut scenario = Scenario::of(Rules::StraightPool);
     let ruling = scenario.play(SAFE, hit(&[5]).driving(&[1]).potting(2, SIDE));
     assert!(ruling.is_legal());
@@ -44,7 +44,7 @@ fn on_the_opening_break_pocketed_balls_were_driven_to_a_rail() {
 }
 
 #[test]
-fn a_called_ball_opens_also_if_the_shot_is_a_foul() {
+fn a_called_ball_satisfies_the_opening_break_even_with_a_foul() {
     let mut scenario = Scenario::of(Rules::StraightPool);
     let happened = hit(&[5]).driving(&[]).potting(5, CORNER).potting(0, SIDE);
     let ruling = scenario.play(Call::Pocket(5, CORNER), happened);
@@ -54,7 +54,7 @@ fn a_called_ball_opens_also_if_the_shot_is_a_foul() {
 }
 
 #[test]
-fn a_breaking_foul_absorbs_a_scratch_and_is_not_one_of_three() {
+fn a_breaking_foul_includes_a_scratch_and_does_not_count_towards_three_fouls() {
     let mut scenario = Scenario::of(Rules::StraightPool);
     let ruling = scenario.play(SAFE, hit(&[5]).driving(&[]).potting(0, SIDE));
     assert_fouls(&ruling, &[Foul::Scratch, Foul::SoftBreak]);
@@ -66,7 +66,7 @@ fn a_breaking_foul_absorbs_a_scratch_and_is_not_one_of_three() {
 }
 
 #[test]
-fn who_does_not_come_out_from_behind_the_head_string_gives_the_cue_ball_in_hand() {
+fn a_cue_ball_that_stays_behind_the_head_string_gives_the_cue_ball_in_hand() {
     let scratched = || {
         let mut scenario = opened();
         scenario.play(SAFE, hit(&[3]).potting(0, SIDE));
@@ -80,7 +80,7 @@ fn who_does_not_come_out_from_behind_the_head_string_gives_the_cue_ball_in_hand(
     assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
     let mut scenario = scratched();
     assert_fouls(&scenario.play(SAFE, hit(&[3]).reaching(0.5)), &[Foul::BehindHeadString]);
-    assert_eq!(scenario.asks(1).hand, None, "it came out later");
+    assert_eq!(scenario.asks(1).hand, None, "it crossed the string later");
 }
 
 #[test]
@@ -103,7 +103,7 @@ fn with_all_balls_behind_the_head_string_the_nearest_may_be_spotted() {
 }
 
 #[test]
-fn spotted_balls_stand_behind_each_other_on_the_long_string() {
+fn spotted_balls_line_up_on_the_long_string() {
     let mut scenario = opened().without(1..=15);
     for ball in [1, 2, 3] {
         scenario.0.put(ball, Some([0.2, 0.3 * f64::from(ball)]));
@@ -120,7 +120,7 @@ fn spotted_balls_stand_behind_each_other_on_the_long_string() {
 }
 
 #[test]
-fn balls_pocketed_on_a_safety_come_back() {
+fn balls_pocketed_on_a_safety_are_spotted() {
     let mut scenario = opened();
     let ruling = scenario.play(SAFE, hit(&[3]).potting(3, CORNER));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[3][..]));
@@ -128,7 +128,7 @@ fn balls_pocketed_on_a_safety_come_back() {
 }
 
 #[test]
-fn every_ball_of_a_legal_called_shot_counts_one() {
+fn every_ball_pocketed_by_a_legal_called_shot_counts_one() {
     let mut scenario = opened();
     let ruling =
         scenario.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, CORNER).potting(7, SIDE));
@@ -137,7 +137,7 @@ fn every_ball_of_a_legal_called_shot_counts_one() {
 }
 
 #[test]
-fn balls_that_were_not_called_or_fell_with_a_foul_come_back() {
+fn balls_pocketed_uncalled_or_with_a_foul_are_spotted() {
     let mut scenario = opened();
     let ruling = scenario.play(Call::Pocket(3, CORNER), hit(&[3]).potting(3, SIDE));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[3][..]));
@@ -174,7 +174,7 @@ fn the_third_foul_in_a_row_costs_fifteen_more_and_a_new_opening_break() {
 }
 
 #[test]
-fn the_target_wins() {
+fn reaching_the_points_wins() {
     let mut scenario = opened();
     let mut made = 0;
     while !scenario.0.is_over() {
@@ -186,7 +186,7 @@ fn the_target_wins() {
     assert_eq!((made, scenario.0.scores()), (40, [0, 40]));
 }
 
-/// Seat 1 pockets the last ball but `break_ball`, which lies at `place`, with the cue ball at
+/// Player 1 pockets the last ball but `break_ball`, which lies at `place`, with the cue ball at
 /// `cue`.
 fn fourteen_down(break_ball: BallIndex, place: [f64; 2], cue: [f64; 2]) -> Scenario {
     let last = if break_ball == 1 { 2 } else { 1 };
@@ -209,7 +209,7 @@ const IN_RACK: [f64; 2] = [0.635, 2.0];
 const FAR: [f64; 2] = [0.3, 1.4];
 
 #[test]
-fn fourteen_balls_are_racked_without_the_apex_and_the_rest_stays() {
+fn fourteen_balls_are_racked_without_the_apex_and_the_other_balls_stay() {
     let scenario = fourteen_down(7, FAR, [0.9, 1.0]);
     let layout = scenario.0.layout();
     assert_eq!(layout.place(7), Some(FAR));
@@ -246,7 +246,7 @@ fn with_the_fifteenth_ball_pocketed_too_all_are_racked() {
 }
 
 #[test]
-fn a_breaker_repeats_until_the_break_is_good_and_loses_two_each_time() {
+fn a_breaker_repeats_a_bad_break_and_loses_two_points_each_time() {
     let mut scenario = Scenario::of(Rules::StraightPool);
     for times in 1..=4 {
         scenario.play(SAFE, hit(&[5]).driving(&[]));
@@ -259,7 +259,7 @@ fn a_breaker_repeats_until_the_break_is_good_and_loses_two_each_time() {
 }
 
 #[test]
-fn who_accepts_after_a_breaking_foul_plays_without_the_opening_requirements() {
+fn a_player_who_accepts_the_table_after_a_breaking_foul_has_no_opening_requirements() {
     let mut scenario = Scenario::of(Rules::StraightPool);
     scenario.play(SAFE, hit(&[5]).driving(&[]));
     scenario.choose(Choice::PlayOn);
@@ -268,7 +268,7 @@ fn who_accepts_after_a_breaking_foul_plays_without_the_opening_requirements() {
 }
 
 #[test]
-fn a_ball_that_was_not_called_saves_the_shot_from_a_foul_without_a_rail() {
+fn an_uncalled_pocketed_ball_satisfies_the_rail_requirement() {
     let mut scenario = opened();
     let ruling = scenario.play(Call::Pocket(3, CORNER), hit(&[3]).no_rail().potting(7, SIDE));
     assert!(ruling.is_legal());
@@ -277,7 +277,7 @@ fn a_ball_that_was_not_called_saves_the_shot_from_a_foul_without_a_rail() {
 }
 
 #[test]
-fn a_legal_shot_forgives_fouls_and_the_third_is_only_in_a_row() {
+fn a_legal_shot_resets_the_count_of_consecutive_fouls() {
     let mut scenario = opened();
     for legal in [false, false, true, false, false] {
         let happened = if legal { hit(&[3]) } else { hit(&[3]).no_rail() };
@@ -290,7 +290,7 @@ fn a_legal_shot_forgives_fouls_and_the_third_is_only_in_a_row() {
 }
 
 #[test]
-fn after_the_third_foul_the_opening_requirements_are_in_force_again() {
+fn after_the_third_foul_the_opening_requirements_apply_again() {
     let mut scenario = opened();
     for _ in 0..2 {
         scenario.play(SAFE, hit(&[3]).no_rail());
@@ -303,7 +303,7 @@ fn after_the_third_foul_the_opening_requirements_are_in_force_again() {
 }
 
 #[test]
-fn balls_off_the_table_are_a_foul_and_come_back_though_the_called_ball_fell() {
+fn balls_off_the_table_are_a_foul_and_are_spotted_even_if_the_called_ball_was_pocketed() {
     let mut scenario = opened();
     let happened = hit(&[3]).potting(3, CORNER).losing(4);
     let ruling = scenario.play(Call::Pocket(3, CORNER), happened);
@@ -313,7 +313,7 @@ fn balls_off_the_table_are_a_foul_and_come_back_though_the_called_ball_fell() {
 }
 
 #[test]
-fn the_last_but_one_ball_with_a_foul_racks_nothing() {
+fn pocketing_the_last_but_one_ball_with_a_foul_does_not_rack() {
     let mut scenario = opened().without(3..=15);
     scenario.0.put(1, Some([0.3, 1.3]));
     scenario.0.put(2, Some([0.9, 1.3]));
@@ -333,11 +333,11 @@ fn with_both_last_balls_down_a_cue_ball_in_the_rack_is_in_hand() {
     let ruling = scenario.play(Call::Pocket(1, CORNER), happened);
     assert_eq!((ruling.points, ruling.racked), ([0, 2], true));
     assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
-    assert!(scenario.play(SAFE, hit(&[5])).is_legal(), "it is no opening break");
+    assert!(scenario.play(SAFE, hit(&[5])).is_legal(), "it is not an opening break");
 }
 
 #[test]
-fn the_target_wins_though_the_rack_is_not_finished() {
+fn reaching_the_points_wins_in_the_middle_of_a_rack() {
     let options = Options { points: 2, ..Options::default() };
     let mut scenario = Scenario::with(Rules::StraightPool, options);
     let happened = hit(&[5]).potting(5, CORNER).potting(6, SIDE);

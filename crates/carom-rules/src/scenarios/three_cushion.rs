@@ -1,11 +1,11 @@
-//! UMB.
+//! Three-cushion (UMB).
 
 use super::{Scenario, assert_fouls, hit};
 use crate::{Call, Choice, Foul, Frame, Options, Request, Rules};
 
 const NOTHING: Call = Call::Nothing;
 
-/// A shot that scores for either player: three cushions between the other balls.
+/// A shot that scores for the player to shoot: three cushions between the two object balls.
 fn carom(scenario: &Scenario) -> super::DescribedShot {
     let other = 1 - i32::from(scenario.turn().cue);
     hit(&[]).touching(&[2, -1, -1, -1, other])
@@ -24,7 +24,11 @@ fn a_carom_needs_three_cushions_before_the_second_ball() {
     assert_eq!(played(&[-1, -1, -1, 2, 1]), 1);
     assert_eq!(played(&[-1, 2, -1, 2, -1, 1]), 1, "the first ball may be hit again");
     assert_eq!(played(&[1, -1, -1, 1, -1, 2, 1]), 1, "a kiss after the third cushion");
-    assert_eq!(played(&[1, 2, -1, -1, -1, 2]), 0, "the second ball was met before");
+    assert_eq!(
+        played(&[1, 2, -1, -1, -1, 2]),
+        0,
+        "the second ball was touched before the third cushion"
+    );
     assert_eq!(played(&[2, -1, -1, -1, -1, -1, 1]), 1, "more than three");
     assert_eq!(played(&[2, -1, -1, 1, -1]), 0);
     assert_eq!(played(&[2, -1, -1, -1]), 0);
@@ -42,7 +46,7 @@ fn a_point_keeps_the_turn_and_a_miss_passes_it_with_the_other_cue_ball() {
 }
 
 #[test]
-fn the_opening_shot_goes_to_the_red_first() {
+fn the_starting_shot_must_hit_the_red_first() {
     let mut scenario = Scenario::of(Rules::ThreeCushion);
     let ruling = scenario.play(NOTHING, hit(&[]).touching(&[1, -1, -1, -1, 2]));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
@@ -51,7 +55,7 @@ fn the_opening_shot_goes_to_the_red_first() {
 }
 
 #[test]
-fn the_starting_shot_attacks_the_red_directly() {
+fn the_starting_shot_must_hit_the_red_without_a_cushion() {
     let mut scenario = Scenario::of(Rules::ThreeCushion);
     let ruling = scenario.play(NOTHING, hit(&[]).touching(&[-1, -1, -1, 2, 1]));
     assert_fouls(&ruling, &[Foul::IndirectStart]);
@@ -59,12 +63,12 @@ fn the_starting_shot_attacks_the_red_directly() {
     scenario.asks(1);
     assert!(
         scenario.play(NOTHING, hit(&[]).touching(&[-1, 2])).is_legal(),
-        "it is no starting shot"
+        "it is not a starting shot"
     );
 }
 
 #[test]
-fn balls_off_the_table_are_spotted_and_no_point_is_scored() {
+fn balls_off_the_table_are_spotted_and_the_shot_scores_nothing() {
     let mut scenario = Scenario::of(Rules::ThreeCushion);
     let happened = carom(&scenario).losing(2).losing(0);
     let ruling = scenario.play(NOTHING, happened);
@@ -78,7 +82,7 @@ const HEAD: [f64; 2] = [0.71, 0.71];
 const CENTER: [f64; 2] = [0.71, 1.42];
 
 #[test]
-fn a_ball_off_the_table_goes_to_its_spot_as_the_next_player_sees_it() {
+fn a_ball_off_the_table_goes_to_its_spot_for_the_next_player() {
     for (ball, spot) in [(2, FOOT), (0, CENTER), (1, HEAD)] {
         let mut scenario = Scenario::of(Rules::ThreeCushion);
         for (other, place) in [(0, [0.3, 0.3]), (1, [1.0, 1.0]), (2, [0.3, 2.5])] {
@@ -92,7 +96,7 @@ fn a_ball_off_the_table_goes_to_its_spot_as_the_next_player_sees_it() {
 }
 
 #[test]
-fn an_occupied_spot_is_left_for_that_of_the_ball_in_the_way() {
+fn a_ball_with_an_occupied_spot_goes_to_the_spot_of_the_occupying_ball() {
     let mut scenario = Scenario::of(Rules::ThreeCushion);
     scenario.0.put(0, Some([0.3, 0.3]));
     scenario.0.put(2, Some([0.3, 1.0]));
@@ -109,7 +113,7 @@ fn an_occupied_spot_is_left_for_that_of_the_ball_in_the_way() {
 }
 
 #[test]
-fn to_play_at_a_frozen_ball_is_a_foul_and_to_play_away_is_none() {
+fn playing_at_a_frozen_ball_is_a_foul_and_playing_away_is_not() {
     let frozen = || {
         let mut scenario = Scenario::of(Rules::ThreeCushion);
         let radius = scenario.0.base().physics().ball.radius;
@@ -215,7 +219,7 @@ fn a_table_with_pockets_is_refused() {
 }
 
 #[test]
-fn who_reaches_the_target_in_the_second_inning_of_a_pair_has_won() {
+fn a_player_who_reaches_the_points_with_equal_innings_wins() {
     let options = Options { points: 1, ..Options::default() };
     let mut scenario = Scenario::with(Rules::ThreeCushion, options);
     scenario.play(NOTHING, hit(&[2]));
@@ -225,7 +229,7 @@ fn who_reaches_the_target_in_the_second_inning_of_a_pair_has_won() {
 }
 
 #[test]
-fn in_a_match_that_player_1_begins_it_is_player_0_who_answers() {
+fn in_a_match_started_by_player_1_player_0_has_the_last_inning() {
     let options = Options { points: 1, ..Options::default() };
     let mut scenario = Scenario::with(Rules::ThreeCushion, options);
     let start = scenario.0.layout().clone();
@@ -240,7 +244,7 @@ fn in_a_match_that_player_1_begins_it_is_player_0_who_answers() {
 }
 
 #[test]
-fn the_second_player_has_an_inning_to_answer() {
+fn the_second_player_has_a_last_inning_from_the_starting_position() {
     let mut scenario =
         Scenario::with(Rules::ThreeCushion, Options { points: 2, ..Options::default() });
     let start = scenario.0.layout().clone();

@@ -1,4 +1,4 @@
-//! WPBSA, section 3, rule 12: the free ball, and who is snookered by it.
+//! The free ball (WPBSA, section 3, rule 12).
 
 use super::{
     BLACK, BLUE, GREEN, NOTHING, PINK, RED, YELLOW, after_a_red, game, on_the_colors, snookered,
@@ -8,7 +8,7 @@ use crate::scenarios::{CORNER, SIDE, Scenario, assert_fouls, hit};
 use crate::{Call, Choice, Foul, Rules};
 
 #[test]
-fn who_is_snookered_after_a_foul_has_a_free_ball() {
+fn a_player_snookered_after_a_foul_has_a_free_ball() {
     let mut scenario = snookered();
     scenario.choose(Choice::PlayOn);
     assert!(game(&scenario).has_free_ball());
@@ -19,7 +19,7 @@ fn who_is_snookered_after_a_foul_has_a_free_ball() {
 }
 
 #[test]
-fn a_free_ball_must_be_hit_first_and_a_ball_on_is_none() {
+fn a_free_ball_must_be_hit_first_and_cannot_be_a_ball_on() {
     let mut scenario = snookered();
     scenario.choose(Choice::PlayOn);
     let mut red = Scenario(scenario.0.clone());
@@ -30,17 +30,17 @@ fn a_free_ball_must_be_hit_first_and_a_ball_on_is_none() {
 }
 
 #[test]
-fn a_free_ball_and_a_red_that_fall_count_one_each() {
+fn a_free_ball_and_a_red_pocketed_together_count_one_each() {
     let mut scenario = snookered();
     scenario.choose(Choice::PlayOn);
     let happened = hit(&[BLUE]).potting(RED, SIDE).potting(BLUE, CORNER);
     let ruling = scenario.play(Call::On(BLUE), happened);
-    assert!(ruling.is_legal(), "nobody is left behind the free ball: {ruling:?}");
+    assert!(ruling.is_legal(), "the next player is not snookered by the free ball: {ruling:?}");
     assert_eq!((ruling.points, &ruling.spotted[..]), ([2, 0], &[BLUE][..]));
     assert_eq!(game(&scenario).on(), On::Color);
 }
 
-/// Seat 1 on the yellow with a free ball: the blue lies between.
+/// Player 1 has the yellow on and a free ball, since the blue is in the way.
 fn free_ball_on_the_colors() -> Scenario {
     let mut scenario = on_the_colors();
     scenario.0.put(0, Some([0.889, 0.9]));
@@ -53,7 +53,7 @@ fn free_ball_on_the_colors() -> Scenario {
 }
 
 #[test]
-fn a_free_ball_in_the_sequence_has_the_value_of_the_ball_on_and_comes_back() {
+fn a_free_ball_after_the_reds_has_the_value_of_the_ball_on_and_is_spotted() {
     let mut scenario = free_ball_on_the_colors();
     let ruling = scenario.play(Call::On(BLUE), hit(&[BLUE]).potting(BLUE, SIDE));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 2], &[BLUE][..]));
@@ -83,7 +83,7 @@ fn the_pink_may_be_left_in_front_of_the_black_as_a_free_ball() {
 }
 
 #[test]
-fn who_is_passed_the_shot_back_has_no_free_ball() {
+fn a_player_asked_to_play_again_has_no_free_ball() {
     let mut scenario = snookered();
     scenario.choose(Choice::PassBack);
     assert!(!game(&scenario).has_free_ball());
@@ -91,19 +91,19 @@ fn who_is_passed_the_shot_back_has_no_free_ball() {
 }
 
 #[test]
-fn to_leave_the_other_behind_the_free_ball_is_a_foul() {
+fn leaving_the_other_player_snookered_by_the_free_ball_is_a_foul() {
     let mut scenario = snookered();
     scenario.choose(Choice::PlayOn);
-    // The blue stays where it hides the red.
+    // The blue stays between the cue ball and the red.
     assert_fouls(&scenario.play(Call::On(BLUE), hit(&[BLUE])), &[Foul::SnookeredByFreeBall]);
 }
 
 #[test]
-fn the_nearest_ball_in_the_way_is_the_one_that_snookers() {
+fn the_nearest_obstructing_ball_is_the_snookering_ball() {
     let behind = |nearer| {
         let mut scenario = snookered();
         scenario.choose(Choice::PlayOn);
-        // The blue hides the red, and so does the pink: before or behind it.
+        // The blue hides the red, and so does the pink, which is in front of the blue or behind it.
         scenario.0.put(BLUE, Some([0.889, 1.2]));
         scenario.0.put(PINK, Some([0.889, if nearer { 1.05 } else { 1.5 }]));
         scenario.play(Call::On(BLUE), hit(&[BLUE]))
@@ -113,7 +113,7 @@ fn the_nearest_ball_in_the_way_is_the_one_that_snookers() {
 }
 
 #[test]
-fn behind_different_balls_for_different_reds_nobody_is_snookered_by_the_free_ball() {
+fn different_obstructing_balls_for_different_reds_are_no_snooker_by_the_free_ball() {
     let mut scenario = snookered();
     scenario.choose(Choice::PlayOn);
     scenario.0.put(2, Some([0.3, 0.9]));
@@ -129,7 +129,7 @@ fn a_snooker_made_with_another_ball_than_the_free_ball_is_allowed() {
     let mut scenario = snookered();
     scenario.choose(Choice::PlayOn);
     assert!(scenario.play(Call::On(PINK), hit(&[PINK])).is_legal(), "the blue hides the red");
-    assert!(!game(&scenario).has_free_ball(), "a free ball follows on a foul alone");
+    assert!(!game(&scenario).has_free_ball(), "a free ball follows only a foul");
     scenario.asks(1);
 }
 
@@ -147,12 +147,13 @@ fn a_ball_that_hides_one_edge_gives_a_free_ball() {
     };
     let diameter = 2.0 * Scenario::of(Rules::Snooker).0.base().physics().ball.radius;
     assert!(with_blue_at(0.889 + diameter), "one edge is hidden");
-    // The way to the extreme edge is a diameter off the middle at the red, and half of that here.
+    // The path to the edge of the red is a diameter off the straight line at the red, and half of
+    // that at the blue.
     assert!(!with_blue_at(0.889 + 1.6 * diameter));
 }
 
 #[test]
-fn the_free_ball_for_the_last_red_is_followed_by_a_color_and_the_red_stays() {
+fn after_a_free_ball_for_the_last_red_a_color_is_on_and_the_red_stays() {
     let mut scenario = snookered();
     scenario.choose(Choice::PlayOn);
     scenario.play(Call::On(BLUE), hit(&[BLUE]).potting(BLUE, SIDE));
@@ -161,7 +162,7 @@ fn the_free_ball_for_the_last_red_is_followed_by_a_color_and_the_red_stays() {
 }
 
 #[test]
-fn with_the_balls_put_back_another_color_may_be_nominated_and_a_free_ball_is_one_again() {
+fn after_replacing_the_balls_the_free_ball_remains_and_another_color_may_be_nominated() {
     let mut scenario = after_a_red();
     scenario.play(Call::On(BLUE), hit(&[2]));
     scenario.choose(Choice::Replace);
