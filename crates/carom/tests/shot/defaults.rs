@@ -1,4 +1,4 @@
-//! What a shot file means where it says nothing, and what it takes from a base.
+//! The defaults of a shot file, and the values that it takes from a base.
 
 use carom::physics::Tip;
 use carom::{Physics, Shot};
@@ -12,7 +12,7 @@ fn read(table: &str, physics: &str, balls: &str) -> Shot {
 const BALL: &str = r#"{"id": "cue", "position": [0.5, 0.5]}"#;
 
 #[test]
-fn the_physics_is_that_of_the_table_and_pools_where_the_table_has_none() {
+fn the_default_physics_is_that_of_the_table_and_pool_for_a_table_without_one() {
     for (table, physics) in [
         ("\"wpa-9ft\"", "pool"),
         ("\"bar-7ft\"", "pool"),
@@ -53,7 +53,7 @@ fn writing_one_of_tip_restitution_and_tip_efficiency_drops_the_other() {
 }
 
 #[test]
-fn a_ball_is_the_physics_ball_at_rest_on_the_cloth() {
+fn by_default_a_ball_is_the_physics_ball_at_rest_on_the_cloth() {
     let shot = read("\"snooker-12ft\"", "", BALL);
     let ball = &shot.balls()[0];
     assert_eq!(ball.ball, Physics::snooker().ball);
@@ -91,14 +91,14 @@ fn other_balls_may_move_when_the_cue_strikes() {
 }
 
 #[test]
-fn a_ball_may_stand_in_a_pockets_mouth_but_not_over_its_hole() {
+fn a_ball_may_lie_in_a_pockets_mouth_but_not_over_its_hole() {
     let at = |x: f64, y: f64| {
         let ball = format!(r#"{{"id": "cue", "position": [{x:?}, {y:?}]}}"#);
         let text =
             format!(r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "balls": [{ball}]}}"#);
         Shot::from_json(&text)
     };
-    // On the bisector of the bottom left corner: nearer to both nose lines than any rail allows.
+    // On the bisector of the bottom left corner: nearer to both nose lines than a rail would allow.
     at(0.02, 0.02).expect("in the mouth, before the hole");
     let sentence = at(-0.03, -0.03).expect_err("over the hole").to_string();
     assert!(sentence.contains("bottom-left pocket"), "{sentence}");

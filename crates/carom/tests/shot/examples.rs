@@ -1,5 +1,5 @@
-//! The example shots in `shots/`: each is written as the engine writes shot files, and does what
-//! its name says.
+//! The example shots in `shots/`: each file is in the engine's own format, and each shot does what its
+//! name says.
 
 use std::path::{Path, PathBuf};
 
@@ -33,8 +33,8 @@ fn pocketed(trace: &Trace) -> Vec<String> {
     trace.outcome().pocketed.iter().map(words).collect()
 }
 
-/// How far the cue ball came to rest from where it stood at the first ball–ball collision, m,
-/// counted along its way there.
+/// Displacement of the cue ball from its first collision with a ball to rest, m, along its direction before
+/// the collision.
 fn cue_ball_travel_after_contact(trace: &Trace) -> f64 {
     let contact = trace.events().find(|e| e.kind == carom::trace::TraceEventKind::BallCollision);
     let at = contact.expect("a contact").before[0];
@@ -90,12 +90,12 @@ fn the_half_ball_cut_turns_both_balls_by_about_thirty_degrees() {
     let way = hit.before[0].velocity.xy();
     let sine = |v: carom::math::Vec2| way.cross(v) / (way.length() * v.length());
     let object = sine(hit.after[1].velocity.xy()).abs();
-    // Half a ball: sin φ = 1/2; throw takes a few degrees off.
+    // Half a ball: sin φ = 1/2; throw reduces it by a few degrees.
     assert!((0.4..0.5).contains(&object), "{object}");
 }
 
 #[test]
-fn the_pots_pot_what_they_should() {
+fn the_pots_pot_their_balls() {
     for (name, expected) in [
         ("bank_shot", "1 bottom-right"),
         ("side_pocket_cut", "1 right"),
@@ -132,10 +132,10 @@ fn the_three_cushion_shot_scores() {
     assert!(touched[..second].iter().filter(rails).count() >= 3, "{touched:?}");
 }
 
-/// The cue ball is struck so far below its centre that it arrives without spin: a rolling one would
-/// go on pushing the row (`long_pushes` in carom-check).
+/// The cue ball is struck below its centre so that it arrives without spin: a rolling one would keep
+/// pushing the row (`long_pushes` in carom-check).
 #[test]
-fn newtons_cradle_passes_nearly_the_whole_velocity_to_the_last_ball_as_hertzs_law_has_it() {
+fn newtons_cradle_passes_nearly_the_whole_velocity_to_the_last_ball_as_hertzs_law_predicts() {
     let trace = played("newtons_cradle");
     let collisions =
         || trace.events().filter(|e| e.kind == carom::trace::TraceEventKind::BallCollision);
@@ -145,7 +145,7 @@ fn newtons_cradle_passes_nearly_the_whole_velocity_to_the_last_ball_as_hertzs_la
         .filter_map(|e| Some(e.after[e.balls.iter().position(|b| *b == last)?]))
         .map(|s| s.velocity.length())
         .fold(0.0, f64::max);
-    // Balls that touch are no chain of pairs: a few per cent stay behind (Hinch & Saint-Jean 1999).
+    // Touching balls do not collide pair by pair: a few per cent stay behind (Hinch & Saint-Jean 1999).
     assert!((0.98..0.995).contains(&(reached / speed)), "{reached} of {speed}");
     let first = collisions().next().expect("a contact");
     assert_eq!(first.balls.len(), trace.shot().balls().len(), "one impact of all");

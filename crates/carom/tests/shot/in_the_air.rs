@@ -1,4 +1,4 @@
-//! Balls that start in the air: where they may be, and what they are then.
+//! Balls that start in the air: their allowed positions and their motion states.
 
 use carom::{MotionState, Shot};
 
@@ -11,7 +11,7 @@ fn shot(balls: &str) -> Result<Shot, carom::Error> {
     ))
 }
 
-/// One ball, still, at x, y, z.
+/// One ball at x, y, z without velocity.
 fn at(x: f64, y: f64, z: f64) -> Result<Shot, carom::Error> {
     shot(&format!(r#"{{"id": "a", "position": [{x:?}, {y:?}, {z:?}]}}"#))
 }
@@ -35,7 +35,7 @@ fn a_ball_above_the_bed_or_with_a_vertical_velocity_is_airborne() {
 }
 
 #[test]
-fn a_height_that_is_the_radius_but_for_a_rounding_is_the_radius() {
+fn a_height_within_rounding_of_the_radius_is_the_radius() {
     for z in [RADIUS - 0.9e-9, RADIUS + 0.9e-9] {
         let shot = at(0.5, 0.5, z).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(shot.balls()[0].state.position.z.to_bits(), RADIUS.to_bits());
@@ -44,7 +44,7 @@ fn a_height_that_is_the_radius_but_for_a_rounding_is_the_radius() {
 }
 
 #[test]
-fn low_balls_keep_the_distance_from_the_nose_that_belongs_to_their_height() {
+fn low_balls_must_keep_the_distance_from_the_nose_at_their_height() {
     for z in [RADIUS + 1e-3, NOSE, NOSE + 0.5 * RADIUS] {
         let reach = (RADIUS * RADIUS - (z - NOSE) * (z - NOSE)).sqrt();
         assert_eq!(motion(at(reach, 0.8, z)), MotionState::Airborne, "touching at {z} m");
@@ -55,7 +55,7 @@ fn low_balls_keep_the_distance_from_the_nose_that_belongs_to_their_height() {
 }
 
 #[test]
-fn a_ball_may_stand_on_a_rails_top_and_anywhere_above_it_but_not_in_the_wood() {
+fn a_ball_may_start_on_or_above_a_rails_top_but_not_inside_the_rail() {
     let width = 6.0 * 0.0254;
     let top = NOSE + RADIUS;
     for x in [0.0, -0.05, 1e-9 - width] {
@@ -68,7 +68,7 @@ fn a_ball_may_stand_on_a_rails_top_and_anywhere_above_it_but_not_in_the_wood() {
 }
 
 #[test]
-fn a_ball_may_drop_into_a_hole_but_not_start_in_its_wall() {
+fn a_ball_may_start_above_a_hole_but_not_inside_its_wall() {
     let table = carom::Table::preset("wpa-9ft").expect("a preset");
     let pocket = &table.pockets[0];
     let at = |along: f64, z: f64| {
@@ -79,14 +79,14 @@ fn a_ball_may_drop_into_a_hole_but_not_start_in_its_wall() {
     assert_eq!(motion(at(0.0, low)), MotionState::Airborne);
     let resting = refusal(at(0.0, RADIUS));
     assert!(resting.contains("stands over the bottom-left pocket"), "{resting}");
-    // Over the lip, and between there and the wall at the back.
+    // Over the lip, and between the lip and the wall at the back.
     let touching = pocket.radius - RADIUS;
     for along in [-pocket.radius, -touching, 0.9 * touching, touching] {
         assert_eq!(motion(at(along, low)), MotionState::Airborne, "{along}");
     }
     let sentence = refusal(at(touching + 2e-9, low));
     assert!(sentence.contains("deep in the liner of the"), "{sentence}");
-    // Higher than the wall the rim is what it may touch.
+    // Above the wall the ball may touch the rim.
     let above = 0.8 * RADIUS;
     let reach = (RADIUS * RADIUS - above * above).sqrt();
     assert_eq!(motion(at(pocket.radius - reach, NOSE + above)), MotionState::Airborne);
@@ -97,7 +97,7 @@ fn a_ball_may_drop_into_a_hole_but_not_start_in_its_wall() {
 }
 
 #[test]
-fn beyond_a_mouth_line_nothing_flies_lower_than_the_rails() {
+fn beyond_a_mouth_line_no_ball_may_start_below_the_rails() {
     let at = |z: f64| {
         Shot::from_json(&format!(
             r#"{{"format": "carom-shot/1",
@@ -110,7 +110,7 @@ fn beyond_a_mouth_line_nothing_flies_lower_than_the_rails() {
 }
 
 #[test]
-fn a_ball_in_the_air_overlaps_another_by_their_distance_in_space() {
+fn overlaps_in_the_air_are_measured_in_space() {
     let two = |z: f64| {
         shot(&format!(
             r#"{{"id": "a", "position": [0.5, 0.5]}}, {{"id": "b", "position": [0.5, 0.5, {z:?}]}}"#

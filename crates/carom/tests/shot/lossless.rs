@@ -1,4 +1,4 @@
-//! A shot file is read and written without losing anything, and means the same either way.
+//! Shot files are read and written without losing a bit or a word.
 
 use carom::format::Node;
 use carom::resolve::cue_ball::Strike;
@@ -21,16 +21,16 @@ fn shot(text: &str) -> Shot {
     Shot::from_json(text).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// What keeps ball 1 of [`SHOT`] from being struck.
+/// The spin of ball 1 of [`SHOT`], which cannot be struck with it.
 const SPIN: &str = r#", "angular_velocity": [0, -0.0, 1e-17]"#;
 
-/// [`SHOT`] at rest, so that it may be struck.
+/// [`SHOT`] without the spin, so that its ball can be struck.
 fn at_rest() -> Shot {
     shot(&SHOT.replace(SPIN, ""))
 }
 
 #[test]
-fn json_in_json_out_keeps_every_number_and_word() {
+fn a_shot_file_is_written_again_with_every_number_and_word() {
     let moving = SHOT.replace(
         r#""strike": {"ball": "1", "speed": 2, "azimuth_deg": 359.99999999999994, "side": 0.1},"#,
         "",
@@ -102,7 +102,7 @@ fn a_shot_written_from_its_data_names_presets_and_leaves_usual_values_out() {
 fn a_strike_from_a_program_keeps_its_bits() {
     let file = ShotFile::from_json(&SHOT.replace(SPIN, "")).unwrap_or_else(|e| panic!("{e}"));
     let (_, own) = file.strike().expect("it has one");
-    // No number of degrees is the first of these; the second is 12.25 degrees.
+    // No double in degrees reads back as the first angle; the second is 12.25 degrees.
     for (azimuth, key) in
         [(-1.822_407_699_024_793, "azimuth"), (carom::math::radians(12.25), "azimuth_deg")]
     {
@@ -145,7 +145,7 @@ fn bits_survive_including_the_sign_of_zero() {
 }
 
 #[test]
-fn what_is_left_out_comes_from_the_preset_of_the_table() {
+fn missing_values_come_from_the_preset_of_the_table() {
     let shot = at_rest();
     let pool = Physics::pool();
     let physics = shot.physics();
@@ -202,7 +202,7 @@ fn a_physics_written_out_reads_back_over_any_base() {
 }
 
 #[test]
-fn another_strike_is_kept_in_the_file() {
+fn with_strike_writes_the_strike_into_the_file() {
     let shot = at_rest();
     let (ball, mut strike) = shot.strike().expect("it has one");
     assert_eq!(ball, 1);
@@ -218,7 +218,7 @@ fn another_strike_is_kept_in_the_file() {
 }
 
 #[test]
-fn other_balls_on_the_same_table_are_what_a_file_with_them_would_be() {
+fn with_balls_gives_the_shot_of_a_file_with_these_balls() {
     let shot = at_rest();
     let (_, mut strike) = shot.strike().expect("it has one");
     strike.azimuth = 0.7;

@@ -1,4 +1,4 @@
-//! Shots as files: what is read and written, what is refused and how; and the racks.
+//! Shots as files: reading, writing and errors; and the racks.
 #![cfg(feature = "json")]
 
 mod defaults;

@@ -1,4 +1,4 @@
-//! The cue as a body: what it would pass through is reported, or refused on request.
+//! Obstructed cues are reported, or refused on request.
 
 use carom::batch::simulate_strikes;
 use carom::math::{Vec3, atan2, sin_cos};
@@ -10,7 +10,7 @@ fn shot(strike: &str, others: &str) -> Result<Shot, carom::Error> {
     shot_from(1.27, strike, others)
 }
 
-/// With the cue ball `y` m from the bottom rail.
+/// A shot with the cue ball `y` m from the bottom rail.
 fn shot_from(y: f64, strike: &str, others: &str) -> Result<Shot, carom::Error> {
     Shot::from_json(&format!(
         r#"{{"format": "carom-shot/1", "table": "wpa-9ft",
@@ -39,8 +39,8 @@ fn a_cue_must_be_raised_over_the_rail_behind_a_near_ball() {
         let strike = format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#);
         obstruction_of(shot_from(0.06, &strike, ""))
     };
-    // The nose is 60 mm behind the ball's centre and 7.7 mm above it, and the axis, which turns about
-    // that centre, must be 6.7 mm above the nose: asin(6.7/60.5) + atan(7.7/60) = 13.7°.
+    // The nose is 60 mm behind the ball's centre and 7.7 mm above it. The axis rotates about that centre
+    // and must be 6.7 mm above the nose: asin(6.7/60.5) + atan(7.7/60) = 13.7°.
     assert_eq!(near(0.0).as_deref(), Some("bottom"));
     assert_eq!(near(12.0).as_deref(), Some("bottom"));
     assert_eq!(near(13.5).as_deref(), Some("bottom"));
@@ -48,21 +48,21 @@ fn a_cue_must_be_raised_over_the_rail_behind_a_near_ball() {
 }
 
 #[test]
-fn the_few_degrees_by_which_a_player_raises_every_cue_are_granted() {
-    // From the middle of the table 0.95° clear the rail.
+fn a_level_cue_may_be_raised_by_the_few_degrees_of_a_usual_stance() {
+    // From the middle of the table 0.95° is enough to clear the rail.
     assert_eq!(obstructed(r#""azimuth_deg": 90"#, ""), None);
     assert_eq!(obstructed(r#""azimuth_deg": -90"#, ""), None);
 }
 
 #[test]
-fn a_ball_behind_the_cue_ball_is_in_the_way_until_the_cue_is_raised_over_it() {
+fn a_ball_behind_the_cue_ball_obstructs_the_cue_until_it_is_raised_over_it() {
     let behind = r#", {"id": "8", "position": [0.635, 1.1]}"#;
     let at = |elevation: f64| {
         obstructed(&format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#), behind)
     };
     assert_eq!(at(3.0).as_deref(), Some("8"));
-    // From the contact at the ball's back, the axis must pass the 8's centre, 141 mm behind, at
-    // 28.6 + 7.3 mm: asin(35.9/141) = 14.7°, a little less for the contact that rises with it.
+    // Seen from the contact point, the axis must be 28.6 + 7.3 mm above the 8's centre, 141 mm behind:
+    // asin(35.9/141) = 14.7°, a little less because the contact point rises with the cue.
     assert_eq!(at(11.0).as_deref(), Some("8"));
     assert_eq!(at(15.0), None);
     let beside = r#", {"id": "8", "position": [0.68, 1.1]}"#;
@@ -70,7 +70,7 @@ fn a_ball_behind_the_cue_ball_is_in_the_way_until_the_cue_is_raised_over_it() {
 }
 
 #[test]
-fn a_ball_ahead_is_not_in_the_way() {
+fn a_ball_ahead_does_not_obstruct_the_cue() {
     let ahead = r#", {"id": "8", "position": [0.635, 1.33]}"#;
     assert_eq!(obstructed(r#""azimuth_deg": 90, "elevation_deg": 3"#, ahead), None);
 }
@@ -131,7 +131,7 @@ fn least_elevation(shot: Result<Shot, carom::Error>) -> Option<f64> {
 }
 
 #[test]
-fn the_least_elevation_is_reported_whatever_the_cues_own() {
+fn the_least_elevation_does_not_depend_on_the_elevation_of_the_strike() {
     for elevation in [0.0, 12.0, 60.0] {
         let strike = format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#);
         let least = least_elevation(shot_from(0.06, &strike, "")).expect("there is one");
@@ -148,14 +148,14 @@ fn the_least_elevation_is_reported_whatever_the_cues_own() {
     assert_eq!(least_elevation(Shot::from_json(&no_strike.expect("a strike"))), None);
 }
 
-/// A ball above and behind the cue ball, touching it, its centre 60° up.
+/// A ball that touches the cue ball from above and behind, its centre at 60° of elevation.
 fn leaning_ball() -> String {
     let (y, z) = (1.27 - RADIUS, RADIUS + 2.0 * RADIUS * 0.75_f64.sqrt());
     format!(r#", {{"id": "8", "position": [0.635, {y:?}, {z:?}]}}"#)
 }
 
 #[test]
-fn a_level_cue_passes_under_a_ball_in_the_air_that_a_raised_one_meets() {
+fn a_level_cue_passes_under_a_ball_in_the_air_that_obstructs_a_raised_one() {
     let at = |elevation: f64| {
         shot(&format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#), &leaning_ball())
     };
@@ -166,7 +166,7 @@ fn a_level_cue_passes_under_a_ball_in_the_air_that_a_raised_one_meets() {
 }
 
 #[test]
-fn between_a_ball_behind_and_one_above_there_may_be_no_way_at_all() {
+fn a_ball_behind_and_one_above_can_obstruct_every_elevation() {
     let y = 1.27 - 2.0 * RADIUS;
     let both = format!(r#"{}, {{"id": "7", "position": [0.635, {y:?}]}}"#, leaning_ball());
     let strike = r#""azimuth_deg": 90, "elevation_deg": 20"#;
@@ -180,8 +180,8 @@ fn between_a_ball_behind_and_one_above_there_may_be_no_way_at_all() {
 
 #[test]
 fn behind_a_pockets_mouth_the_rail_begins_at_the_back_of_the_hole() {
-    // The ball in a side pocket's mouth, the cue over the hole: 7.7 mm + about 6.8 mm over the back,
-    // which is a shelf's and a hole's width further than the nose.
+    // The ball is in a side pocket's mouth and the cue over the hole: 7.7 mm + about 6.8 mm above the back
+    // of the hole, which is further away than the nose by the shelf and the hole.
     let y = 1.27;
     let least = |x: f64, y: f64| {
         least_elevation(Shot::from_json(&format!(
@@ -202,8 +202,8 @@ fn behind_a_pockets_mouth_the_rail_begins_at_the_back_of_the_hole() {
 const RADIUS: f64 = 0.028575;
 const NOSE: f64 = 0.635 * 2.0 * RADIUS;
 
-/// The cue as a row of spheres, as thick as a cone of 1.47 m, 13 mm and 29 mm; the room between it and
-/// balls and rails of a table without pockets, m.
+/// Clearance, m, between balls and rails of a table without pockets and the cue as a row of spheres: a cone
+/// of 1.47 m, 13 mm and 29 mm.
 fn room(shot: &Shot, elevation: f64) -> f64 {
     let (struck, strike) = shot.strike().expect("a strike");
     let description = shot.table().description.as_ref().expect("rails");
@@ -223,7 +223,7 @@ fn room(shot: &Shot, elevation: f64) -> f64 {
         for (_, ball) in shot.balls().iter().enumerate().filter(|(i, _)| *i != struck) {
             room = room.min((ball.state.position - p).length() - ball.ball.radius - radius);
         }
-        // To the slab below NOSE, between playing area and border.
+        // Distance to the slab below NOSE, between playing area and border.
         let (w, l, rail) = (description.width, description.length, description.rail_width);
         let outside = beyond(p.x, -rail, w + rail).max(beyond(p.y, -rail, l + rail));
         let inside = -beyond(p.x, 0.0, w).max(beyond(p.y, 0.0, l));
@@ -242,7 +242,7 @@ fn the_least_elevation_is_that_of_a_cue_made_of_spheres() {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 11) as f64 / (1u64 << 53) as f64
     };
-    // By this the spheres and the engine's cue differ at most, m.
+    // Largest difference between the spheres and the engine's cue, m.
     let same = 3e-4;
     let (mut seen, mut steep) = (0, 0);
     while seen < 300 {

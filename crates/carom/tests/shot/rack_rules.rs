@@ -1,4 +1,4 @@
-//! Racks obey their rule books, never overlap, and are the same for the same seed everywhere.
+//! Racks follow their rule books, never overlap, and depend on the seed alone.
 
 use carom::math::Vec2;
 use carom::rack::{Break, Game, USUAL_GAP, break_shot, rack};
@@ -20,7 +20,7 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     Vec2::new(a[0] - b[0], a[1] - b[1]).length()
 }
 
-/// Gaps between neighbours of a lattice: pairs nearer than one and a half diameters.
+/// Gaps between neighbours of a rack: pairs closer than one and a half diameters.
 fn neighbour_gaps(balls: &[(String, [f64; 2])], radius: f64) -> Vec<f64> {
     let mut gaps = Vec::new();
     for (i, (_, a)) in balls.iter().enumerate() {
@@ -35,12 +35,12 @@ fn neighbour_gaps(balls: &[(String, [f64; 2])], radius: f64) -> Vec<f64> {
 }
 
 #[test]
-fn no_seed_makes_an_overlap_and_the_mean_gap_is_the_one_asked_for() {
+fn racks_never_overlap_and_their_mean_gap_is_the_given_one() {
     for game in Game::ALL {
         let (radius, _) = equipment(game);
         let mut gaps = Vec::new();
         for seed in 0..200 {
-            // The pink's own gap is not the rack's.
+            // The gap at the pink differs from that of the rack.
             let all = balls(game, seed, USUAL_GAP);
             assert!(neighbour_gaps(&all, radius).iter().all(|&g| g > -1e-15), "{game:?} {seed}");
             let racked: Vec<_> = all.into_iter().filter(|(id, _)| id != "pink").collect();
@@ -90,7 +90,7 @@ fn a_frozen_rack_is_its_own_mirror_image_in_the_engines_frame() {
     }
 }
 
-/// Number of the ball in each place, the cue ball left out.
+/// Number of the ball in each place, without the cue ball.
 fn order(game: Game, seed: u64) -> Vec<u8> {
     balls(game, seed, 0.0)[1..].iter().map(|(id, _)| id.parse().expect("a number")).collect()
 }
@@ -125,7 +125,7 @@ fn eight_ball_has_the_eight_in_the_middle_and_one_of_each_kind_in_the_corners() 
 }
 
 #[test]
-fn every_rack_holds_each_ball_once() {
+fn every_rack_has_each_ball_once() {
     for game in Game::ALL {
         let mut ids: Vec<String> =
             balls(game, 11, USUAL_GAP).into_iter().map(|(id, _)| id).collect();
@@ -145,7 +145,7 @@ fn every_rack_holds_each_ball_once() {
 }
 
 #[test]
-fn the_apex_stands_on_the_foot_spot_and_the_cue_ball_behind_the_head_string() {
+fn the_apex_is_on_the_foot_spot_and_the_cue_ball_behind_the_head_string() {
     let frozen = balls(Game::NineBall, 0, 0.0);
     assert_eq!(frozen[1].1, [0.635, 1.905]);
     let [x, y] = frozen[0].1;
@@ -153,7 +153,7 @@ fn the_apex_stands_on_the_foot_spot_and_the_cue_ball_behind_the_head_string() {
 }
 
 #[test]
-fn snooker_stands_as_in_the_rules() {
+fn the_balls_of_snooker_are_placed_by_the_rules() {
     let balls = balls(Game::Snooker, 0, 0.0);
     let at = |id: &str| balls.iter().find(|(i, _)| i == id).map(|(_, p)| *p).expect("a ball");
     // Baulk line 737 mm from the bottom cushion, the D's radius 292 mm, the black 324 mm from the
@@ -178,8 +178,8 @@ const RECORDED: [&str; 3] = [
 ];
 
 #[test]
-fn the_stream_of_a_seed_never_changes() {
-    // Recorded when racks were first made; PCG64's stream is fixed, so a change is a mistake.
+fn the_rack_of_a_seed_never_changes() {
+    // Recorded from the first version. PCG64's stream is fixed, so a change is an error.
     let words: Vec<String> = balls(Game::NineBall, 1, USUAL_GAP)[1..4]
         .iter()
         .map(|(id, [x, y])| format!("{id} {:016x} {:016x}", x.to_bits(), y.to_bits()))
@@ -188,7 +188,7 @@ fn the_stream_of_a_seed_never_changes() {
 }
 
 #[test]
-fn two_seeds_give_two_racks_and_one_seed_gives_one() {
+fn different_seeds_give_different_racks_and_the_same_seed_the_same() {
     assert_eq!(balls(Game::EightBall, 5, USUAL_GAP), balls(Game::EightBall, 5, USUAL_GAP));
     assert_ne!(balls(Game::EightBall, 5, USUAL_GAP), balls(Game::EightBall, 6, USUAL_GAP));
 }

@@ -1,9 +1,9 @@
-//! What stands within the contract's ranges is accepted and plays to a finite end; what stands outside is
-//! refused by name.
+//! Values within the documented ranges are accepted and their shots end; values outside are refused with
+//! their place.
 
 use carom::{Error, Shot};
 
-/// A shot on a bounded table, its cue ball at rest, with more keys for physics, ball and strike.
+/// A shot on a bounded table with its cue ball at rest, and more keys for physics, ball and strike.
 fn file(physics: &str, ball: &str, strike: &str) -> String {
     format!(
         r#"{{"format": "carom-shot/1",
@@ -36,7 +36,7 @@ fn plays(text: &str) {
     let trace = Shot::from_json(text).and_then(|shot| shot.simulate());
     let trace = match trace {
         Ok(trace) => trace,
-        // Nothing takes the speed away: the cap ends it, with the shot.
+        // No friction slows the balls: the shot ends at the cap on events.
         Err(Error::TooManyEvents { .. }) => return,
         Err(e) => panic!("{text}: {e}"),
     };
@@ -85,7 +85,7 @@ fn restitutions_from_0_to_1_are_accepted_and_others_refused() {
     for (section, key) in RESTITUTIONS {
         let place = format!("physics.{section}.{key}");
         for value in ["0", "0.0", "1e-12", "0.5", "1", "1.0"] {
-            // An efficiency this low is out of reach by TP A.30.
+            // By TP A.30 an efficiency this low is unreachable.
             if key != "tip_efficiency" || value.starts_with('1') && !value.contains('e') {
                 plays(&with_physics(section, key, value));
             }
@@ -115,7 +115,7 @@ fn frictions_from_0_up_are_accepted_and_others_refused() {
 #[test]
 fn masses_and_radii_above_0_are_accepted_and_others_refused() {
     for (section, key) in SIZES {
-        // A radius far from the nose's height cannot meet it, which is refused elsewhere.
+        // A ball far larger or smaller than the nose's height is refused for another reason.
         let fits = section == "ball" && key == "radius";
         let values: &[&str] =
             if fits { &["0.02", "0.028", "0.035"] } else { &["1e-6", "0.01", "1", "50"] };
@@ -146,7 +146,7 @@ fn masses_and_radii_above_0_are_accepted_and_others_refused() {
 }
 
 #[test]
-fn the_strikes_ranges_are_those_of_the_contract() {
+fn a_strike_has_the_documented_ranges() {
     for value in ["1e-9", "0.001", "12", "50", "50.0"] {
         plays(&with_strike("speed", value));
     }
@@ -189,7 +189,7 @@ fn velocities_to_100_and_spins_to_10000_are_accepted_and_larger_ones_refused() {
 }
 
 #[test]
-fn a_shot_without_losses_on_endless_cloth_has_a_finite_end() {
+fn a_shot_without_losses_on_unbounded_cloth_ends() {
     let text = r#"{"format": "carom-shot/1", "table": {"cloth": "unbounded"},
         "physics": {"cloth": {"sliding_friction": 0, "rolling_friction": 0, "spin_deceleration": 0}},
         "balls": [{"id": "cue", "position": [-1e6, 0]}, {"id": "1", "position": [1e6, 2e6]}],

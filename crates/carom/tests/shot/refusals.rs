@@ -1,5 +1,4 @@
-//! Every bad shot file is refused with one sentence that names the place, what is wrong there,
-//! and what would be right.
+//! Every bad shot file is refused with one sentence: the place, the fault and the remedy.
 
 use carom::{Error, Shot};
 
@@ -85,7 +84,7 @@ fn an_angle_in_radians_has_the_range_of_the_one_in_degrees() {
 }
 
 #[test]
-fn a_file_of_another_format_is_no_shot_with_unknown_keys() {
+fn a_file_of_another_format_is_refused_for_its_format_and_not_for_its_keys() {
     let trace = r#""format": "carom-trace/1", "engine": "carom 0.1.0""#;
     refused(r#""format": "carom-shot/1""#, trace, "format", &["carom-trace/1", "carom-shot/1"]);
     let later = r#""format": "carom-shot/2", "players": 2"#;
@@ -110,14 +109,14 @@ fn a_wrong_type_is_refused() {
 }
 
 #[test]
-fn a_nan_is_refused_where_it_stands() {
+fn a_nan_is_refused_with_its_place() {
     refused("1.905", "NaN", "balls[1].position[1]", &["NaN", "finite"]);
     refused("\"speed\": 2.0", "\"speed\": -Infinity", "strike.speed", &["-Infinity", "finite"]);
     refused("\"speed\": 2.0", "\"speed\": 1e999", "strike.speed", &["too large"]);
 }
 
 #[test]
-fn a_nan_from_code_is_refused_where_it_stands() {
+fn a_nan_in_a_tree_of_values_is_refused_with_its_place() {
     use carom::format::Node;
     let shot = Shot::from_json(&edited("1000", "1000")).expect("a good file");
     let mut node = shot.to_node();
@@ -139,7 +138,7 @@ fn a_nan_from_code_is_refused_where_it_stands() {
 }
 
 #[test]
-fn a_key_that_stands_twice_is_refused() {
+fn a_duplicate_key_is_refused() {
     refused("\"speed\": 2.0", "\"speed\": 2.0, \"speed\": 3.0", "strike.speed", &["twice"]);
 }
 
@@ -152,7 +151,7 @@ fn text_that_is_not_json_is_refused_with_its_line() {
 }
 
 #[test]
-fn a_syntax_error_is_placed_by_the_keys_that_are_whole() {
+fn a_syntax_error_is_located_by_the_last_complete_keys() {
     for (text, start) in [
         ("{\"a\": 1,}", "not JSON"),
         ("{\"balls\": [{\"id\": \"a\" \"b\": 1}]}", "balls[0]: not JSON"),
@@ -171,7 +170,7 @@ fn overlapping_balls_are_refused_with_their_depth() {
 }
 
 #[test]
-fn touching_counts_up_to_a_nanometre() {
+fn overlaps_up_to_a_nanometre_count_as_touching() {
     let at = |y: f64| Shot::from_json(&edited("1.905", &format!("{y:?}")));
     let contact = 0.635 + 2.0 * 0.028575;
     assert!(at(contact - 0.9e-9).is_ok());
@@ -257,7 +256,7 @@ fn a_miscue_may_be_reported_instead() {
 }
 
 #[test]
-fn the_struck_ball_must_exist_and_rest() {
+fn the_struck_ball_must_exist_and_be_at_rest() {
     refused("\"ball\": \"cue\"", "\"ball\": \"white\"", "strike.ball", &["\"cue\", \"1\""]);
     refused(
         "[0.635, 0.635]",
@@ -290,7 +289,7 @@ fn a_tip_cannot_have_both_restitution_and_efficiency() {
 }
 
 #[test]
-fn a_share_of_more_than_all_is_refused() {
+fn a_factor_above_1_is_refused() {
     for key in ["tangential_factor", "spin_factor"] {
         refused(
             BASE,
@@ -302,12 +301,12 @@ fn a_share_of_more_than_all_is_refused() {
 }
 
 #[test]
-fn a_nose_that_cannot_meet_a_ball_is_refused() {
+fn a_nose_height_that_no_ball_can_touch_is_refused() {
     refused("1.905]", "1.905], \"radius\": 0.01", "balls[1].radius", &["cushion nose"]);
 }
 
 #[test]
-fn a_ball_that_no_hole_lets_through_is_refused() {
+fn a_ball_larger_than_a_hole_is_refused() {
     const CUSTOM: &str = r#"{"width": 1.27, "length": 2.54, "pockets": "none"},
         "physics": {"base": "pool"}"#;
     let pool = |radius: f64| {
@@ -321,7 +320,7 @@ fn a_ball_that_no_hole_lets_through_is_refused() {
 }
 
 #[test]
-fn fits_are_refused_where_the_cushion_model_takes_none() {
+fn a_fit_is_refused_if_the_cushion_model_does_not_allow_it() {
     let fit = r#"{"a": 0.4, "b": 0.2, "c": 0}"#;
     for model in ["restitution", "mathavan-2010", "factors"] {
         refused(
@@ -348,14 +347,14 @@ fn fits_are_refused_where_the_cushion_model_takes_none() {
 }
 
 #[test]
-fn a_fit_that_never_is_a_restitution_is_refused() {
+fn a_fit_outside_0_to_1_at_every_speed_is_refused() {
     let fit = |a: f64, b: f64, c: f64| {
         format!(
             r#""cushion": {{"model": "stronge", "restitution": {{"a": {a:?}, "b": {b:?}, "c": {c:?}}}}}"#
         )
     };
     let place = "physics.cushion.restitution";
-    // Constant, rising above 1, falling below 0, and two parabolas that turn too early.
+    // Constant, rising from above 1, falling from below 0, and two parabolas that never enter [0, 1].
     for (a, b, c) in
         [(1.5, 0.0, 0.0), (1.5, 0.1, 0.0), (-0.5, -0.1, 0.0), (1.5, -0.2, 0.1), (-0.5, 0.2, -0.1)]
     {
@@ -368,7 +367,7 @@ fn a_fit_that_never_is_a_restitution_is_refused() {
 }
 
 #[test]
-fn a_bases_fit_counts_at_rest_for_a_model_that_takes_none() {
+fn a_model_without_fits_takes_the_bases_fit_at_speed_0() {
     let with = |cushion: &str| {
         let physics = format!(r#""base": "snooker", "cushion": {cushion}"#);
         Shot::from_json(&edited(BASE, &physics)).expect("a good file")
@@ -392,7 +391,7 @@ fn unbounded_cloth_has_no_other_keys() {
 }
 
 #[test]
-fn a_parameter_that_vanishes_is_zero_whatever_its_sign_and_its_exponent() {
+fn a_vanishing_parameter_is_read_as_zero() {
     let hash = |section: &str, key: &str, value: &str| {
         let shot = Shot::from_json(&format!(
             r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "physics": {{"{section}": {{"{key}": {value}}}}},
@@ -400,7 +399,7 @@ fn a_parameter_that_vanishes_is_zero_whatever_its_sign_and_its_exponent() {
                           {{"id": "b", "position": [0.35, 0.7]}}], "max_events": 40}}"#
         ));
         let shot = shot.unwrap_or_else(|e| panic!("{section}.{key}: {e}"));
-        // Without friction nothing rests, and the cap ends it.
+        // Without friction no ball comes to rest, and the cap ends the shot.
         shot.simulate().map_or(0, |trace| {
             let finite = |s: &carom::BallState| s.position.to_array().iter().all(|x| x.is_finite());
             assert!(trace.events().all(|e| e.before.iter().all(finite)), "{section}.{key} {value}");

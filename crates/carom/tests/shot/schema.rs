@@ -1,4 +1,4 @@
-//! The JSON Schemas and the reader know the same keys and the same names.
+//! The JSON Schemas and the readers have the same keys and the same names.
 
 use std::collections::BTreeSet;
 
@@ -32,7 +32,7 @@ fn words(node: &Node) -> Vec<&str> {
 }
 
 /// The keys that the reader lists when it finds an unknown one.
-fn known_to_the_reader(file: &str) -> BTreeSet<String> {
+fn keys_of_the_reader(file: &str) -> BTreeSet<String> {
     let sentence = Shot::from_json(file).expect_err("an unknown key").to_string();
     let list = sentence.split("the keys known here are ").nth(1);
     let list = list.unwrap_or_else(|| panic!("`{sentence}` lists no keys"));
@@ -40,7 +40,7 @@ fn known_to_the_reader(file: &str) -> BTreeSet<String> {
 }
 
 #[test]
-fn the_shot_schema_and_the_reader_know_the_same_keys() {
+fn the_shot_schema_and_the_reader_have_the_same_keys() {
     let schema = parsed(schema::SHOT);
     let file = |table: &str, physics: &str, ball: &str, strike: &str, more: &str| {
         format!(
@@ -74,12 +74,12 @@ fn the_shot_schema_and_the_reader_know_the_same_keys() {
         ("$defs/table/oneOf/2/properties/markings/properties", table("markings")),
     ] {
         let path: Vec<&str> = path.split('/').collect();
-        assert_eq!(keys(at(&schema, &path)), known_to_the_reader(&text), "{path:?}");
+        assert_eq!(keys(at(&schema, &path)), keys_of_the_reader(&text), "{path:?}");
     }
     let mut of_tables = keys(at(&schema, &["$defs", "table", "oneOf", "2", "properties"]));
     of_tables.insert(String::from("cloth"));
     let text = file(r#"{"qqqqqqqqqq": 1}"#, good.1, "", "", "");
-    assert_eq!(of_tables, known_to_the_reader(&text));
+    assert_eq!(of_tables, keys_of_the_reader(&text));
 }
 
 #[test]

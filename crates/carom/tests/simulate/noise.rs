@@ -1,4 +1,4 @@
-//! Execution noise: the errors that it says, the same ones everywhere, and what cannot be played.
+//! Execution noise: its distribution, its reproducibility, and strikes that cannot be played.
 
 use std::fs;
 use std::path::Path;
@@ -12,7 +12,7 @@ use serde_json::{Value, from_str};
 const RADIUS: f64 = 0.028_575;
 const MEANT: Strike = Strike { speed: 3.0, azimuth: 1.0, elevation: 0.5, side: 0.1, height: -0.2 };
 
-/// The errors of each parameter, in their σ.
+/// The errors of each parameter, in units of σ.
 fn errors(noise: &Noise, seed: u64, count: u64) -> [Vec<f64>; 5] {
     let mut all: [Vec<f64>; 5] = Default::default();
     for index in 0..count {
@@ -36,9 +36,9 @@ fn mean(values: impl Iterator<Item = f64>, count: usize) -> f64 {
 }
 
 #[test]
-fn errors_are_gaussian_with_the_sigma_that_the_noise_names() {
+fn errors_are_gaussian_with_the_given_sigma() {
     const COUNT: usize = 100_000;
-    // Five standard errors of each moment: fair deviates fail once in a hundred thousand seeds.
+    // Five standard errors of each moment: correct deviates fail for one seed in a hundred thousand.
     let five = 5.0 / (COUNT as f64).sqrt();
     for (name, column) in ["speed", "azimuth", "elevation", "side", "height"].iter().zip(errors(
         &Noise::olympiad(1.0),
@@ -60,7 +60,7 @@ fn errors_are_gaussian_with_the_sigma_that_the_noise_names() {
 }
 
 #[test]
-fn parameters_indices_and_seeds_err_independently() {
+fn parameters_indices_and_seeds_have_independent_errors() {
     const COUNT: usize = 100_000;
     let five = 5.0 / (COUNT as f64).sqrt();
     let a = errors(&Noise::olympiad(1.0), 1, COUNT as u64);
@@ -76,7 +76,7 @@ fn parameters_indices_and_seeds_err_independently() {
 }
 
 #[test]
-fn to_change_one_sigma_moves_nothing_else() {
+fn changing_one_sigma_changes_no_other_parameter() {
     let all = Noise::olympiad(1.0);
     let still = Noise { speed: 0.0, ..all };
     for index in 0..100 {
@@ -87,7 +87,7 @@ fn to_change_one_sigma_moves_nothing_else() {
 }
 
 #[test]
-fn a_level_cue_errs_upwards_or_not_at_all() {
+fn a_level_cue_is_drawn_level_or_raised_but_never_lowered() {
     let level = Strike { elevation: 0.0, ..MEANT };
     let drawn: Vec<f64> =
         (0..1000).map(|k| Noise::olympiad(1.0).draw(&level, RADIUS, 0, k).elevation).collect();
@@ -103,7 +103,7 @@ fn shot(name: &str) -> Shot {
 }
 
 #[test]
-fn variants_are_the_same_for_any_threads_and_pieces() {
+fn variants_do_not_depend_on_the_number_of_threads_or_on_where_they_start() {
     let shot = shot("half_ball_cut");
     let noise = Noise::olympiad(2.0);
     let run = |first, n, threads| {
@@ -118,14 +118,14 @@ fn variants_are_the_same_for_any_threads_and_pieces() {
     assert_eq!(tail.events, whole.events[150..]);
 }
 
-/// A hundred executions of the shot's strike.
+/// A hundred variants of the shot's strike.
 fn play(shot: &Shot, noise: &Noise) -> BatchResult {
     let strikes = draw_strikes(shot, noise, 100, 0, 0).expect("drawn");
     simulate_strikes(shot, &strikes, &Runner::default())
 }
 
 #[test]
-fn what_cannot_be_played_fails_with_its_reason() {
+fn strikes_that_cannot_be_played_fail_with_their_reason() {
     let mut file = shot("half_ball_cut").to_node();
     let mut strike = file.get("strike").expect("a strike").clone();
     // 0.01 radii inside the miscue limit of a tip with friction 0.6.
@@ -153,7 +153,7 @@ fn what_cannot_be_played_fails_with_its_reason() {
 }
 
 #[test]
-fn what_is_no_noise_is_refused() {
+fn a_sigma_out_of_range_is_refused() {
     let shot = shot("half_ball_cut");
     for (noise, place) in [
         (Noise { speed: -0.1, ..Noise::default() }, "noise.speed"),
@@ -168,7 +168,7 @@ fn what_is_no_noise_is_refused() {
 }
 
 #[test]
-fn the_goldens_of_noise_are_the_same_bits_as_ever() {
+fn the_goldens_of_noise_have_the_same_bits() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../goldens/noise.json");
     let goldens: Vec<Value> =
         from_str(&fs::read_to_string(path).expect("goldens/noise.json")).expect("JSON");

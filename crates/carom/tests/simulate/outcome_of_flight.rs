@@ -1,4 +1,4 @@
-//! What the outcome says of whole shots in which balls fly.
+//! The outcome of whole shots in which balls fly.
 
 use carom::outcome::Outcome;
 use carom::table::{BRINK, PocketName};
@@ -19,7 +19,7 @@ fn outcome(balls: &str, more: &str) -> Outcome {
 }
 
 #[test]
-fn a_jump_shot_jumps_the_ball_in_its_way_and_none_beside_it() {
+fn a_jump_shot_jumps_the_blocking_ball_and_none_beside_it() {
     let balls = r#"{"id": "cue", "position": [0.635, 0.6]}, {"id": "in the way", "position": [0.635, 0.8]},
         {"id": "beside", "position": [0.75, 0.8]}, {"id": "behind", "position": [0.635, 2.0]}"#;
     let strike = |elevation: f64| {
@@ -77,14 +77,14 @@ fn a_ball_dropped_into_a_hole_is_pocketed_and_one_dropped_on_the_cloth_is_not() 
 }
 
 #[test]
-fn a_ball_that_creeps_to_the_lip_hangs_there_and_a_faster_one_falls() {
+fn a_ball_that_reaches_the_lip_very_slowly_hangs_there_and_a_faster_one_falls() {
     let table = carom::Table::preset("wpa-9ft").expect("a preset");
     let physics = carom::Physics::pool();
     let (pocket, distance) = (&table.pockets[0], 0.05);
     let start = pocket.center + table.center() - pocket.axis * (pocket.radius + distance);
     let braking = physics.cloth.rolling_friction * physics.gravity;
     let limit = physics.cloth.rolling_friction * (physics.gravity * RADIUS).sqrt();
-    // With this speed left at the lip.
+    // The speed at the lip.
     let with = |left: f64| {
         let v = pocket.axis * (left * left + 2.0 * braking * distance).sqrt();
         let spin = [-v.y / RADIUS, v.x / RADIUS, 0.0];
@@ -107,7 +107,7 @@ fn a_ball_that_creeps_to_the_lip_hangs_there_and_a_faster_one_falls() {
 }
 
 #[test]
-fn a_ball_left_hanging_on_the_brink_can_be_in_the_next_shot_and_a_touch_lets_it_fall() {
+fn a_ball_left_hanging_can_be_in_the_next_shot_and_falls_when_it_is_touched() {
     let table = carom::Table::preset("wpa-9ft").expect("a preset");
     let pocket = &table.pockets[0];
     let hole = pocket.center + table.center();
@@ -138,7 +138,7 @@ fn a_ball_left_hanging_on_the_brink_can_be_in_the_next_shot_and_a_touch_lets_it_
 }
 
 #[test]
-fn a_ball_dropped_on_another_hits_it_also_if_in_plan_they_do_not_approach() {
+fn a_ball_dropped_on_another_hits_it_even_if_they_do_not_approach_in_plan() {
     let top = 3.0 * RADIUS;
     for (x, z, speed) in
         [(0.61, 0.3, 0.0), (0.61, 0.3, 0.01), (0.6001, 0.3, 0.0), (0.601, top, 0.0)]

@@ -1,4 +1,4 @@
-//! A trace is written and read without losing a bit, and tells the state at any time.
+//! Traces are written and read without losing a bit, and give the exact state at any time.
 
 use carom::format::Node;
 use carom::math::Vec3;
@@ -24,7 +24,7 @@ fn bits(s: &BallState) -> ([u64; 9], MotionState) {
 }
 
 #[test]
-fn json_out_and_in_keeps_every_bit() {
+fn a_trace_keeps_every_bit_through_json() {
     for name in NAMES {
         let trace = played(name);
         let again = Trace::from_json(&trace.to_json()).unwrap_or_else(|e| panic!("{name}: {e}"));
@@ -40,7 +40,7 @@ fn json_out_and_in_keeps_every_bit() {
 }
 
 #[test]
-fn a_second_simulation_has_the_same_hash_and_another_shot_has_not() {
+fn a_second_simulation_has_the_same_hash_and_another_shot_a_different_one() {
     let trace = played("masse");
     let again = trace.shot().simulate().unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(trace.hash(), again.hash());
@@ -54,7 +54,7 @@ fn a_second_simulation_has_the_same_hash_and_another_shot_has_not() {
 }
 
 #[test]
-fn the_hash_sees_every_bit_even_two_flipped_signs() {
+fn every_flipped_bit_changes_the_hash_and_so_do_two_flipped_signs() {
     let trace = played("follow_shot");
     let mut node = trace.to_node();
     let flip = |node: &mut Node, ball: usize| {
@@ -70,7 +70,7 @@ fn the_hash_sees_every_bit_even_two_flipped_signs() {
 }
 
 #[test]
-fn a_trace_that_was_tampered_with_is_refused() {
+fn a_trace_that_was_edited_is_refused() {
     let json = played("follow_shot").to_json();
     let refused = |from: &str, to: &str| {
         assert!(json.contains(from), "{from}");
@@ -91,7 +91,7 @@ fn a_trace_that_was_tampered_with_is_refused() {
 }
 
 #[test]
-fn keys_of_a_newer_engine_are_passed_over() {
+fn unknown_keys_of_a_newer_engine_are_ignored() {
     let trace = played("follow_shot");
     let mut node = trace.to_node();
     node.set("weather", "fine");
@@ -102,14 +102,14 @@ fn keys_of_a_newer_engine_are_passed_over() {
 }
 
 #[test]
-fn before_and_after_the_events_and_at_them_the_state_is_exact() {
+fn states_are_exact_at_events_and_between_them() {
     for name in NAMES {
         let trace = played(name);
         let mut follows: Vec<BallState> = trace.shot().balls().iter().map(|b| b.state).collect();
         for event in trace.events() {
             for (&i, before) in event.balls.iter().zip(event.before) {
-                // From its last event the ball has come where this one finds it. Times are
-                // rounded to 1e-16 of themselves, so that at 10 m/s a position is to 1e-13 m.
+                // The path from the ball's last event leads to its position at this one. Times are
+                // rounded to 1e-16 of their size, which at 10 m/s is 1e-13 m.
                 if event.time > 1e-6 && trace_is_quiet(&trace, event.time, i) {
                     let at = trace.at(event.time - 1e-9).unwrap_or_else(|e| panic!("{e}"));
                     let was = at[usize::from(i)];
@@ -181,7 +181,7 @@ fn the_cap_on_events_carries_the_shot() {
 }
 
 #[test]
-fn the_outcome_tells_the_same_as_the_events() {
+fn the_outcome_agrees_with_the_events() {
     for name in NAMES {
         let trace = played(name);
         let outcome = trace.outcome();
@@ -208,7 +208,7 @@ fn the_outcome_tells_the_same_as_the_events() {
 }
 
 #[test]
-fn a_ball_without_friction_never_rests_and_the_outcome_says_so() {
+fn a_ball_without_friction_is_listed_as_never_resting() {
     let text = r#"{"format": "carom-shot/1", "table": {"cloth": "unbounded"},
         "physics": {"cloth": {"sliding_friction": 0, "rolling_friction": 0}},
         "balls": [{"id": "a", "position": [0, 0], "velocity": [1, 0, 0]},
@@ -219,7 +219,7 @@ fn a_ball_without_friction_never_rests_and_the_outcome_says_so() {
 }
 
 #[test]
-fn a_miscue_is_reported_where_the_strike_asks_for_it() {
+fn a_miscue_is_reported_if_the_shot_says_so() {
     let text = r#"{"format": "carom-shot/1", "table": "wpa-9ft",
         "balls": [{"id": "cue", "position": [0.635, 0.4]}],
         "strike": {"ball": "cue", "speed": 1, "azimuth_deg": 90, "side": 0.8, "miscue": "report"}}"#;
@@ -308,7 +308,7 @@ fn hash_by_the_book(trace: &Node) -> String {
 }
 
 #[test]
-fn the_hash_is_the_one_of_the_documentation() {
+fn the_hash_is_computed_as_documented() {
     for name in NAMES {
         let node = played(name).to_node();
         let written = node.get("hash").cloned();
@@ -317,7 +317,7 @@ fn the_hash_is_the_one_of_the_documentation() {
 }
 
 #[test]
-fn a_number_that_is_none_is_refused_in_few_words() {
+fn a_malformed_number_is_refused_with_a_short_error() {
     let text = played("follow_shot").to_json().replacen("\"time\": 0.0", "\"time\": null", 1);
     let sentence = Trace::from_json(&text).expect_err("no number").to_string();
     assert_eq!(sentence, "events[0].time: found null; write a finite number ≥ 0 s");

@@ -1,5 +1,5 @@
-//! The outcome holds what a referee asks for: most of it from nothing but the order of events, the
-//! rest from where the balls were.
+//! The outcome has the facts that rules need: most follow from the order of events, the others from the
+//! balls' positions.
 
 use carom::math::Vec3;
 use carom::outcome::{Collector, Outcome, OutcomeRecorder, Touched};
@@ -37,7 +37,7 @@ fn shot(table: &str, balls: &str) -> Shot {
     .unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// From events without motion.
+/// The outcome of events without motion.
 fn collected(cue_ball: Option<usize>, events: &[(TraceEventKind, &[u16])]) -> Outcome {
     let shot = row(cue_ball);
     let mut collector = Collector::new(&shot);
@@ -56,14 +56,14 @@ fn collected(cue_ball: Option<usize>, events: &[(TraceEventKind, &[u16])]) -> Ou
 }
 
 #[test]
-fn the_first_contact_is_the_cue_balls_and_not_the_tables() {
+fn the_first_contact_is_the_first_of_the_cue_ball() {
     let outcome = collected(Some(0), &[(HIT, &[3, 4]), (HIT, &[0, 2]), (HIT, &[0, 1])]);
     assert_eq!(outcome.first_contact, Some(2));
     assert_eq!(outcome.cue_ball_touched, [Touched::Ball(2), Touched::Ball(1)]);
 }
 
 #[test]
-fn of_many_balls_in_a_contact_the_cue_ball_touches_those_that_it_meets_itself() {
+fn in_a_many_ball_contact_the_cue_ball_touches_only_the_balls_next_to_it() {
     // The cue ball, 2, lies against 0 and 3; 1 touches 3 alone; 4 is 0.2 mm away.
     let d = 2.0 * RADIUS;
     let apart = [[-d, 0.0], [2.0 * d, 0.0], [0.0, 0.0], [d, 0.0], [0.0, d + 2e-4]];
@@ -117,7 +117,7 @@ fn rails_count_from_the_first_contact_on() {
 }
 
 #[test]
-fn the_top_of_a_rail_and_a_pockets_liner_are_no_cushions() {
+fn the_top_of_a_rail_and_a_pockets_liner_do_not_count_as_cushions() {
     let part = |part| TraceEventKind::RailCollision { rail: Rail::Top, part };
     let (top, liner, point) = (part(Part::Top), part(Part::Liner), part(Part::Point));
     let outcome = collected(Some(0), &[(HIT, &[0, 1]), (top, &[0]), (liner, &[1]), (point, &[2])]);
@@ -138,7 +138,7 @@ fn without_a_cue_ball_rails_count_from_the_first_collision_of_any_balls() {
 }
 
 #[test]
-fn pocketed_balls_stand_in_the_order_of_their_fall_and_a_scratch_is_seen() {
+fn pocketed_balls_are_listed_in_order_and_a_scratch_is_noted() {
     let events: &[(TraceEventKind, &[u16])] = &[
         (TraceEventKind::CueStrike, &[2]),
         (TraceEventKind::PocketCollision(PocketName::Left), &[4]),
@@ -154,14 +154,14 @@ fn pocketed_balls_stand_in_the_order_of_their_fall_and_a_scratch_is_seen() {
 }
 
 #[test]
-fn balls_off_the_table_stand_in_the_order_in_which_they_left_it() {
+fn balls_off_the_table_are_listed_in_the_order_in_which_they_left_it() {
     let outcome =
         collected(Some(0), &[(TraceEventKind::OffTable, &[3]), (TraceEventKind::OffTable, &[1])]);
     assert_eq!(outcome.off_table, [3, 1]);
 }
 
 #[test]
-fn only_balls_that_still_move_at_the_end_never_rest() {
+fn only_balls_that_still_move_at_the_end_are_listed_as_never_resting() {
     let with = |motion| BallState { motion, ..BallState::default() };
     let last = [
         with(MotionState::Stationary),
@@ -190,7 +190,7 @@ fn a_frozen_ball_that_is_pressed_into_its_rail_is_not_driven_to_it() {
     let outcome = frozen(0.0, -0.4);
     assert_eq!(outcome.events, frozen(1e-3, -0.4).events, "it does touch the rail");
     assert!(outcome.driven_to_rail.is_empty(), "{outcome:?}");
-    // However far it then goes: 3 m/s take it to the other rail, which counts.
+    // At 3 m/s it reaches the other rail, which counts.
     assert_eq!(frozen(0.0, -3.0).driven_to_rail, [0]);
 }
 
@@ -204,7 +204,7 @@ fn a_ball_that_was_not_frozen_is_driven_to_the_rail_that_it_touches() {
 fn a_frozen_ball_that_left_its_rail_is_driven_to_it_when_it_comes_back() {
     let placed = frozen_row();
     let rail = nose(Rail::Left);
-    // There and back, by 0.05 mm and by 9 cm, pulled by friction.
+    // Friction pulls it back after 0.05 mm and after 9 cm.
     for (speed, driven) in [(0.014, false), (0.6, true)] {
         let spin = Vec3::new(0.0, -20.0 * speed / RADIUS, 0.0);
         let start = BallState {
@@ -241,8 +241,8 @@ fn event<'a>(
     TraceEvent { time, kind, balls, before, after }
 }
 
-/// Ball 0 flies over ball 1 with this much room sideways (m) in plan, up at 2 m/s and along at 1 m/s,
-/// from and to where the two events say.
+/// Ball 0 flies past ball 1 at the distance `aside` (m) in plan, at 2 m/s upwards and 1 m/s along, from the
+/// first event to the last.
 fn flight(aside: f64, first: (TraceEventKind, &[u16]), last: (TraceEventKind, &[u16])) -> Outcome {
     let shot = placed("\"wpa-9ft\"", Some(0), &[[0.4, 0.5], [0.6, 0.5 + aside]]);
     let up = 2.0;
@@ -276,7 +276,7 @@ fn flight(aside: f64, first: (TraceEventKind, &[u16]), last: (TraceEventKind, &[
 }
 
 #[test]
-fn a_ball_in_the_air_jumps_what_it_would_have_hit_on_the_cloth() {
+fn a_ball_in_the_air_jumps_a_ball_that_it_would_have_hit_on_the_cloth() {
     let (strike, slate) =
         ((TraceEventKind::CueStrike, &[0u16][..]), (TraceEventKind::SlateCollision, &[0u16][..]));
     for aside in [0.0, 0.03, 2.0 * RADIUS - 2e-4] {
@@ -296,7 +296,7 @@ fn a_ball_that_touches_another_in_its_flight_has_not_jumped_it() {
 }
 
 #[test]
-fn a_ball_on_the_cloth_jumps_nothing_and_one_that_is_above_it_does() {
+fn only_the_upper_of_two_balls_jumps_the_other() {
     // Two balls in flight, one above the other.
     let ball = |id: &str, z: f64, speed: f64| {
         format!(r#"{{"id": "{id}", "position": [0.5, 0.5, {z:?}], "velocity": [{speed:?}, 0, 0]}}"#)

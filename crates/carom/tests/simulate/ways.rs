@@ -1,4 +1,4 @@
-//! What pictures are drawn from: how balls lie while they roll, and their ways as lines of points.
+//! Orientations and polylines, which pictures are drawn from.
 
 use std::fs;
 use std::path::Path;
@@ -14,7 +14,7 @@ fn trace(name: &str) -> Trace {
     Shot::from_json(&file).and_then(|shot| shot.simulate()).expect(name)
 }
 
-/// One ball on endless cloth that begins with these velocities.
+/// One ball on unbounded cloth with these initial velocities.
 fn lone(velocity: [f64; 3], spin: [f64; 3], cloth: &str) -> Trace {
     let file = format!(
         r#"{{"format": "carom-shot/1", "table": {{"cloth": "unbounded"}},
@@ -25,20 +25,20 @@ fn lone(velocity: [f64; 3], spin: [f64; 3], cloth: &str) -> Trace {
     Shot::from_json(&file).and_then(|shot| shot.simulate()).expect("a lone ball")
 }
 
-/// The largest of the differences of `q` and `p`, which are the same turn with either sign.
+/// The largest difference of the components of `q` and `p`. Both signs are the same rotation.
 fn apart(q: [f64; 4], p: [f64; 4]) -> f64 {
     let worst = |sign: f64| q.iter().zip(p).map(|(a, b)| (a - sign * b).abs()).fold(0.0, f64::max);
     f64::min(worst(1.0), worst(-1.0))
 }
 
-/// First `p`, then `q`, both x, y, z, w.
+/// The rotation `q` after `p`, both x, y, z, w.
 fn product(q: [f64; 4], p: [f64; 4]) -> [f64; 4] {
     let (u, v) = (Vec3::new(q[0], q[1], q[2]), Vec3::new(p[0], p[1], p[2]));
     let vector = v * q[3] + u * p[3] + u.cross(v);
     [vector.x, vector.y, vector.z, q[3] * p[3] - u.dot(v)]
 }
 
-/// The turn by the rotation vector `by`, rad.
+/// The rotation by the vector `by`, rad.
 fn turn(by: Vec3) -> [f64; 4] {
     let angle = by.length();
     let along = if angle > 0.0 { sin(angle / 2.0) / angle } else { 0.0 };
@@ -46,7 +46,7 @@ fn turn(by: Vec3) -> [f64; 4] {
 }
 
 #[test]
-fn a_ball_that_rolls_has_turned_by_its_way_over_its_radius_about_the_axis_to_its_left() {
+fn a_rolling_ball_rotates_by_its_distance_over_its_radius_about_the_axis_to_its_left() {
     const ROUNDING: f64 = 1e-12;
     let velocity = [1.2, 0.9, 0.0];
     let spin = [-0.9 / RADIUS, 1.2 / RADIUS, 0.0];
@@ -64,25 +64,25 @@ fn a_ball_that_rolls_has_turned_by_its_way_over_its_radius_about_the_axis_to_its
 }
 
 #[test]
-fn after_one_circumference_a_rolling_ball_lies_as_before() {
+fn after_one_circumference_a_rolling_ball_has_its_first_orientation() {
     let trace = lone([0.0, 1.0, 0.0], [-1.0 / RADIUS, 0.0, 0.0], r#""rolling_friction": 0"#);
     let orientations = trace.orientations();
     let circumference = std::f64::consts::TAU * RADIUS;
     assert!(apart(orientations.at(0, circumference), [0.0, 0.0, 0.0, 1.0]) < 1e-14);
-    // After half of it the number is underneath: turned over forwards, about −x.
+    // After half of it the ball is upside down: rotated forwards, about −x.
     assert!(apart(orientations.at(0, circumference / 2.0), [-1.0, 0.0, 0.0, 0.0]) < 1e-14);
 }
 
 #[test]
-fn sidespin_that_dies_out_turns_a_resting_ball_by_half_its_square_over_its_deceleration() {
+fn sidespin_rotates_a_resting_ball_by_half_its_square_over_its_deceleration() {
     let trace = lone([0.0; 3], [0.0, 0.0, 20.0], r#""spin_deceleration": 10"#);
     let turned = turn(Vec3::new(0.0, 0.0, 20.0 * 20.0 / (2.0 * 10.0)));
     assert!(apart(trace.orientations().at(0, trace.duration()), turned) < 1e-12);
     assert!(apart(trace.orientations().at(0, 1e3), turned) < 1e-12);
 }
 
-/// Integrates the spin of ball `ball` that the trace tells, from event to event, with steps of at most
-/// `step` s, each turned about its middle: of second order.
+/// Integrates the spin of ball `ball` of the trace from event to event with the midpoint rule (second
+/// order), in steps of at most `step` s.
 fn integrated(trace: &Trace, ball: usize, step: f64) -> [f64; 4] {
     let mut times: Vec<f64> = trace.events().map(|e| e.time).collect();
     times.insert(0, 0.0);
@@ -102,7 +102,7 @@ fn integrated(trace: &Trace, ball: usize, step: f64) -> [f64; 4] {
 
 #[test]
 fn orientations_agree_with_a_fine_integration_of_the_spin() {
-    // The step's own error: h²/12·|ω × dω/dt| a second, some 10⁴ rad²/s³ at most, for a few seconds.
+    // Error of the integration: h²/12·|ω × dω/dt| per second, at most some 10⁴ rad²/s³, for a few seconds.
     const STEP: f64 = 1e-4;
     const STEP_ERROR: f64 = 5e-5;
     for name in ["masse", "kick_shot", "jump_shot", "three_cushion", "spit_out"] {
@@ -117,7 +117,7 @@ fn orientations_agree_with_a_fine_integration_of_the_spin() {
 }
 
 #[test]
-fn orientations_are_unit_quaternions_and_never_jump() {
+fn orientations_are_unit_quaternions_and_continuous() {
     let trace = trace("nine_ball_break");
     let orientations = trace.orientations();
     const INSTANT: f64 = 1e-7;
@@ -129,7 +129,7 @@ fn orientations_are_unit_quaternions_and_never_jump() {
             assert!((norm - 1.0).abs() < 1e-15, "ball {ball} at {time} s: {norm}");
             let spin = trace.at(time).expect("a time ≥ 0")[ball].angular_velocity.length();
             let moved = apart(now, orientations.at(ball, time + INSTANT));
-            // An event may come in between, after which the ball spins faster: by 500 rad/s at most.
+            // An event in between may make the ball spin faster, by 500 rad/s at most.
             assert!(moved <= (spin + 500.0) * INSTANT, "ball {ball} at {time} s: {moved:e}");
         }
     }
@@ -144,7 +144,7 @@ fn from_segment(point: Vec3, a: Vec3, b: Vec3) -> f64 {
 }
 
 #[test]
-fn the_chords_of_a_way_stay_within_the_tolerance_of_the_exact_path() {
+fn the_chords_of_a_polyline_stay_within_the_tolerance_of_the_exact_path() {
     const ROUNDING: f64 = 1e-12;
     for name in ["draw_shot", "masse", "jump_shot", "rattle", "off_the_table", "three_cushion"] {
         let trace = trace(name);
@@ -171,14 +171,14 @@ fn the_chords_of_a_way_stay_within_the_tolerance_of_the_exact_path() {
 }
 
 #[test]
-fn a_way_has_a_point_at_every_event_of_its_ball_and_all_lie_on_the_path() {
+fn a_polyline_has_a_point_at_every_event_of_its_ball_and_all_its_points_lie_on_the_path() {
     const ROUNDING: f64 = 1e-12;
     for name in ["nine_ball_break", "jump_shot", "hanging_ball"] {
         let trace = trace(name);
         for ball in 0..trace.shot().balls().len() {
             let way = trace.polyline(ball, 1e-3);
             assert!(way.windows(2).all(|pair| pair[0].time <= pair[1].time));
-            // Where a ball falls into a pocket the way has two points: there, and below the hole.
+            // Where a ball falls into a pocket there are two points: at the fall, and below the hole.
             let last_at_its_time = |i: usize| way.get(i + 1).is_none_or(|p| p.time > way[i].time);
             for point in (0..way.len()).filter(|i| last_at_its_time(*i)).map(|i| way[i]) {
                 let exact = trace.at(point.time).expect("a time ≥ 0")[ball].position;
@@ -193,17 +193,17 @@ fn a_way_has_a_point_at_every_event_of_its_ball_and_all_lie_on_the_path() {
 }
 
 #[test]
-fn straight_ways_need_two_points_and_curves_few() {
+fn straight_paths_need_two_points_and_curves_few() {
     let rolling = lone([0.0, 1.0, 0.0], [-1.0 / RADIUS, 0.0, 0.0], "");
     assert_eq!(rolling.polyline(0, 1e-4).len(), 2);
-    // Backwards with backspin: to the turning point, and back along the same line.
+    // With backspin the ball goes to a turning point and back along the same line.
     let back = lone([0.0, 1.0, 0.0], [100.0, 0.0, 0.0], "");
     let way = back.polyline(0, 1e-4);
     let furthest = way.iter().map(|p| p.position.y).fold(0.0, f64::max);
     let friction = 0.2 * 9.806_65;
     assert!((furthest - 1.0 / (2.0 * friction)).abs() < 1e-12, "{furthest}");
     assert!(way.len() <= 4, "{way:?}");
-    // Rolling out, its velocity and its friction are parallel but for rounding, in any direction.
+    // Of a rolling ball velocity and friction are parallel, up to rounding, in any direction.
     for k in 0..64 {
         let (x, y) = (cos(0.1 * f64::from(k)), sin(0.1 * f64::from(k)));
         let rolling = lone([x, y, 0.0], [-y / RADIUS, x / RADIUS, 0.0], "");
@@ -215,7 +215,7 @@ fn straight_ways_need_two_points_and_curves_few() {
 }
 
 #[test]
-fn the_way_of_a_ball_that_never_rests_ends_with_the_shot() {
+fn the_polyline_of_a_ball_that_never_rests_ends_with_the_shot() {
     let file = r#"{"format": "carom-shot/1", "table": {"cloth": "unbounded"}, "physics": {"cloth": {"rolling_friction": 0}},
         "balls": [{"id": "a", "position": [0, 0], "velocity": [0, 1, 0], "angular_velocity": [-30, 0, 0]},
                   {"id": "b", "position": [0, 1]}]}"#;
