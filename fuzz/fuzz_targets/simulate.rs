@@ -65,7 +65,7 @@ fn shot(numbers: &ShotNumbers) -> Option<Shot> {
     if numbers.ideal {
         file.set("physics", "ideal");
     }
-    Shot::from_node(file).ok()
+    Shot::from_node(&file).ok()
 }
 
 fuzz_target!(|numbers: ShotNumbers| {

@@ -47,11 +47,12 @@ const POSITION: Range = Range::closed(0.0, 0.1, " m");
 
 /// Levels of play, the weakest first.
 ///
-/// **Estimated.** Tests of players order the levels and show that better players also spread less (Pan,
-/// Komar & Kong, *Development of new 9-ball test protocols for assessing expertise in cue sports*, 2021;
-/// Haar, van Assel & Faisal, *Motor learning in real-world pool billiards*, 2020), but we found none that
-/// measures the σ of the cue's motion. The σ of the direction about halves from level to level, around
-/// the Olympiad's 0.125°; docs/evaluate.md has what that means at the table.
+/// **Estimated.** Tests of players order the levels and show that better players also spread less
+/// (Pan, Komar & Kong, *Development of new 9-ball test protocols for assessing expertise in cue
+/// sports*, 2021; Haar, van Assel & Faisal, *Motor learning in real-world pool billiards*, 2020),
+/// but we found none that measures the σ of the cue's motion. The σ of the direction about halves
+/// from level to level, around the Olympiad's 0.125°; docs/evaluate.md has what that means at the
+/// table.
 pub const SKILLS: [(&str, Noise); 5] = [
     ("beginner", skill(0.40, 0.60, 2.0, 3.0)),
     ("casual", skill(0.25, 0.30, 1.5, 2.0)),
@@ -80,8 +81,8 @@ pub struct Noise {
     pub azimuth: f64,
     /// Of the cue's elevation, rad; 0 to π.
     pub elevation: f64,
-    /// Of the contact point to the side, m; 0 to 0.01. In metres, unlike the strike's own offsets: a
-    /// hand's error does not depend on the ball's radius.
+    /// Of the contact point to the side, m; 0 to 0.01. In metres, unlike the strike's own offsets:
+    /// a hand's error does not depend on the ball's radius.
     pub side_m: f64,
     /// Of the contact point's height, m; 0 to 0.01.
     pub height_m: f64,
@@ -179,7 +180,8 @@ impl Perception {
     }
 
     /// The balls of `shot` with their positions in layout `index` of this seed. No ball overlaps
-    /// another or leaves the table: one that would, in the order of the shot, is moved by a smaller error.
+    /// another or leaves the table: one that would, in the order of the shot, is moved by a smaller
+    /// error.
     pub fn places(&self, shot: &Shot, seed: u64, index: u64) -> Vec<PlacedBall> {
         let mut random = random(PERCEPTION_KEY, seed, index);
         let mut balls = shot.balls().to_vec();

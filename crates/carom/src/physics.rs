@@ -17,8 +17,8 @@ pub struct Physics {
     pub ball_ball: BallBall,
     /// Ball against cushion.
     pub cushion: Cushion,
-    /// Ball against the facings and points of a pocket's jaws: they replace the cushion's restitution and
-    /// friction, in the cushion's model.
+    /// Ball against the facings and points of a pocket's jaws: they replace the cushion's
+    /// restitution and friction, in the cushion's model.
     pub facing: Surface,
     /// Ball against a pocket's liner, in the cushion's model.
     pub liner: Surface,
@@ -29,8 +29,8 @@ pub struct Physics {
 }
 
 impl Physics {
-    /// The parameters for a `part` of a cushion. Facings, points and liners have their own surfaces in the
-    /// cushion's model, and so has a rail's top where a ball collides with it as a cushion.
+    /// The parameters for a `part` of a cushion. Facings, points and liners have their own surfaces
+    /// in the cushion's model, and so has a rail's top where a ball collides with it as a cushion.
     pub fn cushion_of(&self, part: Part) -> Cushion {
         match part {
             Part::Nose => self.cushion,
@@ -55,8 +55,8 @@ pub struct Cloth {
 /// Which published model resolves a collision of two balls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BallBallModel {
-    /// Impulse along the line of centres with restitution, no friction. In a shot file this model has the
-    /// restitution 1 unless the file gives another.
+    /// Impulse along the line of centres with restitution, no friction. In a shot file this model
+    /// has the restitution 1 unless the file gives another.
     Elastic,
     /// Impulse with restitution and Coulomb friction, rigid in the tangent plane.
     Frictional,
@@ -125,8 +125,8 @@ pub enum CushionModel {
     Factors,
 }
 
-/// Restitution of the cushion as a function of the normal speed V: e = a + bV + cV², limited to 0..=1
-/// (Han 2005; here for `stronge` too). A constant is `a` alone.
+/// Restitution of the cushion as a function of the normal speed V: e = a + bV + cV², limited to
+/// 0..=1 (Han 2005; here for `stronge` too). A constant is `a` alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CushionRestitution {
     /// Constant part.
@@ -137,8 +137,8 @@ pub struct CushionRestitution {
     pub c: f64,
 }
 
-/// Friction of the cushion as a function of the incidence γ from the normal, rad: μ = a + bγ (Han 2005). A
-/// constant is `a` alone.
+/// Friction of the cushion as a function of the incidence γ from the normal, rad: μ = a + bγ (Han
+/// 2005). A constant is `a` alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CushionFriction {
     /// Constant part.
@@ -200,9 +200,9 @@ pub struct Cue {
     pub mass: f64,
     /// Mass of the shaft's end that takes part in squirt, kg; 0: no squirt.
     pub end_mass: f64,
-    /// Radius of the tip's curvature, m. It does not change the strike, because tip offsets are those of the
-    /// contact point. A cue whose axis has the offset o from the ball's centre touches the ball at
-    /// o/(1 + tip_radius/R).
+    /// Radius of the tip's curvature, m. It does not change the strike, because tip offsets are
+    /// those of the contact point. A cue whose axis has the offset o from the ball's centre touches
+    /// the ball at o/(1 + tip_radius/R).
     pub tip_radius: f64,
     /// Friction between tip and ball; sets the miscue limit μ/√(1 + μ²), in ball radii.
     pub tip_friction: f64,

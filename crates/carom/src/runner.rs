@@ -109,8 +109,9 @@ impl Runner {
     /// that takes part, so that `work` must not let a result depend on the items before.
     ///
     /// Handing out an item costs some hundred nanoseconds: where an item is less work than some ten
-    /// microseconds, make chunks of them (`slice.chunks(n)`, `chunks_mut(n)`) and let a chunk be the item. To
-    /// report progress, or to let a user stop, call `map` for one part of the items after the other.
+    /// microseconds, make chunks of them (`slice.chunks(n)`, `chunks_mut(n)`) and let a chunk be
+    /// the item. To report progress, or to let a user stop, call `map` for one part of the items
+    /// after the other.
     ///
     /// A result may be a [`Result`]: collect them to get the error of the first item that failed.
     pub fn map<I: Send, W, T: Send>(

@@ -1,7 +1,8 @@
-//! Sampling the parameters of shots: sequences of points in the unit cube, and quantiles of distributions.
+//! Sampling the parameters of shots: sequences of points in the unit cube, and quantiles of
+//! distributions.
 //!
-//! Coordinate `axis` of point `index` of a seed depends on these three numbers alone: point 17 is the same
-//! alone or among thousands, in any order, for any number of threads, on every platform.
+//! Coordinate `axis` of point `index` of a seed depends on these three numbers alone: point 17 is
+//! the same alone or among thousands, in any order, for any number of threads, on every platform.
 
 use chacha20::rand_core::Rng;
 
@@ -18,9 +19,10 @@ const SHIFT: &[u8; 24] = b"carom: shift of sequence";
 pub enum Sequence {
     /// Independent of each other, uniform: ChaCha8 (Bernstein 2008).
     Random,
-    /// Low discrepancy: the additive recurrence R of Roberts (2018), after Kronecker, with steps φ⁻¹, φ⁻²,
-    /// … where φ is the root of x^(d+1) = x + 1. A random shift (Cranley & Patterson 1976) makes each point
-    /// by itself uniform. Any run of consecutive points is as even as any other.
+    /// Low discrepancy: the additive recurrence R of Roberts (2018), after Kronecker, with steps
+    /// φ⁻¹, φ⁻², … where φ is the root of x^(d+1) = x + 1. A random shift (Cranley & Patterson
+    /// 1976) makes each point by itself uniform. Any run of consecutive points is as even as any
+    /// other.
     Even,
 }
 
@@ -79,7 +81,8 @@ pub enum Distribution {
 }
 
 impl Distribution {
-    /// The quantile of `u` in (0, 1): the value that a drawn one does not exceed with probability `u`.
+    /// The quantile of `u` in (0, 1): the value that a drawn one does not exceed with probability
+    /// `u`.
     pub fn quantile(self, u: f64) -> f64 {
         match self {
             Self::Uniform(a, b) => a + (b - a) * u,
@@ -89,9 +92,9 @@ impl Distribution {
     }
 }
 
-/// The standard normal distribution's quantile of p in (0, 1), to about 1 part in 10¹⁶: Wichura (1988),
-/// *The percentage points of the normal distribution*, algorithm AS 241, PPND16, with its names. NaN for
-/// p outside (0, 1).
+/// The standard normal distribution's quantile of p in (0, 1), to about 1 part in 10¹⁶: Wichura
+/// (1988), *The percentage points of the normal distribution*, algorithm AS 241, PPND16, with its
+/// names. NaN for p outside (0, 1).
 pub fn normal_quantile(p: f64) -> f64 {
     /// Half the width of the central interval, and its square.
     const SPLIT1: f64 = 0.425;

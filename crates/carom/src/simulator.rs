@@ -15,8 +15,8 @@ use crate::{BallState, Shot, Trace, shot};
 /// Plays shots one after the other and keeps the memory that they need: for a thread of a
 /// [`Runner`](crate::runner::Runner), or for any loop over shots.
 ///
-/// Shots of few balls use a [`Simulation`] that stays in a processor's fastest memory; the larger one for
-/// many balls is allocated when the first such shot is played. Nothing else is allocated.
+/// Shots of few balls use a [`Simulation`] that stays in a processor's fastest memory; the larger
+/// one for many balls is allocated when the first such shot is played. Nothing else is allocated.
 ///
 /// ```
 /// # #[cfg(feature = "json")] {
@@ -56,8 +56,8 @@ impl Simulator {
     /// Plays `shot` from the strike to rest; `recorder` gets every event.
     ///
     /// # Errors
-    /// [`Error::Input`] if the strike cannot be played, [`Error::TooManyEvents`] with the shot file if
-    /// the cap on events is reached.
+    /// [`Error::Input`] if the strike cannot be played, [`Error::TooManyEvents`] with the shot file
+    /// if the cap on events is reached.
     pub fn play<R: Recorder>(&mut self, shot: &Shot, recorder: &mut R) -> Result<Summary, Error> {
         self.play_strike(shot, shot.strike(), recorder)
     }
@@ -106,7 +106,8 @@ impl Simulator {
         self.len() == 0
     }
 
-    /// State of ball `i` of the last shot at `time` (s), not before its last event, in the engine's frame.
+    /// State of ball `i` of the last shot at `time` (s), not before its last event, in the engine's
+    /// frame.
     pub fn state(&self, i: usize, time: f64) -> BallState {
         match &self.many {
             Some(many) if self.in_many => many.state(i, time),
@@ -114,14 +115,14 @@ impl Simulator {
         }
     }
 
-    /// The same in the file's frame; `shot` is the last shot. A ball that never moved has the bits of the
-    /// file.
+    /// The same in the file's frame; `shot` is the last shot. A ball that never moved has the bits
+    /// of the file.
     pub fn file_state(&self, i: usize, shot: &Shot, time: f64) -> BallState {
         shot.to_file_frame(i, &self.state(i, time))
     }
 
-    /// The states of all balls of the last shot at `time` (s), not before the last event, in the engine's
-    /// frame.
+    /// The states of all balls of the last shot at `time` (s), not before the last event, in the
+    /// engine's frame.
     pub fn states(&self, time: f64) -> impl ExactSizeIterator<Item = BallState> + '_ {
         (0..self.len()).map(move |i| self.state(i, time))
     }
@@ -136,7 +137,8 @@ impl Shot {
         Simulator::new().record(self)
     }
 
-    /// Why this shot, played with `strike` where that is not its own, has no result, in the user's words.
+    /// Why this shot, played with `strike` where that is not its own, has no result, in the user's
+    /// words.
     pub fn explain(&self, failure: SimulationError, strike: Option<&Strike>) -> Error {
         let played = strike.copied().or(self.strike().map(|(_, strike)| strike));
         match (failure, played) {

@@ -12,8 +12,8 @@ use crate::{Ball, BallState};
 
 const KEYS: &[&str] = &["id", "position", "velocity", "angular_velocity", "mass", "radius"];
 
-/// Reads `balls`; `default` is the physics' ball. Whether they have room on the table is checked with
-/// the rest of the shot.
+/// Reads `balls`; `default` is the physics' ball. Whether they have room on the table is checked
+/// with the rest of the shot.
 pub(super) fn read(at: &At<'_>, default: &Ball) -> Result<Vec<PlacedBall>, Error> {
     at.items("a list of balls")?.iter().map(|item| read_one(item, default)).collect()
 }

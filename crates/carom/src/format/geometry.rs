@@ -8,8 +8,8 @@ use crate::table::{
 };
 
 impl Table {
-    /// Cushions, liners and pockets, and for a table with rails also markings and dimensions. Lengths in m,
-    /// origin at the bottom left corner; infinite sizes are null.
+    /// Cushions, liners and pockets, and for a table with rails also markings and dimensions.
+    /// Lengths in m, origin at the bottom left corner; infinite sizes are null.
     pub fn to_node(&self) -> Node {
         let point = |p: Vec2| {
             let p = p + self.center();

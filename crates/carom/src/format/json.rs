@@ -35,8 +35,8 @@ impl Node {
 /// Longest place in an error, characters. Only malformed files nest so deep.
 const LONGEST_PLACE: usize = 80;
 
-/// The known part of the place of a syntax error. A key that is incomplete or missing is shown as `?`, and
-/// the whole file as `.`.
+/// The known part of the place of a syntax error. A key that is incomplete or missing is shown as
+/// `?`, and the whole file as `.`.
 fn known_part(place: &str) -> &str {
     let known = place.trim_end_matches('?').trim_end_matches('.');
     match known.char_indices().nth(LONGEST_PLACE) {

@@ -1,5 +1,5 @@
-//! Paths of values in a shot file, such as `physics.cloth.sliding_friction`, `balls.cue.position` or
-//! `balls.cue.position[0]`.
+//! Paths of values in a shot file, such as `physics.cloth.sliding_friction`, `balls.cue.position`
+//! or `balls.cue.position[0]`.
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -9,8 +9,8 @@ use core::fmt;
 use super::node::Node;
 use crate::error::Error;
 
-/// The path of a value in a shot file: keys with dots between them, `[i]` for an item of a list. A ball
-/// may be named by its id.
+/// The path of a value in a shot file: keys with dots between them, `[i]` for an item of a list. A
+/// ball may be named by its id.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct KeyPath {
     steps: Vec<PathStep>,
@@ -86,7 +86,8 @@ impl fmt::Display for KeyPath {
     }
 }
 
-/// The value in `node` at `step`; a missing key is added. The error is what is wrong, and the remedy.
+/// The value in `node` at `step`; a missing key is added. The error is what is wrong, and the
+/// remedy.
 fn inside<'a>(node: &'a mut Node, step: &PathStep) -> Result<&'a mut Node, (String, String)> {
     // The name of a preset stands for all its values.
     if let Node::Text(_) = node {

@@ -1,9 +1,9 @@
 //! File formats: reading and writing shots, tables, physics, traces and outcomes.
 //!
-//! A [`Node`] is a tree of plain values, as a JSON text or a Python dictionary holds it. The readers
-//! turn trees into validated data and name the place of everything that they refuse; numbers are
-//! written so that they read back to the same bits. A [`ShotFile`] also keeps the tree that it was read
-//! from, and writes it again unchanged.
+//! A [`Node`] is a tree of plain values, as a JSON text or a Python dictionary holds it. The
+//! readers turn trees into validated data and name the place of everything that they refuse;
+//! numbers are written so that they read back to the same bits. A [`ShotFile`] also keeps the tree
+//! that it was read from, and writes it again unchanged.
 
 mod balls;
 mod geometry;

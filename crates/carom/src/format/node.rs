@@ -4,7 +4,8 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt::Write;
 
-/// A value as written. NaN and infinities are kept, so that a reader can refuse them with their place.
+/// A value as written. NaN and infinities are kept, so that a reader can refuse them with their
+/// place.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Node {
     /// `null`.
@@ -45,8 +46,8 @@ impl Node {
         }
     }
 
-    /// Sets the value under `key`: in its place if the key exists, else at the end. Does nothing if this is
-    /// not an object.
+    /// Sets the value under `key`: in its place if the key exists, else at the end. Does nothing if
+    /// this is not an object.
     pub fn set(&mut self, key: &str, value: impl Into<Node>) {
         let Self::Object(fields) = self else { return };
         match fields.iter_mut().find(|(k, _)| k == key) {
@@ -62,8 +63,8 @@ impl Node {
         }
     }
 
-    /// JSON text, indented where a line would be too long. Every finite number reads back to the same
-    /// bits; other numbers become `null`, because JSON has none.
+    /// JSON text, indented where a line would be too long. Every finite number reads back to the
+    /// same bits; other numbers become `null`, because JSON has none.
     pub fn to_json(&self) -> String {
         let mut out = String::new();
         self.write_json(&mut out, 0);
@@ -109,8 +110,8 @@ impl Node {
         }
     }
 
-    /// Writes the value on one line. Stops, and returns `false`, once `out` is longer than `limit`, so that a
-    /// long value is not written out at every level of its nesting.
+    /// Writes the value on one line. Stops, and returns `false`, once `out` is longer than `limit`,
+    /// so that a long value is not written out at every level of its nesting.
     fn write_flat(&self, out: &mut String, limit: usize) -> bool {
         match self {
             Self::Null => out.push_str("null"),

@@ -165,13 +165,14 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
     fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
 }
 
-/// Models whose restitution may be a fit in the speed: Han's by his paper; Stronge's because measured
-/// cushions need it and his contact allows any e.
+/// Models whose restitution may be a fit in the speed: Han's by his paper; Stronge's because
+/// measured cushions need it and his contact allows any e.
 const RESTITUTION_FITS: &[CushionModel] = &[CushionModel::Han2005, CushionModel::Stronge];
 /// Models whose friction may be a fit in the incidence.
 const FRICTION_FITS: &[CushionModel] = &[CushionModel::Han2005];
 
-/// Replaces a fit of the base that the model does not allow by its value for a slow, perpendicular impact.
+/// Replaces a fit of the base that the model does not allow by its value for a slow, perpendicular
+/// impact.
 fn keep_what_the_model_takes(law: &mut Cushion) {
     if !RESTITUTION_FITS.contains(&law.model) {
         law.restitution = CushionRestitution { a: law.restitution.at(0.0), b: 0.0, c: 0.0 };

@@ -95,8 +95,8 @@ pub(super) fn read_policy(at: &At<'_>) -> Result<StrikePolicy, Error> {
     })
 }
 
-/// Reads the struck ball's index and the strike itself. Whether it can be played is checked with the
-/// rest of the shot.
+/// Reads the struck ball's index and the strike itself. Whether it can be played is checked with
+/// the rest of the shot.
 pub(super) fn read(at: &At<'_>, balls: &[PlacedBall]) -> Result<(usize, Strike), Error> {
     let fields = at.fields(KEYS)?;
     let ball = find_ball(&fields.require("ball", "the id of the struck ball")?, balls)?;
@@ -136,8 +136,8 @@ pub(super) fn write_into(node: &mut Node, id: &str, strike: &Strike) {
     node.set("height", strike.height);
 }
 
-/// Where `path` is that of an angle of the strike in one unit: removes the same angle in the other unit,
-/// which it replaces.
+/// Where `path` is that of an angle of the strike in one unit: removes the same angle in the other
+/// unit, which it replaces.
 pub(super) fn remove_other_unit(file: &mut Node, path: &KeyPath) {
     for Angle { radians_key, degrees_key, .. } in [&AZIMUTH, &ELEVATION] {
         for (written, other) in [(radians_key, degrees_key), (degrees_key, radians_key)] {
@@ -151,7 +151,8 @@ pub(super) fn remove_other_unit(file: &mut Node, path: &KeyPath) {
     }
 }
 
-/// A strike as a shot file has it; `id` is that of the struck ball. What has its usual value is left out.
+/// A strike as a shot file has it; `id` is that of the struck ball. What has its usual value is
+/// left out.
 pub(super) fn write(id: &str, strike: &Strike, policy: StrikePolicy) -> Node {
     let mut node = Node::object([]);
     write_into(&mut node, id, strike);

@@ -189,8 +189,8 @@ fn markings(at: &At<'_>) -> Result<Markings, Error> {
     })
 }
 
-/// `table` as a shot file has it: a preset's name where it is one, else all its keys. Also the name of
-/// the physics preset that belongs to it.
+/// `table` as a shot file has it: a preset's name where it is one, else all its keys. Also the name
+/// of the physics preset that belongs to it.
 pub(super) fn write(table: &Table) -> (Node, String) {
     let Some(description) = &table.description else {
         return (Node::object([("cloth", "unbounded".into())]), UNBOUNDED_PHYSICS.into());

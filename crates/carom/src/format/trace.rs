@@ -1,7 +1,7 @@
 //! `carom-trace/1`: a trace as a tree of values and as JSON, read and written without losing a bit.
 //!
-//! The reader ignores unknown keys, which a newer engine may have written. It checks the known ones, and
-//! that the events have the hash that the trace states.
+//! The reader ignores unknown keys, which a newer engine may have written. It checks the known
+//! ones, and that the events have the hash that the trace states.
 
 use alloc::format;
 use alloc::string::String;
@@ -84,8 +84,8 @@ impl Trace {
         Self::from_node(&Node::from_json(text)?)
     }
 
-    /// Reads a trace from a tree of values. The outcome is computed from the events, so that a trace of an
-    /// older engine gets the keys of this one.
+    /// Reads a trace from a tree of values. The outcome is computed from the events, so that a
+    /// trace of an older engine gets the keys of this one.
     ///
     /// # Errors
     /// [`Error::Input`] that names the place, as for a shot file.

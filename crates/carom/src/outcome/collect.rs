@@ -111,9 +111,9 @@ impl<'a> Collector<'a> {
         }
     }
 
-    /// The next ball after `last` that ball `me` of a contact touches directly, in the order of the gap
-    /// between them (m), then of the number in the contact. In a many-ball contact most balls are only
-    /// touched by others.
+    /// The next ball after `last` that ball `me` of a contact touches directly, in the order of the
+    /// gap between them (m), then of the number in the contact. In a many-ball contact most balls
+    /// are only touched by others.
     fn next_touched(
         &self,
         event: &TraceEvent<'_>,

@@ -66,8 +66,8 @@ impl Frozen {
     }
 }
 
-/// Unit vector and distance (m) from the nearest point of `cushion` to `position`, if that point is not
-/// an end of the cushion and at most `reach` (m) away.
+/// Unit vector and distance (m) from the nearest point of `cushion` to `position`, if that point is
+/// not an end of the cushion and at most `reach` (m) away.
 fn across(cushion: &CushionPart, position: Vec2, reach: f64) -> Option<(Vec2, f64)> {
     match cushion.shape {
         Shape::Segment { start, end, normal } => {

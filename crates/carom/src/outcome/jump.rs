@@ -10,7 +10,8 @@ use crate::MotionState;
 use crate::math::sqrt;
 use crate::trace_event::TraceEvent;
 
-/// The flights in progress. A flight is a ball's path in the air from one of its events to the next.
+/// The flights in progress. A flight is a ball's path in the air from one of its events to the
+/// next.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Jumps {
     /// Balls in the air.
@@ -73,8 +74,8 @@ impl Jumps {
     }
 }
 
-/// Whether `flyer` is above `under`, and [`SEEN`] closer in plan than balls that touch on the cloth, at any
-/// time from the start of both paths to `until` (s).
+/// Whether `flyer` is above `under`, and [`SEEN`] closer in plan than balls that touch on the
+/// cloth, at any time from the start of both paths to `until` (s).
 fn passes_over(flyer: &Track, under: &Track, until: f64) -> bool {
     let from = flyer.since.max(under.since);
     if !under.path.motion.in_play() || until <= from {

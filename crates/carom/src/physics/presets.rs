@@ -1,7 +1,7 @@
 //! The named physics of `carom-shot/1`.
 //!
-//! Every value has its source. Values marked *estimated* or *from memory* have none; they are the first
-//! to be replaced by a measurement.
+//! Every value has its source. Values marked *estimated* or *from memory* have none; they are the
+//! first to be replaced by a measurement.
 
 use super::{
     BallBall, BallBallModel, Cloth, Cue, Cushion, CushionFriction, CushionModel,
@@ -100,8 +100,8 @@ impl Physics {
         }
     }
 
-    /// English pool: 2 in balls on napped cloth. The layout gives the smaller cue ball (1⅞ in, about
-    /// 94 g).
+    /// English pool: 2 in balls on napped cloth. The layout gives the smaller cue ball (1⅞ in,
+    /// about 94 g).
     pub fn english() -> Self {
         let snooker = Self::snooker();
         Self {
@@ -137,8 +137,8 @@ impl Physics {
         }
     }
 
-    /// Close to Poolfiz, the engine of the Computational Olympiad, with the figures of its successor FastFiz
-    /// 0.2 (`FastFiz.h`); docs/poolfiz.md lists what agrees and what differs.
+    /// Close to Poolfiz, the engine of the Computational Olympiad, with the figures of its
+    /// successor FastFiz 0.2 (`FastFiz.h`); docs/poolfiz.md lists what agrees and what differs.
     pub fn poolfiz() -> Self {
         const GRAVITY: f64 = 9.81;
         const RADIUS: f64 = 0.028575;
@@ -233,10 +233,10 @@ const RAIL: Cushion = Cushion {
 
 /// Cushions of a snooker table, fitted to the 31 filmed rebounds of a rolling ball that hits a nose
 /// at 7R/5 squarely (Mathavan, Jackson & Parkin 2009, Fig. 9, 0.28 to 3.5 m/s): 0.023 m/s rms,
-/// 0.044 m/s at most. The friction is the least with this error, because more friction moves oblique
-/// rebounds away from Mathavan 2010's equations. The fit is 1 up to 2 m/s: the remaining loss there comes
-/// from the wedge of slate and nose. Its minimum is 0.58 at 10 m/s, so that it stays plausible for shots
-/// faster than the film. Frequency ratio as in pooltool 0.6.0.
+/// 0.044 m/s at most. The friction is the least with this error, because more friction moves
+/// oblique rebounds away from Mathavan 2010's equations. The fit is 1 up to 2 m/s: the remaining
+/// loss there comes from the wedge of slate and nose. Its minimum is 0.58 at 10 m/s, so that it
+/// stays plausible for shots faster than the film. Frequency ratio as in pooltool 0.6.0.
 const SNOOKER_RAIL: Cushion = Cushion {
     model: CushionModel::Stronge,
     restitution: CushionRestitution { a: 1.24, b: -0.132, c: 0.0066 },

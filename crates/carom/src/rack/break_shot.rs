@@ -53,8 +53,8 @@ impl Game {
         }
     }
 
-    /// The ball that the opening shot aims at, by its number in the rack (the cue ball is 0), and the
-    /// aim's offset to the right of its centre, in ball radii.
+    /// The ball that the opening shot aims at, by its number in the rack (the cue ball is 0), and
+    /// the aim's offset to the right of its centre, in ball radii.
     const fn break_aim(self) -> (usize, f64) {
         match self {
             Self::EightBall | Self::NineBall | Self::TenBall => (1, 0.0),

@@ -1,10 +1,10 @@
 //! Racks: the positions of the balls before the break, by each game's rule book.
 //!
-//! A rack is a lattice of balls whose centres are one ball's diameter and a gap apart. Every ball is
-//! then moved at random, up to half the gap, in any direction. So balls never overlap, neighbours are
-//! a gap apart on average, and a gap of 0 gives an exactly frozen rack, whose bits are
-//! mirror-symmetric. The random numbers are PCG64 (O'Neill 2014) from the seed alone: the same seed
-//! gives the same rack in every process and on every platform.
+//! A rack is a lattice of balls whose centres are one ball's diameter and a gap apart. Every ball
+//! is then moved at random, up to half the gap, in any direction. So balls never overlap,
+//! neighbours are a gap apart on average, and a gap of 0 gives an exactly frozen rack, whose bits
+//! are mirror-symmetric. The random numbers are PCG64 (O'Neill 2014) from the seed alone: the same
+//! seed gives the same rack in every process and on every platform.
 
 mod break_shot;
 mod pattern;
@@ -32,8 +32,8 @@ const WIDEST_GAP: f64 = 5e-3;
 /// it" (rules of snooker, section 3). Estimated.
 const PINK_GAP: f64 = 1e-3;
 
-/// Distance of the cue ball from the middle of the head string in a three-cushion start, m (UMB; from
-/// memory).
+/// Distance of the cue ball from the middle of the head string in a three-cushion start, m (UMB;
+/// from memory).
 const THREE_CUSHION_OFFSET: f64 = 0.1825;
 
 /// PCG's stream. Any constant would do; another one changes the rack of every seed.
@@ -141,8 +141,8 @@ pub fn rack(
     Ok(balls)
 }
 
-/// Positions of the colours of snooker on `table`, from the yellow to the black (file's frame, m): on the
-/// table's own spots, else where a snooker table has them, in proportion.
+/// Positions of the colours of snooker on `table`, from the yellow to the black (file's frame, m):
+/// on the table's own spots, else where a snooker table has them, in proportion.
 pub fn snooker_spots(table: &Table) -> [[f64; 2]; 6] {
     let [middle, baulk] = spot(table, "brown", 0.2);
     let [yellow, _] = spot(table, "yellow", 0.2);
@@ -218,8 +218,8 @@ impl<'a> RackPlan<'a> {
         [0.5 * self.table.size.x, self.head_string() - self.radius]
     }
 
-    /// The apex is on the foot spot. On English tables the 8, two rows behind the apex, is on its spot
-    /// (WEPF).
+    /// The apex is on the foot spot. On English tables the 8, two rows behind the apex, is on its
+    /// spot (WEPF).
     fn apex(&self, game: Game) -> [f64; 2] {
         match (game, marked(self.table, "foot"), marked(self.table, "black")) {
             (Game::EightBall, None, Some([x, y])) => [x, y - 2.0 * self.row()],

@@ -1,5 +1,5 @@
-//! The order of the balls in a rack of pool. Places are numbered from the apex, row by row, from left to
-//! right.
+//! The order of the balls in a rack of pool. Places are numbered from the apex, row by row, from
+//! left to right.
 
 use alloc::vec::Vec;
 
@@ -36,15 +36,16 @@ pub(super) fn order(game: Game, random: &mut Pcg64) -> Vec<u8> {
     order
 }
 
-/// WPA: the 8 in the middle, a solid in one back corner and a stripe in the other, the others in any order.
+/// WPA: the 8 in the middle, a solid in one back corner and a stripe in the other, the others in
+/// any order.
 fn eight_ball(order: &mut [u8], random: &mut Pcg64) {
     put(order, EIGHT, CENTER);
     let solid_left = below(random, 2) == 0;
     for (corner, solid) in CORNERS.into_iter().zip([solid_left, !solid_left]) {
         let fits = |n: u8| n != EIGHT && (n <= LAST_SOLID) == solid;
         let candidates: Vec<usize> = (0..order.len()).filter(|&i| fits(order[i])).collect();
-        // A random one of the balls that fit, so that every number is equally likely everywhere. It is
-        // never the ball of the other corner, which is of the other kind.
+        // A random one of the balls that fit, so that every number is equally likely everywhere. It
+        // is never the ball of the other corner, which is of the other kind.
         order.swap(corner, candidates[below(random, candidates.len())]);
     }
 }

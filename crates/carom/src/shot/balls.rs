@@ -14,7 +14,8 @@ use crate::{BallState, MotionState, Table, motion};
 
 /// Largest speed of a ball, m/s. The fastest breaks are near 15 m/s.
 const LARGEST_SPEED: f64 = 100.0;
-/// Largest spin of a ball, rad/s. A tip at the miscue limit gives a ball of 30 m/s about 1300 rad/s.
+/// Largest spin of a ball, rad/s. A tip at the miscue limit gives a ball of 30 m/s about 1300
+/// rad/s.
 const LARGEST_SPIN: f64 = 10_000.0;
 
 /// A ball's mass.
@@ -25,8 +26,8 @@ pub(crate) const RADIUS: Range = Range::positive(" m");
 /// `balls` with the heights and motion states that a simulation starts from.
 ///
 /// # Errors
-/// [`Error::Input`] for too few or too many balls, numbers out of range, ids that are not unique, balls
-/// outside the table, and overlaps.
+/// [`Error::Input`] for too few or too many balls, numbers out of range, ids that are not unique,
+/// balls outside the table, and overlaps.
 pub(super) fn checked(mut balls: Vec<PlacedBall>, table: &Table) -> Result<Vec<PlacedBall>, Error> {
     check_count(balls.len())?;
     for (i, PlacedBall { ball, state, .. }) in balls.iter_mut().enumerate() {
@@ -78,8 +79,8 @@ pub(crate) fn fits(index: usize, balls: &[PlacedBall], table: &Table) -> bool {
         && super::place::check(index, ball, table).is_ok()
 }
 
-/// The height of a centre, m: exactly the radius if it is within [`TOUCH_TOLERANCE`] of it, so that a
-/// ball either lies on the bed or does not.
+/// The height of a centre, m: exactly the radius if it is within [`TOUCH_TOLERANCE`] of it, so that
+/// a ball either lies on the bed or does not.
 fn height(place: impl FnOnce() -> String, z: f64, radius: f64) -> Result<f64, Error> {
     if z < radius - TOUCH_TOLERANCE {
         return Err(Error::input(

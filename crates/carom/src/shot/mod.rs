@@ -96,8 +96,9 @@ impl Shot {
         Ok(Self { strike, ..self.clone() })
     }
 
-    /// Other balls on the same table, under the same physics; `strike` is the struck ball's index and
-    /// the strike. States are in the file's frame; each ball's motion state follows from the rest.
+    /// Other balls on the same table, under the same physics; `strike` is the struck ball's index
+    /// and the strike. States are in the file's frame; each ball's motion state follows from the
+    /// rest.
     ///
     /// # Errors
     /// [`Error::Input`] for what a shot file with such `balls` and `strike` would be refused for:
@@ -116,6 +117,14 @@ impl Shot {
     /// The shot, if its strike can be played.
     fn checked(self) -> Result<Self, Error> {
         if let Some((ball, strike)) = &self.strike {
+            if *ball >= self.balls.len() {
+                let remedy = format!("count the {} balls from 0", self.balls.len());
+                return Err(Error::input(
+                    "strike.ball",
+                    format!("there is no ball {ball}"),
+                    remedy,
+                ));
+            }
             strike::check_ranges("strike", strike)?;
             strike::check("strike", *ball, strike, &self.balls, &self.physics)?;
             self.refuse_obstruction(*ball, strike)?;
@@ -128,8 +137,8 @@ impl Shot {
         &self.table
     }
 
-    /// The physics. If miscues are only reported, its `cue.tip_friction` is so large that the tip never
-    /// slips.
+    /// The physics. If miscues are only reported, its `cue.tip_friction` is so large that the tip
+    /// never slips.
     pub fn physics(&self) -> &Arc<Physics> {
         &self.physics
     }
@@ -167,9 +176,9 @@ impl Shot {
     /// Velocity (m/s) and spin (rad/s) that `strike` gives to the struck ball.
     ///
     /// # Errors
-    /// [`Error::Input`] if the shot has no strike, if the strike is out of range, off the ball, past
-    /// the miscue limit or unreachable with the tip's efficiency, and if the cue is obstructed and the
-    /// shot refuses that.
+    /// [`Error::Input`] if the shot has no strike, if the strike is out of range, off the ball,
+    /// past the miscue limit or unreachable with the tip's efficiency, and if the cue is obstructed
+    /// and the shot refuses that.
     pub fn resolve_strike(&self, strike: &Strike) -> Result<(Vec3, Vec3), Error> {
         let Some((ball, _)) = self.strike else {
             return Err(Error::input("strike", "the shot has no strike", "add one to vary it"));
@@ -180,15 +189,15 @@ impl Shot {
         Ok(struck)
     }
 
-    /// The ball or rail nearest to the tip that the cue would pass through. A cue below 5° may be raised
-    /// to 5° to clear an obstacle, as players do.
+    /// The ball or rail nearest to the tip that the cue would pass through. A cue below 5° may be
+    /// raised to 5° to clear an obstacle, as players do.
     pub fn cue_obstruction(&self) -> Option<Touched> {
         let (ball, strike) = self.strike?;
         self.cue_on(ball, &strike).obstruction(strike.elevation)
     }
 
-    /// The least elevation (rad) at which the cue is not obstructed, with the rest of the strike unchanged;
-    /// none without a strike, or if even an upright cue is obstructed.
+    /// The least elevation (rad) at which the cue is not obstructed, with the rest of the strike
+    /// unchanged; none without a strike, or if even an upright cue is obstructed.
     pub fn least_elevation(&self) -> Option<f64> {
         let (ball, strike) = self.strike?;
         self.cue_on(ball, &strike).least_elevation()
@@ -220,8 +229,8 @@ impl Shot {
         ))
     }
 
-    /// A state of ball `ball` in the engine's frame, converted to the file's. A coordinate that has not
-    /// changed since the start gets the exact value of the file; the conversion would round it.
+    /// A state of ball `ball` in the engine's frame, converted to the file's. A coordinate that has
+    /// not changed since the start gets the exact value of the file; the conversion would round it.
     pub fn to_file_frame(&self, ball: usize, state: &BallState) -> BallState {
         let written = &self.balls[ball].state;
         let start = self.table.to_engine_frame(written).position;

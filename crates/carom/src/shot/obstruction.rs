@@ -1,18 +1,18 @@
 //! Balls and rails that obstruct the cue, and the elevation that clears them.
 //!
-//! The cue is a straight cone from the contact point backwards. Raising it rotates it about the struck
-//! ball's centre, in the vertical plane through its axis, because the tip offset is measured
-//! perpendicular to the cue. In that plane, an obstacle has the polar angle φ above the horizontal and
-//! the distance ρ from that centre. With the cue at the elevation θ, the obstacle is ρ·sin(φ − θ) above
-//! the line through the centre, and the axis is `height` ball radii above it. So the interval of elevations
-//! that an obstacle blocks has a closed form. The thickness of the cue at the obstacle is taken at the
-//! distance ρ from the ball's centre, which is right to 0.1 mm.
+//! The cue is a straight cone from the contact point backwards. Raising it rotates it about the
+//! struck ball's centre, in the vertical plane through its axis, because the tip offset is measured
+//! perpendicular to the cue. In that plane, an obstacle has the polar angle φ above the horizontal
+//! and the distance ρ from that centre. With the cue at the elevation θ, the obstacle is ρ·sin(φ −
+//! θ) above the line through the centre, and the axis is `height` ball radii above it. So the
+//! interval of elevations that an obstacle blocks has a closed form. The thickness of the cue at
+//! the obstacle is taken at the distance ρ from the ball's centre, which is right to 0.1 mm.
 //!
 //! * A ball blocks the cue if its distance from the axis is less than the sum of the two radii.
-//! * The rails' tops are flat at the height of the nose. Over an edge of a top the cue's axis must be
-//!   higher by its radius r in the plane. If the edge is oblique, at an angle ψ to the plane's normal, the
-//!   side of the cue touches it first, and the axis must be higher by r√(cos²θ + sin²θ/cos²ψ). Over a pocket
-//!   the top begins at the back of the hole.
+//! * The rails' tops are flat at the height of the nose. Over an edge of a top the cue's axis must
+//!   be higher by its radius r in the plane. If the edge is oblique, at an angle ψ to the plane's
+//!   normal, the side of the cue touches it first, and the axis must be higher by r√(cos²θ +
+//!   sin²θ/cos²ψ). Over a pocket the top begins at the back of the hole.
 
 use alloc::vec::Vec;
 
@@ -28,12 +28,12 @@ const TIP: f64 = 0.0065;
 /// Radius at the butt, m: 29 mm across, as usual.
 const BUTT: f64 = 0.0145;
 
-/// Elevation of the cue in a usual stance, rad (5°): a level cue would pass through the rail behind it in
-/// nearly every shot. A cue at a lower elevation may be raised to this one.
+/// Elevation of the cue in a usual stance, rad (5°): a level cue would pass through the rail behind
+/// it in nearly every shot. A cue at a lower elevation may be raised to this one.
 const STANCE: f64 = 0.087_266_462_599_716_48;
 
-/// Least step of the search for the least elevation, rad: under 2 µm at the butt. The search needs more
-/// than one step only for oblique edges, and then a few.
+/// Least step of the search for the least elevation, rad: under 2 µm at the butt. The search needs
+/// more than one step only for oblique edges, and then a few.
 const RESOLUTION: f64 = 1e-6;
 
 const UPRIGHT: f64 = core::f64::consts::FRAC_PI_2;
@@ -68,7 +68,8 @@ enum Section {
 }
 
 impl Obstacle {
-    /// Heights of the axis above the obstacle, m: the one that clears it, and the one at `elevation`.
+    /// Heights of the axis above the obstacle, m: the one that clears it, and the one at
+    /// `elevation`.
     fn wanted_and_had(&self, height: f64, elevation: f64) -> (f64, f64) {
         let (sin, _) = sin_cos(self.polar - elevation);
         let wanted = match self.shape {
@@ -81,7 +82,8 @@ impl Obstacle {
         (wanted, height - self.distance * sin)
     }
 
-    /// Whether a cue whose axis passes `height` (m) above the ball's centre passes through the obstacle.
+    /// Whether a cue whose axis passes `height` (m) above the ball's centre passes through the
+    /// obstacle.
     fn blocks(&self, height: f64, elevation: f64) -> bool {
         let (wanted, had) = self.wanted_and_had(height, elevation);
         let behind = (self.polar - elevation).abs() < UPRIGHT;
@@ -90,8 +92,8 @@ impl Obstacle {
         behind && had < wanted - TOUCH_TOLERANCE && !passes_below
     }
 
-    /// A lower bound of the elevations above `elevation`, where the obstacle blocks, that clear it; none if
-    /// no elevation does.
+    /// A lower bound of the elevations above `elevation`, where the obstacle blocks, that clear it;
+    /// none if no elevation does.
     fn cleared_from(&self, height: f64, elevation: f64) -> Option<f64> {
         let (wanted, _) = self.wanted_and_had(height, elevation);
         let sin = (height - wanted) / self.distance;
@@ -138,8 +140,8 @@ impl CueLine {
         line
     }
 
-    /// Adds an obstacle `behind` the ball's centre and `above` it (m) if the cue is that long; `section`
-    /// takes the cue's radius there, m.
+    /// Adds an obstacle `behind` the ball's centre and `above` it (m) if the cue is that long;
+    /// `section` takes the cue's radius there, m.
     fn add(
         &mut self,
         what: Touched,
@@ -176,13 +178,14 @@ impl CueLine {
         }
     }
 
-    /// The least elevation, rad, at which nothing blocks the cue; none if every elevation is blocked.
+    /// The least elevation, rad, at which nothing blocks the cue; none if every elevation is
+    /// blocked.
     pub(super) fn least_elevation(&self) -> Option<f64> {
         self.least_from(0.0)
     }
 
-    /// The ball or rail nearest to the tip that blocks a cue at `elevation`, even if it is raised to
-    /// [`STANCE`].
+    /// The ball or rail nearest to the tip that blocks a cue at `elevation`, even if it is raised
+    /// to [`STANCE`].
     pub(super) fn obstruction(&self, elevation: f64) -> Option<Touched> {
         let raised = elevation.max(STANCE);
         if self.least_from(elevation).is_some_and(|least| least <= raised) {
@@ -202,8 +205,8 @@ struct Crossing {
     cos: f64,
 }
 
-/// The edges of the rails' tops that the ray from `from` along the unit vector `way` crosses, in the
-/// engine's frame.
+/// The edges of the rails' tops that the ray from `from` along the unit vector `way` crosses, in
+/// the engine's frame.
 fn edges(table: &Table, from: Vec2, way: Vec2) -> Vec<Crossing> {
     let mut found = Vec::new();
     let Some(description) = &table.description else { return found };
@@ -248,8 +251,8 @@ fn edges(table: &Table, from: Vec2, way: Vec2) -> Vec<Crossing> {
     found
 }
 
-/// The points where the line from `from` along `way` crosses a circle: the distance, m, and the unit
-/// normal.
+/// The points where the line from `from` along `way` crosses a circle: the distance, m, and the
+/// unit normal.
 fn circle(from: Vec2, way: Vec2, center: Vec2, radius: f64) -> impl Iterator<Item = (f64, Vec2)> {
     let to_center = center - from;
     let (ahead, aside) = (way.dot(to_center), way.cross(to_center));

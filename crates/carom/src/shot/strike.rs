@@ -59,8 +59,8 @@ pub(super) fn check_ranges(place: &str, strike: &Strike) -> Result<(), Error> {
 /// The velocity (m/s) and the spin (rad/s) that a strike gives. `place` is the place of the strike.
 ///
 /// # Errors
-/// [`Error::Input`] for a ball that moves or is not on the cloth, and for a strike off the ball, past the
-/// miscue limit, or unreachable with the tip's efficiency.
+/// [`Error::Input`] for a ball that moves or is not on the cloth, and for a strike off the ball,
+/// past the miscue limit, or unreachable with the tip's efficiency.
 pub(super) fn check(
     place: &str,
     ball: usize,

@@ -23,7 +23,8 @@ impl Bounds {
         })
     }
 
-    /// The box around a part of a cushion seen from above; of a round part, around its whole circle.
+    /// The box around a part of a cushion seen from above; of a round part, around its whole
+    /// circle.
     pub(crate) fn of_shape(shape: &Shape) -> Self {
         match *shape {
             Shape::Segment { start, end, .. } => Self::of([start, end]),
@@ -49,7 +50,8 @@ impl Bounds {
         Self { low: self.low - by, high: self.high + by }
     }
 
-    /// Whether the boxes are disjoint. One branch for all four sides: which side decides is unpredictable.
+    /// Whether the boxes are disjoint. One branch for all four sides: which side decides is
+    /// unpredictable.
     #[inline(always)]
     pub(crate) fn is_clear_of(&self, other: &Self) -> bool {
         (self.low.x > other.high.x)
@@ -70,7 +72,8 @@ fn greater(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// The parts that reach into each quadrant of the table. A path within one quadrant can touch no others.
+/// The parts that reach into each quadrant of the table. A path within one quadrant can touch no
+/// others.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Quadrants {
     /// Bottom left, bottom right, top left, top right.

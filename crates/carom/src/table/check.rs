@@ -98,8 +98,9 @@ pub(super) fn jaw(
     Ok(())
 }
 
-/// Checks the back of a pocket: the hole is as wide as the facings are apart (`wide`), its back lies
-/// behind the deep ends (`deep`), and the facings' lines reach that back before they meet (`open`).
+/// Checks the back of a pocket: the hole is as wide as the facings are apart (`wide`), its back
+/// lies behind the deep ends (`deep`), and the facings' lines reach that back before they meet
+/// (`open`).
 pub(super) fn liner(
     kind: PocketKind,
     wide: bool,

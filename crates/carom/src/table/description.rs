@@ -22,8 +22,8 @@ pub struct TableDescription {
     pub cushion_height: f64,
     /// Width of the rubber: from the nose line to where the facings end, m. Greater than 0.
     pub cushion_width: f64,
-    /// Width of the rail, cushion included, m: a ball whose centre is further out is off the table. At
-    /// least `cushion_width`, and wide enough to hold the holes.
+    /// Width of the rail, cushion included, m: a ball whose centre is further out is off the table.
+    /// At least `cushion_width`, and wide enough to hold the holes.
     pub rail_width: f64,
     /// Whether there are pockets.
     pub pockets: PocketLayout,
@@ -54,8 +54,8 @@ pub enum PocketLayout {
 /// What captures a ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PocketModel {
-    /// A ball falls when its centre is over the hole in the slate, and is captured once it cannot come
-    /// back.
+    /// A ball falls when its centre is over the hole in the slate, and is captured once it cannot
+    /// come back.
     #[default]
     DropCircle,
     /// The ball's centre crosses the line from tip to tip away from the table's centre (Leckie &
@@ -71,11 +71,11 @@ pub enum PocketModel {
 pub struct PocketDescription {
     /// Distance between the two tips, m.
     pub mouth: f64,
-    /// Angle inside the rubber between nose and facing, degrees. Facings are parallel at 135 in a corner and
-    /// at 90 in a side pocket; with larger angles the pocket narrows inwards.
+    /// Angle inside the rubber between nose and facing, degrees. Facings are parallel at 135 in a
+    /// corner and at 90 in a side pocket; with larger angles the pocket narrows inwards.
     pub cut_angle_deg: f64,
-    /// From the mouth (the line from tip to tip) to the edge of the hole, along the pocket's axis, m.
-    /// Negative where the hole reaches in front of the mouth.
+    /// From the mouth (the line from tip to tip) to the edge of the hole, along the pocket's axis,
+    /// m. Negative where the hole reaches in front of the mouth.
     pub shelf: f64,
     /// Radius of the hole in the slate, m.
     pub hole_radius: f64,

@@ -62,8 +62,8 @@ impl TableDescription {
 }
 
 impl Table {
-    /// The dimensions in a fixed order, with the source of each figure if the table is an unchanged preset;
-    /// empty for unbounded cloth.
+    /// The dimensions in a fixed order, with the source of each figure if the table is an unchanged
+    /// preset; empty for unbounded cloth.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let Some(description) = &self.description else { return Vec::new() };
         let sheet = self.name.as_deref().and_then(sheet);

@@ -5,14 +5,15 @@
 pub enum TableFeature {
     /// Index into `Table::cushions`.
     Cushion(u16),
-    /// Index into `Table::pockets`: the ball's centre comes over the hole, or crosses the mouth line.
+    /// Index into `Table::pockets`: the ball's centre comes over the hole, or crosses the mouth
+    /// line.
     Pocket(u8),
     /// The slate, from above.
     Slate,
     /// The edge of a hole in the slate, index into `Table::pockets`.
     Lip(u8),
-    /// The centre of a ball in the hole of a pocket (index) comes down to a height below which it may not
-    /// come back: the slate's surface, or a radius below it.
+    /// The centre of a ball in the hole of a pocket (index) comes down to a height below which it
+    /// may not come back: the slate's surface, or a radius below it.
     Depth(u8),
     /// The edge of a rail's top, where a ball on the top loses its support.
     Brink,

@@ -1,5 +1,5 @@
-//! The two frames of reference. In files, traces and arrays the origin is the bottom left corner of the
-//! playing area; in the engine it is the centre, so that a mirrored table has mirrored bits.
+//! The two frames of reference. In files, traces and arrays the origin is the bottom left corner of
+//! the playing area; in the engine it is the centre, so that a mirrored table has mirrored bits.
 
 use super::Table;
 use crate::BallState;

@@ -1,8 +1,8 @@
 //! From a description to noses, points, facings, mouths and holes.
 //!
 //! Everything is built once, in the quadrant x ≤ 0, y ≤ 0, and mirrored by negation, so that a
-//! mirrored table has mirrored bits. [`super::jaw`] builds the jaws, [`super::opening`] what lies behind
-//! their deep ends.
+//! mirrored table has mirrored bits. [`super::jaw`] builds the jaws, [`super::opening`] what lies
+//! behind their deep ends.
 
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
@@ -18,7 +18,8 @@ use super::{
 };
 use crate::math::Vec2;
 
-/// A jaw of the quadrant, or something that belongs to it, and how it is mirrored into another quadrant.
+/// A jaw of the quadrant, or something that belongs to it, and how it is mirrored into another
+/// quadrant.
 #[derive(Clone, Copy)]
 struct Mirrored<T> {
     jaw: T,
@@ -30,8 +31,8 @@ struct Mirrored<T> {
     slot: usize,
 }
 
-/// The six rails around the table, each with its first and its last jaw. The three given are the jaws of a
-/// short rail, of a long rail at a corner, and of a long rail at a side pocket.
+/// The six rails around the table, each with its first and its last jaw. The three given are the
+/// jaws of a short rail, of a long rail at a corner, and of a long rail at a side pocket.
 fn stands<T: Copy>([bottom, left, side]: [T; 3]) -> [(Rail, Mirrored<T>, Mirrored<T>); 6] {
     let stand = |jaw, x, y, pocket, slot| Mirrored { jaw, signs: Vec2::new(x, y), pocket, slot };
     [
@@ -49,8 +50,8 @@ const RAIL_PLACES: [usize; 6] = [0, 4, 5, 1, 3, 2];
 
 /// The back of a pocket of the quadrant.
 struct PocketBack {
-    /// A point on the line of the (first) jaw, m. Between it and its mirror image lies the hole, or with the
-    /// mouth-line model the end of the opening.
+    /// A point on the line of the (first) jaw, m. Between it and its mirror image lies the hole, or
+    /// with the mouth-line model the end of the opening.
     end: Vec2,
     /// Centre and radius of the hole that closes it, m; none with the mouth-line model.
     hole: Option<(Vec2, f64)>,
@@ -102,8 +103,9 @@ impl Table {
     /// The table that `description` describes.
     ///
     /// # Errors
-    /// [`TableError`] with the key and the remedy: for a length that is not finite and positive, a missing
-    /// pocket, jaws, mouths and holes that do not fit together, or rails too narrow for the holes.
+    /// [`TableError`] with the key and the remedy: for a length that is not finite and positive, a
+    /// missing pocket, jaws, mouths and holes that do not fit together, or rails too narrow for the
+    /// holes.
     pub fn from_description(description: &TableDescription) -> Result<Self, TableError> {
         check::lengths(description)?;
         let half = Vec2::new(0.5 * description.width, 0.5 * description.length);
@@ -177,8 +179,8 @@ impl Table {
         check::rails(self.layout.border, half, &self.pockets)
     }
 
-    /// Adds the liners, which close the pockets behind the deep ends of their jaws. Returns the backs of a
-    /// corner and of a side pocket.
+    /// Adds the liners, which close the pockets behind the deep ends of their jaws. Returns the
+    /// backs of a corner and of a side pocket.
     fn add_backs(
         &mut self,
         [bottom, left, side]: [&Jaw; 3],
@@ -226,8 +228,8 @@ impl Table {
         jaws.map(|slots| slots.concat())
     }
 
-    /// Adds a jaw's parts, from the deep end to the nose or the other way round. Returns their indices, that
-    /// of the point first.
+    /// Adds a jaw's parts, from the deep end to the nose or the other way round. Returns their
+    /// indices, that of the point first.
     fn add_jaw(&mut self, rail: Rail, stand: Mirrored<&Jaw>, from_deep_end: bool) -> Vec<u16> {
         let begin = self.cushions.len() as u16;
         let mut parts: Vec<CushionPart> = stand
@@ -244,8 +246,8 @@ impl Table {
         if from_deep_end { indices.rev().collect() } else { indices.collect() }
     }
 
-    /// Adds the liners: first the straight runs, then the walls. A run that a ball on the cloth can touch is
-    /// added to the parts of its mouth.
+    /// Adds the liners: first the straight runs, then the walls. A run that a ball on the cloth can
+    /// touch is added to the parts of its mouth.
     fn add_liners(&mut self, [bottom, left, side]: &[Liner; 3], in_mouth: &mut [Vec<u16>; 6]) {
         let rails = stands([bottom, left, side]);
         let each = rails.iter().flat_map(|(rail, first, last)| [(*rail, first), (*rail, last)]);
@@ -314,7 +316,8 @@ impl Table {
         ];
         for ((name, sx, sy, kind), parts) in pockets.into_iter().zip(in_mouth) {
             let signs = Vec2::new(sx, sy);
-            // Tips and deep ends of both jaws; the upper jaw of a side pocket mirrors the lower one.
+            // Tips and deep ends of both jaws; the upper jaw of a side pocket mirrors the lower
+            // one.
             let (shape, jaw, ends, back) = match kind {
                 PocketKind::Corner => {
                     (corner, bottom_jaw, [left_jaw.tip, left_jaw.deep], &backs[0])
@@ -404,7 +407,8 @@ fn clear_reach(
     bottom: &Jaw,
 ) -> f64 {
     let inwards = Vec2::new(FRAC_1_SQRT_2, FRAC_1_SQRT_2);
-    // Distances in front of the corner along the diagonal; the smaller area's corner is at √2·reach.
+    // Distances in front of the corner along the diagonal; the smaller area's corner is at
+    // √2·reach.
     let at_corner = match model {
         PocketModel::MouthLine => 0.5 * corner.mouth * FRAC_1_SQRT_2,
         PocketModel::DropCircle => {

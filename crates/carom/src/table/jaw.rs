@@ -1,7 +1,7 @@
 //! One jaw of a pocket: point and facing.
 //!
-//! A jaw is built in coordinates of its own rail: `along` the nose line from the pocket's middle (the
-//! corner, or the middle of a long rail), and `behind` it:
+//! A jaw is built in coordinates of its own rail: `along` the nose line from the pocket's middle
+//! (the corner, or the middle of a long rail), and `behind` it:
 //!
 //! ```text
 //!                tip      nose line
@@ -14,8 +14,8 @@
 //! ```
 //!
 //! With tip T, point radius r and turn φ, the point's centre is r behind the nose line and
-//! r·tan(φ/2) further along than T. The arc is tangent to the nose there, and to the facing at the same
-//! distance from T.
+//! r·tan(φ/2) further along than T. The arc is tangent to the nose there, and to the facing at the
+//! same distance from T.
 
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
@@ -77,8 +77,8 @@ pub(super) fn tangent_length(shape: &PocketDescription) -> f64 {
     shape.point_radius * tan(0.5 * turn(shape))
 }
 
-/// Distance along the pocket's axis from the middle of the pocket on the nose line (the corner, or the
-/// middle of the rail) to the hole's centre, m.
+/// Distance along the pocket's axis from the middle of the pocket on the nose line (the corner, or
+/// the middle of the rail) to the hole's centre, m.
 fn hole_depth(shape: &PocketDescription, kind: PocketKind) -> f64 {
     match kind {
         // The mouth lies in front of the corner.
@@ -137,8 +137,8 @@ pub(super) fn jaw(
     };
     let mut parts = Vec::new();
     parts.push(arc([nose_start, radius], radius, [0.0, -1.0], tangent_normal));
-    // With an explicit throat the facing is not tangent to the arc. Where that makes a convex corner, the
-    // corner is a point of radius 0; in a concave one the ball touches both parts.
+    // With an explicit throat the facing is not tangent to the arc. Where that makes a convex
+    // corner, the corner is a point of radius 0; in a concave one the ball touches both parts.
     if tangent_normal[1] * normal[0] - tangent_normal[0] * normal[1] > 0.0 {
         parts.push(arc(point_end, 0.0, tangent_normal, normal));
     }

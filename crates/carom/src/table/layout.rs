@@ -8,7 +8,8 @@ use super::{CushionPart, Part, Pocket};
 use crate::math::Vec2;
 
 /// Extra length of a straight part at either end in detection, m: 1 nm, ten million roundings of a
-/// position. Beside a round neighbour it stands out by (1 nm)²/2δ ≈ 2e-17 m, less than one rounding.
+/// position. Beside a round neighbour it stands out by (1 nm)²/2δ ≈ 2e-17 m, less than one
+/// rounding.
 pub(crate) const JOIN_OVERLAP: f64 = 1e-9;
 
 /// Where a ball can touch which part, and the bounding boxes of the parts.
@@ -24,8 +25,8 @@ pub(crate) struct DetectionIndex {
     pub(crate) noses: [u16; 6],
     /// The mouths, in the order of the pockets.
     pub(crate) mouths: Vec<Mouth>,
-    /// A ball of at least this reach, m, can touch only noses while its centre is in the playing area
-    /// made smaller by `reach` on every side.
+    /// A ball of at least this reach, m, can touch only noses while its centre is in the playing
+    /// area made smaller by `reach` on every side.
     pub(crate) clear_reach: f64,
     /// Half the table, to the outer edge of its rails, m.
     pub(crate) border: Vec2,
@@ -49,8 +50,8 @@ pub(crate) struct Mouth {
     pub(crate) parts: Vec<u16>,
     /// The line that captures balls.
     pub(crate) gate: Gate,
-    /// Cosine of the largest angle to the pocket's axis at which the liner's round wall stands, seen from
-    /// the hole's centre.
+    /// Cosine of the largest angle to the pocket's axis at which the liner's round wall stands,
+    /// seen from the hole's centre.
     pub(crate) liner_from: f64,
     /// All its points, facings and liners, which a flying ball can touch: index and box.
     pub(crate) all: Vec<(u16, Bounds)>,
@@ -58,24 +59,25 @@ pub(crate) struct Mouth {
     pub(crate) bounds: Bounds,
 }
 
-/// A line across a pocket that captures a ball on the cloth which crosses it outwards. With the drop-circle
-/// model it lies over the hole and only bounds the search: a centre can reach it only over the hole.
+/// A line across a pocket that captures a ball on the cloth which crosses it outwards. With the
+/// drop-circle model it lies over the hole and only bounds the search: a centre can reach it only
+/// over the hole.
 ///
 /// A centre p is beyond the line when axis·p ≥ offset + lean·reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Gate {
     /// Its distance from the table's centre along the pocket's axis, m.
     pub(crate) offset: f64,
-    /// Change of that distance per metre of reach: the centre of a ball that touches the deep end of a
-    /// facing is one reach away from it, along the facing's normal.
+    /// Change of that distance per metre of reach: the centre of a ball that touches the deep end
+    /// of a facing is one reach away from it, along the facing's normal.
     pub(crate) lean: f64,
     /// Half its width, m. It ends inside the rubber.
     pub(crate) half_width: f64,
 }
 
 impl DetectionIndex {
-    /// Computes the boxes of all parts, and assigns every point, facing and liner to the mouth of its
-    /// pocket.
+    /// Computes the boxes of all parts, and assigns every point, facing and liner to the mouth of
+    /// its pocket.
     pub(super) fn bound_parts(&mut self, cushions: &[CushionPart], pockets: &[Pocket]) {
         // Straight parts are longer by JOIN_OVERLAP at either end.
         let bounds = |c: &CushionPart| Bounds::of_shape(&c.shape).grown(JOIN_OVERLAP);

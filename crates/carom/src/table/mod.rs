@@ -1,8 +1,8 @@
 //! The table: one parametric description, and the geometry that follows from it.
 //!
-//! A [`TableDescription`] has the dimensions that a maker would give; [`Table::from_description`] computes
-//! noses, points, facings, holes and mouths ([`geometry`], [`jaw`]), liners and the tops of the rails
-//! ([`opening`]); [`crate::detect`] finds the contacts of a ball with them.
+//! A [`TableDescription`] has the dimensions that a maker would give; [`Table::from_description`]
+//! computes noses, points, facings, holes and mouths ([`geometry`], [`jaw`]), liners and the tops
+//! of the rails ([`opening`]); [`crate::detect`] finds the contacts of a ball with them.
 
 mod bounds;
 mod check;
@@ -53,9 +53,9 @@ pub struct Table {
     /// Height of the cushion nose above the slate, m.
     pub cushion_height: f64,
     /// First noses, facings and points, counter-clockwise around the table from the left end of the
-    /// bottom rail; within a rail facing, point, nose, point, facing. Then, in the same order of rails,
-    /// with the drop-circle model the liners (first their straight runs, then their round walls, two each
-    /// per rail), and the rails' tops.
+    /// bottom rail; within a rail facing, point, nose, point, facing. Then, in the same order of
+    /// rails, with the drop-circle model the liners (first their straight runs, then their round
+    /// walls, two each per rail), and the rails' tops.
     pub cushions: Vec<CushionPart>,
     /// Pockets, in the order of their numbers in results: bottom-left, bottom-right, left, right,
     /// top-left, top-right.
@@ -63,17 +63,17 @@ pub struct Table {
     pub(crate) layout: DetectionIndex,
 }
 
-/// How far from the nose line the centre of a ball on the cloth is when they touch, m:
-/// √(R² − (h − R)²) for a ball of radius `radius` (m) and a nose `cushion_height` (m) above the slate;
-/// `None` if the ball passes below or above it.
+/// How far from the nose line the centre of a ball on the cloth is when they touch, m: √(R² − (h −
+/// R)²) for a ball of radius `radius` (m) and a nose `cushion_height` (m) above the slate; `None`
+/// if the ball passes below or above it.
 pub fn nose_reach(cushion_height: f64, radius: f64) -> Option<f64> {
     let squared = radius * radius - (cushion_height - radius) * (cushion_height - radius);
     (squared > 0.0).then(|| sqrt(squared))
 }
 
 impl Table {
-    /// Distance from a cushion's nose line to the centre of a touching ball, m ([`nose_reach`]). 0 for a
-    /// ball that the nose cannot touch; a valid shot has none.
+    /// Distance from a cushion's nose line to the centre of a touching ball, m ([`nose_reach`]). 0
+    /// for a ball that the nose cannot touch; a valid shot has none.
     #[inline]
     pub fn reach(&self, radius: f64) -> f64 {
         let above = self.cushion_height - radius;
@@ -85,8 +85,8 @@ impl Table {
         &self.cushions[..self.layout.on_cloth]
     }
 
-    /// Unit vector from the centre of a ball at `position` (m) into the cushion part that it touches, seen
-    /// from above; zero for a rail's top. In space: [`Table::contact_normal`].
+    /// Unit vector from the centre of a ball at `position` (m) into the cushion part that it
+    /// touches, seen from above; zero for a rail's top. In space: [`Table::contact_normal`].
     pub fn normal_at(&self, part: usize, position: Vec2) -> Vec2 {
         match self.cushions[part].shape {
             Shape::Segment { normal, .. } => -normal,
@@ -151,8 +151,8 @@ pub enum Part {
     Point,
     /// The flat top of the rail, cushion included, at the height of the nose.
     Top,
-    /// The wall of a pocket behind the facings: straight on from their deep ends, then around the back of
-    /// the hole.
+    /// The wall of a pocket behind the facings: straight on from their deep ends, then around the
+    /// back of the hole.
     Liner,
 }
 
@@ -169,15 +169,17 @@ impl Part {
     }
 }
 
-/// The edge line of a cushion's part, which lies at the height of the nose, or the outline of a rail's top,
-/// seen from above.
+/// The edge line of a cushion's part, which lies at the height of the nose, or the outline of a
+/// rail's top, seen from above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// A straight piece.
     Segment {
-        /// One end, m; of a facing, the end at the point; of a liner's run, the deep end of the facing.
+        /// One end, m; of a facing, the end at the point; of a liner's run, the deep end of the
+        /// facing.
         start: Vec2,
-        /// The other end, m; of a facing, the deep end; of a liner's run, the end on the hole's circle.
+        /// The other end, m; of a facing, the deep end; of a liner's run, the end on the hole's
+        /// circle.
         end: Vec2,
         /// Unit normal towards the playing area.
         normal: Vec2,
@@ -204,16 +206,17 @@ pub enum Shape {
         /// Unit vector from the centre along the pocket's axis.
         end: Vec2,
     },
-    /// The top of a rail: four corners, m, two on the nose line and two on the border. The openings of
-    /// the pockets are cut out of it.
+    /// The top of a rail: four corners, m, two on the nose line and two on the border. The openings
+    /// of the pockets are cut out of it.
     Plane {
         /// In order around it.
         corners: [Vec2; 4],
     },
 }
 
-/// Directions of the two half planes that meet in the span of an arc between the unit vectors `start` and
-/// `end`: a quarter turn from `start` towards `end`, and one from `end` towards `start`.
+/// Directions of the two half planes that meet in the span of an arc between the unit vectors
+/// `start` and `end`: a quarter turn from `start` towards `end`, and one from `end` towards
+/// `start`.
 pub(crate) fn arc_sides(start: Vec2, end: Vec2) -> [Vec2; 2] {
     let turn = if start.cross(end) >= 0.0 { 1.0 } else { -1.0 };
     [start.perp() * turn, end.perp() * -turn]

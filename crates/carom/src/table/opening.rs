@@ -1,8 +1,9 @@
 //! What lies behind the jaws of a pocket, up to the outer edge of the rails.
 //!
-//! Behind its deep end the line of each facing continues straight to the back of the hole's circle, and
-//! the far arc of that circle joins the two: this is the liner. So the edges of a pocket enclose its
-//! opening, and everything behind an edge line, within the border, is the flat top of the rails:
+//! Behind its deep end the line of each facing continues straight to the back of the hole's circle,
+//! and the far arc of that circle joins the two: this is the liner. So the edges of a pocket
+//! enclose its opening, and everything behind an edge line, within the border, is the flat top of
+//! the rails:
 //!
 //! ```text
 //!   ───────────╮            ╭───────────   noses and points
@@ -25,8 +26,8 @@ pub(super) struct Liner {
     pub(super) run: Shape,
     /// From there to the pocket's axis.
     pub(super) wall: Shape,
-    /// A point on the jaw's line over the hole, at or behind the deep end, m. Between it and its mirror
-    /// image there is only hole.
+    /// A point on the jaw's line over the hole, at or behind the deep end, m. Between it and its
+    /// mirror image there is only hole.
     pub(super) over_hole: Vec2,
     /// Whether a ball on the cloth can touch the run before its centre is over the hole.
     pub(super) exposed: bool,
@@ -45,8 +46,8 @@ impl Liner {
 /// The liner behind `jaw`, for a hole about `center` (m).
 ///
 /// # Errors
-/// [`TableError`] if the hole does not reach from facing to facing behind both deep ends, so that the
-/// pocket would not be closed.
+/// [`TableError`] if the hole does not reach from facing to facing behind both deep ends, so that
+/// the pocket would not be closed.
 pub(super) fn liner(
     jaw: &Jaw,
     shape: &PocketDescription,
@@ -57,7 +58,8 @@ pub(super) fn liner(
     let normal = jaw.facing_normal;
     let down = jaw.down;
     let from_deep = center - jaw.deep;
-    // Foot of the perpendicular from the hole's centre to the jaw's line, and half the chord on that line.
+    // Foot of the perpendicular from the hole's centre to the jaw's line, and half the chord on
+    // that line.
     let (across, foot) = (normal.dot(from_deep), down.dot(from_deep));
     let half_chord = sqrt((radius * radius - across * across).max(0.0));
     let length = foot + half_chord;
@@ -103,8 +105,8 @@ impl Openings {
         }
     }
 
-    /// Whether `p`, in the quadrant and behind a nose line, is in the opening of the corner pocket, and
-    /// whether it is in that of the side pocket, which begins behind the long rail.
+    /// Whether `p`, in the quadrant and behind a nose line, is in the opening of the corner pocket,
+    /// and whether it is in that of the side pocket, which begins behind the long rail.
     pub(super) fn hold(&self, p: Vec2) -> [bool; 2] {
         fn within<const N: usize>((jaws, back): &([JawLine; N], Back), p: Vec2) -> bool {
             jaws.iter().all(|jaw| jaw.is_behind(p)) && back.is_behind(p)
@@ -119,7 +121,8 @@ impl Openings {
 pub(super) struct Back {
     /// Unit vector along the pocket's axis, away from the table.
     pub(super) axis: Vec2,
-    /// The opening contains everything up to this distance along the axis from the table's centre, m,
+    /// The opening contains everything up to this distance along the axis from the table's centre,
+    /// m,
     pub(super) straight: f64,
     /// and this disc, m; of radius 0 with the mouth-line model.
     pub(super) center: Vec2,
@@ -165,8 +168,8 @@ impl JawLine {
         self.rail.behind.dot(p - self.rail.origin)
     }
 
-    /// Whether the jaw lies behind `p`, seen from the pocket. Along the edge the depth behind the nose line
-    /// only grows, so that each depth has one edge point.
+    /// Whether the jaw lies behind `p`, seen from the pocket. Along the edge the depth behind the
+    /// nose line only grows, so that each depth has one edge point.
     fn is_behind(&self, p: Vec2) -> bool {
         let behind = self.depth(p);
         if behind <= 0.0 {

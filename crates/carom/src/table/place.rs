@@ -3,12 +3,12 @@
 use super::{Capture, CushionPart, Shape, Table, arc_sides};
 use crate::math::{Vec2, Vec3, sqrt};
 
-/// Gaps and overlaps up to this count as touching, m: 1 nm, far more than the rounding of positions in
-/// a file and far less than can be measured. Deeper overlap is refused.
+/// Gaps and overlaps up to this count as touching, m: 1 nm, far more than the rounding of positions
+/// in a file and far less than can be measured. Deeper overlap is refused.
 pub const TOUCH_TOLERANCE: f64 = 1e-9;
 
-/// How far beyond the lip of a hole, in radii of the ball, rolling friction may hold a ball as if it
-/// stood on the slate. It is 2e-10 m lower there.
+/// How far beyond the lip of a hole, in radii of the ball, rolling friction may hold a ball as if
+/// it stood on the slate. It is 2e-10 m lower there.
 pub const BRINK: f64 = 1e-4;
 
 /// How a ball at a position stands to the table.
@@ -45,8 +45,8 @@ impl Placement {
 }
 
 impl Table {
-    /// How a ball of radius `radius` (m) on the cloth with its centre at `position` (m, engine's frame)
-    /// stands to the table.
+    /// How a ball of radius `radius` (m) on the cloth with its centre at `position` (m, engine's
+    /// frame) stands to the table.
     pub fn place_check(&self, position: Vec2, radius: f64) -> Placement {
         let reach = self.reach(radius);
         let half = self.layout.half;
@@ -56,7 +56,8 @@ impl Table {
         };
         let in_opening = self.opening_at(position).is_some();
         let (in_area, in_rails) = (within(0.0), within(rubber) || in_opening);
-        // A shot may leave a ball hanging there, and the next shot starts with it. Rounding adds far less.
+        // A shot may leave a ball hanging there, and the next shot starts with it. Rounding adds
+        // far less.
         let brink = BRINK * radius + TOUCH_TOLERANCE;
         if let Some(pocket) = self.captured_at(position, reach, brink, in_rails) {
             return Placement::OverHole { pocket };
@@ -77,8 +78,8 @@ impl Table {
         }
     }
 
-    /// The pocket that has captured a ball at `position`: the centre is over its hole by more than `brink`,
-    /// or in the rails beyond its gate.
+    /// The pocket that has captured a ball at `position`: the centre is over its hole by more than
+    /// `brink`, or in the rails beyond its gate.
     fn captured_at(&self, position: Vec2, reach: f64, brink: f64, in_rails: bool) -> Option<u8> {
         let holds = |i: &usize| {
             let (pocket, gate) = (&self.pockets[*i], &self.layout.mouths[*i].gate);
@@ -92,9 +93,9 @@ impl Table {
         (0..self.pockets.len()).find(holds).map(|i| i as u8)
     }
 
-    /// How a ball of radius `radius` (m) in the air with its centre at `position` (m, engine's frame), at
-    /// least `radius` above the slate, stands to the table. Over a hole it is inside; beyond a mouth line,
-    /// which captures balls lower than the rails, it is not.
+    /// How a ball of radius `radius` (m) in the air with its centre at `position` (m, engine's
+    /// frame), at least `radius` above the slate, stands to the table. Over a hole it is inside;
+    /// beyond a mouth line, which captures balls lower than the rails, it is not.
     pub fn place_in_air(&self, position: Vec3, radius: f64) -> Placement {
         let (plan, rise) = (position.xy(), self.cushion_height - position.z);
         if self.is_outside(plan) {
@@ -147,8 +148,8 @@ fn deepest<'a>(
     deepest
 }
 
-/// Depth of a ball's overlap with a part, m, negative if apart; none where the centre lies beyond the
-/// ends of the part.
+/// Depth of a ball's overlap with a part, m, negative if apart; none where the centre lies beyond
+/// the ends of the part.
 fn depth_in(cushion: &CushionPart, position: Vec2, reach: f64, rubber: f64) -> Option<f64> {
     match cushion.shape {
         Shape::Segment { start, end, normal } => {

@@ -21,7 +21,8 @@ impl PocketKind {
         }
     }
 
-    /// The middle of the quadrant's pocket on the nose line (the corner, or the middle of the rail), m.
+    /// The middle of the quadrant's pocket on the nose line (the corner, or the middle of the
+    /// rail), m.
     pub(super) fn middle(self, half: Vec2) -> Vec2 {
         match self {
             Self::Corner => -half,

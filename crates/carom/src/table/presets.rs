@@ -117,8 +117,9 @@ const fn as_if(p: PocketSheet, source: Source) -> PocketSheet {
     }
 }
 
-/// For a pocket pooltool gives the angle between facing and axis (5.3° and 7.14°) and the depth of the
-/// hole's centre behind the nose lines (41.7 and 68.5 mm); shelf and cut angle follow from them.
+/// For a pocket pooltool gives the angle between facing and axis (5.3° and 7.14°) and the depth of
+/// the hole's centre behind the nose lines (41.7 and 68.5 mm); shelf and cut angle follow from
+/// them.
 const SHOWOOD_7FT: Sheet = Sheet {
     name: "showood-7ft",
     length: figure(1.9812, SHOWOOD),
@@ -141,7 +142,8 @@ const SHOWOOD_7FT: Sheet = Sheet {
             shelf: figure(0.0685 - 0.0645, SHOWOOD),
             hole_radius: figure(0.0645, SHOWOOD),
             point_radius: figure(0.00795, SHOWOOD),
-            // pooltool moves the facing inwards by c·sin 7.14°; the angle would require c·tan 7.14°.
+            // pooltool moves the facing inwards by c·sin 7.14°; the angle would require c·tan
+            // 7.14°.
             throat: Some(figure(0.137 - 2.0 * 0.0508 * SIN_7_14_DEG, SHOWOOD)),
         },
     ]),
@@ -254,8 +256,8 @@ const CAROM_9FT: Sheet = Sheet {
     ..CAROM_10FT
 };
 
-/// In FastFiz a ball rebounds when its centre is R from a rail's line, so the nose is as high as the
-/// centre. FastFiz uses its `RAIL_HEIGHT`, 40.005 mm, only to find cues that are obstructed.
+/// In FastFiz a ball rebounds when its centre is R from a rail's line, so the nose is as high as
+/// the centre. FastFiz uses its `RAIL_HEIGHT`, 40.005 mm, only to find cues that are obstructed.
 const POOLFIZ: Sheet = Sheet {
     name: "poolfiz",
     length: figure(2.236, FASTFIZ),

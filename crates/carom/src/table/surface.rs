@@ -1,21 +1,23 @@
 //! The table as a solid body: what lies under a point, and the normal of a touched part.
 //!
 //! * The slate is the plane z = 0, with the pockets' holes in it; a hole's edge is the lip.
-//! * Every nose, point, facing and straight run of a liner is a sharp edge at the height of the nose; the
-//!   rubber below it recedes. Far below the edge it has receded by a ball's radius, so that a centre can
-//!   come up to the edge line.
+//! * Every nose, point, facing and straight run of a liner is a sharp edge at the height of the
+//!   nose; the rubber below it recedes. Far below the edge it has receded by a ball's radius, so
+//!   that a centre can come up to the edge line.
 //! * A liner's round wall is the cylinder through the hole's edge, up to the height of the nose.
 //! * Behind these edges the top of the rails is flat, out to the border.
 
 use super::{Capture, Shape, Table, TableFeature, arc_sides};
 use crate::math::{Vec2, Vec3};
 
-/// A centre that is lower than an edge by a radius and this much, m, touches the body under the edge: ten
-/// thousand roundings of a height, so that detection and normal agree on which of the two was touched.
+/// A centre that is lower than an edge by a radius and this much, m, touches the body under the
+/// edge: ten thousand roundings of a height, so that detection and normal agree on which of the two
+/// was touched.
 pub(crate) const UNDER_EDGE: f64 = 1e-12;
 
 impl Table {
-    /// The pocket over whose hole the point `p` (m, engine's frame) lies; none with the mouth-line model.
+    /// The pocket over whose hole the point `p` (m, engine's frame) lies; none with the mouth-line
+    /// model.
     pub fn hole_at(&self, p: Vec2) -> Option<u8> {
         let over = |i: &u8| {
             let pocket = &self.pockets[usize::from(*i)];
@@ -28,8 +30,8 @@ impl Table {
         self.nearest_pockets(p).into_iter().find(over)
     }
 
-    /// The pocket in whose opening the point `p` (m, engine's frame) lies: behind the nose lines, between
-    /// the jaws and in front of the liner.
+    /// The pocket in whose opening the point `p` (m, engine's frame) lies: behind the nose lines,
+    /// between the jaws and in front of the liner.
     pub fn opening_at(&self, p: Vec2) -> Option<u8> {
         let openings = self.layout.openings.as_ref()?;
         if !self.is_behind_nose_line(p) {
@@ -40,8 +42,8 @@ impl Table {
         corner.then_some(at_corner).or(side.then_some(at_side))
     }
 
-    /// The pocket beyond whose mouth line the point `p` (m, engine's frame) lies; none with the drop-circle
-    /// model. There is no table beyond a mouth line.
+    /// The pocket beyond whose mouth line the point `p` (m, engine's frame) lies; none with the
+    /// drop-circle model. There is no table beyond a mouth line.
     pub fn beyond_mouth_line(&self, p: Vec2) -> Option<u8> {
         if self.pockets.is_empty() {
             return None;
@@ -59,8 +61,8 @@ impl Table {
         here.filter(beyond)
     }
 
-    /// The rail's top (index into `Table::cushions`) under the point `p` (m, engine's frame): behind an
-    /// edge line, not in a pocket's opening, within the border.
+    /// The rail's top (index into `Table::cushions`) under the point `p` (m, engine's frame):
+    /// behind an edge line, not in a pocket's opening, within the border.
     pub fn top_at(&self, p: Vec2) -> Option<u16> {
         let on_top =
             self.is_behind_nose_line(p) && !self.is_outside(p) && self.opening_at(p).is_none();
@@ -80,8 +82,9 @@ impl Table {
         p.x.abs() > self.layout.border.x || p.y.abs() > self.layout.border.y
     }
 
-    /// Unit vector from the centre `position` (m, engine's frame) of a ball of radius `radius` (m) to the
-    /// point of `feature` that it touches. Zero for features without a surface: a capture, the border.
+    /// Unit vector from the centre `position` (m, engine's frame) of a ball of radius `radius` (m)
+    /// to the point of `feature` that it touches. Zero for features without a surface: a capture,
+    /// the border.
     pub fn contact_normal(&self, feature: TableFeature, position: Vec3, radius: f64) -> Vec3 {
         let down = Vec3::new(0.0, 0.0, -1.0);
         match feature {
@@ -145,8 +148,8 @@ fn edge_normal(shape: &Shape, p: Vec2, rise: f64, radius: f64) -> Vec3 {
     }
 }
 
-/// Unit vector to the nearest point of a horizontal circle of radius `ring` (m), from a point `rise` (m)
-/// below its plane, at `from_center` from its axis.
+/// Unit vector to the nearest point of a horizontal circle of radius `ring` (m), from a point
+/// `rise` (m) below its plane, at `from_center` from its axis.
 fn to_ring(from_center: Vec2, ring: f64, rise: f64) -> Vec3 {
     let distance = from_center.length();
     let outwards = if distance > 0.0 { from_center * (1.0 / distance) } else { Vec2::ZERO };

@@ -105,9 +105,9 @@ impl Trace {
         &self.outcome
     }
 
-    /// All balls' states at `time` (s), in the file's frame, from the closed-form path since each ball's last
-    /// event: exact to rounding. At the instant of an event, the state after it; after the end, the final
-    /// state.
+    /// All balls' states at `time` (s), in the file's frame, from the closed-form path since each
+    /// ball's last event: exact to rounding. At the instant of an event, the state after it; after
+    /// the end, the final state.
     ///
     /// # Errors
     /// [`Error::Input`] if `time` is negative or not finite.

@@ -1,10 +1,11 @@
 //! Orientations: the rotation of every ball since the shot began.
 //!
-//! The spin ω of a ball is linear in time between two of its events, or on two parts of that time if its
-//! sidespin ends in between. The orientation obeys dR/dt = ω × R. Where the axis of ω is constant, the
-//! rotation is exact: the mean spin times the time. Elsewhere it is integrated with the Magnus expansion of
-//! fourth order (Blanes, Casas, Oteo & Ros 2009, section 5.3): a step h with the spin ω at its middle and
-//! the rate b of the spin is the rotation vector hω + (h³/12) b × ω.
+//! The spin ω of a ball is linear in time between two of its events, or on two parts of that time
+//! if its sidespin ends in between. The orientation obeys dR/dt = ω × R. Where the axis of ω is
+//! constant, the rotation is exact: the mean spin times the time. Elsewhere it is integrated with
+//! the Magnus expansion of fourth order (Blanes, Casas, Oteo & Ros 2009, section 5.3): a step h
+//! with the spin ω at its middle and the rate b of the spin is the rotation vector hω + (h³/12) b ×
+//! ω.
 
 use alloc::vec::Vec;
 
@@ -18,8 +19,9 @@ const STEP: f64 = 0.1;
 /// and enough that a break stores only a few thousand.
 const STEPS_PER_KEY: usize = 16;
 
-/// Most steps of a stretch: 2 MB of stored orientations. Ten seconds at 10 000 rad/s need as many; a ball
-/// that spins longer while it slides (almost no friction) gets longer steps, which are less exact.
+/// Most steps of a stretch: 2 MB of stored orientations. Ten seconds at 10 000 rad/s need as many;
+/// a ball that spins longer while it slides (almost no friction) gets longer steps, which are less
+/// exact.
 const MOST_STEPS: f64 = 1_048_576.0;
 
 /// Two spins whose directions differ by less, rad, have the same axis: the difference is rounding.
@@ -78,8 +80,8 @@ struct Stretch {
 }
 
 impl Stretch {
-    /// The stretch from `from` to `to` (s after the start of `piece`); `first` is the orientation at its
-    /// start.
+    /// The stretch from `from` to `to` (s after the start of `piece`); `first` is the orientation
+    /// at its start.
     fn new(piece: &Piece, from: f64, to: f64, first: Quaternion) -> Self {
         let length = to - from;
         let spin = piece.path.at(from).angular_velocity;
@@ -176,8 +178,9 @@ fn stretches(pieces: &[Piece]) -> Vec<Stretch> {
 }
 
 impl Orientations {
-    /// The orientation of ball `ball` (an index into the shot's balls) at `time` (s ≥ 0 since the strike): the
-    /// unit quaternion x, y, z, w of its rotation since the start. After the shot's end it stays the same.
+    /// The orientation of ball `ball` (an index into the shot's balls) at `time` (s ≥ 0 since the
+    /// strike): the unit quaternion x, y, z, w of its rotation since the start. After the shot's
+    /// end it stays the same.
     pub fn at(&self, ball: usize, time: f64) -> [f64; 4] {
         let stretches = &self.balls[ball];
         let after = stretches.partition_point(|s| s.start <= time);

@@ -1,5 +1,5 @@
-//! The example shots in `shots/`: each file is in the engine's own format, and each shot does what its
-//! name says.
+//! The example shots in `shots/`: each file is in the engine's own format, and each shot does what
+//! its name says.
 
 use std::path::{Path, PathBuf};
 
@@ -33,8 +33,8 @@ fn pocketed(trace: &Trace) -> Vec<String> {
     trace.outcome().pocketed.iter().map(words).collect()
 }
 
-/// Displacement of the cue ball from its first collision with a ball to rest, m, along its direction before
-/// the collision.
+/// Displacement of the cue ball from its first collision with a ball to rest, m, along its
+/// direction before the collision.
 fn cue_ball_travel_after_contact(trace: &Trace) -> f64 {
     let contact = trace.events().find(|e| e.kind == carom::trace::TraceEventKind::BallCollision);
     let at = contact.expect("a contact").before[0];
@@ -132,8 +132,8 @@ fn the_three_cushion_shot_scores() {
     assert!(touched[..second].iter().filter(rails).count() >= 3, "{touched:?}");
 }
 
-/// The cue ball is struck below its centre so that it arrives without spin: a rolling one would keep
-/// pushing the row (`long_pushes` in carom-check).
+/// The cue ball is struck below its centre so that it arrives without spin: a rolling one would
+/// keep pushing the row (`long_pushes` in carom-check).
 #[test]
 fn newtons_cradle_passes_nearly_the_whole_velocity_to_the_last_ball_as_hertzs_law_predicts() {
     let trace = played("newtons_cradle");
@@ -145,7 +145,8 @@ fn newtons_cradle_passes_nearly_the_whole_velocity_to_the_last_ball_as_hertzs_la
         .filter_map(|e| Some(e.after[e.balls.iter().position(|b| *b == last)?]))
         .map(|s| s.velocity.length())
         .fold(0.0, f64::max);
-    // Touching balls do not collide pair by pair: a few per cent stay behind (Hinch & Saint-Jean 1999).
+    // Touching balls do not collide pair by pair: a few per cent stay behind (Hinch & Saint-Jean
+    // 1999).
     assert!((0.98..0.995).contains(&(reached / speed)), "{reached} of {speed}");
     let first = collisions().next().expect("a contact");
     assert_eq!(first.balls.len(), trace.shot().balls().len(), "one impact of all");

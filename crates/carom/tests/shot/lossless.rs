@@ -248,6 +248,14 @@ fn with_balls_gives_the_shot_of_a_file_with_these_balls() {
     let mut sunk = balls.clone();
     sunk[1].state.position.z = 0.02;
     assert!(refused(sunk).starts_with("balls[1].position: the ball is "));
+    let mut heavy = balls.clone();
+    heavy[0].ball.mass = f64::INFINITY;
+    assert!(refused(heavy).starts_with("balls[0].mass: an infinite number is not a number"));
+    let mut lost = balls.clone();
+    lost[1].state.position.y = f64::NAN;
+    assert!(refused(lost).starts_with("balls[1].position: NaN is not a number"));
+    let nobody = shot.with_balls(balls.clone(), Some((2, strike))).expect_err("no such ball");
+    assert!(nobody.to_string().starts_with("strike.ball: there is no ball 2; count the 2 balls"));
     let mut flown = balls;
     flown[0].state.velocity.x = f64::NAN;
     assert!(refused(flown).starts_with("balls[0].velocity: NaN m/s is out of range"));

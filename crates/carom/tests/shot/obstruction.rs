@@ -39,8 +39,8 @@ fn a_cue_must_be_raised_over_the_rail_behind_a_near_ball() {
         let strike = format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#);
         obstruction_of(shot_from(0.06, &strike, ""))
     };
-    // The nose is 60 mm behind the ball's centre and 7.7 mm above it. The axis rotates about that centre
-    // and must be 6.7 mm above the nose: asin(6.7/60.5) + atan(7.7/60) = 13.7°.
+    // The nose is 60 mm behind the ball's centre and 7.7 mm above it. The axis rotates about that
+    // centre and must be 6.7 mm above the nose: asin(6.7/60.5) + atan(7.7/60) = 13.7°.
     assert_eq!(near(0.0).as_deref(), Some("bottom"));
     assert_eq!(near(12.0).as_deref(), Some("bottom"));
     assert_eq!(near(13.5).as_deref(), Some("bottom"));
@@ -61,8 +61,8 @@ fn a_ball_behind_the_cue_ball_obstructs_the_cue_until_it_is_raised_over_it() {
         obstructed(&format!(r#""azimuth_deg": 90, "elevation_deg": {elevation}"#), behind)
     };
     assert_eq!(at(3.0).as_deref(), Some("8"));
-    // Seen from the contact point, the axis must be 28.6 + 7.3 mm above the 8's centre, 141 mm behind:
-    // asin(35.9/141) = 14.7°, a little less because the contact point rises with the cue.
+    // Seen from the contact point, the axis must be 28.6 + 7.3 mm above the 8's centre, 141 mm
+    // behind: asin(35.9/141) = 14.7°, a little less because the contact point rises with the cue.
     assert_eq!(at(11.0).as_deref(), Some("8"));
     assert_eq!(at(15.0), None);
     let beside = r#", {"id": "8", "position": [0.68, 1.1]}"#;
@@ -180,8 +180,8 @@ fn a_ball_behind_and_one_above_can_obstruct_every_elevation() {
 
 #[test]
 fn behind_a_pockets_mouth_the_rail_begins_at_the_back_of_the_hole() {
-    // The ball is in a side pocket's mouth and the cue over the hole: 7.7 mm + about 6.8 mm above the back
-    // of the hole, which is further away than the nose by the shelf and the hole.
+    // The ball is in a side pocket's mouth and the cue over the hole: 7.7 mm + about 6.8 mm above
+    // the back of the hole, which is further away than the nose by the shelf and the hole.
     let y = 1.27;
     let least = |x: f64, y: f64| {
         least_elevation(Shot::from_json(&format!(
@@ -202,8 +202,8 @@ fn behind_a_pockets_mouth_the_rail_begins_at_the_back_of_the_hole() {
 const RADIUS: f64 = 0.028575;
 const NOSE: f64 = 0.635 * 2.0 * RADIUS;
 
-/// Clearance, m, between balls and rails of a table without pockets and the cue as a row of spheres: a cone
-/// of 1.47 m, 13 mm and 29 mm.
+/// Clearance, m, between balls and rails of a table without pockets and the cue as a row of
+/// spheres: a cone of 1.47 m, 13 mm and 29 mm.
 fn room(shot: &Shot, elevation: f64) -> f64 {
     let (struck, strike) = shot.strike().expect("a strike");
     let description = shot.table().description.as_ref().expect("rails");

@@ -1,5 +1,5 @@
-//! Values within the documented ranges are accepted and their shots end; values outside are refused with
-//! their place.
+//! Values within the documented ranges are accepted and their shots end; values outside are refused
+//! with their place.
 
 use carom::{Error, Shot};
 

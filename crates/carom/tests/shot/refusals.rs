@@ -354,7 +354,8 @@ fn a_fit_outside_0_to_1_at_every_speed_is_refused() {
         )
     };
     let place = "physics.cushion.restitution";
-    // Constant, rising from above 1, falling from below 0, and two parabolas that never enter [0, 1].
+    // Constant, rising from above 1, falling from below 0, and two parabolas that never enter [0,
+    // 1].
     for (a, b, c) in
         [(1.5, 0.0, 0.0), (1.5, 0.1, 0.0), (-0.5, -0.1, 0.0), (1.5, -0.2, 0.1), (-0.5, 0.2, -0.1)]
     {

@@ -38,7 +38,8 @@ fn mean(values: impl Iterator<Item = f64>, count: usize) -> f64 {
 #[test]
 fn errors_are_gaussian_with_the_given_sigma() {
     const COUNT: usize = 100_000;
-    // Five standard errors of each moment: correct deviates fail for one seed in a hundred thousand.
+    // Five standard errors of each moment: correct deviates fail for one seed in a hundred
+    // thousand.
     let five = 5.0 / (COUNT as f64).sqrt();
     for (name, column) in ["speed", "azimuth", "elevation", "side", "height"].iter().zip(errors(
         &Noise::olympiad(1.0),

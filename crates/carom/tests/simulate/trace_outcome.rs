@@ -1,5 +1,5 @@
-//! The outcome has the facts that rules need: most follow from the order of events, the others from the
-//! balls' positions.
+//! The outcome has the facts that rules need: most follow from the order of events, the others from
+//! the balls' positions.
 
 use carom::math::Vec3;
 use carom::outcome::{Collector, Outcome, OutcomeRecorder, Touched};
@@ -173,8 +173,8 @@ fn only_balls_that_still_move_at_the_end_are_listed_as_never_resting() {
     assert_eq!(Collector::new(&row(None)).finish(&last).never_resting, [1, 3]);
 }
 
-/// A ball frozen to the left rail of a plain table, or `gap` (m) from it, hit by a blow towards +x or
-/// −x at `speed` (m/s).
+/// A ball frozen to the left rail of a plain table, or `gap` (m) from it, hit by a blow towards +x
+/// or −x at `speed` (m/s).
 fn frozen(gap: f64, speed: f64) -> Outcome {
     let reach = carom::table::nose_reach(0.635 * 2.0 * RADIUS, RADIUS).expect("the nose meets it");
     let ball = format!(
@@ -241,8 +241,8 @@ fn event<'a>(
     TraceEvent { time, kind, balls, before, after }
 }
 
-/// Ball 0 flies past ball 1 at the distance `aside` (m) in plan, at 2 m/s upwards and 1 m/s along, from the
-/// first event to the last.
+/// Ball 0 flies past ball 1 at the distance `aside` (m) in plan, at 2 m/s upwards and 1 m/s along,
+/// from the first event to the last.
 fn flight(aside: f64, first: (TraceEventKind, &[u16]), last: (TraceEventKind, &[u16])) -> Outcome {
     let shot = placed("\"wpa-9ft\"", Some(0), &[[0.4, 0.5], [0.6, 0.5 + aside]]);
     let up = 2.0;

@@ -81,8 +81,8 @@ fn sidespin_rotates_a_resting_ball_by_half_its_square_over_its_deceleration() {
     assert!(apart(trace.orientations().at(0, 1e3), turned) < 1e-12);
 }
 
-/// Integrates the spin of ball `ball` of the trace from event to event with the midpoint rule (second
-/// order), in steps of at most `step` s.
+/// Integrates the spin of ball `ball` of the trace from event to event with the midpoint rule
+/// (second order), in steps of at most `step` s.
 fn integrated(trace: &Trace, ball: usize, step: f64) -> [f64; 4] {
     let mut times: Vec<f64> = trace.events().map(|e| e.time).collect();
     times.insert(0, 0.0);
@@ -102,7 +102,8 @@ fn integrated(trace: &Trace, ball: usize, step: f64) -> [f64; 4] {
 
 #[test]
 fn orientations_agree_with_a_fine_integration_of_the_spin() {
-    // Error of the integration: h²/12·|ω × dω/dt| per second, at most some 10⁴ rad²/s³, for a few seconds.
+    // Error of the integration: h²/12·|ω × dω/dt| per second, at most some 10⁴ rad²/s³, for a few
+    // seconds.
     const STEP: f64 = 1e-4;
     const STEP_ERROR: f64 = 5e-5;
     for name in ["masse", "kick_shot", "jump_shot", "three_cushion", "spit_out"] {
@@ -178,7 +179,8 @@ fn a_polyline_has_a_point_at_every_event_of_its_ball_and_all_its_points_lie_on_t
         for ball in 0..trace.shot().balls().len() {
             let way = trace.polyline(ball, 1e-3);
             assert!(way.windows(2).all(|pair| pair[0].time <= pair[1].time));
-            // Where a ball falls into a pocket there are two points: at the fall, and below the hole.
+            // Where a ball falls into a pocket there are two points: at the fall, and below the
+            // hole.
             let last_at_its_time = |i: usize| way.get(i + 1).is_none_or(|p| p.time > way[i].time);
             for point in (0..way.len()).filter(|i| last_at_its_time(*i)).map(|i| way[i]) {
                 let exact = trace.at(point.time).expect("a time ≥ 0")[ball].position;
@@ -227,4 +229,20 @@ fn the_polyline_of_a_ball_that_never_rests_ends_with_the_shot() {
     }
     let [x, ..] = trace.orientations().at(1, 1e6);
     assert!(x.is_finite());
+}
+
+/// Seen: memory ran out. Cause: a step for every tenth of a radian, for as long as the ball slides.
+#[test]
+fn the_orientations_of_a_ball_that_slides_for_centuries_take_bounded_memory() {
+    let shot = Shot::from_json(
+        r#"{"format": "carom-shot/1", "table": {"cloth": "unbounded"},
+            "physics": {"cloth": {"sliding_friction": 1e-9}},
+            "balls": [{"id": "1", "position": [0, 0], "velocity": [0, 1, 0],
+                       "angular_velocity": [5000, 0, 5000]}]}"#,
+    )
+    .unwrap_or_else(|e| panic!("{e}"));
+    let trace = shot.simulate().unwrap_or_else(|e| panic!("{e}"));
+    assert!(trace.duration() > 1e9, "{} s", trace.duration());
+    let [x, y, z, w] = trace.orientations().at(0, 0.5 * trace.duration());
+    assert!((x * x + y * y + z * z + w * w - 1.0).abs() < 1e-12);
 }

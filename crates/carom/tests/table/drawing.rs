@@ -1,4 +1,4 @@
-//! Every preset is drawn, from its parts alone: `target/tmp/table-<name>.svg`.
+//! Drawings of every preset, from its parts alone: `target/tmp/table-<name>.svg`.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use carom::Table;
 use carom::math::Vec2;
 use carom::table::{PRESETS, Part, Shape};
 
-/// Millimetres, as the drawing counts them.
+/// Millimetres, the unit of the drawing.
 const MM: f64 = 1000.0;
 
 /// The two ends of a part; a rail's mitre.

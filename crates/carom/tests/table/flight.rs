@@ -1,4 +1,4 @@
-//! What a flying ball meets first, judged against walking through a solid table.
+//! The first feature that a flying ball meets, compared with a walk through a solid table.
 
 use crate::meeting::{mirrored_feature, paths, tables};
 use crate::oracle::Dice;
@@ -14,9 +14,10 @@ use carom_roots::Motion;
 
 const POOL_BALL: f64 = 0.028575;
 const GRAVITY: f64 = 9.80665;
-/// Deepest and widest gap at a meeting, m: roundings of a position and of a time, at 20 m/s.
+/// Largest overlap and largest gap at a meeting, m: roundings of a position and of a time, at 20
+/// m/s.
 const CONTACT_GAP: f64 = 1e-14;
-/// A touched point lies this near to where it should, m.
+/// Tolerance of a touched point, m.
 const SAME_POINT: f64 = 1e-12;
 
 fn flight(d: Vec3, v: Vec3) -> Motion<3> {
@@ -28,7 +29,7 @@ fn direction(dice: &mut Dice) -> Vec3 {
     (dice.direction() * carom::math::sqrt(1.0 - z * z)).with_z(z)
 }
 
-/// A flight from somewhere free: over the bed, over the rails, or inside a pocket.
+/// A flight from a random free position: over the bed, over the rails, or inside a pocket.
 fn random_flight(dice: &mut Dice, solid: &Solid<'_>) -> Motion<3> {
     let Solid { table, radius, .. } = *solid;
     let rail = table.description.as_ref().unwrap().rail_width;
@@ -56,7 +57,7 @@ fn random_flight(dice: &mut Dice, solid: &Solid<'_>) -> Motion<3> {
     }
 }
 
-/// Whether `p` is where the mouth-line model leaves no ball.
+/// Whether `p` is beyond a mouth line.
 fn is_beyond_a_line(table: &Table, p: Vec2) -> bool {
     table.pockets.iter().any(|pocket| match pocket.capture {
         Capture::MouthLine { start, .. } => {
@@ -66,7 +67,7 @@ fn is_beyond_a_line(table: &Table, p: Vec2) -> bool {
     })
 }
 
-/// The gap at a meeting, or why it is none.
+/// The gap at a meeting, or why the meeting is wrong.
 fn judge(
     solid: &Solid<'_>,
     path: &Motion<3>,
@@ -85,7 +86,7 @@ fn judge(
             if v.dot(normal) <= 0.0 {
                 return Err(format!("moves away by {}", v.dot(normal)));
             }
-            // Along the normal nothing but the ball lies between centre and feature.
+            // Along the normal there is only the ball between centre and feature.
             let touched = p + normal * radius;
             let at_touched = off_surface(table, feature, touched, p, radius);
             if at_touched > SAME_POINT {
@@ -121,8 +122,8 @@ fn judge(
     }
 }
 
-/// How far `touched` is from the surface of the feature, m. Under an edge the touched rubber is not
-/// drawn: there the centre itself is on the line.
+/// Distance of `touched` from the surface of the feature, m. The rubber under an edge is not drawn:
+/// there the centre itself is on the line.
 fn off_surface(
     table: &Table,
     feature: TableFeature,
@@ -204,7 +205,7 @@ fn kind(table: &Table, feature: TableFeature) -> usize {
 }
 
 #[test]
-fn a_horizon_only_cuts_off_what_comes_later() {
+fn a_horizon_only_removes_later_meetings() {
     for (name, table, radius) in tables() {
         let solid = Solid::new(&table, radius);
         let mut dice = Dice(0xA110);
@@ -243,10 +244,10 @@ fn a_mirrored_flight_meets_the_mirrored_part_at_the_same_time_to_the_bit() {
 }
 
 #[test]
-fn a_ball_reflected_by_all_it_meets_is_never_inside_anything() {
-    /// Meetings after which a ball is let go.
+fn a_ball_reflected_by_every_feature_is_never_inside_anything() {
+    /// Most meetings of a ball.
     const MEETINGS: usize = 50;
-    /// Meetings at one instant: in the corner of three surfaces.
+    /// Most meetings at one instant: in the corner of three surfaces.
     const AT_ONCE: usize = 8;
     for (name, table, radius) in tables() {
         let solid = Solid::new(&table, radius);
@@ -289,9 +290,9 @@ fn over_the_lip(table: &Table, k: usize, speed: f64) -> Motion<3> {
 }
 
 #[test]
-fn a_ball_too_slow_to_fly_is_pressed_on_the_lip_at_once_and_a_fast_one_is_not() {
+fn a_ball_too_slow_to_fly_touches_the_lip_at_once_and_a_fast_one_does_not() {
     let table = Table::preset("wpa-9ft").unwrap();
-    // √(gR): the speed at which the curvature of the flight is that of the lip's torus.
+    // √(gR): at this speed the flight has the curvature of the lip's torus.
     let flies = carom::math::sqrt(GRAVITY * POOL_BALL);
     for k in 0..6 {
         for speed in [1e-9, 1e-3, 0.1, 0.9 * flies] {
@@ -322,7 +323,7 @@ fn a_ball_that_comes_off_a_rails_top_too_slowly_to_fly_tips_over_its_edge_at_onc
 }
 
 #[test]
-fn on_endless_cloth_every_flight_ends_on_the_slate() {
+fn on_unbounded_cloth_every_flight_ends_on_the_slate() {
     let table = Table::unbounded();
     let path = flight(Vec3::new(1e3, -7.0, POOL_BALL), Vec3::new(20.0, -3.0, 2.0));
     let (t, feature) = first_meeting(&table, POOL_BALL, &path, f64::INFINITY).unwrap();
@@ -331,7 +332,7 @@ fn on_endless_cloth_every_flight_ends_on_the_slate() {
 }
 
 #[test]
-fn every_place_is_on_the_bed_in_an_opening_on_a_rail_or_outside_as_the_drawn_edges_say() {
+fn the_drawn_edges_decide_whether_a_point_is_on_the_bed_in_an_opening_on_a_rail_or_outside() {
     for (name, table, radius) in tables() {
         let solid = Solid::new(&table, radius);
         let mut dice = Dice(0x91ACE);
@@ -367,7 +368,7 @@ fn every_place_is_on_the_bed_in_an_opening_on_a_rail_or_outside_as_the_drawn_edg
 }
 
 #[test]
-fn the_edges_of_every_preset_close_around_its_holes() {
+fn the_edges_of_every_preset_enclose_its_holes() {
     for name in PRESETS {
         let table = Table::preset(name).unwrap();
         for pocket in table.pockets.iter().filter(|p| p.capture == Capture::DropCircle) {
@@ -384,7 +385,7 @@ fn the_edges_of_every_preset_close_around_its_holes() {
             assert_eq!(walls.len(), 2, "{name}");
             for (rail, begin, end) in walls {
                 assert_eq!(end, pocket.axis, "{name}");
-                // A straight run of the same rail ends where the wall begins, on from a deep end.
+                // A straight run of the same rail leads from a deep end to the start of the wall.
                 let run = table.cushions.iter().find(|c| {
                     let ends_here = matches!(c.shape, Shape::Segment { end, .. } if (end - begin).length() <= SAME_POINT);
                     c.rail == rail && c.part == Part::Liner && ends_here
@@ -399,12 +400,12 @@ fn the_edges_of_every_preset_close_around_its_holes() {
 }
 
 #[test]
-fn a_ball_whose_centre_came_over_a_hole_or_an_edge_is_not_put_back_on_what_it_left() {
+fn a_ball_whose_centre_passed_an_edge_does_not_land_on_the_surface_that_it_left() {
     for (name, table, radius) in tables() {
         let solid = Solid::new(&table, radius);
         let mut dice = Dice(0x71B);
         for i in 0..paths() / 50 {
-            // Rolling, from the bed into a pocket, or from a rail's top off its edge.
+            // A ball that rolls from the bed into a pocket, or off the edge of a rail's top.
             let from_bed = dice.unit() < 0.5;
             let out = table.size * 0.5 + Vec2::new(0.1, 0.1);
             let p = Vec2::new(dice.between(-out.x, out.x), dice.between(-out.y, out.y));
@@ -428,7 +429,7 @@ fn a_ball_whose_centre_came_over_a_hole_or_an_edge_is_not_put_back_on_what_it_le
             let [x, y] = path.at(t);
             let path = flight(Vec3::new(x, y, z), v.with_z(0.0));
             let (t, feature) = first_meeting(&table, radius, &path, f64::INFINITY).unwrap();
-            // On a round edge, just along it, the ball may come back to what it left.
+            // Along a round edge the ball may come back to the surface that it left.
             let is_flat = feature == TableFeature::Slate || kind(&table, feature) == 3;
             assert!(t > 0.0 || !is_flat, "{name}, path {i}: {feature:?} at {t}: {path:?}");
         }

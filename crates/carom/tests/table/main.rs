@@ -1,4 +1,5 @@
-//! The tables: their figures, their pictures, what a ball meets on and above them and where it may stand.
+//! The tables: their figures and pictures, the features that a ball meets, and the positions that
+//! it may have.
 
 mod drawing;
 mod flight;

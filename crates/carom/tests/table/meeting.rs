@@ -1,4 +1,4 @@
-//! What a ball meets first, judged against an independent search.
+//! The first feature that a ball on the cloth meets, compared with an independent search.
 
 use crate::oracle::{self, Dice, clearance, first_violation, way_to_pocket};
 use carom::Table;
@@ -8,17 +8,17 @@ use carom::table::{PRESETS, Part, Placement, PocketModel, Shape, TableDescriptio
 use carom_roots::Motion;
 
 const POOL_BALL: f64 = 0.028575;
-/// Random paths per table: 100 000, or what the environment variable CAROM_PATHS says.
+/// Random paths per table: 100 000, or the value of the environment variable CAROM_PATHS.
 pub(crate) fn paths() -> usize {
     std::env::var("CAROM_PATHS").ok().and_then(|n| n.parse().ok()).unwrap_or(100_000)
 }
-/// Deepest and widest gap at a meeting, m.
+/// Largest overlap and largest gap at a meeting, m.
 const CONTACT_GAP: f64 = 1e-14;
-/// Its median, m.
+/// Median of the gap, m.
 const MEDIAN_GAP: f64 = 1e-15;
 
-/// Table, ball radius: all presets with their balls, the mouth-line model, balls far too small, and
-/// tables that nobody builds.
+/// Tables and ball radii: all presets with their balls, the mouth-line model, balls that are far
+/// too small, and tables of unusual shape.
 pub(crate) fn tables() -> Vec<(String, Table, f64)> {
     let ball = |name: &str| match name {
         "snooker-12ft" => 0.02625,
@@ -71,7 +71,7 @@ pub(crate) fn tables() -> Vec<(String, Table, f64)> {
     all
 }
 
-/// A path of a ball that starts somewhere free, often near a pocket.
+/// A path of a ball from a random free position, often near a pocket.
 fn random_path(dice: &mut Dice, table: &Table, radius: f64) -> (Motion<2>, f64) {
     let (half, reach) = (table.size * 0.5, table.reach(radius));
     let start = loop {
@@ -90,7 +90,7 @@ fn random_path(dice: &mut Dice, table: &Table, radius: f64) -> (Motion<2>, f64) 
         }
     };
     let v = dice.direction() * dice.between(0.0, 4.0);
-    // Rolling, sliding, or bent far more than any cloth does.
+    // Rolling, sliding, or curved far more than on any cloth.
     let kind = dice.unit();
     let h = if kind < 0.4 {
         v * (-0.049 / v.length())
@@ -104,7 +104,7 @@ fn random_path(dice: &mut Dice, table: &Table, radius: f64) -> (Motion<2>, f64) 
 }
 
 #[test]
-fn nothing_is_missed_and_nothing_invented_on_any_table() {
+fn no_meeting_is_missed_or_invented_on_any_table() {
     for (name, table, radius) in tables() {
         let reach = table.reach(radius);
         let mut dice = Dice(0x00C0_FFEE);
@@ -113,7 +113,8 @@ fn nothing_is_missed_and_nothing_invented_on_any_table() {
         for i in 0..paths() {
             let (path, horizon) = random_path(&mut dice, &table, radius);
             let found = first_meeting(&table, radius, &path, horizon);
-            // An endless path that meets nothing stays on the table, which no acceleration allows.
+            // A path without end that meets nothing would stay on the table, which an accelerated
+            // one cannot.
             assert!(found.is_some() || horizon.is_finite(), "{name}, path {i}: {path:?}");
             let end = found.map_or(horizon, |(t, _)| t);
             if let Some(t) = first_violation(&table, reach, &path, 0.0, end) {
@@ -143,7 +144,7 @@ fn nothing_is_missed_and_nothing_invented_on_any_table() {
     }
 }
 
-/// The gap at a meeting, or why it is none.
+/// The gap at a meeting, or why the meeting is wrong.
 fn judge_meeting(
     table: &Table,
     reach: f64,
@@ -186,7 +187,7 @@ pub(crate) fn mirrored(path: &Motion<2>, [x, y]: [f64; 2]) -> Motion<2> {
     Motion { d: by(path.d), v: by(path.v), h: by(path.h) }
 }
 
-/// Where the mirrored part of a table is in its list.
+/// Index of the mirrored part of a table.
 pub(crate) fn mirrored_feature(
     table: &Table,
     feature: TableFeature,
@@ -259,8 +260,8 @@ fn a_mirrored_path_meets_the_mirrored_part_at_the_same_time_to_the_bit() {
 }
 
 #[test]
-fn a_ball_bounced_about_without_loss_never_leaves_the_table_but_through_a_pocket() {
-    /// Meetings after which a ball is let go.
+fn a_ball_that_bounces_without_loss_leaves_the_table_only_through_a_pocket() {
+    /// Most meetings of a ball.
     const BOUNCES: usize = 100;
     for (name, table, radius) in tables() {
         let reach = table.reach(radius);
@@ -277,7 +278,7 @@ fn a_ball_bounced_about_without_loss_never_leaves_the_table_but_through_a_pocket
                 let v = Vec2::new(vx, vy);
                 let into = table.normal_at(usize::from(part), Vec2::new(x, y));
                 let v = v - into * (2.0 * v.dot(into));
-                // Every other bounce is bent back towards the cushion, as by topspin.
+                // After every other bounce the path curves back to the cushion, as with topspin.
                 let h = if bounce % 2 == 0 { into * 0.981 } else { v * -0.01 };
                 path = Motion { d: [x, y], v: [v.x, v.y], h: [h.x, h.y] };
             }
@@ -292,7 +293,7 @@ fn frozen(table: &Table, along: f64, v: [f64; 2], h: [f64; 2]) -> Motion<2> {
 
 #[test]
 fn a_ball_frozen_to_a_rail_and_driven_into_it_meets_it_at_once() {
-    /// Of a place half a metre from the middle, m.
+    /// Rounding of a position half a metre from the middle, m.
     const ROUNDING: f64 = 1e-16;
     for name in PRESETS {
         let table = Table::preset(name).unwrap();
@@ -327,7 +328,7 @@ fn a_ball_frozen_to_a_rail_and_driven_off_it_or_along_it_does_not_meet_it() {
 }
 
 #[test]
-fn a_ball_driven_off_a_rail_and_turned_back_by_friction_meets_it_again() {
+fn a_ball_driven_off_a_rail_and_pulled_back_by_friction_meets_it_again() {
     let table = Table::preset("wpa-9ft").unwrap();
     // x = −0.1t + t²/2 is 0 again at t = 0.2.
     let path = frozen(&table, 0.3, [-0.1, 0.0], [0.5, 0.0]);
@@ -336,7 +337,7 @@ fn a_ball_driven_off_a_rail_and_turned_back_by_friction_meets_it_again() {
 }
 
 #[test]
-fn a_ball_one_rounding_behind_the_nose_line_obeys_the_same_rule() {
+fn a_ball_one_rounding_behind_the_nose_line_is_treated_alike() {
     let table = Table::preset("wpa-9ft").unwrap();
     let mut path = frozen(&table, 0.3, [-1.0, 0.2], [0.0, 0.0]);
     path.d[0] = f64::from_bits(path.d[0].to_bits() + 1);
@@ -347,19 +348,19 @@ fn a_ball_one_rounding_behind_the_nose_line_obeys_the_same_rule() {
 }
 
 #[test]
-fn a_ball_rolled_along_a_rail_passes_the_side_pocket_without_a_stumble() {
+fn a_ball_rolling_along_a_rail_passes_the_side_pocket_without_a_contact() {
     for name in ["wpa-9ft", "showood-7ft", "snooker-12ft"] {
         let table = Table::preset(name).unwrap();
         let path = frozen(&table, -0.3, [0.0, 2.0], [0.0, 0.0]);
         let (t, feature) = first_meeting(&table, POOL_BALL, &path, f64::INFINITY).unwrap();
-        // The next it meets is in the corner pocket.
+        // Its next meeting is in the corner pocket.
         let y = path.at(t)[1];
         assert!(y > 0.5 * table.size.y - 0.2, "{name}: {feature:?} at y = {y}");
     }
 }
 
 #[test]
-fn a_ball_is_captured_over_the_hole_or_at_the_mouth_line_as_the_pocket_model_says() {
+fn the_pocket_model_decides_whether_the_hole_or_the_mouth_line_captures_a_ball() {
     let description = TableDescription::preset("wpa-9ft").unwrap();
     let lines = TableDescription { pocket_model: PocketModel::MouthLine, ..description.clone() };
     let path = Motion { d: [0.3, 0.0], v: [1.0, 0.0], h: [0.0, 0.0] };
@@ -375,8 +376,8 @@ fn a_ball_is_captured_over_the_hole_or_at_the_mouth_line_as_the_pocket_model_say
 }
 
 #[test]
-fn a_ball_aimed_at_a_join_almost_along_the_cushion_does_not_slip_in_between_the_parts() {
-    /// How far before the join the paths begin, and how far they go, m.
+fn a_ball_aimed_at_a_join_almost_along_the_cushion_does_not_pass_between_the_parts() {
+    /// Distance of the paths' start before the join, and their length, m.
     const RUN: [f64; 2] = [0.004, 0.3];
     const SAMPLES: u32 = 300;
     for (name, table, radius) in tables().into_iter().filter(|(_, t, _)| !t.pockets.is_empty()) {
@@ -407,7 +408,7 @@ fn a_ball_aimed_at_a_join_almost_along_the_cushion_does_not_slip_in_between_the_
 }
 
 #[test]
-fn a_ball_aimed_at_a_join_from_any_direction_meets_one_of_the_parts_there() {
+fn a_ball_aimed_at_a_join_from_any_direction_meets_one_of_its_parts() {
     for (name, table, radius) in tables() {
         let reach = table.reach(radius);
         let mut dice = Dice(0xA1_3ED);

@@ -1,8 +1,10 @@
-//! An independent way to say when a ball meets a table: distances to the drawn curves, and walking.
+//! An independent search for the first meeting of a ball with a table, by distances to the drawn
+//! curves.
 //!
-//! It knows neither offset lines nor roots. The centre's distance from every nose, point and facing,
-//! taken as curves with ends, must not fall below the reach; it walks along the path by steps no longer
-//! than the distance left, so that nothing thicker than a step's sagitta can be passed.
+//! It uses neither offset lines nor roots. The distance of the centre from every nose, point and
+//! facing, as curves with ends, must not fall below the reach. The search walks along the path in
+//! steps no longer than the remaining distance, so that it cannot pass anything thicker than a
+//! step's sagitta.
 
 use carom::Table;
 use carom::math::{Vec2, sqrt};
@@ -11,7 +13,8 @@ use carom_roots::Motion;
 
 /// Shortest step of the walk, m. A graze shallower than step²/8δ ≈ 5e-12 m may be passed.
 const SHORTEST_STEP: f64 = 1e-6;
-/// A path that comes this close without being reported is a lost contact, m: ten thousand roundings.
+/// An overlap of this depth without a reported meeting is a missed contact, m: ten thousand
+/// roundings.
 pub(crate) const LOST: f64 = 1e-12;
 
 /// Numbers that are the same on every machine (xorshift64*).
@@ -57,7 +60,7 @@ pub(crate) fn distance(shape: &Shape, p: Vec2) -> f64 {
     }
 }
 
-/// Free way to the nearest cushion, m, and which part it is.
+/// Distance to the nearest cushion, m, and the part.
 pub(crate) fn clearance(table: &Table, reach: f64, p: Vec2) -> (f64, usize) {
     let mut nearest = (f64::INFINITY, 0);
     for (i, cushion) in table.cushions.iter().enumerate() {
@@ -69,7 +72,7 @@ pub(crate) fn clearance(table: &Table, reach: f64, p: Vec2) -> (f64, usize) {
     nearest
 }
 
-/// Free way to the nearest pocket, m; negative in it.
+/// Distance to the nearest pocket, m; negative inside it.
 pub(crate) fn way_to_pocket(table: &Table, p: Vec2) -> f64 {
     let mut least = f64::INFINITY;
     for pocket in &table.pockets {
@@ -92,8 +95,8 @@ fn to_line(ends: [Vec2; 2], axis: Vec2, p: Vec2) -> f64 {
     axis.dot(ends[0] - p)
 }
 
-/// The first time on `path` in [`from`, `to`] at which the ball is [`LOST`] deep in a cushion, or as
-/// deep in a pocket.
+/// The first time on `path` in [`from`, `to`] at which the ball is [`LOST`] deep in a cushion, or
+/// as deep in a pocket.
 pub(crate) fn first_violation(
     table: &Table,
     reach: f64,
@@ -116,7 +119,7 @@ pub(crate) fn first_violation(
         let speed = sqrt(vx * vx + vy * vy);
         let bend = 2.0 * sqrt(path.h[0] * path.h[0] + path.h[1] * path.h[1]);
         let step = free.max(SHORTEST_STEP);
-        // The time in which the ball certainly goes no further than `step`: v·dt + ½a·dt² = step.
+        // The ball moves at most `step` in this time: v·dt + ½a·dt² = step.
         let dt = 2.0 * step / (speed + sqrt(speed * speed + 2.0 * bend * step));
         t = (t + dt).min(to);
     }

@@ -1,4 +1,4 @@
-//! Where a ball may stand, judged against distances to the drawn curves.
+//! The positions that a ball may have, compared with distances to the drawn curves.
 
 use crate::oracle::{Dice, clearance, first_violation, way_to_pocket};
 use carom::Table;
@@ -10,7 +10,7 @@ use carom::table::{
 use carom_roots::Motion;
 
 const POOL_BALL: f64 = 0.028575;
-/// Depths are compared to this, m.
+/// Tolerance of depths, m.
 const SAME_DEPTH: f64 = 1e-12;
 
 fn tables() -> Vec<(String, Table)> {
@@ -25,14 +25,14 @@ fn tables() -> Vec<(String, Table)> {
 }
 
 #[test]
-fn in_front_of_the_noses_a_ball_is_as_deep_in_a_cushion_as_it_is_too_near() {
+fn in_front_of_the_noses_the_depth_in_a_cushion_is_the_missing_distance() {
     for (name, table) in tables() {
         let (reach, half) = (table.reach(POOL_BALL), table.size * 0.5);
         let lines = table.pockets.iter().any(|p| p.capture != Capture::DropCircle);
         let mut dice = Dice(0x1A1D);
         let mut seen = [0; 3];
         for _ in 0..20_000 {
-            // Mostly near the edge, where something can happen.
+            // Mostly near the edges, where balls touch something.
             let mut p = Vec2::new(dice.between(-half.x, half.x), dice.between(-half.y, half.y));
             if dice.unit() < 0.5 {
                 p.x = half.x - dice.between(0.0, 2.0 * reach);
@@ -42,7 +42,7 @@ fn in_front_of_the_noses_a_ball_is_as_deep_in_a_cushion_as_it_is_too_near() {
             let (free, _) = clearance(&table, reach, p);
             let place = table.place_check(p, POOL_BALL);
             let way = way_to_pocket(&table, p);
-            // As far over a lip a ball may hang.
+            // A ball may hang this far over a lip.
             let hangs = way >= -(BRINK * POOL_BALL + TOUCH_TOLERANCE) && !lines;
             if way < -TOUCH_TOLERANCE && !hangs {
                 assert!(matches!(place, Placement::OverHole { .. }), "{name}: {p:?} {place:?}");
@@ -63,7 +63,7 @@ fn in_front_of_the_noses_a_ball_is_as_deep_in_a_cushion_as_it_is_too_near() {
 }
 
 #[test]
-fn where_a_ball_can_roll_to_behind_the_noses_it_is_inside_and_elsewhere_it_is_not() {
+fn behind_the_noses_a_ball_is_inside_where_it_can_roll_to_and_nowhere_else() {
     let with_holes = PRESETS.map(|name| (name, Table::preset(name).unwrap()));
     let has_holes = |t: &Table| t.pockets.iter().any(|p| p.capture == Capture::DropCircle);
     for (name, table) in with_holes.into_iter().filter(|(_, t)| has_holes(t)) {
@@ -78,7 +78,7 @@ fn where_a_ball_can_roll_to_behind_the_noses_it_is_inside_and_elsewhere_it_is_no
                 continue;
             }
             let inside = table.place_check(p, POOL_BALL).is_inside();
-            // Straight from a place in front of the mouth, or along the axis first.
+            // Straight from a point in front of the mouth, or first along the axis.
             let from = |way: f64| pocket.center - pocket.axis * way;
             let rolled = [0.2, 0.16, 0.12, 0.1, 0.09].iter().any(|&way| {
                 let (start, v) = (from(way), p - from(way));
@@ -89,7 +89,7 @@ fn where_a_ball_can_roll_to_behind_the_noses_it_is_inside_and_elsewhere_it_is_no
             if rolled {
                 assert!(inside, "{name}: {p:?} {:?}", table.place_check(p, POOL_BALL));
             } else if inside {
-                // Perhaps it rolls there by a longer way: it overlaps nothing.
+                // It may reach the point by a longer path: it overlaps nothing.
                 assert!(clearance(&table, reach, p).0 >= -TOUCH_TOLERANCE, "{name}: {p:?}");
                 assert!(way_to_pocket(&table, p) >= -TOUCH_TOLERANCE, "{name}: {p:?}");
             }
@@ -119,7 +119,7 @@ fn a_ball_frozen_to_a_rail_touches_it_and_a_nanometre_either_way_still_does() {
 }
 
 #[test]
-fn beyond_the_rails_and_at_no_place_a_ball_is_outside() {
+fn beyond_the_rails_and_at_nan_a_ball_is_outside() {
     for (name, table) in tables() {
         for p in [[5.0, 0.0], [0.0, -5.0], [0.0, f64::NAN], [f64::INFINITY, 0.0]] {
             let place = table.place_check(Vec2::new(p[0], p[1]), POOL_BALL);
@@ -129,7 +129,7 @@ fn beyond_the_rails_and_at_no_place_a_ball_is_outside() {
 }
 
 #[test]
-fn on_unbounded_cloth_every_place_is_inside() {
+fn on_unbounded_cloth_every_position_is_inside() {
     for p in [[0.0, 0.0], [1e9, -1e9]] {
         let place = Table::unbounded().place_check(Vec2::new(p[0], p[1]), POOL_BALL);
         assert_eq!(place, Placement::Inside);

@@ -1,4 +1,4 @@
-//! Every preset, held to the figures that it was made from.
+//! Every preset has the figures of its sources.
 
 use std::fmt::Write;
 
@@ -7,7 +7,7 @@ use carom::math::Vec2;
 use carom::table::{CushionPart, PRESETS, Part, Pocket, Shape, TableDescription};
 use serde_json::Value;
 
-/// Two descriptions of one geometry agree to this, m: ten thousand roundings.
+/// Tolerance between two descriptions of one geometry, m: ten thousand roundings.
 const SAME_POINT: f64 = 1e-12;
 
 fn point(value: &Value, center: Vec2) -> Vec2 {
@@ -73,12 +73,12 @@ fn direction(start: Vec2, end: Vec2) -> Vec2 {
     (end - start) * (1.0 / (end - start).length())
 }
 
-/// What a rule book's gauge would read at a pocket, worked out from the parts alone.
+/// The figures of a rule book for a pocket, measured on its parts.
 #[derive(Debug)]
 struct Measured {
     /// Tip to tip, m.
     mouth: f64,
-    /// Inside the rubber, rad.
+    /// Cut angle, inside the rubber, rad.
     cut_angles: [f64; 2],
     /// From the mouth to the hole's edge, m.
     shelf: f64,
@@ -98,7 +98,7 @@ fn measure(table: &Table) -> Vec<Measured> {
             assert_eq!(facing.rail, nose.rail);
             let Shape::Segment { start, end, .. } = facing.shape else { unreachable!() };
             let down = direction(start, end);
-            // Where the two lines meet.
+            // The intersection of the two lines.
             let tip = start + down * (normal.dot(a - start) / normal.dot(down));
             jaws.push((tip, carom::math::acos(-along.dot(down))));
         }
@@ -128,7 +128,7 @@ fn measure(table: &Table) -> Vec<Measured> {
 
 const INCH: f64 = 0.0254;
 
-/// Whether `value` lies within the limits of a rule, give or take roundings.
+/// Whether `value` is within the limits of a rule, up to rounding.
 fn within(value: f64, low: f64, high: f64) -> bool {
     (low - SAME_POINT..=high + SAME_POINT).contains(&value)
 }
@@ -172,7 +172,7 @@ fn the_wpa_tables_keep_the_wpa_equipment_specifications() {
         for p in &sights {
             let behind = (p.x.abs() - 0.5 * table.size.x).max(p.y.abs() - 0.5 * table.size.y);
             assert!(within(behind, (3.6875 - 0.125) * INCH, (3.6875 + 0.125) * INCH));
-            // Every sight's neighbours, and the pockets between, are one interval away.
+            // Neighbouring sights, and pockets between them, are one interval apart.
             let along = if p.x.abs() > 0.5 * table.size.x { p.y } else { p.x };
             let intervals = along / (sight * INCH);
             assert!((intervals - intervals.round()).abs() <= 1e-9, "{p:?}");
@@ -369,7 +369,7 @@ fn the_page_on_tables_lists_every_dimension_of_every_preset() {
 }
 
 #[test]
-fn a_description_that_is_no_table_is_refused_with_the_key_at_fault() {
+fn a_description_that_makes_no_table_is_refused_with_its_key() {
     let wpa = TableDescription::preset("wpa-9ft").unwrap();
     let refused = |change: &dyn Fn(&mut TableDescription)| {
         let mut description = wpa.clone();

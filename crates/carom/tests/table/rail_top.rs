@@ -1,4 +1,4 @@
-//! When a ball on a rail's top leaves it, judged against walking along its path.
+//! The time at which a ball leaves a rail's top, compared with a walk along its path.
 
 use crate::meeting::{mirrored, paths, tables};
 use crate::oracle::Dice;
@@ -8,14 +8,15 @@ use carom::detect::rail_top::first_leaving;
 use carom::math::Vec2;
 use carom_roots::Motion;
 
-/// Nearest and farthest from an edge at which a ball leaves, m: roundings of a position.
+/// Distance from an edge within which a ball leaves, m: roundings of a position.
 const EDGE_GAP: f64 = 1e-14;
-/// Places looked at along a path.
+/// Points examined along a path.
 const SAMPLES: u32 = 400;
 /// A path may graze over an edge by the roundings of a position, m.
 const GRAZE: f64 = 1e-12;
 
-/// A path that starts on a rail's top, slowing down like a rolling or a sliding ball, and how long it is.
+/// A path that starts on a rail's top, slowing down like a rolling or a sliding ball, and how long
+/// it is.
 fn random_path(dice: &mut Dice, solid: &Solid<'_>) -> (Motion<2>, f64) {
     let table = solid.table;
     let out = table.size * 0.5 + Vec2::new(0.15, 0.15);
@@ -37,7 +38,7 @@ fn random_path(dice: &mut Dice, solid: &Solid<'_>) -> (Motion<2>, f64) {
         1 => dice.direction() * 0.981,
         _ => Vec2::ZERO,
     };
-    // Friction stops a ball before it turns it back.
+    // Friction stops a ball and does not reverse it.
     let slowing = -2.0 * h.dot(v) / v.length();
     let stop = if slowing > 0.0 { v.length() / slowing } else { 2.0 };
     (Motion { d: [p.x, p.y], v: [v.x, v.y], h: [h.x, h.y] }, stop.min(2.0))
@@ -83,7 +84,7 @@ fn a_ball_leaves_a_rails_top_where_its_centre_first_crosses_an_edge_or_the_borde
                 }
                 other => panic!("{name}, path {i}: {other:?}"),
             }
-            // A moment later it is off, unless it only grazed a round edge.
+            // Shortly after it is off, unless it only grazed a round edge.
             let [vx, vy] = path.velocity_at(t);
             let later = p + Vec2::new(vx, vy) * (1e-7 / Vec2::new(vx, vy).length());
             let off = !solid.is_behind_edges(later) || !solid.is_within_border(later);

@@ -1,8 +1,8 @@
-//! The table as a solid body in space, and walking through the air: an independent way to say when a
-//! flying ball meets it.
+//! The table as a solid body, and a walk through the air: an independent search for the first
+//! meeting of a flying ball.
 //!
-//! It knows neither planes' quadratics nor roots: only distances from drawn curves, and whether a line from
-//! a place to the middle of the table crosses their closed chain an odd number of times.
+//! It uses neither quadratics nor roots, only distances from drawn curves, and whether a line from
+//! a point to the middle of the table crosses their closed chain an odd number of times.
 
 use crate::oracle::{LOST, distance};
 use carom::Table;
@@ -13,10 +13,10 @@ use carom_roots::Motion;
 
 /// Shortest step of the walk, m. A graze shallower than step²/2R may be passed.
 const SHORTEST_STEP: f64 = 2e-6;
-/// Somewhere on the cloth, off every line of symmetry, m.
+/// A point on the cloth off every line of symmetry, m.
 const MIDDLE: Vec2 = Vec2::new(0.012_345, 0.023_456);
 
-/// The drawn curves that close around the playing area and the pockets.
+/// The drawn curves that enclose the playing area and the pockets.
 pub(crate) struct Solid<'a> {
     pub(crate) table: &'a Table,
     pub(crate) radius: f64,
@@ -41,7 +41,7 @@ impl<'a> Solid<'a> {
         self.table.cushions.iter().filter(|c| c.part != Part::Top).map(|c| &c.shape)
     }
 
-    /// Whether `p` is behind the edges, where rubber or wood is.
+    /// Whether `p` is behind the edges, in rubber or wood.
     pub(crate) fn is_behind_edges(&self, p: Vec2) -> bool {
         let all = self.edges().chain(&self.backs);
         all.map(|shape| crossings(shape, p, MIDDLE)).sum::<usize>() % 2 == 1
@@ -57,7 +57,7 @@ impl<'a> Solid<'a> {
         self.edges().chain(&self.backs).map(|s| plan_distance(s, p)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Free way of a ball to the feature, m.
+    /// Distance of a ball to the feature, m.
     pub(crate) fn gap(&self, feature: TableFeature, p: Vec3) -> f64 {
         let (height, radius) = (self.table.cushion_height, self.radius);
         match feature {
@@ -76,7 +76,7 @@ impl<'a> Solid<'a> {
                     Shape::Hollow { .. } => hypot(aside, p.z - height) - radius,
                     _ => {
                         let edge = hypot(aside, p.z - height) - radius;
-                        // Rubber recedes under its edge, by a radius far below.
+                        // The rubber recedes under its edge, far below by a radius.
                         let under = hypot(aside, (p.z - (height - radius)).max(0.0));
                         edge.min(under)
                     }
@@ -86,7 +86,7 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// Free way of a ball to anything solid, m; negative inside.
+    /// Distance of a ball to anything solid, m; negative inside.
     pub(crate) fn clearance(&self, p: Vec3) -> f64 {
         let table = self.table;
         let over = |k: &usize| {
@@ -112,7 +112,8 @@ impl<'a> Solid<'a> {
         free
     }
 
-    /// The first time on the flight `path` in [0, `to`] at which the ball is [`LOST`] deep in something.
+    /// The first time on the flight `path` in [0, `to`] at which the ball is [`LOST`] deep in
+    /// something.
     pub(crate) fn first_violation(&self, path: &Motion<3>, to: f64) -> Option<f64> {
         let bend = -2.0 * path.h[2];
         let mut t = 0.0;
@@ -146,7 +147,7 @@ fn plan_distance(shape: &Shape, p: Vec2) -> f64 {
     }
 }
 
-/// How often the straight line from `p` to `q` crosses a drawn curve.
+/// Number of crossings of the straight line from `p` to `q` with a drawn curve.
 fn crossings(shape: &Shape, p: Vec2, q: Vec2) -> usize {
     let way = q - p;
     match *shape {
