@@ -1,4 +1,4 @@
-//! Playing shots one after the other, whatever number of balls they have.
+//! A simulator that plays shots with any number of balls.
 
 use alloc::boxed::Box;
 use alloc::format;
@@ -79,7 +79,7 @@ impl Simulator {
         } else {
             self.few.play_strike(shot, strike, recorder)
         };
-        played.map_err(|failure| shot.explain(failure, strike.as_ref().map(|(_, strike)| strike)))
+        played.map_err(|failure| explain(shot, strike.as_ref().map(|(_, strike)| strike), failure))
     }
 
     /// Plays `shot` and records everything.
@@ -136,21 +136,19 @@ impl Shot {
     pub fn simulate(&self) -> Result<Trace, Error> {
         Simulator::new().record(self)
     }
+}
 
-    /// Why this shot, played with `strike` where that is not its own, has no result, in the user's
-    /// words.
-    pub fn explain(&self, failure: SimulationError, strike: Option<&Strike>) -> Error {
-        let played = strike.copied().or(self.strike().map(|(_, strike)| strike));
-        match (failure, played) {
-            (SimulationError::Strike(e), Some(played)) => shot::explain("strike", &played, e),
-            (SimulationError::Strike(e), None) => {
-                Error::input("strike", format!("{e}"), "change the strike")
-            }
-            (SimulationError::TooManyEvents { max_events, .. }, _) => {
-                let played = strike.and_then(|strike| self.with_strike(strike).ok());
-                let shot = played.as_ref().unwrap_or(self).to_json();
-                Error::TooManyEvents { cap: max_events, shot }
-            }
+/// The error, in the user's terms, of `shot` played with `strike`.
+fn explain(shot: &Shot, strike: Option<&Strike>, failure: SimulationError) -> Error {
+    match (failure, strike) {
+        (SimulationError::Strike(e), Some(strike)) => shot::explain("strike", strike, e),
+        (SimulationError::Strike(e), None) => {
+            Error::input("strike", format!("{e}"), "change the strike")
+        }
+        (SimulationError::TooManyEvents { max_events, .. }, _) => {
+            let played = strike.and_then(|strike| shot.with_strike(strike).ok());
+            let shot = played.as_ref().unwrap_or(shot).to_json();
+            Error::TooManyEvents { cap: max_events, shot }
         }
     }
 }
