@@ -63,7 +63,8 @@ pub(crate) fn first_contact<const N: usize>(
 /// v ∥ h: whether there is a contact follows from the distance of the line from the centre, and its
 /// time from a quadratic.
 ///
-/// With x = d + τ v, |x| = D at τ = (−d·v − √(v²D² − |d × v|²))/v², and τ = t + κt² with κ = v·h/v².
+/// With x = d + τ v, |x| = D at τ = (−d·v − √(v²D² − |d × v|²))/v², and τ = t + κt² with κ =
+/// v·h/v².
 #[inline(always)]
 fn on_straight_path<const N: usize>(
     motion: &Motion<N>,

@@ -1,6 +1,6 @@
-//! Plays the shots of a file (one `carom-shot/1` per line) a number of times, on one core and without
-//! traces, and prints the number of shots and events of one pass. `benches/instructions.py` counts its
-//! instructions; it is also suitable for a profiler.
+//! Plays the shots of a file (one `carom-shot/1` per line) a number of times, on one core and
+//! without traces, and prints the number of shots and events of one pass. `benches/instructions.py`
+//! counts its instructions; it is also suitable for a profiler.
 //!
 //! ```sh
 //! cargo run --profile bench --example bench_shots -- shots.jsonl 1000

@@ -1,12 +1,13 @@
-//! The choice of the steps of `carom::resolve::ball_ball::network`: the error of its long steps against an
-//! integration with small ones, over a grid of the two constants `ahead` and `trend`. Prints JSON.
+//! The choice of the steps of `carom::resolve::ball_ball::network`: the error of its long steps
+//! against an integration with small ones, over a grid of the two constants `ahead` and `trend`.
+//! Prints JSON.
 //!
 //! `cargo run --release -p carom --example network_step_choice`
 //!
-//! Balls stand in rows of three to eight and touch; the first one to four of them move at 1 m/s. There
-//! are no losses. The reference solves m·dv/dt = k·δ^(3/2) by the classical Runge–Kutta method. The error
-//! of a row is the largest difference of a ball's speed from the reference, as a fraction of the first
-//! ball's speed.
+//! Balls stand in rows of three to eight and touch; the first one to four of them move at 1 m/s,
+//! without losses. The reference solves m·dv/dt = k·δ^(3/2) by the classical Runge–Kutta method.
+//! The error of a row is the largest difference of a ball's speed from the reference, as a fraction
+//! of the first ball's speed.
 
 use std::process::Command;
 

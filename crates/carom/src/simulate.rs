@@ -74,8 +74,8 @@ pub fn simulate<R: Recorder>(shot: &Shot, recorder: &mut R) -> Result<Summary, S
     }
 }
 
-/// The mutable state of a shot of at most `N` balls. Each call of [`Simulation::play`] starts anew,
-/// so one value serves many shots.
+/// The mutable state of a shot of at most `N` balls. Each call of [`Simulation::play`] starts
+/// again, so one value serves many shots.
 ///
 /// `N` is a multiple of 8, because balls are searched in rows of vector registers, and at most
 /// [`MAX_BALLS`]; other numbers do not compile. [`SMALL_CAPACITY`] is the usual one.

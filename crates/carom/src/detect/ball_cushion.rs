@@ -16,8 +16,8 @@ use carom_roots::{Motion, first_contact, first_crossing};
 use crate::math::Vec2;
 use crate::table::{JOIN_OVERLAP, Shape, arc_sides};
 
-/// First time in [0, `horizon`] (s) at which a ball of `reach` δ (m) on `path` touches `shape` while
-/// approaching it.
+/// First time in [0, `horizon`] (s) at which a ball of `reach` δ (m) on `path` touches `shape`
+/// while approaching it.
 pub fn first_touch(shape: &Shape, reach: f64, path: &Motion<2>, horizon: f64) -> Option<f64> {
     match *shape {
         Shape::Segment { start, end, normal } => {

@@ -85,7 +85,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.lanes.valid_until[i] = self.valid_until(i);
     }
 
-    /// The time until which the path of ball `i` is valid: see [`Lanes::valid_until`](super::Lanes).
+    /// The time until which the path of ball `i` is valid: see
+    /// [`Lanes::valid_until`](super::Lanes).
     #[inline(always)]
     fn valid_until(&self, i: usize) -> f64 {
         let path = &self.path[i];
@@ -140,8 +141,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         flight::first_meeting(table, path.radius, &motion, path.duration)
     }
 
-    /// First contact of two balls of which at least one is off the bed. `plan` is their relative motion
-    /// seen from above.
+    /// First contact of two balls of which at least one is off the bed. `plan` is their relative
+    /// motion seen from above.
     #[cold]
     fn first_contact_off_bed(
         &self,

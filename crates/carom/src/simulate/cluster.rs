@@ -1,5 +1,5 @@
-//! Clusters: balls that touch when one of them is hit. Their contacts are resolved together, not one
-//! after another.
+//! Clusters: balls that touch when one of them is hit. Their contacts are resolved together, not
+//! one after another.
 
 use super::step::StepContext;
 use super::support::Support;
@@ -37,7 +37,8 @@ const SLOWEST: f64 = 1e-9;
 /// Number of balls tested together by vector instructions. It divides every capacity.
 const BLOCK: usize = 8;
 
-/// Balls that meet at one instant. Any that do not fit follow in further events of the same instant.
+/// Balls that meet at one instant. Any that do not fit follow in further events of the same
+/// instant.
 struct Cluster {
     size: usize,
     balls: [u16; MAX_BODIES],
@@ -56,8 +57,8 @@ impl Cluster {
         &self.balls[..self.size]
     }
 
-    /// Removes the balls whose velocities have not changed. `first` and `second`, whose contact is the
-    /// cause, stay in any case: a ball hit from straight above does not move, but takes part.
+    /// Removes the balls whose velocities have not changed. `first` and `second`, whose contact is
+    /// the cause, stay in any case: a ball hit from straight above does not move, but takes part.
     fn keep_struck(&mut self, [first, second]: [u16; 2]) {
         let mut kept = 0;
         for k in 0..self.size {
@@ -129,8 +130,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         [x, y, l.radius[k]]
     }
 
-    /// Resolves the impact of `a` on `b` together with the balls that touch them. Returns `false`, and
-    /// changes nothing, if there are no such balls.
+    /// Resolves the impact of `a` on `b` together with the balls that touch them. Returns `false`,
+    /// and changes nothing, if there are no such balls.
     #[cold]
     fn on_cluster_contact<R: Recorder>(
         &mut self,
@@ -180,8 +181,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         true
     }
 
-    /// Adds every ball within `reach` (m) that acts `together` with a ball of the cluster, then those
-    /// that act together with the added balls, and so on. Finally sorts the balls in the shot's order.
+    /// Adds every ball within `reach` (m) that acts `together` with a ball of the cluster, then
+    /// those that act together with the added balls, and so on. Finally sorts the balls in the
+    /// shot's order.
     fn gather(
         &self,
         cluster: &mut Cluster,
@@ -278,8 +280,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     }
 }
 
-/// A function of another ball [x, y, R], positive where this ball is further than `reach` (m) from the
-/// ball [px, py, radius], seen from above.
+/// A function of another ball [x, y, R], positive where this ball is further than `reach` (m) from
+/// the ball [px, py, radius], seen from above.
 #[inline(always)]
 fn clearance([px, py, radius]: [f64; 3], reach: f64) -> impl Fn([f64; 3]) -> f64 {
     let near = radius + reach;

@@ -15,15 +15,15 @@ use crate::resolve::{self, Body, ball_slate};
 use crate::table::Part;
 use crate::{Ball, BallState, Physics};
 
-/// Sine and cosine of the angle by which the wall of a liner leans over the hole, so that it deflects a
-/// fast ball downwards: 15°, as the back draft of a facing. Detection treats the wall as upright, at its
-/// mean position. Estimated: no rule book gives the angle. Smaller, and a ball that rolls at 2.3 m/s into
-/// the middle of the pocket climbs the wall and comes out again.
+/// Sine and cosine of the angle by which the wall of a liner leans over the hole, so that it
+/// deflects a fast ball downwards: 15°, as the back draft of a facing. Detection treats the wall as
+/// upright, at its mean position. Estimated: no rule book gives the angle. Smaller, and a ball that
+/// rolls at 2.3 m/s into the middle of the pocket climbs the wall and comes out again.
 const LINER_LEAN: [f64; 2] = [0.258_819_045_102_520_76, 0.965_925_826_289_068_3];
 
 /// Least slope of the line of centres of a ball that bounces on top of another. A smaller slope is
-/// replaced by this one, along x. Without it a ball would bounce on the highest point of another for
-/// ever; with it no ball balances closer than 0.06 mm to that point.
+/// replaced by this one, along x. Without it a ball would bounce on the highest point of another
+/// for ever; with it no ball balances closer than 0.06 mm to that point.
 const BALANCE: f64 = 1e-3;
 
 impl<const N: usize, F: ContactFinder> Simulation<N, F> {
@@ -231,8 +231,8 @@ fn leaning(normal: Vec3) -> Vec3 {
     (normal.xy() * cos).with_z(sin)
 }
 
-/// The line of centres from `flyer` to the ball below it. If it is nearly vertical and the flyer does not
-/// move sideways, it is inclined by [`BALANCE`].
+/// The line of centres from `flyer` to the ball below it. If it is nearly vertical and the flyer
+/// does not move sideways, it is inclined by [`BALANCE`].
 fn unbalanced(normal: Vec3, flyer: &Body) -> Vec3 {
     if normal.xy().length_squared() >= BALANCE * BALANCE
         || flyer.velocity.xy().length_squared() >= PRESS_SPEED * PRESS_SPEED

@@ -36,28 +36,29 @@ use crate::{Ball, BallState, MotionState};
 /// tell a push from a single gentle touch. Contacts under a push recur after 1 ms or less.
 pub(super) const PUSH_PERIOD: f64 = 1e-3;
 
-/// The minimum separation speed in a persistent contact, m/s. The contact then recurs after 2v/a, 1 ms
-/// under a sliding ball. Larger, and the bounces would become visible (now 0.25 µm under a sliding ball,
-/// 10 µm under the faintest push of rolling balls); smaller, and there are more events.
+/// The minimum separation speed in a persistent contact, m/s. The contact then recurs after 2v/a, 1
+/// ms under a sliding ball. Larger, and the bounces would become visible (now 0.25 µm under a
+/// sliding ball, 10 µm under the faintest push of rolling balls); smaller, and there are more
+/// events.
 pub(super) const PRESS_SPEED: f64 = 1e-3;
 
-/// The raised approach speed adds energy, which the friction of the same contact takes away again. Where
-/// the contact has no friction, the spins that slip on the cloth and so cause the push supply this
-/// energy, up to this share of their own. A sliding pool ball supplies about 1e-6, and the cloth takes
-/// thousands of times more between two contacts. (With friction the spins may not supply it: a ball's
-/// angular momentum about the contact is conserved.)
+/// The raised approach speed adds energy, which the friction of the same contact takes away again.
+/// Where the contact has no friction, the spins that slip on the cloth and so cause the push supply
+/// this energy, up to this share of their own. A sliding pool ball supplies about 1e-6, and the
+/// cloth takes thousands of times more between two contacts. (With friction the spins may not
+/// supply it: a ball's angular momentum about the contact is conserved.)
 const SPIN_SHARE: f64 = 1e-3;
 
-/// The minimum separation speed, m/s, where neither friction nor spins make up for the energy. The gain
-/// is then at most ½mv², 1e-9 J for a pool ball.
+/// The minimum separation speed, m/s, where neither friction nor spins make up for the energy. The
+/// gain is then at most ½mv², 1e-9 J for a pool ball.
 const UNPAID_PRESS_SPEED: f64 = 1e-4;
 
-/// The minimum separation speed is at most this share of the speeds of the bodies' centres and surfaces.
-/// Purpose: bodies that hardly move gain hardly any speed.
+/// The minimum separation speed is at most this share of the speeds of the bodies' centres and
+/// surfaces. Purpose: bodies that hardly move gain hardly any speed.
 const PRESS_SHARE: f64 = 0.1;
 
-/// A separation speed below this fraction of the bodies' speeds is rounding error. Without this limit
-/// the next contact would compute the same two velocities again, for ever.
+/// A separation speed below this fraction of the bodies' speeds is rounding error. Without this
+/// limit the next contact would compute the same two velocities again, for ever.
 const SEPARATION_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// `state` after an impact, with other velocities.

@@ -98,9 +98,9 @@ pub(super) fn least<const N: usize>(numbers: &[f64; N], n: usize) -> f64 {
     least.into_iter().fold(f64::INFINITY, earlier)
 }
 
-/// Calls `visit` with the index of each of the first `n` numbers that has the bits of `number`; the rest
-/// of the last block is included. Integers, because comparing and branching takes fewer instructions
-/// than for floating-point numbers.
+/// Calls `visit` with the index of each of the first `n` numbers that has the bits of `number`; the
+/// rest of the last block is included. Integers, because comparing and branching takes fewer
+/// instructions than for floating-point numbers.
 #[inline(always)]
 pub(super) fn each_equal<const N: usize>(
     numbers: &[f64; N],
@@ -127,8 +127,8 @@ pub(super) fn has_wide_vectors() -> bool {
 }
 
 impl<const N: usize> Lanes<N> {
-    /// The motions of [`BLOCK`] balls, the first of them `from`, relative to ball `i`, whose path is
-    /// valid until `valid_until`, from `time` on.
+    /// The motions of [`BLOCK`] balls, the first of them `from`, relative to ball `i`, whose path
+    /// is valid until `valid_until`, from `time` on.
     #[inline(always)]
     fn row(&self, (i, valid_until): (usize, f64), from: usize, time: f64) -> Row<BLOCK> {
         let age = time - self.start[i];
@@ -161,8 +161,8 @@ impl<const N: usize> Lanes<N> {
         row
     }
 
-    /// The motion of ball `j` relative to ball `i` from `time` on, the distance at which they touch, m,
-    /// and how long the motion is valid, s.
+    /// The motion of ball `j` relative to ball `i` from `time` on, the distance at which they
+    /// touch, m, and how long the motion is valid, s.
     #[inline(always)]
     pub(super) fn pair(&self, i: usize, j: usize, time: f64) -> (Motion<2>, f64, f64) {
         let (age_i, age_j) = (time - self.start[i], time - self.start[j]);

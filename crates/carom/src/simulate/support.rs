@@ -23,8 +23,8 @@ impl Support {
     }
 
     /// The state right after an impact that gave the ball these velocities: the same position, and
-    /// the motion state that follows from the velocities. On a plane a vertical velocity too small for
-    /// a hop becomes 0 ([`ball_slate::settle`]).
+    /// the motion state that follows from the velocities. On a plane a vertical velocity too small
+    /// for a hop becomes 0 ([`ball_slate::settle`]).
     #[inline(always)]
     pub(super) fn settled(
         self,

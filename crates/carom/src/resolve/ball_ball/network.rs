@@ -6,31 +6,33 @@
 //! integrated in time, with fixed positions and a spring for every contact:
 //!
 //! * **Along the normal** Hertz's force F = k·δ^(3/2), k = (4/3)E*·√(R₁R₂/(R₁+R₂)). While a contact
-//!   opens, its force is e² times as large, so that a pair alone separates with e times its approach
-//!   speed. e is the law's restitution at the fastest approach that the contact has had
+//!   opens, its force is e² times as large, so that a pair alone separates with e times its
+//!   approach speed. e is the law's restitution at the fastest approach that the contact has had
 //!   ([`restitution::effective`]).
 //! * **Tangentially** friction of at most μF against the slip **u** of a's surface over b's (as in
-//!   [`contact`](super::contact)), μ being that of the fastest slip that the contact has had. In the
-//!   rigid models friction stops the slip. In the `compliant` model it is a spring as well: it slides
-//!   where μF is too small to hold it, and loses its part of the stored energy as the contact opens. Its
-//!   stiffness is (5/4)(ω_t/ω_n)²·(2/7) times F/δ. During a pair's contact it then oscillates as far as
-//!   Stronge's linear springs do, at any speed (the phase of √(7/2·k_t/m*) is π·ω_t/ω_n).
-//!   `mathavan-2014` is treated like `frictional`, because its friction of the cloth has no form for
-//!   many balls.
+//!   [`contact`](super::contact)), μ being that of the fastest slip that the contact has had. In
+//!   the rigid models friction stops the slip. In the `compliant` model it is a spring as well: it
+//!   slides where μF is too small to hold it, and loses its part of the stored energy as the
+//!   contact opens. Its stiffness is (5/4)(ω_t/ω_n)²·(2/7) times F/δ. During a pair's contact it
+//!   then oscillates as far as Stronge's linear springs do, at any speed (the phase of
+//!   √(7/2·k_t/m*) is π·ω_t/ω_n). `mathavan-2014` is treated like `frictional`, because its
+//!   friction of the cloth has no form for many balls.
 //!
-//! A pair alone is resolved by its own law ([`super::resolve`]), not here. If it were resolved here,
-//! the result would agree with the law's restitution and rigid friction to 3e-3 of the approach speed,
-//! and the throw of `compliant` balls with their law to 0.4°.
+//! A pair alone is resolved by its own law ([`super::resolve`]), not here. If it were resolved
+//! here, the result would agree with the law's restitution and rigid friction to 3e-3 of the
+//! approach speed, and the throw of `compliant` balls with their law to 0.4°.
 //!
-//! **Units.** The equations are solved in units of the fastest approach speed V, the heaviest ball's
-//! mass and the time T = (m*²/(k²V))^(1/5) of the stiffest pair (a pair's contact lasts 3.21 T). For
-//! balls that touch at the start, the result does not depend on the modulus E*, and the velocities are
-//! proportional to the speed of the impact. E* matters only where gaps have to close first.
+//! **Units.** The equations are solved in units of the fastest approach speed V, the heaviest
+//! ball's mass and the time T = (m*²/(k²V))^(1/5) of the stiffest pair (a pair's contact lasts 3.21
+//! T). For balls that touch at the start, the result does not depend on the modulus E*, and the
+//! velocities are proportional to the speed of the impact. E* matters only where gaps have to close
+//! first.
 //!
-//! **Conservation.** Impulses are rounded to a grid ([`GRID`]) on which sums are exact. So their order
-//! does not matter, mirrored impulses cancel to the bit, and both balls of a contact receive the same
-//! impulse. The steps conserve the energy to about 1e-4. If they would gain energy, the whole change of
-//! velocity is scaled down; an impact without losses is scaled to conserve the energy.
+//! **Conservation.** Impulses are rounded to a grid ([`GRID`]) on which sums are exact. So their
+//! order does not matter, mirrored impulses cancel to the bit, and both balls of a contact receive
+//! the same impulse. The steps conserve the energy to about 1e-4. If they would gain energy, the
+//! whole change of velocity is scaled down; an impact without losses is scaled to conserve the
+//! energy.
 
 use super::contact::TANGENT_COMPLIANCE;
 use crate::math::{Vec2, Vec3, pow, sqrt};
@@ -41,13 +43,12 @@ use crate::table::TOUCH_TOLERANCE;
 /// The most balls in a network.
 pub const MAX_BODIES: usize = 24;
 
-/// The most contacts in a network. That many equal balls in a plane have at most
-/// ⌊3n − √(12n − 3)⌋ = 55 contacts (Harborth 1974). Any others are resolved in a next impact at the same
-/// instant.
+/// The most contacts in a network. That many equal balls in a plane have at most ⌊3n − √(12n − 3)⌋
+/// = 55 contacts (Harborth 1974). Any others are resolved in a next impact at the same instant.
 pub const MAX_CONTACTS: usize = 64;
 
-/// Length of the array of balls: at least [`MAX_BODIES`], and a power of two, so that an index modulo this
-/// number needs no bounds check.
+/// Length of the array of balls: at least [`MAX_BODIES`], and a power of two, so that an index
+/// modulo this number needs no bounds check.
 const BITS: usize = 32;
 
 /// E* = E/(2(1 − ν²)) of ball material, Pa: 2270 N compress two 2¼ in balls by 0.2 mm
@@ -57,17 +58,18 @@ pub const CONTACT_MODULUS: f64 = 5.04e9;
 /// Duration of a pair's Hertz contact, in units of (m*²/(k²V))^(1/5).
 const CONTACT_TIME: f64 = 3.21;
 
-/// The most steps of an impact. A frozen rack needs a few hundred. Balls that still approach after that
-/// meet again in a next impact at the same instant.
+/// The most steps of an impact. A frozen rack needs a few hundred. Balls that still approach after
+/// that meet again in a next impact at the same instant.
 const MAX_STEPS: usize = 4000;
 
-/// x + `GRID` − `GRID` rounds x to a grid of 2⁻⁴⁴ (for |x| < 128). Sums of such numbers are exact up to
-/// 512, so their order does not matter. The unit is the momentum of the heaviest ball at the fastest
-/// approach.
+/// x + `GRID` − `GRID` rounds x to a grid of 2⁻⁴⁴ (for |x| < 128). Sums of such numbers are exact
+/// up to 512, so their order does not matter. The unit is the momentum of the heaviest ball at the
+/// fastest approach.
 const GRID: f64 = 384.0;
 
-/// As the impact fades, contacts last longer, with (speed)^(−1/5), and the steps grow likewise: each time
-/// the square of the fastest approach has fallen to this fraction, they grow by the factor [`LONGER`].
+/// As the impact fades, contacts last longer, with (speed)^(−1/5), and the steps grow likewise:
+/// each time the square of the fastest approach has fallen to this fraction, they grow by the
+/// factor [`LONGER`].
 const RELAXED: f64 = 0.5;
 
 /// Growth of a step: [`RELAXED`]^(−1/10).
@@ -79,25 +81,26 @@ const SLIP_STEP: f64 = 1.0 / 64.0;
 /// An approach slower than this fraction of the fastest approach counts as 0.
 const STILL: f64 = 1e-9;
 
-/// How the impact is integrated. The leapfrog method places forces in the middle of steps; evaluating
-/// each force at an extrapolated position cancels most of its error (Takahashi & Imada 1984).
+/// How the impact is integrated. The leapfrog method places forces in the middle of steps;
+/// evaluating each force at an extrapolated position cancels most of its error (Takahashi & Imada
+/// 1984).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stepping {
     /// Number of steps in the contact of a pair alone.
     pub steps_per_contact: f64,
-    /// How far ahead a force is evaluated, as a multiple of (step)²·(acceleration); 1/12 is best for
-    /// small steps.
-    pub ahead: f64,
-    /// The acceleration is extrapolated: the last one plus this multiple of its last change; 1 is best
+    /// How far ahead a force is evaluated, as a multiple of (step)²·(acceleration); 1/12 is best
     /// for small steps.
+    pub ahead: f64,
+    /// The acceleration is extrapolated: the last one plus this multiple of its last change; 1 is
+    /// best for small steps.
     pub trend: f64,
 }
 
 impl Stepping {
-    /// The steps of [`resolve`]. The velocities of rows of three to eight balls then differ by less than
-    /// 9e-4 of the first ball's speed from the limit of small steps. `ahead` and `trend` were chosen for
-    /// these long steps: the example `network_step_choice` computes the errors
-    /// around them. Longer steps, or other values of the two, and that error grows.
+    /// The steps of [`resolve`]. The velocities of rows of three to eight balls then differ by less
+    /// than 9e-4 of the first ball's speed from the limit of small steps. `ahead` and `trend` were
+    /// chosen for these long steps: the example `network_step_choice` computes the errors around
+    /// them. Longer steps, or other values of the two, and that error grows.
     pub const CHOSEN: Self = Self { steps_per_contact: 11.0, ahead: 0.065, trend: 1.25 };
 }
 
@@ -117,7 +120,8 @@ pub struct Touch {
 /// Resolves the impact of balls that touch. Returns `false`, and changes nothing, if no two of them
 /// approach. Balls that the impact does not reach keep their exact bits.
 ///
-/// There are at most [`MAX_BODIES`] `bodies`; only the first [`MAX_CONTACTS`] of `touches` are used.
+/// There are at most [`MAX_BODIES`] `bodies`; only the first [`MAX_CONTACTS`] of `touches` are
+/// used.
 pub fn resolve(law: &BallBall, bodies: &mut [Body], touches: &[Touch]) -> bool {
     resolve_in_steps(law, bodies, touches, &Stepping::CHOSEN)
 }
@@ -231,7 +235,8 @@ struct Link {
     /// m* and 1/m*.
     mass: f64,
     mobility: f64,
-    /// The fraction of a slip that one step may stop: 1 / (number of contacts of the ball that has more).
+    /// The fraction of a slip that one step may stop: 1 / (number of contacts of the ball that has
+    /// more).
     share: f64,
     /// δ, negative where there is a gap.
     depth: f64,
@@ -298,8 +303,8 @@ impl TangentBasis {
         Self { first, second: normal.cross(first.with_z(0.0)) }
     }
 
-    /// The components of the slip, from the velocity of the first ball's centre relative to the second's
-    /// and the sum of both Rω.
+    /// The components of the slip, from the velocity of the first ball's centre relative to the
+    /// second's and the sum of both Rω.
     #[inline(always)]
     fn slip(&self, velocity: Vec3, surface: Vec3) -> Vec2 {
         let Self { first, second } = *self;
@@ -322,8 +327,8 @@ const SMOOTH: u8 = 0;
 const RIGID: u8 = 1;
 const SPRUNG: u8 = 2;
 
-/// Integrates the impact until no contact carries a force and no two balls that touched at the start
-/// approach. A gap that has not closed by then is left to a later impact.
+/// Integrates the impact until no contact carries a force and no two balls that touched at the
+/// start approach. A gap that has not closed by then is left to a later impact.
 fn integrate<const GRIP: u8>(
     law: &BallBall,
     units: &Units,
@@ -340,7 +345,8 @@ fn integrate<const GRIP: u8>(
         active |= u64::from(link.approach != 0.0) << k;
     }
     for _ in 0..MAX_STEPS {
-        // The balls with an impulse, one bit each; the time to the next contact; the largest (speed)².
+        // The balls with an impulse, one bit each; the time to the next contact; the largest
+        // (speed)².
         let (mut loaded, mut next_contact, mut greatest_square) = (0_u32, f64::INFINITY, 0.0);
         let ahead = stepping.ahead * step.length;
         for k in Bits(active) {
@@ -435,7 +441,8 @@ impl TimeStep {
         Self { length, square_speed: 1.0, speed: units.speed }
     }
 
-    /// Lengthens the step a little where the impact has faded, and shortens it where speeds have grown.
+    /// Lengthens the step a little where the impact has faded, and shortens it where speeds have
+    /// grown.
     #[inline(always)]
     fn adapt(&mut self, greatest_square: f64) {
         if greatest_square < RELAXED * self.square_speed {
@@ -526,8 +533,8 @@ impl Link {
 
 /// Applies the changes of the impact to the balls, scaled so that the energy does not rise.
 fn apply(law: &BallBall, units: &Units, balls: &[BallChange], bodies: &mut [Body]) {
-    // Scaled by λ, the changes alter the energy by −λ·work + λ²·cost. Velocities are relative to one of
-    // the balls, because a common velocity would add rounding error.
+    // Scaled by λ, the changes alter the energy by −λ·work + λ²·cost. Velocities are relative to
+    // one of the balls, because a common velocity would add rounding error.
     let (mut work, mut cost) = (0.0, 0.0);
     let frame = bodies[0].velocity;
     for (ball, body) in balls.iter().zip(&*bodies) {

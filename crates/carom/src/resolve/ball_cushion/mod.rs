@@ -32,9 +32,9 @@
 //!   wedge it, and this rest of its velocity is lost.
 //! * **Slow impacts are lossless.** Below [`restitution::FULL`] the result is mixed linearly with a
 //!   mirror reflection, and below [`restitution::ELASTIC`] it is that reflection (horizontal on the
-//!   bed, along **n** off it). Otherwise a ball that the cloth pushes against a rail would make ever
-//!   smaller bounces without end. Kinetic energy is convex in the velocities, so a mixture of two
-//!   results has at most the mixture of their energies.
+//!   bed, along **n** off it). Otherwise a ball that the cloth pushes against a rail would make
+//!   ever smaller bounces without end. Kinetic energy is convex in the velocities, so a mixture of
+//!   two results has at most the mixture of their energies.
 //! * **Mirror symmetry is exact.** Reversing the motion along the rail reverses the result, bit for
 //!   bit.
 
