@@ -13,11 +13,11 @@ use crate::solid::Solid;
 /// Allowed relative rounding error of sums over the balls of an event.
 const ROUNDING: f64 = 1e-12;
 
-/// Largest energy that a persistent contact may add, J: that of `UNPAID_PRESS_SPEED` in the
+/// Largest energy that a persistent contact may add, J: that of `MIN_SEPARATION_WITH_GAIN` in the
 /// engine's `simulate/persistent_contact.rs`.
 pub const PUSH_ENERGY: f64 = 2e-9;
 
-/// The same if one of the balls is in the air, J: that of `PRESS_SPEED` there.
+/// The same if one of the balls is in the air, J: that of `MIN_SEPARATION` there.
 const PUSH_ENERGY_ALOFT: f64 = 1.5e-7;
 
 /// Largest fraction of a spin that a persistent contact of smooth balls may take: `SPIN_SHARE`

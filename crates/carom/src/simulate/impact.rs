@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use super::edge::cushion_edge;
-use super::persistent_contact::{Encounter, PRESS_SPEED, PUSH_PERIOD};
+use super::persistent_contact::{Encounter, MIN_SEPARATION, PUSH_PERIOD};
 use super::step::StepContext;
 use super::support::Support;
 use crate::detect::ball_ball::ContactFinder;
@@ -235,7 +235,7 @@ fn leaning(normal: Vec3) -> Vec3 {
 /// does not move sideways, it is inclined by [`BALANCE`].
 fn unbalanced(normal: Vec3, flyer: &Body) -> Vec3 {
     if normal.xy().length_squared() >= BALANCE * BALANCE
-        || flyer.velocity.xy().length_squared() >= PRESS_SPEED * PRESS_SPEED
+        || flyer.velocity.xy().length_squared() >= MIN_SEPARATION * MIN_SEPARATION
     {
         return normal;
     }

@@ -9,23 +9,24 @@
 //! after      = the impact by its model
 //! approach   = approach speed before,  separation = separation speed in `after`
 //! persistent = both bodies had another contact within PUSH_PERIOD
-//! if separation > ε and (separation ≥ PRESS_SPEED or approach ≥ PRESS_SPEED or not persistent):
+//! if separation > ε
+//!    and (separation ≥ MIN_SEPARATION or approach ≥ MIN_SEPARATION or not persistent):
 //!     return after                                   # an ordinary impact
-//! if approach ≥ PRESS_SPEED:
+//! if approach ≥ MIN_SEPARATION:
 //!     return after, its separation raised to 2ε      # restitution 0, or wedged by slate and nose
-//! for v_min in [PRESS_SPEED, UNPAID_PRESS_SPEED]:
-//!     v = max(2ε, min(v_min, PRESS_SHARE · speeds of centres and surfaces) if persistent else 0)
+//! for v_min in [MIN_SEPARATION, MIN_SEPARATION_WITH_GAIN]:
+//!     v = max(2ε, min(v_min, SEPARATION_SHARE · speeds of centres and surfaces) if persistent else 0)
 //!     if separation ≥ v: return after
 //!     pressed = the impact by its model, with the approach speed raised to v
 //!     if energy(pressed) ≤ energy(before), possibly after the spins supply the excess:
 //!         return pressed
-//! return pressed                                     # it gains at most ½m·UNPAID_PRESS_SPEED²
+//! return pressed                                     # gains at most ½m·MIN_SEPARATION_WITH_GAIN²
 //! ```
 //!
 //! ε is the rounding error of a separation speed. At such low speeds restitution is 1
 //! ([`restitution`](crate::resolve::restitution)), so that the bodies separate about as fast as
 //! they meet. A ball that lies on another is pressed by gravity instead of cloth: there is no limit
-//! by `PRESS_SHARE` for it, and no limit on its energy.
+//! by `SEPARATION_SHARE` for it, and no limit on its energy.
 
 use super::earlier;
 use super::support::on_plane;
@@ -40,7 +41,7 @@ pub(super) const PUSH_PERIOD: f64 = 1e-3;
 /// ms under a sliding ball. Larger, and the bounces would become visible (now 0.25 µm under a
 /// sliding ball, 10 µm under the faintest push of rolling balls); smaller, and there are more
 /// events.
-pub(super) const PRESS_SPEED: f64 = 1e-3;
+pub(super) const MIN_SEPARATION: f64 = 1e-3;
 
 /// The raised approach speed adds energy, which the friction of the same contact takes away again.
 /// Where the contact has no friction, the spins that slip on the cloth and so cause the push supply
@@ -51,11 +52,11 @@ const SPIN_SHARE: f64 = 1e-3;
 
 /// The minimum separation speed, m/s, where neither friction nor spins make up for the energy. The
 /// gain is then at most ½mv², 1e-9 J for a pool ball.
-const UNPAID_PRESS_SPEED: f64 = 1e-4;
+const MIN_SEPARATION_WITH_GAIN: f64 = 1e-4;
 
 /// The minimum separation speed is at most this share of the speeds of the bodies' centres and
 /// surfaces. Purpose: bodies that hardly move gain hardly any speed.
-const PRESS_SHARE: f64 = 0.1;
+const SEPARATION_SHARE: f64 = 0.1;
 
 /// A separation speed below this fraction of the bodies' speeds is rounding error. Without this
 /// limit the next contact would compute the same two velocities again, for ever.
@@ -96,11 +97,11 @@ impl<const K: usize> Encounter<'_, K> {
         let separation = self.separation(&after);
         let rounding = SEPARATION_ROUNDING * self.speeds(&after);
         if separation > rounding
-            && (separation >= PRESS_SPEED || !self.persistent || approach >= PRESS_SPEED)
+            && (separation >= MIN_SEPARATION || !self.persistent || approach >= MIN_SEPARATION)
         {
             return after;
         }
-        if approach >= PRESS_SPEED {
+        if approach >= MIN_SEPARATION {
             return self.separated(&after, 2.0 * rounding - separation);
         }
         self.pressed(after, separation, rounding, raised)
@@ -122,10 +123,10 @@ impl<const K: usize> Encounter<'_, K> {
         let share = if lies_on_ball {
             f64::INFINITY
         } else {
-            PRESS_SHARE * (self.speeds(self.before) + self.surface_speeds())
+            SEPARATION_SHARE * (self.speeds(self.before) + self.surface_speeds())
         };
         let mut result = after;
-        for least in [PRESS_SPEED, UNPAID_PRESS_SPEED] {
+        for least in [MIN_SEPARATION, MIN_SEPARATION_WITH_GAIN] {
             let least = if self.persistent { earlier(least, share) } else { 0.0 };
             let speed = if least > 2.0 * rounding { least } else { 2.0 * rounding };
             if separation >= speed {
