@@ -373,7 +373,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     }
 
     /// A ball meets a feature of the table.
-    #[inline(always)]
+    // Inlined, these handlers would cost the event loop a few instructions per event.
+    #[inline(never)]
     fn on_table_contact<R: Recorder>(
         &mut self,
         i: usize,
