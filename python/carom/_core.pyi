@@ -64,13 +64,6 @@ _Play = tuple[
 ]
 
 # Layouts, the index of each row's layout, paths and values, keys of a strike and numbers, noise.
-_Rows = tuple[
-    list[Shot],
-    NDArray[np.int32],
-    list[tuple[str, NDArray[np.float64] | tuple[list[Any], NDArray[np.int32]]]],
-    list[tuple[str, NDArray[np.float64]]],
-    tuple[tuple[float, ...], int, NDArray[np.int64]] | None,
-]
 _Report = Callable[[int, int, int], object]
 
 @final
@@ -161,8 +154,8 @@ def evaluate(
     report: _Report,
 ) -> dict[str, Any]: ...
 def plain(value: object) -> Any: ...
-def play_rows(rows: _Rows, balls: int, outcomes: bool) -> dict[str, Any]: ...
-def row_shot(rows: _Rows) -> Shot: ...
+def play_rows(rows: object, balls: int, outcomes: bool) -> dict[str, Any]: ...
+def row_shot(rows: object) -> Shot: ...
 def points(
     sequence: str, seed: int, index: NDArray[np.int64], dimensions: int
 ) -> NDArray[np.float64]: ...

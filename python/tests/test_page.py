@@ -130,6 +130,19 @@ def test_without_the_page_the_error_says_how_to_build_it(pot: dict[str, Any]) ->
             ask()
 
 
+@pytest.mark.usefixtures("small")
+def test_arguments_of_a_wrong_type_are_refused_by_name(pot: dict[str, Any]) -> None:
+    shot = Shot.from_dict(pot)
+    wrong: Any = 5
+    with pytest.raises(carom.InputError, match=r"^document: found a int; give"):
+        page.html(wrong)
+    with pytest.raises(carom.InputError, match=r"^title: "):
+        page.html(shot, title=wrong)
+    for height in (0, -5, 1.5, float("nan"), 10**9, "tall"):
+        with pytest.raises(carom.InputError, match=r"^height: .*from 1 to 1000000"):
+            page.frame(shot, height=height)  # type: ignore[arg-type]
+
+
 def test_a_file_that_is_not_the_page_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pot: dict[str, Any]
 ) -> None:

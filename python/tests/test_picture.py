@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import math
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -13,6 +14,7 @@ import carom
 import numpy as np
 import pytest
 from carom import Shot, picture
+from carom.picture import evaluation, solutions
 from carom.picture.colors import look
 from carom.picture.paths import Leg, routes
 from carom.picture.table import Ground
@@ -273,6 +275,39 @@ def test_pool_balls_have_their_usual_colours() -> None:
     assert look("9", 0).body == look("1", 0).body
     assert look("red-4", 0).body == look("red", 5).body == look("red4", 1).body
     assert look("nobody", 0) != look("nobody", 1)
+
+
+def test_arguments_of_a_wrong_type_are_refused_by_name(pot: dict[str, Any], tmp_path: Path) -> None:
+    shot = Shot.from_dict(pot)
+    trace = shot.simulate()
+    wrong: Any = 5
+    asks: list[tuple[str, Callable[[], object]]] = [
+        ("trace", lambda: picture.draw(wrong)),
+        ("trace", lambda: picture.svg(wrong)),
+        ("title", lambda: picture.draw(trace, title=wrong)),
+        ("geometry", lambda: picture.draw_table(wrong)),
+        ("geometry", lambda: picture.draw_table({})),
+        ("path", lambda: picture.save(trace, wrong)),
+        ("path", lambda: picture.save(trace, tmp_path / "a.gif")),
+        ("found", lambda: picture.save(wrong, tmp_path / "a.svg")),
+        ("found", lambda: picture.save([wrong], tmp_path / "a.svg")),
+        ("found", lambda: picture.save([], tmp_path / "a.svg")),
+        ("evaluation", lambda: evaluation.draw(wrong)),
+        ("shot", lambda: solutions.draw(wrong, [])),
+        ("solutions", lambda: solutions.draw(shot, [wrong])),
+        ("leave", lambda: solutions.draw(shot, [], leave=wrong)),
+        ("leave", lambda: solutions.draw(shot, [], leave=((0.1,), 0.2))),
+    ]
+    for name, ask in asks:
+        with pytest.raises(carom.InputError, match=rf"^{name}: .*; "):
+            ask()
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("dots", [0, -1, 10**9, 1.5, "many"])
+def test_a_resolution_out_of_range_is_refused(pot: dict[str, Any], dots: Any) -> None:
+    with pytest.raises(carom.InputError, match=r"^dots_per_inch: .*from 1 to 1200"):
+        picture.png(Shot.from_dict(pot).simulate(), dots_per_inch=dots)
 
 
 def test_drawing_does_not_change_the_trace(pot: dict[str, Any]) -> None:

@@ -414,6 +414,32 @@ def test_arguments_of_a_wrong_type_are_refused_by_name(pot: dict[str, Any], tmp_
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize(
+    ("column", "values", "message"),
+    [
+        ("layout", [0, 2], r"^batch: layout is out of range; give whole numbers from 0 to 1$"),
+        ("layout", [0, -1], r"^batch: layout is out of range"),
+        ("layout", [0, None], r"^batch: layout has nulls; give"),
+        ("layout", ["a", "b"], r"^batch: layout has the type string; give int32"),
+        ("speed", ["fast", "slow"], r"^batch: speed has the type string; give double"),
+    ],
+)
+def test_a_batch_with_wrong_values_is_refused_by_column(
+    spec: Spec, column: str, values: list[Any], message: str
+) -> None:
+    sweep = Sweep.from_dict(spec)
+    batch = sweep.parameters(0, 2)
+    with pytest.raises(InputError, match=message):
+        sweep.play(batch.set_column(batch.schema.get_field_index(column), column, pa.array(values)))
+
+
+def test_a_batch_made_elsewhere_may_have_wider_types(spec: Spec) -> None:
+    sweep = Sweep.from_dict(spec)
+    batch = sweep.parameters(0, 4)
+    wide = batch.set_column(1, "layout", batch["layout"].cast(pa.int64()))
+    assert sweep.play(wide).equals(sweep.play(batch))
+
+
 def test_sigmas_of_the_noise_have_their_unit_in_the_name(pot: dict[str, Any]) -> None:
     spec = {"format": "carom-sweep/1", "shots": pot}
     new = Sweep.from_dict(spec | {"noise": {"side_m": 1e-3, "height_m": 2e-3, "azimuth_deg": 1}})

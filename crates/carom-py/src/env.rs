@@ -1,7 +1,7 @@
 //! `_core.VectorEnv`.
 
+use carom::Error;
 use carom::format::Node;
-use carom::{Error, Noise};
 use carom_env::{
     ACTIONS, Aim, Autoreset, BALL_FEATURES, Config, FEATURES, Opponent, Rewards, TargetBall, Task,
     Transitions,
@@ -14,11 +14,12 @@ use pyo3::types::PyDict;
 
 use crate::error::to_exception;
 use crate::node::{from_python, to_python};
+use crate::options::NoiseOptions;
 
 /// `carom.env.settings.Settings`, read by attribute; Python has checked the types.
 #[derive(FromPyObject)]
 struct Settings<'py> {
-    noise: [f64; 5],
+    noise: NoiseOptions,
     aim: String,
     speed: [f64; 2],
     max_elevation: f64,
@@ -67,9 +68,8 @@ impl Settings<'_> {
         physics: Option<Node>,
     ) -> Result<Config, Error> {
         let usual = Config::of(task);
-        let [speed, azimuth, elevation, side, height] = self.noise;
         Ok(Config {
-            noise: Noise { speed, azimuth, elevation, side_m: side, height_m: height },
+            noise: self.noise.noise(),
             aim: Aim::read(&self.aim)?,
             speed: self.speed,
             elevation: self.max_elevation,

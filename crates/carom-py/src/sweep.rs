@@ -10,9 +10,9 @@ use numpy::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::batch::noise_of;
 use crate::error::{InputError, to_exception};
 use crate::node::{from_python, to_python};
+use crate::options::NoiseOptions;
 use crate::shot::Shot;
 
 /// Numbers of shape (n,), lists of shape (n, width), or indices of shape (n,) into a list of values.
@@ -50,21 +50,24 @@ impl<'py> Kept<'py> {
     }
 }
 
-/// σ as in `draw_strikes`, seed, indices of shape (n,).
-type Noisy<'py> = ([f64; 5], u64, PyReadonlyArray1<'py, i64>);
-
 /// The name of a column of outcomes, and how to get its value.
 type OutcomeColumn = (&'static str, fn(&OutcomeColumns) -> i16);
 
-/// The parameters of rows: layouts; the index of each row's layout, shape (n,); paths and values; keys of a
-/// strike and numbers of shape (n,); noise. All arrays are contiguous.
-type RowArguments<'py> = (
-    Vec<PyRef<'py, Shot>>,
-    PyReadonlyArray1<'py, i32>,
-    Vec<(String, Given<'py>)>,
-    Vec<(String, PyReadonlyArray1<'py, f64>)>,
-    Option<Noisy<'py>>,
-);
+/// `carom.sweeps.play.RowArguments`, read by attribute. All arrays are contiguous.
+#[derive(FromPyObject)]
+pub(crate) struct RowArguments<'py> {
+    layouts: Vec<PyRef<'py, Shot>>,
+    /// The index of each row's layout, shape (n,).
+    layout: PyReadonlyArray1<'py, i32>,
+    /// Paths and values.
+    columns: Vec<(String, Given<'py>)>,
+    /// Keys of a strike and numbers of shape (n,).
+    strike: Vec<(String, PyReadonlyArray1<'py, f64>)>,
+    noise: Option<NoiseOptions>,
+    seed: u64,
+    /// The index of each row's noise, shape (n,).
+    noise_index: PyReadonlyArray1<'py, i64>,
+}
 
 /// The results of rows, as a dict of arrays of shape (n,), or (n, balls) for columns per ball.
 #[pyfunction]
@@ -87,9 +90,10 @@ pub(crate) fn row_shot<'py>(py: Python<'py>, rows: RowArguments<'py>) -> PyResul
 
 fn with_rows<'py, T>(
     py: Python<'py>,
-    (layouts, layout, columns, strike, noise): RowArguments<'py>,
+    rows: RowArguments<'py>,
     answer: impl FnOnce(&SweepRows<'_>) -> T,
 ) -> PyResult<T> {
+    let RowArguments { layouts, layout, columns, strike, noise, seed, noise_index } = rows;
     let raise = |error| to_exception(py, &error);
     let layouts: Vec<_> = layouts.iter().map(|shot| shot.0.clone()).collect();
     let layouts: Vec<&ShotFile> = layouts.iter().map(|shot| &**shot).collect();
@@ -110,7 +114,7 @@ fn with_rows<'py, T>(
         })
         .collect::<PyResult<Vec<_>>>()?;
     let noise = match &noise {
-        Some((sigmas, seed, index)) => Some((noise_of(*sigmas), *seed, index.as_slice()?)),
+        Some(noise) => Some((noise.noise(), seed, noise_index.as_slice()?)),
         None => None,
     };
     Ok(answer(&SweepRows {

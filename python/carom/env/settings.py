@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import astuple, dataclass, fields
+from dataclasses import dataclass, fields
 from typing import Any
 
 from carom.arguments import instance, number, numbers, text, thread_count, whole
@@ -55,7 +55,7 @@ class Settings:
     """The settings as Rust reads them, by attribute; see :func:`settings` for their meaning.
 
     Attributes:
-        noise: Standard deviations in the order of ``Noise``.
+        noise: Noise of every strike; its zeros mean no noise.
         aim: As given.
         speed: Least and largest speed of the cue, m/s.
         max_elevation: rad.
@@ -72,7 +72,7 @@ class Settings:
         threads: Number of threads; None means one per core.
     """
 
-    noise: tuple[float, ...]
+    noise: Noise
     aim: str
     speed: tuple[float, ...]
     max_elevation: float
@@ -155,7 +155,7 @@ def _checked(
             "for example carom.env.Rewards(win=1.0)"
         )
     return Settings(
-        noise=astuple(noise or Noise()),
+        noise=noise or Noise(),
         aim=text("aim", aim, '"absolute"'),
         speed=numbers("speed", speed, 2),
         max_elevation=number("max_elevation", max_elevation),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from carom import _core
@@ -15,10 +15,35 @@ from carom.sweeps.spec import Draw, Grid, Parameter, Spec
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from carom.noise import Noise
+
     Indices: TypeAlias = NDArray[np.int64]
 
 # Rows, spread over the whole sweep, that are tried before a run begins.
 PROBES = 64
+
+
+@dataclass(frozen=True, slots=True)
+class RowArguments:
+    """The parameters of rows in the form that Rust reads, by attribute.
+
+    Attributes:
+        layouts: All layouts.
+        layout: The index of each row's layout, shape (n,).
+        columns: Paths, each with numbers or with choices and indices.
+        strike: Keys of a strike, each with numbers of shape (n,).
+        noise: The execution noise, if any.
+        seed: Seed of the noise.
+        noise_index: The index of each row's noise, shape (n,).
+    """
+
+    layouts: list[_core.Shot]
+    layout: NDArray[np.int32]
+    columns: list[tuple[str, Any]]
+    strike: list[tuple[str, NDArray[np.float64]]]
+    noise: Noise | None
+    seed: int
+    noise_index: Indices
 
 
 class RowPlayer:
@@ -69,10 +94,7 @@ class RowPlayer:
             kind = type(batch).__name__
             remedy = "give a pyarrow.RecordBatch, for example sweep.parameters(0, 10)"
             raise InputError(f"batch: found a {kind}; {remedy}")
-        if batch.schema.names != self.parameter_schema.names:
-            wanted = ", ".join(self.parameter_schema.names)
-            given = ", ".join(batch.schema.names)
-            raise InputError(f"batch: its columns are {given}; give {wanted}")
+        batch = self._checked(batch)
         rows = self._rows(batch)
         with_referee = not set(REFEREE).isdisjoint(self.spec.columns)
         found = _core.play_rows(rows, self.balls, with_referee)
@@ -86,7 +108,34 @@ class RowPlayer:
         """
         return _core.row_shot(self._rows(self.parameters(row, row + 1)))
 
-    def _rows(self, batch: pa.RecordBatch) -> _core._Rows:
+    def _checked(self, batch: pa.RecordBatch) -> pa.RecordBatch:
+        """The batch with the types of the parameters; one made elsewhere may have others."""
+        schema = self.parameter_schema
+        if batch.schema.names != schema.names:
+            wanted, given = ", ".join(schema.names), ", ".join(batch.schema.names)
+            raise InputError(f"batch: its columns are {given}; give {wanted}")
+        columns = []
+        for field in schema:
+            column = batch[field.name]
+            if not pa.types.is_dictionary(field.type) and column.type != field.type:
+                try:
+                    column = column.cast(field.type)
+                except (pa.ArrowInvalid, pa.ArrowNotImplementedError):
+                    what = f"{field.name} has the type {column.type}"
+                    raise InputError(f"batch: {what}; give {field.type}") from None
+            if field.name in ("row", "layout") and column.null_count:
+                raise InputError(f"batch: {field.name} has nulls; give whole numbers")
+            columns.append(column)
+        checked = pa.RecordBatch.from_arrays(columns, names=schema.names)
+        layout = _numpy(checked["layout"])
+        if len(layout) and not (layout.min() >= 0 and layout.max() < len(self.layouts)):
+            raise InputError(
+                f"batch: layout is out of range; give whole numbers from 0 to "
+                f"{len(self.layouts) - 1}"
+            )
+        return checked
+
+    def _rows(self, batch: pa.RecordBatch) -> RowArguments:
         """Rows of parameters in the form that Rust accepts."""
         spec = self.spec
         layout = _numpy(batch["layout"])
@@ -101,12 +150,9 @@ class RowPlayer:
                 strike.append((key, numbers))
             else:
                 columns.append((parameter.path, _values(parameter, column)))
-        noise = None
-        if spec.noise is not None:
-            row = _numpy(batch["row"])
-            index = row % (spec.samples * spec.variants) if spec.paired else row
-            noise = (astuple(spec.noise), spec.seed, index)
-        return self.layouts, layout, columns, strike, noise
+        row = _numpy(batch["row"])
+        index = row % (spec.samples * spec.variants) if spec.paired else row
+        return RowArguments(self.layouts, layout, columns, strike, spec.noise, spec.seed, index)
 
     def check(self) -> None:
         """Try some rows and reject the sweep if none of them can be simulated.
