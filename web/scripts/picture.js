@@ -1,6 +1,6 @@
 /**
- * The README's picture of the page: a moment of a replay, seen from the side.
- * usage: node picture.js PAGE SECONDS OUT, where PAGE was written by `carom shot --html`
+ * Takes the README's picture of the page: one time of a replay, seen from the side.
+ * usage: node picture.js PAGE SECONDS OUT, where `carom shot --html` wrote PAGE
  */
 
 /* global performance, window -- inside the page */
@@ -8,10 +8,11 @@
 import process from "node:process";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
+import { requireChromium } from "./find_chromium.js";
 
 const [page, seconds, out] = process.argv.slice(2);
 const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  executablePath: await requireChromium(),
   args: [
     "--no-sandbox",
     "--use-gl=angle",
@@ -25,7 +26,7 @@ const browser = await chromium.launch({
 try {
   const context = await browser.newContext({
     viewport: { width: 1280, height: 800 },
-    // No flights of the camera to wait for.
+    // So that the camera moves at once.
     reducedMotion: "reduce",
     offline: true,
   });

@@ -38,7 +38,7 @@ async function start(): Promise<void> {
   };
   const scene = new Scene(store, context);
   mountPage(store, context, first.welcome);
-  first.then(store);
+  first.then(store, context);
   draw = () => {
     scene.update();
     if (viewer.needsFrame) viewer.render();

@@ -8,6 +8,7 @@ import { areasOf } from "./game/areas.ts";
 import type { Game } from "./document/game.ts";
 import { canAim, standing } from "./game/play.ts";
 import type { State, Store } from "./document/store.ts";
+import { anglesOf } from "./document/strike-angles.ts";
 
 /** Greatest distance (m) of a drawn path from the exact one: below a pixel at usual zooms. */
 const PATH_TOLERANCE = 0.0005;
@@ -17,8 +18,6 @@ const PULL = 0.03;
 const PULL_PER_SPEED = 0.03;
 /** Greatest distance (m), so that the cue stays in the picture. */
 const LONGEST_PULL = 0.35;
-
-const RADIANS = Math.PI / 180;
 
 export interface SceneStats {
   /** Time of the last update of the scene, without drawing, ms. */
@@ -141,8 +140,7 @@ function moves(points: Float64Array): boolean {
 function pose({ strike }: AimedShot, ball: number): CuePose {
   return {
     ball,
-    azimuth: strike.azimuth_deg * RADIANS,
-    elevation: (strike.elevation_deg ?? 0) * RADIANS,
+    ...anglesOf(strike),
     side: strike.side ?? 0,
     height: strike.height ?? 0,
     pull: Math.min(PULL + PULL_PER_SPEED * strike.speed, LONGEST_PULL),

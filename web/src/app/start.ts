@@ -1,6 +1,8 @@
 /** What the page opens with: the document embedded in it, or the link in its address, or a first shot. */
 
 import { CaromError, type Engine, type ShotFile } from "../engine/index.ts";
+import { playThenAim } from "./aim/autoplay.ts";
+import type { Context } from "./common/context.ts";
 import { errorText } from "./common/words.ts";
 import { FIRST_VIEW, type Document, type View } from "./document/document.ts";
 import { cannotOpen, documentOf, readFile } from "./document/file.ts";
@@ -15,7 +17,7 @@ export interface Start {
   /** Whether to show the first steps: the page was opened without a document or a link. */
   readonly welcome: boolean;
   /** Runs once the page is mounted: shows a replay, or says what could not be opened. */
-  then(store: Store): void;
+  then(store: Store, context: Context): void;
 }
 
 /** The first shot: a cut into the corner that also asks for position of the cue ball. */
@@ -33,20 +35,27 @@ const FIRST_SHOT: ShotFile = {
 
 export function startOf(engine: Engine): Start {
   const first = documentOf(FIRST_SHOT);
-  const embedded = document.getElementById("carom-document")?.textContent.trim() ?? "";
-  if (embedded !== "") return fromEmbedded(engine, first, embedded);
+  const element = document.getElementById("carom-document");
+  const embedded = element?.textContent.trim() ?? "";
+  const plays = element?.dataset.play !== undefined;
+  if (embedded !== "") return fromEmbedded(engine, first, embedded, plays);
   return fromAddress(engine, first) ?? { ...showing(first), welcome: true };
 }
 
-/** The document embedded in the page. It is the first one, so undo cannot leave it. */
-function fromEmbedded(engine: Engine, first: Document, json: string): Start {
+/**
+ * The document embedded in the page. It is the first one, so undo cannot leave it.
+ *
+ * @param plays Whether a trace plays at once; otherwise its replay waits at the start.
+ */
+function fromEmbedded(engine: Engine, first: Document, json: string, plays: boolean): Start {
   try {
     const { shot, trace } = readFile(engine, json);
     engine.shot(shot).free();
     return {
       ...showing({ ...first, shot }),
-      then: (store) => {
-        if (trace) replay(store, trace, 0, false);
+      then: (store, context) => {
+        if (trace && plays) playThenAim(store, context, trace);
+        else if (trace) replay(store, trace, 0, false);
       },
     };
   } catch (error) {

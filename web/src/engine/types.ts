@@ -38,8 +38,12 @@ export interface StrikeEntry {
   readonly ball: string;
   /** Speed of the cue at contact, m/s. */
   readonly speed: number;
-  readonly azimuth_deg: number;
+  /** Direction in which the cue moves, counter-clockwise from +x: in degrees or in radians. */
+  readonly azimuth_deg?: number;
+  readonly azimuth?: number;
+  /** Elevation of the butt: in degrees or in radians. Default 0. */
   readonly elevation_deg?: number;
+  readonly elevation?: number;
   /** Contact point right of the ball's centre, in ball radii. */
   readonly side?: number;
   /** Contact point above the ball's centre, in ball radii. */

@@ -95,6 +95,46 @@ print(trace._repr_html_())
   await context.close();
 });
 
+test("an embedded break plays by itself in a frame, then lets one aim at the balls that remain", async ({
+  browser,
+}) => {
+  const program = `
+import sys, carom, carom.page
+trace = carom.Shot.from_json(sys.stdin.read()).simulate()
+page = carom.page.html(trace).replace('id="carom-document"', 'id="carom-document" data-play', 1)
+open(sys.argv[1], "w", encoding="utf-8").write(page)
+`;
+  const file = join(folder, "live.html");
+  const shot = readFileSync(new URL("../../../shots/half_ball_cut.json", import.meta.url));
+  execFileSync(join(dirname(NATIVE), "python"), ["-c", program, file], { input: shot });
+  writeFileSync(
+    join(folder, "site.html"),
+    '<!doctype html><iframe src="live.html" style="width: 800px; height: 600px"></iframe>',
+  );
+  const context = await browser.newContext({ offline: true });
+  const page = await context.newPage();
+  await page.goto(address("site.html"));
+  const inside = page.frames()[1]!;
+  await inside.waitForFunction(() => window.carom?.store.session.mode === "replay", undefined, {
+    timeout: STARTING,
+  });
+  const trace = await inside.evaluate(() => {
+    const { trace, playing } = window.carom!.store.session;
+    return { playing, balls: trace!.shot.balls.length };
+  });
+  expect(trace.playing).toBe(true);
+  await inside.waitForFunction(() => window.carom!.store.session.mode === "aim", undefined, {
+    timeout: STARTING,
+  });
+  const { label, balls } = await inside.evaluate(() => {
+    const { store } = window.carom!;
+    return { label: store.undoLabel, balls: store.document.shot.balls.length };
+  });
+  expect(label).toBe("take it from here");
+  expect(balls).toBeLessThanOrEqual(trace.balls);
+  await context.close();
+});
+
 test("a shot in an exported page opens for aiming, whatever its balls are called", async ({
   open,
 }) => {

@@ -1,7 +1,7 @@
 import type { Page } from "playwright-core";
 import { expect, onPage, picture, settled, shotOf, SMALL, test } from "./fixture.ts";
 
-/** A rack whose usual break pockets the nine: a frame of one shot. */
+/** Seed of a rack whose break pockets the nine: a frame of one shot. */
 const NINE_ON_THE_BREAK = 1;
 
 interface Begun {
@@ -20,7 +20,7 @@ async function begin(page: Page, { game, seed = 7, names = ["Ann", "Bea"] }: Beg
   await panel.getByRole("button", { name: "Start the game" }).click();
 }
 
-/** Softly past everything: a foul in every game but practice. */
+/** A soft shot that hits nothing: a foul in every game but practice. */
 async function foul(page: Page): Promise<void> {
   await page.evaluate(() => {
     window.carom!.store.strike({ speed: 0.5, azimuth_deg: 180 }, "aim");
@@ -51,7 +51,7 @@ test("two people play a frame of nine-ball to its end, and another", async ({ op
   expect((await stateOf(page)).moves).toEqual([]);
 });
 
-test("who watches a shot is told the ruling when it is over, not before", async ({ open }) => {
+test("the ruling appears when the replay of the shot ends, not before", async ({ open }) => {
   const page = await open();
   await begin(page);
   await page.evaluate(() => {
@@ -69,7 +69,7 @@ test("who watches a shot is told the ruling when it is over, not before", async 
   expect(await bar(page)).toMatch(/Bea to shoot/);
 });
 
-test("the played shot is the one that was shown, to the bit", async ({ open }) => {
+test("the played shot is the predicted one, to the bit", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce" });
   await begin(page, { seed: 11 });
   const shown = await page.evaluate(() => {
@@ -82,7 +82,7 @@ test("the played shot is the one that was shown, to the bit", async ({ open }) =
   expect(await page.locator("#hash").textContent()).toBe(shown);
 });
 
-/** Drags from one place of the table to another, and holds on there. */
+/** Drags from one place of the table to another, without releasing. */
 async function drag(
   page: Page,
   from: readonly number[],
@@ -95,7 +95,7 @@ async function drag(
   await settled(page);
 }
 
-test("a cue ball in hand can be dragged within its region, and no further", async ({ open }) => {
+test("a cue ball in hand can be dragged within its region only", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce", viewport: SMALL });
   await begin(page, { game: "snooker" });
   expect(await bar(page)).toMatch(/A red is on\. The cue ball is in hand, in the D\./);
@@ -112,18 +112,20 @@ test("a cue ball in hand can be dragged within its region, and no further", asyn
   await picture(page, "game-snooker");
 });
 
-test("the other balls stay where they lie, and the page says why", async ({ open }) => {
+test("the other balls cannot be dragged, and the page says why", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce", viewport: SMALL });
   await begin(page, { game: "three-cushion" });
   const { balls } = await stateOf(page);
   const red = balls.find(({ id }) => id === "red")!;
   await drag(page, red.position, [0.5, 1.5]);
-  expect(await page.getByRole("alert").textContent()).toMatch(/balls stay where they lie/);
+  expect(await page.getByRole("alert").textContent()).toMatch(
+    /balls cannot be moved during a game/,
+  );
   await page.mouse.up();
   expect((await stateOf(page)).balls).toEqual(balls);
 });
 
-test("after a foul of nine-ball the cue ball is in hand, to be put anywhere by keyboard", async ({
+test("after a foul in nine-ball the cue ball is in hand, and the keyboard can place it anywhere", async ({
   open,
 }) => {
   const page = await open({ reducedMotion: "reduce" });
@@ -141,7 +143,7 @@ test("after a foul of nine-ball the cue ball is in hand, to be put anywhere by k
   expect((await shotOf(page)).balls[0]!.position[1]).toBe(1.2);
 });
 
-test("who may choose is asked, and the answer is carried out", async ({ open }) => {
+test("the page asks the player who may choose, and carries out the choice", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce" });
   await begin(page, { game: "eight-ball" });
   await page.evaluate(() => {
@@ -157,9 +159,7 @@ test("who may choose is asked, and the answer is carried out", async ({ open }) 
   expect((await shotOf(page)).balls).toHaveLength(16);
 });
 
-test("a ball and its pocket are called by a tap on each, and a shot without a call is refused", async ({
-  open,
-}) => {
+test("taps call a ball and its pocket, and a shot without a call is refused", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce" });
   await begin(page, { game: "straight-pool" });
   expect(await bar(page)).toMatch(/Call a ball and its pocket, or a safety/);
@@ -174,7 +174,7 @@ test("a ball and its pocket are called by a tap on each, and a shot without a ca
   const five = (await shotOf(page)).balls.find(({ id }) => id === "5")!.position;
   await tap(five[0], five[1]);
   await page.getByRole("button", { name: "Shoot" }).click();
-  expect(await page.getByRole("alert").textContent()).toMatch(/Call the pocket too/);
+  expect(await page.getByRole("alert").textContent()).toMatch(/No pocket is called/);
   const [x, y] = await page.evaluate(
     () =>
       window.carom!.store.shot.geometry.pockets.find(({ name }) => name === "top-right")!.center,
@@ -208,7 +208,7 @@ test("undo takes a shot back, redo plays it again, and the link opens the same g
   expect(await bar(other)).toBe(await bar(page));
 });
 
-test("a link whose moves the rules do not allow is refused, and tells the move", async ({
+test("a game with a move that the rules do not allow is refused with its number", async ({
   open,
 }) => {
   const page = await open({ reducedMotion: "reduce" });
@@ -229,7 +229,7 @@ test("a link whose moves the rules do not allow is refused, and tells the move",
   expect(refused[1]).toMatch(/^Move 1 of this game: cue_ball: .* behind the head string/);
 });
 
-test("ending the game frees the table again", async ({ open }) => {
+test("after the end of a game the balls can be moved again", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce" });
   await begin(page);
   expect(await page.getByRole("tab", { name: "Layout" }).isVisible()).toBe(false);
@@ -241,7 +241,7 @@ test("ending the game frees the table again", async ({ open }) => {
   expect((await shotOf(page)).balls).toHaveLength(9);
 });
 
-test("with errors a shot strays, and is the same for the same seed", async ({ open }) => {
+test("a player's errors change the shot, in the same way for the same seed", async ({ open }) => {
   const play = async (): Promise<unknown> => {
     const page = await open({ reducedMotion: "reduce" });
     await page.getByRole("tab", { name: "Game" }).click();

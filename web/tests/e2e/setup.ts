@@ -1,4 +1,4 @@
-/** Before all end-to-end tests: builds the page, serves it, and starts one browser for all. */
+/** Before all end-to-end tests: builds the page, serves it, and starts the browser that they share. */
 
 import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
@@ -7,6 +7,7 @@ import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { build } from "vite";
 import type { TestProject } from "vitest/node";
+import { requireChromium } from "../../scripts/find_chromium.js";
 
 declare module "vitest" {
   interface ProvidedContext {
@@ -14,15 +15,13 @@ declare module "vitest" {
     page: string;
     /** The same page on disk. */
     file: string;
-    /** Where the browser listens. */
+    /** Address at which the browser accepts connections. */
     browser: string;
   }
 }
 
-const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
-
 const FLAGS = [
-  // As root in a container there is no sandbox to be had.
+  // Chromium refuses to start as root with its sandbox, as in a container.
   "--no-sandbox",
   "--use-gl=angle",
   "--use-angle=swiftshader",
@@ -43,7 +42,10 @@ export default async function setup({ provide }: TestProject): Promise<() => Pro
     response.end(html);
   });
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
-  const browser = await chromium.launchServer({ executablePath: CHROMIUM, args: FLAGS });
+  const browser = await chromium.launchServer({
+    executablePath: await requireChromium(),
+    args: FLAGS,
+  });
   provide("page", `http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
   provide("file", file);
   provide("browser", browser.wsEndpoint());

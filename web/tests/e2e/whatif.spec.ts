@@ -84,7 +84,7 @@ test("every change of the aim is answered by a thousand variants", async ({ open
   await page.evaluate(() => {
     const { store } = window.carom!;
     document.querySelector<HTMLElement>("#variants")!.dataset.done = "false";
-    store.strike({ azimuth_deg: store.document.shot.strike.azimuth_deg + 1 }, "aim");
+    store.strike({ azimuth_deg: store.document.shot.strike.azimuth_deg! + 1 }, "aim");
   });
   await finished(page);
   expect(await page.locator("#variants").textContent()).toMatch(/^1000 variants in \d+ ms$/);

@@ -1,6 +1,7 @@
 /** The Aim tab: tip position, speed, elevation and direction of the cue, and the ball to strike. */
 
 import { FINE, turn } from "../document/strike.ts";
+import { azimuthOf, elevationOf } from "../document/strike-angles.ts";
 import { AZIMUTH_DIGITS, wrap } from "../common/angles.ts";
 import type { Context } from "../common/context.ts";
 import { h, uniqueId } from "../common/dom.ts";
@@ -45,7 +46,7 @@ export function mountAimPanel(root: HTMLElement, store: Store, context: Context)
     min: () => 0,
     max: () => STEEPEST,
     step: 0.5,
-    read: () => store.document.shot.strike.elevation_deg ?? 0,
+    read: () => elevationOf(store.document.shot.strike),
     write: (value, group) => store.strike({ elevation_deg: value }, "raise the cue", group),
   });
   mountDirection(root, store, context);
@@ -113,7 +114,7 @@ function mountDirection(root: HTMLElement, store: Store, context: Context): void
     max: () => 360,
     step: 0.1,
     slider: false,
-    read: () => store.document.shot.strike.azimuth_deg,
+    read: () => azimuthOf(store.document.shot.strike),
     write: (value, group) => store.strike({ azimuth_deg: wrap(value) }, "aim", group),
   });
   const degrees = () => TURN * (store.session.fine ? FINE : 1);

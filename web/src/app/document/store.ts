@@ -17,6 +17,7 @@ import {
 } from "./document.ts";
 import type { Game } from "./game.ts";
 import { History } from "./history.ts";
+import { anglesOf, changed } from "./strike-angles.ts";
 
 /** Reads a shot, or throws a `CaromError`: the engine, or in a game the referee. */
 export interface Compiler {
@@ -114,7 +115,7 @@ export class Store {
   /** Changes keys of the strike. */
   strike(patch: Partial<StrikeEntry>, label: string, group: string | null = null): boolean {
     return this.apply(
-      ({ shot }) => ({ shot: { ...shot, strike: { ...shot.strike, ...patch } } }),
+      ({ shot }) => ({ shot: { ...shot, strike: changed(shot.strike, patch) } }),
       label,
       group,
     );
@@ -176,14 +177,8 @@ export class Store {
     if (game !== now.game || !sameButForStrike(now.shot, file)) {
       return this.#compiler.shot(file, game);
     }
-    const { speed, azimuth_deg, elevation_deg = 0, side = 0, height = 0 } = file.strike;
-    return this.#shot.withStrike({
-      speed,
-      azimuth: azimuth_deg * RADIANS_PER_DEGREE,
-      elevation: elevation_deg * RADIANS_PER_DEGREE,
-      side,
-      height,
-    });
+    const { speed, side = 0, height = 0 } = file.strike;
+    return this.#shot.withStrike({ speed, ...anglesOf(file.strike), side, height });
   }
 
   #adopt(shot: Shot): void {
@@ -220,13 +215,13 @@ function isOtherShot(a: Document, b: Document): boolean {
   return a.shot !== b.shot || a.game !== b.game;
 }
 
-const RADIANS_PER_DEGREE = Math.PI / 180;
-
 /** Keys of a strike that `Shot.withStrike` can change. */
 const STRIKE_NUMBERS: readonly string[] = [
   "speed",
   "azimuth_deg",
+  "azimuth",
   "elevation_deg",
+  "elevation",
   "side",
   "height",
 ];

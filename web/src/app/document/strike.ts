@@ -2,6 +2,7 @@
 
 import { azimuthTo, wrap } from "../common/angles.ts";
 import { ballName, obstruction, raised } from "../common/words.ts";
+import { azimuthOf } from "./strike-angles.ts";
 import type { Store } from "./store.ts";
 
 /** Factor by which fine adjustment reduces every drag and key. */
@@ -9,8 +10,8 @@ export const FINE = 0.1;
 
 /** Turns the cue by `degrees`. */
 export function turn(store: Store, degrees: number, group: string): void {
-  const { azimuth_deg } = store.document.shot.strike;
-  store.strike({ azimuth_deg: wrap(azimuth_deg + degrees) }, "aim", group);
+  const azimuth = azimuthOf(store.document.shot.strike);
+  store.strike({ azimuth_deg: wrap(azimuth + degrees) }, "aim", group);
 }
 
 /** Turns the cue to the centre of a ball. */

@@ -1,4 +1,4 @@
-/** The shot with which a player begins to aim. */
+/** The shot from which a player starts to aim. */
 
 import { CaromError, type BallEntry, type Engine, type Point } from "../../engine/index.ts";
 import { azimuthTo } from "../common/angles.ts";
@@ -7,31 +7,31 @@ import type { Game } from "../document/game.ts";
 import type { Progress } from "./progress.ts";
 import { freePlace, handOf, layoutOf } from "./referee.ts";
 
-/** A speed (m/s) to begin with. */
-const USUAL_SPEED = 2;
+/** Cue speed (m/s) of that shot, unless it is a break. */
+const FIRST_SPEED = 2;
 
-/** The layout as it lies, aimed at a ball that is on; a break as one usually breaks. */
+/** The present layout, aimed at the nearest ball on; for a break, the usual break shot. */
 export function firstAim(engine: Engine, game: Game, progress: Progress): AimedShot {
   const { start, frame } = progress;
   const { request } = frame.state;
   const balls = withHand(progress);
   const cue = request.kind === "shot" ? request.cue_ball : start.balls[0]!.id;
   const struck = balls.find(({ id }) => id === cue) ?? balls[0]!;
-  const opening = isBreak(progress) ? usualBreak(engine, game) : null;
+  const opening = isBreak(progress) ? standardBreak(engine, game) : null;
   if (opening && sameBalls(opening.balls, balls))
     return { ...start, balls, strike: opening.strike };
   const on = request.kind === "shot" ? request.on : [];
   const target = nearest(struck, balls, on) ?? struck;
   const azimuth_deg = azimuthTo(flat(struck), flat(target));
-  return { ...start, balls, strike: { ball: struck.id, speed: USUAL_SPEED, azimuth_deg } };
+  return { ...start, balls, strike: { ball: struck.id, speed: FIRST_SPEED, azimuth_deg } };
 }
 
-/** Whether the balls lie as they were racked. */
+/** Whether the next shot breaks a rack. */
 function isBreak({ steps }: Progress): boolean {
   return steps.every(({ move }) => !("play" in move)) || (steps.at(-1)?.ruling.racked ?? false);
 }
 
-function usualBreak(engine: Engine, { setup }: Game): AimedShot | null {
+function standardBreak(engine: Engine, { setup }: Game): AimedShot | null {
   const { table, seed = 0 } = setup.options;
   if (setup.from || typeof table === "object" || !engine.games.includes(setup.rules)) return null;
   try {
@@ -45,14 +45,14 @@ function usualBreak(engine: Engine, { setup }: Game): AimedShot | null {
   }
 }
 
-/** Whether the struck ball and the number of balls agree: another rack is broken like the first. */
+/** Whether cue ball and number of balls agree, so that the break shot fits this rack too. */
 function sameBalls(a: readonly BallEntry[], b: readonly BallEntry[]): boolean {
   const [first, second] = [a[0], b[0]];
   if (!first || !second || a.length !== b.length) return false;
   return first.id === second.id && String(flat(first)) === String(flat(second));
 }
 
-/** The layout, with a cue ball in hand that is down put where there is room. */
+/** The layout; a cue ball in hand that is off the table is placed where there is room. */
 function withHand(progress: Progress): BallEntry[] {
   const balls = layoutOf(progress);
   const hand = handOf(progress);
@@ -64,7 +64,7 @@ function withHand(progress: Progress): BallEntry[] {
   return [...balls, { ...entry, position }].sort((a, b) => order.get(a.id)! - order.get(b.id)!);
 }
 
-/** The nearest ball to aim at: of those that are on, if any. */
+/** The nearest of the balls on; the nearest ball if none is on. */
 function nearest(
   from: BallEntry,
   balls: readonly BallEntry[],

@@ -1,4 +1,4 @@
-/** What a game points out on the cloth. */
+/** The areas that a game marks on the cloth. */
 
 import type { Geometry, Point } from "../../engine/index.ts";
 import type { Area } from "../../viewer/index.ts";
@@ -10,16 +10,16 @@ const HAND = "#ffe9a8";
 const CALLED = "#ffd23f";
 const ON = "#ffffff";
 
-/** Corners of a circle, and of half a one. */
+/** Corners of the polygon for a circle or a half circle. */
 const CORNERS = 48;
 
-/** Radius of the ring around a ball that is on or called, ball radii. */
+/** Radius of the ring around a ball that is on or called, in ball radii. */
 const RING = 1.5;
 
-/** More balls on than these are not pointed out one by one. */
-const FEW = 7;
+/** Up to this many balls on are marked; more rings would only distract. */
+const MARKED_BALLS = 7;
 
-/** Where the cue ball may be put, which balls are on, and what is called. */
+/** The region for a cue ball in hand, the balls on, and the called ball and pocket. */
 export function areasOf(
   game: Game,
   progress: Progress,
@@ -35,7 +35,7 @@ export function areasOf(
     areas.push({ outline, color: HAND });
   }
   const { call } = game;
-  if (request.on.length <= FEW) {
+  if (request.on.length <= MARKED_BALLS) {
     for (const id of request.on) {
       const at = balls[id];
       if (at && id !== call?.ball) areas.push({ outline: circle(at, RING * radius), color: ON });

@@ -1,4 +1,4 @@
-/** Below the table while a game is on: score, whose turn it is, the last ruling, and choices. */
+/** Below the table during a game: the score, whose turn it is, the last ruling, and choices. */
 
 import "./game.css";
 import type { FrameState } from "../../engine/index.ts";
@@ -18,7 +18,7 @@ import {
   rulingInWords,
 } from "./words.ts";
 
-/** How long (ms) the end of a shot stands before the game goes on. */
+/** Time (ms) between the end of a replayed shot and the next request. */
 const REST = 700;
 
 export function mountBar(root: HTMLElement, store: Store, context: Context): void {
@@ -39,15 +39,15 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     if (!game || !progress) return;
     const watching = store.session.mode === "replay";
     const last = progress.steps.at(-1);
-    // Who watches a shot is not told how it ends.
+    // The bar must not reveal the outcome while the shot is replayed.
     const state = watching && last && "play" in last.move ? last.before : progress.frame.state;
     const { names } = game.setup;
     showScore(score, game, state);
-    const told = watching || !last ? "" : rulingInWords(last, names);
+    const rulingText = watching || !last ? "" : rulingInWords(last, names);
     const { request } = state;
     const over = request.kind === "over";
-    const known = request.kind === "choice" && told.includes(request.why);
-    setText(ruling, told);
+    const known = request.kind === "choice" && rulingText.includes(request.why);
+    setText(ruling, rulingText);
     ruling.dataset.foul = String(!watching && last?.ruling.legal === false);
     setText(title, watching || over ? "" : `${headline(request, names)}.`);
     setText(asked, watching || over || known ? "" : requestInWords(state, game.call));
@@ -71,7 +71,7 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     }
     const texts = (all: Iterable<Element>) => [...all].map((button) => button.textContent).join();
     if (texts(row.children) === texts(buttons)) return;
-    // The button that was pressed is gone: what comes next is at the table.
+    // The pressed button disappears; its focus moves to the table, where the game continues.
     if (row.contains(document.activeElement)) document.getElementById("table")?.focus();
     row.replaceChildren(...buttons);
     row.hidden = buttons.length === 0;
@@ -104,17 +104,17 @@ function showScore(root: HTMLElement, { setup }: Game, state: FrameState): void 
       h("span", { class: "name" }, setup.names[player]),
       ...extras(state, player),
     );
-  const points = COUNTED.has(state.game)
+  const points = WITH_POINTS.has(state.game)
     ? h("span", { class: "points" }, isForOne(state.game) ? `${scores[0]}` : scores.join(" : "))
     : h("span", { class: "points" }, "–");
   const players = isForOne(state.game) ? [side(0), points] : [side(0), points, side(1)];
   root.replaceChildren(...players, h("span", { class: "hint push" }, gameName(state.game)));
 }
 
-/** Games whose players have points. */
-const COUNTED = new Set(["straight-pool", "snooker", "three-cushion", "practice"]);
+/** Games that count points. */
+const WITH_POINTS = new Set(["straight-pool", "snooker", "three-cushion", "practice"]);
 
-/** What is to be known of a player beside the score. */
+/** A player's group, innings and fouls. */
 function extras({ state, fouls_in_a_row: fouls }: FrameState, player: 0 | 1): HTMLElement[] {
   const said: string[] = [];
   const group = state.groups?.[player];

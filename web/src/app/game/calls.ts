@@ -1,11 +1,11 @@
-/** The controls with which a player announces a shot. */
+/** The controls for calling a shot. */
 
 import type { Call, ShotRequest } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { placeName } from "../common/words.ts";
-import { announceCall, askedShot, shownCall } from "./play.ts";
+import { announceCall, askedShot, predictedCall } from "./play.ts";
 import { callInWords } from "./words.ts";
 
 type Kind = ShotRequest["calls"][number];
@@ -18,10 +18,10 @@ const KINDS: Readonly<Record<Kind, string>> = {
   on: "Ball on",
 };
 
-/** A game's section of its own; hidden where there is nothing to announce. */
+/** Mounts the section; it is hidden if the game needs no call. */
 export function mountCalls(root: HTMLElement, store: Store, context: Context): void {
   const { engine } = context;
-  const kinds = h("div", { class: "row kinds", role: "group", "aria-label": "Announce" });
+  const kinds = h("div", { class: "row kinds", role: "group", "aria-label": "Call" });
   const ball = h("select", { id: uniqueId("called-ball") });
   const pocket = h("select", { id: uniqueId("called-pocket") });
   const ballLabel = h("label", { for: ball.id });
@@ -29,9 +29,9 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
   const pocketLabel = h("label", { for: pocket.id }, "Called pocket");
   const pocketRow = h("div", { class: "labelled" }, pocketLabel, pocket);
   const shown = h("button", { type: "button", class: "button" });
-  const hint = h("p", { class: "hint" }, "Or tap ball and pocket on the table.");
+  const hint = h("p", { class: "hint" }, "Or tap the ball and the pocket on the table.");
   root.append(
-    h("h2", {}, "Announce"),
+    h("h2", {}, "Call the shot"),
     kinds,
     h("div", { class: "pair halves" }, ballRow, pocketRow),
     h("div", { class: "row" }, shown),
@@ -41,11 +41,11 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
   ball.addEventListener("change", write);
   pocket.addEventListener("change", write);
   shown.addEventListener("click", () => {
-    const call = shownCall(store, engine);
+    const call = predictedCall(store, engine);
     if (call) announceCall(store, call);
   });
 
-  /** What the two lists say. */
+  /** Writes the call that the two lists show. */
   function write(): void {
     const asked = askedShot(store, engine);
     if (!asked) return;
@@ -62,7 +62,7 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
 
   function say(kind: Kind): void {
     if (kind === "nothing") announceCall(store, null);
-    else if (kind === "pocket") announceCall(store, shownCall(store, engine) ?? { kind });
+    else if (kind === "pocket") announceCall(store, predictedCall(store, engine) ?? { kind });
     else announceCall(store, { kind });
   }
 
@@ -81,9 +81,9 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
     fill(ball, ballsToCall(store, asked), call?.ball ?? "");
     const pockets = store.shot.geometry.pockets.map(({ name }) => name);
     fill(pocket, pockets, call?.into ?? "", placeName);
-    const suggested = shownCall(store, engine);
+    const suggested = predictedCall(store, engine);
     shown.hidden = !suggested || JSON.stringify(suggested) === JSON.stringify(call);
-    if (suggested) setText(shown, `As the lines show: ${callInWords(suggested)}`);
+    if (suggested) setText(shown, `As predicted: ${callInWords(suggested)}`);
   }
 
   function showKinds({ calls }: ShotRequest, call: Call | null): void {
@@ -110,13 +110,13 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
   show();
 }
 
-/** Balls that may be called or nominated. */
+/** The balls that may be called or nominated. */
 function ballsToCall(store: Store, { calls, on, cue_ball }: ShotRequest): readonly string[] {
   if (calls.includes("on")) return on;
   return store.shot.balls.map(({ id }) => id).filter((id) => id !== cue_ball);
 }
 
-/** Fills a list where it has other items than before, and chooses one. */
+/** Fills a list if its items have changed, and selects one. */
 function fill(
   list: HTMLSelectElement,
   values: readonly string[],

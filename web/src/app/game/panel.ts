@@ -1,4 +1,4 @@
-/** The panel of a game: before it, how it begins; in it, what the player can do and what was done. */
+/** The Game tab: the set-up of a game, then its calls and its record of shots. */
 
 import { replay } from "../replay/control.ts";
 import type { Context } from "../common/context.ts";
@@ -8,7 +8,7 @@ import { placeBall } from "../document/layout.ts";
 import type { Store } from "../document/store.ts";
 import { mountCalls } from "./calls.ts";
 import { concede, endGame, standing } from "./play.ts";
-import type { Step } from "./progress.ts";
+import type { PlayedMove } from "./progress.ts";
 import { handOf } from "./referee.ts";
 import { mountSetup } from "./setup.ts";
 import { callInWords, gameName, isForOne, rulingInWords } from "./words.ts";
@@ -35,13 +35,13 @@ export function mountGame(root: HTMLElement, store: Store, context: Context): vo
     const focused = root.contains(document.activeElement);
     show();
     root.scrollTop = 0;
-    // The button that was pressed is gone with its form.
+    // The pressed button disappears with its form.
     if (focused) document.getElementById("table")?.focus();
   });
   show();
 }
 
-/** Which game is on, and between whom. */
+/** The game's name and its players. */
 function mountHeading(root: HTMLElement, store: Store): void {
   const title = h("h2");
   const hint = h("p", { class: "hint" });
@@ -56,7 +56,7 @@ function mountHeading(root: HTMLElement, store: Store): void {
   });
 }
 
-/** A cue ball in hand, in numbers: for who does not drag it. */
+/** The position of a cue ball in hand as numbers, for users who do not drag it. */
 function mountHand(root: HTMLElement, store: Store, context: Context): void {
   const { engine } = context;
   const hand = () => {
@@ -67,11 +67,7 @@ function mountHand(root: HTMLElement, store: Store, context: Context): void {
   const bounds = () => standing(store, engine)?.frame.handBounds;
   root.append(
     h("h2", {}, "Cue ball in hand"),
-    h(
-      "p",
-      { class: "hint" },
-      "Drag it within the marked part of the table, or write where it lies.",
-    ),
+    h("p", { class: "hint" }, "Drag it within the marked area, or write its position."),
   );
   for (const [label, index] of [
     ["Across", 0],
@@ -101,7 +97,7 @@ function mountHand(root: HTMLElement, store: Store, context: Context): void {
   show();
 }
 
-/** Every move with its ruling, the last one first. */
+/** The record: every move with its ruling, the last one first. */
 function mountSheet(root: HTMLElement, store: Store, context: Context): void {
   const list = h("ol", { class: "sheet", reversed: true });
   const watch = h("button", { type: "button", class: "button" }, "Watch the last shot again");
@@ -143,8 +139,8 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
   show();
 }
 
-/** What was called into a pocket, or nominated: the ruling says the rest. */
-function called({ move }: Step): HTMLElement | false {
+/** The called ball and pocket, or the nominated ball. The ruling mentions other calls. */
+function called({ move }: PlayedMove): HTMLElement | false {
   const call = "play" in move ? move.play.call : undefined;
   if (call?.kind !== "pocket" && call?.kind !== "on") return false;
   return h("span", { class: "hint" }, ` Called: ${callInWords(call)}.`);

@@ -1,4 +1,4 @@
-/** What players do, whatever they do it with. */
+/** Actions of the players in a game. */
 
 import {
   type Call,
@@ -18,25 +18,25 @@ import { type Game, type Move, newGame, type Setup } from "../document/game.ts";
 import { after, type Progress, progressOf, remember } from "./progress.ts";
 import { choiceInWords, other } from "./words.ts";
 
-/** Executions that are drawn for one shot: the first is played that can be, for some are miscues. */
+/** Variants drawn for one shot. The first one without an error, such as a miscue, is played. */
 const DRAWN = 16;
 
-/** How far around a pocket's centre a tap means the pocket, in radii of the pocket. */
+/** Distance from a pocket's centre within which a tap selects it, in radii of the pocket. */
 const POCKET_REACH = 1.6;
 
-/** How the game stands; null where none is on. */
+/** The progress of the game; null in free play. */
 export function standing(store: Store, engine: Engine): Progress | null {
   const { game } = store.document;
   return game && progressOf(engine, game);
 }
 
-/** The shot that the game asks, or null. */
+/** The game's request if it is for a shot, else null. */
 export function askedShot(store: Store, engine: Engine): ShotRequest | null {
   const request = standing(store, engine)?.frame.state.request;
   return request?.kind === "shot" ? request : null;
 }
 
-/** Whether one can aim: always, but where a game asks for something else. */
+/** Whether the user can aim: in free play, and when the game requests a shot. */
 export function canAim(store: Store, engine: Engine): boolean {
   return store.document.game === null || askedShot(store, engine) !== null;
 }
@@ -51,7 +51,7 @@ export function startGame(store: Store, { engine }: Context, setup: Setup): bool
   }
 }
 
-/** The balls stay as they lie, and everything may be moved again. */
+/** Ends the game. The balls keep their positions, and free play continues. */
 export function endGame(store: Store): void {
   store.apply({ game: null }, "end the game");
 }
@@ -59,7 +59,7 @@ export function endGame(store: Store): void {
 /**
  * Plays the shot that is aimed.
  *
- * @param show Called with the trace of the shot, once the document has gone on.
+ * @param show Called with the trace of the shot after the document was updated.
  */
 export function playShot(
   store: Store,
@@ -69,10 +69,10 @@ export function playShot(
   const { game } = store.document;
   const asked = askedShot(store, engine);
   if (!game || !asked) {
-    store.refuse("No shot is asked now: the game waits for something else.");
+    store.refuse("The game does not wait for a shot: answer its question below the table.");
     return;
   }
-  const incomplete = lacking(game.call);
+  const incomplete = missingPart(game.call);
   if (incomplete) {
     store.refuse(incomplete);
     return;
@@ -92,7 +92,7 @@ export function playShot(
   }
 }
 
-/** Answers a choice. */
+/** Makes a choice that the referee offers. */
 export function choose(store: Store, { engine }: Context, choice: Choice): void {
   const { game } = store.document;
   const request = standing(store, engine)?.frame.state.request;
@@ -106,7 +106,7 @@ export function choose(store: Store, { engine }: Context, choice: Choice): void 
   }
 }
 
-/** The player whose turn it is gives up. */
+/** Concedes the frame for the player at the table. */
 export function concede(store: Store, { engine }: Context): void {
   const request = standing(store, engine)?.frame.state.request;
   if (!request || request.kind === "over") return;
@@ -126,7 +126,7 @@ function move(store: Store, engine: Engine, made: Move, label: string): Progress
     : null;
 }
 
-/** The strike that comes out when the aimed one is meant. */
+/** The aimed strike with the player's execution errors. */
 function executed(engine: Engine, shot: Shot, game: Game, { player }: ShotRequest): Strike {
   const skill = game.setup.skills[player];
   const noise = skill === null ? undefined : engine.noisePresets[skill];
@@ -148,22 +148,22 @@ function executed(engine: Engine, shot: Shot, game: Game, { player }: ShotReques
   };
 }
 
-/** What a call lacks, as a request; null if nothing. */
-function lacking(call: Call | null): string | null {
+/** The request to complete a call; null if it is complete. */
+function missingPart(call: Call | null): string | null {
   if (call?.kind !== "pocket") return null;
-  if (call.ball === undefined) return "Call the ball too: tap it, or choose it under Game.";
-  if (call.into === undefined) return "Call the pocket too: tap it, or choose it under Game.";
+  if (call.ball === undefined) return "No ball is called: tap it, or choose it under Game.";
+  if (call.into === undefined) return "No pocket is called: tap it, or choose it under Game.";
   return null;
 }
 
-/** Announces something for the shot that is aimed; null takes it back. */
+/** Sets the call for the aimed shot; null removes it. */
 export function announceCall(store: Store, call: Call | null): void {
   const { game } = store.document;
   if (!game || JSON.stringify(game.call) === JSON.stringify(call)) return;
-  store.apply({ game: { ...game, call } }, call ? "call" : "take the call back", "call");
+  store.apply({ game: { ...game, call } }, call ? "call" : "remove the call", "call");
 }
 
-/** A tap on a ball: it is called, or nominated, where that is asked. */
+/** Calls or nominates the tapped ball if the game requests it. */
 export function tapBall(store: Store, engine: Engine, ball: string): void {
   const asked = askedShot(store, engine);
   if (!asked || ball === asked.cue_ball) return;
@@ -176,7 +176,7 @@ export function tapBall(store: Store, engine: Engine, ball: string): void {
   }
 }
 
-/** @returns Whether the tap was on a pocket that could be called, and is now. */
+/** Calls the tapped pocket if the game requests it. @returns Whether a pocket was called. */
 export function tapPocket(store: Store, engine: Engine, point: Point): boolean {
   const asked = askedShot(store, engine);
   if (!asked?.calls.includes("pocket")) return false;
@@ -195,8 +195,8 @@ function pocketAt({ geometry }: Shot, [x, y]: Point): PocketName | null {
   return found?.name ?? null;
 }
 
-/** What one would call if all went as the lines show; null if they show nothing to call. */
-export function shownCall(store: Store, engine: Engine): Call | null {
+/** The call that fits the predicted outcome; null if nothing predicted can be called. */
+export function predictedCall(store: Store, engine: Engine): Call | null {
   const asked = askedShot(store, engine);
   const outcome = asked && store.ghost.trace?.outcome;
   if (!outcome) return null;

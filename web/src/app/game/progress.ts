@@ -1,4 +1,4 @@
-/** How a game stands: its moves played anew by the engine, each of them once. */
+/** The progress of a game: the engine replays its moves, each of them once. */
 
 import {
   CaromError,
@@ -16,37 +16,37 @@ import {
 } from "../../engine/index.ts";
 import type { Game, Move, Setup } from "../document/game.ts";
 
-/** A move that was made, and what came of it. */
-export interface Step {
+/** A move with its ruling. */
+export interface PlayedMove {
   readonly move: Move;
   readonly player: Player;
   readonly before: FrameState;
   readonly after: FrameState;
   readonly ruling: Ruling;
-  /** The object balls that fell, in this order. */
+  /** The pocketed object balls, in order. */
   readonly potted: readonly string[];
 }
 
 export interface Progress {
-  /** Not to be played on: others hold it too. */
+  /** Shared: copy it before playing on it. */
   readonly frame: Frame;
-  /** The table, its physics, and every ball of the game, as they were at the start. */
+  /** Table, physics and all balls of the game, as they were at the start. */
   readonly start: ShotFile;
-  readonly steps: readonly Step[];
-  /** What happened in the last shot; null before the first. */
+  readonly steps: readonly PlayedMove[];
+  /** The trace of the last shot; null before the first. */
   readonly trace: Trace | null;
 }
 
-/** Any strike: to ask for a shot whose strike does not matter. */
-const SOFTLY: Strike = { speed: 1, azimuth: 0, elevation: 0, side: 0, height: 0 };
+/** A strike for shots whose strike does not matter. */
+const ANY_STRIKE: Strike = { speed: 1, azimuth: 0, elevation: 0, side: 0, height: 0 };
 
-/** History keeps games, and so keeps what is known of them. */
+/** Progress by the moves of a game. The history keeps the games, and so keeps these entries alive. */
 const known = new WeakMap<Game["moves"], Progress>();
 
 /**
- * How `game` stands.
+ * The progress of `game`.
  *
- * @throws CaromError if its set-up makes no sense, or a move is not allowed.
+ * @throws CaromError if its set-up is invalid, or a move is not allowed.
  */
 export function progressOf(engine: Engine, game: Game): Progress {
   let progress = known.get(game.moves);
@@ -84,7 +84,7 @@ function begun(engine: Engine, { rules, options, from }: Setup): Frame {
   }
 }
 
-/** Every ball of the game: those that are down at the start, too, for they can be racked again. */
+/** All balls of the game, including those pocketed at the start: a new rack brings them back. */
 function startOf(engine: Engine, { rules, options, from }: Setup, frame: Frame): ShotFile {
   const file = fileOf(frame);
   if (from === null) return file;
@@ -108,13 +108,14 @@ function fileOf(frame: Frame): ShotFile {
 }
 
 /**
- * How a game stands after one move more.
+ * The progress after one more move.
  *
- * @throws CaromError if it is not allowed.
+ * @throws CaromError if the move is not allowed.
  */
 export function after({ frame, start, steps, trace }: Progress, move: Move): Progress {
   const { state: before } = frame;
-  if (before.request.kind === "over") throw new CaromError("The game is over.", "play");
+  if (before.request.kind === "over")
+    throw new CaromError("The game is over; start another one.", "play");
   const { player } = before.request;
   const next = frame.copy();
   try {
@@ -136,12 +137,12 @@ function pottedIn({ outcome }: Trace): string[] {
   return outcome.pocketed.map(([ball]) => ball).filter((ball) => ball !== outcome.cue_ball);
 }
 
-/** Makes known how `game` stands, so that nothing is played twice. */
+/** Stores the progress of `game`, so that its moves are not replayed. */
 export function remember(game: Game, progress: Progress): void {
   known.set(game.moves, progress);
 }
 
-/** A call that the request allows: for shots that are only tried. */
+/** A call that the request allows, for shots that are not played. */
 export function someCall({ calls, on }: ShotRequest): Call | undefined {
   if (calls.includes("nothing")) return undefined;
   if (calls.includes("on") && on[0] !== undefined) return { kind: "on", ball: on[0] };
@@ -149,16 +150,17 @@ export function someCall({ calls, on }: ShotRequest): Call | undefined {
 }
 
 /**
- * The shot that is asked, struck anyhow, with the cue ball at `place` if it is in hand.
+ * The requested shot with any strike, and with the cue ball at `place` if it is in hand.
  *
- * @throws CaromError where the cue ball must not be put there.
+ * @throws CaromError if the cue ball may not be placed there.
  */
 export function anyShot(frame: Frame, place?: readonly [number, number]): Shot {
   const { request } = frame.state;
-  if (request.kind !== "shot") throw new CaromError("No shot is asked now.", "play");
+  if (request.kind !== "shot")
+    throw new CaromError("The game does not wait for a shot; answer its question.", "play");
   const call = someCall(request);
   return frame.shot({
-    strike: SOFTLY,
+    strike: ANY_STRIKE,
     ...(place && request.in_hand !== null && { cue_ball: place }),
     ...(call && { call }),
   });

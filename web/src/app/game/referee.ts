@@ -1,4 +1,4 @@
-/** Sees to it that in a game nothing is moved that must not be. */
+/** Checks that a change during a game is allowed. */
 
 import {
   type BallEntry,
@@ -12,7 +12,7 @@ import { ballName } from "../common/words.ts";
 import type { Game } from "../document/game.ts";
 import { anyShot, type Progress, progressOf } from "./progress.ts";
 
-/** What the store asks before it takes a document. */
+/** The engine with the game's checks, for the store. */
 export function referee(engine: Engine): { shot(file: AimedShot, game: Game | null): Shot } {
   return {
     shot: (file, game) => {
@@ -29,7 +29,7 @@ function check(file: AimedShot, progress: Progress): void {
   const { request } = frame.state;
   if (!same(file.table, start.table) || !same(file.physics, start.physics)) {
     throw new CaromError(
-      "In a game table and physics stay as they are: end the game first, under Game.",
+      "Table and physics cannot be changed during a game: end the game first, under Game.",
       "table",
     );
   }
@@ -40,26 +40,29 @@ function check(file: AimedShot, progress: Progress): void {
   if (moved || there.length !== expected.length) {
     const may = hand === null ? "" : `; only ${ballName(hand)} is in hand`;
     throw new CaromError(
-      `In a game the balls stay where they lie${may}. End the game to move them, under Game.`,
+      `The balls cannot be moved during a game${may}. To move them, end the game under Game.`,
       `balls[${file.balls.findIndex(({ id }) => id === moved?.id)}].position`,
     );
   }
   if (request.kind === "shot" && file.strike.ball !== request.cue_ball) {
-    throw new CaromError(`In this game ${ballName(request.cue_ball)} is struck.`, "strike.ball");
+    throw new CaromError(
+      `The cue must strike ${ballName(request.cue_ball)} in this game; select it as the ball to strike.`,
+      "strike.ball",
+    );
   }
 }
 
-/** A cue ball in hand must lie in its region. */
+/** Checks that a cue ball in hand lies within its region. */
 function checkHand(file: AimedShot, progress: Progress): void {
   const hand = handOf(progress);
   const ball = file.balls.find(({ id }) => id === hand);
   if (hand === null) return;
-  if (!ball) throw new CaromError(`Put ${ballName(hand)} on the table: it is in hand.`, "balls");
+  if (!ball) throw new CaromError(`${ballName(hand)} is in hand: place it on the table.`, "balls");
   const { position } = ball;
   const own = progress.start.balls.find(({ id }) => id === hand);
   if (!same(ball, { ...own, position })) {
     throw new CaromError(
-      `In a game ${ballName(hand)} stays as it is, wherever it is put.`,
+      `Only the position of ${ballName(hand)} can be changed during a game.`,
       "balls",
     );
   }
@@ -72,18 +75,18 @@ export function handOf({ frame }: Progress): string | null {
   return request.kind === "shot" && request.in_hand !== null ? request.cue_ball : null;
 }
 
-/** The balls as they lie, in the order in which the engine has them. */
+/** The balls on the table, in the order of the shot file. */
 export function layoutOf({ start, frame }: Progress): BallEntry[] {
   const { balls } = frame.state;
   const lying = start.balls.flatMap((ball) => {
     const position = balls[ball.id];
     return position ? [{ ...ball, position }] : [];
   });
-  // A frame can end without a ball on the table, a shot file cannot be without one.
+  // A frame can end with an empty table, but a shot file needs a ball.
   return lying.length > 0 ? lying : [start.balls[0]!];
 }
 
-/** Where the cue ball could be put, nearest to where it is usually put. */
+/** The free place for the cue ball that is nearest to its usual one; null if there is none. */
 export function freePlace({ start, frame }: Progress, id: string): Point | null {
   const box = frame.handBounds;
   const usual = start.balls.find((ball) => ball.id === id)?.position;

@@ -1,4 +1,4 @@
-/** The form that begins a game. */
+/** The form that starts a game. */
 
 import type { FrameOptions } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
@@ -8,16 +8,16 @@ import { LONGEST_NAME, type Setup } from "../document/game.ts";
 import { startGame } from "./play.ts";
 import { gameName, isForOne } from "./words.ts";
 
-/** Largest seed that a click draws: short enough to read out. */
+/** Seeds drawn by a click are below this: short enough to tell somebody. */
 const SEEDS = 10_000;
 
-/** Games that are played to a number of points. */
+/** Games that end at a number of points. */
 const TO_A_TARGET = new Set(["straight-pool", "three-cushion"]);
 
-/** No rack: the frame goes on with what is on the page. */
+/** Value of the list entry that starts from the balls on the page. */
 const AS_THEY_LIE = "lie";
 
-/** The table of the page, with its physics, instead of a preset. */
+/** Value of the list entry for the page's table with its physics. */
 const THIS_TABLE = "this";
 
 export function mountSetup(root: HTMLElement, store: Store, context: Context): void {
@@ -59,7 +59,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   };
   root.append(
     h("h2", {}, "Play a game"),
-    h("p", { class: "hint" }, "Two players at this table, and a referee who knows the rules."),
+    h("p", { class: "hint" }, "Two players share this page; a referee applies the rules."),
     labelled("Game", rules),
     labelled("Begin with", start),
     tableRow,
@@ -71,7 +71,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
     h(
       "p",
       { class: "hint" },
-      "With errors a shot strays from what is aimed, like that of a player of this level. ",
+      "With errors a shot differs from the aim as it does for a player of that level. ",
       "The levels are estimates; the Olympiad’s numbers are published.",
     ),
     h("div", { class: "row end" }, primary("Start the game", begin)),
@@ -93,7 +93,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
 
   function readOptions(): FrameOptions | null {
     const [rack, points] = [whole(seed, 0), whole(target, 1)];
-    if (rack === null) store.refuse("Seed: write a whole number that is not negative.");
+    if (rack === null) store.refuse("Seed: write a whole number, at least 0.");
     else if (points === null) store.refuse("Points that win: write a whole number above 0.");
     if (rack === null || points === null) return null;
     return {

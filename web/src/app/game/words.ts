@@ -1,4 +1,4 @@
-/** What a referee says, in sentences. */
+/** Requests and rulings of the referee as sentences. */
 
 import type {
   Call,
@@ -11,7 +11,7 @@ import type {
 } from "../../engine/index.ts";
 import { ballName, placeName, sentence } from "../common/words.ts";
 import type { Pair } from "../document/game.ts";
-import type { Step } from "./progress.ts";
+import type { PlayedMove } from "./progress.ts";
 
 const REGIONS: Readonly<Record<Region, string>> = {
   anywhere: "anywhere on the table",
@@ -19,8 +19,8 @@ const REGIONS: Readonly<Record<Region, string>> = {
   "the-d": "in the D",
 };
 
-/** More balls than these are not told one by one. */
-const FEW = 3;
+/** Up to this many balls are listed by name. */
+const LISTED = 3;
 
 const GROUPS = { solids: "solids (1 to 7)", stripes: "stripes (9 to 15)" } as const;
 
@@ -34,12 +34,12 @@ export function gameName(rules: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** Whether one plays alone. */
+/** Whether the game has one player only. */
 export function isForOne(rules: string): boolean {
   return rules === "practice";
 }
 
-/** Who does what now, in a few words. */
+/** Whose turn it is, or who won. */
 export function headline(request: Request, names: Pair<string>): string {
   switch (request.kind) {
     case "shot":
@@ -51,7 +51,7 @@ export function headline(request: Request, names: Pair<string>): string {
   }
 }
 
-/** What is asked, in sentences, and what of it is announced already. */
+/** A request as sentences, with the present call. */
 export function requestInWords(frame: FrameState, call: Call | null = null): string {
   const { request, state, balls, game } = frame;
   if (request.kind !== "shot") return sentence(request.why);
@@ -65,7 +65,7 @@ export function requestInWords(frame: FrameState, call: Call | null = null): str
   return said.filter(Boolean).map(sentence).join(" ");
 }
 
-/** Which balls are on; empty where any may be hit. */
+/** Which balls are on; empty if any ball may be hit first. */
 function onInWords(
   on: readonly string[],
   state: FrameState["state"],
@@ -81,13 +81,13 @@ function onInWords(
   );
   if (state.groups?.some(Boolean) && group && on.length > 0) return `${GROUPS[group]} are on`;
   if (state.groups && on.length !== 1) return lying.includes("8") ? "the table is open" : "";
-  if (on.length === 0 || on.length > FEW) return "";
+  if (on.length === 0 || on.length > LISTED) return "";
   const names = on.map(ballName).join(" or ");
   return `${names} is on`;
 }
 
 /** The ruling on a move. */
-export function rulingInWords(step: Step, names: Pair<string>): string {
+export function rulingInWords(step: PlayedMove, names: Pair<string>): string {
   const { move, player, ruling, after } = step;
   const name = names[player];
   const said: string[] = [];
@@ -113,13 +113,13 @@ function foulInWords({ what, rule }: Ruling["fouls"][number]): string {
 
 function legalInWords(potted: readonly string[], call: Call | undefined): string {
   const kind = call?.kind === "safety" || call?.kind === "push-out" ? `, a ${call.kind}` : "";
-  const fell = potted.length === 0 ? "nothing falls" : `${listed(potted)} in`;
-  return `a legal shot${kind}, ${fell}`;
+  const pocketed = potted.length === 0 ? "nothing pocketed" : `${listed(potted)} pocketed`;
+  return `a legal shot${kind}, ${pocketed}`;
 }
 
-/** The balls by name, or how many there are. */
+/** The balls by name, or their number if they are many. */
 function listed(balls: readonly string[]): string {
-  return balls.length > FEW ? `${balls.length} balls` : balls.map(ballName).join(" and ");
+  return balls.length > LISTED ? `${balls.length} balls` : balls.map(ballName).join(" and ");
 }
 
 function points({ points: scored }: Ruling, names: Pair<string>): string[] {
@@ -133,7 +133,7 @@ function points({ points: scored }: Ruling, names: Pair<string>): string[] {
   );
 }
 
-/** A choice as its button says it. */
+/** A choice as the text of its button. */
 export function choiceInWords(choice: Choice, opponent: string): string {
   const words: Readonly<Record<Choice, string>> = {
     "play-on": "play the balls as they lie",
@@ -149,7 +149,7 @@ export function choiceInWords(choice: Choice, opponent: string): string {
   return words[choice];
 }
 
-/** What is announced, as far as it goes; empty if nothing is. */
+/** A call, which may be incomplete, as text; empty for null. */
 export function callInWords(call: Call | null): string {
   switch (call?.kind) {
     case undefined:

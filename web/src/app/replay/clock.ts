@@ -1,33 +1,33 @@
-// The time of the replay, independent of how often the page is drawn.
+/** The time of the replay, independent of the frame rate. */
 
-/** Seconds of the shot per second of the wall, as the page offers them. */
+/** Speeds of the replay: seconds of the shot per second of wall time. */
 export const RATES = [1, 0.5, 0.25, 0.1] as const;
 
 /**
- * The longest wall time (s) that one frame may stand for: after a pause of the page (another tab
- * in front, a laptop that slept) the replay goes on where it was, and does not jump to its end.
+ * The longest wall time (s) that one frame may advance. After the page was paused (another tab in front,
+ * a computer that slept) the replay continues where it was instead of jumping to its end.
  */
 export const LONGEST_FRAME = 0.25;
 
 /**
- * The time of the shot (s) after `elapsed` seconds of the wall, from `time`, at `rate`; not past
- * `duration`.
+ * The time of the shot (s) when `elapsed` seconds of wall time have passed since `time`, at `rate`; at
+ * most `duration`.
  */
 export function advance(time: number, elapsed: number, rate: number, duration: number): number {
   return Math.min(time + Math.min(Math.max(elapsed, 0), LONGEST_FRAME) * rate, duration);
 }
 
 /**
- * Pictures for each new set of words and numbers beside a replay: at sixty pictures a second nobody
- * reads faster, and where pictures are slow, words are the first to wait.
+ * Pictures per update of the text and numbers beside a replay. Nobody can read sixty updates a second,
+ * and slow machines save the time.
  */
 export const PICTURES_PER_READING = 6;
 
-/** Says when it is time for new words. */
+/** Decides when the text is updated. */
 export class Pace {
   #pictures = 0;
 
-  /** Called once for every picture of a replay that plays on. */
+  /** Call once per picture of a running replay. */
   due(): boolean {
     this.#pictures = (this.#pictures + 1) % PICTURES_PER_READING;
     return this.#pictures === 0;

@@ -15,21 +15,21 @@ export function momentsOf(trace: Trace | null): readonly Moment[] {
   return list;
 }
 
-/** Whether a replay plays on and nothing but its time has changed. */
+/** Whether the replay runs and only its time has changed. */
 export function playsOn(now: Session, before: Session): boolean {
   return (
     now.playing && before.playing && now.trace === before.trace && now.selected === before.selected
   );
 }
 
-/** Pauses at a time of the replay (s), kept within the shot. */
+/** Pauses at a time (s), clamped to the shot's duration. */
 export function seek(store: Store, time: number): void {
   const { trace } = store.session;
   if (!trace) return;
   store.setSession({ playing: false, time: Math.min(Math.max(time, 0), trace.duration) });
 }
 
-/** Pauses, or plays: from the start if the replay stands at its end. */
+/** Pauses or plays. At the end of the replay it plays from the start. */
 export function togglePlaying(store: Store): void {
   const { trace, playing, time } = store.session;
   if (!trace) return;
@@ -57,7 +57,7 @@ export function replay(store: Store, trace: Trace, time = 0, playing = true): vo
   store.setSession({ mode: "replay", trace, time, playing, refusal: null });
 }
 
-/** Ends the replay: back to aiming at the shot as it was. */
+/** Ends the replay and returns to aiming the same shot. */
 export function leave(store: Store): void {
   store.setSession({ mode: "aim", trace: null, time: 0, playing: false });
 }

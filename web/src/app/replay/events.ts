@@ -1,4 +1,4 @@
-/** The list of events: one reads it, hears it, and goes to an event by it. */
+/** The list of events, in text; a press on an event goes to its time. */
 
 import type { Trace } from "../../engine/index.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
@@ -36,7 +36,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
   let shown: Trace | null = null;
   let filter: string | null = null;
   let current: readonly number[] = [];
-  only.addEventListener("change", () => store.setSession({})); // everybody looks again
+  only.addEventListener("change", () => store.setSession({})); // notifies all listeners
 
   const fill = (trace: Trace): void => {
     setText(heading, `${trace.events.length} events`);
@@ -60,7 +60,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
 
   return (trace, ball, time) => {
     const { id } = trace.shot.balls[ball]!;
-    setText(onlyLabel, `Only those of ${ballName(id)}`);
+    setText(onlyLabel, `Only events of ${ballName(id)}`);
     const wanted = only.checked ? id : null;
     if (trace !== shown) fill(trace);
     const rows = body.rows;
@@ -80,7 +80,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
   };
 }
 
-/** Scrolls the list, and nothing around it. */
+/** Scrolls the list, but not the page around it. */
 function keepInView(row: HTMLElement): void {
   const list = row.closest<HTMLElement>(".events")!;
   const top = row.offsetTop;

@@ -1,20 +1,20 @@
-// How the kinds of events are drawn: each has a shape, a colour and a lane of its own.
+/** How event types are drawn: each has its shape and colour, and a lane on the timeline. */
 
 import type { TraceEvent } from "../../engine/index.ts";
 import { svg } from "../common/dom.ts";
 
-export type Kind = TraceEvent["type"];
+export type EventType = TraceEvent["type"];
 
-interface Look {
+interface EventLook {
   /** As in "3 ball collisions". */
   readonly name: string;
   /** A path around the origin, about 8 pixels across. */
   readonly shape: string;
-  /** From the top; kinds of one lane do not fall on each other often. */
+  /** Number of the lane from the top; events of one lane rarely coincide. */
   readonly lane: number;
 }
 
-export const LOOKS: Readonly<Record<Kind, Look>> = {
+export const LOOKS: Readonly<Record<EventType, EventLook>> = {
   "cue-strike": { name: "cue strike", shape: "M-3.5-4.5L4.5 0L-3.5 4.5Z", lane: 0 },
   "ball-collision": {
     name: "ball collision",
@@ -34,11 +34,11 @@ export const LOOKS: Readonly<Record<Kind, Look>> = {
 
 export const LANES = 4;
 
-/** The mark of a kind alone, as in the list of events. */
-export function mark(kind: Kind): SVGSVGElement {
+/** The mark of an event type, for the list of events. */
+export function mark(type: EventType): SVGSVGElement {
   return svg(
     "svg",
-    { viewBox: "-6 -6 12 12", class: `mark ${kind}`, "aria-hidden": "true" },
-    svg("path", { d: LOOKS[kind].shape }),
+    { viewBox: "-6 -6 12 12", class: `mark ${type}`, "aria-hidden": "true" },
+    svg("path", { d: LOOKS[type].shape }),
   );
 }

@@ -1,8 +1,8 @@
-// The instants at which something happens, and the steps between them.
+/** The instants at which events happen, and the steps from one to the next. */
 
 import type { TraceEvent } from "../../engine/index.ts";
 
-/** The events of one instant: impacts that happen together are one step of the replay. */
+/** The events of one instant. Simultaneous impacts are one step of the replay. */
 export interface Moment {
   /** Time since the strike, s. */
   time: number;
@@ -10,7 +10,7 @@ export interface Moment {
   events: number[];
 }
 
-/** The moments of a trace's events, which stand in the order of time. */
+/** Groups the events of a trace, which are in the order of time, into moments. */
 export function moments(events: readonly TraceEvent[]): Moment[] {
   const found: Moment[] = [];
   events.forEach((event, index) => {
@@ -32,12 +32,12 @@ export function previous(of: readonly Moment[], time: number): Moment | undefine
   return of[count - 1]?.time === time ? of[count - 2] : of[count - 1];
 }
 
-/** The last moment that is not after `time`, if there is one. */
+/** The last moment at or before `time`, if there is one. */
 export function latest(of: readonly Moment[], time: number): Moment | undefined {
   return of[countUpTo(of, time) - 1];
 }
 
-/** How many moments are not after `time`, by bisection. */
+/** The number of moments at or before `time`, by bisection. */
 function countUpTo(of: readonly Moment[], time: number): number {
   let low = 0;
   let high = of.length;

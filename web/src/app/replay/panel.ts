@@ -1,4 +1,4 @@
-/** The panel beside a replay: the selected ball's state, its plots, and the list of events. */
+/** The Replay tab: the selected ball's state, its plots, and the list of events. */
 
 import "./panel.css";
 import { MOTIONS, STRIDE, type BallInfo, type Trace } from "../../engine/types.ts";
@@ -42,7 +42,7 @@ export function mountState(root: HTMLElement, store: Store): void {
   });
 }
 
-/** The index of the selected ball; of the struck one, or the first, where none is. */
+/** The index of the selected ball; by default of the struck ball, or the first. */
 function selectedBall({ shot }: Trace, selected: string | null): number {
   const index = shot.balls.findIndex(({ id }) => id === selected);
   return index >= 0 ? index : (shot.struck ?? 0);
@@ -84,9 +84,9 @@ function kinetic({ mass, radius }: BallInfo, speed: number, spin: number): numbe
   return 0.5 * mass * (speed ** 2 + INERTIA * (radius * spin) ** 2);
 }
 
-/** @returns A function that shows the components about x, y and z, and the magnitude, rad/s. */
+/** @returns A function that shows the spin about x, y and z and its magnitude, rad/s. */
 function mountSpin(root: HTMLElement): (spin: readonly number[]) => void {
-  const axes = ["about x", "about y", "about z (side)", "in all"];
+  const axes = ["about x", "about y", "about z (English)", "total"];
   const cells = axes.map(() => [h("td"), h("td")] as const);
   const head = ["Spin", "rad/s", "rpm"].map((name) => h("th", { scope: "col" }, name));
   const rows = axes.map((axis, i) => h("tr", {}, h("th", { scope: "row" }, axis), ...cells[i]!));
@@ -104,7 +104,7 @@ function triple(v: Float64Array, digits: number): string {
   return Array.from(v, (x) => fixed(x, digits)).join(", ");
 }
 
-/** As `toFixed`, but nothing is "minus zero". */
+/** As `toFixed`, but without "-0". */
 function fixed(x: number, digits: number): string {
   return x.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 }

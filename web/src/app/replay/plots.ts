@@ -5,10 +5,10 @@ import { h, setText, svg } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { seek } from "./control.ts";
 import type { Show } from "./state.ts";
-import { curve, type Frame, roundUp, xOf, yOf } from "./plot.ts";
+import { curve, type PlotArea, roundUp, xOf, yOf } from "./plot.ts";
 import { sample, type Samples } from "./samples.ts";
 
-/** Of a plot's drawing; the page scales it to the panel. */
+/** Size of a plot's drawing; the page scales it to the panel. */
 const WIDTH = 288;
 const HEIGHT = 64;
 
@@ -29,8 +29,8 @@ const PLOTS: readonly Plot[] = [
     name: "Spin",
     unit: "rad/s",
     lines: [
-      { name: "in all", values: ({ spin }) => spin },
-      { name: "side spin, + to the left", values: ({ side }) => side },
+      { name: "total", values: ({ spin }) => spin },
+      { name: "English, + is left", values: ({ side }) => side },
     ],
   },
 ];
@@ -87,10 +87,10 @@ function mountPlot(root: HTMLElement, store: Store, { name, unit, lines }: Plot)
       end,
     ),
   );
-  let frame: Frame = { width: WIDTH, height: HEIGHT, duration: 0, low: 0, high: 1 };
+  let area: PlotArea = { width: WIDTH, height: HEIGHT, duration: 0, low: 0, high: 1 };
   picture.addEventListener("click", (event) => {
     const box = picture.getBoundingClientRect();
-    seek(store, ((event.clientX - box.left) / box.width) * frame.duration);
+    seek(store, ((event.clientX - box.left) / box.width) * area.duration);
   });
 
   return {
@@ -98,18 +98,18 @@ function mountPlot(root: HTMLElement, store: Store, { name, unit, lines }: Plot)
       const all = lines.map((line) => line.values(samples));
       const most = all.flat().reduce((a, b) => Math.max(a, b), 0);
       const least = all.flat().reduce((a, b) => Math.min(a, b), 0);
-      frame = { ...frame, duration, high: roundUp(most), low: least < 0 ? -roundUp(-least) : 0 };
-      all.forEach((values, i) => curves[i]!.setAttribute("d", curve(frame, samples.times, values)));
-      zero.setAttribute("d", `M0 ${yOf(frame, 0)}H${WIDTH}`);
-      setText(high, String(frame.high));
-      setText(low, String(frame.low));
+      area = { ...area, duration, high: roundUp(most), low: least < 0 ? -roundUp(-least) : 0 };
+      all.forEach((values, i) => curves[i]!.setAttribute("d", curve(area, samples.times, values)));
+      zero.setAttribute("d", `M0 ${yOf(area, 0)}H${WIDTH}`);
+      setText(high, String(area.high));
+      setText(low, String(area.low));
       setText(end, `${duration.toFixed(2)} s`);
       picture.setAttribute(
         "aria-label",
-        `${name} against time: between ${least.toPrecision(3)} and ${most.toPrecision(3)} ${unit} ` +
+        `${name} against time: from ${least.toPrecision(3)} to ${most.toPrecision(3)} ${unit} ` +
           `in ${duration.toFixed(2)} s`,
       );
     },
-    point: (time) => cursor.setAttribute("d", `M${xOf(frame, time)} 0V${HEIGHT}`),
+    point: (time) => cursor.setAttribute("d", `M${xOf(area, time)} 0V${HEIGHT}`),
   };
 }

@@ -1,9 +1,9 @@
-// A ball's speed and spin against time.
+/** A ball's speed and spin against time. */
 
 import { STRIDE, type Trace } from "../../engine/types.ts";
 import { SPIN, VELOCITY } from "./state.ts";
 
-/** A ball's motion at increasing times; at an impact twice, before and after it. */
+/** A ball's motion at increasing times. An impact has two samples, before and after it. */
 export interface Samples {
   /** s */
   times: number[];
@@ -11,14 +11,14 @@ export interface Samples {
   speed: number[];
   /** The magnitude of the angular velocity, rad/s. */
   spin: number[];
-  /** Its vertical part, the side spin, rad/s; positive turns counter-clockwise from above. */
+  /** The vertical component (English), rad/s; positive is counter-clockwise seen from above. */
   side: number[];
 }
 
-/** Samples between the events: a curve of this many pieces looks smooth at the panel's width. */
+/** Number of intervals of the grid: enough for a smooth curve at the panel's width. */
 const PIECES = 160;
 
-/** Samples the exact path of ball `ball`, whose events keep their jumps. */
+/** Samples the exact motion of ball `ball`; at its events the values jump. */
 export function sample(trace: Trace, ball: number): Samples {
   const samples: Samples = { times: [], speed: [], spin: [], side: [] };
   const add = (time: number, velocity: ArrayLike<number>, spin: ArrayLike<number>): void => {

@@ -1,4 +1,4 @@
-/** The bar below the table while a shot is replayed: clock, steps, and all events in time. */
+/** The bar below the table during a replay: clock, steps, and the events against time. */
 
 import "./timeline.css";
 import type { Trace, TraceEvent } from "../../engine/index.ts";
@@ -27,14 +27,14 @@ const ICONS = {
   previous: "M18 5l-9 7 9 7zM6 5v14",
 };
 
-/** Seconds that an arrow key moves the slider, and with the shift key. */
+/** Seconds that an arrow key moves the slider, without and with Shift. */
 const STEP = 0.05;
 const FINE_STEP = 0.005;
 
-/** Pixels within which the pointer finds a mark. */
+/** Distance (pixels) within which the pointer selects a mark. */
 const REACH = 8;
 
-/** Pixels that a lane of marks is high. */
+/** Height of a lane of marks, pixels. */
 const LANE_HEIGHT = 10;
 
 const RATE_NAMES: Readonly<Record<number, string>> = { 1: "1×", 0.5: "½×", 0.25: "¼×", 0.1: "⅒×" };
@@ -50,7 +50,7 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
   const present = h("span");
   const whole = h("span", { class: "whole" });
   const clock = h("p", { class: "clock" }, present, whole);
-  const said = h("p", { class: "said" });
+  const eventText = h("p", { class: "said" });
   const pace = new Pace();
 
   root.classList.add("timeline");
@@ -63,7 +63,7 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
       button("Next event", ICONS.next, () => stepForwards(store)),
       rates(store),
       clock,
-      said,
+      eventText,
       h("div", { class: "ways-on" }, leaveButton(store)),
     ),
     h("div", { class: "scrubber" }, marks, slider, now, tip),
@@ -79,7 +79,7 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     if (!playsOn(session, before) || pace.due()) show();
   });
 
-  /** Puts thumb and line to the present time. */
+  /** Moves thumb and line to the present time. */
   function point(): void {
     const { trace, time } = store.session;
     if (!trace) return;
@@ -106,7 +106,7 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     );
     setText(present, seconds(time));
     setText(whole, ` / ${seconds(trace.duration)}`);
-    setText(said, moment ? `${seconds(moment.time)}: ${words}` : "");
+    setText(eventText, moment ? `${seconds(moment.time)}: ${words}` : "");
   }
 }
 
@@ -151,7 +151,7 @@ interface Scrubber {
   marks: SVGSVGElement;
   /** The line at the present time. */
   now: HTMLElement;
-  /** Words beside the mark under the pointer. */
+  /** Text beside the mark under the pointer. */
   tip: HTMLElement;
 }
 
@@ -170,7 +170,7 @@ function scrubber(store: Store): Scrubber {
   const marks = svg("svg", {
     class: "marks",
     height: LANES * LANE_HEIGHT,
-    "aria-hidden": "true", // the list of events says the same, to everybody
+    "aria-hidden": "true", // screen readers read the list of events
   });
   const tip = h("div", { class: "event-tip", hidden: true, "aria-hidden": "true" });
   marks.addEventListener("pointermove", (event) => {
@@ -195,7 +195,7 @@ function scrubber(store: Store): Scrubber {
   return { slider, marks, now, tip };
 }
 
-/** What a key on the slider does; null for keys that are none of its. */
+/** The action of a key on the slider; null for other keys. */
 function sliderKey({ key, shiftKey }: KeyboardEvent): ((store: Store) => void) | null {
   const step = shiftKey ? FINE_STEP : STEP;
   const by = (change: number) => (store: Store) => {
@@ -225,7 +225,7 @@ function drawMarks(root: SVGSVGElement, { trace, selected }: Session): void {
   const marks = trace?.events.map((event) => {
     const { shape, lane } = LOOKS[event.type];
     const other = selected !== null && !event.balls.includes(selected);
-    // A nested drawing stands at a share of the width without anybody knowing the width.
+    // A nested SVG can have a position in percent of the width.
     return svg(
       "svg",
       {
@@ -240,12 +240,12 @@ function drawMarks(root: SVGSVGElement, { trace, selected }: Session): void {
   root.replaceChildren(...(marks ?? []));
 }
 
-/** Where an event stands on the timeline, 0 to 1. */
+/** Position of an event on the timeline, 0 to 1. */
 function shareOf(event: TraceEvent, { duration }: Trace): number {
   return duration > 0 ? event.time / duration : 0;
 }
 
-/** The event whose mark is nearest to the pointer and within reach. */
+/** The event whose mark is nearest to the pointer, within `REACH`. */
 function nearest(
   root: SVGSVGElement,
   { trace }: Session,

@@ -1,9 +1,9 @@
-// Events and states in words.
+/** Events as text. */
 
 import type { CushionPart, Motion, RailName, TraceEvent } from "../../engine/index.ts";
 import { ballName, placeName } from "../common/words.ts";
 
-/** What happens, as one reads it in the list of events and hears it from the slider. */
+/** An event as text, for the list of events and the slider. */
 export function eventInWords(event: TraceEvent): string {
   const names = event.balls.map(ballName);
   const [first = ""] = names;

@@ -1,4 +1,4 @@
-// Text to the clipboard, also where the page comes from a file or stands in another page.
+/** Copies text to the clipboard, also in a page from disk or in a frame. */
 
 /** @returns Whether the text is on the clipboard. */
 export async function copy(text: string): Promise<boolean> {
@@ -10,18 +10,18 @@ export async function copy(text: string): Promise<boolean> {
   }
 }
 
-/** The way from before there was a clipboard to write to, which needs no permission. */
+/** Copies by a selection, the older method, which needs no permission. */
 function copyBySelection(text: string): boolean {
   const area = document.createElement("textarea");
   area.value = text;
   area.className = "unseen";
-  // Inside an open dialog, for nothing outside it can be selected.
+  // While a dialog is open, only text inside it can be selected.
   const place = document.querySelector("dialog[open]") ?? document.body;
   const focused = document.activeElement;
   place.append(area);
   area.select();
   try {
-    // No other way is left where the page may not use the clipboard's interface.
+    // The only method left if the page may not use `navigator.clipboard`.
     // eslint-disable-next-line @typescript-eslint/no-deprecated
     return document.execCommand("copy");
   } catch {

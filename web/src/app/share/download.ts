@@ -1,6 +1,6 @@
-// Files to the user's disk, without a server.
+/** Downloads made in the browser, without a server. */
 
-/** How long (ms) a download may take to begin: its address is given back after that. */
+/** Time (ms) that a download has to begin; afterwards its URL is revoked. */
 const BEGINS_WITHIN = 60_000;
 
 /** Offers `content` for download as a file called `name`. */

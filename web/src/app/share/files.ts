@@ -1,4 +1,4 @@
-/** Files to open: dropped anywhere on the page, or chosen. */
+/** Opens files that are chosen or dropped on the page. */
 
 import type { Engine } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
@@ -7,15 +7,17 @@ import { cannotOpen, readFile } from "../document/file.ts";
 import type { Store } from "../document/store.ts";
 import { replay } from "../replay/control.ts";
 
-/** The largest file that is read, bytes: the longest trace that people have is a tenth of it. */
+/** The largest file that is read, bytes: ten times the longest trace of a break. */
 const LARGEST = 50e6;
 
 const OPEN_ICON = "M4 19V6h5l2 2h9v11zM4 11h16";
 
-/** Opens a shot file or a trace; what cannot be opened is refused in words and changes nothing. */
+/** Opens a shot file or a trace. A file that cannot be opened changes nothing. */
 export async function openFile(file: File, store: Store, context: Context): Promise<void> {
   if (file.size > LARGEST) {
-    store.refuse(`${file.name} is too large (${(file.size / 1e6).toFixed(0)} MB) to be a shot.`);
+    store.refuse(
+      `${file.name} has ${(file.size / 1e6).toFixed(0)} MB, too much for a shot: choose another file.`,
+    );
     return;
   }
   let text: string;
@@ -25,7 +27,7 @@ export async function openFile(file: File, store: Store, context: Context): Prom
     store.refuse(`${file.name} cannot be read: choose it again.`);
     return;
   }
-  if (open(store, context.engine, text)) context.announce(`${file.name} is opened.`);
+  if (open(store, context.engine, text)) context.announce(`${file.name} is open.`);
 }
 
 /** Opens a shot file or a trace from JSON. A refused file leaves everything as it is. */
@@ -41,7 +43,7 @@ function open(store: Store, engine: Engine, json: string): boolean {
   }
 }
 
-/** A button that lets one choose a file. */
+/** The button that opens a file. */
 export function openButton(store: Store, context: Context): HTMLElement {
   const input = h("input", {
     type: "file",
@@ -67,11 +69,11 @@ export function openButton(store: Store, context: Context): HTMLElement {
     icon(OPEN_ICON),
     h("span", { class: "wide-only" }, "Open"),
   );
-  button.title = "Open a shot or trace file; or drop one on the page";
+  button.title = "Open a shot file or a trace; you can also drop it on the page";
   return h("span", {}, button, input);
 }
 
-/** Lets files be dropped on the page. */
+/** Opens files that are dropped on the page. */
 export function mountDrop(store: Store, context: Context): void {
   const veil = h("div", { class: "drop", hidden: true, "aria-hidden": "true" }, "Drop to open");
   document.body.append(veil);
@@ -82,7 +84,7 @@ export function mountDrop(store: Store, context: Context): void {
     veil.hidden = false;
   });
   addEventListener("dragleave", (event) => {
-    if (!event.relatedTarget) veil.hidden = true; // out of the window
+    if (!event.relatedTarget) veil.hidden = true; // left the window
   });
   addEventListener("drop", (event) => {
     veil.hidden = true;

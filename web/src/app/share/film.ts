@@ -1,4 +1,4 @@
-/** Exports the replay as a film, with its progress and a way out. */
+/** Exports the replay as a film, with a progress bar and a button to cancel. */
 
 import { STRIDE, type Trace } from "../../engine/types.ts";
 import type { Context } from "../common/context.ts";
@@ -17,7 +17,7 @@ export function filmSection(store: Store, context: Context): HTMLElement {
   const rate = h(
     "select",
     { id: uniqueId("rate") },
-    ...RATES.map((r) => h("option", { value: r }, r === 1 ? "as it is" : `${1 / r} times slower`)),
+    ...RATES.map((r) => h("option", { value: r }, r === 1 ? "normal" : `${1 / r} times slower`)),
   );
   const start = h("button", { type: "button", class: "button", id: "film" }, "Download film");
   const cancel = h("button", { type: "button", class: "button", hidden: true }, "Cancel");
@@ -51,7 +51,10 @@ export function filmSection(store: Store, context: Context): HTMLElement {
   cancel.addEventListener("click", () => abort?.abort());
   if (!canFilm()) {
     start.disabled = true;
-    setText(said, "This browser cannot encode films.");
+    setText(
+      said,
+      "This browser cannot encode films: use a recent Chrome, Edge, Firefox or Safari.",
+    );
   }
   return h(
     "section",
@@ -63,7 +66,7 @@ export function filmSection(store: Store, context: Context): HTMLElement {
   );
 }
 
-/** Films from where the camera stands. The page's own picture is back when it is done. */
+/** Films with the present camera, then restores the page's own picture. */
 async function record(
   trace: Trace,
   rate: number,
@@ -75,7 +78,7 @@ async function record(
   const canvas = document.querySelector<HTMLCanvasElement>("#table")!;
   const states = new Float64Array(STRIDE * trace.shot.balls.length);
   const { quality } = viewer;
-  // One and the same from the first frame to the last.
+  // The same quality in all frames.
   if (quality === "auto") viewer.quality = viewer.stats.level < LOW ? "high" : "low";
   viewer.setCue(null);
   viewer.setMarks([]);
@@ -94,7 +97,7 @@ async function record(
     });
   } finally {
     viewer.quality = quality;
-    store.setSession({}); // the scene shows its own time again
+    store.setSession({}); // makes the scene show its own time again
     loop.invalidate();
   }
 }

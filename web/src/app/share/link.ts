@@ -1,65 +1,68 @@
-// Data in the fragment of an address: `#s=1.<base64url>`, version 1 being JSON in a zlib stream.
-//
-// The fragment never leaves the browser: no server sees it, and it works from a file on disk too.
+/**
+ * Data in the fragment of an address: `#s=1.<base64url>`. Version 1 is JSON in a zlib stream.
+ *
+ * Browsers do not send the fragment to a server, and it works for a page from disk too.
+ */
 
 import { strFromU8, strToU8, unzlibSync, zlibSync } from "fflate";
 import { toJson } from "./literal.ts";
 
-/** A link that cannot be read; the message is a sentence for the user. */
+/** A link that cannot be opened. The message is shown to the user. */
 export class LinkError extends Error {
   override name = "LinkError";
 }
 
 const KEY = "#s=";
 
-/** The version of what this page writes. A page reads links of this version only. */
+/** The version of links that this page writes and reads. */
 const VERSION = "1";
 
 /**
- * The longest link that is read, in characters. A table full of balls needs about 2000; the limit
- * keeps a forged link from unpacking to more memory (at most a thousandfold) than a page has.
+ * The longest link that is read, in characters. A table full of balls needs about 2000. A forged link
+ * could unpack to a thousand times its length; this limit bounds the memory that it takes.
  */
 const LONGEST = 100_000;
 
-/** Bytes of a zlib stream before and after its content. */
+/** Bytes of a zlib stream before and after its contents. */
 const HEADER = 2;
 const CHECKSUM = 4;
 
-/** Whether a fragment claims to carry a state, readable or not. */
+/** Whether a fragment has the form of a link, valid or not. */
 export function isLink(fragment: string): boolean {
   return fragment.startsWith(KEY);
 }
 
-/** The fragment, with its `#`, that carries plain data. */
+/** The fragment, with its `#`, for plain data. */
 export function toFragment(data: unknown): string {
   return `${KEY}${VERSION}.${toBase64Url(zlibSync(strToU8(toJson(data)), { level: 9 }))}`;
 }
 
 /**
- * The data that a fragment carries.
+ * The data in a fragment.
  *
- * @throws {LinkError} It is of another version, or damaged.
+ * @throws {LinkError} The link is of another version, or damaged.
  */
 export function fromFragment(fragment: string): unknown {
   const [version, text = ""] = fragment.slice(KEY.length).split(".", 2);
-  if (!isLink(fragment) || !version) throw new LinkError("This link carries no shot.");
+  if (!isLink(fragment) || !version) throw new LinkError("This link contains no shot.");
   if (version !== VERSION) {
     throw new LinkError(
-      `This link was made by another version of the page (its links are of version ${version}, ` +
-        `here they are of version ${VERSION}): open it with that one.`,
+      `This link was made by another version of the page (the link has version ${version}, ` +
+        `this page reads version ${VERSION}): open it with that version of the page.`,
     );
   }
-  if (text.length > LONGEST) throw new LinkError("This link is too long to be a shot.");
+  if (text.length > LONGEST)
+    throw new LinkError("This link is too long for a shot: copy it again from the page.");
   try {
     return JSON.parse(strFromU8(unpack(fromBase64Url(text)))) as unknown;
   } catch (cause) {
-    throw new LinkError("This link is damaged, perhaps cut off: copy it again, to its end.", {
+    throw new LinkError("This link is damaged or incomplete: copy the whole link again.", {
       cause,
     });
   }
 }
 
-/** Unpacks a zlib stream and checks its sum, which the library leaves to us. */
+/** Unpacks a zlib stream and verifies its checksum, which fflate does not do. */
 function unpack(stream: Uint8Array): Uint8Array {
   if (stream.length < HEADER + CHECKSUM) throw new RangeError("no stream");
   const content = unzlibSync(stream);

@@ -1,12 +1,12 @@
-// Plain data as text that reads back to the very same bits, as JSON and as Python.
+/** Plain data as JSON or Python text that reads back to the same bits. */
 
 /** The widest line, in characters, before a list or an object is broken over several lines. */
 const WIDTH = 96;
 
 interface Dialect {
-  /** What the language calls true, false and nothing. */
+  /** The words for true, false and null. */
   words: { true: string; false: string; null: string };
-  /** What stands after the last entry of a broken list. */
+  /** Text after the last entry of a list over several lines. */
   trailing: string;
 }
 
@@ -20,12 +20,12 @@ const PYTHON_DIALECT: Dialect = {
   trailing: ",",
 };
 
-/** Compact JSON, in which a negative zero stays one. */
+/** Compact JSON that keeps negative zeros. */
 export function toJson(value: unknown): string {
   return inline(value, JSON_DIALECT);
 }
 
-/** JSON for people: what fits on a line stays on it. */
+/** Readable JSON: a value stays on one line if it fits. */
 export function toPrettyJson(value: unknown): string {
   return broken(value, "", 0, JSON_DIALECT);
 }
@@ -41,11 +41,12 @@ function scalar(value: unknown, dialect: Dialect): string | null {
     case "boolean":
       return value ? dialect.words.true : dialect.words.false;
     case "number":
-      if (!Number.isFinite(value)) throw new TypeError(`${value} has no place in a shot file`);
-      // JSON.stringify would drop the sign of a negative zero, and with it a bit of the hash.
+      if (!Number.isFinite(value))
+        throw new TypeError(`a shot file cannot contain ${value}; use a finite number`);
+      // JSON.stringify drops the sign of a negative zero, which would change the hash.
       return Object.is(value, -0) ? "-0.0" : String(value);
     case "string":
-      // Every escape that JSON writes means the same in Python.
+      // The escapes of JSON have the same meaning in Python.
       return JSON.stringify(value);
     default:
       return null;
@@ -75,7 +76,7 @@ function inline(value: unknown, dialect: Dialect): string {
   return open + items.join(", ") + close;
 }
 
-/** `used` characters stand already on the line, before the value. */
+/** `used`: characters already on the line before the value. */
 function broken(value: unknown, indent: string, used: number, dialect: Dialect): string {
   const short = inline(value, dialect);
   if (scalar(value, dialect) !== null || used + short.length <= WIDTH) return short;

@@ -1,4 +1,4 @@
-/** Everything that takes a shot out of the page, and the button that opens one. */
+/** The Share dialog, and the button that opens files. */
 
 import "./menu.css";
 import type { Context } from "../common/context.ts";
@@ -70,7 +70,7 @@ function mountLink(
   const none = h(
     "p",
     { class: "hint" },
-    "Inside another page there is no address to share: copy the shot file instead.",
+    "In a frame of another page there is no link: copy the shot file instead.",
   );
   return {
     section: section("Link with everything on this page", label, address, button, none),
@@ -90,7 +90,7 @@ interface Copier {
   clear: () => void;
 }
 
-/** Says in the dialog what was copied; where the browser forbids it, shows the text to be copied. */
+/** Copies text and confirms it; if the browser forbids copying, shows the text selected. */
 function mountCopier(): Copier {
   const said = h("p", { class: "said", role: "status" });
   const text = h("textarea", { readonly: true, rows: 8, "aria-label": "Text to copy" });
@@ -107,7 +107,7 @@ function mountCopier(): Copier {
         say(`${what} copied.`);
         return;
       }
-      say("The browser does not let this page copy. Here is the text, selected:");
+      say("The browser does not allow this page to copy. Here is the text, selected:");
       text.hidden = false;
       text.value = content;
       text.focus();
@@ -124,10 +124,11 @@ function action(label: string, id: string, run: () => unknown): HTMLButtonElemen
   return h("button", { type: "button", class: "button", id, onclick: () => void run() }, label);
 }
 
-/** @returns What is to be said. */
+/** @returns The message to show. */
 function downloadTrace(store: Store): string {
   const trace = store.session.trace ?? store.ghost.trace;
-  if (!trace) return store.ghost.error ?? "There is no trace of this shot.";
+  if (!trace)
+    return store.ghost.error ?? "This shot has no trace: change it until it can be played.";
   download(`${trace.json()}\n`, "trace.json");
   return "Trace downloaded.";
 }

@@ -1,9 +1,9 @@
-// A shot as a Python program.
+/** A shot as a Python program. */
 
 import type { ShotFile } from "../../engine/index.ts";
 import { toPython } from "./literal.ts";
 
-/** A program that runs as it stands, prints the events of the shot, and has the page's hash. */
+/** A complete program that simulates the shot and prints it; its hash equals the page's. */
 export function pythonProgram(shot: ShotFile): string {
   return `import carom
 

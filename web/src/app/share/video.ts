@@ -1,23 +1,23 @@
-// A film of the replay, encoded frame by frame: it does not stutter where drawing is slow.
+/** Encodes a film of the replay frame by frame, so that slow drawing does not make it stutter. */
 
 import { ArrayBufferTarget, Muxer } from "mp4-muxer";
 
-/** What to film. */
+/** The shot to film. */
 export interface Film {
   /** Draws the shot at a time (s) into `canvas`, at once. */
   draw: (time: number) => void;
   canvas: HTMLCanvasElement;
-  /** Seconds of the shot, and seconds of the shot per second of the film. */
+  /** Duration of the shot, s, and seconds of the shot per second of the film. */
   duration: number;
   rate: number;
   /** Frames per second of the film. */
   fps: number;
-  /** Is told the share done, 0 to 1. */
+  /** Called with the share of the frames that are done, 0 to 1. */
   progress: (share: number) => void;
   signal: AbortSignal;
 }
 
-/** What an MP4 may hold, in the order in which players are likely to understand it. */
+/** Codecs for MP4, in the order of support among video players. */
 const CODECS = [
   // H.264, high and baseline profile, level 5.1: up to 4096 × 2304.
   { encode: "avc1.640033", mux: "avc" },
@@ -26,16 +26,16 @@ const CODECS = [
   { encode: "vp09.00.51.08", mux: "vp9" },
 ] as const;
 
-/** Bits per pixel and frame: flat cloth and few moving edges need little. */
+/** Bits per pixel and frame: plain cloth and few moving edges need little. */
 const BITS_PER_PIXEL = 0.2;
 
-/** Seconds between frames that need no other: where players can jump to. */
+/** Seconds between key frames, to which video players can jump. */
 const KEY_FRAMES = 1;
 
-/** Frames that may wait for the encoder. */
+/** Most frames that wait for the encoder. */
 const QUEUE = 4;
 
-/** Seconds for which the last frame stands. */
+/** Duration of the last frame, s. */
 const LAST_FRAME = 0.5;
 
 /** Whether this browser can encode films at all. */
@@ -43,7 +43,7 @@ export function canFilm(): boolean {
   return "VideoEncoder" in globalThis;
 }
 
-/** How many frames a film has, both ends included. */
+/** Number of frames of a film, with first and last. */
 export function frameCount(duration: number, rate: number, fps: number): number {
   return Math.ceil((duration / rate) * fps) + 1;
 }
@@ -56,21 +56,21 @@ async function firstCodec(size: { width: number; height: number }, fps: number) 
     if ((await VideoEncoder.isConfigSupported(config)).supported) return { config, mux };
   }
   throw new Error(
-    "This browser cannot encode a film: take a recent Chrome, Edge, Firefox or Safari.",
+    "This browser cannot encode a film: use a recent Chrome, Edge, Firefox or Safari.",
   );
 }
 
-/** Microseconds, which encoders count in. */
+/** Microseconds, the unit of encoders. */
 const micro = (seconds: number): number => Math.round(seconds * 1e6);
 
 /**
  * Encodes the film as MP4.
  *
  * @throws {DOMException} "AbortError" when `signal` is aborted.
- * @throws {Error} The browser can encode no film of this size.
+ * @throws {Error} The browser cannot encode a film of this size.
  */
 export async function film({ draw, canvas, ...film }: Film): Promise<Blob> {
-  // Encoders want even sizes; WebGL's canvas may change its own while we film.
+  // Encoders need even sizes, and the table's canvas may be resized during the export.
   const picture = document.createElement("canvas");
   const size = { width: canvas.width & ~1, height: canvas.height & ~1 };
   Object.assign(picture, size);
@@ -90,7 +90,7 @@ export async function film({ draw, canvas, ...film }: Film): Promise<Blob> {
     for (let i = 0; i < count; i++) {
       film.signal.throwIfAborted();
       if (failure) throw failure;
-      // From drawing to copying without a pause: WebGL forgets its picture when the page is shown.
+      // Copy in the same task: WebGL clears its canvas after the page was displayed.
       draw(Math.min((i / film.fps) * film.rate, film.duration));
       pen.drawImage(canvas, 0, 0, size.width, size.height);
       const last = i === count - 1;
@@ -111,7 +111,7 @@ export async function film({ draw, canvas, ...film }: Film): Promise<Blob> {
   return new Blob([target.buffer], { type: "video/mp4" });
 }
 
-/** Waits until the encoder takes another frame, and lets the page breathe. */
+/** Waits until the encoder takes another frame; the page handles its events meanwhile. */
 async function room(encoder: VideoEncoder): Promise<void> {
   do await new Promise((done) => setTimeout(done));
   while (encoder.encodeQueueSize > QUEUE && encoder.state === "configured");

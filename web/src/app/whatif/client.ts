@@ -1,45 +1,48 @@
-// The page's end of the worker.
+/** The page's side of the what-if worker. */
 
 import type { Engine, Noise, Shot } from "../../engine/index.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 import { Tally } from "./tally.ts";
 
-/** What is known of a request so far. */
-export interface Progress {
+/** The results of a request so far. */
+export interface VariantsProgress {
   tally: Tally;
-  /** The struck ball's ways in some of the variants: x, y, z (m) per point of each. */
+  /** Paths of the struck ball in some of the variants: x, y, z (m) per point. */
   paths: readonly Float32Array[];
   done: boolean;
   /** Since the request, ms. */
   elapsed: number;
 }
 
-export interface Ear {
-  progress: (progress: Progress) => void;
+/** Receives results and refusals. */
+export interface VariantsListener {
+  progress: (progress: VariantsProgress) => void;
   refused: (message: string) => void;
 }
 
-/** The part of a worker that the client needs. */
-export type Line = Pick<Worker, "postMessage" | "onmessage" | "onerror" | "terminate">;
+/** The part of a worker that the client uses. */
+export type WorkerPort = Pick<Worker, "postMessage" | "onmessage" | "onerror" | "terminate">;
 
-/** Asks a worker for variants; a new question makes the one before it stale. */
+/** Requests variants from a worker. A new request cancels the previous one. */
 export class Variants {
-  readonly #worker: Line;
-  readonly #ear: Ear;
+  readonly #worker: WorkerPort;
+  readonly #listener: VariantsListener;
   #generation = 0;
-  #progress: Progress | null = null;
+  #progress: VariantsProgress | null = null;
   #asked = 0;
 
-  constructor(worker: Line, engine: Pick<Engine, "module">, ear: Ear) {
+  constructor(worker: WorkerPort, engine: Pick<Engine, "module">, listener: VariantsListener) {
     this.#worker = worker;
-    this.#ear = ear;
-    worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#hear(data);
+    this.#listener = listener;
+    worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#receive(data);
     worker.onerror = () =>
-      ear.refused("This browser does not let the page simulate beside itself.");
+      listener.refused(
+        "This browser does not allow the page to start a worker: open the page in another browser.",
+      );
     this.#send({ kind: "engine", module: engine.module });
   }
 
-  /** Asks for `count` variants of a shot, and for `paths` of the struck ball's ways. */
+  /** Requests `count` variants of a shot, and `paths` paths of the struck ball. */
   ask(shot: Shot, noise: Noise, seed: number, count: number, paths: number): void {
     const generation = ++this.#generation;
     this.#asked = performance.now();
@@ -52,12 +55,12 @@ export class Variants {
     this.#send({ kind: "simulate", generation, shot: shot.json(), noise, seed, count, paths });
   }
 
-  /** What is known of the last question; null if there is none. */
-  get present(): Progress | null {
+  /** The results of the last request; null if there is none. */
+  get present(): VariantsProgress | null {
     return this.#progress;
   }
 
-  /** Forgets the question. */
+  /** Cancels the request. */
   cancel(): void {
     this.#progress = null;
     this.#send({ kind: "cancel", generation: ++this.#generation });
@@ -71,18 +74,18 @@ export class Variants {
     this.#worker.postMessage(message);
   }
 
-  #hear(message: FromWorker): void {
+  #receive(message: FromWorker): void {
     const now = this.#progress;
     if (message.generation !== this.#generation || !now) return;
     if (message.kind === "refused") {
       this.#progress = null;
-      this.#ear.refused(message.message);
+      this.#listener.refused(message.message);
       return;
     }
     if (message.kind === "paths") now.paths = message.paths;
     else now.tally.add(message);
     now.done = now.tally.count === now.tally.total;
     now.elapsed = performance.now() - this.#asked;
-    this.#ear.progress(now);
+    this.#listener.progress(now);
   }
 }

@@ -1,4 +1,4 @@
-// Execution noise as the page offers and shows it.
+/** Presets of execution noise, and its standard deviations in the page's units. */
 
 import type { Engine, Noise } from "../../engine/index.ts";
 
@@ -9,14 +9,16 @@ export interface Preset {
   readonly noise: Noise;
 }
 
-/** Presets of one origin, under what it is called. */
-export interface Presets {
+/** Presets of one origin. */
+export interface PresetGroup {
   readonly origin: string;
   readonly presets: readonly Preset[];
 }
 
-/** The engine's presets: levels of play, and the Olympiad at the strengths of its tournaments. */
-export function presetsOf(engine: Pick<Engine, "noisePresets" | "olympiad">): readonly Presets[] {
+/** The engine's presets: levels of play, and the Olympiad with the multipliers of its tournaments. */
+export function presetsOf(
+  engine: Pick<Engine, "noisePresets" | "olympiad">,
+): readonly PresetGroup[] {
   const levels = Object.entries(engine.noisePresets).filter(([name]) => name !== "olympiad");
   return [
     {
@@ -38,22 +40,22 @@ function capital(text: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** The preset that a noise is, if it is one. */
-export function presetOf(noise: Noise, known: readonly Presets[]): Preset | undefined {
+/** The preset that equals a noise, if there is one. */
+export function presetOf(noise: Noise, known: readonly PresetGroup[]): Preset | undefined {
   return known
     .flatMap(({ presets }) => presets)
     .find((preset) => SIGMAS.every(({ key }) => preset.noise[key] === noise[key]));
 }
 
-/** A σ as the page shows it. */
+/** How the page shows a σ. */
 export interface Sigma {
   readonly key: keyof Noise;
   readonly label: string;
   readonly unit: string;
   readonly spoken: string;
-  /** What one of the shown unit is in the engine's. */
+  /** The shown unit in the engine's unit. */
   readonly scale: number;
-  /** The most that the slider reaches, and its step, in the shown unit. */
+  /** Upper end and step of the slider, in the shown unit. */
   readonly max: number;
   readonly step: number;
 }

@@ -1,4 +1,4 @@
-/** The panel in which one asks what a player's errors do to the shot. */
+/** The What if tab: the effect of a player's execution errors on the shot. */
 
 import "./panel.css";
 import { CaromError, type Noise } from "../../engine/index.ts";
@@ -7,21 +7,21 @@ import { h, uniqueId } from "../common/dom.ts";
 import { mountField } from "../form/field.ts";
 import { canAim } from "../game/play.ts";
 import type { State, Store } from "../document/store.ts";
-import { type Progress, Variants } from "./client.ts";
+import { type VariantsProgress, Variants } from "./client.ts";
 import { presetOf, presetsOf, type Sigma, SIGMAS } from "./noise.ts";
 import { mountResult } from "./result.ts";
 import VariantsWorker from "./worker.ts?worker&inline";
 
-/** Variants per change of the shot: a chance of one half is then known to 1.6 %. */
+/** Variants per change of the shot: the standard error of a chance of one half is then 1.6 %. */
 const COUNT = 1000;
 
-/** Ways of the struck ball that are drawn: more would cover each other. */
+/** Paths of the struck ball that are drawn: more would cover each other. */
 const PATHS = 60;
 
-/** The largest seed that a number of JavaScript tells from its neighbours. */
+/** The largest whole number that JavaScript represents exactly. */
 const LARGEST_SEED = Number.MAX_SAFE_INTEGER;
 
-/** The largest seed that a click draws: short enough to read out. */
+/** The largest seed that a click draws: short enough to tell somebody. */
 const LARGEST_DRAWN_SEED = 9999;
 
 export function mountWhatIf(root: HTMLElement, store: Store, context: Context): void {
@@ -33,8 +33,8 @@ export function mountWhatIf(root: HTMLElement, store: Store, context: Context): 
   const intro = h(
     "p",
     { class: "hint" },
-    "Nobody strikes exactly as meant. Say how large your errors usually are, and see ",
-    `${COUNT} executions of this shot.`,
+    "No player strikes exactly as intended. Set the size of your errors to see ",
+    `${COUNT} variants of this shot.`,
   );
   const settings = h("div", { class: "settings" });
   const result = h("section", { "aria-label": "Result" });
@@ -60,25 +60,25 @@ export function mountWhatIf(root: HTMLElement, store: Store, context: Context): 
   };
   store.subscribe((now, before) => {
     follow();
-    if (asksAnew(now, before)) ask();
+    if (needsVariants(now, before)) ask();
   });
   follow();
   ask();
 }
 
-function asksAnew(now: State, before: State): boolean {
+function needsVariants(now: State, before: State): boolean {
   return now.document !== before.document || now.session.mode !== before.session.mode;
 }
 
-/** @returns A function that asks for variants of the present document, or for none. */
+/** @returns A function that requests variants of the present document, or cancels the request. */
 function mountVariants(
   store: Store,
   { engine, viewer, loop }: Context,
-  show: (progress: Progress | string | null, store: Store) => void,
+  show: (progress: VariantsProgress | string | null, store: Store) => void,
 ): () => void {
   let variants: Variants | null = null;
-  // Once a frame, however many chunks came in.
-  const draw = (so: Progress): void => {
+  // At most once per frame.
+  const draw = (so: VariantsProgress): void => {
     loop.input(draw, () => {
       if (variants?.present !== so) return;
       viewer.setFan(so.tally.played(), so.paths);
@@ -176,7 +176,7 @@ function seedRow(store: Store): HTMLElement {
     if (seed.value !== "" && Number.isInteger(value) && value >= 0 && value <= LARGEST_SEED) {
       store.apply({ seed: value }, "seed");
     } else {
-      store.refuse(`A seed is a whole number from 0 to ${LARGEST_SEED}.`);
+      store.refuse(`Seed: write a whole number from 0 to ${LARGEST_SEED}.`);
       seed.value = String(store.document.seed);
     }
   });
@@ -198,6 +198,6 @@ function seedRow(store: Store): HTMLElement {
       seed,
       h("button", { type: "button", class: "button", onclick: draw }, "Another"),
     ),
-    h("p", { class: "hint" }, "The same seed draws the same errors, here and in Python."),
+    h("p", { class: "hint" }, "The same seed gives the same errors, here and in Python."),
   );
 }

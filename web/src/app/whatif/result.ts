@@ -1,19 +1,19 @@
-/** What the variants say: how likely each ball drops. */
+/** The chance of each ball to be pocketed, from the variants. */
 
 import { h, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { ballName, sentence } from "../common/words.ts";
-import type { Progress } from "./client.ts";
+import type { VariantsProgress } from "./client.ts";
 import { type Chance, chanceInWords } from "./statistics.ts";
 import type { Tally } from "./tally.ts";
 
-/** How long (ms) a result stands before it is told: while one drags, nothing is. */
-const TELL_AFTER = 1000;
+/** Time (ms) without a change after which the result is read to screen readers. */
+const REST = 1000;
 
 export function mountResult(
   root: HTMLElement,
-): (progress: Progress | string | null, store: Store) => void {
-  const heading = h("h2", { id: uniqueId("chances") }, "Chance to drop");
+): (progress: VariantsProgress | string | null, store: Store) => void {
+  const heading = h("h2", { id: uniqueId("chances") }, "Chance to be pocketed");
   const body = h("tbody");
   const table = h(
     "table",
@@ -21,19 +21,24 @@ export function mountResult(
     h(
       "thead",
       { class: "unseen" },
-      h("tr", {}, h("th", { scope: "col" }, "Ball"), h("th", { scope: "col" }, "Chance to drop")),
+      h(
+        "tr",
+        {},
+        h("th", { scope: "col" }, "Ball"),
+        h("th", { scope: "col" }, "Chance to be pocketed"),
+      ),
     ),
     body,
   );
   const notes = h("p", { class: "notes" });
   const bar = h("progress", { max: 1, "aria-label": "Variants simulated" });
   const count = h("p", { class: "hint", id: "variants" });
-  const aloud = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
-  root.append(heading, table, notes, bar, count, aloud);
-  let telling: ReturnType<typeof setTimeout> | undefined;
+  const spoken = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
+  root.append(heading, table, notes, bar, count, spoken);
+  let resting: ReturnType<typeof setTimeout> | undefined;
 
   return (progress, store) => {
-    clearTimeout(telling);
+    clearTimeout(resting);
     table.hidden = bar.hidden = typeof progress === "string";
     if (typeof progress === "string" || !progress) {
       setText(notes, progress ?? "");
@@ -48,7 +53,7 @@ export function mountResult(
     bar.hidden = done;
     setText(count, done ? `${tally.count} variants in ${elapsed.toFixed(0)} ms` : "Simulating …");
     count.dataset.done = String(done);
-    if (done) telling = setTimeout(() => setText(aloud, told(rows)), TELL_AFTER);
+    if (done) resting = setTimeout(() => setText(spoken, inSentence(rows)), REST);
   };
 }
 
@@ -57,7 +62,7 @@ interface Row {
   readonly chance: Chance;
 }
 
-/** The struck ball first (a scratch is what one wants to know), then the likeliest. */
+/** The struck ball first, for its scratch; then the other balls by chance. */
 function rowsOf(tally: Tally, store: Store): Row[] {
   const { balls, struck } = store.shot;
   const rows = balls.map(({ id }, index) => ({
@@ -88,16 +93,16 @@ function notesOf(tally: Tally, { shot }: Store): string[] {
   });
   if (tally.failed > 0) {
     notes.push(
-      `${tally.failed} of ${tally.count} could not be played and count as nothing dropped: ` +
+      `${tally.failed} of ${tally.count} variants could not be played and count as nothing pocketed: ` +
         (tally.reason ?? ""),
     );
   }
   return notes;
 }
 
-/** In a sentence: the likeliest balls. */
-function told(rows: readonly Row[]): string {
+/** The most likely balls in a sentence. */
+function inSentence(rows: readonly Row[]): string {
   const likely = rows.filter(({ chance }) => chance.hits > 0).slice(0, 3);
-  if (likely.length === 0) return "No ball drops in any variant.";
-  return `Chance to drop: ${likely.map(({ name, chance }) => `${name} ${chanceInWords(chance)}`).join(", ")}.`;
+  if (likely.length === 0) return "No ball is pocketed in any variant.";
+  return `Chance to be pocketed: ${likely.map(({ name, chance }) => `${name} ${chanceInWords(chance)}`).join(", ")}.`;
 }

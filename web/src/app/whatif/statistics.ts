@@ -1,6 +1,6 @@
-// What many variants of a shot say about it.
+/** Chances from counts of variants. */
 
-/** A chance that was counted: `hits` of `count` variants. */
+/** An estimated chance: `hits` of `count` variants. */
 export interface Chance {
   hits: number;
   count: number;
@@ -16,12 +16,12 @@ export function chance(hits: number, count: number): Chance {
   return { hits, count, value, standardError: Math.sqrt((value * (1 - value)) / count) };
 }
 
-/** How sure a one-sided bound is, where all or none of the variants hit. */
+/** Confidence of the one-sided bound that is used if all or none of the variants hit. */
 const CONFIDENCE = 0.95;
 
 /**
- * How far from 0 (or 1) the chance may still be with 95 % confidence, when none (or all) of
- * `count` variants hit: 1 − 0.05^(1/n), about 3/n, the "rule of three".
+ * One-sided 95 % bound on the distance of the chance from 0 (or 1) if none (or all) of `count` variants
+ * hit: 1 − 0.05^(1/n), about 3/n, the "rule of three".
  */
 export function bound(count: number): number {
   return -Math.expm1(Math.log1p(-CONFIDENCE) / count);
@@ -35,7 +35,7 @@ export function chanceInWords(of: Chance): string {
   return `${percent(of.value)} ± ${percent(of.standardError)}`;
 }
 
-/** Tenths of a percent; bounds are rounded to the safe side. */
+/** Percent with one decimal; bounds are rounded away from 0 or 1. */
 function percent(share: number, round: (x: number) => number = Math.round): string {
   return `${(round(share * 1000) / 10).toFixed(1)} %`;
 }

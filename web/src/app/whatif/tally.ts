@@ -1,22 +1,22 @@
-// Variants as they come in, counted.
+/** Counts of the variants received so far. */
 
 import { OFF_TABLE } from "../../engine/types.ts";
 import type { Chunk } from "./protocol.ts";
 import { type Chance, chance } from "./statistics.ts";
 
-/** Counts over the variants of one request, and where the struck ball ends in each. */
+/** Counts over the variants of one request, and the final position of the struck ball in each. */
 export class Tally {
   /** Balls of the shot. */
   readonly balls: number;
-  /** Variants that are asked for. */
+  /** Requested variants. */
   readonly total: number;
-  /** Variants so far. */
+  /** Received variants. */
   count = 0;
-  /** Variants that could not be played, a miscue for instance. */
+  /** Variants that could not be played, for instance because of a miscue. */
   failed = 0;
-  /** x and y, m, of the struck ball's end in the variants that could be played. */
+  /** Final x and y, m, of the struck ball in the variants that could be played. */
   readonly ends: Float64Array;
-  /** One reason why variants failed, in the engine's words. */
+  /** The engine's message for the first failed variant. */
   reason: string | null = null;
   readonly #pocketed: Uint32Array;
   readonly #off: Uint32Array;
@@ -47,12 +47,12 @@ export class Tally {
     }
   }
 
-  /** Ends of the variants so far. */
+  /** The final positions received so far. */
   played(): Float64Array {
     return this.ends.subarray(0, 2 * this.#played);
   }
 
-  /** The chance that a ball drops. A variant that failed is one in which it does not. */
+  /** The chance that a ball is pocketed. In a failed variant it is not. */
   pocketed(ball: number): Chance {
     return chance(this.#pocketed[ball]!, this.count);
   }

@@ -1,35 +1,35 @@
-// The work of the worker, apart from being one.
+/** Simulates variants in chunks. The worker runs this; tests call it directly. */
 
 import { CaromError } from "../../engine/error.ts";
 import type { Engine, Shot } from "../../engine/index.ts";
-import type { Chunk, FromWorker, Request } from "./protocol.ts";
+import type { Chunk, FromWorker, VariantsRequest } from "./protocol.ts";
 
 /**
- * Variants between two looks at whether the request is stale: some ten milliseconds of a mid-game
- * shot. Fewer draw the first picture sooner; more cost fewer messages.
+ * Variants per chunk: about ten milliseconds for a mid-game shot. Between chunks the worker checks
+ * whether the request is stale. Fewer show the first picture sooner; more need fewer messages.
  */
 const CHUNK = 100;
 
-/** How far a drawn path may be from the exact one, m: half a pixel of a whole table on a screen. */
+/** Greatest distance of a drawn path from the exact one, m: half a pixel of a table on a screen. */
 const PATH_TOLERANCE = 2e-3;
 
 /** Numbers of a polyline's point: x, y, z, t. */
 const POINT = 4;
 
-/** What the work needs of its surroundings. */
-export interface Surroundings {
+/** The worker's means of communication. */
+export interface WorkerContext {
   send: (message: FromWorker, transfer: Transferable[]) => void;
-  /** Whether nobody waits for this generation any more. */
+  /** Whether a later request replaced this generation. */
   isStale: (generation: number) => boolean;
-  /** Lets messages in. */
+  /** Lets the worker receive messages. */
   pause: () => Promise<void>;
 }
 
-/** Simulates what is asked for, chunk by chunk, and stops when it becomes stale. */
+/** Simulates a request chunk by chunk, and stops when it becomes stale. */
 export async function simulate(
   engine: Engine,
-  request: Request,
-  { send, isStale, pause }: Surroundings,
+  request: VariantsRequest,
+  { send, isStale, pause }: WorkerContext,
 ): Promise<void> {
   const { generation } = request;
   try {
@@ -60,7 +60,7 @@ export async function simulate(
 
 function vary(
   shot: Shot,
-  { generation, noise, seed }: Request,
+  { generation, noise, seed }: VariantsRequest,
   first: number,
   count: number,
 ): { chunk: Chunk; strikes: Float64Array } {
@@ -75,7 +75,7 @@ function vary(
   return { chunk: { generation, first, count, ends, pockets, errors }, strikes };
 }
 
-/** The struck ball's ways in the first variants; one that failed has none. */
+/** Paths of the struck ball in the first variants; failed variants have none. */
 function cueBallPaths(shot: Shot, strikes: Float64Array, count: number): Float32Array[] {
   const paths: Float32Array[] = [];
   for (let k = 0; k < count; k++) {
@@ -101,9 +101,9 @@ function cueBallPaths(shot: Shot, strikes: Float64Array, count: number): Float32
 }
 
 function withoutTimes(polyline: Float64Array): Float32Array {
-  const way = new Float32Array((3 * polyline.length) / POINT);
+  const path = new Float32Array((3 * polyline.length) / POINT);
   for (let from = 0, to = 0; from < polyline.length; from += POINT, to += 3) {
-    way.set(polyline.subarray(from, from + 3), to);
+    path.set(polyline.subarray(from, from + 3), to);
   }
-  return way;
+  return path;
 }

@@ -1,14 +1,14 @@
-// Simulates variants beside the page, so that the page stays fluid.
+/** Simulates variants in a worker, so that the page stays responsive. */
 
-import { load } from "../../engine/core.ts"; // whose WebAssembly comes from the page
+import { load } from "../../engine/core.ts"; // without embedded WebAssembly: the page sends it
 import type { Engine } from "../../engine/index.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
-import { simulate, type Surroundings } from "./variants.ts";
+import { simulate, type WorkerContext } from "./variants.ts";
 
 let engine: Promise<Engine> | null = null;
 let wanted = 0;
 
-const surroundings: Surroundings = {
+const context: WorkerContext = {
   send: (message: FromWorker, transfer) => postMessage(message, { transfer }),
   isStale: (generation) => generation !== wanted,
   pause: nextTask,
@@ -25,10 +25,10 @@ addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
 
 async function run(request: Extract<ToWorker, { kind: "simulate" }>): Promise<void> {
   if (!engine) return;
-  await simulate(await engine, request, surroundings);
+  await simulate(await engine, request, context);
 }
 
-/** A task later. Timers would do, but browsers hold nested ones back by 4 ms each. */
+/** Resolves in the next task. Nested timers would work too, but browsers delay them by 4 ms each. */
 function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();

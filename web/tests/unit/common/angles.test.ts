@@ -10,14 +10,14 @@ test("a direction is counter-clockwise from +x, in [0, 360)", () => {
   expect(wrap(725.5)).toBe(5.5);
 });
 
-test("a sweep is the short way round, whatever the distances", () => {
+test("a sweep is the smaller angle, at any distance", () => {
   expect(sweep([0, 0], [1, 0], [0, 5])).toBeCloseTo(90, 12);
   expect(sweep([0, 0], [0, 5], [1, 0])).toBeCloseTo(-90, 12);
   expect(sweep([2, 2], [1, 2.1], [1, 1.9])).toBeCloseTo((2 * Math.atan(0.1) * 180) / Math.PI, 12);
   expect(sweep([0, 0], [0, 0], [1, 1])).toBe(0);
 });
 
-test("sweeps of the parts of a way add up to that of the whole", () => {
+test("the sweeps of the parts of a path add up to the sweep of the whole path", () => {
   const way = Array.from(
     { length: 40 },
     (_, k) => [Math.cos(k / 10), 2 * Math.sin(k / 10)] as const,

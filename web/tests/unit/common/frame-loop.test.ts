@@ -1,7 +1,7 @@
 import { expect, test, vi } from "vitest";
 import { FrameLoop } from "../../../src/app/common/frame-loop.ts";
 
-/** A loop whose frames come when they are told to. */
+/** A loop whose frames the test triggers. */
 function stepped(draw: () => boolean = () => false) {
   const waiting: FrameRequestCallback[] = [];
   const drawn = vi.fn(draw);
@@ -23,7 +23,7 @@ test("all moves of a pointer within a frame are one change and one picture", () 
   expect(drawn).toHaveBeenCalledTimes(1);
 });
 
-test("what a change asks for is in the picture of the same frame", () => {
+test("a handle added by a handle runs before the picture of the same frame", () => {
   const { loop, drawn, frame, waiting } = stepped();
   const follow = vi.fn();
   loop.input("pointer", () => {
@@ -46,24 +46,24 @@ test("nothing is drawn while nothing changes", () => {
   expect(drawn).toHaveBeenCalledTimes(1);
 });
 
-test("an animation is told the wall time since its last frame, and none after a pause", () => {
+test("an animation receives the wall time since its last frame, and 0 after a pause", () => {
   const { loop, frame } = stepped();
-  const told: number[] = [];
-  loop.animate((elapsed) => told.push(elapsed) < 3);
+  const elapsedTimes: number[] = [];
+  loop.animate((elapsed) => elapsedTimes.push(elapsed) < 3);
   frame();
   frame(20);
   frame(30);
-  expect(told).toEqual([0, 0.02, 0.03]);
+  expect(elapsedTimes).toEqual([0, 0.02, 0.03]);
   frame(5000);
   loop.animate((elapsed) => {
-    told.push(elapsed);
+    elapsedTimes.push(elapsed);
     return false;
   });
   frame();
-  expect(told.at(-1)).toBe(0);
+  expect(elapsedTimes.at(-1)).toBe(0);
 });
 
-test("a gesture that ends does not lose its last move", () => {
+test("flush runs the last move of a gesture", () => {
   const { loop } = stepped();
   const last = vi.fn();
   loop.input("pointer", last);

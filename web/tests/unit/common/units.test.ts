@@ -7,7 +7,7 @@ import {
   SPEED_UNITS,
 } from "../../../src/app/common/units.ts";
 
-test("a speed is the same in every unit", () => {
+test("a speed converted to a unit and back is unchanged", () => {
   expect(speedIn("km/h", 10)).toBeCloseTo(36, 12);
   expect(speedIn("mph", 10)).toBeCloseTo(22.3694, 4);
   for (const unit of Object.keys(SPEED_UNITS) as (keyof typeof SPEED_UNITS)[]) {
@@ -15,7 +15,7 @@ test("a speed is the same in every unit", () => {
   }
 });
 
-test("numbers are shown without noise and without a minus before zero", () => {
+test("numbers are rounded without a negative zero", () => {
   expect(round(0.1 + 0.2, 3)).toBe(0.3);
   expect(Object.is(round(-0.0001, 2), 0)).toBe(true);
   expect(lengthText(0.0123)).toBe("12 mm");

@@ -19,7 +19,7 @@ const fresh = () => new Store(engine, documentOf(SHOT));
 const azimuth = (store: Store) => store.document.shot.strike.azimuth_deg;
 
 describe("history", () => {
-  test("undo and redo go through all changes, without limit", () => {
+  test("undo and redo go through all changes", () => {
     const store = fresh();
     for (let k = 1; k <= 500; k += 1) store.strike({ azimuth_deg: k / 10 }, "aim");
     for (let k = 0; k < 500; k += 1) expect(store.undo()).toBe(true);
@@ -30,7 +30,7 @@ describe("history", () => {
     expect(store.redo()).toBe(false);
   });
 
-  test("the changes of a gesture are one step, and the next gesture is another", () => {
+  test("the changes of a gesture are one step", () => {
     const store = fresh();
     for (const a of [10, 11, 12]) store.strike({ azimuth_deg: a }, "aim", "drag");
     store.settle();
@@ -41,7 +41,7 @@ describe("history", () => {
     expect(azimuth(store)).toBe(80);
   });
 
-  test("a new change after undo forgets what was undone", () => {
+  test("a new change after undo clears redo", () => {
     const store = fresh();
     store.strike({ azimuth_deg: 1 }, "aim");
     store.undo();
@@ -50,7 +50,7 @@ describe("history", () => {
     expect(store.undoLabel).toBe("change the speed");
   });
 
-  test("how one looks at the work is not undone", () => {
+  test("undo does not change the view", () => {
     const store = fresh();
     store.strike({ azimuth_deg: 1 }, "aim");
     store.setView({ units: "mph" });
@@ -60,7 +60,7 @@ describe("history", () => {
 });
 
 describe("refusals", () => {
-  test("a refused change leaves document, history and ghost as they were, and says why", () => {
+  test("a refused change leaves document, history and ghost as they were, and gives the reason", () => {
     const store = fresh();
     store.strike({ azimuth_deg: 70 }, "aim");
     const before = store.document;
@@ -75,7 +75,7 @@ describe("refusals", () => {
     expect(store.session.refusal?.attempt?.balls[1]?.position).toEqual([0.51, 0.6]);
   });
 
-  test("letting go forgets what was tried but not why it was refused; the next change does", () => {
+  test("the end of a gesture drops the refused attempt, the next change drops its reason", () => {
     const store = fresh();
     expect(store.strike({ side: 0.7 }, "move the tip", "face")).toBe(false);
     expect(store.session.refusal?.attempt?.strike.side).toBe(0.7);
@@ -86,7 +86,7 @@ describe("refusals", () => {
     expect(store.session.refusal).toBeNull();
   });
 
-  test("a fault of our own is not taken for a refusal", () => {
+  test("an internal error is thrown, not shown as a refusal", () => {
     const compiler = { shot: vi.fn(engine.shot.bind(engine)) };
     const store = new Store(compiler, documentOf(SHOT));
     compiler.shot.mockImplementationOnce(() => {
@@ -100,7 +100,7 @@ describe("refusals", () => {
 });
 
 describe("simulation", () => {
-  test("the ghost is what the engine makes of the document's file, whichever way it came there", () => {
+  test("the ghost equals the engine's simulation of the document's file", () => {
     const store = fresh();
     for (const patch of [
       { azimuth_deg: 81.1234 },
@@ -114,7 +114,7 @@ describe("simulation", () => {
     expect(store.ghost.trace!.hash).toBe(engine.shot(store.document.shot).simulate().hash);
   });
 
-  test("a change of the stroke does not read the file again, and many changes simulate once", () => {
+  test("a change of the strike does not read the file again, and the ghost is simulated once", () => {
     const compiler = { shot: vi.fn(engine.shot.bind(engine)) };
     const store = new Store(compiler, documentOf(SHOT));
     for (let a = 0; a < 50; a += 1) store.strike({ azimuth_deg: a }, "aim", "drag");
@@ -122,7 +122,7 @@ describe("simulation", () => {
     expect(store.ghost).toBe(store.ghost);
   });
 
-  test("the replayed trace outlives the change that ends its replay", () => {
+  test("the replayed trace stays valid after the change that ends its replay", () => {
     const store = fresh();
     const { trace } = store.ghost;
     store.setSession({ mode: "replay", trace });
@@ -132,17 +132,20 @@ describe("simulation", () => {
   });
 });
 
-test("listeners hear of every change once, and of what was before it", () => {
+test("listeners receive every change once, with the previous state", () => {
   const store = fresh();
-  const heard: [number, number][] = [];
+  const received: [number, number][] = [];
   const stop = store.subscribe((now, before) => {
-    heard.push([now.document.shot.strike.azimuth_deg, before.document.shot.strike.azimuth_deg]);
+    received.push([
+      now.document.shot.strike.azimuth_deg!,
+      before.document.shot.strike.azimuth_deg!,
+    ]);
   });
   store.strike({ azimuth_deg: 1 }, "aim");
   store.setView({ theme: "dark" });
   stop();
   store.strike({ azimuth_deg: 2 }, "aim");
-  expect(heard).toEqual([
+  expect(received).toEqual([
     [1, 80],
     [1, 1],
   ]);

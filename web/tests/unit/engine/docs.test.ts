@@ -6,7 +6,7 @@ import { read } from "./files.js";
 
 const ENGINE = fileURLToPath(new URL("../../../src/engine/index.js", import.meta.url));
 
-// A page's snippets build on each other, so a page is one program.
+// The snippets of a page build on each other, so they run as one program.
 test.each(["docs/javascript.md", "web/src/engine/README.md"])(
   "the snippets of %s run one after the other",
   async (page) => {

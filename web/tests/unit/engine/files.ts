@@ -1,4 +1,4 @@
-/** The checkout's own files. */
+/** Files of the checkout. */
 import { readFileSync } from "node:fs";
 
 const ROOT = new URL("../../../../", import.meta.url);

@@ -25,7 +25,7 @@ interface NoiseGolden {
 
 const noiseGoldens = JSON.parse(read("goldens/noise.json")) as NoiseGolden[];
 
-test("execution noise draws the native engine's strikes, which end at its places, to the bit", () => {
+test("variants have the native engine's strikes and final positions, to the bit", () => {
   expect(noiseGoldens).not.toHaveLength(0);
   for (const { shot, olympiad, seed, first, variants } of noiseGoldens) {
     const noise = engine.olympiad(olympiad);

@@ -5,7 +5,7 @@ import { shotFile } from "./files.js";
 
 const wasm = readFileSync(new URL("../../../src/engine/pkg/carom_wasm_bg.wasm", import.meta.url));
 
-/** The engine's modules anew, as another thread has them. */
+/** New instances of the engine's modules, as in another thread. */
 async function fresh(): Promise<typeof Core> {
   vi.resetModules();
   return import("../../../src/engine/core.js");
@@ -19,12 +19,12 @@ test("the engine loads from bytes and from another thread's module", async () =>
   expect(hashes[0]).toBe(hashes[1]);
 });
 
-test("there is one engine in a thread", async () => {
+test("a thread has one engine", async () => {
   const { load } = await fresh();
   expect(await load(wasm)).toBe(await load(wasm));
 });
 
-test("what is no WebAssembly is refused, and can be put right", async () => {
+test("a source that is not WebAssembly is refused, and a later load succeeds", async () => {
   const { load } = await fresh();
   await expect(load(new Uint8Array([1, 2, 3]))).rejects.toThrow(WebAssembly.CompileError);
   expect((await load(wasm)).version).toMatch(/^carom/);

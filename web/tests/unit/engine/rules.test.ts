@@ -27,7 +27,7 @@ const GAMES = JSON.parse(read("goldens/games.json")) as Golden[];
 
 const STRIKE: Strike = { speed: 8, azimuth: Math.PI / 2, elevation: 0, side: 0, height: 0 };
 
-describe("the same moves get the native engine's rulings, and its shots to the bit", () => {
+describe("the same moves get the native engine's rulings and traces, to the bit", () => {
   test.each(GAMES.map((golden) => [golden.game, golden] as const))("%s", (game, golden) => {
     const frame = engine.frame(game, { seed: golden.seed });
     for (const move of golden.moves) {
@@ -43,13 +43,13 @@ describe("the same moves get the native engine's rulings, and its shots to the b
     expect(frame.state).toEqual(golden.end);
   });
 
-  test("every game is among them, and a choice too", () => {
+  test("the goldens have every game, and a choice", () => {
     expect(GAMES.map(({ game }) => game)).toEqual(engine.ruleSets);
     expect(GAMES.flatMap(({ moves }) => moves).some((move) => "choice" in move)).toBe(true);
   });
 });
 
-test("a copy goes its own way", () => {
+test("a copy is independent of its original", () => {
   const frame = engine.frame("nine-ball", { seed: 7 });
   const before = frame.state;
   const twin = frame.copy();
@@ -58,7 +58,7 @@ test("a copy goes its own way", () => {
   expect(frame.state).toEqual(before);
 });
 
-test("a frame goes on with the balls of a shot, until one concedes", () => {
+test("a frame starts from the balls of a shot, and ends when a player concedes", () => {
   const shot = engine.shot({
     format: "carom-shot/1",
     table: "wpa-9ft",
@@ -76,16 +76,16 @@ test("a frame goes on with the balls of a shot, until one concedes", () => {
   expect(() => engine.frameOf("snooker", shot)).toThrow(CaromError);
 });
 
-test("the shot of a play is the one that is played", () => {
+test("frame.shot gives the shot that frame.play plays", () => {
   const frame = engine.frame("eight-ball", { seed: 3 });
   const play: Play = { strike: STRIKE, cue_ball: [0.6, 0.5] };
   const shot = frame.shot(play);
   expect(shot.simulate().hash).toBe(frame.copy().play(play).trace.hash);
-  // What a shot file of it says is the same shot.
+  // Its shot file is the same shot.
   expect(engine.shot(shot.json()).simulate().hash).toBe(shot.simulate().hash);
 });
 
-test("the region of a cue ball in hand has its box; out of it, and in another ball, it is refused", () => {
+test("a cue ball in hand is refused outside its region, whose box is known", () => {
   const pool = engine.frame("nine-ball");
   expect(pool.handBounds).toEqual([
     [0, 0],
@@ -109,7 +109,7 @@ test("the region of a cue ball in hand has its box; out of it, and in another ba
   expect(top - bottom).toBeCloseTo(0.292, 12);
 });
 
-test("what cannot be called, chosen or racked is refused with its place", () => {
+test("invalid calls, choices and options are refused with their place", () => {
   const place = (attempt: () => unknown) => {
     try {
       attempt();
@@ -134,14 +134,14 @@ test("what cannot be called, chosen or racked is refused with its place", () => 
   expect(place(() => engine.usualTable("croquet"))).toBe("game");
 });
 
-test("table and physics are as in a shot file", () => {
+test("table and physics are those of a shot file", () => {
   const frame = engine.frame("nine-ball", { table: "wpa-8ft", physics: { cloth: {} }, seed: 1 });
   const { file } = frame.shot({ strike: STRIKE });
   expect(file.table).toBe("wpa-8ft");
   expect(file.physics).toEqual({ cloth: {} });
 });
 
-test("presets of noise are the engine's: levels of play, then the Olympiad", () => {
+test("the presets of noise are the levels of play, then the Olympiad", () => {
   expect(Object.keys(engine.noisePresets)).toEqual([
     "beginner",
     "casual",

@@ -18,10 +18,10 @@ function refusal(call: () => unknown): CaromError {
     if (error instanceof CaromError) return error;
     throw error;
   }
-  throw new Error("it was not refused");
+  throw new Error("the call was not refused");
 }
 
-describe("what the engine refuses it names, with the remedy", () => {
+describe("a refusal names the place and the remedy", () => {
   const pot = JSON.parse(shotFile("half_ball_cut")) as { balls: object[]; strike: object };
   const but = (changes: object) => JSON.stringify({ ...pot, ...changes });
   test.each([
@@ -49,7 +49,7 @@ describe("what the engine refuses it names, with the remedy", () => {
     expect(JSON.parse(error.shot!)).toEqual(file);
   });
 
-  test("games and seeds that are none", () => {
+  test("for unknown games and tables, and for invalid seeds", () => {
     expect(refusal(() => engine.breakShot("curling")).message).toMatch(
       /^game: there is no game "curling"; write one of eight-ball, nine-ball/,
     );
@@ -59,7 +59,7 @@ describe("what the engine refuses it names, with the remedy", () => {
   });
 });
 
-test("a shot says what its file leaves to the physics", () => {
+test("a shot has the values that its file leaves to the physics", () => {
   const shot = engine.shot(shotFile("snooker_pot"));
   expect(shot.geometry.name).toBe("snooker-12ft");
   expect(shot.geometry.pockets).toHaveLength(6);
@@ -71,7 +71,7 @@ test("a shot says what its file leaves to the physics", () => {
   expect(engine.shot(shot.json()).json()).toBe(shot.json());
 });
 
-test("a shot without a strike has none to tell or to vary", () => {
+test("a shot without a strike has no variants", () => {
   const { format, table, balls } = engine.shot(shotFile("half_ball_cut")).file;
   const shot = engine.shot({ format, table, balls });
   expect([shot.struck, shot.strike]).toEqual([null, null]);
@@ -82,7 +82,7 @@ describe("withStrike", () => {
   const shot = engine.shot(shotFile("masse"));
   const strike = shot.strike!;
 
-  test("is the same shot as one read from its own file", () => {
+  test("gives the same shot as its file", () => {
     const turned = shot.withStrike({ ...strike, azimuth: strike.azimuth + 0.1, side: 0.2 });
     expect(engine.shot(turned.json()).simulate().hash).toBe(turned.simulate().hash);
     expect(turned.file.strike!.side).toBe(0.2);
@@ -90,7 +90,7 @@ describe("withStrike", () => {
     expect(shot.strike).toEqual(strike);
   });
 
-  test("refuses what a file would be refused for", () => {
+  test("refuses what the engine refuses in a file", () => {
     const error = refusal(() => shot.withStrike({ ...strike, speed: 60 }));
     expect(error.message).toBe("strike.speed: 60.0 is out of range; write a number in (0, 50] m/s");
     expect(error.place).toBe("strike.speed");
@@ -110,7 +110,7 @@ describe("withStrike", () => {
 });
 
 describe("batches", () => {
-  /** Ends one by one, as rows of a batch have them. */
+  /** The final state of one shot, as in a row of a batch. */
   function ends(shot: Shot): { position: number[]; pocket: number[] } {
     const trace = shot.simulate();
     const names = shot.geometry.pockets.map((p) => p.name);
@@ -126,7 +126,7 @@ describe("batches", () => {
     };
   }
 
-  test("of different shots have each shot's own end", () => {
+  test("of different shots have each shot's final state", () => {
     const shots = Object.keys(GOLDENS).map((name) => engine.shot(shotFile(name)));
     const batch = engine.simulate(shots);
     expect(batch.errors.size).toBe(0);
@@ -139,7 +139,7 @@ describe("batches", () => {
     });
   });
 
-  test("of variants are the same in pieces", () => {
+  test("of variants are the same when drawn in parts", () => {
     const shot = engine.shot(shotFile("half_ball_cut"));
     const whole = shot.vary(engine.olympiad(2), 30, { seed: 7 });
     const piece = shot.vary(engine.olympiad(2), 10, { seed: 7, first: 20 });
@@ -147,7 +147,7 @@ describe("batches", () => {
     expect(piece.final_position).toEqual(whole.final_position.subarray(60 * whole.balls));
   });
 
-  test("name the variants that could not be played", () => {
+  test("have an error for each variant that cannot be played", () => {
     const shot = engine.shot(shotFile("half_ball_cut"));
     const atTheLimit: Strike = { ...shot.strike!, side: 0.999 * shot.miscueLimit };
     const batch = shot.withStrike(atTheLimit).vary(engine.olympiad(), 40, { seed: 1 });
@@ -159,7 +159,7 @@ describe("batches", () => {
     }
   });
 
-  test("refuse noise and counts that are none", () => {
+  test("refuse invalid noise and counts", () => {
     const shot = engine.shot(shotFile("half_ball_cut"));
     const noise = { ...engine.olympiad(), speed: -1 };
     expect(refusal(() => shot.vary(noise, 1)).place).toBe("noise.speed");
@@ -167,7 +167,7 @@ describe("batches", () => {
   });
 });
 
-test("the engine knows its tables, physics, games and schemas", () => {
+test("the engine has tables, physics, games and schemas", () => {
   expect(engine.version).toMatch(/^carom \d+\.\d+\.\d+$/);
   expect(engine.tables.map((t) => t.name)).toContain("carom-10ft");
   const presets = ["pool", "snooker", "english", "carom", "poolfiz", "ideal"];

@@ -6,7 +6,7 @@ import { GOLDENS, shotFile } from "./files.js";
 const engine = await load();
 const simulated = (name: string): Trace => engine.shot(shotFile(name)).simulate();
 
-/** States between events come from closed forms at times of some seconds: a few roundings, m. */
+/** Error of states between events, m: some roundings of closed forms at times of seconds. */
 const CLOSED_FORM_ROUNDING = 1e-12;
 
 /** Ball `i` of what `statesAt` gave, as a trace file has it. */
@@ -37,7 +37,7 @@ describe("statesAt", () => {
     }
   });
 
-  test("writes into the array that it is given, and keeps none of it", () => {
+  test("writes into the given array and keeps no reference to it", () => {
     const trace = simulated("draw_shot");
     const out = new Float64Array(STRIDE * trace.shot.balls.length);
     expect(trace.statesAt(0.5, out)).toBe(out);
@@ -50,7 +50,7 @@ describe("statesAt", () => {
     );
   });
 
-  test("turns a rolling ball by its way over its radius", () => {
+  test("turns a rolling ball by its distance over its radius", () => {
     const radius = 0.028575;
     const trace = engine
       .shot({
@@ -86,7 +86,7 @@ describe("statesAt", () => {
 });
 
 describe("polyline", () => {
-  test.each(["masse", "jump_shot", "nine_ball_break"])("lies on the exact ways of %s", (name) => {
+  test.each(["masse", "jump_shot", "nine_ball_break"])("lies on the exact paths of %s", (name) => {
     const trace = simulated(name);
     const tolerance = 1e-3;
     trace.shot.balls.forEach((_, i) => {
@@ -95,7 +95,7 @@ describe("polyline", () => {
       for (let p = 0; p + 4 < line.length; p += 4) {
         const [x, y, z, t, x1, y1, z1, t1] = line.subarray(p, p + 8);
         expect(t1).toBeGreaterThanOrEqual(t!);
-        // Where a ball falls into a pocket there are two points at one time, the second below.
+        // A ball that falls into a pocket has two points at one time, the second one lower.
         if (t1 === t) continue;
         const at = (time: number) => trace.statesAt(time).subarray(STRIDE * i, STRIDE * i + 3);
         expect(distance(at(t!), [x!, y!, z!])).toBeLessThan(CLOSED_FORM_ROUNDING);
@@ -112,7 +112,7 @@ describe("polyline", () => {
     expect(points[1]).toBeLessThan(points[2]!);
   });
 
-  test("refuses balls that are not there and tolerances that are none", () => {
+  test("refuses unknown balls and invalid tolerances", () => {
     const trace = simulated("draw_shot");
     expect(() => trace.polyline(2, 1e-3)).toThrow("there is no ball 2; write an index from 0 to 1");
     // @ts-expect-error a ball's id is no index
@@ -127,7 +127,7 @@ function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!, a[2]! - b[2]!);
 }
 
-/** Distance of a point from the line from `a` to `b`, or from `a` if they are one. */
+/** Distance of a point from the line through `a` and `b`, or from `a` if they coincide. */
 function offLine(p: ArrayLike<number>, a: readonly number[], b: readonly number[]): number {
   const [u, v, w] = [0, 1, 2].map((k) => b[k]! - a[k]!) as [number, number, number];
   const [x, y, z] = [0, 1, 2].map((k) => p[k]! - a[k]!) as [number, number, number];
@@ -136,7 +136,7 @@ function offLine(p: ArrayLike<number>, a: readonly number[], b: readonly number[
   return Math.hypot(y * w - z * v, z * u - x * w, x * v - y * u) / length;
 }
 
-test("a trace's JSON reads back to the same trace, and one that was changed is refused", () => {
+test("a trace's JSON reads back to the same trace, and changed JSON is refused", () => {
   const trace = simulated("three_cushion");
   const again = engine.trace(trace.json());
   expect(again.hash).toBe(trace.hash);
@@ -146,7 +146,7 @@ test("a trace's JSON reads back to the same trace, and one that was changed is r
   expect(() => engine.trace(changed)).toThrow(/^hash: the events and final states hash to/);
 });
 
-test("what was freed is gone, and what came from it lives on", () => {
+test("the shot of a freed trace stays valid", () => {
   const trace = simulated("draw_shot");
   const shot = trace.shot;
   const states = trace.statesAt(1);
@@ -155,10 +155,10 @@ test("what was freed is gone, and what came from it lives on", () => {
   expect(shot.simulate().statesAt(1)).toEqual(states);
 });
 
-/** What the shots of the traces may take (bytes) until the garbage collector comes round. */
+/** Memory (bytes) that the shots of freed traces may take until the garbage collector runs. */
 const SHOTS = 1e6;
 
-test("memory that is freed is used again", async () => {
+test("freed memory is reused", async () => {
   const { memory } = await initialised({ module_or_path: engine.module });
   const shot = engine.breakShot("eight-ball");
   const rounds = (count: number) => {

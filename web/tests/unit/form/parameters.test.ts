@@ -26,7 +26,7 @@ function leaves(values: object, above: readonly string[] = []): string[] {
   );
 }
 
-test("units come from the schema's own words", () => {
+test("units come from the schema's descriptions", () => {
   const units = new Map(
     parameters(schema, "physics", engine.physics.pool!).map(({ path, unit }) => [
       path.join("."),
@@ -40,7 +40,7 @@ test("units come from the schema's own words", () => {
   expect(units.get("cloth.sliding_friction")).toBe("");
 });
 
-test("a change and its way back leave nothing behind", () => {
+test("a change that is reset leaves no trace", () => {
   const changed = withValue({ base: "pool" }, ["cloth", "sliding_friction"], 0.3);
   expect(changed).toEqual({ base: "pool", cloth: { sliding_friction: 0.3 } });
   expect(withoutValue(changed, ["cloth", "sliding_friction"])).toEqual({ base: "pool" });

@@ -12,7 +12,7 @@ import {
   concede,
   endGame,
   playShot,
-  shownCall,
+  predictedCall,
   standing,
   startGame,
   tapBall,
@@ -51,7 +51,7 @@ function begun(rules: string, more: Partial<Setup> = {}): Store {
   return store;
 }
 
-/** Softly along the table, away from every ball: a foul wherever one must hit something. */
+/** A soft shot away from every ball: a foul in every game in which a ball must be hit. */
 function foul(store: Store): void {
   store.strike({ speed: 0.3, azimuth_deg: 180 }, "aim");
   shootOnce(store);
@@ -84,7 +84,7 @@ describe("a game", () => {
     }
   });
 
-  test("goes on with the balls where they end, and is taken back by undo", () => {
+  test("continues with the balls where they stop, and undo takes the shot back", () => {
     const store = begun("nine-ball");
     const before = store.document;
     shootOnce(store);
@@ -99,24 +99,24 @@ describe("a game", () => {
     store.undo();
     expect(store.document).toBe(before);
     store.redo();
-    // What is known of a move is not found out again.
+    // Redo does not simulate the move again.
     expect(standing(store, engine)!.trace).toBe(trace);
   });
 
-  test("ends: then nothing is shot, and it can be left", () => {
+  test("that is over refuses shots, and can be ended", () => {
     // The usual break of this rack pockets the nine.
     const store = begun("nine-ball", { options: { seed: 1 } });
     shootOnce(store);
     expect(request(store)).toMatchObject({ kind: "over", winner: 0 });
     expect(canAim(store, engine)).toBe(false);
     expect(shootOnce(store)).toBeNull();
-    expect(refusal(store)).toMatch(/No shot is asked now/);
+    expect(refusal(store)).toMatch(/does not wait for a shot/);
     endGame(store);
     expect(store.document.game).toBeNull();
     expect(canAim(store, engine)).toBe(true);
   });
 
-  test("played again from its moves stands the same", () => {
+  test("replayed from its moves has the same state", () => {
     const store = begun("snooker");
     foul(store);
     choose(store, context, "play-on");
@@ -130,7 +130,7 @@ describe("a game", () => {
     expect(b.trace!.hash).toBe(a.trace!.hash);
   });
 
-  test("with a set-up or a move that is none is refused, and tells which", () => {
+  test("with an invalid set-up or move is refused with its place", () => {
     expect(() => progressOf(engine, newGame(setup("croquet")))).toThrow(CaromError);
     const store = new Store(referee(engine), documentOf(SHOT));
     expect(startGame(store, context, setup("snooker", { options: { table: "carom-match" } }))).toBe(
@@ -145,7 +145,7 @@ describe("a game", () => {
 });
 
 describe("the referee", () => {
-  test("lets nothing be moved, added, removed or changed but a cue ball in hand", () => {
+  test("allows only a cue ball in hand to be moved, and nothing to be added, removed or changed", () => {
     const store = begun("nine-ball");
     const { shot } = store.document;
     const [cue, one] = [shot.balls[0]!, shot.balls[1]!];
@@ -164,14 +164,12 @@ describe("the referee", () => {
       expect(store.document.shot).toBe(shot);
       return refusal(store);
     });
-    expect(refused.slice(0, 3).every((text) => text.includes("balls stay where they lie"))).toBe(
-      true,
-    );
-    expect(refused[4]).toMatch(/table and physics stay/);
-    expect(refused[6]).toMatch(/the cue ball is struck/);
+    expect(refused.slice(0, 3).every((text) => text.includes("balls cannot be moved"))).toBe(true);
+    expect(refused[4]).toMatch(/Table and physics cannot be changed/);
+    expect(refused[6]).toMatch(/must strike the cue ball/);
   });
 
-  test("keeps a cue ball in hand in its region, and off the others", () => {
+  test("keeps a cue ball in hand within its region and clear of other balls", () => {
     const store = begun("nine-ball");
     const put = (x: number, y: number) =>
       store.apply(({ shot }) => {
@@ -190,7 +188,7 @@ describe("the referee", () => {
     expect(put(other[0], other[1])).toBe(false);
   });
 
-  test("finds a free place for a cue ball that is down", () => {
+  test("finds a free place for a cue ball that is off the table", () => {
     const store = begun("snooker");
     const progress = standing(store, engine)!;
     const place = freePlace(progress, "cue")!;
@@ -201,12 +199,12 @@ describe("the referee", () => {
 });
 
 describe("calls", () => {
-  test("are made by a tap on a ball and one on a pocket, in any order", () => {
+  test("are made by taps on a ball and a pocket, in any order", () => {
     const store = begun("straight-pool");
     const pocket = store.shot.geometry.pockets.find(({ name }) => name === "left")!;
     expect(tapPocket(store, engine, pocket.center)).toBe(true);
     expect(shootOnce(store)).toBeNull();
-    expect(refusal(store)).toMatch(/Call the ball too/);
+    expect(refusal(store)).toMatch(/No ball is called/);
     tapBall(store, engine, "cue");
     expect(store.document.game!.call).toEqual({ kind: "pocket", into: "left" });
     tapBall(store, engine, "4");
@@ -216,11 +214,11 @@ describe("calls", () => {
     expect(store.document.game!.moves[0]).toMatchObject({
       play: { call: { kind: "pocket", ball: "4", into: "left" } },
     });
-    // The next player begins without a call.
+    // The next player starts without a call.
     expect(store.document.game!.call).toBeNull();
   });
 
-  test("that the game does not ask for are not made by taps, and refused when shot", () => {
+  test("that the game does not request are not made by taps, and refused with the shot", () => {
     const store = begun("nine-ball");
     tapBall(store, engine, "4");
     expect(tapPocket(store, engine, store.shot.geometry.pockets[0]!.center)).toBe(false);
@@ -230,17 +228,17 @@ describe("calls", () => {
     expect(refusal(store)).toMatch(/push-out is allowed in the first shot/);
   });
 
-  test("can be what the lines show", () => {
+  test("are suggested from the predicted outcome", () => {
     const store = begun("straight-pool");
-    expect(shownCall(begun("nine-ball"), engine)).toBeNull();
+    expect(predictedCall(begun("nine-ball"), engine)).toBeNull();
     store.strike({ speed: 9, azimuth_deg: 90 }, "aim");
     const drop = store.ghost.trace!.outcome.pocketed.find(([ball]) => ball !== "cue");
     const call = drop ? { kind: "pocket", ball: drop[0], into: drop[1] } : null;
-    expect(shownCall(store, engine)).toEqual(call);
+    expect(predictedCall(store, engine)).toEqual(call);
   });
 });
 
-describe("a game that goes on with the balls as they lie", () => {
+describe("a game that starts from the balls as they lie", () => {
   const LAST_TWO = {
     format: "carom-shot/1",
     table: "wpa-9ft",
@@ -251,7 +249,7 @@ describe("a game that goes on with the balls as they lie", () => {
     strike: { ball: "cue", speed: 2.5, azimuth_deg: 70 },
   } as const;
 
-  test("is won with the last ball, and lost by who concedes", () => {
+  test("is lost by the player who concedes", () => {
     const store = begun("nine-ball", { from: LAST_TWO });
     expect(store.shot.balls.map(({ id }) => id)).toEqual(["cue", "9"]);
     expect(askedShot(store, engine)).toMatchObject({ player: 0, in_hand: null, on: ["9"] });
@@ -262,20 +260,20 @@ describe("a game that goes on with the balls as they lie", () => {
     expect(store.document.game!.moves).toHaveLength(1);
   });
 
-  test("has the balls that are down too, should they be racked again", () => {
+  test("has the pocketed balls too, for a new rack", () => {
     const store = begun("nine-ball", { from: LAST_TWO });
     expect(standing(store, engine)!.start.balls).toHaveLength(10);
     expect(store.document.shot.balls).toHaveLength(2);
   });
 
-  test("is refused where the game has no such balls", () => {
+  test("is refused if the game has no such balls", () => {
     const store = new Store(referee(engine), documentOf(SHOT));
     expect(startGame(store, context, setup("nine-ball", { from: SHOT }))).toBe(false);
     expect(refusal(store)).not.toBe("");
   });
 });
 
-test("a choice is answered with what was offered", () => {
+test("a choice must be one of those offered", () => {
   const store = begun("eight-ball");
   store.strike({ speed: 1 }, "a soft break");
   shootOnce(store);
@@ -296,7 +294,7 @@ describe("errors of a player", () => {
     return (move as { play: { strike: Strike } }).play.strike;
   };
 
-  test("move the strike of who has them, the same way for the same seed", () => {
+  test("change the strike of the player who has them, in the same way for the same seed", () => {
     const exact = strike(begun("nine-ball"));
     const erring = strike(begun("nine-ball", { skills: ["beginner", null] }));
     expect(erring).not.toEqual(exact);
@@ -304,13 +302,13 @@ describe("errors of a player", () => {
     expect(strike(begun("nine-ball", { skills: [null, "beginner"] }))).toEqual(exact);
   });
 
-  test("are those that the engine draws", () => {
+  test("are the engine's variants", () => {
     const store = begun("nine-ball", { skills: ["club", null] });
     const { strikes } = store.shot.vary(engine.noisePresets.club!, 1, { seed: 7 });
     expect(Object.values(strike(store))).toEqual([...strikes]);
   });
 
-  test("with which the shot could not be played are drawn again", () => {
+  test("that make the shot unplayable are drawn again", () => {
     for (const seed of [1, 2, 3, 4, 5]) {
       const store = begun("nine-ball", { options: { seed }, skills: ["beginner", null] });
       store.strike({ side: 0.45, height: 0.1 }, "far out");
@@ -336,12 +334,12 @@ describe("on the cloth", () => {
     ]);
   });
 
-  test("what is called, and a few balls that are on, are ringed", () => {
+  test("rings mark the call and the balls on, if they are few", () => {
     const store = begun("straight-pool");
     expect(areas(store)).toHaveLength(1);
     announceCall(store, { kind: "pocket", ball: "4", into: "left" });
     expect(areas(store)).toHaveLength(3);
-    // The region and the one.
+    // The region, and the ring around ball 1.
     expect(areas(begun("nine-ball"))).toHaveLength(2);
   });
 });

@@ -17,7 +17,7 @@ import { Store } from "../../../src/app/document/store.ts";
 const engine = await load();
 const context = { engine } as Context;
 
-/** Moves of each game: enough for fouls, balls in hand, choices and new racks. */
+/** Moves per game: enough for fouls, balls in hand, choices and new racks. */
 const MOVES = 60;
 
 /** A sequence of numbers in [0, 1) that is the same every time (Lehmer 1951). */
@@ -39,32 +39,35 @@ function anyCall(
   return { kind };
 }
 
-test.each(engine.ruleSets)("%s goes on, whatever is played, and plays again the same", (rules) => {
-  const next = sequence(7);
-  const document = documentOf({
-    format: "carom-shot/1",
-    table: "wpa-9ft",
-    balls: [{ id: "cue", position: [0.5, 0.6] }],
-  });
-  const store = new Store(referee(engine), document);
-  const players = { names: ["Ann", "Bea"], skills: [null, "club"] } as const;
-  startGame(store, context, { rules, options: { seed: 3 }, from: null, ...players });
-  for (let made = 0; made < MOVES; made += 1) {
-    const { request } = standing(store, engine)!.frame.state;
-    if (request.kind === "over") break;
-    if (request.kind === "choice") {
-      choose(store, context, request.choices[Math.floor(next() * request.choices.length)]!);
-    } else {
-      expect(canAim(store, engine)).toBe(true);
-      const others = store.shot.balls.map(({ id }) => id).filter((id) => id !== request.cue_ball);
-      announceCall(store, anyCall(request, others, next));
-      store.strike({ speed: 1 + 7 * next(), azimuth_deg: 360 * next() }, "aim");
-      playShot(store, context, () => undefined);
+test.each(engine.ruleSets)(
+  "%s accepts every allowed move, and its moves replay to the same state",
+  (rules) => {
+    const next = sequence(7);
+    const document = documentOf({
+      format: "carom-shot/1",
+      table: "wpa-9ft",
+      balls: [{ id: "cue", position: [0.5, 0.6] }],
+    });
+    const store = new Store(referee(engine), document);
+    const players = { names: ["Ann", "Bea"], skills: [null, "club"] } as const;
+    startGame(store, context, { rules, options: { seed: 3 }, from: null, ...players });
+    for (let made = 0; made < MOVES; made += 1) {
+      const { request } = standing(store, engine)!.frame.state;
+      if (request.kind === "over") break;
+      if (request.kind === "choice") {
+        choose(store, context, request.choices[Math.floor(next() * request.choices.length)]!);
+      } else {
+        expect(canAim(store, engine)).toBe(true);
+        const others = store.shot.balls.map(({ id }) => id).filter((id) => id !== request.cue_ball);
+        announceCall(store, anyCall(request, others, next));
+        store.strike({ speed: 1 + 7 * next(), azimuth_deg: 360 * next() }, "aim");
+        playShot(store, context, () => undefined);
+      }
+      expect(store.session.refusal?.message).toBeUndefined();
+      expect(store.document.game!.moves).toHaveLength(made + 1);
     }
-    expect(store.session.refusal?.message).toBeUndefined();
-    expect(store.document.game!.moves).toHaveLength(made + 1);
-  }
-  const game = store.document.game!;
-  const again = progressOf(engine, structuredClone(game));
-  expect(again.frame.state).toEqual(standing(store, engine)!.frame.state);
-});
+    const game = store.document.game!;
+    const again = progressOf(engine, structuredClone(game));
+    expect(again.frame.state).toEqual(standing(store, engine)!.frame.state);
+  },
+);

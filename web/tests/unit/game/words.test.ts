@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { FrameState, Request, Ruling, ShotRequest } from "../../../src/engine/index.ts";
-import type { Step } from "../../../src/app/game/progress.ts";
+import type { PlayedMove } from "../../../src/app/game/progress.ts";
 import {
   callInWords,
   choiceInWords,
@@ -32,7 +32,7 @@ const state = (request: Request, more: Partial<FrameState> = {}): FrameState => 
   ...more,
 });
 
-describe("what is asked", () => {
+describe("a request", () => {
   test.each<[string, Partial<ShotRequest>, Partial<FrameState>]>([
     ["Ball 3 is on.", { on: ["3"] }, {}],
     ["The cue ball is in hand, anywhere on the table.", { in_hand: "anywhere" }, {}],
@@ -61,7 +61,7 @@ describe("what is asked", () => {
     expect(requestInWords(state({ ...SHOT, ...shot }, more))).toBe(words);
   });
 
-  test("what is announced stands in place of the request for it", () => {
+  test("shows the call in place of the request for one", () => {
     const asked = state({ ...SHOT, calls: ["pocket", "safety"] });
     const call = { kind: "pocket", ball: "3", into: "top-left" } as const;
     expect(requestInWords(asked, call)).toBe("Called: ball 3, top left pocket.");
@@ -70,7 +70,7 @@ describe("what is asked", () => {
     expect(callInWords(null)).toBe("");
   });
 
-  test("a headline tells who does what", () => {
+  test("a headline says whose turn it is, or who won", () => {
     expect(headline(SHOT, NAMES)).toBe("Ann to shoot");
     expect(headline({ kind: "choice", player: 1, choices: ["play-on"], why: "" }, NAMES)).toBe(
       "Bea decides",
@@ -85,7 +85,7 @@ describe("what is asked", () => {
 describe("a ruling", () => {
   const LEGAL: Ruling = { legal: true, fouls: [], points: [0, 0], spotted: [], racked: false };
   const strike = { speed: 1, azimuth: 0, elevation: 0, side: 0, height: 0 };
-  const step = (ruling: Partial<Ruling>, more: Partial<Step> = {}): Step => ({
+  const step = (ruling: Partial<Ruling>, more: Partial<PlayedMove> = {}): PlayedMove => ({
     move: { play: { strike } },
     player: 0,
     before: state(SHOT),
@@ -105,26 +105,26 @@ describe("a ruling", () => {
     );
   });
 
-  test("tells what fell, was scored, spotted and racked", () => {
-    expect(rulingInWords(step({}), NAMES)).toBe("Ann: a legal shot, nothing falls.");
+  test("says what was pocketed, scored, spotted and racked", () => {
+    expect(rulingInWords(step({}), NAMES)).toBe("Ann: a legal shot, nothing pocketed.");
     const scored = step({ points: [1, -2], spotted: ["9"], racked: true }, { potted: ["3", "9"] });
     expect(rulingInWords(scored, NAMES)).toBe(
-      "Ann: a legal shot, ball 3 and ball 9 in. Ann scores 1 point. Bea loses 2 points. " +
+      "Ann: a legal shot, ball 3 and ball 9 pocketed. Ann scores 1 point. Bea loses 2 points. " +
         "Ball 9 is spotted. The balls are racked again.",
     );
     const many = step({ spotted: ["1", "2", "3", "4"] });
     expect(rulingInWords(many, NAMES)).toMatch(/4 balls are spotted/);
   });
 
-  test("tells a choice, a safety, and the end", () => {
+  test("says a choice, a safety, and the end of the frame", () => {
     expect(rulingInWords(step({}, { move: { choice: "pass-back" } }), NAMES)).toBe(
       "Ann: let Bea shoot.",
     );
     const safety = step({}, { move: { play: { strike, call: { kind: "safety" } } } });
-    expect(rulingInWords(safety, NAMES)).toBe("Ann: a legal shot, a safety, nothing falls.");
+    expect(rulingInWords(safety, NAMES)).toBe("Ann: a legal shot, a safety, nothing pocketed.");
     const over = state({ kind: "over", winner: 0, why: "the last ball was pocketed" });
     expect(rulingInWords(step({}, { after: over, potted: ["9"] }), NAMES)).toBe(
-      "Ann: a legal shot, ball 9 in. Ann wins: the last ball was pocketed.",
+      "Ann: a legal shot, ball 9 pocketed. Ann wins: the last ball was pocketed.",
     );
   });
 });

@@ -11,7 +11,7 @@ const tableOf = (table: string | Values): Geometry =>
     .geometry;
 const preset = (name: string) => engine.tables.find((table) => table.name === name)!;
 
-test("the form has every dimension of every table, and what it shows is that very table", () => {
+test("the form has every dimension of every table, and its values make the same table", () => {
   for (const table of engine.tables) {
     const values = described(table);
     const found = parameters(schema, "table", values).map(({ path }) => path.join("."));
@@ -35,13 +35,13 @@ test("every dimension has its unit", () => {
   expect(units).toEqual(new Set(["m false", "degrees true"]));
 });
 
-test("what is marked on the cloth stays where it is in proportion to the table", () => {
+test("markings move in proportion to the size of the table", () => {
   const base = preset("wpa-9ft");
   const shorter = proportioned({ base: "wpa-9ft", length: 2 }, base, base);
   expect(shorter.markings).toMatchObject({ head_string: 0.5 });
   const { markings } = tableOf(shorter);
   expect(markings!.spots.map(({ position }) => position[1])).toEqual([0.5, 1, 1.5]);
-  // Back at the preset's own size nothing is left to be written.
+  // At the preset's own size no change is left to write.
   const back = proportioned(
     { base: "wpa-9ft", markings: shorter.markings },
     tableOf(shorter),

@@ -8,7 +8,7 @@ import {
 } from "../../../src/app/replay/clock.ts";
 
 describe("the clock of the replay", () => {
-  test("shows the same time after a second, however many frames were drawn", () => {
+  test("shows the same time after a second at every frame rate", () => {
     for (const rate of RATES) {
       for (const frames of [10, 60, 144]) {
         let time = 0;
@@ -18,20 +18,20 @@ describe("the clock of the replay", () => {
     }
   });
 
-  test("stops at the end", () => {
+  test("stops at the end of the shot", () => {
     expect(advance(0.9, 0.2, 1, 1)).toBe(1);
     expect(advance(1, 0.2, 1, 1)).toBe(1);
   });
 
-  test("does not leap after the page was asleep, nor go back when the wall clock does", () => {
+  test("does not jump after the page was paused, nor run backwards with the wall clock", () => {
     expect(advance(1, 3600, 0.5, 10)).toBe(1 + LONGEST_FRAME * 0.5);
     expect(advance(1, -5, 1, 10)).toBe(1);
   });
 
-  test("has new words for every sixth picture, so that slow pictures need not wait for them", () => {
+  test("updates the text at every sixth picture", () => {
     const pace = new Pace();
-    const told = Array.from({ length: 3 * PICTURES_PER_READING }, () => pace.due());
-    expect(told.filter(Boolean)).toHaveLength(3);
-    expect(told[PICTURES_PER_READING - 1]).toBe(true);
+    const due = Array.from({ length: 3 * PICTURES_PER_READING }, () => pace.due());
+    expect(due.filter(Boolean)).toHaveLength(3);
+    expect(due[PICTURES_PER_READING - 1]).toBe(true);
   });
 });

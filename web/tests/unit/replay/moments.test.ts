@@ -13,7 +13,7 @@ const at = (time: number): TraceEvent => ({
 describe("the steps of a replay", () => {
   const steps = moments([0, 0.5, 0.5, 0.5, 1.25].map(at));
 
-  test("take the events of one instant together", () => {
+  test("group the events of one instant", () => {
     expect(steps).toStrictEqual([
       { time: 0, events: [0] },
       { time: 0.5, events: [1, 2, 3] },
@@ -21,7 +21,7 @@ describe("the steps of a replay", () => {
     ]);
   });
 
-  test("go to the nearest moment on either side, never staying where one is", () => {
+  test("go to the nearest moment before or after, never to the present one", () => {
     expect(next(steps, 0)?.time).toBe(0.5);
     expect(next(steps, 0.49)?.time).toBe(0.5);
     expect(next(steps, 0.5)?.time).toBe(1.25);
@@ -30,14 +30,14 @@ describe("the steps of a replay", () => {
     expect(previous(steps, 0.5)?.time).toBe(0);
   });
 
-  test("end at both ends", () => {
+  test("stop at both ends", () => {
     expect(next(steps, 1.25)).toBeUndefined();
     expect(previous(steps, 0)).toBeUndefined();
     expect(next([], 1)).toBeUndefined();
     expect(previous([], 1)).toBeUndefined();
   });
 
-  test("know what happened last", () => {
+  test("find the latest moment", () => {
     expect(latest(steps, 0.6)?.events).toStrictEqual([1, 2, 3]);
     expect(latest(steps, 0.5)?.time).toBe(0.5);
     expect(latest(steps, -1)).toBeUndefined();

@@ -2,24 +2,24 @@ import { describe, expect, test } from "vitest";
 import { curve, roundUp, xOf, yOf } from "../../../src/app/replay/plot.ts";
 
 describe("a plot", () => {
-  const frame = { width: 200, height: 50, duration: 4, low: -1, high: 1 };
+  const area = { width: 200, height: 50, duration: 4, low: -1, high: 1 };
 
   test("puts times from left to right and values from bottom to top", () => {
-    expect([0, 1, 4].map((t) => xOf(frame, t))).toStrictEqual([0, 50, 200]);
-    expect([-1, 0, 1].map((v) => yOf(frame, v))).toStrictEqual([50, 25, 0]);
+    expect([0, 1, 4].map((t) => xOf(area, t))).toStrictEqual([0, 50, 200]);
+    expect([-1, 0, 1].map((v) => yOf(area, v))).toStrictEqual([50, 25, 0]);
   });
 
   test("draws a line through all samples", () => {
-    expect(curve(frame, [0, 2, 4], [-1, 0.5, 1])).toBe("M0.0 50.0L100.0 12.5L200.0 0.0");
-    expect(curve(frame, [], [])).toBe("");
+    expect(curve(area, [0, 2, 4], [-1, 0.5, 1])).toBe("M0.0 50.0L100.0 12.5L200.0 0.0");
+    expect(curve(area, [], [])).toBe("");
   });
 
-  test("of a shot in which nothing moves stays finite", () => {
-    const still = { ...frame, duration: 0, low: 0, high: 0 };
+  test("of a shot without motion stays finite", () => {
+    const still = { ...area, duration: 0, low: 0, high: 0 };
     expect(curve(still, [0], [0])).toBe("M0.0 50.0");
   });
 
-  test("ends its axis at a round number that holds every value", () => {
+  test("has an axis that ends at a round number above all values", () => {
     expect([0.013, 1, 1.01, 3.3, 7, 480].map(roundUp)).toStrictEqual([0.015, 1, 1.5, 4, 8, 500]);
     expect(roundUp(0)).toBe(1);
   });

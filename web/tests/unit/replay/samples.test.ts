@@ -28,20 +28,20 @@ function suddenStop(): Trace {
 describe("samples of a ball's motion", () => {
   const samples = sample(suddenStop(), 1);
 
-  test("go from the start to the end, never back", () => {
+  test("have increasing times from start to end", () => {
     expect(samples.times[0]).toBe(0);
     expect(samples.times.at(-1)).toBe(1);
     expect(samples.times).toStrictEqual([...samples.times].sort((a, b) => a - b));
   });
 
-  test("have the state before and after an impact at its very instant", () => {
+  test("have the states before and after an impact at its instant", () => {
     const at = samples.times.indexOf(0.5);
     expect(samples.speed.slice(at, at + 2)).toStrictEqual([2, 0]);
     expect(samples.spin.slice(at, at + 2)).toStrictEqual([5, 1]);
     expect(samples.side.slice(at, at + 2)).toStrictEqual([4, -1]);
   });
 
-  test("of a ball that no event touches are on the grid alone", () => {
+  test("of a ball without events are on the grid only", () => {
     const other = sample({ ...suddenStop(), events: [] }, 0);
     expect(new Set(other.times).size).toBe(other.times.length);
     expect(Math.max(...other.speed)).toBe(0);

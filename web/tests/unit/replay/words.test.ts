@@ -43,7 +43,7 @@ describe("an event in words", () => {
   });
 });
 
-test("a list has an and before its last", () => {
+test('a list has "and" before its last item', () => {
   expect([[], ["a"], ["a", "b"], ["a", "b", "c"]].map(listInWords)).toStrictEqual([
     "",
     "a",
@@ -52,6 +52,6 @@ test("a list has an and before its last", () => {
   ]);
 });
 
-test("a turn a second is sixty a minute", () => {
+test("one turn per second is 60 rpm", () => {
   expect(rpm(2 * Math.PI)).toBeCloseTo(60, 10);
 });

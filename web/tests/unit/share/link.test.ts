@@ -7,15 +7,15 @@ const SHOTS = new URL("../../../../shots/", import.meta.url);
 const NAMES = readdirSync(SHOTS).filter((name) => name.endsWith(".json"));
 const read = (name: string): unknown => JSON.parse(readFileSync(new URL(name, SHOTS), "utf8"));
 
-/** The most characters that a link to a break of fifteen balls may need. */
+/** Longest link to a break of fifteen balls, in characters. */
 const LONG_ENOUGH = 1500;
 
 describe("a link", () => {
-  test("exists for more than a few example shots", () => {
+  test("is tested with all example shots", () => {
     expect(NAMES.length).toBeGreaterThan(20);
   });
 
-  test.each(NAMES)("brings %s back to the bit", (name) => {
+  test.each(NAMES)("restores %s to the bit", (name) => {
     const shot = read(name);
     expect(fromFragment(toFragment(shot))).toStrictEqual(shot);
   });
@@ -36,19 +36,19 @@ describe("a link", () => {
     expect(link.length).toBeLessThan(LONG_ENOUGH);
   });
 
-  test("is told from other fragments", () => {
+  test("is distinguished from other fragments", () => {
     expect(isLink(toFragment({}))).toBe(true);
     expect(isLink("#help")).toBe(false);
     expect(isLink("")).toBe(false);
   });
 
-  test("of another version is refused with both versions in the sentence", () => {
+  test("of another version is refused, and the message names both versions", () => {
     const link = toFragment({}).replace("#s=1.", "#s=7.");
     expect(() => fromFragment(link)).toThrow(LinkError);
     expect(() => fromFragment(link)).toThrow(/version 7.*version 1/);
   });
 
-  test("that was cut off anywhere is refused, never half read", () => {
+  test("that is incomplete is refused at every length", () => {
     const link = toFragment(read("jump_shot.json"));
     for (let length = "#s=1.".length; length < link.length; length++) {
       expect(() => fromFragment(link.slice(0, length))).toThrow(/damaged/);
@@ -57,7 +57,7 @@ describe("a link", () => {
 
   test("with one character changed is refused", () => {
     const link = toFragment(read("jump_shot.json"));
-    const last = link.length - 1; // whose lowest bits may carry nothing
+    const last = link.length - 1; // its lowest bits may be unused
     for (let i = "#s=1.".length; i < last; i++) {
       const other = link[i] === "A" ? "B" : "A";
       const wrong = link.slice(0, i) + other + link.slice(i + 1);
@@ -68,19 +68,19 @@ describe("a link", () => {
         expect(error).toBeInstanceOf(LinkError);
         continue;
       }
-      // Only bits of the stream that mean nothing may differ.
+      // Only unused bits of the stream may differ.
       expect(read).toStrictEqual(fromFragment(link));
     }
   });
 
-  test("of garbage or of something that is no JSON is refused", () => {
+  test("of garbage, or of text that is not JSON, is refused", () => {
     expect(() => fromFragment("#s=1.%%%")).toThrow(/damaged/);
     expect(() => fromFragment("#s=")).toThrow(/no shot/);
     const text = Buffer.from(zlibSync(strToU8("no JSON"))).toString("base64url");
     expect(() => fromFragment(`#s=1.${text}`)).toThrow(/damaged/);
   });
 
-  test("that is absurdly long is refused before it is unpacked", () => {
+  test("that is too long is refused before it is unpacked", () => {
     expect(() => fromFragment(`#s=1.${"A".repeat(1_000_000)}`)).toThrow(/too long/);
   });
 });

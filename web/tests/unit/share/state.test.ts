@@ -42,7 +42,7 @@ const state: State = {
 };
 
 describe("the state in a link", () => {
-  test("is the shot alone where all else is as at first", () => {
+  test("is only the shot if everything else has its default", () => {
     expect(stateToFragment(shot, state)).toBe(toFragment({ shot }));
     expect(stateFromFragment(stateToFragment(shot, state))).toStrictEqual({
       shot,
@@ -54,7 +54,7 @@ describe("the state in a link", () => {
     });
   });
 
-  test("brings back noise, seed, game, view and the instant of the replay", () => {
+  test("restores noise, seed, game, view and the time of the replay", () => {
     const view = { theme: "dark", camera: "cue", units: "mph" } as const;
     const full: State = {
       document: { shot, noise, seed: 12345, game },
@@ -71,7 +71,7 @@ describe("the state in a link", () => {
     });
   });
 
-  test("is no link where the fragment is another's", () => {
+  test("is null for other fragments", () => {
     expect(stateFromFragment("")).toBeNull();
     expect(stateFromFragment("#help")).toBeNull();
   });

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { frameCount } from "../../../src/app/share/video.ts";
 
-test("a film has a frame at both ends, and lasts as long as its speed says", () => {
+test("a film has a first and a last frame, and its length follows from its speed", () => {
   expect(frameCount(2, 1, 30)).toBe(61);
   expect(frameCount(2, 0.25, 30)).toBe(241);
   expect(frameCount(2.01, 1, 30)).toBe(62);

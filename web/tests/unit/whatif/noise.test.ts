@@ -6,26 +6,26 @@ const engine = await load();
 const PRESETS = presetsOf(engine);
 const ALL = PRESETS.flatMap(({ presets }) => presets);
 
-test("the Olympiad's noise is that of its rules, in SI units", () => {
+test("the Olympiad's noise has the values of its rules, in SI units", () => {
   const { speed, azimuth, elevation, side_m, height_m } = engine.olympiad();
   expect([speed, side_m, height_m]).toStrictEqual([0.075, 0.0005, 0.0005]);
   expect((azimuth * 180) / Math.PI).toBeCloseTo(0.125, 14);
   expect((elevation * 180) / Math.PI).toBeCloseTo(0.1, 14);
 });
 
-test("a preset is known again, and a noise of one's own is none", () => {
+test("a preset is recognized by its values, and other noise is not", () => {
   for (const preset of ALL) expect(presetOf({ ...preset.noise }, PRESETS)).toBe(preset);
   expect(presetOf({ ...engine.olympiad(), side_m: 0 }, PRESETS)).toBeUndefined();
 });
 
-test("every preset fits on the sliders, and every σ has one", () => {
+test("every σ has a slider, and every preset is within its range", () => {
   expect(SIGMAS.map(({ key }) => key).sort()).toStrictEqual(Object.keys(engine.olympiad()).sort());
   for (const { noise } of ALL) {
     for (const { key, scale, max } of SIGMAS) expect(noise[key] / scale).toBeLessThanOrEqual(max);
   }
 });
 
-test("levels of play stand from the widest errors to the smallest", () => {
+test("the levels of play are in order, from the widest errors to the smallest", () => {
   const [players] = PRESETS;
   expect(players!.presets.map(({ name }) => name)).toStrictEqual([
     "Beginner",

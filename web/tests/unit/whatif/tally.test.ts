@@ -21,21 +21,21 @@ describe("counting variants of a shot with two balls", () => {
   tally.add(chunk(0, [ON_TABLE, 5, 3, 0], [0.1, 0.2, 0.3, 0.4]));
   tally.add(chunk(2, [PADDING, PADDING, OFF_TABLE, 2], [NaN, NaN, 0.5, 0.6], [[0, "a miscue"]]));
 
-  test("counts drops into whatever pocket, for each ball", () => {
+  test("counts the pocketed variants of each ball, for all pockets together", () => {
     expect(tally.pocketed(0)).toMatchObject({ hits: 1, count: 4, value: 0.25 });
     expect(tally.pocketed(1)).toMatchObject({ hits: 3, count: 4, value: 0.75 });
   });
 
-  test("counts what leaves the table apart from it", () => {
+  test("counts balls that leave the table separately", () => {
     expect(tally.off(0).hits).toBe(1);
     expect(tally.off(1).hits).toBe(0);
   });
 
-  test("counts a variant that failed as one in which nothing drops, with its reason", () => {
+  test("counts a failed variant as one without pocketed balls, and keeps its error", () => {
     expect(tally).toMatchObject({ count: 4, failed: 1, reason: "a miscue" });
   });
 
-  test("keeps the ends of the variants that were played", () => {
+  test("keeps the final positions of the variants that were played", () => {
     expect([...tally.played()]).toStrictEqual([0.1, 0.2, 0.3, 0.4, 0.5, 0.6]);
   });
 });

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 import { load, type Engine } from "../../../src/engine/index.ts";
-import type { FromWorker, Request } from "../../../src/app/whatif/protocol.ts";
+import type { FromWorker, VariantsRequest } from "../../../src/app/whatif/protocol.ts";
 import { Tally } from "../../../src/app/whatif/tally.ts";
 import { simulate } from "../../../src/app/whatif/variants.ts";
 
@@ -23,7 +23,7 @@ beforeAll(async () => {
   engine = await load();
 });
 
-const request = (changes: Partial<Request>): Request => ({
+const request = (changes: Partial<VariantsRequest>): VariantsRequest => ({
   generation: 1,
   shot: read(`shots/${HALF_BALL.shot}.json`),
   noise: engine.olympiad(HALF_BALL.olympiad),
@@ -33,8 +33,11 @@ const request = (changes: Partial<Request>): Request => ({
   ...changes,
 });
 
-/** What a request is answered with; `patience` is how many pauses it takes to become stale. */
-async function answers(changes: Partial<Request> = {}, patience = Infinity): Promise<FromWorker[]> {
+/** The answers to a request, which becomes stale after `patience` pauses. */
+async function answers(
+  changes: Partial<VariantsRequest> = {},
+  patience = Infinity,
+): Promise<FromWorker[]> {
   const sent: FromWorker[] = [];
   let pauses = 0;
   await simulate(engine, request(changes), {
@@ -69,7 +72,7 @@ describe("the variants of a request", () => {
     expect(next).toBe(250);
   });
 
-  test("drop as often as one batch of them does", async () => {
+  test("pocket each ball as often as one batch of them", async () => {
     const jump = read("shots/jump_shot.json");
     const shot = engine.shot(jump);
     const batch = shot.vary(engine.olympiad(HALF_BALL.olympiad), 250, { seed: HALF_BALL.seed });
@@ -82,7 +85,7 @@ describe("the variants of a request", () => {
     expect(Math.max(...drops)).toBeGreaterThan(0);
   });
 
-  test("bring ways of the cue ball that end where the variants end", async () => {
+  test("come with paths of the cue ball that end at its final positions", async () => {
     const sent = await answers();
     const paths = sent.find((message) => message.kind === "paths")!.paths;
     const { ends } = chunks(sent)[0]!;
@@ -93,11 +96,11 @@ describe("the variants of a request", () => {
     });
   });
 
-  test("stop coming when nobody waits for them any more", async () => {
+  test("stop when the request is stale", async () => {
     expect(chunks(await answers({}, 0))).toHaveLength(1);
   });
 
-  test("of a shot that the engine refuses are refused in its words", async () => {
+  test("are refused with the engine's message if the noise is invalid", async () => {
     const [answer] = await answers({ noise: { ...engine.olympiad(), speed: -1 } });
     expect(answer).toMatchObject({ kind: "refused", generation: 1 });
     expect(answer).toHaveProperty("message", expect.stringContaining("noise.speed"));
