@@ -13,10 +13,10 @@ export default defineConfig(
       parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname },
     },
     rules: {
-      // Numbers in texts are what this page is made of.
+      // Most texts of this page contain numbers.
       "@typescript-eslint/restrict-template-expressions": ["error", { allowNumber: true }],
       "@typescript-eslint/no-confusing-void-expression": ["error", { ignoreArrowShorthand: true }],
-      // Typed arrays are read by an index that a loop has bounded.
+      // Loops bound the indices of typed arrays.
       "@typescript-eslint/no-non-null-assertion": "off",
     },
   },

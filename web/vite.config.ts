@@ -1,11 +1,11 @@
 import { defineConfig } from "vitest/config";
 import { viteSingleFile } from "vite-plugin-singlefile";
 
-// The build is one HTML file that works from disk, in an iframe and without a network: JavaScript,
-// CSS, the WebAssembly (a string in a module) and the worker (`?worker&inline`) are all inside.
+// The build is one HTML file that contains JavaScript, CSS, the WebAssembly (a string in a module) and the
+// worker (`?worker&inline`). It works from disk, in an iframe and without a network.
 export default defineConfig({
   plugins: [viteSingleFile({ removeViteModuleLoader: true })],
-  // The licenses are at the checkout's root.
+  // The licenses are in the root of the checkout.
   server: { fs: { allow: [".."] } },
   build: {
     target: ["chrome111", "firefox115", "safari16.4"],
@@ -14,7 +14,7 @@ export default defineConfig({
     reportCompressedSize: false,
     chunkSizeWarningLimit: 4000,
   },
-  // A classic script: a page on disk or in a sandbox has no origin, from which no module worker starts.
+  // A classic script: a page from disk or in a sandbox has no origin and cannot start a module worker.
   worker: { format: "iife" },
   test: {
     projects: [

@@ -1,4 +1,4 @@
-/** The layouts of which the benchmarks play shots: those of `carom bench`. */
+/** The layouts of the benchmarks: those of `carom bench`. */
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { gunzipSync } from "node:zlib";

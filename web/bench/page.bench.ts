@@ -1,7 +1,7 @@
 /**
- * The page's budgets: its weight, the first frame that can be used, the ghost's simulation, a thousand
- * variants, the time from the pointer to the picture, and the pictures a second in the replay of a
- * break, at 800 × 450, by default with software rendering. Printed, and stored in
+ * The page's budgets: its size, the time until it is usable, the simulation of the ghost and of a thousand
+ * variants, the time from the pointer to the picture, and the frame rate in the replay of a break, at
+ * 800 × 450 pixels, by default with software rendering. Prints the results and writes them to
  * benches/results/page.json.
  */
 import { readFileSync, writeFileSync } from "node:fs";
@@ -23,30 +23,30 @@ const FIRST_FRAME = 1500;
 const GHOST = 2;
 const POINTER_TO_PICTURE = 50;
 const VARIANTS = 300;
-/** Pictures a second while a break is replayed, with software rendering. */
+/** Pictures per second during the replay of a break, with software rendering. */
 const REPLAY = 20;
 
-/** Starts of the page, and moves of the pointer, of which the median counts. */
+/** Number of starts of the page, and of pointer moves, for the medians. */
 const STARTS = 5;
 const MOVES = 120;
 
-/** Layouts in the middle of a game of which the ghost and the variants are timed. */
+/** Number of mid-game layouts whose ghost and variants are timed. */
 const LAYOUTS = 15;
 
-/** How long (s) the replay of a break is watched. */
-const WATCHED = 3;
+/** Time (s) over which the frame rate is measured. */
+const MEASURED = 3;
 
 const median = (values: readonly number[]) =>
   [...values].sort((a, b) => a - b)[values.length >> 1]!;
 const round = (value: number) => Math.round(value * 100) / 100;
 
-/** From a move of the pointer that aims to the picture, ms. */
+/** Times from a pointer move that aims to its picture, ms. */
 async function pointerToPicture(page: Page): Promise<number[]> {
   await page.evaluate(() => {
     const shown: number[] = [];
     Object.assign(window, { shown });
     document.getElementById("table")!.addEventListener("pointermove", (event) => {
-      // The second frame begins when the first, with what the pointer did, is on its way to the screen.
+      // The second frame starts when the first, with the change, is on its way to the screen.
       requestAnimationFrame(() =>
         requestAnimationFrame(() => shown.push(performance.now() - event.timeStamp)),
       );
@@ -65,7 +65,7 @@ async function pointerToPicture(page: Page): Promise<number[]> {
   return shown;
 }
 
-/** Simulations of the ghost, and of a thousand variants until all are told, ms. */
+/** Times of the ghost, and of a thousand variants until their result is shown, ms. */
 async function midGame(page: Page): Promise<{ ghosts: number[]; variants: number[] }> {
   await page.getByRole("tab", { name: "What if" }).click();
   await page.getByRole("switch").check();
@@ -96,7 +96,7 @@ async function midGame(page: Page): Promise<{ ghosts: number[]; variants: number
   return { ghosts, variants };
 }
 
-/** Pictures a second while a break is replayed, and what draws them. */
+/** Pictures per second during the replay of a break, and the renderer. */
 async function replay(page: Page): Promise<{ fps: number; renderer: string }> {
   await page.evaluate(() => {
     const { store, engine } = window.carom!;
@@ -117,7 +117,7 @@ async function replay(page: Page): Promise<{ fps: number; renderer: string }> {
     const gl = document.createElement("canvas").getContext("webgl2")!;
     const name = gl.getExtension("WEBGL_debug_renderer_info")!.UNMASKED_RENDERER_WEBGL;
     return { fps, renderer: String(gl.getParameter(name)) };
-  }, WATCHED);
+  }, MEASURED);
 }
 
 test("the page keeps its budgets", { timeout: 180_000 }, async ({ open }) => {
@@ -146,7 +146,7 @@ test("the page keeps its budgets", { timeout: 180_000 }, async ({ open }) => {
     break_replay_frames_per_second: round(fps),
     renderer,
     machine: `${cpus()[0]!.model}, ${cpus().length} cores`,
-    // What else ran meanwhile: times mean little where this is above the number of cores.
+    // Load of the machine: times mean little if it exceeds the number of cores.
     load: round(loadavg()[0]!),
   };
   console.log(result);

@@ -1,7 +1,7 @@
 /**
- * Shots a second of the engine in WebAssembly, in Node and in Chromium, beside the native engine's:
- * random mid-game layouts, one core, no traces. The native program is the plain build for the
- * platform (no flags for this processor). Printed, and stored in benches/results/wasm.json.
+ * Shots per second of the engine in WebAssembly, in Node and in Chromium, compared with the native engine:
+ * random mid-game layouts, one core, no traces. The native program is the plain build for the platform,
+ * without flags for this processor. Prints the results and writes them to benches/results/wasm.json.
  */
 import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -16,19 +16,19 @@ import { layouts } from "./layouts.ts";
 
 const ROOT = fileURLToPath(new URL("../../", import.meta.url));
 
-/** The bar: shots a second in WebAssembly over native ones. */
+/** Least ratio of shots per second in WebAssembly to native ones. */
 const LEAST_RATIO = 0.5;
 
-/** Passes over all layouts in one measurement: half a second or so, for a clock of 10 ms. */
+/** Passes over all layouts per measurement: about half a second, for a clock of 10 ms resolution. */
 const PASSES = 60;
 
 /**
- * Measurements, in turns, of which the median counts. All are of processor time, so that other
- * programs on the machine disturb little.
+ * Rounds of alternating measurements, for the medians. All measure processor time, which other programs on
+ * the machine disturb little.
  */
 const ROUNDS = 11;
 
-/** The path of the program that plays a file's shots natively. */
+/** The path of the native program that plays the shots of a file. */
 function nativeProgram(): string {
   const command = ["build", "--quiet", "--profile", "bench", "-p", "carom"];
   command.push("--example", "bench_shots", "--message-format", "json");
@@ -48,7 +48,7 @@ function nativeProgram(): string {
   throw new Error("cargo built no bench_shots");
 }
 
-/** Processor time, ms, of `passes` passes of the native program, its start included. */
+/** Processor time, ms, of `passes` passes of the native program, including its start. */
 function nativeTime(program: string, file: string, passes: number): number {
   const timed = `TIMEFORMAT=%3U; time "$0" "$@" > /dev/null`;
   const run = spawnSync("bash", ["-c", timed, program, file, String(passes)], { encoding: "utf8" });
@@ -103,7 +103,7 @@ test("mid-game shots a second in WebAssembly are at least half of the native one
     return (await rendererTime()) - before;
   };
 
-  // Until the browser's best compiler has had its turn.
+  // Warm up, until the browser's optimizing compiler is done.
   inNode();
   await inChromium();
   const times = { native: [] as number[], node: [] as number[], chromium: [] as number[] };

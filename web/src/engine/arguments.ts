@@ -1,4 +1,4 @@
-/** Checks of arguments whose JavaScript type WebAssembly would convert, or fail on, without a word. */
+/** Checks of arguments: WebAssembly would convert a wrong type silently, or fail without a message. */
 
 import { CaromError } from "./error.js";
 
@@ -42,8 +42,7 @@ export function object(place: string, value: unknown): object {
 }
 
 /**
- * The numbers under some keys of an object, in the order of the keys. Their ranges are the engine's
- * affair.
+ * The numbers under some keys of an object, in the order of the keys. The engine checks their ranges.
  *
  * @throws CaromError if `of` is not an object, or a value is not a number.
  */

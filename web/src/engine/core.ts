@@ -463,7 +463,7 @@ class WasmFrame implements Frame {
   }
 }
 
-/** Hands a play to the engine as it takes it, and frees the copy afterwards. */
+/** Converts a play for the engine, and frees the converted play afterwards. */
 function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
   const { strike, cue_ball, call } = object("play", play) as Partial<Play>;
   const values = Float64Array.from(numbers("strike", strike, STRIKE));

@@ -1,22 +1,23 @@
-/** The engine's interface: what `load` gives. */
+/** The interface of the engine that `load` returns. */
 
 import type { Frame, FrameOptions, FrameTerms } from "./rules.js";
 import type { Batch, Geometry, Noise, Shot, ShotFile, Trace, TraceFile } from "./types.js";
 
+/** Options of `Engine.breakShot`. */
 export interface BreakOptions {
-  /** Table preset; default: the game's. */
+  /** Table preset; default: the game's usual table. */
   readonly table?: string;
-  /** Cue's speed, m/s; default: a usual one. */
+  /** Cue speed, m/s; default: the game's usual break. */
   readonly speed?: number;
-  /** Of the rack: which ball stands where, and the gaps. Default 0. */
+  /** Seed of the rack (order of the balls, gaps), a whole number. Default 0. */
   readonly seed?: number;
-  /** Mean gap between touching balls, m; default: a usual one. */
+  /** Mean gap between neighbouring balls, m; default: that of a good rack. */
   readonly gap?: number;
 }
 
-/** The engine, compiled and ready. */
+/** The engine. */
 export interface Engine {
-  /** To be posted to a worker, which hands it to its own `load`. */
+  /** The compiled module; a worker that receives it calls its own `load` with it. */
   readonly module: WebAssembly.Module;
   /** As in traces: `carom x.y.z`. */
   readonly version: string;
@@ -26,15 +27,15 @@ export interface Engine {
   readonly tables: readonly Geometry[];
   /** Physics presets by name: every parameter, as in a shot file. */
   readonly physics: Readonly<Record<string, Readonly<Record<string, unknown>>>>;
-  /** @throws CaromError whose message names the place, what is wrong there, what would be right. */
+  /** Reads a shot file. @throws CaromError that names the place, the fault and the remedy. */
   shot(file: string | ShotFile): Shot;
   /** Reads a saved trace. @throws CaromError as `shot`. */
   trace(file: string | TraceFile): Trace;
-  /** The opening shot of a game. @throws CaromError for names that are not known. */
+  /** The break of a game. @throws CaromError for an unknown name or an option out of range. */
   breakShot(game: string, options?: BreakOptions): Shot;
   /** Simulates all shots, without traces. */
   simulate(shots: readonly Shot[]): Batch;
-  /** The Computational Olympiad's noise times `multiplier`; its tournaments: 0.5, 1 and 2. */
+  /** The Computational Olympiad's noise times `multiplier`; its tournaments used 0.5, 1 and 2. */
   olympiad(multiplier?: number): Noise;
   /**
    * Presets of execution noise by name: levels of play from "beginner" to "professional" (estimated),
@@ -46,18 +47,18 @@ export interface Engine {
    * @throws CaromError that names the σ.
    */
   checkNoise(noise: Noise): void;
-  /** Games that have a referee here. */
+  /** Games with a referee. */
   readonly ruleSets: readonly string[];
-  /** The table that a game is played on if nothing else is said. @throws CaromError as `frame`. */
+  /** The table on which a game is played by default. @throws CaromError for an unknown game. */
   usualTable(game: string): string;
-  /** Racks a frame of one of the `ruleSets`. @throws CaromError for what makes no sense. */
+  /** Racks a frame of one of the `ruleSets`. @throws CaromError for an invalid option. */
   frame(game: string, options?: FrameOptions): Frame;
   /**
-   * A frame that goes on with the balls of a shot, on its table: player 0 shoots from where the cue
-   * ball lies, and balls that the shot does not have are down.
-   * @throws CaromError if the game has no such balls, or would be over with them.
+   * A frame that starts from the balls of a shot, on its table. Player 0 shoots from where the cue ball
+   * lies; balls that the shot does not have count as pocketed.
+   * @throws CaromError if the game does not have these balls, or would be over with them.
    */
   frameOf(game: string, shot: Shot, terms?: FrameTerms): Frame;
-  /** The JSON Schema of a file. */
+  /** The JSON Schema of a file format. */
   schema(kind: "shot" | "trace"): object;
 }

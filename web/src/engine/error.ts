@@ -1,9 +1,9 @@
-/** What the engine refuses, in one sentence: the place, what is wrong there, what would be right. */
+/** A refusal of the engine. The message names the place, the fault and the remedy. */
 export class CaromError extends Error {
   override readonly name = "CaromError";
-  /** Path in the input, such as `balls[3].position`; empty if there is none. */
+  /** Path in the input, such as `balls[3].position`; empty if the refusal concerns no place. */
   readonly place: string;
-  /** The shot file, JSON, where a simulation reached its cap of events. */
+  /** The shot file, JSON, if a simulation reached its cap of events. */
   readonly shot: string | undefined;
 
   constructor(message: string, place = "", shot?: string) {

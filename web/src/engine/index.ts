@@ -8,16 +8,16 @@ export * from "./rules.js";
 export * from "./types.js";
 
 /**
- * The engine, ready to use: from bytes or a compiled module (`Engine.module` of another thread), or
- * without an argument from the WebAssembly that this module carries. There is one in a thread: every
- * call gives the same.
- * @throws WebAssembly.CompileError if the source is no WebAssembly.
+ * Loads the engine from bytes, from a compiled module (`Engine.module` of another thread), or without an
+ * argument from the WebAssembly embedded in this module. A thread has one engine: later calls return the
+ * same one.
+ * @throws WebAssembly.CompileError if the source is not WebAssembly.
  */
 export async function load(source?: BufferSource | WebAssembly.Module): Promise<Engine> {
-  return loadFrom(source ?? (await carried()));
+  return loadFrom(source ?? (await embeddedBytes()));
 }
 
-function carried(): Promise<ArrayBuffer> {
+function embeddedBytes(): Promise<ArrayBuffer> {
   const text = atob(embedded);
   const packed = new Uint8Array(text.length);
   for (let i = 0; i < text.length; i++) packed[i] = text.charCodeAt(i);

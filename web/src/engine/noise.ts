@@ -7,7 +7,7 @@ import { warnOnce } from "./warn.js";
 
 const SIGMAS = ["speed", "azimuth", "elevation", "side_m", "height_m"] as const;
 
-/** Keys of older versions, whose names did not tell that they are in metres. */
+/** Keys of older versions, whose names did not say that they are in metres. */
 const OLD_KEYS = { side: "side_m", height: "height_m" } as const;
 
 /** The noise from σ of speed, azimuth, elevation, side and height. */
@@ -33,10 +33,10 @@ export function sigmasOf(noise: Noise): Float64Array {
 }
 
 /**
- * A noise in which the keys of older versions have their present names.
+ * Replaces the keys of older versions by their present names.
  *
  * @returns The noise, and the old keys that were found.
- * @throws CaromError if a σ stands there under both of its names.
+ * @throws CaromError if a σ has both of its names.
  */
 export function withNewKeys(noise: Readonly<Record<string, unknown>>): {
   readonly value: Readonly<Record<string, unknown>>;

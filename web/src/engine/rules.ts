@@ -1,13 +1,13 @@
 /**
- * What a game with a referee takes and gives. Players are 0 (who begins) and 1; balls are named by
- * their ids, pockets by their names. The JSON is that of Python's `Frame.to_dict`.
+ * Games with a referee. Player 0 breaks, player 1 is the opponent. Balls are named by their ids, pockets
+ * by their names. The data is that of Python's `Frame.to_dict`, key by key.
  */
 
 import type { PocketName, Point, Shot, Strike, Trace } from "./types.js";
 
 export type Player = 0 | 1;
 
-/** What a player announces before a shot; no call at all is left out. */
+/** A player's call before a shot; a shot without a call leaves it out. */
 export interface Call {
   readonly kind: "pocket" | "on" | "safety" | "push-out";
   /** The ball that is called into a pocket, or nominated as the ball on. */
@@ -19,14 +19,15 @@ export interface Call {
 /** A shot as a player plays it. */
 export interface Play {
   readonly strike: Strike;
-  /** Where the cue ball is put first, m, if it is in hand. */
+  /** Place of a cue ball in hand, m. */
   readonly cue_ball?: Point;
   readonly call?: Call;
 }
 
-/** Where a cue ball in hand may be put. */
+/** Region in which a cue ball in hand may be placed. */
 export type Region = "anywhere" | "behind-head-string" | "the-d";
 
+/** A decision that the referee offers. */
 export type Choice =
   | "play-on"
   | "play-from-hand"
@@ -38,83 +39,84 @@ export type Choice =
   | "spot-frozen"
   | "spot-nearest";
 
-/** The shot that is asked. */
+/** The referee asks for a shot. */
 export interface ShotRequest {
   readonly kind: "shot";
   readonly player: Player;
   readonly cue_ball: string;
-  /** Null where the cue ball is played from where it lies. */
+  /** Null if the cue ball is played from where it lies. */
   readonly in_hand: Region | null;
-  /** Balls of which one must be hit first; none where any may be. */
+  /** Balls on, of which one must be hit first; empty if any ball may be hit first. */
   readonly on: readonly string[];
-  /** What may be announced; without "nothing", something must be. */
+  /** Calls that are allowed; a call is required if "nothing" is not among them. */
   readonly calls: readonly ("nothing" | Call["kind"])[];
 }
 
-/** A decision that is asked. */
+/** The referee asks for a decision. */
 export interface ChoiceRequest {
   readonly kind: "choice";
   readonly player: Player;
   readonly choices: readonly Choice[];
-  /** In words. */
+  /** The reason, as text. */
   readonly why: string;
 }
 
 /** The end of the frame. */
 export interface OverRequest {
   readonly kind: "over";
-  /** Null where it ends undecided. */
+  /** Null if the frame ends without a winner. */
   readonly winner: Player | null;
-  /** In words. */
+  /** The reason, as text. */
   readonly why: string;
 }
 
+/** What the frame waits for. */
 export type Request = ShotRequest | ChoiceRequest | OverRequest;
 
-/** Everything there is to know of a frame. */
+/** The complete state of a frame. */
 export interface FrameState {
   readonly game: string;
   readonly request: Request;
   readonly scores: readonly [number, number];
   readonly fouls_in_a_row: readonly [number, number];
   readonly shots: number;
-  /** Where the balls on the table lie, m. */
+  /** Positions of the balls on the table, m. */
   readonly balls: Readonly<Record<string, Point>>;
-  /** What this game has and others have not. */
+  /** The state that is specific to the game. */
   readonly state: {
     /** Eight-ball: each player's group; null while the table is open. */
     readonly groups?: readonly ["solids" | "stripes" | null, "solids" | "stripes" | null];
-    /** Snooker: what is on, whether there is a free ball, points of the present break. */
+    /** Snooker: the ball on, whether there is a free ball, and the points of the present break. */
     readonly on?: "red" | "color" | "sequence";
     readonly free_ball?: boolean;
     readonly break?: number;
-    /** Snooker: the most that the balls on the table are worth. */
+    /** Snooker: the most points that the balls on the table can score. */
     readonly points_left?: number;
     /** Three-cushion: innings of each player. */
     readonly innings?: readonly [number, number];
   };
 }
 
-/** What the referee says after a shot or a choice. */
+/** The referee's ruling after a shot or a choice. */
 export interface Ruling {
   readonly legal: boolean;
-  /** `what` in words; `rule` its number in the rule book, or empty. */
+  /** `what` is the foul as text; `rule` its number in the rule book, or empty. */
   readonly fouls: readonly { readonly what: string; readonly rule: string }[];
-  /** What each player's score changed by. */
+  /** Change of each player's score. */
   readonly points: readonly [number, number];
-  /** Balls that were put on a spot. */
+  /** Balls that were spotted. */
   readonly spotted: readonly string[];
   /** Whether the balls were racked again. */
   readonly racked: boolean;
 }
 
-/** What players can agree on before a frame. */
+/** Terms that the players agree on before a frame. */
 export interface FrameTerms {
   /** Points that win straight pool and three-cushion. Default 40. */
   readonly target?: number;
   /** Whether a foul and a miss is called in snooker. Default true. */
   readonly miss?: boolean;
-  /** Shots in a row without progress that make a stalemate. Default 100. */
+  /** Number of consecutive shots without progress that make a stalemate. Default 100. */
   readonly patience?: number;
 }
 
@@ -123,36 +125,36 @@ export interface FrameOptions extends FrameTerms {
   readonly table?: string | Readonly<Record<string, unknown>>;
   /** As in a shot file; default: the table's own. */
   readonly physics?: string | Readonly<Record<string, unknown>>;
-  /** Which of the random racks. Default 0. */
+  /** Seed of the rack, a whole number. Default 0. */
   readonly seed?: number;
 }
 
 /**
- * One rack, frame or match between two players: it asks, and a player answers with `play` or `choose`,
- * until it is over.
+ * A frame between two players. Its state has a request, which a player answers with `play` or `choose`,
+ * until the frame is over.
  */
 export interface Frame {
-  /** As it stands. */
+  /** The present state. */
   readonly state: FrameState;
   /**
-   * The box around the region in which the cue ball may be put (for the D, around the half disk): least
-   * and largest corner, m. Null where the cue ball is not in hand.
+   * The box around the region in which the cue ball may be placed (for the D, around the half disk):
+   * lower left and upper right corner, m. Null unless the cue ball is in hand.
    */
   readonly handBounds: readonly [Point, Point] | null;
   /** The shot that `play` would play. @throws CaromError as `play`. */
   shot(play: Play): Shot;
   /**
-   * Plays a shot: it is simulated and ruled on, and the frame asks anew.
-   * @throws CaromError if no shot is asked, for a call that is missing or not to be made, for a cue
-   * ball put where it must not be, and for a strike that cannot be played. Nothing has changed then.
+   * Plays a shot: simulates it and rules on it. The frame then has a new request.
+   * @throws CaromError if the request is not for a shot, if a call is missing or not allowed, if the cue
+   * ball may not be placed there, and if the strike cannot be played. The frame is then unchanged.
    */
   play(play: Play): { readonly ruling: Ruling; readonly trace: Trace };
-  /** Answers a choice. @throws CaromError if none is asked, or not this one. */
+  /** Makes a choice. @throws CaromError unless the request offers it. */
   choose(choice: Choice): Ruling;
-  /** The player whose turn it is gives up, and the other wins. @throws CaromError if it is over. */
+  /** The player at the table concedes. @throws CaromError if the frame is over. */
   concede(): Ruling;
-  /** The same frame once more: to try a shot and go back. */
+  /** An independent copy, for instance to try a shot. */
   copy(): Frame;
-  /** Gives the memory back at once; else the garbage collector does. Nothing works afterwards. */
+  /** Frees the memory at once instead of at garbage collection. The object is unusable afterwards. */
   free(): void;
 }

@@ -1,5 +1,5 @@
 /**
- * What the engine takes and gives. SI units and radians; degrees where a key ends in `_deg`.
+ * Data and objects of the engine, in SI units and radians; keys that end in `_deg` are in degrees.
  * Origin: the bottom left corner of the playing area, x along its width, y along its length, z up
  * from the slate.
  */
@@ -12,7 +12,7 @@ export interface ShotFile {
   readonly format: "carom-shot/1";
   /** A preset's name, `{cloth: "unbounded"}`, or a description from a base or a rectangle. */
   readonly table: string | Readonly<Record<string, unknown>>;
-  /** A preset's name, or an object merged key by key over its base. */
+  /** A preset's name, or an object that is merged into its base key by key. */
   readonly physics?: string | Readonly<Record<string, unknown>>;
   readonly balls: readonly BallEntry[];
   readonly strike?: StrikeEntry;
@@ -66,7 +66,7 @@ export interface Strike {
   readonly height: number;
 }
 
-/** A ball as the engine has it, with everything that its file leaves to the physics. */
+/** A ball with all its values, including those that the file leaves to the physics. */
 export interface BallInfo {
   readonly id: string;
   /** m. */
@@ -88,7 +88,7 @@ export type CushionPart = "nose" | "facing" | "point" | "top" | "liner";
 export type Motion =
   "stationary" | "spinning" | "rolling" | "sliding" | "airborne" | "pocketed" | "off-table";
 
-/** Motion states by the code that `Trace.statesAt` gives. */
+/** Motion states, indexed by the code in `Trace.statesAt`. */
 export const MOTIONS: readonly Motion[] = [
   "stationary",
   "spinning",
@@ -107,7 +107,7 @@ export const STRIDE = 14;
 
 /** A table in metres. Cushions and liners are lines of the ground plan. */
 export interface Geometry {
-  /** Preset's name, if it is one unchanged. */
+  /** The preset's name if the table is an unchanged preset. */
   readonly name: string | null;
   /** Playing area along x and y, nose to nose; null on unbounded cloth. */
   readonly size: Point | null;
@@ -118,9 +118,9 @@ export interface Geometry {
   /** Walls of the pockets behind the facings. */
   readonly liners: readonly Cushion[];
   readonly pockets: readonly Pocket[];
-  /** The rest is there on every table with rails. */
+  /** This and all keys below exist on every table with rails. */
   readonly cushion_width?: number;
-  /** Cushion included. */
+  /** Includes the cushion. */
   readonly rail_width?: number;
   /** Physics preset that belongs to the table. */
   readonly physics?: string;
@@ -129,7 +129,7 @@ export interface Geometry {
   readonly dimensions?: readonly Dimension[];
 }
 
-/** A straight piece, or an arc if it has a centre and a radius (from start to end, under 180°). */
+/** A line segment, or an arc of less than 180° if it has a centre and a radius. */
 export interface Cushion {
   readonly rail: RailName;
   readonly part: CushionPart;
@@ -144,12 +144,12 @@ export interface Pocket {
   /** Of the hole in the slate. */
   readonly center: Point;
   readonly radius: number;
-  /** Tip to tip, where that line captures. */
+  /** The line from tip to tip, on tables where balls that cross it count as pocketed. */
   readonly mouth?: readonly [Point, Point];
 }
 
 export interface Sights {
-  /** Intervals along the length; the ends and, with pockets, the middle bear no sight. */
+  /** Intervals along the length. Ends (and with pockets the middle) have no sight. */
   readonly along_length: number;
   readonly along_width: number;
   /** From the nose line to the sight's centre. */
@@ -170,7 +170,7 @@ export interface Dimension {
   readonly source: string | null;
 }
 
-/** A ball's state as a trace file has it. */
+/** A ball's state in a trace file. */
 export interface BallState {
   readonly id: string;
   readonly position: Vector;
@@ -198,7 +198,7 @@ export type TraceEvent = EventBase &
     | { readonly type: "motion-transition"; readonly from: Motion; readonly to: Motion }
   );
 
-/** What a referee needs. Balls by id; what speaks of the cue ball is empty where there is none. */
+/** The outcome of a shot, for a referee. Without a strike the values about the cue ball are empty. */
 export interface Outcome {
   readonly cue_ball: string | null;
   readonly first_contact: string | null;
@@ -213,7 +213,7 @@ export interface Outcome {
   readonly cue_ball_touched: readonly ({ readonly ball: string } | { readonly rail: RailName })[];
   readonly never_resting: readonly string[];
   readonly miscue: boolean;
-  /** Id of the ball or name of the rail that the cue would pass through. */
+  /** Id of the ball or name of the rail in the way of the cue. */
   readonly cue_obstructed: string | null;
   readonly least_elevation_deg: number | null;
   readonly events: number;
@@ -253,11 +253,11 @@ export interface VaryOptions {
   readonly first?: number;
 }
 
-/** Many shots' ends, without traces: row k is shot k. A failed shot's row has NaN positions. */
+/** Final states of many shots, without traces. Row k is shot k; failed shots have NaN positions. */
 export interface Batch {
   /** Rows. */
   readonly shots: number;
-  /** Columns: balls of the largest shot. */
+  /** Columns: number of balls of the largest shot. */
   readonly balls: number;
   /** x, y, z (m) per ball and shot: `3 * (shot * balls + ball)`. */
   readonly final_position: Float64Array;
@@ -267,28 +267,28 @@ export interface Batch {
   readonly pocket: Int8Array;
   /** Number of events of each shot. */
   readonly events: Int32Array;
-  /** What went wrong, by shot. */
+  /** Error messages, by index of the shot. */
   readonly errors: ReadonlyMap<number, string>;
 }
 
-/** `Batch` of a strike with noise. */
+/** The `Batch` of the variants of a shot. */
 export interface NoisyBatch extends Batch {
-  /** What was drawn: speed, azimuth, elevation, side, height per shot, as in `Strike`. */
+  /** The drawn strikes: speed, azimuth, elevation, side, height per variant, as in `Strike`. */
   readonly strikes: Float64Array;
 }
 
 /** `Batch.pocket` of a ball that is on the table at the end. */
 export const ON_TABLE = -1;
-/** `Batch.pocket` of a ball that has left the table. */
+/** `Batch.pocket` of a ball that left the table. */
 export const OFF_TABLE = -2;
-/** `Batch.pocket` where a shot has no such ball, or failed. */
+/** `Batch.pocket` of a ball that the shot does not have, and of a failed shot. */
 export const PADDING = -3;
 
 /** A validated shot; immutable. */
 export interface Shot {
-  /** What was read, as a value; parsed at the first look. */
+  /** The shot file as a value; parsed on first use. */
   readonly file: ShotFile;
-  /** What was read, number for number. */
+  /** The shot file as JSON, with the same numbers as it was read. */
   json(): string;
   readonly geometry: Geometry;
   readonly balls: readonly BallInfo[];
@@ -297,13 +297,12 @@ export interface Shot {
   /** The strike, or null. */
   readonly strike: Strike | null;
   /**
-   * The largest tip offset √(side² + height²) that the tip's friction holds, in ball radii.
+   * The largest tip offset √(side² + height²) without a miscue, in ball radii.
    */
   readonly miscueLimit: number;
   /**
-   * The same shot struck otherwise; cheap. Angles are kept as the degrees that a file can hold,
-   * which moves some by one rounding.
-   * @throws CaromError for what a shot file would be refused for, and without a strike to vary.
+   * The same shot with another strike; about a microsecond.
+   * @throws CaromError for a strike that the engine refuses in a file, and if the shot has no strike.
    */
   withStrike(strike: Strike): Shot;
   /** @throws CaromError if the cap of events is reached. */
@@ -317,7 +316,7 @@ export interface Shot {
   vary(noise: Noise, n: number, options?: VaryOptions): NoisyBatch;
   /** @deprecated Old order of the arguments. */
   vary(noise: Noise, seed: number, first: number, count: number): NoisyBatch;
-  /** Gives the memory back at once; else the garbage collector does. Nothing works afterwards. */
+  /** Frees the memory at once instead of at garbage collection. The object is unusable afterwards. */
   free(): void;
 }
 
@@ -327,24 +326,24 @@ export interface Trace {
   readonly duration: number;
   /** Sixteen hexadecimal digits over the exact bits of all events and final states. */
   readonly hash: string;
-  /** The shot that was simulated; lives on when the trace is freed. */
+  /** The simulated shot; it stays valid when the trace is freed. */
   readonly shot: Shot;
   /** A `carom-trace/1`. */
   json(): string;
-  /** Parsed at the first look. */
+  /** Parsed on first use. */
   readonly events: readonly TraceEvent[];
   readonly outcome: Outcome;
   /**
-   * All balls at `time` (s, ≥ 0): `STRIDE` numbers per ball, exact to rounding. At an event's
-   * instant, after it; after the end, the final states.
-   * @param out Written and returned, if given: `STRIDE` × balls long.
+   * All balls at `time` (s, ≥ 0): `STRIDE` numbers per ball, exact to rounding. At the time of an event
+   * these are the states after it; after the end, the final states.
+   * @param out Array of `STRIDE` × balls numbers that is filled and returned.
    */
   statesAt(time: number, out?: Float64Array): Float64Array;
   /**
-   * The way of a ball's centre: x, y, z (m), t (s) per point. Points lie on the exact path, at
-   * every event of the ball, and so dense that no chord is further than `tolerance` (m) from it.
+   * The path of a ball's centre: x, y, z (m), t (s) per point. The points lie on the exact path, one at
+   * each event of the ball; no chord is further than `tolerance` (m) from the path.
    */
   polyline(ball: number, tolerance: number): Float64Array;
-  /** Gives the memory back at once; else the garbage collector does. Nothing works afterwards. */
+  /** Frees the memory at once instead of at garbage collection. The object is unusable afterwards. */
   free(): void;
 }

@@ -1,11 +1,11 @@
-/** What polished balls reflect: a dim room with a long lamp above the table. */
+/** The environment that balls reflect: a dim room with a long lamp above the table. */
 
 import { CubeTexture, SRGBColorSpace } from "three";
 
 const SIDE = 64;
 const WALL = "#33363a";
 
-/** The room's six sides, as seen from the table. */
+/** The six sides of the room, seen from the table. */
 export function room(): CubeTexture {
   const walls = face(() => undefined);
   const ceiling = face((context) => {

@@ -1,6 +1,15 @@
-/** The viewer: a table, its balls and what happens on it, in three dimensions. */
+/** The viewer: draws a table, its balls and a shot in three dimensions. */
 
 export { look, type Look } from "./balls/look";
 export { STRIDE } from "./types";
-export type { Area, BallPath, CameraMode, CuePose, Mark, Pick, Quality, Theme } from "./types";
+export type {
+  Area,
+  BallPath,
+  CameraMode,
+  CuePose,
+  Mark,
+  PickResult,
+  Quality,
+  Theme,
+} from "./types";
 export { Viewer, type ViewerOptions } from "./viewer";

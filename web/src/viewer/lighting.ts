@@ -1,17 +1,17 @@
-/** The light: some from all around, and a lamp whose slanted shadows show how high a ball is. */
+/** Ambient light, and a lamp whose slanted shadows show the height of a ball. */
 
 import { DirectionalLight, Group, HemisphereLight, Vector3 } from "three";
 import type { Box } from "./camera/pose";
 import type { Palette } from "./theme";
 
-/** Direction of the lamp's light, downwards. */
+/** Direction of the lamp's light. */
 const DIRECTION = new Vector3(-0.3, 0.42, -1);
-/** Sideways shift of a shadow per height of what casts it, along x and y. */
+/** Shift of a shadow along x and y, per height of its ball. */
 export const SLANT: readonly [number, number] = [
   -DIRECTION.x / DIRECTION.z,
   -DIRECTION.y / DIRECTION.z,
 ];
-/** Distance of the lamp from the middle of the table, m: beyond all that casts a shadow. */
+/** Distance of the lamp from the centre of the table, m: above everything that casts a shadow. */
 const DISTANCE = 4;
 /** Side of the shadow map, texels: 2 mm each on a large table. */
 const SHADOW_MAP = 2048;
@@ -39,7 +39,7 @@ export class Lighting {
     this.#lamp.intensity = lamp;
   }
 
-  /** Lets the lamp's shadows reach all of the table. */
+  /** Fits the shadow map to the table. */
   fit({ min, max }: Box): void {
     const [x, y] = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
     const span = Math.hypot(max[0] - min[0], max[1] - min[1]) / 2;

@@ -1,15 +1,15 @@
-/** Lowers and raises the viewer's quality by how long its frames take. */
+/** Adapts the viewer's quality to the time that its frames take. */
 
-/** What the renderer spends. */
+/** A level of quality. */
 export interface Level {
-  /** Pixels drawn per pixel of the page, at most; never more than the screen has. */
+  /** Most pixels drawn per CSS pixel; never more than the screen has. */
   pixelRatio: number;
   shadows: boolean;
   /** Detail of balls. */
   detail: "high" | "low";
 }
 
-/** From the most beautiful to the fastest that is still pleasant. */
+/** Levels from the best quality to the fastest. */
 export const LEVELS: readonly Level[] = [
   { pixelRatio: 2, shadows: true, detail: "high" },
   { pixelRatio: 1.5, shadows: true, detail: "high" },
@@ -17,20 +17,20 @@ export const LEVELS: readonly Level[] = [
   { pixelRatio: 0.8, shadows: false, detail: "low" },
   { pixelRatio: 0.66, shadows: false, detail: "low" },
 ];
-/** What a picture costs that will stand: full quality, whatever motion can afford. */
+/** Level of a still picture: full quality, whatever the level of moving pictures. */
 export const STILL: Level = { pixelRatio: 2, shadows: true, detail: "high" };
-/** Where low quality begins: software rendering starts here. */
+/** Index of the first low level; software rendering starts with it. */
 export const LOW = 2;
 
-/** Frames whose median is judged. */
+/** Number of frames whose median time decides. */
 const WINDOW = 16;
-/** Median time between frames, ms, above which quality falls, and below which it may rise. */
+/** Median time between frames, ms, above which the quality is lowered, and below which it may be raised. */
 const SLOW = 42;
 const FAST = 19;
-/** Windows that must be fast before quality rises; doubled each time that it had to fall again. */
+/** Number of fast windows before the quality is raised; doubled each time it must be lowered again. */
 const PATIENCE = 4;
 
-/** Judges frames and decides on a level; has no clock of its own. */
+/** Chooses a level from frame times that the caller measures. */
 export class Governor {
   #level: number;
   readonly #times: number[] = [];
@@ -49,17 +49,17 @@ export class Governor {
     return this.#level;
   }
 
-  /** Median time between the frames of the last window, ms; 0 before there was one. */
+  /** Median time between the frames of the last window, ms; 0 before the first window. */
   get frameMs(): number {
     return this.#median;
   }
 
   /**
-   * A frame begins.
+   * Records the start of a frame.
    *
    * @param now - Time, ms.
-   * @param follows - Whether it is the screen's next frame after the last one that was drawn: else
-   * the time between tells nothing about the renderer.
+   * @param follows - Whether it directly follows the last drawn frame. After a pause the time between
+   * frames does not measure the renderer.
    * @returns Whether the level has changed.
    */
   frame(now: number, follows: boolean): boolean {
@@ -77,7 +77,7 @@ export class Governor {
     if (this.#median > SLOW) {
       this.#fast = 0;
       if (this.#level === LEVELS.length - 1) return false;
-      // It was better before: be slower to try again.
+      // The higher level was too slow: wait longer before the next attempt.
       if (this.#raised) this.#patience *= 2;
       this.#raised = false;
       this.#level += 1;
@@ -92,7 +92,7 @@ export class Governor {
   }
 }
 
-/** Whether WebGL is drawn by the processor, as in virtual machines and in tests. */
+/** Whether the processor draws WebGL, as in virtual machines and tests. */
 export function isSoftware(): boolean {
   const context = document.createElement("canvas").getContext("webgl2");
   if (!context) return false;

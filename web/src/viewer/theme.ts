@@ -1,13 +1,13 @@
-/** The colours of light and dark. */
+/** The colours of the light and the dark theme. */
 
 import type { Theme } from "./types";
 
 export interface Palette {
   background: string;
-  /** The wood of the rails and of the frame below. */
+  /** Colours of the rails and of the frame below. */
   wood: string;
   frame: string;
-  /** Strength of the light from all around and of the lamp. */
+  /** Intensity of the ambient light and of the lamp. */
   ambient: number;
   lamp: number;
   /** Darkness of the table's shadow on the floor, 0 to 1. */
@@ -38,7 +38,7 @@ export function palette(theme: Theme): Palette {
   return PALETTES[theme];
 }
 
-/** Cloth by the game that a table is made for. */
+/** Colour of the cloth by the physics preset of the table. */
 const CLOTHS: Readonly<Record<string, string>> = {
   pool: "#1c6f60",
   snooker: "#2c7447",
@@ -47,7 +47,7 @@ const CLOTHS: Readonly<Record<string, string>> = {
 };
 
 /**
- * The cloth's colour.
+ * The colour of the cloth.
  *
  * @param physics - The table's own physics preset, if it has one.
  */

@@ -1,7 +1,7 @@
 /**
- * What the viewer is given. Lengths in metres, angles in radians; the frame is the shot file's: origin
- * at the bottom left corner of the playing area, x along the width, y along the length, z up from the
- * slate.
+ * Data for the viewer. Lengths are in metres, angles in radians; coordinates are those of a shot file:
+ * origin at the bottom left corner of the playing area, x along the width, y along the length, z up from
+ * the slate.
  */
 
 import { MOTIONS } from "../engine/types";
@@ -9,7 +9,7 @@ import { MOTIONS } from "../engine/types";
 export { STRIDE } from "../engine/types";
 export type { BallInfo, Geometry, Point } from "../engine/types";
 
-/** Where a ball's orientation (x, y, z, w) and its motion's code stand among its `STRIDE` numbers. */
+/** Offsets of a ball's orientation (x, y, z, w) and motion code among its `STRIDE` numbers. */
 export const ORIENTATION = 9;
 export const MOTION = 13;
 
@@ -21,21 +21,21 @@ export type Theme = "light" | "dark";
 export type CameraMode = "top" | "orbit" | "cue";
 export type Quality = "auto" | "low" | "high";
 
-/** Where one ball's centre goes: `points` is x, y, z (m), t (s) per vertex. */
+/** Path of a ball's centre: `points` has x, y, z (m), t (s) per vertex. */
 export interface BallPath {
   ball: number;
   points: Float64Array;
-  /** `ghost`: a prediction, light and dashed. `trace`: what has happened. */
+  /** `ghost`: a prediction, light and dashed. `trace`: a played shot. */
   style: "ghost" | "trace";
 }
 
-/** The cue at the ball it aims at. */
+/** The cue behind the ball that it strikes. */
 export interface CuePose {
   ball: number;
   /** Direction in which the cue moves, rad, counter-clockwise from +x; and the butt's elevation, rad. */
   azimuth: number;
   elevation: number;
-  /** Tip offset, ball radii, as the shooter sees it: right and above are positive. */
+  /** Tip offset in ball radii as the shooter sees it; right and above are positive. */
   side: number;
   height: number;
   /** Distance of the tip from the ball, m. */
@@ -43,24 +43,25 @@ export interface CuePose {
 }
 
 /**
- * Something to point out. `kind` is an event's type (`ball-collision`, `rail-collision`, …), which gets a
- * small ring of its colour at `position`, `ghost-ball`: a translucent ball there, or `refused`: a red one, where a ball may not lie.
+ * A mark at `position`. `kind` is the type of an event (`ball-collision`, `rail-collision`, …), shown as a
+ * small ring in its colour; `ghost-ball`, a translucent ball; or `refused`, a red ball at a place where no
+ * ball may lie.
  */
 export interface Mark {
   position: readonly [number, number, number];
   kind: string;
-  /** The ball it is about: a ghost ball takes its radius and colour. */
+  /** Index of the ball; a ghost ball has its radius and colour. */
   ball?: number;
 }
 
-/** A part of the cloth to point out: its outline, x, y (m) per corner, filled lightly in `color`. */
+/** A marked area of the cloth: x, y (m) of each corner, filled lightly in `color`. */
 export interface Area {
   readonly outline: readonly (readonly [x: number, y: number])[];
   readonly color: string;
 }
 
-/** What lies under a point of the screen. */
-export interface Pick {
+/** The ball and the place under a point of the screen. */
+export interface PickResult {
   ball: number | null;
   /** x, y (m) at the height of the balls' centres; null above the horizon. */
   point: [number, number] | null;

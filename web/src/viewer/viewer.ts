@@ -1,4 +1,4 @@
-/** A scene of a shot: table, balls, cue, paths, and what the app wants pointed out. */
+/** The scene of a shot: table, balls, cue, paths and marks. */
 
 import { Color, PCFShadowMap, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { Balls } from "./balls";
@@ -23,33 +23,33 @@ import {
   type CuePose,
   type Geometry,
   type Mark,
-  type Pick,
+  type PickResult,
   type Point,
   type Quality,
   STRIDE,
   type Theme,
 } from "./types";
 
-/** Radius around a ball in which it can be picked, pixels: a finger is not a pointer. */
+/** Radius around a ball in which it can be picked, pixels; larger for fingers. */
 const REACH = { touch: 24, mouse: 8 };
-/** Time without a change after which the picture that stands is drawn at full quality, ms. */
-const CALM = 400;
-/** Space around the balls on endless cloth, and the least that is shown of it, m. */
-const ENDLESS_MARGIN = 0.35;
-const ENDLESS_LEAST = 1.8;
+/** Time without a change after which a still is drawn at full quality, ms. */
+const STILL_DELAY = 400;
+/** Margin around the balls on unbounded cloth, and the least extent that is shown, m. */
+const UNBOUNDED_MARGIN = 0.35;
+const UNBOUNDED_LEAST = 1.8;
 
 export interface ViewerOptions {
   theme: Theme;
-  /** Never a real shadow map if false; default true. */
+  /** Whether shadow maps are allowed. Default true. */
   shadows?: boolean;
-  /** Cameras jump instead of flying. */
+  /** Whether cameras jump instead of flying. */
   reducedMotion?: boolean;
-  /** Called when {@link Viewer.needsFrame} becomes true, also by the hand or the window's size. */
+  /** Called when {@link Viewer.needsFrame} becomes true, also after gestures and resizing. */
   onChange?: () => void;
 }
 
 /**
- * Draws a table on a canvas. It has no loop of its own: call {@link Viewer.render} from yours while
+ * Draws a table on a canvas. It has no frame loop: call {@link Viewer.render} from yours while
  * {@link Viewer.needsFrame} is true.
  */
 export class Viewer {
@@ -80,27 +80,27 @@ export class Viewer {
   readonly #onChange: () => void;
   #dirty = true;
   #renderMs = 0;
-  /** When the browser's first frame after the last picture began, ms; and the request to be told. */
+  /** Start of the browser's first frame after the last picture, ms, and the request that records it. */
   #nextFrame = NaN;
   #request = 0;
-  /** Whether the next picture is a still, whether the last one was, and what waits to ask for one. */
-  #calm = false;
-  #sharp = false;
+  /** Whether the next picture is a still, whether the last one was, and the timer that requests one. */
+  #stillDue = false;
+  #wasStill = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   /**
-   * @param canvas - Sized by the page's style; the viewer follows.
-   * @throws Error if the browser gives no WebGL 2.
+   * @param canvas - Its size is set by the page's style.
+   * @throws Error if the browser does not support WebGL 2.
    */
   constructor(canvas: HTMLCanvasElement, options: ViewerOptions) {
     this.#canvas = canvas;
     this.#onChange = options.onChange ?? (() => undefined);
     this.#software = isSoftware();
-    // Smoothing is for the life of a context; software renders it too slowly.
+    // Antialiasing is fixed for the life of a context; it is too slow for software rendering.
     this.#renderer = new WebGLRenderer({ canvas, antialias: !this.#software });
     this.#renderer.shadowMap.type = PCFShadowMap;
     this.#shadowsAllowed = options.shadows ?? true;
-    this.#rig = new Rig(canvas, options.reducedMotion ?? false, () => this.#touch());
+    this.#rig = new Rig(canvas, options.reducedMotion ?? false, () => this.#invalidate());
     this.#governor = new Governor(this.#software ? LOW : 0);
     this.#scene.add(
       this.#lighting.group,
@@ -127,27 +127,27 @@ export class Viewer {
     return this.#dirty || this.#rig.flying;
   }
 
-  /** `top`, `orbit` (turned by drag, wheel and pinch) or `cue` (behind the ball that is aimed at). */
+  /** `top`, `orbit` (turned by drag, wheel and pinch) or `cue` (behind the cue). */
   get camera(): CameraMode {
     return this.#rig.mode;
   }
 
-  /** Goes to a view; in a flight of two thirds of a second, or at once. */
+  /** Changes the camera, in a flight of two thirds of a second or at once. */
   setCamera(mode: CameraMode, instant = false): void {
     this.#rig.setMode(mode, instant, performance.now());
-    this.#touch();
+    this.#invalidate();
   }
 
-  /** Back to the standard view of the present camera. */
+  /** Returns to the standard view of the present camera. */
   resetView(): void {
     if (this.#geometry) this.#rig.setBox(this.#box(this.#geometry));
     this.#rig.reset(performance.now());
-    this.#touch();
+    this.#invalidate();
   }
 
   /**
-   * Whether dragging turns the orbit camera. Set it to false while a drag moves a ball or the cue: in a
-   * `pointerdown` listener of the capture phase, so that it comes before the camera's own.
+   * Whether dragging turns the orbit camera. Set it to false for a drag that moves a ball or the cue, in a
+   * `pointerdown` listener of the capture phase, which runs before the camera's own listener.
    */
   get controls(): boolean {
     return this.#rig.enabled;
@@ -157,7 +157,7 @@ export class Viewer {
     this.#rig.enabled = enabled;
   }
 
-  /** `auto` follows the time that frames take; `low` has no shadow map, `high` all there is. */
+  /** `auto` adapts to the frame times; `low` has no shadow map, `high` is the best level. */
   get quality(): Quality {
     return this.#quality;
   }
@@ -166,7 +166,7 @@ export class Viewer {
     this.#quality = quality;
     this.#governor = new Governor(this.#software ? LOW : 0);
     this.#applyLevel();
-    this.#touch();
+    this.#invalidate();
   }
 
   /**
@@ -182,10 +182,10 @@ export class Viewer {
     this.#scene.background = new Color(colors.background);
     this.#lighting.setPalette(colors);
     this.#table.setPalette(colors);
-    this.#touch();
+    this.#invalidate();
   }
 
-  /** Table and balls at rest; cheap for a geometry that is the same object or says the same. */
+  /** Sets the table and the balls at rest; fast if the geometry is equal to the present one. */
   setTable(geometry: Geometry, balls: readonly BallInfo[]): void {
     const same = this.#geometry !== null && sameTable(this.#geometry, geometry);
     this.#infos = balls;
@@ -198,10 +198,10 @@ export class Viewer {
       this.#rig.setBox(box);
       this.#balls.setViewer(this.#rig.side);
     }
-    this.#follow();
+    this.#ballsMoved();
   }
 
-  /** Moves all balls to the states that `Trace.statesAt` gives. */
+  /** Moves all balls to states of `Trace.statesAt`. */
   setBalls(states: Float64Array): void {
     if (states.length < STRIDE * this.#balls.count) {
       throw new Error(
@@ -209,10 +209,10 @@ export class Viewer {
       );
     }
     this.#balls.setStates(states);
-    this.#follow();
+    this.#ballsMoved();
   }
 
-  /** Draws these paths instead of the ones before, each in its ball's colour. */
+  /** Replaces the drawn paths; each has its ball's colour. */
   setPaths(paths: readonly BallPath[]): void {
     this.#ghosts.clear();
     this.#traces.clear();
@@ -222,14 +222,14 @@ export class Viewer {
     }
     this.#ghosts.commit();
     this.#traces.commit();
-    this.#touch();
+    this.#invalidate();
   }
 
   /**
-   * Where a ball ends in many variants, as a heat map, and a choice of its ways.
+   * Shows the final positions of a ball in many variants as a heat map, with some of its paths.
    *
-   * @param points - x, y (m) per variant; NaN where it ends off the cloth. Null clears.
-   * @param paths - x, y, z (m) per point of each way.
+   * @param points - x, y (m) per variant; NaN if the ball ends off the cloth. Null clears.
+   * @param paths - x, y, z (m) per point of each path.
    */
   setFan(points: Float64Array | null, paths: readonly Float32Array[] = []): void {
     if (points && this.#geometry) {
@@ -240,38 +240,38 @@ export class Viewer {
     } else {
       this.#fan.clear();
     }
-    this.#touch();
+    this.#invalidate();
   }
 
-  /** Lays the cue on its ball and draws its line; null takes both away. */
+  /** Places the cue at its ball and draws the line of aim; null removes both. */
   setCue(cue: CuePose | null): void {
     this.#pose = cue;
     this.#placeCue();
-    this.#touch();
+    this.#invalidate();
   }
 
   setAreas(areas: readonly Area[]): void {
     this.#areas.set(areas);
-    this.#touch();
+    this.#invalidate();
   }
 
   setMarks(marks: readonly Mark[]): void {
     this.#marks.set(marks, this.#balls);
-    this.#touch();
+    this.#invalidate();
   }
 
   select(ball: number | null): void {
     this.#selected = ball;
     this.#marks.select(ball, this.#balls);
-    this.#touch();
+    this.#invalidate();
   }
 
   /**
-   * What lies under a point of the page.
+   * The ball and the place under a point of the page.
    *
-   * @param pointer - `PointerEvent.pointerType`: balls are easier to hit by touch.
+   * @param pointer - `PointerEvent.pointerType`: a touch picks balls in a larger radius.
    */
-  pick(clientX: number, clientY: number, pointer = "mouse"): Pick {
+  pick(clientX: number, clientY: number, pointer = "mouse"): PickResult {
     const area = this.#canvas.getBoundingClientRect();
     const x = (2 * (clientX - area.left)) / area.width - 1;
     const y = 1 - (2 * (clientY - area.top)) / area.height;
@@ -291,7 +291,7 @@ export class Viewer {
   }
 
   /**
-   * Where a place of the table is on the page, px; null behind the camera.
+   * Position of a place of the table on the page, px; null if it is behind the camera.
    */
   project(x: number, y: number, z: number): [clientX: number, clientY: number] | null {
     const place = new Vector3(x, y, z).project(this.#rig.camera);
@@ -304,26 +304,26 @@ export class Viewer {
   }
 
   /**
-   * Draws; call it from a loop of animation frames while {@link needsFrame}. Where motion is drawn at
-   * less than full quality, a still follows when nothing has changed for a while.
+   * Draws a picture. Call it once per animation frame while {@link needsFrame}. If moving pictures are
+   * below full quality, a still at full quality follows when nothing changes for a while.
    */
   render(): void {
     const start = performance.now();
-    // Before the cameras move: what they change needs another frame.
+    // Cleared before the cameras move, because their changes need another frame.
     this.#dirty = false;
-    const still = this.#calm;
-    this.#calm = false;
+    const still = this.#stillDue;
+    this.#stillDue = false;
     this.#govern(still);
     this.#draw();
     this.#renderMs = performance.now() - start;
-    this.#awaitCalm(still);
+    this.#awaitStill(still);
   }
 
-  /** The picture as PNG, with all shadows and `scale` (2) pixels per pixel of the page. */
+  /** The picture as PNG, with shadows and `scale` pixels per CSS pixel. */
   async capture(scale = 2): Promise<Blob> {
     this.#apply({ ...STILL, pixelRatio: scale }, scale);
     this.#draw();
-    // Asked for in the same task: a canvas is cleared after it was shown.
+    // In the same task: the canvas is cleared after it was displayed.
     const encoded = new Promise<Blob | null>((resolve) =>
       this.#canvas.toBlob(resolve, "image/png"),
     );
@@ -331,22 +331,22 @@ export class Viewer {
     this.render();
     const blob = await encoded;
     if (!blob) {
-      throw new Error("The browser could not encode the picture; take it with a smaller scale.");
+      throw new Error("The browser could not encode the picture: use a smaller scale.");
     }
     return blob;
   }
 
-  /** Follows the canvas's size; called by itself when that changes. */
+  /** Adapts to the size of the canvas; the viewer calls it when the size changes. */
   resize(): void {
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     if (width === 0 || height === 0) return;
     this.#renderer.setSize(width, height, false);
     this.#rig.setAspect(width / height);
     this.#balls.setViewer(this.#rig.side);
-    this.#touch();
+    this.#invalidate();
   }
 
-  /** Gives everything back; the viewer cannot be used afterwards. */
+  /** Frees all resources; the viewer is unusable afterwards. */
   dispose(): void {
     this.#watcher.disconnect();
     this.#canvas.removeEventListener("webglcontextrestored", this.#restored);
@@ -371,18 +371,18 @@ export class Viewer {
     this.#renderer.dispose();
   }
 
-  readonly #restored = (): void => this.#touch();
+  readonly #restored = (): void => this.#invalidate();
 
-  #touch(): void {
+  #invalidate(): void {
     this.#dirty = true;
     this.#onChange();
   }
 
-  /** What depends on where the balls are. */
-  #follow(): void {
+  /** Updates what depends on the positions of the balls. */
+  #ballsMoved(): void {
     this.#placeCue();
     this.#marks.select(this.#selected, this.#balls);
-    this.#touch();
+    this.#invalidate();
   }
 
   #placeCue(): void {
@@ -409,31 +409,31 @@ export class Viewer {
     this.#renderer.render(this.#scene, this.#rig.camera);
   }
 
-  /** Judges the time between two frames, if this is the browser's next one after the last picture. */
+  /** Measures the time between two frames if no frame of the browser lies between them. */
   #govern(still: boolean): void {
     const frame = Number(document.timeline.currentTime);
     const changed = this.#governor.frame(frame, frame === this.#nextFrame && !still);
     if (still) this.#apply(STILL, this.#stillRatio);
-    else if (this.#sharp || (changed && this.#quality === "auto")) this.#applyLevel();
-    this.#sharp = still;
+    else if (this.#wasStill || (changed && this.#quality === "auto")) this.#applyLevel();
+    this.#wasStill = still;
     this.#nextFrame = NaN;
     cancelAnimationFrame(this.#request);
-    // The frame after a still is late for the still's sake.
+    // A still takes longer, so the frame after it is not measured.
     if (!still) this.#request = requestAnimationFrame((time) => (this.#nextFrame = time));
   }
 
-  /** Once nothing has changed for a while, the picture that stands is drawn at full quality. */
-  #awaitCalm(still: boolean): void {
+  /** Requests a still when nothing has changed for a while. */
+  #awaitStill(still: boolean): void {
     clearTimeout(this.#timer);
     if (still || this.#quality !== "auto" || this.#level === 0) return;
     this.#timer = setTimeout(() => {
       if (this.#dirty) return;
-      this.#calm = true;
-      this.#touch();
-    }, CALM);
+      this.#stillDue = true;
+      this.#invalidate();
+    }, STILL_DELAY);
   }
 
-  /** Pixels per pixel of the page in stills: without smoothing, twice as many are the smoothing. */
+  /** Pixels per CSS pixel in stills; without antialiasing, two replace it. */
   get #stillRatio(): number {
     return this.#software ? STILL.pixelRatio : devicePixelRatio;
   }
@@ -442,7 +442,7 @@ export class Viewer {
     this.#apply(LEVELS[this.#level]!, devicePixelRatio);
   }
 
-  /** Index of the quality that is shown. */
+  /** Index of the present level. */
   get #level(): number {
     return { auto: this.#governor.level, low: LOW, high: 0 }[this.#quality];
   }
@@ -457,7 +457,7 @@ export class Viewer {
     this.#balls.setDetail(level.detail);
   }
 
-  /** What the cameras show: the table with its rails, or the balls on endless cloth. */
+  /** The box that the cameras show: the table with its rails, or the balls on unbounded cloth. */
   #box(geometry: Geometry): Box {
     if (geometry.size) {
       const [width, length] = geometry.size;
@@ -470,7 +470,7 @@ export class Viewer {
     const range = (axis: 0 | 1): [number, number] => {
       const places = this.#infos.length > 0 ? this.#infos.map((ball) => ball.position[axis]) : [0];
       const [low, high] = [Math.min(...places), Math.max(...places)];
-      const missing = Math.max(ENDLESS_MARGIN, (ENDLESS_LEAST - (high - low)) / 2);
+      const missing = Math.max(UNBOUNDED_MARGIN, (UNBOUNDED_LEAST - (high - low)) / 2);
       return [low - missing, high + missing];
     };
     const [[left, right], [bottom, top]] = [range(0), range(1)];

@@ -11,7 +11,7 @@ async function towards(page: Page, x: number, y: number): Promise<number> {
 
 const speedField = (page: Page) => page.getByRole("spinbutton", { name: "Cue speed" });
 
-/** A pixel of a small window, seen from the cue ball, degrees. */
+/** Angle of one pixel seen from the cue ball, degrees. */
 const PIXEL = 0.5;
 
 test("a click on the cloth aims there", async ({ open }) => {
@@ -22,7 +22,7 @@ test("a click on the cloth aims there", async ({ open }) => {
   expect(Math.abs((await azimuth(page)) - (await towards(page, 1, 2.2)))).toBeLessThan(PIXEL);
 });
 
-test("a drag on the cloth turns the cue by as much as the pointer goes round, with shift by a tenth", async ({
+test("a drag on the cloth turns the cue by the angle of the pointer, with Shift by a tenth", async ({
   open,
 }) => {
   const page = await open();
@@ -44,7 +44,7 @@ test("a drag on the cloth turns the cue by as much as the pointer goes round, wi
   }
 });
 
-test("a finger aims: a drag turns the cue, a tap aims at the place", async ({ open }) => {
+test("a touch aims: a drag turns the cue, a tap aims at the place", async ({ open }) => {
   const page = await open({ viewport: PHONE, hasTouch: true, isMobile: true });
   const client = await page.context().newCDPSession(page);
   const from = await onPage(page, 1, 1.6);
@@ -69,7 +69,9 @@ test("a finger aims: a drag turns the cue, a tap aims at the place", async ({ op
   expect(Math.abs((await azimuth(page)) - (await towards(page, 1, 2.2)))).toBeLessThan(2 * PIXEL);
 });
 
-test("the keyboard alone aims, strikes, shoots, and takes it from there", async ({ open }) => {
+test("the keyboard alone aims, sets the speed, shoots, and continues from the final positions", async ({
+  open,
+}) => {
   const page = await open();
   await page.getByRole("application", { name: /^Table/ }).focus();
   const before = (await shotOf(page)).strike!;
@@ -108,7 +110,7 @@ async function firstShot(page: Page) {
   });
 }
 
-test("what is shot has the native engine's final positions and hash, to the bit", async ({
+test("the played shot has the native engine's final positions and hash, to the bit", async ({
   open,
 }) => {
   const page = await open();
@@ -128,7 +130,7 @@ test("what is shot has the native engine's final positions and hash, to the bit"
   expect((JSON.parse(ours.json) as typeof theirs).final).toEqual(theirs.final);
 });
 
-test("the ball's face takes clicks and arrow keys, and says why a tip slips off", async ({
+test("the tip position takes clicks and arrow keys, and a miscue is refused with the reason", async ({
   open,
 }) => {
   const page = await open();
@@ -157,7 +159,7 @@ test("the ball's face takes clicks and arrow keys, and says why a tip slips off"
   expect((await shotOf(page)).strike).toMatchObject({ side: 0, height: -0.02 });
 });
 
-test("an obstructed cue is said with the elevation that would do, and a button raises it", async ({
+test("an obstructed cue is reported with the necessary elevation, and a button raises the cue", async ({
   open,
 }) => {
   const page = await open();
@@ -177,7 +179,7 @@ test("an obstructed cue is said with the elevation that would do, and a button r
   expect((await shotOf(page)).strike!.elevation_deg).toBeGreaterThan(5);
 });
 
-test("speed is read and written in the unit that is chosen", async ({ open }) => {
+test("speed is shown and set in the chosen unit", async ({ open }) => {
   const page = await open();
   await page.getByLabel("Unit of speed").selectOption("km/h");
   expect(await speedField(page).inputValue()).toBe("7.2");

@@ -13,7 +13,7 @@ async function drag(page: Page, from: readonly number[], to: readonly number[]):
   await settled(page);
 }
 
-/** A pixel on the table, m. */
+/** Size of a pixel on the table, m. */
 const PIXEL = 0.004;
 
 test("a ball is dragged, undone and redone in one step each", async ({ open }) => {
@@ -31,9 +31,7 @@ test("a ball is dragged, undone and redone in one step each", async ({ open }) =
   expect(await ball(page, "3")).toEqual(before);
 });
 
-test("a ball dragged into another is refused where it is tried, and goes back", async ({
-  open,
-}) => {
+test("a ball dragged into another is shown as refused, and goes back", async ({ open }) => {
   const page = await open();
   const before = (await ball(page, "3"))!;
   const target = (await ball(page, "1"))!;
@@ -48,14 +46,16 @@ test("a ball dragged into another is refused where it is tried, and goes back", 
   expect(
     await page.evaluate(() => window.carom!.store.session.refusal?.attempt ?? null),
   ).toBeNull();
-  // The reason stays until something is accepted.
+  // The reason stays until the next accepted change.
   expect(await alert.isVisible()).toBe(true);
   await page.getByRole("application", { name: /^Table/ }).focus();
   await page.keyboard.press("ArrowLeft");
   expect(await alert.isVisible()).toBe(false);
 });
 
-test("racks, tables and balls come and go, and undo leads all the way back", async ({ open }) => {
+test("racks, tables and balls are changed, and undo restores the first layout", async ({
+  open,
+}) => {
   const page = await open();
   const first = await shotOf(page);
   await page.getByRole("tab", { name: "Layout" }).click();
@@ -102,9 +102,7 @@ test("every game can be racked on its table", async ({ open }) => {
   }
 });
 
-test("a parameter of the physics is changed, refused out of range, and put back", async ({
-  open,
-}) => {
+test("a physics parameter is changed, refused out of range, and reset", async ({ open }) => {
   const page = await open();
   await page.getByRole("tab", { name: "Physics" }).click();
   const field = page.getByRole("spinbutton", { name: "Sliding friction" });
@@ -119,7 +117,7 @@ test("a parameter of the physics is changed, refused out of range, and put back"
   expect((await shotOf(page)).physics ?? {}).toEqual({});
 });
 
-test("a table's dimensions are changed, refused with the reason, put back and undone", async ({
+test("table dimensions are changed, refused with the reason, reset and undone", async ({
   open,
 }) => {
   const page = await open();
@@ -145,7 +143,7 @@ test("a table's dimensions are changed, refused with the reason, put back and un
   expect(await refusal.textContent()).toContain("table.corner_pocket.mouth");
   await write("Mouth", "0.4");
   expect(await refusal.textContent()).toContain("corner_pocket.shelf");
-  // A ball of the first shot lies 0.98 m from the left cushion.
+  // A ball of the first shot is 0.98 m from the left cushion.
   await write("Width", "0.9");
   expect(await refusal.textContent()).toContain("balls[3].position");
   expect(await table()).toEqual({ base: "wpa-9ft", corner_pocket: { mouth: 0.125 } });

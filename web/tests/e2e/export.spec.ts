@@ -1,4 +1,4 @@
-/** The page outside `carom play`: a file on disk without a network, and a notebook's frame. */
+/** The exported page: a file on disk without a network, a notebook, and a frame of a site. */
 
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -10,7 +10,7 @@ import { afterAll, beforeAll } from "vitest";
 import type { TraceFile } from "../../src/engine/index.ts";
 import { expect, NATIVE, test } from "./fixture.ts";
 
-/** How long (ms) a page in a frame may take to start. */
+/** Time (ms) that a page in a frame may take to start. */
 const STARTING = 30_000;
 
 let folder = "";
@@ -21,8 +21,8 @@ afterAll(() => {
   rmSync(folder, { recursive: true });
 });
 
-/** Asks what if the player errs, and waits for the answer: from a worker, without an origin. */
-async function askWhatIf(inside: Page | Frame): Promise<void> {
+/** Switches the what-if simulation on and waits for its result, which needs a worker. */
+async function simulateErrors(inside: Page | Frame): Promise<void> {
   await inside.getByRole("tab", { name: "What if" }).click();
   await inside.getByText("Simulate errors").click();
   await inside.locator("#panel-whatif td").first().waitFor();
@@ -32,7 +32,7 @@ function address(name: string): string {
   return pathToFileURL(join(folder, name)).href;
 }
 
-test("a page that carom --html wrote replays its shot from disk, without a network", async ({
+test("a page written by carom --html replays its shot from disk, without a network", async ({
   open,
 }) => {
   const arguments_ = ["break", "--game", "nine-ball", "--json", "--html", join(folder, "a b.html")];
@@ -54,7 +54,9 @@ test("a page that carom --html wrote replays its shot from disk, without a netwo
   expect(fetched).toEqual([]);
 });
 
-test("a trace in a notebook plays in its frame and cannot reach out of it", async ({ browser }) => {
+test("a trace in a notebook plays in its frame and has no access to the notebook", async ({
+  browser,
+}) => {
   const program = `
 import carom
 trace = carom.break_shot("nine-ball").simulate()
@@ -90,12 +92,12 @@ print(trace._repr_html_())
   });
   expect(reached).toBeNull();
   await inside.getByRole("button", { name: "Back to aiming" }).click();
-  await askWhatIf(inside);
+  await simulateErrors(inside);
   expect(errors).toEqual([]);
   await context.close();
 });
 
-test("an embedded break plays by itself in a frame, then lets one aim at the balls that remain", async ({
+test("an embedded trace plays by itself in a frame, then the remaining balls can be aimed at", async ({
   browser,
 }) => {
   const program = `
@@ -135,9 +137,7 @@ open(sys.argv[1], "w", encoding="utf-8").write(page)
   await context.close();
 });
 
-test("a shot in an exported page opens for aiming, whatever its balls are called", async ({
-  open,
-}) => {
+test("a shot in an exported page opens for aiming, with any names of balls", async ({ open }) => {
   const name = "</script><b>";
   const program = `
 import sys, carom, carom.page
@@ -154,5 +154,5 @@ open(sys.argv[1], "w", encoding="utf-8").write(carom.page.html(shot))
   });
   expect(mode).toBe("aim");
   expect(ids).toEqual(["cue", name]);
-  await askWhatIf(page);
+  await simulateErrors(page);
 });

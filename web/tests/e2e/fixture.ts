@@ -1,6 +1,6 @@
 /**
- * What an end-to-end test starts from: `test("…", async ({ open }) => …)`. A page that writes an
- * error to the console, or throws one, fails its test.
+ * Fixtures of the end-to-end tests: `test("…", async ({ open }) => …)`. An error on the console, or an
+ * uncaught one, fails the test.
  */
 
 import { execFileSync } from "node:child_process";
@@ -13,32 +13,32 @@ import type { ShotFile, TraceFile } from "../../src/engine/index.ts";
 export { expect } from "vitest";
 
 export interface OpenOptions extends BrowserContextOptions {
-  /** The address's fragment, "#" included. */
+  /** Fragment of the address, with its "#". */
   readonly hash?: string;
-  /** Another page than the served one. */
+  /** Address of another page. */
   readonly url?: string;
-  /** Leaves the first steps where they are; else they are dismissed. */
+  /** Whether the first steps stay open. Default false. */
   readonly firstSteps?: boolean;
-  /** Of the drawing; low unless a test is about pictures, for software draws them. */
+  /** Quality of the drawing. Default low, because software draws it. */
   readonly quality?: "auto" | "low" | "high";
 }
 
 interface Fixtures {
   readonly browser: Browser;
-  /** Opens the page in a window of its own and waits until it can be used. */
+  /** Opens the page in a new window and waits until it is usable. */
   readonly open: (options?: OpenOptions) => Promise<Page>;
 }
 
-/** How long (ms) the page may take to start on a machine that is busy with other tests. */
+/** Time (ms) that the page may take to start on a busy machine. */
 const STARTING = 15_000;
 
-/** Desktop window of the budgets: at this size software rendering must be fluid. */
+/** Window of the performance budgets, at which software rendering must be fluent. */
 export const SMALL = { width: 800, height: 450 };
 export const DESKTOP = { width: 1000, height: 640 };
 export const PHONE = { width: 390, height: 844 };
 
 export const test = base.extend<Fixtures>({
-  // eslint-disable-next-line no-empty-pattern -- vitest reads the names of what a fixture needs
+  // eslint-disable-next-line no-empty-pattern -- vitest reads the parameter names of a fixture
   browser: async ({}, use) => {
     const browser = await chromium.connect(inject("browser"));
     await use(browser);
@@ -81,7 +81,7 @@ export function shotOf(page: Page): Promise<ShotFile> {
   return page.evaluate(() => window.carom!.store.document.shot);
 }
 
-/** Waits until what was set in motion is drawn. */
+/** Waits until all pending changes are drawn. */
 export async function settled(page: Page): Promise<void> {
   await page.evaluate(
     () =>
@@ -90,13 +90,13 @@ export async function settled(page: Page): Promise<void> {
           if (window.carom!.viewer.needsFrame) requestAnimationFrame(look);
           else resolve();
         };
-        // What an event asked for happens in the next frame, and is drawn in it.
+        // The change that an event requests happens, and is drawn, in the next frame.
         requestAnimationFrame(() => requestAnimationFrame(look));
       }),
   );
 }
 
-/** Where a place of the table (m) is on the page (px). */
+/** Position of a place of the table (m) on the page (px). */
 export async function onPage(page: Page, x: number, y: number, z = 0.028575): Promise<Spot> {
   const spot = await page.evaluate(([px, py, pz]) => window.carom!.viewer.project(px, py, pz), [
     x,
@@ -113,10 +113,10 @@ export interface Spot {
 
 const ROOT = fileURLToPath(new URL("../../..", import.meta.url));
 
-/** The native engine's command: `CAROM`, else that of the checkout's virtual environment. */
+/** The native engine's command: `CAROM`, by default from the checkout's virtual environment. */
 export const NATIVE = process.env.CAROM ?? `${ROOT}.venv/bin/carom`;
 
-/** What the native engine makes of a shot. */
+/** The native engine's trace of a shot. */
 export function native(shot: ShotFile): TraceFile {
   if (!existsSync(NATIVE)) throw new Error(`${NATIVE} is missing: run "make setup", or set CAROM.`);
   const out = execFileSync(NATIVE, ["shot", "-", "--json"], {
@@ -128,7 +128,7 @@ export function native(shot: ShotFile): TraceFile {
 
 const OUT = fileURLToPath(new URL("./out/", import.meta.url));
 
-/** Keeps a picture of the page under tests/e2e/out, to be looked at. */
+/** Saves a picture of the page under tests/e2e/out. */
 export async function picture(page: Page, name: string): Promise<void> {
   mkdirSync(OUT, { recursive: true });
   await settled(page);

@@ -1,7 +1,7 @@
 import { GOLDENS, shotFile } from "../unit/engine/files.js";
 import { expect, test } from "./fixture.ts";
 
-test("in the browser every named shot has the native engine's events, to the bit", async ({
+test("in the browser every golden shot has the native engine's events, to the bit", async ({
   open,
 }) => {
   const page = await open();

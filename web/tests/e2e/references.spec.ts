@@ -1,6 +1,6 @@
 /**
- * The page as a person has looked at it and found it right. `npm run e2e:references` takes the
- * pictures anew: look at them before they are kept.
+ * Compares pictures of the page with stored ones. `npm run e2e:references` takes the pictures again; look
+ * at each before you commit it.
  */
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -13,13 +13,13 @@ import { expect, PHONE, settled, SMALL, test } from "./fixture.ts";
 const KEPT = fileURLToPath(new URL("./references/", import.meta.url));
 const OUT = fileURLToPath(new URL("./out/", import.meta.url));
 
-/** Whether to take them anew. */
+/** Whether to take the pictures again. */
 const WRITE = process.env.CAROM_REFERENCES === "write";
 
-/** How different (0 to 1) a pixel may be and still count as the same: edges are smoothed by drivers. */
+/** Difference (0 to 1) up to which pixels count as equal: drivers smooth edges differently. */
 const SAME_PIXEL = 0.2;
 
-/** Share of the pixels that may differ: letters, as fonts come in versions. */
+/** Share of the pixels that may differ: versions of fonts differ. */
 const DIFFERENT_PIXELS = 0.01;
 
 async function replayFromTheSide(page: Page): Promise<void> {
@@ -47,8 +47,8 @@ for (const [name, viewport, colorScheme, prepare] of [
   ["aiming on a phone in dark", PHONE, "dark", aim],
   ["what if on a phone in light", PHONE, "light", whatIf],
 ] as const) {
-  test(`${name} looks as it is kept`, async ({ open }) => {
-    // Without motion there is no flight of the camera to wait for.
+  test(`${name} looks as in its reference`, async ({ open }) => {
+    // With reduced motion the camera moves at once.
     const page = await open({ viewport, colorScheme, quality: "high", reducedMotion: "reduce" });
     await prepare(page);
     await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
@@ -60,7 +60,9 @@ for (const [name, viewport, colorScheme, prepare] of [
       writeFileSync(KEPT + file, taken);
       return;
     }
-    expect(existsSync(KEPT + file), `${file} is kept: npm run e2e:references`).toBe(true);
+    expect(existsSync(KEPT + file), `${file} exists; if not, run npm run e2e:references`).toBe(
+      true,
+    );
     const [now, kept] = [PNG.sync.read(taken), PNG.sync.read(readFileSync(KEPT + file))];
     expect([now.width, now.height]).toEqual([kept.width, kept.height]);
     const shown = new PNG({ width: now.width, height: now.height });

@@ -32,7 +32,7 @@ test("a shot plays to its end, and its states are the native engine's", async ({
   expect(positions).toEqual(trace.final.map(({ position }) => position));
 });
 
-test("slow motion runs at the chosen share of the wall's time", async ({ open }) => {
+test("slow motion runs at the chosen fraction of wall time", async ({ open }) => {
   const page = await open();
   await shoot(page);
   await page.getByLabel("Speed of the replay").selectOption("0.1");
@@ -49,12 +49,12 @@ test("slow motion runs at the chosen share of the wall's time", async ({ open })
     store.setSession({ rate: 1 });
     return { whole: await run(), slow };
   });
-  // Frames that a busy machine leaves out shorten both; how much is its affair.
+  // A busy machine drops frames, which shortens both.
   expect(slow).toBeGreaterThan(0);
   expect(slow).toBeLessThan(whole / 2);
 });
 
-test("steps visit every instant at which something happens, and go back", async ({ open }) => {
+test("steps visit every instant with an event, and go back", async ({ open }) => {
   const page = await open();
   await shootAndPause(page);
   await page.getByRole("slider", { name: "Time" }).press("Home");
@@ -70,7 +70,7 @@ test("steps visit every instant at which something happens, and go back", async 
   expect(await time(page)).toBe(instants.at(-2));
 });
 
-test("the slider is moved by keys and says where it is", async ({ open }) => {
+test("keys move the slider, and its text says the time", async ({ open }) => {
   const page = await open();
   await shootAndPause(page);
   const slider = page.getByRole("slider", { name: "Time" });
@@ -99,9 +99,7 @@ test("scrubbing with the pointer shows another instant", async ({ open }) => {
   expect((await time(page)) / duration).toBeCloseTo(0.5, 1);
 });
 
-test("an event is found on the timeline and in the list, and leads to its instant", async ({
-  open,
-}) => {
+test("an event on the timeline or in the list leads to its time", async ({ open }) => {
   const page = await open();
   await shoot(page);
   const { events } = native(await shotOf(page));
@@ -147,7 +145,7 @@ test("the panel shows the selected ball's state, and its plots", async ({ open }
   await picture(page, "replay-panel");
 });
 
-test("with reduced motion nothing plays by itself", async ({ open }) => {
+test("with reduced motion a replay does not start by itself", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce" });
   await shoot(page);
   expect(await playing(page)).toBe(false);

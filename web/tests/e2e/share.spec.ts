@@ -10,7 +10,7 @@ const read = (path: string): string => readFileSync(new URL(path, ROOT), "utf8")
 const example = (name: string): string => read(`shots/${name}.json`);
 const GOLDENS = JSON.parse(read("goldens/shots.json")) as Record<string, { hash: string }>;
 
-/** For tests that draw hundreds of pictures by software, ms. */
+/** Time limit (ms) of tests that draw hundreds of pictures in software. */
 const SLOW = 120_000;
 
 const CLIPBOARD = { permissions: ["clipboard-read", "clipboard-write"] };
@@ -75,7 +75,7 @@ test("a link opens the same shot, noise, seed and view elsewhere", async ({ open
   expect((await rest(other)).seed).toBe(77);
 });
 
-test("a link made during a replay opens at its instant", async ({ open }) => {
+test("a link made during a replay opens at the same time of the replay", async ({ open }) => {
   const page = await open(CLIPBOARD);
   await page.getByRole("button", { name: "Shoot" }).click();
   await page.getByRole("button", { name: "Pause" }).click();
@@ -92,14 +92,14 @@ test("a link made during a replay opens at its instant", async ({ open }) => {
 });
 
 test(
-  "every example shot opens by drop with its golden hash, and the last one after a reload",
+  "every example shot that is dropped has its golden hash, and the last one survives a reload",
   async ({ open }) => {
     const page = await open();
     for (const [name, golden] of Object.entries(GOLDENS)) {
       await drop(page, `${name}.json`, example(name));
       await expect.poll(() => hash(page), { message: name }).toBe(golden.hash);
     }
-    // The address follows once the work rests.
+    // The address is updated after a short time without changes.
     const link = await page.evaluate(() => location.hash);
     await expect.poll(() => page.evaluate(() => location.hash)).not.toBe(link);
     const last = await hash(page);
@@ -110,7 +110,9 @@ test(
   SLOW,
 );
 
-test("the address follows the work without filling the way back", async ({ open }) => {
+test("the address follows the document without adding to the browser's history", async ({
+  open,
+}) => {
   const page = await open();
   const entries = await page.evaluate(() => history.length);
   for (const speed of [1, 2, 3]) {
@@ -146,7 +148,7 @@ test("a link with a malformed shot or a huge noise opens the first shot and name
   }
 });
 
-test("a broken link or one of another version is refused in words and stays in the address", async ({
+test("a damaged link or one of another version is refused and stays in the address", async ({
   open,
 }) => {
   for (const [link, words] of [
@@ -156,12 +158,12 @@ test("a broken link or one of another version is refused in words and stays in t
     const page = await open({ hash: link });
     expect(await page.getByRole("alert").textContent()).toMatch(words);
     expect(await page.evaluate(() => location.hash)).toBe(link);
-    // The page works all the same.
+    // The page works nevertheless.
     expect(await hash(page)).toMatch(/^[0-9a-f]{16}$/);
   }
 });
 
-test("a link put into the address of an open page is opened, and undo takes it back", async ({
+test("a link entered in the address of an open page is opened, and undo returns", async ({
   open,
 }) => {
   const page = await open(CLIPBOARD);
@@ -179,7 +181,7 @@ test("a link put into the address of an open page is opened, and undo takes it b
   expect(await hash(page)).toBe(before);
 });
 
-test("the Python program runs as it stands and has the page's hash", async ({ open }) => {
+test("the copied Python program runs unchanged and has the page's hash", async ({ open }) => {
   const page = await open(CLIPBOARD);
   await drop(page, "break.json", example("eight_ball_break"));
   await expect.poll(() => hash(page)).toBe(GOLDENS.eight_ball_break!.hash);
@@ -189,7 +191,7 @@ test("the Python program runs as it stands and has the page's hash", async ({ op
   expect(printed).toContain(`HASH ${await hash(page)}`);
 });
 
-test("shot file and trace are downloaded as the native engine reads and writes them", async ({
+test("the native engine reads the downloaded shot file and writes the same trace", async ({
   open,
 }) => {
   const page = await open(CLIPBOARD);
@@ -252,7 +254,7 @@ test("a picture of the table is exported as PNG", async ({ open }) => {
 });
 
 test(
-  "a film of the shot is exported, lasts as long, and the page is as before",
+  "an exported film has the duration of the shot, and the page is as before",
   async ({ open }) => {
     const page = await open({ viewport: SMALL });
     await page.evaluate(() => window.carom!.store.strike({ speed: 0.5 }, "softly"));
@@ -269,7 +271,7 @@ test(
       });
       return { length: video.duration, width: video.videoWidth };
     }, content.toString("base64"));
-    // The last frame stands for half a second.
+    // The last frame lasts half a second.
     expect(shown.length).toBeGreaterThan(duration);
     expect(shown.length).toBeLessThan(duration + 0.7);
     expect(shown.width).toBeGreaterThan(300);
@@ -287,7 +289,7 @@ test("a film can be cancelled", async ({ open }) => {
   expect(await page.getByRole("button", { name: "Download film" }).isEnabled()).toBe(true);
 });
 
-test("where the clipboard is forbidden the text is shown, selected", async ({ open }) => {
+test("if the clipboard is forbidden the text is shown, selected", async ({ open }) => {
   const page = await open();
   await page.evaluate(() => {
     Object.defineProperty(navigator, "clipboard", { value: undefined });

@@ -16,7 +16,7 @@ async function finished(page: Page): Promise<void> {
   await page.locator("#variants[data-done=true]").waitFor({ timeout: 20_000 });
 }
 
-/** What the table of chances says, by the ball's name. */
+/** The table of chances, by name of the ball. */
 async function chances(page: Page): Promise<Record<string, string>> {
   return page.evaluate(() => {
     const rows = document.querySelectorAll("table.chances tbody tr");
@@ -25,8 +25,8 @@ async function chances(page: Page): Promise<Record<string, string>> {
   });
 }
 
-/** In how many variants of a native batch each ball drops. */
-function nativeDrops(shot: string, noise: Noise, seed: number): number[] {
+/** Number of variants of a native batch in which each ball is pocketed. */
+function nativeHits(shot: string, noise: Noise, seed: number): number[] {
   const program = `
 import carom, json, sys
 given = json.load(sys.stdin)
@@ -38,7 +38,7 @@ print(json.dumps([int(n) for n in (result.pocket >= 0).sum(axis=0)]))
   return JSON.parse(python(program, given)) as number[];
 }
 
-/** As the page says a chance of `hits` in `COUNT`, worked out anew. */
+/** A chance of `hits` in `COUNT` as the page writes it, computed independently. */
 function inWords(hits: number): string {
   if (hits === 0) return "less than 0.3 %";
   if (hits === COUNT) return "more than 99.7 %";
@@ -58,7 +58,7 @@ test("the chances are those of a native batch with the same seed", async ({ open
     const { shot, document } = window.carom!.store;
     return { json: shot.json(), ids: shot.balls.map(({ id }) => id), noise: document.noise! };
   });
-  const hits = nativeDrops(given.json, given.noise, 12345);
+  const hits = nativeHits(given.json, given.noise, 12345);
   expect(Math.max(...hits)).toBeGreaterThan(0);
   const names = given.ids.map((id) => (id === "cue" ? "the cue ball (scratch)" : `ball ${id}`));
   const expected = Object.fromEntries(names.map((name, ball) => [name, inWords(hits[ball]!)]));
@@ -66,7 +66,7 @@ test("the chances are those of a native batch with the same seed", async ({ open
   await picture(page, "whatif");
 });
 
-test("another noise gives other numbers, and the same one the same", async ({ open }) => {
+test("another noise gives other chances, and the same noise the same", async ({ open }) => {
   const page = await open();
   await turnOn(page);
   const first = await chances(page);
@@ -77,7 +77,7 @@ test("another noise gives other numbers, and the same one the same", async ({ op
   await expect.poll(() => chances(page)).toEqual(first);
 });
 
-test("every change of the aim is answered by a thousand variants", async ({ open }) => {
+test("every change of the aim simulates a thousand variants", async ({ open }) => {
   const page = await open({ viewport: SMALL });
   await turnOn(page);
   const first = await chances(page);
@@ -91,7 +91,9 @@ test("every change of the aim is answered by a thousand variants", async ({ open
   expect(await chances(page)).not.toEqual(first);
 });
 
-test("switched off, nothing is said any more; undo brings it back", async ({ open }) => {
+test("switching the simulation off hides the chances, and undo shows them again", async ({
+  open,
+}) => {
   const page = await open();
   await turnOn(page);
   await page.getByRole("switch").uncheck();
@@ -101,7 +103,7 @@ test("switched off, nothing is said any more; undo brings it back", async ({ ope
   expect(await page.getByRole("switch").isChecked()).toBe(true);
 });
 
-test("a seed that is none is refused, and the old one stays", async ({ open }) => {
+test("an invalid seed is refused, and the old one stays", async ({ open }) => {
   const page = await open();
   await turnOn(page);
   const seed = page.locator("#panel-whatif").getByLabel("Seed");
@@ -111,7 +113,7 @@ test("a seed that is none is refused, and the old one stays", async ({ open }) =
   expect(await seed.inputValue()).toBe("0");
 });
 
-test("the worker starts in a page from disk as well", async ({ open }) => {
+test("the worker also starts in a page from disk", async ({ open }) => {
   const page = await open({ url: `file://${inject("file")}` });
   await turnOn(page);
   expect(Object.keys(await chances(page)).length).toBeGreaterThan(1);

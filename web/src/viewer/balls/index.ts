@@ -1,4 +1,4 @@
-/** The balls: meshes with their skins, and the soft shadows below them. */
+/** The balls: meshes with their skins, and soft shadows below them. */
 
 import {
   BufferGeometry,
@@ -29,19 +29,19 @@ import {
 import { type Look, look } from "./look";
 import { skin } from "./skin";
 
-/** Height of a skin's picture, pixels. */
+/** Height of a skin's texture, pixels. */
 const SKIN = 256;
 /** Segments of a sphere around its equator. */
 const SEGMENTS = { high: 48, low: 24 };
-/** How far a ball's number leans from straight up towards the viewer, rad. */
+/** Angle between a ball's number and the vertical, towards the viewer, rad. */
 const LEAN = 0.3;
 
 /**
- * How a skin lies on a ball in the orientation "identity": its number looks up, leans towards a viewer who
- * stands in the direction `azimuth` (rad) from the table, and reads from there.
+ * Rotation of a skin on a ball whose orientation is the identity. The number faces up, leans towards a
+ * viewer in the direction `azimuth` (rad) from the table, and is upright for that viewer.
  */
 function facing(azimuth: number): Quaternion {
-  // Out of the ball → up; the text's top → away from a viewer in the direction +x.
+  // Maps the number's normal to up, and the top of its text away from a viewer in the direction +x.
   const upright = new Matrix4().makeBasis(
     new Vector3(0, 1, 0),
     new Vector3(-1, 0, 0),
@@ -53,13 +53,13 @@ function facing(azimuth: number): Quaternion {
     .multiply(new Quaternion().setFromRotationMatrix(upright));
 }
 
-/** Radius of the soft shadow of a ball on the cloth, ball radii, and its darkness. */
+/** Radius of a ball's soft shadow, ball radii, and its darkness. */
 const BLOB = 1.55;
 const DARKNESS = 0.62;
-/** Height of a ball above the cloth at which its shadow has lost half its darkness, m. */
+/** Height of a ball above the cloth at which the area of its shadow has doubled, m. */
 const FADE_HEIGHT = 0.25;
 
-/** One ball as the scene has it. */
+/** A ball in the scene. */
 interface Body {
   info: BallInfo;
   look: Look;
@@ -89,19 +89,19 @@ export class Balls {
   readonly #facing = facing(0);
   #under: (x: number, y: number) => number | null = () => 0;
   readonly #matrix = new Matrix4();
-  /** Sideways shift of a shadow per height of its ball, along x and y. */
+  /** Shift of a shadow along x and y, per height of its ball. */
   readonly #slant: readonly [number, number];
 
   /**
-   * @param environment - What the balls reflect.
-   * @param slant - Sideways shift of a shadow per height of its ball, along x and y.
+   * @param environment - The environment that balls reflect.
+   * @param slant - Shift of a shadow along x and y, per height of its ball.
    */
   constructor(environment: CubeTexture, slant: readonly [number, number]) {
     this.#environment = environment;
     this.#slant = slant;
   }
 
-  /** The looks in the shot's order. */
+  /** The looks in the order of the shot. */
   get looks(): readonly Look[] {
     return this.#bodies.map((body) => body.look);
   }
@@ -114,7 +114,7 @@ export class Balls {
     return this.#bodies[ball]!.info;
   }
 
-  /** Centre of a ball as it is drawn, m. */
+  /** Drawn centre of a ball, m. */
   center(ball: number): Vector3 {
     return this.#bodies[ball]!.mesh.position;
   }
@@ -123,7 +123,7 @@ export class Balls {
     return this.#bodies[ball]?.mesh.visible ?? false;
   }
 
-  /** Takes other balls; skins of those that stay are kept. */
+  /** Replaces the balls; meshes with the same look are reused. */
   setBalls(balls: readonly BallInfo[], geometry: Geometry): void {
     const carom = geometry.physics === "carom";
     const kept = new Map(this.#bodies.map((body) => [key(body.look), body]));
@@ -164,7 +164,7 @@ export class Balls {
     this.#placeBlobs();
   }
 
-  /** From where the numbers of balls that have not been turned read upright: `azimuth` (rad) from the table. */
+  /** Turns the numbers of unrotated balls upright for a viewer in the direction `azimuth` (rad). */
   setViewer(azimuth: number): void {
     if (azimuth === this.#viewer) return;
     this.#viewer = azimuth;
@@ -173,7 +173,7 @@ export class Balls {
     for (const { mesh } of this.#bodies) mesh.quaternion.multiply(undo).multiply(this.#facing);
   }
 
-  /** Real shadows need no strong blob; a little of it stays, where ball and cloth meet. */
+  /** With shadow maps the soft shadow is weaker: it only darkens the contact of ball and cloth. */
   setShadows(real: boolean): void {
     this.#blobMaterial.opacity = real ? 0.55 : 1;
     for (const { mesh } of this.#bodies) mesh.castShadow = real;
@@ -185,11 +185,11 @@ export class Balls {
   }
 
   /**
-   * The ball on a ray, as seen on the screen.
+   * The ball at a point of the screen; null if there is none.
    *
-   * @param camera - Where the ray starts.
-   * @param x - Place in normalized device coordinates, −1 to 1; `y` likewise.
-   * @param reach - Radius around a ball's centre in which it is hit at least, pixels.
+   * @param camera - The camera of the picture.
+   * @param x - Normalized device coordinate, −1 to 1; `y` likewise.
+   * @param reach - Least radius around a ball's centre in which it is found, pixels.
    * @param screen - Width and height, pixels.
    */
   at(
@@ -273,7 +273,7 @@ export class Balls {
       const floor = this.#under(x, y);
       const height = floor === null ? 0 : z - info.radius - floor;
       const hidden = !mesh.visible || floor === null || height < -info.radius;
-      // A shadow that grows as its ball rises also gets fainter: its area times its darkness stays.
+      // The shadow grows with the height of its ball.
       const size = hidden ? 0 : BLOB * info.radius * (1 + Math.max(0, height) / FADE_HEIGHT) ** 0.5;
       this.#matrix.makeScale(size, size, 1);
       this.#matrix.setPosition(
@@ -287,7 +287,7 @@ export class Balls {
   }
 }
 
-/** Height of what lies under a place, m; null over a hole and beyond the table. */
+/** Height of the surface below a place, m; null over a pocket and beyond the table. */
 export function ground(geometry: Geometry): (x: number, y: number) => number | null {
   const { size, pockets, cushion_height: top, rail_width: rail = 0 } = geometry;
   if (!size) return () => 0;

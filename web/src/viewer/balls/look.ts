@@ -1,22 +1,22 @@
-/** How a ball looks, by its id: the colours of the balls as they are sold. */
+/** The look of a ball by its id, in the colours of commercial balls. */
 
 /** Appearance of one ball. */
 export interface Look {
-  /** Colour of the body, and the lighter one of its path where the body is too dark for the cloth. */
+  /** Colour of the ball, and of its path, which is lighter if the ball is too dark for the cloth. */
   body: string;
   path: string;
-  /** A white ball with a band of the body's colour. */
+  /** Whether the ball is white with a stripe of the body's colour. */
   striped: boolean;
-  /** Text in the white circles; empty for none. */
+  /** Text in the white circles; empty: no circles. */
   label: string;
-  /** Colour of six small dots that let its spin be seen; empty for none. */
+  /** Colour of six small dots that make the spin visible; empty: no dots. */
   dots: string;
 }
 
 export const IVORY = "#f4eedd";
 const RED = "#c62a20";
 
-/** Body and path of the pool balls 1 to 8; 9 to 15 are 1 to 7, striped. */
+/** Colours of body and path of the pool balls 1 to 8; 9 to 15 are 1 to 7 with stripes. */
 const POOL: readonly (readonly [string, string])[] = [
   ["#f2b90f", "#ffd23f"],
   ["#1d4fae", "#7fb2ff"],
@@ -43,7 +43,7 @@ const NAMED: Readonly<Record<string, readonly [body: string, path: string, dots:
   purple: ["#56308f", "#c2a0ff", ""],
 };
 
-/** Bodies of balls with any other name, in turn. */
+/** Body colours of other balls, used in turn. */
 const OTHERS = [
   "#5b8fd6",
   "#d9ab24",
@@ -55,15 +55,15 @@ const OTHERS = [
   "#58b9bd",
 ] as const;
 
-/** A label of more characters would not be readable on a ball. */
+/** Longest label that is readable on a ball, characters. */
 const LABEL_LENGTH = 2;
 
 /**
  * The look of a ball.
  *
- * @param id - The ball's id; `9`, `cue`, `red-4` and `red4` are understood.
- * @param index - Its place in the shot: balls of other names take their colours in this order.
- * @param carom - Whether the table is a carom table, where coloured balls are dotted too.
+ * @param id - The ball's id, such as `9`, `cue`, `red-4` or `red4`.
+ * @param index - The ball's index in the shot, which decides the colour of balls with other names.
+ * @param carom - Whether the table is a carom table; there coloured balls have dots too.
  */
 export function look(id: string, index: number, carom = false): Look {
   const number = /^\d+$/.test(id) ? Number(id) : 0;

@@ -1,4 +1,4 @@
-/** The surface of a ball, drawn on a canvas that is wrapped around the sphere. */
+/** The texture of a ball, drawn on a canvas. */
 
 import { CanvasTexture, SRGBColorSpace, type Texture } from "three";
 import { IVORY, type Look } from "./look";
@@ -11,9 +11,9 @@ const STRIPE = 0.66;
 const DIGITS = [0.8, 0.66] as const;
 
 /**
- * The ball's skin as an equirectangular picture: the numbers stand at longitudes ±90° on the equator.
+ * The ball's skin in equirectangular projection, with the numbers at longitudes ±90° on the equator.
  *
- * @param size - Height of the picture, pixels; it is twice as wide.
+ * @param size - Height of the texture, pixels; it is twice as wide.
  */
 export function skin(look: Look, size: number): Texture {
   const canvas = document.createElement("canvas");
@@ -62,11 +62,11 @@ function label(
   const height = 2 * CIRCLE * radian * share;
   context.font = `600 ${height}px "Helvetica Neue", Arial, sans-serif`;
   context.textAlign = "center";
-  // A digit's own height, not the font's, stands in the middle.
+  // Centre the height of the digits, not of the font.
   const { actualBoundingBoxAscent: above, actualBoundingBoxDescent: below } =
     context.measureText(text);
   context.fillText(text, x, y + (above - below) / 2);
-  // 6 and 9 are told apart by a line below, as on real balls.
+  // A line below distinguishes 6 and 9, as on real balls.
   if (text === "6" || text === "9") {
     context.fillRect(x - 0.28 * height, y + 0.46 * height, 0.56 * height, 0.075 * height);
   }

@@ -1,4 +1,4 @@
-/** Where a camera stands, and where it must stand for a table to fill the picture. */
+/** Camera poses, and the pose from which a table fills the picture. */
 
 import { type PerspectiveCamera, Vector3 } from "three";
 
@@ -20,28 +20,28 @@ export interface Box {
   max: readonly [number, number, number];
 }
 
-/** Field of view of the view from above: so narrow that nothing leans, rad. */
+/** Field of view from above, rad: so narrow that the perspective is hardly visible. */
 export const TOP_FOV = 0.14;
 /** Field of view of the other cameras, rad. */
 export const WIDE_FOV = 0.62;
-/** Share of the picture's width and height that is left free on each side. */
+/** Margin on each side, as a share of the picture's width and height. */
 const MARGIN = 0.02;
-/** How much below the slate the oblique view includes, m. */
+/** Depth below the slate that the oblique view includes, m. */
 const APRON = 0.12;
-/** Height of the camera behind the cue above the horizon, and above the cue, rad. */
+/** Least angle of the camera behind the cue above the horizontal, and above the cue, rad. */
 const SHOULDER = 0.37;
 const OVER_CUE = 0.2;
 
-/** The long axis lies across the screen, or upright if the table is larger then. */
+/** From above; the long axis is horizontal or vertical, whichever shows the table larger. */
 export function top(box: Box, aspect: number): Pose {
   const across = fit(box, { azimuth: 0, polar: 0, fov: TOP_FOV }, aspect);
   const upright = fit(box, { azimuth: -Math.PI / 2, polar: 0, fov: TOP_FOV }, aspect);
   return across.distance < upright.distance ? across : upright;
 }
 
-/** From one side, turned a little; on upright screens from the head of the table. */
+/** From the side, turned a little; on upright screens from the head of the table. */
 export function oblique(box: Box, aspect: number): Pose {
-  // A little of what is below the rails is worth seeing.
+  // Include a part of the body below the rails.
   const { min, max } = box;
   const body: Box = { min: [min[0], min[1], min[2] - APRON], max };
   const across = top(box, aspect).azimuth === 0;
@@ -51,9 +51,9 @@ export function oblique(box: Box, aspect: number): Pose {
 }
 
 /**
- * Over the shooter's shoulder: behind a ball at `center` (m), along the cue's direction, and above the cue.
+ * The shooter's view: behind the ball at `center` (m), along the cue's direction, above the cue.
  *
- * @param azimuth - The cue's direction, rad; `elevation`: how far its butt is raised, rad.
+ * @param azimuth - The cue's direction, rad; `elevation`: the elevation of its butt, rad.
  */
 export function behind(
   center: Vector3,
@@ -72,7 +72,7 @@ export function behind(
   };
 }
 
-/** The nearest pose from that direction in which the whole box is in the picture, in its middle. */
+/** The nearest pose from a direction that shows the whole box, centred. */
 export function fit(box: Box, view: Pick<Pose, "azimuth" | "polar" | "fov">, aspect: number): Pose {
   const { azimuth, polar, fov } = view;
   const out = outward(azimuth, polar);
@@ -101,7 +101,7 @@ export function fit(box: Box, view: Pick<Pose, "azimuth" | "polar" | "fov">, asp
   return { target: middle.add(right).add(up), azimuth, polar, distance, fov };
 }
 
-/** Sets a camera up. `radius` (m) around the target is what must not be clipped. */
+/** Applies a pose to a camera. Nothing within `radius` (m) of the target is clipped. */
 export function apply(pose: Pose, camera: PerspectiveCamera, radius: number): void {
   const { target, azimuth, polar, distance, fov } = pose;
   camera.up.copy(upward(azimuth, polar));
@@ -109,13 +109,13 @@ export function apply(pose: Pose, camera: PerspectiveCamera, radius: number): vo
   camera.lookAt(target);
   camera.fov = (fov * 180) / Math.PI;
   camera.near = Math.max(0.04, distance - radius);
-  // The hand may go further away.
+  // The user may move further away.
   camera.far = 3 * distance + radius;
   camera.updateProjectionMatrix();
   camera.updateMatrixWorld();
 }
 
-/** Between two poses; `t` from 0 to 1. The size of things in the picture changes evenly. */
+/** Interpolates two poses, `t` from 0 to 1, so that sizes in the picture change at a constant rate. */
 export function between(a: Pose, b: Pose, t: number): Pose {
   const mix = (from: number, to: number): number => from + (to - from) * t;
   const turn = Math.atan2(Math.sin(b.azimuth - a.azimuth), Math.cos(b.azimuth - a.azimuth));
@@ -130,7 +130,7 @@ export function between(a: Pose, b: Pose, t: number): Pose {
   };
 }
 
-/** Where a camera stands that looks at `target`. */
+/** The pose of a camera that looks at `target`. */
 export function poseOf(camera: PerspectiveCamera, target: Vector3): Pose {
   const away = camera.position.clone().sub(target);
   const distance = away.length();
@@ -148,7 +148,7 @@ function outward(azimuth: number, polar: number): Vector3 {
   return new Vector3(level * Math.cos(azimuth), level * Math.sin(azimuth), Math.cos(polar));
 }
 
-/** What is up in the picture: defined even where the camera looks straight down. */
+/** The up direction of the picture, defined even if the camera looks straight down. */
 function upward(azimuth: number, polar: number): Vector3 {
   const level = Math.cos(polar);
   return new Vector3(-level * Math.cos(azimuth), -level * Math.sin(azimuth), Math.sin(polar));

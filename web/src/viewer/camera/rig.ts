@@ -1,4 +1,4 @@
-/** The three cameras in one: it flies from pose to pose, and the hand turns it in the orbit view. */
+/** One camera for the three views: it flies between their poses; the user turns the orbit view. */
 
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -7,9 +7,9 @@ import { apply, behind, between, type Box, oblique, type Pose, poseOf, top } fro
 
 /** Duration of a flight, ms. */
 const FLIGHT = 650;
-/** Lowest and highest the hand may turn the camera, rad from straight up. */
+/** Range of the angle between camera and vertical for the user, rad. */
 const POLAR = [0.02, 1.5] as const;
-/** Nearest that the hand may bring the camera to what it looks at, m. */
+/** Least distance of the camera from its target for the user, m. */
 const NEAREST = 0.25;
 
 export class Rig {
@@ -24,11 +24,11 @@ export class Rig {
   #flight: { from: Pose; start: number } | null = null;
   #pose: Pose = top(this.#box, 1);
   #enabled = true;
-  /** Whether the hand has left the standard orbit view. */
+  /** Whether the user has left the standard orbit view. */
   #moved = false;
 
   /**
-   * @param changed - Called when the hand has moved the camera.
+   * @param changed - Called when the user has moved the camera.
    */
   constructor(element: HTMLElement, reducedMotion: boolean, changed: () => void) {
     this.#reducedMotion = reducedMotion;
@@ -47,12 +47,12 @@ export class Rig {
     return this.#mode;
   }
 
-  /** Whether pictures change by themselves. */
+  /** Whether a flight is in progress. */
   get flying(): boolean {
     return this.#flight !== null;
   }
 
-  /** Whether the hand turns the orbit view. */
+  /** Whether the user can turn the orbit view. */
   get enabled(): boolean {
     return this.#enabled;
   }
@@ -89,13 +89,13 @@ export class Rig {
     this.#follow();
   }
 
-  /** The cue on the ball at `center` (m); the view behind the cue stays where it is for null. */
+  /** Sets the cue for the view behind it: its ball's centre (m) and angles (rad). */
   setAim(center: Vector3, { azimuth, elevation }: { azimuth: number; elevation: number }): void {
     this.#aim = { center: center.clone(), azimuth, elevation };
     if (this.#mode === "cue") this.#follow();
   }
 
-  /** Moves on; before every picture. */
+  /** Advances a flight; call it before every picture. */
   update(now: number): void {
     if (this.#flight) {
       const t = Math.min(1, (now - this.#flight.start) / FLIGHT);
@@ -130,7 +130,7 @@ export class Rig {
     this.#flight = null;
     this.#set(this.#goal());
     if (this.#mode !== "orbit") return;
-    // From here on the hand turns it, about the vertical.
+    // From now on the user turns it about the vertical.
     this.camera.up.set(0, 0, 1);
     this.#controls.target.copy(this.#pose.target);
     this.#controls.maxDistance = 2.5 * this.#pose.distance;
@@ -138,7 +138,7 @@ export class Rig {
     this.#controls.update();
   }
 
-  /** Keeps a view that nobody is flying or turning in step with what it looks at. */
+  /** Updates the pose after a change, unless a flight or the user determines it. */
   #follow(): void {
     if (!this.#flight && !(this.#mode === "orbit" && this.#moved)) this.#land();
   }

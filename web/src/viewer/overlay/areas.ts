@@ -1,14 +1,14 @@
-/** Parts of the cloth that are pointed out: where a ball may be put, what is called. */
+/** Marked areas of the cloth, such as the region for a cue ball in hand. */
 
 import { DoubleSide, Group, Mesh, MeshBasicMaterial, Shape, ShapeGeometry } from "three";
 import { LAYER } from "../table/solid";
 import type { Area } from "../types";
 import { Lines } from "./lines";
 
-/** How much of the cloth's colour an area takes away. */
+/** Opacity of the fill. */
 const FILLED = 0.16;
 
-/** Above the cloth and what is painted on it, m. */
+/** Height above the cloth and its markings, m. */
 const HEIGHT = 2 * LAYER;
 
 export class Areas {

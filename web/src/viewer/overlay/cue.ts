@@ -28,7 +28,7 @@ const PARTS: readonly (readonly [number, string])[] = [
 const TIP_RADIUS = 0.0062;
 const BUTT_RADIUS = 0.0145;
 const LENGTH = PARTS.reduce((sum, [length]) => sum + length, 0);
-/** Space that is left between the shaft and the rail below, m. */
+/** Gap between the shaft and the rail below, m. */
 const CLEARANCE = 0.004;
 
 export class Cue {
@@ -45,7 +45,7 @@ export class Cue {
   }
 
   /**
-   * Lays the cue on a ball: the middle of its tip is at the contact point, `pull` behind it.
+   * Places the cue: the centre of its tip is `pull` behind the contact point.
    *
    * @param center - Centre of the ball, m.
    * @param radius - Its radius, m.
@@ -55,7 +55,7 @@ export class Cue {
     const elevation = Math.max(cue.elevation, clearance(cue.azimuth, contact, geometry));
     aim(cue.azimuth, elevation, this.#direction);
     this.mesh.position.copy(contact).addScaledVector(this.#direction, -cue.pull);
-    // The stick lies along its own −y, from the tip.
+    // The mesh extends from the tip along its own −y axis.
     this.mesh.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), this.#direction);
     this.mesh.visible = true;
   }
@@ -71,8 +71,8 @@ export class Cue {
 }
 
 /**
- * Where the tip touches, from the ball's centre, m: `side` and `height` are offsets in the plane
- * perpendicular to the cue's axis.
+ * The contact point of the tip relative to the ball's centre, m. `side` and `height` are offsets in the
+ * plane perpendicular to the cue's axis.
  */
 export function contactPoint(cue: CuePose, radius: number): Vector3 {
   const { azimuth, elevation, side, height } = cue;
@@ -88,13 +88,13 @@ export function contactPoint(cue: CuePose, radius: number): Vector3 {
 }
 
 /**
- * The least elevation, rad, at which the drawn cue lies above the rail behind it: a level cue through the
- * wood would look wrong, whatever the shot file says.
+ * The least elevation, rad, at which the drawn cue clears the rail behind it. The drawing uses it even if
+ * the shot file has a lower elevation, so that the cue is not drawn through the wood.
  */
 export function clearance(azimuth: number, contact: Vector3, geometry: Geometry): number {
   if (!geometry.size) return 0;
   const toNose = reach(contact, azimuth + Math.PI, geometry.size);
-  // Its outer edge asks for less than its nose, but for the thicker butt.
+  // The outer edge is further away than the nose, but there the cue is thicker.
   const distances = [toNose, toNose + (geometry.rail_width ?? 0)];
   const needed = distances.map((distance) => {
     if (distance >= LENGTH) return 0;
@@ -115,7 +115,7 @@ function stick(): BufferGeometry {
   const tints: string[] = [PARTS[0]![1], PARTS[0]![1]];
   let at = 0;
   for (const [length, tint] of PARTS) {
-    // Twice at each joint, so that colours do not run into each other.
+    // Two rings at each joint, so that the colours do not blend.
     for (const end of [at + (at === 0 ? 0.003 : 0), at + length]) {
       profile.push(new Vector2(TIP_RADIUS + ((BUTT_RADIUS - TIP_RADIUS) * end) / LENGTH, -end));
       tints.push(tint);

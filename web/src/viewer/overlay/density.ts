@@ -1,4 +1,4 @@
-/** Where points fall: bins on a grid, smoothed, and the colours that show how many they are. */
+/** Density of points: bins on a grid, smoothed, and their colours. */
 
 import type { Point } from "../types";
 
@@ -35,7 +35,7 @@ export function bin(points: ArrayLike<number>, origin: Point, size: Point): Dens
   return { columns, rows, values };
 }
 
-/** The same sum spread by a Gaussian; at the grid's ends what would leave it stays in the last bin. */
+/** Smooths with a Gaussian. The sum is kept: what would leave the grid goes into its outer bins. */
 export function smooth({ columns, rows, values }: Density): Density {
   const reach = Math.ceil(3 * SMOOTHING);
   const kernel = Array.from({ length: 2 * reach + 1 }, (_, i) =>
@@ -60,7 +60,7 @@ export function smooth({ columns, rows, values }: Density): Density {
   return { columns, rows, values: pass(across, rows, columns, columns, 1) };
 }
 
-/** Colours from few to many: lightness rises all along, so that they differ for every kind of eye. */
+/** Colours from few to many. Their lightness increases throughout, so colour-blind users can tell them. */
 const RAMP: readonly (readonly [number, number, number])[] = [
   [40, 16, 94],
   [114, 31, 129],
@@ -69,18 +69,18 @@ const RAMP: readonly (readonly [number, number, number])[] = [
   [252, 165, 60],
   [252, 246, 176],
 ];
-/** Share of the peak below which a bin is left clear, and at which it is as opaque as it gets. */
+/** Share of the peak below which a bin is transparent, and from which it has the full opacity. */
 const CLEAR = 0.02;
 const FULL = 0.35;
 const OPACITY = 0.86;
 
-/** RGBA bytes of a density, relative to its peak; all clear if it is empty. */
+/** RGBA bytes of a density relative to its peak; transparent if it is empty. */
 export function colors({ values }: Density): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(4 * values.length);
   const peak = values.reduce((a, b) => Math.max(a, b), 0);
   if (peak === 0) return bytes;
   values.forEach((value, i) => {
-    // A root brings the many places of few ends out beside the peak.
+    // The square root makes places with few points visible beside the peak.
     const share = Math.sqrt(value / peak);
     const place = share * (RAMP.length - 1);
     const below = Math.min(RAMP.length - 2, Math.floor(place));

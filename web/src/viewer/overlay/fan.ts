@@ -1,4 +1,4 @@
-/** Many outcomes at once: where the cue ball ends, as a heat map on the cloth, and its ways there. */
+/** Many variants at once: final positions of the struck ball as a heat map, and some of its paths. */
 
 import {
   BufferGeometry,
@@ -17,10 +17,10 @@ import { LAYER } from "../table/solid";
 import type { Point } from "../types";
 import { bin, colors, smooth } from "./density";
 
-/** Opacity of one way out of many; they add up where they meet. */
-const WAY_OPACITY = 0.9;
-/** Ways drawn at full opacity; of more, each is fainter. */
-const FULL_WAYS = 8;
+/** Opacity of one path; overlapping paths add up. */
+const PATH_OPACITY = 0.9;
+/** Number of paths with full opacity; more paths are drawn fainter. */
+const FULL_PATHS = 8;
 
 export class Fan {
   readonly group = new Group();
@@ -33,26 +33,26 @@ export class Fan {
       polygonOffsetFactor: -2,
     }),
   );
-  readonly #ways = new LineSegments(
+  readonly #paths = new LineSegments(
     new BufferGeometry(),
     new LineBasicMaterial({ color: 0xffffff, transparent: true, depthWrite: false }),
   );
 
   constructor() {
-    this.#ways.frustumCulled = false;
+    this.#paths.frustumCulled = false;
     this.#heat.renderOrder = 1;
-    this.#ways.renderOrder = 2;
-    this.group.add(this.#heat, this.#ways);
+    this.#paths.renderOrder = 2;
+    this.group.add(this.#heat, this.#paths);
     this.clear();
   }
 
   /**
-   * @param points - x, y (m) per outcome; NaN for those without an end on the table.
-   * @param ways - x, y, z (m) per point of each way.
+   * @param points - x, y (m) per variant; NaN if the ball ends off the table.
+   * @param paths - x, y, z (m) per point of each path.
    * @param origin - Lower left corner of the cloth, m.
    * @param size - Its width and length, m.
    */
-  set(points: Float64Array, ways: readonly Float32Array[], origin: Point, size: Point): void {
+  set(points: Float64Array, paths: readonly Float32Array[], origin: Point, size: Point): void {
     const density = smooth(bin(points, origin, size));
     const texture = new DataTexture(colors(density), density.columns, density.rows);
     texture.colorSpace = SRGBColorSpace;
@@ -64,37 +64,37 @@ export class Fan {
     this.#heat.scale.set(size[0], size[1], 1);
     this.#heat.position.set(origin[0] + size[0] / 2, origin[1] + size[1] / 2, 1.5 * LAYER);
     this.#heat.visible = true;
-    this.#setWays(ways);
+    this.#setPaths(paths);
   }
 
   clear(): void {
     this.#heat.visible = false;
-    this.#ways.visible = false;
+    this.#paths.visible = false;
   }
 
   dispose(): void {
     this.#heat.geometry.dispose();
     this.#heat.material.map?.dispose();
     this.#heat.material.dispose();
-    this.#ways.geometry.dispose();
-    this.#ways.material.dispose();
+    this.#paths.geometry.dispose();
+    this.#paths.material.dispose();
   }
 
-  #setWays(ways: readonly Float32Array[]): void {
-    const segments = ways.reduce((sum, way) => sum + Math.max(0, way.length / 3 - 1), 0);
-    this.#ways.visible = segments > 0;
+  #setPaths(paths: readonly Float32Array[]): void {
+    const segments = paths.reduce((sum, path) => sum + Math.max(0, path.length / 3 - 1), 0);
+    this.#paths.visible = segments > 0;
     if (segments === 0) return;
     const positions = new Float32Array(6 * segments);
     let at = 0;
-    for (const way of ways) {
-      for (let i = 0; i + 5 < way.length; i += 3) {
-        positions.set(way.subarray(i, i + 6), at);
+    for (const path of paths) {
+      for (let i = 0; i + 5 < path.length; i += 3) {
+        positions.set(path.subarray(i, i + 6), at);
         at += 6;
       }
     }
-    this.#ways.geometry.dispose();
-    this.#ways.geometry = new BufferGeometry();
-    this.#ways.geometry.setAttribute("position", new Float32BufferAttribute(positions, 3));
-    this.#ways.material.opacity = Math.min(1, FULL_WAYS / ways.length) ** 0.7 * WAY_OPACITY;
+    this.#paths.geometry.dispose();
+    this.#paths.geometry = new BufferGeometry();
+    this.#paths.geometry.setAttribute("position", new Float32BufferAttribute(positions, 3));
+    this.#paths.material.opacity = Math.min(1, FULL_PATHS / paths.length) ** 0.7 * PATH_OPACITY;
   }
 }

@@ -1,4 +1,4 @@
-/** Lines of constant width in pixels, in buffers that are kept from picture to picture. */
+/** Lines of constant width in pixels. Their buffers are reused for every picture. */
 
 import {
   Color,
@@ -10,14 +10,14 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
-/** Segments that fit before the buffers grow. */
+/** Initial capacity, segments. */
 const CAPACITY = 512;
 
 export interface LineStyle {
-  /** Width, pixels of the page. */
+  /** Width, CSS pixels. */
   width: number;
   opacity: number;
-  /** Length of a dash and of a gap, m; without it the line is unbroken. */
+  /** Length of a dash and of a gap, m; left out: a solid line. */
   dash?: readonly [number, number];
 }
 
@@ -47,11 +47,11 @@ export class Lines {
     this.object = new LineSegments2(this.#geometry, this.#material);
     this.object.frustumCulled = false;
     this.object.visible = false;
-    // After the heat map.
+    // Drawn after the heat map.
     this.object.renderOrder = 2;
   }
 
-  /** Begins a new picture: what was there is gone. */
+  /** Removes all lines. */
   clear(): this {
     this.#count = 0;
     return this;
@@ -93,7 +93,7 @@ export class Lines {
     return this;
   }
 
-  /** Hands the new picture to the GPU. */
+  /** Uploads the lines to the GPU. */
   commit(): void {
     for (const [buffer, size] of [
       [this.#positions, 6],

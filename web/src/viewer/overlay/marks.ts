@@ -1,4 +1,4 @@
-/** Rings that point out events, ghost balls, and the ring around the selected ball. */
+/** Rings at events, ghost balls, and the ring around the selected ball. */
 
 import {
   type BufferGeometry,
@@ -15,7 +15,7 @@ import type { Mark } from "../types";
 import type { Balls } from "../balls";
 
 /** Colours of events, by type. */
-const KINDS: Readonly<Record<string, string>> = {
+const EVENT_COLORS: Readonly<Record<string, string>> = {
   "cue-strike": "#ffffff",
   "ball-collision": "#ffb000",
   "rail-collision": "#6fb7ff",
@@ -24,7 +24,7 @@ const KINDS: Readonly<Record<string, string>> = {
   "motion-transition": "#d7d2c4",
   "off-table": "#ff5ca8",
 };
-/** What is put over a ball where it may not lie: red, and a little larger than the ball. */
+/** Colour and size of the mark at a place where a ball may not lie; a little larger than the ball. */
 const REFUSED = "#ff2a1a";
 const REFUSED_SIZE = 1.12;
 /** Inner and outer radius of an event's ring, m. */
@@ -67,7 +67,7 @@ export class Marks {
         const radius = ball < balls.count ? balls.info(ball).radius : z;
         mesh.scale.setScalar(refused ? REFUSED_SIZE * radius : radius);
       } else {
-        mesh.material = this.#flat(KINDS[mark.kind] ?? "#ffffff");
+        mesh.material = this.#flat(EVENT_COLORS[mark.kind] ?? "#ffffff");
       }
       mesh.position.set(x, y, z);
       mesh.renderOrder = 3;
@@ -76,7 +76,7 @@ export class Marks {
     });
   }
 
-  /** Puts the ring under a ball; hides it for null. */
+  /** Moves the selection ring to a ball; null hides it. */
   select(ball: number | null, balls: Balls): void {
     this.#selection.visible = ball !== null && balls.visible(ball);
     if (ball === null || !this.#selection.visible) return;

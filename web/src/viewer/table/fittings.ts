@@ -1,17 +1,17 @@
-/** What lies on a table: diamonds on the rails, lines and spots on the cloth. */
+/** Diamonds on the rails, and lines and spots on the cloth. */
 
 import type { BufferGeometry } from "three";
 import type { Geometry, Point } from "../types";
 import { LAYER } from "./solid";
 import { raised, ring, Surface } from "./surface";
 
-/** Half the width and half the length of a diamond, m: as on most tables. */
+/** Half the width and half the length of a diamond, m; typical values. */
 const SIGHT: Point = [0.0075, 0.0165];
 /** Width of a line on the cloth and radius of a spot, m. */
 const LINE_WIDTH = 0.004;
 const SPOT_RADIUS = 0.0058;
 
-/** The diamonds, or null where the table has none. */
+/** The diamonds; null if the table has none. */
 export function sights(geometry: Geometry): BufferGeometry | null {
   const places = sightPlaces(geometry);
   if (places.length === 0) return null;
@@ -30,7 +30,7 @@ export function sights(geometry: Geometry): BufferGeometry | null {
   return surface.geometry();
 }
 
-/** Centres of the diamonds, m, and whether they are longer along y; none where a pocket is. */
+/** Centres of the diamonds, m, and whether they are longer along y. There are none at pockets. */
 export function sightPlaces({ size, sights: marks, pockets }: Geometry): [Point, boolean][] {
   if (!size || !marks) return [];
   const [width, length] = size;
@@ -51,7 +51,7 @@ export function sightPlaces({ size, sights: marks, pockets }: Geometry): [Point,
   return places;
 }
 
-/** Head string or baulk line, the D, and the spots; null where nothing is marked. */
+/** Head string or baulk line, the D, and the spots; null if the table has no markings. */
 export function markings({ size, markings: marks }: Geometry): BufferGeometry | null {
   if (!size || !marks) return null;
   const surface = new Surface();

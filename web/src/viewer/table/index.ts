@@ -17,12 +17,12 @@ import { outline } from "./outline";
 import { FLOOR, solid } from "./solid";
 import { raised, ring, Surface } from "./surface";
 
-/** Radius of the endless cloth that is drawn, m; it fades from half of it. */
-const ENDLESS = 9;
+/** Drawn radius of unbounded cloth, m; it fades from half of it. */
+const UNBOUNDED = 9;
 /** Width of the soft edge of the shadow on the floor, m. */
 const PENUMBRA = 0.35;
 
-/** A table, or endless cloth, and its shadow on the floor. */
+/** A table with its shadow on the floor, or unbounded cloth. */
 export class Table {
   readonly group = new Group();
   readonly #materials = new TableMaterials();
@@ -34,21 +34,21 @@ export class Table {
   #meshes: Mesh[] = [];
 
   /**
-   * Builds the table anew.
+   * Replaces the table.
    *
-   * @param middle - Where the middle of endless cloth is drawn, m.
+   * @param middle - Centre of the drawn part of unbounded cloth, m.
    */
   setGeometry(geometry: Geometry, middle: Point): void {
     this.#clear();
     const materials = this.#materials;
     const color = clothColor(geometry.physics);
     materials.cloth.color.set(color);
-    materials.endless.color.set(color);
+    materials.unbounded.color.set(color);
     if (!geometry.size) {
-      materials.area.set(middle[0], middle[1], ENDLESS, ENDLESS);
-      const cloth = endlessCloth();
+      materials.area.set(middle[0], middle[1], UNBOUNDED, UNBOUNDED);
+      const cloth = unboundedCloth();
       cloth.translate(middle[0], middle[1], 0);
-      this.#add(cloth, materials.endless, { receives: true });
+      this.#add(cloth, materials.unbounded, { receives: true });
       return;
     }
     const [width, length] = geometry.size;
@@ -87,8 +87,8 @@ export class Table {
   }
 
   /**
-   * @param order - All of the table is drawn before what lies on it, also what is transparent; and the
-   * bed of cloth last, so that what is hidden below cushions and wood costs nothing.
+   * @param order - The table is drawn before everything on it, including its transparent parts. The bed of
+   * cloth is drawn last, so that pixels hidden by cushions and wood cost nothing.
    */
   #add(
     geometry: BufferGeometry,
@@ -114,8 +114,8 @@ export class Table {
 }
 
 /** A disc of cloth that fades out, around the origin. */
-function endlessCloth(): BufferGeometry {
-  const [inner, outer] = [ring([0, 0], ENDLESS / 2, 64), ring([0, 0], ENDLESS, 64)];
+function unboundedCloth(): BufferGeometry {
+  const [inner, outer] = [ring([0, 0], UNBOUNDED / 2, 64), ring([0, 0], UNBOUNDED, 64)];
   const fading = [raised(outer, 0), raised(inner, 0)];
   return new Surface()
     .fill(inner.slice(1), [], 0)

@@ -1,4 +1,4 @@
-/** Materials whose pattern follows the place on the table, so that surfaces need no texture coordinates. */
+/** Materials whose pattern depends on the position, so that surfaces need no texture coordinates. */
 
 import {
   type Material,
@@ -9,40 +9,40 @@ import {
 } from "three";
 import { grain, weave } from "./patterns";
 
-/** Length of a tile of the pattern, m. */
+/** Length of a tile of each pattern, m. */
 const WEAVE_TILE = 0.11;
 const GRAIN_TILE = { along: 0.85, across: 0.14 };
 
-/** Declares what both shaders share: a place on the table, m, and where its middle is. */
+/** Declarations for both shaders: the place on the table, m, and the playing area. */
 const VARYING = "varying vec2 vPlace;";
 /** `area`: centre and half size of the playing area, m. */
 const UNIFORMS = "uniform sampler2D pattern; uniform vec4 area;";
 
-/** Cloth: light falls off towards the table's ends, as under a lamp. */
+/** Cloth: darker towards the ends of the table, as under a lamp. */
 const CLOTH_GLSL = `
   float thread = texture2D(pattern, vPlace / ${WEAVE_TILE.toFixed(3)}).r - 0.5;
   vec2 off = (vPlace - area.xy) / area.zw;
   diffuseColor.rgb *= (1.0 + 0.9 * thread) * (1.06 - 0.17 * dot(off, off));`;
 
-/** Side of the squares on endless cloth, m: nothing else there tells how far it is. */
+/** Side of the squares on unbounded cloth, m, by which users can judge distances. */
 const SQUARE = 0.5;
 
-/** Endless cloth: its lines are a pixel wide and vanish where they would crowd. */
-const ENDLESS_GLSL = `${CLOTH_GLSL}
+/** Unbounded cloth: lines one pixel wide, which fade where they would be too dense. */
+const UNBOUNDED_GLSL = `${CLOTH_GLSL}
   vec2 square = vPlace / ${SQUARE.toFixed(1)};
   vec2 pixel = fwidth(square);
   vec2 near = abs(fract(square - 0.5) - 0.5) / pixel;
   float crowd = clamp(0.12 / max(pixel.x, pixel.y) - 1.0, 0.0, 1.0);
   diffuseColor.rgb *= 1.0 + 0.16 * crowd * (1.0 - min(min(near.x, near.y), 1.0));`;
 
-/** Wood: the grain runs along each rail; the jump in the corners makes the mitre. */
+/** Wood: the grain runs along each rail; its change of direction at the corners shows the mitre. */
 const WOOD_GLSL = `
   vec2 rail = abs(vPlace - area.xy) - area.zw;
   vec2 along = rail.x > rail.y ? vPlace.yx : vPlace.xy;
   float streak = texture2D(pattern, along / vec2(${GRAIN_TILE.along}, ${GRAIN_TILE.across})).r - 0.5;
   diffuseColor.rgb *= 1.0 + 1.25 * streak;`;
 
-/** The materials of a table; they outlive its geometry. */
+/** The materials of the table, kept when its geometry changes. */
 export class TableMaterials {
   /** Centre and half size of the playing area, m. */
   readonly area = new Vector4(0, 0, 1, 1);
@@ -53,10 +53,10 @@ export class TableMaterials {
     this.#weave,
     CLOTH_GLSL,
   );
-  readonly endless = this.#patterned(
+  readonly unbounded = this.#patterned(
     new MeshLambertMaterial({ vertexColors: true, transparent: true }),
     this.#weave,
-    ENDLESS_GLSL,
+    UNBOUNDED_GLSL,
   );
   readonly wood = this.#patterned(
     new MeshPhongMaterial({ vertexColors: true, shininess: 60, specular: 0x2a241e }),

@@ -1,14 +1,14 @@
 /**
- * Ground plan of a table: from the separate parts of its cushions and liners to closed lines that can be
- * filled and raised.
+ * Ground plan of a table: joins the separate parts of its cushions and liners to closed lines, from which
+ * the surfaces are made.
  */
 
 import type { Geometry, Point } from "../types";
 
-/** What a piece of the edge is made of. */
+/** Material of a piece of the edge. */
 export type Material = "cushion" | "liner";
 
-/** Consecutive parts of one cushion, or all of one pocket's wall, as chords along the loop. */
+/** Consecutive parts of one cushion, or the wall of one pocket, as chords along the loop. */
 export interface Run {
   material: Material;
   /** The cushion's rail; empty for a pocket. */
@@ -18,13 +18,13 @@ export interface Run {
 
 /** The closed lines of a table's ground plan, counter-clockwise. */
 export interface Outline {
-  /** The edge that balls meet, run after run: each begins where the last one ended. */
+  /** The edge that balls meet; each run starts at the end of the previous one. */
   runs: Run[];
   /** One polygon per cushion: its nose line, closed at the wood. */
   rubbers: Point[][];
   /** The wood's inner edge, around cushions and pockets. */
   woodInside: Point[];
-  /** How far the wood reaches beyond the nose lines, m: its width, or what the pockets need. */
+  /** Extent of the wood beyond the nose lines, m: its width, or what the pockets need. */
   reach: number;
 }
 
@@ -32,21 +32,21 @@ interface Part extends Run {
   used: boolean;
 }
 
-/** Ends of parts closer than this are one point, m: a micron, far below any part's length. */
+/** Ends of parts closer than this are joined, m: a micrometre, far below the length of any part. */
 export const JOIN = 1e-6;
 /** Largest angle between the chords of an arc, rad. */
 const CHORD_ANGLE = Math.PI / 20;
-/** Wood that is left behind a pocket, m. */
+/** Width of the wood behind a pocket, m. */
 const BEHIND_POCKET = 0.014;
 
 /**
  * The ground plan of a table with rails.
  *
- * @throws Error if the geometry is that of unbounded cloth.
+ * @throws Error for unbounded cloth.
  */
 export function outline(geometry: Geometry): Outline {
   const { size, cushion_width: cushion = 0, rail_width: rail = 0 } = geometry;
-  if (!size) throw new Error("Unbounded cloth has no outline; ask for its region instead.");
+  if (!size) throw new Error("Unbounded cloth has no outline; draw a table with rails.");
   const runs = merge(chain(geometry));
   const woodInside: Point[] = [];
   const rubbers: Point[][] = [];
@@ -68,7 +68,7 @@ export function outline(geometry: Geometry): Outline {
   };
 }
 
-/** The arc as chords, its ends included; the shorter way round, or through `via` (an angle, rad). */
+/** The chords of the shorter arc between two points, or of the arc through the angle `via` (rad). */
 export function arc(center: Point, start: Point, end: Point, via?: number): Point[] {
   const radius = Math.hypot(start[0] - center[0], start[1] - center[1]);
   const from = Math.atan2(start[1] - center[1], start[0] - center[0]);
@@ -83,13 +83,13 @@ export function arc(center: Point, start: Point, end: Point, via?: number): Poin
     const angle = from + (sweep * i) / count;
     return [center[0] + radius * Math.cos(angle), center[1] + radius * Math.sin(angle)];
   });
-  // To the bit, so that neighbours join.
+  // Exact, so that neighbours join.
   points[0] = start;
   points[count] = end;
   return points;
 }
 
-/** Twice the area is positive for counter-clockwise polygons, m². */
+/** Area of a polygon, m²; positive if it is counter-clockwise. */
 export function signedArea(polygon: readonly Point[]): number {
   let twice = 0;
   polygon.forEach(([x, y], i) => {
@@ -99,16 +99,16 @@ export function signedArea(polygon: readonly Point[]): number {
   return twice / 2;
 }
 
-/** How far a point lies beyond the nose lines, m; negative inside. */
+/** Distance of a point beyond the nose lines, m; negative inside. */
 export function beyond([x, y]: Point, [width, length]: Point): number {
   return Math.max(-x, x - width, -y, y - length);
 }
 
 /**
- * How far it is from a place to the nose line, m.
+ * Distance from a place to the nose line in a direction, m.
  *
  * @param azimuth - Direction, rad.
- * @param size - The playing area's, m; null on unbounded cloth, where it is two metres.
+ * @param size - Size of the playing area, m; null for unbounded cloth, for which the result is 2 m.
  */
 export function reach(from: { x: number; y: number }, azimuth: number, size: Point | null): number {
   if (!size) return 2;
@@ -118,7 +118,7 @@ export function reach(from: { x: number; y: number }, azimuth: number, size: Poi
   return Math.max(0, Math.min(toX, toY));
 }
 
-/** The parts in the order of the loop, counter-clockwise, each beginning at the end of the last. */
+/** The parts in the order of the loop, counter-clockwise; each starts at the end of the previous one. */
 function chain(geometry: Geometry): Run[] {
   const parts: Part[] = [...geometry.cushions, ...geometry.liners].map((part) => ({
     material: part.part === "liner" ? "liner" : "cushion",
@@ -140,7 +140,7 @@ function chain(geometry: Geometry): Run[] {
   return loop.map((run) => ({ ...run, points: run.points.toReversed() })).reverse();
 }
 
-/** The unused part that goes on from `point`, or the next one beyond a gap; and whether it does backwards. */
+/** The unused part that starts at `point` or beyond the next gap, and whether it must be reversed. */
 function nearest(parts: readonly Part[], point: Point): [Part | undefined, boolean] {
   const ends = parts.flatMap((part) => [
     { part, last: false, at: part.points[0]! },
@@ -151,7 +151,7 @@ function nearest(parts: readonly Part[], point: Point): [Part | undefined, boole
   for (const end of ends) {
     const gap = distance(end.at, point);
     if (end.part.used || gap >= least) continue;
-    // Beyond a gap only a loose end can follow: one that joins no other part.
+    // The part after a gap starts with an end that joins no other part.
     const joined = (other: Part): boolean =>
       other !== end.part &&
       (distance(other.points[0]!, end.at) < JOIN || distance(other.points.at(-1)!, end.at) < JOIN);
@@ -162,8 +162,8 @@ function nearest(parts: readonly Part[], point: Point): [Part | undefined, boole
 }
 
 /**
- * Where balls are captured at the mouth, the table has no liners: the facings run on to the hole's far
- * side, which closes the loop.
+ * Closes a gap in the loop. With the pocket model `mouth-line` a table has no liners; the facings are then
+ * extended to the far side of the hole.
  */
 function close(loop: Run[], next: readonly Point[], { pockets, size }: Geometry): void {
   const before = loop.at(-1)!.points;
@@ -184,7 +184,7 @@ function close(loop: Run[], next: readonly Point[], { pockets, size }: Geometry)
   loop.push({ material: "liner", rail: "", points: deduplicated([end, ...wall, start]) });
 }
 
-/** Where the line from `a` through `b` leaves the circle; if it misses, the circle's point next to `b`. */
+/** The point at which the line from `a` through `b` leaves the circle, or else its nearest point to `b`. */
 function onCircle(a: Point, b: Point, center: Point, radius: number): Point {
   const length = distance(a, b);
   const [dx, dy] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
@@ -199,7 +199,7 @@ function onCircle(a: Point, b: Point, center: Point, radius: number): Point {
   return [center[0] + x * scale, center[1] + y * scale];
 }
 
-/** Neighbouring parts of one rail, and of one pocket, in one run; the loop begins with a cushion. */
+/** Joins neighbouring parts of one rail or pocket to a run; the loop starts with a cushion. */
 function merge(parts: readonly Run[]): Run[] {
   const runs: Run[] = [];
   for (const { material, rail, points } of parts) {
@@ -207,7 +207,7 @@ function merge(parts: readonly Run[]): Run[] {
     if (last?.material === material && last.rail === rail) append(last.points, points);
     else runs.push({ material, rail, points: [...points] });
   }
-  // The first rail may have been entered in its middle.
+  // The loop may have started in the middle of a rail.
   const [first, last] = [runs[0]!, runs.at(-1)!];
   if (runs.length > 1 && first.material === last.material && first.rail === last.rail) {
     append(last.points, first.points);
@@ -217,12 +217,12 @@ function merge(parts: readonly Run[]): Run[] {
   return runs;
 }
 
-/** The point on the cushion's back where its rubber ends: behind an end of its nose line. */
+/** The point at the back of the cushion behind an end of its nose line. */
 function behind(point: Point, [width, length]: Point, cushion: number): Point {
   const [x, y] = point;
   const depths = [-x, x - width, -y, y - length];
   const deepest = Math.max(...depths);
-  // In a corner without a pocket two rails meet in a mitre: behind both.
+  // In a corner without a pocket two rails meet; the point is behind both.
   const [left, right, bottom, top] = depths.map((depth) => deepest - depth < JOIN);
   return [
     left ? -cushion : right ? width + cushion : x,
@@ -248,7 +248,7 @@ function distance(a: Point, b: Point): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-/** The angle in (−π, π] that is the same direction. */
+/** The same angle in (−π, π]. */
 function turn(angle: number): number {
   return Math.atan2(Math.sin(angle), Math.cos(angle));
 }

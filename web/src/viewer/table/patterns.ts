@@ -1,4 +1,4 @@
-/** Small tileable pictures, computed once: the weave of cloth and the grain of wood. */
+/** Textures that tile, computed once: the weave of the cloth and the grain of the wood. */
 
 import {
   DataTexture,
@@ -8,10 +8,10 @@ import {
   RepeatWrapping,
 } from "three";
 
-/** Length of a tile's side, pixels. */
+/** Side of a tile, pixels. */
 const SIDE = 128;
 
-/** Short crossing fibres. */
+/** The weave: short crossing fibres. */
 export function weave(): DataTexture {
   const random = generator(1);
   const values = new Float32Array(SIDE * SIDE);
@@ -27,7 +27,7 @@ export function weave(): DataTexture {
   return tile(values, 0.16);
 }
 
-/** Streaks along the first axis, wandering a little. */
+/** The grain: slightly wavy streaks along the first axis. */
 export function grain(): DataTexture {
   const random = generator(2);
   const noise = Float32Array.from({ length: SIDE }, () => random() - 0.5);
@@ -49,7 +49,7 @@ export function grain(): DataTexture {
   return tile(values, 0.42);
 }
 
-/** Pseudorandom numbers in [0, 1), the same in every run: Park & Miller's multiplier. */
+/** Pseudorandom numbers in [0, 1), the same in every run (Lehmer generator, multiplier 48271). */
 function generator(seed: number): () => number {
   let state = 48271 * seed;
   return () => {
@@ -58,7 +58,7 @@ function generator(seed: number): () => number {
   };
 }
 
-/** Brightness around one half, `contrast` wide. */
+/** A texture with values around one half; `contrast` scales their deviation. */
 function tile(values: Float32Array, contrast: number): DataTexture {
   const bytes = Uint8Array.from(values, (value) =>
     Math.round(Math.min(255, Math.max(0, 127.5 + 255 * contrast * value))),

@@ -5,33 +5,33 @@ import type { Geometry, Point } from "../types";
 import { beyond, JOIN, type Outline } from "./outline";
 import { offset, raised, ring, roundedRectangle, Surface, type Line, type Shade } from "./surface";
 
-/** How far the foot of a cushion stands behind its nose, m: a rounded wedge, like the rubber's. */
+/** Distance of a cushion's foot behind its nose, m; the rubber is a wedge. */
 const RECESS = 0.014;
-/** Height of the upright edge at the nose, m. */
+/** Height of the vertical edge at the nose, m. */
 const NOSE = 0.006;
 /** Width of the shade on the cloth at the foot of a cushion, m. */
 const FOOT_SHADE = 0.045;
-/** Cloth that is stretched over rubber is a little lighter than on the bed. */
+/** Brightness of the cloth on cushions, relative to the bed. */
 const CUSHION_TOP = 1.1;
-/** Depth of the holes, and of the cloth that is folded into them, m. */
+/** Depth of the pockets, and of the cloth that is folded into them, m. */
 const HOLE_DEPTH = 0.14;
 const FOLD = 0.012;
 /** Width and height of the leather around a pocket, m. */
 const RIM_WIDTH = 0.011;
 const RIM_HEIGHT = 0.0035;
-/** Rounding of the wood's outer edge, and how far down the rail reaches, m. */
+/** Rounding of the outer edge of the wood, and depth of the rail, m. */
 const WOOD_EDGE = 0.016;
 const RAIL_DEPTH = 0.05;
-/** The frame below the rails: how far it stands back, and its lower edge below the slate, m. */
+/** Inset of the frame below the rails, and depth of its lower edge below the slate, m. */
 const APRON_INSET = 0.014;
 const APRON_DEPTH = 0.2;
-/** Middle of a leg from the nose lines, m. */
+/** Distance of a leg's axis from the nose lines, m. */
 const LEG_INSET = 0.1;
-/** Radius of the table's corners as a share of the rail's width. */
+/** Radius of the corners as a share of the rail's width. */
 const CORNER = 0.45;
 /** Height of the playing surface above the floor, m (WPA: 29 1/4 to 31 in). */
 export const FLOOR = 0.765;
-/** Just above another surface, m, so that neither shows through the other. */
+/** Distance between surfaces that lie on each other, m, so that the right one is visible. */
 export const LAYER = 0.0004;
 
 /** The surfaces of a table, one per material. */
@@ -45,12 +45,12 @@ export interface Solid {
   frame: BufferGeometry;
 }
 
-/** Raises the ground plan of a table with rails. */
+/** The surfaces over the ground plan of a table with rails. */
 export function solid(geometry: Geometry, plan: Outline): Solid {
   const { cushion_height: height, cushion_width: width = 0, pockets } = geometry;
   const size = geometry.size!;
   const holes = pockets.map((pocket) => ring(pocket.center, pocket.radius));
-  // Its outer edge is hidden in the wood.
+  // The outer edge is hidden below the wood.
   const bed = open(roundedRectangle(size, plan.reach - 0.01, CORNER * plan.reach));
   const cloth = new Surface().fill(bed, holes.map(open), 0);
   const wells = new Surface();
@@ -84,7 +84,7 @@ export function solid(geometry: Geometry, plan: Outline): Solid {
   };
 }
 
-/** The shade along a cushion's nose, soft towards the cloth; its ends are mitred. */
+/** The shade along a cushion's nose, fading on the cloth, with mitred ends. */
 function footShade(surface: Surface, line: readonly Point[], size: Point, width: number): void {
   const nose = line.filter((point) => Math.abs(beyond(point, size)) < JOIN);
   const [a, b] = [nose[0]!, nose.at(-1)!];
@@ -103,7 +103,7 @@ function footShade(surface: Surface, line: readonly Point[], size: Point, width:
   );
 }
 
-/** A pocket's wall, down from the leather on its top. */
+/** The wall of a pocket, from the leather rim down. */
 function wall(surface: Surface, points: readonly Point[], height: number): void {
   const steps = 6;
   const lines: Line[] = [];
@@ -114,7 +114,7 @@ function wall(surface: Surface, points: readonly Point[], height: number): void 
     lines.push(raised(offset(points, out), height + RIM_HEIGHT * Math.sin(angle)));
     shades.push(1);
   }
-  // In front of the hole's own wall.
+  // In front of the wall of the hole in the slate.
   const inner = offset(points, -LAYER);
   lines.push(raised(inner, 0), raised(inner, -HOLE_DEPTH));
   shades.push(0.45, 0.1);
@@ -167,14 +167,14 @@ function frame(size: Point, reach: number): BufferGeometry {
   return surface.geometry();
 }
 
-/** The outer edge as a line that is seen from outside. */
+/** The outer edge, oriented so that its bands face outwards. */
 function edge(size: Point, margin: number, radius: number, z: number): Line {
   return raised(roundedRectangle(size, margin, radius).toReversed(), z);
 }
 
 /**
- * A cushion's nose line moved back from the table by `distance` (m), less and less towards the wood, where
- * it stays.
+ * A cushion's line moved away from the playing area by `distance` (m) at the nose, decreasing to zero at
+ * the wood.
  */
 function shifted(
   line: readonly Point[],
@@ -182,7 +182,7 @@ function shifted(
   cushion: number,
   distance: number,
 ) {
-  // The rail's own direction: from the middle of its line outwards.
+  // The outward direction of the rail.
   const [first, last] = [line[0]!, line.at(-1)!];
   const alongX = Math.abs(last[0] - first[0]) > Math.abs(last[1] - first[1]);
   const middle: Point = [(first[0] + last[0]) / 2, (first[1] + last[1]) / 2];
@@ -196,7 +196,7 @@ function shifted(
   });
 }
 
-/** A closed ring without its repeated point. */
+/** A closed ring without its repeated last point. */
 function open(points: readonly Point[]): Point[] {
   return points.slice(0, -1);
 }

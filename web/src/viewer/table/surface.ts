@@ -3,19 +3,19 @@
 import { BufferGeometry, Float32BufferAttribute, ShapeUtils, Vector2 } from "three";
 import type { Point } from "../types";
 
-/** A line at its heights: x, y, z (m) per point. */
+/** A line in space: x, y, z (m) per point. */
 export type Line = readonly (readonly [number, number, number])[];
 
-/** How bright a surface is beside its material's colour, 0 to 1; a second number is its opacity. */
+/** Brightness relative to the material's colour, 0 to 1, and optionally opacity. */
 export type Shade = number | readonly [brightness: number, opacity: number];
 
-/** Collects triangles. Vertices are shared along a band but not across bands, so that edges stay sharp. */
+/** Collects triangles. Vertices are shared along a band but not between bands, which keeps edges sharp. */
 export class Surface {
   readonly #positions: number[] = [];
   readonly #colors: number[] = [];
   readonly #indices: number[] = [];
 
-  /** A flat polygon, seen from above, with holes. Its orientation is free. */
+  /** Adds a horizontal polygon with holes that faces up, of either orientation. */
   fill(
     contour: readonly Point[],
     holes: readonly (readonly Point[])[],
@@ -34,8 +34,8 @@ export class Surface {
   }
 
   /**
-   * Bands between lines with the same number of points. Going along the lines, with the first one above
-   * the second, one sees the bands from the left.
+   * Adds bands between lines with the same number of points. If the first line is above the second, the
+   * bands face to the left of the direction of the lines.
    *
    * @param shades - One per line, or one for all.
    */
@@ -76,12 +76,12 @@ export class Surface {
   }
 }
 
-/** The points at one height. */
+/** Points at the height `z` (m). */
 export function raised(points: readonly Point[], z: number): Line {
   return points.map(([x, y]) => [x, y, z]);
 }
 
-/** A closed ring of points, its first one repeated at the end. */
+/** A circle as a closed ring of points; the last one repeats the first. */
 export function ring(center: Point, radius: number, sides = 48): Point[] {
   return Array.from({ length: sides + 1 }, (_, i): Point => {
     const angle = (2 * Math.PI * (i % sides)) / sides;
@@ -89,7 +89,7 @@ export function ring(center: Point, radius: number, sides = 48): Point[] {
   });
 }
 
-/** A rectangle around the playing area, `margin` (m) beyond it, with round corners; counter-clockwise, closed. */
+/** A rectangle `margin` (m) outside the playing area with round corners: counter-clockwise, closed. */
 export function roundedRectangle([width, length]: Point, margin: number, radius: number): Point[] {
   const corners = [
     [width + margin - radius, length + margin - radius],
@@ -107,7 +107,7 @@ export function roundedRectangle([width, length]: Point, margin: number, radius:
   return [...points, points[0]!];
 }
 
-/** An open line moved to its right by `distance` (m), point by point. */
+/** An open line whose points are moved to its right by `distance` (m). */
 export function offset(line: readonly Point[], distance: number): Point[] {
   return line.map(([x, y], i): Point => {
     const [before, after] = [line[Math.max(0, i - 1)]!, line[Math.min(line.length - 1, i + 1)]!];

@@ -4,7 +4,7 @@ import type { Geometry } from "../../../src/viewer/types.ts";
 
 const engine = await load();
 
-/** The geometry of a table as a shot file has it. */
+/** The geometry of a table of a shot file. */
 export function tableOf(table: ShotFile["table"]): Geometry {
   const balls = [{ id: "cue", position: [0.4, 0.4] as const }];
   return engine.shot({ format: "carom-shot/1", table, balls }).geometry;

@@ -5,7 +5,7 @@ import { DESKTOP, expect, onPage, PHONE, settled, shotOf, test } from "./fixture
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
-/** More than there are controls on the page: so many presses of Tab come round. */
+/** Presses of Tab that go round all controls of the page. */
 const CONTROLS = 90;
 
 interface Violation {
@@ -13,7 +13,7 @@ interface Violation {
   readonly nodes: readonly { readonly html: string; readonly failureSummary?: string }[];
 }
 
-/** What axe finds wrong, one line each; empty is right. */
+/** The violations that axe finds, one line each. */
 async function violations(page: Page): Promise<string[]> {
   await page.evaluate(AXE);
   const found = await page.evaluate(async () => {
@@ -75,7 +75,9 @@ for (const [name, viewport] of [
   }
 }
 
-test("tab reaches every control, and the one that has the focus shows it", async ({ open }) => {
+test("Tab reaches every control, and the focused control has a visible outline", async ({
+  open,
+}) => {
   const page = await open();
   const reached = new Set<string>();
   for (let k = 0; k < 60; k += 1) {
@@ -86,7 +88,7 @@ test("tab reaches every control, and the one that has the focus shows it", async
       const label = element?.getAttribute("aria-label") ?? element?.textContent ?? "";
       return { name: element === document.body ? "" : label, ring: style?.outlineStyle ?? "none" };
     });
-    if (name === "") continue; // the browser's own controls
+    if (name === "") continue; // controls of the browser
     reached.add(name);
     expect(ring, `focus ring of "${name}"`).not.toBe("none");
   }
@@ -96,7 +98,7 @@ test("tab reaches every control, and the one that has the focus shows it", async
   expect([...reached].some((name) => name.startsWith("Table."))).toBe(true);
 });
 
-/** @returns Tabs on to a control, as one does who has no pointer, and presses a key there. */
+/** @returns A function that presses Tab up to a control, and then a key. */
 function byKeyboard(page: Page): (name: RegExp, key: string) => Promise<void> {
   return async (name, key) => {
     for (let k = 0; k < CONTROLS; k += 1) {
@@ -120,7 +122,7 @@ test("two shots and a choice of a game are made by keyboard alone", async ({ ope
   const moves = () => page.evaluate(() => window.carom!.store.document.game!.moves.length);
   await onto(/^Aim$/, "ArrowLeft");
   await page.keyboard.press("ArrowLeft");
-  await onto(/^Game$/, "s"); // as one types in a list: straight pool
+  await onto(/^Game$/, "s"); // typing in a list selects "Straight pool"
   await onto(/^Start the game$/, "Enter");
   await onto(/^Safety$/, "Space");
   await onto(/^Table\./, "ArrowDown");
@@ -158,9 +160,7 @@ test("what if, replay and sharing work by keyboard alone", async ({ open }) => {
   expect(await page.evaluate(() => window.carom!.store.session.mode)).toBe("aim");
 });
 
-test("who asks for less motion sees the end of the shot at once, and can still play it", async ({
-  open,
-}) => {
+test("with reduced motion the end of the shot is shown at once", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce" });
   await page.getByRole("button", { name: "Shoot" }).click();
   const { time, duration, playing } = await page.evaluate(() => {
@@ -170,7 +170,7 @@ test("who asks for less motion sees the end of the shot at once, and can still p
   expect([time, playing]).toEqual([duration, false]);
 });
 
-test("on a phone everything fits the width, and the sheet folds away for the table", async ({
+test("on a phone everything fits the width, and collapsing the sheet enlarges the table", async ({
   open,
 }) => {
   const page = await open({ viewport: PHONE });
@@ -184,7 +184,7 @@ test("on a phone everything fits the width, and the sheet folds away for the tab
   expect(spot.x).toBeLessThan(PHONE.width);
 });
 
-test("at every width all that is to be pressed is on the screen, and a bar's last buttons stand together", async ({
+test("at every width all buttons are on the screen, and the last buttons of a bar are in one row", async ({
   open,
 }) => {
   const page = await open({ reducedMotion: "reduce" });
@@ -212,7 +212,7 @@ test("at every width all that is to be pressed is on the screen, and a bar's las
   }
 });
 
-test("the theme follows the system until one chooses", async ({ open }) => {
+test("the theme follows the system until the user chooses one", async ({ open }) => {
   const page = await open({ colorScheme: "dark" });
   const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
   expect(await theme()).toBe("dark");
@@ -223,7 +223,7 @@ test("the theme follows the system until one chooses", async ({ open }) => {
   expect(await theme()).toBe("dark");
 });
 
-test("the first steps lead through the page once, and the help shows them again", async ({
+test("the first steps can be followed to the end, and the help shows them again", async ({
   open,
 }) => {
   const page = await open({ firstSteps: true });
