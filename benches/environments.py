@@ -47,8 +47,9 @@ PEER_STEPS = 100
 BAR_STEPS = 100_000
 BAR_RATIO = 500
 BAR_RULES = 0.05
-#: The functions of carom-rules that apply the rules to a shot.
-RULES = ("carom_rules::facts::Facts::new", "games::Game>::judge", "Frame::settle")
+#: The functions that apply the rules to a shot: its outcome, the ruling, the next request. The
+#: recording of contacts during the simulation is not counted.
+RULES = ("OutcomeRecorder::finish", "GameRules>::judge", "Frame::settle")
 #: Environments, steps and threads under valgrind, which is fifty times slower.
 COUNTED = ("256", "4", "1")
 
