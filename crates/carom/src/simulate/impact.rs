@@ -80,7 +80,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    /// Two balls meet that touch no third ball.
+    /// Two balls meet, and no third ball touches them.
     pub(super) fn on_pair_contact<R: Recorder>(
         &mut self,
         a: usize,
@@ -99,7 +99,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         // of centres is not horizontal.
         let push = if on_bed == [true, true] { horizontal(normal) } else { normal };
         // A ball that the slate holds against a flying ball can only be pushed along the slate.
-        let held = on_bed.map(|on_bed_alone| on_bed_alone && on_bed != [true, true]);
+        let held = on_bed.map(|is_on_bed| is_on_bed && on_bed != [true, true]);
         let level = push.xy().with_z(0.0);
         let along = held.map(|held| if held { level } else { push });
         let mobility = |k: usize| along[k].length_squared() / pair[k].mass;
