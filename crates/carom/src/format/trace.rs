@@ -55,7 +55,7 @@ impl Trace {
     }
 
     /// The trace as a tree of values, with `shot` as its shot file: that of the
-    /// [`ShotFile`](super::ShotFile) which was simulated.
+    /// [`ShotFile`] which was simulated.
     pub fn to_node_with(&self, shot: Node) -> Node {
         let balls = self.shot().balls();
         Node::object([
