@@ -433,6 +433,21 @@ def test_a_batch_with_wrong_values_is_refused_by_column(
         sweep.play(batch.set_column(batch.schema.get_field_index(column), column, pa.array(values)))
 
 
+def test_a_long_batch_has_the_rows_of_short_ones(pot: dict[str, Any]) -> None:
+    # Long batches go to Rust in pieces, so that Ctrl-C can end them.
+    pot["strike"]["speed"] = 0.1
+    vary = {
+        "strike.azimuth_deg": {"from": 0, "to": 359, "count": 10_000},
+        "physics": {"grid": ["pool", "ideal"]},
+        "strike.speed": {"grid": [0.1, 0.2]},
+    }
+    sweep = Sweep.from_dict({"format": "carom-sweep/1", "shots": pot, "vary": vary})
+    long = sweep.play(sweep.parameters())
+    assert len(long) == 40_000
+    for start in (0, 16_380, 39_990):
+        assert long.slice(start, 10).equals(sweep.play(sweep.parameters(start, start + 10)))
+
+
 def test_a_batch_made_elsewhere_may_have_wider_types(spec: Spec) -> None:
     sweep = Sweep.from_dict(spec)
     batch = sweep.parameters(0, 4)

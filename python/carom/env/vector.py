@@ -28,8 +28,8 @@ _MODES = {
     "next-step": AutoresetMode.NEXT_STEP,
     "disabled": AutoresetMode.DISABLED,
 }
-# Most environments of a vector. An environment takes some tens of kilobytes, so these need
-# some tens of gigabytes; the process would be killed when memory runs out.
+# Most environments of a vector. Snooker takes 5 kB for each, so these need 5 GB. Without a limit a
+# typing error would end the process when memory runs out.
 _MOST = 10**6
 
 

@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING, Any
 from carom import __version__
 from carom.errors import InputError
 from carom.lazy import pa
-from carom.sweeps.parts import CHUNK, UNFINISHED, Parts, Receipt
+from carom.sweeps.parts import UNFINISHED, Parts, Receipt
+from carom.sweeps.play import CHUNK
 
 if TYPE_CHECKING:
     from carom.sweeps.play import RowPlayer

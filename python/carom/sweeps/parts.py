@@ -16,14 +16,13 @@ from typing import TYPE_CHECKING, TypeVar
 from carom import __version__
 from carom.errors import InputError
 from carom.lazy import pa, pq
+from carom.sweeps.play import CHUNK
 
 if TYPE_CHECKING:
     from carom.sweeps.play import RowPlayer
 
 R = TypeVar("R")
 
-# Rows per call into Rust; Python sees Ctrl-C between two calls. Some tens of milliseconds.
-CHUNK = 16_384
 # Rows of a row group: some tens of megabytes, all that a writer holds in memory.
 GROUP = 131_072
 # Default number of rows of a part, at most and at least: about one second of work, so that a kill

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
     Indices: TypeAlias = NDArray[np.int64]
 
+# Rows per call into Rust; Python sees Ctrl-C between two calls. Some tens of milliseconds.
+CHUNK = 16_384
 # Rows, spread over the whole sweep, that are tried before a run begins.
 PROBES = 64
 
@@ -95,6 +97,13 @@ class RowPlayer:
             remedy = "give a pyarrow.RecordBatch, for example sweep.parameters(0, 10)"
             raise InputError(f"batch: found a {kind}; {remedy}")
         batch = self._checked(batch)
+        if len(batch) <= CHUNK:
+            return self._play(batch)
+        pieces = [self._play(batch.slice(start, CHUNK)) for start in range(0, len(batch), CHUNK)]
+        (whole,) = pa.Table.from_batches(pieces).combine_chunks().to_batches()
+        return whole
+
+    def _play(self, batch: pa.RecordBatch) -> pa.RecordBatch:
         rows = self._rows(batch)
         with_referee = not set(REFEREE).isdisjoint(self.spec.columns)
         found = _core.play_rows(rows, self.balls, with_referee)
