@@ -12,7 +12,11 @@ use crate::table::{Bounds, Capture, JOIN_OVERLAP, Pocket, Shape, Table, arc_side
 /// First time in [0, `horizon`] (s, may be infinite) at which a ball on a rail's top loses its
 /// support, and where: `Brink` at the edge of a cushion or pocket, `Edge` at the border. The centre
 /// moves on d + v t + h t² (m, in the engine's frame, in plan view).
-pub fn first_leaving(table: &Table, path: &Motion<2>, horizon: f64) -> Option<(f64, TableFeature)> {
+pub fn first_loss_of_support(
+    table: &Table,
+    path: &Motion<2>,
+    horizon: f64,
+) -> Option<(f64, TableFeature)> {
     let mut last = horizon;
     let mut feature = None;
     let mut offer = |t: Option<f64>, of: TableFeature| {

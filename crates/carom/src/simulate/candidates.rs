@@ -66,7 +66,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         if path.moves() {
             debug_assert_eq!(self.lanes.start[i], time);
             let meeting = if self.off_bed[i] {
-                self.first_meeting_off_bed(i, table)
+                self.first_feature_off_bed(i, table)
             } else {
                 ball_table::first_meeting(table, path.radius, &in_plan(path), path.duration)
             };
@@ -128,10 +128,10 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
 
     /// The first feature of the table that a ball off the bed meets.
     #[cold]
-    fn first_meeting_off_bed(&self, i: usize, table: &Table) -> Option<(f64, TableFeature)> {
+    fn first_feature_off_bed(&self, i: usize, table: &Table) -> Option<(f64, TableFeature)> {
         let path = &self.path[i];
         if path.motion != MotionState::Airborne {
-            return rail_top::first_leaving(table, &in_plan(path), path.duration);
+            return rail_top::first_loss_of_support(table, &in_plan(path), path.duration);
         }
         let motion = Motion {
             d: path.position.to_array(),

@@ -7,7 +7,7 @@ use carom::Table;
 use carom::detect::ball_table;
 use carom::detect::ball_table::TableFeature;
 use carom::detect::flight::first_meeting;
-use carom::detect::rail_top::first_leaving;
+use carom::detect::rail_top::first_loss_of_support;
 use carom::math::{Vec2, Vec3};
 use carom::table::{Capture, PRESETS, Part, Shape};
 use carom_roots::Motion;
@@ -420,7 +420,7 @@ fn a_ball_whose_centre_passed_an_edge_does_not_land_on_the_surface_that_it_left(
                 if !solid.is_behind_edges(p) || !solid.is_within_border(p) {
                     continue;
                 }
-                (first_leaving(&table, &path, 1e3), table.cushion_height + radius)
+                (first_loss_of_support(&table, &path, 1e3), table.cushion_height + radius)
             };
             let Some((t, TableFeature::Pocket(_) | TableFeature::Brink)) = left else { continue };
             if from_bed && !solid.has_holes() {

@@ -4,7 +4,7 @@ use crate::meeting::{mirrored, paths, tables};
 use crate::oracle::Dice;
 use crate::solid::Solid;
 use carom::detect::ball_table::TableFeature;
-use carom::detect::rail_top::first_leaving;
+use carom::detect::rail_top::first_loss_of_support;
 use carom::math::Vec2;
 use carom_roots::Motion;
 
@@ -52,7 +52,7 @@ fn a_ball_leaves_a_rails_top_where_its_centre_first_crosses_an_edge_or_the_borde
         let mut met = [0; 3];
         for i in 0..paths() / 100 {
             let (path, horizon) = random_path(&mut dice, &solid);
-            let found = first_leaving(&table, &path, horizon);
+            let found = first_loss_of_support(&table, &path, horizon);
             let end = found.map_or(horizon, |(t, _)| t);
             for k in 0..SAMPLES {
                 let [x, y] = path.at(end * f64::from(k) / f64::from(SAMPLES));
@@ -102,7 +102,7 @@ fn a_mirrored_path_on_a_rails_top_ends_at_the_same_time_to_the_bit() {
         for i in 0..paths() / 50 {
             let (path, horizon) = random_path(&mut dice, &solid);
             let bits = |path: &Motion<2>| {
-                first_leaving(&table, path, horizon).map(|(t, f)| (t.to_bits(), f))
+                first_loss_of_support(&table, path, horizon).map(|(t, f)| (t.to_bits(), f))
             };
             for signs in [[-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
                 assert_eq!(bits(&path), bits(&mirrored(&path, signs)), "{name}, {i}: {path:?}");
@@ -117,7 +117,7 @@ fn a_ball_at_the_brink_that_rolls_off_leaves_at_once_and_one_that_rolls_away_doe
     let edge = -0.5 * table.size.x;
     let leaving = |x: f64, v: f64| {
         let path = Motion { d: [x, 0.4], v: [v, 0.0], h: [0.0, 0.0] };
-        first_leaving(&table, &path, 0.2)
+        first_loss_of_support(&table, &path, 0.2)
     };
     assert_eq!(leaving(edge, 0.1), Some((0.0, TableFeature::Brink)));
     assert_eq!(leaving(edge, -0.1), None);
