@@ -81,7 +81,7 @@ def test_a_drawn_strike_is_that_of_its_variant_to_the_bit(pot: dict[str, Any]) -
 
 def test_no_strike_is_drawn_around_none(pot: dict[str, Any]) -> None:
     still = Shot.from_dict({key: value for key, value in pot.items() if key != "strike"})
-    with pytest.raises(InputError, match="strike: the shot has none"):
+    with pytest.raises(InputError, match="strike: the shot has no strike"):
         Noise.olympiad().draw(still)
     with pytest.raises(InputError, match="index: -1 is out of range"):
         Noise.olympiad().draw(Shot.from_dict(pot), -1)

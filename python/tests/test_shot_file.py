@@ -304,7 +304,7 @@ def test_a_strike_that_cannot_be_played_is_refused(
 
 
 def test_what_is_not_struck_is_not_struck_otherwise(endless: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match=r"^strike: the shot has none"):
+    with pytest.raises(InputError, match=r"^strike: the shot has no strike"):
         Shot.from_dict(endless).with_strike(speed=1.0)
 
 

@@ -10,7 +10,7 @@ use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::resolve::cue_ball::Strike;
 use crate::simulate::{Simulation, SimulationError, Summary};
 use crate::trace::TraceRecorder;
-use crate::{BallState, Shot, Trace, shot};
+use crate::{BallState, Shot, ShotFile, Trace, shot};
 
 /// Plays shots one after the other and keeps the memory that they need: for a thread of a
 /// [`Runner`](crate::runner::Runner), or for any loop over shots.
@@ -135,6 +135,19 @@ impl Shot {
     /// [`Error::TooManyEvents`] if the cap is reached.
     pub fn simulate(&self) -> Result<Trace, Error> {
         Simulator::new().record(self)
+    }
+}
+
+impl ShotFile {
+    /// Simulates the shot and records everything. An error has the file as it was read.
+    ///
+    /// # Errors
+    /// As [`Shot::simulate`].
+    pub fn simulate(&self) -> Result<Trace, Error> {
+        self.shot().simulate().map_err(|error| match error {
+            Error::TooManyEvents { cap, .. } => Error::TooManyEvents { cap, shot: self.to_json() },
+            other => other,
+        })
     }
 }
 

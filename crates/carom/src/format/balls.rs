@@ -13,7 +13,7 @@ use crate::{Ball, BallState};
 const KEYS: &[&str] = &["id", "position", "velocity", "angular_velocity", "mass", "radius"];
 
 /// Reads `balls`; `default` is the physics' ball. Whether they have room on the table is checked
-/// with the rest of the shot.
+/// afterwards.
 pub(super) fn read(at: &At<'_>, default: &Ball) -> Result<Vec<PlacedBall>, Error> {
     at.items("a list of balls")?.iter().map(|item| read_one(item, default)).collect()
 }

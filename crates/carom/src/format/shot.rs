@@ -12,7 +12,7 @@ use super::read::At;
 use super::{balls, physics, strike, table};
 use crate::error::Error;
 use crate::resolve::cue_ball::Strike;
-use crate::shot::{DEFAULT_MAX_EVENTS, Parts, Shot, StrikePolicy};
+use crate::shot::{DEFAULT_MAX_EVENTS, Parts, Shot, StrikePolicy, checked_balls};
 
 /// What `format` says in a shot file.
 pub const SHOT_FORMAT: &str = "carom-shot/1";
@@ -187,6 +187,7 @@ fn read(file: &Node) -> Result<Shot, Error> {
     let (table, default_physics) = table::read(&at)?;
     let physics = physics::read(fields.get("physics").as_ref(), &default_physics)?;
     let balls = balls::read(&fields.require("balls", "a list of balls")?, &physics.ball)?;
+    let balls = checked_balls(balls, &table)?;
     let (mut policy, mut struck) = (StrikePolicy::default(), None);
     if let Some(at) = fields.get("strike") {
         policy = strike::read_policy(&at)?;

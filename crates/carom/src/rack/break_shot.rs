@@ -7,7 +7,7 @@ use super::{Game, RackedBall, USUAL_GAP, rack};
 use crate::error::Error;
 use crate::math::{Vec2, Vec3, asin, atan2, degrees, radians};
 use crate::resolve::cue_ball::Strike;
-use crate::shot::{DEFAULT_MAX_EVENTS, Parts, PlacedBall, Shot, StrikePolicy};
+use crate::shot::{DEFAULT_MAX_EVENTS, Parts, PlacedBall, Shot, StrikePolicy, checked_balls};
 use crate::{Ball, BallState, Physics, Table};
 
 /// The cue ball on English tables (1⅞ in; from memory).
@@ -103,9 +103,9 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
         height: 0.0,
     };
     Shot::new(Parts {
+        balls: checked_balls(placed, &table)?,
         table,
         physics,
-        balls: placed,
         strike: Some((0, strike)),
         policy: StrikePolicy::default(),
         max_events: DEFAULT_MAX_EVENTS,

@@ -2,7 +2,9 @@
 
 use alloc::format;
 use alloc::string::String;
+use alloc::sync::Arc;
 use alloc::vec::Vec;
+use core::ops::Deref;
 
 use super::PlacedBall;
 use crate::error::Error;
@@ -23,12 +25,32 @@ pub(crate) const MASS: Range = Range::positive(" kg");
 /// A ball's radius.
 pub(crate) const RADIUS: Range = Range::positive(" m");
 
-/// `balls` with the heights and motion states that a simulation starts from.
+/// Balls that have room on a table, with the heights and motion states that a simulation starts
+/// from.
+#[derive(Clone, Debug)]
+pub(crate) struct CheckedBalls(Arc<[PlacedBall]>);
+
+impl CheckedBalls {
+    /// The balls, in their order.
+    pub(super) fn into_inner(self) -> Arc<[PlacedBall]> {
+        self.0
+    }
+}
+
+impl Deref for CheckedBalls {
+    type Target = [PlacedBall];
+
+    fn deref(&self) -> &[PlacedBall] {
+        &self.0
+    }
+}
+
+/// Checks `balls` of a shot on `table`.
 ///
 /// # Errors
 /// [`Error::Input`] for too few or too many balls, numbers out of range, ids that are not unique,
 /// balls outside the table, and overlaps.
-pub(super) fn checked(mut balls: Vec<PlacedBall>, table: &Table) -> Result<Vec<PlacedBall>, Error> {
+pub(crate) fn checked(mut balls: Vec<PlacedBall>, table: &Table) -> Result<CheckedBalls, Error> {
     check_count(balls.len())?;
     for (i, PlacedBall { ball, state, .. }) in balls.iter_mut().enumerate() {
         let place = |key: &'static str| move || format!("balls[{i}].{key}");
@@ -43,7 +65,7 @@ pub(super) fn checked(mut balls: Vec<PlacedBall>, table: &Table) -> Result<Vec<P
         state.motion = motion(state, ball.radius);
     }
     check(&balls, table)?;
-    Ok(balls)
+    Ok(CheckedBalls(balls.into()))
 }
 
 fn check_count(count: usize) -> Result<(), Error> {

@@ -13,7 +13,7 @@ use alloc::string::String;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
-pub(crate) use balls::{MASS, RADIUS, fits};
+pub(crate) use balls::{CheckedBalls, MASS, RADIUS, checked as checked_balls, fits};
 pub use obstruction::Touched;
 pub(crate) use strike::{OFFSET, SPEED, explain};
 pub use strike::{Policy, StrikePolicy};
@@ -57,21 +57,20 @@ impl AsRef<Shot> for Shot {
     }
 }
 
-/// What a shot is made of, before it is checked.
+/// What a shot is made of, before the strike is checked.
 #[derive(Clone, Debug)]
 pub(crate) struct Parts {
     pub(crate) table: Arc<Table>,
     pub(crate) physics: Physics,
-    /// [`Shot::new`] works out their heights and motion states.
-    pub(crate) balls: Vec<PlacedBall>,
+    pub(crate) balls: CheckedBalls,
     pub(crate) strike: Option<(usize, Strike)>,
     pub(crate) policy: StrikePolicy,
     pub(crate) max_events: u32,
 }
 
 impl Shot {
-    /// Checks the balls and the strike of `parts`. Table and physics are valid already: they come
-    /// from a preset or through a reader that checks ranges.
+    /// Checks the strike of `parts`. Table and physics are valid already: they come from a preset or
+    /// through a reader that checks ranges.
     ///
     /// # Errors
     /// As [`Self::with_balls`].
@@ -81,8 +80,7 @@ impl Shot {
         if policy.miscue == Policy::Report {
             physics.cue.tip_friction = strike::TIP_THAT_HOLDS;
         }
-        let balls = balls::checked(balls, &table)?.into();
-        let physics = physics.into();
+        let (balls, physics) = (balls.into_inner(), physics.into());
         Self { table, physics, balls, strike, max_events, policy, tip_friction }.checked()
     }
 
@@ -108,7 +106,7 @@ impl Shot {
         balls: Vec<PlacedBall>,
         strike: Option<(usize, Strike)>,
     ) -> Result<Self, Error> {
-        let balls = balls::checked(balls, &self.table)?.into();
+        let balls = balls::checked(balls, &self.table)?.into_inner();
         let (table, physics) = (self.table.clone(), self.physics.clone());
         let Self { max_events, policy, tip_friction, .. } = *self;
         Self { table, physics, balls, strike, max_events, policy, tip_friction }.checked()

@@ -165,6 +165,14 @@ fn a_syntax_error_is_located_by_the_last_complete_keys() {
 }
 
 #[test]
+fn balls_are_refused_before_the_strike_on_one_of_them() {
+    let none = r#"{"format": "carom-shot/1", "table": "wpa-9ft", "balls": [],
+        "strike": {"ball": "cue", "speed": 1, "azimuth_deg": 90}}"#;
+    let sentence = Shot::from_json(none).expect_err("no balls").to_string();
+    assert!(sentence.starts_with("balls: found 0 balls"), "{sentence}");
+}
+
+#[test]
 fn overlapping_balls_are_refused_with_their_depth() {
     refused("1.905", "0.690", "balls[1].position", &["balls[0]", "2.15", "0.05715"]);
 }
