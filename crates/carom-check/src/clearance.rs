@@ -21,12 +21,12 @@ const MOST_SAMPLES: u32 = 100_000;
 
 /// The distance from a piece at one time.
 #[derive(Clone, Copy)]
-struct Sample {
+struct DistanceSample {
     time: f64,
     distance: Distance,
 }
 
-impl Sample {
+impl DistanceSample {
     fn new(piece: &SolidPiece, curve: &Curve, time: f64) -> Self {
         Self { time, distance: piece.distance(curve.place(time)) }
     }
@@ -107,7 +107,11 @@ pub(crate) fn border(solid: &Solid, curve: &Curve, length: f64) -> Intrusion {
 fn piece(piece: &SolidPiece, curve: &Curve, length: f64, tolerance: f64) -> Intrusion {
     let left = Cell::new(MOST_SAMPLES);
     let search = Search { piece, curve, allowed: curve.radius - tolerance, left };
-    search.between(Sample::new(piece, curve, 0.0), Sample::new(piece, curve, length), LEVELS)
+    search.between(
+        DistanceSample::new(piece, curve, 0.0),
+        DistanceSample::new(piece, curve, length),
+        LEVELS,
+    )
 }
 
 struct Search<'a> {
@@ -120,13 +124,13 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn between(&self, a: Sample, b: Sample, levels: u32) -> Intrusion {
+    fn between(&self, a: DistanceSample, b: DistanceSample, levels: u32) -> Intrusion {
         for end in [a, b] {
             if end.distance.value < self.allowed {
                 return self.intrusion(end.distance.value, end.time);
             }
         }
-        let bound = |s: &Sample| s.bound(self.curve, a.time, b.time);
+        let bound = |s: &DistanceSample| s.bound(self.curve, a.time, b.time);
         let proved = bound(&a).max(bound(&b));
         if proved >= self.allowed {
             return self.intrusion(proved, a.time);
@@ -135,7 +139,7 @@ impl Search<'_> {
             return self.intrusion(f64::NAN, a.time);
         }
         self.left.set(self.left.get() - 1);
-        let middle = Sample::new(self.piece, self.curve, 0.5 * (a.time + b.time));
+        let middle = DistanceSample::new(self.piece, self.curve, 0.5 * (a.time + b.time));
         if levels == 0 {
             return self.intrusion(middle.distance.value, middle.time);
         }

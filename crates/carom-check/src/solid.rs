@@ -3,9 +3,10 @@
 //! detection.
 //!
 //! * **Bed**: everything at or below z = 0, except the holes.
-//! * **Plates**: cushion and rail have a flat top at the height of the nose. The rubber is undercut, so
-//!   nothing below that edge can be touched, and a rail is a plate without thickness: a convex polygon
-//!   behind its nose and its facings, and a slice of a disc for each rounded point.
+//! * **Plates**: cushion and rail have a flat top at the height of the nose. The rubber is
+//!   undercut, so nothing below that edge can be touched, and a rail is a plate without thickness:
+//!   a convex polygon behind its nose and its facings, and a slice of a disc for each rounded
+//!   point.
 //! * **Liners**: everything behind the far arc of a hole, up to the height of the nose.
 //!
 //! A ball is clear of a piece if its centre is at least its radius away. A ball that is clear at
@@ -224,7 +225,7 @@ impl Solid {
         for rail in edges.chunk_by(|a, b| a.rail == b.rail) {
             solid.add_rail(rail, reach);
         }
-        let jaws: Vec<Jaw> = edges.chunk_by(|a, b| a.rail == b.rail).flat_map(jaws).collect();
+        let jaws: Vec<RailEnd> = edges.chunk_by(|a, b| a.rail == b.rail).flat_map(jaws).collect();
         for pocket in pockets() {
             solid.add_liner(pocket, &jaws, BEYOND * rail_width);
         }
@@ -265,11 +266,12 @@ impl Solid {
     }
 
     /// Adds the liner of a pocket, between the extended lines of its two jaws.
-    fn add_liner(&mut self, pocket: &Pocket, jaws: &[Jaw], far: f64) {
+    fn add_liner(&mut self, pocket: &Pocket, jaws: &[RailEnd], far: f64) {
         let (center, radius, height) = (pocket.center, pocket.radius, self.height);
         let name = pocket.name.name();
         let mut ends: Vec<Vec2> = Vec::new();
-        let near = |jaw: &&Jaw| pocket.throat.iter().any(|t| (*t - jaw.deep).length() < SAME_PLACE);
+        let near =
+            |jaw: &&RailEnd| pocket.throat.iter().any(|t| (*t - jaw.deep).length() < SAME_PLACE);
         for jaw in jaws.iter().filter(near) {
             let Some(end) = jaw.leaves(center, radius) else { continue };
             let out = (end - center) * (1.0 / radius);
@@ -325,7 +327,7 @@ impl Solid {
 
 /// The end of a rail at a pocket: the line of its facing, or of the tangent to a point that takes
 /// the place of a facing.
-struct Jaw {
+struct RailEnd {
     /// Deep end, m.
     deep: Vec2,
     /// Unit vector away from the table along the line.
@@ -334,7 +336,7 @@ struct Jaw {
     normal: Vec2,
 }
 
-impl Jaw {
+impl RailEnd {
     /// The point where the line leaves the circle, if it meets it.
     fn leaves(&self, center: Vec2, radius: f64) -> Option<Vec2> {
         let d = self.deep - center;
@@ -345,16 +347,16 @@ impl Jaw {
 }
 
 /// The jaws at the two ends of a rail; none in a plain rectangle.
-fn jaws(parts: &[CushionPart]) -> Vec<Jaw> {
+fn jaws(parts: &[CushionPart]) -> Vec<RailEnd> {
     let at = |part: &CushionPart| match part.shape {
         Shape::Segment { .. } if part.part == Edge::Nose => None,
         Shape::Segment { start, end, normal } => {
             let along = end - start;
-            Some(Jaw { deep: end, along: along * (1.0 / along.length()), normal })
+            Some(RailEnd { deep: end, along: along * (1.0 / along.length()), normal })
         }
         Shape::Arc { center, radius, start, end } => {
             let turn = if start.cross(end) >= 0.0 { 1.0 } else { -1.0 };
-            Some(Jaw { deep: center + end * radius, along: end.perp() * turn, normal: end })
+            Some(RailEnd { deep: center + end * radius, along: end.perp() * turn, normal: end })
         }
         #[allow(unreachable_patterns)]
         _ => None,

@@ -7,7 +7,7 @@
 //!
 //! METHOD is the name of one method, such as `carom`; the default is all of them.
 
-use carom_peers::whole_shots::{Contestant, Reading, ShotSource, TOLERANCES};
+use carom_peers::whole_shots::{Contestant, RootRule, ShotSource, TOLERANCES};
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -34,13 +34,13 @@ fn main() {
 /// The divisor of the number of shots: a tenth of the hard shots is simulated, and a hundredth
 /// where many shots run until the limit of events. None: the combination is left out.
 fn share(family: ShotSource, finder: &Contestant) -> Option<u64> {
-    match (family, finder.reading) {
+    match (family, finder.rule) {
         // Its shots that never end would take hours.
-        (_, Reading::Smallest) if finder.method == "companion matrix" => None,
-        (ShotSource::Ordinary, Reading::Smallest) => Some(100),
-        (ShotSource::Frozen, Reading::Smallest) => None,
-        (ShotSource::Ordinary, Reading::Approaching | Reading::FirstContact) => Some(1),
-        (ShotSource::Ordinary, Reading::FromTheStart) | (ShotSource::Frozen, _) => Some(10),
+        (_, RootRule::Smallest) if finder.method == "companion matrix" => None,
+        (ShotSource::Ordinary, RootRule::Smallest) => Some(100),
+        (ShotSource::Frozen, RootRule::Smallest) => None,
+        (ShotSource::Ordinary, RootRule::Approaching | RootRule::FirstContact) => Some(1),
+        (ShotSource::Ordinary, RootRule::FromTheStart) | (ShotSource::Frozen, _) => Some(10),
     }
 }
 
@@ -52,12 +52,12 @@ fn line(family: ShotSource, finder: &Contestant, shots: u64, timed: u64) -> Stri
         .zip(found.impossible)
         .map(|((name, _), count)| format!(r#""{name}": {count}"#))
         .collect();
-    let (family, reading) = (family.name(), finder.reading.name());
+    let (family, reading) = (family.name(), finder.rule.name());
     eprintln!("{family}, {}, {reading}: {found:?}, {microseconds:.1} µs", finder.method);
     format!(
         r#"  {{"family": "{family}", "method": "{}", "reading": "{reading}", "shots": {shots}, "proofs": {}, "impossible": {{{}}}, "overlap": {}, "apart": {}, "endless": {}, "other": {}, "microseconds_per_shot": {microseconds:.1}}}"#,
         finder.method,
-        finder.reading == Reading::FirstContact,
+        finder.rule == RootRule::FirstContact,
         impossible.join(", "),
         found.overlap,
         found.apart,

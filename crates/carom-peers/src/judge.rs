@@ -45,7 +45,7 @@ const MAX_HALVINGS: usize = 160;
 
 /// Judges `answer`. Faults smaller than `tolerance` (m, on a table) count as right.
 pub fn judge<const N: usize>(case: &Case<N>, answer: Option<f64>, tolerance: f64) -> Verdict {
-    Exact::new(case, tolerance).judge(answer)
+    ExactMotion::new(case, tolerance).judge(answer)
 }
 
 /// A path and its obstacle in high precision.
@@ -128,7 +128,7 @@ fn dot<const N: usize>(a: [DoubleDouble; N], b: [DoubleDouble; N]) -> DoubleDoub
 }
 
 /// The motion in 106 bits.
-struct Exact<const N: usize> {
+struct ExactMotion<const N: usize> {
     case: Case<N>,
     tolerance: f64,
     d: [DoubleDouble; N],
@@ -138,7 +138,7 @@ struct Exact<const N: usize> {
     g: [DoubleDouble; 4],
 }
 
-impl<const N: usize> Exact<N> {
+impl<const N: usize> ExactMotion<N> {
     fn new(case: &Case<N>, tolerance: f64) -> Self {
         let Motion { d, v, h } = case.motion;
         let [d, v, h] = [d, v, h].map(|w| w.map(DoubleDouble::from));
@@ -149,7 +149,7 @@ impl<const N: usize> Exact<N> {
             times(3.0, dot(v, h)),
             times(2.0, dot(h, h)),
         ];
-        Exact { case: *case, tolerance, d, v, h, g }
+        ExactMotion { case: *case, tolerance, d, v, h, g }
     }
 
     fn rate_root(&self, mut low: f64, mut high: f64) -> Option<f64> {
@@ -168,7 +168,7 @@ impl<const N: usize> Exact<N> {
     }
 }
 
-impl<const N: usize> Truth for Exact<N> {
+impl<const N: usize> Truth for ExactMotion<N> {
     fn window(&self) -> RangeInclusive<f64> {
         0.0..=self.case.horizon
     }

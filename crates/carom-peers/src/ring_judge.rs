@@ -17,11 +17,11 @@ use crate::ring_families::RingCase;
 
 /// Judges `answer`. Faults smaller than `tolerance` (m, on a table) count as right.
 pub fn judge_ring(case: &RingCase, answer: Option<f64>, tolerance: f64) -> Verdict {
-    Exact::new(case, tolerance).judge(answer)
+    ExactRingPath::new(case, tolerance).judge(answer)
 }
 
 /// The path in 106 bits.
-struct Exact {
+struct ExactRingPath {
     case: RingCase,
     tolerance: f64,
     d: [DoubleDouble; 3],
@@ -52,11 +52,11 @@ fn sum(a: &[DoubleDouble], b: &[DoubleDouble]) -> Polynomial {
 /// time changes the gap by δ² only, this is more than enough.
 const HALVINGS: u32 = 56;
 
-impl Exact {
+impl ExactRingPath {
     fn new(case: &RingCase, tolerance: f64) -> Self {
         let [d, v, h] =
             [case.motion.d, case.motion.v, case.motion.h].map(|w| w.map(DoubleDouble::from));
-        Exact { case: *case, tolerance, d, v, h }
+        ExactRingPath { case: *case, tolerance, d, v, h }
     }
 
     fn at(&self, t: f64) -> [DoubleDouble; 3] {
@@ -93,7 +93,7 @@ impl Exact {
     }
 }
 
-impl Truth for Exact {
+impl Truth for ExactRingPath {
     fn window(&self) -> RangeInclusive<f64> {
         self.case.from..=self.case.horizon
     }

@@ -108,7 +108,7 @@ pub type PlayableShot = (Shot, Option<Strike>);
 
 /// The rule that selects the contact among the roots of a quartic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
+pub enum RootRule {
     /// [`Smallest`].
     Smallest,
     /// [`Approaching`].
@@ -119,14 +119,14 @@ pub enum Reading {
     FirstContact,
 }
 
-impl Reading {
+impl RootRule {
     /// The name in tables.
     pub fn name(self) -> &'static str {
         match self {
-            Reading::Smallest => "smallest positive root",
-            Reading::Approaching => "at which they approach",
-            Reading::FromTheStart => "or touching at the start",
-            Reading::FirstContact => "first contact",
+            RootRule::Smallest => "smallest positive root",
+            RootRule::Approaching => "at which they approach",
+            RootRule::FromTheStart => "or touching at the start",
+            RootRule::FirstContact => "first contact",
         }
     }
 }
@@ -165,28 +165,28 @@ pub struct Contestant {
     /// The method that solves quartics.
     pub method: &'static str,
     /// The rule that selects the contact among their roots.
-    pub reading: Reading,
+    pub rule: RootRule,
     check: fn(ShotSource, u64) -> FirstFaults,
     seconds: fn(&[PlayableShot]) -> f64,
 }
 
 impl Contestant {
-    const fn new<F: ContactFinder>(method: &'static str, reading: Reading) -> Self {
-        Self { method, reading, check: first_faults::<F>, seconds: seconds::<F> }
+    const fn new<F: ContactFinder>(method: &'static str, rule: RootRule) -> Self {
+        Self { method, rule, check: first_faults::<F>, seconds: seconds::<F> }
     }
 
     /// All of them, the engine's own last.
     pub const ALL: [Self; 10] = [
-        Self::new::<Smallest<Ferrari>>(FERRARI, Reading::Smallest),
-        Self::new::<Smallest<Companion>>(COMPANION, Reading::Smallest),
-        Self::new::<Smallest<Algorithm1010>>(ALGORITHM_1010, Reading::Smallest),
-        Self::new::<Approaching<Ferrari>>(FERRARI, Reading::Approaching),
-        Self::new::<Approaching<Companion>>(COMPANION, Reading::Approaching),
-        Self::new::<Approaching<Algorithm1010>>(ALGORITHM_1010, Reading::Approaching),
-        Self::new::<FromTheStart<Ferrari>>(FERRARI, Reading::FromTheStart),
-        Self::new::<FromTheStart<Companion>>(COMPANION, Reading::FromTheStart),
-        Self::new::<FromTheStart<Algorithm1010>>(ALGORITHM_1010, Reading::FromTheStart),
-        Self::new::<FirstContact>("carom", Reading::FirstContact),
+        Self::new::<Smallest<Ferrari>>(FERRARI, RootRule::Smallest),
+        Self::new::<Smallest<Companion>>(COMPANION, RootRule::Smallest),
+        Self::new::<Smallest<Algorithm1010>>(ALGORITHM_1010, RootRule::Smallest),
+        Self::new::<Approaching<Ferrari>>(FERRARI, RootRule::Approaching),
+        Self::new::<Approaching<Companion>>(COMPANION, RootRule::Approaching),
+        Self::new::<Approaching<Algorithm1010>>(ALGORITHM_1010, RootRule::Approaching),
+        Self::new::<FromTheStart<Ferrari>>(FERRARI, RootRule::FromTheStart),
+        Self::new::<FromTheStart<Companion>>(COMPANION, RootRule::FromTheStart),
+        Self::new::<FromTheStart<Algorithm1010>>(ALGORITHM_1010, RootRule::FromTheStart),
+        Self::new::<FirstContact>("carom", RootRule::FirstContact),
     ];
 
     /// Checks the shots 0 to `shots` − 1 of a source, on all cores.

@@ -2,27 +2,27 @@
 //! the counts of 100 000.
 
 use carom_peers::operations::Operations;
-use carom_peers::whole_shots::{Contestant, FaultCounts, Reading, ShotSource};
+use carom_peers::whole_shots::{Contestant, FaultCounts, RootRule, ShotSource};
 
 /// Shots per finder. The shots, and so the counts below, are the same in each run.
 const SHOTS: u64 = 500;
 
-fn checked(method: &str, reading: Reading, source: ShotSource) -> FaultCounts {
-    let found = |c: &&Contestant| c.method == method && c.reading == reading;
+fn checked(method: &str, rule: RootRule, source: ShotSource) -> FaultCounts {
+    let found = |c: &&Contestant| c.method == method && c.rule == rule;
     Contestant::ALL.iter().find(found).expect("a contestant").check(source, SHOTS)
 }
 
 #[test]
 fn the_engines_finder_gives_no_impossible_shot() {
     for source in [ShotSource::Ordinary, ShotSource::Frozen] {
-        let counts = checked("carom", Reading::FirstContact, source);
+        let counts = checked("carom", RootRule::FirstContact, source);
         assert_eq!(counts, FaultCounts { shots: SHOTS, ..FaultCounts::default() });
     }
 }
 
 #[test]
 fn the_textbook_closed_form_lets_balls_pass_through_each_other() {
-    let counts = checked("textbook closed form", Reading::Approaching, ShotSource::Ordinary);
+    let counts = checked("textbook closed form", RootRule::Approaching, ShotSource::Ordinary);
     let [_, micrometre, _] = counts.impossible;
     assert!(micrometre > 0 && counts.overlap > 0, "{counts:?}");
 }
@@ -31,15 +31,15 @@ fn the_textbook_closed_form_lets_balls_pass_through_each_other() {
 fn accurate_roots_with_approach_give_ordinary_shots_without_visible_faults() {
     for method in ["companion matrix", "Algorithm 1010"] {
         let [_, micrometre, _] =
-            checked(method, Reading::Approaching, ShotSource::Ordinary).impossible;
+            checked(method, RootRule::Approaching, ShotSource::Ordinary).impossible;
         assert_eq!(micrometre, 0, "{method}");
     }
 }
 
 #[test]
 fn accurate_roots_without_the_start_miss_contacts_of_frozen_balls() {
-    let without = checked("Algorithm 1010", Reading::Approaching, ShotSource::Frozen);
-    let with = checked("Algorithm 1010", Reading::FromTheStart, ShotSource::Frozen);
+    let without = checked("Algorithm 1010", RootRule::Approaching, ShotSource::Frozen);
+    let with = checked("Algorithm 1010", RootRule::FromTheStart, ShotSource::Frozen);
     assert!(without.impossible[1] > 10 * (1 + with.impossible[1]), "{without:?}, {with:?}");
 }
 

@@ -1,7 +1,7 @@
 //! Observes a shot for its referee.
 
 use carom::event::{Event, EventKind, Recorder};
-use carom::outcome::{Outcome, OutcomeRecorder};
+use carom::outcome::{Outcome, OutcomeRecorder, Touched};
 use carom::{BallState, Shot};
 
 use crate::layout::BallIndex;
@@ -20,8 +20,6 @@ pub(crate) struct CueBallTravel {
 /// `outcome` of a shot whose ball `k` is ball `balls[k]` of the frame, with the frame's ball
 /// indices.
 pub(crate) fn renumbered(outcome: &Outcome, balls: &[BallIndex]) -> Outcome {
-    use carom::outcome::Touched;
-
     let mut out = outcome.clone();
     let renumber = |k: &mut u16| *k = balls[usize::from(*k)];
     out.cue_ball.iter_mut().for_each(renumber);

@@ -6,12 +6,12 @@ use carom_check::random_shots::{ShotFamily, shot_file};
 use carom_check::{CheckRecorder, Tally};
 use rayon::prelude::*;
 
-/// Shots per family: 100 000 in all in an optimised build. A debug build is several times slower and
-/// has the same bits, so it checks only some of them.
+/// Shots per family: 100 000 in all in an optimised build. A debug build is several times slower
+/// and has the same bits, so it checks only some of them.
 const SHOTS: u64 = if cfg!(debug_assertions) { 500 } else { 8_500 };
 
-/// Largest share of drawn layouts of [`ShotFamily::Jaws`] that may be refused, %: 21 % have a ball in a
-/// jaw or over a hole. No layout of the other families is refused.
+/// Largest share of drawn layouts of [`ShotFamily::Jaws`] that may be refused, %: 21 % have a ball
+/// in a jaw or over a hole. No layout of the other families is refused.
 const REFUSED_IN_JAWS: u64 = 22;
 
 fn check(family: ShotFamily) {
