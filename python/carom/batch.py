@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import carom
 
 # Shots that go to Rust in the first call. Ctrl-C is noticed between two calls.
-_FIRST_CHUNK = 512
+_FIRST_CHUNK = 64
 # A call should take about this long, s. A person notices a longer delay of Ctrl-C, and starting a
 # call costs less than a thousandth of it.
 _CHUNK_TIME = 0.1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from importlib.resources import files
+from pathlib import Path
 from typing import Any, Literal
 
 from carom import _core
@@ -25,7 +25,8 @@ def schema(kind: Literal["shot", "trace", "sweep"] = "shot") -> dict[str, Any]:
         InputError: There is no schema of that name.
     """
     if kind == "sweep":
-        text = files("carom").joinpath("data", "carom-sweep-1.json").read_text(encoding="utf-8")
+        path = Path(__file__).with_name("data") / "carom-sweep-1.json"
+        text = path.read_text(encoding="utf-8")
     elif kind in ("shot", "trace"):
         text = _core.schema(kind)
     else:

@@ -187,7 +187,7 @@ class Shot:
         Raises:
             EventCapError: It reached its largest number of events; the error has the shot.
         """
-        return Trace._wrap(self._core.simulate())
+        return Trace._wrap(_core.simulate(self._core))
 
     # Questions: functions whose first argument is the shot.
     batch = batch

@@ -156,7 +156,8 @@ pub fn evaluate(
         }
         part = if began.elapsed() < PART_TIME { 2 * part } else { part.div_ceil(2) };
         progress.add(count);
-        let ends_round = evaluation.variants % round == 0 || evaluation.variants == model.variants;
+        let ends_round =
+            evaluation.variants.is_multiple_of(round) || evaluation.variants == model.variants;
         if ends_round && model.is_precise(evaluation.watched_counts(*watched), evaluation.variants)
         {
             break;

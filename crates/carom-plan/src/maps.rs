@@ -119,7 +119,8 @@ pub fn position_map(
     goal.check(shot)?;
     check_each("speed", speeds, |v| 0.0 < v && v <= FASTEST_CUE, "give m/s, > 0 and <= 50")?;
     for [side, height] in spins {
-        if !(side * side + height * height <= 1.0) {
+        let offset = side * side + height * height;
+        if offset > 1.0 || offset.is_nan() {
             let what = format!("({side:?}, {height:?}) ball radii is off the ball");
             return Err(Error::input("side, height", what, "keep side² + height² <= 1"));
         }

@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::to_exception;
-use crate::options::{NoiseOptions, PerceptionOptions};
+use crate::options::{NoiseOptions, PerceptionOptions, count};
 use crate::shot::{Shot, strike_of};
 
 pub(crate) type Arrays<'py> = (
@@ -132,17 +132,9 @@ pub(crate) fn noise_presets() -> Vec<(&'static str, [f64; 5])> {
     all.map(|(name, n)| (name, [n.speed, n.azimuth, n.elevation, n.side_m, n.height_m])).collect()
 }
 
-pub(crate) fn noise_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Noise {
-    Noise { speed, azimuth, elevation, side_m: side, height_m: height }
-}
-
 /// The runner of `threads` threads; 0 is one per core.
 fn runner(py: Python<'_>, threads: usize) -> PyResult<Runner> {
     Runner::new(count(threads)).map_err(|e| to_exception(py, &e))
-}
-
-pub(crate) fn count(threads: usize) -> Option<usize> {
-    (threads > 0).then_some(threads)
 }
 
 pub(crate) fn arrays<'py>(py: Python<'py>, result: BatchResult) -> PyResult<Arrays<'py>> {

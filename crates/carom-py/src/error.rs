@@ -3,10 +3,8 @@
 use carom::error::Error;
 use pyo3::prelude::*;
 
+use crate::exceptions::{EventCapError, InputError};
 use crate::node::to_python;
-
-pyo3::import_exception!(carom.errors, EventCapError);
-pyo3::import_exception!(carom.errors, InputError);
 
 /// The exception for `error`.
 pub(crate) fn to_exception(py: Python<'_>, error: &Error) -> PyErr {

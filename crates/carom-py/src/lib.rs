@@ -1,8 +1,9 @@
-//! The Python module `carom._core`: conversions, no logic. The public face is `python/carom`.
+//! The Python module `carom._core`: conversions, no logic. The public API is `python/carom`.
 
 mod batch;
 mod env;
 mod error;
+mod exceptions;
 mod maps;
 mod node;
 mod options;
@@ -48,7 +49,7 @@ mod _core {
         unknown_word, wrong_type,
     };
     #[pymodule_export]
-    use crate::trace::Trace;
+    use crate::trace::{Trace, simulate};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -10,9 +10,9 @@ use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::batch::{Arrays, arrays, count};
+use crate::batch::{Arrays, arrays};
 use crate::error::to_exception;
-use crate::options::SamplingOptions;
+use crate::options::{SamplingOptions, count};
 use crate::progress;
 use crate::shot::Shot;
 

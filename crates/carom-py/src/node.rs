@@ -1,4 +1,4 @@
-//! Plain values across the border: dicts, lists, strings, numbers.
+//! Conversion of plain values: dicts, lists, strings, numbers.
 
 use carom::format::Node;
 use pyo3::prelude::*;
@@ -7,17 +7,17 @@ use pyo3::types::{
     PyMapping, PySet, PyString,
 };
 
-use crate::error::InputError;
+use crate::exceptions::InputError;
 
-/// Deeper nesting than any file of ours has; a list that holds itself ends here.
+/// Deepest nesting that is accepted. No format nests deeper; a list that contains itself would.
 const DEEPEST: usize = 32;
 
-/// What a Python value says.
+/// A Python value as a tree.
 pub(crate) fn from_python(value: &Bound<'_, PyAny>) -> PyResult<Node> {
     read(value, &mut String::new(), 0)
 }
 
-/// A value as the engine reads it, in plain dicts, lists, strings and numbers.
+/// A value in the plain dicts, lists, strings and numbers that the engine reads.
 #[pyfunction]
 pub(crate) fn plain<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     to_python(value.py(), &from_python(value)?)
@@ -51,21 +51,21 @@ fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<
     if let Ok(mapping) = value.cast::<PyMapping>() {
         return read_mapping(mapping, place, depth);
     }
-    // Bytes can be counted like a list of numbers, and nobody means one.
+    // Bytes are a sequence of numbers in Python, but hardly ever meant as one.
     if value.cast::<PyBytes>().is_ok() || value.cast::<PyByteArray>().is_ok() {
         return Err(refuse(place, "found bytes", "write a text, or numbers"));
     }
-    // A set has no order: whoever writes one for a position does not know what is x.
+    // A set has no order, so it cannot hold coordinates.
     let ordered = value.cast::<PySet>().is_err() && value.cast::<PyFrozenSet>().is_err();
     if let (true, Ok(items)) = (ordered, value.try_iter()) {
         return read_items(items, place, depth);
     }
-    // NumPy's truth values can be made numbers, but are none.
+    // NumPy's truth values can be converted to numbers, but are not numbers.
     if ["bool", "bool_"].contains(&&*value.get_type().name()?.to_string_lossy()) {
         return Ok(Node::Bool(value.is_truthy()?));
     }
-    // NumPy's scalars are neither of Python's numbers, but say what they are worth. An array without axes
-    // has both methods, and refuses the first where it holds a fraction.
+    // NumPy's scalars are not Python's numbers, but convert to them. An array without axes has both
+    // methods, and its first one fails for a fraction.
     for method in ["__index__", "__float__"] {
         if let Ok(number) = value.call_method0(method) {
             return read(&number, place, depth + 1);
@@ -114,7 +114,7 @@ fn refuse(place: &str, what: &str, remedy: &str) -> PyErr {
     InputError::new_err(format!("{place}{what}; {remedy}"))
 }
 
-/// The same in Python's own types.
+/// A tree as Python's own types.
 pub(crate) fn to_python<'py>(py: Python<'py>, node: &Node) -> PyResult<Bound<'py, PyAny>> {
     Ok(match node {
         Node::Null => py.None().into_bound(py),

@@ -6,8 +6,6 @@ use carom::noise::Perception;
 use carom_plan::{Disc, ErrorModel, Goal, Search};
 use pyo3::prelude::*;
 
-use crate::batch::{count, noise_of};
-
 /// `carom.Noise`.
 #[derive(FromPyObject)]
 pub(crate) struct NoiseOptions {
@@ -99,4 +97,14 @@ impl SearchOptions {
             threads: count(threads),
         }
     }
+}
+
+/// The noise with these σ: speed, azimuth, elevation, side, height.
+pub(crate) fn noise_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Noise {
+    Noise { speed, azimuth, elevation, side_m: side, height_m: height }
+}
+
+/// A number of threads from Python, where 0 is one per core.
+pub(crate) fn count(threads: usize) -> Option<usize> {
+    (threads > 0).then_some(threads)
 }

@@ -6,9 +6,8 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::batch::count;
 use crate::error::to_exception;
-use crate::options::{GoalOptions, SamplingOptions, SearchOptions};
+use crate::options::{GoalOptions, SamplingOptions, SearchOptions, count};
 use crate::progress;
 use crate::rules::Frame;
 use crate::shot::Shot;

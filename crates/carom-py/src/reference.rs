@@ -1,4 +1,4 @@
-//! What the engine knows by itself: table presets, racks, schemas.
+//! Reference data of the engine: table presets, racks, schemas.
 
 use carom::Table;
 use carom::format::Node;
@@ -6,7 +6,8 @@ use carom::rack::{Break, Game, USUAL_GAP, break_shot as open};
 use carom::table::PRESETS;
 use pyo3::prelude::*;
 
-use crate::error::{InputError, to_exception};
+use crate::error::to_exception;
+use crate::exceptions::InputError;
 use crate::node::to_python;
 use crate::shot::Shot;
 
@@ -23,7 +24,7 @@ pub(crate) fn games() -> Vec<&'static str> {
     Game::ALL.iter().map(|game| game.name()).collect()
 }
 
-/// The opening shot of a game; what is None is as usual.
+/// The opening shot of a game; None stands for the game's usual value.
 #[pyfunction]
 pub(crate) fn break_shot(
     py: Python<'_>,

@@ -8,7 +8,6 @@ use pyo3::prelude::*;
 
 use crate::error::to_exception;
 use crate::node::{from_python, to_python};
-use crate::trace::Trace;
 
 pub(crate) fn strike_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Strike {
     Strike { speed, azimuth, elevation, side, height }
@@ -51,11 +50,6 @@ impl Shot {
         to_python(py, &self.0.table().to_node())
     }
 
-    fn simulate(&self, py: Python<'_>) -> PyResult<Trace> {
-        let trace = py.detach(|| self.0.simulate()).map_err(|e| to_exception(py, &e))?;
-        Ok(Trace::new(trace, self.0.clone()))
-    }
-
     #[getter]
     fn ids(&self) -> Vec<&str> {
         self.0.balls().iter().map(|b| b.id.as_str()).collect()
@@ -78,7 +72,7 @@ impl Shot {
         Some((s.speed, s.azimuth, s.elevation, s.side, s.height))
     }
 
-    /// The same shot struck otherwise: speed, azimuth, elevation, side, height.
+    /// The same shot with another strike: speed, azimuth, elevation, side, height.
     fn with_strike(&self, py: Python<'_>, strike: [f64; 5]) -> PyResult<Self> {
         let shot = self.0.with_strike(&strike_of(strike)).map_err(|e| to_exception(py, &e))?;
         Ok(Self(shot.into()))

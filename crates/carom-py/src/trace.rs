@@ -1,4 +1,4 @@
-//! `_core.Trace`.
+//! `_core.Trace` and `_core.simulate`.
 
 use std::sync::{Arc, OnceLock};
 
@@ -44,6 +44,13 @@ impl Trace {
     }
 }
 
+/// The trace of a shot.
+#[pyfunction]
+pub(crate) fn simulate(py: Python<'_>, shot: &Shot) -> PyResult<Trace> {
+    let trace = py.detach(|| shot.0.simulate()).map_err(|e| to_exception(py, &e))?;
+    Ok(Trace::new(trace, shot.0.clone()))
+}
+
 type Cube<'py> = Bound<'py, PyArray3<f64>>;
 type States<'py> = (Cube<'py>, Cube<'py>, Cube<'py>, Cube<'py>, Vec<&'static str>);
 
@@ -72,8 +79,8 @@ impl Trace {
         Shot(self.shot.clone())
     }
 
-    /// Position, velocity, spin, each (times, balls, 3), orientation (times, balls, 4), and motions,
-    /// (times × balls).
+    /// Position, velocity and spin of shape (times, balls, 3), orientation of shape (times, balls, 4), and
+    /// motions (times × balls).
     fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
         let times = times.as_array();
         let balls = self.trace.shot().balls().len();
@@ -97,7 +104,7 @@ impl Trace {
         ))
     }
 
-    /// Where the two part first, in one sentence; None if they are the same to the bit.
+    /// The first difference of two traces, in one sentence; None if they are equal to the bit.
     fn first_difference(&self, again: &Self) -> Option<String> {
         self.trace.first_difference(&again.trace)
     }

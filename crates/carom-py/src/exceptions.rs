@@ -1,0 +1,4 @@
+//! The exceptions of `carom.errors`.
+
+pyo3::import_exception!(carom.errors, EventCapError);
+pyo3::import_exception!(carom.errors, InputError);
