@@ -6,7 +6,6 @@ checks the values when the shot is built.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Self
@@ -132,24 +131,16 @@ class Strike:
     obstruction: str = "report"
 
     def to_dict(self) -> JSON:
-        """The shot file's ``strike``, with angles in degrees."""
+        """The shot file's ``strike``, with angles in radians, so that they keep their bits."""
         return {
             "ball": self.ball,
             "speed": self.speed,
-            "azimuth_deg": _degrees(self.azimuth),
-            "elevation_deg": _degrees(self.elevation),
+            "azimuth": self.azimuth,
+            "elevation": self.elevation,
             "side": self.side,
             "height": self.height,
             "obstruction": self.obstruction,
         }
-
-
-def _degrees(angle: Any) -> Any:
-    try:
-        return math.degrees(angle)
-    except (TypeError, OverflowError):
-        # Not a number: the engine rejects it and names its place in the file.
-        return angle
 
 
 def opening(

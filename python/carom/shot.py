@@ -153,10 +153,6 @@ class Shot:
     ) -> Self:
         """The same shot with another strike. Arguments that are None keep the value of this shot.
 
-        A shot file holds angles in degrees, so the angles of the new shot are converted, which
-        changes the last bit of about one in ten. The properties ``azimuth`` and ``elevation`` give
-        the converted values, with which ``simulate`` and ``batch`` agree to the bit.
-
         Args:
             speed: The cue's speed, m/s.
             azimuth: The cue's direction, counter-clockwise from +x, rad.

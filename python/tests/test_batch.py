@@ -1,4 +1,4 @@
-"""`simulate_batch` and `Shot.batch`: the same results as one by one, whatever the threads."""
+"""`simulate_batch` and `Shot.batch`: the results of single shots, for any number of threads."""
 
 from __future__ import annotations
 
@@ -41,9 +41,7 @@ def test_a_batch_ends_where_the_single_shots_end(pot: dict[str, Any], nine_ball:
         assert result.events[index] == len(trace["events"])
 
 
-def test_arrays_have_the_shapes_and_types_that_the_contract_names(
-    pot: dict[str, Any], nine_ball: Shot
-) -> None:
+def test_arrays_have_the_documented_shapes_and_types(pot: dict[str, Any], nine_ball: Shot) -> None:
     result = carom.simulate_batch([Shot.from_dict(pot), nine_ball])
     n = len(nine_ball.ids)
     assert result.final_position.shape == (2, n, 3)
@@ -64,7 +62,7 @@ def test_shots_with_fewer_balls_are_padded(pot: dict[str, Any], nine_ball: Shot)
     assert np.isfinite(result.final_position[1]).all()
 
 
-def test_pockets_are_numbered_as_the_tables_list_them(nine_ball: Shot) -> None:
+def test_pockets_are_numbered_in_the_order_of_the_tables(nine_ball: Shot) -> None:
     names = [pocket["name"] for pocket in nine_ball.geometry()["pockets"]]
     assert names == ["bottom-left", "bottom-right", "left", "right", "top-left", "top-right"]
     speeds = np.linspace(5.0, 10.0, 40)
@@ -91,7 +89,7 @@ def test_results_do_not_depend_on_the_number_of_threads(nine_ball: Shot) -> None
         assert one.events.tobytes() == other.events.tobytes()
 
 
-def test_scalars_broadcast_and_what_is_not_given_stays(pot: dict[str, Any]) -> None:
+def test_scalars_broadcast_and_omitted_values_stay(pot: dict[str, Any]) -> None:
     shot = Shot.from_dict(pot)
     own = carom.simulate_batch([shot])
     result = shot.batch(side=[0.0, 0.3], height=0.0)
@@ -126,7 +124,9 @@ def test_angles_are_radians(pot: dict[str, Any]) -> None:
     )
 
 
-def test_a_failing_shot_is_reported_by_index_and_harms_no_other(pot: dict[str, Any]) -> None:
+def test_a_failing_shot_is_reported_by_index_and_does_not_affect_others(
+    pot: dict[str, Any],
+) -> None:
     shot = Shot.from_dict(pot)
     height = np.zeros(7)
     height[3] = 0.9
@@ -161,7 +161,7 @@ def test_an_empty_batch_is_empty(pot: dict[str, Any]) -> None:
     assert nothing.final_position.shape == (0, 2, 3)
 
 
-def test_what_cannot_be_a_batch_is_refused(pot: dict[str, Any], endless: dict[str, Any]) -> None:
+def test_bad_arguments_of_batches_are_refused(pot: dict[str, Any], endless: dict[str, Any]) -> None:
     shot = Shot.from_dict(pot)
     with pytest.raises(InputError, match=r"shots\[1\]: found a dict"):
         carom.simulate_batch([shot, pot])  # type: ignore[list-item]
@@ -176,8 +176,8 @@ def test_what_cannot_be_a_batch_is_refused(pot: dict[str, Any], endless: dict[st
             shot.batch(threads=threads)  # type: ignore[arg-type]
 
 
-def test_other_python_threads_run_while_a_batch_runs(nine_ball: Shot) -> None:
-    # Without the GIL the counter goes on; with it, it would stand still for a whole chunk.
+def test_other_python_threads_run_during_a_batch(nine_ball: Shot) -> None:
+    # The counter advances only if the batch has released the GIL.
     ticks = 0
     stop = threading.Event()
 
@@ -214,7 +214,7 @@ def test_the_progress_bar_goes_to_stderr_and_nothing_to_stdout() -> None:
     assert "100/100" in done.stderr
 
 
-def test_a_hundred_thousand_variants_go_in_one_call(pot: dict[str, Any]) -> None:
+def test_one_call_accepts_a_hundred_thousand_variants(pot: dict[str, Any]) -> None:
     angles = math.pi / 2 + np.linspace(-0.02, 0.02, 100_000)
     result = Shot.from_dict(pot).batch(azimuth=angles, side=0.1)
     assert result.final_position.shape == (100_000, 2, 3)

@@ -1,4 +1,4 @@
-"""The command line: data to stdout, talk to stderr, exit 0, 2 (bad input), 1 (our bug)."""
+"""The command line: data to stdout, messages to stderr, exit 0, 2 (bad input), 1 (our bug)."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def on_a_terminal(arguments: list[str], **environment: str) -> str:
     return b"".join(chunks).decode()
 
 
-def test_on_a_terminal_the_table_has_colours_and_with_no_color_none(file: Path) -> None:
+def test_the_table_has_colours_on_a_terminal_unless_no_color_is_set(file: Path) -> None:
     coloured = on_a_terminal(["shot", str(file)])
     assert "\x1b[33m" in coloured
     assert "ball-collision" in coloured
@@ -100,7 +100,9 @@ def test_on_a_terminal_the_table_has_colours_and_with_no_color_none(file: Path) 
     assert "\x1b[36m" not in plain
 
 
-def test_pictures_are_written_where_told(run: CommandLine, file: Path, tmp_path: Path) -> None:
+def test_pictures_are_written_to_the_given_paths(
+    run: CommandLine, file: Path, tmp_path: Path
+) -> None:
     done = run("shot", str(file), "--svg", "a.svg", "--png", "b.png", "--json")
     assert done.returncode == 0
     assert json.loads(done.stdout)["format"] == "carom-trace/1"
@@ -119,7 +121,7 @@ def test_bad_input_gives_one_sentence_and_exit_code_2(
     refused(run("shot", "-", stdin=""), "JSON")
 
 
-def test_a_file_that_is_not_there_is_bad_input(run: CommandLine, tmp_path: Path) -> None:
+def test_a_missing_file_is_bad_input(run: CommandLine, tmp_path: Path) -> None:
     refused(run("shot", "nowhere.json"), "nowhere.json")
     refused(run("shot", str(tmp_path)), str(tmp_path))
 
@@ -128,7 +130,7 @@ def test_a_picture_that_cannot_be_written_is_bad_input(run: CommandLine, file: P
     refused(run("shot", str(file), "--svg", "no/such/folder.svg"), "no/such/folder.svg")
 
 
-def test_a_full_disk_is_said_of_the_file_that_it_is_full_for(run: CommandLine, file: Path) -> None:
+def test_the_error_of_a_full_disk_names_the_file(run: CommandLine, file: Path) -> None:
     refused(run("shot", str(file), "--svg", "/dev/full"), "/dev/full")
     refused(run("shot", str(file), "--png", "/dev/full"), "/dev/full")
 
@@ -143,7 +145,7 @@ def test_a_full_disk_is_said_of_the_file_that_it_is_full_for(run: CommandLine, f
         ("shot nowhere.json 2>&-", ""),
     ],
 )
-def test_a_closed_stream_is_one_sentence_at_most(file: Path, command: str, word: str) -> None:
+def test_a_closed_stream_gives_at_most_one_sentence(file: Path, command: str, word: str) -> None:
     done = subprocess.run(
         ["bash", "-c", f"{sys.executable} -m carom {command.format(file)}"],
         capture_output=True,
@@ -156,7 +158,7 @@ def test_a_closed_stream_is_one_sentence_at_most(file: Path, command: str, word:
     assert word in done.stderr
 
 
-def test_whatever_a_file_and_a_ball_are_called_the_answer_is_one_line(
+def test_control_characters_in_names_do_not_reach_the_terminal(
     run: CommandLine, pot: dict[str, Any]
 ) -> None:
     refused(run("shot", "no\nwhere\x1b[31m.json"), r"no\nwhere\x1b[31m.json")
@@ -170,18 +172,20 @@ def test_a_call_without_a_game_is_bad_input(run: CommandLine, file: Path) -> Non
     refused(run("evaluate", str(file), "--call", "safety"), "--call", "--game")
 
 
-def test_a_folder_that_cannot_be_made_is_said_before_anything_is_measured(run: CommandLine) -> None:
+def test_an_impossible_folder_is_refused_before_anything_is_measured(run: CommandLine) -> None:
     refused(run("bench", "--store", "/dev/null/results"), "/dev/null/results")
 
 
-def test_nesting_without_end_is_bad_input(run: CommandLine) -> None:
+def test_too_deep_nesting_is_bad_input(run: CommandLine) -> None:
     deep = "[" * 100_000
     for command in (["shot"], ["replay"], ["sweep", "--out", "out"], ["import"]):
         refused(run(*command, "-", stdin=deep))
     refused(run("import", "-", stdin=b"\x91" * 100_000))
 
 
-def test_a_trace_where_a_shot_is_wanted_is_said_to_be_one(run: CommandLine, file: Path) -> None:
+def test_a_trace_in_place_of_a_shot_is_recognised_in_the_error(
+    run: CommandLine, file: Path
+) -> None:
     trace = run("shot", str(file), "--json").stdout
     refused(run("shot", "-", stdin=trace), "format", "carom-trace/1", "carom-shot/1")
 
@@ -205,7 +209,7 @@ def test_reaching_a_chosen_cap_of_events_shows_the_shot_on_stderr(
     assert carom.Shot.from_json(shot) == carom.Shot.from_dict(pot)
 
 
-def test_our_own_bug_says_how_to_report_it(tmp_path: Path) -> None:
+def test_a_bug_of_ours_is_reported_as_one_with_instructions(tmp_path: Path) -> None:
     program = (
         "import sys, carom\n"
         "from carom.cli import main\n"
@@ -268,7 +272,7 @@ def test_the_same_seed_breaks_the_same_rack(run: CommandLine) -> None:
     assert hash_of("--seed", "5", "--speed", "8") != hash_of("--seed", "5", "--speed", "9")
 
 
-def test_break_refuses_a_game_that_it_does_not_know(run: CommandLine) -> None:
+def test_break_refuses_an_unknown_game(run: CommandLine) -> None:
     refused(run("break", "--game", "nine-pin"), "nine-pin", "nine-ball")
     refused(run("break", "--speed", "-1"), "speed")
 
@@ -291,13 +295,13 @@ def test_replay_refuses_a_trace_with_one_changed_digit(run: CommandLine, file: P
     refused(run("replay", "--check", "-", stdin=json.dumps(trace)), "hash")
 
 
-def test_replay_refuses_a_trace_whose_outcome_was_changed(run: CommandLine, file: Path) -> None:
+def test_replay_refuses_a_trace_with_a_changed_outcome(run: CommandLine, file: Path) -> None:
     trace = json.loads(run("shot", str(file), "--json").stdout)
     trace["outcome"]["first_contact"] = None
     refused(run("replay", "--check", "-", stdin=json.dumps(trace)), "outcome.first_contact")
 
 
-def test_a_trace_of_another_engine_that_differs_says_which_engine(
+def test_a_difference_to_a_trace_of_another_engine_names_that_engine(
     run: CommandLine, file: Path
 ) -> None:
     trace = json.loads(run("shot", str(file), "--json").stdout)
@@ -310,7 +314,7 @@ def test_a_trace_of_another_engine_that_differs_says_which_engine(
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
 @pytest.mark.parametrize("option", ["--json", None])
-def test_a_full_disk_is_an_error_like_any_other(file: Path, option: str | None) -> None:
+def test_a_full_disk_is_an_error_with_exit_code_2(file: Path, option: str | None) -> None:
     with Path("/dev/full").open("w") as full:
         done = subprocess.run(
             [sys.executable, "-m", "carom", "shot", str(file), *([option] if option else [])],
@@ -355,7 +359,7 @@ def test_schema_prints_a_json_schema(run: CommandLine, kind: str) -> None:
     assert json.loads(done.stdout) == carom.schema(kind)  # type: ignore[arg-type]
 
 
-def test_schema_without_a_name_is_the_shot_files(run: CommandLine) -> None:
+def test_schema_without_a_name_is_that_of_the_shot_file(run: CommandLine) -> None:
     assert run("schema").stdout == run("schema", "shot").stdout
     refused(run("schema", "table"), "table")
 
@@ -380,13 +384,13 @@ def test_validate_prints_the_reference_numbers_and_ours(run: CommandLine) -> Non
     assert "0 failed" in done.stdout
 
 
-def test_a_terminal_that_has_no_arrows_still_gets_its_table(run: CommandLine, file: Path) -> None:
+def test_a_terminal_without_arrows_still_gets_the_table(run: CommandLine, file: Path) -> None:
     done = run("shot", str(file), PYTHONIOENCODING="ascii")
     assert done.returncode == 0
     assert "sliding?rolling" in done.stdout
 
 
-def test_validate_refuses_a_paper_that_it_does_not_know(run: CommandLine) -> None:
+def test_validate_refuses_an_unknown_paper(run: CommandLine) -> None:
     refused(run("validate", "nobody_1999"), "nobody_1999")
 
 

@@ -38,7 +38,7 @@ def test_an_evaluation_counts_the_variants_of_the_same_seed(cut: Shot) -> None:
     assert np.allclose(found.end_covariance[0], np.cov(lain.T), rtol=0, atol=1e-12)
 
 
-def test_threads_change_nothing(cut: Shot) -> None:
+def test_an_evaluation_is_the_same_for_any_number_of_threads(cut: Shot) -> None:
     one, two = (cut.evaluate(CLUB, 2000, threads=threads) for threads in (1, 2))
     assert one.to_dict() == two.to_dict()
     assert one.cue_ball_ends.tobytes() == two.cue_ball_ends.tobytes()
@@ -68,7 +68,7 @@ def test_a_better_player_pots_more(cut: Shot) -> None:
     assert chances[0] < 0.8 < chances[-1]
 
 
-def test_a_frame_says_what_is_legal() -> None:
+def test_a_frame_decides_what_is_legal() -> None:
     frame = carom.Frame("nine-ball", seed=3)
     strike = carom.Strike(speed=9.0, azimuth=np.pi / 2)
     shot = frame.shot(strike, cue_ball=(0.635, 0.5))
@@ -81,7 +81,7 @@ def test_a_frame_says_what_is_legal() -> None:
         shot.evaluate(CLUB, 300, frame=carom.Frame("nine-ball", seed=4))
 
 
-def test_a_frame_can_go_on_with_the_balls_of_a_shot() -> None:
+def test_a_frame_can_continue_from_the_balls_of_a_shot() -> None:
     balls = {"9": (0.3, 2.0), "cue": (0.5, 1.2), "5": (0.9, 1.9)}
     shot = carom.Shot("wpa-9ft", balls, carom.Strike(2.0, np.radians(60)))
     frame = carom.Frame.of_shot("nine-ball", shot)
@@ -89,7 +89,7 @@ def test_a_frame_can_go_on_with_the_balls_of_a_shot() -> None:
     assert frame.balls == balls
     asked = frame.shot(carom.Strike(2.0, np.radians(60)))
     found = asked.evaluate(CLUB, 500, frame=frame)
-    # The 5 is the lowest ball: whoever hits it first and drives something to a rail is legal.
+    # The 5 is the lowest ball: a shot that hits it first and drives a ball to a rail is legal.
     assert found.legal is not None
     assert found.legal.probability > 0.9
     assert found.turn_kept is not None
@@ -102,7 +102,7 @@ def test_a_frame_can_go_on_with_the_balls_of_a_shot() -> None:
             carom.Frame.of_shot("nine-ball", carom.Shot("wpa-9ft", wrong))
 
 
-def test_the_command_knows_what_is_legal(run: CommandLine, tmp_path: Path) -> None:
+def test_the_command_counts_legal_shots(run: CommandLine, tmp_path: Path) -> None:
     balls = {"8": (0.3, 2.0), "cue": (0.5, 1.2), "5": (0.9, 1.9)}
     file = tmp_path / "shot.json"
     carom.Shot("wpa-9ft", balls, carom.Strike(2.0, np.radians(60))).save(file)
@@ -117,7 +117,7 @@ def test_the_command_knows_what_is_legal(run: CommandLine, tmp_path: Path) -> No
     assert silent.stderr.startswith("carom: call: ")
 
 
-def test_presets_have_multipliers() -> None:
+def test_noise_presets_accept_a_multiplier() -> None:
     assert Noise.preset("olympiad:0.5") == Noise.olympiad(0.5)
     for wrong in ("grandmaster", "club:much"):
         with pytest.raises(InputError, match="noise: "):
@@ -141,12 +141,12 @@ def test_presets_have_multipliers() -> None:
         ({"threads": 0}, "threads: "),
     ],
 )
-def test_nonsense_is_refused_by_name(cut: Shot, given: dict[str, Any], place: str) -> None:
+def test_bad_arguments_are_refused_by_name(cut: Shot, given: dict[str, Any], place: str) -> None:
     with pytest.raises(InputError, match=f"^{place}"):
         cut.evaluate(**({"noise": CLUB} | given))
 
 
-def test_what_is_seen_is_a_little_beside_what_is(cut: Shot) -> None:
+def test_perceived_positions_differ_slightly_from_the_true_ones(cut: Shot) -> None:
     sight = carom.Perception(position=0.003)
     true = cut.simulate().at(0.0).position
     off = np.array([sight.see(cut, k).simulate().at(0.0).position - true for k in range(200)])
@@ -158,14 +158,14 @@ def test_what_is_seen_is_a_little_beside_what_is(cut: Shot) -> None:
             carom.Perception(wrong).see(cut)  # type: ignore[arg-type]
 
 
-def test_who_sees_the_balls_beside_where_they_are_pots_less(cut: Shot) -> None:
+def test_errors_of_perception_lower_the_chance_of_a_pot(cut: Shot) -> None:
     sights = [carom.Perception(position) for position in (0.0, 0.001, 0.004)]
     made = [cut.evaluate(CLUB, 2000, perception=sight).pot("1").count for sight in sights]
     assert made[0] > made[1] > made[2]
     assert made[0] == cut.evaluate(CLUB, 2000).pot("1").count
 
 
-def test_variants_with_sight_are_those_that_an_evaluation_counts(cut: Shot) -> None:
+def test_an_evaluation_with_perception_counts_the_variants_of_vary(cut: Shot) -> None:
     sight = carom.Perception(0.003)
     found = cut.evaluate(CLUB, 1500, perception=sight, seed=5)
     ends = cut.vary(CLUB, 1500, perception=sight, seed=5)
@@ -178,7 +178,7 @@ def test_variants_with_sight_are_those_that_an_evaluation_counts(cut: Shot) -> N
     assert found.to_dict()["perception"] == {"position": 0.003}
 
 
-def test_a_frame_changes_nothing_about_what_is_counted() -> None:
+def test_a_frame_does_not_change_the_counts() -> None:
     frame = carom.Frame("nine-ball", seed=3)
     shot = frame.shot(carom.Strike(speed=9.0, azimuth=np.pi / 2), cue_ball=(0.635, 0.5))
     for sight in (None, carom.Perception(0.001)):
@@ -188,7 +188,7 @@ def test_a_frame_changes_nothing_about_what_is_counted() -> None:
         assert alone.end_mean.tobytes() == ruled.end_mean.tobytes()
 
 
-def test_balls_and_pockets_that_are_not_there_are_refused(cut: Shot) -> None:
+def test_unknown_balls_and_pockets_are_refused(cut: Shot) -> None:
     found = cut.evaluate(CLUB, 10)
     for ask in (lambda: found.pot("7"), lambda: found.pocket("1", "cellar")):
         with pytest.raises(InputError, match="there is no"):

@@ -1,4 +1,4 @@
-"""Maps and solutions are what single shots say."""
+"""Maps and solutions agree with single shots."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def cut() -> Shot:
     return Shot.load(FILE)
 
 
-def test_solutions_pot_and_leave_the_cue_ball_where_it_is_wanted(cut: Shot) -> None:
+def test_solutions_pot_and_leave_the_cue_ball_in_the_disc(cut: Shot) -> None:
     found = cut.solve(pot=("1", "right"), leave=((0.9, 1.8), 0.25), noise=CLUB, n=200)
     assert found
     for solution in found:
@@ -39,23 +39,23 @@ def test_solutions_pot_and_leave_the_cue_ball_where_it_is_wanted(cut: Shot) -> N
     assert chances == sorted(chances, reverse=True)
 
 
-def test_the_rank_is_the_chance_that_an_evaluation_measures(cut: Shot) -> None:
+def test_the_chance_of_a_solution_is_that_of_an_evaluation(cut: Shot) -> None:
     best = cut.solve(pot=("1", "right"), noise=CLUB, n=1000, wanted=1)[0]
     measured = best.shot.evaluate(CLUB, 1000).pocket("1", "right")
-    # A scratch is no success for `solve`.
+    # `solve` does not count a pot with a scratch.
     assert 0 <= measured.count - best.chance.count <= 20
     assert (best.shot.azimuth, best.shot.elevation) == (best.azimuth, best.elevation)
     assert best.kind == "direct"
     assert "direct" in str(best)
 
 
-def test_a_ball_is_hit_first_or_not_at_all(cut: Shot) -> None:
+def test_every_solution_hits_the_given_ball_first(cut: Shot) -> None:
     found = cut.solve(first="1", noise=CLUB, n=100, wanted=3)
     assert all(s.shot.simulate().outcome.first_contact == "1" for s in found)
     assert len(found) == 3
 
 
-def test_with_a_raised_cue_balls_in_the_way_are_jumped_or_passed_on_a_curve() -> None:
+def test_a_raised_cue_jumps_over_blocking_balls_or_curves_around_them() -> None:
     balls = {"cue": (0.5, 0.5), "1": (0.5, 1.2), "8": (0.5, 0.8)}
     hidden = Shot("wpa-9ft", balls, carom.Strike(speed=2.0, azimuth=math.pi / 2))
     ask = {"first": "1", "noise": CLUB, "n": 100, "wanted": 40, "per_route": 1, "samples": 512}
@@ -71,7 +71,7 @@ def test_with_a_raised_cue_balls_in_the_way_are_jumped_or_passed_on_a_curve() ->
     assert 'id="flight-1-cue"' in text
 
 
-def test_chances_are_counted_until_they_are_known(cut: Shot) -> None:
+def test_chances_are_counted_until_they_are_precise(cut: Shot) -> None:
     found = cut.solve(pot=("1", "right"), noise=CLUB, n=3000, precision=0.04, samples=256)
     assert all(s.chance.half_width <= 0.04 for s in found)
     assert len({s.chance.trials for s in found}) > 1
@@ -87,7 +87,7 @@ def test_chances_are_counted_until_they_are_known(cut: Shot) -> None:
     assert again.to_dict() == breaks.to_dict()
 
 
-def test_solutions_and_maps_reckon_with_eyes_that_err(cut: Shot) -> None:
+def test_solutions_and_maps_take_errors_of_perception_into_account(cut: Shot) -> None:
     sight = carom.Perception(0.004)
     ask = {"pot": ("1", "right"), "noise": CLUB, "n": 300, "wanted": 1, "samples": 256}
     clear, blurred = (cut.solve(**ask, perception=p)[0].chance for p in (None, sight))
@@ -99,7 +99,9 @@ def test_solutions_and_maps_reckon_with_eyes_that_err(cut: Shot) -> None:
     assert np.nanmean(maps[0].chance) > np.nanmean(maps[1].chance)
 
 
-def test_the_picture_of_solutions_has_each_way_with_its_chance(cut: Shot, tmp_path: Path) -> None:
+def test_the_picture_of_solutions_shows_each_route_with_its_chance(
+    cut: Shot, tmp_path: Path
+) -> None:
     area = ((0.9, 1.8), 0.25)
     found = cut.solve(pot=("1", "right"), leave=area, noise=CLUB, n=100, samples=256)
     text = solutions.svg(cut, found, leave=area)
@@ -114,7 +116,7 @@ def test_the_picture_of_solutions_has_each_way_with_its_chance(cut: Shot, tmp_pa
     assert (tmp_path / "ways.svg").read_text() == solutions.svg(cut, found, leave=area)
 
 
-def test_whatever_is_found_can_be_saved_as_a_picture(cut: Shot, tmp_path: Path) -> None:
+def test_every_answer_can_be_saved_as_a_picture(cut: Shot, tmp_path: Path) -> None:
     for found in (
         cut.simulate(),
         cut.evaluate(CLUB, 50),
@@ -129,7 +131,7 @@ def test_whatever_is_found_can_be_saved_as_a_picture(cut: Shot, tmp_path: Path) 
         save([], tmp_path / "found.png")
 
 
-def test_maps_have_the_shapes_that_they_promise(cut: Shot) -> None:
+def test_maps_have_the_documented_shapes(cut: Shot) -> None:
     pots = carom.pot_map(cut, "1", "right", noise=CLUB, columns=4, n=20)
     assert pots.chance.shape == pots.azimuth.shape == (len(pots.y), len(pots.x)) == (8, 4)
     ends = carom.position_map(cut, "1", "right", speed=[1.0, 2.0], height=[-0.3, 0.0, 0.3])
@@ -140,7 +142,7 @@ def test_maps_have_the_shapes_that_they_promise(cut: Shot) -> None:
     assert taken.width[0, 0] > taken.width[0, 1] > 0
 
 
-def test_a_pot_map_is_what_evaluations_say(cut: Shot) -> None:
+def test_a_pot_map_agrees_with_evaluations(cut: Shot) -> None:
     pots = carom.pot_map(cut, "1", "right", noise=CLUB, columns=4, n=200)
     row, column = np.unravel_index(np.nanargmax(pots.chance), pots.chance.shape)
     file = cut.to_dict()
@@ -151,7 +153,7 @@ def test_a_pot_map_is_what_evaluations_say(cut: Shot) -> None:
     assert abs(potted - found.scratch.probability - pots.chance[row, column]) < 0.03
 
 
-def test_breaks_count_every_ball_by_its_name() -> None:
+def test_breaks_count_every_ball_by_its_id() -> None:
     found = carom.break_statistics("nine-ball", 60, noise=Noise(), seed=3)
     for index in (0, 7, 59):
         trace = carom.break_shot("nine-ball", seed=3 + index).simulate()
@@ -163,7 +165,7 @@ def test_breaks_count_every_ball_by_its_name() -> None:
     assert "9 falls" in str(found)
 
 
-def test_kicks_and_banks_list_the_cushions_that_the_trace_meets(cut: Shot) -> None:
+def test_kick_and_bank_tables_agree_with_traces(cut: Shot) -> None:
     turns = np.radians([60.0, 100.0, 250.0])
     kicks = carom.kick_table(cut, azimuth=turns, speed=[6.0], side=[0.0, 0.4])
     assert kicks.contact.shape == (3, 1, 2, 3, 2)
@@ -174,7 +176,7 @@ def test_kicks_and_banks_list_the_cushions_that_the_trace_meets(cut: Shot) -> No
     met = [e for e in events if e.type == "rail-collision"][:3]
     assert kicks.rail[1, 0, 1].tolist() == [e.rail for e in met]
     assert kicks.contact[1, 0, 1].tolist() == [e.before[0]["position"][:2] for e in met]
-    # Side turns the way off the cushion.
+    # Side changes the angle off the cushion.
     assert not np.allclose(kicks.contact[1, 0, 0, 1], kicks.contact[1, 0, 1, 1], atol=0.01)
     banks = carom.bank_table(cut, "1", azimuth=turns, speed=[1.0, 4.0], cushions=2)
     assert banks.contact.shape == (3, 2, 1, 2, 2)
@@ -209,7 +211,7 @@ def test_kicks_and_banks_list_the_cushions_that_the_trace_meets(cut: Shot) -> No
         (lambda _: carom.break_statistics("nine-ball", 0), "racks: "),
     ],
 )
-def test_nonsense_is_refused_by_name(cut: Shot, ask: Any, place: str) -> None:
+def test_bad_arguments_are_refused_by_name(cut: Shot, ask: Any, place: str) -> None:
     with pytest.raises(InputError, match=f"^{place}"):
         ask(cut)
 
@@ -295,7 +297,7 @@ def test_the_old_names_of_a_route_warn_and_give_the_new_ones(cut: Shot) -> None:
     assert found.to_dict()["way"] == found.to_dict()["route"] == found.route
 
 
-def test_maps_print_as_tables_that_lie_as_the_table_does(cut: Shot) -> None:
+def test_printed_maps_have_the_orientation_of_the_table(cut: Shot) -> None:
     pots = carom.pot_map(cut, "1", "right", noise=CLUB, columns=4, n=20)
     _, *rows, places = str(pots).splitlines()
     assert [int(x) for x in places.split()] == [round(100 * x) for x in pots.x]

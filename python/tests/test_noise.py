@@ -1,4 +1,4 @@
-"""`Shot.vary`: the same variants whatever the threads and pieces, and the errors that they have."""
+"""`Shot.vary`: reproducible variants for any threads and chunks, and their errors."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def same(a: carom.NoisyResult, b: carom.NoisyResult) -> bool:
 
 
 @pytest.mark.parametrize("golden", GOLDENS, ids=[golden["shot"] for golden in GOLDENS])
-def test_the_goldens_of_noise_are_the_same_bits_as_ever(golden: dict[str, Any]) -> None:
+def test_noise_reproduces_its_goldens_bit_by_bit(golden: dict[str, Any]) -> None:
     shot = Shot.load(ROOT / "shots" / f"{golden['shot']}.json")
     noise = Noise.olympiad(golden["olympiad"])
     variants = golden["variants"]
@@ -40,7 +40,7 @@ def test_the_goldens_of_noise_are_the_same_bits_as_ever(golden: dict[str, Any]) 
     assert result.final_position[:, 0].tolist() == [variant["final"] for variant in variants]
 
 
-def test_the_olympiad_errs_by_half_a_millimetre_and_an_eighth_of_a_degree() -> None:
+def test_the_olympiads_noise_has_the_published_values() -> None:
     noise = Noise.olympiad()
     assert (noise.side_m, noise.height_m, noise.speed) == (0.0005, 0.0005, 0.075)
     assert noise.elevation == math.radians(0.1)
@@ -49,7 +49,7 @@ def test_the_olympiad_errs_by_half_a_millimetre_and_an_eighth_of_a_degree() -> N
     assert noise.scaled(0) == Noise()
 
 
-def test_variants_are_the_same_for_any_threads_and_pieces(
+def test_variants_are_the_same_for_any_number_of_threads_and_chunks(
     pot: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shot = Shot.from_dict(pot)
@@ -62,7 +62,7 @@ def test_variants_are_the_same_for_any_threads_and_pieces(
     assert tail.final_position.tobytes() == whole.final_position[200:].tobytes()
 
 
-def test_a_variant_is_the_shot_struck_as_its_arrays_say(pot: dict[str, Any]) -> None:
+def test_a_variant_is_the_shot_with_the_strike_of_its_row(pot: dict[str, Any]) -> None:
     shot = Shot.from_dict(pot)
     result = shot.vary(Noise.olympiad(2.0), 50, seed=1)
     again = shot.batch(**{name: getattr(result, name) for name in STRIKE})
@@ -70,7 +70,7 @@ def test_a_variant_is_the_shot_struck_as_its_arrays_say(pot: dict[str, Any]) -> 
     assert again.pocket.tolist() == result.pocket.tolist()
 
 
-def test_a_drawn_strike_is_that_of_its_variant_to_the_bit(pot: dict[str, Any]) -> None:
+def test_a_drawn_strike_equals_that_of_its_variant_to_the_bit(pot: dict[str, Any]) -> None:
     shot = Shot.from_dict({**pot, "strike": {**pot["strike"], "obstruction": "refuse"}})
     noise = Noise.olympiad(2.0)
     variants = shot.vary(noise, 20, seed=3, first=7)
@@ -79,7 +79,7 @@ def test_a_drawn_strike_is_that_of_its_variant_to_the_bit(pot: dict[str, Any]) -
     assert {(s.ball, s.obstruction) for s in drawn} == {(pot["strike"]["ball"], "refuse")}
 
 
-def test_no_strike_is_drawn_around_none(pot: dict[str, Any]) -> None:
+def test_drawing_from_a_shot_without_a_strike_is_refused(pot: dict[str, Any]) -> None:
     still = Shot.from_dict({key: value for key, value in pot.items() if key != "strike"})
     with pytest.raises(InputError, match="strike: the shot has no strike"):
         Noise.olympiad().draw(still)
@@ -87,7 +87,7 @@ def test_no_strike_is_drawn_around_none(pot: dict[str, Any]) -> None:
         Noise.olympiad().draw(Shot.from_dict(pot), -1)
 
 
-def test_offsets_err_in_metres_whatever_the_ball(pot: dict[str, Any]) -> None:
+def test_errors_of_the_offsets_are_in_metres_for_any_ball(pot: dict[str, Any]) -> None:
     pool = Shot.from_dict(pot)
     small = Shot.from_dict({**pot, "physics": {"base": "pool", "ball": {"radius": 0.02}}})
     a, b = (shot.vary(Noise(side_m=0.001), 20) for shot in (pool, small))
@@ -96,7 +96,7 @@ def test_offsets_err_in_metres_whatever_the_ball(pot: dict[str, Any]) -> None:
     assert (a.azimuth == math.radians(90)).all()
 
 
-def test_seeds_differ_and_errors_scatter_as_they_should(pot: dict[str, Any]) -> None:
+def test_errors_differ_between_seeds_and_have_the_given_spread(pot: dict[str, Any]) -> None:
     shot = Shot.from_dict(pot)
     noise = Noise(speed=0.05, azimuth=0.002)
     one, two = (shot.vary(noise, 4000, seed=seed) for seed in (1, 2))
@@ -106,7 +106,7 @@ def test_seeds_differ_and_errors_scatter_as_they_should(pot: dict[str, Any]) -> 
     assert one.azimuth.std() == pytest.approx(0.002, rel=5 / math.sqrt(2 * 4000))
 
 
-def test_a_miscue_is_an_error_of_its_row_unless_the_shot_plays_it(pot: dict[str, Any]) -> None:
+def test_a_miscue_is_an_error_of_its_row_unless_the_shot_reports_it(pot: dict[str, Any]) -> None:
     pot["strike"]["side"] = 0.51
     result = Shot.from_dict(pot).vary(Noise(side_m=0.002), 60)
     assert 5 < len(result.errors) < 55
@@ -118,7 +118,7 @@ def test_a_miscue_is_an_error_of_its_row_unless_the_shot_plays_it(pot: dict[str,
     assert Shot.from_dict(pot).vary(Noise(side_m=0.002), 60).errors == {}
 
 
-def test_no_variants_and_a_lone_late_one_can_be_asked_for(pot: dict[str, Any]) -> None:
+def test_zero_variants_and_a_single_late_one_are_possible(pot: dict[str, Any]) -> None:
     shot = Shot.from_dict(pot)
     assert len(shot.vary(Noise.olympiad(), 0)) == 0
     assert len(shot.vary(Noise.olympiad(), 1, first=2**64 - 2, seed=2**64 - 1)) == 1
@@ -135,12 +135,12 @@ def test_no_variants_and_a_lone_late_one_can_be_asked_for(pot: dict[str, Any]) -
         ({"elevation": None}, "noise.elevation"),
     ],
 )
-def test_what_is_no_noise_is_refused_with_its_place(values: dict[str, Any], place: str) -> None:
+def test_bad_noise_is_refused_with_its_place(values: dict[str, Any], place: str) -> None:
     with pytest.raises(InputError, match=rf"^{place}: .*; write"):
         Noise(**values)
 
 
-def test_what_cannot_be_varied_is_refused(pot: dict[str, Any]) -> None:
+def test_bad_arguments_of_vary_are_refused(pot: dict[str, Any]) -> None:
     shot = Shot.from_dict(pot)
     wrong: Any = {"speed": 0.1}
     with pytest.raises(InputError, match=r"^noise: .*carom\.Noise"):
@@ -157,7 +157,7 @@ def test_a_noise_can_be_sent_to_another_process() -> None:
     assert pickle.loads(pickle.dumps(Noise.olympiad(0.5))) == Noise.olympiad(0.5)
 
 
-def test_the_old_names_of_the_offsets_warn_and_mean_the_same() -> None:
+def test_the_old_names_of_the_offsets_still_work_and_warn() -> None:
     with pytest.warns(FutureWarning, match=r"Noise\(side=\.\.\.\) is now Noise\(side_m=\.\.\.\)"):
         noise = Noise(side=0.001)  # type: ignore[call-arg]
     assert noise == Noise(side_m=0.001)

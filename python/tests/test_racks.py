@@ -31,7 +31,7 @@ def gaps(shot: Shot) -> list[float]:
 
 
 @pytest.mark.parametrize("game", GAMES)
-def test_every_game_has_its_balls(game: str) -> None:
+def test_every_rack_has_the_balls_of_its_game(game: str) -> None:
     shot = break_shot(game)
     assert len(shot.ids) == GAMES[game]
     assert len(set(shot.ids)) == GAMES[game]

@@ -62,7 +62,7 @@ def test_a_soft_break_of_eight_ball_asks_for_a_choice() -> None:
     assert before.request.kind == "choice", "a copy goes its own way"
 
 
-def test_what_is_not_allowed_is_refused_and_changes_nothing() -> None:
+def test_a_move_that_is_not_allowed_is_refused_and_changes_nothing() -> None:
     frame = carom.Frame("eight-ball")
     strike = carom.Strike(speed=1.0, azimuth=1.0)
     before = frame.to_dict()
@@ -88,7 +88,7 @@ def test_what_is_not_allowed_is_refused_and_changes_nothing() -> None:
 
 
 @pytest.mark.parametrize("copied", [carom.Frame.copy, copy.copy, copy.deepcopy])
-def test_what_is_played_on_a_copy_leaves_the_frame_alone(
+def test_playing_on_a_copy_does_not_change_the_frame(
     copied: Callable[[carom.Frame], carom.Frame],
 ) -> None:
     frame = carom.Frame("nine-ball", seed=2)
@@ -116,7 +116,7 @@ def test_every_game_begins_and_can_be_printed(game: str) -> None:
     assert set(shot.ids) == set(frame.balls)
 
 
-def test_who_concedes_loses() -> None:
+def test_the_player_who_concedes_loses() -> None:
     frame = carom.Frame("snooker")
     assert frame.state.points_left == 147
     assert frame.concede().legal
@@ -140,7 +140,7 @@ def played_frame() -> carom.Frame:
     return frame
 
 
-def test_a_record_goes_through_json_and_gives_the_same_frame() -> None:
+def test_a_record_survives_json_and_gives_the_same_frame() -> None:
     frame = played_frame()
     record = json.loads(json.dumps(frame.record))
     again = carom.Frame.replay(record)
@@ -152,7 +152,7 @@ def test_a_record_goes_through_json_and_gives_the_same_frame() -> None:
     assert len(frame.record["moves"]) == len(again.record["moves"]) - 1
 
 
-def test_frames_can_be_pickled_however_they_began() -> None:
+def test_frames_can_be_pickled() -> None:
     shot = carom.break_shot("nine-ball", seed=2)
     of_shot = carom.Frame.of_shot("nine-ball", shot, patience=9)
     of_shot.play(aim(of_shot, "1"))
@@ -168,14 +168,14 @@ def test_frames_can_be_pickled_however_they_began() -> None:
         assert pickle.loads(pickle.dumps(frame)).to_dict() == frame.to_dict()
 
 
-def test_a_copy_has_moves_of_its_own() -> None:
+def test_a_copy_has_its_own_moves() -> None:
     frame = played_frame()
     before = frame.record
     frame.copy().concede()
     assert frame.record == before
 
 
-def test_what_was_refused_is_in_no_record() -> None:
+def test_refused_moves_are_not_recorded() -> None:
     frame = carom.Frame("nine-ball")
     with pytest.raises(carom.InputError):
         frame.play(carom.Strike(speed=1.0, azimuth=0.0), cue_ball=(9.0, 9.0))

@@ -22,7 +22,7 @@ ROOT = Path(__file__).parents[2]
 CLOSED_FORM_ROUNDING = 1e-12
 
 
-def test_a_trace_has_the_keys_that_the_contract_names(pot: dict[str, Any]) -> None:
+def test_a_trace_has_the_documented_keys(pot: dict[str, Any]) -> None:
     trace = Shot.from_dict(pot).simulate().to_dict()
     assert trace["format"] == "carom-trace/1"
     assert trace["engine"].startswith("carom ")
@@ -47,7 +47,7 @@ def test_a_trace_has_the_keys_that_the_contract_names(pot: dict[str, Any]) -> No
     assert [ball["id"] for ball in trace["final"]] == ["cue", "1"]
 
 
-def test_the_shortcuts_say_what_the_dict_says(nine_ball_trace: Trace) -> None:
+def test_the_properties_agree_with_the_dict(nine_ball_trace: Trace) -> None:
     whole = nine_ball_trace.to_dict()
     assert nine_ball_trace.events == whole["events"]
     assert nine_ball_trace.outcome == whole["outcome"]
@@ -59,7 +59,7 @@ def test_the_shortcuts_say_what_the_dict_says(nine_ball_trace: Trace) -> None:
         _ = nine_ball_trace.outcome.no_such_thing
 
 
-def test_the_json_text_and_the_dict_are_the_same_to_the_bit(nine_ball_trace: Trace) -> None:
+def test_json_text_and_dict_are_equal_to_the_bit(nine_ball_trace: Trace) -> None:
     assert json.loads(nine_ball_trace.to_json()) == nine_ball_trace.to_dict()
 
 
@@ -92,14 +92,14 @@ def test_the_first_changed_bit_is_found(nine_ball_trace: Trace) -> None:
         Trace.from_dict(changed)
 
 
-def test_a_trace_cannot_be_made_of_nothing() -> None:
+def test_a_trace_cannot_be_constructed_directly() -> None:
     with pytest.raises(TypeError, match="simulate"):
         Trace()
     with pytest.raises(InputError, match=r"^format"):
         Trace.from_dict({})
 
 
-def test_states_have_the_shapes_that_the_contract_names(nine_ball_trace: Trace) -> None:
+def test_states_have_the_documented_shapes(nine_ball_trace: Trace) -> None:
     n = len(nine_ball_trace.shot.ids)
     now = nine_ball_trace.at(0.25)
     assert now.time == 0.25
@@ -132,8 +132,8 @@ def test_at_the_instant_of_an_event_the_state_is_the_one_after_it(nine_ball_trac
         assert state.motion[index] == ball["motion"]
 
 
-def test_a_rolling_ball_turns_with_its_way() -> None:
-    """A unit quaternion about the axis to the left of the way, by the way over the radius."""
+def test_the_orientation_of_a_rolling_ball_matches_its_path() -> None:
+    """The rotation of a ball that rolls by a vector: about the axis to its left, by length / R."""
     radius, speed = 0.028575, 1.0
     ball = {
         "id": "cue",
@@ -164,7 +164,7 @@ def test_the_path_between_events_ends_where_the_next_event_begins(nine_ball_trac
             assert gap < CLOSED_FORM_ROUNDING
 
 
-def test_after_the_end_everything_stays_as_it_ended(nine_ball_trace: Trace) -> None:
+def test_after_the_end_the_state_is_constant(nine_ball_trace: Trace) -> None:
     for time in (nine_ball_trace.duration, nine_ball_trace.duration + 100.0):
         state = nine_ball_trace.at(time)
         for index, ball in enumerate(nine_ball_trace.to_dict()["final"]):
@@ -174,7 +174,7 @@ def test_after_the_end_everything_stays_as_it_ended(nine_ball_trace: Trace) -> N
 
 
 @pytest.mark.parametrize("time", [-1.0, math.nan, math.inf, "soon", "0.5", True, [[0.0]], None])
-def test_times_that_are_none_are_refused(nine_ball_trace: Trace, time: Any) -> None:
+def test_bad_times_are_refused(nine_ball_trace: Trace, time: Any) -> None:
     with pytest.raises(InputError, match=r"^time: "):
         nine_ball_trace.at(time)
 
@@ -193,7 +193,7 @@ def test_a_trace_prints_as_a_table_of_its_events(pot: dict[str, Any]) -> None:
     )
 
 
-def test_events_stand_in_order_of_time(nine_ball_trace: Trace) -> None:
+def test_events_are_in_order_of_time(nine_ball_trace: Trace) -> None:
     times = [event["time"] for event in nine_ball_trace.events]
     assert times == sorted(times)
     assert times[0] == 0.0
@@ -220,7 +220,7 @@ def _simulated(balls: list[dict[str, Any]], **more: Any) -> Trace:
     return Shot.from_dict(file).simulate()
 
 
-def test_the_outcome_says_how_far_the_cue_must_be_raised() -> None:
+def test_the_outcome_gives_the_least_clear_elevation() -> None:
     cue = {"id": "cue", "position": [0.635, 0.06]}
     strike = {"ball": "cue", "speed": 1.0, "azimuth_deg": 90.0}
     level = _simulated([cue], strike=strike)
@@ -243,7 +243,7 @@ def test_the_outcome_names_a_ball_that_hangs_over_a_pocket() -> None:
     assert "hanging: 8 (bottom-left)" in str(trace)
 
 
-def test_the_table_of_events_ends_with_what_left_and_jumped() -> None:
+def test_the_table_of_events_ends_with_balls_off_the_table_and_jumps() -> None:
     still = {
         "position": [0.5, 0.5, 0.028575],
         "velocity": [0.0, 0.0, 0.0],
@@ -268,7 +268,7 @@ def test_the_table_of_events_ends_with_what_left_and_jumped() -> None:
     assert lines[-2:] == ["off the table: cue", "jumped: cue over 1"]
 
 
-def test_the_table_of_events_tells_heights_and_how_far_a_ball_rises() -> None:
+def test_the_table_of_events_gives_heights_and_rises() -> None:
     lines = str(Shot.load(ROOT / "shots" / "off_the_table.json").simulate()).splitlines()
     bounce, off = lines[2], lines[3]
     rise = int(bounce.split("↑")[1].split()[0])

@@ -208,12 +208,7 @@ impl Solver<'_> {
             }
             let strike = with_the_cue_clear(shot, tried.strike)?;
             let attempt = tester.play(&strike).filter(|a| a.is_met())?;
-            let centered = center(tester, TriedStrike { strike, attempt });
-            // A shot file holds angles in degrees. The strike is judged after this conversion, so
-            // that the file reproduces the result.
-            let (_, strike) = shot.with_strike(&centered.strike).ok()?.strike()?;
-            let attempt = tester.play(&strike).filter(|a| a.is_met())?;
-            Some(TriedStrike { strike, attempt })
+            Some(center(tester, TriedStrike { strike, attempt }))
         })?;
         self.rank(refined)
     }

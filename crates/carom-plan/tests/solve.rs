@@ -109,7 +109,7 @@ fn a_snooker_is_escaped() {
 }
 
 #[test]
-fn a_solution_is_judged_with_the_angles_that_a_shot_file_holds() {
+fn the_shot_of_a_solution_reproduces_it_to_the_bit() {
     let goal = Goal { pot: Some((1, None)), ..Goal::default() };
     let few = Search { samples: 512, model: model(100), ..search() };
     for Solution { strike, cue_ball_end, .. } in solve(&cut(), &goal, &few).expect("solutions") {
