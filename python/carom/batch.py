@@ -171,8 +171,9 @@ def in_chunks(
         InputError: The results would exhaust the memory.
     """
     check_results("shots", count, balls)
-    position = np.full((count, balls, 3), np.nan)
-    pocket = np.full((count, balls), PADDING, dtype=np.int8)
+    # Not filled here: that would take seconds for a large array, and Ctrl-C would have to wait.
+    position = np.empty((count, balls, 3))
+    pocket = np.empty((count, balls), dtype=np.int8)
     events = np.empty(count, dtype=np.int32)
     errors: dict[int, str] = {}
     start, chunk = 0, _FIRST_CHUNK
@@ -185,6 +186,7 @@ def in_chunks(
             # A chunk is as wide as its own largest shot.
             width = places.shape[1]
             position[start:end, :width], pocket[start:end, :width] = places, pockets
+            position[start:end, width:], pocket[start:end, width:] = np.nan, PADDING
             errors |= {start + index: text for index, text in failed.items()}
             advance(end - start)
             start, chunk = end, 2 * chunk if fast else max(chunk // 2, 1)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from carom import _core
+from carom.arguments import text as checked
 from carom.errors import InputError
 
 
@@ -24,7 +25,7 @@ def schema(kind: Literal["shot", "trace", "sweep"] = "shot") -> dict[str, Any]:
     Raises:
         InputError: There is no schema of that name.
     """
-    if kind == "sweep":
+    if checked("kind", kind, '"shot"') == "sweep":
         path = Path(__file__).with_name("data") / "carom-sweep-1.json"
         text = path.read_text(encoding="utf-8")
     elif kind in ("shot", "trace"):

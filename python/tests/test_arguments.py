@@ -309,3 +309,24 @@ def test_an_import_of_something_else_than_a_file_is_refused(source: Any) -> None
 def test_an_import_with_a_bad_strike_is_refused(strike: Any) -> None:
     state = "1 0.028575 1 0 0.40 0.60"
     refused("strike", lambda: convert.fastfiz(state, strike=strike))
+
+
+@pytest.mark.parametrize("value", [-1, 1e300, None, "x", [], 2**64, True])
+def test_a_chance_of_bad_counts_is_refused(value: Any) -> None:
+    refused("trials", lambda: carom.Chance.of(0, value, 0.95))
+    refused("count", lambda: carom.Chance.of(value, 2, 0.95))
+
+
+def test_a_chance_of_more_counts_than_trials_or_a_bad_level_is_refused() -> None:
+    refused("count", lambda: carom.Chance.of(3, 2, 0.95))
+    level: Any
+    for level in (0.0, 1.0, math.nan, "x", None):
+        refused("level", lambda level=level: carom.Chance.of(1, 2, level))
+
+
+@pytest.mark.parametrize("name", [None, 5, [], np.array([])])
+def test_names_that_are_not_texts_are_refused(shot: Shot, name: Any) -> None:
+    found = shot.evaluate(CLUB, 8)
+    refused("ball", lambda: found.pot(name))
+    refused("pocket", lambda: found.pocket("1", name))
+    refused("kind", lambda: carom.schema(name))

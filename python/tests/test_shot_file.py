@@ -304,7 +304,7 @@ def test_a_strike_that_cannot_be_played_is_refused(
 
 
 def test_with_strike_of_a_shot_without_a_strike_is_refused(endless: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match=r"^strike: the shot has none"):
+    with pytest.raises(InputError, match=r"^strike: the shot has no strike"):
         Shot.from_dict(endless).with_strike(speed=1.0)
 
 

@@ -46,7 +46,7 @@ pub fn kick_table(
     let Some((struck, own)) = shot.strike() else {
         return Err(Error::input(
             "strike",
-            "the shot has none",
+            "the shot has no strike",
             "give it one: it names the ball that is struck",
         ));
     };

@@ -45,7 +45,7 @@ impl Goal {
         let Some((cue_ball, _)) = shot.strike() else {
             return refuse(
                 "strike",
-                "the shot has none",
+                "the shot has no strike",
                 "give it one: it names the ball that is struck",
             );
         };

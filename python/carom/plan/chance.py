@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from carom import _core
+from carom.arguments import number, whole
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,9 +52,11 @@ class Chance:
             level: Confidence level of the interval, in (0, 1).
 
         Raises:
-            InputError: The level is out of range.
+            InputError: A number is out of range, or ``count`` exceeds ``trials``.
         """
-        return cls(count, trials, *_core.wilson(count, trials, level))
+        trials = whole("trials", trials)
+        count = whole("count", count, trials + 1)
+        return cls(count, trials, *_core.wilson(count, trials, number("level", level)))
 
 
 def chances_to_dict(chances: dict[str, Chance]) -> dict[str, dict[str, float]]:

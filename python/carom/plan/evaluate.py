@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
-from carom.arguments import core, thread_count
+from carom.arguments import core, text, thread_count
 from carom.call import fields_of
 from carom.errors import InputError
 from carom.noise import Noise, Perception, noise_or_default, perception_or_none
@@ -92,7 +92,7 @@ class Evaluation:
         Raises:
             InputError: There is no such ball or pocket.
         """
-        if pocket not in self.pockets:
+        if text("pocket", pocket, "its name") not in self.pockets:
             known = ", ".join(self.pockets) or "none on this table"
             raise InputError(f"pocket: there is no {pocket!r}; there are: {known}")
         return self.chance(self.potted[self._ball(ball), self.pockets.index(pocket)])
@@ -186,7 +186,7 @@ class Evaluation:
 
     def _ball(self, ball: str) -> int:
         ids = self.shot.ids
-        if ball not in ids:
+        if text("ball", ball, "its id") not in ids:
             raise InputError(f"ball: there is no {ball!r}; there are: {', '.join(ids)}")
         return ids.index(ball)
 
