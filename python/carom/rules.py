@@ -12,6 +12,7 @@ from carom.arguments import instance, number, numbers, text, truth, whole
 from carom.batch import VARIABLES
 from carom.build import Physics, Strike, Table
 from carom.call import Call, fields_of
+from carom.deprecated import renamed_arguments
 from carom.errors import InputError
 from carom.shot import Shot
 from carom.trace import Record, Trace
@@ -68,7 +69,7 @@ class Frame:
         table: As in a shot; the game's own table if None.
         physics: As in a shot; the table's own if None.
         seed: Seed of the racks.
-        target: Points that win straight pool and three-cushion.
+        points: Points that win straight pool and three-cushion.
         miss: Whether a foul and a miss is called in snooker.
         patience: Number of shots in a row without progress that make a stalemate. It makes sure
             that every frame ends.
@@ -82,6 +83,7 @@ class Frame:
     _moves: list[dict[str, Any]]
     _setup: dict[str, Any]
 
+    @renamed_arguments(target="points")
     def __init__(
         self,
         game: str,
@@ -89,7 +91,7 @@ class Frame:
         table: Table | str | Mapping[str, Any] | None = None,
         physics: Physics | str | Mapping[str, Any] | None = None,
         seed: int = 0,
-        target: int = 40,
+        points: int = 40,
         miss: bool = True,
         patience: int = 100,
     ) -> None:
@@ -97,7 +99,7 @@ class Frame:
             table = table.description
         if isinstance(physics, Physics):
             physics = physics.description
-        seed, options = whole("seed", seed), _options(target, miss, patience)
+        seed, options = whole("seed", seed), _options(points, miss, patience)
         self._core = _core.Frame(text("game", game, '"nine-ball"'), table, physics, seed, options)
         self._moves = []
         self._setup = {
@@ -108,8 +110,9 @@ class Frame:
         } | _written(options)
 
     @classmethod
+    @renamed_arguments(target="points")
     def of_shot(
-        cls, game: str, shot: Shot, *, target: int = 40, miss: bool = True, patience: int = 100
+        cls, game: str, shot: Shot, *, points: int = 40, miss: bool = True, patience: int = 100
     ) -> Frame:
         """A frame that continues from the balls of a shot.
 
@@ -120,14 +123,14 @@ class Frame:
         Args:
             game: The game, as for a new frame.
             shot: Table, physics and balls.
-            target: Points that win.
+            points: Points that win straight pool and three-cushion.
             miss: Whether a foul and a miss is called in snooker.
             patience: Number of shots in a row without progress that make a stalemate.
 
         Raises:
             InputError: The game does not have such balls, or would be over with them.
         """
-        options = _options(target, miss, patience)
+        options = _options(points, miss, patience)
         frame = Frame.__new__(cls)
         frame._core = _core.Frame.of_shot(
             text("game", game, '"nine-ball"'),
@@ -158,6 +161,9 @@ class Frame:
         setup, moves = record.get("setup"), record.get("moves")
         if not isinstance(setup, Mapping) or not isinstance(moves, Sequence):
             raise InputError("record: setup or moves are missing; write the value of Frame.record")
+        if "target" in setup:
+            # The key of records before the rename; a record is a file, so it is read silently.
+            setup = {("points" if key == "target" else key): setup[key] for key in setup}
         try:
             if "shot" in setup:
                 shot = Shot.from_dict(setup["shot"])
@@ -358,10 +364,10 @@ def _arguments(
     return (speed, azimuth, elevation, side, height), place, fields_of(call)
 
 
-def _options(target: int, miss: bool, patience: int) -> tuple[int, bool, int]:
-    # Rust holds them in 32 bits, `target` with a sign.
+def _options(points: int, miss: bool, patience: int) -> tuple[int, bool, int]:
+    # Rust holds them in 32 bits, `points` with a sign.
     return (
-        whole("options.target", target, 1 << 31),
+        whole("options.points", points, 1 << 31),
         truth("options.miss", miss),
         whole("options.patience", patience, 1 << 32),
     )
@@ -369,7 +375,7 @@ def _options(target: int, miss: bool, patience: int) -> tuple[int, bool, int]:
 
 def _written(options: tuple[int, bool, int]) -> dict[str, int | bool]:
     """The options in the form of a record."""
-    return dict(zip(("target", "miss", "patience"), options, strict=True))
+    return dict(zip(("points", "miss", "patience"), options, strict=True))
 
 
 def rule_sets() -> list[str]:

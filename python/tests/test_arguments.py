@@ -156,18 +156,18 @@ def test_what_is_no_name_of_a_game_is_refused(game: Any) -> None:
 @pytest.mark.parametrize(
     ("place", "value"),
     [
-        ("options.target", "many"),
-        ("options.target", 2**40),
+        ("options.points", "many"),
+        ("options.points", 2**40),
         ("options.patience", -1),
         ("options.miss", "yes"),
     ],
 )
-def test_what_is_no_option_of_a_frame_is_refused(place: str, value: Any) -> None:
+def test_bad_options_of_a_frame_are_refused(place: str, value: Any) -> None:
     given: Any = {place.removeprefix("options."): value}
     refused(place, lambda: Frame("snooker", **given))
 
 
-def test_a_frame_refuses_what_is_no_shot_call_or_place_and_stays_as_it_was(shot: Shot) -> None:
+def test_a_frame_refuses_bad_arguments_and_stays_unchanged(shot: Shot) -> None:
     frame = Frame("nine-ball")
     before = frame.to_dict()
     wrong: Any

@@ -83,7 +83,7 @@ def test_a_move_that_is_not_allowed_is_refused_and_changes_nothing() -> None:
     with pytest.raises(carom.InputError, match="table: eight-ball is played on a table with pock"):
         carom.Frame("eight-ball", table="carom-10ft")
     with pytest.raises(carom.InputError, match=r"options\.points: 0 is out of range"):
-        carom.Frame("straight-pool", target=0)
+        carom.Frame("straight-pool", points=0)
     assert frame.to_dict() == before
 
 
@@ -204,3 +204,12 @@ def test_a_damaged_record_is_refused_with_the_place(
     change(record)
     with pytest.raises(carom.InputError, match=f"^{place}"):
         carom.Frame.replay(record)
+
+
+def test_the_old_name_of_the_winning_points_works_in_calls_and_records() -> None:
+    with pytest.warns(FutureWarning, match=r"Frame\(target=\.\.\.\) is now Frame\(points="):
+        frame = carom.Frame("straight-pool", target=50)  # type: ignore[call-arg]
+    record = frame.record
+    assert record["setup"]["points"] == 50
+    record["setup"]["target"] = record["setup"].pop("points")
+    assert carom.Frame.replay(record).record == frame.record

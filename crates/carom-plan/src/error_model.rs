@@ -15,7 +15,7 @@ const VARIANTS_BETWEEN_CHECKS: u64 = 128;
 pub struct ErrorModel {
     /// Errors of the strike.
     pub noise: Noise,
-    /// Errors of the balls' perceived positions. The shot is what the player sees and plans on;
+    /// Errors of the balls' perceived positions. The shot is what the player perceives and plans;
     /// every variant has a layout of its own around it. The tip meets the cue ball where that truly
     /// is: errors of the contact point belong to `noise`.
     pub perception: Perception,

@@ -28,7 +28,7 @@ pub const VARIANTS_PER_ROUND: u64 = 1024;
 pub const MOST_VARIANTS: u64 = 1_000_000_000;
 /// Variants that are simulated before the first look at the clock, for each thread.
 const FIRST_PART: usize = 64;
-/// Time between two checks whether to stop. Shorter times would let the threads wait for each other
+/// Time between two checks whether to stop. With shorter times the threads would wait for each other
 /// more often; longer ones would delay Ctrl-C.
 const PART_TIME: Duration = Duration::from_millis(60);
 
@@ -218,7 +218,7 @@ fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
         }
         Watched::Legal if question.referee.is_none() => refuse(
             "watch",
-            "without a frame no rules say what is legal".into(),
+            "there is no frame to decide what is legal".into(),
             "give the frame in which the shot is played",
         ),
         _ => Ok(()),

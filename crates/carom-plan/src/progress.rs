@@ -1,4 +1,4 @@
-//! How far a long task is, shared between the threads that work on it and whoever watches it.
+//! The progress of a long task, shared between its threads and the thread that watches it.
 
 use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 

@@ -55,7 +55,7 @@ const NEAREST_MISCUE: f64 = 0.95;
 const CLEARANCE: f64 = 0.008_726_646_259_971_648;
 
 /// Largest number of samples and of strikes asked for. Ten million samples take minutes, and a
-/// longer list of strikes helps nobody.
+/// longer list of strikes is too long to read.
 const MOST_SAMPLES: usize = 10_000_000;
 const MOST_WANTED: usize = 10_000;
 /// Items that are worked on before the empty results among them are dropped: some megabytes.

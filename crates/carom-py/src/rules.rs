@@ -10,7 +10,7 @@ use crate::node::{from_python, to_python};
 use crate::shot::Shot;
 use crate::trace::Trace;
 
-/// What a player does: strike (speed, azimuth, elevation, side, height), the cue ball's place, the
+/// A play: strike (speed, azimuth, elevation, side, height), the cue ball's place, the
 /// call (kind, ball, pocket).
 type PlayArguments = ([f64; 5], Option<[f64; 2]>, (String, Option<String>, Option<String>));
 
@@ -49,7 +49,7 @@ impl Frame {
             .map_err(|e| to_exception(py, &e))
     }
 
-    /// A frame that goes on with the balls of a shot.
+    /// A frame that continues from the balls of a shot.
     #[staticmethod]
     fn of_shot(
         py: Python<'_>,

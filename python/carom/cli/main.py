@@ -111,7 +111,7 @@ def _run() -> int:
 
 
 def _our_bug() -> int:
-    say("this is a bug in carom, not in your input; please report it with what follows and with")
+    say("this is a bug in carom, not in your input; please report it with the lines below and with")
     say(f"the shot file to the project's issues (carom {__version__}).")
     traceback.print_exc()
     return 1
