@@ -9,7 +9,7 @@ use carom::{BallState, Error, ShotFile};
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
-use crate::error::{to_exception, to_exception_of};
+use crate::error::to_exception;
 use crate::node::{from_python, to_python};
 use crate::shot::Shot;
 
@@ -47,8 +47,7 @@ impl Trace {
 /// The trace of a shot.
 #[pyfunction]
 pub(crate) fn simulate(py: Python<'_>, shot: &Shot) -> PyResult<Trace> {
-    let trace = py.detach(|| shot.0.simulate());
-    let trace = trace.map_err(|e| to_exception_of(py, &e, &shot.0))?;
+    let trace = py.detach(|| shot.0.simulate()).map_err(|e| to_exception(py, &e))?;
     Ok(Trace::new(trace, shot.0.clone()))
 }
 
