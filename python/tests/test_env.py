@@ -219,7 +219,7 @@ def test_a_deep_copy_is_independent_and_in_the_same_state(name: str) -> None:
 
 
 def test_pickling_an_environment_is_refused_with_a_remedy() -> None:
-    with pytest.raises(TypeError, match=r"send what makes it.*copy\.deepcopy"):
+    with pytest.raises(TypeError, match=r"a function that makes it.*copy\.deepcopy"):
         pickle.dumps(gymnasium.make("carom/Potting-v0"))
 
 

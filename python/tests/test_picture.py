@@ -274,7 +274,7 @@ def test_pool_balls_have_their_usual_colours() -> None:
     assert not look("8", 0).striped
     assert look("9", 0).body == look("1", 0).body
     assert look("red-4", 0).body == look("red", 5).body == look("red4", 1).body
-    assert look("nobody", 0) != look("nobody", 1)
+    assert look("other", 0) != look("other", 1)
 
 
 def test_arguments_of_a_wrong_type_are_refused_by_name(pot: dict[str, Any], tmp_path: Path) -> None:

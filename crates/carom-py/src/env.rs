@@ -1,4 +1,4 @@
-//! `_core.VectorEnv`.
+//! Environments: `_core.VectorEnv`, `tasks` and `meanings`.
 
 use carom::Error;
 use carom::format::Node;
@@ -91,7 +91,7 @@ impl Settings<'_> {
     }
 }
 
-/// A row of environments.
+/// Environments that step together.
 #[pyclass(module = "carom._core")]
 pub(crate) struct VectorEnv(carom_env::VectorEnv);
 
@@ -107,7 +107,8 @@ impl VectorEnv {
             .map_err(|e| to_exception(py, &e))
     }
 
-    /// Observations (n, size). `seeds`: one for each environment; `mask`: which are reset.
+    /// Resets the environments in `mask` (None: all) and returns observations, shape (n, size).
+    /// `seeds`: one for each environment; None continues with the earlier ones.
     fn reset<'py>(
         &mut self,
         py: Python<'py>,
@@ -119,7 +120,7 @@ impl VectorEnv {
         self.rows(py, seen.map_err(|e| to_exception(py, &e))?)
     }
 
-    /// Observations, rewards, terminated, truncated, and a dictionary of the rest.
+    /// Plays one shot in every environment; returns a dictionary of arrays with n entries each.
     fn step<'py>(
         &mut self,
         py: Python<'py>,
@@ -171,16 +172,16 @@ impl VectorEnv {
         to_python(py, &self.0.picture(index).map_err(|e| to_exception(py, &e))?)
     }
 
-    /// What `copy.deepcopy` asks for: the same row once more, which goes on by itself.
+    /// For `copy.deepcopy`: an independent copy in the same state.
     fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
         Self(self.0.clone())
     }
 
-    /// What `pickle` asks for.
+    /// For `pickle`: an error with a remedy.
     fn __reduce__(&self) -> PyResult<()> {
         Err(PyTypeError::new_err(
-            "an environment in play cannot be pickled; send what makes it, such as \
-             functools.partial(gymnasium.make, name), or copy it by copy.deepcopy",
+            "an environment cannot be pickled; pickle a function that makes it, such as \
+             functools.partial(gymnasium.make, name), or copy it with copy.deepcopy",
         ))
     }
 
@@ -211,7 +212,7 @@ pub(crate) fn tasks() -> Vec<&'static str> {
     Task::ALL.into_iter().map(Task::name).collect()
 }
 
-/// What the numbers of an action, of a ball in an observation, and of the rest of it mean.
+/// The names of the numbers of an action, of a ball's features, and of the other features.
 #[pyfunction]
 pub(crate) fn meanings() -> (Vec<&'static str>, Vec<&'static str>, Vec<&'static str>) {
     (ACTIONS.to_vec(), BALL_FEATURES.to_vec(), FEATURES.to_vec())

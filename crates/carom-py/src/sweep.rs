@@ -16,7 +16,8 @@ use crate::node::{from_python, to_python};
 use crate::options::NoiseOptions;
 use crate::shot::Shot;
 
-/// Numbers of shape (n,), lists of shape (n, width), or indices of shape (n,) into a list of values.
+/// Numbers of shape (n,), lists of shape (n, width), or indices of shape (n,) into a list of
+/// values.
 #[derive(FromPyObject)]
 pub(crate) enum Given<'py> {
     Numbers(PyReadonlyArrayDyn<'py, f64>),
@@ -167,14 +168,16 @@ fn to_dict(py: Python<'_>, results: RowResults) -> PyResult<Bound<'_, PyDict>> {
     Ok(dict)
 }
 
-/// JSON text in plain dicts, lists and values. Rejects duplicate keys and numbers that are not finite.
+/// JSON text in plain dicts, lists and values. Rejects duplicate keys and numbers that are not
+/// finite.
 #[pyfunction]
 pub(crate) fn read_json<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
     let node = Node::from_json(text).map_err(|error| to_exception(py, &error))?;
     to_python(py, &node)
 }
 
-/// Rejects a value that is not an object, and unknown keys. `place` is the value's path in its file.
+/// Rejects a value that is not an object, and unknown keys. `place` is the value's path in its
+/// file.
 #[pyfunction]
 pub(crate) fn check_keys(
     value: &Bound<'_, PyAny>,
@@ -231,8 +234,8 @@ fn read<T>(
     answer(Reader::new(&node, place)).map_err(|error| to_exception(value.py(), &error))
 }
 
-/// Points of the unit cube, shape (n, dimensions): those of `seed` with the given indices. `sequence` is
-/// `random` or `even`.
+/// Points of the unit cube, shape (n, dimensions): the points of `seed` with these indices.
+/// `sequence` is `random` or `even`.
 #[pyfunction]
 pub(crate) fn points<'py>(
     py: Python<'py>,
@@ -256,8 +259,8 @@ pub(crate) fn points<'py>(
     PyArray1::from_vec(py, all).reshape([index.len(), dimensions])
 }
 
-/// The values of a distribution that have the shares `u` in (0, 1), shape (n, k), column by column:
-/// `uniform` from a to b, `log_uniform` from a to b, or `normal` with mean a and σ b; a and b: shape (k,).
+/// The quantiles of a distribution at `u` in (0, 1), shape (n, k), column by column: `uniform` from
+/// a to b, `log_uniform` from a to b, or `normal` with mean a and σ b; a and b: shape (k,).
 #[pyfunction]
 pub(crate) fn quantiles<'py>(
     py: Python<'py>,

@@ -103,7 +103,7 @@ def settings(**given: Any) -> Settings:
       edge (−1) to its left edge (1).
     - ``speed``: Least and largest speed of the cue, m/s.
     - ``max_elevation``: Largest elevation of the cue, rad; the lower half of the action is level.
-    - ``opponent``: ``none``, ``random`` or ``potter``: who plays the second player.
+    - ``opponent``: The second player: ``none``, ``random`` or ``potter``.
     - ``balls``: Number of object balls that are placed at random at the start, or the least and
       the most. In potting None means 1. In the games None means a rack; otherwise the game begins
       in the middle, with equal scores. In snooker these are the reds, and the colours are on their
