@@ -1,14 +1,32 @@
-"""Text files."""
+"""Text files and paths."""
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 from carom.errors import InputError
 
-if TYPE_CHECKING:
-    import os
+
+def checked_path(name: str, value: Any, such_as: str) -> Path:
+    """A path that was passed as an argument.
+
+    Args:
+        name: The name of the argument.
+        value: What the caller gave.
+        such_as: An example of a path, for the error message.
+
+    Raises:
+        InputError: It is not a path, or it has a NUL character.
+    """
+    place = os.fspath(value) if isinstance(value, str | os.PathLike) else None
+    if not isinstance(place, str):
+        found = type(value).__name__
+        raise InputError(f'{name}: found a {found}; give a path, such as "{such_as}"')
+    if "\0" in place:
+        raise InputError(f"{name}: the path has a NUL character; remove it")
+    return Path(place)
 
 
 def read_text(path: str | os.PathLike[str]) -> str:

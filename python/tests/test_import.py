@@ -141,6 +141,12 @@ def test_data_that_is_not_a_system_is_refused(data: bytes) -> None:
         convert.pooltool(data)
 
 
+@pytest.mark.parametrize("source", [5, None, ["pot.json"], "pot\0.json"])
+def test_a_source_that_is_not_a_path_is_refused(source: Any) -> None:
+    with pytest.raises(carom.InputError, match=r"^source: .*; "):
+        convert.pooltool(source)
+
+
 def test_an_array_that_would_be_unpickled_is_refused() -> None:
     import msgpack
 
@@ -196,6 +202,8 @@ def test_a_fastfiz_strike_gives_the_ball_the_velocity_of_its_formula(theta: floa
     [
         ("", "number of balls"),
         ("2 0.028575 1 0 0.4 0.6", "2 balls"),
+        ("1e300 0.028575 1 0 0.4 0.6", "names 1e+300 balls"),
+        ("1.2 0.028575 1 0 0.4 0.6 0", "names 1.2 balls"),
         ("1 0.028575 1 0 0.4 west", "west"),
         ("1 0.028575 11 0 0.4 0.6", "state 11"),
         ("1 0.028575 1 16 0.4 0.6", "type 16"),

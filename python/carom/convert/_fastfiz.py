@@ -56,14 +56,14 @@ def fastfiz(text: str, strike: Sequence[float] | None = None) -> Converted:
 
 
 def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
-    count = int(_number(words, 0, "the number of balls"))
-    if count < 1 or len(words) != 1 + _FIELDS * count:
+    count = _number(words, 0, "the number of balls")
+    if count < 1 or not count.is_integer() or len(words) != 1 + _FIELDS * count:
         raise InputError(
-            f"the table state names {count} balls, and {len(words) - 1} numbers follow; "
+            f"the table state names {count:g} balls, and {len(words) - 1} numbers follow; "
             f"write {_FIELDS} numbers for each ball: radius, state, type, x and y"
         )
     balls, notes, pocketed, moving, absent = [], [], [], [], []
-    for i in range(count):
+    for i in range(int(count)):
         at = 1 + _FIELDS * i
         radius, state, kind, x, y = (_number(words, at + j, f"ball {i}") for j in range(_FIELDS))
         if kind not in range(_TYPES) or state not in range(_STATES):

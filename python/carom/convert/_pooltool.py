@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 from carom.convert._made import Converted
@@ -13,6 +12,7 @@ from carom.convert._msgpack import unpack
 from carom.convert._place import Place
 from carom.convert._pooltool_table import table
 from carom.errors import InputError
+from carom.files import checked_path
 from carom.shot import Shot
 
 _POCKETED = 4
@@ -63,7 +63,7 @@ def _tree(source: Any) -> Any:
     if isinstance(source, bytes):
         return _decode(source)
     if isinstance(source, str | os.PathLike):
-        return _decode(Path(source).read_bytes())
+        return _decode(checked_path("source", source, "shot.msgpack").read_bytes())
     kind = type(source).__name__
     raise InputError(f"source: found a {kind}; give a file's path, its bytes, or a dict")
 

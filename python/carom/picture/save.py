@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import os
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from carom.errors import InputError
+from carom.files import checked_path
 from carom.picture import canvas, evaluation, maps, solutions
 from carom.picture.output import to_png, to_svg
 from carom.plan import Evaluation, Solution
 from carom.trace import Trace
 
 if TYPE_CHECKING:
+    import os
     from collections.abc import Sequence
 
     from matplotlib.figure import Figure
@@ -39,16 +39,14 @@ def save(
     Raises:
         InputError: The ending is another one, or ``found`` cannot be drawn.
     """
-    if not isinstance(path, str | os.PathLike):
-        raise InputError(f'path: found a {type(path).__name__}; give a path, such as "shot.svg"')
-    path = Path(path)
-    if path.suffix not in {".svg", ".png"}:
-        raise InputError(f"path: {path.name!r} ends neither in .svg nor in .png; end it in one")
+    file = checked_path("path", path, "shot.svg")
+    if file.suffix not in {".svg", ".png"}:
+        raise InputError(f"path: {file.name!r} ends neither in .svg nor in .png; end it in one")
     figure = _draw(found, title, leave)
-    if path.suffix == ".svg":
-        path.write_text(to_svg(figure), encoding="utf-8")
+    if file.suffix == ".svg":
+        file.write_text(to_svg(figure), encoding="utf-8")
         return
-    path.write_bytes(to_png(figure))
+    file.write_bytes(to_png(figure))
 
 
 def _draw(

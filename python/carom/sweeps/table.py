@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from carom import _core
 from carom.arguments import cores, instance, truth, whole
 from carom.arguments import text as checked_text
 from carom.errors import InputError
-from carom.files import read_text
+from carom.files import checked_path, read_text
 from carom.lazy import pa
 from carom.shot import Shot
 from carom.sweeps import on_ray
@@ -52,7 +51,7 @@ class Sweep:
             OSError: A file cannot be read.
             InputError: The spec is invalid; the message names the place.
         """
-        place = _folder("path", path)
+        place = checked_path("path", path, "sweep.json")
         return cls.from_json(read_text(place), folder=place.parent)
 
     @classmethod
@@ -75,7 +74,7 @@ class Sweep:
             OSError: A file cannot be read.
             InputError: The spec is invalid; the message names the place.
         """
-        return cls(load(spec, _folder("folder", folder)))
+        return cls(load(spec, checked_path("folder", folder, "specs")))
 
     def to_dict(self) -> dict[str, Any]:
         """The complete spec: shots in full, every default written out."""
@@ -165,7 +164,7 @@ class Sweep:
             ray = truth("ray", ray)
         return run(
             self._player,
-            _folder("out", out),
+            checked_path("out", out, "out"),
             threads=threads,
             part_rows=part_rows,
             ray=ray,
@@ -219,13 +218,3 @@ def _sweep_of(spec: Any) -> Sweep:
         return Sweep.load(spec)
     found = type(spec).__name__
     raise InputError(f"spec: found a {found}; give a Sweep, a dict, or the path of a file")
-
-
-def _folder(name: str, path: Any) -> Path:
-    if not isinstance(path, str | os.PathLike) or isinstance(os.fspath(path), bytes):
-        found = type(path).__name__
-        raise InputError(f'{name}: found a {found}; give a path, for example "out"')
-    place = os.fspath(path)
-    if "\0" in place:
-        raise InputError(f"{name}: the path has a NUL character; remove it")
-    return Path(place)
