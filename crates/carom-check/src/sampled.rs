@@ -10,11 +10,12 @@ use crate::{Fault, FaultKind};
 /// of a position on the table and of a path from its last event to the sample.
 pub const SAMPLED_DEPTH: f64 = 2e-12;
 
-/// Checks `trace` of `shot` at `samples` + 1 evenly spaced times: no ball may overlap another one
-/// or the table, or be in play beyond the table's border.
+/// Checks `trace` of `shot` at `samples` + 1 evenly spaced times (at least 2): no ball may overlap
+/// another one or the table, or be in play beyond the table's border.
 pub fn check_samples(shot: &Shot, trace: &Trace, samples: u32) -> Vec<Fault> {
     let solid = Solid::of(shot.table());
     let mut faults = Vec::new();
+    let samples = samples.max(1);
     for k in 0..=samples {
         let time = trace.duration() * f64::from(k) / f64::from(samples);
         let states = match trace.at(time) {

@@ -1,7 +1,8 @@
 //! `make stress`: checks millions of random shots. Prints the tally of each family and, for some
 //! faulty shots, the shot file.
 //!
-//! Usage: `stress [SHOTS] [FIRST_SEED]`, by default 10 million from seed 0.
+//! Usage: `stress [SHOTS] [FIRST_SEED]`, by default 10 million from seed 0. The shots are divided
+//! equally among the families, rounded up.
 
 use std::process::ExitCode;
 
@@ -27,11 +28,11 @@ fn main() -> ExitCode {
     };
     let mut faulty = false;
     for family in ShotFamily::ALL {
-        let count = shots / ShotFamily::ALL.len() as u64;
+        let count = shots.div_ceil(ShotFamily::ALL.len() as u64);
         let style = ProgressStyle::with_template("{msg:16} {wide_bar} {pos}/{len} {eta}")
             .unwrap_or_else(|_| ProgressStyle::default_bar());
         let bar = ProgressBar::new(count).with_style(style).with_message(format!("{family:?}"));
-        let tally = (first..first + count)
+        let tally = (first..first.saturating_add(count))
             .into_par_iter()
             .progress_with(bar)
             .map(|seed| check(family, seed))

@@ -53,9 +53,9 @@ pub struct EightBall {
 }
 
 impl EightBall {
-    /// The group of `seat`; none while the table is open.
+    /// The group of `seat`; none while the table is open, and for a seat other than 0 and 1.
     pub fn group(&self, seat: Seat) -> Option<Group> {
-        let solids = self.solids_of?;
+        let solids = self.solids_of.filter(|_| seat <= 1)?;
         Some(if solids == seat { Group::Solids } else { Group::Stripes })
     }
 

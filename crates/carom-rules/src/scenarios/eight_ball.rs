@@ -21,6 +21,7 @@ fn solids() -> Scenario {
     scenario.play(Call::Pocket(1, CORNER), hit(&[1]).potting(1, CORNER));
     assert_eq!(group(&scenario, 0), Some(Group::Solids));
     assert_eq!(group(&scenario, 1), Some(Group::Stripes));
+    assert_eq!(group(&scenario, 2), None, "there is no third seat");
     scenario
 }
 
