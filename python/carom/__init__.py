@@ -99,6 +99,13 @@ __all__ = [
 ]
 
 
+def _svg_of(trace: Trace) -> str:
+    svg: str = import_module("carom.picture").svg(trace)
+    return svg
+
+
+Trace._svg_of = _svg_of
+
 # Modules that few programs use; they are imported when they are first used.
 _LAZY_MODULES = {"bench", "convert", "page", "picture", "serve"}
 _LAZY_NAMES = {"Sweep": "carom.sweeps", "sweep": "carom.sweeps"}

@@ -226,6 +226,10 @@ class Shot:
         return f"<carom.Shot: {count} ball{'s' * (count != 1)} on {name}>"
 
 
+# A trace has its shot, which this module defines.
+Trace._shot_of = Shot._wrap
+
+
 def _balls(layout: Any) -> Any:
     if isinstance(layout, Layout):
         return layout.balls

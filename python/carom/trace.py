@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-# Shot and Trace refer to each other, so a trace gets its Shot, and the pages and pictures that are
-# seldom needed, through the package.
 import carom
 from carom import _core, arguments
+from carom._core import Shot as CoreShot
 from carom._core import Trace as CoreTrace
 from carom.errors import InputError
 from carom.event_table import plain
@@ -19,7 +18,7 @@ from carom.lazy import np
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from numpy.typing import ArrayLike, NDArray
 
@@ -67,6 +66,10 @@ class Trace:
 
     # No __slots__: cached_property keeps its values in the instance's dict.
     _core: CoreTrace
+    # The shot of a Rust object, and the picture of a trace. Modules that build on this one set
+    # them: carom/shot.py and carom/__init__.py.
+    _shot_of: ClassVar[Callable[[CoreShot], carom.Shot]]
+    _svg_of: ClassVar[Callable[[Trace], str]]
 
     def __init__(self) -> None:
         raise TypeError("a Trace comes from Shot.simulate(), Trace.load() or Trace.from_dict()")
@@ -108,7 +111,7 @@ class Trace:
     @cached_property
     def shot(self) -> carom.Shot:
         """The shot that was simulated."""
-        return carom.Shot._wrap(self._core.shot())
+        return Trace._shot_of(self._core.shot())
 
     @cached_property
     def _dict(self) -> dict[str, Any]:
@@ -191,7 +194,7 @@ class Trace:
         """The viewer, for notebooks; a picture if the page is not built."""
         if carom.page.is_built():
             return carom.page.frame(self)
-        text = carom.picture.svg(self)
+        text = Trace._svg_of(self)
         # The XML prologue of a stand-alone file is not allowed inside a page.
         return text[text.index("<svg") :]
 
