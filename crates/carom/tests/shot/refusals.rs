@@ -292,7 +292,7 @@ fn a_tip_cannot_have_both_restitution_and_efficiency() {
         BASE,
         r#""cue": {"tip_restitution": 0.7, "tip_efficiency": 0.87}"#,
         "physics.cue.tip_efficiency",
-        &["twice", "keep one"],
+        &["same property", "keep one"],
     );
 }
 
