@@ -8,7 +8,7 @@ use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::PlacedBall;
 use carom::{BallState, Error, MotionState, Shot, Simulator};
-use carom_rules::{BallIndex, FrameBall};
+use carom_rules::{BallIndex, FrameBall, through_degrees};
 
 /// A place inside every table (file frame, m), for the only ball of the base shot.
 const INSIDE: [f64; 2] = [0.25, 0.25];
@@ -61,6 +61,7 @@ impl BareTable {
             Some(PlacedBall { id: id.clone(), ball: *ball, state })
         });
         let struck = balls.iter().position(|ball| *ball == usize::from(cue)).unwrap_or_default();
+        let strike = through_degrees(&strike);
         let shot = self.base.with_balls(placed.collect(), Some((struck, strike)))?;
         let summary = simulator.play(&shot, recorder)?;
         for (i, &ball) in balls.iter().enumerate() {

@@ -47,7 +47,7 @@ mod state;
 
 pub use frame::Frame;
 pub use layout::{BallIndex, FrameBall, FrameLayout};
-pub use play::{Call, Play};
+pub use play::{Call, Play, through_degrees};
 pub use region::Region;
 pub use request::{Calls, Choice, Request, Turn};
 pub use rules::{Options, Rules};

@@ -1,5 +1,6 @@
 //! A shot as a player plays it.
 
+use carom::math::{degrees, radians};
 use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
 
@@ -31,6 +32,13 @@ impl Play {
     pub const fn from(self, place: [f64; 2]) -> Self {
         Self { cue_ball: Some(place), ..self }
     }
+}
+
+/// The strike with its angles converted to degrees and back. Frames were recorded when shot files
+/// held degrees only, and they must replay to the bit; environments keep their results for the same reason.
+pub fn through_degrees(strike: &Strike) -> Strike {
+    let through = |angle: f64| radians(degrees(angle));
+    Strike { azimuth: through(strike.azimuth), elevation: through(strike.elevation), ..*strike }
 }
 
 /// What a player announces before a shot.

@@ -1,6 +1,5 @@
 //! Playing a shot: the play is checked, simulated and ruled on.
 
-use carom::math::{degrees, radians};
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
 use carom::{BallState, Error, MotionState, Shot, Simulator, Trace};
@@ -8,17 +7,10 @@ use carom::{BallState, Error, MotionState, Shot, Simulator, Trace};
 use super::Frame;
 use crate::games::PlayedShot;
 use crate::layout::{BallIndex, FrameLayout};
-use crate::play::{Call, Play};
+use crate::play::{Call, Play, through_degrees};
 use crate::referee::{CueBallTravel, RefereeRecorder, renumbered};
 use crate::request::Turn;
 use crate::ruling::Ruling;
-
-/// The strike with its angles converted to degrees and back. Frames were recorded when shot files
-/// held degrees only, and they must replay to the bit.
-fn through_degrees(strike: &Strike) -> Strike {
-    let through = |angle: f64| radians(degrees(angle));
-    Strike { azimuth: through(strike.azimuth), elevation: through(strike.elevation), ..*strike }
-}
 
 impl Frame {
     /// The shot of `play`, ready to simulate.
