@@ -18,17 +18,27 @@ export default defineConfig({
   worker: { format: "iife" },
   test: {
     projects: [
-      { extends: true, test: { name: "unit", include: ["tests/unit/**/*.test.ts"] } },
+      {
+        extends: true,
+        test: {
+          name: "unit",
+          include: ["tests/unit/**/*.test.ts"],
+          // The files share modules, so that each worker loads the engine once, not once per file.
+          isolate: false,
+        },
+      },
       {
         extends: true,
         test: {
           name: "e2e",
           include: ["tests/e2e/**/*.spec.ts"],
           globalSetup: "tests/e2e/setup.ts",
-          // One browser, one page at a time: software rendering needs the cores.
-          fileParallelism: false,
-          testTimeout: 30_000,
-          hookTimeout: 60_000,
+          // All tests share one browser. Two files at a time: one draws while the other waits.
+          maxWorkers: 2,
+          // Limits for hanging tests, not for slow machines: pages are drawn in software.
+          testTimeout: 180_000,
+          hookTimeout: 120_000,
+          expect: { poll: { timeout: 20_000 } },
         },
       },
       {

@@ -30,10 +30,10 @@ export * from "./error.js";
 export * from "./rules.js";
 export * from "./types.js";
 
-const DEFAULT_TERMS: Required<FrameTerms> = { target: 40, miss: true, patience: 100 };
+const DEFAULT_TERMS = { points: 40, miss: true, patience: 100 } as const;
 
-/** Largest values of the 32-bit integers that the engine takes for `target` and `patience`. */
-const LARGEST_TARGET = 2 ** 31 - 1;
+/** Largest values of the 32-bit integers that the engine takes for `points` and `patience`. */
+const LARGEST_POINTS = 2 ** 31 - 1;
 const LARGEST_PATIENCE = 2 ** 32 - 1;
 
 /**
@@ -180,7 +180,7 @@ class WasmEngine implements Engine {
 
   frame(game: string, options: FrameOptions = {}): Frame {
     const { table, physics, seed = 0 } = options;
-    const { target, miss, patience } = termsOf(options);
+    const { points, miss, patience } = termsOf(options);
     const optional = (value: unknown) => (value === undefined ? undefined : JSON.stringify(value));
     const start = whole("seed", seed);
     return new WasmFrame(
@@ -191,7 +191,7 @@ class WasmEngine implements Engine {
             optional(table),
             optional(physics),
             start,
-            target,
+            points,
             miss,
             patience,
           ),
@@ -200,10 +200,10 @@ class WasmEngine implements Engine {
   }
 
   frameOf(game: string, shot: Shot, terms: FrameTerms = {}): Frame {
-    const { target, miss, patience } = termsOf(terms);
+    const { points, miss, patience } = termsOf(terms);
     const handle = handleOf(shot);
     return new WasmFrame(
-      checked(() => wasm.Frame.ofShot(text("game", game), handle, target, miss, patience)),
+      checked(() => wasm.Frame.ofShot(text("game", game), handle, points, miss, patience)),
     );
   }
 
@@ -218,10 +218,17 @@ class WasmEngine implements Engine {
   }
 }
 
-function termsOf(given: FrameTerms): Required<FrameTerms> {
-  const { target, miss, patience } = { ...DEFAULT_TERMS, ...given };
+function termsOf(given: FrameTerms): Required<Omit<FrameTerms, "target">> {
+  // eslint-disable-next-line @typescript-eslint/no-deprecated -- the old spelling still works
+  const { target: old } = given;
+  if (old !== undefined) warnOnce("FrameTerms.target is called FrameTerms.points now");
+  const { points, miss, patience } = {
+    ...DEFAULT_TERMS,
+    ...(old !== undefined && { points: old }),
+    ...given,
+  };
   return {
-    target: Number(whole("options.target", target, LARGEST_TARGET)),
+    points: Number(whole("options.points", points, LARGEST_POINTS)),
     miss: boolean("options.miss", miss),
     patience: Number(whole("options.patience", patience, LARGEST_PATIENCE)),
   };

@@ -1,5 +1,5 @@
 /**
- * Games with a referee. Player 0 breaks, player 1 is the opponent. Balls are named by their ids, pockets
+ * Games with a referee. Player 0 breaks or starts; player 1 is the opponent. Balls are named by their ids, pockets
  * by their names. The data is that of Python's `Frame.to_dict`, key by key.
  */
 
@@ -113,6 +113,8 @@ export interface Ruling {
 /** Terms that the players agree on before a frame. */
 export interface FrameTerms {
   /** Points that win straight pool and three-cushion. Default 40. */
+  readonly points?: number;
+  /** @deprecated Old name of `points`. */
   readonly target?: number;
   /** Whether a foul and a miss is called in snooker. Default true. */
   readonly miss?: boolean;

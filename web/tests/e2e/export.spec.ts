@@ -11,7 +11,7 @@ import type { TraceFile } from "../../src/engine/index.ts";
 import { expect, NATIVE, test } from "./fixture.ts";
 
 /** Time (ms) that a page in a frame may take to start. */
-const STARTING = 30_000;
+const STARTING = 60_000;
 
 let folder = "";
 beforeAll(() => {

@@ -6,7 +6,13 @@
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { type Browser, type BrowserContextOptions, chromium, type Page } from "playwright-core";
+import {
+  type Browser,
+  type BrowserContext,
+  type BrowserContextOptions,
+  chromium,
+  type Page,
+} from "playwright-core";
 import { expect, inject, test as base } from "vitest";
 import type { ShotFile, TraceFile } from "../../src/engine/index.ts";
 
@@ -30,7 +36,10 @@ interface Fixtures {
 }
 
 /** Time (ms) that the page may take to start on a busy machine. */
-const STARTING = 15_000;
+const STARTING = 60_000;
+
+/** Time (ms) that an action or a wait may take. */
+const WAITING = 60_000;
 
 /** Window of the performance budgets, at which software rendering must be fluent. */
 export const SMALL = { width: 800, height: 450 };
@@ -38,16 +47,23 @@ export const DESKTOP = { width: 1000, height: 640 };
 export const PHONE = { width: 390, height: 844 };
 
 export const test = base.extend<Fixtures>({
-  // eslint-disable-next-line no-empty-pattern -- vitest reads the parameter names of a fixture
-  browser: async ({}, use) => {
-    const browser = await chromium.connect(inject("browser"));
-    await use(browser);
-    await browser.close();
-  },
+  browser: [
+    // eslint-disable-next-line no-empty-pattern -- vitest reads the parameter names of a fixture
+    async ({}, use) => {
+      const browser = await chromium.connect(inject("browser"));
+      await use(browser);
+      await browser.close();
+    },
+    // One connection per file; `open` closes its windows after each test.
+    { scope: "file" },
+  ],
   open: async ({ browser }, use) => {
     const errors: string[] = [];
+    const contexts: BrowserContext[] = [];
     await use(async ({ hash = "", url, firstSteps = false, quality = "low", ...options } = {}) => {
       const context = await browser.newContext({ viewport: DESKTOP, ...options });
+      contexts.push(context);
+      context.setDefaultTimeout(WAITING);
       const page = await context.newPage();
       page.on("console", (message) => {
         if (message.type() === "error") errors.push(message.text());
@@ -72,6 +88,7 @@ export const test = base.extend<Fixtures>({
       );
       return page;
     });
+    for (const context of contexts) await context.close();
     expect(errors, "errors in the console").toEqual([]);
   },
 });

@@ -98,7 +98,7 @@ export function merged(base: Values, changes: Values): Values {
   return out;
 }
 
-/** A plain number stands for a fit whose constant coefficient it is. */
+/** A value as an object; a plain number becomes a fit with that constant coefficient. */
 function asObject(value: unknown): Values {
   if (typeof value === "number") return { a: value };
   return typeof value === "object" && value !== null ? (value as Values) : {};

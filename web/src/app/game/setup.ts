@@ -8,11 +8,11 @@ import { LONGEST_NAME, type Setup } from "../document/game.ts";
 import { startGame } from "./play.ts";
 import { gameName, isForOne } from "./words.ts";
 
-/** Seeds drawn by a click are below this: short enough to tell somebody. */
+/** Seeds drawn by a click are below this: short numbers are easy to pass on. */
 const SEEDS = 10_000;
 
 /** Games that end at a number of points. */
-const TO_A_TARGET = new Set(["straight-pool", "three-cushion"]);
+const WITH_GOAL = new Set(["straight-pool", "three-cushion"]);
 
 /** Value of the list entry that starts from the balls on the page. */
 const AS_THEY_LIE = "lie";
@@ -28,7 +28,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   for (const { name } of engine.tables) if (name) table.append(h("option", { value: name }, name));
   table.append(h("option", { value: THIS_TABLE }, "This one, with its physics"));
   const seed = number(drawn(), 0);
-  const target = number(40, 1);
+  const goal = number(40, 1);
   const miss = h("input", { type: "checkbox", id: uniqueId("miss"), checked: true });
   const names = [0, 1].map((player) => name(player)) as [HTMLInputElement, HTMLInputElement];
   const levels = Object.keys(engine.noisePresets);
@@ -42,7 +42,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   ]);
   const tableRow = labelled("Table", table);
   const seedRow = h("div", { class: "pair" }, labelled("Seed of the rack", seed), shuffle());
-  const targetRow = labelled("Points that win", target);
+  const goalRow = labelled("Points that win", goal);
   const missRow = h("div", { class: "switch row" }, miss, label(miss, "Call a foul and a miss"));
   const players = [0, 1].map((k) =>
     h(
@@ -64,7 +64,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
     labelled("Begin with", start),
     tableRow,
     seedRow,
-    targetRow,
+    goalRow,
     missRow,
     h("h2", {}, "Players"),
     ...players,
@@ -92,14 +92,14 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   }
 
   function readOptions(): FrameOptions | null {
-    const [rack, points] = [whole(seed, 0), whole(target, 1)];
+    const [rack, points] = [whole(seed, 0), whole(goal, 1)];
     if (rack === null) store.refuse("Seed: write a whole number, at least 0.");
     else if (points === null) store.refuse("Points that win: write a whole number above 0.");
     if (rack === null || points === null) return null;
     return {
       ...tableOptions(),
       seed: rack,
-      ...(TO_A_TARGET.has(rules.value) && { target: points }),
+      ...(WITH_GOAL.has(rules.value) && { points }),
       ...(rules.value === "snooker" && { miss: miss.checked }),
     };
   }
@@ -113,7 +113,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
 
   const show = (): void => {
     usual.textContent = `The game’s own (${engine.usualTable(rules.value)})`;
-    targetRow.hidden = !TO_A_TARGET.has(rules.value);
+    goalRow.hidden = !WITH_GOAL.has(rules.value);
     tableRow.hidden = seedRow.hidden = start.value === AS_THEY_LIE;
     missRow.hidden = rules.value !== "snooker";
     players[1]!.hidden = isForOne(rules.value);

@@ -10,7 +10,7 @@ import type { Store } from "../document/store.ts";
 import { mountTable } from "./table.ts";
 import { ballName } from "../common/words.ts";
 
-/** Seeds drawn by the page are below this: short enough to tell somebody. */
+/** Seeds drawn by the page are below this: short numbers are easy to pass on. */
 const SEEDS = 10_000;
 
 export function mountLayoutPanel(root: HTMLElement, store: Store, context: Context): void {

@@ -21,7 +21,7 @@ const PATHS = 60;
 /** The largest whole number that JavaScript represents exactly. */
 const LARGEST_SEED = Number.MAX_SAFE_INTEGER;
 
-/** The largest seed that a click draws: short enough to tell somebody. */
+/** The largest seed that a click draws: short numbers are easy to pass on. */
 const LARGEST_DRAWN_SEED = 9999;
 
 export function mountWhatIf(root: HTMLElement, store: Store, context: Context): void {

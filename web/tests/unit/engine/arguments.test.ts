@@ -96,7 +96,7 @@ describe("hostile arguments are refused with their place", () => {
       ["speed", () => engine.breakShot("nine-ball", { speed: wrong("fast") })],
       ["gap", () => engine.breakShot("nine-ball", { gap: wrong(null) })],
       ["game", () => engine.usualTable(wrong(undefined))],
-      ["options.target", () => engine.frame("straight-pool", { target: 2 ** 32 + 5 })],
+      ["options.points", () => engine.frame("straight-pool", { points: 2 ** 32 + 5 })],
       ["options.patience", () => engine.frame("nine-ball", { patience: -1 })],
       ["options.miss", () => engine.frame("snooker", { miss: wrong("yes") })],
       ["kind", () => engine.schema(wrong("table"))],
@@ -132,28 +132,36 @@ describe("hostile arguments are refused with their place", () => {
 });
 
 describe("old spellings work and warn once", () => {
-  test("vary(noise, seed, first, count), the keys side and height, finalPosition", () => {
+  test("vary(noise, seed, first, count), the keys side and height, finalPosition, target", async () => {
     const warn = vi.spyOn(console, "warn").mockImplementation(() => undefined);
     try {
-      const noise = engine.olympiad();
+      // New modules, because a warning is given once per thread.
+      vi.resetModules();
+      const fresh = await import("../../../src/engine/index.js");
+      const own = await fresh.load();
+      const cut = own.shot(shotFile("half_ball_cut"));
+      const noise = own.olympiad();
       const { side_m, height_m, ...rest } = noise;
       const old = { ...rest, side: side_m, height: height_m } as unknown as Noise;
-      const expected = shot.vary(noise, 4, { seed: 7, first: 2 });
+      const expected = cut.vary(noise, 4, { seed: 7, first: 2 });
       expect(warn).not.toHaveBeenCalled();
       for (let k = 0; k < 2; k += 1) {
         // eslint-disable-next-line @typescript-eslint/no-deprecated -- that it works is tested here
-        const batch = shot.vary(old, 7, 2, 4);
+        const batch = cut.vary(old, 7, 2, 4);
         expect(batch).toEqual(expected);
         // eslint-disable-next-line @typescript-eslint/no-deprecated
         expect(batch.finalPosition).toBe(batch.final_position);
+        const frame = own.frame("straight-pool", { target: 0x7f });
+        expect(frame.state.request.kind).toBe("shot");
       }
       const said = warn.mock.calls.map(([text]) => String(text));
-      expect(said).toHaveLength(4);
+      expect(said).toHaveLength(5);
       for (const name of [
         "vary(noise, n, { seed, first })",
         "side_m",
         "height_m",
         "final_position",
+        "points",
       ]) {
         expect(said.filter((text) => text.includes(name))).toHaveLength(1);
       }

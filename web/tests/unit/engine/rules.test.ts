@@ -130,15 +130,16 @@ test("invalid calls, choices and options are refused with their place", () => {
   expect(place(() => engine.frame("croquet"))).toBe("game");
   expect(place(() => engine.frame("snooker", { table: "carom-match" }))).toBe("table");
   expect(place(() => engine.frame("snooker", { seed: -1 }))).toBe("seed");
-  expect(place(() => engine.frame("three-cushion", { target: 0 }))).toBe("options.target");
+  expect(place(() => engine.frame("three-cushion", { points: 0 }))).toBe("options.points");
   expect(place(() => engine.usualTable("croquet"))).toBe("game");
 });
 
 test("table and physics are those of a shot file", () => {
-  const frame = engine.frame("nine-ball", { table: "wpa-8ft", physics: { cloth: {} }, seed: 1 });
+  const physics = { cloth: { sliding_friction: 0.3 } };
+  const frame = engine.frame("nine-ball", { table: "wpa-8ft", physics, seed: 1 });
   const { file } = frame.shot({ strike: STRIKE });
   expect(file.table).toBe("wpa-8ft");
-  expect(file.physics).toEqual({ cloth: {} });
+  expect(file.physics).toMatchObject(physics);
 });
 
 test("the presets of noise are the levels of play, then the Olympiad", () => {

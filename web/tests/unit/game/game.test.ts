@@ -225,7 +225,7 @@ describe("calls", () => {
     expect(store.document.game!.call).toBeNull();
     announceCall(store, { kind: "push-out" });
     expect(shootOnce(store)).toBeNull();
-    expect(refusal(store)).toMatch(/push-out is allowed in the first shot/);
+    expect(refusal(store)).toMatch(/push-out is allowed only in the first shot/);
   });
 
   test("are suggested from the predicted outcome", () => {

@@ -24,7 +24,7 @@ function boxOf(size: readonly [number, number], rail: number, height: number): B
   return { min: [-rail, -rail, 0], max: [size[0] + rail, size[1] + rail, height] };
 }
 
-/** Extremes of the box in the picture: 1 is its edge. */
+/** Range of the box in the picture; its edges are −1 and 1. */
 function extent(box: Box, camera: PerspectiveCamera): { x: [number, number]; y: [number, number] } {
   const places = [0, 1].flatMap((i) =>
     [0, 1].flatMap((j) =>
@@ -47,7 +47,7 @@ function extent(box: Box, camera: PerspectiveCamera): { x: [number, number]; y: 
 describe.each(RAILED.map((table) => [label(table), table] as const))("%s", (_, table) => {
   const box = boxOf(table.size!, table.rail_width!, table.cushion_height);
 
-  test.each(Object.entries(ASPECTS))("fills a %s screen and is all there", (_, aspect) => {
+  test.each(Object.entries(ASPECTS))("fills a %s screen and is completely visible", (_, aspect) => {
     for (const view of [top, oblique]) {
       const camera = new PerspectiveCamera();
       camera.aspect = aspect;
@@ -55,13 +55,13 @@ describe.each(RAILED.map((table) => [label(table), table] as const))("%s", (_, t
       const { x, y } = extent(box, camera);
       expect(Math.max(-x[0], x[1], -y[0], y[1])).toBeLessThanOrEqual(1);
       expect(Math.max(x[1] - x[0], y[1] - y[0])).toBeGreaterThan(view === top ? 1.9 : 1.7);
-      // In the middle both ways.
+      // Centred in both directions.
       expect(x[0] + x[1]).toBeCloseTo(0, view === top ? 6 : 0);
       expect(y[0] + y[1]).toBeCloseTo(0, view === top ? 6 : 0);
     }
   });
 
-  test("lies across wide screens and stands upright on tall ones", () => {
+  test("is horizontal on wide screens and vertical on tall ones", () => {
     expect(top(box, ASPECTS.desktop).azimuth).toBe(0);
     expect(top(box, ASPECTS.phone).azimuth).toBe(-Math.PI / 2);
   });
@@ -82,7 +82,7 @@ test("from above, the table's long axis points right on wide screens and up on t
   }
 });
 
-test("behind the cue, the ball is below the middle and what it is aimed at above it", () => {
+test("from behind the cue, the ball is below the centre of the picture and its target above the ball", () => {
   const ball = new Vector3(0.6, 0.6, 0.0286);
   const camera = new PerspectiveCamera();
   camera.aspect = 16 / 9;
@@ -98,7 +98,7 @@ test("behind the cue, the ball is below the middle and what it is aimed at above
   expect(ahead.y).toBeGreaterThan(seen.y);
 });
 
-test("the camera behind the cue stands above the cue, however steep it is", () => {
+test("the camera behind the cue is above the cue at every elevation", () => {
   const ball = new Vector3(0.6, 0.6, 0.0286);
   for (const elevation of [0, 0.3, 0.8, 1.3]) {
     const camera = new PerspectiveCamera();
@@ -109,7 +109,7 @@ test("the camera behind the cue stands above the cue, however steep it is", () =
   }
 });
 
-test("a flight begins and ends where it should and takes the short way round", () => {
+test("a flight starts and ends at its poses and turns by the smaller angle", () => {
   const box = boxOf([1.27, 2.54], 0.15, 0.036);
   const [a, b] = [top(box, 0.5), oblique(box, 2)];
   expect(between(a, b, 0).distance).toBeCloseTo(a.distance, 9);
@@ -118,7 +118,7 @@ test("a flight begins and ends where it should and takes the short way round", (
   expect(Math.abs(half.azimuth)).toBeCloseTo(Math.PI, 6);
 });
 
-test("a pose can be read back from its camera", () => {
+test("the pose of a camera equals the pose that was applied", () => {
   const pose = oblique(boxOf([1.27, 2.54], 0.15, 0.036), 1.5);
   const camera = new PerspectiveCamera();
   apply(pose, camera, 10);

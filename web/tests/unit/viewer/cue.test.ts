@@ -11,14 +11,14 @@ test("a level cue without offset touches the back of the ball", () => {
   expect([p.x, p.y, p.z]).toEqual([0, -R, 0].map((v) => expect.closeTo(v, 12) as number));
 });
 
-test("right of centre is right for the shooter, and above is above", () => {
+test("side and height are positive to the right of and above the centre, for the shooter", () => {
   const p = contactPoint({ ...aimed, side: 0.3, height: 0.4 }, R);
   expect(p.x).toBeCloseTo(0.3 * R, 12);
   expect(p.z).toBeCloseTo(0.4 * R, 12);
   expect(p.length()).toBeCloseTo(R, 12);
 });
 
-test("from a raised cue the offset is measured across the cue's axis", () => {
+test("the offset of an elevated cue is perpendicular to its axis", () => {
   const elevation = 0.6;
   const p = contactPoint({ ...aimed, elevation, height: 0.5 }, R);
   const axis = new Vector3(0, Math.cos(elevation), -Math.sin(elevation));
@@ -29,7 +29,7 @@ test("from a raised cue the offset is measured across the cue's axis", () => {
   );
 });
 
-test("near a rail the drawn cue is raised over it, in the middle of the table it is not", () => {
+test("the drawn cue is raised over a near rail, and not in the centre of the table", () => {
   const table = RAILED.find(({ name }) => name === "wpa-9ft")!;
   const near = clearance(Math.PI / 2, new Vector3(0.6, 0.2, R), table);
   expect(near).toBeGreaterThan(0.05);

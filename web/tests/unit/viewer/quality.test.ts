@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { Governor, LEVELS } from "../../../src/viewer/quality";
 
-/** Runs frames of `ms` each and says how often the level changed. */
+/** Runs frames of `ms` each. @returns How often the level changed. */
 function run(governor: Governor, ms: number, frames: number, start: { now: number }): number {
   let changes = 0;
   for (let i = 0; i < frames; i += 1) {
@@ -11,7 +11,7 @@ function run(governor: Governor, ms: number, frames: number, start: { now: numbe
   return changes;
 }
 
-test("slow frames lower the quality, step by step, never beyond the last level", () => {
+test("slow frames lower the quality step by step to the last level", () => {
   const governor = new Governor(0);
   const clock = { now: 0 };
   run(governor, 60, 20, clock);
@@ -31,25 +31,25 @@ test("one slow frame among fast ones changes nothing", () => {
   expect(governor.level).toBe(0);
 });
 
-test("frames of middling speed keep the level as it is", () => {
+test("frames of medium speed do not change the level", () => {
   const governor = new Governor(2);
   expect(run(governor, 30, 1000, { now: 0 })).toBe(0);
 });
 
-test("lastingly fast frames raise the quality", () => {
+test("fast frames over a long time raise the quality", () => {
   const governor = new Governor(2);
   run(governor, 16, 2000, { now: 0 });
   expect(governor.level).toBe(0);
 });
 
-test("pictures that are drawn now and then tell nothing about the renderer", () => {
+test("isolated pictures do not count", () => {
   const governor = new Governor(0);
   for (let i = 0; i < 500; i += 1) governor.frame(120 * i, false);
   expect(governor.level).toBe(0);
   expect(governor.frameMs).toBe(0);
 });
 
-test("where every higher level turns out slow, it is tried more and more rarely", () => {
+test("a higher level that is too slow is tried less and less often", () => {
   const governor = new Governor(2);
   const clock = { now: 0 };
   const tries = [0, 0];
@@ -63,7 +63,7 @@ test("where every higher level turns out slow, it is tried more and more rarely"
   expect(tries[1]).toBeLessThan(5);
 });
 
-test("the frame time that it tells is the median", () => {
+test("the reported frame time is the median", () => {
   const governor = new Governor(0);
   expect(governor.frameMs).toBe(0);
   run(governor, 17, 40, { now: 0 });

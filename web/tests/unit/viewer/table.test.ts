@@ -4,12 +4,12 @@ import { sightPlaces, sights, markings } from "../../../src/viewer/table/fitting
 import { type Outline, outline, signedArea } from "../../../src/viewer/table/outline";
 import { solid } from "../../../src/viewer/table/solid";
 import type { Geometry, Point } from "../../../src/viewer/types";
-import { ENDLESS, label, RAILED, tableOf } from "./tables";
+import { UNBOUNDED, label, RAILED, tableOf } from "./tables";
 
-/** Rounding of the tables' numbers, m. */
+/** Rounding of the dimensions, m. */
 const ROUNDING = 1e-6;
 
-/** Triangles of a surface that lie over (or under) a place, by the signs of three areas. */
+/** Heights of the horizontal triangles of a surface over a place, found by the signs of three areas. */
 function heightsOver(surface: BufferGeometry, [x, y]: Point): number[] {
   const place = surface.getAttribute("position");
   const index = surface.getIndex()!;
@@ -70,7 +70,7 @@ describe.each(
     expect(plan.runs.filter((run) => run.material === "liner")).toHaveLength(table.pockets.length);
   });
 
-  test("cushions and wood are simple outlines, and the wood lies behind the cushions", () => {
+  test("cushions and wood have simple outlines, and the wood is behind the cushions", () => {
     for (const rubber of [...plan.rubbers, plan.woodInside]) expect(isSimple(rubber)).toBe(true);
     for (const [x, y] of plan.woodInside) {
       const behind = Math.max(-x, x - width, -y, y - length);
@@ -79,12 +79,12 @@ describe.each(
     }
   });
 
-  test("the cloth is there in the middle and not where the holes are", () => {
+  test("the cloth covers the centre and has holes at the pockets", () => {
     expect(heightsOver(body.cloth, center)).toEqual([0]);
     for (const pocket of table.pockets) expect(heightsOver(body.cloth, pocket.center)).toEqual([]);
   });
 
-  test("neither cushion nor wood covers a hole", () => {
+  test("neither cushion nor wood covers a pocket", () => {
     for (const {
       center: [x, y],
     } of table.pockets) {
@@ -94,7 +94,7 @@ describe.each(
     }
   });
 
-  test("cushions are as high as their nose, and so is the wood", () => {
+  test("cushions and wood have the height of the nose", () => {
     const h = Math.fround(table.cushion_height);
     const quarter = 0.31 * length;
     expect(heightsOver(body.cushions, [-0.02, quarter])).toEqual([h]);
@@ -102,14 +102,14 @@ describe.each(
     expect(heightsOver(body.cushions, [0.01, quarter])).toEqual([]);
   });
 
-  test("nothing of the body is without a place", () => {
+  test("all positions and normals are finite", () => {
     for (const surface of Object.values(body) as BufferGeometry[]) {
       expect([...surface.getAttribute("position").array].every(Number.isFinite)).toBe(true);
       expect([...surface.getAttribute("normal").array].every(Number.isFinite)).toBe(true);
     }
   });
 
-  test("flat parts are seen from above", () => {
+  test("horizontal surfaces face up", () => {
     for (const surface of [
       body.cloth,
       body.cushions,
@@ -127,7 +127,7 @@ describe.each(
     }
   });
 
-  test("diamonds stand at their setback on the wood, none at a pocket", () => {
+  test("diamonds are at their setback on the wood, and none at a pocket", () => {
     for (const [[x, y]] of sightPlaces(table)) {
       expect(Math.max(-x, x - width, -y, y - length)).toBeCloseTo(table.sights!.setback, 9);
       for (const { center: hole, radius } of table.pockets) {
@@ -138,7 +138,7 @@ describe.each(
   });
 });
 
-test("where the mouth captures, the hole's far side closes the edge", () => {
+test("with the pocket model mouth-line the far side of the hole closes the edge", () => {
   const table = RAILED.find(({ name }) => name === "wpa-9ft")!;
   const plan = outline(tableOf({ base: "wpa-9ft", pocket_model: "mouth-line" }));
   const walls = plan.runs.filter((run) => run.material === "liner");
@@ -150,6 +150,6 @@ test("where the mouth captures, the hole's far side closes the edge", () => {
   expect(area(walls)).toBeLessThan(1.1 * area(whole));
 });
 
-test("endless cloth is refused an outline", () => {
-  expect(() => outline(ENDLESS)).toThrow(/Unbounded cloth/);
+test("unbounded cloth has no outline", () => {
+  expect(() => outline(UNBOUNDED)).toThrow(/Unbounded cloth/);
 });

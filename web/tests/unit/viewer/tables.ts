@@ -16,7 +16,7 @@ export const RAILED = [
   tableOf({ length: 2, width: 1, pockets: "none" }),
 ] as const;
 
-export const ENDLESS = tableOf({ cloth: "unbounded" });
+export const UNBOUNDED = tableOf({ cloth: "unbounded" });
 
 export function label({ name }: Geometry): string {
   return name ?? "a plain rectangle";
