@@ -48,7 +48,7 @@ pub fn break_shot(
     let game = Game::parse(game).map_err(|e| to_exception(&e))?;
     let table = table.as_deref();
     let opening = Break { game, table, speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
-    open(&opening).map(|shot| Shot::from(shot)).map_err(|e| to_exception(&e))
+    open(&opening).map(Shot::from).map_err(|e| to_exception(&e))
 }
 
 /// The JSON Schema of a shot file.

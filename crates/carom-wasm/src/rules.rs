@@ -151,7 +151,7 @@ impl Frame {
     /// The shot that [`Self::play`] would play.
     pub fn shot(&self, play: &PlayArguments) -> Result<Shot, JsValue> {
         let shot = self.play_of(play).and_then(|play| self.0.shot(&play));
-        shot.map(|shot| Shot::from(shot)).map_err(|e| to_exception(&e))
+        shot.map(Shot::from).map_err(|e| to_exception(&e))
     }
 
     /// Plays a shot, and rules on it.
