@@ -257,7 +257,7 @@ def test_ctrl_c_exits_with_130_and_says_how_to_continue(spec: Spec, tmp_path: Pa
     process.send_signal(signal.SIGINT)
     _, told = process.communicate(timeout=60)
     assert process.returncode == 130
-    assert told.decode() == "carom: stopped; run the same command again to continue\n"
+    assert told.decode() == "carom: stopped; the same command continues from here\n"
     assert not list((tmp_path / "out").glob("*.unfinished"))
 
 
