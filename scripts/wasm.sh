@@ -6,21 +6,21 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 me=scripts/wasm.sh
 
-missing() { echo "carom: $1" >&2; exit 1; }
-
 target=wasm32-unknown-unknown
 out=web/src/engine/pkg
-tools=target/tools
-[ -d "$(rustc --print target-libdir --target "$target")" ] ||
-    missing "Rust's standard library for WebAssembly is missing; rustup target add $target."
+tool=scripts/wasm_bindgen
+bash scripts/prerequisites.sh page
 
-# Glue and WebAssembly must be of the very version that the crate is built with.
-version=$(awk '/^name = "wasm-bindgen"$/ { getline; gsub(/"/, "", $3); print $3 }' Cargo.lock)
-export PATH="$PWD/$tools/bin:$PATH"
-if [ "$(wasm-bindgen --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
-    echo "Installing wasm-bindgen $version (minutes, once) ..." >&2
-    cargo install --quiet --root "$tools" wasm-bindgen-cli --version "=$version"
+# The glue and the WebAssembly must be of the same version.
+version() { awk -v name="name = \"$1\"" '$0 == name { getline; gsub(/"/, "", $3); print $3 }' "$2"; }
+wanted=$(version wasm-bindgen Cargo.lock)
+found=$(version wasm-bindgen-cli-support $tool/Cargo.lock)
+if [ "$wanted" != "$found" ]; then
+    echo "carom: Cargo.lock has wasm-bindgen $wanted, $tool/Cargo.lock has $found; write \"=$wanted\" into $tool/Cargo.toml and run: cargo update --manifest-path $tool/Cargo.toml" >&2
+    exit 1
 fi
+cargo build --quiet --locked --manifest-path $tool/Cargo.toml --target-dir target/tools
+glue=target/tools/debug/carom-wasm-bindgen
 
 # simd128 is in every browser since Safari 16.4 (2023).
 RUSTFLAGS="-C target-feature=+simd128" \
@@ -29,7 +29,7 @@ wasm=${CARGO_TARGET_DIR:-target}/$target/wasm/carom_wasm.wasm
 
 if [ ! "$out/embedded.js" -nt "$wasm" ] || [ ! "$out/embedded.js" -nt "$me" ]; then
     mkdir -p "$out"
-    wasm-bindgen "$wasm" --target web --omit-default-module-path --remove-name-section --out-dir "$out"
+    $glue "$wasm" "$out"
     {
         echo "// The WebAssembly, gzip, in Base64: a third of its size."
         echo "export default \"$(gzip -9 -n < "$out/carom_wasm_bg.wasm" | base64 | tr -d '\n')\";"
