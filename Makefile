@@ -23,30 +23,38 @@ PAGE := python/carom/web/index.html
 PAGE_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules crates/carom-wasm web/src -type f \
                   \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \) \
                   -not -path 'web/src/engine/pkg/*') \
-                Cargo.toml Cargo.lock scripts/wasm.sh web/index.html web/vite.config.ts LICENSE-THIRD-PARTY
+                Cargo.toml Cargo.lock scripts/wasm.sh scripts/wasm_bindgen/Cargo.toml scripts/wasm_bindgen/src/main.rs web/index.html web/vite.config.ts LICENSE-THIRD-PARTY
 PYTEST := $(PY) -m pytest
+DEBUG_TESTS := --workspace --exclude carom-py
+RELEASE_TESTS := --release -p carom -p carom-check -p carom-rules \
+                 --test simulate --test whole_shots --test random_play
 # maturin looks for cargo and itself on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
 .PHONY: help demo test stress bench bench-peer docs goldens licenses lint fmt page picture \
-        rust-test web-test python-test setup clean
+        rust-build rust-test web-test python-test setup clean
 
 help: ## List the targets.
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-demo: $(BUILT) $(PAGE) ## A nine-ball break: the event table here, pictures and a page to replay it in out/.
-	@mkdir -p out
-	@$(BIN)/carom shot shots/nine_ball_break.json --svg out/nine_ball_break.svg \
-	  --png out/nine_ball_break.png --html out/nine_ball_break.html
-	@echo "Pictures: out/nine_ball_break.svg, out/nine_ball_break.png"
-	@echo "To look at it from all sides: open out/nine_ball_break.html, or $(BIN)/carom play"
+demo: ## A nine-ball break: the event table here, pictures and a page to replay it in out/.
+	@bash scripts/demo.sh
 
-# What is missing is said before anything is built.
+# Everything that is missing is listed before anything is built.
 test: ## Every test: Rust, the page, Python, README snippets, lints.
 	@bash scripts/prerequisites.sh tests
+	@$(MAKE) --jobs=2 setup rust-build
 	@$(MAKE) lint rust-test web-test python-test
 
-lint: $(BUILT) $(MODULES) ## Formatting, lints and types.
+# The last step of each build uses one core; side by side they use two.
+rust-build:
+	@bash scripts/prerequisites.sh rust
+	@echo "Building the Rust tests ..." >&2
+	+@cargo test --quiet $(DEBUG_TESTS) --no-run
+	+@cargo test --quiet $(RELEASE_TESTS) --no-run
+
+lint: $(BUILT) $(MODULES) ## Formatting, lints, types and plain English.
+	@bash scripts/prerequisites.sh lint
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --quiet -- -D warnings
 	@bash scripts/no_std.sh
@@ -56,11 +64,12 @@ lint: $(BUILT) $(MODULES) ## Formatting, lints and types.
 	MYPYPATH=python $(PY) -m mypy.stubtest carom._core --concise
 	cd web && npm run --silent check
 	$(PY) scripts/write_licenses.py --check
+	$(PY) scripts/prose.py
 
 rust-test: ## The Rust tests in debug; whole shots, 100 000 of them random, in release too.
 	@bash scripts/prerequisites.sh rust
-	cargo test --quiet --workspace --exclude carom-py
-	cargo test --quiet --release -p carom -p carom-check -p carom-rules --test simulate --test whole_shots --test random_play
+	cargo test --quiet $(DEBUG_TESTS)
+	cargo test --quiet $(RELEASE_TESTS)
 
 web-test: $(BUILT) $(PAGE) ## The page's tests, in Node and in Chromium.
 	@bash scripts/prerequisites.sh tests
@@ -92,7 +101,7 @@ bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 bench-peer: $(TOOLS) ## The same beside pooltool 0.6.0, in an environment of its own (1 GB).
 	@bash scripts/bench_peer.sh $(PY)
 
-docs: $(BUILT) ## The documentation, into docs/_build.
+docs: $(BUILT) $(PAGE) ## The documentation, into docs/_build.
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --quiet --target-dir docs/_build/rust
 	@$(PY) -m pip install --quiet --disable-pip-version-check --group docs
 	$(PY) scripts/build_docs.py docs/_build
@@ -123,7 +132,7 @@ clean: ## Remove everything that was built.
 	  web/node_modules web/dist web/src/engine/pkg python/carom/web
 
 $(TOOLS): pyproject.toml scripts/prerequisites.sh
-	@bash scripts/prerequisites.sh
+	@bash scripts/prerequisites.sh engine
 	@echo "Setting up $(VENV) ..." >&2
 	@test -x $(PY) || "$$(bash scripts/prerequisites.sh print-python)" -m venv $(VENV)
 	@$(PY) -m pip install --quiet --disable-pip-version-check --upgrade pip
@@ -131,9 +140,9 @@ $(TOOLS): pyproject.toml scripts/prerequisites.sh
 	@touch $@
 
 $(BUILT): $(TOOLS) $(RUST_SOURCES) pyproject.toml
-	@bash scripts/prerequisites.sh
+	@bash scripts/prerequisites.sh engine
 	@echo "Building carom (the first time takes a minute or two) ..." >&2
-	@$(PY) -m pip install --quiet --no-build-isolation --editable .
+	+@$(PY) -m pip install --quiet --no-build-isolation --editable .
 	@touch $@
 
 $(MODULES): web/package.json web/package-lock.json
@@ -144,6 +153,6 @@ $(MODULES): web/package.json web/package-lock.json
 $(PAGE): $(MODULES) $(PAGE_SOURCES)
 	@bash scripts/prerequisites.sh page
 	@echo "Building the page (the first time takes some minutes) ..." >&2
-	@cd web && npm run --silent build -- --logLevel warn
+	+@cd web && npm run --silent build -- --logLevel warn
 	@mkdir -p $(@D)
 	@cp web/dist/index.html $@
