@@ -96,6 +96,8 @@ bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 	$(PY) benches/environments.py
 	$(PY) benches/sweep.py
 	$(PY) benches/questions.py
+	$(PY) benches/amplification.py
+	$(PY) benches/many_balls.py
 	cd web && npm run --silent bench
 
 bench-peer: $(TOOLS) ## The same beside pooltool 0.6.0, in an environment of its own (1 GB).
