@@ -84,8 +84,16 @@ check_node() {
     lacks "npm, which comes with Node. Install it (Debian, Ubuntu: apt install npm)."
 }
 
+has_chromium() {
+  if [ -n "${CHROMIUM:-}" ]; then
+    [ -x "$CHROMIUM" ]
+  else
+    command -v chromium >/dev/null 2>&1 || node web/scripts/find_chromium.js >/dev/null 2>&1
+  fi
+}
+
 check_chromium() {
-  node web/scripts/find_chromium.js >/dev/null 2>&1 ||
+  has_chromium ||
     lacks "Chromium, in which the page is tested. Install it (Debian: apt install chromium; elsewhere: npx playwright-core install chromium), or name one: CHROMIUM=/path/to/chrome make test."
 }
 
