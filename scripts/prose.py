@@ -1,8 +1,10 @@
 """Finds phrases that this project does not use in what people read.
 
-Reads Markdown, comments, docstrings and texts in the code, and looks for the patterns of scripts/prose.toml.
-CONTRIBUTING.md says how this project writes. Usage: python scripts/prose.py [FILE ...]; without files,
-everything that git tracks. Exit status 1 if a phrase is found.
+Reads Markdown, comments, docstrings and texts in the code, and looks for the patterns of
+scripts/prose.toml. CONTRIBUTING.md says how this project writes. The exit status is 1 if a phrase
+is found.
+
+usage: python scripts/prose.py [FILE ...]   (without files: everything that git tracks)
 """
 
 from __future__ import annotations
@@ -62,7 +64,7 @@ def passages(file: str, text: str) -> Iterator[tuple[int, str]]:
         return
     start, passage = 0, ""
     for offset, kind, value in lexer.get_tokens_unprocessed(text):
-        if kind in Comment and kind not in Comment.Preproc or kind in String:
+        if (kind in Comment and kind not in Comment.Preproc) or kind in String:
             if not passage:
                 start = offset
             passage += value

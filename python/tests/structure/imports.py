@@ -1,8 +1,8 @@
 """Reads who imports whom from source text, in Rust, Python and TypeScript.
 
-A graph maps every file to the files that it takes names from, as paths relative to the folder that was read.
-A name that a parent passes on (``pub use``, ``__init__.py``, ``index.ts``) counts as taken from the
-file that defines it. Imports of tests inside source files do not count.
+A graph maps every file to the files that it takes names from, as paths relative to the folder that
+was read. A name that a parent passes on (``pub use``, ``__init__.py``, ``index.ts``) counts as taken
+from the file that defines it. Imports of tests inside source files do not count.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ Graph = dict[str, set[str]]
 def is_parent(a: str, b: str) -> bool:
     """Whether file ``a`` is the face of a module that file ``b`` is a part of.
 
-    Faces are ``mod.rs``, ``lib.rs``, ``__init__.py`` and ``index.ts`` of a folder, and ``x.rs`` beside the
-    folder ``x``.
+    Faces are ``mod.rs``, ``lib.rs``, ``__init__.py`` and ``index.ts`` of a folder, and ``x.rs``
+    beside the folder ``x``.
     """
     path = PurePosixPath(a)
     is_face = path.name in {"mod.rs", "lib.rs", "__init__.py", "index.ts"}
@@ -33,12 +33,21 @@ def without_faces(graph: Graph) -> Graph:
 
 
 def rooms(graph: Graph) -> Graph:
-    """The graph of the folders and files directly below the top: ``x.rs`` and ``x/`` are one room."""
+    """The graph of the rooms: folders and files directly below the top; ``x.rs`` and ``x/`` are one."""
     result: Graph = {}
     for a, targets in graph.items():
+        if is_face_of_tree(a):
+            continue
         here = _room(a)
-        result.setdefault(here, set()).update(_room(b) for b in targets if _room(b) != here)
+        result.setdefault(here, set()).update(
+            _room(b) for b in targets if _room(b) != here and not is_face_of_tree(b)
+        )
     return result
+
+
+def is_face_of_tree(file: str) -> bool:
+    """Whether the file is the face of the whole tree, which passes on names of every room."""
+    return file in {"lib.rs", "__init__.py", "__main__.py", "index.ts"}
 
 
 def _room(file: str) -> str:
@@ -84,7 +93,9 @@ _RUST_NOISE = re.compile(
     r"|'(?:[^'\\]|\\.)'",
     re.DOTALL,
 )
-_TEST_MODULE = re.compile(r"#\[cfg\((?:all\()?test\b[^\]]*\]\s*(?:#\[[^\]]*\]\s*)*mod\s+(\w+)\s*([;{])")
+_TEST_MODULE = re.compile(
+    r"#\[cfg\((?:all\()?test\b[^\]]*\]\s*(?:#\[[^\]]*\]\s*)*mod\s+(\w+)\s*([;{])"
+)
 _USE = re.compile(r"^\s*(?P<shown>pub(?:\([^)]*\))?\s+)?use\s+(?P<tree>[^;=]+);", re.MULTILINE)
 _INLINE = re.compile(r"\b(?:crate|self|super)(?:\s*::\s*\w+)+")
 
@@ -180,7 +191,12 @@ class _Crate:
         return at if at in self.modules else None
 
     def _defines(self, module: tuple[str, ...], name: str) -> bool:
-        return re.search(rf"\b(?:fn|struct|enum|trait|type|const|static|mod)\s+{name}\b", self.text[module]) is not None
+        return (
+            re.search(
+                rf"\b(?:fn|struct|enum|trait|type|const|static|mod)\s+{name}\b", self.text[module]
+            )
+            is not None
+        )
 
 
 def _leaves(tree: str, prefix: tuple[str, ...] = ()) -> Iterator[tuple[list[str], str]]:
@@ -216,7 +232,11 @@ def _split(text: str) -> Iterator[str]:
 
 
 def python(package: Path) -> Graph:
-    """The files of a package, with imports inside functions and for type checkers."""
+    """The files of a package, with imports inside functions and for type checkers.
+
+    ``import package`` and then ``package.name`` in code takes the name from the file that defines
+    it. In an annotation it does not: annotations are text, and the façade lists all types.
+    """
     files = {
         ".".join((package.name, *_dotted(f.relative_to(package)))): f
         for f in sorted(package.rglob("*.py"))
@@ -237,6 +257,7 @@ def python(package: Path) -> Graph:
     graph: Graph = {}
     for name, file in files.items():
         taken = {definer(m, n) for _, (m, n) in _imported(trees[name], name, file)}
+        taken |= {definer(package.name, n) for n in _through_root(trees[name], package.name)}
         key = file.relative_to(package).as_posix()
         graph[key] = {files[t].relative_to(package).as_posix() for t in taken if t} - {key}
     return graph
@@ -265,13 +286,28 @@ def _imported(
                 yield alias.asname or alias.name, (base, alias.name)
 
 
+def _through_root(tree: ast.AST, root: str) -> Iterator[str]:
+    """The names that code outside annotations takes as attributes of the root package."""
+    for field, value in ast.iter_fields(tree):
+        if field in {"annotation", "returns"}:
+            continue
+        for node in value if isinstance(value, list) else [value]:
+            if not isinstance(node, ast.AST):
+                continue
+            if (
+                isinstance(node, ast.Attribute)
+                and isinstance(node.value, ast.Name)
+                and node.value.id == root
+            ):
+                yield node.attr
+            yield from _through_root(node, root)
+
+
 # TypeScript
 
 
 _TS_NOISE = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
-_TS_IMPORT = re.compile(
-    r"""(?:\bfrom\s*|\bimport\s*\(\s*|\bimport\s+)(["'])(?P<path>\.[^"']*)\1"""
-)
+_TS_IMPORT = re.compile(r"""(?:\bfrom\s*|\bimport\s*\(\s*|\bimport\s+)(["'])(?P<path>\.[^"']*)\1""")
 
 
 def typescript(source: Path) -> Graph:
@@ -288,8 +324,12 @@ def typescript(source: Path) -> Graph:
         for match in _TS_IMPORT.finditer(text):
             path = match.group("path").partition("?")[0]
             target = (source / name).parent.joinpath(path).resolve()
-            for candidate in (target, target.with_suffix(".ts"), target / "index.ts",
-                              target.parent / f"{target.name}.ts"):
+            for candidate in (
+                target,
+                target.with_suffix(".ts"),
+                target / "index.ts",
+                target.parent / f"{target.name}.ts",
+            ):
                 relative = _relative(candidate, source)
                 if relative in files:
                     targets.add(relative)
