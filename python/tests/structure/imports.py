@@ -1,8 +1,8 @@
 """Reads who imports whom from source text, in Rust, Python and TypeScript.
 
 A graph maps every file to the files that it takes names from, as paths relative to the folder that
-was read. A name that a parent passes on (``pub use``, ``__init__.py``, ``index.ts``) counts as taken
-from the file that defines it. Imports of tests inside source files do not count.
+was read. A name that a parent passes on (``pub use``, ``__init__.py``, ``index.ts``) is taken from
+the file that defines it. Imports of tests inside source files do not count.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def without_faces(graph: Graph) -> Graph:
 
 
 def rooms(graph: Graph) -> Graph:
-    """The graph of the rooms: folders and files directly below the top; ``x.rs`` and ``x/`` are one."""
+    """The graph of the rooms, the folders and files at the top; ``x.rs`` and ``x/`` are one."""
     result: Graph = {}
     for a, targets in graph.items():
         if is_face_of_tree(a):
