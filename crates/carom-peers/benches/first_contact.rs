@@ -45,7 +45,9 @@ const LANES: usize = 24;
 
 fn row_nanoseconds_per_pair(cases: &[Case]) -> (f64, f64) {
     let rows: Vec<Row<LANES>> = cases
-        .chunks_exact(LANES)
+        .as_chunks::<LANES>()
+        .0
+        .iter()
         .map(|chunk| {
             let lane = |of: fn(&Case) -> f64| std::array::from_fn(|i| of(&chunk[i]));
             Row {

@@ -78,7 +78,7 @@ impl Trace {
     pub fn states_at(&self, time: f64, out: &mut [f64]) -> Result<(), JsValue> {
         let states = self.trace.at(time).map_err(|e| to_exception(&e))?;
         let orientations = self.orientations.get_or_init(|| self.trace.orientations());
-        for (ball, (state, row)) in states.iter().zip(out.chunks_exact_mut(STRIDE)).enumerate() {
+        for (ball, (state, row)) in states.iter().zip(out.as_chunks_mut::<STRIDE>().0).enumerate() {
             row[..3].copy_from_slice(&state.position.to_array());
             row[3..6].copy_from_slice(&state.velocity.to_array());
             row[6..9].copy_from_slice(&state.angular_velocity.to_array());

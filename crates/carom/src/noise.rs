@@ -206,8 +206,8 @@ impl Perception {
 fn normal_deviates(seed: u64, index: u64) -> [f64; 6] {
     let mut random = random(STRIKE_KEY, seed, index);
     let mut deviates = [0.0; 6];
-    for pair in deviates.chunks_exact_mut(2) {
-        pair.copy_from_slice(&normal_pair(&mut random));
+    for pair in deviates.as_chunks_mut().0 {
+        *pair = normal_pair(&mut random);
     }
     deviates
 }

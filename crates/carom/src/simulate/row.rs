@@ -90,7 +90,7 @@ impl<const N: usize> PossiblePartners<N> {
 #[inline(always)]
 pub(super) fn least<const N: usize>(numbers: &[f64; N], n: usize) -> f64 {
     let mut least = [f64::INFINITY; BLOCK];
-    for block in numbers.chunks_exact(BLOCK).take(n.div_ceil(BLOCK)) {
+    for block in numbers.as_chunks::<BLOCK>().0.iter().take(n.div_ceil(BLOCK)) {
         for (least, &number) in least.iter_mut().zip(block) {
             *least = earlier(number, *least);
         }
@@ -109,7 +109,9 @@ pub(super) fn each_equal<const N: usize>(
     mut visit: impl FnMut(usize),
 ) {
     let bits = number.to_bits();
-    for (block, numbers) in numbers.chunks_exact(BLOCK).take(n.div_ceil(BLOCK)).enumerate() {
+    for (block, numbers) in
+        numbers.as_chunks::<BLOCK>().0.iter().take(n.div_ceil(BLOCK)).enumerate()
+    {
         for (k, number) in numbers.iter().enumerate() {
             if number.to_bits() == bits {
                 visit(BLOCK * block + k);
