@@ -92,3 +92,12 @@ impl Shot {
         Ok(Trace::new(trace, self.0.clone()))
     }
 }
+
+// In this file, because a shot makes traces: files do not import each other in a circle.
+#[wasm_bindgen]
+impl Trace {
+    /// The shot that was simulated.
+    pub fn shot(&self) -> Shot {
+        Shot(self.file().clone())
+    }
+}

@@ -10,7 +10,6 @@ use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::error::to_exception;
-use crate::shot::Shot;
 
 /// Numbers per ball in [`Trace::states_at`].
 const STRIDE: usize = 14;
@@ -35,6 +34,11 @@ impl Trace {
     pub(crate) fn new(trace: carom::Trace, shot: Arc<ShotFile>) -> Self {
         Self { trace, shot, orientations: OnceCell::new() }
     }
+
+    /// The file of the shot that was simulated.
+    pub(crate) const fn file(&self) -> &Arc<ShotFile> {
+        &self.shot
+    }
 }
 
 #[wasm_bindgen]
@@ -56,11 +60,6 @@ impl Trace {
     /// The outcome, for a referee, JSON.
     pub fn outcome(&self) -> String {
         self.trace.outcome().to_node(self.trace.shot()).to_json()
-    }
-
-    /// The shot that was simulated.
-    pub fn shot(&self) -> Shot {
-        Shot(self.shot.clone())
     }
 
     /// Time from the strike to the last event, s.

@@ -1,7 +1,7 @@
 //! Hard cases of event-based billiards. Each test has the fault seen in an engine, or the
 //! difficulty by nature, and the right result with its reason.
 
-use crate::support::{Log, energy, play, shot};
+use crate::support::{LogRecorder, energy, play, shot};
 use carom::event::EventKind;
 use carom::{MotionState, Shot, simulate};
 
@@ -372,7 +372,7 @@ fn reaching_the_cap_is_an_error() {
            "spin_deceleration": 0}, "cushion": {"model": "restitution", "restitution": 1}},
            "balls": [{"id": "a", "position": [0.5, 0.5], "velocity": [1.0, 0.7, 0.0]}]"#,
     );
-    assert!(simulate(&shot, &mut Log::default()).is_err());
+    assert!(simulate(&shot, &mut LogRecorder::default()).is_err());
 }
 
 /// On unbounded cloth without friction no further event can happen, and the shot is over.

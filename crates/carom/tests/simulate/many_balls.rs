@@ -1,6 +1,6 @@
 //! Shots in which balls touch when one of them is hit.
 
-use crate::support::{Kept, Log, play, shot};
+use crate::support::{Kept, LogRecorder, play, shot};
 use carom::event::EventKind;
 use carom::rack::{Break, Game, break_shot};
 
@@ -19,7 +19,7 @@ fn row(count: usize, speed: f64, physics: &str) -> carom::Shot {
     ))
 }
 
-fn first_collision(log: &Log) -> &Kept {
+fn first_collision(log: &LogRecorder) -> &Kept {
     log.ball_collisions()[0]
 }
 

@@ -1,10 +1,10 @@
 //! Flight in whole shots: hops, falls over edges, and balls that go out of play.
 
-use crate::support::{Log, play, shot};
+use crate::support::{LogRecorder, play, shot};
 use carom::event::EventKind;
 use carom::{MotionState, Shot};
 
-fn count(log: &Log, wanted: impl Fn(&EventKind) -> bool) -> usize {
+fn count(log: &LogRecorder, wanted: impl Fn(&EventKind) -> bool) -> usize {
     log.of(wanted).len()
 }
 

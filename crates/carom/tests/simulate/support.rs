@@ -15,11 +15,11 @@ pub(crate) struct Kept {
 
 /// Keeps every event.
 #[derive(Debug, Default)]
-pub(crate) struct Log {
+pub(crate) struct LogRecorder {
     pub(crate) events: Vec<Kept>,
 }
 
-impl Recorder for Log {
+impl Recorder for LogRecorder {
     fn record(&mut self, event: &Event<'_>) {
         self.events.push(Kept {
             time: event.time,
@@ -31,7 +31,7 @@ impl Recorder for Log {
     }
 }
 
-impl Log {
+impl LogRecorder {
     pub(crate) fn of(&self, wanted: impl Fn(&EventKind) -> bool) -> Vec<&Kept> {
         self.events.iter().filter(|e| wanted(&e.kind)).collect()
     }
@@ -58,8 +58,8 @@ pub(crate) fn shot(body: &str) -> Shot {
 }
 
 /// Simulates and keeps every event.
-pub(crate) fn play(shot: &Shot) -> (Log, Summary) {
-    let mut log = Log::default();
+pub(crate) fn play(shot: &Shot) -> (LogRecorder, Summary) {
+    let mut log = LogRecorder::default();
     let summary = carom::simulate(shot, &mut log).expect("the shot ends");
     (log, summary)
 }
