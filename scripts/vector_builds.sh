@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Holds builds for ever wider vectors to the goldens: SSE2, AVX2, AVX-512, as far as this processor
-# goes. usage: scripts/vector_builds.sh
+# Compares builds for wider and wider vectors (SSE2, AVX2, AVX-512) with the goldens, up to the widest
+# that this processor has. usage: scripts/vector_builds.sh
 set -euo pipefail
 
 if [ "$(uname -m)" != x86_64 ]; then

@@ -32,7 +32,7 @@ _MOST_RESULTS = 4 * 10**8
 def whole(name: str, value: Any, end: int = WORD, *, low: int = 0) -> int:
     """A whole number, Python's or NumPy's, from ``low`` up to but not including ``end``."""
     try:
-        # Truth values are integers in Python, but are no sensible number here.
+        # Truth values are integers in Python, but not numbers that a user means.
         found = None if isinstance(value, bool) else operator.index(value)
     except TypeError:
         found = None

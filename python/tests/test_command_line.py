@@ -95,7 +95,7 @@ def test_the_table_has_colours_on_a_terminal_unless_no_color_is_set(file: Path) 
     assert "ball-collision" in coloured
     plain = on_a_terminal(["shot", str(file)], NO_COLOR="1")
     assert "ball-collision" in plain
-    # Bold and dim are no colours: https://no-color.org
+    # Bold and dim are not colours: https://no-color.org
     assert "\x1b[33m" not in plain
     assert "\x1b[36m" not in plain
 

@@ -32,7 +32,7 @@ def replay(
     if not check:
         emit(again.to_json())
         return
-    # The text as written: reading a trace derives its outcome anew from the events.
+    # The text as written: reading a trace derives its outcome from the events.
     written, ours = js.loads(text.removeprefix("\ufeff")), again.to_dict()
     difference = saved.difference(again) or _other_outcome(written, ours)
     if difference is not None:

@@ -46,7 +46,7 @@ def group(**commands: str) -> type[TyperGroup]:
 
 
 def _modern(args: list[str], renamed: dict[str, str]) -> list[str]:
-    """The arguments with every old flag replaced; what follows ``--`` is no flag."""
+    """The arguments with every old flag replaced; arguments after ``--`` are not flags."""
     end = args.index("--") if "--" in args else len(args)
     found = []
     for arg in args[:end]:

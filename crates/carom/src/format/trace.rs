@@ -129,7 +129,7 @@ fn check_hash(fields: &Fields<'_>, trace: &Trace) -> Result<(), Error> {
     }
     Err(at.refuse(
         format!("the events and final states hash to {ours}, not to \"{written}\""),
-        "the trace was changed after it was written: make it anew from its shot",
+        "the trace was changed after it was written: simulate its shot again",
     ))
 }
 

@@ -81,7 +81,7 @@ fn judge(
         TableFeature::Slate | TableFeature::Lip(_) | TableFeature::Cushion(_) => {
             let normal = table.contact_normal(feature, p, radius);
             if (normal.length() - 1.0).abs() > 1e-15 {
-                return Err(format!("{normal:?} is no unit vector"));
+                return Err(format!("{normal:?} is not a unit vector"));
             }
             if v.dot(normal) <= 0.0 {
                 return Err(format!("moves away by {}", v.dot(normal)));

@@ -163,7 +163,7 @@ fn judge_meeting(
                 return Err(format!("moves away from part {part} by {}", v.dot(into)));
             }
             if (into.length() - 1.0).abs() > 1e-15 {
-                return Err("normal is no unit vector".into());
+                return Err("the normal is not a unit vector".into());
             }
             if gap.abs() > CONTACT_GAP {
                 return Err(format!("gap {gap:e} to part {part}"));

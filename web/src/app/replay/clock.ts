@@ -18,7 +18,7 @@ export function advance(time: number, elapsed: number, rate: number, duration: n
 }
 
 /**
- * Pictures per update of the text and numbers beside a replay. Nobody can read sixty updates a second,
+ * Pictures per update of the text and numbers beside a replay. Sixty updates a second cannot be read,
  * and slow machines save the time.
  */
 export const PICTURES_PER_READING = 6;

@@ -123,7 +123,7 @@ describe("hostile arguments are refused with their place", () => {
     expect(frame.state.shots).toBe(0);
   });
 
-  test("files that are no JSON values", () => {
+  test("files that are not JSON values", () => {
     expect(() => engine.shot(wrong(() => 5))).toThrow(CaromError);
     expect(() => engine.trace(wrong(5))).toThrow(CaromError);
     expect(() => engine.simulate([wrong({})])).toThrow(/make it with Engine\.shot/);

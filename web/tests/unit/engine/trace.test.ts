@@ -115,7 +115,7 @@ describe("polyline", () => {
   test("refuses unknown balls and invalid tolerances", () => {
     const trace = simulated("draw_shot");
     expect(() => trace.polyline(2, 1e-3)).toThrow("there is no ball 2; write an index from 0 to 1");
-    // @ts-expect-error a ball's id is no index
+    // @ts-expect-error a ball's id is not an index
     expect(() => trace.polyline("1", 1e-3)).toThrow('there is no ball "1"; write an index');
     expect(() => trace.polyline(0.5, 1e-3)).toThrow(RangeError);
     expect(() => trace.polyline(0, 0)).toThrow("the tolerance 0 m is out of range");

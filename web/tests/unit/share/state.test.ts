@@ -120,7 +120,7 @@ describe("the state in a link", () => {
     expect(stateFromFragment(toFragment(odd))?.view).toStrictEqual(FIRST_VIEW);
   });
 
-  test("refuses a seed or a time out of range instead of replacing it without a word", () => {
+  test("refuses a seed or a time out of range instead of replacing it silently", () => {
     for (const seed of [-3, 0.5, "7"]) {
       expect(() => stateFromFragment(toFragment({ shot, seed }))).toThrow(/seed: .*whole number/);
     }
