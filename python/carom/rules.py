@@ -173,11 +173,27 @@ class Frame:
         except TypeError as error:
             raise InputError(f"setup: {error}; write the value of Frame.record") from None
         for index, move in enumerate(moves):
+            if frame._is_applied(move, moves[index - 1] if index else None):
+                continue
             try:
                 frame._make(move)
             except InputError as error:
                 raise InputError(f"moves[{index}]: {error}") from None
         return frame
+
+    def _is_applied(self, move: Any, previous: Any) -> bool:
+        """Whether the frame has already applied this choice of an old record.
+
+        After a scratch on the break of eight-ball, frames used to ask for a choice with this one
+        option. Now they apply it, so the move is left out of the record of the new frame.
+        """
+        return (
+            move == {"choice": "play-from-hand"}
+            and isinstance(previous, Mapping)
+            and "play" in previous
+            and self.game == "eight-ball"
+            and self.request.get("in_hand") == "behind-head-string"
+        )
 
     def _make(self, move: Any) -> None:
         match move:

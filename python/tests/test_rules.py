@@ -206,6 +206,28 @@ def test_a_damaged_record_is_refused_with_the_place(
         carom.Frame.replay(record)
 
 
+def test_a_record_with_the_old_choice_after_a_scratch_on_the_eight_ball_break_replays() -> None:
+    # Before, the frame asked for a choice with the one option "play-from-hand" here.
+    frame = carom.Frame("eight-ball", seed=27)
+    place = (0.635, 0.6)
+    apex = min((ball for ball in frame.balls if ball != "cue"), key=lambda id: frame.balls[id][1])
+    x, y = frame.balls[apex]
+    azimuth = math.atan2(y - place[1], x - place[0])
+    ruling = frame.play(carom.Strike(speed=9.0, azimuth=azimuth), cue_ball=place)
+    assert [foul["what"] for foul in ruling.fouls] == ["the cue ball was pocketed"]
+    assert frame.request.in_hand == "behind-head-string"
+    choice = {"choice": "play-from-hand"}
+    old = frame.record
+    old["moves"].append(choice)
+    again = carom.Frame.replay(old)
+    assert again.to_dict() == frame.to_dict()
+    assert again.record == frame.record
+    # It is skipped only there.
+    for moves, index in (([choice, *frame.record["moves"]], 0), ([*old["moves"], choice], 2)):
+        with pytest.raises(carom.InputError, match=rf"^moves\[{index}\]: choice"):
+            carom.Frame.replay(old | {"moves": moves})
+
+
 def test_the_old_name_of_the_winning_points_works_in_calls_and_records() -> None:
     with pytest.warns(FutureWarning, match=r"Frame\(target=\.\.\.\) is now Frame\(points="):
         frame = carom.Frame("straight-pool", target=50)  # type: ignore[call-arg]
