@@ -53,8 +53,8 @@ pub const DEPTH: f64 = 1e-12;
 /// Largest allowed |gap| at a contact, m.
 pub const CONTACT_GAP: f64 = 1e-14;
 
-/// A fraction just below 1 of the time to an event: a ball at 10 m/s is then a nanometre short of
-/// it.
+/// Fraction of the time to an event, just below 1. After this fraction of one second a ball at
+/// 10 m/s is a nanometre before the place of the event.
 const BEFORE_THE_END: f64 = 1.0 - 1e-10;
 
 /// Allowed errors.
@@ -67,7 +67,7 @@ pub struct Tolerances {
 }
 
 impl Tolerances {
-    /// What the engine guarantees: [`DEPTH`] and [`CONTACT_GAP`].
+    /// The engine's guarantee: [`DEPTH`] and [`CONTACT_GAP`].
     pub const PROMISED: Self = Self { depth: DEPTH, gap: CONTACT_GAP };
 }
 
@@ -77,7 +77,7 @@ pub enum FaultKind {
     /// A ball overlaps another ball or the table, is beyond the table's border, or rolls where
     /// there is no ground.
     Overlap,
-    /// Balls that do not touch collide.
+    /// A collision happens between balls that do not touch.
     Apart,
     /// An event happens at a place, or to a ball, where it cannot.
     Misplaced,

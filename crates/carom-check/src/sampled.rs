@@ -1,4 +1,4 @@
-//! Checks a trace at sampled times, as a reader of the trace would see it.
+//! Checks the states that a trace returns at sampled times.
 
 use carom::shot::Shot;
 use carom::{BallState, Trace};
@@ -25,28 +25,35 @@ pub fn check_samples(shot: &Shot, trace: &Trace, samples: u32) -> Vec<Fault> {
                 return vec![Fault { time, kind: FaultKind::OffPath, what }];
             }
         };
-        let mut see = |depth: f64, what: String| {
+        let mut report = |depth: f64, what: String| {
             if depth > SAMPLED_DEPTH || depth.is_nan() {
                 let what = format!("{what} overlap by {depth:e} m");
                 faults.push(Fault { time, kind: FaultKind::Overlap, what });
             }
         };
-        look(shot, &solid, &states, &mut see);
+        report_depths(shot, &solid, &states, &mut report);
     }
     faults
 }
 
-fn look(shot: &Shot, solid: &Solid, states: &[BallState], see: &mut impl FnMut(f64, String)) {
+/// Calls `report` with the overlap (m; negative if clear) of each ball with the table, the border
+/// and every other ball.
+fn report_depths(
+    shot: &Shot,
+    solid: &Solid,
+    states: &[BallState],
+    report: &mut impl FnMut(f64, String),
+) {
     let radius = |i: usize| shot.balls()[i].ball.radius;
     for (i, state) in states.iter().enumerate().filter(|(_, s)| s.motion.in_play()) {
         let c = shot.table().to_engine_frame(state).position;
         let (depth, name) = solid.depth(c, radius(i));
-        see(depth, format!("ball {i} and {name}"));
+        report(depth, format!("ball {i} and {name}"));
         let beyond = (c.x.abs() - solid.border.x).max(c.y.abs() - solid.border.y);
-        see(beyond, format!("ball {i} and the border"));
+        report(beyond, format!("ball {i} and the border"));
         for (j, other) in states[..i].iter().enumerate().filter(|(_, s)| s.motion.in_play()) {
             let apart = (state.position - other.position).length();
-            see(radius(i) + radius(j) - apart, format!("balls {j} and {i}"));
+            report(radius(i) + radius(j) - apart, format!("balls {j} and {i}"));
         }
     }
 }

@@ -38,9 +38,8 @@ pub(crate) struct Distance {
     /// The gradient of the distance: the unit vector away from the piece.
     pub(crate) away: Vec3,
     /// Radius of curvature of a concave piece as seen from the point, m; infinite for a convex one.
-    /// The distance at a point displaced by δ is at least `value` + `away`·δ − |δ|²/2ρ, where ρ is
-    /// `hollow` −
-    /// |δ|.
+    /// The distance at a point displaced by δ is at least `value` + `away`·δ − |δ|²/2ρ with ρ =
+    /// `hollow` − |δ|.
     pub(crate) hollow: f64,
     /// Largest |δ| for which that holds, m.
     pub(crate) valid: f64,

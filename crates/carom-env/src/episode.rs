@@ -1,4 +1,4 @@
-//! An episode: a table with balls and a task, as an environment sees it.
+//! The interface of an episode: a table with balls and the rules of a task.
 
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Shot, Simulator};
@@ -48,7 +48,7 @@ pub(crate) struct Standing {
     pub(crate) opening: bool,
 }
 
-/// A table with balls and a task.
+/// A table with balls and the rules of a task.
 pub(crate) trait Episode: Send + Sync {
     /// A shot on this table with its physics; the shot's balls are not those of the episode.
     fn base(&self) -> &Shot;
@@ -64,7 +64,7 @@ pub(crate) trait Episode: Send + Sync {
     fn standing(&self) -> Standing;
     /// The score of each seat.
     fn scores(&self) -> [i32; 2];
-    /// The ball at position `k` of the observation of `viewer`, who sees the own balls first.
+    /// The ball at position `k` of the observation of `viewer`. The viewer's own balls come first.
     fn ball_seen(&self, _viewer: Seat, k: BallIndex) -> BallIndex {
         k
     }

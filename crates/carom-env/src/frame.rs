@@ -76,7 +76,7 @@ impl FrameEpisode {
         }
     }
 
-    /// The call for a shot: the result of the `intended` shot, without noise.
+    /// The call for a shot: the pot, or the first ball hit, of the `intended` shot without noise.
     fn call(
         &self,
         simulator: &mut Simulator,
@@ -179,7 +179,7 @@ impl Episode for FrameEpisode {
 
     fn ball_seen(&self, viewer: Seat, k: BallIndex) -> BallIndex {
         match (self.frame.game_state(), k) {
-            // The own group, the eight, the other group.
+            // Order: the viewer's group, the eight, the other group.
             (GameState::EightBall(game), 1..=15) if game.group(viewer) == Some(Group::Stripes) => {
                 match k {
                     EIGHT => EIGHT,
@@ -187,7 +187,7 @@ impl Episode for FrameEpisode {
                     _ => k - EIGHT,
                 }
             }
-            // The own cue ball, the other cue ball, the red.
+            // Order: the viewer's cue ball, the other cue ball, the red.
             (GameState::ThreeCushion(_), 0..=1) if viewer == 1 => 1 - k,
             _ => k,
         }

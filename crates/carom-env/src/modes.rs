@@ -104,7 +104,7 @@ impl TargetBall {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Autoreset {
     /// In the same step: the step that ends an episode returns the first observation of the next
-    /// one, and the final observation of the old one besides.
+    /// one, and also the final observation of the old one.
     #[default]
     SameStep,
     /// In the next step, which ignores its action and has reward 0.

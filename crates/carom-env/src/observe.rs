@@ -31,10 +31,11 @@ pub const FEATURES: [&str; 11] = [
     "own_turn",
 ];
 
-/// Bound of the numbers for places: a ball in a pocket's jaws is beyond the nose lines.
+/// Bound of |x| and |y| of a ball. It is more than 1 because a ball in the jaws of a pocket is
+/// beyond the nose lines.
 pub const POSITION_BOUND: f32 = 1.25;
 
-/// Bound of the scores; also of negative scores, in straight pool.
+/// Bound of |score|. Scores can be negative only in straight pool.
 pub const SCORE_BOUND: f32 = 1.25;
 
 /// Length of the observation of `balls` balls.

@@ -97,7 +97,7 @@ pub(crate) fn scatter(
     Err(Error::input(
         "balls",
         "there is no room for so many balls",
-        "ask for fewer, or a larger table",
+        "ask for fewer balls, or choose a larger table",
     ))
 }
 

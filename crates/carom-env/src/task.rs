@@ -5,7 +5,7 @@ use carom_rules::Rules;
 
 use crate::names::named;
 
-/// What is played.
+/// The task of an environment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
     /// One shot at randomly placed balls: pot one.

@@ -1,8 +1,9 @@
-//! Records what the tasks need to know of a shot.
+//! Records the facts about a shot on which rewards and calls depend.
 
 use carom::event::{Event, EventKind, Recorder};
 
-/// Records what the tasks need to know of a shot. Balls are indices of the shot.
+/// Records the facts about a shot on which rewards and calls depend. Balls are indices of the
+/// shot.
 pub(crate) struct TaskRecorder {
     cue: u16,
     /// The first ball that the cue ball touched.

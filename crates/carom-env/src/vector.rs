@@ -12,7 +12,7 @@ use crate::modes::Autoreset;
 use crate::observe::{self, SCORE_BOUND};
 use crate::task::Task;
 
-/// Most environments of a vector. Each takes several kilobytes; without a limit a mistyped number
+/// Largest number of environments in a vector. Each takes several kilobytes; without a limit a mistyped number
 /// would exhaust the memory and abort the program.
 pub const MAX_ENVIRONMENTS: usize = 1 << 20;
 
@@ -47,8 +47,8 @@ pub struct Transitions {
     pub potted: Vec<u8>,
 }
 
-/// A vector of independent environments of one task. A clone continues by itself from the present
-/// state, so that a program can try an action and go back.
+/// A vector of independent environments of one task. A clone has the same state and is independent
+/// of the original, so a program can try an action on a clone.
 #[derive(Clone)]
 pub struct VectorEnv {
     task: Task,
@@ -215,7 +215,7 @@ impl VectorEnv {
         Ok(self.environment(index)?.next().map(|turn| turn.player))
     }
 
-    /// What is needed to draw environment `index`: its table, the balls on it (id, radius in m,
+    /// The data for a drawing of environment `index`: its table, the balls on it (id, radius in m,
     /// position in m) and the scores.
     ///
     /// # Errors

@@ -73,7 +73,7 @@ fn observations_are_within_their_bounds_and_no_episode_ends_in_two_ways() {
 }
 
 #[test]
-fn a_full_hit_pots_at_the_rate_of_the_pockets_share_of_all_directions() {
+fn full_hits_in_random_layouts_pot_between_1_and_20_per_cent() {
     let config = Config { aim: Aim::Relative, ..Config::of(Task::Potting) };
     let n = 2000;
     let mut vector = environments(Task::Potting, n, config);
@@ -147,7 +147,7 @@ fn with_random_reds_the_colours_are_on_their_spots() {
 }
 
 #[test]
-fn the_cue_ball_in_hand_is_placed_where_the_action_says() {
+fn the_cue_ball_in_hand_is_placed_at_the_place_of_the_action() {
     let task = Task::Game(Rules::NineBall);
     let mut vector = environments(task, 1, Config::of(task));
     // A slow shot across the table: it changes x a little and y not at all.
@@ -161,7 +161,7 @@ fn the_cue_ball_in_hand_is_placed_where_the_action_says() {
 }
 
 #[test]
-fn a_player_sees_the_own_group_first() {
+fn an_observation_lists_the_viewers_own_group_first() {
     let task = Task::Game(Rules::EightBall);
     let config = Config {
         balls: Some([9, 9]),

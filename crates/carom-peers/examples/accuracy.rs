@@ -14,9 +14,9 @@ const DEPTH: f64 = 1e-15;
 #[derive(Default)]
 struct Tally {
     contacts: usize,
-    lost: usize,
+    missed: usize,
     deepest: f64,
-    invented: usize,
+    false_contacts: usize,
     farthest: f64,
     widest_gap: f64,
     out_of_range: usize,
@@ -27,12 +27,12 @@ impl Tally {
         self.contacts += usize::from(answer.is_some());
         match judge(case, answer, DEPTH) {
             Verdict::Right { gap } => self.widest_gap = self.widest_gap.max(gap),
-            Verdict::Lost { depth } => {
-                self.lost += 1;
+            Verdict::Missed { depth } => {
+                self.missed += 1;
                 self.deepest = self.deepest.max(depth / case.metre);
             }
-            Verdict::Invented { clearance } => {
-                self.invented += 1;
+            Verdict::FalseContact { clearance } => {
+                self.false_contacts += 1;
                 self.farthest = self.farthest.max(clearance / case.metre);
             }
             Verdict::OutOfRange => self.out_of_range += 1,
@@ -48,10 +48,11 @@ fn report(name: &str, seed: u64, count: usize, sample: &dyn Fn(&mut Random) -> C
             let case = sample(&mut random);
             tally.add(&case, finder.first_contact(&case.motion, case.distance, case.horizon));
         }
-        let Tally { contacts, lost, deepest, invented, farthest, widest_gap, out_of_range } = tally;
+        let Tally { contacts, missed, deepest, false_contacts, farthest, widest_gap, out_of_range } =
+            tally;
         println!(
-            "{name:<22} {:<22} {contacts:>8} contacts; lost {lost:>7} (<= {deepest:.1e} m); \
-             invented {invented:>7} (<= {farthest:.1e} m); out of range {out_of_range}; \
+            "{name:<22} {:<22} {contacts:>8} contacts; missed {missed:>7} (<= {deepest:.1e} m); \
+             false {false_contacts:>7} (<= {farthest:.1e} m); out of range {out_of_range}; \
              gap <= {widest_gap:.1e} m",
             finder.name(),
         );

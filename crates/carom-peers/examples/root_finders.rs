@@ -1,7 +1,7 @@
 //! Simulates the 100 000 random shots of Leckie & Greenspan 2006, section 3, with each root finder
 //! in the event loop, and prints as JSON how many have an impossible result and how long a shot
-//! takes. The engine's own finder is timed with its proofs of no contact, the others without;
-//! `proofs` says so.
+//! takes. The engine's own finder is timed with its proofs of no contact, the others without (the
+//! key `proofs`).
 //!
 //! `cargo run --release -p carom-peers --example root_finders -- [SHOTS [TIMED [METHOD]]]`
 //!
@@ -35,7 +35,7 @@ fn main() {
 /// where many shots run until the limit of events. None: the combination is left out.
 fn share(family: ShotSource, finder: &Contestant) -> Option<u64> {
     match (family, finder.rule) {
-        // Its shots that never end would take hours.
+        // With this method, the shots that never end would take hours.
         (_, RootRule::Smallest) if finder.method == "companion matrix" => None,
         (ShotSource::Ordinary, RootRule::Smallest) => Some(100),
         (ShotSource::Frozen, RootRule::Smallest) => None,

@@ -15,7 +15,7 @@ pub const BALL_DIAMETER: f64 = 0.057_15;
 /// positions grows with distance, so faults of 1e-15 m have a meaning only within it.
 pub const LARGEST_TABLE: f64 = 4.0;
 
-/// A question for a finder.
+/// The input of a finder, and the scale of its faults.
 #[derive(Clone, Copy, Debug)]
 pub struct Case<const N: usize = 2> {
     /// The relative motion.

@@ -50,15 +50,15 @@ impl Finder {
     /// All but this project's finder return the smallest real root in [0, horizon] at which the
     /// bodies approach, or 0 if they touch and approach at the start.
     pub fn first_contact(self, motion: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
-        let hunt = |solve: fn(&Quartic) -> Roots| {
+        let by_roots = |solve: fn(&Quartic) -> Roots| {
             smallest_approaching_root(motion, distance, horizon, solve)
         };
         match self {
             Finder::Carom => carom_roots::first_contact(motion, distance, horizon),
-            Finder::Ferrari => hunt(ferrari::real_roots),
-            Finder::Companion => hunt(companion::real_roots),
-            Finder::Algorithm1010 => hunt(algorithm_1010::real_roots),
-            Finder::Kurbo => hunt(kurbo_roots),
+            Finder::Ferrari => by_roots(ferrari::real_roots),
+            Finder::Companion => by_roots(companion::real_roots),
+            Finder::Algorithm1010 => by_roots(algorithm_1010::real_roots),
+            Finder::Kurbo => by_roots(kurbo_roots),
             Finder::Polycool => smallest_approaching_root(motion, distance, horizon, |quartic| {
                 polycool_roots(quartic, horizon)
             }),

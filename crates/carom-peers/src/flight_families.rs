@@ -69,10 +69,10 @@ impl FlightFamily {
 /// Half of the relative acceleration of one ball in the air and one on the cloth, or of two in the
 /// air; with an edge, always of one in the air.
 fn half_acceleration<const N: usize>(random: &mut Random) -> [f64; N] {
-    let aloft = N == 2 || random.chance(0.7);
+    let falls = N == 2 || random.chance(0.7);
     let [x, y] = random.direction();
     let size = if random.chance(0.3) { 0.0 } else { random.magnitude(-2.0, 0.0) };
-    std::array::from_fn(|i| match (aloft, N - 1 - i) {
+    std::array::from_fn(|i| match (falls, N - 1 - i) {
         (false, _) => 0.0,
         (true, 0) => -HALF_GRAVITY,
         (true, _) if N == 2 => 0.0,

@@ -17,7 +17,7 @@ thread_local! {
     static HARVEST: RefCell<Vec<Case>> = const { RefCell::new(Vec::new()) };
 }
 
-/// The engine's finder; it stores every question.
+/// The engine's finder. It stores the input of every call.
 #[derive(Clone, Copy, Debug)]
 struct HarvestingFinder;
 
@@ -75,12 +75,12 @@ fn harvest(count: usize, mut next: impl FnMut() -> (Shot, Strike)) -> Vec<Case> 
     pairs
 }
 
-/// Balls at random places on a 9-ft table, none touching; the first is the cue ball.
+/// Balls at random places on a 9-ft table that do not touch; the first is the cue ball.
 fn layout(random: &mut Random, balls: usize) -> Shot {
     Shot::from_json(&shot_file(&places(random, balls))).expect("a layout without overlaps")
 }
 
-/// Random places of balls on a 9-ft table, m, none touching.
+/// Random places (m) of balls on a 9-ft table that do not touch.
 pub(crate) fn places(random: &mut Random, balls: usize) -> Vec<[f64; 2]> {
     let mut places: Vec<[f64; 2]> = Vec::new();
     while places.len() < balls {

@@ -27,12 +27,12 @@ pub enum Verdict {
         gap: f64,
     },
     /// The bodies approach and overlap by `depth` (m) before the answer: a missed contact.
-    Lost {
+    Missed {
         /// Overlap, m.
         depth: f64,
     },
     /// At the answer the bodies are `clearance` (m) away from a contact: a false contact.
-    Invented {
+    FalseContact {
         /// Distance to the nearest position that would be a contact, m.
         clearance: f64,
     },
@@ -81,13 +81,13 @@ pub(crate) trait Truth {
         let stationary = self.stationary_times();
         let end = answer.unwrap_or(*window.end());
         if let Some(depth) = self.overlap_fallen_into(&stationary, end) {
-            return Verdict::Lost { depth };
+            return Verdict::Missed { depth };
         }
         let Some(t) = answer else { return Verdict::Right { gap: 0.0 } };
         let gap = self.gap(t);
         let clearance = gap.max(self.lift_to_approach(&stationary, t));
         if clearance > self.tolerance_at(t) {
-            return Verdict::Invented { clearance };
+            return Verdict::FalseContact { clearance };
         }
         Verdict::Right { gap: gap.abs() / self.extent(t) }
     }
@@ -238,9 +238,9 @@ mod tests {
     fn only_the_time_of_a_head_on_contact_is_right() {
         let motion = Motion { d: [3.0, 0.0], v: [-2.0, 0.0], h: [0.0, 0.0] };
         assert_eq!(verdict(&motion, Some(1.0)), Verdict::Right { gap: 0.0 });
-        assert_eq!(verdict(&motion, None), Verdict::Lost { depth: 1.0 });
-        assert_eq!(verdict(&motion, Some(1.5)), Verdict::Lost { depth: 1.0 });
-        assert_eq!(verdict(&motion, Some(0.5)), Verdict::Invented { clearance: 1.0 });
+        assert_eq!(verdict(&motion, None), Verdict::Missed { depth: 1.0 });
+        assert_eq!(verdict(&motion, Some(1.5)), Verdict::Missed { depth: 1.0 });
+        assert_eq!(verdict(&motion, Some(0.5)), Verdict::FalseContact { clearance: 1.0 });
         assert_eq!(verdict(&motion, Some(-1.0)), Verdict::OutOfRange);
         assert_eq!(verdict(&motion, Some(f64::NAN)), Verdict::OutOfRange);
     }
@@ -249,13 +249,13 @@ mod tests {
     fn touching_and_separating_is_no_contact() {
         let motion = Motion { d: [1.0, 0.0], v: [2.0, 1.0], h: [0.0, 0.0] };
         assert_eq!(verdict(&motion, None), Verdict::Right { gap: 0.0 });
-        assert!(matches!(verdict(&motion, Some(0.0)), Verdict::Invented { .. }));
+        assert!(matches!(verdict(&motion, Some(0.0)), Verdict::FalseContact { .. }));
     }
 
     #[test]
     fn bodies_that_separate_and_return_have_a_contact() {
         let motion = Motion { d: [1.0, 0.0], v: [2.0, 0.0], h: [-1.0, 0.0] };
         assert_eq!(verdict(&motion, Some(2.0)), Verdict::Right { gap: 0.0 });
-        assert!(matches!(verdict(&motion, None), Verdict::Lost { .. }));
+        assert!(matches!(verdict(&motion, None), Verdict::Missed { .. }));
     }
 }

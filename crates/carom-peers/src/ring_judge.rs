@@ -4,7 +4,7 @@
 //! |x|² + a² − R² − 2aρ. There x·ẋ = aρ′, so that (x·ẋ)²ρ² − a²(xẋ + yẏ)² = 0: a polynomial of
 //! degree ten, which also vanishes where the path crosses the axis. Its roots are isolated by the
 //! sign variations of its Bernstein coefficients (Descartes' rule: none means no root) in 106 bits.
-//! It has further roots, of no harm: between neighbours of them the gap is monotone.
+//! Its other roots do no harm: the gap is monotone between any two neighbouring roots.
 
 use std::ops::RangeInclusive;
 
@@ -211,9 +211,9 @@ mod tests {
     fn only_the_time_of_a_contact_from_outside_is_right() {
         let (d, v) = ([4.5, 0.0, 0.0], [-1.0, 0.0, 0.0]);
         assert_eq!(verdict(d, v, Some(2.0)), Verdict::Right { gap: 0.0 });
-        assert_eq!(verdict(d, v, None), Verdict::Lost { depth: 0.5 });
-        assert_eq!(verdict(d, v, Some(5.5)), Verdict::Lost { depth: 0.5 });
-        assert_eq!(verdict(d, v, Some(1.0)), Verdict::Invented { clearance: 1.0 });
+        assert_eq!(verdict(d, v, None), Verdict::Missed { depth: 0.5 });
+        assert_eq!(verdict(d, v, Some(5.5)), Verdict::Missed { depth: 0.5 });
+        assert_eq!(verdict(d, v, Some(1.0)), Verdict::FalseContact { clearance: 1.0 });
         assert_eq!(verdict(d, v, Some(-1.0)), Verdict::OutOfRange);
     }
 
@@ -221,8 +221,8 @@ mod tests {
     fn only_the_time_of_a_contact_across_the_axis_is_right() {
         let (d, v) = ([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
         assert_eq!(verdict(d, v, Some(2.5)), Verdict::Right { gap: 0.0 });
-        assert_eq!(verdict(d, v, Some(0.5)), Verdict::Invented { clearance: 1.0 });
-        let Verdict::Lost { depth } = verdict(d, v, None) else { panic!("a missed contact") };
+        assert_eq!(verdict(d, v, Some(0.5)), Verdict::FalseContact { clearance: 1.0 });
+        let Verdict::Missed { depth } = verdict(d, v, None) else { panic!("a missed contact") };
         assert!((depth - 0.5).abs() <= DEPTH, "{depth}");
     }
 
@@ -231,6 +231,6 @@ mod tests {
         let (d, v) = ([2.5, 0.0, 0.0], [1.0, 0.0, 0.0]);
         assert_eq!(verdict(d, v, None), Verdict::Right { gap: 0.0 });
         let (d, v) = ([2.4, 0.0, 0.0], [1.0, 0.0, 0.0]);
-        assert!(matches!(verdict(d, v, Some(0.0)), Verdict::Invented { .. }));
+        assert!(matches!(verdict(d, v, Some(0.0)), Verdict::FalseContact { .. }));
     }
 }

@@ -1,11 +1,11 @@
 //! The games of billiards as state machines over the outcomes of shots.
 //!
-//! A [`Frame`] is one rack, frame or match between two players. [`Frame::request`] says what it
-//! needs next and from which seat: a shot or a choice. A shot is given as a [`Play`], an answer to
-//! a choice as a [`Choice`]. Both return a [`Ruling`]: the fouls with the rules that forbid them,
-//! the points, and the balls that were spotted. Then the frame makes its next request, until it is
-//! over. A frame has no hidden state and can be cloned, so that a program can try a shot and go
-//! back.
+//! A [`Frame`] is one rack, frame or match between two players. [`Frame::request`] returns the next
+//! request: a shot or a choice, and the seat that it is addressed to. The answer is a [`Play`]
+//! ([`Frame::play`]) or a [`Choice`] ([`Frame::choose`]). Each answer gives a [`Ruling`]: the fouls
+//! with the rules that forbid them, the points, and the balls that were spotted. A new request
+//! follows, until the frame is over. A frame has no hidden state and can be cloned, so a program
+//! can try a shot on a copy.
 //!
 //! ```
 //! use carom::resolve::cue_ball::Strike;

@@ -1,4 +1,4 @@
-//! A shot as a player plays it.
+//! What a player does in a shot: strike, place of a cue ball in hand, and call.
 
 use carom::math::{degrees, radians};
 use carom::resolve::cue_ball::Strike;
@@ -6,7 +6,7 @@ use carom::table::PocketName;
 
 use crate::layout::BallIndex;
 
-/// A shot as a player plays it.
+/// What a player does in a shot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Play {
     /// How the cue ball is struck.
@@ -34,8 +34,9 @@ impl Play {
     }
 }
 
-/// The strike with its angles converted to degrees and back. Frames were recorded when shot files
-/// held degrees only, and they must replay to the bit; environments keep their results for the same reason.
+/// The strike with its angles (rad) converted to degrees and back. Frames recorded when shot files
+/// could hold only degrees must replay to the bit, and the results of environments must stay the
+/// same.
 pub fn through_degrees(strike: &Strike) -> Strike {
     let through = |angle: f64| radians(degrees(angle));
     Strike { azimuth: through(strike.azimuth), elevation: through(strike.elevation), ..*strike }

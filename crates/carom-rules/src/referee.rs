@@ -1,4 +1,4 @@
-//! Observes a shot for its referee.
+//! Records what a referee needs from a shot.
 
 use carom::event::{Event, EventKind, Recorder};
 use carom::outcome::{Outcome, OutcomeRecorder, Touched};
@@ -6,7 +6,7 @@ use carom::{BallState, Shot};
 
 use crate::layout::BallIndex;
 
-/// How the cue ball travelled: what the rules need beyond an [`Outcome`].
+/// Facts about the cue ball's path that some rules need and an [`Outcome`] does not hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct CueBallTravel {
     /// Whether the cue ball jumped over a ball before its first contact with one.

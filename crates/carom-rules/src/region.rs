@@ -1,10 +1,10 @@
-//! Where a cue ball in hand may be placed.
+//! Regions of the table in which a cue ball in hand may be placed.
 
 use carom::Table;
 
 use crate::markings::{distance, head_string, the_d};
 
-/// Where a cue ball in hand may be placed.
+/// A region of the table in which a cue ball in hand may be placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Region {
     /// Anywhere on the table.

@@ -1,4 +1,4 @@
-//! What a frame asks for next: a shot or a choice, and from which seat.
+//! Requests of a frame: a shot or a choice, and the seat that has to answer.
 
 use carom::Error;
 
@@ -6,7 +6,7 @@ use crate::layout::BallIndex;
 use crate::region::Region;
 use crate::seat::Seat;
 
-/// What the frame asks for next.
+/// The next request of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
     /// A shot.

@@ -85,6 +85,7 @@ impl Rules {
         }
     }
 
+    /// Whether the game is played on a table with pockets.
     pub(crate) const fn needs_pockets(self) -> bool {
         !matches!(self, Self::ThreeCushion)
     }
@@ -94,6 +95,7 @@ impl Rules {
         matches!(self, Self::StraightPool | Self::ThreeCushion)
     }
 
+    /// Whether the first stalemate leads to a new rack. In other games it ends the frame.
     pub(crate) const fn is_racked_after_stalemate(self) -> bool {
         !matches!(self, Self::ThreeCushion | Self::Practice)
     }
@@ -104,16 +106,17 @@ impl Rules {
     }
 }
 
-/// What the players agree on before a frame.
+/// The settings of a frame, agreed before it starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Points needed to win: straight pool (usually 100 to 150) and three-cushion (usually 40).
     pub points: i32,
     /// Whether the foul-and-a-miss rule applies in snooker.
     pub miss: bool,
-    /// Number of consecutive shots without progress that make a stalemate. Progress is a ball that
-    /// has left the table for good or, in games scored by shots, a player's best score so far. The
-    /// limit guarantees that every frame ends.
+    /// Number of consecutive shots without progress that make a stalemate. A shot makes progress if
+    /// fewer balls than ever since the last rack remain on the table; in straight pool and
+    /// three-cushion, if it raises a player's best score. The limit guarantees that every frame
+    /// ends.
     pub patience: u32,
 }
 

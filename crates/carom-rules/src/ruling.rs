@@ -1,8 +1,8 @@
-//! What a referee says after a shot.
+//! Fouls, and the ruling on a shot or a choice.
 
 use crate::layout::BallIndex;
 
-/// Something that the rules forbid.
+/// A breach of the rules in a shot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Foul {
     /// The cue ball was pocketed.

@@ -1,4 +1,4 @@
-//! Frames between random players: every frame ends, and no ball and no point is lost on the way.
+//! Frames between random players: every frame ends, and the balls and the points always add up.
 
 use carom::Simulator;
 use carom::math::{Vec2, atan2};
@@ -21,7 +21,8 @@ fn frames() -> u64 {
 /// the large error miss and foul often enough.
 const SPREADS: [f64; 2] = [0.02, 0.002];
 
-/// The same on a table without pockets, where caroms come off cushions more often than directly.
+/// The same on a table without pockets, rad: nearly all directions, because most caroms go by
+/// cushions first.
 const SPREAD_OF_CAROMS: f64 = 3.0;
 
 struct Dice {
@@ -113,7 +114,7 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     Vec2::new(b[0] - a[0], b[1] - a[1]).length()
 }
 
-/// What must be true after every shot and every choice.
+/// Checks what holds after every shot and every choice.
 fn check(frame: &Frame, from: &Frame) {
     let layout = frame.layout();
     assert_eq!(layout.len(), from.layout().len(), "the number of balls changed");
@@ -140,7 +141,7 @@ fn check(frame: &Frame, from: &Frame) {
     }
 }
 
-/// The points that each game allows for one shot.
+/// Checks that a shot of `player` may score these points.
 fn check_points(rules: Rules, player: Seat, points: [i32; 2], legal: bool) {
     let [mine, others] = [points[player], points[1 - player]];
     match rules {
@@ -264,7 +265,7 @@ fn the_ruling_on_a_trace_equals_the_ruling_on_its_shot() {
 }
 
 #[test]
-fn a_rack_can_start_from_given_places() {
+fn a_frame_continues_from_given_places() {
     let frame = |rules| Frame::new(rules, Options::default(), None, None, 3).expect("a rack");
     let mut middle = frame(Rules::NineBall);
     let mut places = vec![None; 10];

@@ -17,7 +17,7 @@ fn break_at(azimuth: f64, speed: f64) -> Ruling {
 }
 
 #[test]
-fn the_referee_sees_whether_the_cue_ball_crossed_the_head_string() {
+fn only_a_cue_ball_that_stops_before_the_head_string_commits_the_head_string_foul() {
     let fouls = |ruling: Ruling| ruling.fouls.iter().collect::<Vec<_>>();
     assert_eq!(
         fouls(break_at(UP, 0.15)),

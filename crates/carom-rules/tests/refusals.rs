@@ -1,5 +1,5 @@
-//! Plays and choices that a frame does not ask for, or that do not exist, are refused and change
-//! nothing.
+//! A frame refuses plays and choices that it does not ask for or that do not exist; it is unchanged
+//! afterwards.
 
 use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;

@@ -1,10 +1,11 @@
 //! Checks of momentum and angular momentum in collisions of balls.
 //!
 //! The contact gives the two balls opposite impulses J at one point. The ground acts on a ball only
-//! if it supports the ball and the ball is driven down: with an upward impulse, and friction of at
-//! most μ times that impulse. At most one of two balls is driven down. The other's change of spin
-//! and velocity gives J up to rounding, and the difference for the first ball is the impulse of the
-//! ground. An impulse that would lift a ball by less than the smallest hop may be left out.
+//! if it supports the ball and the ball is driven down. Its impulse is upward, with friction of at
+//! most μ times the upward part. At most one of two balls is driven down. J follows, up to rounding,
+//! from the change of spin and velocity of the other ball. The rest of the change of the ball that
+//! is driven down is the impulse of the ground. An impulse that would lift a ball by less than the
+//! smallest hop may be left out.
 
 use carom::event::Event;
 use carom::math::Vec3;

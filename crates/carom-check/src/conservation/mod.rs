@@ -18,7 +18,7 @@ const ROUNDING: f64 = 1e-12;
 pub const PUSH_ENERGY: f64 = 2e-9;
 
 /// The same if one of the balls is in the air, J: that of `MIN_SEPARATION` there.
-const PUSH_ENERGY_ALOFT: f64 = 1.5e-7;
+const PUSH_ENERGY_IN_AIR: f64 = 1.5e-7;
 
 /// Largest fraction of a spin that a persistent contact of smooth balls may take: `SPIN_SHARE`
 /// there.
@@ -64,7 +64,7 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
     }
     let flies = |s: &BallState| s.motion == MotionState::Airborne;
     let in_air = event.kind == EventKind::BallCollision && event.before.iter().any(flies);
-    let allowed = if in_air { PUSH_ENERGY_ALOFT } else { PUSH_ENERGY };
+    let allowed = if in_air { PUSH_ENERGY_IN_AIR } else { PUSH_ENERGY };
     if after > before * (1.0 + ROUNDING) + allowed {
         return Some(format!("{:?} raises the energy by {given:e} J", event.kind));
     }

@@ -65,8 +65,7 @@ impl ShotBuilder {
             });
             let margin = 0.9 * r;
             let inside = p[0] > margin && p[0] < w - margin && p[1] > margin && p[1] < l - margin;
-            let clear = p[0] >= r || p[0] <= w - r;
-            if free && inside && clear && self.on_cloth(p) {
+            if free && inside && self.on_cloth(p) {
                 self.balls.push(DrawnBall::resting(p));
             }
         }

@@ -206,8 +206,8 @@ impl ShotBuilder {
     pub(super) fn mouths(mut self) -> String {
         let r = self.place.3;
         let Some((hole, axis, radius)) = self.pocket() else { return self.dropped() };
-        // In the mouth, 0 to 0.1 m from the lip; some of them beyond it, as far as friction holds
-        // them.
+        // In the mouth, 0 to 0.1 m before the lip. Some are beyond it, up to the distance at which
+        // friction still holds them.
         let n = 1 + self.rng.below(2);
         for _ in 0..100 {
             let turn = self.rng.between(-0.8, 0.8);

@@ -32,6 +32,7 @@ impl Frame {
         shot.map_err(|error| at_cue_ball(error, cue))
     }
 
+    /// The shot that the frame asks for.
     fn asked_turn(&self) -> Result<&Turn, Error> {
         self.turn().ok_or_else(|| {
             Error::input(

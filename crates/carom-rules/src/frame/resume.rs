@@ -68,7 +68,7 @@ impl Frame {
             return Err(Error::input("player", what, "write 0 or 1"));
         }
         if let Some(what) = missing(self.rules, places) {
-            return wrong(what, "put them on the table");
+            return wrong(what, "give the missing balls places on the table");
         }
         for (ball, place) in (0..).zip(places) {
             self.state.layout.put(ball, *place);
@@ -79,7 +79,8 @@ impl Frame {
     }
 }
 
-/// Which balls are missing that must be on the table while the game continues.
+/// Describes missing balls that must be on the table while the game continues; none if all are
+/// there.
 fn missing(rules: Rules, places: &[Option<[f64; 2]>]) -> Option<String> {
     let is_down = |ball: BallIndex| places[usize::from(ball)].is_none();
     if let Some(ball) = rules.deciding_ball() {

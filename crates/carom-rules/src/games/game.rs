@@ -1,4 +1,4 @@
-//! What the rules of a game decide, and the shot that they decide on.
+//! The interface of a game's rules, and the played shot on which they rule.
 
 use carom::format::Node;
 use carom::outcome::{Outcome, Touched};

@@ -194,7 +194,7 @@ impl IntermediateRack {
     ) -> Self {
         let spots = [("head", 0.25), ("center", 0.5), ("foot", 0.75)];
         let [head, center, foot] = spots.map(|(name, at)| spot_named(table, name, at));
-        let kitchen = Some(Region::BehindHeadString);
+        let behind_string = Some(Region::BehindHeadString);
         let radius = fresh.radius(CUE);
         let rack = Triangle::around(fresh);
         // A ball is on a spot if a second ball on the spot would touch it.
@@ -202,7 +202,7 @@ impl IntermediateRack {
         let cue_in_rack = cue.is_some_and(|place| rack.touches(place, radius));
         let cue_on_head = cue.is_some_and(|place| is_on(head, place));
         let stay = Self { last_ball: last, cue_ball: None, hand: None };
-        let hand = kitchen.filter(|_| cue_in_rack);
+        let hand = behind_string.filter(|_| cue_in_rack);
         let Some((ball, place)) = last else { return Self { hand, ..stay } };
         if rack.touches(place, radius) {
             let to = match (cue_in_rack, cue_on_head) {

@@ -87,7 +87,7 @@ fn after_the_eight_and_a_scratch_on_the_break_the_other_player_chooses() {
 }
 
 #[test]
-fn a_scratch_on_the_break_asks_for_no_choice_of_one_but_for_a_shot_from_hand() {
+fn after_a_scratch_on_the_break_the_other_player_shoots_from_hand_without_a_choice() {
     let mut scenario = Scenario::of(Rules::EightBall);
     scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
     assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
@@ -342,7 +342,7 @@ fn a_ball_in_an_uncalled_pocket_ends_the_turn_without_a_foul() {
     let ruling = scenario.play(Call::Pocket(2, CORNER), hit(&[2]).potting(2, SIDE));
     assert!(ruling.is_legal());
     scenario.asks(1);
-    assert!(scenario.is_down(2), "no other ball than the eight is ever spotted (3.7)");
+    assert!(scenario.is_down(2), "only the eight is ever spotted (3.7)");
 }
 
 #[test]
@@ -389,7 +389,7 @@ fn the_called_eight_wins() {
 }
 
 #[test]
-fn the_eight_loses_if_it_goes_with_a_foul_into_another_pocket_too_early_or_off_the_table() {
+fn a_player_who_pockets_the_eight_with_a_foul_uncalled_or_too_early_or_drives_it_off_loses() {
     let mut scenario = on_the_eight();
     scenario.play(Call::Pocket(8, SIDE), hit(&[8]).potting(8, SIDE).potting(0, CORNER));
     scenario.is_won_by(1);

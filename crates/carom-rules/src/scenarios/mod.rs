@@ -1,4 +1,4 @@
-//! Every rule in a scenario of its own. The shots are described by hand, not simulated.
+//! Tests of the rules, one scenario for each. The shots are written by hand, not simulated.
 
 mod eight_ball;
 mod endings;
@@ -113,7 +113,7 @@ impl Scenario {
     }
 }
 
-/// What happened in a shot. Balls are indices of the frame.
+/// The outcome of a shot, written by hand. Balls are indices of the frame.
 struct DescribedShot {
     outcome: Outcome,
     travel: CueBallTravel,
@@ -203,7 +203,7 @@ fn assert_fouls(ruling: &Ruling, expected: &[Foul]) {
 }
 
 #[test]
-fn every_pool_foul_names_its_rule_and_says_what_it_is() {
+fn every_pool_foul_has_a_rule_number_and_a_description() {
     for rules in [Rules::EightBall, Rules::NineBall, Rules::TenBall, Rules::StraightPool] {
         for foul in [
             Foul::Scratch,

@@ -119,7 +119,7 @@ fn a_jump_over_a_ball_is_a_foul() {
     let mut scenario = Scenario::of(Rules::Snooker);
     assert!(
         scenario.play(NOTHING, hit(&[RED]).jumping(false)).is_legal(),
-        "after a contact it is none"
+        "after a contact it is not a foul"
     );
 }
 
@@ -374,7 +374,7 @@ fn a_tie_is_decided_by_a_respotted_black() {
     scenario.play(NOTHING, hit(&[BLACK]).potting(BLACK, SIDE));
     assert_eq!(scenario.0.scores(), [20, 20]);
     scenario.lies_at(BLACK, BLACK_SPOT);
-    let lot = scenario.0.player().expect("the lot says who chooses");
+    let lot = scenario.0.player().expect("a player drawn by lot chooses");
     scenario.offers(lot, &[Choice::PlayOn, Choice::PassBack]);
     for (choice, player) in [(Choice::PlayOn, lot), (Choice::PassBack, 1 - lot)] {
         let mut chosen = Scenario(scenario.0.clone());

@@ -218,7 +218,7 @@ fn fourteen_balls_are_racked_without_the_apex_and_the_other_balls_stay() {
 }
 
 #[test]
-fn the_special_cases_of_racking_fourteen() {
+fn a_ball_that_lies_in_the_rack_of_fourteen_is_moved_by_rule_4_8() {
     // The fifteenth ball in the rack: head spot, foot spot with the cue ball in hand, or center
     // spot.
     assert_eq!(fourteen_down(7, IN_RACK, FAR).0.layout().place(7), Some(HEAD));

@@ -1,6 +1,7 @@
-//! Time per question about a flying ball, ns: `cargo bench -p carom-peers --bench aloft`.
+//! Time per search for a contact of a flying ball, ns:
+//! `cargo bench -p carom-peers --bench flight_contact`.
 //!
-//! Times are noisy, so each figure is the smallest of several passes over the same questions.
+//! Times are noisy, so each figure is the smallest of several passes over the same cases.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -11,39 +12,39 @@ use carom_peers::random::{Random, RandomMotion};
 use carom_peers::ring_families::{RingCase, RingFamily};
 use carom_roots::{Motion, first_contact, first_ring_contact};
 
-/// Questions per set. A set fits into a second-level cache.
-const QUESTIONS: usize = 4096;
+/// Cases per set. A set fits into a second-level cache.
+const CASES: usize = 4096;
 
 /// Number of passes over a set; the fastest counts.
 const PASSES: usize = 15;
 
-fn nanoseconds_each<C>(cases: &[C], ask: impl Fn(&C) -> Option<f64>) -> f64 {
+fn nanoseconds_each<C>(cases: &[C], search: impl Fn(&C) -> Option<f64>) -> f64 {
     let pass = || {
         let start = Instant::now();
         for case in cases {
-            black_box(ask(black_box(case)));
+            black_box(search(black_box(case)));
         }
         start.elapsed().as_nanos() as f64 / cases.len() as f64
     };
     (0..PASSES).map(|_| pass()).fold(f64::INFINITY, f64::min)
 }
 
-/// Prints one line: the time of the questions with a contact, and of those without.
-fn report<C>(name: &str, mut draw: impl FnMut() -> C, ask: impl Fn(&C) -> Option<f64>) {
+/// Prints one line: the time per case with a contact, and per case without.
+fn report<C>(name: &str, mut draw: impl FnMut() -> C, search: impl Fn(&C) -> Option<f64>) {
     let (mut hits, mut misses) = (Vec::new(), Vec::new());
-    for _ in 0..40 * QUESTIONS {
+    for _ in 0..40 * CASES {
         let case = draw();
-        let set = if ask(&case).is_some() { &mut hits } else { &mut misses };
-        if set.len() < QUESTIONS {
+        let set = if search(&case).is_some() { &mut hits } else { &mut misses };
+        if set.len() < CASES {
             set.push(case);
         }
     }
     print!("{name:<28}");
     for set in [&hits, &misses] {
-        if set.len() < QUESTIONS / 8 {
+        if set.len() < CASES / 8 {
             print!("{:>10}", "-");
         } else {
-            print!("{:>10.1}", nanoseconds_each(set, &ask));
+            print!("{:>10.1}", nanoseconds_each(set, &search));
         }
     }
     println!();
@@ -63,18 +64,18 @@ fn hop_on_a_table(random: &mut Random) -> RingCase {
 }
 
 fn main() {
-    println!("{:<28}{:>10}{:>10}", "ns per question", "hit", "miss");
+    println!("{:<28}{:>10}{:>10}", "ns per search", "hit", "miss");
     let mut random = Random::new(12);
     report("ring, hop on a table", || hop_on_a_table(&mut random), ring_contact);
     for family in RingFamily::ALL {
         report(&format!("ring, {family:?}"), || family.sample(&mut random), ring_contact);
     }
     for family in FlightFamily::ALL {
-        let ask = |c: &Case<3>| first_contact(&c.motion, c.distance, c.horizon);
-        report(&format!("pair, {family:?}"), || family.sample::<3>(&mut random), ask);
+        let search = |c: &Case<3>| first_contact(&c.motion, c.distance, c.horizon);
+        report(&format!("pair, {family:?}"), || family.sample::<3>(&mut random), search);
     }
     for family in FlightFamily::ALL {
-        let ask = |c: &Case<2>| first_contact(&c.motion, c.distance, c.horizon);
-        report(&format!("straight edge, {family:?}"), || family.sample::<2>(&mut random), ask);
+        let search = |c: &Case<2>| first_contact(&c.motion, c.distance, c.horizon);
+        report(&format!("straight edge, {family:?}"), || family.sample::<2>(&mut random), search);
     }
 }
