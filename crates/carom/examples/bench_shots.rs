@@ -26,8 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for _ in 0..passes {
         events = 0;
         for shot in &shots {
-            events +=
-                simulation.play(shot, &mut NullRecorder).map_err(|e| format!("{e:?}"))?.events;
+            events += simulation.play(shot, &mut NullRecorder)?.events;
         }
     }
     println!("{} {events}", shots.len());

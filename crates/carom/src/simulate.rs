@@ -20,6 +20,7 @@ mod row;
 mod step;
 mod support;
 
+use core::fmt;
 use core::marker::PhantomData;
 
 use crate::detect::ball_ball::{ContactFinder, FirstContact};
@@ -35,7 +36,8 @@ pub(crate) use cluster::CLOSING_TIME;
 use step::StepContext;
 use support::Support;
 
-/// Every capacity is a multiple of this number of balls: the doubles in the widest vector register.
+/// Every capacity is a multiple of this number of balls, the number of doubles in the widest vector
+/// register.
 const CAPACITY_STEP: usize = 8;
 
 /// Why a simulation has no result.
@@ -51,6 +53,21 @@ pub enum SimulationError {
         time: f64,
     },
 }
+
+impl fmt::Display for SimulationError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Strike(error) => write!(f, "strike: {error}"),
+            Self::TooManyEvents { max_events, time } => write!(
+                f,
+                "max_events: the shot was stopped at its cap of {max_events} events, at {time} s; \
+                 raise the cap"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for SimulationError {}
 
 /// Duration and number of events of a finished shot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,7 +112,7 @@ pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     ball: [Ball; N],
     /// Path of the current motion state.
     path: [Path; N],
-    /// The part of the paths that pairs are searched with.
+    /// The horizontal part of the paths, in the layout of the search for contacts of pairs.
     lanes: Lanes<N>,
     /// Time of the next motion transition, s, infinite if none.
     transition: [f64; N],
@@ -134,7 +151,7 @@ struct Lanes<const N: usize> {
     start: [f64; N],
     /// How long the path is valid, s: until the earlier of transition and table contact for a
     /// moving ball, for ever (infinite) for a resting ball. NaN excludes a ball from other balls'
-    /// searches: there is no ball, it is out of play, or its own search has yet to run.
+    /// searches: there is no ball, it is out of play, or its own search has not run yet.
     valid_until: [f64; N],
     radius: [f64; N],
 }
@@ -222,8 +239,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.play_strike(shot, shot.strike, recorder)
     }
 
-    /// Plays `shot`, but with the given strike, on the ball with the given index, in place of its
-    /// own.
+    /// Plays `shot` with another strike than its own: the index of the struck ball, and the strike.
     ///
     /// # Errors
     /// See [`simulate`].
@@ -293,7 +309,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.n == 0
     }
 
-    /// State of ball `i` at `time` (s), which must not be earlier than the ball's last event.
+    /// State of ball `i` at `time` (s), in the engine's frame. `time` must not be earlier than the
+    /// ball's last event.
     #[inline(always)]
     pub fn state(&self, i: usize, time: f64) -> BallState {
         self.path[i].at(time - self.lanes.start[i])
@@ -395,7 +412,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    /// Records an event of ball `i` alone, gives the ball its new path and finds what comes next.
+    /// Records an event of ball `i` alone, gives the ball its new path and finds its candidates.
     #[inline(always)]
     fn emit<R: Recorder>(
         &mut self,

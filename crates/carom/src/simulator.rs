@@ -1,7 +1,7 @@
 //! A simulator that plays shots with any number of balls.
 
 use alloc::boxed::Box;
-use alloc::format;
+
 use alloc::vec::Vec;
 
 use crate::error::Error;
@@ -12,11 +12,12 @@ use crate::simulate::{Simulation, SimulationError, Summary};
 use crate::trace::TraceRecorder;
 use crate::{BallState, Shot, ShotFile, Trace, shot};
 
-/// Plays shots one after the other and keeps the memory that they need: for a thread of a
-/// [`Runner`](crate::runner::Runner), or for any loop over shots.
+/// Plays shots one after the other in the same memory. Use one simulator for a loop over shots, or
+/// one for each thread of a [`Runner`](crate::runner::Runner).
 ///
-/// Shots of few balls use a [`Simulation`] that stays in a processor's fastest memory; the larger
-/// one for many balls is allocated when the first such shot is played. Nothing else is allocated.
+/// Shots of up to [`SMALL_CAPACITY`] balls use a [`Simulation`] that fits into a processor's
+/// level-1 data cache. A larger one is allocated when the first shot with more balls is played.
+/// Playing allocates nothing else.
 ///
 /// ```
 /// # #[cfg(feature = "json")] {
@@ -101,7 +102,7 @@ impl Simulator {
         }
     }
 
-    /// Whether nothing has been played yet.
+    /// Whether the last shot had no balls, or none has been played yet.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -139,7 +140,7 @@ impl Shot {
 }
 
 impl ShotFile {
-    /// Simulates the shot and records everything. An error has the file as it was read.
+    /// Simulates the shot and records everything. An error carries the file as it was read.
     ///
     /// # Errors
     /// As [`Shot::simulate`].
@@ -155,9 +156,7 @@ impl ShotFile {
 fn explain(shot: &Shot, strike: Option<&Strike>, failure: SimulationError) -> Error {
     match (failure, strike) {
         (SimulationError::Strike(e), Some(strike)) => shot::explain("strike", strike, e),
-        (SimulationError::Strike(e), None) => {
-            Error::input("strike", format!("{e}"), "change the strike")
-        }
+        (SimulationError::Strike(e), None) => Error::input("strike", e.fault(), e.remedy()),
         (SimulationError::TooManyEvents { max_events, .. }, _) => {
             let played = strike.and_then(|strike| shot.with_strike(strike).ok());
             let shot = played.as_ref().unwrap_or(shot).to_json();

@@ -20,6 +20,8 @@
 //! The same effect of `height` is neglected, because in the vertical plane slate and bridge hold
 //! the cue.
 
+use alloc::format;
+use alloc::string::String;
 use core::fmt;
 
 use crate::Ball;
@@ -71,25 +73,40 @@ pub enum StrikeError {
     },
 }
 
-impl fmt::Display for StrikeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::OffBall { offset } => write!(
-                f,
-                "the tip misses the ball: side and height are {offset:.4} radii from its centre; \
-                 keep √(side² + height²) below 1"
+impl StrikeError {
+    /// What is wrong.
+    pub fn fault(&self) -> String {
+        match self {
+            Self::OffBall { offset } => {
+                format!("the tip would miss the ball: √(side² + height²) is {offset:.4} ball radii")
+            }
+            Self::Miscue { offset, limit } => format!(
+                "a miscue: √(side² + height²) is {offset:.4} ball radii, and this tip slips off \
+                 beyond {limit:.4}"
             ),
-            Self::Miscue { offset, limit } => write!(
-                f,
-                "miscue: side and height are {offset:.4} radii from the centre, where the tip \
-                 slips off; stay within {limit:.4}, or raise cue.tip_friction"
-            ),
-            Self::Unreachable { offset } => write!(
-                f,
-                "no ball speed satisfies cue.tip_efficiency at an offset of {offset:.4} radii; \
-                 strike nearer the centre, or use cue.tip_restitution"
+            Self::Unreachable { offset } => format!(
+                "physics.cue.tip_efficiency is too low for a tip offset of {offset:.4} ball radii \
+                 (the radicand of TP A.30 is negative)"
             ),
         }
+    }
+
+    /// What to do about it.
+    pub const fn remedy(&self) -> &'static str {
+        match self {
+            Self::OffBall { .. } => "keep it below 1, and below the miscue limit",
+            Self::Miscue { .. } => "strike nearer the centre, or raise physics.cue.tip_friction",
+            Self::Unreachable { .. } => {
+                "strike nearer the centre, raise physics.cue.tip_efficiency, or give \
+                 physics.cue.tip_restitution instead"
+            }
+        }
+    }
+}
+
+impl fmt::Display for StrikeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}; {}", self.fault(), self.remedy())
     }
 }
 
@@ -135,6 +152,10 @@ fn speed_ratio(cue: &Cue, ball: &Ball, k: f64) -> Option<f64> {
 ///
 /// The spin is v/R·5/2·(x·**u** − y·**r**), so right English gives ω_z > 0 and a positive height
 /// gives follow.
+///
+/// # Errors
+/// [`StrikeError`] for a tip offset of at least 1 ball radius, beyond the miscue limit, or too
+/// large for the tip's efficiency.
 pub fn resolve(cue: &Cue, ball: &Ball, strike: &Strike) -> Result<(Vec3, Vec3), StrikeError> {
     let offset = strike.offset();
     if offset >= 1.0 {

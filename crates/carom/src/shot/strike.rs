@@ -60,7 +60,7 @@ pub(super) fn check_ranges(place: &str, strike: &Strike) -> Result<(), Error> {
 ///
 /// # Errors
 /// [`Error::Input`] for a ball that moves or is not on the cloth, and for a strike off the ball,
-/// past the miscue limit, or unreachable with the tip's efficiency.
+/// beyond the miscue limit, or too far off centre for the tip's efficiency.
 pub(super) fn check(
     place: &str,
     ball: usize,
@@ -90,26 +90,5 @@ pub(super) fn check(
 pub(crate) fn explain(place: &str, strike: &Strike, e: StrikeError) -> Error {
     // The place is the larger of the two offsets.
     let key = if strike.side.abs() >= strike.height.abs() { "side" } else { "height" };
-    let place = format!("{place}.{key}");
-    match e {
-        StrikeError::OffBall { offset } => Error::input(
-            place,
-            format!("the tip would miss the ball: √(side² + height²) is {offset:.4} ball radii"),
-            "keep it below 1, and below the miscue limit",
-        ),
-        StrikeError::Miscue { offset, limit } => Error::input(
-            place,
-            format!(
-                "a miscue: √(side² + height²) is {offset:.4} ball radii, and this tip slips off beyond {limit:.4}"
-            ),
-            "strike nearer the centre, or raise physics.cue.tip_friction",
-        ),
-        StrikeError::Unreachable { offset } => Error::input(
-            place,
-            format!(
-                "unreachable: physics.cue.tip_efficiency cannot hold {offset:.4} ball radii off centre (TP A.30's radicand is negative)"
-            ),
-            "strike nearer the centre, raise the efficiency, or use tip_restitution",
-        ),
-    }
+    Error::input(format!("{place}.{key}"), e.fault(), e.remedy())
 }

@@ -88,7 +88,7 @@ fn cu7_the_tip_slips_off_beyond_its_friction() {
     let cue = Cue { tip_friction: 0.577, ..cue(Tip::Restitution(0.73)) };
     let refused = resolve(&cue, &BALL, &level(1.0, 0.36, 0.36)).unwrap_err();
     assert!(matches!(refused, StrikeError::Miscue { .. }));
-    assert!(refused.to_string().contains("stay within 0.4998"), "{refused}");
+    assert!(refused.to_string().contains("slips off beyond 0.4998"), "{refused}");
     let (v, spin) = resolve(&cue, &BALL, &level(1.0, 0.35, 0.35)).unwrap();
     assert_near(spin.length() * BALL.radius / v.length(), 2.5 * 0.35 * sqrt(2.0), 1e-12);
 }
