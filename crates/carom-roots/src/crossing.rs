@@ -4,9 +4,9 @@ use crate::root::sqrt;
 
 /// First t in [0, `horizon`] with f(t) = c₀ + c₁t + c₂t² ≤ 0 and f′(t) < 0, or `None`.
 ///
-/// If the gap is at or below zero at the start, the result is 0 if it is closing. Otherwise it is
-/// the time at which the gap closes next, or the turning point if the gap is not positive there. A
-/// gap that only grazes zero has no crossing. `horizon` may be infinite.
+/// f is called the gap. If it is at or below zero at the start and closing, the result is 0.
+/// Otherwise the result is the time at which the gap closes next, or the turning point if the gap
+/// is not positive there. A gap that only grazes zero has no crossing. `horizon` may be infinite.
 ///
 /// Units are arbitrary: one unit of length for f and one unit of time for t.
 #[inline]

@@ -1,11 +1,11 @@
-//! The cheap way to a first contact: a closed form, or a few iterations and a certificate.
+//! The fast finder of a first contact: a closed form, or a few iterations and a certificate.
 //!
 //! Cases without a proof here are left to [`crate::robust`].
 
 use crate::motion::{Gap, Motion, cross_squared, dot};
 use crate::root::sqrt;
 
-/// The result of the cheap way.
+/// The result of the fast finder.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Proof {
     /// This is the first contact.

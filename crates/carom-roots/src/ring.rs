@@ -214,7 +214,7 @@ const HOP_SPAN: f64 = 1.25;
 /// A ball that leaves the slate is on top of the lip's torus. Its normal velocity there is zero,
 /// with the rounding error of a position. An approach no faster than this is not a contact if f is
 /// convex: f then falls by at most f′ times the duration, which is a rounding error of the path.
-/// Relative.
+/// As a fraction of (a + R)(|ẋ| + |ẏ| + |ż|).
 const GRAZE: f64 = 32.0 * f64::EPSILON;
 
 /// The result on one span.
@@ -227,8 +227,8 @@ enum SpanResult {
     Open,
 }
 
-/// Spans are not halved below this fraction of the window, which is less than a rounding error of
-/// all but the first few times in it.
+/// Spans are not halved below this fraction of the window. Except near its start, so short a span
+/// is less than the rounding error of a time in the window.
 const FINEST: f64 = 1.0 / (1u64 << 60) as f64;
 
 /// The first contact in [start, end].

@@ -54,8 +54,8 @@ pub(crate) fn first_contact<const N: usize>(
     }
 }
 
-/// Whether the result of this finder agrees with `answer`: where only one of the two is a contact,
-/// the bodies graze within rounding errors.
+/// Whether the result of this finder agrees with `answer`. If only one of the two is a contact,
+/// they agree if the bodies graze within rounding errors.
 ///
 /// Builds with debug assertions compare every answer of the fast finder.
 pub(crate) fn agrees<const N: usize>(

@@ -8,17 +8,17 @@ use crate::reject::{cannot_touch, passes_by};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Row<const L: usize> {
-    /// Separation, m.
+    /// Separation along x, m.
     pub dx: [f64; L],
-    /// Separation, m.
+    /// Separation along y, m.
     pub dy: [f64; L],
-    /// Relative velocity, m/s.
+    /// Relative velocity along x, m/s.
     pub vx: [f64; L],
-    /// Relative velocity, m/s.
+    /// Relative velocity along y, m/s.
     pub vy: [f64; L],
-    /// Half relative acceleration, m/s².
+    /// Half the relative acceleration along x, m/s².
     pub hx: [f64; L],
-    /// Half relative acceleration, m/s².
+    /// Half the relative acceleration along y, m/s².
     pub hy: [f64; L],
     /// Distance of the centres in contact, m.
     pub distance: [f64; L],

@@ -1,6 +1,6 @@
-//! The choice of the steps of `carom::resolve::ball_ball::network`: the error of its long steps
-//! against an integration with small ones, over a grid of the two constants `ahead` and `trend`.
-//! Prints JSON.
+//! Shows how the steps of `carom::resolve::ball_ball::network` were chosen: prints, as JSON, the
+//! error of its long steps against an integration with small ones, over a grid of the two constants
+//! `ahead` and `trend`.
 //!
 //! `cargo run --release -p carom --example network_step_choice`
 //!

@@ -54,7 +54,7 @@ pub fn simulate_batch<S: AsRef<Shot> + Sync>(shots: &[S], runner: &Runner) -> Ba
 }
 
 /// Simulates `shot` once for each of `strikes`, played on its struck ball. A strike that a shot
-/// file would refuse, and any strike if the shot has none, is among the errors.
+/// file would refuse fails; if the shot itself has no strike, every one fails.
 pub fn simulate_strikes(shot: &Shot, strikes: &[Strike], runner: &Runner) -> BatchResult {
     let struck = shot.strike.as_ref().map_or(0, |(ball, _)| *ball);
     run(strikes.len(), shot.balls.len(), runner, |k| {
@@ -64,10 +64,10 @@ pub fn simulate_strikes(shot: &Shot, strikes: &[Strike], runner: &Runner) -> Bat
     })
 }
 
-/// As [`simulate_strikes`], but with the balls near where `shot` has them: strike k is played on
-/// layout `first` + k of this seed, as [`Perception::places`] draws it. `shot` is what the player
-/// sees and plans on; the layouts are where the balls may truly lie. The errors of both have the
-/// same distribution.
+/// As [`simulate_strikes`], but with an error of perception: strike k is played on layout `first` +
+/// k of this seed, which [`Perception::places`] draws around the positions in `shot`. `shot` holds
+/// the positions that the player sees and plans on; the layouts hold possible true positions. The
+/// error has the same distribution in both directions.
 ///
 /// # Errors
 /// As [`Perception::check`].
@@ -88,14 +88,14 @@ pub fn simulate_seen(
     }))
 }
 
-/// Most strikes of one call of [`draw_strikes`]: 4 GB of them.
+/// The most strikes of one call of [`draw_strikes`]; they take 4 GB of memory.
 pub const MAX_DRAWN: usize = 100_000_000;
 
-/// `n` variants of `shot`'s own strike under `noise`: numbers `first`.. of this seed.
+/// Variants `first` to `first` + `n` − 1, of this seed, of `shot`'s own strike under `noise`.
 ///
 /// # Errors
-/// [`Error::Input`] if the shot has no strike, if [`Noise::check`] refuses, and for more than
-/// [`MAX_DRAWN`] strikes.
+/// [`Error::Input`] if the shot has no strike, as [`Noise::check`], and for more than [`MAX_DRAWN`]
+/// strikes.
 pub fn draw_strikes(
     shot: &Shot,
     noise: &Noise,

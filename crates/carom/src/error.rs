@@ -44,7 +44,7 @@ impl Error {
         }))
     }
 
-    /// The same error for a value that is under `key` of a larger one.
+    /// The same error with its place inside the value of `key`.
     pub fn inside(mut self, key: &str) -> Self {
         if let Self::Input(e) = &mut self {
             let dot = if e.place.is_empty() || e.place.starts_with('[') { "" } else { "." };
@@ -53,7 +53,7 @@ impl Error {
         self
     }
 
-    /// Whether the user gave something wrong (exit code 2), rather than the engine failing.
+    /// Whether the input is at fault (exit code 2), not the engine.
     pub const fn is_bad_input(&self) -> bool {
         matches!(self, Self::Input(_))
     }
@@ -71,8 +71,8 @@ impl fmt::Display for Error {
             }
             Self::TooManyEvents { cap, .. } => write!(
                 f,
-                "max_events: the shot was stopped at its cap of {cap} events; raise the cap, or \
-                 report the shot file that this error carries if so many look impossible"
+                "max_events: the shot was stopped at its cap of {cap} events; raise the cap, or, \
+                 if it cannot have so many events, report the shot file that this error carries"
             ),
         }
     }

@@ -13,15 +13,12 @@
 //!     r#"{
 //!         "format": "carom-shot/1",
 //!         "table": "wpa-9ft",
-//!         "balls": [{"id": "cue", "position": [0.45, 0.75]}, {"id": "8", "position": [0.80, 1.45]}],
-//!         "strike": {"ball": "cue", "speed": 1.84, "azimuth_deg": 62.92, "side": 0.07, "height": -0.23}
-//!     }"#,
-//! )?;
-//! let trace = shot.simulate()?;
-//! let [(ball, pocket)] = trace.outcome().pocketed[..] else { panic!("the 8 falls") };
-//! assert_eq!((shot.balls()[usize::from(ball)].id.as_str(), pocket.name()), ("8", "top-right"));
-//! let quarter = trace.at(0.25)?; // every ball's exact state after 0.25 s
-//! assert!(quarter[0].velocity.length() < 1.84 * 1.5);
+//!   "balls": [{"id": "cue", "position": [0.45, 0.75]}, {"id": "8", "position": [0.80, 1.45]}],
+//!   "strike": {"ball": "cue", "speed": 1.84, "azimuth_deg": 62.92, "side": 0.07, "height": -0.23}
+//!   }"#, )?; let trace = shot.simulate()?; let [(ball, pocket)] = trace.outcome().pocketed[..]
+//!   else { panic!("one ball falls") }; assert_eq!((shot.balls()[usize::from(ball)].id.as_str(),
+//!   pocket.name()), ("8", "top-right")); let quarter = trace.at(0.25)?; // every ball's exact
+//!   state after 0.25 s assert!(quarter[0].velocity.length() < 1.84 * 1.5);
 //! # Ok(())
 //! # }
 //! ```
@@ -30,11 +27,11 @@
 //!   ([`Shot::from_json`]) or from a tree of values; [`rack`] sets up the balls. [`Table`] and
 //!   [`Physics`] describe the table.
 //! - [`Shot::simulate`] gives a [`Trace`]: all events, the state at any time, and curves to draw.
-//!   For the [`Outcome`] alone, or for the final state, [`simulate()`] with a recorder of [`event`]
-//!   allocates nothing.
+//!   A [`Simulator`] passes the events to any [`Recorder`](event::Recorder), such as the one that
+//!   collects an [`Outcome`], and reuses its memory for the next shot.
 //! - [`batch`]: many shots on all cores; [`noise`]: the scatter of a player's strikes.
 //! - [`error`]: every error names the place, the fault and the remedy.
-//! - Inside: [`motion`] between events, contact times ([`detect`]) and impacts ([`resolve`]).
+//! - Internals: [`motion`] between events, contact times ([`detect`]) and impacts ([`resolve`]).
 //!
 //! The same shot gives the same bits on every platform, with or without the features `std`
 //! (hardware square roots, wide vectors), `json` (files) and `parallel` (batches on all cores).

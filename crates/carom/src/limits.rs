@@ -2,8 +2,8 @@
 
 /// The most balls that a shot can have.
 ///
-/// Purpose: it bounds the arrays of a simulation, so that no shot allocates memory. A snooker
-/// table has 22 balls. Larger, and a set of balls no longer fits into 128 bits.
+/// Purpose: it bounds the arrays of a simulation, so that the event loop allocates no memory. A
+/// snooker table has 22 balls. Larger, and a set of balls no longer fits into 128 bits.
 pub const MAX_BALLS: usize = 128;
 
 /// Capacity, in balls, of the simulation for ordinary tables.

@@ -22,8 +22,8 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     libm::sincos(x)
 }
 
-/// Radians to degrees. If there is a number of degrees that [`radians`] turns back to exactly
-/// `radians`, the result is such a number.
+/// Radians to degrees. Where possible, the result is a number that [`radians`] converts
+/// back to the same bits.
 pub fn degrees(radians: f64) -> f64 {
     let near = radians * (180.0 / core::f64::consts::PI);
     let back = |d: &f64| self::radians(*d) == radians;

@@ -15,9 +15,9 @@
 //!
 //! # Strikes that cannot be played
 //!
-//! A cue never points upwards: an elevation below 0 becomes 0. Every other drawn value that a shot
-//! file would be refused for fails in the same way: a speed ≤ 0, an elevation of 90° or more, a tip
-//! that misses the ball or slips off it (unless `strike.miscue` says that miscues are played).
+//! A cue never points upwards: an elevation below 0 becomes 0. Any other variant that would be
+//! refused in a shot file fails with the same error: a speed ≤ 0, an elevation of 90° or more, a
+//! tip that misses the ball or slips off it (unless `strike.miscue` says that miscues are played).
 
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
@@ -51,8 +51,7 @@ const POSITION: Range = Range::closed(0.0, 0.1, " m");
 /// (Pan, Komar & Kong, *Development of new 9-ball test protocols for assessing expertise in cue
 /// sports*, 2021; Haar, van Assel & Faisal, *Motor learning in real-world pool billiards*, 2020),
 /// but we found none that measures the σ of the cue's motion. The σ of the direction about halves
-/// from level to level, around the Olympiad's 0.125°; docs/evaluate.md has what that means at the
-/// table.
+/// from level to level, around the Olympiad's 0.125°; docs/evaluate.md shows its effect on shots.
 pub const SKILLS: [(&str, Noise); 5] = [
     ("beginner", skill(0.40, 0.60, 2.0, 3.0)),
     ("casual", skill(0.25, 0.30, 1.5, 2.0)),
@@ -108,7 +107,7 @@ impl Noise {
         skill.or_else(|| (name == "olympiad").then(|| Self::olympiad(1.0)))
     }
 
-    /// The same with every σ times `multiplier`.
+    /// This noise with every σ multiplied by `multiplier`.
     #[must_use]
     pub const fn scaled(self, multiplier: f64) -> Self {
         Self {
@@ -137,7 +136,7 @@ impl Noise {
         Ok(())
     }
 
-    /// Variant `index` of the strike `meant`. `radius`: of the struck ball, m.
+    /// Variant `index` of the strike `meant`. `radius` is that of the struck ball, m.
     pub fn draw(&self, meant: &Strike, radius: f64, seed: u64, index: u64) -> Strike {
         let [speed, azimuth, elevation, side, height, _] = normal_deviates(seed, index);
         Strike {
@@ -157,9 +156,9 @@ pub struct Perception {
     pub position: f64,
 }
 
-/// Where a drawn position has no room for the ball, the error is halved at most so many times; then
-/// the ball keeps its position.
-const HALVINGS: u32 = 8;
+/// The most errors that are tried for a ball, each half as large as the one before, until one
+/// leaves room for the ball. If none does, the ball keeps its position.
+const MAX_TRIES: u32 = 8;
 
 impl Perception {
     /// Rejects a standard deviation out of its range.
@@ -179,16 +178,16 @@ impl Perception {
         shot.with_balls(self.places(shot, seed, index), shot.strike())
     }
 
-    /// The balls of `shot` with their positions in layout `index` of this seed. No ball overlaps
-    /// another or leaves the table: one that would, in the order of the shot, is moved by a smaller
-    /// error.
+    /// The balls of `shot` with their positions in layout `index` of this seed. The balls are moved
+    /// in the order of the shot. A ball that would overlap another or leave the table gets a
+    /// smaller error.
     pub fn places(&self, shot: &Shot, seed: u64, index: u64) -> Vec<PlacedBall> {
         let mut random = random(PERCEPTION_KEY, seed, index);
         let mut balls = shot.balls().to_vec();
         for i in 0..balls.len() {
             let mut error = normal_pair(&mut random).map(|deviate| self.position * deviate);
             let own = balls[i].state.position;
-            for _ in 0..HALVINGS {
+            for _ in 0..MAX_TRIES {
                 balls[i].state.position.x = own.x + error[0];
                 balls[i].state.position.y = own.y + error[1];
                 if shot::fits(i, &balls, shot.table()) {

@@ -9,8 +9,8 @@ use crate::error::Error;
 /// engine forms far from overflow; a kilometre, a tonne and a year all fit.
 pub(crate) const LARGEST: f64 = 1e9;
 
-/// A mass, radius, length or gravity that must be positive is at least this (a nanogram-like
-/// ball would only divide by almost zero).
+/// The smallest value of a mass, radius, length or gravity that must be positive. It keeps every
+/// quotient that the engine forms far from overflow; a microgram and a nanometre fit.
 pub(crate) const SMALLEST: f64 = 1e-9;
 
 /// The numbers that a key accepts.
@@ -25,7 +25,7 @@ pub(crate) struct Range {
 }
 
 impl Range {
-    /// Any finite number, in `unit`.
+    /// [−`LARGEST`, `LARGEST`].
     pub(crate) const fn any(unit: &'static str) -> Self {
         Self { low: -LARGEST, high: LARGEST, low_open: false, high_open: false, unit }
     }
@@ -41,11 +41,11 @@ impl Range {
     pub(crate) const fn above(low: f64, high: f64, unit: &'static str) -> Self {
         Self { low, high, low_open: true, high_open: false, unit }
     }
-    /// Greater than zero.
+    /// [`SMALLEST`, `LARGEST`].
     pub(crate) const fn positive(unit: &'static str) -> Self {
         Self::closed(SMALLEST, LARGEST, unit)
     }
-    /// Zero or more.
+    /// [0, `LARGEST`].
     pub(crate) const fn not_negative(unit: &'static str) -> Self {
         Self::closed(0.0, LARGEST, unit)
     }
@@ -57,7 +57,7 @@ impl Range {
         above && below
     }
 
-    /// Refuses `x`, which stands at `place`, if it is out of range or not finite.
+    /// Refuses the number `x` at `place` if it is out of range or not finite.
     pub(crate) fn check(&self, place: impl FnOnce() -> String, x: f64) -> Result<(), Error> {
         if self.contains(x) {
             return Ok(());
@@ -70,8 +70,8 @@ impl Range {
         Err(Error::input(place(), what, format!("write {}", self.describe())))
     }
 
-    /// Whether any finite number may stand here, since it is one that an engine wrote. Such keep
-    /// their bits.
+    /// Whether the range is for numbers that the engine computed, such as the states of a trace. It
+    /// then has no upper limit, so that every such number can be read back.
     pub(crate) const fn is_result(&self) -> bool {
         self.high == f64::MAX
     }

@@ -1,15 +1,15 @@
-//! How work is shared among threads: by a [`Runner`], everywhere in the workspace.
+//! A [`Runner`] shares work among threads, everywhere in the workspace.
 //!
-//! Batches, evaluations, searches, maps, sweeps and environments all ask the same question: one
-//! answer for each of many items, worked out by as many threads as the user allows. A `Runner`
-//! holds that policy:
+//! Batches, evaluations, searches, maps, sweeps and environments all compute one result for each of
+//! many items, on the number of threads that the user allows. A `Runner` does this for all of them
+//! by the same rules:
 //!
 //! - Results come in the order of the items and do not depend on the number of threads.
-//! - `None` threads is one for each core, in the pool that the whole program shares; 1 runs on the
+//! - `None` means one thread for each core, in a pool that the whole program shares; 1 means the
 //!   calling thread; any other number gets a pool of its own, which lives as long as the runner
 //!   and its clones. Make one runner for a task and use it for every round of that task.
-//! - A number that cannot be had is an [`Error::Input`] at `threads`, never another number in
-//!   silence.
+//! - If the number of threads is not available, the result is an [`Error::Input`] at `threads`. The
+//!   runner never uses another number instead.
 //! - Without the feature `parallel` all work runs on the calling thread, with the same results.
 //!
 //! ```
@@ -30,8 +30,8 @@ use alloc::vec::Vec;
 
 use crate::error::Error;
 
-/// Most threads of a runner. No machine has that many cores to offer; several times as many
-/// threads would exhaust the memory or the process table before any work is done.
+/// The most threads of a runner. Few machines have so many cores, and several times as many threads
+/// would exhaust the memory or the process table before any work is done.
 pub const MAX_THREADS: usize = 1024;
 
 /// The threads that a task may use. A clone uses the same ones.
@@ -55,7 +55,7 @@ enum Threads {
 }
 
 impl Runner {
-    /// So many threads, or one for each core.
+    /// A runner with this number of threads; `None` means one for each core.
     ///
     /// # Errors
     /// [`Error::Input`] at `threads` for 0, for more than [`MAX_THREADS`], and if the operating
@@ -80,7 +80,7 @@ impl Runner {
             Err(error) => Err(Error::input(
                 "threads",
                 format!("{count} threads could not be started ({error})"),
-                "ask for fewer, or leave it out",
+                "choose a smaller number, or leave it out",
             )),
         }
     }
@@ -102,18 +102,19 @@ impl Runner {
         }
     }
 
-    /// What `work` returns for each of `items`, in their order.
+    /// The results of `work` for each of `items`, in the order of the items.
     ///
-    /// `make_worker` makes what a thread needs to work and can use again for its next item, such as
-    /// a [`Simulator`](crate::Simulator) or a recorder. It is called at least once for each thread
-    /// that takes part, so that `work` must not let a result depend on the items before.
+    /// `make_worker` makes a value that a thread needs for its work and reuses for its next item,
+    /// such as a [`Simulator`](crate::Simulator) or a recorder. It is called at least once for each
+    /// thread that takes part. So the result of `work` must not depend on the items before.
     ///
-    /// Handing out an item costs some hundred nanoseconds: where an item is less work than some ten
-    /// microseconds, make chunks of them (`slice.chunks(n)`, `chunks_mut(n)`) and let a chunk be
-    /// the item. To report progress, or to let a user stop, call `map` for one part of the items
-    /// after the other.
+    /// The overhead for each item is a few hundred nanoseconds. If the work for an item takes less
+    /// than about ten microseconds, pass chunks of them as items (`slice.chunks(n)`,
+    /// `chunks_mut(n)`). To report progress, or to let a user stop, call `map` for one part of the
+    /// items after the other.
     ///
-    /// A result may be a [`Result`]: collect them to get the error of the first item that failed.
+    /// If `work` returns a [`Result`], collect the results into one to get the error of the first
+    /// item that failed.
     pub fn map<I: Send, W, T: Send>(
         &self,
         items: impl IntoIterator<Item = I>,
@@ -136,7 +137,8 @@ impl Runner {
     }
 }
 
-/// [`Runner::map`] in the pool that the calling thread belongs to, else in the program's own.
+/// [`Runner::map`] in the pool of the calling thread or, if it belongs to none, in the pool that
+/// the whole program shares.
 #[cfg(feature = "parallel")]
 fn in_parallel<I: Send, W, T: Send>(
     items: Vec<I>,

@@ -53,7 +53,7 @@ fn unit(word: u64) -> f64 {
     ((word >> 12) as f64 + 0.5) * CELL
 }
 
-/// A number in (0, 1) as a fraction of 2⁶⁴; odd, so that its multiples visit every number.
+/// A number in (0, 1) in units of 2⁻⁶⁴; odd, so that its multiples visit every such number.
 fn in_turns(x: f64) -> u64 {
     const WHOLE: f64 = 18_446_744_073_709_551_616.0;
     (x * WHOLE) as u64 | 1

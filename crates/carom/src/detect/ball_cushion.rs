@@ -5,9 +5,10 @@
 //! that is shifted by δ along its normal, and a round part whose radius r is increased to r + δ.
 //! Parts that join tangentially still do so when they are shifted.
 //!
-//! At a join, a rounding error must neither open a gap nor stop a ball that rolls along a nose at
-//! the point at its end. So straight parts are lengthened by [`JOIN_OVERLAP`], while round ones end
-//! exactly, and a part is met also by a ball that enters the part's span from the side.
+//! Where two parts join, a rounding error must not open a gap, and the point at the end of a nose
+//! must not stop a ball that rolls along the nose. So straight parts are lengthened by
+//! [`JOIN_OVERLAP`], and round parts are not. A ball that enters the span of a part from the side
+//! also meets the part.
 //!
 //! [`Table::reach`]: crate::Table::reach
 
@@ -28,7 +29,7 @@ pub fn first_touch(shape: &Shape, reach: f64, path: &Motion<2>, horizon: f64) ->
             let arc = RoundPart { center, start, end, distance: radius + reach };
             arc.first_touch(path, horizon)
         }
-        // Behind the hole, or above the ball.
+        // A liner is behind the hole; a rail's top is above the ball.
         Shape::Hollow { .. } | Shape::Plane { .. } => None,
     }
 }

@@ -94,9 +94,9 @@ fn stays_inside(limit: f64, d: f64, v: f64, h: f64, horizon: f64) -> bool {
     d.abs() + horizon * (v.abs() + horizon * h.abs()) < limit
 }
 
-/// A coordinate that turns back before the horizon counts as one that does not if its speed
-/// backwards is at most this fraction of its initial speed. Rounding lets that happen to a ball
-/// that rolls until it is at rest. It moves back by less than the rounding error of a position.
+/// A coordinate counts as moving in one direction only if its speed backwards, at the horizon, is
+/// at most this fraction of its initial speed. Rounding causes such a speed when a ball rolls until
+/// it is at rest. The ball moves back by less than the rounding error of a position.
 const NO_TURN: f64 = 1e-12;
 
 /// A coordinate that ends at least this far inside its limit has not reached it, m: ten thousand

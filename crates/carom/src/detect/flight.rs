@@ -19,9 +19,9 @@ use super::edge::{self, below, earlier, first_touch_of_hole, keeps_below, plan, 
 use crate::math::Vec2;
 use crate::table::{Bounds, Capture, Shape, Table};
 
-/// How far ahead of the ball the surface under it is looked up (slate or hole, rail's top or
-/// opening), m: a ball exactly above an edge moves towards one of the two. Ten thousand rounding
-/// errors of a position.
+/// The surface under a ball (slate or hole, rail's top or opening) is the one below a point this
+/// far ahead of the centre, m: a ball exactly above an edge moves towards one of the two. Ten
+/// thousand rounding errors of a position.
 const LOOK_AHEAD: f64 = 1e-12;
 
 /// A centre at most this far above the slate's surface counts as below it, m, so that one passage

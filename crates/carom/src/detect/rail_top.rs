@@ -1,6 +1,6 @@
-//! The end of a ball's way on a rail's top.
+//! When and where a ball on a rail's top loses its support.
 //!
-//! A ball that rolls or slides there loses its support where its centre crosses an edge line
+//! A ball that rolls or slides on a top loses its support where its centre crosses an edge line
 //! towards the cloth or a pocket's opening, or the outer border.
 
 use carom_roots::{Motion, first_crossing};
@@ -60,7 +60,7 @@ fn vec([x, y]: [f64; 2]) -> Vec2 {
     Vec2::new(x, y)
 }
 
-/// The time at which the centre crosses the edge line `shape` away from the top.
+/// The time at which the centre leaves the top across the edge line `shape`.
 fn edge_crossing(shape: &Shape, path: &Motion<2>, end: f64) -> Option<f64> {
     match *shape {
         Shape::Segment { start, end: other, normal } => {

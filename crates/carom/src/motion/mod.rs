@@ -1,8 +1,8 @@
 //! Closed-form paths between events (Leckie & Greenspan 2005; 2006, eqs. 1–4).
 //!
 //! Within one motion state a ball's centre moves on r(t) = r₀ + v₀t + ht², where h is half its
-//! constant acceleration, and its spin is linear in time. One file per motion state has the start
-//! of this path, its duration and the state that follows.
+//! constant acceleration, and its spin is linear in time. Each motion state has a file with its
+//! path, its duration and the state that follows.
 
 mod airborne;
 mod rolling;

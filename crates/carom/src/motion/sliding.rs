@@ -6,8 +6,8 @@ use crate::math::{Vec2, Vec3};
 use crate::physics::Cloth;
 use crate::{BallState, MotionState};
 
-/// A slide that ends at less than this fraction of its slip speed ends at rest (exactly, Rω₀ = −2.5
-/// v₀); the rest is rounding error.
+/// A ball is at rest after a slide if its computed speed is then at most this fraction of the
+/// initial slip speed, because that is a rounding error. The exact speed is 0 for Rω₀ = −2.5 v₀.
 const DEAD_STOP: f64 = 1e-13;
 
 /// Friction opposes the slip u = v + Rẑ×ω, whose direction û does not change:

@@ -10,7 +10,7 @@ use crate::resolve::cue_ball::Strike;
 use crate::shot::{DEFAULT_MAX_EVENTS, Parts, PlacedBall, Shot, StrikePolicy, checked_balls};
 use crate::{Ball, BallState, Physics, Table};
 
-/// The cue ball on English tables (1⅞ in; from memory).
+/// The cue ball on English tables (1⅞ in; not checked against a source).
 const ENGLISH_CUE_BALL: Ball = Ball { mass: 0.094, radius: 0.023_812_5 };
 
 /// The cue ball of `table`, if it differs from the object balls.
@@ -23,9 +23,9 @@ pub fn cue_ball_of_its_own(table: &Table) -> Option<Ball> {
 pub struct Break<'a> {
     /// The game.
     pub game: Game,
-    /// The table preset's name; none for [`Game::table`].
+    /// The table preset's name; `None` stands for [`Game::table`].
     pub table: Option<&'a str>,
-    /// The cue's speed, m/s; none for [`Game::break_speed`].
+    /// The cue's speed, m/s; `None` stands for [`Game::break_speed`].
     pub speed: Option<f64>,
     /// Seed of the rack.
     pub seed: u64,
@@ -41,9 +41,9 @@ impl Break<'_> {
 }
 
 impl Game {
-    /// The cue's speed in a usual opening shot, m/s. Full breaks: 24 mph of the cue ball (Onoda,
-    /// in Dr. Dave's FAQ) from a cue of 1.35 times less. The others are safeties or plain shots;
-    /// estimated.
+    /// The cue's speed in a usual opening shot, m/s. In full breaks the cue ball has 24 mph (Onoda,
+    /// in Dr. Dave's FAQ), and the cue is 1.35 times slower. The others are safeties or plain
+    /// shots; their speeds are estimated.
     pub const fn break_speed(self) -> f64 {
         match self {
             Self::EightBall | Self::NineBall | Self::TenBall => 8.0,
@@ -69,8 +69,7 @@ impl Game {
 /// The opening shot of a game: its rack, and the cue ball struck in the middle at the balls.
 ///
 /// # Errors
-/// [`Error::Input`] for a table that does not exist, and what [`rack`] and [`Shot::with_balls`]
-/// refuse.
+/// [`Error::Input`] for a table that does not exist, as [`rack`], and as [`Shot::with_balls`].
 pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
     let game = opening.game;
     let name = opening.table.unwrap_or(game.table());
@@ -96,7 +95,7 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
     }
     let strike = Strike {
         speed: opening.speed.unwrap_or(game.break_speed()),
-        // The angle that a file gives in degrees, as which breaks are written.
+        // A shot file has this angle in degrees, and reading it again must give the same bits.
         azimuth: radians(degrees(azimuth)),
         elevation: 0.0,
         side: 0.0,

@@ -33,7 +33,7 @@ const WIDEST_GAP: f64 = 5e-3;
 const PINK_GAP: f64 = 1e-3;
 
 /// Distance of the cue ball from the middle of the head string in a three-cushion start, m (UMB;
-/// from memory).
+/// not checked against the rules' text).
 const THREE_CUSHION_OFFSET: f64 = 0.1825;
 
 /// PCG's stream. Any constant would do; another one changes the rack of every seed.
@@ -94,7 +94,7 @@ impl Game {
         })
     }
 
-    /// The table preset that it is played on.
+    /// The table preset that the game is played on.
     pub const fn table(self) -> &'static str {
         match self {
             Self::Snooker => "snooker-12ft",
@@ -111,8 +111,7 @@ pub type RackedBall = (String, [f64; 2]);
 /// (m); `gap` (m) is the mean gap between neighbours, 0 for a frozen rack.
 ///
 /// # Errors
-/// [`Error::Input`] for unbounded cloth, a gap outside [0, 5 mm], or balls that are not smaller
-/// than the table.
+/// [`Error::Input`] for unbounded cloth, a gap outside [0, 5 mm], or balls too large for the table.
 pub fn rack(
     game: Game,
     table: &Table,

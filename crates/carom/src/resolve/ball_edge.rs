@@ -9,9 +9,14 @@
 //! A ball that falls over an edge turns about it. Here it does so in small hops, each of them a
 //! parabola between two contacts. So impacts and flight suffice, and the place where the ball
 //! leaves the edge need not be computed. With restitution alone the hops would die out in an
-//! infinite number of contacts. So the ball separates at least so fast that it comes back after
-//! [`HOP_TIME`]; or, if that is shorter, after the fraction [`PULL_SHARE`] of the time until the
-//! force that presses it on the edge would vanish, but not before it has turned by [`HOP_ANGLE`].
+//! infinite number of contacts. So the ball separates at a minimum speed, with which it comes back
+//! after the shortest of these times:
+//!
+//! * [`HOP_TIME`];
+//! * the fraction [`PULL_SHARE`] of the time until the force that presses it on the edge would
+//!   vanish, or the time in which it turns by [`HOP_ANGLE`] if that is longer;
+//! * on a round edge or wall, the time in which it moves by [`ROUND_ANGLE`] about the axis.
+//!
 //! So the hops become shorter towards the place where the ball leaves the edge. A hop has at most
 //! the fraction [`HOP_SHARE`] of the ball's kinetic energy. Velocity and spin of the rest of the
 //! motion are reduced by one common factor that makes up for this energy; a ball that turns without
@@ -27,8 +32,8 @@ use super::{Body, SPIN_PER_IMPULSE, restitution};
 use crate::math::{Vec2, Vec3, sqrt};
 use crate::physics::Surface;
 
-/// Longest duration of a hop, s; its height is then 0.08 mm. Longer, and the hops of a falling ball
-/// would be visible; shorter, and a slow ball would need more contacts.
+/// Longest duration of a hop, s; the hop is then 0.08 mm high. Longer, and the hops of a falling
+/// ball would be visible; shorter, and a slow ball would need more contacts.
 pub const HOP_TIME: f64 = 8e-3;
 
 /// A hop may always turn the ball about the edge by this angle, rad: two degrees, which is the
@@ -112,8 +117,9 @@ pub fn resolve(law: &Surface, gravity: f64, edge: &Edge, ball: &mut Body) {
     let mut velocity = ball.velocity - normal * along;
     let mut spin = ball.angular_velocity;
     let hop = edge.hop_speed(gravity, velocity);
-    // In a hop with the separation speed `parting` at most: twice the energy per unit mass.
-    let affordable = |velocity: Vec3, spin: Vec3| {
+    // The separation speed that the energy allows; twice the kinetic energy per unit mass, of the
+    // motion across the normal and of the whole motion.
+    let parting_and_energies = |velocity: Vec3, spin: Vec3| {
         let across = velocity.length_squared()
             + ball.radius * ball.radius * spin.length_squared() * (1.0 / SPIN_PER_IMPULSE);
         let total = across + along * along;
@@ -123,7 +129,7 @@ pub fn resolve(law: &Surface, gravity: f64, edge: &Edge, ball: &mut Body) {
     let slip = velocity + spin.cross(normal) * ball.radius;
     let speed = slip.length();
     if speed > 0.0 {
-        let (parting, ..) = affordable(velocity, spin);
+        let (parting, ..) = parting_and_energies(velocity, spin);
         let grip = law.friction * (along + parting);
         let share = (grip / speed).min(1.0 / (1.0 + SPIN_PER_IMPULSE));
         let impulse = slip * -share;
@@ -131,7 +137,7 @@ pub fn resolve(law: &Surface, gravity: f64, edge: &Edge, ball: &mut Body) {
         spin += normal.cross(impulse) * (SPIN_PER_IMPULSE / ball.radius);
     }
 
-    let (parting, across, total) = affordable(velocity, spin);
+    let (parting, across, total) = parting_and_energies(velocity, spin);
     if parting > along.abs() {
         let kept = sqrt((total - parting * parting) / across);
         velocity = velocity * kept;

@@ -3,19 +3,19 @@
 //! Friction of the cloth can push a ball with constant acceleration against another ball or a rail.
 //! With a constant coefficient of restitution e < 1 the ball then bounces infinitely often in
 //! finite time (Zeno's paradox), and the shot never ends. Real collisions become elastic as they
-//! become gentle: below the yield speed of the material only a little sound is lost. So the
-//! coefficient rises to 1 at low speed. No energy is added, and the bounces stop shrinking.
+//! become gentle: below the yield speed of the material only a little energy is lost, as sound. So
+//! the coefficient rises to 1 at low speed. No energy is added, and the bounces stop shrinking.
 
 /// Approach speed up to which an impact is perfectly elastic, m/s: one millimetre per second; a
 /// ball this slow takes a minute to cross its own diameter. Larger, and clusters of balls come to
-/// rest differently; much smaller, and bounces shrink until they are lost in rounding errors.
+/// rest differently; much smaller, and bounces shrink until they are smaller than rounding errors.
 pub const ELASTIC: f64 = 1e-3;
 
 /// Approach speed from which a law's own restitution applies, m/s.
 pub const FULL: f64 = 2.0 * ELASTIC;
 
 /// Coefficient of restitution of an impact at `approach_speed` (m/s, ≥ 0): `e` from [`FULL`] on,
-/// exactly 1 up to [`ELASTIC`], linear and so continuous between.
+/// exactly 1 up to [`ELASTIC`], linear between the two, so it is continuous.
 #[inline]
 pub fn effective(e: f64, approach_speed: f64) -> f64 {
     if approach_speed >= FULL {

@@ -2,8 +2,8 @@
 
 use crate::limits::MAX_BALLS;
 
-/// Indices of balls, one bit each. An event changes few of all pairs; sets let the engine visit
-/// only those.
+/// Indices of balls, one bit each. An event changes few of the pairs; with sets the engine visits
+/// only these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct BallSet(u128);
 

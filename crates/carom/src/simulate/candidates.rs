@@ -24,7 +24,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 self.make_visible(i);
             }
         }
-        // A resting ball needs no search: its contacts are found by the balls that move.
+        // A resting ball needs no search: the searches of the moving balls find its contacts.
         for i in 0..self.n {
             if self.path[i].moves() {
                 self.find_contacts(i, 0.0);
@@ -32,7 +32,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    /// Computes again, at `time`, the candidates of the balls in `changed`, whose paths are new.
+    /// Recomputes, at `time`, the candidates of the balls in `changed`, which have new paths.
     #[inline(always)]
     pub(super) fn find_candidates(&mut self, changed: &[u16], time: f64, table: &Table) {
         let mut others = BallSet::EMPTY;
@@ -57,7 +57,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    /// Finds the time at which ball `i`'s motion state ends, and what it meets on the table before.
+    /// Finds the time at which ball `i`'s motion state ends, and what it meets on the table before
+    /// that time.
     #[inline(always)]
     pub(super) fn find_own_candidates(&mut self, i: usize, time: f64, table: &Table) {
         let path = &self.path[i];

@@ -12,10 +12,10 @@ use crate::resolve::ball_ball::network::{self, MAX_BODIES, MAX_CONTACTS, Touch};
 use crate::table::TOUCH_TOLERANCE;
 use crate::{BallState, Physics};
 
-/// From this approach speed on, m/s, an impact acts together with all contacts of balls that touch
-/// or nearly touch ([`CLOSING_TIME`]). In slower impacts only contacts of the same instant act
-/// together. Friction of the cloth causes thousands of slow contacts where it presses balls
-/// together, most below 1 mm/s; each is so weak that it can be resolved alone.
+/// An impact with at least this approach speed, m/s, is resolved together with all contacts of
+/// balls that touch or nearly touch ([`CLOSING_TIME`]). A slower impact is resolved together with
+/// contacts of the same instant only. Friction of the cloth causes thousands of slow contacts where
+/// it presses balls together, most below 1 mm/s; each is so weak that it can be resolved alone.
 const NETWORK_SPEED: f64 = 1e-2;
 
 /// Gaps that the approach closes within this time, s, count as touching: a fifth of a contact's
@@ -29,9 +29,9 @@ pub(crate) const CLOSING_TIME: f64 = 5e-5;
 /// would move asymmetrically.
 const SAME_INSTANT_GAP: f64 = 1e-14;
 
-/// Contacts slower than this, m/s, are always resolved as pairs: they are rounding errors or the
-/// beginning of a push, for which there is a rule of its own (`persistent_contact.rs`). It is ten
-/// thousand times the speed that counts as 0.
+/// Contacts slower than this, m/s, are always resolved as pairs: they are rounding errors, or the
+/// beginning of a persistent contact (`persistent_contact.rs`). It is ten thousand times the speed
+/// that counts as 0.
 const SLOWEST: f64 = 1e-9;
 
 /// Number of balls tested together by vector instructions. It divides every capacity.
@@ -99,11 +99,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     #[inline(always)]
     fn is_crowded(&self, a: usize, b: usize, time: f64) -> bool {
         let l = &self.lanes;
-        let faster = |v: &[f64; N], h: &[f64; N]| {
+        let relative_speed = |v: &[f64; N], h: &[f64; N]| {
             let speed = |k: usize| v[k] + 2.0 * h[k] * (time - l.start[k]);
             (speed(a) - speed(b)).abs()
         };
-        let fastest = faster(&l.vx, &l.hx) + faster(&l.vy, &l.hy);
+        // An upper bound of the approach speed.
+        let fastest = relative_speed(&l.vx, &l.hx) + relative_speed(&l.vy, &l.hy);
         let near = TOUCH_TOLERANCE + CLOSING_TIME * fastest;
         let (p, q) = (clearance(self.disc(a, time), near), clearance(self.disc(b, time), near));
         let mut close = 0;

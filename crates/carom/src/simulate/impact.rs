@@ -16,9 +16,9 @@ use crate::table::Part;
 use crate::{Ball, BallState, Physics};
 
 /// Sine and cosine of the angle by which the wall of a liner leans over the hole, so that it
-/// deflects a fast ball downwards: 15°, as the back draft of a facing. Detection treats the wall as
-/// upright, at its mean position. Estimated: no rule book gives the angle. Smaller, and a ball that
-/// rolls at 2.3 m/s into the middle of the pocket climbs the wall and comes out again.
+/// deflects a fast ball downwards: 15°, like the back draft of a facing. Detection treats the wall
+/// as upright, at its mean position. Estimated: no rule book gives the angle. Smaller, and a ball
+/// that rolls at 2.3 m/s into the middle of the pocket climbs the wall and comes out again.
 const LINER_LEAN: [f64; 2] = [0.258_819_045_102_520_76, 0.965_925_826_289_068_3];
 
 /// Least slope of the line of centres of a ball that bounces on top of another. A smaller slope is
@@ -212,17 +212,17 @@ fn meet_edge(law: &Cushion, physics: &Physics, edge: &Edge, is_liner: bool, ball
         ball_edge::resolve(&surface, physics.gravity, edge, &mut pressed);
         return pressed;
     }
-    let throw = |normal| {
-        let mut thrown = ball;
-        resolve::ball_cushion::resolve(law, &physics.cloth, normal, false, &mut thrown);
-        thrown
+    let bounce = |normal| {
+        let mut bounced = ball;
+        resolve::ball_cushion::resolve(law, &physics.cloth, normal, false, &mut bounced);
+        bounced
     };
     if !is_liner || edge.normal.z != 0.0 {
-        return throw(edge.normal);
+        return bounce(edge.normal);
     }
-    let thrown = throw(leaning(edge.normal));
+    let bounced = bounce(leaning(edge.normal));
     // A ball that falls along the wall does not hit its slope.
-    if thrown.velocity.dot(edge.normal) > 0.0 { throw(edge.normal) } else { thrown }
+    if bounced.velocity.dot(edge.normal) > 0.0 { bounce(edge.normal) } else { bounced }
 }
 
 /// The normal of a liner's leaning wall, given that of the upright wall.

@@ -39,7 +39,7 @@ pub(super) const PUSH_PERIOD: f64 = 1e-3;
 
 /// The minimum separation speed in a persistent contact, m/s. The contact then recurs after 2v/a, 1
 /// ms under a sliding ball. Larger, and the bounces would become visible (now 0.25 µm under a
-/// sliding ball, 10 µm under the faintest push of rolling balls); smaller, and there are more
+/// sliding ball, 10 µm under the weakest push of rolling balls); smaller, and there are more
 /// events.
 pub(super) const MIN_SEPARATION: f64 = 1e-3;
 

@@ -1,5 +1,5 @@
-//! One ball against all others: which of them could it meet? This is the only part of the engine
-//! where vector instructions pay off.
+//! The search for the balls that one ball may meet, several at a time with vector instructions.
+//! It is the only part of the engine that is also compiled for AVX2.
 
 use carom_roots::{Motion, Row};
 
@@ -86,7 +86,7 @@ impl<const N: usize> PossiblePartners<N> {
     }
 }
 
-/// The least of the first `n` numbers; the rest of the last block is included. None may be NaN.
+/// The least of the first `n` numbers and the rest of their last block. None may be NaN.
 #[inline(always)]
 pub(super) fn least<const N: usize>(numbers: &[f64; N], n: usize) -> f64 {
     let mut least = [f64::INFINITY; BLOCK];
@@ -98,9 +98,9 @@ pub(super) fn least<const N: usize>(numbers: &[f64; N], n: usize) -> f64 {
     least.into_iter().fold(f64::INFINITY, earlier)
 }
 
-/// Calls `visit` with the index of each of the first `n` numbers that has the bits of `number`; the
-/// rest of the last block is included. Integers, because comparing and branching takes fewer
-/// instructions than for floating-point numbers.
+/// Calls `visit` with the index of each number that has the bits of `number`, among the first `n`
+/// and the rest of their last block. The bits are compared as integers, because that takes fewer
+/// instructions than comparing floating-point numbers.
 #[inline(always)]
 pub(super) fn each_equal<const N: usize>(
     numbers: &[f64; N],
@@ -129,8 +129,8 @@ pub(super) fn has_wide_vectors() -> bool {
 }
 
 impl<const N: usize> Lanes<N> {
-    /// The motions of [`BLOCK`] balls, the first of them `from`, relative to ball `i`, whose path
-    /// is valid until `valid_until`, from `time` on.
+    /// The motions, from `time` on, of [`BLOCK`] balls relative to ball `i`. The first of them is
+    /// ball `from`; the path of ball `i` is valid until `valid_until`.
     #[inline(always)]
     fn row(&self, (i, valid_until): (usize, f64), from: usize, time: f64) -> Row<BLOCK> {
         let age = time - self.start[i];

@@ -9,7 +9,7 @@ use crate::math::Vec3;
 use crate::resolve::{Body, restitution};
 
 /// Resolves the contact of `flyer` with `held`. `normal` is the unit vector from the first ball's
-/// centre to the second's, `restitution` that of the law. Balls that do not approach are left
+/// centre to the second's, `restitution` the law's coefficient. Balls that do not approach are left
 /// unchanged.
 pub fn resolve(restitution: f64, normal: Vec3, flyer: &mut Body, held: &mut Body) {
     let approach = (flyer.velocity - held.velocity).dot(normal);
@@ -38,7 +38,7 @@ mod tests {
     }
 
     #[test]
-    fn hit_from_straight_above_the_lower_ball_acts_like_a_wall() {
+    fn a_ball_that_is_hit_from_straight_above_acts_like_a_wall() {
         let (mut a, mut b) = (ball(Vec3::new(0.1, 0.0, -0.04)), ball(Vec3::ZERO));
         resolve(0.9, Vec3::new(0.0, 0.0, -1.0), &mut a, &mut b);
         assert!((a.velocity.z - 0.036).abs() < 1e-17 && a.velocity.x == 0.1);
@@ -46,7 +46,7 @@ mod tests {
     }
 
     #[test]
-    fn hit_at_an_angle_the_lower_ball_moves_along_the_slate_and_energy_is_conserved() {
+    fn a_hit_at_an_angle_moves_the_lower_ball_along_the_slate_and_conserves_energy() {
         let normal = Vec3::new(0.6, 0.0, -0.8);
         let (mut a, mut b) = (ball(Vec3::new(0.0, 0.0, -0.04)), ball(Vec3::ZERO));
         let before = energy([&a, &b]);

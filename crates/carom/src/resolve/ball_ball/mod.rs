@@ -10,11 +10,12 @@
 //! * [`compliant`]: the same with tangential compliance of the surfaces (Stronge);
 //! * [`mathavan_2014`]: the impulse integrated, with friction of the cloth where both balls stand
 //!   on it;
-//! * [`network`]: balls that touch when one of them is struck, all together.
+//! * [`network`]: balls that touch when one of them is hit, all together;
+//! * [`held`]: a ball that comes down gently on a ball that the slate holds.
 //!
-//! In every model restitution rises to 1 at low speed ([`super::restitution`]), the energy never
-//! rises, exchanging the two balls exchanges the results, and a mirrored impact has the mirrored
-//! result, bit for bit.
+//! In every model restitution rises to 1 at low speed ([`super::restitution`]), and the energy
+//! never rises. If the two balls are exchanged, so are the results, and a mirrored impact has the
+//! mirrored result, bit for bit.
 
 pub mod compliant;
 pub mod contact;

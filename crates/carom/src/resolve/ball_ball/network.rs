@@ -1,4 +1,4 @@
-//! Balls that touch each other when one of them is struck: all their contacts act at once.
+//! Balls that touch each other when one of them is hit: all their contacts act at once.
 //!
 //! A law of restitution does not determine the result for three balls in a row: for rigid bodies it
 //! is undetermined, and resolving the pairs one after another makes the result depend on their
@@ -14,7 +14,7 @@
 //!   the rigid models friction stops the slip. In the `compliant` model it is a spring as well: it
 //!   slides where μF is too small to hold it, and loses its part of the stored energy as the
 //!   contact opens. Its stiffness is (5/4)(ω_t/ω_n)²·(2/7) times F/δ. During a pair's contact it
-//!   then oscillates as far as Stronge's linear springs do, at any speed (the phase of
+//!   then oscillates through the same phase as Stronge's linear springs, at any speed (the phase of
 //!   √(7/2·k_t/m*) is π·ω_t/ω_n). `mathavan-2014` is treated like `frictional`, because its
 //!   friction of the cloth has no form for many balls.
 //!
@@ -43,13 +43,14 @@ use crate::table::TOUCH_TOLERANCE;
 /// The most balls in a network.
 pub const MAX_BODIES: usize = 24;
 
-/// The most contacts in a network. That many equal balls in a plane have at most ⌊3n − √(12n − 3)⌋
-/// = 55 contacts (Harborth 1974). Any others are resolved in a next impact at the same instant.
+/// The most contacts in a network. [`MAX_BODIES`] equal balls in a plane have at most
+/// ⌊3n − √(12n − 3)⌋ = 55 contacts (Harborth 1974). Any others are resolved in a further impact at
+/// the same instant.
 pub const MAX_CONTACTS: usize = 64;
 
 /// Length of the array of balls: at least [`MAX_BODIES`], and a power of two, so that an index
 /// modulo this number needs no bounds check.
-const BITS: usize = 32;
+const BALL_SLOTS: usize = 32;
 
 /// E* = E/(2(1 − ν²)) of ball material, Pa: 2270 N compress two 2¼ in balls by 0.2 mm
 /// (Alciatore, TP B.29).
@@ -59,7 +60,7 @@ pub const CONTACT_MODULUS: f64 = 5.04e9;
 const CONTACT_TIME: f64 = 3.21;
 
 /// The most steps of an impact. A frozen rack needs a few hundred. Balls that still approach after
-/// that meet again in a next impact at the same instant.
+/// that meet again in a further impact at the same instant.
 const MAX_STEPS: usize = 4000;
 
 /// x + `GRID` − `GRID` rounds x to a grid of 2⁻⁴⁴ (for |x| < 128). Sums of such numbers are exact
@@ -136,7 +137,7 @@ pub fn resolve_in_steps(
 ) -> bool {
     let touches = &touches[..touches.len().min(MAX_CONTACTS)];
     let Some(units) = Units::of(bodies, touches) else { return false };
-    let mut balls = [BallChange::default(); BITS];
+    let mut balls = [BallChange::default(); BALL_SLOTS];
     let mut links = [Link::default(); MAX_CONTACTS];
     for (ball, body) in balls.iter_mut().zip(bodies.iter()) {
         ball.mobility = units.mass / body.mass;
@@ -333,7 +334,7 @@ fn integrate<const GRIP: u8>(
     law: &BallBall,
     units: &Units,
     stepping: &Stepping,
-    balls: &mut [BallChange; BITS],
+    balls: &mut [BallChange; BALL_SLOTS],
     links: &mut [Link; MAX_CONTACTS],
 ) {
     let mut step = TimeStep::first(units, stepping);
@@ -351,7 +352,7 @@ fn integrate<const GRIP: u8>(
         let ahead = stepping.ahead * step.length;
         for k in Bits(active) {
             let link = &mut links[k];
-            let (a, b) = (&balls[link.a % BITS], &balls[link.b % BITS]);
+            let (a, b) = (&balls[link.a % BALL_SLOTS], &balls[link.b % BALL_SLOTS]);
             let velocity = a.velocity - b.velocity;
             let approach = link.approach + velocity.dot(link.normal);
             let (speedup, last) = (approach - link.now, link.speedup);
@@ -386,10 +387,10 @@ fn integrate<const GRIP: u8>(
             }
             let push = round_to_grid(push);
             loaded |= link.both;
-            let a = &mut balls[link.a % BITS];
+            let a = &mut balls[link.a % BALL_SLOTS];
             a.push -= push;
             a.turn += turn;
-            let b = &mut balls[link.b % BITS];
+            let b = &mut balls[link.b % BALL_SLOTS];
             b.push += push;
             b.turn += turn;
         }
@@ -398,7 +399,7 @@ fn integrate<const GRIP: u8>(
         if loaded != 0 {
             drift = 0.5 * (last + step.length);
             for k in Bits(u64::from(loaded)) {
-                active |= balls[k % BITS].update();
+                active |= balls[k % BALL_SLOTS].update();
             }
         } else if next_contact < f64::INFINITY {
             drift = next_contact + 0.5 * step.length;

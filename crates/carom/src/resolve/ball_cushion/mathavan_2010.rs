@@ -43,8 +43,8 @@ const MET: f64 = 1e-11;
 /// First step in P if no contact is stiff.
 const FIRST_STEP: f64 = 0.3;
 
-/// From this product of step and [`Squeeze::stiffness`] on a step is implicit. The explicit method
-/// is stable up to 3.3.
+/// A step is implicit if the product of its length and [`Squeeze::stiffness`] is at least this. The
+/// explicit method is stable up to 3.3.
 const STIFF: f64 = 2.0;
 
 /// The most steps in one phase; 10 to 100 are usual. A phase that needs more is cut off, which only

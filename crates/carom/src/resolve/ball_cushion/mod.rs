@@ -1,4 +1,4 @@
-//! NoseContact of a ball on a cushion: one file per published model.
+//! Impact of a ball on a cushion: one file per published model.
 //!
 //! The nose is an edge. The contact's normal **n** points from the ball's centre to the point of
 //! contact, at the angle θ above the horizontal: sin θ = (h − z)/R for an edge at height h and a
@@ -115,7 +115,7 @@ impl CushionRestitution {
     /// this range beyond the measured speeds (Han's reaches 0 at 7.1 m/s).
     #[inline]
     pub fn at(&self, v: f64) -> f64 {
-        // A constant does not depend on the speed, which may still be in computation.
+        // With a constant the processor need not wait for the speed.
         let e = if self.b == 0.0 && self.c == 0.0 { self.a } else { self.value(v) };
         e.clamp(0.0, 1.0)
     }
@@ -124,7 +124,7 @@ impl CushionRestitution {
         self.a + v * (self.b + v * self.c)
     }
 
-    /// Whether the fitted polynomial is in 0..=1 at any normal speed at all.
+    /// Whether there is a normal speed ≥ 0 at which the fitted polynomial is in 0..=1.
     pub fn is_possible(&self) -> bool {
         let at_rest = self.a;
         let turns = self.b * self.c < 0.0;

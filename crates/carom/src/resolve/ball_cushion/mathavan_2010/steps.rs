@@ -147,7 +147,8 @@ fn sum(y: &State, terms: &[(f64, &State)]) -> State {
     core::array::from_fn(|i| terms.iter().fold(y[i], |sum, (a, k)| sum + a * k[i]))
 }
 
-/// The L-stable method of table IV.7.2, in the form without products with the Jacobian.
+/// The L-stable method of Hairer & Wanner II, table IV.7.2, in the form without products with the
+/// Jacobian.
 mod ros4 {
     pub(super) const GAMMA: f64 = 0.572_82;
     pub(super) const A21: f64 = 2.0;
