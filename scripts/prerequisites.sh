@@ -10,6 +10,8 @@
 #   prerequisites.sh print-python  the Python that the virtual environment is made with
 set -euo pipefail
 cd "$(dirname "$0")/.."
+# make passes a job server that these checks do not use; rustc would warn of it.
+unset MAKEFLAGS
 
 wasm=wasm32-unknown-unknown
 missing=()
