@@ -67,7 +67,7 @@ def main() -> int:
 def vector(**more: Any) -> Any:
     """The vector environment."""
     return gymnasium.make_vec(
-        "carom/EightBall-v2",
+        "carom/EightBall-v3",
         num_envs=ENVIRONMENTS,
         balls=(4, 9),
         noise=NOISE,

@@ -27,25 +27,25 @@ NAMES = sorted(carom.env.ENVIRONMENTS)
 TASKS = sorted(carom.env.ENVIRONMENTS.values())
 # Object balls of a game that begins in the middle: the setting, and additional ones.
 MIDDLES = {
-    "carom/EightBall-v2": (6, 0),
+    "carom/EightBall-v3": (6, 0),
     "carom/NineBall-v0": (3, 0),
     "carom/TenBall-v1": (4, 0),
     "carom/StraightPool-v1": (5, 0),
-    "carom/Snooker-v2": (2, 6),
-    "carom/ThreeCushion-v2": (2, 0),
+    "carom/Snooker-v3": (2, 6),
+    "carom/ThreeCushion-v3": (2, 0),
 }
 NOISE = carom.Noise.olympiad(1.0)
 
 # SHA-256 of five steps of sixteen environments.
 RESULTS = {
-    "carom/EightBall-v2": "0c4c2013278f6f18",
+    "carom/EightBall-v3": "0c4c2013278f6f18",
     "carom/NineBall-v0": "58cd45a81c85ad5d",
     "carom/Potting-v0": "54652ea9dcc8c0f1",
-    "carom/Snooker-v2": "275554f7f95baeea",
+    "carom/Snooker-v3": "275554f7f95baeea",
     "carom/StraightPool-v1": "f17a6b26a6904ee7",
     "carom/SumToThree-v0": "9a30aeeee246b15a",
     "carom/TenBall-v1": "7f5f02ddfabf2e78",
-    "carom/ThreeCushion-v2": "c570932ba40c4b46",
+    "carom/ThreeCushion-v3": "c570932ba40c4b46",
 }
 
 
@@ -145,13 +145,13 @@ def test_a_game_can_begin_in_the_middle(name: str) -> None:
 
 
 def test_different_seeds_give_different_games() -> None:
-    envs = gymnasium.make_vec("carom/EightBall-v2", num_envs=4)
+    envs = gymnasium.make_vec("carom/EightBall-v3", num_envs=4)
     one, other = play(envs, 2, seed=3), play(envs, 2, seed=30)
     assert any((a != b).any() for a, b in zip(one, other, strict=True))
 
 
 def test_make_vec_steps_in_rust() -> None:
-    envs = gymnasium.make_vec("carom/EightBall-v2", num_envs=8)
+    envs = gymnasium.make_vec("carom/EightBall-v3", num_envs=8)
     assert isinstance(envs.unwrapped, carom.env.CaromVectorEnv)
     assert envs.metadata["autoreset_mode"] is AutoresetMode.SAME_STEP
 
@@ -267,7 +267,7 @@ def test_relative_aim_pots_often_and_is_rewarded() -> None:
 def test_noise_makes_potting_harder() -> None:
     def potted(noise: carom.Noise | None) -> float:
         match = gymnasium.make_vec(
-            "carom/EightBall-v2", num_envs=300, opponent="potter", noise=noise, balls=(4, 6)
+            "carom/EightBall-v3", num_envs=300, opponent="potter", noise=noise, balls=(4, 6)
         )
         match.reset(seed=0)
         wild = np.zeros(match.action_space.shape, dtype=np.float32)
@@ -278,7 +278,7 @@ def test_noise_makes_potting_harder() -> None:
 
 
 @pytest.mark.parametrize("opponent", ["random", "potter"])
-@pytest.mark.parametrize("name", ["carom/EightBall-v2", "carom/NineBall-v0", "carom/Snooker-v2"])
+@pytest.mark.parametrize("name", ["carom/EightBall-v3", "carom/NineBall-v0", "carom/Snooker-v3"])
 def test_with_an_opponent_the_agent_always_shoots_next(name: str, opponent: str) -> None:
     envs = gymnasium.make_vec(name, num_envs=8, opponent=opponent, noise=NOISE, patience=20)
     envs.action_space.seed(0)
@@ -288,7 +288,7 @@ def test_with_an_opponent_the_agent_always_shoots_next(name: str, opponent: str)
         assert (info["player"] == 0).all()
 
 
-@pytest.mark.parametrize("name", ["carom/ThreeCushion-v2", "carom/SumToThree-v0"])
+@pytest.mark.parametrize("name", ["carom/ThreeCushion-v3", "carom/SumToThree-v0"])
 def test_the_shooter_continues_after_a_point(name: str) -> None:
     envs = gymnasium.make_vec(name, num_envs=200)
     envs.action_space.seed(0)
@@ -315,7 +315,7 @@ def test_episodes_end_even_if_nothing_is_hit() -> None:
 
 
 def test_actions_out_of_bounds_are_clipped_and_nan_counts_as_zero() -> None:
-    envs = gymnasium.make_vec("carom/EightBall-v2", num_envs=1)
+    envs = gymnasium.make_vec("carom/EightBall-v3", num_envs=1)
     envs.reset(seed=0)
     out = envs.step(np.full(envs.action_space.shape, 9.0, dtype=np.float32))
     envs.reset(seed=0)
@@ -456,7 +456,7 @@ def test_a_step_before_the_first_reset_is_refused(env: Any) -> None:
 
 
 def test_a_picture_is_an_array_of_pixels() -> None:
-    env = gymnasium.make("carom/Snooker-v2", render_mode="rgb_array")
+    env = gymnasium.make("carom/Snooker-v3", render_mode="rgb_array")
     env.reset(seed=0)
     picture = env.render()
     assert isinstance(picture, np.ndarray)

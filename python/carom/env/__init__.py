@@ -4,7 +4,7 @@
     import carom.env                                   # registers the environments
 
     env = gymnasium.make("carom/Potting-v0", balls=3)
-    envs = gymnasium.make_vec("carom/EightBall-v2", num_envs=4096)
+    envs = gymnasium.make_vec("carom/EightBall-v3", num_envs=4096)
     match = carom.env.aec("eight-ball")                # PettingZoo, two players
 
 Needs the extra: ``pip install carom[env]``.

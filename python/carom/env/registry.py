@@ -7,12 +7,12 @@ import gymnasium
 # The version increases when the same actions give other results.
 ENVIRONMENTS = {
     "carom/Potting-v0": "potting",
-    "carom/EightBall-v2": "eight-ball",
+    "carom/EightBall-v3": "eight-ball",
     "carom/NineBall-v0": "nine-ball",
     "carom/TenBall-v1": "ten-ball",
     "carom/StraightPool-v1": "straight-pool",
-    "carom/Snooker-v2": "snooker",
-    "carom/ThreeCushion-v2": "three-cushion",
+    "carom/Snooker-v3": "snooker",
+    "carom/ThreeCushion-v3": "three-cushion",
     "carom/SumToThree-v0": "sum-to-three",
 }
 
