@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+import math
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -144,6 +145,20 @@ def test_relative_values_are_added_to_the_own_numbers_of_each_layout(spec: Spec)
     spec["vary"] = {"strike.azimuth_deg": {"grid": [88.5, 90.0, 78.5, 80.0]}}
     absolute = Sweep.from_dict(spec).table().take([0, 1, 6, 7])
     assert relative["end_x"].equals(absolute["end_x"])
+
+
+def test_relative_angles_are_added_to_a_strike_in_radians(pot: dict[str, Any]) -> None:
+    # Seen: a strike with `azimuth` in radians counted as one with an azimuth of 0°.
+    vary = {
+        "strike.azimuth_deg": {"grid": [-1.5, 0.0], "relative": True},
+        "strike.elevation_deg": {"grid": [0.0, 2.0], "relative": True},
+    }
+    spec = {"format": "carom-sweep/1", "shots": pot, "vary": vary}
+    pot["strike"] |= {"azimuth_deg": 88.0, "elevation_deg": 5.0}
+    in_degrees = Sweep.from_dict(spec).table()
+    del pot["strike"]["azimuth_deg"], pot["strike"]["elevation_deg"]
+    pot["strike"] |= {"azimuth": math.radians(88.0), "elevation": math.radians(5.0)}
+    assert Sweep.from_dict(spec).table().equals(in_degrees)
 
 
 def test_any_value_of_a_shot_file_may_vary(pot: dict[str, Any]) -> None:

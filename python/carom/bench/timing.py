@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.batch import simulate_batch
+from carom.batch import VARIABLES, own_strike, simulate_batch
 from carom.shot import Shot
 
 if TYPE_CHECKING:
@@ -178,8 +178,7 @@ def _repetitions(shot: Shot) -> int:
 
 def _untraced(shot: Shot, count: int) -> float:
     """Seconds per shot of a batch of `count` times the same strike."""
-    strike = shot.to_dict()["strike"]
-    speed = np.full(count, strike["speed"])
+    speed = np.full(count, own_strike(shot._core)[0])
     start = time.process_time()
     shot.batch(speed=speed, threads=1)
     return (time.process_time() - start) / count
@@ -226,14 +225,10 @@ def time_threads(shots: list[Shot]) -> dict[int, float]:
 def time_variants(shot: Shot) -> float:
     """Seconds that one call takes for `VARIANTS` variants of one shot, on all cores."""
     rng = np.random.default_rng(0)
-    strike = shot.to_dict()["strike"]
-    mean = {
-        "speed": strike["speed"],
-        "azimuth": np.radians(strike["azimuth_deg"]),
-        "side": strike.get("side", 0.0),
-        "height": strike.get("height", 0.0),
+    mean = dict(zip(VARIABLES, own_strike(shot._core), strict=True))
+    given: dict[str, Any] = {
+        name: mean[name] + sigma * rng.standard_normal(VARIANTS) for name, sigma in SPREAD.items()
     }
-    given = {name: mean[name] + SPREAD[name] * rng.standard_normal(VARIANTS) for name in SPREAD}
     start = time.perf_counter()
     shot.batch(**given)
     return time.perf_counter() - start

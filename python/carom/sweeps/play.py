@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -60,9 +61,9 @@ class RowPlayer:
         self.id_of = np.full((len(spec.layouts), self.balls), -1, dtype=np.int16)
         for row, shot in zip(self.id_of, spec.layouts, strict=True):
             row[: len(shot.ids)] = [self.ids.index(ball) for ball in shot.ids]
-        # The layouts' own strikes, in the units of shot files.
+        # The layouts' own strikes, with angles in degrees.
         files = [shot.to_dict().get("strike", {}) for shot in spec.layouts]
-        self.own = np.array([[strike.get(key, 0.0) for key in specs.STRIKE] for strike in files])
+        self.own = np.array([_own_strike(strike) for strike in files])
         self.parameter_schema = pa.schema(self._parameter_fields())
         self.schema = pa.schema([*self._parameter_fields(), *self._outcome_fields()])
 
@@ -306,6 +307,25 @@ class RowPlayer:
             return pa.array(values, mask=np.isnan(values))
         missing = failed | (values < 0) if name == "rails_before_second_ball" else failed
         return pa.array(values, mask=missing)
+
+
+def _own_strike(file: dict[str, Any]) -> list[float]:
+    """The numbers of a shot file's ``strike`` in the order of ``specs.STRIKE``."""
+
+    def number(key: str) -> float:
+        radians = file.get(key.removesuffix("_deg"))
+        if key.endswith("_deg") and radians is not None:
+            return _degrees(radians)
+        return float(file.get(key, 0.0))
+
+    return [number(key) for key in specs.STRIKE]
+
+
+def _degrees(radians: float) -> float:
+    """Degrees that Rust converts back to the same bits, where such a number exists."""
+    near = radians / specs.RADIANS
+    around = (near, math.nextafter(near, -math.inf), math.nextafter(near, math.inf))
+    return next((turn for turn in around if turn * specs.RADIANS == radians), near)
 
 
 def _field(name: str, kind: pa.DataType, meaning: str) -> pa.Field:
