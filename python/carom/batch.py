@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -72,11 +72,12 @@ def simulate_batch(
         Arrays in the order of ``shots``, padded to the shot with the most balls.
 
     Raises:
-        InputError: An item is not a ``carom.Shot``, ``threads`` is out of range, or there are too
-            many shots for one call. A shot that reaches its cap of events does not raise: it is
-            in ``errors`` of the result.
+        InputError: ``shots`` is not a list, an item is not a ``carom.Shot``, ``threads`` is out of
+            range, or there are too many shots for one call. A shot that reaches its cap of events
+            does not raise: it is in ``errors`` of the result.
     """
-    if not isinstance(shots, Iterable):
+    # An empty string or dict would otherwise pass as an empty list.
+    if isinstance(shots, str | bytes | bytearray | Mapping) or not isinstance(shots, Iterable):
         raise InputError(f"shots: found a {type(shots).__name__}; give a list of carom.Shot")
     cores = [
         core(f"shots[{index}]", shot, _core.Shot, "carom.Shot.from_dict(...)")

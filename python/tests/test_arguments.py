@@ -70,6 +70,11 @@ def test_a_batch_of_something_else_than_shots_is_refused(shots: Any) -> None:
     refused("shots", lambda: carom.simulate_batch(shots))
 
 
+@pytest.mark.parametrize("shots", ["", b"", {}])
+def test_an_empty_string_or_dict_is_not_an_empty_batch(shots: Any) -> None:
+    refused("shots", lambda: carom.simulate_batch(shots))
+
+
 @pytest.mark.parametrize("speed", ["2", [True], 1j, {}, [[1.0], [1.0, 2.0]], b"2"])
 def test_a_batch_with_something_else_than_numbers_is_refused(shot: Shot, speed: Any) -> None:
     refused("speed", lambda: shot.batch(speed=speed))
