@@ -25,8 +25,8 @@ const SMOOTH: f64 = 1e-11;
 const HANGS_BELOW: f64 = 1e-3;
 
 /// Largest distance beyond a lip, in radii, at which a slow ball may rest as on the slate: the
-/// engine's `BRINK`, rounded up.
-const BRINK: f64 = 1.000_001e-4;
+/// engine's `LIP_OVERHANG`, rounded up.
+const LIP_OVERHANG: f64 = 1.000_001e-4;
 
 /// Distance after which a ball at the edge of a rail's top must be beyond it, m.
 const STEP: f64 = 1e-9;
@@ -34,7 +34,7 @@ const STEP: f64 = 1e-9;
 /// Distance of `p` beyond a lip, m, if a ball may rest there; 0 elsewhere.
 pub(crate) fn overhang(solid: &Solid, p: Vec2, radius: f64) -> f64 {
     let over = solid.over_hole(p);
-    if over > 0.0 && over <= BRINK * radius { over } else { 0.0 }
+    if over > 0.0 && over <= LIP_OVERHANG * radius { over } else { 0.0 }
 }
 
 /// Height by which a ball that rests beyond a lip is raised to the level of the slate, m.
@@ -179,7 +179,7 @@ impl EventCheck<'_> {
 
     /// Largest distance over a hole at which ball `k` of the event may rest, m.
     fn on_brink(&self, k: usize) -> f64 {
-        TABLE_GAP + BRINK * self.radius(k)
+        TABLE_GAP + LIP_OVERHANG * self.radius(k)
     }
 
     /// Where a motion state ends, position and velocity must be continuous.

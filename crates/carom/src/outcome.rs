@@ -13,13 +13,13 @@ pub use crate::shot::Touched;
 
 use crate::table::{PocketName, Rail};
 
-/// Smallest distance that a player can see, m: 0.1 mm, a sheet of paper. A frozen ball has left its
-/// rail once it is this far from it; a ball has jumped another if the overlap in plan is at least
-/// this.
-const SEEN: f64 = 1e-4;
+/// Smallest distance that a player can see, m: 0.1 mm, the thickness of a sheet of paper. A frozen
+/// ball has left its rail once it is further than this from it. A ball jumps another only if they
+/// overlap in plan by more than this.
+const VISIBLE_GAP: f64 = 1e-4;
 
-/// Whether `ball` is one of `balls`. Not `contains`: for WebAssembly with simd128, LLVM 22 fails on
-/// its code ("cannot select v16i8 setcc").
+/// Whether `ball` is one of `balls`. `contains` does not compile for WebAssembly with simd128: LLVM
+/// 22 fails with "cannot select v16i8 setcc".
 #[expect(clippy::manual_contains, reason = "see above; the lists are short")]
 fn among(balls: &[u16], ball: u16) -> bool {
     balls.iter().any(|&b| b == ball)
@@ -35,25 +35,25 @@ pub struct Outcome {
     pub cue_ball: Option<u16>,
     /// The first ball that the cue ball touched.
     pub first_contact: Option<u16>,
-    /// Balls in the order in which they fell, with their pockets.
+    /// The pocketed balls in the order in which they fell, with their pockets.
     pub pocketed: Vec<(u16, PocketName)>,
-    /// Balls that left the table, in the order in which they did.
+    /// Balls that left the table, in the order in which they left it.
     pub off_table: Vec<u16>,
     /// Balls that hang over the edge of a pocket's hole at the end: at rest on the bed, with the
     /// centre nearer to the edge than the radius.
     pub hanging: Vec<(u16, PocketName)>,
-    /// Pairs of a ball and another that it jumped: it was in the air above the other, at least 0.1
-    /// mm closer in plan than balls that touch on the cloth, and did not touch it from take-off to
-    /// the end of the flight. In the order of the flights' ends.
+    /// Pairs of a ball and another that it jumped, in the order in which the flights end. The ball
+    /// was in the air above the other one, at least 0.1 mm closer in plan than balls that touch on
+    /// the cloth, and did not touch it from take-off to the end of the flight.
     pub jumped: Vec<(u16, u16)>,
-    /// Every contact of a ball with a cushion (nose, point or facing) after the first contact, in
-    /// order; without a cue ball, after the first collision of any two balls.
+    /// Every contact of a ball with a cushion (nose, point or facing) after the first contact of
+    /// the cue ball, in order; without a cue ball, after the first collision of any two balls.
     pub rails_after_first_contact: Vec<(u16, Rail)>,
     /// Balls driven to a rail at any time in the shot, in order (WPA, Rules of Play, definition of
-    /// "driven to a rail"): they touched a cushion (nose, point or facing) of a rail that they had
-    /// not touched all the time. A ball frozen to a rail at the start, even if it is pressed into
-    /// it, is driven to that rail only when it has been 0.1 mm away and comes back. The rules also
-    /// count balls that are pocketed or leave the table; those are listed elsewhere.
+    /// "driven to a rail"): they touched a cushion (nose, point or facing) of a rail to which they
+    /// were not frozen. A ball that is frozen to a rail at the start, and even one that is pressed
+    /// into it, is driven to that rail only if it moves more than 0.1 mm away and comes back. The
+    /// rules also count balls that are pocketed or leave the table; those are listed elsewhere.
     pub driven_to_rail: Vec<u16>,
     /// The balls and rails that the cue ball touched, in order. In a many-ball contact these are
     /// the balls that it touched itself, the nearest first.

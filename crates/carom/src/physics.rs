@@ -22,7 +22,7 @@ pub struct Physics {
     pub facing: Surface,
     /// Ball against a pocket's liner, in the cushion's model.
     pub liner: Surface,
-    /// Ball bouncing on the slate, and on the rails' tops.
+    /// A ball that bounces on the slate or on a rail's top.
     pub slate: Surface,
     /// The cue.
     pub cue: Cue,
@@ -184,7 +184,7 @@ pub struct Surface {
     pub friction: f64,
 }
 
-/// How much the tip returns of the impact.
+/// How much of the impact the tip returns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tip {
     /// Newton's coefficient of restitution.
@@ -198,15 +198,15 @@ pub enum Tip {
 pub struct Cue {
     /// Mass, kg.
     pub mass: f64,
-    /// Mass of the shaft's end that takes part in squirt, kg; 0: no squirt.
+    /// Mass of the shaft's end that takes part in squirt, kg; 0 for a cue without squirt.
     pub end_mass: f64,
     /// Radius of the tip's curvature, m. It does not change the strike, because tip offsets are
-    /// those of the contact point. A cue whose axis has the offset o from the ball's centre touches
-    /// the ball at o/(1 + tip_radius/R).
+    /// offsets of the contact point. If the axis of a cue has the offset o from the ball's centre,
+    /// the contact point has the offset o/(1 + tip_radius/R).
     pub tip_radius: f64,
-    /// Friction between tip and ball; sets the miscue limit μ/√(1 + μ²), in ball radii.
+    /// Friction between tip and ball. It sets the miscue limit μ/√(1 + μ²), in ball radii.
     pub tip_friction: f64,
-    /// Restitution or efficiency.
+    /// Restitution or efficiency of the tip.
     pub tip: Tip,
 }
 

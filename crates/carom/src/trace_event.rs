@@ -9,7 +9,7 @@ use crate::{BallState, MotionState, Table};
 pub enum TraceEventKind {
     /// The cue meets the cue ball.
     CueStrike,
-    /// Two balls collide, or several in one many-ball contact.
+    /// Two balls collide, or several balls in one many-ball contact.
     BallCollision,
     /// A ball meets a cushion.
     RailCollision {

@@ -2,7 +2,7 @@
 
 use carom::Table;
 use carom::math::{Vec2, cos, sin, sqrt};
-use carom::table::BRINK;
+use carom::table::LIP_OVERHANG;
 
 use super::builder::{DrawnBall, ShotBuilder};
 
@@ -214,7 +214,7 @@ impl ShotBuilder {
             let back = axis * -cos(turn) + axis.perp() * -sin(turn);
             let off = match self.rng.below(8) {
                 0 => 0.0,
-                1 => -BRINK * r * self.rng.between(0.0, 1.0),
+                1 => -LIP_OVERHANG * r * self.rng.between(0.0, 1.0),
                 _ => self.rng.log_uniform(1e-9, 0.1),
             };
             let p = hole + back * (radius + off);

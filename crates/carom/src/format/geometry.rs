@@ -8,8 +8,8 @@ use crate::table::{
 };
 
 impl Table {
-    /// Cushions, liners and pockets, and for a table with rails also markings and dimensions.
-    /// Lengths in m, origin at the bottom left corner; infinite sizes are null.
+    /// Cushions, liners and pockets; for a table with rails also markings and dimensions. Lengths
+    /// are in m, and the origin is the bottom left corner. `size` is null for unbounded cloth.
     pub fn to_node(&self) -> Node {
         let point = |p: Vec2| {
             let p = p + self.center();
@@ -20,9 +20,9 @@ impl Table {
         } else {
             Node::Null
         };
-        let parts = |which: &dyn Fn(Part) -> bool| {
-            let those = self.cushions.iter().filter(|c| which(c.part));
-            Node::list(those.map(|c| cushion(c, point)))
+        let parts = |is_listed: &dyn Fn(Part) -> bool| {
+            let listed = self.cushions.iter().filter(|c| is_listed(c.part));
+            Node::list(listed.map(|c| cushion(c, point)))
         };
         let mut node = Node::object([
             ("name", self.name.as_ref().into()),
@@ -33,7 +33,7 @@ impl Table {
             ("pockets", Node::list(self.pockets.iter().map(|p| pocket(p, point)))),
         ]);
         if let Some(description) = &self.description {
-            drawn(&mut node, description);
+            add_drawing(&mut node, description);
             node.set("dimensions", Node::list(self.dimensions().iter().map(dimension)));
         }
         node
@@ -81,8 +81,8 @@ fn pocket(pocket: &Pocket, point: impl Fn(Vec2) -> Node) -> Node {
     node
 }
 
-/// Adds what only pictures and racks need.
-fn drawn(node: &mut Node, description: &TableDescription) {
+/// Adds the values that only pictures and racks need.
+fn add_drawing(node: &mut Node, description: &TableDescription) {
     node.set("cushion_width", description.cushion_width);
     node.set("rail_width", description.rail_width);
     node.set("physics", &description.physics);

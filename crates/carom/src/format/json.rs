@@ -15,8 +15,8 @@ impl Node {
     /// Reads JSON text.
     ///
     /// # Errors
-    /// [`Error::Input`] for what JSON refuses, for a number too large for a double, and for a key
-    /// that stands twice in one object.
+    /// [`Error::Input`] for text that is not JSON, for a number too large for a double, and for a
+    /// key that occurs twice in one object.
     pub fn from_json(text: &str) -> Result<Self, Error> {
         // Some editors put a byte-order mark in front of UTF-8.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -32,7 +32,7 @@ impl Node {
     }
 }
 
-/// Longest place in an error, characters. Only malformed files nest so deep.
+/// Longest place in an error, characters. Only malformed files have longer ones.
 const LONGEST_PLACE: usize = 80;
 
 /// The known part of the place of a syntax error. A key that is incomplete or missing is shown as
@@ -56,7 +56,7 @@ fn explain(text: &str, place: &str, e: &serde_json::Error) -> Error {
         };
         return Error::input(
             place,
-            format!("the key stands twice (line {})", e.line()),
+            format!("the key occurs twice (line {})", e.line()),
             "keep one of the two",
         );
     }

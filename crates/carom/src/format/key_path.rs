@@ -50,8 +50,8 @@ impl KeyPath {
         Ok(Self { steps })
     }
 
-    /// Whether `other` is the same path, or that of a value inside this one.
-    pub fn holds(&self, other: &Self) -> bool {
+    /// Whether `other` is the same path or the path of a value inside this one.
+    pub fn contains(&self, other: &Self) -> bool {
         other.steps.starts_with(&self.steps)
     }
 
@@ -62,6 +62,7 @@ impl KeyPath {
         self.steps.len() == keys.len() && self.steps.iter().zip(keys).all(is_key)
     }
 
+    /// Replaces the value in `file` at this path; missing keys are added.
     pub(super) fn set(&self, file: &mut Node, value: Node) -> Result<(), Error> {
         let mut node = file;
         for (depth, step) in self.steps.iter().enumerate() {
@@ -89,7 +90,7 @@ impl fmt::Display for KeyPath {
 /// The value in `node` at `step`; a missing key is added. The error is what is wrong, and the
 /// remedy.
 fn inside<'a>(node: &'a mut Node, step: &PathStep) -> Result<&'a mut Node, (String, String)> {
-    // The name of a preset stands for all its values.
+    // A preset's name becomes the base of an object, so that one of its values can be changed.
     if let Node::Text(_) = node {
         *node = Node::object([("base", node.clone())]);
     }
@@ -108,10 +109,13 @@ fn inside<'a>(node: &'a mut Node, step: &PathStep) -> Result<&'a mut Node, (Stri
                 .ok_or_else(|| (format!("the list has {count} items"), "count them from 0".into()))
         }
         (Node::List(items), PathStep::Key(key)) => {
-            let is_it = |item: &Node| item.get("id") == Some(&Node::Text(key.clone()));
-            items.iter_mut().find(|item| is_it(item)).ok_or_else(|| {
+            let has_id = |item: &Node| item.get("id") == Some(&Node::Text(key.clone()));
+            items.iter_mut().find(|item| has_id(item)).ok_or_else(|| {
                 (format!("nothing here has the id \"{key}\""), "write an id, or [0]".into())
             })
+        }
+        (Node::Object(_), PathStep::Item(_)) => {
+            Err(("an object has no items".into(), "write a dot and a key after it".into()))
         }
         _ => Err((
             "a number has no values inside".into(),
@@ -159,12 +163,13 @@ mod tests {
     }
 
     #[test]
-    fn a_value_that_a_file_would_be_refused_for_is_refused_with_its_place() {
+    fn a_value_that_a_shot_file_may_not_have_is_refused_with_its_place() {
         for (path, value, place) in [
             ("physics.cloth.slide", Node::Number(0.1), "physics.cloth.slide: unknown key"),
             ("balls.9.position", Node::Number(0.1), "balls.9: nothing here has the id \"9\""),
             ("balls[7].position", Node::Number(0.1), "balls[7]: the list has 2 items"),
             ("strike.speed.x", Node::Number(0.1), "strike.speed.x: a number has no values inside"),
+            ("strike[0]", Node::Number(0.1), "strike[0]: an object has no items"),
             ("strike.speed", Node::Number(-1.0), "strike.speed: -1.0 is out of range"),
             (
                 "balls.cue.position",
@@ -185,6 +190,6 @@ mod tests {
             assert_eq!(KeyPath::parse(text).unwrap().to_string(), text);
         }
         let [outer, inner] = ["physics", "physics.cloth"].map(|text| KeyPath::parse(text).unwrap());
-        assert!(outer.holds(&inner) && outer.holds(&outer) && !inner.holds(&outer));
+        assert!(outer.contains(&inner) && outer.contains(&outer) && !inner.contains(&outer));
     }
 }

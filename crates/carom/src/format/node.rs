@@ -4,8 +4,8 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt::Write;
 
-/// A value as written. NaN and infinities are kept, so that a reader can refuse them with their
-/// place.
+/// A value as it was written. NaN and infinities are kept, so that a reader can refuse them with
+/// their place.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Node {
     /// `null`.
@@ -46,8 +46,8 @@ impl Node {
         }
     }
 
-    /// Sets the value under `key`: in its place if the key exists, else at the end. Does nothing if
-    /// this is not an object.
+    /// Sets the value under `key`. An existing key keeps its position; a new one is added at the
+    /// end. Does nothing if this is not an object.
     pub fn set(&mut self, key: &str, value: impl Into<Node>) {
         let Self::Object(fields) = self else { return };
         match fields.iter_mut().find(|(k, _)| k == key) {
@@ -56,7 +56,7 @@ impl Node {
         }
     }
 
-    /// Removes `key`, if it is there.
+    /// Removes `key` if this is an object that has it.
     pub fn remove(&mut self, key: &str) {
         if let Self::Object(fields) = self {
             fields.retain(|(k, _)| k != key);
@@ -149,7 +149,7 @@ impl Node {
     }
 }
 
-/// The word that stands for `value` in a table of words.
+/// The word for `value` in a table of words.
 pub(super) fn word_of<T: PartialEq>(words: &[(&'static str, T)], value: T) -> Node {
     words.iter().find(|(_, v)| *v == value).map(|(word, _)| *word).into()
 }

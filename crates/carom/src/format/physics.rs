@@ -134,7 +134,7 @@ fn slip_friction(at: &At<'_>, friction: &mut SlipFriction) -> Result<(), Error> 
     fields.number_into("c", &Range::not_negative(" s/m"), &mut friction.c)?;
     if friction.a + friction.b < 0.0 {
         return Err(at.refuse(
-            format!("at rest the friction a + b is {:?}", friction.a + friction.b),
+            format!("the friction a + b at slip speed 0 is {:?}", friction.a + friction.b),
             "choose a and b with a + b ≥ 0",
         ));
     }
@@ -152,7 +152,7 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
     ])?;
     if let Some(at) = fields.get("model") {
         law.model = at.choice("cushion model", CUSHION_MODELS)?;
-        keep_what_the_model_takes(law);
+        replace_unsupported_fits(law);
     }
     if let Some(at) = fields.get("restitution") {
         cushion_restitution(&at, law.model, &mut law.restitution)?;
@@ -165,15 +165,15 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
     fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
 }
 
-/// Models whose restitution may be a fit in the speed: Han's by his paper; Stronge's because
-/// measured cushions need it and his contact allows any e.
+/// Models whose restitution may be a fit in the speed: Han's, because his paper has one, and
+/// Stronge's, because measured cushions need one and his contact allows any e.
 const RESTITUTION_FITS: &[CushionModel] = &[CushionModel::Han2005, CushionModel::Stronge];
 /// Models whose friction may be a fit in the incidence.
 const FRICTION_FITS: &[CushionModel] = &[CushionModel::Han2005];
 
-/// Replaces a fit of the base that the model does not allow by its value for a slow, perpendicular
-/// impact.
-fn keep_what_the_model_takes(law: &mut Cushion) {
+/// Replaces a fit that the base has, but the model does not allow, by its value for a slow,
+/// perpendicular impact.
+fn replace_unsupported_fits(law: &mut Cushion) {
     if !RESTITUTION_FITS.contains(&law.model) {
         law.restitution = CushionRestitution { a: law.restitution.at(0.0), b: 0.0, c: 0.0 };
     }
@@ -267,20 +267,20 @@ fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
     Ok(())
 }
 
-/// `physics` as a shot file has it where `default` names the preset that belongs to the table; none
-/// if it is that preset.
+/// `physics` as a shot file has it, if `default` is the preset that belongs to the table; none if
+/// it equals that preset.
 pub(super) fn write_over(physics: &Physics, default: &str) -> Option<Node> {
     if Physics::preset(default).as_ref() == Some(physics) {
         return None;
     }
-    let is_it = |name: &&&str| Physics::preset(name).as_ref() == Some(physics);
-    let named = Physics::PRESETS.iter().find(is_it);
+    let is_same = |name: &&&str| Physics::preset(name).as_ref() == Some(physics);
+    let named = Physics::PRESETS.iter().find(is_same);
     Some(named.map_or_else(|| physics.to_node(), |name| (*name).into()))
 }
 
 impl Physics {
-    /// The whole of a `physics` as a shot file has it, key by key; it reads back to the same bits
-    /// over any base.
+    /// All keys of `physics` as a shot file has them. They read back to the same bits over any
+    /// base.
     pub fn to_node(&self) -> Node {
         write(self)
     }

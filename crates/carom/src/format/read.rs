@@ -9,8 +9,8 @@ use super::node::Node;
 use crate::error::Error;
 use crate::range::{Range, describe_number};
 
-/// A parameter smaller than this, whatever its unit, is read as 0: its square would underflow, and
-/// quotients by it overflow. −0 is read as 0 too, because 1/−0 is not 1/0.
+/// A parameter smaller than this, whatever its unit, is read as 0, because its square could
+/// underflow and a quotient by it could overflow. −0 is read as 0 too, because 1/−0 is not 1/0.
 const VANISHING: f64 = 1e-150;
 
 /// Reads a value of another file format by the rules of shot files, with the same error messages.
@@ -26,7 +26,7 @@ impl<'a> Reader<'a> {
     /// Checks that the value is an object without unknown keys.
     ///
     /// # Errors
-    /// [`Error::Input`] with the first unknown key and the known key that is most like it.
+    /// [`Error::Input`] with the first unknown key and the most similar known key.
     pub fn keys(&self, known: &[&str]) -> Result<(), Error> {
         self.0.fields(known).map(drop)
     }
@@ -47,12 +47,12 @@ impl<'a> Reader<'a> {
         self.0.whole(low, high)
     }
 
-    /// The error of a value of a wrong type; `wanted` says what to write.
+    /// The error for a value of a wrong type; `wanted` names what to write instead.
     pub fn wrong_type(&self, wanted: &str) -> Error {
         self.0.wrong_type(wanted)
     }
 
-    /// The error of an unknown word; `kind` is what the `known` words are.
+    /// The error for an unknown word; `kind` names what the `known` words are.
     pub fn unknown_word(&self, word: &str, kind: &str, known: &[&str]) -> Error {
         self.0.unknown_word(word, kind, known)
     }
@@ -81,7 +81,7 @@ impl<'a> At<'a> {
         &self.place
     }
 
-    /// The error that this node is refused with.
+    /// An error at this place.
     pub(crate) fn refuse(&self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
         Error::input(&*self.place, what, remedy)
     }
@@ -260,7 +260,7 @@ impl<'a> Fields<'a> {
         self.get(key).ok_or_else(|| self.missing(key, example))
     }
 
-    /// The error of a missing `key`; `example` shows how to write its value.
+    /// The error for a missing `key`; `example` shows how to write its value.
     pub(crate) fn missing(&self, key: &str, example: &str) -> Error {
         Error::input(self.at.child_place(key), "the key is missing", format!("write {example}"))
     }
@@ -298,7 +298,7 @@ fn describe(node: &Node) -> String {
 
 /// The known word that `word` was most likely meant to be.
 fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
-    // Up to a third of the letters wrong is a typing error; more is another word.
+    // More wrong letters than a third are another word rather than a typing error.
     let slips = (word.chars().count() / 3).max(2);
     let extends = |k: &&&str| word.len() >= 3 && (k.starts_with(word) || word.starts_with(**k));
     known

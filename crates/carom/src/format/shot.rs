@@ -14,18 +14,19 @@ use crate::error::Error;
 use crate::resolve::cue_ball::Strike;
 use crate::shot::{DEFAULT_MAX_EVENTS, Parts, Shot, StrikePolicy, checked_balls};
 
-/// What `format` says in a shot file.
+/// The value of `format` in a shot file.
 pub const SHOT_FORMAT: &str = "carom-shot/1";
 
 const KEYS: &[&str] = &["format", "table", "physics", "balls", "strike", "max_events"];
 
-/// A shot and the file that it was read from, which is written again as it was.
+/// A shot with the file that it was read from. The file is written back unchanged.
 ///
-/// A [`Shot`] alone is written from its data: the same shot, though not always in the same words.
+/// A [`Shot`] alone is written from its data. The result describes the same shot, but default
+/// values are left out and presets are named.
 #[derive(Clone, Debug)]
 pub struct ShotFile {
     shot: Shot,
-    /// The tree that was read; none if the file is to be written from the shot's data.
+    /// The tree that was read; none if the file is written from the shot's data.
     source: Option<Arc<Node>>,
 }
 
@@ -43,13 +44,12 @@ impl ShotFile {
     /// Reads a shot from a tree of values.
     ///
     /// # Errors
-    /// [`Error::Input`] with one sentence that names the place, what is wrong there, and what
-    /// would be right.
+    /// [`Error::Input`] with one sentence: the place, what is wrong there, and the remedy.
     pub fn from_node(node: Node) -> Result<Self, Error> {
         Ok(Self { shot: read(&node)?, source: Some(node.into()) })
     }
 
-    /// What the file says.
+    /// The shot that the file describes.
     pub const fn shot(&self) -> &Shot {
         &self.shot
     }
@@ -67,7 +67,7 @@ impl ShotFile {
         self.to_node().to_json()
     }
 
-    /// The same file with another strike, on the same ball.
+    /// The same file with another strike on the same ball.
     ///
     /// # Errors
     /// As [`Shot::resolve_strike`].
@@ -83,12 +83,12 @@ impl ShotFile {
         Ok(Self { shot, source: Some(node.into()) })
     }
 
-    /// The same file with other values where the paths say, put in in their order. A key that is
-    /// not there is added; a preset's name becomes the base of an object.
+    /// The same file with other values at the given paths; later values replace earlier ones. A
+    /// missing key is added, and a preset's name becomes the base of an object.
     ///
     /// # Errors
-    /// [`Error::Input`] for a path that leads nowhere, and for what a shot file with these values
-    /// would be refused for.
+    /// [`Error::Input`] for a path that leads nowhere, and for everything for which a shot file
+    /// with these values would be refused.
     pub fn with_values<'a>(
         &self,
         values: impl IntoIterator<Item = (&'a KeyPath, Node)>,
@@ -116,14 +116,14 @@ impl AsRef<Shot> for ShotFile {
     }
 }
 
-/// Two files are equal when they mean the same, however they are written.
+/// Two files are equal if their shots are equal; their text may differ.
 impl PartialEq for ShotFile {
     fn eq(&self, other: &Self) -> bool {
         self.shot == other.shot
     }
 }
 
-/// The file that is written from a shot's data.
+/// A file that is written from the shot's data.
 impl From<Shot> for ShotFile {
     fn from(shot: Shot) -> Self {
         Self { shot, source: None }
@@ -131,7 +131,7 @@ impl From<Shot> for ShotFile {
 }
 
 impl Shot {
-    /// Reads a shot file. [`ShotFile`] also keeps how it was written.
+    /// Reads a shot file. [`ShotFile`] also keeps the file itself.
     ///
     /// # Errors
     /// As [`ShotFile::from_json`].
@@ -148,8 +148,8 @@ impl Shot {
         read(file)
     }
 
-    /// The shot as a shot file, written from its data: it reads back to the same bits. What has its
-    /// usual value is left out, and presets are named.
+    /// The shot as a shot file, written from its data. It reads back to the same bits. Default
+    /// values are left out, and presets are named.
     pub fn to_node(&self) -> Node {
         let (table, default_physics) = table::write(&self.table);
         let mut file = Node::object([("format", SHOT_FORMAT.into()), ("table", table)]);
@@ -178,7 +178,7 @@ impl Shot {
 
 fn read(file: &Node) -> Result<Shot, Error> {
     let root = At::root(file);
-    // Before the keys: those of a trace or of a later format are not slips.
+    // Checked before the keys: those of a trace or of a later format are not typing errors.
     root.known_fields()?
         .require("format", &format!("\"{SHOT_FORMAT}\""))?
         .choice("format", &[(SHOT_FORMAT, ())])?;

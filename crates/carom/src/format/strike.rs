@@ -28,7 +28,7 @@ const KEYS: &[&str] = &[
 
 const POLICIES: &[(&str, Policy)] = &[("report", Policy::Report), ("refuse", Policy::Refuse)];
 
-/// Most ids that a refusal lists.
+/// Largest number of ids that an error lists.
 const MOST_IDS: usize = 24;
 
 /// An angle that a file gives in radians or in degrees.
@@ -67,7 +67,7 @@ impl Angle {
         }
     }
 
-    /// Writes `angle` (rad): in degrees if they read back to the same bits, else in radians.
+    /// Writes `angle` (rad): in degrees if it reads back to the same bits, else in radians.
     fn write(&self, node: &mut Node, angle: f64) {
         let in_degrees = degrees(angle);
         let is_exact = radians(in_degrees).to_bits() == angle.to_bits();
@@ -81,7 +81,7 @@ impl Angle {
     }
 }
 
-/// Reads what `strike` says about policies.
+/// Reads the policies of `strike`.
 pub(super) fn read_policy(at: &At<'_>) -> Result<StrikePolicy, Error> {
     let fields = at.fields(KEYS)?;
     let policy = |key, default| match fields.get(key) {
@@ -136,8 +136,8 @@ pub(super) fn write_into(node: &mut Node, id: &str, strike: &Strike) {
     node.set("height", strike.height);
 }
 
-/// Where `path` is that of an angle of the strike in one unit: removes the same angle in the other
-/// unit, which it replaces.
+/// If `path` is an angle of the strike in one unit, removes the same angle in the other unit, so
+/// that the file has the angle once.
 pub(super) fn remove_other_unit(file: &mut Node, path: &KeyPath) {
     for Angle { radians_key, degrees_key, .. } in [&AZIMUTH, &ELEVATION] {
         for (written, other) in [(radians_key, degrees_key), (degrees_key, radians_key)] {
@@ -151,8 +151,7 @@ pub(super) fn remove_other_unit(file: &mut Node, path: &KeyPath) {
     }
 }
 
-/// A strike as a shot file has it; `id` is that of the struck ball. What has its usual value is
-/// left out.
+/// A strike as a shot file has it; `id` is that of the struck ball. Default values are left out.
 pub(super) fn write(id: &str, strike: &Strike, policy: StrikePolicy) -> Node {
     let mut node = Node::object([]);
     write_into(&mut node, id, strike);

@@ -63,7 +63,7 @@ pub(super) fn read(at: &At<'_>) -> Result<(Arc<Table>, String), Error> {
         None => {
             let side = |key| {
                 fields
-                    .require(key, "it in m, or start from a preset with \"base\"")?
+                    .require(key, "the length in m, or start from a preset with \"base\"")?
                     .number(&LENGTH)
             };
             changed(&fields, TableDescription::rectangle(side("width")?, side("length")?))?
@@ -143,7 +143,7 @@ fn pocket(at: &At<'_>, base: Option<PocketDescription>) -> Result<PocketDescript
         (Some(at), _) => at.number(range),
         (None, Some(old)) => Ok(old),
         (None, None) => {
-            fields.require(key, "it, or start from a preset with \"base\"")?.number(range)
+            fields.require(key, "its value, or start from a preset with \"base\"")?.number(range)
         }
     };
     Ok(PocketDescription {
@@ -166,7 +166,7 @@ fn sights(at: &At<'_>) -> Result<Sights, Error> {
     Ok(Sights {
         along_length: intervals("along_length")?,
         along_width: intervals("along_width")?,
-        setback: fields.require("setback", "it in m")?.number(&ANYWHERE)?,
+        setback: fields.require("setback", "the distance in m")?.number(&ANYWHERE)?,
     })
 }
 
@@ -189,8 +189,8 @@ fn markings(at: &At<'_>) -> Result<Markings, Error> {
     })
 }
 
-/// `table` as a shot file has it: a preset's name where it is one, else all its keys. Also the name
-/// of the physics preset that belongs to it.
+/// `table` as a shot file has it: the name of a preset, else all keys. Also the name of the physics
+/// preset that belongs to it.
 pub(super) fn write(table: &Table) -> (Node, String) {
     let Some(description) = &table.description else {
         return (Node::object([("cloth", "unbounded".into())]), UNBOUNDED_PHYSICS.into());

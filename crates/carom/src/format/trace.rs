@@ -19,11 +19,11 @@ use crate::trace::{Log, Trace};
 use crate::trace_event::{TraceEvent, TraceEventKind};
 use crate::{BallState, MotionState};
 
-/// What `format` says in a trace.
+/// The value of `format` in a trace.
 pub const TRACE_FORMAT: &str = "carom-trace/1";
 
 const TIME: Range = Range::closed(0.0, f64::MAX, " s");
-/// Traces may have any finite number, because they are results.
+/// Any finite number: a trace has results.
 const RESULT: Range = Range::closed(f64::MIN, f64::MAX, "");
 
 const RAILS: [Rail; 8] = [
@@ -54,8 +54,8 @@ impl Trace {
         self.to_node_with(self.shot().to_node())
     }
 
-    /// The trace as a tree of values, with `shot` as its shot file: that of the
-    /// [`ShotFile`] which was simulated.
+    /// The trace as a tree of values, with `shot` as its shot file: the tree of the [`ShotFile`]
+    /// that was simulated.
     pub fn to_node_with(&self, shot: Node) -> Node {
         let balls = self.shot().balls();
         Node::object([
@@ -93,7 +93,7 @@ impl Trace {
         Self::from_node_with_file(node).map(|(trace, _)| trace)
     }
 
-    /// The same, and the shot file as the trace has it.
+    /// [`Self::from_node`], and also the shot file that the trace has.
     ///
     /// # Errors
     /// As [`Self::from_node`].
@@ -107,7 +107,7 @@ impl Trace {
         let shot = file.shot().clone();
         let engine = fields.require("engine", "the engine's name and version")?;
         let engine = String::from(engine.text("the engine's name and version")?);
-        let duration = fields.require("duration", "it in s")?.number(&TIME)?;
+        let duration = fields.require("duration", "the duration in s")?.number(&TIME)?;
         let mut log = Log::default();
         for at in fields.require("events", "a list of events")?.items("a list of events")? {
             read_event(&at, &shot, &mut log)?;
@@ -175,7 +175,7 @@ fn write_ball(placed: &PlacedBall, state: &BallState) -> Node {
 
 fn read_event(at: &At<'_>, shot: &Shot, log: &mut Log) -> Result<(), Error> {
     let fields = at.known_fields()?;
-    let time = fields.require("time", "it in s")?.number(&TIME)?;
+    let time = fields.require("time", "the time in s")?.number(&TIME)?;
     let kind = read_kind(&fields)?;
     let mut balls = Vec::new();
     for at in fields.require("balls", "a list of ids")?.items("a list of ids")? {
@@ -186,7 +186,7 @@ fn read_event(at: &At<'_>, shot: &Shot, log: &mut Log) -> Result<(), Error> {
         let items = at.items("a list of balls")?;
         if items.len() != balls.len() {
             return Err(at.refuse(
-                format!("{} balls, but the event has {}", items.len(), balls.len()),
+                format!("found {} balls, but the event has {}", items.len(), balls.len()),
                 "write one for each ball of the event",
             ));
         }
@@ -252,7 +252,7 @@ fn read_final(at: &At<'_>, shot: &Shot) -> Result<Vec<BallState>, Error> {
     let items = at.items("a list of balls")?;
     if items.len() != shot.balls().len() {
         return Err(at.refuse(
-            format!("{} balls, but the shot has {}", items.len(), shot.balls().len()),
+            format!("found {} balls, but the shot has {}", items.len(), shot.balls().len()),
             "write one for each ball of the shot, in its order",
         ));
     }
@@ -262,8 +262,10 @@ fn read_final(at: &At<'_>, shot: &Shot) -> Result<Vec<BallState>, Error> {
 fn read_ball(at: &At<'_>, id: &str) -> Result<BallState, Error> {
     let fields = at.known_fields()?;
     let at_id = fields.require("id", "the ball's id")?;
-    if at_id.text("the ball's id")? != id {
-        return Err(at_id.refuse("another ball stands here", format!("write \"{id}\"")));
+    let written = at_id.text("the ball's id")?;
+    if written != id {
+        let what = format!("found the id \"{written}\" in the place of ball \"{id}\"");
+        return Err(at_id.refuse(what, format!("write \"{id}\"")));
     }
     let vector = |key| {
         let v = fields.require(key, "three numbers")?.numbers_in(3, 3, &RESULT)?;

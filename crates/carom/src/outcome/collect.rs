@@ -20,6 +20,8 @@ use crate::{BallState, MotionState};
 pub struct Collector<'a> {
     shot: &'a Shot,
     outcome: Outcome,
+    /// Whether the cue ball has touched a ball; without a cue ball, whether any two balls have
+    /// collided.
     contact: bool,
     tracks: Vec<Track>,
     frozen: Vec<Frozen>,
@@ -27,7 +29,7 @@ pub struct Collector<'a> {
 }
 
 impl<'a> Collector<'a> {
-    /// For one simulation of `shot`.
+    /// A collector for one simulation of `shot`.
     pub fn new(shot: &'a Shot) -> Self {
         let cue_ball = shot.cue_ball().and_then(|i| u16::try_from(i).ok());
         let mut collector = Self {
@@ -46,7 +48,7 @@ impl<'a> Collector<'a> {
         collector
     }
 
-    /// Takes the next event.
+    /// Adds the next event.
     pub fn add(&mut self, event: &TraceEvent<'_>) {
         self.outcome.events += 1;
         for &ball in event.balls {
@@ -99,11 +101,10 @@ impl<'a> Collector<'a> {
             self.contact = true;
             return;
         };
-        let Some(me) = event.balls.iter().position(|&ball| ball == cue) else { return };
+        let Some(own) = event.balls.iter().position(|&ball| ball == cue) else { return };
         self.contact = true;
         let mut last = None;
-        // Nearest first. Most contacts are of a pair.
-        while let Some((gap, k)) = self.next_touched(event, me, last) {
+        while let Some((gap, k)) = self.next_touched(event, own, last) {
             let other = event.balls[k];
             self.outcome.first_contact = self.outcome.first_contact.or(Some(other));
             self.outcome.cue_ball_touched.push(Touched::Ball(other));
@@ -111,21 +112,21 @@ impl<'a> Collector<'a> {
         }
     }
 
-    /// The next ball after `last` that ball `me` of a contact touches directly, in the order of the
-    /// gap between them (m), then of the number in the contact. In a many-ball contact most balls
-    /// are only touched by others.
+    /// The next ball after `last` that ball `own` of a contact touches directly, in the order of
+    /// the gap between them (m), then of the index in the event. Most balls of a many-ball contact
+    /// do not touch each other directly.
     fn next_touched(
         &self,
         event: &TraceEvent<'_>,
-        me: usize,
+        own: usize,
         last: Option<(f64, usize)>,
     ) -> Option<(f64, usize)> {
         let radius = |k: usize| self.shot.balls()[usize::from(event.balls[k])].ball.radius;
-        let mine = &event.before[me];
+        let own_state = &event.before[own];
         let mut next: Option<(f64, usize)> = None;
-        for (k, other) in event.before.iter().enumerate().filter(|(k, _)| *k != me) {
-            let gap = (other.position - mine.position).length() - radius(me) - radius(k);
-            let speed = (other.velocity - mine.velocity).length();
+        for (k, other) in event.before.iter().enumerate().filter(|(k, _)| *k != own) {
+            let gap = (other.position - own_state.position).length() - radius(own) - radius(k);
+            let speed = (other.velocity - own_state.velocity).length();
             // Every ball of a contact touches at least the nearest one.
             let touches = last.is_none() || gap <= TOUCH_TOLERANCE + CLOSING_TIME * speed;
             let is_after = last.is_none_or(|last| last < (gap, k));
@@ -141,7 +142,7 @@ impl<'a> Collector<'a> {
         if self.contact {
             outcome.rails_after_first_contact.push((ball, rail));
         }
-        let still_frozen = self.frozen.iter().any(|f| f.holds(ball, rail));
+        let still_frozen = self.frozen.iter().any(|f| f.is_at(ball, rail));
         if !still_frozen && !among(&outcome.driven_to_rail, ball) {
             outcome.driven_to_rail.push(ball);
         }
@@ -160,11 +161,11 @@ impl<'a> Collector<'a> {
             if state.motion != MotionState::Stationary || !on_bed {
                 continue;
             }
-            let reaches = |hole: Vec2| (state.position.xy() - center - hole).length();
+            let distance = |hole: Vec2| (state.position.xy() - center - hole).length();
             let holes = table.pockets.iter().filter(|p| p.capture == Capture::DropCircle);
             hanging.extend(
                 holes
-                    .filter(|hole| reaches(hole.center) < hole.radius + radius)
+                    .filter(|hole| distance(hole.center) < hole.radius + radius)
                     .map(|hole| (i, hole.name)),
             );
         }

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::SEEN;
+use super::VISIBLE_GAP;
 use crate::math::Vec2;
 use crate::motion::Path;
 use crate::shot::Shot;
@@ -15,8 +15,9 @@ pub(super) struct Frozen {
     rail: Rail,
     /// Unit vector from the cushion to the ball.
     away: Vec2,
-    /// Coordinate of the ball along it at the start, m.
+    /// Coordinate of the ball along `away` at the start, m.
     start: f64,
+    /// Whether the ball has been further than [`VISIBLE_GAP`] from the rail.
     left: bool,
 }
 
@@ -50,7 +51,7 @@ impl Frozen {
     }
 
     /// Whether `ball` is still frozen to `rail`.
-    pub(super) fn holds(&self, ball: u16, rail: Rail) -> bool {
+    pub(super) fn is_at(&self, ball: u16, rail: Rail) -> bool {
         !self.left && self.ball == ball && self.rail == rail
     }
 
@@ -61,7 +62,7 @@ impl Frozen {
         let turning = if half_acceleration < 0.0 { -0.5 * speed / half_acceleration } else { 0.0 };
         for t in [turning.clamp(0.0, duration), duration] {
             let gap = self.away.dot(path.position_at(t).xy()) - self.start;
-            self.left |= gap > SEEN;
+            self.left |= gap > VISIBLE_GAP;
         }
     }
 }

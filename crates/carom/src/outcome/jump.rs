@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use carom_roots::Motion;
 
 use super::track::Track;
-use super::{SEEN, among};
+use super::{VISIBLE_GAP, among};
 use crate::MotionState;
 use crate::math::sqrt;
 use crate::trace_event::TraceEvent;
@@ -15,10 +15,10 @@ use crate::trace_event::TraceEvent;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Jumps {
     /// Balls in the air.
-    aloft: Vec<u16>,
-    /// Pairs of such a ball and a ball that it touched at take-off.
+    airborne: Vec<u16>,
+    /// Pairs of an airborne ball and a ball that it touched at take-off.
     touched: Vec<(u16, u16)>,
-    /// Pairs of such a ball and a ball that it has been above.
+    /// Pairs of an airborne ball and a ball that it has been above.
     over: Vec<(u16, u16)>,
 }
 
@@ -26,7 +26,7 @@ impl Jumps {
     /// Begins a path of `ball` at an event of `balls`.
     pub(super) fn begin(&mut self, ball: u16, motion: MotionState, balls: &[u16]) {
         if motion == MotionState::Airborne {
-            self.aloft.push(ball);
+            self.airborne.push(ball);
             self.touched.extend(balls.iter().filter(|&&b| b != ball).map(|&b| (ball, b)));
         }
     }
@@ -38,10 +38,10 @@ impl Jumps {
         tracks: &[Track],
         jumped: &mut Vec<(u16, u16)>,
     ) {
-        if self.aloft.is_empty() {
+        if self.airborne.is_empty() {
             return;
         }
-        for &flyer in &self.aloft {
+        for &flyer in &self.airborne {
             let ends = among(event.balls, flyer);
             for under in 0..tracks.len() as u16 {
                 if (ends || among(event.balls, under))
@@ -68,22 +68,22 @@ impl Jumps {
             }
         }
         let stays = |ball: &u16| !among(event.balls, *ball);
-        self.aloft.retain(stays);
+        self.airborne.retain(stays);
         self.touched.retain(|(flyer, _)| stays(flyer));
         self.over.retain(|(flyer, _)| stays(flyer));
     }
 }
 
-/// Whether `flyer` is above `under`, and [`SEEN`] closer in plan than balls that touch on the
-/// cloth, at any time from the start of both paths to `until` (s).
+/// Whether `flyer` is above `under`, and [`VISIBLE_GAP`] closer in plan than balls that touch on
+/// the cloth, at any time from the start of both paths to `until` (s).
 fn passes_over(flyer: &Track, under: &Track, until: f64) -> bool {
     let from = flyer.since.max(under.since);
     if !under.path.motion.in_play() || until <= from {
         return false;
     }
     let touching = flyer.path.radius + under.path.radius;
-    let distance = touching - SEEN;
-    // The balls do not overlap in space: so much higher the flyer must be.
+    let distance = touching - VISIBLE_GAP;
+    // The balls do not overlap in space, so the flyer must be at least this much higher.
     let height = sqrt(touching * touching - distance * distance);
     let lowest = [from, until].map(|t| under.path.position_at(t - under.since).z);
     if flyer.apex() - lowest[0].min(lowest[1]) < height {

@@ -5,7 +5,7 @@ use crate::motion::Path;
 /// A ball's path since its last event.
 #[derive(Clone, Debug)]
 pub(super) struct Track {
-    /// When it began, s.
+    /// Time of that event, s since the strike.
     pub(super) since: f64,
     pub(super) path: Path,
 }

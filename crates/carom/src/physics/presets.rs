@@ -54,11 +54,11 @@ impl Physics {
                 frequency_ratio: BALL_FREQUENCY_RATIO,
             },
             cushion: RAIL,
-            // Dr. Dave FAQ: 0.5 to 0.7; friction as in sliding (TP B.10).
-            // Neoprene facings return less and grip more than a nose: 0.5 to 0.7, from memory.
+            // Neoprene: less restitution and more friction than a nose; 0.5 to 0.7, from memory.
             facing: Surface { restitution: 0.7, friction: 0.25 },
             // Leather or plastic, from memory: 0.3 to 0.5; friction estimated.
             liner: Surface { restitution: 0.35, friction: 0.15 },
+            // Dr. Dave FAQ: 0.5 to 0.7; friction as in sliding (TP B.10).
             slate: Surface { restitution: 0.5, friction: 0.2 },
             cue: Cue {
                 // 20 oz.
@@ -67,7 +67,7 @@ impl Physics {
                 end_mass: 0.00567,
                 // A nickel's curvature (Alciatore).
                 tip_radius: 0.0106,
-                // TP 2.1, A.12: 0.577 holds at half a radius, 0.66 is the most measured.
+                // TP 2.1, A.12: 0.577 allows half a radius; the largest measured value is 0.66.
                 tip_friction: 0.6,
                 // Leather, TP A.30: 0.71–0.75.
                 tip: Tip::Restitution(0.73),
@@ -94,7 +94,7 @@ impl Physics {
                 ..pool.ball_ball
             },
             cushion: SNOOKER_RAIL,
-            // 17 oz and a smaller tip: from memory; end mass in proportion (estimated).
+            // 17 oz and a smaller tip, from memory; end mass in proportion, estimated.
             cue: Cue { mass: 0.48, end_mass: 0.0047, tip_radius: 0.009, ..pool.cue },
             ..pool
         }
@@ -123,8 +123,9 @@ impl Physics {
             cloth: Cloth {
                 // As in pool and in pooltool; Han 2005 found 0.069 on his table.
                 sliding_friction: 0.2,
-                // Heated cloth, fitted to matches: a ball of speed v slows by 0.0383 + 0.0150 v
-                // m/s². This stops one of 0.6 m/s where that does; 0.0049 one of 1 m/s.
+                // Heated cloth. A fit to matches gives the deceleration 0.0383 + 0.0150 v m/s² at
+                // the speed v. With 0.0045 a ball of 0.6 m/s stops where it does in the fit; a
+                // ball of 1 m/s would need 0.0049.
                 rolling_friction: 0.0045,
                 // Han 2005: M_z = 3.82e-4 N·m on m = 0.23 kg, R = 32.75 mm gives 3.9 rad/s².
                 spin_deceleration: 3.9,
@@ -154,7 +155,7 @@ impl Physics {
                 // Leckie & Greenspan 2005: dω_z/dt = −5μ_sp·g/(2R).
                 spin_deceleration: 2.5 * SPIN_FRICTION * GRAVITY / RADIUS,
             },
-            // The normal velocities are exchanged.
+            // The balls exchange their normal velocities.
             ball_ball: BallBall {
                 model: BallBallModel::Frictional,
                 restitution: 1.0,
@@ -169,11 +170,12 @@ impl Physics {
                 spin_factor: 0.1,
                 ..RAIL
             },
-            // Its rails end without jaws: the end of a rail here acts as a rail.
+            // FastFiz has no jaws, so the ends of the rails have the properties of the rails.
             facing: Surface { restitution: 0.6, friction: 0.0 },
-            // No ball leaves its cloth: the slate absorbs the downward motion from a raised cue.
+            // In FastFiz no ball leaves the cloth. Here the slate absorbs the downward motion from
+            // a raised cue.
             slate: Surface { restitution: 0.0, friction: 0.0 },
-            // No squirt, and a tip that gives everything back.
+            // No squirt, and a tip without losses.
             cue: Cue {
                 mass: 0.6,
                 end_mass: 0.0,
@@ -211,10 +213,10 @@ impl Physics {
     }
 }
 
-/// Friction of pool balls that, with the compliant model, comes nearest to Alciatore's throw
-/// measurements of 2006 and 2014 together (`tests/ball_ball_measured.rs`): 0.66° rms over 20
-/// readings, against 1.39° for TP A.14's friction between rigid balls. Fitted to 2014 alone,
-/// 0.150·e^(−0.52 s) misses that test by 0.24° and the older one by 1.2°.
+/// Friction of pool balls, fitted with the compliant model to Alciatore's throw measurements of
+/// 2006 and 2014 together (`tests/resolve/ball_ball_measured.rs`): 0.66° rms over 20 readings. TP
+/// A.14's friction between rigid balls has 1.39°. A fit to the data of 2014 alone, 0.150·e^(−0.52
+/// s), has 0.24° there and 1.2° on the data of 2006.
 const THROW: SlipFriction = SlipFriction { a: 0.0, b: 0.115, c: 0.41 };
 
 /// Cushions of a pool table, chosen on measurements: fast sliding banks on three tables (TP B.28:
@@ -252,7 +254,7 @@ mod tests {
     use crate::resolve::cue_ball::{Strike, miscue_limit, resolve};
 
     #[test]
-    fn every_preset_is_found_by_its_name_and_no_other_name_is() {
+    fn presets_are_found_by_their_exact_names() {
         for name in Physics::PRESETS {
             assert!(Physics::preset(name).is_some(), "{name}");
         }
@@ -260,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn every_presets_numbers_are_within_the_ranges_of_a_shot_file() {
+    fn every_preset_has_numbers_that_a_shot_file_accepts() {
         for name in Physics::PRESETS {
             let p = Physics::preset(name).unwrap();
             let positive = [p.gravity, p.ball.mass, p.ball.radius, p.cue.mass, p.cue.tip_radius];
@@ -276,8 +278,8 @@ mod tests {
     }
 
     #[test]
-    fn poolfiz_balls_lose_their_spin_as_a_friction_of_0_044_takes_it() {
-        // The torque of μ_sp·m·g at the lever R over the inertia 2/5·m·R².
+    fn the_spin_deceleration_of_poolfiz_is_that_of_a_friction_of_0_044() {
+        // Friction force μ_sp·m·g, lever R, moment of inertia 2/5·m·R².
         let p = Physics::poolfiz();
         let alpha = p.cloth.spin_deceleration;
         let inertia = 0.4 * p.ball.mass * p.ball.radius * p.ball.radius;

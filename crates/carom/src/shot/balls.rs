@@ -111,7 +111,7 @@ fn height(place: impl FnOnce() -> String, z: f64, radius: f64) -> Result<f64, Er
                 "the ball is {} m deep in the slate: z = {z:?}, its radius {radius:?} m",
                 radius - z
             ),
-            "leave z out, write the radius, or more for a ball in the air",
+            "leave z out, or write the radius, or more for a ball in the air",
         ));
     }
     Ok(if z > radius + TOUCH_TOLERANCE { z } else { radius })

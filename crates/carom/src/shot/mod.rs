@@ -23,7 +23,7 @@ use crate::math::{Vec3, degrees};
 use crate::resolve::cue_ball::{Strike, miscue_limit};
 use crate::{Ball, BallState, Physics, Table};
 
-/// Cap on the number of events where a file names none. The longest breaks seen need under a
+/// Cap on the number of events if a file gives none. The longest breaks seen have less than a
 /// thousand.
 pub const DEFAULT_MAX_EVENTS: u32 = 100_000;
 
@@ -47,7 +47,7 @@ pub struct Shot {
     pub(crate) strike: Option<(usize, Strike)>,
     pub(crate) max_events: u32,
     policy: StrikePolicy,
-    /// Friction of the tip as given; `physics` has the one that the strike is resolved with.
+    /// Friction of the tip as given. `physics` has the friction that the strike is resolved with.
     tip_friction: f64,
 }
 
@@ -57,7 +57,7 @@ impl AsRef<Shot> for Shot {
     }
 }
 
-/// What a shot is made of, before the strike is checked.
+/// The parts of a shot, before the strike is checked.
 #[derive(Clone, Debug)]
 pub(crate) struct Parts {
     pub(crate) table: Arc<Table>,
@@ -69,8 +69,8 @@ pub(crate) struct Parts {
 }
 
 impl Shot {
-    /// Checks the strike of `parts`. Table and physics are valid already: they come from a preset or
-    /// through a reader that checks ranges.
+    /// Checks the strike of `parts`. Table and physics are valid already: they come from a preset
+    /// or through a reader that checks ranges.
     ///
     /// # Errors
     /// As [`Self::with_balls`].
@@ -84,7 +84,7 @@ impl Shot {
         Self { table, physics, balls, strike, max_events, policy, tip_friction }.checked()
     }
 
-    /// The same shot with another strike, on the same ball.
+    /// The same shot with another strike on the same ball.
     ///
     /// # Errors
     /// As [`Self::resolve_strike`].
@@ -99,8 +99,9 @@ impl Shot {
     /// rest.
     ///
     /// # Errors
-    /// [`Error::Input`] for what a shot file with such `balls` and `strike` would be refused for:
-    /// overlaps, balls outside the table, ids that are not unique, a strike that cannot be played.
+    /// [`Error::Input`] for everything for which a shot file with these `balls` and this `strike`
+    /// would be refused: overlaps, balls outside the table, ids that are not unique, a strike that
+    /// cannot be played.
     pub fn with_balls(
         &self,
         balls: Vec<PlacedBall>,
@@ -171,12 +172,12 @@ impl Shot {
         self.strike.map(|(ball, _)| ball).or_else(|| self.ball_index("cue"))
     }
 
-    /// Velocity (m/s) and spin (rad/s) that `strike` gives to the struck ball.
+    /// The velocity (m/s) and the spin (rad/s) that `strike` gives to the struck ball.
     ///
     /// # Errors
     /// [`Error::Input`] if the shot has no strike, if the strike is out of range, off the ball,
-    /// past the miscue limit or unreachable with the tip's efficiency, and if the cue is obstructed
-    /// and the shot refuses that.
+    /// past the miscue limit or impossible with the tip's efficiency, and if the cue is obstructed
+    /// and the policy is to refuse that.
     pub fn resolve_strike(&self, strike: &Strike) -> Result<(Vec3, Vec3), Error> {
         let Some((ball, _)) = self.strike else {
             return Err(Error::input("strike", "the shot has no strike", "add one to vary it"));
@@ -216,7 +217,7 @@ impl Shot {
             Some(Touched::Rail(rail)) => format!("the {} rail", rail.name()),
         };
         let raise = match cue.least_elevation().map(degrees) {
-            // Rounded up.
+            // `{:.2}` rounds to the nearest; half a unit more rounds up.
             Some(least) => format!("raise the elevation to {:.2} degrees, ", least + 0.005),
             None => String::new(),
         };
@@ -242,7 +243,8 @@ impl Shot {
         out
     }
 
-    /// Whether this shot is a miscue, which is played only if the shot says so.
+    /// Whether the strike is a miscue. A shot has one only if its policy for miscues is
+    /// [`Policy::Report`].
     pub fn is_miscue(&self) -> bool {
         self.strike.is_some_and(|(_, strike)| strike.offset() > self.miscue_limit())
     }

@@ -21,19 +21,19 @@ use crate::math::{Vec2, asin, atan2, sin_cos, sqrt};
 use crate::resolve::cue_ball::Strike;
 use crate::table::{Part, Rail, Shape, TOUCH_TOLERANCE, Table, arc_sides};
 
-/// Length of a cue, m: 58 in, the usual one-piece or jointed cue.
+/// Length of a cue, m: 58 in, the usual length.
 const LENGTH: f64 = 1.47;
-/// Radius at the tip, m: 13 mm across, the WPA allows 14.
+/// Radius at the tip, m: a diameter of 13 mm; the WPA allows 14 mm.
 const TIP: f64 = 0.0065;
-/// Radius at the butt, m: 29 mm across, as usual.
+/// Radius at the butt, m: a diameter of 29 mm, the usual one.
 const BUTT: f64 = 0.0145;
 
 /// Elevation of the cue in a usual stance, rad (5°): a level cue would pass through the rail behind
 /// it in nearly every shot. A cue at a lower elevation may be raised to this one.
 const STANCE: f64 = 0.087_266_462_599_716_48;
 
-/// Least step of the search for the least elevation, rad: under 2 µm at the butt. The search needs
-/// more than one step only for oblique edges, and then a few.
+/// Least step of the search for the least elevation, rad: less than 2 µm at the butt. The search
+/// needs more than one step only for oblique edges, and then a few steps.
 const RESOLUTION: f64 = 1e-6;
 
 const UPRIGHT: f64 = core::f64::consts::FRAC_PI_2;
@@ -68,40 +68,40 @@ enum Section {
 }
 
 impl Obstacle {
-    /// Heights of the axis above the obstacle, m: the one that clears it, and the one at
-    /// `elevation`.
-    fn wanted_and_had(&self, height: f64, elevation: f64) -> (f64, f64) {
+    /// Heights of the axis above the obstacle at `elevation`, m: the height that clears the
+    /// obstacle, and the actual height.
+    fn required_and_actual(&self, height: f64, elevation: f64) -> (f64, f64) {
         let (sin, _) = sin_cos(self.polar - elevation);
-        let wanted = match self.shape {
+        let required = match self.shape {
             Section::Ball { apart } => apart,
             Section::Edge { above, slant } => {
                 let (sin, cos) = sin_cos(elevation);
                 above * sqrt(cos * cos + sin * sin * slant)
             }
         };
-        (wanted, height - self.distance * sin)
+        (required, height - self.distance * sin)
     }
 
     /// Whether a cue whose axis passes `height` (m) above the ball's centre passes through the
     /// obstacle.
     fn blocks(&self, height: f64, elevation: f64) -> bool {
-        let (wanted, had) = self.wanted_and_had(height, elevation);
+        let (required, actual) = self.required_and_actual(height, elevation);
         let behind = (self.polar - elevation).abs() < UPRIGHT;
         let passes_below =
-            matches!(self.shape, Section::Ball { .. }) && had <= -wanted + TOUCH_TOLERANCE;
-        behind && had < wanted - TOUCH_TOLERANCE && !passes_below
+            matches!(self.shape, Section::Ball { .. }) && actual <= -required + TOUCH_TOLERANCE;
+        behind && actual < required - TOUCH_TOLERANCE && !passes_below
     }
 
-    /// A lower bound of the elevations above `elevation`, where the obstacle blocks, that clear it;
-    /// none if no elevation does.
+    /// A lower bound of the elevations that clear the obstacle, which blocks the cue at
+    /// `elevation`; none if no elevation clears it.
     fn cleared_from(&self, height: f64, elevation: f64) -> Option<f64> {
-        let (wanted, _) = self.wanted_and_had(height, elevation);
-        let sin = (height - wanted) / self.distance;
+        let (required, _) = self.required_and_actual(height, elevation);
+        let sin = (height - required) / self.distance;
         (sin >= -1.0).then(|| self.polar - asin(sin))
     }
 }
 
-/// The cue at its ball, and all possible obstacles.
+/// The line of the cue to the struck ball, and all possible obstacles.
 pub(super) struct CueLine {
     /// Height of the axis above the ball's centre, perpendicular to it, m.
     height: f64,
@@ -159,7 +159,7 @@ impl CueLine {
         }
     }
 
-    /// The least elevation, rad, from `elevation` on at which nothing blocks the cue.
+    /// The least elevation, rad, not below `elevation`, at which nothing blocks the cue.
     fn least_from(&self, mut elevation: f64) -> Option<f64> {
         loop {
             let blocking = self.obstacles.iter().filter(|o| o.blocks(self.height, elevation));

@@ -9,8 +9,8 @@ use crate::error::Error;
 use crate::math::{Vec2, Vec3};
 use crate::table::{Capture, Placement, Pocket, Table, nose_reach};
 
-/// Refuses a ball that is not inside (see [`Table::place_check`] and [`Table::place_in_air`]),
-/// which is `balls[index]` of the file.
+/// Refuses a ball that is not inside the table ([`Table::place_check`], [`Table::place_in_air`]).
+/// `index` is its index in `balls`.
 pub(super) fn check(index: usize, placed: &PlacedBall, table: &Table) -> Result<(), Error> {
     if !table.size.x.is_finite() {
         return Ok(());

@@ -1,4 +1,4 @@
-//! Whether a strike can be played, and what to do about one that a player could not play cleanly.
+//! Checks of a strike, and the policies for strikes that a player could not play cleanly.
 
 use alloc::format;
 
@@ -10,11 +10,11 @@ use crate::physics::Physics;
 use crate::range::{LARGEST, Range};
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 
-/// Speed of the cue, m/s: the record is about 15.
+/// Speed of the cue, m/s. The record is about 15 m/s.
 pub(crate) const SPEED: Range = Range::above(0.0, 50.0, " m/s");
 pub(crate) const OFFSET: Range = Range::closed(-1.0, 1.0, " ball radii");
 
-/// Friction of a tip that never slips.
+/// Tip friction so large that the tip never slips.
 pub(super) const TIP_THAT_HOLDS: f64 = LARGEST;
 
 /// What to do about a strike that a player could not play, or not cleanly.
@@ -22,7 +22,7 @@ pub(super) const TIP_THAT_HOLDS: f64 = LARGEST;
 pub enum Policy {
     /// Simulate it, and report it in the outcome.
     Report,
-    /// Refuse the shot.
+    /// Refuse the shot with an error.
     Refuse,
 }
 
@@ -88,7 +88,7 @@ pub(super) fn check(
 
 /// The error for a strike that cannot be played. `place` is the place of the strike.
 pub(crate) fn explain(place: &str, strike: &Strike, e: StrikeError) -> Error {
-    // The place is the larger of the two offsets.
+    // The error names the larger of the two offsets.
     let key = if strike.side.abs() >= strike.height.abs() { "side" } else { "height" };
     Error::input(format!("{place}.{key}"), e.fault(), e.remedy())
 }

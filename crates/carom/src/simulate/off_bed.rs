@@ -9,7 +9,7 @@ use crate::detect::ball_ball::ContactFinder;
 use crate::event::{EventKind, Recorder};
 use crate::math::Vec3;
 use crate::resolve::{Body, ball_edge, ball_slate};
-use crate::table::{BRINK, Capture};
+use crate::table::{Capture, LIP_OVERHANG};
 use crate::{BallState, MotionState, Physics};
 
 /// A ball that rolls over the lip of a hole slower than this, m/s, stops and hangs there, whatever
@@ -119,7 +119,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         ball_edge::resolve(&step.physics.slate, step.physics.gravity, &edge, &mut body);
         let (velocity, angular_velocity) = (body.velocity, body.angular_velocity);
         let mut after = BallState { velocity, angular_velocity, ..before };
-        if edge.normal.xy().length_squared() < BRINK * BRINK
+        if edge.normal.xy().length_squared() < LIP_OVERHANG * LIP_OVERHANG
             && self.is_too_slow_to_fall(i, &after, step.physics)
         {
             after = self.hanging(i, &after, self.ball[i].radius);

@@ -23,7 +23,7 @@ impl Bounds {
         })
     }
 
-    /// The box around a part of a cushion seen from above; of a round part, around its whole
+    /// The box around a part of a cushion, seen from above. The box of a round part holds its whole
     /// circle.
     pub(crate) fn of_shape(shape: &Shape) -> Self {
         match *shape {
@@ -50,8 +50,8 @@ impl Bounds {
         Self { low: self.low - by, high: self.high + by }
     }
 
-    /// Whether the boxes are disjoint. One branch for all four sides: which side decides is
-    /// unpredictable.
+    /// Whether the boxes are disjoint. There is one branch for all four sides, because the side
+    /// that decides is unpredictable.
     #[inline(always)]
     pub(crate) fn is_clear_of(&self, other: &Self) -> bool {
         (self.low.x > other.high.x)
@@ -86,9 +86,9 @@ impl Quadrants {
     pub(super) fn new(parts: impl Iterator<Item = (u16, Bounds)>) -> Self {
         let mut quadrants = Self::default();
         for (part, Bounds { low, high }) in parts {
-            let (beside, along) = ([low.x <= 0.0, high.x >= 0.0], [low.y <= 0.0, high.y >= 0.0]);
+            let (in_x, in_y) = ([low.x <= 0.0, high.x >= 0.0], [low.y <= 0.0, high.y >= 0.0]);
             for (k, parts) in quadrants.parts.iter_mut().enumerate() {
-                if beside[k % 2] && along[k / 2] {
+                if in_x[k % 2] && in_y[k / 2] {
                     parts.push(part);
                 }
             }

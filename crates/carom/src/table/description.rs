@@ -33,9 +33,9 @@ pub struct TableDescription {
     pub corner_pocket: Option<PocketDescription>,
     /// The two pockets in the middle of the long rails; needed where `pockets` is `six`.
     pub side_pocket: Option<PocketDescription>,
-    /// Marks on the rails, drawn only.
+    /// Marks on the rails. They are only drawn.
     pub sights: Option<Sights>,
-    /// Lines and spots on the cloth: drawn, and used by racks.
+    /// Lines and spots on the cloth. They are drawn, and racks use them.
     pub markings: Markings,
     /// Name of the physics preset that belongs to the table.
     pub physics: String,
@@ -66,7 +66,7 @@ pub enum PocketModel {
 /// The shape of a pocket and of its two jaws.
 ///
 /// A tip is the point where a nose line and the line of a facing would meet if the corner were not
-/// rounded: mouths are measured from tip to tip.
+/// rounded. Mouths are measured from tip to tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PocketDescription {
     /// Distance between the two tips, m.
@@ -97,7 +97,7 @@ pub struct Sights {
     pub setback: f64,
 }
 
-/// Lines and spots on the cloth. Distances from the bottom nose line, where the breaker stands.
+/// Lines and spots on the cloth. Distances are from the bottom nose line, the breaker's end.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Markings {
     /// The head string or baulk line, m.
@@ -113,7 +113,7 @@ pub struct Markings {
 pub struct Spot {
     /// Its name: `head`, `center`, `foot`, or that of the ball that stands on it.
     pub name: String,
-    /// Where it is in the file's frame (origin at the bottom left corner), m.
+    /// Its position in the file's frame (origin at the bottom left corner), m.
     pub position: [f64; 2],
 }
 

@@ -12,8 +12,8 @@ pub enum TableFeature {
     Slate,
     /// The edge of a hole in the slate, index into `Table::pockets`.
     Lip(u8),
-    /// The centre of a ball in the hole of a pocket (index) comes down to a height below which it
-    /// may not come back: the slate's surface, or a radius below it.
+    /// A ball in the hole of a pocket (index into `Table::pockets`): its centre comes down to the
+    /// slate's surface, or to one radius below it.
     Depth(u8),
     /// The edge of a rail's top, where a ball on the top loses its support.
     Brink,

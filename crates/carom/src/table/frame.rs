@@ -13,12 +13,12 @@ impl Table {
         Vec2::new(half(self.size.x), half(self.size.y))
     }
 
-    /// A state given in the file's frame, in the engine's.
+    /// `state`, given in the file's frame, converted to the engine's.
     pub fn to_engine_frame(&self, state: &BallState) -> BallState {
         shifted(state, -self.center())
     }
 
-    /// A state given in the engine's frame, in the file's.
+    /// `state`, given in the engine's frame, converted to the file's.
     pub fn to_file_frame(&self, state: &BallState) -> BallState {
         shifted(state, self.center())
     }

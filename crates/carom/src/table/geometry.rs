@@ -1,8 +1,8 @@
 //! From a description to noses, points, facings, mouths and holes.
 //!
 //! Everything is built once, in the quadrant x ≤ 0, y ≤ 0, and mirrored by negation, so that a
-//! mirrored table has mirrored bits. [`super::jaw`] builds the jaws, [`super::opening`] what lies
-//! behind their deep ends.
+//! mirrored table has mirrored bits. [`super::jaw`] builds the jaws, and [`super::opening`] builds
+//! the parts behind their deep ends.
 
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
@@ -31,29 +31,29 @@ struct Mirrored<T> {
     slot: usize,
 }
 
-/// The six rails around the table, each with its first and its last jaw. The three given are the
-/// jaws of a short rail, of a long rail at a corner, and of a long rail at a side pocket.
-fn stands<T: Copy>([bottom, left, side]: [T; 3]) -> [(Rail, Mirrored<T>, Mirrored<T>); 6] {
-    let stand = |jaw, x, y, pocket, slot| Mirrored { jaw, signs: Vec2::new(x, y), pocket, slot };
+/// The six rails around the table, each with its first and its last jaw. The arguments are the jaws
+/// of a short rail, of a long rail at a corner, and of a long rail at a side pocket.
+fn rails_with_jaws<T: Copy>([bottom, left, side]: [T; 3]) -> [(Rail, Mirrored<T>, Mirrored<T>); 6] {
+    let at = |jaw, x, y, pocket, slot| Mirrored { jaw, signs: Vec2::new(x, y), pocket, slot };
     [
-        (Rail::Bottom, stand(bottom, 1.0, 1.0, 0, 0), stand(bottom, -1.0, 1.0, 1, 0)),
-        (Rail::RightLower, stand(left, -1.0, 1.0, 1, 1), stand(side, -1.0, 1.0, 3, 0)),
-        (Rail::RightUpper, stand(side, -1.0, -1.0, 3, 1), stand(left, -1.0, -1.0, 5, 1)),
-        (Rail::Top, stand(bottom, -1.0, -1.0, 5, 0), stand(bottom, 1.0, -1.0, 4, 0)),
-        (Rail::LeftUpper, stand(left, 1.0, -1.0, 4, 1), stand(side, 1.0, -1.0, 2, 1)),
-        (Rail::LeftLower, stand(side, 1.0, 1.0, 2, 0), stand(left, 1.0, 1.0, 0, 1)),
+        (Rail::Bottom, at(bottom, 1.0, 1.0, 0, 0), at(bottom, -1.0, 1.0, 1, 0)),
+        (Rail::RightLower, at(left, -1.0, 1.0, 1, 1), at(side, -1.0, 1.0, 3, 0)),
+        (Rail::RightUpper, at(side, -1.0, -1.0, 3, 1), at(left, -1.0, -1.0, 5, 1)),
+        (Rail::Top, at(bottom, -1.0, -1.0, 5, 0), at(bottom, 1.0, -1.0, 4, 0)),
+        (Rail::LeftUpper, at(left, 1.0, -1.0, 4, 1), at(side, 1.0, -1.0, 2, 1)),
+        (Rail::LeftLower, at(side, 1.0, 1.0, 2, 0), at(left, 1.0, 1.0, 0, 1)),
     ]
 }
 
-/// The places of the rails of [`stands`] in `DetectionIndex::noses`.
+/// The places of the rails of [`rails_with_jaws`] in `DetectionIndex::noses`.
 const RAIL_PLACES: [usize; 6] = [0, 4, 5, 1, 3, 2];
 
 /// The back of a pocket of the quadrant.
 struct PocketBack {
-    /// A point on the line of the (first) jaw, m. Between it and its mirror image lies the hole, or
-    /// with the mouth-line model the end of the opening.
+    /// A point on the line of the first jaw, m. The line from it to its mirror image lies over the
+    /// hole; with the mouth-line model it ends the opening.
     end: Vec2,
-    /// Centre and radius of the hole that closes it, m; none with the mouth-line model.
+    /// Centre and radius of the hole, m; none with the mouth-line model.
     hole: Option<(Vec2, f64)>,
     /// See [`Mouth::liner_from`].
     liner_from: f64,
@@ -103,9 +103,9 @@ impl Table {
     /// The table that `description` describes.
     ///
     /// # Errors
-    /// [`TableError`] with the key and the remedy: for a length that is not finite and positive, a
-    /// missing pocket, jaws, mouths and holes that do not fit together, or rails too narrow for the
-    /// holes.
+    /// [`TableError`] with the key and the remedy, for a length that is not finite and positive, a
+    /// missing pocket, jaws, mouths and holes that do not fit together, or rails that are too
+    /// narrow for the holes.
     pub fn from_description(description: &TableDescription) -> Result<Self, TableError> {
         check::lengths(description)?;
         let half = Vec2::new(0.5 * description.width, 0.5 * description.length);
@@ -200,7 +200,7 @@ impl Table {
         let back = |liner: &Liner, kind: PocketKind, center, radius| PocketBack {
             end: liner.over_hole,
             hole: Some((center, radius)),
-            liner_from: liner.begins_at(kind.axis()),
+            liner_from: liner.start_cosine(kind.axis()),
         };
         Ok([
             back(&liners[0], at_corner, corner_hole, corner_shape.hole_radius),
@@ -210,17 +210,18 @@ impl Table {
 
     /// Adds all cushion parts; returns the indices of those that make each pocket's mouth.
     fn add_rails(&mut self, jaws: [&Jaw; 3]) -> [Vec<u16>; 6] {
-        let rails = stands(jaws);
+        let rails = rails_with_jaws(jaws);
         let mut jaws: [[Vec<u16>; 2]; 6] = Default::default();
         for ((rail, first, last), place) in rails.into_iter().zip(RAIL_PLACES) {
             let first_indices = self.add_jaw(rail, first, true);
             let nose_index = self.cushions.len() as u16;
-            let [start, end] = [first, last].map(|stand| by(stand.jaw.nose_end, stand.signs));
+            let [start, end] =
+                [first, last].map(|placed| scaled(placed.jaw.nose_end, placed.signs));
             self.cushions.push(nose(rail, start, end));
             self.layout.noses[place] = nose_index;
             let last_indices = self.add_jaw(rail, last, false);
-            for (stand, indices) in [(first, first_indices), (last, last_indices)] {
-                let list = &mut jaws[stand.pocket][stand.slot];
+            for (placed, indices) in [(first, first_indices), (last, last_indices)] {
+                let list = &mut jaws[placed.pocket][placed.slot];
                 list.extend(indices);
                 list.push(nose_index);
             }
@@ -230,13 +231,13 @@ impl Table {
 
     /// Adds a jaw's parts, from the deep end to the nose or the other way round. Returns their
     /// indices, that of the point first.
-    fn add_jaw(&mut self, rail: Rail, stand: Mirrored<&Jaw>, from_deep_end: bool) -> Vec<u16> {
+    fn add_jaw(&mut self, rail: Rail, placed: Mirrored<&Jaw>, from_deep_end: bool) -> Vec<u16> {
         let begin = self.cushions.len() as u16;
-        let mut parts: Vec<CushionPart> = stand
+        let mut parts: Vec<CushionPart> = placed
             .jaw
             .parts
             .iter()
-            .map(|&(part, shape)| CushionPart { rail, part, shape: mirrored(shape, stand.signs) })
+            .map(|&(part, shape)| CushionPart { rail, part, shape: mirrored(shape, placed.signs) })
             .collect();
         if from_deep_end {
             parts.reverse();
@@ -249,20 +250,20 @@ impl Table {
     /// Adds the liners: first the straight runs, then the walls. A run that a ball on the cloth can
     /// touch is added to the parts of its mouth.
     fn add_liners(&mut self, [bottom, left, side]: &[Liner; 3], in_mouth: &mut [Vec<u16>; 6]) {
-        let rails = stands([bottom, left, side]);
+        let rails = rails_with_jaws([bottom, left, side]);
         let each = rails.iter().flat_map(|(rail, first, last)| [(*rail, first), (*rail, last)]);
-        for (rail, stand) in each.clone() {
-            if stand.jaw.exposed {
-                in_mouth[stand.pocket].push(self.cushions.len() as u16);
+        for (rail, placed) in each.clone() {
+            if placed.jaw.exposed {
+                in_mouth[placed.pocket].push(self.cushions.len() as u16);
             }
-            let shape = mirrored(stand.jaw.run, stand.signs);
+            let shape = mirrored(placed.jaw.run, placed.signs);
             self.cushions.push(CushionPart { rail, part: Part::Liner, shape });
         }
         if [bottom, left, side].iter().any(|liner| liner.exposed) {
             self.layout.on_cloth = self.cushions.len();
         }
-        for (rail, stand) in each {
-            let shape = mirrored(stand.jaw.wall, stand.signs);
+        for (rail, placed) in each {
+            let shape = mirrored(placed.jaw.wall, placed.signs);
             self.cushions.push(CushionPart { rail, part: Part::Liner, shape });
         }
     }
@@ -275,7 +276,7 @@ impl Table {
                 self.layout.tops[place] = self.cushions.len() as u16;
             }
             // From the nose line out to the border.
-            let on = |size: Vec2| ends.map(|end| by(size, end));
+            let on = |size: Vec2| ends.map(|end| scaled(size, end));
             let ([a, b], [c, d]) = (on(half), on(border));
             let shape = Shape::Plane { corners: [a, b, d, c] };
             self.cushions.push(CushionPart { rail, part: Part::Top, shape });
@@ -324,12 +325,17 @@ impl Table {
                 }
                 PocketKind::Side => {
                     let up = Vec2::new(1.0, -1.0);
-                    (side, side_jaw, [by(side_jaw.tip, up), by(side_jaw.deep, up)], &backs[1])
+                    (
+                        side,
+                        side_jaw,
+                        [scaled(side_jaw.tip, up), scaled(side_jaw.deep, up)],
+                        &backs[1],
+                    )
                 }
             };
             let (axis, middle) = (kind.axis(), kind.middle(half));
-            let mouth = [jaw.tip, ends[0]].map(|p| by(p, signs));
-            let throat = [jaw.deep, ends[1]].map(|p| by(p, signs));
+            let mouth = [jaw.tip, ends[0]].map(|p| scaled(p, signs));
+            let throat = [jaw.deep, ends[1]].map(|p| scaled(p, signs));
             let gate = match model {
                 PocketModel::DropCircle => Gate {
                     offset: axis.dot(back.end),
@@ -345,13 +351,13 @@ impl Table {
             };
             self.pockets.push(Pocket {
                 name,
-                center: by(hole_center(shape, kind, half), signs),
+                center: scaled(hole_center(shape, kind, half), signs),
                 radius: shape.hole_radius,
                 capture: match model {
                     PocketModel::DropCircle => Capture::DropCircle,
                     PocketModel::MouthLine => Capture::MouthLine { start: mouth[0], end: mouth[1] },
                 },
-                axis: by(axis, signs),
+                axis: scaled(axis, signs),
                 mouth,
                 throat,
             });
@@ -362,30 +368,30 @@ impl Table {
     }
 }
 
-fn by(p: Vec2, signs: Vec2) -> Vec2 {
+fn scaled(p: Vec2, signs: Vec2) -> Vec2 {
     Vec2::new(p.x * signs.x, p.y * signs.y)
 }
 
 fn mirrored(shape: Shape, signs: Vec2) -> Shape {
     match shape {
         Shape::Segment { start, end, normal } => Shape::Segment {
-            start: by(start, signs),
-            end: by(end, signs),
-            normal: by(normal, signs),
+            start: scaled(start, signs),
+            end: scaled(end, signs),
+            normal: scaled(normal, signs),
         },
         Shape::Arc { center, radius, start, end } => Shape::Arc {
-            center: by(center, signs),
+            center: scaled(center, signs),
             radius,
-            start: by(start, signs),
-            end: by(end, signs),
+            start: scaled(start, signs),
+            end: scaled(end, signs),
         },
         Shape::Hollow { center, radius, start, end } => Shape::Hollow {
-            center: by(center, signs),
+            center: scaled(center, signs),
             radius,
-            start: by(start, signs),
-            end: by(end, signs),
+            start: scaled(start, signs),
+            end: scaled(end, signs),
         },
-        Shape::Plane { corners } => Shape::Plane { corners: corners.map(|p| by(p, signs)) },
+        Shape::Plane { corners } => Shape::Plane { corners: corners.map(|p| scaled(p, signs)) },
     }
 }
 
@@ -399,7 +405,8 @@ fn nose(rail: Rail, start: Vec2, end: Vec2) -> CushionPart {
     CushionPart { rail, part: Part::Nose, shape: Shape::Segment { start, end, normal } }
 }
 
-/// The least reach for which the playing area, made smaller by it, contains no hole and no gate, m.
+/// The least reach, m, for which no hole and no gate lies in the playing area made smaller by that
+/// reach on every side.
 fn clear_reach(
     model: PocketModel,
     corner: &PocketDescription,

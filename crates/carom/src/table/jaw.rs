@@ -32,16 +32,19 @@ pub(super) struct Jaw {
     pub(super) tip: Vec2,
     /// Deep end of the facing, m.
     pub(super) deep: Vec2,
-    /// Normal of the facing, towards the pocket's axis, and its direction, away from the nose.
+    /// Unit normal of the facing, towards the pocket's axis.
     pub(super) facing_normal: Vec2,
+    /// Unit vector along the facing, away from the nose.
     pub(super) down: Vec2,
-    /// Radius of the point, m, and how far behind the nose line it ends, m.
+    /// Radius of the point, m.
     pub(super) point_radius: f64,
+    /// Depth behind the nose line at which the point ends, m.
     pub(super) point_end: f64,
     /// The parts that a ball can touch, from nose to deep end.
     pub(super) parts: Vec<(Part, Shape)>,
-    /// Where the straight nose begins, m, and how far along the rail from the pocket's middle.
+    /// The end of the straight nose at this jaw, m.
     pub(super) nose_end: Vec2,
+    /// Distance of that end along the rail from the pocket's middle, m.
     pub(super) nose_start: f64,
     /// The deep end along the rail and behind it, m.
     pub(super) deep_in_rail: [f64; 2],

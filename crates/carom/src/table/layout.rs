@@ -1,4 +1,4 @@
-//! The part of a table's geometry that only detection needs: where a ball can touch what.
+//! The part of a table's geometry that only detection needs: which parts a ball can touch where.
 
 use alloc::vec::Vec;
 
@@ -8,11 +8,12 @@ use super::{CushionPart, Part, Pocket};
 use crate::math::Vec2;
 
 /// Extra length of a straight part at either end in detection, m: 1 nm, ten million roundings of a
-/// position. Beside a round neighbour it stands out by (1 nm)²/2δ ≈ 2e-17 m, less than one
+/// position. Next to a round part the ball's centre follows an arc of at least its reach, about
+/// ρ = 25 mm; the extra length departs from that arc by (1 nm)²/2ρ ≈ 2e-17 m, less than one
 /// rounding.
 pub(crate) const JOIN_OVERLAP: f64 = 1e-9;
 
-/// Where a ball can touch which part, and the bounding boxes of the parts.
+/// Which parts a ball can touch where, and the bounding boxes of the parts.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DetectionIndex {
     /// Half the playing area, nose to nose, m.
@@ -50,12 +51,12 @@ pub(crate) struct Mouth {
     pub(crate) parts: Vec<u16>,
     /// The line that captures balls.
     pub(crate) gate: Gate,
-    /// Cosine of the largest angle to the pocket's axis at which the liner's round wall stands,
-    /// seen from the hole's centre.
+    /// Cosine of the angle, at the hole's centre, between the pocket's axis and the ends of the
+    /// liner's round wall.
     pub(crate) liner_from: f64,
-    /// All its points, facings and liners, which a flying ball can touch: index and box.
+    /// Index and box of each point, facing and liner of the pocket, which a flying ball can touch.
     pub(crate) all: Vec<(u16, Bounds)>,
-    /// The box around them and the hole.
+    /// The box around these parts and the hole.
     pub(crate) bounds: Bounds,
 }
 

@@ -31,7 +31,7 @@ pub use description::{
 pub use dimensions::Dimension;
 pub use error::TableError;
 pub use feature::TableFeature;
-pub use place::{BRINK, Placement, TOUCH_TOLERANCE};
+pub use place::{LIP_OVERHANG, Placement, TOUCH_TOLERANCE};
 pub use presets::PRESETS;
 pub use sheet::Source;
 
@@ -52,10 +52,10 @@ pub struct Table {
     pub size: Vec2,
     /// Height of the cushion nose above the slate, m.
     pub cushion_height: f64,
-    /// First noses, facings and points, counter-clockwise around the table from the left end of the
-    /// bottom rail; within a rail facing, point, nose, point, facing. Then, in the same order of
-    /// rails, with the drop-circle model the liners (first their straight runs, then their round
-    /// walls, two each per rail), and the rails' tops.
+    /// All parts, rail by rail, counter-clockwise around the table from the left end of the bottom
+    /// rail. The noses, facings and points come first: on each rail facing, point, nose, point,
+    /// facing. With the drop-circle model the liners follow: first all straight runs, then all
+    /// round walls, two of each per rail. The rails' tops are last.
     pub cushions: Vec<CushionPart>,
     /// Pockets, in the order of their numbers in results: bottom-left, bottom-right, left, right,
     /// top-left, top-right.
@@ -63,9 +63,9 @@ pub struct Table {
     pub(crate) layout: DetectionIndex,
 }
 
-/// How far from the nose line the centre of a ball on the cloth is when they touch, m: √(R² − (h −
-/// R)²) for a ball of radius `radius` (m) and a nose `cushion_height` (m) above the slate; `None`
-/// if the ball passes below or above it.
+/// Distance from the nose line to the centre of a ball on the cloth that touches the nose, m: √(R²
+/// − (h − R)²) for a ball of radius `radius` (m) and a nose `cushion_height` (m) above the slate.
+/// `None` if the ball cannot touch the nose.
 pub fn nose_reach(cushion_height: f64, radius: f64) -> Option<f64> {
     let squared = radius * radius - (cushion_height - radius) * (cushion_height - radius);
     (squared > 0.0).then(|| sqrt(squared))
@@ -85,8 +85,9 @@ impl Table {
         &self.cushions[..self.layout.on_cloth]
     }
 
-    /// Unit vector from the centre of a ball at `position` (m) into the cushion part that it
-    /// touches, seen from above; zero for a rail's top. In space: [`Table::contact_normal`].
+    /// Unit vector from the centre of a ball at `position` (m, engine's frame) into the cushion
+    /// part that it touches, seen from above; zero for a rail's top. [`Table::contact_normal`]
+    /// gives the normal in space.
     pub fn normal_at(&self, part: usize, position: Vec2) -> Vec2 {
         match self.cushions[part].shape {
             Shape::Segment { normal, .. } => -normal,
@@ -147,12 +148,12 @@ pub enum Part {
     Nose,
     /// The straight side of a pocket's jaw.
     Facing,
-    /// The round horn between nose and facing.
+    /// The rounded corner between nose and facing.
     Point,
     /// The flat top of the rail, cushion included, at the height of the nose.
     Top,
-    /// The wall of a pocket behind the facings: straight on from their deep ends, then around the
-    /// back of the hole.
+    /// The wall of a pocket behind the facings: a straight run from the deep end of each facing,
+    /// then a round wall around the back of the hole.
     Liner,
 }
 
@@ -209,7 +210,7 @@ pub enum Shape {
     /// The top of a rail: four corners, m, two on the nose line and two on the border. The openings
     /// of the pockets are cut out of it.
     Plane {
-        /// In order around it.
+        /// The corners in their order around the outline.
         corners: [Vec2; 4],
     },
 }

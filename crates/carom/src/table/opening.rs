@@ -1,9 +1,9 @@
 //! What lies behind the jaws of a pocket, up to the outer edge of the rails.
 //!
-//! Behind its deep end the line of each facing continues straight to the back of the hole's circle,
-//! and the far arc of that circle joins the two: this is the liner. So the edges of a pocket
-//! enclose its opening, and everything behind an edge line, within the border, is the flat top of
-//! the rails:
+//! The liner closes a pocket. The line of each facing continues straight from its deep end to the
+//! back of the hole's circle, and the far arc of that circle joins the two lines. So the edges of a
+//! pocket enclose its opening. Everything else between the edge lines and the border is the flat
+//! top of the rails:
 //!
 //! ```text
 //!   ───────────╮            ╭───────────   noses and points
@@ -22,12 +22,12 @@ use crate::math::{Vec2, sqrt};
 
 /// The liner behind one jaw of the quadrant x ≤ 0, y ≤ 0.
 pub(super) struct Liner {
-    /// From the deep end to the back of the circle: an edge like the facing's.
+    /// The straight run from the deep end to the hole's circle: an edge like the facing's.
     pub(super) run: Shape,
-    /// From there to the pocket's axis.
+    /// The round wall from there to the pocket's axis.
     pub(super) wall: Shape,
-    /// A point on the jaw's line over the hole, at or behind the deep end, m. Between it and its
-    /// mirror image there is only hole.
+    /// A point on the jaw's line over the hole, at or behind the deep end, m. The straight line
+    /// from it to its mirror image lies over the hole.
     pub(super) over_hole: Vec2,
     /// Whether a ball on the cloth can touch the run before its centre is over the hole.
     pub(super) exposed: bool,
@@ -35,7 +35,7 @@ pub(super) struct Liner {
 
 impl Liner {
     /// Cosine of the angle between `axis` and the start of the round wall.
-    pub(super) fn begins_at(&self, axis: Vec2) -> f64 {
+    pub(super) fn start_cosine(&self, axis: Vec2) -> f64 {
         match self.wall {
             Shape::Hollow { start, .. } => axis.dot(start),
             _ => 0.0,
@@ -107,7 +107,7 @@ impl Openings {
 
     /// Whether `p`, in the quadrant and behind a nose line, is in the opening of the corner pocket,
     /// and whether it is in that of the side pocket, which begins behind the long rail.
-    pub(super) fn hold(&self, p: Vec2) -> [bool; 2] {
+    pub(super) fn contain(&self, p: Vec2) -> [bool; 2] {
         fn within<const N: usize>((jaws, back): &([JawLine; N], Back), p: Vec2) -> bool {
             jaws.iter().all(|jaw| jaw.is_behind(p)) && back.is_behind(p)
         }
@@ -121,11 +121,12 @@ impl Openings {
 pub(super) struct Back {
     /// Unit vector along the pocket's axis, away from the table.
     pub(super) axis: Vec2,
-    /// The opening contains everything up to this distance along the axis from the table's centre,
-    /// m,
+    /// Distance from the table's centre along the axis, m. The opening contains everything between
+    /// the jaws up to here.
     pub(super) straight: f64,
-    /// and this disc, m; of radius 0 with the mouth-line model.
+    /// Centre of the disc that the opening contains too, m.
     pub(super) center: Vec2,
+    /// Radius of that disc, m; 0 with the mouth-line model.
     pub(super) radius: f64,
 }
 
@@ -137,17 +138,19 @@ impl Back {
     }
 }
 
-/// The edge line of a jaw, without an end at its back.
+/// The edge line of a jaw; its facing continues without end.
 #[derive(Clone, Debug, PartialEq)]
 struct JawLine {
     rail: RailFrame,
     /// Where the nose begins along the rail, m.
     nose_start: f64,
-    /// Radius of the point, m, and how far behind the nose line it ends, m.
+    /// Radius of the point, m.
     point_radius: f64,
+    /// Depth behind the nose line at which the point ends, m.
     point_end: f64,
-    /// A point of the facing, m, and its normal.
+    /// The deep end of the facing, m.
     deep: Vec2,
+    /// Unit normal of the facing, towards the pocket's axis.
     normal: Vec2,
 }
 
@@ -163,13 +166,13 @@ impl JawLine {
         }
     }
 
-    /// How far `p` is behind the nose line, m.
+    /// Depth of `p` behind the nose line, m.
     fn depth(&self, p: Vec2) -> f64 {
         self.rail.behind.dot(p - self.rail.origin)
     }
 
-    /// Whether the jaw lies behind `p`, seen from the pocket. Along the edge the depth behind the
-    /// nose line only grows, so that each depth has one edge point.
+    /// Whether `p` is on the pocket's side of the jaw. The depth behind the nose line grows along
+    /// the edge, so there is one edge point for each depth.
     fn is_behind(&self, p: Vec2) -> bool {
         let behind = self.depth(p);
         if behind <= 0.0 {

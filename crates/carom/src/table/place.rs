@@ -1,4 +1,4 @@
-//! Whether a ball has room at a position.
+//! Whether a ball is inside the table, and what it touches or overlaps.
 
 use super::{Capture, CushionPart, Shape, Table, arc_sides};
 use crate::math::{Vec2, Vec3, sqrt};
@@ -7,14 +7,15 @@ use crate::math::{Vec2, Vec3, sqrt};
 /// in a file and far less than can be measured. Deeper overlap is refused.
 pub const TOUCH_TOLERANCE: f64 = 1e-9;
 
-/// How far beyond the lip of a hole, in radii of the ball, rolling friction may hold a ball as if
-/// it stood on the slate. It is 2e-10 m lower there.
-pub const BRINK: f64 = 1e-4;
+/// Largest distance of a ball's centre beyond the lip of a hole, in ball radii, at which rolling
+/// friction may hold the ball as if it stood on the slate. A ball on the lip is less than 2e-10 m
+/// lower there.
+pub const LIP_OVERHANG: f64 = 1e-4;
 
-/// How a ball at a position stands to the table.
+/// Whether a ball at a position is inside the table, and what it touches or overlaps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Placement {
-    /// Inside, touching nothing.
+    /// Inside, without contact.
     Inside,
     /// Inside, touching a cushion.
     TouchesCushion {
@@ -25,7 +26,7 @@ pub enum Placement {
     InCushion {
         /// Index into `Table::cushions`.
         part: u16,
-        /// By how much, m.
+        /// Depth of the overlap, m.
         depth: f64,
     },
     /// Where a pocket captures the ball.
@@ -38,15 +39,15 @@ pub enum Placement {
 }
 
 impl Placement {
-    /// Whether a ball may stand there.
+    /// Whether a shot may start with a ball there.
     pub fn is_inside(&self) -> bool {
         matches!(self, Self::Inside | Self::TouchesCushion { .. })
     }
 }
 
 impl Table {
-    /// How a ball of radius `radius` (m) on the cloth with its centre at `position` (m, engine's
-    /// frame) stands to the table.
+    /// The placement of a ball of radius `radius` (m) on the cloth with its centre at `position`
+    /// (m, engine's frame).
     pub fn place_check(&self, position: Vec2, radius: f64) -> Placement {
         let reach = self.reach(radius);
         let half = self.layout.half;
@@ -56,10 +57,10 @@ impl Table {
         };
         let in_opening = self.opening_at(position).is_some();
         let (in_area, in_rails) = (within(0.0), within(rubber) || in_opening);
-        // A shot may leave a ball hanging there, and the next shot starts with it. Rounding adds
-        // far less.
-        let brink = BRINK * radius + TOUCH_TOLERANCE;
-        if let Some(pocket) = self.captured_at(position, reach, brink, in_rails) {
+        // A shot may leave a ball hanging over a lip, and the next shot starts with it. Rounding
+        // adds less than the tolerance.
+        let overhang = LIP_OVERHANG * radius + TOUCH_TOLERANCE;
+        if let Some(pocket) = self.captured_at(position, reach, overhang, in_rails) {
             return Placement::OverHole { pocket };
         }
         // No part that a ball on the cloth can touch lies inside the nose lines.
@@ -69,7 +70,7 @@ impl Table {
         let parts = self.parts_on_cloth().iter();
         let deepest = deepest(parts, |part| depth_in(part, position, reach, rubber));
         match deepest {
-            // Also for NaN.
+            // NaN comes here too, because every comparison with it is false.
             _ if !in_rails => Placement::Outside,
             Some((part, depth)) if depth > TOUCH_TOLERANCE => Placement::InCushion { part, depth },
             _ if !in_area && !in_opening => Placement::Outside,
@@ -78,14 +79,14 @@ impl Table {
         }
     }
 
-    /// The pocket that has captured a ball at `position`: the centre is over its hole by more than
-    /// `brink`, or in the rails beyond its gate.
-    fn captured_at(&self, position: Vec2, reach: f64, brink: f64, in_rails: bool) -> Option<u8> {
+    /// The pocket that has captured a ball at `position`: the centre is beyond the lip of its hole
+    /// by more than `overhang` (m), or in the rails beyond its gate.
+    fn captured_at(&self, position: Vec2, reach: f64, overhang: f64, in_rails: bool) -> Option<u8> {
         let holds = |i: &usize| {
             let (pocket, gate) = (&self.pockets[*i], &self.layout.mouths[*i].gate);
             let from_center = position - pocket.center;
             let over_hole = matches!(pocket.capture, Capture::DropCircle)
-                && from_center.length() < pocket.radius - brink;
+                && from_center.length() < pocket.radius - overhang;
             let beyond = pocket.axis.dot(position) - (gate.offset + gate.lean * reach);
             let beside = pocket.axis.cross(from_center).abs();
             over_hole || (in_rails && beyond > TOUCH_TOLERANCE && beside <= gate.half_width)
@@ -93,9 +94,9 @@ impl Table {
         (0..self.pockets.len()).find(holds).map(|i| i as u8)
     }
 
-    /// How a ball of radius `radius` (m) in the air with its centre at `position` (m, engine's
-    /// frame), at least `radius` above the slate, stands to the table. Over a hole it is inside;
-    /// beyond a mouth line, which captures balls lower than the rails, it is not.
+    /// The placement of a ball of radius `radius` (m) in the air with its centre at `position` (m,
+    /// engine's frame), at least `radius` above the slate. A ball over a hole is inside. A ball
+    /// beyond a mouth line is inside only if it is higher than the rails.
     pub fn place_in_air(&self, position: Vec3, radius: f64) -> Placement {
         let (plan, rise) = (position.xy(), self.cushion_height - position.z);
         if self.is_outside(plan) {

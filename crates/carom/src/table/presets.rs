@@ -30,7 +30,7 @@ const PT_SNOOKER: Source = Source::Published("pooltool 0.6.0, its snooker table"
 const MATHAVAN: Source = Source::Published("Mathavan, Jackson & Parkin 2010: h = 7R/5, R 26.25 mm");
 const FASTFIZ: Source = Source::Published("FastFiz 0.2, FastFiz.h");
 const BEHIND_THE_LINE: Source = Source::Estimated("behind the mouth line, never reached");
-const FOLLOWS: Source = Source::Estimated("the rule book leaves it open");
+const UNREGULATED: Source = Source::Estimated("the rule book leaves it open");
 const LIKE_WPA: Source = Source::Estimated("as on the WPA's tables");
 const LIKE_SNOOKER: Source =
     Source::Estimated("as on the snooker table, in proportion to the ball");
@@ -50,7 +50,7 @@ const WPA_CORNER: PocketSheet = PocketSheet {
     mouth: inches(4.5625, WPA),
     cut_angle_deg: figure(142.0, WPA),
     shelf: inches(1.625, WPA),
-    hole_radius: inches(2.4375, FOLLOWS),
+    hole_radius: inches(2.4375, UNREGULATED),
     point_radius: inches(0.25, Source::Memory),
     throat: None,
 };
@@ -60,7 +60,7 @@ const WPA_SIDE: PocketSheet = PocketSheet {
     mouth: inches(5.0625, WPA),
     cut_angle_deg: figure(104.0, WPA),
     shelf: inches(0.1875, WPA),
-    hole_radius: inches(2.5, FOLLOWS),
+    hole_radius: inches(2.5, UNREGULATED),
     point_radius: inches(0.25, Source::Memory),
     throat: None,
 };
@@ -72,7 +72,7 @@ const WPA_9FT: Sheet = Sheet {
     cushion_height: WPA_NOSE,
     // 1⅞ to 2 in.
     cushion_width: inches(2.0, WPA),
-    // 4 to 7½ in; 5 in would not hold the holes of the side pockets.
+    // The rule allows 4 to 7½ in. 5 in would be too narrow for the holes of the side pockets.
     rail_width: inches(6.0, WPA),
     pocket_model: PocketModel::DropCircle,
     pockets: Some([WPA_CORNER, WPA_SIDE]),
@@ -117,9 +117,9 @@ const fn as_if(p: PocketSheet, source: Source) -> PocketSheet {
     }
 }
 
-/// For a pocket pooltool gives the angle between facing and axis (5.3° and 7.14°) and the depth of
-/// the hole's centre behind the nose lines (41.7 and 68.5 mm); shelf and cut angle follow from
-/// them.
+/// pooltool describes a pocket by the angle between facing and axis (5.3° and 7.14°) and by the
+/// depth of the hole's centre behind the nose lines (41.7 and 68.5 mm). Shelf and cut angle follow
+/// from them.
 const SHOWOOD_7FT: Sheet = Sheet {
     name: "showood-7ft",
     length: figure(1.9812, SHOWOOD),
@@ -152,7 +152,7 @@ const SHOWOOD_7FT: Sheet = Sheet {
     ..WPA_9FT
 };
 
-/// sin 7.14°.
+/// sin 7.14°, because `sin` is not a `const fn`.
 const SIN_7_14_DEG: f64 = 0.124_294_224_946_840_18;
 
 const SNOOKER_12FT: Sheet = Sheet {
@@ -194,7 +194,7 @@ const ENGLISH_TO_SNOOKER: f64 = 2.0 * INCH / 0.0525;
 
 const ENGLISH_7FT: Sheet = Sheet {
     name: "english-7ft",
-    // Between 6 × 3 ft and 7 × 3½ ft; a “7 ft” table measures that outside.
+    // The rule allows 6 × 3 ft to 7 × 3½ ft. A “7 ft” table is 7 ft long outside.
     length: inches(72.0, WEPF),
     width: inches(36.0, WEPF),
     cushion_height: figure(0.03675 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
@@ -203,7 +203,7 @@ const ENGLISH_7FT: Sheet = Sheet {
     pocket_model: PocketModel::DropCircle,
     pockets: Some([
         PocketSheet {
-            // 1.6 balls.
+            // 1.6 ball diameters.
             mouth: inches(3.2, BAPTO),
             cut_angle_deg: figure(135.0, LIKE_SNOOKER),
             shelf: figure(0.01852 * ENGLISH_TO_SNOOKER, LIKE_SNOOKER),
@@ -319,14 +319,14 @@ impl TableDescription {
 impl Table {
     /// The preset of that name ([`PRESETS`]).
     pub fn preset(name: &str) -> Option<Self> {
-        // Every preset makes a table: the tests build each one.
+        // `ok` hides no error: the tests build every preset.
         let mut table = Self::from_description(&TableDescription::preset(name)?).ok()?;
         table.name = Some(name.to_string());
         Some(table)
     }
 
-    /// The preset of that name, shared by all shots on it: successive shots find the table in the
-    /// processor's cache. (Without the standard library every call makes a new one.)
+    /// The preset of that name, shared by all shots on it, so that it stays in the processor's
+    /// cache from shot to shot. Without the standard library every call makes a new one.
     pub(crate) fn shared_preset(name: &str) -> Option<Arc<Self>> {
         #[cfg(feature = "std")]
         {

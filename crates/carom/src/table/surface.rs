@@ -10,9 +10,9 @@
 use super::{Capture, Shape, Table, TableFeature, arc_sides};
 use crate::math::{Vec2, Vec3};
 
-/// A centre that is lower than an edge by a radius and this much, m, touches the body under the
-/// edge: ten thousand roundings of a height, so that detection and normal agree on which of the two
-/// was touched.
+/// A ball whose centre is lower than an edge by its radius and this margin, m, touches the body
+/// under the edge instead of the edge. The margin is ten thousand roundings of a height, so that
+/// detection and normals agree on which of the two is touched.
 pub(crate) const UNDER_EDGE: f64 = 1e-12;
 
 impl Table {
@@ -37,7 +37,7 @@ impl Table {
         if !self.is_behind_nose_line(p) {
             return None;
         }
-        let [corner, side] = openings.hold(Vec2::new(-p.x.abs(), -p.y.abs()));
+        let [corner, side] = openings.contain(Vec2::new(-p.x.abs(), -p.y.abs()));
         let [at_corner, at_side] = self.nearest_pockets(p);
         corner.then_some(at_corner).or(side.then_some(at_side))
     }
@@ -140,7 +140,7 @@ fn edge_normal(shape: &Shape, p: Vec2, rise: f64, radius: f64) -> Vec3 {
             } else if side.dot(from_center) >= 0.0 {
                 unit(from_center.with_z(0.0))
             } else {
-                // Beside the wall: its upright end.
+                // The ball is next to the wall and touches its vertical end.
                 unit((start * radius - from_center).with_z(0.0))
             }
         }

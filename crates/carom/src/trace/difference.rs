@@ -7,8 +7,8 @@ use super::{Trace, TraceEvent};
 use crate::BallState;
 
 impl Trace {
-    /// The first place where `self` and `again` differ in any bit, in one sentence; `None` if they
-    /// are the same events, to the same final states.
+    /// The first place where `self` and `again` differ in any bit, in one sentence; `None` if all
+    /// events, the duration and all final states are equal.
     pub fn first_difference(&self, again: &Self) -> Option<String> {
         for (i, (a, b)) in self.events().zip(again.events()).enumerate() {
             if let Some(difference) = in_event(&a, &b) {

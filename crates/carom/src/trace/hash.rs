@@ -1,14 +1,16 @@
 //! The hash of a trace: 64 bits over the exact bits of all events and final states.
 //!
-//! Words of 64 bits are taken in the order below. Each is mixed in as FNV-1a does with bytes
-//! (Fowler, Noll & Vo: xor, then multiply by the prime), followed by a fold of the upper half into
-//! the lower, without which a flipped sign bit would only ever reach the top bit.
+//! The input is a sequence of 64-bit words in the order below. Each word is mixed in as FNV-1a
+//! mixes in bytes (Fowler, Noll & Vo: xor, then multiply by the prime). Then the upper half is
+//! folded into the lower one; without this, a flipped sign bit would change only the top bit of the
+//! hash.
 //!
 //! Per event: the time; the type's number; two details (rail and part, pocket and 0, from and to,
 //! or 0 and 0); the number of balls; per ball its index, its state before, its state after. Then
-//! per ball its final state. A state is position, velocity, angular velocity (nine numbers) and
-//! the number of its motion state. Numbers of names count from 0 in the order of their
-//! declaration. The algorithm belongs to `carom-trace/1` and changes only with that number.
+//! per ball its final state. A state is position, velocity, angular velocity (nine numbers) and the
+//! number of its motion state. Rails, parts, pockets and motion states have the numbers of their
+//! declaration, from 0. The algorithm belongs to `carom-trace/1` and changes only with that
+//! version.
 
 use super::{Trace, TraceEventKind};
 use crate::BallState;

@@ -37,8 +37,8 @@ pub struct Trace {
     outcome: Outcome,
 }
 
-/// The events in order. The balls and states of all events are in one list each, so that recording
-/// allocates a few times per shot and not per event.
+/// The events in order. The balls of all events share one list, and so do the states, so that
+/// recording allocates a few times per shot and not for each event.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Log {
     entries: Vec<Entry>,
@@ -100,14 +100,15 @@ impl Trace {
         &self.last
     }
 
-    /// The facts that rules need.
+    /// The outcome of the shot: the facts that rules need.
     pub const fn outcome(&self) -> &Outcome {
         &self.outcome
     }
 
-    /// All balls' states at `time` (s), in the file's frame, from the closed-form path since each
-    /// ball's last event: exact to rounding. At the instant of an event, the state after it; after
-    /// the end, the final state.
+    /// All balls' states at `time` (s), in the file's frame, exact to rounding: each is computed
+    /// from the closed-form path since the ball's last event. At the instant of an event it is the
+    /// state after the event. After the end it is the final state; a ball that never rests moves
+    /// on.
     ///
     /// # Errors
     /// [`Error::Input`] if `time` is negative or not finite.
@@ -116,7 +117,7 @@ impl Trace {
             return Err(Error::input(
                 "time",
                 format!("{time:?} s is out of range"),
-                "ask for a finite time ≥ 0",
+                "give a finite time ≥ 0",
             ));
         }
         let mut states: Vec<(f64, BallState)> =

@@ -15,13 +15,13 @@ use crate::math::{Vec3, ceil, sin_cos, sqrt};
 /// Largest rotation in a Magnus step, rad. The error over a whole break is then less than 1e-5 rad.
 const STEP: f64 = 0.1;
 
-/// Steps between two stored orientations: few enough that any instant is reached in a microsecond,
-/// and enough that a break stores only a few thousand.
+/// Steps between two stored orientations: few enough that any instant is computed in a microsecond,
+/// and enough that a break stores only a few thousand orientations.
 const STEPS_PER_KEY: usize = 16;
 
-/// Most steps of a stretch: 2 MB of stored orientations. Ten seconds at 10 000 rad/s need as many;
-/// a ball that spins longer while it slides (almost no friction) gets longer steps, which are less
-/// exact.
+/// Largest number of steps of a stretch: 2 MB of stored orientations. Ten seconds at 10 000 rad/s
+/// need this many. A ball that spins longer while it slides, with almost no friction, gets longer
+/// steps, which are less exact.
 const MOST_STEPS: f64 = 1_048_576.0;
 
 /// Two spins whose directions differ by less, rad, have the same axis: the difference is rounding.
@@ -38,7 +38,7 @@ impl Quaternion {
     const IDENTITY: Self = Self { vector: Vec3::ZERO, scalar: 1.0 };
 
     /// The rotation by a rotation vector, rad.
-    fn turn(by: Vec3) -> Self {
+    fn from_rotation_vector(by: Vec3) -> Self {
         let angle = by.length();
         if angle == 0.0 {
             return Self::IDENTITY;
@@ -73,7 +73,7 @@ struct Stretch {
     spin: Vec3,
     /// Rate of change of the spin, rad/s².
     rate: Vec3,
-    /// Length of a step, s: that of the stretch if the axis is constant.
+    /// Length of a step, s; the length of the stretch if the axis is constant.
     step: f64,
     /// Orientations at the start and after every [`STEPS_PER_KEY`] steps.
     keys: Vec<Quaternion>,
@@ -118,16 +118,17 @@ impl Stretch {
     /// The orientation `steps` whole steps after the key at step `from`.
     fn walk(&self, from: usize, steps: usize) -> Quaternion {
         let key = self.keys[from / STEPS_PER_KEY];
-        (from..from + steps).fold(key, |q, k| self.turn(k as f64 * self.step, self.step).after(q))
+        (from..from + steps)
+            .fold(key, |q, k| self.rotation(k as f64 * self.step, self.step).after(q))
     }
 
-    /// The rotation in the `h` seconds from `t` seconds into the stretch.
-    fn turn(&self, t: f64, h: f64) -> Quaternion {
+    /// The rotation during `h` seconds, from `t` seconds after the start of the stretch.
+    fn rotation(&self, t: f64, h: f64) -> Quaternion {
         let mid = self.spin + self.rate * (t + 0.5 * h);
-        Quaternion::turn(mid * h + self.rate.cross(mid) * (h * h * h / 12.0))
+        Quaternion::from_rotation_vector(mid * h + self.rate.cross(mid) * (h * h * h / 12.0))
     }
 
-    /// The orientation `t` seconds into the stretch.
+    /// The orientation `t` seconds after the start of the stretch.
     fn at(&self, t: f64) -> Quaternion {
         let t = t.clamp(0.0, self.length);
         // In a stretch of no length this is NaN, which the cast turns into 0.
@@ -137,7 +138,7 @@ impl Stretch {
         // 0 times an infinite step would be NaN.
         let walked = if whole == 0 { 0.0 } else { whole as f64 * self.step };
         let rest = t - walked;
-        if rest > 0.0 { self.turn(walked, rest).after(q).normalized() } else { q.normalized() }
+        if rest > 0.0 { self.rotation(walked, rest).after(q).normalized() } else { q.normalized() }
     }
 }
 
@@ -161,7 +162,7 @@ fn stretches(pieces: &[Piece]) -> Vec<Stretch> {
     for piece in pieces {
         let path = &piece.path;
         let length = (piece.end - piece.start).min(path.duration);
-        // NaN (0/0) without sidespin and without its deceleration: the filter drops it.
+        // Without sidespin and without its deceleration this is NaN (0/0), which the filter drops.
         let dies_out = path.angular_velocity.z.abs() / path.spin_deceleration;
         let cut = Some(dies_out).filter(|t| *t > 0.0 && *t < length);
         let mut from = 0.0;
@@ -179,8 +180,8 @@ fn stretches(pieces: &[Piece]) -> Vec<Stretch> {
 
 impl Orientations {
     /// The orientation of ball `ball` (an index into the shot's balls) at `time` (s ≥ 0 since the
-    /// strike): the unit quaternion x, y, z, w of its rotation since the start. After the shot's
-    /// end it stays the same.
+    /// strike): the unit quaternion x, y, z, w of its rotation since the start. It is constant once
+    /// the ball is at rest.
     pub fn at(&self, ball: usize, time: f64) -> [f64; 4] {
         let stretches = &self.balls[ball];
         let after = stretches.partition_point(|s| s.start <= time);

@@ -9,9 +9,10 @@ use crate::motion::Path;
 /// The motion of a ball from one of its events to the next, in the file's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// When it starts, s since the strike.
+    /// Start of the motion, s since the strike.
     pub start: f64,
-    /// When it ends, s: at the ball's next event, or when its motion does; infinite if never.
+    /// End, s since the strike: the ball's next event or the end of its motion; infinite if it
+    /// never ends.
     pub end: f64,
     /// The ball's state at the start.
     pub state: BallState,

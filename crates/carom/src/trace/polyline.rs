@@ -15,16 +15,16 @@ pub struct Waypoint {
     pub time: f64,
 }
 
-/// Most chords of one curve, however small the tolerance: a picture shows no more.
+/// Largest number of chords of one curve, for any tolerance: a picture shows no more.
 const MOST_CHORDS: f64 = 4096.0;
 
 impl Trace {
-    /// The path of ball `ball` (an index into the shot's balls): points on the exact path, one at
-    /// every event of the ball, and enough in between that the path is nowhere further than
-    /// `tolerance` (m, greater than 0) from the polyline; at most 4096 chords between two events.
-    /// It starts at time 0 and ends with the ball's last event, or with the shot for a ball that
-    /// never rests. Where a ball falls into a pocket there are two points at one time: where it
-    /// fell, and where it lies below the hole.
+    /// The path of ball `ball` (an index into the shot's balls) as points on the exact path. There
+    /// is one at every event of the ball, and enough in between that the path is nowhere further
+    /// than `tolerance` (m, greater than 0) from the polyline, but at most 4096 chords between two
+    /// events. The polyline starts at time 0. It ends with the ball's last event, or with the shot
+    /// for a ball that never rests. A ball that falls into a pocket has two points at that time:
+    /// the place where it fell, and the place below the hole where it lies.
     pub fn polyline(&self, ball: usize, tolerance: f64) -> Vec<Waypoint> {
         let mut points: Vec<Waypoint> = Vec::new();
         for piece in self.pieces(ball) {
@@ -43,13 +43,13 @@ impl Trace {
     }
 }
 
-/// Adds points from the start of `piece`, without it, to the time `end`.
+/// Adds points after the start of `piece` up to the time `end` (s).
 ///
 /// Between the times t₀ and t₁ the path r₀ + vt + ht² is |h × v|/|c|·(t − t₀)(t₁ − t) from its
 /// chord, where c = v + h(t₀ + t₁) is the mean velocity. That is at most |h × v|/|c|·Δt²/4, and at
 /// most |h|·Δt²/4 at any speed. It is also the distance from the segment, unless the ball turns
-/// back; so the instant of least speed is a point as well. Perpendicular to h the velocity is
-/// constant, |h × v|/|h|: where that moves the ball by no more than the tolerance, as on a straight
+/// back; therefore the instant of least speed is a point as well. Perpendicular to h the velocity
+/// is constant, |h × v|/|h|. If it moves the ball by no more than the tolerance, as on a straight
 /// path, one chord is enough.
 fn follow(points: &mut Vec<Waypoint>, piece: &Piece, end: f64, tolerance: f64) {
     let path = &piece.path;

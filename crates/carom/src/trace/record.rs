@@ -9,7 +9,7 @@ use crate::event::{Event, Recorder};
 use crate::outcome::Collector;
 use crate::shot::Shot;
 
-/// Events that memory is reserved for at the start; a break has about 150.
+/// Number of events for which memory is reserved at the start. A break has about 150 events.
 const USUAL_EVENTS: usize = 64;
 
 /// Records a [`Trace`] of a shot.

@@ -1,7 +1,7 @@
 //! The outcome of whole shots in which balls fly.
 
 use carom::outcome::Outcome;
-use carom::table::{BRINK, PocketName};
+use carom::table::{LIP_OVERHANG, PocketName};
 use carom::trace::TraceEventKind;
 use carom::{MotionState, Shot, Trace};
 
@@ -124,16 +124,16 @@ fn a_ball_left_hanging_can_be_in_the_next_shot_and_falls_when_it_is_touched() {
         let shot = Shot::from_json(&file(over, strike)).unwrap_or_else(|e| panic!("{e}"));
         shot.simulate().unwrap_or_else(|e| panic!("{e}"))
     };
-    let alone = play(0.99 * BRINK, "");
+    let alone = play(0.99 * LIP_OVERHANG, "");
     assert_eq!(alone.outcome().hanging, [(1, PocketName::BottomLeft)]);
-    assert_eq!(alone.last()[1].position.xy(), at(0.99 * BRINK));
+    assert_eq!(alone.last()[1].position.xy(), at(0.99 * LIP_OVERHANG));
     for azimuth in [225, 224, 226] {
         let strike =
             format!(r#", "strike": {{"ball": "cue", "speed": 0.5, "azimuth_deg": {azimuth}}}"#);
-        let hit = play(0.99 * BRINK, &strike);
+        let hit = play(0.99 * LIP_OVERHANG, &strike);
         assert!(hit.outcome().pocketed.contains(&(1, PocketName::BottomLeft)), "{azimuth}");
     }
-    let refusal = Shot::from_json(&file(1.01 * BRINK, "")).expect_err("it would fall");
+    let refusal = Shot::from_json(&file(1.01 * LIP_OVERHANG, "")).expect_err("it would fall");
     assert!(refusal.to_string().contains("stands over the bottom-left pocket"), "{refusal}");
 }
 

@@ -4,8 +4,8 @@ use crate::oracle::{Dice, clearance, first_violation, way_to_pocket};
 use carom::Table;
 use carom::math::Vec2;
 use carom::table::{
-    BRINK, Capture, PRESETS, Part, Placement, PocketModel, TOUCH_TOLERANCE, TableDescription,
-    nose_reach,
+    Capture, LIP_OVERHANG, PRESETS, Part, Placement, PocketModel, TOUCH_TOLERANCE,
+    TableDescription, nose_reach,
 };
 use carom_roots::Motion;
 
@@ -43,7 +43,7 @@ fn in_front_of_the_noses_the_depth_in_a_cushion_is_the_missing_distance() {
             let place = table.place_check(p, POOL_BALL);
             let way = way_to_pocket(&table, p);
             // A ball may hang this far over a lip.
-            let hangs = way >= -(BRINK * POOL_BALL + TOUCH_TOLERANCE) && !lines;
+            let hangs = way >= -(LIP_OVERHANG * POOL_BALL + TOUCH_TOLERANCE) && !lines;
             if way < -TOUCH_TOLERANCE && !hangs {
                 assert!(matches!(place, Placement::OverHole { .. }), "{name}: {p:?} {place:?}");
                 seen[0] += 1;

@@ -79,7 +79,7 @@ describe("statesAt", () => {
   test("refuses times before the strike", () => {
     const trace = simulated("draw_shot");
     expect(() => trace.statesAt(-1)).toThrow(
-      "time: -1.0 s is out of range; ask for a finite time ≥ 0",
+      "time: -1.0 s is out of range; give a finite time ≥ 0",
     );
     expect(() => trace.statesAt(NaN)).toThrow("time");
   });
