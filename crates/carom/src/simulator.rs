@@ -80,7 +80,7 @@ impl Simulator {
         } else {
             self.few.play_strike(shot, strike, recorder)
         };
-        played.map_err(|failure| explain(shot, strike.as_ref().map(|(_, strike)| strike), failure))
+        played.map_err(|failure| explain(shot, strike, failure))
     }
 
     /// Plays `shot` and records everything.
@@ -153,14 +153,14 @@ impl ShotFile {
 }
 
 /// The error, in the user's terms, of `shot` played with `strike`.
-fn explain(shot: &Shot, strike: Option<&Strike>, failure: SimulationError) -> Error {
+fn explain(shot: &Shot, strike: Option<(usize, Strike)>, failure: SimulationError) -> Error {
     match (failure, strike) {
-        (SimulationError::Strike(e), Some(strike)) => shot::explain("strike", strike, e),
+        (SimulationError::Strike(e), Some((_, strike))) => shot::explain("strike", &strike, e),
         (SimulationError::Strike(e), None) => Error::input("strike", e.fault(), e.remedy()),
         (SimulationError::TooManyEvents { max_events, .. }, _) => {
-            let played = strike.and_then(|strike| shot.with_strike(strike).ok());
-            let shot = played.as_ref().unwrap_or(shot).to_json();
-            Error::TooManyEvents { cap: max_events, shot }
+            let mut played = shot.clone();
+            played.strike = strike;
+            Error::TooManyEvents { cap: max_events, shot: played.to_json() }
         }
     }
 }

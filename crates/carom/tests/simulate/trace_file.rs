@@ -1,9 +1,10 @@
 //! Traces are written and read without losing a bit, and give the exact state at any time.
 
+use carom::event::NullRecorder;
 use carom::format::Node;
 use carom::math::Vec3;
 use carom::trace::TraceEventKind;
-use carom::{BallState, Error, MotionState, Shot, Trace};
+use carom::{BallState, Error, MotionState, Shot, Simulator, Trace};
 
 fn played(name: &str) -> Trace {
     let path = format!("{}/../../shots/{name}.json", env!("CARGO_MANIFEST_DIR"));
@@ -173,6 +174,23 @@ fn the_cap_on_events_carries_the_shot() {
     node.set("max_events", 10u32);
     let capped = Shot::from_node(&node).unwrap_or_else(|e| panic!("{e}"));
     match capped.simulate() {
+        Err(Error::TooManyEvents { cap: 10, shot }) => {
+            assert_eq!(Shot::from_json(&shot).unwrap_or_else(|e| panic!("{e}")), capped);
+        }
+        other => panic!("expected the cap, got {other:?}"),
+    }
+}
+
+#[test]
+fn the_cap_on_events_carries_the_strike_that_was_played_on_a_shot_without_one() {
+    let shot = played("nine_ball_break").shot().clone();
+    let strike = shot.strike();
+    let mut node = shot.to_node();
+    node.set("max_events", 10u32);
+    let capped = Shot::from_node(&node).unwrap_or_else(|e| panic!("{e}"));
+    let without =
+        capped.with_balls(capped.balls().to_vec(), None).unwrap_or_else(|e| panic!("{e}"));
+    match Simulator::new().play_strike(&without, strike, &mut NullRecorder) {
         Err(Error::TooManyEvents { cap: 10, shot }) => {
             assert_eq!(Shot::from_json(&shot).unwrap_or_else(|e| panic!("{e}")), capped);
         }
