@@ -2,7 +2,9 @@
 //!
 //! A contact is **the first t ≥ 0 with f(t) ≤ 0 and f′(t) < 0**, where f is the gap: the bodies
 //! touch while approaching. [`first_contact`] is for two balls, in a plane or in space, and for a
-//! ball and a straight edge; [`first_ring_contact`] for a ball and a round edge, a circle in space.
+//! ball and a straight edge; [`first_ring_contact`] for a ball and a round edge, a circle in space;
+//! [`first_crossing`] for a ball and a plane. [`cannot_touch`] and [`Row`] prove for most pairs, at
+//! little cost, that there is no contact.
 #![no_std]
 #[cfg(feature = "std")]
 extern crate std;

@@ -16,7 +16,7 @@ use carom::physics::{BallBall, BallBallModel, Physics, SlipFriction};
 use carom::resolve::Body;
 use carom::resolve::ball_ball::network::{Stepping, Touch, resolve_in_steps};
 
-/// Lengths of the rows, number of balls.
+/// Numbers of balls in the rows.
 const ROWS: std::ops::RangeInclusive<usize> = 3..=8;
 /// The most balls that move at the start.
 const MOST_MOVING: usize = 4;
@@ -71,7 +71,7 @@ fn main() {
     println!(r#" "rows": {},"#, rows.len());
     println!(r#" "steps_per_contact": {},"#, Stepping::CHOSEN.steps_per_contact);
     println!(
-        r#" "of_each_pair": "worst and root mean square error, fractions of the first speed","#
+        r#" "error_pairs": "worst and root mean square error, fractions of the first speed","#
     );
     println!(" \"trend\": {TREND:?},");
     println!(" \"grid\": [\n{}\n ],", lines.join(",\n"));

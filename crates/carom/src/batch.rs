@@ -14,15 +14,15 @@ use crate::runner::Runner;
 use crate::simulator::Simulator;
 use crate::{MotionState, Noise, Shot};
 
-/// Shots that a thread gets at a time: some hundred microseconds of work, so that the overhead is
-/// negligible and all threads end at about the same time.
+/// Number of shots that a thread gets at a time: a few hundred microseconds of work, so that the
+/// overhead is negligible and all threads end at about the same time.
 const CHUNK: usize = 64;
 
 /// Pocket index of a ball that is on the table at the end.
 pub const ON_TABLE: i8 = -1;
 /// Pocket index of a ball that has left the table.
 pub const OFF_TABLE: i8 = -2;
-/// Pocket index where a shot has no such ball.
+/// Pocket index in a column for which the shot has no ball, and in the row of a failed shot.
 pub const PADDING: i8 = -3;
 
 /// Results of a batch: `shots` rows of `balls` columns each, in the order of the input. A failed

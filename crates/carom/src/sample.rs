@@ -1,7 +1,7 @@
 //! Sampling the parameters of shots: sequences of points in the unit cube, and quantiles of
 //! distributions.
 //!
-//! Coordinate `axis` of point `index` of a seed depends on these three numbers alone: point 17 is
+//! A point depends only on the seed, its index and the number of its coordinates. So point 17 is
 //! the same alone or among thousands, in any order, for any number of threads, on every platform.
 
 use chacha20::rand_core::Rng;

@@ -1,9 +1,9 @@
 //! Contact of a flying ball with an edge of a rail, or with a liner's wall.
 //!
-//! In plan view a flying ball moves uniformly on a straight line. So it is beside a straight or
-//! round part during one interval of time, between two linear crossings. Within the interval the
-//! part can be continued without end: a straight edge as a line (the quartic of Leckie & Greenspan
-//! 2006, section 5, in the plane across the line), a point as a full circle
+//! In plan view a flying ball moves uniformly on a straight line. So it is within the span of a
+//! straight or round part during one interval of time, between two linear crossings. Within this
+//! interval the part can be replaced by one without ends: a straight edge by a line (the quartic of
+//! Leckie & Greenspan 2006, section 5, in the plane across the line), a point by a full circle
 //! ([`carom_roots::first_ring_contact`], degree 8).
 
 use carom_roots::{Motion, first_contact, first_crossing, first_ring_contact};

@@ -10,7 +10,7 @@ use crate::resolve::cue_ball::Strike;
 use crate::shot::{DEFAULT_MAX_EVENTS, Parts, PlacedBall, Shot, StrikePolicy, checked_balls};
 use crate::{Ball, BallState, Physics, Table};
 
-/// The cue ball on English tables (1⅞ in; not checked against a source).
+/// The cue ball on English tables (1⅞ in; from memory, not verified).
 const ENGLISH_CUE_BALL: Ball = Ball { mass: 0.094, radius: 0.023_812_5 };
 
 /// The cue ball of `table`, if it differs from the object balls.

@@ -33,7 +33,7 @@ const WIDEST_GAP: f64 = 5e-3;
 const PINK_GAP: f64 = 1e-3;
 
 /// Distance of the cue ball from the middle of the head string in a three-cushion start, m (UMB;
-/// not checked against the rules' text).
+/// from memory, not verified).
 const THREE_CUSHION_OFFSET: f64 = 0.1825;
 
 /// PCG's stream. Any constant would do; another one changes the rack of every seed.

@@ -68,9 +68,9 @@ const MAX_STEPS: usize = 4000;
 /// fastest approach.
 const GRID: f64 = 384.0;
 
-/// As the impact fades, contacts last longer, with (speed)^(−1/5), and the steps grow likewise:
-/// each time the square of the fastest approach has fallen to this fraction, they grow by the
-/// factor [`LONGER`].
+/// As the impact fades, contacts last longer, in proportion to (speed)^(−1/5). The steps grow in
+/// the same way: each time the square of the fastest approach has fallen to this fraction, they
+/// grow by the factor [`LONGER`].
 const RELAXED: f64 = 0.5;
 
 /// Growth of a step: [`RELAXED`]^(−1/10).

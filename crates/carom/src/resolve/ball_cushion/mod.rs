@@ -13,15 +13,16 @@
 //! not. (With a restitution of ½ at the slate, a stunned pool ball would leave every rail with a
 //! fifth of its speed upwards, 8 mm high at 2 m/s.) `mathavan-2010` contains this, with friction at
 //! the cloth, and keeps v_z at 0. `restitution` is meant for the bed: it multiplies the horizontal
-//! normal speed by −e and does nothing else. So is `factors`, which also multiplies the speed along
-//! the rail and the spin. In `han-2005` and `stronge` the slate absorbs the downward part of the
-//! nose's impulse without friction, as in the publications. An upward part, where friction at the
-//! nose lifts the ball more than the nose presses it down, makes the ball hop.
+//! normal speed by −e and does nothing else. `factors` is meant for the bed, too, and also
+//! multiplies the speed along the rail and the spin. In `han-2005` and `stronge` the slate absorbs
+//! the downward part of the nose's impulse without friction, as in the publications. An upward
+//! part, where friction at the nose lifts the ball more than the nose presses it down, makes the
+//! ball hop.
 //!
-//! Off the bed every model acts along **n**, and `mathavan-2010` has no term for the cloth. A
-//! restitution's fit depends on the speed V, and friction's fit on the angle of incidence γ: in the
-//! horizontal plane for a ball on the bed, as their authors measured them, and relative to **n**
-//! off the bed.
+//! Off the bed every model acts along **n**, and `mathavan-2010` has no term for the cloth. The
+//! fitted restitution depends on the normal speed V, and the fitted friction on the angle of
+//! incidence γ. On the bed V and γ are taken in the horizontal plane, in which the authors of the
+//! fits measured them; off the bed they are relative to **n**.
 //!
 //! # What holds for every model
 //!
