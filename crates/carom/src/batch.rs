@@ -70,7 +70,7 @@ pub fn simulate_strikes(shot: &Shot, strikes: &[Strike], runner: &Runner) -> Bat
 /// error has the same distribution in both directions.
 ///
 /// # Errors
-/// As [`Perception::check`].
+/// As [`Perception::check`]; and [`Error::Input`] if the shot has no strike.
 pub fn simulate_seen(
     shot: &Shot,
     strikes: &[Strike],
@@ -80,7 +80,7 @@ pub fn simulate_seen(
     runner: &Runner,
 ) -> Result<BatchResult, Error> {
     perception.check()?;
-    let struck = shot.strike.as_ref().map_or(0, |(ball, _)| *ball);
+    let (struck, _) = own_strike(shot)?;
     Ok(run(strikes.len(), shot.balls.len(), runner, |k| {
         let strike = Some((struck, strikes[k]));
         let places = perception.places(shot, seed, first.wrapping_add(k as u64));
@@ -104,9 +104,7 @@ pub fn draw_strikes(
     first: u64,
 ) -> Result<Vec<Strike>, Error> {
     noise.check()?;
-    let Some((ball, meant)) = shot.strike else {
-        return Err(Error::input("strike", "the shot has no strike to vary", "give it one"));
-    };
+    let (ball, meant) = own_strike(shot)?;
     if n > MAX_DRAWN {
         let remedy = format!("draw at most {MAX_DRAWN} at a time, and the next ones with `first`");
         return Err(Error::input("n", format!("{n} strikes are too many"), remedy));
@@ -114,6 +112,12 @@ pub fn draw_strikes(
     let radius = shot.balls[ball].ball.radius;
     let strike = |k| noise.draw(&meant, radius, seed, first.wrapping_add(k));
     Ok((0..n as u64).map(strike).collect())
+}
+
+/// The struck ball's index and the strike of `shot`.
+fn own_strike(shot: &Shot) -> Result<(usize, Strike), Error> {
+    shot.strike
+        .ok_or_else(|| Error::input("strike", "the shot has no strike to vary", "give it one"))
 }
 
 /// A shot of a batch, and the strike that is played in it: the struck ball's index, and the strike.

@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use carom::batch::{BatchResult, draw_strikes, simulate_strikes};
+use carom::batch::{BatchResult, draw_strikes, simulate_seen, simulate_strikes};
+use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom::{Noise, Shot};
@@ -200,4 +201,18 @@ fn more_strikes_than_fit_in_memory_are_refused() {
     let error = draw_strikes(&shot("half_ball_cut"), &Noise::default(), usize::MAX, 0, 0);
     let sentence = error.expect_err("too many").to_string();
     assert!(sentence.starts_with("n: 18446744073709551615 strikes are too many"), "{sentence}");
+}
+
+#[test]
+fn a_shot_without_a_strike_has_no_strike_to_vary() {
+    let shot = shot("half_ball_cut");
+    let strikes = [shot.strike().expect("a strike").1];
+    let without = shot.with_balls(shot.balls().to_vec(), None).expect("the balls are valid");
+    let drawn = draw_strikes(&without, &Noise::default(), 1, 0, 0).map(|_| ());
+    let perception = Perception { position: 1e-3 };
+    let seen = simulate_seen(&without, &strikes, &perception, 0, 0, &Runner::default()).map(|_| ());
+    for result in [drawn, seen] {
+        let sentence = result.expect_err("no strike").to_string();
+        assert!(sentence.starts_with("strike: the shot has no strike to vary"), "{sentence}");
+    }
 }
