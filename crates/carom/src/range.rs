@@ -92,7 +92,7 @@ impl Range {
             return format!("a number ≥ 0{unit} (at most {LARGEST:e})");
         }
         if self.low == -LARGEST && self.high == LARGEST {
-            return format!("a finite number (at most {LARGEST:e} in size)");
+            return format!("a finite number (at most {LARGEST:e}{unit} in size)");
         }
         format!("a number in {open}{}, {}{close}{unit}", self.low, self.high)
     }
