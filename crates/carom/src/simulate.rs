@@ -239,13 +239,14 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.play_strike(shot, shot.strike, recorder)
     }
 
-    /// Plays `shot` with another strike than its own: the index of the struck ball, and the strike.
+    /// Plays `shot` with another strike than its own: the index of the struck ball, which is at
+    /// rest, and the strike. Only the tip's offset is checked; [`Shot::resolve_strike`] checks all.
     ///
     /// # Errors
     /// See [`simulate`].
     ///
     /// # Panics
-    /// If the shot has more than `N` balls.
+    /// If the shot has more than `N` balls, or no ball with the index of the struck ball.
     pub fn play_strike<R: Recorder>(
         &mut self,
         shot: &Shot,
@@ -255,6 +256,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.load(shot);
         let mut step = StepContext::new(&shot.table, &shot.physics, recorder);
         if let Some((struck, strike)) = &strike {
+            assert!(*struck < self.n, "there is no ball {struck} in a shot of {} balls", self.n);
             self.on_cue_strike(*struck, strike, &mut step)?;
         }
         self.run(shot.max_events, &mut step)

@@ -63,10 +63,14 @@ impl Simulator {
         self.play_strike(shot, shot.strike(), recorder)
     }
 
-    /// Plays `shot` with another strike than its own: the index of the struck ball, and the strike.
+    /// Plays `shot` with another strike than its own: the index of the struck ball, which is at
+    /// rest, and the strike. Only the tip's offset is checked; [`Shot::resolve_strike`] checks all.
     ///
     /// # Errors
     /// As [`Self::play`].
+    ///
+    /// # Panics
+    /// If the shot has no ball with the index of the struck ball.
     pub fn play_strike<R: Recorder>(
         &mut self,
         shot: &Shot,
