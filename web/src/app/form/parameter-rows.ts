@@ -2,6 +2,7 @@
 
 import { h, uniqueId } from "../common/dom.ts";
 import {
+  isChanged,
   parameters,
   title,
   valueAt,
@@ -66,8 +67,8 @@ export function mountParameters(
       ) {
         input.value = value;
       }
-      const changed = valueAt(changes, path) !== undefined && valueAt(base, path) !== undefined;
-      input.closest(".parameter")!.toggleAttribute("data-changed", changed);
+      const row = input.closest(".parameter")!;
+      row.toggleAttribute("data-changed", isChanged(changes, base, path));
     }
   }
 

@@ -86,6 +86,12 @@ export function withoutValue(values: Values, path: readonly string[]): Values {
   return Object.keys(left).length > 0 ? { ...others, [key]: left } : others;
 }
 
+/** Whether `changes` has a value at `path` that differs from the base. Some files repeat the base. */
+export function isChanged(changes: Values, base: Values, path: readonly string[]): boolean {
+  const [own, usual] = [valueAt(changes, path), valueAt(base, path)];
+  return own !== undefined && usual !== undefined && own !== usual;
+}
+
 /** `base` with the values of `changes` merged into it, as the engine merges them. */
 export function merged(base: Values, changes: Values): Values {
   const out: Record<string, unknown> = { ...base };

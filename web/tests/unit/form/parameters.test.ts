@@ -1,8 +1,10 @@
 import { expect, test } from "vitest";
 import { load } from "../../../src/engine/index.ts";
 import {
+  isChanged,
   merged,
   parameters,
+  type Values,
   valueAt,
   withoutValue,
   withValue,
@@ -44,6 +46,19 @@ test("a change that is reset leaves no trace", () => {
   const changed = withValue({ base: "pool" }, ["cloth", "sliding_friction"], 0.3);
   expect(changed).toEqual({ base: "pool", cloth: { sliding_friction: 0.3 } });
   expect(withoutValue(changed, ["cloth", "sliding_friction"])).toEqual({ base: "pool" });
+});
+
+test("of physics that a game writes in full, only the changed value is marked", () => {
+  const physics = { cloth: { sliding_friction: 0.3 } };
+  const frame = engine.frame("nine-ball", { table: "wpa-9ft", physics });
+  const strike = { speed: 1, azimuth: 1.5, elevation: 0, side: 0, height: 0 };
+  const written = frame.shot({ strike }).file.physics as Values;
+  const base = engine.physics.pool!;
+  expect(new Set(leaves(written))).toEqual(new Set(leaves(base)));
+  const marked = parameters(schema, "physics", written).filter(({ path }) =>
+    isChanged(written, base, path),
+  );
+  expect(marked.map(({ path }) => path.join("."))).toEqual(["cloth.sliding_friction"]);
 });
 
 test("changes are merged over their base as the engine merges them", () => {
