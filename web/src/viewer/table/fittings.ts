@@ -30,21 +30,21 @@ export function sights(geometry: Geometry): BufferGeometry | null {
   return surface.geometry();
 }
 
-/** Centres of the diamonds, m, and whether they are longer along y. There are none at pockets. */
+/**
+ * Centres of the diamonds, m, and whether they are longer along y. There are none at the ends of a rail
+ * and at a pocket.
+ */
 export function sightPlaces({ size, sights: marks, pockets }: Geometry): [Point, boolean][] {
   if (!size || !marks) return [];
   const [width, length] = size;
   const back = marks.setback;
   const places: [Point, boolean][] = [];
-  const pocketed = pockets.length > 0;
-  for (let i = 0; i <= marks.along_length; i += 1) {
-    const atPocket = i === 0 || i === marks.along_length || 2 * i === marks.along_length;
-    if (pocketed && atPocket) continue;
+  for (let i = 1; i < marks.along_length; i += 1) {
+    if (pockets.length > 0 && 2 * i === marks.along_length) continue;
     const y = (i * length) / marks.along_length;
     places.push([[-back, y], true], [[width + back, y], true]);
   }
-  for (let i = 0; i <= marks.along_width; i += 1) {
-    if (pocketed && (i === 0 || i === marks.along_width)) continue;
+  for (let i = 1; i < marks.along_width; i += 1) {
     const x = (i * width) / marks.along_width;
     places.push([[x, -back], false], [[x, length + back], false]);
   }

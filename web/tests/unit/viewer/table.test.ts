@@ -127,7 +127,7 @@ describe.each(
     }
   });
 
-  test("diamonds are at their setback on the wood, and none at a pocket", () => {
+  test("diamonds are at their setback on the wood, and none at a pocket or the end of a rail", () => {
     for (const [[x, y]] of sightPlaces(table)) {
       expect(Math.max(-x, x - width, -y, y - length)).toBeCloseTo(table.sights!.setback, 9);
       for (const { center: hole, radius } of table.pockets) {
@@ -135,6 +135,7 @@ describe.each(
       }
     }
     if (table.physics === "pool" && table.sights) expect(sightPlaces(table)).toHaveLength(18);
+    if (table.physics === "carom" && table.sights) expect(sightPlaces(table)).toHaveLength(20);
   });
 });
 
