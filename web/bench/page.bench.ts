@@ -17,7 +17,7 @@ import { layouts } from "./layouts.ts";
 
 const RESULT = fileURLToPath(new URL("../../benches/results/page.json", import.meta.url));
 
-/** Budgets: bytes compressed, and milliseconds. */
+/** Budgets: compressed size in bytes, and times in milliseconds. */
 const WEIGHT = 1.5e6;
 const FIRST_FRAME = 1500;
 const GHOST = 2;

@@ -16,11 +16,11 @@ export interface Start {
   readonly view: View;
   /** Whether to show the first steps: the page was opened without a document or a link. */
   readonly welcome: boolean;
-  /** Runs once the page is mounted: shows a replay, or says what could not be opened. */
+  /** Runs once the page is mounted: shows a replay, or reports what could not be opened. */
   then(store: Store, context: Context): void;
 }
 
-/** The first shot: a cut into the corner that also asks for position of the cue ball. */
+/** The first shot: a cut into a corner pocket, with two more balls for the next shots. */
 const FIRST_SHOT: ShotFile = {
   format: "carom-shot/1",
   table: "wpa-9ft",

@@ -2,7 +2,7 @@
 
 import { CaromError } from "./error.js";
 
-/** As `JSON.stringify`, whose type does not say that functions and symbols give undefined. */
+/** `JSON.stringify` with its complete type: it returns undefined for functions and symbols. */
 function stringify(value: unknown): string | undefined {
   return JSON.stringify(value);
 }

@@ -11,7 +11,7 @@ export interface BreakOptions {
   readonly speed?: number;
   /** Seed of the rack (order of the balls, gaps), a whole number. Default 0. */
   readonly seed?: number;
-  /** Mean gap between neighbouring balls, m; default: that of a good rack. */
+  /** Mean gap between neighbouring balls, m; 0 to 0.005; default: 0.0001, a rack set with a triangle. */
   readonly gap?: number;
 }
 
@@ -19,7 +19,7 @@ export interface BreakOptions {
 export interface Engine {
   /** The compiled module; a worker that receives it calls its own `load` with it. */
   readonly module: WebAssembly.Module;
-  /** As in traces: `carom x.y.z`. */
+  /** Name and version, `carom x.y.z`, as under `engine` in a trace file. */
   readonly version: string;
   /** Games that can be racked. */
   readonly games: readonly string[];

@@ -1,7 +1,7 @@
 /** A refusal of the engine. The message names the place, the fault and the remedy. */
 export class CaromError extends Error {
   override readonly name = "CaromError";
-  /** Path in the input, such as `balls[3].position`; empty if the refusal concerns no place. */
+  /** Path in the input, such as `balls[3].position`; empty if the fault has no place in the input. */
   readonly place: string;
   /** The shot file, JSON, if a simulation reached its cap of events. */
   readonly shot: string | undefined;

@@ -173,8 +173,11 @@ export interface Dimension {
 /** A ball's state in a trace file. */
 export interface BallState {
   readonly id: string;
+  /** Centre, m. */
   readonly position: Vector;
+  /** m/s. */
   readonly velocity: Vector;
+  /** rad/s. */
   readonly angular_velocity: Vector;
   readonly motion: Motion;
 }
@@ -198,23 +201,36 @@ export type TraceEvent = EventBase &
     | { readonly type: "motion-transition"; readonly from: Motion; readonly to: Motion }
   );
 
-/** The outcome of a shot, for a referee. Without a strike the values about the cue ball are empty. */
+/** The outcome of a shot, for a referee. Lists of contacts are in the order of time. */
 export interface Outcome {
+  /** The struck ball; without a strike the ball `cue`; null if there is none. */
   readonly cue_ball: string | null;
+  /** The first ball that the cue ball touches; null if it touches none. */
   readonly first_contact: string | null;
   readonly pocketed: readonly (readonly [ball: string, pocket: PocketName])[];
   readonly cue_ball_scratched: boolean;
   readonly off_table: readonly string[];
+  /** Balls at rest whose centre is nearer than a radius to the hole of a pocket. */
   readonly hanging: readonly (readonly [ball: string, pocket: PocketName])[];
+  /** Balls that flew over another ball, without a contact of the two at either end of the flight. */
   readonly jumped: readonly (readonly [ball: string, over: string])[];
+  /** Cushions that the cue ball touches before its first contact with a ball. */
   readonly rails_before_first_contact: readonly RailName[];
+  /** Per ball, every contact with a cushion after that first contact. */
   readonly rails_after_first_contact: Readonly<Record<string, readonly RailName[]>>;
+  /** Balls that touch a rail to which they were not frozen, or to which they come back. */
   readonly driven_to_rail: readonly string[];
   readonly cue_ball_touched: readonly ({ readonly ball: string } | { readonly rail: RailName })[];
+  /** Balls that no friction stops: their last path continues after the trace's duration. */
   readonly never_resting: readonly string[];
+  /** Whether the tip offset is beyond the miscue limit. */
   readonly miscue: boolean;
   /** Id of the ball or name of the rail in the way of the cue. */
   readonly cue_obstructed: string | null;
+  /**
+   * Least elevation at which the cue passes through nothing. Null without a strike, or if there is
+   * something in its way at every elevation.
+   */
   readonly least_elevation_deg: number | null;
   readonly events: number;
 }
@@ -224,6 +240,7 @@ export interface TraceFile {
   readonly format: "carom-trace/1";
   readonly engine: string;
   readonly shot: ShotFile;
+  /** From the strike to the last event, s. */
   readonly duration: number;
   readonly events: readonly TraceEvent[];
   readonly final: readonly BallState[];
@@ -288,7 +305,7 @@ export const PADDING = -3;
 export interface Shot {
   /** The shot file as a value; parsed on first use. */
   readonly file: ShotFile;
-  /** The shot file as JSON, with the same numbers as it was read. */
+  /** The shot file as JSON; its numbers are exactly those that were read. */
   json(): string;
   readonly geometry: Geometry;
   readonly balls: readonly BallInfo[];
@@ -337,11 +354,14 @@ export interface Trace {
    * All balls at `time` (s, ≥ 0): `STRIDE` numbers per ball, exact to rounding. At the time of an event
    * these are the states after it; after the end, the final states.
    * @param out Array of `STRIDE` × balls numbers that is filled and returned.
+   * @throws CaromError for a time that is negative or not finite, RangeError for an `out` of another length.
    */
   statesAt(time: number, out?: Float64Array): Float64Array;
   /**
    * The path of a ball's centre: x, y, z (m), t (s) per point. The points lie on the exact path, one at
    * each event of the ball; no chord is further than `tolerance` (m) from the path.
+   * @param ball Index into `Shot.balls`.
+   * @throws RangeError for an unknown ball, or a tolerance that is not above 0.
    */
   polyline(ball: number, tolerance: number): Float64Array;
   /** Frees the memory at once instead of at garbage collection. The object is unusable afterwards. */

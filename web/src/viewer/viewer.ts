@@ -409,7 +409,10 @@ export class Viewer {
     this.#renderer.render(this.#scene, this.#rig.camera);
   }
 
-  /** Measures the time between two frames if no frame of the browser lies between them. */
+  /**
+   * Sets the quality of this picture. The time since the last picture counts only if that was drawn in
+   * the browser's previous frame.
+   */
   #govern(still: boolean): void {
     const frame = Number(document.timeline.currentTime);
     const changed = this.#governor.frame(frame, frame === this.#nextFrame && !still);
@@ -433,7 +436,7 @@ export class Viewer {
     }, STILL_DELAY);
   }
 
-  /** Pixels per CSS pixel in stills; without antialiasing, two replace it. */
+  /** Pixels per CSS pixel in stills. Software rendering has no antialiasing, so it draws more pixels. */
   get #stillRatio(): number {
     return this.#software ? STILL.pixelRatio : devicePixelRatio;
   }

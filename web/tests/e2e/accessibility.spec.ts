@@ -30,7 +30,7 @@ for (const [name, viewport] of [
   ["phone", PHONE],
 ] as const) {
   for (const colorScheme of ["light", "dark"] as const) {
-    test(`axe finds nothing on a ${name} in ${colorScheme}`, async ({ open }) => {
+    test(`axe finds no violation on a ${name} in ${colorScheme}`, async ({ open }) => {
       const page = await open({ viewport, colorScheme, firstSteps: true });
       expect(await violations(page), "first steps").toEqual([]);
       await page.getByRole("button", { name: "Skip" }).click();
@@ -55,7 +55,7 @@ for (const [name, viewport] of [
       expect(await violations(page), "replay").toEqual([]);
     });
 
-    test(`axe finds nothing in a game on a ${name} in ${colorScheme}`, async ({ open }) => {
+    test(`axe finds no violation in a game on a ${name} in ${colorScheme}`, async ({ open }) => {
       const page = await open({ viewport, colorScheme, reducedMotion: "reduce" });
       await page.getByRole("tab", { name: "Game" }).click();
       const panel = page.locator("#panel-game");

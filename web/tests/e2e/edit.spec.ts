@@ -37,7 +37,7 @@ test("a ball dragged into another is shown as refused, and goes back", async ({ 
   const target = (await ball(page, "1"))!;
   await drag(page, before, target);
   const alert = page.getByRole("alert");
-  expect(await alert.textContent()).toMatch(/ball "3" overlaps|overlaps .* \("1"\)|overlaps/);
+  expect(await alert.textContent()).toMatch(/overlaps/);
   await picture(page, "refused");
   await page.mouse.up();
   await settled(page);

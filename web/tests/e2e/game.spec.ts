@@ -112,7 +112,7 @@ test("a cue ball in hand can be dragged within its region only", async ({ open }
   await picture(page, "game-snooker");
 });
 
-test("the other balls cannot be dragged, and the page says why", async ({ open }) => {
+test("the other balls cannot be dragged, and the page gives the reason", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce", viewport: SMALL });
   await begin(page, { game: "three-cushion" });
   const { balls } = await stateOf(page);
@@ -143,7 +143,9 @@ test("after a foul in nine-ball the cue ball is in hand, and the keyboard can pl
   expect((await shotOf(page)).balls[0]!.position[1]).toBe(1.2);
 });
 
-test("the page asks the player who may choose, and carries out the choice", async ({ open }) => {
+test("after an illegal break the opponent has a choice, and it is carried out", async ({
+  open,
+}) => {
   const page = await open({ reducedMotion: "reduce" });
   await begin(page, { game: "eight-ball" });
   await page.evaluate(() => {

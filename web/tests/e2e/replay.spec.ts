@@ -70,7 +70,7 @@ test("steps visit every instant with an event, and go back", async ({ open }) =>
   expect(await time(page)).toBe(instants.at(-2));
 });
 
-test("keys move the slider, and its text says the time", async ({ open }) => {
+test("keys move the slider, and its text gives the time", async ({ open }) => {
   const page = await open();
   await shootAndPause(page);
   const slider = page.getByRole("slider", { name: "Time" });

@@ -54,7 +54,7 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
     );
 
   let last: { x: number; y: number } | null = null;
-  /** The offset that the pointer asks for, even if it is refused. */
+  /** The offset at the pointer, even if the engine refuses it. */
   let wanted = { side: 0, height: 0 };
 
   face.addEventListener("pointerdown", (event) => {

@@ -1,4 +1,4 @@
-/** Services that every part of the page receives beside the store. */
+/** Services that every part of the page receives in addition to the store. */
 
 import type { Engine } from "../../engine/index.ts";
 import type { Viewer } from "../../viewer/index.ts";

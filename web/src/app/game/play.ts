@@ -69,7 +69,9 @@ export function playShot(
   const { game } = store.document;
   const asked = askedShot(store, engine);
   if (!game || !asked) {
-    store.refuse("The game does not wait for a shot: answer its question below the table.");
+    store.refuse(
+      "No shot can be played now: choose an answer below the table, or start another game.",
+    );
     return;
   }
   const incomplete = missingPart(game.call);
@@ -148,7 +150,7 @@ function executed(engine: Engine, shot: Shot, game: Game, { player }: ShotReques
   };
 }
 
-/** The request to complete a call; null if it is complete. */
+/** What is missing in a call, with the remedy; null if the call is complete. */
 function missingPart(call: Call | null): string | null {
   if (call?.kind !== "pocket") return null;
   if (call.ball === undefined) return "No ball is called: tap it, or choose it under Game.";

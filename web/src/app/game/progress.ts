@@ -157,7 +157,10 @@ export function someCall({ calls, on }: ShotRequest): Call | undefined {
 export function anyShot(frame: Frame, place?: readonly [number, number]): Shot {
   const { request } = frame.state;
   if (request.kind !== "shot")
-    throw new CaromError("The game does not wait for a shot; answer its question.", "play");
+    throw new CaromError(
+      "No shot can be played now; make a choice, or start another game.",
+      "play",
+    );
   const call = someCall(request);
   return frame.shot({
     strike: ANY_STRIKE,

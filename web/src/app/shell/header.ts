@@ -45,7 +45,7 @@ function name(button: Button, label: string): void {
   button.setAttribute("aria-label", label);
 }
 
-/** Undo and redo. A button without effect stays in the focus order, and its label says so. */
+/** Undo and redo. A button without effect is marked as disabled but can still have the focus. */
 export function mountHistory(root: HTMLElement, store: Store, context: Context): void {
   const back = iconButton("undo", "Undo", () => undo(store, context));
   const again = iconButton("redo", "Redo", () => redo(store, context));

@@ -37,7 +37,7 @@ export class Variants {
     worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#receive(data);
     worker.onerror = () =>
       listener.refused(
-        "This browser does not allow the page to start a worker: open the page in another browser.",
+        "This browser cannot simulate in the background: open the page in another browser.",
       );
     this.#send({ kind: "engine", module: engine.module });
   }

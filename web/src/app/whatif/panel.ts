@@ -124,7 +124,7 @@ function mountSettings(root: HTMLElement, store: Store, context: Context): void 
     if (chosen) store.apply({ noise: chosen.noise }, "errors of the player");
   });
   root.append(
-    h("h2", {}, "Standard deviations"),
+    h("h2", {}, "Size of the errors (standard deviation)"),
     h("div", { class: "row" }, h("label", { for: preset.id }, "Like"), preset),
   );
   for (const sigma of SIGMAS) mountSigma(root, store, context, sigma);

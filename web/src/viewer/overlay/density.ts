@@ -80,7 +80,7 @@ export function colors({ values }: Density): Uint8Array<ArrayBuffer> {
   const peak = values.reduce((a, b) => Math.max(a, b), 0);
   if (peak === 0) return bytes;
   values.forEach((value, i) => {
-    // The square root makes places with few points visible beside the peak.
+    // The square root makes places with few points visible next to the peak.
     const share = Math.sqrt(value / peak);
     const place = share * (RAMP.length - 1);
     const below = Math.min(RAMP.length - 2, Math.floor(place));

@@ -20,7 +20,7 @@ function refusal(call: () => unknown): CaromError {
 const wrong = (value: unknown) => value as never;
 
 describe("a freed object", () => {
-  test("says that it was freed, instead of “null pointer passed to rust”", () => {
+  test("throws an error that names it as freed, not “null pointer passed to rust”", () => {
     const freed = engine.shot(shotFile("half_ball_cut"));
     const trace = freed.simulate();
     const frame = engine.frame("nine-ball");
@@ -50,7 +50,7 @@ describe("a freed object", () => {
   });
 });
 
-describe("hostile arguments are refused with their place", () => {
+describe("invalid arguments are refused with their place", () => {
   test("counts of variants that do not fit into memory", () => {
     for (const n of [1e9, 2 ** 32 + 1, Number.MAX_SAFE_INTEGER]) {
       const error = refusal(() => shot.vary(engine.olympiad(), n));
@@ -170,7 +170,7 @@ describe("old spellings work and warn once", () => {
     }
   });
 
-  test("a σ under its old and its new name is refused", () => {
+  test("a σ given under both its old and its new name is refused", () => {
     const twice = { ...engine.olympiad(), side: 0.001 };
     expect(refusal(() => shot.vary(twice, 1)).message).toMatch(/noise\.side: .*old name of side_m/);
   });

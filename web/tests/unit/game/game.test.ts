@@ -110,7 +110,7 @@ describe("a game", () => {
     expect(request(store)).toMatchObject({ kind: "over", winner: 0 });
     expect(canAim(store, engine)).toBe(false);
     expect(shootOnce(store)).toBeNull();
-    expect(refusal(store)).toMatch(/does not wait for a shot/);
+    expect(refusal(store)).toMatch(/No shot can be played now/);
     endGame(store);
     expect(store.document.game).toBeNull();
     expect(canAim(store, engine)).toBe(true);

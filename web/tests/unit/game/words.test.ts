@@ -70,7 +70,7 @@ describe("a request", () => {
     expect(callInWords(null)).toBe("");
   });
 
-  test("a headline says whose turn it is, or who won", () => {
+  test("a headline names the player to shoot or to decide, or the winner", () => {
     expect(headline(SHOT, NAMES)).toBe("Ann to shoot");
     expect(headline({ kind: "choice", player: 1, choices: ["play-on"], why: "" }, NAMES)).toBe(
       "Bea decides",
@@ -105,7 +105,7 @@ describe("a ruling", () => {
     );
   });
 
-  test("says what was pocketed, scored, spotted and racked", () => {
+  test("lists what was pocketed, scored, spotted and racked", () => {
     expect(rulingInWords(step({}), NAMES)).toBe("Ann: a legal shot, nothing pocketed.");
     const scored = step({ points: [1, -2], spotted: ["9"], racked: true }, { potted: ["3", "9"] });
     expect(rulingInWords(scored, NAMES)).toBe(
@@ -116,7 +116,7 @@ describe("a ruling", () => {
     expect(rulingInWords(many, NAMES)).toMatch(/4 balls are spotted/);
   });
 
-  test("says a choice, a safety, and the end of the frame", () => {
+  test("names a choice, a safety, and the end of the frame", () => {
     expect(rulingInWords(step({}, { move: { choice: "pass-back" } }), NAMES)).toBe(
       "Ann: let Bea shoot.",
     );

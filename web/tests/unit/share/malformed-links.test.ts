@@ -97,7 +97,7 @@ describe("a link with a game that cannot be played", () => {
       /game in this link/,
     ],
     ["an unknown choice", game({ moves: [{ choice: "wish" }] }), /Move 1 .*choice/],
-  ])("%s is refused in words", (_, data, words) => {
+  ])("%s is refused, and the message names it", (_, data, words) => {
     expect(refusal(data)).toMatch(words);
   });
 });

@@ -42,7 +42,7 @@ test("fast frames over a long time raise the quality", () => {
   expect(governor.level).toBe(0);
 });
 
-test("isolated pictures do not count", () => {
+test("the times between isolated pictures are ignored", () => {
   const governor = new Governor(0);
   for (let i = 0; i < 500; i += 1) governor.frame(120 * i, false);
   expect(governor.level).toBe(0);
