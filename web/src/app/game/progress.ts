@@ -62,6 +62,7 @@ function replayed(engine: Engine, { setup, moves }: Game): Progress {
   let progress: Progress = { frame, start: startOf(engine, setup, frame), steps: [], trace: null };
   moves.forEach((move, index) => {
     const before = progress;
+    if (isApplied(move, moves[index - 1], before.frame.state)) return;
     try {
       progress = after(before, move);
     } catch (error) {
@@ -72,6 +73,22 @@ function replayed(engine: Engine, { setup, moves }: Game): Progress {
     if (before.trace !== progress.trace) before.trace?.free();
   });
   return progress;
+}
+
+/**
+ * Whether the frame has already applied this choice of an older link: after a scratch on the break of
+ * eight-ball, frames used to ask for a choice with this one option.
+ */
+function isApplied(move: Move, previous: Move | undefined, { game, request }: FrameState): boolean {
+  return (
+    "choice" in move &&
+    move.choice === "play-from-hand" &&
+    previous !== undefined &&
+    "play" in previous &&
+    game === "eight-ball" &&
+    request.kind === "shot" &&
+    request.in_hand === "behind-head-string"
+  );
 }
 
 function begun(engine: Engine, { rules, options, from }: Setup): Frame {

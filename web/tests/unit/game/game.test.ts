@@ -3,7 +3,7 @@ import { CaromError, load, type Strike } from "../../../src/engine/index.ts";
 import { documentOf } from "../../../src/app/document/file.ts";
 import type { Context } from "../../../src/app/common/context.ts";
 import { areasOf } from "../../../src/app/game/areas.ts";
-import { type Game, newGame, type Setup } from "../../../src/app/document/game.ts";
+import { type Game, type Move, newGame, type Setup } from "../../../src/app/document/game.ts";
 import {
   announceCall,
   askedShot,
@@ -128,6 +128,26 @@ describe("a game", () => {
     expect(b.frame.state).toEqual(a.frame.state);
     expect(b.steps).toEqual(a.steps);
     expect(b.trace!.hash).toBe(a.trace!.hash);
+  });
+
+  test("with the old choice after a scratch on the break of eight-ball has the same state", () => {
+    // Before, the frame asked for a choice with the one option "play-from-hand" here.
+    const game = newGame(setup("eight-ball", { options: { seed: 27 } }));
+    const { balls } = progressOf(engine, game).frame.state;
+    const [, apex] = Object.entries(balls)
+      .filter(([id]) => id !== "cue")
+      .sort(([, a], [, b]) => a[1] - b[1])[0]!;
+    const place = [0.635, 0.6] as const;
+    const azimuth = Math.atan2(apex[1] - place[1], apex[0] - place[0]);
+    const strike = { speed: 9, azimuth, elevation: 0, side: 0, height: 0 };
+    const scratch: Move = { play: { strike, cue_ball: place } };
+    const choice: Move = { choice: "play-from-hand" };
+    const expected = progressOf(engine, { ...game, moves: [scratch] });
+    expect(expected.frame.state.request).toMatchObject({ in_hand: "behind-head-string" });
+    const old = progressOf(engine, { ...game, moves: [scratch, choice] });
+    expect(old.frame.state).toEqual(expected.frame.state);
+    expect(old.steps).toEqual(expected.steps);
+    expect(() => progressOf(engine, { ...game, moves: [choice] })).toThrow(/^Move 1 of this game/);
   });
 
   test("with an invalid set-up or move is refused with its place", () => {
