@@ -11,7 +11,7 @@ use carom_plan::{ErrorModel, Progress, Question, evaluate};
 fn main() {
     let given: Vec<String> = std::env::args().skip(1).collect();
     let [file, variants] = given.as_slice() else {
-        eprintln!("give SHOTS and VARIANTS");
+        eprintln!("usage: chances SHOTS VARIANTS");
         exit(2);
     };
     match run(file, variants) {

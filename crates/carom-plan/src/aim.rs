@@ -26,7 +26,7 @@ const MOST_WIDTH: f64 = 0.05;
 /// Halvings of the last step, which locate the edge to a sixteenth of it.
 const HALVINGS: u32 = 4;
 
-/// Aims that are spread over a ball's apparent width.
+/// Number of aims that are spread over a ball's apparent width.
 const RAYS: usize = 24;
 
 /// The azimuths (rad) that geometry proposes for `goal`.
@@ -44,7 +44,8 @@ pub(crate) fn azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
     found
 }
 
-/// The azimuths (rad) of straight lines to the ball that the goal names. Massés start beside them.
+/// The azimuths (rad) of straight lines to the ball that the goal names. Massés start at an angle to
+/// them.
 pub(crate) fn straight_azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
     let geometry = AimGeometry::new(shot);
     let mut points = Vec::new();
@@ -257,8 +258,8 @@ fn moved(strike: &Strike, parameter: usize, by: f64) -> Strike {
     strike
 }
 
-/// Moves the azimuth of a strike that meets its goal to the middle of the azimuths that do, where a
-/// small error is least likely to miss.
+/// Moves the azimuth of a strike that meets its goal to the middle of the azimuths that meet it,
+/// where a small error is least likely to miss.
 pub(crate) fn center(tester: &mut GoalTester<'_>, found: TriedStrike) -> TriedStrike {
     let mut edge = |sign: f64| {
         let turned = |by: f64| moved(&found.strike, 0, sign * by);

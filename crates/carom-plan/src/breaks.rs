@@ -65,8 +65,8 @@ impl BreakStatistics {
         result.events.extend(row.events);
     }
 
-    /// The counts whose precision decides when to stop: all, but for the cue ball's among
-    /// `ball_potted`, which is `scratched`.
+    /// The counts whose precision decides when to stop: all except the cue ball's entry in
+    /// `ball_potted`, which equals `scratched`.
     fn counts(&self) -> impl Iterator<Item = u64> + '_ {
         let any = [self.any_potted, self.any_potted_without_scratch, self.scratched];
         let each = self.ball_potted.iter().skip(1).chain(&self.pocket_used).copied();
@@ -76,8 +76,8 @@ impl BreakStatistics {
 
 /// Breaks up to `model.variants` racks. Row k is rack `opening.seed` + k, struck with error number k of
 /// `model.seed`. Racks have their balls in various orders; the rows have them in the order of the first
-/// rack. The precision is checked after every [`RACKS_PER_ROUND`] racks. A stopped `progress` ends the
-/// breaks after the present round, or earlier without its rows.
+/// rack. The precision is checked after every [`RACKS_PER_ROUND`] racks. If `progress` is stopped, the
+/// result holds the rounds that were completed.
 ///
 /// # Errors
 /// [`Error::Input`] for what [`break_shot`] and [`ErrorModel::check`] reject, for more than
@@ -108,7 +108,7 @@ pub fn breaks(
             first..end,
             || (),
             |(), k| {
-                // A stopped round is dropped as a whole.
+                // An unfinished round is dropped as a whole.
                 let row = (!progress.is_stopped()).then(|| one_break(opening, model, k, &columns));
                 progress.add(1);
                 row
@@ -126,7 +126,7 @@ pub fn breaks(
     Ok(statistics)
 }
 
-/// Rack number `k`, broken, with its balls in the order of `columns`.
+/// The break of rack number `k`, with its balls in the order of `columns`.
 fn one_break(
     opening: &Break<'_>,
     model: &ErrorModel,

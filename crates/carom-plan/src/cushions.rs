@@ -1,4 +1,4 @@
-//! Kick and bank tables: where a ball, alone on the table, meets one cushion after the other.
+//! Kick and bank tables: the successive cushion contacts of a ball that is alone on the table.
 
 use core::sync::atomic::{AtomicUsize, Ordering};
 
@@ -29,9 +29,9 @@ pub struct Kicks<'a> {
     pub height: f64,
 }
 
-/// The first `most` cushions that the struck ball of `shot` meets before any jaw, with nothing else on
-/// the table: for each azimuth, of each speed, of each side. The elevation is that of the shot's own
-/// strike. Cells that were not reached before `progress` was stopped are empty.
+/// The first `most` cushion contacts of the struck ball of `shot` before it meets a jaw, with no other
+/// ball on the table. There is one entry for each cell, ordered by azimuth, then speed, then side. The
+/// elevation is that of the shot's own strike. Cells that were not reached before `progress` was stopped are empty.
 ///
 /// # Errors
 /// [`Error::Input`] without a strike, for cloth without cushions, for strikes that cannot be played, and
@@ -64,9 +64,9 @@ pub fn kick_table(
     })
 }
 
-/// The first `most` cushions that ball number `ball` of `shot` meets before any jaw, if it starts with
-/// each speed (m/s) in each direction (rad) and with the spin that it has in `shot`. Otherwise as
-/// [`kick_table`].
+/// The same as [`kick_table`] for ball number `ball` of `shot`, which starts with each speed (m/s) in
+/// each direction (rad) and with the spin that it has in `shot`. The entries are ordered by azimuth,
+/// then speed.
 ///
 /// # Errors
 /// [`Error::Input`] for a ball that does not exist, for cloth without cushions, for speeds out of range,
@@ -104,8 +104,8 @@ fn table(
     make: impl Fn(f64, usize) -> Result<Shot, Error> + Sync + Send,
 ) -> Result<Vec<Vec<CushionContact>>, Error> {
     let cells = azimuths.len() * per_azimuth;
-    // Cells after the first that fails are skipped; cells before it never are, so that the error does
-    // not depend on the threads.
+    // Only cells after a cell that failed are skipped. So the first error does not depend on the
+    // threads.
     let first_failed = AtomicUsize::new(usize::MAX);
     let found = each_cell(cells, threads, progress, Simulator::new, |simulator, k| {
         if k > first_failed.load(Ordering::Relaxed) {

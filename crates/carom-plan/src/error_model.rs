@@ -1,4 +1,4 @@
-//! How a player errs, and how precisely a probability is to be known.
+//! The errors of a player, and the sampling of a probability up to a precision.
 
 use carom::noise::Perception;
 use carom::{Error, Noise};
@@ -7,24 +7,24 @@ use crate::interval::{Interval, wilson};
 use crate::progress::Progress;
 
 /// Variants between two checks of one probability's precision. A nearly certain probability needs
-/// few variants, so checks are frequent; at 128 variants a check costs nothing beside them.
+/// few variants, so checks are frequent. A check costs little compared with 128 variants.
 const VARIANTS_BETWEEN_CHECKS: u64 = 128;
 
-/// How a player errs, and how precisely a probability is to be known.
+/// The errors of a player, and the sampling of a probability up to a precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorModel {
     /// Errors of the strike.
     pub noise: Noise,
     /// Errors of the balls' perceived positions. The shot is what the player perceives and plans;
-    /// every variant has a layout of its own around it. The tip meets the cue ball where that truly
-    /// is: errors of the contact point belong to `noise`.
+    /// every variant has a layout of its own around it. The tip meets the cue ball at its true
+    /// position: errors of the contact point belong to `noise`.
     pub perception: Perception,
     /// Seed of the random numbers.
     pub seed: u64,
     /// Largest number of variants.
     pub variants: u64,
-    /// Stop earlier, when half the width of the confidence interval is at most this. None plays
-    /// all variants.
+    /// Half the width of the confidence interval at which sampling stops early, in (0, 0.5). None
+    /// plays all variants.
     pub half_width: Option<f64>,
     /// Confidence level of all intervals, in (0, 1).
     pub level: f64,
@@ -56,8 +56,8 @@ impl ErrorModel {
         self.half_width.map_or(Ok(()), check_half_width)
     }
 
-    /// Whether probabilities that were counted as `counts` among `trials` are known as precisely as
-    /// was asked for. False if no precision was asked for.
+    /// Whether the probabilities with these `counts` among `trials` have the requested precision.
+    /// False if there is no requested precision.
     pub(crate) fn is_precise(&self, counts: impl IntoIterator<Item = u64>, trials: u64) -> bool {
         let precise = |wanted| {
             move |met| Chance { met, variants: trials }.interval(self.level).half_width() <= wanted

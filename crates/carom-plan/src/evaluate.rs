@@ -23,13 +23,13 @@ use crate::referee::{Referee, Refereed, Verdicts};
 
 /// Variants between two checks of the precision: some milliseconds of work.
 pub const VARIANTS_PER_ROUND: u64 = 1024;
-/// Largest number of variants. The cue ball's ends take 16 bytes each, and intervals are then shorter
-/// than any use.
+/// Largest number of variants. Each stores the cue ball's final position, 16 bytes. Intervals of a
+/// billion variants are already far shorter than needed.
 pub const MOST_VARIANTS: u64 = 1_000_000_000;
-/// Variants that are simulated before the first look at the clock, for each thread.
+/// Variants per thread in the first part, before the time of a part is known.
 const FIRST_PART: usize = 64;
-/// Time between two checks whether to stop. With shorter times the threads would wait for each other
-/// more often; longer ones would delay Ctrl-C.
+/// Target time between two checks for a stop. With shorter times the threads would wait for each
+/// other more often; longer ones would delay Ctrl-C.
 const PART_TIME: Duration = Duration::from_millis(60);
 
 /// A question about the strike of a shot.
@@ -45,10 +45,10 @@ pub struct Question<'a> {
     pub threads: Option<usize>,
 }
 
-/// A probability whose precision can be watched.
+/// The probabilities whose precision ends an evaluation early.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Watched {
-    /// All that are counted.
+    /// All probabilities that are counted.
     #[default]
     Everything,
     /// This ball falls.
@@ -62,8 +62,8 @@ pub enum Watched {
 }
 
 impl Watched {
-    /// Reads `name`: the id of a ball of `shot`, falling into `pocket` if one is named; or `scratch` or
-    /// `legal`.
+    /// The probability called `name`: that the ball of `shot` with this id falls (into `pocket`, if one
+    /// is given), or `scratch` or `legal`.
     ///
     /// # Errors
     /// [`Error::Input`] if there is no such ball or pocket.
@@ -112,11 +112,11 @@ pub struct Evaluation {
     pub legal: Option<u64>,
     /// Number of variants after which the same player shoots again or has won; None without a referee.
     pub turn_kept: Option<u64>,
-    /// Mean and covariance of each ball's place of rest on the table, m, in the file's frame.
+    /// Mean (m) and covariance (m²) of each ball's place of rest on the table, in the file's frame.
     pub ends: Vec<Moments>,
     /// Where the cue ball came to rest in each variant, m; NaN where it did not stay on the table.
     pub cue_ball_ends: Vec<[f64; 2]>,
-    /// Confidence of all intervals.
+    /// Confidence level of all intervals.
     pub level: f64,
 }
 
@@ -124,8 +124,8 @@ pub struct Evaluation {
 /// far.
 ///
 /// # Errors
-/// [`Error::Input`] if the shot has no strike, for what [`ErrorModel::check`] rejects, for something
-/// watched that does not exist, and if the referee's frame does not ask for this shot. A variant that
+/// [`Error::Input`] if the shot has no strike, for what [`ErrorModel::check`] rejects, for a watched
+/// ball or pocket that does not exist, and if the referee's frame does not ask for this shot. A variant that
 /// cannot be played is not an error: it is counted.
 pub fn evaluate(
     shot: &Shot,
@@ -182,7 +182,7 @@ fn draw(shot: &Shot, model: &ErrorModel, first: u64, count: usize, runner: &Runn
     drawn.into_iter().flatten().collect()
 }
 
-/// Strikes that one thread draws at a time: some tens of microseconds of work.
+/// Number of strikes that one thread draws at a time: some tens of microseconds of work.
 const DRAWN: usize = 128;
 
 fn simulate(
@@ -218,7 +218,7 @@ fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
         }
         Watched::Legal if question.referee.is_none() => refuse(
             "watch",
-            "there is no frame to decide what is legal".into(),
+            "the legality of a shot needs a frame".into(),
             "give the frame in which the shot is played",
         ),
         _ => Ok(()),

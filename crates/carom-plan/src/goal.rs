@@ -1,4 +1,4 @@
-//! Goals of a strike, and the distance by which a strike misses one.
+//! Goals of a strike, and the distance by which a strike misses its goal.
 
 use carom::event::{Event, EventKind, Recorder};
 use carom::math::Vec2;
@@ -52,7 +52,7 @@ impl Goal {
         if *self == Self::default() {
             return refuse(
                 "goal",
-                "it has no part",
+                "it is empty",
                 "name a ball to pot, a disc to leave the cue ball in, or a ball to hit first",
             );
         }
@@ -145,7 +145,7 @@ impl GoalRecorder {
         self.goal.first.or(self.goal.pot.map(|(ball, _)| ball))
     }
 
-    /// Ball `i` has moved from its last place to `to`.
+    /// Updates the least distances with the path of ball `i` from its last place to `to`.
     fn follow(&mut self, i: usize, to: Vec2) {
         let from = self.places.replace(i, to);
         if self.goal.pot.is_some_and(|(ball, _)| ball == i) {

@@ -1,13 +1,13 @@
-//! Grids: one question asked in every cell, on many threads.
+//! Grids whose cells are computed on many threads.
 
 use carom::Error;
 use carom::runner::Runner;
 
 use crate::progress::Progress;
 
-/// Most cells of one grid. Ten million cells of a map hold some 300 MB; the least of them, a
-/// simulation of 5 µs, take a minute on one core. A larger number is a mistake more often than a
-/// question, and an allocation that fails would abort the process.
+/// Largest number of cells of one grid. Ten million cells of a map hold some 300 MB, and even with
+/// the shortest simulations of 5 µs they take a minute on one core. A larger number is usually a
+/// mistake, and a failed allocation would abort the process.
 pub const MAX_CELLS: usize = 10_000_000;
 
 /// Rejects axes whose lengths multiply to more than [`MAX_CELLS`].
@@ -26,8 +26,8 @@ pub fn check_cells(place: &str, axes: &[usize]) -> Result<usize, Error> {
     }
 }
 
-/// What `answer` returns for each of `cells` cells; None for cells that were not reached before
-/// `progress` was stopped. A worker is made for each thread.
+/// The results of `answer` for the cells 0 to `cells` − 1; None for cells that were not reached
+/// before `progress` was stopped. Each thread has a worker of its own.
 pub(crate) fn each_cell<W, T: Send>(
     cells: usize,
     threads: Option<usize>,

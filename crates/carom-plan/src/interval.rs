@@ -26,9 +26,8 @@ impl Interval {
 }
 
 /// The score interval of Wilson (1927, *Probable inference, the law of succession, and statistical
-/// inference*) for `hits` among `trials` at the confidence `level` (0.95, say). Its
-/// coverage is close to the level also near 0 and 1, unlike that of Wald's interval. Without trials it
-/// is [0, 1].
+/// inference*) for `hits` among `trials` at the confidence `level`, such as 0.95. Its coverage is
+/// close to the level also near 0 and 1, unlike that of Wald's interval. Without trials it is [0, 1].
 pub fn wilson(hits: u64, trials: u64, level: f64) -> Interval {
     if trials == 0 {
         return Interval { low: 0.0, high: 1.0 };

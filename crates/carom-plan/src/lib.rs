@@ -1,10 +1,10 @@
 //! Questions about shots, answered by simulating many variants of them.
 //!
-//! - [`evaluate()`] counts what happens when a player intends a strike but does not hit it exactly.
+//! - [`evaluate()`] counts the results of a strike that a player intends but does not hit exactly.
 //!   Every answer is a count with its confidence interval ([`Interval`]).
 //! - [`solve()`] searches the strikes that reach a goal.
-//! - [`maps`] ask one question over a grid; [`breaks`] counts what happens in many breaks;
-//!   [`cushions`] lists where a ball meets one cushion after the other.
+//! - [`maps`] computes a result for every cell of a grid; [`breaks`] counts the results of many
+//!   breaks; [`cushions`] lists the cushion contacts of a ball that is alone on the table.
 //! - [`sweep`] plays the rows of a table of shots.
 //!
 //! Every answer depends only on the shot, the noise, the seed and the number of variants: it is the

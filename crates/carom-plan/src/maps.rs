@@ -1,4 +1,4 @@
-//! Maps: one question asked over a grid.
+//! Maps: a result for every cell of a grid.
 
 use carom::event::{Event, EventKind, Recorder};
 use carom::math::{Vec2, Vec3, sin_cos};
@@ -203,7 +203,7 @@ impl Approaches<'_> {
 }
 
 /// Whether `pocket` of `shot`'s table accepts each rolling ball: speed by speed, angle by angle, offset
-/// by offset. Only the table and the physics of `shot` count; the ball is that of the physics. Cells that
+/// by offset. Only the table and the physics of `shot` are used; the ball is that of the physics. Cells that
 /// were not reached before `progress` was stopped are [`Accepted::Nowhere`].
 ///
 /// # Errors
@@ -269,9 +269,9 @@ impl Approach {
     }
 }
 
-/// A ball has gone away from a pocket when it is farther from its mouth than at the start by this, m:
-/// far above rounding and far below a table's size. Otherwise a ball that returns from across the table
-/// would count as accepted by the jaws.
+/// A ball counts as gone from a pocket when its distance from the mouth exceeds that at the start by
+/// this much, m. The value is far above rounding and far below a table's size. Without this test, a
+/// ball that returns from across the table would count as accepted by the jaws.
 const AWAY: f64 = 1e-3;
 
 /// Records which pocket the ball fell into, and whether it had gone away from the mouth before.
@@ -313,5 +313,5 @@ pub(crate) fn check_has_edges(shot: &Shot) -> Result<Vec2, Error> {
     if size.x.is_finite() && size.y.is_finite() {
         return Ok(size);
     }
-    Err(Error::input("table", "the cloth has no cushions", "choose a table that has some"))
+    Err(Error::input("table", "the cloth has no cushions", "choose a table with cushions"))
 }

@@ -2,7 +2,7 @@
 
 use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// How much of a task is done, and whether it is to be stopped.
+/// The finished part of a task, and whether a stop was requested.
 ///
 /// The functions of this crate take a `&Progress`. Another thread may read it while they work, and
 /// may stop them; a stopped task returns within some milliseconds. To run a task without watching
@@ -27,17 +27,17 @@ pub struct Reading {
 }
 
 impl Progress {
-    /// Asks the task to end early.
+    /// Requests that the task ends early.
     pub fn stop(&self) {
         self.stopped.store(true, Ordering::Relaxed);
     }
 
-    /// Whether the task was asked to end early.
+    /// Whether an early end was requested.
     pub fn is_stopped(&self) -> bool {
         self.stopped.load(Ordering::Relaxed)
     }
 
-    /// How far the task is now.
+    /// The present state of the task.
     pub fn read(&self) -> Reading {
         Reading {
             stage: self.stage.load(Ordering::Acquire),
@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn a_task_learns_that_it_is_to_stop() {
+    fn a_requested_stop_can_be_read() {
         let progress = Progress::default();
         assert!(!progress.is_stopped());
         progress.stop();

@@ -26,7 +26,7 @@ pub(crate) struct Refereed<'a> {
     place: Option<[f64; 2]>,
 }
 
-/// Numbers of variants.
+/// Numbers of variants with these rulings.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Verdicts {
     /// The shot was legal.

@@ -183,7 +183,7 @@ impl Search {
     }
 }
 
-/// A search at work.
+/// The inputs of one search.
 struct Solver<'a> {
     shot: &'a Shot,
     goal: &'a Goal,
@@ -213,8 +213,8 @@ impl Solver<'_> {
         self.rank(refined)
     }
 
-    /// What `work` returns for each of `items` that it returns something for, in their order; None
-    /// if the search was stopped.
+    /// The values that `work` returns for `items`, in their order and without the Nones; None if the
+    /// search was stopped.
     fn each<A: Send, B: Send>(
         &self,
         stage: Stage,
@@ -257,7 +257,7 @@ impl Solver<'_> {
         let geometric = azimuths(self.shot, self.goal);
         let (in_three, in_four) = (recurrence::<3>(), recurrence::<4>());
         let aimed = geometric.iter().enumerate().flat_map(|(k, azimuth)| {
-            // Every azimuth gets other spins; together they cover the range.
+            // Every azimuth gets different spins; together they cover the range.
             (0..SPINS).map(move |i| self.strike(*azimuth, in_three(k * SPINS + i), elevation))
         });
         let spread = (0..self.search.samples).map(|i| {
@@ -377,7 +377,7 @@ fn with_the_cue_clear(shot: &Shot, strike: Strike) -> Option<Strike> {
     Some(Strike { elevation: least + CLEARANCE, ..strike })
 }
 
-/// The strikes on each route that miss by least. Short routes come first, because many long ones are
+/// The strikes with the smallest misses on each route. Short routes come first, because many long ones are
 /// found by luck.
 fn nearest(mut tried: Vec<TriedStrike>) -> Vec<TriedStrike> {
     tried.sort_by(|a, b| {

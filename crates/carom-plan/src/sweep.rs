@@ -12,7 +12,7 @@ use carom::outcome::{OutcomeRecorder, Touched};
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, MotionState, Noise, Outcome, Shot, ShotFile, Simulator, Summary};
 
-/// The numbers of a strike, named and measured as in a shot file: m/s, degrees, ball radii.
+/// The numbers of a strike, with the names and units of a shot file: m/s, degrees, ball radii.
 pub const STRIKE: [&str; 5] = ["speed", "azimuth_deg", "elevation_deg", "side", "height"];
 
 /// Stands for a ball or a number that does not exist, such as the first contact of a shot without one.
@@ -128,7 +128,7 @@ pub struct RowResults {
     pub cue_ball: Vec<i16>,
     /// The strike that was played, in the units of [`STRIKE`]; empty without noise.
     pub strike: [Vec<f64>; 5],
-    /// The outcome of each shot, if it was asked for; else empty.
+    /// The outcome of each shot; empty unless outcomes were requested.
     pub outcomes: Vec<OutcomeColumns>,
     /// The rows that failed, with their errors.
     pub errors: Vec<(usize, Error)>,
@@ -205,14 +205,13 @@ impl From<&Outcome> for OutcomeColumns {
     }
 }
 
-/// Plays every row. `balls` is the number of balls of the largest shot. `outcomes` asks for
-/// [`RowResults::outcomes`], which take more time.
+/// Plays every row. `balls` is the number of balls of the largest shot. With `outcomes`, also computes
+/// [`RowResults::outcomes`], which takes more time.
 pub fn play(rows: &SweepRows<'_>, balls: usize, outcomes: bool) -> RowResults {
     RowPlayer::new(rows, balls, outcomes).play()
 }
 
-/// The shot of one row: its layout with the row's values, and the strike that is played. The strike's
-/// angles are converted as in [`Shot::with_strike`], which may round them.
+/// The shot of one row: its layout with the row's values, and the strike that is played.
 ///
 /// # Errors
 /// [`Error::Input`] as in [`RowResults::errors`].

@@ -110,7 +110,7 @@ fn strikes_that_cannot_be_played_are_counted() {
 }
 
 #[test]
-fn a_referee_says_what_is_legal() {
+fn a_referee_counts_legal_variants_and_kept_turns() {
     let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 3).expect("a frame");
     let size = frame.base().table().size;
     let strike = Strike {

@@ -65,8 +65,7 @@ fn every_position_of_the_map_is_the_end_of_the_shot() {
         let trace = shot.with_strike(&strike).expect("a shot").simulate().expect("a trace");
         assert_eq!(trace.outcome().pocketed.len(), 1);
         let end = trace.last()[0].position;
-        // The shot file holds angles in degrees, which rounds them.
-        assert!((end.x - map.end[cell][0]).abs() < 1e-6 && (end.y - map.end[cell][1]).abs() < 1e-6);
+        assert_eq!([end.x, end.y], map.end[cell]);
     }
 }
 

@@ -172,7 +172,7 @@ fn a_jump_is_found_over_a_blocking_ball_if_the_cue_may_be_raised() {
 }
 
 #[test]
-fn a_jump_has_jumped_and_a_masse_has_curved() {
+fn a_jump_flies_over_the_blocking_ball_and_a_masse_curves_around_it() {
     let hidden = shot(&[("cue", [0.5, 0.5]), ("1", [0.5, 1.2]), ("8", [0.5, 0.8])]);
     let solutions = found_raised(&hidden, Goal { first: Some(1), ..Goal::default() });
     for solution in &solutions {

@@ -43,7 +43,7 @@ pub(crate) fn pot_map<'py>(
     })?;
     let shape = [cells[1], cells[0]];
     let grid = |values| PyArray1::from_vec(py, values).reshape(shape);
-    // Without variants the interval would be [0, 1]; NaN says that there is none.
+    // Without variants the interval would be [0, 1]; NaN marks that there is none.
     let of = |value: &dyn Fn(&Chance) -> f64| {
         let known = |c: &Chance| if c.variants == 0 { f64::NAN } else { value(c) };
         grid(map.chance.iter().map(known).collect())
@@ -88,7 +88,7 @@ pub(crate) fn position_map<'py>(
 /// 1 where the ball falls, 0 where it does not, −1 where it has no room at the start: shape (speeds,
 /// angles, offsets).
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "the axes of the map and how to work on it")]
+#[expect(clippy::too_many_arguments, reason = "the axes of the map, threads and progress")]
 pub(crate) fn acceptance<'py>(
     py: Python<'py>,
     shot: &Shot,
@@ -114,10 +114,10 @@ pub(crate) fn acceptance<'py>(
     PyArray1::from_vec(py, flat).reshape([speeds.len(), angles.len(), offsets.len()])
 }
 
-/// Racks of a game, broken with errors: the arrays of `simulate_batch`, and the counts behind the
-/// statistics, by name.
+/// Breaks of a game with errors of the strike: the arrays of `simulate_batch`, and the counts behind
+/// the statistics, by name.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "what is racked and how often")]
+#[expect(clippy::too_many_arguments, reason = "the rack, its sampling, threads and progress")]
 pub(crate) fn break_statistics<'py>(
     py: Python<'py>,
     game: &str,
@@ -168,7 +168,7 @@ fn cushions_of<'py>(
 /// The first `most` cushions that the struck ball meets, alone on the table: azimuth by azimuth, speed
 /// by speed, side by side.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "the axes of the table and how to work on it")]
+#[expect(clippy::too_many_arguments, reason = "the axes of the table, threads and progress")]
 pub(crate) fn kick_table<'py>(
     py: Python<'py>,
     shot: &Shot,
@@ -190,7 +190,7 @@ pub(crate) fn kick_table<'py>(
 
 /// The same for a ball that starts with a velocity: azimuth by azimuth, speed by speed.
 #[pyfunction]
-#[expect(clippy::too_many_arguments, reason = "the axes of the table and how to work on it")]
+#[expect(clippy::too_many_arguments, reason = "the axes of the table, threads and progress")]
 pub(crate) fn bank_table<'py>(
     py: Python<'py>,
     shot: &Shot,

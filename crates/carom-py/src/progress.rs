@@ -22,7 +22,7 @@ pub(crate) fn run<T: Send>(
     work: impl FnOnce(&Progress) -> Result<T, carom::Error> + Send,
 ) -> PyResult<T> {
     let progress = Progress::default();
-    let tell = || {
+    let report_now = || {
         let now = progress.read();
         Python::attach(|py| {
             py.check_signals()?;
@@ -40,7 +40,7 @@ pub(crate) fn run<T: Send>(
             let mut raised = None;
             while let Err(mpsc::RecvTimeoutError::Timeout) = receiver.recv_timeout(CHECK) {
                 if raised.is_none() {
-                    raised = tell().err();
+                    raised = report_now().err();
                     if raised.is_some() {
                         progress.stop();
                     }
@@ -54,6 +54,6 @@ pub(crate) fn run<T: Send>(
         return Err(error);
     }
     let found = found.map_err(|error| to_exception(py, &error))?;
-    tell()?;
+    report_now()?;
     Ok(found)
 }

@@ -41,9 +41,9 @@ impl Frame {
         let optional = |value: &Bound<'_, PyAny>| {
             if value.is_none() { Ok(None) } else { from_python(value).map(Some) }
         };
-        let (target, miss, patience) = options;
+        let (points, miss, patience) = options;
         let rules = Rules::read(game).map_err(|e| to_exception(py, &e))?;
-        let options = Options { points: target, miss, patience };
+        let options = Options { points, miss, patience };
         carom_rules::Frame::new(rules, options, optional(table)?, optional(physics)?, seed)
             .map(Self)
             .map_err(|e| to_exception(py, &e))
@@ -57,8 +57,8 @@ impl Frame {
         shot: &Shot,
         options: (i32, bool, u32),
     ) -> PyResult<Self> {
-        let (target, miss, patience) = options;
-        let options = Options { points: target, miss, patience };
+        let (points, miss, patience) = options;
+        let options = Options { points, miss, patience };
         let frame = Rules::read(game)
             .and_then(|rules| carom_rules::Frame::of_shot(rules, options, &shot.0));
         frame.map(Self).map_err(|e| to_exception(py, &e))

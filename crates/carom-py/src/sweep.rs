@@ -52,7 +52,7 @@ impl<'py> Kept<'py> {
     }
 }
 
-/// The name of a column of outcomes, and how to get its value.
+/// The name of a column of outcomes, and the function that returns its value.
 type OutcomeColumn = (&'static str, fn(&OutcomeColumns) -> i16);
 
 /// `carom.sweeps.play.RowArguments`, read by attribute. All arrays are contiguous.
@@ -205,13 +205,13 @@ pub(crate) fn read_whole(
     read(value, place, |reader| reader.whole(low, high))
 }
 
-/// Raises the error of a value of a wrong type; `wanted` says what to write.
+/// Raises the error of a value of a wrong type; `wanted` describes a correct value.
 #[pyfunction]
 pub(crate) fn wrong_type(value: &Bound<'_, PyAny>, place: &str, wanted: &str) -> PyResult<()> {
     read(value, place, |reader| Err(reader.wrong_type(wanted)))
 }
 
-/// Raises the error of an unknown word; `kind` is what the `known` words are.
+/// Raises the error of an unknown word; `kind` is the noun for the `known` words, such as "model".
 #[pyfunction]
 pub(crate) fn unknown_word(
     py: Python<'_>,

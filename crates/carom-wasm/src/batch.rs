@@ -86,7 +86,7 @@ impl Shot {
     }
 }
 
-/// Where the balls of many shots end.
+/// The results of many shots. Arrays per ball have `shots` × `balls` entries, shot by shot.
 #[wasm_bindgen]
 pub struct Batch {
     result: BatchResult,
@@ -95,12 +95,12 @@ pub struct Batch {
 
 #[wasm_bindgen]
 impl Batch {
-    /// Rows.
+    /// Number of shots.
     pub fn shots(&self) -> usize {
         self.result.shots
     }
 
-    /// Columns.
+    /// Number of balls of the largest shot.
     pub fn balls(&self) -> usize {
         self.result.balls
     }
@@ -111,7 +111,7 @@ impl Batch {
         self.result.final_position.as_flattened().to_vec()
     }
 
-    /// Pocket index per shot and ball.
+    /// Pocket index per shot and ball; negative where the ball fell into none.
     pub fn pocket(&self) -> Vec<i8> {
         self.result.pocket.clone()
     }

@@ -107,13 +107,13 @@ impl Frame {
         table: Option<String>,
         physics: Option<String>,
         seed: u64,
-        target: i32,
+        points: i32,
         miss: bool,
         patience: u32,
     ) -> Result<Self, JsValue> {
         let read = |json: Option<String>| json.map(|text| Node::from_json(&text)).transpose();
         let frame = || {
-            let options = Options { points: target, miss, patience };
+            let options = Options { points, miss, patience };
             carom_rules::Frame::new(Rules::read(game)?, options, read(table)?, read(physics)?, seed)
         };
         frame().map(Self).map_err(|e| to_exception(&e))
@@ -124,11 +124,11 @@ impl Frame {
     pub fn of_shot(
         game: &str,
         shot: &Shot,
-        target: i32,
+        points: i32,
         miss: bool,
         patience: u32,
     ) -> Result<Self, JsValue> {
-        let options = Options { points: target, miss, patience };
+        let options = Options { points, miss, patience };
         let frame = Rules::read(game)
             .and_then(|rules| carom_rules::Frame::of_shot(rules, options, &shot.0));
         frame.map(Self).map_err(|e| to_exception(&e))
@@ -159,14 +159,14 @@ impl Frame {
         self.play_checked(play).map_err(|e| to_exception(&e))
     }
 
-    /// Makes the decision that the referee asks for; returns the ruling, JSON.
+    /// Answers the choice that the frame asks for; returns the ruling, JSON.
     pub fn choose(&mut self, choice: &str) -> Result<String, JsValue> {
         let chosen = Choice::read(choice).and_then(|choice| self.0.choose(choice));
         let ruling = chosen.map_err(|e| to_exception(&e))?;
         Ok(self.0.ruling_node(&ruling).to_json())
     }
 
-    /// The player at the table concedes the frame; returns the ruling, JSON.
+    /// Concedes: the player whose turn it is loses. Returns the ruling, JSON.
     pub fn concede(&mut self) -> Result<String, JsValue> {
         let ruling = self.0.concede().map_err(|e| to_exception(&e))?;
         Ok(self.0.ruling_node(&ruling).to_json())

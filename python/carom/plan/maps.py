@@ -189,7 +189,7 @@ def pot_map(
     sampling = Sampling(noise, perception, seed, whole("n", n, low=1), precision, level)
     width, length = core_of(shot).geometry()["size"]
     if width is None or length is None:
-        raise InputError("table: the cloth has no cushions; choose a table that has some")
+        raise InputError("table: the cloth has no cushions; choose a table with cushions")
     rows = max(1, round(columns * length / width))
     with stage_bars(["cells"], show=progress) as report:
         chance, low, high, counted, azimuth = _core.pot_map(
