@@ -137,7 +137,8 @@ pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     finder: PhantomData<F>,
 }
 
-/// Every ball's motion in the table plane, laid out for vector instructions.
+/// Every ball's motion in the table plane, laid out for vector instructions. At the time t after
+/// its start a path is at x + vx t + hx t², and likewise for y.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 struct Lanes<const N: usize> {

@@ -249,7 +249,10 @@ fn a_strike_that_no_tip_can_play_is_refused() {
     let efficient = edited(BASE, r#""cue": {"tip_efficiency": 0.87, "tip_friction": 5}"#)
         .replace("\"side\": 0.0", "\"side\": 0.9");
     let sentence = Shot::from_json(&efficient).expect_err("unreachable").to_string();
-    assert!(sentence.starts_with("strike.side: physics.cue.tip_efficiency is too low"), "{sentence}");
+    assert!(
+        sentence.starts_with("strike.side: physics.cue.tip_efficiency is too low"),
+        "{sentence}"
+    );
 }
 
 #[test]
