@@ -69,6 +69,25 @@ test("the ruling appears when the replay of the shot ends, not before", async ({
   expect(await bar(page)).toMatch(/Bea to shoot/);
 });
 
+// Seen: a TypeError, because the ball under the pointer was looked up among the balls after the shot.
+test("in the replay the pointer can be over a ball that the shot pocketed", async ({ open }) => {
+  const page = await open({ reducedMotion: "reduce" });
+  await begin(page, { seed: NINE_ON_THE_BREAK });
+  const rack = (await stateOf(page)).balls;
+  await page.getByRole("button", { name: "Shoot" }).click();
+  await page.getByRole("button", { name: "Another frame" }).waitFor();
+  expect((await stateOf(page)).balls.length).toBeLessThan(rack.length);
+  await page.getByRole("button", { name: "Watch the last shot again" }).click();
+  await page.getByRole("slider", { name: "Time" }).press("Home");
+  await settled(page);
+  for (const { position } of rack) {
+    const spot = await onPage(page, position[0], position[1]);
+    await page.mouse.move(spot.x, spot.y);
+    await settled(page);
+    expect(await page.locator("#table").getAttribute("data-over")).toBe("ball");
+  }
+});
+
 test("the played shot is the predicted one, to the bit", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce" });
   await begin(page, { seed: 11 });

@@ -50,7 +50,6 @@ export interface Session {
   readonly rate: number;
   /** Id of the selected ball. */
   readonly selected: string | null;
-  readonly hovered: string | null;
   readonly refusal: Refusal | null;
   /** Fine adjustment: drags and keys have a tenth of their effect. */
   readonly fine: boolean;
@@ -65,7 +64,6 @@ export const FIRST_SESSION: Session = {
   playing: false,
   rate: 1,
   selected: null,
-  hovered: null,
   refusal: null,
   fine: false,
 };

@@ -104,10 +104,7 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
   }
 
   function hover(event: PointerEvent): void {
-    const { ball } = pointOf(event);
-    const id = ball === null ? null : ballAt(ball).id;
-    if (id !== store.session.hovered) store.setSession({ hovered: id });
-    canvas.dataset.over = ball === null ? "cloth" : "ball";
+    canvas.dataset.over = pointOf(event).ball === null ? "cloth" : "ball";
   }
 
   function move(held: Drag, event: PointerEvent): void {
