@@ -78,11 +78,11 @@ function mountVariants(
 ): () => void {
   let variants: Variants | null = null;
   // At most once per frame.
-  const draw = (so: VariantsProgress): void => {
+  const draw = (progress: VariantsProgress): void => {
     loop.input(draw, () => {
-      if (variants?.present !== so) return;
-      viewer.setFan(so.tally.played(), so.paths);
-      show(so, store);
+      if (variants?.present !== progress) return;
+      viewer.setFan(progress.tally.played(), progress.paths);
+      show(progress, store);
     });
   };
   const clear = (words: string | null): void => {

@@ -6,7 +6,8 @@ import type { Chunk, FromWorker, VariantsRequest } from "./protocol.ts";
 
 /**
  * Variants per chunk: about ten milliseconds for a mid-game shot. Between chunks the worker checks
- * whether the request is stale. Fewer show the first picture sooner; more need fewer messages.
+ * whether the request is stale. Smaller chunks show the first picture sooner; larger ones need fewer
+ * messages.
  */
 const CHUNK = 100;
 
