@@ -176,8 +176,8 @@ impl Shot {
     ///
     /// # Errors
     /// [`Error::Input`] if the shot has no strike, if the strike is out of range, off the ball,
-    /// past the miscue limit or impossible with the tip's efficiency, and if the cue is obstructed
-    /// and the policy is to refuse that.
+    /// beyond the miscue limit or too far off centre for the tip's efficiency, and if the cue is
+    /// obstructed and the policy is to refuse that.
     pub fn resolve_strike(&self, strike: &Strike) -> Result<(Vec3, Vec3), Error> {
         let Some((ball, _)) = self.strike else {
             return Err(Error::input("strike", "the shot has no strike", "add one to vary it"));

@@ -1,5 +1,5 @@
-//! Laws of every collision of two balls, whatever the model: energy, momentum, angular momentum
-//! about the contact, symmetry. Inputs are pseudo-random, the same in every run.
+//! Laws that every model of a collision of two balls obeys: energy, momentum, angular momentum
+//! about the contact, symmetry. The inputs are pseudo-random and the same in every run.
 
 use crate::near::assert_near;
 use crate::random::Random;

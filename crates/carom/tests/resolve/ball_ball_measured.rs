@@ -38,7 +38,7 @@ fn throw(physics: &Physics, law: &BallBall, speed: f64, cut: f64) -> f64 {
 }
 
 /// Root mean square of throw minus measured throw in the tests of 2014 and 2006, °.
-fn misses(law: &BallBall) -> (f64, f64) {
+fn rms_errors(law: &BallBall) -> (f64, f64) {
     let physics = Physics::pool();
     let to_object = 0.5 * (1.0 + law.restitution) * cos(radians(30.0));
     let by_speed: f64 = BY_SPEED
@@ -57,14 +57,14 @@ fn misses(law: &BallBall) -> (f64, f64) {
 
 #[test]
 fn the_pool_preset_throws_as_measured_to_three_quarters_of_a_degree() {
-    let (by_speed, by_cut) = misses(&Physics::pool().ball_ball);
+    let (by_speed, by_cut) = rms_errors(&Physics::pool().ball_ball);
     assert!(by_speed < 0.75 && by_cut < 0.65, "{by_speed}°, {by_cut}°");
 }
 
 #[test]
 fn bb23_a_friction_fitted_to_the_2014_test_alone_meets_it_within_reading_error() {
     let friction = SlipFriction { a: 0.0, b: 0.150, c: 0.52 };
-    let (by_speed, by_cut) = misses(&BallBall { friction, ..Physics::pool().ball_ball });
+    let (by_speed, by_cut) = rms_errors(&BallBall { friction, ..Physics::pool().ball_ball });
     assert!(by_speed < 0.35 && by_cut > 1.0, "{by_speed}°, {by_cut}°");
 }
 
@@ -79,6 +79,6 @@ fn the_rigid_model_cannot_reach_the_measured_throw() {
     assert!(BY_SPEED[0].1 - rigid > 1.0);
     // With Alciatore's friction (TP A.14) the error of the rigid model is twice that of ours.
     let friction = SlipFriction { a: 0.009951, b: 0.108, c: 1.088 };
-    let (by_speed, by_cut) = misses(&BallBall { model, friction, ..physics.ball_ball });
+    let (by_speed, by_cut) = rms_errors(&BallBall { model, friction, ..physics.ball_ball });
     assert!(by_speed > 2.0 && by_cut > 0.9, "{by_speed}°, {by_cut}°");
 }

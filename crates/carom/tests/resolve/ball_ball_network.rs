@@ -53,8 +53,8 @@ fn cradle<const N: usize>(moving: usize) -> [f64; N] {
     bodies.map(|b: Body| b.velocity.x)
 }
 
-/// The same by the classical Runge–Kutta method with 50 000 small steps: m v̇ = ±k δ^(3/2), with
-/// any k.
+/// The speeds from the classical Runge–Kutta method with 50 000 small steps: m v̇ = ±k δ^(3/2),
+/// with any k.
 fn reference(speeds: &[f64], masses: &[f64], stiffness: &[f64]) -> Vec<f64> {
     let n = speeds.len();
     let rate = |y: &[f64]| -> Vec<f64> {
@@ -211,7 +211,7 @@ fn the_throw_of_a_compliant_pair_alone_is_close_to_that_of_its_own_law() {
         for mu in [0.03, 0.06, 0.12] {
             let law = law(BallBallModel::Compliant, 0.95, mu);
             let difference = difference_from_pair_law(&law, angle);
-            // Of the surfaces. That of the centres is 2/5 of it, 0.4° of throw.
+            // The difference of the surfaces; that of the centres is 2/5 of it, 0.4° of throw.
             assert!(difference < 0.018, "μ {mu}, angle {angle}: {difference}");
         }
     }

@@ -13,7 +13,7 @@ const E: f64 = 0.95;
 /// A few rounding errors, as fractions of the speeds.
 const ROUNDING: f64 = 1e-14;
 
-/// The error of its 1000 steps, as a fraction of the speeds.
+/// The error of pooltool's 1000 steps, as a fraction of the speeds.
 const COARSE_STEPS: f64 = 1e-3;
 
 /// pooltool's Mathavan model computes the slip on the cloth as v − Rẑ×ω, with the wrong sign of the
@@ -28,11 +28,11 @@ fn pressed_ball_is_unspun(a: &Body, b: &Body, line: Vec3) -> bool {
 fn compare(model: BallBallModel, column: usize, tolerance: f64) {
     // In pooltool's frictional model friction is μ times the separation speed, e·w, while the
     // normal impulse is (1 + e)/2·w: equivalent to a friction smaller by the factor 2e/(1 + e).
-    let fault = if model == BallBallModel::Frictional { 2.0 * E / (1.0 + E) } else { 1.0 };
+    let correction = if model == BallBallModel::Frictional { 2.0 * E / (1.0 + E) } else { 1.0 };
     let law = BallBall {
         model,
         restitution: if model == BallBallModel::Elastic { 1.0 } else { E },
-        friction: SlipFriction { a: 0.009951 * fault, b: 0.108 * fault, c: 1.088 },
+        friction: SlipFriction { a: 0.009951 * correction, b: 0.108 * correction, c: 1.088 },
         frequency_ratio: 1.7,
     };
     let mut compared = 0;

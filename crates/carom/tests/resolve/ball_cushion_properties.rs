@@ -1,4 +1,4 @@
-//! Laws of every cushion model, whatever its parameters.
+//! Laws that every cushion model obeys with any parameters.
 
 use crate::random::Random;
 use carom::math::{Vec2, Vec3, sin_cos, sqrt};
@@ -334,7 +334,7 @@ fn a_slow_ball_is_reflected_without_loss() {
         let ball = after(&case);
         assert_eq!(ball.velocity, Vec3::new(-0.001, 0.3, 0.0));
         assert_eq!(ball.angular_velocity, case.ball.angular_velocity);
-        // Off the bed along the normal.
+        // In the air the reflection is along the normal.
         case.on_bed = false;
         let ball = after(&case);
         let expected = Vec3::new(0.001, 0.3, 0.0) - case.normal * 0.0016;

@@ -104,8 +104,8 @@ fn mathavan_2010_figure_10_rolling_with_sidespin() {
 
 #[test]
 fn opposite_sidespins_rebound_at_supplementary_angles() {
-    /// Row CU-7 (the paper's own curve for k_S = 2 violates it); rounding error of the two
-    /// arctangents.
+    /// Rounding error of the two arctangents in row CU-7. The paper's own curve for k_S = 2
+    /// violates the symmetry.
     const ROUNDING: f64 = 1e-12;
     for k_s in [0.5, 1.0, 2.0] {
         // `mathavan` rotates the incidence by its cosine, whose rounding error at 90° is not a

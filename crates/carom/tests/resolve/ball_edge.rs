@@ -1,5 +1,5 @@
-//! A ball that falls over an edge. Its hops are integrated here with the exact times of their
-//! parabolas and compared with the textbook's ball that turns about the edge.
+//! A ball that falls over an edge. Its hops are computed here with the exact times of their
+//! parabolas. They are compared with the textbook's ball, which rotates about the edge.
 
 use crate::near::assert_near;
 use crate::random::Random;
@@ -12,21 +12,21 @@ use carom_roots::{Motion, first_contact};
 const GRAVITY: f64 = 9.81;
 const RADIUS: f64 = 0.028_575;
 const MASS: f64 = 0.17;
-/// Of the edge.
+/// Direction of the edge.
 const ALONG: Vec2 = Vec2::new(0.0, 1.0);
 
 fn straight(normal: Vec3, along: Vec2) -> Edge {
     Edge { normal, along, bend: 0.0, turn: 1.0 / RADIUS }
 }
 
-/// How a ball left the edge.
+/// The state of a ball that has left the edge, and how it got there.
 struct Fall {
-    /// cos of the angle from the vertical at the last contact.
+    /// Cosine of the angle from the vertical at the last contact.
     cosine: f64,
     contacts: u32,
     /// Largest relative increase of the total energy in a contact.
     gain: f64,
-    /// From the first contact to the last, s.
+    /// Time from the first contact to the last, s.
     time: f64,
     flight: [f64; 4],
 }
@@ -107,7 +107,7 @@ fn edge(friction: f64) -> Surface {
 
 #[test]
 fn a_ball_that_rolls_slowly_over_an_edge_leaves_it_at_the_textbooks_angle() {
-    /// Two hops of 0.04 rad, in the cosine.
+    /// Of the cosine: two hops of 0.04 rad.
     const LIFT_OFF: f64 = 0.08;
     for speed in SPEEDS {
         let fall = tip(&edge(1.0), speed);
@@ -119,11 +119,12 @@ fn a_ball_that_rolls_slowly_over_an_edge_leaves_it_at_the_textbooks_angle() {
 #[test]
 fn a_ball_that_falls_over_an_edge_leaves_it_like_a_ball_held_on_it_with_the_same_friction() {
     const LIFT_OFF: f64 = 0.08;
-    /// m/s, of about 0.7.
+    /// Of the centre, which has about 0.7, m/s.
     const VELOCITY: f64 = 0.0025;
-    /// m/s, of about 0.3; without friction nothing restores the loss of the first hops.
+    /// Of the ball's surface, which has about 0.3, m/s. Without friction nothing makes up for the
+    /// loss of the first hops.
     const SURFACE: f64 = 0.02;
-    /// m.
+    /// Of the position, m.
     const PLACE: f64 = 1e-4;
     for friction in [0.0, 0.2, 1.0] {
         for speed in SPEEDS {

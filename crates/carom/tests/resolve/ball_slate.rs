@@ -174,10 +174,10 @@ fn launch(elevation: f64) -> Body {
 
 const MPH: f64 = 0.44704;
 const FOOT: f64 = 0.3048;
-/// Of TP B.10.
+/// Gravity in TP B.10, ft/s².
 const FEET_PER_SECOND_SQUARED: f64 = 32.174;
 
-/// Distance of the ball's hop. Turns its velocity towards the slate again.
+/// Length of the ball's hop, m. The ball then moves towards the slate again.
 fn hop(ball: &mut Body) -> f64 {
     let rise = ball.velocity.z;
     ball.velocity.z = -rise;

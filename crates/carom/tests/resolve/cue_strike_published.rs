@@ -1,4 +1,5 @@
-//! Published numbers of the cue strike (Alciatore's technical proofs, Shepard, pooltool).
+//! Published numbers of the cue strike (Alciatore's technical proofs, Shepard, Leckie & Greenspan,
+//! pooltool).
 
 use crate::near::assert_near;
 use carom::Ball;

@@ -12,7 +12,7 @@ impl Random {
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     }
-    /// In 0..1.
+    /// A number in 0..1.
     pub(crate) fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
@@ -23,7 +23,7 @@ impl Random {
     pub(crate) fn pick(&mut self, n: usize) -> usize {
         (self.bits() % n as u64) as usize
     }
-    /// Components in -size..size.
+    /// A vector with components in -size..size.
     pub(crate) fn vector(&mut self, size: f64) -> Vec3 {
         Vec3::new(self.between(-size, size), self.between(-size, size), self.between(-size, size))
     }

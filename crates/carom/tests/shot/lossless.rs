@@ -30,7 +30,7 @@ fn at_rest() -> Shot {
 }
 
 #[test]
-fn a_shot_file_is_written_again_with_every_number_and_word() {
+fn a_shot_file_is_written_back_with_every_number_and_word() {
     let moving = SHOT.replace(
         r#""strike": {"ball": "1", "speed": 2, "azimuth_deg": 359.99999999999994, "side": 0.1},"#,
         "",
@@ -82,7 +82,7 @@ fn a_shot_written_from_its_data_reads_back_as_the_same_shot() {
 }
 
 #[test]
-fn a_shot_written_from_its_data_names_presets_and_leaves_usual_values_out() {
+fn a_shot_written_from_its_data_names_presets_and_leaves_out_default_values() {
     let text = r#"{"format": "carom-shot/1", "table": {"base": "wpa-9ft"}, "physics": "pool",
         "balls": [{"id": "cue", "position": [0.5, 0.5, 0.028575], "mass": 0.170097138}], "max_events": 100000}"#;
     let named = r#"{"format": "carom-shot/1", "table": "wpa-9ft", "physics": "pool",
@@ -97,9 +97,8 @@ fn a_shot_written_from_its_data_names_presets_and_leaves_usual_values_out() {
     assert!(shot(text).to_node().get("max_events").is_none());
 }
 
-/// Every angle that a program sets is written so that it reads back to the same bits.
 #[test]
-fn a_strike_from_a_program_keeps_its_bits() {
+fn every_angle_that_a_program_sets_reads_back_to_the_same_bits() {
     let file = ShotFile::from_json(&SHOT.replace(SPIN, "")).unwrap_or_else(|e| panic!("{e}"));
     let (_, own) = file.strike().expect("it has one");
     // No double in degrees reads back as the first angle; the second is 12.25 degrees.
@@ -152,7 +151,11 @@ fn missing_values_come_from_the_preset_of_the_table() {
     assert_eq!(physics.cloth.rolling_friction, 0.011);
     assert_eq!(physics.cloth.sliding_friction, pool.cloth.sliding_friction);
     assert_eq!(physics.cushion, pool.cushion);
-    assert_eq!(physics.cue.tip, carom::physics::Tip::Efficiency(0.87), "it drops the restitution");
+    assert_eq!(
+        physics.cue.tip,
+        carom::physics::Tip::Efficiency(0.87),
+        "instead of the restitution"
+    );
     assert_eq!(shot.balls()[0].ball.mass, 0.17);
     assert_eq!(shot.balls()[0].ball.radius, pool.ball.radius);
     assert_eq!(shot.balls()[0].state.position.z, pool.ball.radius);
@@ -254,8 +257,10 @@ fn with_balls_gives_the_shot_of_a_file_with_these_balls() {
     let mut lost = balls.clone();
     lost[1].state.position.y = f64::NAN;
     assert!(refused(lost).starts_with("balls[1].position: NaN is not a number"));
-    let nobody = shot.with_balls(balls.clone(), Some((2, strike))).expect_err("no such ball");
-    assert!(nobody.to_string().starts_with("strike.ball: there is no ball 2; count the 2 balls"));
+    let no_such_ball = shot.with_balls(balls.clone(), Some((2, strike))).expect_err("no such ball");
+    assert!(
+        no_such_ball.to_string().starts_with("strike.ball: there is no ball 2; count the 2 balls")
+    );
     let mut flown = balls;
     flown[0].state.velocity.x = f64::NAN;
     assert!(refused(flown).starts_with("balls[0].velocity: NaN m/s is out of range"));

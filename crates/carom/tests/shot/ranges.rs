@@ -52,8 +52,11 @@ fn refused(text: &str, place: &str) {
     match Shot::from_json(text) {
         Err(e @ Error::Input(_)) => {
             let sentence = e.to_string();
-            assert!(sentence.starts_with(&format!("{place}: ")), "`{sentence}` names not {place}");
-            assert!(sentence.contains("write"), "`{sentence}` says not what would be right");
+            assert!(
+                sentence.starts_with(&format!("{place}: ")),
+                "`{sentence}` should name {place}"
+            );
+            assert!(sentence.contains("write"), "`{sentence}` should name the remedy");
         }
         other => panic!("{text}: {other:?}"),
     }

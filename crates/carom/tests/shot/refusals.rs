@@ -15,7 +15,7 @@ fn edited(from: &str, to: &str) -> String {
         "strike": {"ball": "cue", "speed": 2.0, "azimuth_deg": 90.0, "side": 0.0, "height": 0.0},
         "max_events": 1000
     }"#;
-    assert_eq!(good.matches(from).count(), 1, "`{from}` must stand once in the good file");
+    assert_eq!(good.matches(from).count(), 1, "`{from}` must occur once in the good file");
     good.replace(from, to)
 }
 
@@ -399,7 +399,7 @@ fn unbounded_cloth_has_no_other_keys() {
     let table = r#"{"width": 1.27, "length": 2.54, "pockets": "none"}"#;
     refused(table, r#"{"cloth": "unbounded", "length": 2}"#, "table.length", &["unbounded"]);
     refused(table, r#"{"cloth": "endless"}"#, "table.cloth", &["\"unbounded\""]);
-    Shot::from_json(&edited(table, r#"{"cloth": "unbounded"}"#)).expect("endless cloth");
+    Shot::from_json(&edited(table, r#"{"cloth": "unbounded"}"#)).expect("unbounded cloth");
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! Hard cases of event-based billiards. Each test has the fault seen in an engine, or the
-//! difficulty by nature, and the right result with its reason.
+//! Hard cases of event-based billiards. Each test gives the fault that an engine showed ("Seen") or
+//! the difficulty of the case itself ("By nature"), and the right result with its reason ("Right").
 
 use crate::support::{LogRecorder, energy, play, shot};
 use carom::event::EventKind;
@@ -156,8 +156,9 @@ fn tight_and_frozen_racks_end_soon_and_never_gain_energy() {
 }
 
 /// By nature: a ball at rest against a cushion, spinning so that the cloth drives it into the rail,
-/// accelerates towards a rail that it already touches: one contact after another in no time. Right:
-/// it stays at the rail while the push lasts, with a finite number of contacts, and the shot ends.
+/// accelerates towards a rail that it already touches, so that contacts would follow each other
+/// without any time between them. Right: it stays at the rail while the push lasts, with a finite
+/// number of contacts, and the shot ends.
 #[test]
 fn a_push_from_rest_against_a_rail_ends() {
     let table = carom::Table::preset("carom-10ft").expect("a preset");
@@ -346,7 +347,7 @@ fn sidespin_that_outlasts_all_other_motion_ends_in_spinning_and_then_rest() {
 /// Rω₀ = −2.5 v₀ ends at rest (TP 4.1): from sliding to stationary, the rarest of the paper's five
 /// transitions.
 #[test]
-fn a_ball_with_just_enough_draw_stops_dead_when_its_slide_ends() {
+fn a_ball_with_just_enough_draw_stops_when_its_slide_ends() {
     let (v, r) = (1.0, 0.028_575);
     let shot = shot(&format!(
         r#""table": {{"cloth": "unbounded"}}, "balls": [{{"id": "a", "position": [0.0, 0.0],
@@ -387,9 +388,9 @@ fn a_shot_without_further_events_is_over_even_if_a_ball_still_moves() {
 }
 
 /// By nature: with restitution 0 the bodies of an impact stay together, and the next contact
-/// repeats this one. Seen here: they were separated by computing the whole impact again, so gently
-/// that friction was lost. Right: friction acts in full, and the bodies separate at the speed of a
-/// rounding error.
+/// repeats this one. Seen here: to separate them, the whole impact was computed again at a tiny
+/// speed, which lost the friction. Right: friction acts in full, and the bodies separate at the
+/// speed of a rounding error.
 #[test]
 fn an_impact_that_leaves_its_bodies_together_has_its_full_friction() {
     // Relative to the friction of an impact with restitution 1e-9.
@@ -429,8 +430,8 @@ fn an_impact_that_leaves_its_bodies_together_has_its_full_friction() {
 /// shot ends.
 #[test]
 fn a_follow_shot_into_a_row_of_frictionless_balls_ends_and_its_spin_supplies_the_energy() {
-    // Energy of a ball of 0.17 kg at the separation speed that no spin supplies, 0.1 mm/s, J.
-    const LENT: f64 = 1e-9;
+    // Energy of a ball of 0.17 kg at 0.1 mm/s, the separation speed that no spin supplies, J.
+    const SEPARATION_ENERGY: f64 = 1e-9;
     let row: String = (1..=4)
         .map(|i| {
             format!(r#", {{"id": "{i}", "position": [{:?}, 0]}}"#, 0.05 + 0.05715 * f64::from(i))
@@ -452,6 +453,6 @@ fn a_follow_shot_into_a_row_of_frictionless_balls_ends_and_its_spin_supplies_the
         .collect();
     assert!(rises.len() > 100);
     // Apart from rounding, hardly any contact may add energy.
-    let borrowed: f64 = rises.iter().sum();
-    assert!(borrowed < 10.0 * LENT, "{borrowed:e} J in {} contacts", rises.len());
+    let added: f64 = rises.iter().sum();
+    assert!(added < 10.0 * SEPARATION_ENERGY, "{added:e} J in {} contacts", rises.len());
 }

@@ -1,10 +1,10 @@
 //! Shots in which balls touch when one of them is hit.
 
-use crate::support::{Kept, LogRecorder, play, shot};
+use crate::support::{LogRecorder, RecordedEvent, play, shot};
 use carom::event::EventKind;
 use carom::rack::{Break, Game, break_shot};
 
-/// Balls in a row along y that touch, of which the first moves; with extra text for each of them.
+/// A row of touching balls along y. The first one moves along the row at `speed` (m/s).
 fn row(count: usize, speed: f64, physics: &str) -> carom::Shot {
     let balls: Vec<String> = (0..count)
         .map(|k| {
@@ -19,7 +19,7 @@ fn row(count: usize, speed: f64, physics: &str) -> carom::Shot {
     ))
 }
 
-fn first_collision(log: &LogRecorder) -> &Kept {
+fn first_collision(log: &LogRecorder) -> &RecordedEvent {
     log.ball_collisions()[0]
 }
 
@@ -112,9 +112,9 @@ fn breaks(gap: f64) -> (Vec<f64>, f64) {
     (rebounds, at_rails as f64 / count)
 }
 
-/// TP B.20 estimates that a cue ball comes back from a rack with a fifth of its speed, less with
-/// losses. Seen: with pairs resolved one after another it comes back from a frozen rack, but stops
-/// at a rack with gaps of 0.01 mm.
+/// TP B.20 estimates that a cue ball comes back from a rack with a fifth of its speed, and with
+/// less if there are losses. Seen: with pairs resolved one after another it comes back from a
+/// frozen rack, but stops at a rack with gaps of 0.01 mm.
 #[test]
 fn a_cue_ball_comes_back_from_tight_and_from_usual_racks_and_most_balls_reach_a_rail() {
     for gap in [0.0, 1e-5, 1e-4] {

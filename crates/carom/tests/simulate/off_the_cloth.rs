@@ -8,8 +8,8 @@ fn count(log: &LogRecorder, wanted: impl Fn(&EventKind) -> bool) -> usize {
     log.of(wanted).len()
 }
 
-/// A ball that rolls into the middle of the bottom right pocket of a WPA table, along the pocket's
-/// axis and from 0.1 m before it, so that it comes over the lip at `speed` (m/s).
+/// A ball that rolls into the middle of the bottom right pocket of a WPA table along the pocket's
+/// axis. It starts 0.3 m before the lip and reaches it at `speed` (m/s).
 fn into_the_corner(speed: f64) -> Shot {
     let start = 0.3;
     let table = carom::Table::preset("wpa-9ft").expect("a preset");
@@ -17,7 +17,7 @@ fn into_the_corner(speed: f64) -> Shot {
     let center = pocket.center + table.center();
     let away = -pocket.axis;
     let place = center + away * (pocket.radius + start);
-    // Rolling resistance reduces the speed by μ_r g per second.
+    // Rolling resistance is a deceleration of μ_r g.
     let v = (speed * speed + 2.0 * 0.01 * 9.806_65 * start).sqrt();
     let velocity = pocket.axis * v;
     let spin = velocity.perp() * (1.0 / 0.028_575);
@@ -53,7 +53,7 @@ fn a_fast_ball_flies_over_the_lip_and_a_slow_one_turns_about_it_and_both_are_poc
         let shot = into_the_corner(speed);
         let (log, _) = play(&shot);
         assert_eq!(count(&log, |k| *k == EventKind::PocketCollision(1)), 1, "{speed} m/s");
-        let at_lip = |e: &&&crate::support::Kept| e.before[0].position.z > 0.0;
+        let at_lip = |e: &&&crate::support::RecordedEvent| e.before[0].position.z > 0.0;
         log.of(|k| *k == EventKind::SlateCollision).iter().filter(at_lip).count()
     };
     // √(gR) = 0.529 m/s.

@@ -5,7 +5,7 @@ use carom::{BallState, Shot, Summary};
 
 /// A copy of one event.
 #[derive(Clone, Debug)]
-pub(crate) struct Kept {
+pub(crate) struct RecordedEvent {
     pub(crate) time: f64,
     pub(crate) kind: EventKind,
     pub(crate) balls: Vec<usize>,
@@ -16,12 +16,12 @@ pub(crate) struct Kept {
 /// Keeps every event.
 #[derive(Debug, Default)]
 pub(crate) struct LogRecorder {
-    pub(crate) events: Vec<Kept>,
+    pub(crate) events: Vec<RecordedEvent>,
 }
 
 impl Recorder for LogRecorder {
     fn record(&mut self, event: &Event<'_>) {
-        self.events.push(Kept {
+        self.events.push(RecordedEvent {
             time: event.time,
             kind: event.kind,
             balls: event.balls.iter().map(|&i| usize::from(i)).collect(),
@@ -32,13 +32,13 @@ impl Recorder for LogRecorder {
 }
 
 impl LogRecorder {
-    pub(crate) fn of(&self, wanted: impl Fn(&EventKind) -> bool) -> Vec<&Kept> {
+    pub(crate) fn of(&self, wanted: impl Fn(&EventKind) -> bool) -> Vec<&RecordedEvent> {
         self.events.iter().filter(|e| wanted(&e.kind)).collect()
     }
-    pub(crate) fn ball_collisions(&self) -> Vec<&Kept> {
+    pub(crate) fn ball_collisions(&self) -> Vec<&RecordedEvent> {
         self.of(|k| matches!(k, EventKind::BallCollision))
     }
-    pub(crate) fn rail_collisions(&self) -> Vec<&Kept> {
+    pub(crate) fn rail_collisions(&self) -> Vec<&RecordedEvent> {
         self.of(|k| matches!(k, EventKind::RailCollision(_)))
     }
     /// The last state of ball `i`, or its state before the shot in the engine's frame.

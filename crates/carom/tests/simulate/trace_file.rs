@@ -55,7 +55,7 @@ fn a_second_simulation_has_the_same_hash_and_another_shot_a_different_one() {
 }
 
 #[test]
-fn every_flipped_bit_changes_the_hash_and_so_do_two_flipped_signs() {
+fn two_flipped_signs_change_the_hash() {
     let trace = played("follow_shot");
     let mut node = trace.to_node();
     let flip = |node: &mut Node, ball: usize| {
@@ -145,7 +145,7 @@ fn trace_is_quiet(trace: &Trace, time: f64, i: u16) -> bool {
 }
 
 #[test]
-fn a_time_before_the_shot_is_refused() {
+fn a_negative_or_infinite_time_is_refused() {
     let trace = played("follow_shot");
     for time in [-1e-300, f64::NAN, f64::NEG_INFINITY, f64::INFINITY] {
         let e = trace.at(time).expect_err("no such time");
@@ -248,7 +248,7 @@ fn a_miscue_is_reported_if_the_shot_says_so() {
 }
 
 /// The hash as `docs/formats.md` describes it, from the trace as written.
-fn hash_by_the_book(trace: &Node) -> String {
+fn documented_hash(trace: &Node) -> String {
     fn text(node: Option<&Node>) -> &str {
         match node {
             Some(Node::Text(s)) => s,
@@ -330,7 +330,7 @@ fn the_hash_is_computed_as_documented() {
     for name in NAMES {
         let node = played(name).to_node();
         let written = node.get("hash").cloned();
-        assert_eq!(written, Some(Node::Text(hash_by_the_book(&node))), "{name}");
+        assert_eq!(written, Some(Node::Text(documented_hash(&node))), "{name}");
     }
 }
 

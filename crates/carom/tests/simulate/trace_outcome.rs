@@ -173,8 +173,8 @@ fn only_balls_that_still_move_at_the_end_are_listed_as_never_resting() {
     assert_eq!(Collector::new(&row(None)).finish(&last).never_resting, [1, 3]);
 }
 
-/// A ball frozen to the left rail of a plain table, or `gap` (m) from it, hit by a blow towards +x
-/// or −x at `speed` (m/s).
+/// The outcome for a ball at the distance `gap` (m) from the left rail of a plain table, 0 if it is
+/// frozen, which starts with the velocity `speed` (m/s) along x.
 fn frozen(gap: f64, speed: f64) -> Outcome {
     let reach = carom::table::nose_reach(0.635 * 2.0 * RADIUS, RADIUS).expect("the nose meets it");
     let ball = format!(
@@ -202,7 +202,7 @@ fn a_ball_that_was_not_frozen_is_driven_to_the_rail_that_it_touches() {
 
 #[test]
 fn a_frozen_ball_that_left_its_rail_is_driven_to_it_when_it_comes_back() {
-    let placed = frozen_row();
+    let placed = one_frozen_ball();
     let rail = nose(Rail::Left);
     // Friction pulls it back after 0.05 mm and after 9 cm.
     for (speed, driven) in [(0.014, false), (0.6, true)] {
@@ -225,8 +225,8 @@ fn a_frozen_ball_that_left_its_rail_is_driven_to_it_when_it_comes_back() {
     }
 }
 
-/// One ball frozen to the left rail, one elsewhere.
-fn frozen_row() -> Shot {
+/// One ball frozen to the left rail, and one in the middle.
+fn one_frozen_ball() -> Shot {
     let reach = carom::table::nose_reach(0.635 * 2.0 * RADIUS, RADIUS).expect("the nose meets it");
     placed(r#"{"width": 1.0, "length": 1.0, "pockets": "none"}"#, None, &[[reach, 0.5], [0.5, 0.5]])
 }

@@ -9,7 +9,7 @@ use carom::table::{PRESETS, Part, Shape};
 /// Millimetres, the unit of the drawing.
 const MM: f64 = 1000.0;
 
-/// The two ends of a part; a rail's mitre.
+/// The two ends of a part; for a rail's top, the ends of its mitre.
 fn ends(shape: &Shape) -> [Vec2; 2] {
     match *shape {
         Shape::Segment { start, end, .. } => [start, end],

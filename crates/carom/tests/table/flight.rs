@@ -14,7 +14,7 @@ use carom_roots::Motion;
 
 const POOL_BALL: f64 = 0.028575;
 const GRAVITY: f64 = 9.80665;
-/// Largest overlap and largest gap at a meeting, m: roundings of a position and of a time, at 20
+/// Largest overlap and largest gap at a meeting, m: the rounding of a position, and of a time at 20
 /// m/s.
 const CONTACT_GAP: f64 = 1e-14;
 /// Tolerance of a touched point, m.
@@ -122,8 +122,8 @@ fn judge(
     }
 }
 
-/// Distance of `touched` from the surface of the feature, m. The rubber under an edge is not drawn:
-/// there the centre itself is on the line.
+/// Distance of `touched` from the surface of the feature, m. The rubber under an edge recedes, so
+/// that the centre itself is on the edge line there.
 fn off_surface(
     table: &Table,
     feature: TableFeature,

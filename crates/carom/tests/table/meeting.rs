@@ -1,6 +1,6 @@
 //! The first feature that a ball on the cloth meets, compared with an independent search.
 
-use crate::oracle::{self, Dice, clearance, first_violation, way_to_pocket};
+use crate::oracle::{self, Dice, clearance, distance_to_pocket, first_violation};
 use carom::Table;
 use carom::detect::ball_table::{TableFeature, first_meeting};
 use carom::math::Vec2;
@@ -84,7 +84,7 @@ fn random_path(dice: &mut Dice, table: &Table, radius: f64) -> (Motion<2>, f64) 
         };
         if table.place_check(p, radius).is_inside()
             && clearance(table, reach, p).0 > 0.0
-            && way_to_pocket(table, p) > 0.0
+            && distance_to_pocket(table, p) > 0.0
         {
             break p;
         }
@@ -171,7 +171,7 @@ fn judge_meeting(
             Ok(gap)
         }
         TableFeature::Pocket(_) => {
-            let gap = way_to_pocket(table, p);
+            let gap = distance_to_pocket(table, p);
             if gap.abs() > CONTACT_GAP {
                 return Err(format!("{gap:e} from the pocket"));
             }
@@ -426,14 +426,14 @@ fn a_ball_aimed_at_a_join_from_any_direction_meets_one_of_its_parts() {
             // At the join, or a few roundings beside it.
             let target = join + normal * reach + normal.perp() * dice.between(-1e-15, 1e-15);
             let reachable = clearance(&table, reach, target).0 > -oracle::LOST
-                && way_to_pocket(&table, target) > 0.0;
+                && distance_to_pocket(&table, target) > 0.0;
             if !reachable {
                 continue;
             }
             let from = loop {
                 let p = target + dice.direction() * dice.between(0.0, 0.02);
                 if table.place_check(p, radius) == Placement::Inside
-                    && way_to_pocket(&table, p) > 0.0
+                    && distance_to_pocket(&table, p) > 0.0
                 {
                     break p;
                 }

@@ -73,7 +73,7 @@ pub(crate) fn clearance(table: &Table, reach: f64, p: Vec2) -> (f64, usize) {
 }
 
 /// Distance to the nearest pocket, m; negative inside it.
-pub(crate) fn way_to_pocket(table: &Table, p: Vec2) -> f64 {
+pub(crate) fn distance_to_pocket(table: &Table, p: Vec2) -> f64 {
     let mut least = f64::INFINITY;
     for pocket in &table.pockets {
         let free = match pocket.capture {
@@ -108,7 +108,7 @@ pub(crate) fn first_violation(
     loop {
         let [x, y] = path.at(t);
         let p = Vec2::new(x, y);
-        let free = clearance(table, reach, p).0.min(way_to_pocket(table, p));
+        let free = clearance(table, reach, p).0.min(distance_to_pocket(table, p));
         if free < -LOST {
             return Some(t);
         }

@@ -1,6 +1,6 @@
 //! The positions that a ball may have, compared with distances to the drawn curves.
 
-use crate::oracle::{Dice, clearance, first_violation, way_to_pocket};
+use crate::oracle::{Dice, clearance, distance_to_pocket, first_violation};
 use carom::Table;
 use carom::math::Vec2;
 use carom::table::{
@@ -32,7 +32,7 @@ fn in_front_of_the_noses_the_depth_in_a_cushion_is_the_missing_distance() {
         let mut dice = Dice(0x1A1D);
         let mut seen = [0; 3];
         for _ in 0..20_000 {
-            // Mostly near the edges, where balls touch something.
+            // Most positions are near the edges, where balls touch something.
             let mut p = Vec2::new(dice.between(-half.x, half.x), dice.between(-half.y, half.y));
             if dice.unit() < 0.5 {
                 p.x = half.x - dice.between(0.0, 2.0 * reach);
@@ -41,7 +41,7 @@ fn in_front_of_the_noses_the_depth_in_a_cushion_is_the_missing_distance() {
             }
             let (free, _) = clearance(&table, reach, p);
             let place = table.place_check(p, POOL_BALL);
-            let way = way_to_pocket(&table, p);
+            let way = distance_to_pocket(&table, p);
             // A ball may hang this far over a lip.
             let hangs = way >= -(LIP_OVERHANG * POOL_BALL + TOUCH_TOLERANCE) && !lines;
             if way < -TOUCH_TOLERANCE && !hangs {
@@ -91,7 +91,7 @@ fn behind_the_noses_a_ball_is_inside_where_it_can_roll_to_and_nowhere_else() {
             } else if inside {
                 // It may reach the point by a longer path: it overlaps nothing.
                 assert!(clearance(&table, reach, p).0 >= -TOUCH_TOLERANCE, "{name}: {p:?}");
-                assert!(way_to_pocket(&table, p) >= -TOUCH_TOLERANCE, "{name}: {p:?}");
+                assert!(distance_to_pocket(&table, p) >= -TOUCH_TOLERANCE, "{name}: {p:?}");
             }
         }
         assert!(reached > 10, "{name}: {reached}");

@@ -369,7 +369,7 @@ fn the_page_on_tables_lists_every_dimension_of_every_preset() {
 }
 
 #[test]
-fn a_description_that_makes_no_table_is_refused_with_its_key() {
+fn an_impossible_description_is_refused_with_its_key() {
     let wpa = TableDescription::preset("wpa-9ft").unwrap();
     let refused = |change: &dyn Fn(&mut TableDescription)| {
         let mut description = wpa.clone();

@@ -58,7 +58,7 @@ fn a_ball_leaves_a_rails_top_where_its_centre_first_crosses_an_edge_or_the_borde
                 let [x, y] = path.at(end * f64::from(k) / f64::from(SAMPLES));
                 let p = Vec2::new(x, y);
                 let on_top = solid.is_behind_edges(p) && solid.is_within_border(p);
-                let depth = solid.way_to_edge(p);
+                let depth = solid.distance_to_edge(p);
                 assert!(
                     on_top || depth <= GRAZE,
                     "{name}, path {i}: {depth:e} off at {p:?} of {found:?} {path:?}"
@@ -72,7 +72,7 @@ fn a_ball_leaves_a_rails_top_where_its_centre_first_crosses_an_edge_or_the_borde
             let p = Vec2::new(x, y);
             match feature {
                 TableFeature::Brink => {
-                    let gap = solid.way_to_edge(p);
+                    let gap = solid.distance_to_edge(p);
                     assert!(gap <= EDGE_GAP, "{name}, path {i}: {gap:e} {path:?}");
                     met[0] += 1;
                 }
@@ -88,7 +88,7 @@ fn a_ball_leaves_a_rails_top_where_its_centre_first_crosses_an_edge_or_the_borde
             let [vx, vy] = path.velocity_at(t);
             let later = p + Vec2::new(vx, vy) * (1e-7 / Vec2::new(vx, vy).length());
             let off = !solid.is_behind_edges(later) || !solid.is_within_border(later);
-            assert!(off || solid.way_to_edge(later) <= 1e-9, "{name}, path {i}: {path:?}");
+            assert!(off || solid.distance_to_edge(later) <= 1e-9, "{name}, path {i}: {path:?}");
         }
         println!("{name}: brink, border, stays {met:?}");
     }

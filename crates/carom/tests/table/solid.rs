@@ -53,7 +53,7 @@ impl<'a> Solid<'a> {
     }
 
     /// Distance from the nearest edge line, seen from above, m.
-    pub(crate) fn way_to_edge(&self, p: Vec2) -> f64 {
+    pub(crate) fn distance_to_edge(&self, p: Vec2) -> f64 {
         self.edges().chain(&self.backs).map(|s| plan_distance(s, p)).fold(f64::INFINITY, f64::min)
     }
 
@@ -106,8 +106,11 @@ impl<'a> Solid<'a> {
         }
         if self.is_behind_edges(p.xy()) && self.is_within_border(p.xy()) {
             let top = p.z - table.cushion_height - self.radius;
-            free =
-                free.min(if p.z > table.cushion_height { top } else { -self.way_to_edge(p.xy()) });
+            free = free.min(if p.z > table.cushion_height {
+                top
+            } else {
+                -self.distance_to_edge(p.xy())
+            });
         }
         free
     }

@@ -102,8 +102,8 @@ fn integrated(trace: &Trace, ball: usize, step: f64) -> [f64; 4] {
 
 #[test]
 fn orientations_agree_with_a_fine_integration_of_the_spin() {
-    // Error of the integration: h²/12·|ω × dω/dt| per second, at most some 10⁴ rad²/s³, for a few
-    // seconds.
+    // Error of the integration: h²/12·|ω × dω/dt| per second for a few seconds, where the product
+    // is about 10⁴ rad²/s³ at most.
     const STEP: f64 = 1e-4;
     const STEP_ERROR: f64 = 5e-5;
     for name in ["masse", "kick_shot", "jump_shot", "three_cushion", "spit_out"] {
@@ -179,8 +179,8 @@ fn a_polyline_has_a_point_at_every_event_of_its_ball_and_all_its_points_lie_on_t
         for ball in 0..trace.shot().balls().len() {
             let way = trace.polyline(ball, 1e-3);
             assert!(way.windows(2).all(|pair| pair[0].time <= pair[1].time));
-            // Where a ball falls into a pocket there are two points: at the fall, and below the
-            // hole.
+            // A ball that falls into a pocket has two points at that time: at the lip or in the
+            // hole, and at rest below it.
             let last_at_its_time = |i: usize| way.get(i + 1).is_none_or(|p| p.time > way[i].time);
             for point in (0..way.len()).filter(|i| last_at_its_time(*i)).map(|i| way[i]) {
                 let exact = trace.at(point.time).expect("a time ≥ 0")[ball].position;
@@ -198,14 +198,15 @@ fn a_polyline_has_a_point_at_every_event_of_its_ball_and_all_its_points_lie_on_t
 fn straight_paths_need_two_points_and_curves_few() {
     let rolling = lone([0.0, 1.0, 0.0], [-1.0 / RADIUS, 0.0, 0.0], "");
     assert_eq!(rolling.polyline(0, 1e-4).len(), 2);
-    // With backspin the ball goes to a turning point and back along the same line.
+    // A ball with backspin moves to a turning point and back along the same line.
     let back = lone([0.0, 1.0, 0.0], [100.0, 0.0, 0.0], "");
     let way = back.polyline(0, 1e-4);
     let furthest = way.iter().map(|p| p.position.y).fold(0.0, f64::max);
     let friction = 0.2 * 9.806_65;
     assert!((furthest - 1.0 / (2.0 * friction)).abs() < 1e-12, "{furthest}");
     assert!(way.len() <= 4, "{way:?}");
-    // Of a rolling ball velocity and friction are parallel, up to rounding, in any direction.
+    // The velocity and the friction of a rolling ball are parallel up to rounding, in any
+    // direction.
     for k in 0..64 {
         let (x, y) = (cos(0.1 * f64::from(k)), sin(0.1 * f64::from(k)));
         let rolling = lone([x, y, 0.0], [-y / RADIUS, x / RADIUS, 0.0], "");
