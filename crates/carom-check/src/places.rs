@@ -43,14 +43,14 @@ pub(crate) fn raised(solid: &Solid, state: &BallState, radius: f64) -> f64 {
     0.5 * over * over / radius
 }
 
-/// What supports a ball.
+/// A surface that supports a ball.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ground {
     Bed,
     Top,
 }
 
-/// What supports a ball with its centre at this height, if anything.
+/// The surface that supports a ball with its centre at this height; none for other heights.
 pub(crate) fn ground(solid: &Solid, state: &BallState, radius: f64) -> Option<Ground> {
     let z = state.position.z;
     if (z - radius).abs() <= TABLE_GAP {

@@ -64,13 +64,13 @@ impl Rewards {
 pub struct Config {
     /// Noise of every strike, the opponent's included.
     pub noise: Noise,
-    /// What the first number of an action means.
+    /// The meaning of the first number of an action.
     pub aim: Aim,
     /// Smallest and largest speed of the cue, m/s.
     pub speed: [f64; 2],
     /// Largest elevation of the cue, rad.
     pub elevation: f64,
-    /// Who plays seat 1.
+    /// The player of seat 1.
     pub opponent: Opponent,
     /// Smallest and largest number of object balls that are placed at random at the start. If none:
     /// potting has one ball, and a game starts with its rack. With random balls a game continues as

@@ -20,13 +20,14 @@ pub(crate) struct NoisyStrike {
 pub(crate) struct ShotResult {
     /// Whether the shot was no foul.
     pub(crate) legal: bool,
-    /// Number of balls that a legal shot potted and that the shooter might pot.
+    /// Number of balls that a legal shot potted and that the shooter might pot. In the potting task
+    /// at most 1.
     pub(crate) potted: u32,
     /// The change of each seat's score.
     pub(crate) points: [i32; 2],
 }
 
-/// How an episode ended.
+/// The end of an episode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Ending {
     /// This seat won.
@@ -58,7 +59,7 @@ pub(crate) trait Episode: Send + Sync {
     fn place(&self, ball: BallIndex) -> Option<[f64; 2]>;
     /// The shot that comes next; none when the episode is over.
     fn turn(&self) -> Option<&Turn>;
-    /// How the episode ended; none while it continues.
+    /// The end of the episode; none while it continues.
     fn ending(&self) -> Option<Ending>;
     /// Scores and fouls for observations.
     fn standing(&self) -> Standing;

@@ -4,7 +4,7 @@ use carom::Error;
 
 use crate::names::named;
 
-/// What the first number of an action means.
+/// The meaning of the first number of an action.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Aim {
     /// The azimuth of the cue: −1 to 1 is −π to π; 0 is along the table's width.
@@ -36,7 +36,7 @@ impl Aim {
     }
 }
 
-/// Who plays seat 1.
+/// The player of seat 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Opponent {
     /// The agent itself: it shoots for both seats, observes the table as the shooter, and is

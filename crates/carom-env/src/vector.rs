@@ -43,7 +43,8 @@ pub struct Transitions {
     pub players: Vec<i8>,
     /// Whether the agent's shot was legal.
     pub legal: Vec<bool>,
-    /// Number of balls that the agent's shot potted and that the shooter might pot.
+    /// Number of balls that the agent's legal shot potted and that it might pot. In the potting task
+    /// at most 1.
     pub potted: Vec<u8>,
 }
 

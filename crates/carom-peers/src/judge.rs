@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn touching_and_separating_is_no_contact() {
+    fn bodies_that_touch_and_separate_have_no_contact() {
         let motion = Motion { d: [1.0, 0.0], v: [2.0, 1.0], h: [0.0, 0.0] };
         assert_eq!(verdict(&motion, None), Verdict::Right { gap: 0.0 });
         assert!(matches!(verdict(&motion, Some(0.0)), Verdict::FalseContact { .. }));

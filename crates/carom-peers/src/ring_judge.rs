@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn touching_and_separating_is_no_contact() {
+    fn bodies_that_touch_and_separate_have_no_contact() {
         let (d, v) = ([2.5, 0.0, 0.0], [1.0, 0.0, 0.0]);
         assert_eq!(verdict(d, v, None), Verdict::Right { gap: 0.0 });
         let (d, v) = ([2.4, 0.0, 0.0], [1.0, 0.0, 0.0]);

@@ -28,7 +28,7 @@ fn the_textbook_closed_form_lets_balls_pass_through_each_other() {
 }
 
 #[test]
-fn accurate_roots_with_approach_give_ordinary_shots_without_visible_faults() {
+fn accurate_approaching_roots_give_ordinary_shots_without_visible_faults() {
     for method in ["companion matrix", "Algorithm 1010"] {
         let [_, micrometre, _] =
             checked(method, RootRule::Approaching, ShotSource::Ordinary).impossible;
@@ -37,7 +37,7 @@ fn accurate_roots_with_approach_give_ordinary_shots_without_visible_faults() {
 }
 
 #[test]
-fn accurate_roots_without_the_start_miss_contacts_of_frozen_balls() {
+fn accurate_roots_that_leave_out_the_start_miss_contacts_of_frozen_balls() {
     let without = checked("Algorithm 1010", RootRule::Approaching, ShotSource::Frozen);
     let with = checked("Algorithm 1010", RootRule::FromTheStart, ShotSource::Frozen);
     assert!(without.impossible[1] > 10 * (1 + with.impossible[1]), "{without:?}, {with:?}");

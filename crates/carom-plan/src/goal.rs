@@ -14,7 +14,8 @@ use crate::route::{Route, RouteLog};
 /// every table, so that losing the cue ball is worse than any other miss.
 const LOST_CUE_BALL: f64 = 10.0;
 
-/// What a strike must achieve: all parts that are given. The cue ball must also stay on the table.
+/// The goal of a strike. All parts that are given must be met, and the cue ball must stay on the
+/// table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Goal {
     /// This ball falls: into that pocket, or into any if None.

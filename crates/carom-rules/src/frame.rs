@@ -94,7 +94,7 @@ impl Frame {
         self.rules
     }
 
-    /// What the frame asks for next.
+    /// The next request.
     pub const fn request(&self) -> &Request {
         &self.request
     }

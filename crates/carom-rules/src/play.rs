@@ -1,4 +1,4 @@
-//! What a player does in a shot: strike, place of a cue ball in hand, and call.
+//! The shot of a player: strike, place of a cue ball in hand, and call.
 
 use carom::math::{degrees, radians};
 use carom::resolve::cue_ball::Strike;
@@ -6,14 +6,14 @@ use carom::table::PocketName;
 
 use crate::layout::BallIndex;
 
-/// What a player does in a shot.
+/// The shot of a player: strike, place of a cue ball in hand, and call.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Play {
-    /// How the cue ball is struck.
+    /// The strike of the cue ball.
     pub strike: Strike,
     /// Where a cue ball in hand is placed before the strike: its centre (file frame, m).
     pub cue_ball: Option<[f64; 2]>,
-    /// What the player announces.
+    /// The call.
     pub call: Call,
 }
 
@@ -42,7 +42,7 @@ pub fn through_degrees(strike: &Strike) -> Strike {
     Strike { azimuth: through(strike.azimuth), elevation: through(strike.elevation), ..*strike }
 }
 
-/// What a player announces before a shot.
+/// An announcement before a shot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Call {
     /// Nothing.

@@ -13,7 +13,7 @@ pub enum Request {
     Shot(Turn),
     /// A choice.
     Choice {
-        /// Who chooses.
+        /// The seat that chooses.
         player: Seat,
         /// The options; there are at least two.
         choices: Vec<Choice>,
@@ -22,7 +22,7 @@ pub enum Request {
     },
     /// Nothing: the frame is over.
     Over {
-        /// Who won; none if the frame ended undecided.
+        /// The winner; none if the frame ended undecided.
         winner: Option<Seat>,
         /// The reason, in words.
         why: &'static str,
@@ -43,7 +43,7 @@ impl Request {
 /// The shot that the frame asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turn {
-    /// Who shoots.
+    /// The seat that shoots.
     pub player: Seat,
     /// The cue ball.
     pub cue: BallIndex,
@@ -51,11 +51,11 @@ pub struct Turn {
     pub hand: Option<Region>,
     /// The balls on: the cue ball must hit one of them first. Empty where the rules name none.
     pub on: Vec<BallIndex>,
-    /// What the player may or must announce.
+    /// The calls that the player may or must make.
     pub calls: Calls,
 }
 
-/// What a player may or must announce before a shot.
+/// The calls that a player may or must make before a shot.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Calls {
     /// A ball and its pocket may be called.

@@ -1,4 +1,4 @@
-//! What the pool games share: standard fouls, spotting and shots.
+//! Parts of the rules that all pool games share: standard fouls, spotting and shots.
 
 use carom::outcome::Touched;
 
