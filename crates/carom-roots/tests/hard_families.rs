@@ -1,5 +1,5 @@
-//! The nine hard families, and those of flight, judged with 106 bits: no contact is lost or
-//! invented beyond rounding errors of position.
+//! The nine hard families, and those of flight, judged with 106 bits: no contact is missed
+//! or false beyond rounding errors of position.
 //!
 //! `CAROM_CASES=1000000 cargo test --release -p carom-roots --test hard_families` runs more cases.
 
@@ -10,7 +10,7 @@ use carom_peers::judge::{Verdict, judge};
 use carom_peers::random::Random;
 use carom_roots::{Motion, cannot_touch, first_contact};
 
-/// Lost or invented contacts shallower than this, m, are ignored: a position of a metre is rounded
+/// Missed or false contacts shallower than this, m, are ignored: a position of a metre is rounded
 /// to 2e-16 m.
 const DEPTH: f64 = 1e-15;
 
@@ -58,14 +58,14 @@ fn assert_all_right<const N: usize>(
 }
 
 #[test]
-fn nothing_is_lost_or_invented_in_the_nine_hard_families() {
+fn no_contact_is_missed_or_false_in_the_nine_hard_families() {
     for (seed, family) in Family::ALL.into_iter().enumerate() {
         assert_all_right(&format!("N{} {family:?}", seed + 1), seed as u64, |r| family.sample(r));
     }
 }
 
 #[test]
-fn nothing_is_lost_or_invented_between_flying_balls() {
+fn no_contact_is_missed_or_false_between_flying_balls() {
     for (seed, family) in FlightFamily::ALL.into_iter().enumerate() {
         assert_all_right(&format!("aloft {family:?}"), 200 + seed as u64, |r| {
             family.sample::<3>(r)
@@ -74,20 +74,20 @@ fn nothing_is_lost_or_invented_between_flying_balls() {
 }
 
 #[test]
-fn nothing_is_lost_or_invented_between_a_flying_ball_and_a_straight_edge() {
+fn no_contact_is_missed_or_false_between_a_flying_ball_and_a_straight_edge() {
     for (seed, family) in FlightFamily::ALL.into_iter().enumerate() {
         assert_all_right(&format!("edge {family:?}"), 220 + seed as u64, |r| family.sample::<2>(r));
     }
 }
 
 #[test]
-fn nothing_is_lost_or_invented_among_random_pairs() {
+fn no_contact_is_missed_or_false_among_random_pairs() {
     assert_all_right("uniform pairs", 100, uniform_pair);
     assert_all_right("pairs of a break", 101, cluster_pair);
 }
 
 #[test]
-fn nothing_is_lost_or_invented_among_pairs_of_shots() {
+fn no_contact_is_missed_or_false_among_pairs_of_shots() {
     for (name, pairs) in [("breaks", break_pairs(5, cases())), ("pot shots", pot_pairs(5, cases()))]
     {
         let next = std::cell::Cell::new(0);

@@ -1,5 +1,5 @@
-//! The hard families of paths near a round edge, judged with 106 bits: no contact is lost or
-//! invented beyond rounding errors of position.
+//! The hard families of paths near a round edge, judged with 106 bits: no contact is missed
+//! or false beyond rounding errors of position.
 //!
 //! `CAROM_CASES=1000000 cargo test --release -p carom-roots --test ring_hard_families` runs more
 //! cases.
@@ -10,7 +10,7 @@ use carom_peers::ring_families::{RingCase, RingFamily};
 use carom_peers::ring_judge::judge_ring;
 use carom_roots::{Motion, first_ring_contact};
 
-/// Lost or invented contacts shallower than this, m, are ignored: a position of a metre is rounded
+/// Missed or false contacts shallower than this, m, are ignored: a position of a metre is rounded
 /// to 2e-16 m.
 const DEPTH: f64 = 1e-15;
 
@@ -36,7 +36,7 @@ fn overlaps_at_first(case: &RingCase) -> bool {
 }
 
 #[test]
-fn nothing_is_lost_or_invented_near_a_ring() {
+fn no_contact_is_missed_or_false_near_a_ring() {
     for (seed, family) in RingFamily::ALL.into_iter().enumerate() {
         let mut random = Random::new(300 + seed as u64);
         let (mut gaps, mut worst) = (Vec::new(), 0.0f64);
