@@ -208,7 +208,7 @@ def solve(
 
 maps = typer.Typer(
     cls=renamed.group(pocket="acceptance"),
-    help="Maps: one question asked over a grid.",
+    help="Maps: a result for every cell of a grid.",
     no_args_is_help=True,
 )
 stats = typer.Typer(help="Statistics of many shots.", no_args_is_help=True)

@@ -1,4 +1,4 @@
-"""Maps: one question asked over a grid, with arrays as results."""
+"""Maps: a result for every cell of a grid, as arrays."""
 
 from __future__ import annotations
 

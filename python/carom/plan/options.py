@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from carom.arguments import number, numbers, whole
 from carom.noise import Noise, Perception, noise_or_default, perception_or_none
 
-# Most variants of one question. Intervals are then shorter than any use of them.
+# Largest number of variants of one question. Intervals are then far shorter than needed.
 MOST_VARIANTS = 10**9
 
 
