@@ -35,7 +35,7 @@ fn the_same_approach_in_space_gives_the_same_time() {
 
 #[test]
 fn a_ball_that_stops_short_never_touches() {
-    // the separation 3 − 2t + t² is least, 2, at t = 1
+    // The separation 3 − 2t + t² is least, 2, at t = 1.
     let motion = plane([3.0, 0.0], [-2.0, 0.0], [1.0, 0.0]);
     assert_eq!(first_contact(&motion, 1.9, NEVER), None);
     assert_at(&plane([3.0, 0.0], [-2.0, 0.0], [0.75, 0.0]), 2.0, NEVER, 2.0 / 3.0);
@@ -54,7 +54,7 @@ fn touching_bodies_meet_at_once_only_if_they_approach() {
     let still = [0.0, 0.0];
     assert_eq!(first_contact(&plane([1.0, 0.0], [-1e-9, 3.0], still), 1.0, 1.0), Some(0.0));
     assert_eq!(first_contact(&plane([1.0, 0.0], [1e-9, 3.0], still), 1.0, 1.0), None);
-    // an overlap of one rounding error
+    // An overlap of one rounding error.
     let inside = 1.0 - f64::EPSILON;
     assert_eq!(first_contact(&plane([inside, 0.0], [-1e-9, 0.0], still), 1.0, 1.0), Some(0.0));
     assert_eq!(first_contact(&plane([inside, 0.0], [1e-9, 0.0], still), 1.0, 1.0), None);
@@ -64,7 +64,7 @@ fn touching_bodies_meet_at_once_only_if_they_approach() {
 fn touching_bodies_without_normal_speed_meet_if_they_are_pushed_together() {
     assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 0.0], [-1.0, 0.0]), 1.0, 1.0), Some(0.0));
     assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 0.0], [1.0, 0.0]), 1.0, 1.0), None);
-    // sliding past each other: the centrifugal term v² exceeds the push 2 d·h
+    // Sliding past each other: the centrifugal term v² exceeds the push 2 d·h.
     assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 1.0], [-0.4, 0.0]), 1.0, 0.1), None);
     assert_eq!(first_contact(&plane([1.0, 0.0], [0.0, 1.0], [-0.6, 0.0]), 1.0, 0.1), Some(0.0));
 }
@@ -90,7 +90,7 @@ fn bodies_that_overlap_by_a_rounding_error_and_never_separate_meet_at_the_turnin
 
 #[test]
 fn a_second_approach_after_a_near_miss_is_found() {
-    // passes at a distance, is turned back by the acceleration, and then hits
+    // The body passes at a distance, is turned back by the acceleration, and then hits.
     let motion = plane([2.0, 1.5], [-3.0, 0.0], [1.0, -0.4]);
     let t = first_contact(&motion, 1.0, NEVER).expect("a contact on the way back");
     let x = motion.at(t);

@@ -40,15 +40,15 @@ fn a_ball_meets_the_outer_side_of_the_ring_at_its_level() {
 fn a_ball_meets_the_far_side_of_the_ring_from_inside() {
     assert_at(&straight([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]), 2.0, 0.5, 2.5);
     assert_at(&straight([-1.0, 0.0, -0.3], [1.0, 0.0, 0.0]), 2.0, 0.5, 2.6);
-    // off the axis: ρ² = 0.9² + 1.2² = 1.5²
+    // Off the axis: ρ² = 0.9² + 1.2² = 1.5².
     assert_at(&straight([-1.0, 0.9, 0.0], [1.0, 0.0, 0.0]), 2.0, 0.5, 2.2);
 }
 
 #[test]
 fn a_ball_falls_on_top_of_the_ring() {
-    // exactly above the edge, where the torus touches its box: 4.9 t² = 1.225
+    // Exactly above the edge, where the torus touches its box: 4.9 t² = 1.225.
     assert_at(&Motion { d: [0.0, 2.0, 1.725], v: [0.0; 3], h: [0.0, 0.0, FALL] }, 2.0, 0.5, 0.5);
-    // 0.3 beside it: contact at the height 0.4
+    // 0.3 away from it: contact at the height 0.4
     let beside = Motion { d: [1.7, 0.0, 1.625], v: [0.0; 3], h: [0.0, 0.0, FALL] };
     assert_at(&beside, 2.0, 0.5, 0.5);
 }
@@ -83,7 +83,7 @@ fn a_touching_start_is_a_contact_only_if_it_approaches() {
         let x = 1.5 + rounding * f64::EPSILON;
         let inward = straight([x, 0.0, 0.0], [-1.0, 0.0, 0.0]);
         assert_eq!(first_ring_contact(&inward, 2.0, 0.5, 0.0, 2.9), None);
-        // across the hole, to the other side
+        // Across the hole, to the other side.
         let t = first_ring_contact(&inward, 2.0, 0.5, 0.0, 4.0).expect("the far side");
         assert!((t - 3.0).abs() <= ROUNDING, "{t}");
     }

@@ -267,7 +267,7 @@ fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
     Ok(())
 }
 
-/// `physics` as a shot file has it, if `default` is the preset that belongs to the table; none if
+/// `physics` as a shot file has it, if `default` is the preset that belongs to the table; `None` if
 /// it equals that preset.
 pub(super) fn write_over(physics: &Physics, default: &str) -> Option<Node> {
     if Physics::preset(default).as_ref() == Some(physics) {

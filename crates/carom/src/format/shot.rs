@@ -26,7 +26,7 @@ const KEYS: &[&str] = &["format", "table", "physics", "balls", "strike", "max_ev
 #[derive(Clone, Debug)]
 pub struct ShotFile {
     shot: Shot,
-    /// The tree that was read; none if the file is written from the shot's data.
+    /// The tree that was read; `None` if the file is written from the shot's data.
     source: Option<Arc<Node>>,
 }
 

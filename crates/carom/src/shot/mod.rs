@@ -196,7 +196,7 @@ impl Shot {
     }
 
     /// The least elevation (rad) at which the cue is not obstructed, with the rest of the strike
-    /// unchanged; none without a strike, or if even an upright cue is obstructed.
+    /// unchanged; `None` without a strike, or if even an upright cue is obstructed.
     pub fn least_elevation(&self) -> Option<f64> {
         let (ball, strike) = self.strike?;
         self.cue_on(ball, &strike).least_elevation()

@@ -93,7 +93,7 @@ impl Obstacle {
     }
 
     /// A lower bound of the elevations that clear the obstacle, which blocks the cue at
-    /// `elevation`; none if no elevation clears it.
+    /// `elevation`; `None` if no elevation clears it.
     fn cleared_from(&self, height: f64, elevation: f64) -> Option<f64> {
         let (required, _) = self.required_and_actual(height, elevation);
         let sin = (height - required) / self.distance;
@@ -178,7 +178,7 @@ impl CueLine {
         }
     }
 
-    /// The least elevation, rad, at which nothing blocks the cue; none if every elevation is
+    /// The least elevation, rad, at which nothing blocks the cue; `None` if every elevation is
     /// blocked.
     pub(super) fn least_elevation(&self) -> Option<f64> {
         self.least_from(0.0)

@@ -15,7 +15,7 @@ pub struct Dimension {
     pub value: f64,
     /// `m` or `deg`.
     pub unit: &'static str,
-    /// The source of a preset's figure; none for a user's own table.
+    /// The source of a preset's figure; `None` for a user's own table.
     pub source: Option<Source>,
 }
 

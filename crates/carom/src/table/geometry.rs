@@ -53,7 +53,7 @@ struct PocketBack {
     /// A point on the line of the first jaw, m. The line from it to its mirror image lies over the
     /// hole; with the mouth-line model it ends the opening.
     end: Vec2,
-    /// Centre and radius of the hole, m; none with the mouth-line model.
+    /// Centre and radius of the hole, m; `None` with the mouth-line model.
     hole: Option<(Vec2, f64)>,
     /// See [`Mouth::liner_from`].
     liner_from: f64,

@@ -35,7 +35,7 @@ pub(crate) struct DetectionIndex {
     pub(crate) on_cloth: usize,
     /// Indices of the rails' tops, in the order of `noses`.
     pub(crate) tops: [u16; 6],
-    /// The openings of the pockets; none without pockets.
+    /// The openings of the pockets; `None` without pockets.
     pub(crate) openings: Option<Openings>,
     /// Boxes around the cushions' parts, in their order.
     pub(crate) bounds: Vec<Bounds>,

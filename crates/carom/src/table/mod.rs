@@ -46,7 +46,7 @@ pub(crate) use surface::UNDER_EDGE;
 pub struct Table {
     /// Name of the preset, if the table is an unchanged one.
     pub name: Option<String>,
-    /// The description that it was made from; none for unbounded cloth.
+    /// The description that it was made from; `None` for unbounded cloth.
     pub description: Option<TableDescription>,
     /// Playing area, nose to nose, along x and y, m; infinite for unbounded cloth.
     pub size: Vec2,

@@ -149,7 +149,7 @@ fn deepest<'a>(
     deepest
 }
 
-/// Depth of a ball's overlap with a part, m, negative if apart; none where the centre lies beyond
+/// Depth of a ball's overlap with a part, m, negative if apart; `None` if the centre lies beyond
 /// the ends of the part.
 fn depth_in(cushion: &CushionPart, position: Vec2, reach: f64, rubber: f64) -> Option<f64> {
     match cushion.shape {

@@ -16,7 +16,7 @@ use crate::math::{Vec2, Vec3};
 pub(crate) const UNDER_EDGE: f64 = 1e-12;
 
 impl Table {
-    /// The pocket over whose hole the point `p` (m, engine's frame) lies; none with the mouth-line
+    /// The pocket over whose hole the point `p` (m, engine's frame) lies; `None` with the mouth-line
     /// model.
     pub fn hole_at(&self, p: Vec2) -> Option<u8> {
         let over = |i: &u8| {
@@ -42,7 +42,7 @@ impl Table {
         corner.then_some(at_corner).or(side.then_some(at_side))
     }
 
-    /// The pocket beyond whose mouth line the point `p` (m, engine's frame) lies; none with the
+    /// The pocket beyond whose mouth line the point `p` (m, engine's frame) lies; `None` with the
     /// drop-circle model. There is no table beyond a mouth line.
     pub fn beyond_mouth_line(&self, p: Vec2) -> Option<u8> {
         if self.pockets.is_empty() {

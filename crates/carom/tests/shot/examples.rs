@@ -83,7 +83,7 @@ fn stop_follow_and_draw_pot_the_ball_and_leave_the_cue_ball_where_their_names_sa
 }
 
 #[test]
-fn the_half_ball_cut_turns_both_balls_by_about_thirty_degrees() {
+fn the_half_ball_cut_drives_the_object_ball_at_about_thirty_degrees() {
     let trace = played("half_ball_cut");
     let hit = trace.events().find(|e| e.kind == carom::trace::TraceEventKind::BallCollision);
     let hit = hit.expect("a contact");

@@ -104,7 +104,7 @@ fn random_path(dice: &mut Dice, table: &Table, radius: f64) -> (Motion<2>, f64) 
 }
 
 #[test]
-fn no_meeting_is_missed_or_invented_on_any_table() {
+fn no_meeting_is_missed_and_none_is_false_on_any_table() {
     for (name, table, radius) in tables() {
         let reach = table.reach(radius);
         let mut dice = Dice(0x00C0_FFEE);
@@ -423,7 +423,7 @@ fn a_ball_aimed_at_a_join_from_any_direction_meets_one_of_its_parts() {
                 Shape::Arc { center, radius, end, .. } => (center + end * radius, end),
                 other => panic!("{other:?} is not met on the cloth"),
             };
-            // At the join, or a few roundings beside it.
+            // At the join, or a few roundings next to it.
             let target = join + normal * reach + normal.perp() * dice.between(-1e-15, 1e-15);
             let reachable = clearance(&table, reach, target).0 > -oracle::LOST
                 && distance_to_pocket(&table, target) > 0.0;
