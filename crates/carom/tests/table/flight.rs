@@ -104,7 +104,7 @@ fn judge(
         TableFeature::Pocket(k) => {
             let pocket = &table.pockets[usize::from(k)];
             let Capture::MouthLine { start, .. } = pocket.capture else {
-                return Err("captured by no line".into());
+                return Err("there is no mouth line that captures it".into());
             };
             let beyond = pocket.axis.dot(p.xy() - start);
             if p.z > top + CONTACT_GAP || beyond < -CONTACT_GAP {
@@ -118,7 +118,7 @@ fn judge(
             let y = p.y.abs() - 0.5 * table.size.y - rail;
             Ok(x.max(y))
         }
-        TableFeature::Brink => Err("a flying ball stands on nothing".into()),
+        TableFeature::Brink => Err("a flying ball has no support to lose".into()),
     }
 }
 

@@ -2,7 +2,7 @@
 //! curves.
 //!
 //! It uses neither offset lines nor roots. The distance of the centre from every nose, point and
-//! facing, as curves with ends, must not fall below the reach. The search walks along the path in
+//! facing (curves with ends) must not fall below the reach. The search walks along the path in
 //! steps no longer than the remaining distance, so that it cannot pass anything thicker than a
 //! step's sagitta.
 
@@ -85,7 +85,7 @@ pub(crate) fn distance_to_pocket(table: &Table, p: Vec2) -> f64 {
     least
 }
 
-/// Signed distance to the line between `ends`; infinite where `p` is not in front of it.
+/// Signed distance to the line between `ends`, m; infinite if `p` is not in front of it.
 fn to_line(ends: [Vec2; 2], axis: Vec2, p: Vec2) -> f64 {
     let across = ends[1] - ends[0];
     let s = (p - ends[0]).dot(across) / across.length_squared();
