@@ -45,7 +45,9 @@ function nativeProgram(): string {
     };
     if (executable && target?.name === "bench_shots") return executable;
   }
-  throw new Error("cargo built no program bench_shots: check the example of this name in crates/carom");
+  throw new Error(
+    "cargo built no program bench_shots: check the example of this name in crates/carom",
+  );
 }
 
 /** Processor time, ms, of `passes` passes of the native program, including its start. */

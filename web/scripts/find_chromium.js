@@ -61,7 +61,7 @@ export async function findChromium() {
   return installed && isExecutable(installed) ? installed : null;
 }
 
-/** The path of the browser, or an error that says how to get one. */
+/** The path of the browser, or an error with the remedies. */
 export async function requireChromium() {
   const found = await findChromium();
   if (found) return found;

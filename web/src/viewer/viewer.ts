@@ -323,7 +323,7 @@ export class Viewer {
   async capture(scale = 2): Promise<Blob> {
     this.#apply({ ...STILL, pixelRatio: scale }, scale);
     this.#draw();
-    // In the same task: the canvas is cleared after it was displayed.
+    // In the same task, because the browser clears the canvas after displaying it.
     const encoded = new Promise<Blob | null>((resolve) =>
       this.#canvas.toBlob(resolve, "image/png"),
     );

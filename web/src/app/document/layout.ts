@@ -26,7 +26,7 @@ export function addBall(store: Store, engine: Engine, id: string): boolean {
   if (trimmed === "")
     return refuse(store, "The new ball has no name: write one, such as 9 or red.");
   if (shot.balls.some((ball) => ball.id === trimmed)) {
-    return refuse(store, `There already is a ball "${trimmed}": write another name.`);
+    return refuse(store, `There is already a ball "${trimmed}": write another name.`);
   }
   const size = store.shot.geometry.size ?? ([1, 2] as const);
   for (const position of places(size)) {

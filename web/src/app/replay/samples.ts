@@ -16,7 +16,7 @@ export interface Samples {
 }
 
 /** Number of intervals of the grid: enough for a smooth curve at the panel's width. */
-const PIECES = 160;
+const INTERVALS = 160;
 
 /** Samples the exact motion of ball `ball`; at its events the values jump. */
 export function sample(trace: Trace, ball: number): Samples {
@@ -39,7 +39,7 @@ export function sample(trace: Trace, ball: number): Samples {
   };
 
   const id = trace.shot.balls[ball]!.id;
-  const step = trace.duration / PIECES;
+  const step = trace.duration / INTERVALS;
   let tick = 0;
   for (const event of trace.events) {
     const index = event.balls.indexOf(id);
@@ -49,7 +49,7 @@ export function sample(trace: Trace, ball: number): Samples {
       if (state) add(event.time, state.velocity, state.angular_velocity);
     }
   }
-  for (; tick <= PIECES; tick++) addExact(Math.min(tick * step, trace.duration));
+  for (; tick <= INTERVALS; tick++) addExact(Math.min(tick * step, trace.duration));
   return samples;
 }
 

@@ -109,7 +109,7 @@ function gameOf(data: unknown): Game | null {
     const { rules, options, from, names, skills } = data.setup;
     if (data.moves.length > MOST_MOVES) {
       throw new LinkError(
-        `The game in this link has ${data.moves.length} moves; this page opens at most ${MOST_MOVES}.`,
+        `The game in this link has ${data.moves.length} moves; this page opens at most ${MOST_MOVES}: end the game, then copy the link again.`,
       );
     }
     const isSound =

@@ -11,7 +11,7 @@ interface Tab {
   /** Shown only in free play: in a game its settings are fixed. */
   readonly free?: boolean;
   /** Hidden during a replay in free play: there is no room for six tabs. */
-  readonly yields?: boolean;
+  readonly notInReplay?: boolean;
 }
 
 const TABS: readonly Tab[] = [
@@ -19,7 +19,7 @@ const TABS: readonly Tab[] = [
   { name: "aim", label: "Aim" },
   { name: "layout", label: "Layout", free: true },
   { name: "physics", label: "Physics", free: true },
-  { name: "game", label: "Game", yields: true },
+  { name: "game", label: "Game", notInReplay: true },
   { name: "whatif", label: "What if" },
 ];
 
@@ -49,9 +49,9 @@ export function mountTabs(root: HTMLElement, store: Store): void {
   });
   root.append(...buttons);
 
-  const present = ({ replay, free, yields }: Tab) => {
+  const present = ({ replay, free, notInReplay }: Tab) => {
     const [replayed, playing] = [store.session.mode === "replay", store.document.game !== null];
-    return !(replay && !replayed) && !(free && playing) && !(yields && replayed && !playing);
+    return !(replay && !replayed) && !(free && playing) && !(notInReplay && replayed && !playing);
   };
 
   function show(): void {
