@@ -28,7 +28,7 @@ from carom.bench import report, states
 ROOT = Path(__file__).resolve().parents[1]
 STORED = ROOT / "benches" / "results" / "questions.json"
 VARIANTS = 10_000
-#: The most that `evaluate` of so many variants may take on all cores, ms.
+#: The most that `evaluate` of these variants may take on all cores, ms.
 BAR = 60.0
 #: Number of runs. The fastest counts: other work on the machine slowed the others.
 ROUNDS = 3

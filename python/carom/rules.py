@@ -56,7 +56,7 @@ class Ruling:
 class Frame:
     """One rack, frame or match between players 0 and 1.
 
-    ``request`` tells what is asked of which player, who answers with ``play`` or ``choose``, until
+    ``request`` names the player and what to do; the answer is ``play`` or ``choose``, until
     the frame is over::
 
         frame = carom.Frame("nine-ball", seed=7)

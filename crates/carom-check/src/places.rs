@@ -50,7 +50,7 @@ pub(crate) enum Ground {
     Top,
 }
 
-/// The surface that supports a ball with its centre at this height; none for other heights.
+/// The surface that supports a ball with its centre at this height; `None` for other heights.
 pub(crate) fn ground(solid: &Solid, state: &BallState, radius: f64) -> Option<Ground> {
     let z = state.position.z;
     if (z - radius).abs() <= TABLE_GAP {

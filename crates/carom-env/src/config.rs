@@ -79,19 +79,19 @@ pub struct Config {
     pub balls: Option<[usize; 2]>,
     /// Which ball must be potted in the potting task.
     pub target_ball: TargetBall,
-    /// The table, as in a shot file; none for the task's own.
+    /// The table, as in a shot file; `None` for the task's own.
     pub table: Option<Node>,
-    /// The physics, as in a shot file; none for the table's own.
+    /// The physics, as in a shot file; `None` for the table's own.
     pub physics: Option<Node>,
     /// The options of the game.
     pub options: Options,
     /// The reward for a shot.
     pub rewards: Rewards,
-    /// Number of steps after which an episode is truncated; none for no limit.
+    /// Number of steps after which an episode is truncated; `None` for no limit.
     pub max_steps: Option<u32>,
     /// When the next episode begins.
     pub autoreset: Autoreset,
-    /// Number of threads; none for all cores.
+    /// Number of threads; `None` for all cores.
     pub threads: Option<usize>,
 }
 

@@ -96,7 +96,7 @@ pub(crate) fn scatter(
     }
     Err(Error::input(
         "balls",
-        "there is no room for so many balls",
+        "there is no room for this number of balls",
         "ask for fewer balls, or choose a larger table",
     ))
 }

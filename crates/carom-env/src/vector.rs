@@ -16,7 +16,7 @@ use crate::task::Task;
 /// would exhaust the memory and abort the program.
 pub const MAX_ENVIRONMENTS: usize = 1 << 20;
 
-/// Environments in one item of work: some hundred microseconds, so that handing items out costs
+/// Environments in one item of work: a few hundred microseconds, so that handing items out costs
 /// nothing and all threads finish at nearly the same time.
 const CHUNK: usize = 16;
 

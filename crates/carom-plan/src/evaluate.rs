@@ -182,7 +182,7 @@ fn draw(shot: &Shot, model: &ErrorModel, first: u64, count: usize, runner: &Runn
     drawn.into_iter().flatten().collect()
 }
 
-/// Number of strikes that one thread draws at a time: some tens of microseconds of work.
+/// Number of strikes that one thread draws at a time: a few tens of microseconds of work.
 const DRAWN: usize = 128;
 
 fn simulate(

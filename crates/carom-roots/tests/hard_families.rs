@@ -67,7 +67,7 @@ fn no_contact_is_missed_or_false_in_the_nine_hard_families() {
 #[test]
 fn no_contact_is_missed_or_false_between_flying_balls() {
     for (seed, family) in FlightFamily::ALL.into_iter().enumerate() {
-        assert_all_right(&format!("aloft {family:?}"), 200 + seed as u64, |r| {
+        assert_all_right(&format!("in the air: {family:?}"), 200 + seed as u64, |r| {
             family.sample::<3>(r)
         });
     }

@@ -15,7 +15,7 @@ from matplotlib.text import Text
 from carom.arguments import whole
 
 DOTS_PER_INCH = 150
-# Largest resolution: a picture of some inches then has some hundred megabytes in memory.
+# Largest resolution: a picture of a few inches then has a few hundred megabytes in memory.
 MOST_DOTS_PER_INCH = 1200
 # Control characters other than the newline, and code points that are not characters.
 _NOT_TO_BE_SHOWN = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\ufffe\uffff]")

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 R = TypeVar("R")
 
-# Rows of a row group: some tens of megabytes, all that a writer holds in memory.
+# Rows of a row group: a few tens of megabytes, all that a writer holds in memory.
 GROUP = 131_072
 # Default number of rows of a part, at most and at least: about one second of work, so that a kill
 # loses little, and enough for a file to be worth opening.

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     Indices: TypeAlias = NDArray[np.int64]
 
-# Rows per call into Rust; Python sees Ctrl-C between two calls. Some tens of milliseconds.
+# Rows per call into Rust; Python sees Ctrl-C between two calls. A few tens of milliseconds.
 CHUNK = 16_384
 # Rows, spread over the whole sweep, that are tried before a run begins.
 PROBES = 64

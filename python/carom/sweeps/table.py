@@ -22,7 +22,7 @@ from carom.sweeps.spec import Spec, load
 if TYPE_CHECKING:
     from carom.sweeps.report import Report
 
-# Most rows that are held in memory at once: at some hundred bytes a row, ten gigabytes. With more,
+# Most rows that are held in memory at once: at about a hundred bytes a row, ten gigabytes. With more,
 # a typing error in a spec would fill the machine's memory; a folder takes any number of rows.
 MOST_ROWS_IN_MEMORY = 10**8
 

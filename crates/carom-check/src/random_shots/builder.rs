@@ -25,7 +25,7 @@ const PLACES: [TableSize; 8] = [
 #[derive(Clone, Copy)]
 pub(super) struct DrawnBall {
     pub(super) place: [f64; 2],
-    /// Height of the centre, m; none for a ball on the cloth.
+    /// Height of the centre, m; `None` for a ball on the cloth.
     pub(super) height: Option<f64>,
     /// Velocity, m/s, and angular velocity, rad/s.
     pub(super) motion: Option<[f64; 6]>,

@@ -44,7 +44,7 @@ impl Frame {
     }
 
     /// Continues the game with the balls at `places` (one entry for each ball of the layout, file
-    /// frame, m; none for a ball that is down). `seat` shoots next, with the cue ball where it
+    /// frame, m; `None` for a ball that is down). `seat` shoots next, with the cue ball where it
     /// lies. Scores and fouls are kept. All else of the game's state is reset: in eight-ball the
     /// table is open; in snooker reds are on as long as there are any, then the colours in order.
     ///

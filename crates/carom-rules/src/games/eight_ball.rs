@@ -24,7 +24,7 @@ pub enum Group {
 }
 
 impl Group {
-    /// The group of `ball`; none for the eight and the cue ball.
+    /// The group of `ball`; `None` for the eight and the cue ball.
     pub const fn of(ball: BallIndex) -> Option<Self> {
         match ball {
             1..=7 => Some(Self::Solids),

@@ -134,7 +134,7 @@ struct CushionImpact<'a> {
     normal: Vec3,
     /// The direction in which the ball can be pushed.
     push: Vec3,
-    /// The edge or wall that a ball off the bed touches; none for a ball on the bed.
+    /// The edge or wall that a ball off the bed touches; `None` for a ball on the bed.
     edge: Option<Edge>,
     is_liner: bool,
 }
