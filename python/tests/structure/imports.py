@@ -1,8 +1,8 @@
-"""Reads who imports whom from source text, in Rust, Python and TypeScript.
+"""Reads the imports of source files, in Rust, Python and TypeScript.
 
 A graph maps every file to the files that it takes names from, as paths relative to the folder that
-was read. A name that a parent passes on (``pub use``, ``__init__.py``, ``index.ts``) is taken from
-the file that defines it. Imports of tests inside source files do not count.
+was read. A name that a parent re-exports (``pub use``, ``__init__.py``, ``index.ts``) counts as
+taken from the file that defines it. Imports of tests inside source files do not count.
 """
 
 from __future__ import annotations
@@ -16,46 +16,46 @@ Graph = dict[str, set[str]]
 
 
 def is_parent(a: str, b: str) -> bool:
-    """Whether file ``a`` is the face of a module that file ``b`` is a part of.
+    """Whether file ``a`` is the parent of a module that file ``b`` is a part of.
 
-    Faces are ``mod.rs``, ``lib.rs``, ``__init__.py`` and ``index.ts`` of a folder, and ``x.rs``
-    beside the folder ``x``.
+    Parents are ``mod.rs``, ``lib.rs``, ``__init__.py`` and ``index.ts`` of a folder, and ``x.rs``
+    next to the folder ``x``.
     """
     path = PurePosixPath(a)
-    is_face = path.name in {"mod.rs", "lib.rs", "__init__.py", "index.ts"}
-    folder = path.parent if is_face else path.with_suffix("")
+    names_folder = path.name in {"mod.rs", "lib.rs", "__init__.py", "index.ts"}
+    folder = path.parent if names_folder else path.with_suffix("")
     return a != b and folder in PurePosixPath(b).parents
 
 
-def without_faces(graph: Graph) -> Graph:
-    """The graph without the arrows from a parent to its own parts."""
+def without_reexports(graph: Graph) -> Graph:
+    """The graph without the imports of a parent from its own parts."""
     return {a: {b for b in targets if not is_parent(a, b)} for a, targets in graph.items()}
 
 
-def rooms(graph: Graph) -> Graph:
-    """The graph of the rooms, the folders and files at the top; ``x.rs`` and ``x/`` are one."""
+def top_level(graph: Graph) -> Graph:
+    """The graph of the files and folders at the top; ``x.rs`` and ``x/`` are one module."""
     result: Graph = {}
     for a, targets in graph.items():
-        if is_face_of_tree(a):
+        if is_root_file(a):
             continue
-        here = _room(a)
+        here = _top_level(a)
         result.setdefault(here, set()).update(
-            _room(b) for b in targets if _room(b) != here and not is_face_of_tree(b)
+            _top_level(b) for b in targets if _top_level(b) != here and not is_root_file(b)
         )
     return result
 
 
-def is_face_of_tree(file: str) -> bool:
-    """Whether the file is the face of the whole tree, which passes on names of every room."""
+def is_root_file(file: str) -> bool:
+    """Whether the file is the parent of the whole tree, which re-exports names of every module."""
     return file in {"lib.rs", "__init__.py", "__main__.py", "index.ts"}
 
 
-def _room(file: str) -> str:
+def _top_level(file: str) -> str:
     return PurePosixPath(file).parts[0].partition(".")[0]
 
 
-def circles(graph: Graph) -> list[list[str]]:
-    """The groups of files that import each other, directly or around (Tarjan 1972)."""
+def cycles(graph: Graph) -> list[list[str]]:
+    """The groups of files that import each other, directly or indirectly (Tarjan 1972)."""
     index: dict[str, int] = {}
     low: dict[str, int] = {}
     stack: list[str] = []
@@ -235,7 +235,8 @@ def python(package: Path) -> Graph:
     """The files of a package, with imports inside functions and for type checkers.
 
     ``import package`` and then ``package.name`` in code takes the name from the file that defines
-    it. In an annotation it does not: annotations are text, and the façade lists all types.
+    it. In an annotation it does not count: annotations are not evaluated, and ``__init__.py``
+    re-exports all types.
     """
     files = {
         ".".join((package.name, *_dotted(f.relative_to(package)))): f

@@ -1,4 +1,4 @@
-"""Arrows point down: who imports whom, in Rust, Python and TypeScript (ARCHITECTURE.md, Laws)."""
+"""Imports go down only, in Rust, Python and TypeScript (ARCHITECTURE.md, Laws)."""
 
 import re
 import tomllib
@@ -13,35 +13,35 @@ ROOT = Path(__file__).resolve().parents[3]
 
 LAYERS = tomllib.loads(Path(__file__).with_name("layers.toml").read_text(encoding="utf-8"))
 CRATES = {name: set(used) for name, used in LAYERS["crates"].items()}
-ROOMS = LAYERS["rooms"]
-TREES = sorted({f"crates/{name}/src" for name in CRATES} | set(ROOMS))
+MODULES = LAYERS["modules"]
+TREES = sorted({f"crates/{name}/src" for name in CRATES} | set(MODULES))
 
 
 def graph_of(tree: str) -> imports.Graph:
     read = {"crates": imports.rust, "python": imports.python, "web": imports.typescript}
-    return imports.without_faces(read[tree.partition("/")[0]](ROOT / tree))
+    return imports.without_reexports(read[tree.partition("/")[0]](ROOT / tree))
 
 
 @pytest.mark.parametrize("tree", TREES)
-def test_no_files_import_each_other_in_a_circle(tree):
+def test_imports_have_no_cycles(tree):
     graph = graph_of(tree)
     assert len(graph) > 1
     assert sum(len(targets) for targets in graph.values()) > 0
-    assert imports.circles(graph) == []
+    assert imports.cycles(graph) == []
 
 
-@pytest.mark.parametrize("tree", sorted(ROOMS))
-def test_every_room_uses_only_rooms_below_it(tree):
-    rooms = imports.rooms(graph_of(tree))
-    order = ROOMS[tree]
-    assert sorted(rooms) == sorted(order), "list each room in layers.toml"
+@pytest.mark.parametrize("tree", sorted(MODULES))
+def test_a_module_imports_only_modules_below_it(tree):
+    modules = imports.top_level(graph_of(tree))
+    order = MODULES[tree]
+    assert sorted(modules) == sorted(order), "list each module in layers.toml"
     upward = {
-        (a, b) for a, below in rooms.items() for b in below if order.index(b) > order.index(a)
+        (a, b) for a, used in modules.items() for b in used if order.index(b) > order.index(a)
     }
     assert upward == set()
 
 
-def test_every_crate_uses_only_the_crates_that_it_may():
+def test_a_crate_depends_only_on_its_permitted_crates():
     used = {}
     for manifest in (ROOT / "crates").glob("*/Cargo.toml"):
         table = tomllib.loads(manifest.read_text(encoding="utf-8"))
@@ -50,7 +50,7 @@ def test_every_crate_uses_only_the_crates_that_it_may():
     assert {name: used[name] - CRATES[name] for name in used if used[name] - CRATES[name]} == {}
 
 
-def test_one_noun_names_one_type_among_the_crates():
+def test_no_two_crates_have_public_types_of_one_name():
     declared = defaultdict(list)
     declaration = re.compile(
         r"^\s*pub(?:\(crate\))? (?:struct|enum|trait|union|type) (\w+)", re.MULTILINE
@@ -64,7 +64,7 @@ def test_one_noun_names_one_type_among_the_crates():
     assert {noun: files for noun, files in declared.items() if len(files) > 1} == {}
 
 
-def test_whatever_implements_recorder_is_called_a_recorder():
+def test_a_type_that_implements_recorder_has_a_name_that_ends_in_recorder():
     implemented = re.compile(r"\bimpl(?:<[^>]*>)?\s+Recorder\s+for\s+(\w+)")
     names = {
         noun
@@ -77,7 +77,7 @@ def test_whatever_implements_recorder_is_called_a_recorder():
     assert {name for name in names if not name.endswith("Recorder")} == set()
 
 
-# The reader of imports itself.
+# Tests of imports.py.
 
 
 def write(folder: Path, files: dict[str, str]) -> Path:
@@ -88,7 +88,7 @@ def write(folder: Path, files: dict[str, str]) -> Path:
     return folder
 
 
-def test_the_reader_finds_a_circle_in_rust(tmp_path):
+def test_a_cycle_in_rust_is_found(tmp_path):
     source = write(
         tmp_path,
         {
@@ -103,10 +103,10 @@ def test_the_reader_finds_a_circle_in_rust(tmp_path):
     assert graph["a/mod.rs"] == {"b.rs"}
     assert graph["a/seed.rs"] == {"a/mod.rs"}
     assert graph["b.rs"] == {"a/mod.rs"}
-    assert imports.circles(graph) == [["a/mod.rs", "b.rs"]]
+    assert imports.cycles(graph) == [["a/mod.rs", "b.rs"]]
 
 
-def test_the_reader_finds_a_circle_in_python(tmp_path):
+def test_a_cycle_in_python_is_found(tmp_path):
     package = write(
         tmp_path / "pkg",
         {
@@ -122,32 +122,32 @@ def test_the_reader_finds_a_circle_in_python(tmp_path):
     assert graph["b.py"] == {"a.py"}
     assert graph["c/d.py"] == {"c/f.py", "a.py"}
     assert graph["c/f.py"] == {"b.py"}
-    assert imports.circles(imports.without_faces(graph)) == [["a.py", "b.py"]]
+    assert imports.cycles(imports.without_reexports(graph)) == [["a.py", "b.py"]]
 
 
-def test_the_reader_finds_a_circle_in_typescript(tmp_path):
+def test_a_cycle_in_typescript_is_found(tmp_path):
     source = write(
         tmp_path,
         {
-            "a.ts": 'import type { B } from "./rooms/b";\n',
-            "rooms/b.ts": 'export const f = () => import("../a.js");\n// from "./c"\n',
-            "rooms/index.ts": 'export * from "./b";\n',
-            "rooms/c.ts": 'import { B } from ".";\nimport Worker from "./b?worker";\n',
+            "a.ts": 'import type { B } from "./parts/b";\n',
+            "parts/b.ts": 'export const f = () => import("../a.js");\n// from "./c"\n',
+            "parts/index.ts": 'export * from "./b";\n',
+            "parts/c.ts": 'import { B } from ".";\nimport Worker from "./b?worker";\n',
         },
     )
     graph = imports.typescript(source)
-    assert graph["a.ts"] == {"rooms/b.ts"}
-    assert graph["rooms/b.ts"] == {"a.ts"}
-    assert graph["rooms/c.ts"] == {"rooms/index.ts", "rooms/b.ts"}
-    assert imports.circles(imports.without_faces(graph)) == [["a.ts", "rooms/b.ts"]]
+    assert graph["a.ts"] == {"parts/b.ts"}
+    assert graph["parts/b.ts"] == {"a.ts"}
+    assert graph["parts/c.ts"] == {"parts/index.ts", "parts/b.ts"}
+    assert imports.cycles(imports.without_reexports(graph)) == [["a.ts", "parts/b.ts"]]
 
 
-def test_a_parent_may_pass_its_parts_on():
+def test_a_parent_may_reexport_names_of_its_parts():
     graph = {
         "simulate.rs": {"simulate/row.rs"},
         "simulate/row.rs": {"simulate.rs"},
         "a/__init__.py": {"a/b.py"},
         "a/b.py": {"a/__init__.py"},
     }
-    assert imports.circles(imports.without_faces(graph)) == []
-    assert imports.rooms(graph) == {"simulate": set(), "a": set()}
+    assert imports.cycles(imports.without_reexports(graph)) == []
+    assert imports.top_level(graph) == {"simulate": set(), "a": set()}
