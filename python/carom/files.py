@@ -39,4 +39,4 @@ def read_text(path: str | os.PathLike[str]) -> str:
     try:
         return Path(path).read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
-        raise InputError(f"{path}: not a text file ({error.reason}); JSON is UTF-8") from None
+        raise InputError(f"{path}: not UTF-8 text ({error.reason}); encode it as UTF-8") from None

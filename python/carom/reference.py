@@ -12,7 +12,7 @@ from carom.errors import InputError
 
 
 def tables() -> list[dict[str, Any]]:
-    """Every table's preset with its dimensions, cushions and pockets, m.
+    """All presets of tables, with dimensions, cushions and pockets, m.
 
     Batch results number the pockets in the order given here.
     """
@@ -31,6 +31,6 @@ def schema(kind: Literal["shot", "trace", "sweep"] = "shot") -> dict[str, Any]:
     elif kind in ("shot", "trace"):
         text = _core.schema(kind)
     else:
-        raise InputError(f'there is no schema "{kind}"; write "shot", "trace" or "sweep"')
+        raise InputError(f'kind: there is no schema "{kind}"; write "shot", "trace" or "sweep"')
     result: dict[str, Any] = json.loads(text)
     return result

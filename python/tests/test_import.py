@@ -202,8 +202,8 @@ def test_a_fastfiz_strike_gives_the_ball_the_velocity_of_its_formula(theta: floa
     [
         ("", "number of balls"),
         ("2 0.028575 1 0 0.4 0.6", "2 balls"),
-        ("1e300 0.028575 1 0 0.4 0.6", "names 1e+300 balls"),
-        ("1.2 0.028575 1 0 0.4 0.6 0", "names 1.2 balls"),
+        ("1e300 0.028575 1 0 0.4 0.6", "begins with 1e+300 balls"),
+        ("1.2 0.028575 1 0 0.4 0.6 0", "begins with 1.2 balls"),
         ("1 0.028575 1 0 0.4 west", "west"),
         ("1 0.028575 11 0 0.4 0.6", "state 11"),
         ("1 0.028575 1 16 0.4 0.6", "type 16"),

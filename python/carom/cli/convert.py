@@ -24,14 +24,14 @@ def import_(
     format_: Annotated[
         Format | None,
         typer.Option(
-            "--format", help="The engine that wrote it; recognised from the file without it."
+            "--format", help="The engine that wrote the file; default: recognised from the file."
         ),
     ] = None,
     strike: Annotated[
         str | None,
         typer.Option(
             metavar='"A B THETA PHI V"',
-            help="FastFiz's strike, which a table state does not hold: mm, mm, degrees, degrees, "
+            help="The strike for a FastFiz table state, which has none: mm, mm, degrees, degrees, "
             "m/s.",
         ),
     ] = None,
@@ -46,7 +46,7 @@ def import_(
         format_ = Format.FASTFIZ if data.lstrip()[:1].isdigit() else Format.POOLTOOL
     if format_ is Format.POOLTOOL:
         if strike is not None:
-            raise InputError("--strike is for FastFiz; a pooltool system has its own strike")
+            raise InputError("--strike: a pooltool system has its own strike; leave the option out")
         made = carom.convert.pooltool(data)
     else:
         made = carom.convert.fastfiz(_text(data), None if strike is None else _numbers(strike))
@@ -60,7 +60,8 @@ def _text(data: bytes) -> str:
         return data.decode("ascii")
     except UnicodeDecodeError:
         raise InputError(
-            "the file is not text; a FastFiz table state is a list of numbers"
+            "FILE: not ASCII text, but a FastFiz table state is a list of numbers; "
+            "give --format pooltool if pooltool wrote it"
         ) from None
 
 
@@ -68,4 +69,6 @@ def _numbers(words: str) -> list[float]:
     try:
         return [float(word) for word in words.replace(",", " ").split()]
     except ValueError:
-        raise InputError(f"--strike: {words!r} is not five numbers: a b theta phi v") from None
+        raise InputError(
+            f"--strike: {words!r} is not a list of numbers; write five: A B THETA PHI V"
+        ) from None

@@ -32,7 +32,7 @@ def replay(
     if not check:
         emit(again.to_json())
         return
-    # The text as written: reading a trace derives its outcome from the events.
+    # From the file's own text, because reading a trace derives its outcome from the events.
     written, ours = js.loads(text.removeprefix("\ufeff")), again.to_dict()
     difference = saved.difference(again) or _other_outcome(written, ours)
     if difference is not None:
@@ -56,13 +56,16 @@ def _other_outcome(written: dict[str, Any], ours: dict[str, Any]) -> str | None:
 
 def validate(
     name: Annotated[
-        str | None, typer.Argument(metavar="[NAME]", help="One paper; all without it.")
+        str | None, typer.Argument(metavar="[NAME]", help="The paper; default: all papers.")
     ] = None,
 ) -> None:
-    """Print the papers' numbers beside ours, the tolerances, and the counts by kind."""
+    """Compare published numbers with the engine's.
+
+    Prints each pair of numbers with its tolerance, and the counts by kind.
+    """
     if name is not None and name not in validation.papers():
         known = ", ".join(validation.papers())
-        raise InputError(f"there is no paper {name!r}; there are: {known}")
+        raise InputError(f"NAME: there is no paper {name!r}; write one of {known}")
     raise typer.Exit(validation.run(name))
 
 
@@ -70,7 +73,9 @@ def bench(
     json: Annotated[bool, typer.Option("--json", help="Print the measurements as JSON.")] = False,
     store: Annotated[
         Path | None,
-        typer.Option(metavar="DIR", help="Write the JSON there; in a checkout, benches/results."),
+        typer.Option(
+            metavar="DIR", help="Write the JSON into this folder; in a checkout, benches/results."
+        ),
     ] = None,
 ) -> None:
     """Measure the speed of the engine on this machine.

@@ -98,7 +98,8 @@ def _run() -> int:
         if error.errno is None:
             return _our_bug()
         # An error without a file name concerns a standard stream, such as stdout on a full disk.
-        say(f"{error.filename or 'stdout'}: {error.strerror}; check the path")
+        remedy = "check the path" if error.filename else "check where the output is redirected"
+        say(f"{error.filename or 'stdout'}: {error.strerror}; {remedy}")
         if not error.filename:
             # Otherwise Python would write the rest again at exit, and fail with code 120.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -18,22 +18,22 @@ __all__ = ["emit", "keep_sockets", "read", "read_bytes", "save", "say", "say_jso
 
 def say(text: str) -> None:
     """Print one sentence to stderr."""
-    _talk(f"carom: {printable(text)}")
+    _print_error_line(f"carom: {printable(text)}")
 
 
 def say_json(data: Any) -> None:
     """Print JSON to stderr, for a bug report."""
-    _talk(json.dumps(data))
+    _print_error_line(json.dumps(data))
 
 
-def _talk(line: str) -> None:
+def _print_error_line(line: str) -> None:
     # Without a stderr, `print` would write to stdout.
     if sys.stderr is not None:
         print(line, file=sys.stderr)
 
 
 def keep_sockets() -> None:
-    """Make a connection that the other side closes an error, not the end of the process.
+    """Let writing to a closed connection raise an error instead of ending the process.
 
     A filter should end quietly when its pipe is closed; a server should not.
     """

@@ -45,7 +45,7 @@ NoiseName = Annotated[
         "--noise",
         metavar="NAME",
         help="beginner, casual, club, advanced, professional or olympiad; "
-        "a multiplier may follow, olympiad:0.5.",
+        "a multiplier may follow, as in olympiad:0.5.",
     ),
 ]
 Sight = Annotated[
@@ -60,7 +60,7 @@ Precise = Annotated[
     float | None,
     typer.Option(
         "--precision",
-        help="Stop counting a chance when half the width of its interval is at most this.",
+        help="Stop counting a chance when half the width of its interval, 0 to 1, is at most this.",
     ),
 ]
 Level = Annotated[float, typer.Option(help="Confidence level of the intervals.")]
@@ -78,25 +78,29 @@ def evaluate(
     seed: Seed = 0,
     precision: Annotated[
         float | None,
-        typer.Option(help="Stop when half the width of the watched interval is at most this."),
+        typer.Option(
+            help="Stop when half the width of the watched interval, 0 to 1, is at most this."
+        ),
     ] = None,
     watch: Annotated[
         str | None,
         typer.Option(
             metavar="WHAT",
-            help="The watched chance: a ball, BALL:POCKET, scratch or legal; all without it.",
+            help="The chance that --precision watches: a ball, BALL:POCKET, scratch or legal; "
+            "default: every chance.",
         ),
     ] = None,
     game: Annotated[
         str | None,
         typer.Option(
-            help="The game whose rules decide what is legal; it continues from this shot."
+            help="The game whose rules decide what is legal; a frame starts with this shot's balls."
         ),
     ] = None,
     call: Annotated[
         str | None,
         typer.Option(
-            metavar="WHAT", help="The call in the game: BALL:POCKET, a ball on, or safety."
+            metavar="WHAT",
+            help="The call in the game: BALL:POCKET, the nominated ball of snooker, or safety.",
         ),
     ] = None,
     level: Level = 0.95,
@@ -104,9 +108,12 @@ def evaluate(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print the probabilities of a shot's results when the player errs."""
+    """Print the probability of each result.
+
+    Variants of the strike, with errors of the player, are simulated and counted.
+    """
     if call is not None and game is None:
-        raise InputError("--call: there is no game to announce it in; give --game too")
+        raise InputError("--call: a call needs a game; give --game too")
     shot = Shot.from_json(read(file))
     announced = None if call is None else _call(call)
     shot, frame = (shot, None) if game is None else _in_game(shot, game, announced)
@@ -133,17 +140,20 @@ def solve(
     ] = None,
     leave: Annotated[
         str | None,
-        typer.Option(metavar="X,Y,R", help="The disc in which the cue ball comes to rest, m."),
+        typer.Option(
+            metavar="X,Y,R",
+            help="Centre and radius of the disc in which the cue ball comes to rest, m.",
+        ),
     ] = None,
     first: Annotated[
         str | None, typer.Option(metavar="BALL", help="The ball to hit before any other.")
     ] = None,
     noise: NoiseName = "olympiad",
     perception: Sight = 0.0,
-    wanted: Annotated[int, typer.Option(min=1, help="Largest number of strikes.")] = 10,
+    wanted: Annotated[int, typer.Option(min=1, help="Largest number of strikes printed.")] = 10,
     per_route: Annotated[
         int,
-        typer.Option(min=1, help="Largest number of them over the same cushions and balls."),
+        typer.Option(min=1, help="Largest number of strikes over the same cushions and balls."),
     ] = 3,
     n: Annotated[
         int, typer.Option("-n", min=1, help="Largest number of variants behind each chance.")
@@ -156,7 +166,7 @@ def solve(
         float | None,
         typer.Option(
             metavar="DEGREES",
-            help="Largest elevation of the cue, for jumps and massés; without it none are tried.",
+            help="Largest elevation of the cue for jumps and massés; default: none are tried.",
         ),
     ] = None,
     samples: Annotated[
@@ -232,7 +242,7 @@ def map_pot(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print the chance of a pot from every place of the cue ball."""
+    """Print the chance of a pot for each place of the cue ball."""
     shot = Shot.from_json(read(file))
     found = shot.pot_map(
         ball,
@@ -265,7 +275,7 @@ def map_position(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print where the cue ball ends with every speed and spin."""
+    """Print where the cue ball stops, for each speed and spin."""
     found = Shot.from_json(read(file)).position_map(
         ball,
         pocket,
@@ -296,7 +306,10 @@ def map_acceptance(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print which speeds, angles and offsets of approach a pocket accepts."""
+    """Print which rolling balls a pocket accepts.
+
+    The balls differ in speed, angle to the pocket's axis, and offset.
+    """
     shot = Shot.from_json(read(file))
     found = shot.acceptance(pocket, distance=distance, progress=sys.stderr.isatty())
     rows = {
@@ -324,7 +337,10 @@ def map_kick(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print where the struck ball, alone on the table, meets the cushions."""
+    """Print where kicks meet the cushions.
+
+    The struck ball is alone on the table.
+    """
     found = Shot.from_json(read(file)).kick_table(
         azimuth=[math.radians(turn) for turn in _steps("azimuth-deg", azimuth_deg)],
         speed=_steps("speed", speed),
@@ -348,7 +364,10 @@ def map_bank(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Print where a ball without spin, alone on the table, meets the cushions."""
+    """Print where banks meet the cushions.
+
+    The ball starts without spin and is alone on the table.
+    """
     found = Shot.from_json(read(file)).bank_table(
         ball,
         azimuth=[math.radians(turn) for turn in _steps("azimuth-deg", azimuth_deg)],
@@ -385,9 +404,15 @@ def stats_break(
     game: Annotated[str, typer.Option(help="The game, as for carom break.")] = "nine-ball",
     racks: Annotated[int, typer.Option("-n", min=1, help="Largest number of racks.")] = 1000,
     noise: NoiseName = "olympiad",
-    speed: Annotated[float | None, typer.Option(help="The cue's speed, m/s.")] = None,
-    table: Annotated[str | None, typer.Option(help="A table's preset.")] = None,
-    gap: Annotated[float | None, typer.Option(help="Mean gap between the balls, m.")] = None,
+    speed: Annotated[
+        float | None, typer.Option(help="The cue's speed, m/s; default: the game's usual one.")
+    ] = None,
+    table: Annotated[
+        str | None, typer.Option(help="A table's preset; default: the game's own.")
+    ] = None,
+    gap: Annotated[
+        float | None, typer.Option(help="Mean gap between the balls, m; default: 0.0001.")
+    ] = None,
     precision: Precise = None,
     seed: Seed = 0,
     level: Level = 0.95,
@@ -395,7 +420,7 @@ def stats_break(
     svg: Svg = None,
     png: Png = None,
 ) -> None:
-    """Break many racks; print the chance of every result."""
+    """Break many racks; print the chance of each result."""
     found = carom.break_statistics(
         game,
         racks,
@@ -431,7 +456,7 @@ def _draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) -
 
 
 def _degrees(name: str, radians: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-    """A column in degrees beside the one in radians, as ``NAME_deg``."""
+    """The column ``NAME_deg`` of a column in radians."""
     return {f"{name}_deg": radians * (180.0 / math.pi)}
 
 
@@ -448,7 +473,7 @@ def _call(text: str) -> Call:
 
 
 def _in_game(shot: Shot, game: str, call: Call | None) -> tuple[Shot, Frame]:
-    """The shot, with its balls in the order in which its frame asks for them, and the frame."""
+    """The shot as the frame requests it, with the frame's order of balls, and the frame."""
     strike = Strike(*own_strike(shot._core))
     frame = Frame.of_shot(game, shot)
     return frame.shot(strike, call=call), frame

@@ -24,8 +24,9 @@ def play(
         bool, typer.Option("--browser/--no-browser", help="Open the page in the browser.")
     ] = True,
 ) -> None:
-    """Aim, shoot and replay in the browser; Ctrl-C ends."""
-    # A shell that starts a command in the background makes it ignore the interrupt that ends it.
+    """Aim, shoot and replay in the browser; Ctrl-C ends the command."""
+    # A shell makes the commands that it starts in the background ignore SIGINT, which would
+    # otherwise end this one.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     keep_sockets()
     document = None if file is None else _document(read(file))

@@ -10,7 +10,7 @@ from carom.cli.output import say
 
 
 def warn(old: str, new: str) -> None:
-    """Say on stderr that ``old`` is now called ``new``."""
+    """Print to stderr that ``old`` is now called ``new``."""
     say(f"{old} is now {new}; the old spelling still works")
 
 

@@ -47,14 +47,15 @@ def break_(
         ),
     ] = "nine-ball",
     speed: Annotated[
-        float | None, typer.Option(help="The cue's speed, m/s; the game's usual one without it.")
+        float | None, typer.Option(help="The cue's speed, m/s; default: the game's usual one.")
     ] = None,
     seed: Annotated[int, typer.Option(help="Seed of the random rack.")] = 0,
     table: Annotated[
-        str | None, typer.Option(help="A table's preset; the game's own without it.")
+        str | None, typer.Option(help="A table's preset; default: the game's own.")
     ] = None,
     gap: Annotated[
-        float | None, typer.Option(help="Mean gap between the balls, m; 0 is frozen.")
+        float | None,
+        typer.Option(help="Mean gap between the balls, m; 0 is frozen; default: 0.0001."),
     ] = None,
     shot_file: Annotated[
         bool, typer.Option("--shot", help="Print the shot file instead of simulating it.")

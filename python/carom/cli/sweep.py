@@ -17,11 +17,13 @@ def sweep(
     file: Annotated[str, typer.Argument(metavar="SPEC", help="A sweep's spec, JSON; - is stdin.")],
     out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Folder for the files.")],
     threads: Annotated[
-        int | None, typer.Option(min=1, help="Number of threads; one per core without it.")
+        int | None, typer.Option(min=1, help="Number of threads; default: one per core.")
     ] = None,
     part_rows: Annotated[
         int | None,
-        typer.Option(min=1, help="Rows of a file; chosen from the sweep's size without it."),
+        typer.Option(
+            min=1, help="Rows of a file; default: chosen from the number of rows of the sweep."
+        ),
     ] = None,
     ray: Annotated[
         bool, typer.Option("--ray", help="Simulate on Ray, started on this machine.")
@@ -31,13 +33,16 @@ def sweep(
         typer.Option(
             "--address",
             metavar="ADDRESS",
-            help="Simulate on this Ray cluster, whose machines all have access to DIR; auto is the "
-            "cluster of this machine.",
+            help="Simulate on this Ray cluster, whose machines must all have access to DIR; auto "
+            "is the cluster of this machine.",
         ),
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print the summary as JSON.")] = False,
 ) -> None:
-    """Simulate a table of shots to Parquet; the same command continues after a stop."""
+    """Simulate a table of shots to Parquet.
+
+    After a stop the same command continues.
+    """
     if address or ray:
         keep_sockets()
     spec = carom.Sweep.from_json(read(file)) if file == "-" else carom.Sweep.load(file)

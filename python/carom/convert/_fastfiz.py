@@ -42,7 +42,7 @@ def fastfiz(text: str, strike: Sequence[float] | None = None) -> Converted:
     file: dict[str, Any] = {"format": "carom-shot/1", "table": "poolfiz", "balls": balls}
     notes.append("A table state does not name its table; FastFiz's default table was assumed.")
     notes.append(
-        "Positions are FastFiz's, with the head string at the top; that of the table poolfiz is "
+        "Positions are FastFiz's, which has the head string at the top; the table poolfiz has it "
         "at the bottom."
     )
     if strike is None:
@@ -50,7 +50,7 @@ def fastfiz(text: str, strike: Sequence[float] | None = None) -> Converted:
     else:
         radius = next((b["radius"] for b in balls if b["id"] == "cue"), None)
         if radius is None:
-            raise InputError("the table state has no cue ball in play; leave the strike out")
+            raise InputError("strike: the table state has no cue ball in play; leave it out")
         file["strike"] = _strike(strike, radius)
     return Converted(Shot.from_dict(file), notes)
 
@@ -59,7 +59,7 @@ def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
     count = _number(words, 0, "the number of balls")
     if count < 1 or not count.is_integer() or len(words) != 1 + _FIELDS * count:
         raise InputError(
-            f"the table state names {count:g} balls, and {len(words) - 1} numbers follow; "
+            f"the table state begins with {count:g} balls, but {len(words) - 1} numbers follow; "
             f"write {_FIELDS} numbers for each ball: radius, state, type, x and y"
         )
     balls, notes, pocketed, moving, absent = [], [], [], [], []
@@ -93,7 +93,7 @@ def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
 
 
 def _strike(params: Sequence[float], radius: float) -> dict[str, Any]:
-    """The strike in our frame: FastFiz measures b vertically, we perpendicular to the cue."""
+    """The shot file's strike. FastFiz measures b vertically, carom perpendicular to the cue."""
     params = numbers("strike", params, _FIELDS)
     if not all(math.isfinite(p) for p in params):
         raise InputError(

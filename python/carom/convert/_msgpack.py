@@ -20,7 +20,7 @@ def unpack(data: bytes) -> Any:
         InputError: msgpack is not installed, or ``data`` is not MessagePack.
     """
     try:
-        # An extra.
+        # Installed only with the extra "import".
         import msgpack
     except ImportError:
         raise InputError(
@@ -31,8 +31,8 @@ def unpack(data: bytes) -> Any:
         return msgpack.unpackb(data, object_hook=_array)
     except InputError:
         raise
-    except Exception as error:  # noqa: BLE001 -- msgpack raises whatever its hook and parser raise
-        # The error of too deep nesting has no text.
+    except Exception as error:  # noqa: BLE001 -- its hook and parser raise many kinds
+        # The error of a tree that is nested too deeply has no text.
         why = str(error) or "nested too deeply"
         raise InputError(
             f"the file is neither JSON nor MessagePack ({why}); give a system that pooltool saved"

@@ -39,7 +39,7 @@ def pooltool(source: str | os.PathLike[str] | bytes | Mapping[str, Any]) -> Conv
     tree = _tree(source)
     system = Place(tree)
     if isinstance(tree, Mapping) and "multisystem" in tree:
-        raise system.refuse("holds a MultiSystem; save one of its systems by itself")
+        raise system.refuse("is a MultiSystem; save one of its systems by itself")
     notes: list[str] = []
     where, kind = table(system["table"], notes)
     balls = _balls(system["balls"], notes)
@@ -130,7 +130,7 @@ def _physics(system: Place, base: str, notes: list[str]) -> dict[str, Any]:
     struck = system["cue"]["cue_ball_id"].text()
     if struck not in balls:
         raise system["cue"].refuse(
-            f'cue_ball_id is "{struck}", and there is no such ball; write the id of a ball'
+            f'cue_ball_id is "{struck}", but there is no such ball; write the id of a ball'
         )
     params = balls[struck]["params"]
     p = {key: params[key].number() for key in ("m", "R", *_SHARED)}
@@ -145,7 +145,7 @@ def _physics(system: Place, base: str, notes: list[str]) -> dict[str, Any]:
             f"{', '.join(others)} differed."
         )
     notes.append(
-        "A system does not say which models it was simulated with; pooltool 0.6.0's default models "
+        "A system does not name the models that simulated it; pooltool 0.6.0's default models "
         "were assumed (they do not use its u_b)."
     )
     notes.append(
