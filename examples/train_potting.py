@@ -39,15 +39,15 @@ SPEED = (0.2, 8.0)
 #: The geometric aimer's speed, m/s, and the increase per metre of the balls' path, 1/s. They are
 #: about its best values with this noise: a slower ball drops more often but is thrown more.
 PACE = (0.7, 0.4)
-#: First seed of the shots of the evaluation; the seeds of the training are far below.
-JUDGED_FROM = 10**9
+#: First seed of the shots of the evaluation; the seeds of the training are much smaller.
+EVALUATION_SEED = 10**9
 #: Number of shots of an evaluation during the training and at its end.
-SHOTS_ON_THE_WAY = 8192
-SHOTS_AT_THE_END = 100_000
+CHECKPOINT_SHOTS = 8192
+FINAL_SHOTS = 100_000
 #: Confidence level of all intervals.
 LEVEL = 0.95
-#: Number of environments of an evaluation.
-ROW = 4096
+#: Largest number of environments of an evaluation.
+EVALUATION_ENVS = 4096
 
 #: PPO's settings. An episode is one shot, so there are no later rewards to discount.
 LEARNING = {
@@ -151,7 +151,7 @@ def geometric_aimer(table: Table) -> Player:
     def play(rows: Array) -> Array:
         lie = table.geometry(rows)
         ease = lie.fullness / ((lie.near + 0.3) * (lie.far + 0.3))
-        # Too thin a cut or too flat an angle to the pocket: choose any other pocket.
+        # A pocket with too thin a cut or too flat an angle is chosen only if all are like that.
         ease[(lie.fullness < 0.26) | (lie.into < 0.42)] -= 100.0
         best = np.arange(len(rows)), ease.argmax(axis=1)
         way = lie.near[best] + lie.far[best] / np.maximum(lie.fullness[best], 0.26)
@@ -180,8 +180,8 @@ def make(num_envs: int, noise: float) -> Any:
 
 def evaluate(player: Player, noise: float, shots: int) -> carom.Chance:
     """The share of pots of ``player``; all players have the same layouts and the same noise."""
-    envs = make(min(shots, ROW), noise)
-    rows, _ = envs.reset(seed=JUDGED_FROM)
+    envs = make(min(shots, EVALUATION_ENVS), noise)
+    rows, _ = envs.reset(seed=EVALUATION_SEED)
     potted = played = 0
     while played < shots:
         rows, rewards, *_ = envs.step(player(rows))
@@ -232,7 +232,7 @@ def train(arguments: argparse.Namespace, table: Table) -> tuple[Player, list[Che
         def _on_rollout_start(self) -> None:
             if self.num_timesteps < len(checkpoints) * arguments.steps / CHECKPOINTS:
                 return
-            chance = evaluate(agent, arguments.noise, SHOTS_ON_THE_WAY)
+            chance = evaluate(agent, arguments.noise, CHECKPOINT_SHOTS)
             checkpoints.append(Checkpoint(self.num_timesteps, time.perf_counter() - start, chance))
             print(
                 f"{checkpoints[-1].shots:>12,} {checkpoints[-1].seconds:>8.0f}   {chance}",
@@ -245,7 +245,7 @@ def train(arguments: argparse.Namespace, table: Table) -> tuple[Player, list[Che
     print(f"{'shots':>12} {'seconds':>8}   potted")
     model.learn(arguments.steps, callback=Progress())
     seconds = time.perf_counter() - start
-    chance = evaluate(agent, arguments.noise, SHOTS_ON_THE_WAY)
+    chance = evaluate(agent, arguments.noise, CHECKPOINT_SHOTS)
     checkpoints.append(Checkpoint(model.num_timesteps, seconds, chance))
     if arguments.model:
         model.save(arguments.model)
@@ -287,7 +287,7 @@ def main(words: list[str] | None = None) -> int:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--noise", type=float, default=1.0, help="multiple of the Olympiad noise")
     parser.add_argument(
-        "--shots", type=int, default=SHOTS_AT_THE_END, help="shots of the final evaluation"
+        "--shots", type=int, default=FINAL_SHOTS, help="shots of the final evaluation"
     )
     parser.add_argument("--picture", type=Path, default=Path("potting_learned.png"))
     parser.add_argument("--json", type=Path, help="write the numbers to this file")
@@ -301,7 +301,7 @@ def main(words: list[str] | None = None) -> int:
         name: evaluate(player, arguments.noise, arguments.shots)
         for name, player in ({"agent": agent} | others).items()
     }
-    print(f"\n{arguments.shots:,} other shots, with {LEVEL:.0%} confidence intervals:")
+    print(f"\n{arguments.shots:,} new shots, with {LEVEL:.0%} confidence intervals:")
     for name, chance in chances.items():
         print(f"{name:>20}   {chance}")
     beside = {name: chances[name] for name in others}

@@ -57,14 +57,14 @@ def main(folder: Path) -> int:
 
 
 def write_live_table(folder: Path) -> None:
-    """Writes the table of the first page: the page of `carom play` with a break to replay.
+    """Writes the live table of the first page: the page of `carom play` with a break to replay.
 
-    Sphinx copies the folder beside its own pages (`html_extra_path`).
+    Sphinx copies the folder next to its own pages (`html_extra_path`).
     """
     folder.mkdir()
     trace = Shot.load(ROOT / "shots" / "nine_ball_break.json").simulate()
     element = 'id="carom-document"'
-    # With this attribute the page plays the trace by itself, and then lets the visitor aim.
+    # With this attribute the page starts the trace without a click; then the visitor can aim.
     page = html(trace, title="nine-ball break").replace(element, f"{element} data-play", 1)
     (folder / "live.html").write_text(page, encoding="utf-8")
 

@@ -1,7 +1,7 @@
-"""Finds phrases that this project does not use in what people read.
+"""Finds phrases that this project avoids in its prose.
 
-Reads Markdown, comments, docstrings and texts in the code, and looks for the patterns of
-scripts/prose.toml. CONTRIBUTING.md says how this project writes. The exit status is 1 if a phrase
+It searches Markdown, comments, docstrings and strings in the code for the patterns of
+scripts/prose.toml. CONTRIBUTING.md has the rules of style. The exit status is 1 if a phrase
 is found.
 
 usage: python scripts/prose.py [FILE ...]   (without files: everything that git tracks)
@@ -22,10 +22,10 @@ from pygments.token import Comment, String
 from pygments.util import ClassNotFound
 
 ROOT = Path(__file__).resolve().parent.parent
-# Prose stands in these; other files hold data.
+# Files with prose; other files hold data.
 SUFFIXES = {".md", ".rs", ".py", ".pyi", ".ts", ".js", ".css", ".html", ".sh", ".toml"}
 NAMES = {"Makefile"}
-# They quote the phrases, or are not ours.
+# Files that quote the phrases, or that others wrote.
 EXCLUDED = {"scripts/prose.toml", "CONTRIBUTING.md", "LICENSE-THIRD-PARTY"}
 
 _FENCE = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
@@ -110,13 +110,13 @@ def tracked() -> list[str]:
 
 
 def main() -> int:
-    """Prints what is found, and says how much was read."""
+    """Prints every phrase that is found, and their number."""
     files = sys.argv[1:] or tracked()
     known = phrases()
     found = 0
     for file in files:
         path = ROOT / file
-        # A link to a folder is read where the folder stands.
+        # Git tracks a link to a folder as a file; the folder's own files are listed elsewhere.
         if not path.is_file():
             continue
         for line in findings(file, path.read_text(encoding="utf-8"), known):

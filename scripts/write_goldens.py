@@ -1,8 +1,8 @@
-"""Write the goldens again: event counts and hashes of shots, noisy variants, and random games.
+"""Rewrite the goldens: event counts and hashes of shots, noisy variants, and random games.
 
     python scripts/write_goldens.py
 
-It also draws the README's pictures again, because they show results.
+It also redraws the README's pictures, because they show results.
 """
 
 from __future__ import annotations

@@ -28,9 +28,9 @@ under these terms. Where a package offers a choice, the MIT license is chosen. T
 of Rust, Copyright (c) The Rust Project Contributors, is used under the MIT license too.
 """
 RULE = "-" * 80
-# The first of these that a package has: where there is a choice, one license is enough ...
+# The first pattern that matches: where a package offers a choice, one license is enough.
 CHOICE = ("LICENSE-MIT*", "LICENSE*", "COPYING*")
-# ... and this one, which applies in addition.
+# A license that applies in addition to the chosen one.
 ALSO = "LICENSE-UNICODE*"
 COPYRIGHT = re.compile(r"^\s*(Copyright (?:\(c\)|©|\d).*\S)\s*$")
 TITLE = re.compile(r"^\s*(?:The )?MIT License(?: \(MIT\))?\s*$", re.IGNORECASE)
@@ -44,7 +44,7 @@ def cargo(*arguments: str) -> str:
 
 
 def crates() -> dict[str, Path]:
-    """The folder of every linked crate that is not ours, by "name version"."""
+    """The folder of every linked crate of a third party, by "name version"."""
     found: dict[str, Path] = {}
     for crate, target in BUILT:
         tree = cargo(
@@ -77,7 +77,9 @@ def license_of(folder: Path) -> str:
     """
     chosen = next((found for pattern in CHOICE if (found := sorted(folder.glob(pattern)))), None)
     if chosen is None:
-        raise SystemExit(f"carom: {folder} has no license file; find its terms before using it.")
+        raise SystemExit(
+            f"carom: {folder} has no license file; find out its terms before you use it."
+        )
     paths = sorted({chosen[0], *folder.glob(ALSO)})
     return "\n".join(path.read_text(encoding="utf-8").strip() for path in paths)
 

@@ -1,4 +1,4 @@
-"""``carom bench``: the engine's speed on this machine, beside pooltool's where it is installed."""
+"""``carom bench``: the speed of the engine on this machine, and of pooltool if it is installed."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ def run(*, json: bool = False, store: Path | None = None) -> int:
         The exit status of the command.
     """
     if store is not None:
-        # First of all, because measuring takes minutes: a folder that cannot be made fails now.
+        # Before the measurement, which takes minutes: an unusable folder then fails at once.
         store.mkdir(parents=True, exist_ok=True)
-    talk = Console(stderr=True)
-    result = measure(talk)
+    stderr = Console(stderr=True)
+    result = measure(stderr)
     if json:
         emit(js.dumps(result, indent=2, ensure_ascii=False))
     else:
@@ -42,17 +42,17 @@ def run(*, json: bool = False, store: Path | None = None) -> int:
     if store is None and root is not None:
         store = root / "benches" / "results"
     if store is not None:
-        talk.print(f"stored in {report.store(result, store)}", soft_wrap=True)
+        stderr.print(f"stored in {report.store(result, store)}", soft_wrap=True)
     return 0
 
 
-def measure(talk: Console) -> dict[str, Any]:
-    """The results of `carom bench`; progress and remarks go to `talk`."""
+def measure(stderr: Console) -> dict[str, Any]:
+    """The results of `carom bench`; progress and remarks go to `stderr`."""
     classes = states.load()
-    peer = _peer(talk)
+    peer = _peer(stderr)
     result = report.where() | {"peer": peer and f"pooltool {peer.version}", "classes": {}}
     count = timing.ROUNDS * sum(map(len, classes.values()))
-    with Progress(console=talk, transient=True) as progress, timing.one_core():
+    with Progress(console=stderr, transient=True) as progress, timing.one_core():
         task = progress.add_task("shots", total=count)
         for name, members in classes.items():
             times = timing.time_class(members, peer, lambda: progress.advance(task))
@@ -64,11 +64,11 @@ def measure(talk: Console) -> dict[str, Any]:
     return result
 
 
-def _peer(talk: Console) -> Pooltool | None:
+def _peer(stderr: Console) -> Pooltool | None:
     try:
         peer = Pooltool()
     except ImportError as error:
-        talk.print(str(error), soft_wrap=True)
+        stderr.print(str(error), soft_wrap=True)
         return None
-    talk.print(f"pooltool {peer.version} compiles itself first, which takes half a minute")
+    stderr.print(f"pooltool {peer.version} compiles itself first, which takes half a minute")
     return peer

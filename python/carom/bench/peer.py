@@ -1,8 +1,8 @@
-"""pooltool 0.6.0 on the same states, where it is installed.
+"""pooltool 0.6.0 on the same states, if it is installed.
 
 pooltool runs with its own default models, ball, cue and table, which is the table of the states.
-Only its `simulate` is timed: neither the building of a system nor the compilation during its first
-shots counts.
+Only its `simulate` is timed, without the building of a system and without the compilation during
+the first shots.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ if TYPE_CHECKING:
 VERSION = "0.6.0"
 
 HOW_TO_INSTALL = (
-    f"pooltool {VERSION} is not installed here, so there is nothing to compare with: "
-    "`make bench-peer` in a checkout installs it into an environment of its own and compares."
+    f"pooltool {VERSION} is not installed, so only carom is measured; `make bench-peer` in a "
+    "checkout installs it into a separate environment and compares."
 )
 
 
 @contextmanager
-def _home_elsewhere() -> Iterator[None]:
+def _temporary_home() -> Iterator[None]:
     """Sets HOME to a temporary folder, because pooltool writes settings into it on import."""
     home = os.environ.get("HOME")
-    with tempfile.TemporaryDirectory(prefix="carom-bench-") as elsewhere:
-        os.environ["HOME"] = elsewhere
+    with tempfile.TemporaryDirectory(prefix="carom-bench-") as folder:
+        os.environ["HOME"] = folder
         try:
             yield
         finally:
@@ -56,8 +56,11 @@ class Pooltool:
         except PackageNotFoundError as error:
             raise ImportError(HOW_TO_INSTALL) from error
         if found != VERSION:
-            raise ImportError(f"pooltool {found} is installed; the comparison is with {VERSION}.")
-        with _home_elsewhere():
+            raise ImportError(
+                f"pooltool {found} is installed, but the comparison needs {VERSION}; "
+                "`make bench-peer` in a checkout installs it into a separate environment."
+            )
+        with _temporary_home():
             import pooltool
             from pooltool.physics.engine import PhysicsEngine
             from pooltool.physics.resolve.resolver import default_resolver

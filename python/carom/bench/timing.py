@@ -1,7 +1,7 @@
 """Times of shots of carom and of the peer, of threads, of a large batch and of the import.
 
-What runs on one core is measured in processor time, on both sides, because other work on the
-machine disturbs it less. What uses many cores or starts from nothing is measured in wall time.
+Single-core work is measured in processor time, for both engines, because other work on the machine
+disturbs it less. Work on many cores and new processes are measured in wall time.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from carom.bench.peer import Pooltool
     from carom.bench.states import State
 
-#: Rounds. In each of them every state is timed once on both sides, in turns. A median of five is
-#: not changed by two rounds that other work on the machine disturbed.
+#: Number of rounds. Each round times every state once, in both engines. Two rounds that other work
+#: on the machine slowed do not change a median of five.
 ROUNDS = 5
 #: Duration of one timing of carom, s. The fixed cost of a call (arrays, a pool of one thread; about
 #: 0.05 ms) is then about a hundredth of it, and the resolution of the clock is far below that.
@@ -72,7 +72,7 @@ class ClassTimes:
 
 @contextmanager
 def one_core() -> Iterator[None]:
-    """Keeps this process on one core, where the system can do so."""
+    """Keeps this process on one core, if the operating system supports that."""
     if not hasattr(os, "sched_setaffinity"):
         yield
         return
@@ -87,7 +87,7 @@ def one_core() -> Iterator[None]:
 def time_class(
     states: Sequence[State], peer: Pooltool | None, advance: Callable[[], None]
 ) -> ClassTimes:
-    """Times every state of a class on both sides.
+    """Times every state of a class in both engines.
 
     A round times every state once: carom by repeating the shot, then the peer. It ends with carom's
     shots in turn. The peer plays each shot once, so that its round is already one of shots in turn.
@@ -137,7 +137,7 @@ class _Sample:
 def _warm_up(
     shots: list[Shot], states: Sequence[State], peer: Pooltool | None, times: ClassTimes
 ) -> None:
-    """Plays every state once on both sides: compiles the peer, counts events, checks the pots."""
+    """Plays every state once in both engines: compiles the peer, counts events, checks the pots."""
     result = simulate_batch(shots, threads=1)
     if result.errors:
         index, text = next(iter(result.errors.items()))
@@ -156,17 +156,17 @@ def _warm_up(
 
 
 def _check_pot(state: State, pocketed: set[str], engine: str) -> None:
-    """Refuses a pot shot that does not pot: its time would not be that of a pot."""
+    """Rejects a pot shot that misses, because its time would not be that of a pot."""
     if state.pots is not None and pocketed != {state.pots}:
         found = ", ".join(sorted(pocketed)) or "nothing"
         raise RuntimeError(
-            f"{engine} pockets {found} where ball {state.pots} alone must go down; choose another "
+            f"{engine} pockets {found} where ball {state.pots} alone must fall; choose another "
             "state in python/carom/data/bench_states.json.gz"
         )
 
 
 def _repetitions(shot: Shot) -> int:
-    """Repetitions of a shot that fill a `STRETCH`."""
+    """Number of repetitions of a shot that take about `STRETCH`."""
     count = 16
     while count < MOST_REPETITIONS:
         seconds = _untraced(shot, count) * count
@@ -194,10 +194,11 @@ def _traced(shot: Shot, count: int) -> float:
 
 
 def _mixed(shots: list[Shot], seconds: float) -> float:
-    """Mean seconds per shot of a batch in which no shot is like the one before.
+    """Mean seconds per shot of a batch in which each shot differs from the one before.
 
-    A processor learns the branches of a shot that it plays a thousand times, so that the median of
-    repeated shots flatters. `seconds` is about what all shots together take once.
+    The processor's branch prediction adapts to a shot that is repeated a thousand times, so the
+    median of repeated shots is too low for mixed work. `seconds` is roughly the time that all
+    shots together take once.
     """
     many = shots * max(1, round(IN_TURN / seconds))
     start = time.process_time()
