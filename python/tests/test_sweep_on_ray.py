@@ -197,10 +197,12 @@ def test_a_machine_with_another_or_no_carom_is_refused_by_its_name(
     assert [text.split(",")[0] for text in said["refused"]] == [other, other, none, none]
 
 
-def test_a_machine_that_does_not_see_the_folder_is_refused(tmp_path: Path) -> None:
+def test_a_machine_without_access_to_the_folder_is_refused(tmp_path: Path) -> None:
     from carom.sweeps.on_ray import _check_folder
 
-    with pytest.raises(carom.InputError, match=r"does not see .*choose a folder that all machines"):
+    with pytest.raises(
+        carom.InputError, match=r"has no access to .*choose a folder that all machines"
+    ):
         _check_folder(tmp_path / "nowhere" / "sign")
 
 

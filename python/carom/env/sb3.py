@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class SB3VecEnv(VecEnv):  # type: ignore[misc]
-    """A vector of stable-baselines3 made of a Gymnasium vector that resets in the same step.
+    """A Gymnasium vector that resets in the same step, as a vector of stable-baselines3.
 
         envs = gymnasium.make_vec("carom/Potting-v0", num_envs=1024)
         model = stable_baselines3.PPO("MlpPolicy", SB3VecEnv(envs))
@@ -111,12 +111,14 @@ class SB3VecEnv(VecEnv):  # type: ignore[misc]
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
         """Not supported: settings belong to the whole vector and are fixed when it is made."""
-        raise NotImplementedError(f"{attr_name} cannot change; make a new vector with another one")
+        raise NotImplementedError(
+            f"{attr_name}: settings are fixed; make a new vector with another value"
+        )
 
     def env_method(
         self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any
     ) -> list[Any]:
-        """Not supported: there are no single environments that could have methods."""
+        """Not supported: the vector has no single environments with methods of their own."""
         raise NotImplementedError(
             f"{method_name}: the environments step together in Rust; there are no single ones"
         )

@@ -26,7 +26,7 @@ class Rewards:
     """The reward of a shot, from the view of the player who shoots.
 
     Attributes:
-        win: For a frame won; its negative for a frame lost.
+        win: For winning the frame; its negative for losing it.
         pot: For each ball potted by a legal shot, if the shooter was allowed to pot it.
         foul: For a foul.
         point: For each point by which the shot improves the shooter's lead.
@@ -55,7 +55,7 @@ class Settings:
     """The settings as Rust reads them, by attribute; see :func:`settings` for their meaning.
 
     Attributes:
-        noise: Noise of every strike; its zeros mean no noise.
+        noise: Noise of every strike; all zeros mean no noise.
         aim: As given.
         speed: Least and largest speed of the cue, m/s.
         max_elevation: rad.
@@ -99,10 +99,10 @@ def settings(**given: Any) -> Settings:
 
     - ``noise``: Execution noise of every strike, the opponent's too; None means no noise.
     - ``aim``: ``absolute``: the first action is the cue's direction, −1 to 1 for −π to π.
-      ``relative``: it says where the cue ball meets the nearest ball on, from that ball's right
-      edge (−1) to its left edge (1).
+      ``relative``: the first action is the point where the cue ball meets the nearest ball on,
+      from that ball's right edge (−1) to its left edge (1).
     - ``speed``: Least and largest speed of the cue, m/s.
-    - ``max_elevation``: Largest elevation of the cue, rad; the lower half of the action is level.
+    - ``max_elevation``: Largest elevation of the cue, rad; a negative action is a level cue.
     - ``opponent``: The second player: ``none``, ``random`` or ``potter``.
     - ``balls``: Number of object balls that are placed at random at the start, or the least and
       the most. In potting None means 1. In the games None means a rack; otherwise the game begins
@@ -191,6 +191,6 @@ def _whole_pair(name: str, value: int | Sequence[int]) -> tuple[int, int]:
         low = high = value
     except ValueError:
         raise InputError(
-            f"{name}: {value!r} is neither one count nor two; write one whole number or two"
+            f"{name}: {value!r} is not one number or two; write a whole number or (least, most)"
         ) from None
     return whole(name, low, _LARGEST + 1), whole(name, high, _LARGEST + 1)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class CaromEnv(gymnasium.Env[Any, Any]):
-    """A single environment; it equals one of a ``CaromVectorEnv`` to the bit.
+    """A single environment, with the same bits as one environment of a ``CaromVectorEnv``.
 
     ``info`` has ``player`` (who shoots next; −1 at the end of an episode), ``legal`` (whether the
     agent's shot was legal) and ``potted`` (number of balls that it potted and was allowed to pot).

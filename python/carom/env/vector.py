@@ -49,7 +49,7 @@ def floats(name: str, values: Any) -> NDArray[np.float32]:
     try:
         return np.ascontiguousarray(values, dtype=np.float32)
     except (TypeError, ValueError):
-        raise InputError(f"{name}: not an array of numbers; give one") from None
+        raise InputError(f"{name}: not numbers; give an array of numbers") from None
 
 
 def reset_mask(options: Any) -> Any:

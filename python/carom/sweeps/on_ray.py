@@ -110,7 +110,7 @@ def _wake() -> None:
 
 
 def write(player: RowPlayer, parts: Parts, missing: list[int]) -> Generator[Receipt]:
-    """Write parts by Ray's workers; all their machines must see the folder.
+    """Write parts with Ray's workers; all their machines must have access to the folder.
 
     A file is written completely or not at all, and is a function of the sweep and its number. When
     a worker is killed, Ray gives its parts to another one, which writes the same files.
@@ -131,7 +131,7 @@ def write(player: RowPlayer, parts: Parts, missing: list[int]) -> Generator[Rece
             _check_folder(marker)
             receipts = [asdict(_receipt(player, parts, part)) for part in batch["part"].to_pylist()]
         except (InputError, OSError) as error:
-            # As a value: Ray would wrap an exception in two pages of its own text.
+            # Returned as a value: Ray would add two pages of its own text to an exception.
             refused = str(error)
         schema = pa.schema({"receipts": pa.string(), "refused": pa.string()})
         return pa.table({"receipts": [json.dumps(receipts)], "refused": [refused]}, schema=schema)
@@ -155,11 +155,11 @@ def _check_version(wanted: str) -> None:
 
 
 def _check_folder(marker: Path) -> None:
-    """Reject a machine where the run's marker file is missing: its parts would be lost there."""
+    """Reject a machine where the run's marker file is missing: its parts would be lost."""
     if not marker.exists():
         raise InputError(
-            f"{socket.gethostname()} does not see {marker.parent}; "
-            "choose a folder that all machines of the cluster see under this path"
+            f"{socket.gethostname()} has no access to {marker.parent}; "
+            "choose a folder that all machines of the cluster can reach under this path"
         )
 
 
@@ -214,7 +214,7 @@ def _ray() -> Any:
             warnings.simplefilter("ignore")
             import ray
     except ImportError:
-        raise InputError("this needs Ray; install it: pip install 'carom[ray]'") from None
+        raise InputError("ray: Ray is not installed; run pip install 'carom[ray]'") from None
     return ray
 
 

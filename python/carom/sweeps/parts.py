@@ -25,13 +25,14 @@ R = TypeVar("R")
 
 # Rows of a row group: a few tens of megabytes, all that a writer holds in memory.
 GROUP = 131_072
-# Default number of rows of a part, at most and at least: about one second of work, so that a kill
-# loses little, and enough for a file to be worth opening.
+# Largest and least default number of rows of a part. The largest takes about one second of work, so
+# that a killed run loses little. The least keeps the cost of opening a file small.
 MOST_ROWS = 131_072
 LEAST_ROWS = 4096
-# Least number of parts of a small sweep, so that every core gets some.
+# Number of parts of a sweep of medium size, so that every core gets some.
 PARTS = 16
-# Longer specs, such as those of a thousand layouts, are kept in the manifest only, bytes.
+# Longest spec that each part holds, bytes; longer ones, such as those of a thousand layouts, are in
+# the manifest only.
 LONGEST_SPEC = 65_536
 UNFINISHED = ".unfinished"
 # A part's checksum is in a file of its own, in the format that `sha256sum --check` reads.
@@ -104,7 +105,7 @@ class Parts:
             StoppedError: ``go_on`` returned False.
         """
         path = self.path(part)
-        # No other process uses this name, on any machine that sees the folder.
+        # No other process uses this name, on any machine with access to the folder.
         name = f"{path.name}.{socket.gethostname()}-{os.getpid()}-{next(_counter)}{UNFINISHED}"
         unfinished = path.with_name(name)
         note = path.with_name(f"{CHECKSUM[1:]}-{name}")
@@ -114,7 +115,7 @@ class Parts:
                 os.fsync(file.fileno())
             size = unfinished.stat().st_size
             note.write_text(f"{_digest(unfinished)}  {path.name}\n", encoding="ascii")
-            # The checksum first: a part that is there always has one.
+            # The checksum comes first, so that a complete part always has one.
             note.replace(_checksum_path(path))
             unfinished.replace(path)
         finally:
@@ -265,7 +266,7 @@ def metadata(player: RowPlayer, first_row: int, failed: int) -> dict[str, str]:
 
 
 def _encoding(player: RowPlayer) -> dict[str, object]:
-    """The encoding of each column; on mid-game shots a quarter smaller than the default."""
+    """The encoding of each column; a quarter smaller than the default on mid-game shots."""
     draws = (d for d in player.spec.draws if d.kind == "number" and d.distribution != "choice")
     drawn = {draw.name for draw in draws}
     split = {name for name in player.schema.names if name in drawn or _is_measured(name)}

@@ -179,7 +179,7 @@ class RowPlayer:
                 return
             first = first or error
         raise InputError(
-            f"no row can be simulated, of {len(rows)} that were tried; the first row: {first}"
+            f"no row can be simulated ({len(rows)} were tried); the first row: {first}"
         )
 
     def __reduce__(self) -> tuple[type[RowPlayer], tuple[Spec]]:

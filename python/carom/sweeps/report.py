@@ -21,7 +21,7 @@ class Report:
         seconds: Duration of this run, without Ray's start.
         ray_start_seconds: Duration of Ray's start; None without Ray.
         workers: Number of processes that wrote parts.
-        parts_unchecked: Files without a checksum, written by a carom that made none.
+        parts_unchecked: Files without a checksum, which older versions of carom wrote.
     """
 
     folder: str
@@ -47,7 +47,7 @@ class Report:
         if self.parts_unchecked:
             lines.append(
                 f"{self.parts_unchecked:,} parts have no checksum, so they were not checked for "
-                "damage; delete them, and the next run writes them again with one"
+                "damage; delete them, and the next run writes them again with a checksum"
             )
         if self.failed:
             lines.append(f"{self.failed:,} rows could not be simulated; see their column `error`")

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 # The file that describes the folder.
 MANIFEST = "sweep.json"
 FORMAT = "carom-sweep-parts/1"
-# Most files in one folder: ten times as many as a file system lists comfortably. It keeps a typing
+# Most files in one folder, far more than a file system lists quickly. The limit keeps a typing
 # error in a spec from filling the disk.
 MOST_PARTS = 10**6
 # Seconds between two looks at Ctrl-C.
@@ -131,7 +131,7 @@ def _claimed(player: RowPlayer, folder: Path, part_rows: int | None) -> Iterator
         strangers = sorted(folder.glob("*.parquet"))
         if strangers:
             raise InputError(
-                f"{strangers[0]}: it belongs to no sweep ({MANIFEST} is missing); "
+                f"{strangers[0]}: the file belongs to no sweep ({MANIFEST} is missing); "
                 "choose another folder"
             )
         rows = part_rows or default_rows(player.spec.rows)
@@ -194,7 +194,7 @@ def _lock(file: int, folder: Path) -> None:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         raise InputError(
-            f"{folder}: another run writes to it; wait for its end, or choose another folder"
+            f"{folder}: another run writes to it; wait until it ends, or choose another folder"
         ) from None
     except OSError:
         # The file system has no locks, as above.

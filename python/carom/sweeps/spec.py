@@ -365,7 +365,7 @@ def _how(place: str, path: str, name: str, relative: bool, found: dict[str, Any]
         count = _core.read_whole(found["count"], f"{place}.count", 1, _MOST_STEPS)
         return Grid(path, name, "number", relative, steps=(*ends, count))
     if len(found) != 1 or not set(found).isdisjoint(_STEPS):
-        _refuse(place, "found no single way to vary it", f"write one of {_WAYS}")
+        _refuse(place, "not exactly one way to vary it", f"write one of {_WAYS}")
     ((way, value),) = found.items()
     at = f"{place}.{way}"
     if way in ("grid", "choice"):
@@ -446,7 +446,7 @@ def _noise(value: Any) -> Noise:
         x = _core.read_number(sigma, f"noise.{key}")
         new = _OLD_SIGMAS.get(key, key)
         if new != key and new in given:
-            _refuse(f"noise.{key}", f"{new} is given too", f"write {new} only")
+            _refuse(f"noise.{key}", f"{new} gives the same number", f"keep only {new}")
         sigmas[new] = x * RADIANS if key.endswith("_deg") else x
     return Noise(*sigmas.values())
 

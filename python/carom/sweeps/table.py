@@ -31,7 +31,7 @@ class Sweep:
     """A table of shots: parameters and outcomes.
 
     Row i is a function of the spec and of i alone. It has the same bits for any number of threads,
-    on any machine, in parts of any size, and in whatever order the rows are played.
+    on any machine, in parts of any size, and in any order of the rows.
     """
 
     __slots__ = ("_player", "spec")
