@@ -1,4 +1,4 @@
-"""Rust's side of carom: conversions only. Private; the public face is the package around it."""
+"""The extension module in Rust: conversions only. Private; the package ``carom`` is the API."""
 
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn, final
@@ -58,13 +58,14 @@ __all__ = [
 
 __version__: str
 
+# A strike (speed, azimuth, elevation, side, height), the place of the cue ball, and a call.
 _Play = tuple[
     tuple[float, float, float, float, float],
     tuple[float, ...] | None,
     tuple[str, str | None, str | None],
 ]
 
-# Layouts, the index of each row's layout, paths and values, keys of a strike and numbers, noise.
+# Called with the number of the stage, the items done in it, and the number of its items.
 _Report = Callable[[int, int, int], object]
 
 @final

@@ -32,7 +32,7 @@ _MOST_RESULTS = 4 * 10**8
 def whole(name: str, value: Any, end: int = WORD, *, low: int = 0) -> int:
     """A whole number, Python's or NumPy's, from ``low`` up to but not including ``end``."""
     try:
-        # Truth values are integers in Python, but not numbers that a user means.
+        # True and False are integers in Python, but a mistake here.
         found = None if isinstance(value, bool) else operator.index(value)
     except TypeError:
         found = None
@@ -77,7 +77,9 @@ def flat(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """A flat array of finite numbers; a single number gives an array of length 1."""
     found = np.atleast_1d(array(name, values))
     if found.ndim != 1 or not found.size or not np.isfinite(found).all():
-        raise InputError(f"{name}: neither a finite number nor a flat array of such; give one")
+        raise InputError(
+            f"{name}: not finite numbers in one dimension; give a number or a flat array"
+        )
     if found.size > _MOST_NUMBERS:
         raise InputError(f"{name}: {found.size} numbers are too many; give at most {_MOST_NUMBERS}")
     return found
@@ -91,7 +93,9 @@ def text(name: str, value: Any, such_as: str = "") -> str:
     try:
         value.encode()
     except UnicodeEncodeError:
-        raise InputError(f"{name}: a text that is not Unicode; write valid Unicode") from None
+        raise InputError(
+            f"{name}: the text is not valid Unicode; write one without surrogates"
+        ) from None
     return value
 
 
@@ -129,7 +133,7 @@ def check_results(name: str, shots: int, balls: int) -> None:
     if shots > most:
         raise InputError(
             f"{name}: {shots} shots of {balls} balls are too many for one call; "
-            f"give at most {most}, and call several times"
+            f"give at most {most}, in several calls"
         )
 
 

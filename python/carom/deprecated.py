@@ -37,7 +37,7 @@ def renamed_arguments(**renamed: str) -> Callable[[Callable[P, R]], Callable[P, 
     """
 
     def decorate(function: Callable[P, R]) -> Callable[P, R]:
-        # A class is known to its callers by its own name, not by that of ``__init__``.
+        # Callers write the class's name, not ``__init__``.
         name = function.__qualname__.removesuffix(".__init__")
 
         @functools.wraps(function)
@@ -107,9 +107,9 @@ def renamed_keys(
     """A dictionary of options with old keys replaced by new ones.
 
     Args:
-        place: What the dictionary is called in messages.
+        place: Name of the dictionary in messages.
         given: The dictionary.
-        renamed: New keys by old ones. Where both are given, the new one counts.
+        renamed: New keys by old ones. Where both are given, the new one is used.
     """
     found = dict(given)
     for old, new in renamed.items():

@@ -24,7 +24,7 @@ else:
 
 HEADINGS = ("", "time s", "event", "balls", "where", "speed m/s")
 _RIGHT = {0, 1}
-# Hops lower than this, m, are not mentioned: they are invisible on a table.
+# Lower hops, m, are not shown: they are invisible in play.
 SEEN = 1e-3
 
 

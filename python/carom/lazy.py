@@ -1,4 +1,4 @@
-"""Heavy libraries, loaded at their first use, so that ``import carom`` stays quick.
+"""Heavy libraries, loaded at their first use, so that ``import carom`` stays fast.
 
 The rule of the package: a module imports carom's modules and the standard library at its top.
 NumPy and pyarrow come from here, Ray from ``carom.sweeps.on_ray``. Three parts load heavy libraries
@@ -39,7 +39,7 @@ class LazyModule:
                 raise
             raise InputError(self._missing) from None
         value = getattr(module, attribute)
-        # The next read of this attribute finds it here and does not come back.
+        # Kept as an attribute of its own, so that the next read does not call this method.
         setattr(self, attribute, value)
         return value
 

@@ -37,8 +37,8 @@ class Noise:
         speed: Of the cue's speed, m/s.
         azimuth: Of the cue's direction, rad.
         elevation: Of the cue's elevation, rad.
-        side_m: Of the contact point to the side, m. A strike has its offset in ball radii; the
-            error of a hand does not depend on the ball's size, so it is in metres.
+        side_m: Of the contact point to the side, m. It is in metres, not in ball radii as the
+            offsets of a strike, because a player's error does not depend on the ball's size.
         height_m: Of the contact point's height, m.
 
     Raises:
@@ -59,7 +59,7 @@ class Noise:
 
     @classmethod
     def olympiad(cls, multiplier: float = 1.0) -> Self:
-        """The noise of the Computational Olympiad. Its tournaments used 0.5, 1 and 2 times these σ.
+        """The noise of the Computational Olympiad, whose tournaments used 0.5, 1 and 2 times it.
 
         σ: offsets 0.5 mm each, elevation 0.1°, azimuth 0.125°, speed 0.075 m/s (Archibald, Altman
         & Shoham, *Analysis of a winning computational billiards player*, 2009).
@@ -81,7 +81,7 @@ class Noise:
         base, colon, factor = text("noise", name, '"club"').partition(":")
         if base not in presets:
             known = ", ".join(presets)
-            raise InputError(f"noise: there is no preset {base!r}; there are: {known}")
+            raise InputError(f"noise: there is no preset {base!r}; write one of {known}")
         try:
             multiplier = float(factor) if colon else 1.0
         except ValueError:
@@ -117,7 +117,7 @@ class Noise:
 class Perception:
     """Errors of the positions at which a player perceives the balls, which are Gaussian.
 
-    ``Shot.evaluate`` and similar questions take the shot as what the player sees and plans. Every
+    ``Shot.evaluate`` and similar functions take the shot as the player sees and plans it. Every
     variant has the balls at positions where they may truly be: the difference between true and
     perceived positions has the same distribution in both directions.
 
@@ -179,7 +179,7 @@ def vary(
     threads: int | None = None,
     progress: bool = False,
 ) -> NoisyResult:
-    """Simulate ``n`` executions of the shot's strike by a player who errs.
+    """Simulate ``n`` executions of the shot's strike, each with other errors of the player.
 
     Variant ``index`` of a seed is the same for any ``n``, ``first`` and ``threads``, on every
     platform. A cue never points upwards: an elevation drawn below 0 becomes 0.

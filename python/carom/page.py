@@ -22,7 +22,7 @@ TITLE = "<title>carom</title>"
 
 # Height of the viewer in a notebook, CSS pixels: table, timeline and one line of text below them.
 HEIGHT = 560
-# Largest height, CSS pixels: browsers lay out no longer elements.
+# Largest height, CSS pixels: browsers cannot lay out longer elements.
 MOST_HEIGHT = 10**6
 
 

@@ -1,4 +1,4 @@
-"""Games with a referee, who decides whose turn it is, what is a foul, and who wins."""
+"""Games with a referee, which rules on turns, fouls and the winner."""
 
 from __future__ import annotations
 
@@ -71,8 +71,8 @@ class Frame:
         seed: Seed of the racks.
         points: Points that win straight pool and three-cushion.
         miss: Whether a foul and a miss is called in snooker.
-        patience: Number of shots in a row without progress that make a stalemate. It makes sure
-            that every frame ends.
+        patience: Number of shots in a row without progress that make a stalemate. It makes
+            every frame end.
 
     Raises:
         InputError: There is no such game, or table or physics are invalid.
@@ -152,15 +152,20 @@ class Frame:
             record: The value of ``Frame.record``.
 
         Raises:
-            InputError: It is not such a record, or a move is not allowed; the message has its
-                index.
+            InputError: It is not such a record, or a move is not allowed; the message has the
+                move's index.
             EventCapError: As for ``play``.
         """
         if not isinstance(record, Mapping) or record.get("format") != _FORMAT:
-            raise InputError(f'format: not a record of a frame; its format would be "{_FORMAT}"')
+            raise InputError(
+                f'format: not a record of a frame, "{_FORMAT}"; give the value of Frame.record'
+            )
         setup, moves = record.get("setup"), record.get("moves")
         if not isinstance(setup, Mapping) or not isinstance(moves, Sequence):
-            raise InputError("record: setup or moves are missing; write the value of Frame.record")
+            raise InputError(
+                "record: setup or moves is missing or has a wrong type; "
+                "give the value of Frame.record"
+            )
         if "target" in setup:
             # The key of records before the rename; a record is a file, so it is read silently.
             setup = {("points" if key == "target" else key): setup[key] for key in setup}
@@ -171,7 +176,7 @@ class Frame:
             else:
                 frame = cls(**setup)
         except TypeError as error:
-            raise InputError(f"setup: {error}; write the value of Frame.record") from None
+            raise InputError(f"setup: {error}; give the value of Frame.record") from None
         for index, move in enumerate(moves):
             if frame._is_applied(move, moves[index - 1] if index else None):
                 continue
@@ -204,13 +209,15 @@ class Frame:
                         play["call"] = Call(**play["call"])
                     self.play(Strike(**strike), **play)
                 except TypeError as error:
-                    raise InputError(f"play: {error}; write the value of Frame.record") from None
+                    raise InputError(f"play: {error}; give the value of Frame.record") from None
             case {"choice": choice}:
                 self.choose(choice)
             case {"concede": True}:
                 self.concede()
             case _:
-                raise InputError("neither a play nor a choice; write the value of Frame.record")
+                raise InputError(
+                    "not a play, a choice or a concession; give the value of Frame.record"
+                )
 
     @property
     def record(self) -> dict[str, Any]:
@@ -233,7 +240,7 @@ class Frame:
         twin._setup, twin._moves = self._setup, [*self._moves]
         return twin
 
-    # Without these the copy module would share the game between both frames.
+    # Without these methods the copy module would let both frames share one game.
     __copy__ = copy
 
     def __deepcopy__(self, _: dict[int, Any]) -> Frame:

@@ -66,8 +66,8 @@ class Trace:
 
     # No __slots__: cached_property keeps its values in the instance's dict.
     _core: CoreTrace
-    # The shot of a Rust object, and the picture of a trace. Modules that build on this one set
-    # them: carom/shot.py and carom/__init__.py.
+    # Functions for the shot of a Rust object and for the picture of a trace. carom/shot.py and
+    # carom/__init__.py set them, because this module must not import the layers above it.
     _shot_of: ClassVar[Callable[[CoreShot], carom.Shot]]
     _svg_of: ClassVar[Callable[[Trace], str]]
 

@@ -146,12 +146,12 @@ def test_something_else_than_a_number_is_refused_by_name(value: Any) -> None:
 
 
 @pytest.mark.parametrize("name", [5, None, "club:", "club:x"])
-def test_what_is_no_name_of_a_noise_is_refused(name: Any) -> None:
+def test_a_bad_name_of_a_noise_is_refused(name: Any) -> None:
     refused("noise", lambda: Noise.preset(name))
 
 
 @pytest.mark.parametrize("game", [5, None, ["nine-ball"]])
-def test_what_is_no_name_of_a_game_is_refused(game: Any) -> None:
+def test_a_bad_name_of_a_game_is_refused(game: Any) -> None:
     refused("game", lambda: carom.break_shot(game))
     refused("game", lambda: carom.break_statistics(game, 8))
     refused("game", lambda: Frame(game))

@@ -210,7 +210,7 @@ def test_a_record_with_the_old_choice_after_a_scratch_on_the_eight_ball_break_re
     # Before, the frame asked for a choice with the one option "play-from-hand" here.
     frame = carom.Frame("eight-ball", seed=27)
     place = (0.635, 0.6)
-    object_balls = {ball: place for ball, place in frame.balls.items() if ball != "cue"}
+    object_balls = {ball: at for ball, at in frame.balls.items() if ball != "cue"}
     apex = min(object_balls, key=lambda ball: object_balls[ball][1])
     x, y = frame.balls[apex]
     azimuth = math.atan2(y - place[1], x - place[0])

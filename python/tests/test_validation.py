@@ -90,7 +90,7 @@ def test_a_row_with_the_wrong_number_of_numbers_is_an_error() -> None:
         dataclasses.replace(EXAMPLE, compute=lambda: [1.0]).compare()
 
 
-def test_every_promised_row_is_there() -> None:
+def test_every_promised_row_exists() -> None:
     assert {row.id for row in all_rows()} >= PROMISED
 
 
@@ -106,7 +106,7 @@ def test_only_published_numbers_that_the_engine_computes_count_as_published() ->
     assert kinds("LG-4", "LG-5", "LG-6") == {Kind.STORED}
 
 
-def test_the_rail_proofs_count_only_what_the_engine_computes() -> None:
+def test_formulas_that_the_engine_does_not_compute_are_counted_apart() -> None:
     tally = report.declared(["alciatore_tp_rail"])
     must_agree = {kind: count.numbers for (held, kind), count in tally.items() if held}
     assert must_agree == {Kind.FORMULA: 3, Kind.FORMULA_ONLY: 6}

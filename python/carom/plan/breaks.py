@@ -146,7 +146,7 @@ def _named(
     yield "scratch", counts["scratched"]
     yield "a ball off the table", counts["any_off_table"]
     potted = dict(zip(ids, counts["ball_potted"], strict=True))
-    # In the order of the balls' numbers; the rack has them in another.
+    # Sorted by the balls' numbers: the rack's order is another one.
     for ball in sorted(ids[1:], key=lambda ball: (len(ball), ball)):
         yield f"{ball} falls", potted[ball]
     for name, count in zip(pockets, counts["pocket_used"], strict=True):

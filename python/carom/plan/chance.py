@@ -1,4 +1,4 @@
-"""Probabilities that were counted."""
+"""Probabilities estimated by counting."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from carom.arguments import number, whole
 
 @dataclass(frozen=True, slots=True)
 class Chance:
-    """A probability that was counted, with its confidence interval.
+    """A probability estimated by counting, with its confidence interval.
 
     Attributes:
         count: Number of trials in which it happened.

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     import carom
 
-# Most cushions of one ball. Balls stop before; every cushion of a cell takes 80 bytes.
+# Most cushions of one ball. Balls come to rest earlier. Every cushion of a cell takes 80 bytes.
 _MOST_CUSHIONS = 12
 
 
@@ -31,7 +31,8 @@ class CushionTable:
         speed: Of the cue (kicks) or the ball (banks), m/s, shape (n_speeds,).
         side: Contact points right of centre, ball radii, shape (n_sides,); a single 0 for banks.
         contact: The ball's centre at each cushion, m, shape (n_azimuths, n_speeds, n_sides,
-            n_cushions, 2); NaN where the ball stops, falls or meets a jaw before.
+            n_cushions, 2); NaN where the ball stops, falls or meets a jaw
+            earlier.
         rail: The rails' names, strings of shape (n_azimuths, n_speeds, n_sides, n_cushions);
             empty where ``contact`` is NaN.
     """

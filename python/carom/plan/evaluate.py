@@ -1,4 +1,4 @@
-"""The probabilities of a shot whose player errs."""
+"""The probabilities of a shot's results, given the player's errors."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from carom.call import fields_of
 from carom.errors import InputError
 from carom.noise import Noise, Perception, noise_or_default, perception_or_none
 from carom.plan.chance import Chance, chances_to_dict, or_null
-from carom.plan.lookup import ball_and_pocket, core_of, pocket_names
+from carom.plan.lookup import ball_and_pocket, core_of, no_such_pocket, pocket_names
 from carom.plan.options import Sampling
 from carom.progress import stage_bars
 
@@ -93,8 +93,7 @@ class Evaluation:
             InputError: There is no such ball or pocket.
         """
         if text("pocket", pocket, "its name") not in self.pockets:
-            known = ", ".join(self.pockets) or "none on this table"
-            raise InputError(f"pocket: there is no {pocket!r}; there are: {known}")
+            raise no_such_pocket(pocket, self.pockets)
         return self.chance(self.potted[self._ball(ball), self.pockets.index(pocket)])
 
     def leaves_table(self, ball: str) -> Chance:
@@ -187,7 +186,7 @@ class Evaluation:
     def _ball(self, ball: str) -> int:
         ids = self.shot.ids
         if text("ball", ball, "its id") not in ids:
-            raise InputError(f"ball: there is no {ball!r}; there are: {', '.join(ids)}")
+            raise InputError(f"ball: there is no {ball!r}; write one of {', '.join(ids)}")
         return ids.index(ball)
 
 
@@ -206,7 +205,7 @@ def evaluate(
     threads: int | None = None,
     progress: bool = False,
 ) -> Evaluation:
-    """The probabilities of the results when a player intends the shot's strike.
+    """The probability of each result, if a player who errs intends the shot's strike.
 
     The variants are those of ``Shot.vary`` with the same noise, perception and seed.
 
@@ -216,14 +215,14 @@ def evaluate(
         n: Largest number of variants.
         seed: Seed of the random numbers, a whole number from 0 to 2⁶⁴ − 1.
         perception: Errors of the perceived positions. Every variant has a layout of its own
-            around the shot's, as ``Perception.see`` draws it. The tip meets the cue ball where
-            that truly is.
+            around the shot's, as ``Perception.see`` draws it. The tip meets the cue ball at its
+            true position.
         precision: Stop as soon as half the width of the watched interval is at most this; checked
             after every 1024 variants. None plays all ``n``.
         watch: The watched chance: a ball's id, ``(ball, pocket)``, ``"scratch"`` or ``"legal"``;
             None watches all that are counted.
-        frame: The game in which the shot is played. It decides what is legal, and must ask for
-            this shot: ``frame.shot(...)`` gives it.
+        frame: The game in which the shot is played; its rules decide what is legal. The shot must
+            be the one that the frame requests, as ``frame.shot(...)`` returns it.
         call: What the player announces to the frame.
         level: Confidence level of the intervals, in (0, 1).
         threads: Number of threads; None is one per core. The result does not depend on it.
@@ -231,13 +230,13 @@ def evaluate(
 
     Raises:
         InputError: The shot has no strike, a number is out of range, there is no such ball or
-            pocket to watch, or the frame asks for another shot.
+            pocket to watch, or the frame requests another shot.
     """
     sampling = Sampling(noise, perception, seed, n, precision, level)
     watched = None
     if watch is not None:
         if precision is None:
-            raise InputError("watch: it has no effect without a precision; give one too")
+            raise InputError("watch: it has no effect without precision; give precision too")
         watched = ball_and_pocket("watch", watch)
     with stage_bars(["shots"], show=progress) as report:
         found = _core.evaluate(
@@ -260,6 +259,6 @@ def _referee(
     """The frame that rules and the call, in the form that Rust accepts."""
     if frame is None:
         if call is not None:
-            raise InputError("call: there is no game to announce it in; give its frame too")
+            raise InputError("call: a call needs a game; give frame too")
         return None
     return core("frame", frame, _core.Frame, "carom.Frame.of_shot(...)"), fields_of(call)

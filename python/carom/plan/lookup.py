@@ -9,6 +9,8 @@ from carom.arguments import core, text
 from carom.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import carom
 
 
@@ -53,7 +55,7 @@ def ball_index(shot: carom.Shot, ball: str) -> int:
     """
     ids = core_of(shot).ids
     if text("ball", ball, "its id") not in ids:
-        raise InputError(f"ball: there is no {ball!r}; there are: {', '.join(ids)}")
+        raise InputError(f"ball: there is no {ball!r}; write one of {', '.join(ids)}")
     return ids.index(ball)
 
 
@@ -70,6 +72,11 @@ def pocket_index(shot: carom.Shot, pocket: str) -> int:
     """
     names = pocket_names(shot)
     if text("pocket", pocket, "its name") not in names:
-        known = ", ".join(names) or "none on this table"
-        raise InputError(f"pocket: there is no {pocket!r}; there are: {known}")
+        raise no_such_pocket(pocket, names)
     return names.index(pocket)
+
+
+def no_such_pocket(pocket: str, names: Sequence[str]) -> InputError:
+    """The error for an unknown pocket of a table with these pockets."""
+    remedy = f"write one of {', '.join(names)}" if names else "choose a table with pockets"
+    return InputError(f"pocket: there is no {pocket!r}; {remedy}")

@@ -27,7 +27,7 @@ _MOST_COLUMNS = 2048
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PotMap:
-    """The chance of a pot from every place of the cue ball; ``print`` it for a table.
+    """The chance of a pot for each place of the cue ball; ``print`` it for a table.
 
     Attributes:
         shot: The shot whose cue ball is moved.
@@ -65,7 +65,7 @@ class PotMap:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PositionMap:
-    """Where the cue ball ends with every speed and spin; ``print`` it for a table.
+    """Where the cue ball ends for each speed and spin; ``print`` it for a table.
 
     Attributes:
         shot: The shot whose strike is changed.
@@ -115,8 +115,9 @@ class Acceptance:
         angle: Angles to the pocket's axis, rad, shape (n_angles,).
         offset: Offsets of the line from the mouth's centre, m, shape (n_offsets,).
         distance: Distance from the start to the mouth's centre, m.
-        accepted: 1 where the ball falls without going away first, 0 where it does not fall, −1
-            where it has no room at the start; int8 of shape (n_speeds, n_angles, n_offsets).
+        accepted: 1 where the ball falls without leaving the pocket first, 0 where it does not, −1
+            where there is no room for it at the start; int8 of shape (n_speeds, n_angles,
+            n_offsets).
     """
 
     pocket: str
@@ -220,7 +221,7 @@ def position_map(
     threads: int | None = None,
     progress: bool = False,
 ) -> PositionMap:
-    """Where the cue ball ends if a ball is potted with every speed and spin, without noise.
+    """Where the cue ball ends for each speed and spin that pots a ball, without noise.
 
     Args:
         shot: Table, balls and the struck ball.
