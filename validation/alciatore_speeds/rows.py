@@ -60,7 +60,7 @@ def sy1() -> list[float]:
 
 
 def speed_for_lengths(lengths: float) -> float:
-    """Speed (mph) of a stun shot that travels this number of lengths along the middle of a 9-ft table."""
+    """Speed (mph) of a stun shot that travels these lengths along the middle of a 9-ft table."""
 
     def excess(mph: float) -> float:
         run = simulate(

@@ -22,8 +22,8 @@ from carom.sweeps.spec import Spec, load
 if TYPE_CHECKING:
     from carom.sweeps.report import Report
 
-# Most rows that are held in memory at once: at about a hundred bytes a row, ten gigabytes. With more,
-# a typing error in a spec would fill the machine's memory; a folder takes any number of rows.
+# Largest number of rows in memory at once: at about a hundred bytes a row, ten gigabytes. A typing
+# error in a spec would otherwise fill the memory; a folder takes any number of rows.
 MOST_ROWS_IN_MEMORY = 10**8
 
 
