@@ -40,7 +40,7 @@ class Kind(Enum):
         """Whether a number outside its tolerance is a failure.
 
         No model meets all measurements, and a number whose rule is unknown cannot be reproduced:
-        these are shown, and the page says which of them the default parameters miss.
+        these are shown, and the page lists those that the default parameters miss.
         """
         return self not in {Kind.MEASURED, Kind.FITTED, Kind.UNKNOWN_RULE}
 
