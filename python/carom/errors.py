@@ -18,7 +18,7 @@ class InputError(CaromError, ValueError):
 
 
 class PageError(CaromError):
-    """The page that ``carom play`` opens has not been built. The message gives the command that builds it."""
+    """The page that ``carom play`` opens has not been built; the message gives the remedy."""
 
 
 class EventCapError(CaromError):
