@@ -27,7 +27,7 @@ PAGE_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules 
 PYTEST := $(PY) -m pytest
 # The newest Rust whose lints were looked at. A newer clippy may have more: they are shown, but do not fail.
 LINTED_RUST := 1.99
-DENY := $(shell printf '%s\n' "$$(env -u MAKEFLAGS rustc --version 2>/dev/null | cut -d ' ' -f 2)" $(LINTED_RUST).999 | \
+DENY := $(shell printf '%s\n' "$$(env -u MAKEFLAGS -u MFLAGS rustc --version 2>/dev/null | cut -d ' ' -f 2)" $(LINTED_RUST).999 | \
                 sort -V -C && echo -D warnings)
 DEBUG_TESTS := --workspace --exclude carom-py
 RELEASE_TESTS := --release -p carom -p carom-check -p carom-rules \

@@ -11,7 +11,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 # make passes a job server that these checks do not use; rustc would warn of it.
-unset MAKEFLAGS
+unset MAKEFLAGS MFLAGS
 
 wasm=wasm32-unknown-unknown
 missing=()
