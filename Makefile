@@ -24,10 +24,12 @@ PAGE_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules 
                   \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \) \
                   -not -path 'web/src/engine/pkg/*') \
                 Cargo.toml Cargo.lock scripts/wasm.sh scripts/wasm_bindgen/Cargo.toml scripts/wasm_bindgen/src/main.rs web/index.html web/vite.config.ts LICENSE-THIRD-PARTY
+# pip and npm do not pass make's job server on; cargo and rustc below them would warn of it.
+ALONE := env -u MAKEFLAGS -u MFLAGS
 PYTEST := $(PY) -m pytest
 # The newest Rust whose lints were looked at. A newer clippy may have more: they are shown, but do not fail.
 LINTED_RUST := 1.99
-DENY := $(shell printf '%s\n' "$$(env -u MAKEFLAGS -u MFLAGS rustc --version 2>/dev/null | cut -d ' ' -f 2)" $(LINTED_RUST).999 | \
+DENY := $(shell printf '%s\n' "$$($(ALONE) rustc --version 2>/dev/null | cut -d ' ' -f 2)" $(LINTED_RUST).999 | \
                 sort -V -C && echo -D warnings)
 DEBUG_TESTS := --workspace --exclude carom-py
 RELEASE_TESTS := --release -p carom -p carom-check -p carom-rules \
@@ -148,7 +150,7 @@ $(TOOLS): pyproject.toml scripts/prerequisites.sh
 $(BUILT): $(TOOLS) $(RUST_SOURCES) pyproject.toml
 	@bash scripts/prerequisites.sh engine
 	@echo "Building carom (the first time takes a minute or two) ..." >&2
-	+@$(PY) -m pip install --quiet --no-build-isolation --editable .
+	@$(ALONE) $(PY) -m pip install --quiet --no-build-isolation --editable .
 	@touch $@
 
 $(MODULES): web/package.json web/package-lock.json
@@ -159,6 +161,6 @@ $(MODULES): web/package.json web/package-lock.json
 $(PAGE): $(MODULES) $(PAGE_SOURCES)
 	@bash scripts/prerequisites.sh page
 	@echo "Building the page (the first time takes some minutes) ..." >&2
-	+@cd web && npm run --silent build -- --logLevel warn
+	@cd web && $(ALONE) npm run --silent build -- --logLevel warn
 	@mkdir -p $(@D)
 	@cp web/dist/index.html $@
