@@ -13,12 +13,20 @@
 //!     r#"{
 //!         "format": "carom-shot/1",
 //!         "table": "wpa-9ft",
-//!   "balls": [{"id": "cue", "position": [0.45, 0.75]}, {"id": "8", "position": [0.80, 1.45]}],
-//!   "strike": {"ball": "cue", "speed": 1.84, "azimuth_deg": 62.92, "side": 0.07, "height": -0.23}
-//!   }"#, )?; let trace = shot.simulate()?; let [(ball, pocket)] = trace.outcome().pocketed[..]
-//!   else { panic!("one ball falls") }; assert_eq!((shot.balls()[usize::from(ball)].id.as_str(),
-//!   pocket.name()), ("8", "top-right")); let quarter = trace.at(0.25)?; // every ball's exact
-//!   state after 0.25 s assert!(quarter[0].velocity.length() < 1.84 * 1.5);
+//!         "balls": [
+//!             {"id": "cue", "position": [0.45, 0.75]},
+//!             {"id": "8", "position": [0.80, 1.45]}
+//!         ],
+//!         "strike": {
+//!             "ball": "cue", "speed": 1.84, "azimuth_deg": 62.92, "side": 0.07, "height": -0.23
+//!         }
+//!     }"#,
+//! )?;
+//! let trace = shot.simulate()?;
+//! let [(ball, pocket)] = trace.outcome().pocketed[..] else { panic!("one ball falls") };
+//! assert_eq!((shot.balls()[usize::from(ball)].id.as_str(), pocket.name()), ("8", "top-right"));
+//! let quarter = trace.at(0.25)?; // every ball's exact state after 0.25 s
+//! assert!(quarter[0].velocity.length() < 1.84 * 1.5);
 //! # Ok(())
 //! # }
 //! ```
