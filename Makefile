@@ -31,7 +31,9 @@ PYTEST := $(PY) -m pytest
 LINTED_RUST := 1.99
 DENY := $(shell printf '%s\n' "$$($(ALONE) rustc --version 2>/dev/null | cut -d ' ' -f 2)" $(LINTED_RUST).999 | \
                 sort -V -C && echo -D warnings)
-DEBUG_TESTS := --workspace --exclude carom-py
+# Clippy checks the examples and benchmarks; they are not built here.
+DEBUG_TESTS := --workspace --exclude carom-py --lib --bins --tests
+DOC_TESTS := --workspace --exclude carom-py --doc
 RELEASE_TESTS := --release -p carom -p carom-check -p carom-rules \
                  --test simulate --test whole_shots --test random_play
 # maturin is found on the path.
@@ -75,6 +77,7 @@ lint: $(BUILT) $(MODULES) ## Formatting, lints, types and plain English.
 rust-test: ## The Rust tests in debug; whole shots, 100 000 of them random, in release too.
 	@bash scripts/prerequisites.sh rust
 	cargo test --quiet $(DEBUG_TESTS)
+	cargo test --quiet $(DOC_TESTS)
 	cargo test --quiet $(RELEASE_TESTS)
 
 web-test: $(BUILT) $(PAGE) ## The page's tests, in Node and in Chromium.
