@@ -49,6 +49,13 @@ pub trait Recorder {
     fn record(&mut self, event: &Event<'_>);
 }
 
+impl<R: Recorder + ?Sized> Recorder for &mut R {
+    #[inline(always)]
+    fn record(&mut self, event: &Event<'_>) {
+        (**self).record(event);
+    }
+}
+
 /// Ignores every event.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NullRecorder;

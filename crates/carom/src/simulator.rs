@@ -80,7 +80,7 @@ impl Simulator {
         self.in_many = shot.balls().len() > SMALL_CAPACITY;
         let played = if self.in_many {
             let many = self.many.get_or_insert_with(|| Box::new(Simulation::new()));
-            many.play_strike(shot, strike, recorder)
+            play_many(many, shot, strike, recorder)
         } else {
             self.few.play_strike(shot, strike, recorder)
         };
@@ -131,6 +131,17 @@ impl Simulator {
     pub fn states(&self, time: f64) -> impl ExactSizeIterator<Item = BallState> + '_ {
         (0..self.len()).map(move |i| self.state(i, time))
     }
+}
+
+/// Plays a shot with many balls. All recorders share this one event loop, called through a pointer:
+/// a second loop for each type of recorder doubles the time to compile and the size of programs.
+fn play_many(
+    simulation: &mut Simulation<MAX_BALLS>,
+    shot: &Shot,
+    strike: Option<(usize, Strike)>,
+    mut recorder: &mut dyn Recorder,
+) -> Result<Summary, SimulationError> {
+    simulation.play_strike(shot, strike, &mut recorder)
 }
 
 impl Shot {
