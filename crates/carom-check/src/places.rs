@@ -3,9 +3,9 @@
 use carom::event::{Event, EventKind};
 use carom::math::Vec2;
 use carom::shot::Shot;
-use carom::table::Capture;
 use carom::{BallState, MotionState};
 
+use crate::motion_states::SMOOTH;
 use crate::solid::Solid;
 use crate::table_contact::{self, TableContact};
 
@@ -16,10 +16,6 @@ pub const TABLE_GAP: f64 = 1e-12;
 
 /// Rounding error of speeds up to 100 m/s, m/s: below it, bodies neither approach nor separate.
 const NO_SPEED: f64 = 1e-12;
-
-/// Largest allowed jump of a velocity where a motion state ends, m/s per m/s: rounding, and the
-/// slip below which the engine lets a ball roll.
-const SMOOTH: f64 = 1e-11;
 
 /// A ball slower than this, m/s, may stop at a lip on any cloth.
 const HANGS_BELOW: f64 = 1e-3;
@@ -74,7 +70,7 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
         EventKind::BallCollision => check.balls_approach(),
         EventKind::RailCollision(k) => {
             let (c, radius) = (event.before[0].position, check.radius(0));
-            let touched = table_contact::rail(shot.table(), solid, usize::from(k), c, radius);
+            let touched = table_contact::rail(solid, usize::from(k), c, radius);
             touched.map_or(Some(format!("there is no part {k}")), |t| check.touches_part(t))
         }
         EventKind::SlateCollision => check.touches_part(table_contact::slate(
@@ -129,7 +125,7 @@ impl EventCheck<'_> {
 
     /// A pocketed ball must be unable to come back.
     fn is_pocketed(&self, k: usize) -> Option<String> {
-        let Some(pocket) = self.shot.table().pockets.get(k) else {
+        let Some(pocket) = self.solid.plan.pockets.get(k) else {
             return Some(format!("there is no pocket {k}"));
         };
         let (s, radius, ball) = (self.event.before[0], self.radius(0), self.event.balls[0]);
@@ -138,8 +134,8 @@ impl EventCheck<'_> {
         if after.motion != MotionState::Pocketed {
             return Some(format!("ball {ball} is {} when pocketed", after.motion.name()));
         }
-        if let Capture::MouthLine { start, .. } = pocket.capture {
-            let beyond = (s.position.xy() - start).dot(pocket.axis);
+        if self.solid.plan.has_mouth_lines {
+            let beyond = (s.position.xy() - pocket.mouth[0]).dot(pocket.axis);
             return (beyond.abs() > TABLE_GAP || z > self.solid.height + radius + TABLE_GAP)
                 .then(|| format!("ball {ball} is pocketed {beyond:e} m behind the mouth"));
         }

@@ -46,7 +46,7 @@ fn report_depths(
 ) {
     let radius = |i: usize| shot.balls()[i].ball.radius;
     for (i, state) in states.iter().enumerate().filter(|(_, s)| s.motion.in_play()) {
-        let c = shot.table().to_engine_frame(state).position;
+        let c = state.position - solid.plan.center().with_z(0.0);
         let (depth, name) = solid.depth(c, radius(i));
         report(depth, format!("ball {i} and {name}"));
         let beyond = (c.x.abs() - solid.border.x).max(c.y.abs() - solid.border.y);

@@ -1,6 +1,5 @@
 //! The solid parts of a table, as a set of pieces with closed-form distances from a point. They are
-//! built here from the table's noses, points, facings and pockets, independently of the engine's
-//! detection.
+//! built from the judge's own plan of the edges ([`crate::table`]).
 //!
 //! * **Bed**: everything at or below z = 0, except the holes.
 //! * **Plates**: cushion and rail have a flat top at the height of the nose. The rubber is
@@ -14,7 +13,8 @@
 
 use carom::Table;
 use carom::math::{Vec2, Vec3};
-use carom::table::{Capture, CushionPart, Part as Edge, Pocket, Shape};
+
+use crate::table::{EdgeLine, Hole, RailPlan, TablePlan};
 
 /// One piece of a table.
 #[derive(Clone, Debug)]
@@ -187,6 +187,8 @@ impl NamedPiece {
 /// All solid parts of a table.
 #[derive(Clone, Debug)]
 pub(crate) struct Solid {
+    /// The edges from which it is built.
+    pub(crate) plan: TablePlan,
     /// The bed.
     pub(crate) bed: NamedPiece,
     /// The rails and liners, none of which reaches over the playing area.
@@ -204,74 +206,50 @@ pub(crate) struct Solid {
 /// Plates extend to this many times the rails' width.
 const BEYOND: f64 = 4.0;
 
-/// Points closer than this are the same up to rounding, m.
-const SAME_PLACE: f64 = 1e-9;
+/// The rails and liners of a [`Solid`] under construction.
+struct SolidRails {
+    height: f64,
+    pieces: Vec<NamedPiece>,
+}
 
-impl Solid {
-    pub(crate) fn of(table: &Table) -> Self {
-        let half = table.size * 0.5;
-        let rail_width = table.description.as_ref().map_or(f64::INFINITY, |d| d.rail_width);
-        let height = table.cushion_height;
-        let pockets = || table.pockets.iter().filter(|p| p.capture == Capture::DropCircle);
-        let holes: Vec<_> = pockets().map(|p| (p.center, p.radius)).collect();
-        let bed = NamedPiece::new(SolidPiece::Bed { holes: holes.clone() }, "the slate".into());
-        let border = half + Vec2::new(rail_width, rail_width);
-        let mut solid = Self { bed, rails: Vec::new(), half, border, height, holes };
-        let reach = half + Vec2::new(rail_width, rail_width) * BEYOND;
-        let edges =
-            |part: &CushionPart| matches!(part.part, Edge::Nose | Edge::Point | Edge::Facing);
-        let edges: Vec<CushionPart> = table.cushions.iter().copied().filter(edges).collect();
-        for rail in edges.chunk_by(|a, b| a.rail == b.rail) {
-            solid.add_rail(rail, reach);
-        }
-        let jaws: Vec<RailEnd> = edges.chunk_by(|a, b| a.rail == b.rail).flat_map(jaws).collect();
-        for pocket in pockets() {
-            solid.add_liner(pocket, &jaws, BEYOND * rail_width);
-        }
-        solid
-    }
-
+impl SolidRails {
     /// Adds the plate behind a rail's edges, and the slices of its points.
-    fn add_rail(&mut self, parts: &[CushionPart], reach: Vec2) {
-        let (height, name) = (self.height, parts[0].rail.name());
+    fn add_rail(&mut self, rail: &RailPlan, reach: Vec2) {
+        let (height, name) = (self.height, rail.name);
         let mut plate = vec![
             Vec2::new(-reach.x, -reach.y),
             Vec2::new(reach.x, -reach.y),
             Vec2::new(reach.x, reach.y),
             Vec2::new(-reach.x, reach.y),
         ];
-        for part in parts {
-            match part.shape {
-                Shape::Segment { start, normal, .. } => cut(&mut plate, start, normal),
-                Shape::Arc { center, radius, start, end } => {
+        for (_, line) in &rail.edges {
+            match *line {
+                EdgeLine::Straight { start, normal, .. } => cut(&mut plate, start, normal),
+                EdgeLine::Round { center, radius, from, to } => {
                     // The plate ends at the chord.
                     if radius > 0.0 {
-                        cut(&mut plate, center + start * radius, start + end);
+                        cut(&mut plate, center + from * radius, from + to);
                     }
-                    let (from, to) =
-                        if start.cross(end) >= 0.0 { (start, end) } else { (end, start) };
+                    let (from, to) = if from.cross(to) >= 0.0 { (from, to) } else { (to, from) };
                     let slice = SolidPiece::Slice { center, radius, from, to, height };
-                    self.rails.push(NamedPiece::new(slice, format!("a point of the {name} rail")));
+                    self.pieces.push(NamedPiece::new(slice, format!("a point of the {name} rail")));
                 }
-                #[allow(unreachable_patterns)]
-                _ => {}
+                EdgeLine::Wall { .. } | EdgeLine::Flat => {}
             }
         }
-        for jaw in jaws(parts) {
-            cut(&mut plate, jaw.deep, jaw.normal);
+        for end in &rail.ends {
+            cut(&mut plate, end.deep, end.normal);
         }
         let plate = SolidPiece::Plate { corners: plate, height };
-        self.rails.push(NamedPiece::new(plate, format!("the {name} rail")));
+        self.pieces.push(NamedPiece::new(plate, format!("the {name} rail")));
     }
 
-    /// Adds the liner of a pocket, between the extended lines of its two jaws.
-    fn add_liner(&mut self, pocket: &Pocket, jaws: &[RailEnd], far: f64) {
-        let (center, radius, height) = (pocket.center, pocket.radius, self.height);
-        let name = pocket.name.name();
+    /// Adds the liner of pocket `k`, between the extended lines of its two jaws.
+    fn add_liner(&mut self, k: usize, pocket: &Hole, rails: &[RailPlan], far: f64) {
+        let Hole { name, center, radius, axis, .. } = *pocket;
+        let height = self.height;
         let mut ends: Vec<Vec2> = Vec::new();
-        let near =
-            |jaw: &&RailEnd| pocket.throat.iter().any(|t| (*t - jaw.deep).length() < SAME_PLACE);
-        for jaw in jaws.iter().filter(near) {
+        for jaw in rails.iter().flat_map(|rail| &rail.ends).filter(|jaw| jaw.pocket == k) {
             let Some(end) = jaw.leaves(center, radius) else { continue };
             let out = (end - center) * (1.0 / radius);
             ends.push(out);
@@ -281,19 +259,39 @@ impl Solid {
                 let turn = (a - end).cross(b - end);
                 let corners = if turn > 0.0 { vec![end, a, b] } else { vec![end, b, a] };
                 let wedge = SolidPiece::Plate { corners, height };
-                self.rails
+                self.pieces
                     .push(NamedPiece::new(wedge, format!("the top behind the {name} pocket")));
             }
         }
         let [a, b] = ends[..] else { return };
-        let (a, b) = if a.cross(pocket.axis) >= 0.0 { (a, b) } else { (b, a) };
+        let (a, b) = if a.cross(axis) >= 0.0 { (a, b) } else { (b, a) };
         let between = |a: Vec2, b: Vec2| (a + b) * (1.0 / (a + b).length());
-        let axis = pocket.axis;
         let turns = [a, between(a, axis), axis, between(axis, b), b];
         for (&from, &to) in turns.iter().zip(&turns[1..]) {
             let liner = SolidPiece::Liner { center, radius, from, to, height };
-            self.rails.push(NamedPiece::new(liner, format!("the liner of the {name} pocket")));
+            self.pieces.push(NamedPiece::new(liner, format!("the liner of the {name} pocket")));
         }
+    }
+}
+
+impl Solid {
+    pub(crate) fn of(table: &Table) -> Self {
+        let plan = TablePlan::of(table);
+        let TablePlan { half, rail_width, height, .. } = plan;
+        // A ball is captured at a mouth line, before it comes to a hole.
+        let pockets: &[Hole] = if plan.has_mouth_lines { &[] } else { &plan.pockets };
+        let holes: Vec<_> = pockets.iter().map(|p| (p.center, p.radius)).collect();
+        let bed = NamedPiece::new(SolidPiece::Bed { holes: holes.clone() }, "the slate".into());
+        let border = half + Vec2::new(rail_width, rail_width);
+        let mut rails = SolidRails { height, pieces: Vec::new() };
+        let reach = half + Vec2::new(rail_width, rail_width) * BEYOND;
+        for rail in &plan.rails {
+            rails.add_rail(rail, reach);
+        }
+        for (k, pocket) in pockets.iter().enumerate() {
+            rails.add_liner(k, pocket, &plan.rails, BEYOND * rail_width);
+        }
+        Self { bed, rails: rails.pieces, half, border, height, holes, plan }
     }
 
     /// The largest overlap of the table and a ball of radius `radius` (m) with its centre at `c`,
@@ -322,45 +320,6 @@ impl Solid {
         let c = p.with_z(self.height);
         self.rails.iter().map(|part| part.piece.distance(c).value).fold(f64::INFINITY, f64::min)
     }
-}
-
-/// The end of a rail at a pocket: the line of its facing, or of the tangent to a point that takes
-/// the place of a facing.
-struct RailEnd {
-    /// Deep end, m.
-    deep: Vec2,
-    /// Unit vector away from the table along the line.
-    along: Vec2,
-    /// Unit vector into the pocket.
-    normal: Vec2,
-}
-
-impl RailEnd {
-    /// The point where the line leaves the circle, if it meets it.
-    fn leaves(&self, center: Vec2, radius: f64) -> Option<Vec2> {
-        let d = self.deep - center;
-        let b = d.dot(self.along);
-        let square = b * b - d.dot(d) + radius * radius;
-        (square >= 0.0).then(|| self.deep + self.along * (square.sqrt() - b))
-    }
-}
-
-/// The jaws at the two ends of a rail; none in a plain rectangle.
-fn jaws(parts: &[CushionPart]) -> Vec<RailEnd> {
-    let at = |part: &CushionPart| match part.shape {
-        Shape::Segment { .. } if part.part == Edge::Nose => None,
-        Shape::Segment { start, end, normal } => {
-            let along = end - start;
-            Some(RailEnd { deep: end, along: along * (1.0 / along.length()), normal })
-        }
-        Shape::Arc { center, radius, start, end } => {
-            let turn = if start.cross(end) >= 0.0 { 1.0 } else { -1.0 };
-            Some(RailEnd { deep: center + end * radius, along: end.perp() * turn, normal: end })
-        }
-        #[allow(unreachable_patterns)]
-        _ => None,
-    };
-    [parts.first(), parts.last()].into_iter().flatten().filter_map(at).collect()
 }
 
 /// Cuts off the part of a convex polygon in front of the line through `place` with the normal

@@ -1,10 +1,9 @@
 //! The distance and direction from a ball to the part of the table that it touches in an event.
 
-use carom::Table;
 use carom::math::{Vec2, Vec3};
-use carom::table::{Part, Shape};
 
 use crate::solid::{Solid, SolidPiece};
+use crate::table::EdgeLine;
 
 /// The contact of a ball with a part of the table.
 #[derive(Clone, Copy, Debug)]
@@ -19,23 +18,17 @@ pub(crate) struct TableContact {
 /// tangentially.
 const JOIN: f64 = 1e-6;
 
-/// A ball of radius `radius` (m) with its centre at `c`, and part `k` of `Table::cushions`.
-pub(crate) fn rail(
-    table: &Table,
-    solid: &Solid,
-    k: usize,
-    c: Vec3,
-    radius: f64,
-) -> Option<TableContact> {
-    let part = table.cushions.get(k)?;
-    let rise = c.z - table.cushion_height;
-    if part.part == Part::Top {
-        let over = solid.beside_tops(c.xy());
-        let gap = if over > 0.0 { over } else { rise - radius };
-        return Some(TableContact { gap, away: Vec3::new(0.0, 0.0, 1.0) });
-    }
-    match part.shape {
-        Shape::Segment { start, end, normal } => {
+/// A ball of radius `radius` (m) with its centre at `c`, and part `k` of the table.
+pub(crate) fn rail(solid: &Solid, k: usize, c: Vec3, radius: f64) -> Option<TableContact> {
+    let (_, _, line) = solid.plan.parts.get(k)?;
+    let rise = c.z - solid.height;
+    match *line {
+        EdgeLine::Flat => {
+            let over = solid.beside_tops(c.xy());
+            let gap = if over > 0.0 { over } else { rise - radius };
+            Some(TableContact { gap, away: Vec3::new(0.0, 0.0, 1.0) })
+        }
+        EdgeLine::Straight { start, end, normal } => {
             let (from_start, along) = (c.xy() - start, end - start);
             let length = along.length();
             let s = from_start.dot(along) / length;
@@ -43,14 +36,13 @@ pub(crate) fn rail(
             let edge = edge(from_start.dot(normal), normal, rise, radius);
             Some(if beside > JOIN { TableContact { gap: beside, ..edge } } else { edge })
         }
-        Shape::Arc { center, radius: bend, .. } => {
+        EdgeLine::Round { center, radius: bend, .. } => {
             let d = c.xy() - center;
             let length = d.length();
             let out = if length > 0.0 { d * (1.0 / length) } else { Vec2::ZERO };
             Some(edge(length - bend, out, rise, radius))
         }
-        #[allow(unreachable_patterns)]
-        _ => liner(solid, c, radius),
+        EdgeLine::Wall { .. } => liner(solid, c, radius),
     }
 }
 

@@ -7,6 +7,10 @@ use crate::CheckRecorder;
 /// Number of faulty shots whose files are kept.
 const EXAMPLES: usize = 5;
 
+/// Fraction of the fastest approach up to which touching balls may approach after a collision of
+/// more than two balls; the engine's steps conserve the energy to about a tenth of it.
+pub const LEFT_APPROACHING: f64 = 1e-3;
+
 /// The result of checking many shots.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
@@ -24,6 +28,11 @@ pub struct Tally {
     pub deepest: f64,
     /// Largest |gap| at a contact of two balls, m.
     pub widest: f64,
+    /// Shots in which a collision of more than two balls has left two touching balls approaching
+    /// faster than [`LEFT_APPROACHING`] times the fastest approach before it.
+    pub unfinished: u64,
+    /// The largest such fraction, and the seed.
+    pub worst_unfinished: (f64, u64),
     /// Some faulty shots: the seed, and the faults with the shot file.
     pub examples: Vec<(u64, String)>,
 }
@@ -40,6 +49,8 @@ impl Tally {
             longest: (checker.events, seed),
             deepest: checker.deepest.max(0.0),
             widest: checker.gaps.iter().fold(0.0, |w: f64, g| w.max(g.abs())),
+            unfinished: u64::from(checker.left_approaching > LEFT_APPROACHING),
+            worst_unfinished: (checker.left_approaching, seed),
             examples: if faults.is_empty() {
                 Vec::new()
             } else {
@@ -63,6 +74,10 @@ impl Tally {
         self.longest = self.longest.max(other.longest);
         self.deepest = self.deepest.max(other.deepest);
         self.widest = self.widest.max(other.widest);
+        self.unfinished += other.unfinished;
+        if other.worst_unfinished.0 > self.worst_unfinished.0 {
+            self.worst_unfinished = other.worst_unfinished;
+        }
         self.examples.extend(other.examples);
         self.examples.truncate(EXAMPLES);
         self
@@ -74,7 +89,8 @@ impl fmt::Display for Tally {
         write!(
             f,
             "{} shots ({} layouts refused), {} events, at most {} (seed {}); no overlap deeper \
-             than {:.1e} m, widest contact gap {:.1e} m; {} faulty",
+             than {:.1e} m, widest contact gap {:.1e} m; {} with balls that still approach \
+             after a network, at up to {:.1e} of the fastest (seed {}); {} faulty",
             self.shots,
             self.refused,
             self.events,
@@ -82,6 +98,9 @@ impl fmt::Display for Tally {
             self.longest.1,
             self.deepest,
             self.widest,
+            self.unfinished,
+            self.worst_unfinished.0,
+            self.worst_unfinished.1,
             self.faulty
         )
     }

@@ -13,7 +13,7 @@ use carom::physics::BallBallModel;
 use carom::shot::Shot;
 use carom::{Ball, MotionState};
 
-use super::{ROUNDING, SPIN_SHARE, STILL, last_hop_speed};
+use super::{ROUNDING, SPIN_SHARE, STILL, last_hop_speed, network};
 use crate::places::ground;
 use crate::solid::Solid;
 
@@ -23,6 +23,7 @@ pub(super) fn audit(
     solid: &Solid,
     event: &Event<'_>,
     balls: &[Ball],
+    gap: f64,
 ) -> Option<String> {
     let all: Vec<CollidingBall> =
         (0..balls.len()).map(|k| CollidingBall::new(shot, solid, event, balls, k)).collect();
@@ -46,7 +47,7 @@ pub(super) fn audit(
             let [Err(first), Err(second)] = cases else { return None };
             Some(if first.0 < second.0 { first.1 } else { second.1 })
         }
-        _ => None,
+        _ => network::audit(shot, solid, event, balls, gap),
     })
 }
 

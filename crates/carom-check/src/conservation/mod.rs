@@ -1,11 +1,17 @@
 //! Checks of conservation at every event: energy, momentum, angular momentum, and finite states.
 
 mod balls;
+mod impulses;
+mod linear;
+mod network;
+mod rail_on_bed;
 mod table;
 
 use carom::event::{Event, EventKind};
 use carom::shot::Shot;
 use carom::{Ball, BallState, MotionState};
+
+pub(crate) use network::still_approaching;
 
 use crate::places::{self, TABLE_GAP};
 use crate::solid::Solid;
@@ -35,8 +41,9 @@ fn last_hop_speed(shot: &Shot) -> f64 {
     (2.0 * shot.physics().gravity * LAST_HOP).sqrt() * (1.0 + ROUNDING)
 }
 
-/// The violation of a conservation law in an event, if there is one.
-pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<String> {
+/// The violation of a conservation law in an event, if there is one. Balls less than `gap` apart, m,
+/// touch.
+pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>, gap: f64) -> Option<String> {
     let balls: Vec<Ball> = event.balls.iter().map(|&i| shot.balls()[usize::from(i)].ball).collect();
     for (k, s) in event.after.iter().enumerate() {
         if !(s.position.is_finite() && s.velocity.is_finite() && s.angular_velocity.is_finite()) {
@@ -69,7 +76,7 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
         return Some(format!("{:?} raises the energy by {given:e} J", event.kind));
     }
     match event.kind {
-        EventKind::BallCollision => balls::audit(shot, solid, event, &balls),
+        EventKind::BallCollision => balls::audit(shot, solid, event, &balls, gap),
         EventKind::RailCollision(k) => table::rail(shot, solid, event, &balls[0], usize::from(k)),
         EventKind::SlateCollision => table::slate(shot, solid, event, &balls[0]),
         _ => None,

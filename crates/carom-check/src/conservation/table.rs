@@ -1,16 +1,15 @@
 //! Checks of the impulse of the table on a flying ball. It acts at the touched point, pushes the
-//! ball away, and its friction is at most μ times its normal part. Impulses of a rail on a ball on
-//! the cloth are not checked.
+//! ball away, and its friction is at most μ times its normal part.
 
 use carom::event::Event;
 use carom::math::Vec3;
 use carom::shot::Shot;
-use carom::table::Part;
 use carom::{Ball, MotionState};
 
-use super::{ROUNDING, STILL};
+use super::{ROUNDING, STILL, rail_on_bed};
 use crate::places::TABLE_GAP;
 use crate::solid::Solid;
+use crate::table::EdgeKind;
 use crate::table_contact;
 
 /// Largest normal speed of a ball that tips over an edge or runs along a round one: m/s, and m/s
@@ -23,7 +22,7 @@ const TIPPING: [f64; 2] = [0.08, 0.06];
 /// wall is where a vertical one would be, but also pushes a ball down.
 const LEAN: f64 = std::f64::consts::PI / 12.0;
 
-/// Checks the contact of a flying ball with a rail.
+/// Checks the contact of a ball with a rail.
 pub(super) fn rail(
     shot: &Shot,
     solid: &Solid,
@@ -32,9 +31,8 @@ pub(super) fn rail(
     part: usize,
 ) -> Option<String> {
     let s = event.before[0];
-    // The bed acts on a ball that it supports, so this contact is not checked.
-    if s.motion != MotionState::Airborne || s.position.z <= ball.radius + TABLE_GAP {
-        return None;
+    if s.motion != MotionState::Airborne {
+        return rail_on_bed::audit(shot, solid, event, ball, part);
     }
     let physics = shot.physics();
     let fit = physics.cushion.friction;
@@ -43,13 +41,14 @@ pub(super) fn rail(
         .iter()
         .map(|surface| surface.friction)
         .fold(fit.a.max(steepest), f64::max);
-    let touched = table_contact::rail(shot.table(), solid, part, s.position, ball.radius)?;
-    let is_edge = shot.table().cushions[part].part != Part::Top;
+    let touched = table_contact::rail(solid, part, s.position, ball.radius)?;
+    let (_, kind, _) = solid.plan.parts[part];
+    let is_edge = kind != EdgeKind::Top;
     if is_edge && tips(event, touched.away) {
         return None;
     }
     let wrong = check_impulse(event, ball, touched.away, friction)?;
-    if shot.table().cushions[part].part == Part::Liner && touched.away.z == 0.0 {
+    if kind == EdgeKind::Liner && touched.away.z == 0.0 {
         let (sin, cos) = carom::math::sin_cos(LEAN);
         return check_impulse(event, ball, (touched.away.xy() * cos).with_z(-sin), friction);
     }

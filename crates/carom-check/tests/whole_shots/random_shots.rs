@@ -14,6 +14,10 @@ const SHOTS: u64 = if cfg!(debug_assertions) { 500 } else { 8_500 };
 /// in a jaw or over a hole. No layout of the other families is refused.
 const REFUSED_IN_JAWS: u64 = 22;
 
+/// Largest share of shots with a collision of several balls that leaves touching balls approaching,
+/// %: in breaks and among falling balls up to 2 % do (docs/guarantees.md).
+const UNFINISHED: u64 = 4;
+
 fn check(family: ShotFamily) {
     let tally = (0..SHOTS)
         .into_par_iter()
@@ -29,6 +33,7 @@ fn check(family: ShotFamily) {
     let refused = if family == ShotFamily::Jaws { SHOTS * REFUSED_IN_JAWS / 100 } else { 0 };
     assert!(tally.refused <= refused, "{tally}");
     assert_eq!(tally.shots + tally.refused, SHOTS);
+    assert!(tally.unfinished <= SHOTS * UNFINISHED / 100, "{tally}");
     assert_eq!(tally.faulty, 0, "{:#?}", tally.examples);
 }
 
