@@ -3,11 +3,21 @@
 `stepping` integrates the force laws through time; `precise` solves the event times with 50 digits.
 Both read a `carom-shot/1` dict and name events as `carom-trace/1` does. They share no code with the
 engine, but three inputs come from it: the geometry of tables with pockets (`carom.tables()`), the
-state after a strike (from the trace; `laws.strike` checks it in a test of its own), and the
-documented rules for slow contacts (the constants at the top of `laws`).
+state after a strike (from the trace; `laws.strike` checks it in tests of its own), and the
+documented rules for slow contacts (the constants at the top of `laws`). The numbers of the physics
+presets are copied in `presets`.
 
-Covered models: `elastic` and `frictional` balls, `restitution` and `han-2005` cushions, slate, and
-a cue with tip restitution. Not covered: `compliant` and `mathavan-2014` balls, `mathavan-2010` and
-`stronge` cushions, rolling resistance in speed bands, drawn cling, contacts of several balls at
-once, squirt, tip efficiency, sharp points, and the straight edges of pocket mouths.
+Covered models: all of balls and cushions (`elastic`, `frictional`, `compliant` and `mathavan-2014`;
+`restitution`, `factors`, `han-2005`, `stronge` and `mathavan-2010`), slate, and the cue with tip
+restitution or efficiency and with squirt. `springs` solves the contact with a tangential spring
+stretch by stretch, and `friction` integrates Mathavan's two models with exact Coulomb friction.
+
+A third, `touching`, integrates one impact of bodies that touch: balls (`elastic`, `frictional` and
+`compliant`), cue, slate and cushion. `networks` compares it with the engine's impacts of several
+balls.
+
+Not covered by the first two: contacts of several balls at once, sharp points, the straight edges of
+pocket mouths, and in `friction` a contact that slips again after it held. On tables with pockets
+`precise` ends where a ball falls into a pocket, flies over the jaws or touches an edge in flight;
+`stepping` goes on.
 """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from oracles.world import Happening, State, World, key_of, state_of
@@ -25,6 +25,9 @@ class Worst:
     after: float = 0.0
     events: int = 0
     where: str = ""
+    #: Differences after the impacts of each type of event that is `apart` from the rest, as
+    #: fractions of the approach speed.
+    impacts: dict[str, list[float]] = field(default_factory=dict)
 
     @property
     def largest(self) -> float:
@@ -43,12 +46,18 @@ def differ(a: State, b: State, radius: float) -> float:
 
 
 def follow(
-    oracle: Any, world: World, events: Sequence[JSON], resync: bool, limit: int | None = None
+    oracle: Any,
+    world: World,
+    events: Sequence[JSON],
+    resync: bool,
+    limit: int | None = None,
+    apart: Sequence[str] = (),
 ) -> Worst:
     """Compares each event of the oracle with the trace's.
 
     With `resync` the oracle takes over the trace's states after each event, so that each event is
-    compared separately; without it, differences grow from event to event.
+    compared separately; without it, differences grow from event to event. `apart` has the types of
+    impacts that the engine integrates numerically: their results are kept apart.
 
     Raises:
         AssertionError: The oracle finds another event than the trace has.
@@ -74,6 +83,10 @@ def follow(
                 differ(s, trace_after[b], radii[b])
                 for b, s in zip(seen.balls, seen.after, strict=True)
             )
+        if seen.key[0] in apart and not seen.gentle:
+            part = after / float(seen.approach)
+            worst.impacts.setdefault(seen.key[0], []).append(part)
+            after = 0.0
         time = abs(float(seen.time - event["time"]))
         if max(time, before, after) > worst.largest:
             worst.where = f"{seen.key} at {float(seen.time):.6f} s"

@@ -10,6 +10,10 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
+from mpmath import mp, mpf
+
+from oracles import friction, springs
+
 Number = Any
 Vec = tuple[Number, Number, Number]
 
@@ -18,6 +22,8 @@ Vec = tuple[Number, Number, Number]
 QUIET, LOUD = 1e-3, 2e-3
 #: The engine's documented rule for the last hop: a ball that would rise less than this, m, stays.
 LAST_HOP = 5e-5
+#: Digits to which impacts are integrated for mpmath's numbers and for doubles.
+DIGITS, DIGITS_OF_DOUBLES = 34, 17
 #: Contacts of a flying ball slower than this, m/s, may be persistent: tipping over an edge.
 PRESSED = 0.1
 
@@ -78,8 +84,14 @@ def slip_friction(law: Any, slip: Number, fn: Functions) -> Number:
     return law
 
 
-def collide(law: dict[str, Any], a: Body, b: Body, fn: Functions = math) -> tuple[Body, Body]:
-    """A collision of two balls, on the cloth or in the air: `elastic` or `frictional` (Coulomb)."""
+def collide(
+    law: dict[str, Any], a: Body, b: Body, fn: Functions = math, cloth: Number = 0
+) -> tuple[Body, Body]:
+    """A collision of two balls, on the cloth or in the air.
+
+    `elastic`, `frictional` (Coulomb), `compliant` (Stronge) or `mathavan-2014`; `cloth` is its
+    friction coefficient.
+    """
     d = add(b.position, a.position, -1)
     n = scale(d, 1 / fn.sqrt(dot(d, d)))
     relative = add(a.velocity, b.velocity, -1)
@@ -90,17 +102,60 @@ def collide(law: dict[str, Any], a: Body, b: Body, fn: Functions = math) -> tupl
     normal = (1 + e) * reduced * approach
 
     impulse = scale(n, normal)
-    if law["model"] == "frictional":
-        turning = add(scale(a.spin, a.radius), scale(b.spin, b.radius))
-        slip = add(add(relative, n, -approach), cross(turning, n))
-        speed = fn.sqrt(dot(slip, slip))
-        if speed > 0:
+    turning = add(scale(a.spin, a.radius), scale(b.spin, b.radius))
+    slip = add(add(relative, n, -approach), cross(turning, n))
+    speed = fn.sqrt(dot(slip, slip))
+    if law["model"] == "mathavan-2014":
+        mu = slip_friction(law["friction"], speed, fn)
+        # The paper has balls of one size on the cloth.
+        level = n[2] == 0 and a.velocity[2] == 0 and b.velocity[2] == 0
+        after = squeeze([(a, n), (b, scale(n, -1))], mu, cloth if level else None, e, fn)
+        return after[0], after[1]
+    if law["model"] in ("frictional", "compliant") and speed > 0:
+        mu = slip_friction(law["friction"], speed, fn)
+        if law["model"] == "frictional":
             # Two solid spheres stop slipping after an impulse of 2/7 of the reduced mass × slip.
-            grip = slip_friction(law["friction"], speed, fn) * normal
-            impulse = add(impulse, slip, min(grip, reduced * speed * 2 / 7) / speed)
-    elif law["model"] != "elastic":
+            grip = min(mu * normal, reduced * speed * 2 / 7)
+        else:
+            grip = reduced * sprung(approach, speed, e, mu, law["frequency_ratio"], fn)
+        impulse = add(impulse, slip, grip / speed)
+    elif law["model"] not in ("frictional", "compliant", "elastic"):
         raise NotImplementedError(law["model"])
     return push(a, n, scale(impulse, -1)), push(b, scale(n, -1), impulse)
+
+
+def sprung(
+    approach: Number, slip: Number, e: Number, mu: Number, ratio: Number, fn: Functions
+) -> Number:
+    """The friction impulse per (reduced) mass between surfaces with a tangential spring."""
+    last = springs.final_slip(approach, slip, e, mu, ratio)
+    # The impulse changes the slip of solid spheres by 7/2 of itself.
+    return like((slip - last) * 2 / 7, fn)
+
+
+def squeeze(
+    balls: list[tuple[Body, Vec]], mu: Number, cloth: Number | None, e: Number, fn: Functions
+) -> list[Body]:
+    """An impact integrated over the normal impulse, each ball with the direction to the contact."""
+    given = [
+        friction.Ball(mpf(b.mass), mpf(b.radius), exact(b.velocity), exact(b.spin), exact(axis))
+        for b, axis in balls
+    ]
+    digits = DIGITS if fn is mp else DIGITS_OF_DOUBLES
+    found = friction.squeeze(given, mu, cloth, e, digits)
+    return [
+        replace(b, velocity=tuple(like(c, fn) for c in v), spin=tuple(like(c, fn) for c in w))
+        for (b, _), (v, w) in zip(balls, found, strict=True)
+    ]
+
+
+def exact(v: Vec) -> Vec:
+    return (mpf(v[0]), mpf(v[1]), mpf(v[2]))
+
+
+def like(x: Number, fn: Functions) -> Number:
+    """A number of the kind that the functions take."""
+    return x if fn is mp else float(x)
 
 
 def push(ball: Body, towards: Vec, impulse: Vec) -> Body:
@@ -133,12 +188,19 @@ def rebound_off_wall(law: dict[str, Any], ball: Body, normal: Vec) -> Body:
 
 
 def rebound(
-    law: dict[str, Any], ball: Body, normal: Vec, on_bed: bool, fn: Functions = math
+    law: dict[str, Any],
+    ball: Body,
+    normal: Vec,
+    on_bed: bool,
+    fn: Functions = math,
+    cloth: Number = 0,
 ) -> Body:
-    """A ball that hits an edge, a wall or a rail's top: `restitution` or `han-2005`.
+    """A ball that hits an edge, a wall or a rail's top.
 
-    `normal` is the unit vector from the ball's centre to the contact point. On the bed the slate
-    supports the ball: its approach is horizontal, and it moves neither into the rail nor down.
+    `restitution`, `factors` (FastFiz), `han-2005`, `stronge` or `mathavan-2010`. `normal` is the
+    unit vector from the ball's centre to the contact point. On the bed the slate supports the ball:
+    its approach is horizontal, and it moves neither into the rail nor down. `cloth` is its friction
+    coefficient.
     """
     level = fn.sqrt(normal[0] ** 2 + normal[1] ** 2)
     into: Vec = (normal[0] / level, normal[1] / level, 0) if on_bed else normal
@@ -150,7 +212,18 @@ def rebound(
 
     impulse = scale(into, -(1 + e) * approach)  # per unit mass
     spin_change: Vec = (0, 0, 0)
-    if law["model"] == "han-2005":
+    if law["model"] == "factors":
+        across = add(ball.velocity, into, -approach)
+        impulse = add(impulse, across, law["tangential_factor"] - 1)
+        spin_change = scale(ball.spin, law["spin_factor"] - 1)
+    elif law["model"] == "mathavan-2010":
+        bed = cloth if on_bed else None
+        (after,) = squeeze([(ball, normal)], law["friction"], bed, e, fn)
+        impulse, spin_change = (
+            add(after.velocity, ball.velocity, -1),
+            add(after.spin, ball.spin, -1),
+        )
+    elif law["model"] in ("han-2005", "stronge"):
         head_on = dot(ball.velocity, normal)
         u = add(ball.velocity, cross(ball.spin, scale(normal, ball.radius)))
         u = add(u, normal, -dot(u, normal))
@@ -161,19 +234,22 @@ def rebound(
             mu = max(mu["a"] + mu["b"] * fn.atan2(fn.sqrt(dot(across, across)), approach), 0)
         impulse = scale(normal, -(1 + e) * head_on)
         if slip > 0:
-            friction = min(mu * (1 + e) * head_on, slip * 2 / 7)
-            tangential = scale(u, -friction / slip)
+            if law["model"] == "han-2005":
+                drag = min(mu * (1 + e) * head_on, slip * 2 / 7)
+            else:
+                drag = sprung(head_on, slip, e, mu, law["frequency_ratio"], fn)
+            tangential = scale(u, -drag / slip)
             impulse = add(impulse, tangential)
             spin_change = scale(cross(normal, tangential), 5 / (2 * ball.radius))
-        # Slate and nose hold the ball like a wedge.
-        left = dot(impulse, into) + approach
-        if on_bed and left > 0:
-            impulse = add(impulse, into, -left)
-        if on_bed:
-            # The slate takes the downward part of the nose's impulse.
-            impulse = (impulse[0], impulse[1], max(impulse[2], 0))
     elif law["model"] != "restitution":
         raise NotImplementedError(law["model"])
+    # Slate and nose hold the ball like a wedge.
+    left = dot(impulse, into) + approach
+    if on_bed and left > 0:
+        impulse = add(impulse, into, -left)
+    if on_bed:
+        # The slate takes the downward part of the nose's impulse.
+        impulse = (impulse[0], impulse[1], max(impulse[2], 0))
 
     impulse = add(scale(impulse, 1 - share), into, -2 * approach * share)
     return replace(
@@ -196,8 +272,8 @@ def bounce(law: dict[str, Any], gravity: Number, ball: Body, fn: Functions = mat
     slip = fn.sqrt(u[0] ** 2 + u[1] ** 2)
     impulse: Vec = (0, 0, (1 + e) * fall * ball.mass)
     if slip > 0:
-        friction = min(law["friction"] * impulse[2], ball.mass * slip * 2 / 7)
-        impulse = (-u[0] / slip * friction, -u[1] / slip * friction, impulse[2])
+        drag = min(law["friction"] * impulse[2], ball.mass * slip * 2 / 7)
+        impulse = (-u[0] / slip * drag, -u[1] / slip * drag, impulse[2])
     after = push(ball, down, impulse)
     if after.velocity[2] >= last_hop(gravity, fn):
         return after
@@ -222,9 +298,10 @@ def last_hop(gravity: Number, fn: Functions = math) -> Number:
 
 
 def strike(cue: dict[str, Any], stroke: dict[str, Any], ball: Body, fn: Any = math) -> Body:
-    """A resting ball after the cue (Leckie & Greenspan 2005), with tip restitution and no squirt.
+    """A resting ball after the cue (Leckie & Greenspan 2005; TP A.30 and A.31).
 
     The contact point is given perpendicular to the cue's axis; the impulse acts along the axis.
+    The end of the cue, which has to follow the ball's surface sideways, turns the velocity.
     """
     azimuth, elevation = (fn.radians(stroke[k]) for k in ("azimuth_deg", "elevation_deg"))
     x, y = stroke["side"], stroke["height"]
@@ -234,7 +311,18 @@ def strike(cue: dict[str, Any], stroke: dict[str, Any], ball: Body, fn: Any = ma
     above = cross(right, axis)
     arm = add(scale(right, x), above, y)
     inverse_inertia = 1 + (x * x + y * y) * 5 / 2
-    speed = (1 + cue["tip_restitution"]) * stroke["speed"]
-    speed /= ball.mass / cue["mass"] + inverse_inertia
+    ratio = ball.mass / cue["mass"]
+    if "tip_efficiency" in cue:
+        eta = cue["tip_efficiency"]
+        recoil = fn.sqrt(eta - (1 - eta) * inverse_inertia / ratio)
+    else:
+        recoil = cue["tip_restitution"]
+    speed = (1 + recoil) * stroke["speed"] / (ratio + inverse_inertia)
     spin = scale(cross(arm, axis), speed * 5 / (2 * ball.radius))
-    return replace(ball, velocity=scale(axis, speed), spin=spin)
+    squirt = 0 * x
+    if cue["end_mass"] > 0:
+        inward = (1 - x * x) * 5 / 2
+        squirt = x * fn.sqrt(1 - x * x) * 5 / 2 / (1 + ball.mass / cue["end_mass"] + inward)
+    # tan of the angle to the left for right English.
+    way = add(axis, right, -squirt)
+    return replace(ball, velocity=scale(way, speed / fn.sqrt(1 + squirt * squirt)), spin=spin)

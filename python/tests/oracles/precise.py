@@ -1,7 +1,8 @@
 """Oracle B: the event simulation of Leckie & Greenspan with 50 digits (mpmath), and with flight.
 
 All roots of each contact's polynomial are computed, without proofs or shortcuts; rounding errors
-are negligible. It is for a few balls on unbounded cloth or between four straight rails.
+are negligible. It is for a few balls on unbounded cloth, between four straight rails, or on a table
+with pockets for as long as no ball falls into a pocket or flies over its jaws.
 """
 
 from __future__ import annotations
@@ -12,10 +13,10 @@ from typing import TYPE_CHECKING, Any
 from mpmath import mp, mpf, polyroots
 
 from oracles import laws
-from oracles.world import Happening, State, Wall, World, motion_of
+from oracles.world import Happening, Post, State, Wall, World, motion_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
 Number = Any
 
@@ -30,6 +31,7 @@ TOUCH = mpf(10) ** -10
 
 ON_CLOTH = ("sliding", "rolling", "spinning", "stationary")
 Three = tuple[Number, Number, Number]
+Edge = Wall | Post
 
 
 @dataclass(frozen=True)
@@ -51,6 +53,7 @@ class Precise:
         self.world = world
         self.time = mpf(time)
         self.leg: list[Leg] = []
+        self.found: dict[tuple[int, ...], tuple[list[Leg], Any]] = {}
         for i, state in enumerate(states):
             self.leg.append(self._leg(i, _exact(state)))
 
@@ -58,34 +61,38 @@ class Precise:
         """Sets ball `i` at the present time."""
         self.leg[i] = self._leg(i, _exact(state))
 
-    def resume(self, time: float) -> None:
-        """Sets the time; balls that are not replaced keep their paths."""
-        self.time = mpf(time)
-
     def next(self) -> Happening | None:
         """Advances to the next event and applies it; None when all balls are at rest."""
-        best: tuple[Number, tuple[str, ...], tuple[int, ...]] | None = None
+        best: tuple[Number, tuple[str, ...], tuple[int, ...], Edge | None] | None = None
         for i, leg in enumerate(self.leg):
             if leg.state.motion == "stationary" and self._is_on_top(i, leg.state):
                 # A ball cannot rest on a rail.
-                best = _earlier(best, (self.time, ("off-table", self.world.ids[i]), (i,)))
+                best = _earlier(best, (self.time, ("off-table", self.world.ids[i]), (i,), None))
             if leg.state.motion in ("sliding", "rolling", "spinning"):
                 time = leg.start + leg.lasts
-                best = _earlier(best, (time, ("transition", self.world.ids[i]), (i,)))
+                best = _earlier(best, (time, ("transition", self.world.ids[i]), (i,), None))
             if leg.state.motion in ("sliding", "rolling", "airborne"):
-                for key, time in self._table(i):
-                    best = _earlier(best, (time, key, (i,)))
+                for key, time, edge in self._kept((i,), lambda i=i: self._table(i)):
+                    best = _earlier(best, (time, key, (i,), edge))
         n = len(self.leg)
         for i in range(n):
             for j in range(i + 1, n):
-                time = self._contact(i, j, None if best is None else best[0])
+                time = self._kept((i, j), lambda i=i, j=j: self._contact(i, j))
                 if time is not None:
                     names = sorted((self.world.ids[i], self.world.ids[j]))
-                    best = _earlier(best, (time, ("ball-collision", *names), (i, j)))
+                    best = _earlier(best, (time, ("ball-collision", *names), (i, j), None))
         if best is None:
             return None
         self.time = best[0]
-        return self._apply(best[1], best[2])
+        return self._apply(best[1], best[2], best[3])
+
+    def _kept(self, balls: tuple[int, ...], compute: Callable[[], Any]) -> Any:
+        """Contacts of balls, computed again after a change of their paths."""
+        legs = [self.leg[i] for i in balls]
+        known = self.found.get(balls)
+        if known is None or any(a is not b for a, b in zip(known[0], legs, strict=True)):
+            known = self.found[balls] = (legs, compute())
+        return known[1]
 
     # -- paths -----------------------------------------------------------------------------------
 
@@ -147,7 +154,7 @@ class Precise:
 
     # -- event times -----------------------------------------------------------------------------
 
-    def _contact(self, i: int, j: int, before: Number | None) -> Number | None:
+    def _contact(self, i: int, j: int) -> Number | None:
         """The first contact of two balls: the first root of the quartic at which they approach."""
         (a, ha), (b, hb) = self._motion(i), self._motion(j)
         if not {a.motion, b.motion} & {"sliding", "rolling", "airborne"}:
@@ -162,11 +169,9 @@ class Precise:
         c = [sum(column) for column in zip(*squares, strict=True)]
         c[-1] -= reach**2
         time = next(_approaches(c), None)
-        if time is None or (before is not None and self.time + time > before):
-            return None
-        return self.time + time
+        return None if time is None else self.time + time
 
-    def _table(self, i: int) -> list[tuple[tuple[str, ...], Number]]:
+    def _table(self, i: int) -> list[tuple[tuple[str, ...], Number, Edge | None]]:
         """The pieces of the table that the ball hits, each with its first time."""
         world, name = self.world, self.world.ids[i]
         state = self._at(i, self.time)
@@ -174,10 +179,12 @@ class Precise:
         flies = state.motion == "airborne"
         found = []
 
-        def first(key: tuple[str, ...], c: Sequence[Number], valid: Any) -> None:
+        def first(
+            key: tuple[str, ...], c: Sequence[Number], valid: Any, edge: Edge | None = None
+        ) -> None:
             time = next((t for t in _approaches(c) if valid(self._at(i, self.time + t))), None)
             if time is not None:
-                found.append((key, self.time + time))
+                found.append((key, self.time + time, edge))
 
         up = self._coordinate(i, (0, 0, 1), (0, 0, 0))
         if flies:
@@ -190,7 +197,8 @@ class Precise:
                 key = ("rail-collision", name, "top")
                 first(key, above(h + r), lambda s: not self._is_over_bed(s))
         if flies or state.position[2] < r + h / 2:
-            for wall in world.walls:
+            # Liners are behind the holes.
+            for wall in (w for w in world.walls if w.part != "liner"):
                 key = ("rail-collision", name, wall.rail, wall.part)
                 off = self._coordinate(i, [mpf(k) for k in wall.inward], wall.start)
                 c = [
@@ -198,7 +206,17 @@ class Precise:
                     for a, b in zip(_square(off), _square([up[0], up[1], up[2] - h]), strict=True)
                 ]
                 c[-1] -= r**2
-                first(key, c, lambda s, w=wall: self._faces(w, s))
+                first(key, c, lambda s, w=wall: self._faces(w, s), wall)
+            if not flies:
+                for post in world.posts:
+                    # On the slate the edge is a circle at the height of the nose.
+                    reach = mpf(post.radius) + mp.sqrt(r**2 - (h - state.position[2]) ** 2)
+                    x = self._coordinate(i, (1, 0), post.center)
+                    y = self._coordinate(i, (0, 1), post.center)
+                    c = [a + b for a, b in zip(_square(x), _square(y), strict=True)]
+                    c[-1] -= reach**2
+                    key = ("rail-collision", name, post.rail, post.part)
+                    first(key, c, lambda s, p=post: _is_before(p, s), post)
         else:
             for wall in world.walls:
                 off = self._coordinate(i, [-mpf(k) for k in wall.inward], wall.start)
@@ -216,7 +234,7 @@ class Precise:
         return found
 
     def _is_over_bed(self, s: State) -> bool:
-        return all(_off(w, s) >= 0 for w in self.world.walls)
+        return all(_off(w, s) >= 0 for w in self.world.walls if w.part == "nose")
 
     def _is_within_noses(self, s: State) -> bool:
         """Whether the centre is inside the line of the edges, with the rounding of a crossing."""
@@ -231,11 +249,12 @@ class Precise:
 
     # -- what happens ----------------------------------------------------------------------------
 
-    def _apply(self, key: tuple[str, ...], balls: tuple[int, ...]) -> Happening:
+    def _apply(self, key: tuple[str, ...], balls: tuple[int, ...], edge: Edge | None) -> Happening:
         before = tuple(self._at(i, self.time) for i in balls)
         i = balls[0]
-        gentle = False
+        gentle, approach = False, mpf(0)
         physics, g = _exact_law(self.world.physics), mpf(self.world.gravity)
+        cloth = physics["cloth"]["sliding_friction"]
         s = before[0]
         if key[0] in ("transition", "tips"):
             after = (
@@ -245,30 +264,32 @@ class Precise:
             self.leg[i] = self._leg(i, after)
         elif key[0] == "ball-collision":
             apart = laws.add(s.velocity, before[1].velocity, -1)
-            bodies = laws.collide(
-                physics["ball_ball"], self._body(i, s), self._body(balls[1], before[1]), mp
-            )
-            gentle = laws.dot(apart, apart) < (2 * laws.LOUD) ** 2
+            pair = self._body(i, s), self._body(balls[1], before[1])
+            bodies = laws.collide(physics["ball_ball"], *pair, mp, cloth)
+            d = laws.add(before[1].position, s.position, -1)
+            approach = laws.dot(apart, d) / mp.sqrt(laws.dot(d, d))
+            gentle = approach < 2 * laws.LOUD
             for k, state, body in zip(balls, before, bodies, strict=True):
                 self._take(k, state, body)
         elif key[0] == "slate-collision" or key[-1] == "top":
             self._take(i, s, laws.bounce(physics["slate"], g, self._body(i, s), mp))
         elif key[0] == "rail-collision":
-            wall = next(w for w in self.world.walls if (w.rail, w.part) == key[2:])
-            off, up = _off(wall, s), mpf(self.world.nose_height) - s.position[2]
-            to = (-off * mpf(wall.inward[0]), -off * mpf(wall.inward[1]), up)
+            assert edge is not None
+            to = (*_to_edge(edge, s), mpf(self.world.nose_height) - s.position[2])
             normal = laws.scale(to, 1 / mp.sqrt(laws.dot(to, to)))
-            law = _exact_law(self.world.law_of(wall.part))
+            law = _exact_law(self.world.law_of(edge.part))
             on_bed = s.motion in ON_CLOTH
             slow = 2 * laws.LOUD if on_bed else laws.PRESSED
-            gentle = laws.dot(s.velocity, normal) < slow
-            self._take(i, s, laws.rebound(law, self._body(i, s), normal, on_bed, mp))
+            approach = laws.dot(s.velocity, normal)
+            gentle = approach < slow
+            body = laws.rebound(law, self._body(i, s), normal, on_bed, mp, cloth)
+            self._take(i, s, body)
         if key[0] == "off-table":
             none = (mpf(0), mpf(0), mpf(0))
             self.leg[i] = self._leg(i, State(s.position, none, none, "off-table"))
         after_states = tuple(self.leg[k].state for k in balls)
         names = tuple(self.world.ids[k] for k in balls)
-        return Happening(self.time, key, names, before, after_states, gentle)
+        return Happening(self.time, key, names, before, after_states, gentle, approach)
 
     def _successor(self, i: int, s: State) -> State:
         r, zero = mpf(self.world.radius[i]), mpf(0)
@@ -305,6 +326,26 @@ class Precise:
 
 def _three(f: Any) -> Three:
     return f(0), f(1), f(2)
+
+
+def _to_edge(edge: Edge, s: State) -> tuple[Number, Number]:
+    """The horizontal vector from a ball's centre to the nearest point of an edge."""
+    if isinstance(edge, Wall):
+        off = _off(edge, s)
+        return (-off * mpf(edge.inward[0]), -off * mpf(edge.inward[1]))
+    x, y = (mpf(edge.center[k]) - s.position[k] for k in (0, 1))
+    size = mp.hypot(x, y)
+    off = size - mpf(edge.radius)
+    return (x / size * off, y / size * off)
+
+
+def _is_before(post: Post, s: State) -> bool:
+    """Whether the centre is before a round edge, in the directions between its ends."""
+    x, y = (s.position[k] - mpf(post.center[k]) for k in (0, 1))
+    a, b = ([mpf(e[k]) - mpf(post.center[k]) for k in (0, 1)] for e in post.ends)
+    middle = (a[0] + b[0], a[1] + b[1])
+    least = (a[0] * middle[0] + a[1] * middle[1]) / mpf(post.radius)
+    return bool(x * middle[0] + y * middle[1] >= least * mp.hypot(x, y))
 
 
 def _off(wall: Wall, s: State) -> Number:

@@ -123,3 +123,61 @@ def flight_at_a_pocket(seed: int, table: JSON) -> JSON:
         up = PHYSICS["gravity"] * lasts / 2 + rng.uniform(0.0, 0.06) / lasts if rise else 0.0
         ball["velocity"] = [vx, vy, up]
     return shot
+
+
+def level_stroke(seed: int, balls: int, table: JSON | str, preset: JSON, **more: Any) -> JSON:
+    """Balls of a preset at rest, and a level strike with any spin towards another ball.
+
+    `more` are keys of the shot file; without `physics` the table's own preset applies.
+    """
+    rng = np.random.default_rng([seed, 6])
+    width, length = more.pop("size")
+    radius = preset["ball"]["radius"]
+    placed: list[JSON] = []
+    while len(placed) < balls:
+        p = rng.uniform((0.12, 0.12), (width - 0.12, length - 0.12)).tolist()
+        if all(math.dist(p, q["position"]) > 2 * radius + 1e-3 for q in placed):
+            placed.append({"id": str(len(placed)), "position": p})
+    (x, y), (u, v) = (b["position"] for b in placed[:2])
+    offset, angle = 0.5 * math.sqrt(rng.uniform()), rng.uniform(0.0, 2 * math.pi)
+    strike = {
+        "ball": "0",
+        "speed": float(rng.uniform(0.5, 4.0)),
+        "azimuth_deg": math.degrees(math.atan2(v - y, u - x)) + float(rng.uniform(-3.0, 3.0)),
+        "elevation_deg": 0.0,
+        "side": offset * math.cos(angle),
+        "height": offset * math.sin(angle),
+    }
+    return {"format": "carom-shot/1", "table": table, "balls": placed, "strike": strike, **more}
+
+
+def rail_impact(seed: int) -> JSON:
+    """A ball 1 mm before a cushion that follows `mathavan-2010`, with any spin and any friction."""
+    rng = np.random.default_rng([seed, 7])
+    lean = float(rng.uniform(-0.3, 0.6))
+    speed = float(np.exp(rng.uniform(np.log(0.05), np.log(5.0))))
+    angle = float(rng.uniform(-1.4, 1.4))
+    v = (speed * math.cos(angle), speed * math.sin(angle))
+    if rng.uniform() < 0.5:
+        w = [-v[1] / RADIUS, v[0] / RADIUS, float(rng.uniform(-3.0, 3.0)) * speed / RADIUS]
+    else:
+        w = (rng.uniform(-3.0, 3.0, 3) * speed / RADIUS).tolist()
+    reach = RADIUS * math.sqrt(1.0 - lean * lean)
+    cushion = {
+        "model": "mathavan-2010",
+        "restitution": float(rng.uniform(0.3, 1.0)),
+        "friction": float(rng.choice([0.02, 0.14, 0.2, 0.3, 0.5])),
+    }
+    cloth = {**PHYSICS["cloth"], "sliding_friction": float(rng.choice([0.1, 0.2, 0.4]))}
+    ball = {
+        "id": "0",
+        "position": [RECTANGLE["width"] - reach - 1e-3, 1.0],
+        "velocity": [*v, 0.0],
+        "angular_velocity": w,
+    }
+    return {
+        "format": "carom-shot/1",
+        "table": {**RECTANGLE, "cushion_height": RADIUS * (1.0 + lean)},
+        "physics": {**PHYSICS, "cushion": cushion, "cloth": cloth},
+        "balls": [ball],
+    }

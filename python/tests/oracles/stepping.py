@@ -314,7 +314,12 @@ class Stepping:
             key = ("motion-transition", watch.key[1], was, self.motion[i])
         elif kind == "ball-collision":
             j = watch.balls[1]
-            bodies = laws.collide(physics["ball_ball"], self._body(i), self._body(j))
+            bodies = laws.collide(
+                physics["ball_ball"],
+                self._body(i),
+                self._body(j),
+                cloth=physics["cloth"]["sliding_friction"],
+            )
             for k, body in zip((i, j), bodies, strict=True):
                 self._take(k, body)
         elif kind == "slate-collision" or key[-1] == "top":
@@ -327,7 +332,8 @@ class Stepping:
             if key[-1] == "liner" and nz == 0.0:
                 body = laws.rebound_off_wall(law, self._body(i), (nx, ny, nz))
             else:
-                body = laws.rebound(law, self._body(i), (nx, ny, nz), on_bed)
+                cloth = physics["cloth"]["sliding_friction"]
+                body = laws.rebound(law, self._body(i), (nx, ny, nz), on_bed, cloth=cloth)
             self._take(i, body)
         if kind in ("pocket-collision", "off-table"):
             self.motion[i] = "pocketed" if kind == "pocket-collision" else "off-table"

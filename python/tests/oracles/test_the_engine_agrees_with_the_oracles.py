@@ -17,6 +17,7 @@ from oracles import laws
 from oracles.compare import follow
 from oracles.precise import Precise
 from oracles.shots import (
+    PHYSICS,
     RECTANGLE,
     flight_at_a_pocket,
     random_flight,
@@ -98,9 +99,20 @@ def test_integration_gives_the_engines_events_of_flying_balls(
     assert worst.largest < STEPPED, worst
 
 
+CUE: JSON = PHYSICS["cue"]
+#: Tips with a restitution (Leckie & Greenspan) and an efficiency (TP A.30), and squirt (TP A.31).
+CUES: dict[str, JSON] = {
+    "leckie and greenspan": CUE,
+    "squirt": {**CUE, "end_mass": 0.006},
+    "efficiency": {k: v for k, v in CUE.items() if k != "tip_restitution"}
+    | {"end_mass": 0.004, "tip_efficiency": 0.95},
+}
+
+
+@pytest.mark.parametrize("cue", CUES)
 @pytest.mark.parametrize("seed", range(20))
-def test_a_strike_with_an_elevated_cue_follows_leckie_and_greenspan(seed: int) -> None:
-    shot = random_stroke(seed, balls=2)
+def test_a_strike_with_an_elevated_cue_follows_the_published_equations(seed: int, cue: str) -> None:
+    shot = random_stroke(seed, balls=2, cue=CUES[cue])
     played = struck(play(shot))
     assert played is not None
     (state,) = map(state_of, played["after"])

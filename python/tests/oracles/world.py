@@ -81,29 +81,19 @@ class World:
         return cushion
 
 
-def world_of(shot: JSON, geometry: JSON | None = None) -> World:
-    """Reads a shot whose physics is written out in full, without presets.
+def world_of(shot: JSON, geometry: JSON | None = None, physics: JSON | None = None) -> World:
+    """Reads a shot whose physics is written out in full, unless `physics` has the preset's numbers.
 
     The table is unbounded cloth or a plain rectangle, unless `geometry` gives its edges, holes,
     border and nose height.
     """
-    physics = shot["physics"]
+    physics = physics or shot["physics"]
     default = physics["ball"]
     table = shot["table"]
     shape: JSON = geometry or {}
     if not shape and table.get("cloth") != "unbounded":
-        w, length = table["width"], table["length"]
-        shape = {
-            "nose_height": table["cushion_height"],
-            "walls": [
-                Wall("bottom", (0.0, 0.0), (w, 0.0), (0.0, 1.0)),
-                Wall("top", (0.0, length), (w, length), (0.0, -1.0)),
-                Wall("left", (0.0, 0.0), (0.0, length), (1.0, 0.0)),
-                Wall("right", (w, 0.0), (w, length), (-1.0, 0.0)),
-            ],
-            "inside": [(0.0, 0.0), (w, 0.0), (w, length), (0.0, length)],
-            "border": _border((w, length), table["rail_width"]),
-        }
+        sizes = (table[k] for k in ("width", "length", "cushion_height", "rail_width"))
+        shape = rectangle(*sizes)
     return World(
         ids=[b["id"] for b in shot["balls"]],
         mass=[b.get("mass", default["mass"]) for b in shot["balls"]],
@@ -111,6 +101,21 @@ def world_of(shot: JSON, geometry: JSON | None = None) -> World:
         physics=physics,
         **shape,
     )
+
+
+def rectangle(w: float, length: float, nose_height: float, rail_width: float) -> JSON:
+    """The geometry of four straight rails."""
+    return {
+        "nose_height": nose_height,
+        "walls": [
+            Wall("bottom", (0.0, 0.0), (w, 0.0), (0.0, 1.0)),
+            Wall("top", (0.0, length), (w, length), (0.0, -1.0)),
+            Wall("left", (0.0, 0.0), (0.0, length), (1.0, 0.0)),
+            Wall("right", (w, 0.0), (w, length), (-1.0, 0.0)),
+        ],
+        "inside": [(0.0, 0.0), (w, 0.0), (w, length), (0.0, length)],
+        "border": _border((w, length), rail_width),
+    }
 
 
 def _border(size: Any, rail: float) -> tuple[float, float, float, float]:
@@ -127,6 +132,8 @@ def geometry_of(table: JSON) -> JSON:
 
     Each rail has its nose, between its points and, where it has them, its facings.
     """
+    if not table["pockets"]:
+        return rectangle(*table["size"], table["cushion_height"], table["rail_width"])
     rails = [list(group) for _, group in groupby(table["cushions"], key=lambda c: c["rail"])]
     walls: list[Wall] = []
     posts: list[Post] = []
@@ -232,11 +239,13 @@ class Happening:
     before: tuple[State, ...]
     after: tuple[State, ...]
     gentle: bool = False
+    #: Speed along the contact's normal, m/s; 0 for other events.
+    approach: Number = 0
 
 
-def start_of(shot: JSON, played: JSON | None = None) -> list[State]:
+def start_of(shot: JSON, played: JSON | None = None, physics: JSON | None = None) -> list[State]:
     """The balls at time 0; the struck ball in the state after the trace's strike `played`."""
-    radius = shot["physics"]["ball"]["radius"]
+    radius = (physics or shot["physics"])["ball"]["radius"]
     states = []
     for b in shot["balls"]:
         r = b.get("radius", radius)
