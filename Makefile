@@ -32,14 +32,17 @@ LINTED_RUST := 1.99
 DENY := $(shell printf '%s\n' "$$($(ALONE) rustc --version 2>/dev/null | cut -d ' ' -f 2)" $(LINTED_RUST).999 | \
                 sort -V -C && echo -D warnings)
 # Clippy checks the examples and benchmarks; they are not built here.
-DEBUG_TESTS := --workspace --exclude carom-py --lib --bins --tests
-DOC_TESTS := --workspace --exclude carom-py --doc
+# The bindings are tested from Python and JavaScript.
+WITHOUT_BINDINGS := --workspace --exclude carom-py --exclude carom-wasm
+DEBUG_TESTS := $(WITHOUT_BINDINGS) --lib --bins --tests
+DOC_TESTS := $(WITHOUT_BINDINGS) --doc
 RELEASE_TESTS := --release -p carom -p carom-check -p carom-rules \
                  --test simulate --test whole_shots --test random_play
 # maturin is found on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
-.PHONY: help demo test stress bench bench-peer docs goldens licenses lint fmt page picture \
+.PHONY: help demo test stress bench bench-peer docs goldens licenses fmt page picture \
+        lint lint-rust lint-page lint-python lint-text \
         rust-build rust-test web-test python-test setup clean
 
 help: ## List the targets.
@@ -61,16 +64,26 @@ rust-build:
 	+@cargo test --quiet $(DEBUG_TESTS) --no-run
 	+@cargo test --quiet $(RELEASE_TESTS) --no-run
 
+# Most linters use one core.
 lint: $(BUILT) $(MODULES) ## Formatting, lints, types and plain English.
 	@bash scripts/prerequisites.sh lint
+	+@$(MAKE) --jobs=2 lint-rust lint-page lint-python lint-text
+
+lint-rust:
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets --quiet -- $(DENY)
 	@bash scripts/no_std.sh
+
+lint-page: $(MODULES)
+	cd web && npm run --silent check
+
+lint-python: $(BUILT)
 	$(BIN)/ruff check --quiet .
 	$(BIN)/ruff format --check --quiet .
 	$(BIN)/mypy
 	MYPYPATH=python $(PY) -m mypy.stubtest carom._core --concise
-	cd web && npm run --silent check
+
+lint-text: $(BUILT)
 	$(PY) scripts/write_licenses.py --check
 	$(PY) scripts/prose.py
 

@@ -8,6 +8,7 @@
 #   prerequisites.sh lint          engine and page, with rustfmt and clippy
 #   prerequisites.sh tests         the same, and Chromium
 #   prerequisites.sh print-python  the Python that the virtual environment is made with
+#   prerequisites.sh has-chromium  exit status 0 if Chromium is found
 set -euo pipefail
 cd "$(dirname "$0")/.."
 # make passes a job server that these checks do not use; rustc would warn of it.
@@ -103,12 +104,15 @@ case "${1:-engine}" in
   print-python)
     find_python || { echo "carom: Python 3.11 or newer is missing." >&2; exit 1; }
     exit ;;
+  has-chromium)
+    has_chromium
+    exit ;;
   rust) check_rust ;;
   engine) check_rust; check_python ;;
   page) check_rust; check_wasm; check_node ;;
   lint) check_rust; check_python; check_wasm; check_rust_tools; check_node ;;
   tests) check_rust; check_python; check_wasm; check_rust_tools; check_node; check_chromium ;;
-  *) echo "usage: prerequisites.sh rust|engine|page|lint|tests|print-python" >&2; exit 2 ;;
+  *) echo "usage: prerequisites.sh rust|engine|page|lint|tests|print-python|has-chromium" >&2; exit 2 ;;
 esac
 
 if [ ${#missing[@]} -gt 0 ]; then
