@@ -143,6 +143,17 @@ test("mid-game shots a second in WebAssembly are at least half of the native one
   expect(result.ratio_to_native.chromium).toBeGreaterThan(LEAST_RATIO);
 }, 600_000);
 
+test("a shot with another strike takes tens of microseconds at most", async () => {
+  const rack = (await load()).breakShot("snooker");
+  const strike = rack.strike!;
+  const times = Array.from({ length: 500 }, (_, k) => {
+    const started = performance.now();
+    rack.withStrike({ ...strike, speed: 1 + k / 1000 }).free();
+    return performance.now() - started;
+  });
+  expect(median(times)).toBeLessThan(0.05);
+});
+
 function round(value: number): number {
   return Number(value.toPrecision(3));
 }

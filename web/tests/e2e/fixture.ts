@@ -6,17 +6,18 @@
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import {
-  type Browser,
-  type BrowserContext,
-  type BrowserContextOptions,
-  chromium,
-  type Page,
-} from "playwright-core";
+import { type Browser, type BrowserContextOptions, chromium, type Page } from "playwright-core";
 import { expect, inject, test as base } from "vitest";
 import type { ShotFile, TraceFile } from "../../src/engine/index.ts";
+import type { Quality } from "../../src/viewer/types.ts";
 
 export { expect } from "vitest";
+
+/** `coarse` is low with fewer pixels, for tests that look at no pixel of the table. */
+type Drawing = Quality | "coarse";
+
+/** Pixels of the table per CSS pixel at quality coarse. Software needs a tenth of a second for all. */
+const COARSE = 0.25;
 
 export interface OpenOptions extends BrowserContextOptions {
   /** Fragment of the address, with its "#". */
@@ -25,14 +26,17 @@ export interface OpenOptions extends BrowserContextOptions {
   readonly url?: string;
   /** Whether the first steps stay open. Default false. */
   readonly firstSteps?: boolean;
-  /** Quality of the drawing. Default low, because software draws it. */
-  readonly quality?: "auto" | "low" | "high";
+  /** Quality of the drawing. Default coarse, because software draws it. */
+  readonly quality?: Drawing;
 }
 
 interface Fixtures {
   readonly browser: Browser;
-  /** Opens the page in a new window and waits until it is usable. */
+  readonly tabs: Tabs;
+  /** Opens the page in a tab of its own and waits until it is usable. */
   readonly open: (options?: OpenOptions) => Promise<Page>;
+  /** Closes the page before the end of its test, so that the next one opens in its tab. */
+  readonly close: (page: Page) => Promise<void>;
 }
 
 /** Time (ms) that the page may take to start on a busy machine. */
@@ -46,6 +50,76 @@ export const SMALL = { width: 800, height: 450 };
 export const DESKTOP = { width: 1000, height: 640 };
 export const PHONE = { width: 390, height: 844 };
 
+/** A tab in use. */
+interface Used {
+  /** Options that are fixed for the life of the tab. */
+  readonly kind: string;
+  readonly page: Page;
+}
+
+/**
+ * The tabs of a file. A test gets a new document in a tab that an earlier test has left: the browser's
+ * process for the tab has the page's scripts, WebAssembly and shaders compiled already, and the page
+ * stores nothing outside its document.
+ */
+class Tabs {
+  readonly #browser: Browser;
+  /** Free tabs by kind. */
+  readonly #free = new Map<string, Page[]>();
+  readonly #used: Used[] = [];
+
+  constructor(browser: Browser) {
+    this.#browser = browser;
+  }
+
+  /** An empty tab. */
+  async take(fixed: BrowserContextOptions, quality: Drawing, origin: string): Promise<Page> {
+    const kind = JSON.stringify([fixed, quality, origin]);
+    const page = this.#free.get(kind)?.pop() ?? (await this.#create(fixed, quality));
+    this.#used.push({ kind, page });
+    return page;
+  }
+
+  /** Empties all tabs in use and makes them free. */
+  async releaseAll(): Promise<void> {
+    for (const { page } of [...this.#used]) await this.release(page);
+  }
+
+  /** Empties a tab and makes it free, unless a test has closed it. */
+  async release(page: Page): Promise<void> {
+    const at = this.#used.findIndex((one) => one.page === page);
+    const [{ kind }] = this.#used.splice(at, 1) as [Used];
+    if (page.isClosed()) return;
+    page.removeAllListeners();
+    await page.goto("about:blank");
+    const session = await page.context().newCDPSession(page);
+    await session.send("Page.resetNavigationHistory");
+    await session.detach();
+    this.#free.set(kind, [...(this.#free.get(kind) ?? []), page]);
+  }
+
+  async #create(fixed: BrowserContextOptions, quality: Drawing): Promise<Page> {
+    const context = await this.#browser.newContext(fixed);
+    context.setDefaultTimeout(WAITING);
+    // Before the first picture, and before every later one.
+    await context.addInitScript(
+      ([level, scale]) => {
+        let carom: Window["carom"];
+        Object.defineProperty(window, "carom", {
+          get: () => carom,
+          set(value: NonNullable<Window["carom"]>) {
+            carom = value;
+            carom.viewer.quality = level;
+          },
+        });
+        if (scale !== null) Object.assign(window, { devicePixelRatio: scale });
+      },
+      quality === "coarse" ? (["low", COARSE] as const) : ([quality, null] as const),
+    );
+    return context.newPage();
+  }
+}
+
 export const test = base.extend<Fixtures>({
   browser: [
     // eslint-disable-next-line no-empty-pattern -- vitest reads the parameter names of a fixture
@@ -54,42 +128,54 @@ export const test = base.extend<Fixtures>({
       await use(browser);
       await browser.close();
     },
-    // One connection per file; `open` closes its windows after each test.
+    // One connection per file.
     { scope: "file" },
   ],
-  open: async ({ browser }, use) => {
+  tabs: [
+    async ({ browser }, use) => {
+      await use(new Tabs(browser));
+    },
+    { scope: "file" },
+  ],
+  open: async ({ tabs }, use) => {
     const errors: string[] = [];
-    const contexts: BrowserContext[] = [];
-    await use(async ({ hash = "", url, firstSteps = false, quality = "low", ...options } = {}) => {
-      const context = await browser.newContext({ viewport: DESKTOP, ...options });
-      contexts.push(context);
-      context.setDefaultTimeout(WAITING);
-      const page = await context.newPage();
-      page.on("console", (message) => {
-        if (message.type() === "error") errors.push(message.text());
-      });
-      page.on("pageerror", (error) => errors.push(error.message));
-      await page.goto((url ?? inject("page")) + hash);
-      await page.waitForFunction(
-        () => performance.getEntriesByName("carom:interactive").length > 0,
-        undefined,
-        { timeout: STARTING },
-      );
-      await page.evaluate(
-        ([dismissed, level]) => {
-          window.carom!.viewer.quality = level;
-          if (dismissed) {
+    await use(
+      async ({ hash = "", url, firstSteps = false, quality = "coarse", ...options } = {}) => {
+        const {
+          viewport = DESKTOP,
+          colorScheme = "light",
+          reducedMotion = "no-preference",
+          ...fixed
+        } = options;
+        const address = (url ?? inject("page")) + hash;
+        const page = await tabs.take(fixed, quality, new URL(address).protocol);
+        page.on("console", (message) => {
+          if (message.type() === "error") errors.push(message.text());
+        });
+        page.on("pageerror", (error) => errors.push(error.message));
+        await page.setViewportSize(viewport!);
+        await page.emulateMedia({ colorScheme, reducedMotion });
+        await page.goto(address);
+        await page.waitForFunction(
+          () => performance.getEntriesByName("carom:interactive").length > 0,
+          undefined,
+          { timeout: STARTING },
+        );
+        if (!firstSteps) {
+          await page.evaluate(() => {
             [...document.querySelectorAll("button")]
               .find(({ textContent }) => textContent === "Skip")
               ?.click();
-          }
-        },
-        [!firstSteps, quality] as const,
-      );
-      return page;
-    });
-    for (const context of contexts) await context.close();
+          });
+        }
+        return page;
+      },
+    );
+    await tabs.releaseAll();
     expect(errors, "errors in the console").toEqual([]);
+  },
+  close: async ({ tabs }, use) => {
+    await use((page) => tabs.release(page));
   },
 });
 
@@ -145,9 +231,17 @@ export function native(shot: ShotFile): TraceFile {
 
 const OUT = fileURLToPath(new URL("./out/", import.meta.url));
 
-/** Saves a picture of the page under tests/e2e/out. */
+/** Saves a picture of the page under tests/e2e/out, with a pixel of the table per CSS pixel. */
 export async function picture(page: Page, name: string): Promise<void> {
   mkdirSync(OUT, { recursive: true });
+  await page.evaluate(drawAt, 1);
   await settled(page);
   await page.screenshot({ path: `${OUT}${name}.png` });
+  await page.evaluate(drawAt, COARSE);
+}
+
+/** Runs in the page: draws at quality low with `scale` pixels per CSS pixel. */
+function drawAt(scale: number): void {
+  Object.assign(window, { devicePixelRatio: scale });
+  window.carom!.viewer.quality = "low";
 }

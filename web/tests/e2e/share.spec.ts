@@ -126,6 +126,7 @@ test("the address follows the document without adding to the browser's history",
 
 test("a link with a malformed shot or a huge noise opens the first shot and names the fault", async ({
   open,
+  close,
 }) => {
   const first = await hash(await open());
   const shot = {
@@ -144,7 +145,7 @@ test("a link with a malformed shot or a huge noise opens the first shot and name
     const page = await open({ hash: toFragment(data) });
     expect(await page.getByRole("alert").textContent()).toMatch(words);
     expect(await hash(page)).toBe(first);
-    await page.context().close();
+    await close(page);
   }
 });
 
@@ -256,7 +257,7 @@ test("a picture of the table is exported as PNG", async ({ open }) => {
 test(
   "an exported film has the duration of the shot, and the page is as before",
   async ({ open }) => {
-    const page = await open({ viewport: SMALL });
+    const page = await open({ viewport: SMALL, quality: "low" });
     await page.evaluate(() => window.carom!.store.strike({ speed: 0.5 }, "softly"));
     const { duration } = native(await shotOf(page));
     await openShare(page);
