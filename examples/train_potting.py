@@ -58,7 +58,7 @@ LEARNING = {
     "gae_lambda": 0.0,
     "device": "cpu",
 }
-#: The initial learning rate; it falls linearly to this share of it.
+#: The initial learning rate, and the share of it to which it falls linearly.
 RATE = 3e-3
 LEAST_RATE = 0.02
 #: The networks of the agent and of its critic, and the log of the initial standard deviation of the

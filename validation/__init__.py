@@ -1,6 +1,6 @@
 """Reference numbers from the literature beside carom's.
 
-Each paper has a folder. Its `rows.py` has the numbers and the functions that compute carom's,
+Each paper has a folder. Its `rows.py` has the numbers and the functions that compute carom's own,
 `figure.py` draws both, `README.md` describes the paper, and `test_<paper>.py` checks the rows.
 
     carom validate                # every paper

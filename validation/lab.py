@@ -139,7 +139,7 @@ def ball(
     spin: Sequence[float] | Vector = (0.0, 0.0, 0.0),
     **more: float,
 ) -> JSON:
-    """A moving ball as it stands in a shot file."""
+    """A moving ball in the form of a shot file."""
     return {
         "id": id,
         "position": [float(x) for x in position],

@@ -60,7 +60,7 @@ def add(tally: Tally, row: Row, outside: int) -> None:
 def declared(names: Iterable[str]) -> Tally:
     """The counts that the rows of some papers declare, without computing anything.
 
-    Every row's own test holds it to what it declares.
+    The test of each row checks that the row is as declared.
     """
     tally: Tally = {}
     for paper in names:

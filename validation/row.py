@@ -39,8 +39,8 @@ class Kind(Enum):
     def must_agree(self) -> bool:
         """Whether a number outside its tolerance is a failure.
 
-        No model meets all measurements, and a number whose rule is unknown cannot be reproduced:
-        these are shown, and the page lists those that the default parameters miss.
+        No model agrees with all measurements, and a number whose rule is unknown cannot be
+        reproduced. These are shown, and the page lists those that the default parameters miss.
         """
         return self not in {Kind.MEASURED, Kind.FITTED, Kind.UNKNOWN_RULE}
 
@@ -214,8 +214,9 @@ def rows_of(module: ModuleType) -> list[Row]:
 def check(a_row: Row) -> None:
     """Raises `AssertionError` if a row is not as declared.
 
-    A row that must agree agrees everywhere. A row that is only shown disagrees exactly where its
-    `misses` says so: a change of a default parameter that moves a number in or out is noticed.
+    A row that must agree agrees everywhere. A row that is only shown disagrees exactly at the
+    labels in its `misses`. So a change of a default parameter that moves a number in or out of its
+    tolerance is found.
     """
     comparisons = a_row.compare()
     outside = tuple(c.label for c in comparisons if not c.agrees)

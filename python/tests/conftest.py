@@ -63,7 +63,7 @@ def nine_ball() -> carom.Shot:
 
 @pytest.fixture(scope="session")
 def nine_ball_trace(nine_ball: carom.Shot) -> carom.Trace:
-    """Its trace."""
+    """The trace of a nine-ball break."""
     return nine_ball.simulate()
 
 

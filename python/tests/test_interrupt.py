@@ -25,7 +25,7 @@ except KeyboardInterrupt:
     print("interrupted", flush=True)
 """
 
-# A loaded machine with two cores needs some of this for itself, s.
+# Time limit of the interrupt, s: on a busy machine the process may wait for a core for seconds.
 PATIENCE = 5.0
 
 

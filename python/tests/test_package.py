@@ -23,7 +23,7 @@ def python(program: str) -> str:
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="needs Linux's /proc")
 def test_importing_takes_little_memory() -> None:
-    # Not ru_maxrss, where a new process inherits its parent's peak.
+    # VmHWM and not ru_maxrss, because a new process inherits its parent's peak in ru_maxrss.
     program = (
         "import carom, re\n"
         "status = open('/proc/self/status').read()\n"
@@ -38,7 +38,7 @@ def test_importing_loads_no_heavy_library() -> None:
     assert heavy.isdisjoint(python(program).split())
 
 
-def test_the_package_is_small_enough_to_ship() -> None:
+def test_the_compressed_package_is_smaller_than_its_limit() -> None:
     folder = Path(carom.__file__).parent
     files = [
         p

@@ -20,7 +20,7 @@ from carom.picture.paths import Leg, routes
 from carom.picture.table import Ground
 
 # Tolerance between a leg's curve and the ball's state, m. They are computed by different closed
-# forms, which differ by some roundings of positions of some metres.
+# forms, which differ by a few roundings of positions of a few metres.
 CURVE_ROUNDING = 1e-12
 # Relative accuracy of the numerical length below.
 QUADRATURE = 1e-9

@@ -12,7 +12,7 @@ import pytest
 
 
 def aim(frame: carom.Frame, target: str, speed: float = 2.0) -> carom.Strike:
-    """At the middle of a ball."""
+    """A strike towards the middle of a ball."""
     cue, ball = frame.balls[frame.request.cue_ball], frame.balls[target]
     return carom.Strike(speed=speed, azimuth=math.atan2(ball[1] - cue[1], ball[0] - cue[0]))
 

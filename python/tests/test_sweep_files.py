@@ -282,7 +282,7 @@ def test_memory_does_not_grow_with_the_number_of_rows(tmp_path: Path) -> None:
         ]
         done = subprocess.run(command, capture_output=True, text=True, check=True)
         peaks.append(int(done.stdout))
-    # If all rows were kept in memory, the peak would be half as large again.
+    # If all rows were kept in memory, the second peak would be about 1.5 times the first.
     assert peaks[1] < 1.2 * peaks[0]
 
 

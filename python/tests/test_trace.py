@@ -17,8 +17,8 @@ from carom.event_table import plain
 
 ROOT = Path(__file__).parents[2]
 
-# States between events are evaluated from closed forms at times of some seconds: a few roundings
-# of positions of some metres, m (and m/s).
+# Tolerance of states between events, m and m/s: a few roundings of positions of a few metres, which
+# closed forms give for times of a few seconds.
 CLOSED_FORM_ROUNDING = 1e-12
 
 

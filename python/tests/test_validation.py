@@ -15,8 +15,8 @@ from carom.validation.row import Row, check
 ROOT = Path(__file__).parents[2]
 FOLDERS = ROOT / "validation"
 
-#: The rows that the project has promised to have.
-PROMISED = {
+#: The rows that the validation must have.
+REQUIRED = {
     *("CL1", "CL3", "CL5", "CL6", "CL7", "CL9", "CL10", "CL12", "CL14", "CL15", "CL17"),
     *("CU1", "CU2", "CU4", "CU6", "CU7", "CU8", "CU10"),
     *("BB1", "BB2", "BB3", "BB5", "BB7", "BB8", "BB10", "BB11", "BB13", "BB15", "BB18", "BB19"),
@@ -90,8 +90,8 @@ def test_a_row_with_the_wrong_number_of_numbers_is_an_error() -> None:
         dataclasses.replace(EXAMPLE, compute=lambda: [1.0]).compare()
 
 
-def test_every_promised_row_exists() -> None:
-    assert {row.id for row in all_rows()} >= PROMISED
+def test_every_required_row_exists() -> None:
+    assert {row.id for row in all_rows()} >= REQUIRED
 
 
 def test_only_published_numbers_that_the_engine_computes_count_as_published() -> None:

@@ -4,5 +4,5 @@ from carom.validation.row import Row, check, rows_of
 
 
 @pytest.mark.parametrize("row", rows_of(rows), ids=str)
-def test_alciatore_tp_cloth(row: Row) -> None:
+def test_a_row_is_as_declared(row: Row) -> None:
     check(row)

@@ -150,7 +150,8 @@ def coriolis(elevation: float, side: float, height: float) -> float:
         for friction in (0.1, 0.3)
     },
     tolerance=absolute(1e-9),
-    note="A bounce's friction acts against the slip, as that of the cloth, and does not turn it.",
+    note="The friction of a bounce acts against the slip, as that of the cloth does, and does not "
+    "change its direction.",
 )
 def sl_masse() -> list[float]:
     turns = []

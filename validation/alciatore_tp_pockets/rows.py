@@ -146,7 +146,7 @@ def po1() -> list[float]:
     "Corner pocket, fast: the largest angle from its axis that is pocketed",
     source="TP 3.8, with its own idealised rule",
     reference={"largest angle": 59.841},
-    note="Ours: 7 mph at the mouth. The rail is at 45° from the axis, so that larger angles "
+    note="Ours: 7 mph at the mouth. The rail is at 45° from the axis, so larger angles "
     "are impossible.",
 )
 def po3() -> list[float]:

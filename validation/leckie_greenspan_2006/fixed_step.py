@@ -1,10 +1,10 @@
 """The fixed-step simulator that the paper argues against, in plain form.
 
-Time advances in steps of Δt, within which velocity and acceleration are constant. After each step
-every ball, pair and rail is tested for an event. If there is one, the fraction of the step at which
-it happened is found by linear interpolation, all balls are stepped again by that fraction, and the
-event is applied. The force laws are the engine's, and so are the two impact laws used here:
-restitution along the line of centres and along the rail's normal.
+Time advances in steps of Δt, within which the acceleration is constant, and with order 1 the
+velocity too. After each step every ball, pair and rail is tested for an event. If there is one, the
+fraction of the step at which it happened is found by linear interpolation, all balls are stepped
+again by that fraction, and the event is applied. The force laws are the engine's, and so are the
+two impact laws used here: restitution along the line of centres and along the rail's normal.
 """
 
 from __future__ import annotations

@@ -117,7 +117,7 @@ STEPS = (4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4)
     "LG-2",
     "The fixed-step simulator with the same laws: how its error falls with Δt",
     unit="order",
-    source="section 2 (velocity held during Δt, events backed up to)",
+    source="section 2 (constant velocity during Δt; the simulator goes back to an event)",
     kind=Kind.DERIVED,
     reference={"slope of log error over log Δt": 1.0},
     tolerance=absolute(0.3),
@@ -192,7 +192,7 @@ def counted() -> JSON:
     shown_only=True,
     misses=("textbook closed form",),
     note="Impossible: wrong by more than 1 µm. The paper gives neither its shots nor its "
-    "criterion. Measured at commit 4430a05, before balls left the cloth.",
+    "criterion. Measured at commit 4430a05, before the engine had flight.",
 )
 def lg_4() -> list[float]:
     methods = ("textbook closed form", "companion matrix")

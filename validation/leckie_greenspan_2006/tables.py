@@ -17,9 +17,16 @@ CLASSES = {
 }
 
 
-#: The engine's finder, which is asked only about the pairs that its proofs leave; the peers' are
-#: asked about every pair.
-ASKED = {"carom": "left by the proofs"}
+#: The pairs that a finder searches: the engine's only those that its proofs leave, a peer's all.
+SEARCHED = {"carom": "left by the proofs"}
+
+#: Which root counts as the contact, by the name of the rule in the stored results.
+RULES = {
+    "smallest positive root": "smallest positive root",
+    "at which they approach": "smallest positive root at which they approach",
+    "or touching at the start": "the same, or t = 0 if they touch and approach",
+    "first contact": "first t with f ≤ 0 and f′ < 0",
+}
 
 
 def spaced(count: float) -> str:
@@ -34,14 +41,14 @@ def markdown(head: list[str], lines: list[list[str]]) -> str:
 
 
 def finder_table(family: str) -> str:
-    """Shots with an impossible result, by root finder and by which of its roots is taken."""
-    head = ["Roots", "root taken: the smallest", "shots", "impossible by > 1 mm", "> 1 µm",
-            "> promised", "overlap", "apart", "endless", "pairs asked", "µs a shot"]  # fmt: skip
+    """Shots with an impossible result, by root finder and by which of its roots is the contact."""
+    head = ["Roots by", "time of the contact", "shots", "impossible by > 1 mm", "> 1 µm",
+            "> promised", "overlap", "apart", "endless", "pairs searched", "µs a shot"]  # fmt: skip
     lines = [
-        [f["method"], f["reading"], spaced(f["shots"])]
+        [f["method"], RULES[f["reading"]], spaced(f["shots"])]
         + [spaced(f["impossible"][limit]) for limit in ("millimetre", "micrometre", "promised")]
         + [spaced(f[kind]) for kind in ("overlap", "apart", "endless")]
-        + [ASKED.get(f["method"], "all"), f"{f['microseconds_per_shot']:.0f}"]
+        + [SEARCHED.get(f["method"], "all"), f"{f['microseconds_per_shot']:.0f}"]
         for f in finders()
         if f["family"] == family
     ]
@@ -55,7 +62,7 @@ def operation_table() -> str:
     count = {
         "balls that move": [c["moving"] / n for c, n in per],
         "quartics by the paper's method": [c["pairs"] / n for c, n in per],
-        "pairs that the engine looks at": [c["looked_at"] / n for c, n in per],
+        "pairs that the engine examines": [c["looked_at"] / n for c, n in per],
         "of them rejected by proof": [(c["looked_at"] - c["solved"]) / n for c, n in per],
         "quartics that it solves": [c["solved"] / n for c, n in per],
         "paths compared with the cushions": [c["searched"] / n for c, n in per],

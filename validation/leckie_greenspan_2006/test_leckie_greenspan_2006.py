@@ -8,7 +8,7 @@ PAGE = (resources.files(rows.__package__) / "README.md").read_text()
 
 
 @pytest.mark.parametrize("row", rows_of(rows), ids=str)
-def test_leckie_greenspan_2006(row: Row) -> None:
+def test_a_row_is_as_declared(row: Row) -> None:
     check(row)
 
 

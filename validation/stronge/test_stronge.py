@@ -4,5 +4,5 @@ from carom.validation.stronge import rows
 
 
 @pytest.mark.parametrize("row", rows_of(rows), ids=str)
-def test_stronge(row: Row) -> None:
+def test_a_row_is_as_declared(row: Row) -> None:
     check(row)

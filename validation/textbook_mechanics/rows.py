@@ -96,14 +96,14 @@ SHARES = (0.05, 0.2, 0.4, 0.6, 0.8)
 
 @row(
     "LIP-roll",
-    "A ball that rolls over the lip of a hole: the angle from the vertical at which it leaves it",
+    "A ball that rolls over a hole's lip: the angle from the vertical at which it leaves the lip",
     unit="°",
     source="textbook: rolling without slip about an edge, cos θ = (10 + 7v²/gR)/17",
     kind=Kind.DERIVED,
     reference={f"v = {k:g} √(gR)": round(rolls_to(k * FLIES), 3) for k in SHARES},
     tolerance=absolute(4.0),
     note="In the engine a ball turns about an edge in hops of a few degrees. Its last touch is up "
-    "to one hop before the angle, so that all differences are negative.",
+    "to one hop before the angle, so all differences are negative.",
 )
 def lip_roll() -> list[float]:
     return [lift_off(k * FLIES) for k in SHARES]

@@ -4,5 +4,5 @@ from carom.validation.wpa_specifications import rows
 
 
 @pytest.mark.parametrize("row", rows_of(rows), ids=str)
-def test_wpa_specifications(row: Row) -> None:
+def test_a_row_is_as_declared(row: Row) -> None:
     check(row)

@@ -101,7 +101,7 @@ _INLINE = re.compile(r"\b(?:crate|self|super)(?:\s*::\s*\w+)+")
 
 
 def rust(source: Path) -> Graph:
-    """The files of a crate's ``src``. Programs in ``bin`` are left out: they stand on top."""
+    """The files of a crate's ``src`` without programs, which may import every module."""
     modules: dict[tuple[str, ...], str] = {}
     for file in sorted(source.rglob("*.rs")):
         relative = file.relative_to(source)

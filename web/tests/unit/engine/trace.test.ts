@@ -6,7 +6,7 @@ import { GOLDENS, shotFile } from "./files.js";
 const engine = await load();
 const simulated = (name: string): Trace => engine.shot(shotFile(name)).simulate();
 
-/** Error of states between events, m: some roundings of closed forms at times of seconds. */
+/** Error of states between events, m: a few roundings of closed forms at times of a few seconds. */
 const CLOSED_FORM_ROUNDING = 1e-12;
 
 /** Ball `i` of what `statesAt` gave, as a trace file has it. */

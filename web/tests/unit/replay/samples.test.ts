@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { STRIDE, type Trace } from "../../../src/engine/types.ts";
 import { sample } from "../../../src/app/replay/samples.ts";
 
-/** A ball at 2 m/s with spin (3, 0, 4) rad/s, stopped dead at 0.5 s of 1 s. */
+/** A ball at 2 m/s with spin (3, 0, 4) rad/s, stopped abruptly at 0.5 s of 1 s. */
 function suddenStop(): Trace {
   const event = {
     time: 0.5,

@@ -13,7 +13,7 @@ test("the Olympiad's noise has the values of its rules, in SI units", () => {
   expect((elevation * 180) / Math.PI).toBeCloseTo(0.1, 14);
 });
 
-test("a preset is recognized by its values, and other noise is not", () => {
+test("a preset is recognised by its values, and other noise is not", () => {
   for (const preset of ALL) expect(presetOf({ ...preset.noise }, PRESETS)).toBe(preset);
   expect(presetOf({ ...engine.olympiad(), side_m: 0 }, PRESETS)).toBeUndefined();
 });
