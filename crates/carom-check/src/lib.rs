@@ -348,7 +348,8 @@ impl Recorder for CheckRecorder<'_> {
         if let Some(fault) = motion_states::audit(self.shot, event) {
             self.fault(FaultKind::Motion, fault);
         }
-        if let Some(fault) = conservation::audit(self.shot, &self.solid, event, self.tolerances.gap) {
+        if let Some(fault) = conservation::audit(self.shot, &self.solid, event, self.tolerances.gap)
+        {
             self.fault(FaultKind::Conservation, fault);
         }
         for (k, &ball) in event.balls.iter().enumerate() {

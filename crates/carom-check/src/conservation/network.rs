@@ -87,11 +87,8 @@ pub(super) fn audit(
     if fastest <= 0.0 || fastest.is_nan() {
         return Some(format!("balls {:?} collide, and none approaches another", event.balls));
     }
-    let closed = if fastest >= NETWORK_SPEED {
-        TOUCH_TOLERANCE + CLOSING_TIME * fastest
-    } else {
-        0.0
-    };
+    let closed =
+        if fastest >= NETWORK_SPEED { TOUCH_TOLERANCE + CLOSING_TIME * fastest } else { 0.0 };
     let reach = closed.max(2.0 * meets);
     let friction = &shot.physics().ball_ball.friction;
     let most = friction.a.max(friction.a + friction.b).max(0.0);
