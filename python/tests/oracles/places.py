@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.path import Path
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -62,15 +63,10 @@ def rail_key(piece: Wall | Post) -> tuple[str, ...]:
 
 
 def inside(outline: list[Point], p: Array) -> Array:
-    """Whether points lie in a polygon (even–odd rule)."""
-    odd = np.zeros(np.shape(p[0]), dtype=bool)
-    a = outline[-1]
-    for b in outline:
-        crosses = (a[1] > p[1]) != (b[1] > p[1])
-        rise = b[1] - a[1] if b[1] != a[1] else 1.0
-        odd ^= crosses & (p[0] < a[0] + (p[1] - a[1]) / rise * (b[0] - a[0]))
-        a = b
-    return odd
+    """Whether points lie in a polygon."""
+    x, y = np.broadcast_arrays(p[0], p[1])
+    points = np.column_stack((x.ravel(), y.ravel()))
+    return Path([*outline, outline[0]]).contains_points(points).reshape(x.shape)
 
 
 def from_center(p: Array, hole: Any) -> Array:
