@@ -70,9 +70,9 @@ lint: $(BUILT) $(MODULES) ## Formatting, lints, types and plain English.
 	+@$(MAKE) --jobs=2 lint-rust lint-page lint-python lint-text
 
 lint-rust:
-	cargo fmt --all --check
-	cargo clippy --workspace --all-targets --quiet -- $(DENY)
-	@bash scripts/no_std.sh
+	+cargo fmt --all --check
+	+cargo clippy --workspace --all-targets --quiet -- $(DENY)
+	+@bash scripts/no_std.sh
 
 lint-page: $(MODULES)
 	cd web && npm run --silent check

@@ -344,7 +344,9 @@ mod tests {
             rack.iter().enumerate().flat_map(|all| impulse(all).to_array()).collect();
         let sums: Vec<f64> = equations.iter().map(|row| dot(row, &chosen)).collect();
         let given: Vec<Change> = sums
-            .chunks_exact(ROWS)
+            .as_chunks::<ROWS>()
+            .0
+            .iter()
             .map(|s| Change {
                 momentum: Vec3::new(s[0], s[1], s[2]),
                 spin: Vec3::new(s[3], s[4], s[5]),
