@@ -36,7 +36,7 @@ DENY := $(shell printf '%s\n' "$$($(ALONE) rustc --version 2>/dev/null | cut -d 
 WITHOUT_BINDINGS := --workspace --exclude carom-py --exclude carom-wasm
 DEBUG_TESTS := $(WITHOUT_BINDINGS) --lib --bins --tests
 DOC_TESTS := $(WITHOUT_BINDINGS) --doc
-RELEASE_TESTS := --release -p carom -p carom-check -p carom-rules \
+RELEASE_TESTS := --profile release-tests -p carom -p carom-check -p carom-rules \
                  --test simulate --test whole_shots --test random_play
 # maturin is found on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
@@ -75,7 +75,7 @@ lint-rust:
 	+@bash scripts/no_std.sh
 
 lint-page: $(MODULES)
-	cd web && npm run --silent check
+	cd web && $(ALONE) npm run --silent check
 
 lint-python: $(BUILT)
 	$(BIN)/ruff check --quiet .
@@ -95,8 +95,8 @@ rust-test: ## The Rust tests in debug; whole shots, 100 000 of them random, in r
 
 web-test: $(BUILT) $(PAGE) ## The page's tests, in Node and in Chromium.
 	@bash scripts/prerequisites.sh tests
-	cd web && npm run --silent test
-	cd web && npm run --silent e2e
+	cd web && $(ALONE) npm run --silent test
+	cd web && $(ALONE) npm run --silent e2e
 
 python-test: $(BUILT) $(PAGE) ## The Python tests, the validation and the README's snippets.
 	$(PYTEST) --quiet --durations=10 --numprocesses=2 --dist=worksteal
@@ -110,7 +110,7 @@ stress: $(BUILT) ## The long randomised suites: 10 million shots and more (hours
 	CAROM_FRAMES=100000 cargo test --release -p carom-rules --test random_play
 	bash scripts/fuzz.sh 600
 	$(PYTEST) -m stress
-	cargo run --release -p carom-check --bin stress
+	cargo run --release -p carom-check --example stress
 
 bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 	$(BIN)/carom bench
@@ -120,7 +120,7 @@ bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 	$(PY) benches/questions.py
 	$(PY) benches/amplification.py
 	$(PY) benches/many_balls.py
-	cd web && npm run --silent bench
+	cd web && $(ALONE) npm run --silent bench
 
 bench-peer: $(TOOLS) ## The same beside pooltool 0.6.0, in an environment of its own (1 GB).
 	@bash scripts/bench_peer.sh $(PY)
