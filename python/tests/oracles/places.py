@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from oracles.world import Hole, Point, Post, Wall, World
 
 Array = Any
+#: Centre and radius, m.
+Circle = tuple[tuple[float, float], float]
 
 #: The gap where a shape cannot be touched, m: large enough that no search looks closer.
 CLEAR = 1.0
@@ -33,6 +35,8 @@ class Place:
     key: tuple[str, ...]
     gap: Callable[[Array], Array]
     normal: Callable[[Array], Array]
+    #: A circle that contains the shape in plan view; None if the shape is everywhere.
+    circle: Circle | None = None
 
 
 def places_of(world: World, radius: float) -> list[Place]:
@@ -136,7 +140,8 @@ def _wall(wall: Wall, h: float, radius: float) -> Place:
         off = float((p[:2] - a) @ n)
         return _to_edge(off, -n, h - p[2], radius)
 
-    return Place(rail_key(wall), gap, normal)
+    middle = (np.array(wall.start) + np.array(wall.end)) / 2
+    return Place(rail_key(wall), gap, normal, ((middle[0], middle[1]), length / 2))
 
 
 def _post(post: Post, h: float, radius: float) -> Place:
@@ -158,7 +163,7 @@ def _post(post: Post, h: float, radius: float) -> Place:
         d = float(from_center(p, post))
         return _to_edge(d - post.radius, (c - p[:2]) / d, h - p[2], radius)
 
-    return Place(rail_key(post), gap, normal)
+    return Place(rail_key(post), gap, normal, (post.center, post.radius))
 
 
 def _is_at_wall(hole: Hole, p: Array) -> Array:
@@ -182,7 +187,7 @@ def _lip(hole: Hole, radius: float) -> Place:
         out = d / np.hypot(*d) * (hole.radius - np.hypot(*d))
         return _unit(np.array((*out, min(-float(p[2]), 0.0))))
 
-    return Place(("slate-collision", "lip"), gap, normal)
+    return Place(("slate-collision", "lip"), gap, normal, (hole.center, hole.radius))
 
 
 def _liner(hole: Hole, h: float, radius: float) -> Place:
@@ -204,7 +209,7 @@ def _liner(hole: Hole, h: float, radius: float) -> Place:
         out = d / np.hypot(*d) * (hole.radius - np.hypot(*d))
         return _unit(np.array((*out, min(h - float(p[2]), 0.0))))
 
-    return Place(("rail-collision", "liner"), gap, normal)
+    return Place(("rail-collision", "liner"), gap, normal, (hole.center, hole.radius))
 
 
 def _unit(v: Array) -> Array:

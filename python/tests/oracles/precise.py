@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from mpmath import mp, mpf, polyroots
 
 from oracles import laws
@@ -401,7 +402,10 @@ def _real_roots(c: Sequence[Number]) -> list[Number]:
         c.pop(0)
     if len(c) < 2:
         return []
-    roots = polyroots(c[::-1], maxsteps=500, extraprec=400, asc=True)
+    # The search starts at the roots in double precision. It needs different complex numbers.
+    rough = np.roots([float(k) for k in c])
+    near = [mp.mpc(z + 1e-9 * (1 + abs(z)) * 1j**k) for k, z in enumerate(rough)]
+    roots = polyroots(c[::-1], maxsteps=500, extraprec=400, roots_init=near, asc=True)
     return [z.real for z in map(mp.mpc, roots) if abs(z.imag) < REAL * (1 + abs(z))]
 
 

@@ -15,7 +15,7 @@ from scipy.integrate import DOP853
 from scipy.optimize import brentq, minimize_scalar
 
 from oracles import laws
-from oracles.places import CLEAR, Place, edges_of, from_center, inside, on_top, places_of
+from oracles.places import CLEAR, Circle, Place, edges_of, from_center, inside, on_top, places_of
 from oracles.world import Happening, Hole, State, World, motion_of
 
 if TYPE_CHECKING:
@@ -28,16 +28,19 @@ RELATIVE, ABSOLUTE = 1e-13, 1e-14
 #: Longest step, s, and number of samples of each step. At 10 m/s a ball moves 1 cm between two
 #: samples; a value that may dip below zero between two samples is minimised.
 STEP, LOOKS = 0.008, 8
+#: Only values below this, m, are minimised.
+NEAR = 0.05
 #: Bodies with a smaller gap than this, m, touch.
 TOUCH = 1e-10
-
-
 #: Touching bodies collide if they approach faster than this, m/s.
 PARTED = 1e-12
 #: Rates below this, m/s, are rounding errors where a ball passes level over an edge.
 LEVEL = 1e-9
 #: Time after which such a ball is checked for approach, s; it falls 50 nm in it.
 SOON = 1e-4
+
+#: Signs of the angular velocities about y and x in the velocity of a ball's lowest point.
+BELOW = np.array(((-1.0,), (1.0,)))
 
 ON_CLOTH = ("sliding", "rolling", "spinning", "stationary")
 
@@ -51,6 +54,8 @@ class Watch:
     value: Callable[[Array], Array]  # of states (9, n) or (9, n, looks)
     contact: bool = False
     place: Place | None = None
+    #: As in `Place`; the value of a ball outside it is at least the ball's distance from it.
+    circle: Circle | None = None
 
 
 class Stepping:
@@ -97,6 +102,7 @@ class Stepping:
         sliding = np.array([m == "sliding" for m in self.motion])
         rolling = np.array([m == "rolling" for m in self.motion])
         flying = np.array([m == "airborne" for m in self.motion])
+        slides, rolls = sliding.any(), rolling.any()
         on_cloth = np.array([m in ON_CLOTH for m in self.motion])
         u0 = _slip(self.y, r)
         v0 = self.y[3:5].copy()
@@ -110,15 +116,16 @@ class Stepping:
             d[5] = -g * flying
             # The force continues unchanged after slip or speed vanishes, so that the integrator can
             # step over that instant, which is then found as a root.
-            u = _unit(_slip(y, r), u0)
-            force = -cloth["sliding_friction"] * g * u * sliding
-            d[3:5] += force
-            d[6] += sliding * force[1] * 5 / (2 * r)
-            d[7] -= sliding * force[0] * 5 / (2 * r)
-            drag = -cloth["rolling_friction"] * g * _unit(y[3:5], v0) * rolling
-            d[3:5] += drag
-            d[6] += -drag[1] / r
-            d[7] += drag[0] / r
+            if slides:
+                force = -cloth["sliding_friction"] * g * _unit(_slip(y, r), u0) * sliding
+                d[3:5] += force
+                d[6] += force[1] * 5 / (2 * r)
+                d[7] -= force[0] * 5 / (2 * r)
+            if rolls:
+                drag = -cloth["rolling_friction"] * g * _unit(y[3:5], v0) * rolling
+                d[3:5] += drag
+                d[6] += -drag[1] / r
+                d[7] += drag[0] / r
             d[8] = -cloth["spin_deceleration"] * spin_sign
             return d.ravel()
 
@@ -175,11 +182,13 @@ class Stepping:
         key = (place.key[0], self.world.ids[i], *place.key[1:])
         if place.key[0] == "slate-collision":
             key = key[:2]
-        return Watch(key, (i,), lambda y: place.gap(y[0:3, i]), contact=True, place=place)
+        return Watch(key, (i,), lambda y: place.gap(y[0:3, i]), True, place, place.circle)
 
     def _comes_over(self, i: int, hole: Hole) -> Watch:
         key = ("tips", self.world.ids[i])
-        return Watch(key, (i,), lambda y: from_center(y[0:2, i], hole) - hole.radius)
+        circle = (hole.center, hole.radius)
+        distance = lambda y: from_center(y[0:2, i], hole) - hole.radius  # noqa: E731
+        return Watch(key, (i,), distance, circle=circle)
 
     def _is_on_top(self, i: int) -> bool:
         return bool(self.y[2, i] > self.radius[i] + self.world.nose_height / 2)
@@ -225,7 +234,8 @@ class Stepping:
                 over = from_center(y[0:2, i], hole) <= hole.radius
                 return np.where(over, y[2, i] - depth, CLEAR)
 
-            found.append(Watch(("pocket-collision", self.world.ids[i], hole.name), (i,), height))
+            key = ("pocket-collision", self.world.ids[i], hole.name)
+            found.append(Watch(key, (i,), height, circle=(hole.center, hole.radius)))
         return found
 
     def _is_trapped(self, i: int) -> bool:
@@ -276,6 +286,10 @@ class Stepping:
             rtol=RELATIVE, atol=ABSOLUTE, max_step=STEP, first_step=1e-4,
         )  # fmt: skip
         touching = [w.contact and abs(w.value(self.y)) <= TOUCH for w in watches]
+        balls = [w.balls[0] for w in watches]
+        centers = np.array([w.circle[0] if w.circle else (0.0, 0.0) for w in watches])
+        reaches = np.array([w.circle[1] if w.circle else np.inf for w in watches])
+        reaches += self.radius[balls] + NEAR
         while True:
             message = solver.step()
             if solver.status == "failed":
@@ -283,8 +297,12 @@ class Stepping:
             dense = solver.dense_output()
             times = np.linspace(solver.t_old, solver.t, LOOKS + 1)
             looks = dense(times).reshape(*shape, LOOKS + 1)
+            off = np.hypot(*(looks[:2, balls] - centers.T[:, :, None])).min(axis=1)
             first: tuple[float, Watch] | None = None
             for k, w in enumerate(watches):
+                if off[k] > reaches[k]:
+                    touching[k] = False
+                    continue
                 values = np.array(w.value(looks))
                 if touching[k]:
                     # The bodies touch and separate; a new contact needs a clear gap first.
@@ -392,7 +410,7 @@ class Stepping:
 
 
 def _slip(y: Array, r: Array) -> Array:
-    return np.stack((y[3] - r * y[7], y[4] + r * y[6]))
+    return y[3:5] + r * y[7:5:-1] * BELOW
 
 
 def _unit(v: Array, before: Array) -> Array:
@@ -422,6 +440,8 @@ def _first_fall(
     def at(t: float) -> float:
         return float(watch.value(dense(t).reshape(shape)))
 
+    if values.min() >= NEAR:
+        return None
     for k in range(len(times) - 1):
         if values[k] > 0.0 >= values[k + 1]:
             low = times[k]
@@ -434,7 +454,7 @@ def _first_fall(
         if not watch.contact or k == 0:
             continue
         dips = values[k] < values[k - 1] and values[k] < values[k + 1]
-        if dips and 0.0 < values[k] < 0.05:
+        if dips and 0.0 < values[k] < NEAR:
             bounds = (times[k - 1], times[k + 1])
             lowest = minimize_scalar(at, bounds=bounds, method="bounded", options={"xatol": 1e-12})
             if lowest.fun < 0.0:
