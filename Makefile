@@ -73,6 +73,7 @@ lint-rust:
 	+cargo fmt --all --check
 	+cargo clippy --workspace --all-targets --quiet -- $(DENY)
 	+@bash scripts/no_std.sh
+	+@RUSTDOCFLAGS="$(DENY)" cargo doc --no-deps --quiet
 
 lint-page: $(MODULES)
 	cd web && $(ALONE) npm run --silent check
