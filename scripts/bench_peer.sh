@@ -5,7 +5,8 @@
 # and the means of shots in turn, go to benches/results with the commit.
 set -euo pipefail
 venv=$PWD/.cache/peer
-# pooltool writes settings into the home directory, so it gets a separate one.
+# pooltool writes settings into the home directory, so it gets a separate one. Rust stays where it is.
+export RUSTUP_HOME=${RUSTUP_HOME:-$HOME/.rustup} CARGO_HOME=${CARGO_HOME:-$HOME/.cargo}
 home=$PWD/.cache/peer-home
 mkdir -p "$home"
 [ -x "$venv/bin/python" ] || "$1" -m venv "$venv"
