@@ -4,11 +4,14 @@ import { fileURLToPath } from "node:url";
 
 const ROOT = fileURLToPath(new URL("../../", import.meta.url));
 
-/** The checkout's short commit, with `+` if tracked files have changes, and the date in UTC. */
+/** Every tracked file but the results: one benchmark writes its results before the next one starts. */
+const CODE = [".", ":(exclude)benches/results"];
+
+/** The checkout's short commit, with `+` if files of CODE have changes, and the date in UTC. */
 export function commitAndDate(): { readonly commit: string; readonly date: string } {
   const git = (...command: string[]) =>
     execFileSync("git", ["-C", ROOT, ...command], { encoding: "utf8" }).trim();
-  const changed = git("status", "--porcelain", "--untracked-files=no") !== "";
+  const changed = git("status", "--porcelain", "--untracked-files=no", "--", ...CODE) !== "";
   return {
     commit: git("rev-parse", "--short", "HEAD") + (changed ? "+" : ""),
     date: new Date().toISOString().slice(0, 10),

@@ -98,15 +98,18 @@ def checkout() -> Path | None:
     return None
 
 
+# Every tracked file but the results: one benchmark writes its results before the next one starts.
+CODE = (".", ":(exclude)benches/results")
+
+
 def _commit() -> str | None:
-    """Short name of the checkout's commit, with ``+`` if tracked files have changes."""
+    """Short name of the checkout's commit, with ``+`` if files of CODE have changes."""
     root = checkout()
     if root is None:
         return None
     try:
-        return _git(root, "rev-parse", "--short", "HEAD") + (
-            "+" if _git(root, "status", "--porcelain", "--untracked-files=no") else ""
-        )
+        changes = _git(root, "status", "--porcelain", "--untracked-files=no", "--", *CODE)
+        return _git(root, "rev-parse", "--short", "HEAD") + ("+" if changes else "")
     except (OSError, subprocess.CalledProcessError):
         return None
 
