@@ -7,7 +7,7 @@ Olympiad's noise. The actions are random, but aimed at a ball. Both wall time on
 processor time per core are measured. The rules' share of the instructions is counted by valgrind
 where it is installed. Where pooltool is installed (``make bench-peer``), an environment built on it
 plays the same on the same table, in turns with ours. The result is stored in
-``benches/results/environments.json``.
+``benches/results/environments.json``, or in ``environments_alone.json`` without pooltool.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from pooltool_environment import TABLE, EightBall, timed
 Array = NDArray[Any]
 
 ROOT = Path(__file__).resolve().parents[1]
-STORED = ROOT / "benches" / "results" / "environments.json"
+RESULTS = ROOT / "benches" / "results"
 NOISE = carom.Noise.olympiad(1.0)
 ENVIRONMENTS = 4096
 STEPS = 20
@@ -59,8 +59,9 @@ def main() -> int:
     result: dict[str, Any] = report.where() | steps() | rules() | beside_pooltool()
     print(json.dumps(result, indent=2))
     print(f"bars: {BAR_STEPS} steps/s, {BAR_RATIO} x pooltool, rules under {BAR_RULES:.0%}")
-    STORED.parent.mkdir(parents=True, exist_ok=True)
-    STORED.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+    name = "environments.json" if "beside_pooltool" in result else "environments_alone.json"
+    RESULTS.mkdir(parents=True, exist_ok=True)
+    (RESULTS / name).write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
     return 0
 
 

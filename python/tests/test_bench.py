@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from pathlib import Path
 
 import carom
 import numpy as np
@@ -102,6 +103,14 @@ def test_json_is_printed_and_stored_in_the_folder(
         assert row["median_us"] > 0
         assert row["ns_per_event"] * row["events_mean"] == pytest.approx(1000 * row["mean_us"])
     assert printed["shots_per_second"]["1"] > 0
+
+
+def test_a_run_without_the_peer_leaves_the_stored_run_with_it(tmp_path: Path) -> None:
+    where = report.where()
+    beside = report.store(where | {"peer": "pooltool 0.6.0"}, tmp_path)
+    alone = report.store(where | {"peer": None}, tmp_path)
+    assert json.loads(beside.read_text())["peer"] == "pooltool 0.6.0"
+    assert json.loads(alone.read_text())["peer"] is None
 
 
 @pytest.mark.usefixtures("quick")

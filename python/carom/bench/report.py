@@ -120,10 +120,15 @@ def _git(root: Path, *arguments: str) -> str:
 
 
 def store(result: dict[str, Any], folder: Path) -> Path:
-    """Writes the result to ``<date>-<commit>.json`` in `folder`."""
+    """Writes the result to ``<date>-<commit>.json`` in `folder`.
+
+    Without the peer ``-alone`` is added to the name, so that a run without the peer does not
+    overwrite one with it.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     commit = (result["commit"] or result["carom"]).replace("+", "-changed")
-    path = folder / f"{result['date'][:10]}-{commit}.json"
+    alone = "" if result["peer"] else "-alone"
+    path = folder / f"{result['date'][:10]}-{commit}{alone}.json"
     path.write_text(json.dumps(result, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
     return path
 
