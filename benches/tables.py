@@ -2,7 +2,7 @@
 
     python benches/tables.py                 # print them
     python benches/tables.py --write         # write them into the pages
-    python benches/tables.py --write 2026-11-21-4866d77.json    # with another run of `carom bench`
+    python benches/tables.py --write 2026-11-22-b3512da.json    # with another run of `carom bench`
 
 In a page a table is below a comment `<!-- table: NAME FILE -->`, where FILE is the stored result in
 ``benches/results``. A test compares the pages with the tables.
