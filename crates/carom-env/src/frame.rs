@@ -60,9 +60,10 @@ impl FrameEpisode {
     /// The frame's indices of the balls of the next shot.
     fn balls_of_shot(&self, turn: &Turn) -> Vec<BallIndex> {
         let layout = self.frame.layout();
-        (0..layout.len() as BallIndex)
-            .filter(|ball| *ball == turn.cue || !layout.is_down(*ball))
-            .collect()
+        let mut balls = Vec::with_capacity(layout.len());
+        let all = 0..layout.len() as BallIndex;
+        balls.extend(all.filter(|ball| *ball == turn.cue || !layout.is_down(*ball)));
+        balls
     }
 
     /// The call for a shot without an expected pot.

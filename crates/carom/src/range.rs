@@ -51,6 +51,7 @@ impl Range {
     }
 
     /// Whether `x` is in the range.
+    #[inline]
     pub(crate) fn contains(&self, x: f64) -> bool {
         let above = if self.low_open { x > self.low } else { x >= self.low };
         let below = if self.high_open { x < self.high } else { x <= self.high };
@@ -58,16 +59,19 @@ impl Range {
     }
 
     /// Refuses the number `x` at `place` if it is out of range or not finite.
+    #[inline]
     pub(crate) fn check(&self, place: impl FnOnce() -> String, x: f64) -> Result<(), Error> {
-        if self.contains(x) {
-            return Ok(());
-        }
+        if self.contains(x) { Ok(()) } else { Err(self.refusal(place(), x)) }
+    }
+
+    #[cold]
+    fn refusal(&self, place: String, x: f64) -> Error {
         let what = if x.is_finite() {
             format!("{x:?} is out of range")
         } else {
             format!("{} is not a number that a shot can use", describe_number(x))
         };
-        Err(Error::input(place(), what, format!("write {}", self.describe())))
+        Error::input(place, what, format!("write {}", self.describe()))
     }
 
     /// Whether the range is for numbers that the engine computed, such as the states of a trace. It

@@ -113,6 +113,7 @@ impl Simulator {
 
     /// State of ball `i` of the last shot at `time` (s), not before its last event, in the engine's
     /// frame.
+    #[inline]
     pub fn state(&self, i: usize, time: f64) -> BallState {
         match &self.many {
             Some(many) if self.in_many => many.state(i, time),

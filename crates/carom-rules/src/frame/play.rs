@@ -6,7 +6,7 @@ use carom::{BallState, Error, MotionState, Shot, Simulator, Trace};
 
 use super::Frame;
 use crate::games::PlayedShot;
-use crate::layout::{BallIndex, FrameLayout};
+use crate::layout::FrameLayout;
 use crate::play::{Call, Play, through_degrees};
 use crate::referee::{CueBallTravel, RefereeRecorder, renumbered};
 use crate::request::Turn;
@@ -203,7 +203,8 @@ impl Frame {
 
         let layout = &mut self.state.layout;
         layout.put(turn.cue, play.cue_ball.or_else(|| layout.place(turn.cue)));
-        let balls: Vec<BallIndex> = layout.on_table().collect();
+        let mut balls = Vec::with_capacity(layout.len());
+        balls.extend(layout.on_table());
         let before = layout.clone();
         let (outcome, travel) = recorder.finish(&last, 0.5 * shot.table().size.y);
         let last: Vec<BallState> =
