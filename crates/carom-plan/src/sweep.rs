@@ -120,7 +120,8 @@ pub struct RowResults {
     pub events: Vec<i32>,
     /// Time of the last event, s; NaN where the shot failed.
     pub duration: Vec<f64>,
-    /// Per ball: the pocket it fell into, or [`ON_TABLE`](carom::batch::ON_TABLE), [`OFF_TABLE`], [`PADDING`].
+    /// Per ball: the pocket it fell into, or [`ON_TABLE`](carom::batch::ON_TABLE), [`OFF_TABLE`],
+    /// [`PADDING`].
     pub pocket: Vec<i8>,
     /// Per ball: the final centre in the file's frame, m; NaN for padding and where the shot failed.
     pub end: [Vec<f64>; 3],

@@ -185,10 +185,11 @@ class Stepping:
         return Watch(key, (i,), lambda y: place.gap(y[0:3, i]), True, place, place.circle)
 
     def _comes_over(self, i: int, hole: Hole) -> Watch:
+        def distance(y: Array) -> Array:
+            return from_center(y[0:2, i], hole) - hole.radius
+
         key = ("tips", self.world.ids[i])
-        circle = (hole.center, hole.radius)
-        distance = lambda y: from_center(y[0:2, i], hole) - hole.radius  # noqa: E731
-        return Watch(key, (i,), distance, circle=circle)
+        return Watch(key, (i,), distance, circle=(hole.center, hole.radius))
 
     def _is_on_top(self, i: int) -> bool:
         return bool(self.y[2, i] > self.radius[i] + self.world.nose_height / 2)
