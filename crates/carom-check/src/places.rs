@@ -66,7 +66,7 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>) -> Option<Str
         return Some(format!("ball {ball} is {motion}, and out of play"));
     }
     let wrong = match event.kind {
-        EventKind::CueStrike => None,
+        EventKind::CueStrike { .. } => None,
         EventKind::BallCollision => check.balls_approach(),
         EventKind::RailCollision(k) => {
             let (c, radius) = (event.before[0].position, check.radius(0));

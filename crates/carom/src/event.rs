@@ -5,8 +5,14 @@ use crate::{BallState, MotionState};
 /// The kinds of event (Leckie & Greenspan 2006, section 2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EventKind {
-    /// The cue strikes the cue ball.
-    CueStrike,
+    /// The cue strikes the cue ball. The balls that it moves through others at the same instant
+    /// follow the cue ball in the event's list.
+    CueStrike {
+        /// How often the tip met the ball. More than one contact is a double hit.
+        tip_contacts: u8,
+        /// Whether the cue ball met a ball that it did not touch before, while the tip was on it.
+        pushed: bool,
+    },
     /// Two balls collide, or several that touch.
     BallCollision,
     /// A ball hits a cushion: index into `Table::cushions`.

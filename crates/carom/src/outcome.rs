@@ -58,6 +58,10 @@ pub struct Outcome {
     /// The balls and rails that the cue ball touched, in order. In a many-ball contact these are
     /// the balls that it touched itself, the nearest first.
     pub cue_ball_touched: Vec<Touched>,
+    /// How often the tip met the cue ball: more than once in a double hit; 0 without a strike.
+    pub tip_contacts: u8,
+    /// Whether the cue ball met a ball that it did not touch before, while the tip was still on it.
+    pub pushed: bool,
     /// Balls that never come to rest, because friction is zero.
     pub never_resting: Vec<u16>,
     /// Number of events.

@@ -26,6 +26,8 @@ pub struct Physics {
     pub slate: Surface,
     /// The cue.
     pub cue: Cue,
+    /// How long contacts last that take part in a network.
+    pub contact_times: ContactTimes,
 }
 
 impl Physics {
@@ -193,9 +195,21 @@ pub enum Tip {
     Efficiency(f64),
 }
 
+/// Which law gives the velocities of a struck ball.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum StrikeModel {
+    /// The tip, the ball, the slate and all that touches the ball act at once
+    /// ([`network`](crate::resolve::network)). A tip alone has the law of the model `Sequential`.
+    Network,
+    /// First the tip alone (Leckie & Greenspan 2005), then the slate (TP B.10), then other balls.
+    Sequential,
+}
+
 /// The cue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cue {
+    /// Model of the strike.
+    pub model: StrikeModel,
     /// Mass, kg.
     pub mass: f64,
     /// Mass of the shaft's end that takes part in squirt, kg; 0 for a cue without squirt.
@@ -208,6 +222,21 @@ pub struct Cue {
     pub tip_friction: f64,
     /// Restitution or efficiency of the tip.
     pub tip: Tip,
+    /// c, by which the restitution e₀ of the tip falls off the centre: it is e₀/√(1 + c·tan²β) where
+    /// the cue's axis meets the ball at the angle β from its surface's normal (sin β is the offset
+    /// in ball radii). 0 for a restitution that does not fall. Without effect on
+    /// [`Tip::Efficiency`].
+    pub tip_off_centre_loss: f64,
+}
+
+/// How long contacts last at an approach of 1 m/s without losses, s. At the speed V they last
+/// V^(−1/5) times as long (Hertz). The times matter only where several contacts act at once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactTimes {
+    /// The tip of the cue on the ball.
+    pub tip: f64,
+    /// The ball on the slate.
+    pub slate: f64,
 }
 
 #[cfg(test)]

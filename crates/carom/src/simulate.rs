@@ -28,6 +28,7 @@ use crate::detect::ball_table::TableFeature;
 use crate::event::{EventKind, Recorder};
 use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::motion::Path;
+use crate::physics::StrikeModel;
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 use crate::shot::Shot;
 use crate::{Ball, BallState, MotionState, Physics};
@@ -365,10 +366,16 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let ball = self.ball[struck];
         let (velocity, angular_velocity) =
             cue_ball::resolve(&step.physics.cue, &ball, strike).map_err(SimulationError::Strike)?;
+        if step.physics.cue.model == StrikeModel::Network
+            && self.on_network_strike(struck, strike, velocity, step)?
+        {
+            return Ok(());
+        }
         let support = Support::under(&before);
         let after = support.settled(&before, velocity, angular_velocity, &ball, step.physics);
         self.begin_path(struck, &after, step);
-        step.record(EventKind::CueStrike, &[struck as u16], &[before], &[after]);
+        let kind = EventKind::CueStrike { tip_contacts: 1, pushed: false };
+        step.record(kind, &[struck as u16], &[before], &[after]);
         Ok(())
     }
 

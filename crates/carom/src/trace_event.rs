@@ -8,7 +8,12 @@ use crate::{BallState, MotionState, Table};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TraceEventKind {
     /// The cue meets the cue ball.
-    CueStrike,
+    CueStrike {
+        /// How often the tip met the ball. More than one contact is a double hit.
+        tip_contacts: u8,
+        /// Whether the cue ball met a ball that it did not touch before, while the tip was on it.
+        pushed: bool,
+    },
     /// Two balls collide, or several balls in one many-ball contact.
     BallCollision,
     /// A ball meets a cushion.
@@ -37,7 +42,9 @@ impl TraceEventKind {
     /// The engine's `kind` of event with the names of `table`.
     pub fn of(kind: EventKind, table: &Table) -> Self {
         match kind {
-            EventKind::CueStrike => Self::CueStrike,
+            EventKind::CueStrike { tip_contacts, pushed } => {
+                Self::CueStrike { tip_contacts, pushed }
+            }
             EventKind::BallCollision => Self::BallCollision,
             EventKind::RailCollision(i) => {
                 let cushion = &table.cushions[usize::from(i)];
@@ -55,7 +62,7 @@ impl TraceEventKind {
     /// The event's `type` in a trace.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::CueStrike => "cue-strike",
+            Self::CueStrike { .. } => "cue-strike",
             Self::BallCollision => "ball-collision",
             Self::RailCollision { .. } => "rail-collision",
             Self::PocketCollision(_) => "pocket-collision",

@@ -62,7 +62,7 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>, gap: f64) -> 
     };
     let (before, after) = (energy(event.before), energy(event.after));
     let given = after - before;
-    if let EventKind::CueStrike = event.kind {
+    if let EventKind::CueStrike { .. } = event.kind {
         // Only the strike in the shot itself is known here.
         let (_, strike) = shot.strike()?;
         let had = 0.5 * shot.physics().cue.mass * strike.speed * strike.speed;

@@ -51,6 +51,8 @@ impl Outcome {
             ("rails_after_first_contact", Node::Object(after)),
             ("driven_to_rail", ids(&self.driven_to_rail)),
             ("cue_ball_touched", Node::list(self.cue_ball_touched.iter().map(touched))),
+            ("tip_contacts", u32::from(self.tip_contacts).into()),
+            ("pushed", self.pushed.into()),
             ("never_resting", ids(&self.never_resting)),
             ("miscue", shot.is_miscue().into()),
             ("cue_obstructed", shot.cue_obstruction().as_ref().map(name).into()),

@@ -138,6 +138,13 @@ impl<'a> At<'a> {
     }
 
     /// A string.
+    pub(crate) fn flag(&self) -> Result<bool, Error> {
+        match self.node {
+            Node::Bool(flag) => Ok(*flag),
+            _ => Err(self.wrong_type("true or false")),
+        }
+    }
+
     pub(crate) fn text(&self, wanted: &str) -> Result<&'a str, Error> {
         match self.node {
             Node::Text(s) => Ok(s),

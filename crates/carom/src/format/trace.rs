@@ -153,8 +153,11 @@ fn write_event(event: &TraceEvent<'_>, balls: &[PlacedBall]) -> Node {
             node.set("from", from.name());
             node.set("to", to.name());
         }
-        TraceEventKind::CueStrike
-        | TraceEventKind::BallCollision
+        TraceEventKind::CueStrike { tip_contacts, pushed } => {
+            node.set("tip_contacts", u32::from(tip_contacts));
+            node.set("pushed", pushed);
+        }
+        TraceEventKind::BallCollision
         | TraceEventKind::SlateCollision
         | TraceEventKind::OffTable => {}
     }
@@ -205,7 +208,11 @@ fn read_kind(fields: &Fields<'_>) -> Result<TraceEventKind, Error> {
     };
     let at = fields.require("type", "the type of event")?;
     match at.text("the type of event")? {
-        "cue-strike" => Ok(TraceEventKind::CueStrike),
+        "cue-strike" => Ok(TraceEventKind::CueStrike {
+            // Traces of earlier versions do not have these two.
+            tip_contacts: fields.get("tip_contacts").map_or(Ok(1), |at| at.whole(1, u8::MAX))?,
+            pushed: fields.get("pushed").map_or(Ok(false), |at| at.flag())?,
+        }),
         "ball-collision" => Ok(TraceEventKind::BallCollision),
         "rail-collision" => {
             let rails = RAILS.map(|r| (r.name(), r));

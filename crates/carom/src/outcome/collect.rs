@@ -70,8 +70,14 @@ impl<'a> Collector<'a> {
                 self.outcome.pocketed.extend(event.balls.iter().map(|&ball| (ball, pocket)));
             }
             TraceEventKind::OffTable => self.outcome.off_table.extend(event.balls),
-            TraceEventKind::CueStrike
-            | TraceEventKind::SlateCollision
+            TraceEventKind::CueStrike { tip_contacts, pushed } => {
+                self.outcome.tip_contacts = tip_contacts;
+                self.outcome.pushed = pushed;
+                if event.balls.len() > 1 {
+                    self.balls_collide(event);
+                }
+            }
+            TraceEventKind::SlateCollision
             | TraceEventKind::RailCollision { part: Part::Top | Part::Liner, .. }
             | TraceEventKind::MotionTransition { .. } => {}
         }

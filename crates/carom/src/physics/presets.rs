@@ -4,8 +4,8 @@
 //! first to be replaced by a measurement.
 
 use super::{
-    BallBall, BallBallModel, Cloth, Cue, Cushion, CushionFriction, CushionModel,
-    CushionRestitution, Physics, SlipFriction, Surface, Tip,
+    BallBall, BallBallModel, Cloth, ContactTimes, Cue, Cushion, CushionFriction, CushionModel,
+    CushionRestitution, Physics, SlipFriction, StrikeModel, Surface, Tip,
 };
 use crate::Ball;
 
@@ -61,6 +61,7 @@ impl Physics {
             // Dr. Dave FAQ: 0.5 to 0.7; friction as in sliding (TP B.10).
             slate: Surface { restitution: 0.5, friction: 0.2 },
             cue: Cue {
+                model: StrikeModel::Network,
                 // 20 oz.
                 mass: 0.567,
                 // m_b/30 (pooltool): 1.9° of squirt at half a radius, a common playing shaft.
@@ -71,7 +72,9 @@ impl Physics {
                 tip_friction: 0.6,
                 // Leather, TP A.30: 0.71–0.75.
                 tip: Tip::Restitution(0.73),
+                tip_off_centre_loss: OFF_CENTRE_LOSS,
             },
+            contact_times: CONTACT_TIMES,
         }
     }
 
@@ -181,6 +184,8 @@ impl Physics {
                 end_mass: 0.0,
                 tip_friction: 0.7,
                 tip: Tip::Restitution(1.0),
+                tip_off_centre_loss: 0.0,
+                model: StrikeModel::Sequential,
                 ..pool.cue
             },
             ..pool
@@ -207,11 +212,26 @@ impl Physics {
             liner: Surface { friction: 0.0, ..pool.liner },
             // The slate still absorbs energy; otherwise a hopping ball would hop for ever.
             slate: Surface { restitution: 0.5, friction: 0.0 },
-            cue: Cue { end_mass: 0.0, tip: Tip::Restitution(1.0), ..pool.cue },
+            cue: Cue {
+                end_mass: 0.0,
+                tip: Tip::Restitution(1.0),
+                tip_off_centre_loss: 0.0,
+                model: StrikeModel::Sequential,
+                ..pool.cue
+            },
             ..pool
         }
     }
 }
+
+/// The loss of a leather tip off the centre, fitted: a cue of 20 oz at 15 mph, half a radius off the
+/// centre, gives a ball of 6 oz 11.194 mph (TP B.10, A.30). Its restitution is then 0.44.
+const OFF_CENTRE_LOSS: f64 = 5.388_423;
+
+/// Contact times at 1 m/s. A leather tip stays on the ball for about 1 ms (Alciatore, high-speed
+/// video). The slate's half of that is a fit: a massé then hops by less than 15 mm
+/// (docs/contact.md).
+const CONTACT_TIMES: ContactTimes = ContactTimes { tip: 1e-3, slate: 5e-4 };
 
 /// Friction of pool balls, fitted with the compliant model to Alciatore's throw measurements of
 /// 2006 and 2014 together (`tests/resolve/ball_ball_measured.rs`): 0.66° rms over 20 readings. TP

@@ -28,6 +28,7 @@ use crate::Ball;
 use crate::math::{Vec3, atan, sin_cos, sqrt};
 use crate::physics::{Cue, Tip};
 use crate::resolve::SPIN_PER_IMPULSE;
+use crate::resolve::network::{TipTouch, stiffness_of_time};
 
 /// A strike, in the shooter's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,21 +130,74 @@ pub fn squirt(cue: &Cue, ball: &Ball, side: f64) -> f64 {
     atan(lever / (1.0 + ball.mass / cue.end_mass + SPIN_PER_IMPULSE * inward))
 }
 
-/// Ball speed divided by cue speed, for an offset with the inertia factor `k` = 1 + 5/2·offset².
-/// `None` if the radicand of TP A.30 is negative.
-fn speed_ratio(cue: &Cue, ball: &Ball, k: f64) -> Option<f64> {
-    let mass_ratio = ball.mass / cue.mass;
-    let recoil = match cue.tip {
-        Tip::Restitution(e) => e,
-        Tip::Efficiency(efficiency) => {
-            let radicand = efficiency - (1.0 - efficiency) * k / mass_ratio;
-            if radicand < 0.0 {
-                return None;
-            }
-            sqrt(radicand)
+/// The restitution of the tip at `offset` (in ball radii). `None` if the radicand of TP A.30 is
+/// negative.
+fn tip_restitution(cue: &Cue, ball: &Ball, offset: f64) -> Option<f64> {
+    let square = offset * offset;
+    match cue.tip {
+        Tip::Restitution(e) if cue.tip_off_centre_loss == 0.0 => Some(e),
+        Tip::Restitution(e) => {
+            let square_tan = square / (1.0 - square);
+            Some(e / sqrt(1.0 + cue.tip_off_centre_loss * square_tan))
         }
-    };
-    Some((1.0 + recoil) / (mass_ratio + k))
+        Tip::Efficiency(efficiency) => {
+            let k = 1.0 + SPIN_PER_IMPULSE * square;
+            let radicand = efficiency - (1.0 - efficiency) * k * cue.mass / ball.mass;
+            (radicand >= 0.0).then(|| sqrt(radicand))
+        }
+    }
+}
+
+/// The strike's directions, in the frame of the table.
+struct Directions {
+    /// **u**, and the horizontal **r**.
+    up: Vec3,
+    right: Vec3,
+    /// The cue's axis **d**.
+    axis: Vec3,
+    /// The axis, turned by squirt.
+    launch: Vec3,
+}
+
+fn directions(cue: &Cue, ball: &Ball, strike: &Strike) -> Directions {
+    let (sin_azimuth, cos_azimuth) = sin_cos(strike.azimuth);
+    let (sin_elevation, cos_elevation) = sin_cos(strike.elevation);
+    let axis =
+        // Subtraction from 0.0 makes this 0 for a level cue, not −0.
+        Vec3::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, 0.0 - sin_elevation);
+    let up = Vec3::new(cos_azimuth * sin_elevation, sin_azimuth * sin_elevation, cos_elevation);
+    let right = Vec3::new(sin_azimuth, -cos_azimuth, 0.0);
+    let (sin_squirt, cos_squirt) = sin_cos(squirt(cue, ball, strike.side));
+    Directions { up, right, axis, launch: axis * cos_squirt - right * sin_squirt }
+}
+
+/// The tip of the cue on the ball with the index `index` in a network. `contact_time` is that of
+/// the tip, s.
+///
+/// # Errors
+/// As [`resolve`].
+pub fn tip_touch(
+    cue: &Cue,
+    ball: &Ball,
+    strike: &Strike,
+    contact_time: f64,
+    index: u8,
+) -> Result<TipTouch, StrikeError> {
+    let offset = strike.offset();
+    let restitution =
+        tip_restitution(cue, ball, offset).ok_or(StrikeError::Unreachable { offset })?;
+    let Directions { up, right, axis, launch } = directions(cue, ball, strike);
+    let depth = sqrt((1.0 - offset * offset).max(0.0));
+    let arm = right * strike.side + up * strike.height - axis * depth;
+    Ok(TipTouch {
+        ball: index,
+        cue_mass: cue.mass,
+        cue_speed: strike.speed,
+        launch,
+        twist: arm.cross(axis),
+        stiffness: stiffness_of_time(ball.mass * cue.mass / (ball.mass + cue.mass), contact_time),
+        restitution,
+    })
 }
 
 /// Velocity (m/s) and spin (rad/s) of a resting ball after the strike. A raised cue drives the ball
@@ -165,20 +219,10 @@ pub fn resolve(cue: &Cue, ball: &Ball, strike: &Strike) -> Result<(Vec3, Vec3), 
     if offset > limit {
         return Err(StrikeError::Miscue { offset, limit });
     }
-    let k = 1.0 + SPIN_PER_IMPULSE * offset * offset;
-    let ratio = speed_ratio(cue, ball, k).ok_or(StrikeError::Unreachable { offset })?;
-    let speed = strike.speed * ratio;
-
-    let (sin_azimuth, cos_azimuth) = sin_cos(strike.azimuth);
-    let (sin_elevation, cos_elevation) = sin_cos(strike.elevation);
-    let forward =
-        // Subtraction from 0.0 makes this 0 for a level cue, not −0.
-        Vec3::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, 0.0 - sin_elevation);
-    let up = Vec3::new(cos_azimuth * sin_elevation, sin_azimuth * sin_elevation, cos_elevation);
-    let right = Vec3::new(sin_azimuth, -cos_azimuth, 0.0);
-    let (sin_squirt, cos_squirt) = sin_cos(squirt(cue, ball, strike.side));
-    let launch = forward * cos_squirt - right * sin_squirt;
-
+    let recoil = tip_restitution(cue, ball, offset).ok_or(StrikeError::Unreachable { offset })?;
+    let inertia = ball.mass / cue.mass + 1.0 + SPIN_PER_IMPULSE * offset * offset;
+    let speed = strike.speed * ((1.0 + recoil) / inertia);
+    let Directions { up, right, launch, .. } = directions(cue, ball, strike);
     let velocity = launch * speed;
     let spin =
         (up * strike.side - right * strike.height) * (SPIN_PER_IMPULSE * speed / ball.radius);

@@ -6,6 +6,7 @@ pub mod ball_cushion;
 pub mod ball_edge;
 pub mod ball_slate;
 pub mod cue_ball;
+pub mod network;
 pub mod restitution;
 pub mod stronge;
 

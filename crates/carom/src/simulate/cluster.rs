@@ -3,14 +3,17 @@
 
 use super::step::StepContext;
 use super::support::Support;
-use super::{Simulation, earlier};
+use super::{Simulation, SimulationError, earlier};
 use crate::detect::ball_ball::ContactFinder;
 use crate::event::{EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
 use crate::resolve::Body;
-use crate::resolve::ball_ball::network::{self, MAX_BODIES, MAX_CONTACTS, Touch};
+use crate::resolve::cue_ball::{self, Strike};
+use crate::resolve::network::{
+    Impact, MAX_BODIES, MAX_CONTACTS, TipReport, TipTouch, Touch, WallTouch, stiffness_of_time,
+};
 use crate::table::TOUCH_TOLERANCE;
-use crate::{BallState, Physics};
+use crate::{Ball, BallState, Physics};
 
 /// An impact with at least this approach speed, m/s, is resolved together with all contacts of
 /// balls that touch or nearly touch ([`CLOSING_TIME`]). A slower impact is resolved together with
@@ -47,6 +50,18 @@ struct Cluster {
 }
 
 impl Cluster {
+    /// A cluster of one ball.
+    fn of(ball: u16, state: BallState) -> Self {
+        let mut cluster = Self {
+            size: 0,
+            balls: [0; MAX_BODIES],
+            before: [BallState::default(); MAX_BODIES],
+            after: [BallState::default(); MAX_BODIES],
+        };
+        cluster.add(ball, state);
+        cluster
+    }
+
     fn add(&mut self, ball: u16, state: BallState) {
         self.balls[self.size] = ball;
         self.before[self.size] = state;
@@ -55,6 +70,24 @@ impl Cluster {
 
     fn balls(&self) -> &[u16] {
         &self.balls[..self.size]
+    }
+
+    /// The states before and after the impact.
+    fn states(&self) -> (&[BallState], &[BallState]) {
+        (&self.before[..self.size], &self.after[..self.size])
+    }
+
+    /// The place of `ball` in the cluster.
+    fn place_of(&self, ball: u16) -> u8 {
+        self.balls().iter().take_while(|&&b| b != ball).count() as u8
+    }
+
+    /// Moves `ball` to the first place; the others keep their order.
+    fn put_first(&mut self, ball: u16) {
+        let place = usize::from(self.place_of(ball));
+        self.balls[..=place].rotate_right(1);
+        self.before[..=place].rotate_right(1);
+        self.after[..=place].rotate_right(1);
     }
 
     /// Removes the balls whose velocities have not changed. `first` and `second`, whose contact is
@@ -75,6 +108,19 @@ impl Cluster {
             }
         }
         self.size = kept;
+    }
+}
+
+/// The slate under the ball at the place `own` of a cluster.
+fn slate_under(own: u8, ball: &Ball, physics: &Physics) -> WallTouch {
+    let Physics { slate, contact_times, .. } = physics;
+    WallTouch {
+        ball: own,
+        normal: Vec3::new(0.0, 0.0, -1.0),
+        stiffness: stiffness_of_time(ball.mass, contact_times.slate),
+        restitution: slate.restitution,
+        friction: slate.friction,
+        frequency_ratio: None,
     }
 }
 
@@ -141,15 +187,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         step: &mut StepContext<'_, R>,
     ) -> bool {
         let time = step.time;
-        let mut cluster = Cluster {
-            size: 0,
-            balls: [0; MAX_BODIES],
-            before: [BallState::default(); MAX_BODIES],
-            after: [BallState::default(); MAX_BODIES],
-        };
-        for i in [a, b] {
-            cluster.add(i as u16, self.state(i, time));
-        }
+        let mut cluster = Cluster::of(a as u16, self.state(a, time));
+        cluster.add(b as u16, self.state(b, time));
         let first = self.proximity(&cluster, 0, 1);
         if first.approach < SLOWEST {
             return false;
@@ -163,53 +202,96 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         };
         // More than the largest gap of balls that act together, with a margin for rounding.
         let reach = 2.0 * TOUCH_TOLERANCE + CLOSING_TIME * first.approach;
-        self.gather(&mut cluster, time, reach, together);
+        self.gather(&mut cluster, 0, time, reach, together);
         if cluster.size == 2 {
             return false;
         }
-        self.resolve_cluster(&mut cluster, reach, together, step.physics);
+        let all = |_: usize, _: usize, proximity: &Proximity| together(proximity);
+        self.resolve_cluster(&mut cluster, reach, all, (&[], None), step.physics);
         cluster.keep_struck([a as u16, b as u16]);
         if cluster.size <= 2 {
             return false;
         }
-        for (&i, after) in cluster.balls().iter().zip(&cluster.after) {
-            self.begin_path(usize::from(i), after, step);
-            self.last_contact[usize::from(i)] = time;
-        }
-        let (before, after) = (&cluster.before[..cluster.size], &cluster.after[..cluster.size]);
+        self.begin_paths(&cluster, step);
+        let (before, after) = cluster.states();
         step.record(EventKind::BallCollision, cluster.balls(), before, after);
         self.find_candidates(cluster.balls(), time, step.table);
         true
     }
 
-    /// Adds every ball within `reach` (m) that acts `together` with a ball of the cluster, then
-    /// those that act together with the added balls, and so on. Finally sorts the balls in the
-    /// shot's order.
+    /// The cue strikes the resting ball `struck`, together with the slate that it presses the ball on
+    /// and the balls that touch it. Alone, the tip would give the ball `velocity`.
+    /// Returns `false`, and changes nothing, if it does act alone.
+    ///
+    /// # Errors
+    /// If the strike cannot be played.
+    pub(super) fn on_network_strike<R: Recorder>(
+        &mut self,
+        struck: usize,
+        strike: &Strike,
+        velocity: Vec3,
+        step: &mut StepContext<'_, R>,
+    ) -> Result<bool, SimulationError> {
+        let (time, physics) = (step.time, step.physics);
+        let mut cluster = Cluster::of(struck as u16, self.state(struck, time));
+        let speed = velocity.length();
+        // While the tip is on the ball, the ball moves about half as far as at its final speed.
+        let pushed = TOUCH_TOLERANCE + 0.5 * physics.contact_times.tip * speed;
+        let closing = TOUCH_TOLERANCE + CLOSING_TIME * speed;
+        let reach = TOUCH_TOLERANCE + pushed.max(closing);
+        let is_met = |p: &Proximity| p.gap <= pushed && velocity.dot(p.normal) > 0.0;
+        self.gather_around(&mut cluster, 0, time, reach, is_met);
+        self.gather(&mut cluster, 1, time, reach, |p| p.gap <= closing);
+        let own = cluster.place_of(struck as u16);
+        let is_pressed = velocity.z < 0.0;
+        if cluster.size == 1 && !is_pressed {
+            return Ok(false);
+        }
+        let slate = [slate_under(own, &self.ball[struck], physics)];
+        let walls = if is_pressed { &slate[..] } else { &[] };
+        let Physics { cue, contact_times, .. } = physics;
+        let tip = cue_ball::tip_touch(cue, &self.ball[struck], strike, contact_times.tip, own)
+            .map_err(SimulationError::Strike)?;
+        let together = |p: usize, q: usize, proximity: &Proximity| {
+            let widest = if [p, q].contains(&usize::from(own)) { pushed } else { closing };
+            proximity.gap <= widest
+        };
+        let report =
+            self.resolve_cluster(&mut cluster, reach, together, (walls, Some(tip)), physics);
+        cluster.keep_struck([struck as u16; 2]);
+        cluster.put_first(struck as u16);
+        let kind = EventKind::CueStrike {
+            tip_contacts: report.contacts.clamp(1, u32::from(u8::MAX)) as u8,
+            pushed: report.pushes,
+        };
+        self.begin_paths(&cluster, step);
+        let (before, after) = cluster.states();
+        step.record(kind, cluster.balls(), before, after);
+        Ok(true)
+    }
+
+    /// Gives the balls of a cluster their new paths.
+    fn begin_paths<R>(&mut self, cluster: &Cluster, step: &StepContext<'_, R>) {
+        for (&i, after) in cluster.balls().iter().zip(&cluster.after) {
+            self.begin_path(usize::from(i), after, step);
+            self.last_contact[usize::from(i)] = step.time;
+        }
+    }
+
+    /// Adds every ball within `reach` (m) that acts `together` with a ball of the cluster, from the
+    /// one at `first` on, then those that act together with the added balls, and so on. Finally
+    /// sorts the balls in the shot's order.
     fn gather(
         &self,
         cluster: &mut Cluster,
+        first: usize,
         time: f64,
         reach: f64,
         together: impl Fn(&Proximity) -> bool,
     ) {
-        let discs: [[f64; 3]; N] = core::array::from_fn(|k| self.disc(k, time));
-        let mut visited = 0;
+        let mut visited = first;
         while visited < cluster.size {
-            let near = clearance(discs[usize::from(cluster.balls[visited])], reach);
-            for (k, &disc) in discs[..self.n].iter().enumerate() {
-                if near(disc) > 0.0
-                    || cluster.size == MAX_BODIES
-                    || cluster.balls().contains(&(k as u16))
-                    || !self.path[k].motion.in_play()
-                {
-                    continue;
-                }
-                cluster.balls[cluster.size] = k as u16;
-                cluster.before[cluster.size] = self.state(k, time);
-                if together(&self.proximity(cluster, visited, cluster.size)) {
-                    cluster.size += 1;
-                }
-            }
+            self.gather_around(cluster, visited, time, reach, &together);
             visited += 1;
         }
         let size = cluster.size;
@@ -219,14 +301,43 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    /// Computes the states after the impact, from all contacts among the cluster's balls.
+    /// Adds every ball within `reach` (m) that acts `together` with the ball at `place` in the
+    /// cluster.
+    fn gather_around(
+        &self,
+        cluster: &mut Cluster,
+        place: usize,
+        time: f64,
+        reach: f64,
+        together: impl Fn(&Proximity) -> bool,
+    ) {
+        let near = clearance(self.disc(usize::from(cluster.balls[place]), time), reach);
+        for k in 0..self.n {
+            if near(self.disc(k, time)) > 0.0
+                || cluster.size == MAX_BODIES
+                || cluster.balls().contains(&(k as u16))
+                || !self.path[k].motion.in_play()
+            {
+                continue;
+            }
+            cluster.balls[cluster.size] = k as u16;
+            cluster.before[cluster.size] = self.state(k, time);
+            if together(&self.proximity(cluster, place, cluster.size)) {
+                cluster.size += 1;
+            }
+        }
+    }
+
+    /// Computes the states after the impact, from all contacts among the cluster's balls, with
+    /// walls and with the tip.
     fn resolve_cluster(
         &self,
         cluster: &mut Cluster,
         reach: f64,
-        together: impl Fn(&Proximity) -> bool,
+        together: impl Fn(usize, usize, &Proximity) -> bool,
+        (walls, tip): (&[WallTouch], Option<TipTouch>),
         physics: &Physics,
-    ) {
+    ) -> TipReport {
         let size = cluster.size;
         let empty =
             Body { velocity: Vec3::ZERO, angular_velocity: Vec3::ZERO, mass: 0.0, radius: 0.0 };
@@ -248,14 +359,15 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                     continue;
                 }
                 let proximity = self.proximity(cluster, p, q);
-                if together(&proximity) && count < MAX_CONTACTS {
+                if together(p, q, &proximity) && count < MAX_CONTACTS {
                     let (normal, gap) = (proximity.normal, proximity.gap);
                     touches[count] = Touch { a: p as u8, b: q as u8, normal, gap };
                     count += 1;
                 }
             }
         }
-        network::resolve(&physics.ball_ball, bodies, &touches[..count]);
+        let impact = Impact { law: &physics.ball_ball, touches: &touches[..count], walls, tip };
+        let report = impact.resolve(bodies).unwrap_or_default();
         for (k, body) in bodies.iter().enumerate() {
             let (v, spin) = (body.velocity, body.angular_velocity);
             let (state, ball) = (&cluster.before[k], &self.ball[usize::from(cluster.balls[k])]);
@@ -265,6 +377,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 Support::under(state).settled(state, v, spin, ball, physics)
             };
         }
+        report
     }
 
     fn proximity(&self, cluster: &Cluster, p: usize, q: usize) -> Proximity {

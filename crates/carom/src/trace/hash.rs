@@ -36,7 +36,9 @@ impl Hasher {
 
 const fn numbers(kind: TraceEventKind) -> [u64; 3] {
     match kind {
-        TraceEventKind::CueStrike => [0, 0, 0],
+        TraceEventKind::CueStrike { tip_contacts, pushed } => {
+            [0, tip_contacts as u64 - 1, pushed as u64]
+        }
         TraceEventKind::BallCollision => [1, 0, 0],
         TraceEventKind::RailCollision { rail, part } => [2, rail as u64, part as u64],
         TraceEventKind::PocketCollision(pocket) => [3, pocket as u64, 0],

@@ -5,7 +5,8 @@ use crate::near::assert_near;
 use crate::random::Random;
 use carom::math::{Vec2, Vec3, exp, sin_cos, sqrt};
 use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
-use carom::resolve::ball_ball::{self, network, network::Touch};
+use carom::resolve::ball_ball;
+use carom::resolve::network::{self, Touch};
 use carom::resolve::{Body, ball_slate};
 
 const CLOTH: Cloth =

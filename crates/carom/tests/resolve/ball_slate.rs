@@ -5,7 +5,7 @@ use crate::random::Random;
 use carom::Ball;
 use carom::ball::cloth_slip;
 use carom::math::{Vec2, Vec3, radians, sin_cos, sqrt};
-use carom::physics::{Cue, Surface, Tip};
+use carom::physics::{Cue, StrikeModel, Surface, Tip};
 use carom::resolve::Body;
 use carom::resolve::ball_slate::{LAST_HOP, bounce, last_hop_speed, settle};
 use carom::resolve::cue_ball::{self, Strike};
@@ -154,6 +154,8 @@ fn sl4_the_apexes_of_a_dropped_ball_shrink_by_the_square_of_restitution_until_th
 /// TP B.10: a draw shot by a 19 oz cue at 15 mph, half a radius low.
 fn launch(elevation: f64) -> Body {
     let cue = Cue {
+        model: StrikeModel::Sequential,
+        tip_off_centre_loss: 0.0,
         mass: MASS * 19.0 / 6.0,
         end_mass: 0.0,
         tip_radius: 0.0106,
@@ -230,6 +232,8 @@ fn sl3_tp_b_10_a_draw_shot_with_a_cue_raised_by_15_degrees_hops_further() {
 fn tp_a_19_a_masse_shot_keeps_coriolis_direction_however_often_it_hops() {
     const ROUNDING: f64 = 1e-11;
     let cue = Cue {
+        model: StrikeModel::Sequential,
+        tip_off_centre_loss: 0.0,
         mass: 0.55,
         end_mass: 0.0,
         tip_radius: 0.01,

@@ -4,11 +4,13 @@
 use carom::Ball;
 use carom::ball::cloth_slip;
 use carom::math::{Vec2, Vec3, cos, radians, sin, sqrt};
-use carom::physics::{Cue, Tip};
+use carom::physics::{Cue, StrikeModel, Tip};
 use carom::resolve::cue_ball::{Strike, resolve};
 
 const BALL: Ball = Ball { mass: 0.17, radius: 0.028 };
 const CUE: Cue = Cue {
+    model: StrikeModel::Sequential,
+    tip_off_centre_loss: 0.0,
     mass: 0.55,
     end_mass: 0.0,
     tip_radius: 0.01,

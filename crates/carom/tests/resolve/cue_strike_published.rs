@@ -5,7 +5,7 @@ use crate::near::assert_near;
 use carom::Ball;
 use carom::ball::cloth_slip;
 use carom::math::{Vec2, Vec3, atan2, cos, radians, sin, sqrt};
-use carom::physics::{Cue, Tip};
+use carom::physics::{Cue, StrikeModel, Tip};
 use carom::resolve::cue_ball::{Strike, StrikeError, miscue_limit, resolve, squirt};
 
 const MPH: f64 = 0.44704;
@@ -14,7 +14,15 @@ const BALL: Ball = Ball { mass: 0.170097, radius: 0.028575 };
 const MASS_RATIO: f64 = 6.0 / 19.0;
 
 fn cue(tip: Tip) -> Cue {
-    Cue { mass: BALL.mass / MASS_RATIO, end_mass: 0.0, tip_radius: 0.0106, tip_friction: 0.8, tip }
+    Cue {
+        model: StrikeModel::Sequential,
+        mass: BALL.mass / MASS_RATIO,
+        end_mass: 0.0,
+        tip_radius: 0.0106,
+        tip_friction: 0.8,
+        tip,
+        tip_off_centre_loss: 0.0,
+    }
 }
 
 fn level(speed: f64, side: f64, height: f64) -> Strike {

@@ -29,9 +29,10 @@ fn into_the_corner(speed: f64) -> Shot {
 }
 
 #[test]
-fn a_ball_struck_down_bounces_at_once_hops_ever_lower_and_then_rolls_to_rest() {
+fn a_ball_struck_down_in_sequence_bounces_at_once_hops_ever_lower_and_then_rolls_to_rest() {
     let shot = shot(
-        r#""table": {"cloth": "unbounded"}, "balls": [{"id": "cue", "position": [0, 0]}],
+        r#""table": {"cloth": "unbounded"}, "physics": {"cue": {"model": "sequential"}},
+           "balls": [{"id": "cue", "position": [0, 0]}],
            "strike": {"ball": "cue", "speed": 4, "azimuth_deg": 0, "elevation_deg": 30}"#,
     );
     let (log, _) = play(&shot);

@@ -8,6 +8,9 @@ use carom::table::{Part, PocketName, Rail};
 use carom::trace::{TraceEvent, TraceEventKind};
 use carom::{BallState, MotionState, Shot};
 
+/// A strike whose tip meets the cue ball once.
+const STRIKE: TraceEventKind = TraceEventKind::CueStrike { tip_contacts: 1, pushed: false };
+
 const HIT: TraceEventKind = TraceEventKind::BallCollision;
 const RADIUS: f64 = 0.028575;
 
@@ -140,7 +143,7 @@ fn without_a_cue_ball_rails_count_from_the_first_collision_of_any_balls() {
 #[test]
 fn pocketed_balls_are_listed_in_order_and_a_scratch_is_noted() {
     let events: &[(TraceEventKind, &[u16])] = &[
-        (TraceEventKind::CueStrike, &[2]),
+        (STRIKE, &[2]),
         (TraceEventKind::PocketCollision(PocketName::Left), &[4]),
         (TraceEventKind::PocketCollision(PocketName::TopRight), &[2]),
         (TraceEventKind::PocketCollision(PocketName::Left), &[0]),
@@ -277,8 +280,7 @@ fn flight(aside: f64, first: (TraceEventKind, &[u16]), last: (TraceEventKind, &[
 
 #[test]
 fn a_ball_in_the_air_jumps_a_ball_that_it_would_have_hit_on_the_cloth() {
-    let (strike, slate) =
-        ((TraceEventKind::CueStrike, &[0u16][..]), (TraceEventKind::SlateCollision, &[0u16][..]));
+    let (strike, slate) = ((STRIKE, &[0u16][..]), (TraceEventKind::SlateCollision, &[0u16][..]));
     for aside in [0.0, 0.03, 2.0 * RADIUS - 2e-4] {
         assert_eq!(flight(aside, strike, slate).jumped, [(0, 1)], "{aside}");
     }
@@ -288,8 +290,7 @@ fn a_ball_in_the_air_jumps_a_ball_that_it_would_have_hit_on_the_cloth() {
 
 #[test]
 fn a_ball_that_touches_another_in_its_flight_has_not_jumped_it() {
-    let (strike, slate) =
-        ((TraceEventKind::CueStrike, &[0u16][..]), (TraceEventKind::SlateCollision, &[0u16][..]));
+    let (strike, slate) = ((STRIKE, &[0u16][..]), (TraceEventKind::SlateCollision, &[0u16][..]));
     let touch = (HIT, &[0u16, 1][..]);
     assert_eq!(flight(0.03, touch, slate).jumped, [], "it takes off from it");
     assert_eq!(flight(0.03, strike, touch).jumped, [], "it lands on it");

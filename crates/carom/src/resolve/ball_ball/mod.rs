@@ -10,8 +10,10 @@
 //! * [`compliant`]: the same with tangential compliance of the surfaces (Stronge);
 //! * [`mathavan_2014`]: the impulse integrated, with friction of the cloth where both balls stand
 //!   on it;
-//! * [`network`]: balls that touch when one of them is hit, all together;
 //! * [`held`]: a ball that comes down gently on a ball that the slate holds.
+//!
+//! Balls that touch when one of them is hit are resolved all together
+//! ([`network`](super::network)).
 //!
 //! In every model restitution rises to 1 at low speed ([`super::restitution`]), and the energy
 //! never rises. If the two balls are exchanged, so are the results, and a mirrored impact has the
@@ -23,7 +25,6 @@ pub mod elastic;
 pub mod frictional;
 pub mod held;
 pub mod mathavan_2014;
-pub mod network;
 
 use super::Body;
 use crate::math::Vec3;
