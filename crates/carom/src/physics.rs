@@ -208,6 +208,9 @@ pub struct Cue {
     pub tip_friction: f64,
     /// Restitution or efficiency of the tip.
     pub tip: Tip,
+    /// Least elevation of a real stroke, rad, in [0, π/2): the default elevation of a strike is at
+    /// least this angle. With 0 the default elevation is always 0: the cue needs no room.
+    pub stroke_elevation: f64,
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use super::{
     CushionRestitution, Physics, SlipFriction, Surface, Tip,
 };
 use crate::Ball;
+use crate::math::radians;
 
 /// Standard gravity, m/s² (CGPM 1901).
 pub const STANDARD_GRAVITY: f64 = 9.80665;
@@ -15,6 +16,12 @@ pub const STANDARD_GRAVITY: f64 = 9.80665;
 /// ω_t/ω_n of the compliant ball–ball contact: √(β/η²) with β = 7/2, η² = (2 − ν)/(2 − 2ν) and
 /// Poisson's ratio ν = 0.3 of phenolic resin.
 const BALL_FREQUENCY_RATIO: f64 = 1.70;
+
+/// Least elevation of a real stroke, rad: 3°. Estimated: we found no measurement of many strokes.
+/// Some elevation is unavoidable, because the butt is over a rail (Fieldhammer 2010); at 3° the cue
+/// clears the rail 0.3 m behind a ball. The slightly raised strokes of TP A.19 and B.10 have 4° and
+/// 5°.
+const STROKE_ELEVATION: f64 = radians(3.0);
 
 impl Physics {
     /// The names of the presets.
@@ -71,6 +78,7 @@ impl Physics {
                 tip_friction: 0.6,
                 // Leather, TP A.30: 0.71–0.75.
                 tip: Tip::Restitution(0.73),
+                stroke_elevation: STROKE_ELEVATION,
             },
         }
     }
@@ -181,6 +189,8 @@ impl Physics {
                 end_mass: 0.0,
                 tip_friction: 0.7,
                 tip: Tip::Restitution(1.0),
+                // In FastFiz a cue without an elevation is level.
+                stroke_elevation: 0.0,
                 ..pool.cue
             },
             ..pool
@@ -207,7 +217,12 @@ impl Physics {
             liner: Surface { friction: 0.0, ..pool.liner },
             // The slate still absorbs energy; otherwise a hopping ball would hop for ever.
             slate: Surface { restitution: 0.5, friction: 0.0 },
-            cue: Cue { end_mass: 0.0, tip: Tip::Restitution(1.0), ..pool.cue },
+            cue: Cue {
+                end_mass: 0.0,
+                tip: Tip::Restitution(1.0),
+                stroke_elevation: 0.0,
+                ..pool.cue
+            },
             ..pool
         }
     }

@@ -14,7 +14,14 @@ const BALL: Ball = Ball { mass: 0.170097, radius: 0.028575 };
 const MASS_RATIO: f64 = 6.0 / 19.0;
 
 fn cue(tip: Tip) -> Cue {
-    Cue { mass: BALL.mass / MASS_RATIO, end_mass: 0.0, tip_radius: 0.0106, tip_friction: 0.8, tip }
+    Cue {
+        mass: BALL.mass / MASS_RATIO,
+        end_mass: 0.0,
+        tip_radius: 0.0106,
+        tip_friction: 0.8,
+        stroke_elevation: 0.0,
+        tip,
+    }
 }
 
 fn level(speed: f64, side: f64, height: f64) -> Strike {
