@@ -67,6 +67,21 @@ impl ShotFile {
         Cow::Owned(node)
     }
 
+    /// As [`Self::to_node`], but without an elevation that is the default: what is read from it has
+    /// the default elevation again, also with other values.
+    pub fn to_source_node(&self) -> Node {
+        let mut node = match &self.source {
+            Some(source) => Node::clone(source),
+            None => self.shot.to_node(),
+        };
+        if let Some(written) = node.get_mut("strike")
+            && self.shot.has_default_elevation()
+        {
+            strike::remove_elevation(written);
+        }
+        node
+    }
+
     /// The file as JSON: what was read, number for number, and the elevation that is used.
     pub fn to_json(&self) -> String {
         self.to_node().to_json()
@@ -115,15 +130,7 @@ impl ShotFile {
         &self,
         values: impl IntoIterator<Item = (&'a KeyPath, Node)>,
     ) -> Result<Self, Error> {
-        let mut node = match &self.source {
-            Some(source) => Node::clone(source),
-            None => self.shot.to_node(),
-        };
-        if let Some(written) = node.get_mut("strike")
-            && self.shot.has_default_elevation()
-        {
-            strike::remove_elevation(written);
-        }
+        let mut node = self.to_source_node();
         for (path, value) in values {
             path.set(&mut node, value)?;
             angle::remove_other_unit(&mut node, path);
