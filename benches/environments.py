@@ -74,6 +74,8 @@ def vector(**more: Any) -> Any:
         noise=NOISE,
         aim="relative",
         max_elevation=0.0,
+        # A level cue, as pooltool's environment has it.
+        physics={"cue": {"stroke_elevation": 0.0}},
         **more,
     )
 
