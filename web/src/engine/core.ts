@@ -491,7 +491,7 @@ class WasmFrame implements Frame {
 function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
   const { strike, cue_ball, call } = object("play", play) as Partial<Play>;
   const values = Float64Array.from(numbers("strike", strike, STRIKE));
-  const elevation = elevationOf(strike as StrikeInput);
+  const elevation = elevationOf(strike!);
   const place =
     cue_ball === undefined
       ? undefined
