@@ -227,7 +227,7 @@ def net_deviation(side: float) -> tuple[float, float]:
         zip(("starts to the left by", "rolls to the left by"), net_deviation(0.4), strict=True)
     ),
     tolerance=absolute(0.01),
-    note="The formulas are published; the figures are worked out by us for the preset's cue and 3°.",
+    note="The formulas are published; the figures are ours, for the preset's cue and 3°.",
 )
 def cu11() -> list[float]:
     run = on_a_table(0.9, side=0.4)
