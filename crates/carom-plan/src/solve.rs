@@ -276,7 +276,9 @@ impl Solver<'_> {
     /// Jumps, massés and strikes spread over the range, with the cue raised above the shot's own
     /// elevation.
     fn raised(&self, geometric: &[f64], [least, most]: [f64; 2]) -> Vec<Strike> {
-        let elevation = |share: f64| least + (most - least) * share;
+        // The samples of a shot without an elevation are those of a level one, raised to a real stroke.
+        let from = if self.shot.has_default_elevation() { 0.0 } else { least };
+        let elevation = |share: f64| (from + (most - from) * share).max(least);
         let (in_two, in_five) = (recurrence::<2>(), recurrence::<5>());
         // A jump is struck without side, so that the ball keeps its line.
         let jumps = geometric.iter().enumerate().flat_map(|(k, azimuth)| {

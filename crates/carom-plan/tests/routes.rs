@@ -17,7 +17,7 @@ fn shot(balls: &[(&str, [f64; 2])]) -> Shot {
         .collect();
     let text = format!(
         r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "balls": [{}],
-            "strike": {{"ball": "cue", "speed": 2.0, "azimuth_deg": 90.0, "elevation_deg": 0}}}}"#,
+            "strike": {{"ball": "cue", "speed": 2.0, "azimuth_deg": 90.0, "obstruction": "report"}}}}"#,
         balls.join(", ")
     );
     Shot::from_json(&text).expect("a shot")
