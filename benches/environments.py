@@ -68,12 +68,14 @@ def main() -> int:
 def vector(**more: Any) -> Any:
     """The vector environment."""
     return gymnasium.make_vec(
-        "carom/EightBall-v3",
+        "carom/EightBall-v4",
         num_envs=ENVIRONMENTS,
         balls=(4, 9),
         noise=NOISE,
         aim="relative",
         max_elevation=0.0,
+        # A level cue, as pooltool's environment has it.
+        physics={"cue": {"stroke_elevation": 0.0}},
         **more,
     )
 

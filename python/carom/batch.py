@@ -113,7 +113,8 @@ def batch(
         azimuth: The cue's direction, counter-clockwise from +x, rad.
         side: Contact point right of centre, ball radii.
         height: Contact point above centre, ball radii.
-        elevation: Butt raised above horizontal, rad.
+        elevation: Butt raised above horizontal, rad. If it was omitted in the shot, None is the
+            default elevation of each variant.
         threads: Number of threads; None is one per core. The result does not depend on it.
         progress: Show a progress bar on stderr.
 
@@ -140,8 +141,10 @@ def batch(
     full = [np.broadcast_to(column, shape) for column in columns]
     strikes = np.ascontiguousarray(np.stack([column.ravel() for column in full], axis=1))
 
+    own = elevation is None and inner.has_default_elevation
+
     def run(start: int, end: int) -> Arrays:
-        return _core.simulate_strikes(inner, strikes[start:end], thread_count(threads))
+        return _core.simulate_strikes(inner, strikes[start:end], own, thread_count(threads))
 
     return in_chunks(run, len(strikes), len(inner), progress=progress)
 

@@ -116,7 +116,9 @@ class Strike:
         ball: Id of the struck ball.
         speed: The cue's speed at contact, m/s, in (0, 50].
         azimuth: Direction in which the cue moves, counter-clockwise from +x, rad.
-        elevation: Butt raised above horizontal, rad, in [0, π/2).
+        elevation: Butt raised above horizontal, rad, in [0, π/2). None is the default elevation:
+            the least angle of a real stroke at which the cue clears the rails and the other balls
+            (docs/formats.md).
         side: Contact point right of the centre, in ball radii.
         height: Contact point above the centre, in ball radii.
         obstruction: ``"report"`` or ``"refuse"`` a cue that would pass through a ball or rail.
@@ -124,7 +126,7 @@ class Strike:
 
     speed: float
     azimuth: float
-    elevation: float = 0.0
+    elevation: float | None = None
     side: float = 0.0
     height: float = 0.0
     ball: str = "cue"
@@ -136,7 +138,7 @@ class Strike:
             "ball": self.ball,
             "speed": self.speed,
             "azimuth": self.azimuth,
-            "elevation": self.elevation,
+            **({} if self.elevation is None else {"elevation": self.elevation}),
             "side": self.side,
             "height": self.height,
             "obstruction": self.obstruction,

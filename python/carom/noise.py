@@ -214,7 +214,7 @@ def vary(
         rows = _core.draw_strikes(inner, noise, end - start, seed, first + start)
         strikes[:, start:end] = rows.T
         if perception.position == 0.0:
-            return _core.simulate_strikes(inner, rows, thread_count(threads))
+            return _core.simulate_strikes(inner, rows, False, thread_count(threads))
         return _core.simulate_seen(
             inner, rows, perception, seed, first + start, thread_count(threads)
         )

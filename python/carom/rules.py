@@ -326,7 +326,8 @@ class Frame:
         """Play a shot: simulate it, rule on it, and update the request.
 
         Args:
-            strike: The strike. Its ``ball`` is not used: the frame determines the cue ball.
+            strike: The strike. Its ``ball`` is not used: the frame determines the cue ball. Without
+                an elevation it gets the default one, and ``record`` has the angle.
             cue_ball: Where to place the cue ball first (x, y in m), if it is in hand.
             call: What the player announces.
 
@@ -336,15 +337,19 @@ class Frame:
             EventCapError: The simulation reached its largest number of events.
         """
         arguments = _arguments(strike, cue_ball, call)
-        ruling, trace = self._core.play(arguments)
+        ruling, core = self._core.play(arguments)
         struck, place, _ = arguments
+        trace = Trace._wrap(core)
+        written = dict(zip(VARIABLES, struck, strict=True))
+        if written["elevation"] is None:
+            written["elevation"] = trace.shot.elevation
         play = {
-            "strike": dict(zip(VARIABLES, struck, strict=True)),
+            "strike": written,
             "cue_ball": place and list(place),
             "call": call and asdict(call),
         }
         self._moves.append({"play": {key: value for key, value in play.items() if value}})
-        return Ruling._read(ruling, Trace._wrap(trace))
+        return Ruling._read(ruling, trace)
 
     def choose(self, choice: str) -> Ruling:
         """Answer a choice with one of ``request.choices``.
@@ -375,14 +380,17 @@ class Frame:
 def _arguments(
     strike: Strike, cue_ball: Sequence[float] | None, call: Call | None
 ) -> tuple[
-    tuple[float, float, float, float, float],
+    tuple[float, float, float | None, float, float],
     tuple[float, ...] | None,
     tuple[str, str | None, str | None],
 ]:
     instance("strike", strike, Strike, "carom.Strike(speed=2.0, azimuth=1.57)")
-    speed, azimuth, elevation, side, height = (
-        number(f"strike.{key}", getattr(strike, key)) for key in VARIABLES
+    speed, azimuth, side, height = (
+        number(f"strike.{key}", getattr(strike, key)) for key in VARIABLES if key != "elevation"
     )
+    elevation = strike.elevation
+    if elevation is not None:
+        elevation = number("strike.elevation", elevation)
     place = None if cue_ball is None else numbers("cue_ball", cue_ball, 2)
     return (speed, azimuth, elevation, side, height), place, fields_of(call)
 

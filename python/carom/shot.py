@@ -104,11 +104,17 @@ class Shot:
         return cls._wrap(_core.Shot.from_object(file))
 
     def to_dict(self) -> dict[str, Any]:
-        """The shot file; ``from_dict`` of it gives this shot again, to the bit."""
+        """The shot file; ``from_dict`` of it gives this shot again, to the bit.
+
+        It always has the elevation that is used, also where it was omitted.
+        """
         return self._core.to_object()
 
     def to_json(self) -> str:
-        """The shot file as text; ``from_json`` of it gives this shot again, to the bit."""
+        """The shot file as text; ``from_json`` of it gives this shot again, to the bit.
+
+        It always has the elevation that is used, also where it was omitted.
+        """
         return self._core.to_json()
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -142,6 +148,11 @@ class Shot:
         strike = self._core.strike
         return None if strike is None else strike[2]
 
+    @property
+    def has_default_elevation(self) -> bool:
+        """Whether the elevation was omitted, so that it is the default (docs/formats.md)."""
+        return self._core.has_default_elevation
+
     def with_strike(
         self,
         *,
@@ -158,7 +169,8 @@ class Shot:
             azimuth: The cue's direction, counter-clockwise from +x, rad.
             side: Contact point right of centre, ball radii.
             height: Contact point above centre, ball radii.
-            elevation: Butt raised above horizontal, rad.
+            elevation: Butt raised above horizontal, rad. If it was omitted in this shot, None is
+                the default elevation of the new strike.
 
         Raises:
             InputError: The shot has no strike, or this one cannot be played: a number is out of
@@ -167,10 +179,13 @@ class Shot:
         """
         given = (speed, azimuth, elevation, side, height)
         own = own_strike(self._core)
-        strike = tuple(
+        new_speed, new_azimuth, new_elevation, new_side, new_height = (
             default if value is None else arguments.number(name, value)
             for name, value, default in zip(VARIABLES, given, own, strict=True)
         )
+        omitted = elevation is None and self.has_default_elevation
+        raised = None if omitted else new_elevation
+        strike = (new_speed, new_azimuth, raised, new_side, new_height)
         return self._wrap(self._core.with_strike(strike))
 
     def geometry(self) -> dict[str, Any]:
@@ -217,8 +232,9 @@ class Shot:
     def __hash__(self) -> int:
         return hash(self._core.to_json())
 
-    def __reduce__(self) -> tuple[Any, tuple[str]]:
-        return (Shot.from_json, (self.to_json(),))
+    def __reduce__(self) -> tuple[Any, tuple[dict[str, Any]]]:
+        # The copy of a shot with a default elevation has it too, and not the same angle.
+        return (Shot.from_dict, (self._core.to_source(),))
 
     def __repr__(self) -> str:
         count = len(self.ids)

@@ -214,7 +214,8 @@ def test_a_record_with_the_old_choice_after_a_scratch_on_the_eight_ball_break_re
     apex = min(object_balls, key=lambda ball: object_balls[ball][1])
     x, y = frame.balls[apex]
     azimuth = math.atan2(y - place[1], x - place[0])
-    ruling = frame.play(carom.Strike(speed=9.0, azimuth=azimuth), cue_ball=place)
+    level = carom.Strike(speed=9.0, azimuth=azimuth, elevation=0.0)
+    ruling = frame.play(level, cue_ball=place)
     assert [foul["what"] for foul in ruling.fouls] == ["the cue ball was pocketed"]
     assert frame.request.in_hand == "behind-head-string"
     choice = {"choice": "play-from-hand"}

@@ -57,7 +57,7 @@ def test_a_shot_can_be_built_from_its_parts(pot: dict[str, Any]) -> None:
     built = Shot(
         Table("wpa-9ft"),
         Layout.at({"cue": (0.635, 0.635), "1": (0.635, 1.905)}),
-        Strike(speed=2.0, azimuth=math.radians(90.0)),
+        Strike(speed=2.0, azimuth=math.radians(90.0), elevation=0.0),
         physics=Physics("pool"),
     )
     assert built.simulate().hash == Shot.from_dict(pot).simulate().hash

@@ -222,7 +222,7 @@ def _simulated(balls: list[dict[str, Any]], **more: Any) -> Trace:
 
 def test_the_outcome_gives_the_least_clear_elevation() -> None:
     cue = {"id": "cue", "position": [0.635, 0.06]}
-    strike = {"ball": "cue", "speed": 1.0, "azimuth_deg": 90.0}
+    strike = {"ball": "cue", "speed": 1.0, "azimuth_deg": 90.0, "elevation_deg": 0.0}
     level = _simulated([cue], strike=strike)
     assert level.outcome.cue_obstructed == "bottom"
     least = level.outcome.least_elevation_deg

@@ -1,4 +1,5 @@
-"""Cue and ball: speed, spin, squirt, miscue (technical proofs 2.1, A.30, A.31, B.8, B.10, B.12)."""
+"""Cue and ball: speed, spin, squirt, swerve, miscue (technical proofs 2.1, A.12, A.19, A.30, A.31,
+B.8, B.10, B.12)."""
 
 import math
 
@@ -186,3 +187,82 @@ def cu_tip() -> list[float]:
     e, m = 0.75, TP_MASS_RATIO
     efficiency = ((1 - m * e) ** 2 + m * (1 + e) ** 2) / (1 + m) ** 2
     return [struck(tip_efficiency=efficiency).speed - struck(tip_restitution=e).speed]
+
+
+def on_a_table(y: float, **strike: float) -> Run:
+    """A strike along +y on a pool table, `y` m from the bottom rail, without an elevation."""
+    return simulate(
+        ball(position=(0.635, y)),
+        table="wpa-9ft",
+        strike={"ball": "cue", "speed": 2.0, "azimuth_deg": 90.0, **strike},
+    )
+
+
+#: Presets' elevation of a real stroke, and their ball over the shaft's end.
+STROKE = math.radians(3.0)
+END_RATIO = 0.170097 / 0.00567
+
+
+def net_deviation(side: float) -> tuple[float, float]:
+    """Angles to the left of the aim, °: where the ball starts, and where it rolls.
+
+    Squirt turns the start by α (TP A.31). Friction at the cloth, in sliding and in hops, does not
+    change 5v + 2R(ω × ẑ), which is 7v when the ball rolls (TP A.19; Coriolis).
+    """
+    inward = 1.0 - side * side
+    lever = 2.5 * side * math.sqrt(inward)
+    squirted = math.atan(lever / (1.0 + END_RATIO + 2.5 * inward))
+    ahead = math.cos(STROKE) * math.cos(squirted)
+    rolls = math.atan2(math.sin(squirted) - side * math.sin(STROKE), ahead)
+    return math.degrees(math.atan2(math.sin(squirted), ahead)), math.degrees(rolls)
+
+
+@row(
+    "CU11",
+    "Net deviation: right English of 0.4 R at 2 m/s with the default elevation, `pool`",
+    unit="°",
+    source="squirt TP A.31 and swerve TP A.19, together as in TP A.4, B.1",
+    kind=Kind.DERIVED,
+    reference=dict(
+        zip(("starts to the left by", "rolls to the left by"), net_deviation(0.4), strict=True)
+    ),
+    tolerance=absolute(0.01),
+    note="The formulas are published; the figures are ours, for the preset's cue and 3°.",
+)
+def cu11() -> list[float]:
+    run = on_a_table(0.9, side=0.4)
+    start = run.first("cue-strike").after["cue"]
+    rolls = run.rolling("cue").after["cue"]
+    return [degrees_between(ball.heading, math.pi / 2) for ball in (start, rolls)]
+
+
+def least_angle(distance: float) -> float:
+    """The angle at which a cue clears a nose `distance` m behind the ball's centre, °.
+
+    The nose is at 63.5 % of the ball's diameter. The cue turns about the ball's centre, and its
+    axis must be higher than the nose by its radius: 6.5 mm at the tip, 8 mm more after 1.47 m.
+    """
+    radius = 0.028575
+    rise = 0.27 * radius
+    away = math.hypot(distance, rise)
+    thick = 0.0065 + 0.008 * (away - radius) / 1.47
+    return math.degrees(math.atan2(rise, distance) + math.asin(thick / away))
+
+
+@row(
+    "CU12",
+    "Default elevation near a rail: the least angle at which the cue clears the nose, at least 3°",
+    unit="°",
+    source="WPA: nose at 63.5 % of the ball; a cue of 13 to 29 mm and 1.47 m",
+    kind=Kind.DERIVED,
+    reference={
+        "60 mm": least_angle(0.06),
+        "120 mm": least_angle(0.12),
+        "240 mm": least_angle(0.24),
+        "1 m": 3.0,
+    },
+    tolerance=absolute(1e-6),
+)
+def cu12() -> list[float]:
+    runs = [on_a_table(distance) for distance in (0.06, 0.12, 0.24, 1.0)]
+    return [math.degrees(run.trace.shot.elevation) for run in runs]

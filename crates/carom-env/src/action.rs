@@ -58,13 +58,16 @@ pub(crate) fn strike(
     let pace = 0.5 * (a(1) + 1.0);
     // Maps the square of side and height to the disc of possible offsets.
     let out = sqrt(a(2) * a(2) + a(3) * a(3)).max(1.0);
-    let intended = Strike {
+    let mut intended = Strike {
         azimuth,
         speed: slow + pace * pace * (fast - slow),
         side: most * a(2) / out,
         height: most * a(3) / out,
         elevation: config.elevation * a(4).max(0.0),
     };
+    // The default elevation is the least: a player does not strike through the rail.
+    let least = episode.default_elevation(turn.cue, from, &intended);
+    intended.elevation = intended.elevation.max(least);
     let actual = with_noise(config, episode, turn, &intended, draw);
     Some(NoisyStrike { intended, actual, cue_ball })
 }

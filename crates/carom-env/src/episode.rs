@@ -1,6 +1,8 @@
 //! The interface of an episode: a table with balls and the rules of a task.
 
+use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
+use carom::shot::BallInSpace;
 use carom::{Error, Shot, Simulator};
 use carom_rules::{BallIndex, FrameBall, Seat, Turn};
 
@@ -103,6 +105,19 @@ impl dyn Episode + '_ {
             .zip(self.balls())
             .filter(move |(i, _)| *i != ball)
             .filter_map(|(i, other)| self.place(i).map(|place| (i, place, other.ball.radius)))
+    }
+
+    /// The default elevation (rad) of `strike` on the ball `cue` at `place` (file frame, m).
+    pub(crate) fn default_elevation(
+        &self,
+        cue: BallIndex,
+        place: [f64; 2],
+        strike: &Strike,
+    ) -> f64 {
+        let in_space =
+            |[x, y]: [f64; 2], radius| BallInSpace { center: Vec3::new(x, y, radius), radius };
+        let others = self.others(cue).map(|(_, place, radius)| in_space(place, radius));
+        self.base().default_elevation_among(in_space(place, self.radius(cue)), others, strike)
     }
 
     /// The balls to aim at: the balls on, or every object ball where the rules name none.

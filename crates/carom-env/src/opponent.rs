@@ -68,12 +68,11 @@ fn potter(
     dice: &mut Dice,
 ) -> Option<(Option<[f64; 2]>, Strike)> {
     let [slow, fast] = config.speed;
-    let level = |azimuth, speed: f64| Strike {
-        speed: speed.clamp(slow, fast),
-        azimuth,
-        elevation: 0.0,
-        side: 0.0,
-        height: 0.0,
+    let struck = |azimuth, speed: f64, from: Vec2| {
+        let speed = speed.clamp(slow, fast);
+        let level = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
+        let elevation = episode.default_elevation(turn.cue, [from.x, from.y], &level);
+        Strike { elevation, ..level }
     };
     let mut best: Option<(Pot, Option<[f64; 2]>)> = None;
     let mut place = None;
@@ -89,14 +88,15 @@ fn potter(
         }
     }
     if let Some((pot, place)) = best {
-        return Some((place, level(pot.azimuth, pot.speed)));
+        let from = vector(place.or_else(|| episode.place(turn.cue))?);
+        return Some((place, struck(pot.azimuth, pot.speed, from)));
     }
     // No pot: a full hit on the nearest ball, at full speed for the break.
     let from = vector(place.or_else(|| episode.place(turn.cue))?);
     let ways = episode.targets(turn).map(|(_, to, _)| vector(to) - from);
     let way = ways.min_by(|a, b| a.length_squared().total_cmp(&b.length_squared()))?;
     let speed = if episode.standing().opening { fast } else { SAFE };
-    Some((place, level(atan2(way.y, way.x), speed)))
+    Some((place, struck(atan2(way.y, way.x), speed, from)))
 }
 
 /// The easiest pot with the cue ball at `from`, if there is one.

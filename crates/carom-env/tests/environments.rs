@@ -1,6 +1,7 @@
 //! Environments through their public interface.
 
 use carom::Noise;
+use carom::format::Node;
 use carom_env::{
     Aim, Autoreset, CUSHIONS, Config, FEATURES, MAX_ENVIRONMENTS, Opponent, Rewards, TargetBall,
     Task, VectorEnv,
@@ -299,4 +300,27 @@ fn a_number_of_environments_that_would_exhaust_the_memory_is_refused() {
         let refused = VectorEnv::new(Task::Potting, n, 0, config.clone());
         assert!(refused.is_err_and(|error| error.to_string().starts_with("n: ")));
     }
+}
+
+#[test]
+fn an_action_without_elevation_is_struck_at_the_default_elevation() {
+    let stroke = |degrees: f64| {
+        let cue = Node::object([("stroke_elevation_deg", degrees.into())]);
+        Some(Node::object([("cue", cue)]))
+    };
+    let end = |elevation: f64, action: f32, physics: Option<Node>| {
+        let config = Config { elevation, physics, ..Config::of(Task::SumToThree) };
+        let mut vector = environments(Task::SumToThree, 20, config);
+        let mut all = actions(20 * vector.action_size(), 1);
+        for one in all.chunks_mut(vector.action_size()) {
+            one[4] = action;
+        }
+        vector.step(&all).expect("a step").observations.to_vec()
+    };
+    let default = end(0.5, -1.0, None);
+    assert_eq!(default, end(0.5, 0.0, None));
+    assert_eq!(default, end(0.0, 1.0, None), "it is the least elevation");
+    assert_eq!(default, end(0.5, 0.0, stroke(3.0)));
+    assert_ne!(default, end(0.5, 0.0, stroke(0.0)), "a level cue");
+    assert_ne!(default, end(0.5, 0.5, None), "a raised cue");
 }

@@ -196,17 +196,20 @@ pub(crate) struct Limits {
     pub(crate) speed: [f64; 2],
     /// Largest tip offset, ball radii.
     pub(crate) offset: f64,
-    /// Least and greatest elevation, rad.
-    pub(crate) elevation: [f64; 2],
+    /// Least and greatest elevation to which the cue may be raised, rad; `None` if every strike has
+    /// the elevation that the shot gives it.
+    pub(crate) elevation: Option<[f64; 2]>,
 }
 
 impl Free {
-    fn allows(self, strike: &Strike) -> bool {
+    /// Whether a strike that was changed in this `parameter` is still allowed.
+    fn allows(self, strike: &Strike, parameter: usize) -> bool {
         let Self::Within(Limits { speed, offset, elevation }) = self else { return true };
         let within = |[least, most]: [f64; 2], value| (least..=most).contains(&value);
         within(speed, strike.speed)
             && strike.offset() <= offset
-            && within(elevation, strike.elevation)
+            // A default elevation may be larger than one to which the cue may be raised.
+            && (parameter != ELEVATION || elevation.is_some_and(|e| within(e, strike.elevation)))
     }
 }
 
@@ -217,8 +220,8 @@ pub(crate) fn refine(tester: &mut GoalTester<'_>, start: TriedStrike, free: Free
     let mut steps = FIRST_STEPS;
     let parameters = match free {
         Free::Azimuth => 1,
-        // A fixed elevation is not a parameter.
-        Free::Within(Limits { elevation: [least, most], .. }) if least == most => 4,
+        // A cue that may not be raised has one parameter less.
+        Free::Within(Limits { elevation: None, .. }) => ELEVATION,
         Free::Within(_) => steps.len(),
     };
     let mut plays = 0;
@@ -226,8 +229,8 @@ pub(crate) fn refine(tester: &mut GoalTester<'_>, start: TriedStrike, free: Free
         let mut helped = false;
         for (parameter, step) in steps.iter().enumerate().take(parameters) {
             for sign in [1.0, -1.0] {
-                let strike = moved(&best.strike, parameter, sign * step);
-                if !free.allows(&strike) {
+                let strike = tester.moved(&best.strike, parameter, sign * step);
+                if !free.allows(&strike, parameter) {
                     continue;
                 }
                 plays += 1;
@@ -246,24 +249,38 @@ pub(crate) fn refine(tester: &mut GoalTester<'_>, start: TriedStrike, free: Free
     best
 }
 
-fn moved(strike: &Strike, parameter: usize, by: f64) -> Strike {
-    let mut strike = *strike;
-    match parameter {
-        0 => strike.azimuth += by,
-        1 => strike.speed *= 1.0 + by,
-        2 => strike.side += by,
-        3 => strike.height += by,
-        _ => strike.elevation += by,
+/// The index of the elevation among the parameters of a refinement.
+const ELEVATION: usize = 4;
+
+impl GoalTester<'_> {
+    /// `strike` with one parameter changed. A strike at the elevation that the shot gives it keeps
+    /// to that: the default elevation follows the aim.
+    fn moved(&self, strike: &Strike, parameter: usize, by: f64) -> Strike {
+        let mut moved = *strike;
+        match parameter {
+            0 => moved.azimuth += by,
+            1 => moved.speed *= 1.0 + by,
+            2 => moved.side += by,
+            3 => moved.height += by,
+            _ => moved.elevation += by,
+        }
+        let shot = self.shot();
+        let follows = parameter != ELEVATION && shot.has_default_elevation();
+        if follows && *strike == shot.at_own_elevation(strike) {
+            return shot.at_own_elevation(&moved);
+        }
+        moved
     }
-    strike
 }
 
 /// Moves the azimuth of a strike that meets its goal to the middle of the azimuths that meet it,
 /// where a small error is least likely to miss.
 pub(crate) fn center(tester: &mut GoalTester<'_>, found: TriedStrike) -> TriedStrike {
     let mut edge = |sign: f64| {
-        let turned = |by: f64| moved(&found.strike, 0, sign * by);
-        let mut meets = |by: f64| tester.play(&turned(by)).is_some_and(|a| a.is_met());
+        let mut meets = |by: f64| {
+            let turned = tester.moved(&found.strike, 0, sign * by);
+            tester.play(&turned).is_some_and(|a| a.is_met())
+        };
         let (mut inside, mut width) = (0.0, FIRST_WIDTH);
         while width < MOST_WIDTH && meets(width) {
             inside = width;
@@ -280,7 +297,7 @@ pub(crate) fn center(tester: &mut GoalTester<'_>, found: TriedStrike) -> TriedSt
         inside
     };
     let (left, right) = (edge(1.0), edge(-1.0));
-    let strike = moved(&found.strike, 0, 0.5 * (left - right));
+    let strike = tester.moved(&found.strike, 0, 0.5 * (left - right));
     match tester.play(&strike) {
         Some(attempt) if attempt.is_met() => TriedStrike { strike, attempt },
         // The azimuths that meet the goal are not contiguous, and their middle is between two parts.

@@ -31,7 +31,8 @@ pub struct Kicks<'a> {
 
 /// The first `most` cushion contacts of the struck ball of `shot` before it meets a jaw, with no other
 /// ball on the table. There is one entry for each cell, ordered by azimuth, then speed, then side. The
-/// elevation is that of the shot's own strike. Cells that were not reached before `progress` was stopped are empty.
+/// elevation is that of the shot's own strike; if that is the default, it is the default of each cell,
+/// without the other balls. Cells that were not reached before `progress` was stopped are empty.
 ///
 /// # Errors
 /// [`Error::Input`] without a strike, for cloth without cushions, for strikes that cannot be played, and
@@ -59,7 +60,11 @@ pub fn kick_table(
     let per_azimuth = speeds.len() * sides.len();
     table(azimuths, per_azimuth, most, threads, progress, |azimuth, cell| {
         let (speed, side) = (speeds[cell / sides.len()], sides[cell % sides.len()]);
-        let strike = Strike { azimuth, speed, side, height, ..own };
+        let mut strike = Strike { azimuth, speed, side, height, ..own };
+        if shot.has_default_elevation() {
+            let none = core::iter::empty();
+            strike.elevation = shot.default_elevation_among((&ball).into(), none, &strike);
+        }
         shot.with_balls(vec![ball.clone()], Some((0, strike)))
     })
 }

@@ -238,6 +238,10 @@ impl<'a> GoalTester<'a> {
         Self { shot, fresh: GoalRecorder::new(shot, goal), simulator: Simulator::new() }
     }
 
+    pub(crate) const fn shot(&self) -> &Shot {
+        self.shot
+    }
+
     /// The result of `strike`; None if it cannot be played.
     pub(crate) fn play(&mut self, strike: &Strike) -> Option<Attempt> {
         self.shot.resolve_strike(strike).ok()?;

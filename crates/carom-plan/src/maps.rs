@@ -82,8 +82,9 @@ fn pot_from(
     let mut balls = shot.balls().to_vec();
     let z = balls[cue_ball].state.position.z;
     balls[cue_ball].state.position = Vec3::new(x, y, z);
-    let moved = shot.with_balls(balls, Some((cue_ball, strike))).ok()?;
-    let aimed = Strike { azimuth: straight(&moved, ball, pocket), ..strike };
+    let moved = shot.with_layout(balls).ok()?;
+    let azimuth = straight(&moved, ball, pocket);
+    let aimed = moved.at_own_elevation(&Strike { azimuth, ..strike });
     let mut tester = GoalTester::new(&moved, *goal);
     let best = aim(&mut tester, aimed)?;
     Some((tester.chance(&best.strike, model, progress), best.strike.azimuth))
@@ -135,6 +136,7 @@ pub fn position_map(
         |tester, cell| {
             let ([side, height], (_, own)) = (spins[cell % spins.len()], shot.strike()?);
             let strike = Strike { speed: speeds[cell / spins.len()], azimuth, side, height, ..own };
+            let strike = shot.at_own_elevation(&strike);
             let TriedStrike { strike, attempt } = aim(tester, strike)?;
             Some((attempt.is_met(), strike.azimuth, attempt.cue_ball_end))
         },

@@ -69,7 +69,7 @@ pub struct Search {
     /// Largest tip offset, ball radii; at most 95 % of the miscue limit.
     pub offset: f64,
     /// Largest elevation, rad, for jumps and massés. They are tried in addition to strikes at the
-    /// shot's own elevation. None tries only the latter.
+    /// shot's own elevation; if that is the default, it follows the aim. None tries only the latter.
     pub elevation: Option<f64>,
     /// Strikes spread over the whole range, in addition to those that geometry proposes.
     pub samples: usize,
@@ -248,34 +248,37 @@ impl Solver<'_> {
     fn limits(&self) -> Limits {
         let offset = self.search.offset.min(NEAREST_MISCUE * self.shot.miscue_limit());
         let own = self.shot.strike().map_or(0.0, |(_, strike)| strike.elevation);
-        let most = self.search.elevation.map_or(own, |most| most.max(own));
-        Limits { speed: self.search.speed, offset, elevation: [own, most] }
+        // A default elevation differs from strike to strike; a real stroke's is the least of them.
+        let is_default = self.shot.has_default_elevation();
+        let least = if is_default { self.shot.physics().cue.stroke_elevation } else { own };
+        let elevation = self.search.elevation.map(|most| [least, most]);
+        Limits { speed: self.search.speed, offset, elevation: elevation.filter(|[a, b]| a < b) }
     }
 
     fn candidates(&self) -> Vec<Strike> {
-        let [elevation, most] = self.limits().elevation;
         let geometric = azimuths(self.shot, self.goal);
         let (in_three, in_four) = (recurrence::<3>(), recurrence::<4>());
         let aimed = geometric.iter().enumerate().flat_map(|(k, azimuth)| {
             // Every azimuth gets different spins; together they cover the range.
-            (0..SPINS).map(move |i| self.strike(*azimuth, in_three(k * SPINS + i), elevation))
+            (0..SPINS).map(move |i| self.at_own_elevation(*azimuth, in_three(k * SPINS + i)))
         });
         let spread = (0..self.search.samples).map(|i| {
             let [turn, rest @ ..] = in_four(i);
-            self.strike(TAU * turn, rest, elevation)
+            self.at_own_elevation(TAU * turn, rest)
         });
         let mut all: Vec<Strike> = aimed.chain(spread).collect();
-        if most > elevation {
-            all.extend(self.raised(&geometric));
+        if let Some(range) = self.limits().elevation {
+            all.extend(self.raised(&geometric, range));
         }
         all
     }
 
     /// Jumps, massés and strikes spread over the range, with the cue raised above the shot's own
     /// elevation.
-    fn raised(&self, geometric: &[f64]) -> Vec<Strike> {
-        let [least, most] = self.limits().elevation;
-        let elevation = |share: f64| least + (most - least) * share;
+    fn raised(&self, geometric: &[f64], [least, most]: [f64; 2]) -> Vec<Strike> {
+        // The samples of a shot without an elevation are those of a level one, raised to a real stroke.
+        let from = if self.shot.has_default_elevation() { 0.0 } else { least };
+        let elevation = |share: f64| (from + (most - from) * share).max(least);
         let (in_two, in_five) = (recurrence::<2>(), recurrence::<5>());
         // A jump is struck without side, so that the ball keeps its line.
         let jumps = geometric.iter().enumerate().flat_map(|(k, azimuth)| {
@@ -303,6 +306,11 @@ impl Solver<'_> {
             self.strike(TAU * turn, rest, elevation(share))
         });
         jumps.chain(masses).chain(spread).collect()
+    }
+
+    /// As [`Self::strike`], at the elevation that the shot gives it.
+    fn at_own_elevation(&self, azimuth: f64, point: [f64; 3]) -> Strike {
+        self.shot.at_own_elevation(&self.strike(azimuth, point, 0.0))
     }
 
     /// The strike at a point of the unit cube, whose coordinates stand for the speed and for the squared

@@ -55,15 +55,18 @@ impl<'a> SweepRows<'a> {
         }
     }
 
-    /// The intended strike: the shot's own with the row's numbers.
-    fn meant(&self, row: usize, own: Strike) -> Strike {
+    /// The intended strike: that of `shot`, `own`, with the row's numbers. A default elevation
+    /// follows them.
+    fn meant(&self, row: usize, shot: &Shot, own: Strike) -> Strike {
         let mut numbers = [own.speed, own.azimuth, own.elevation, own.side, own.height];
         for &(key, values) in self.strike {
             let is_angle = STRIKE[key].ends_with("_deg");
             numbers[key] = if is_angle { radians(values[row]) } else { values[row] };
         }
         let [speed, azimuth, elevation, side, height] = numbers;
-        Strike { speed, azimuth, elevation, side, height }
+        let strike = Strike { speed, azimuth, elevation, side, height };
+        let has_elevation = self.strike.iter().any(|&(key, _)| STRIKE[key] == "elevation_deg");
+        if has_elevation { strike } else { shot.at_own_elevation(&strike) }
     }
 }
 
@@ -222,7 +225,7 @@ pub fn shot(rows: &SweepRows<'_>, row: usize) -> Result<ShotFile, Error> {
     let Some((struck, own)) = made.strike() else {
         return Ok(made);
     };
-    let meant = rows.meant(row, own);
+    let meant = rows.meant(row, &made, own);
     made.resolve_strike(&meant)?;
     let played = rows.noise.map_or(meant, |(noise, seed, index)| {
         noise.draw(&meant, made.balls()[struck].ball.radius, seed, index[row] as u64)
@@ -308,7 +311,7 @@ impl<'a> RowPlayer<'a> {
         let Some((struck, own)) = shot.strike() else {
             return self.simulate(row, shot, None, outcome);
         };
-        let mut strike = self.rows.meant(row, own);
+        let mut strike = self.rows.meant(row, shot, own);
         shot.resolve_strike(&strike)?;
         if let Some((noise, seed, index)) = self.rows.noise {
             let radius = shot.balls()[struck].ball.radius;

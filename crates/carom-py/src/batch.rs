@@ -37,17 +37,21 @@ pub(crate) fn simulate_batch<'py>(
     arrays(py, result)
 }
 
-/// The same for one shot with other strikes: rows of speed, azimuth, elevation, side, height.
+/// The same for one shot with other strikes: rows of speed, azimuth, elevation, side, height. With
+/// `own_elevation` the elevations are those that the shot gives the strikes.
 #[pyfunction]
 pub(crate) fn simulate_strikes<'py>(
     py: Python<'py>,
     shot: &Shot,
     strikes: PyReadonlyArray2<'py, f64>,
+    own_elevation: bool,
     threads: usize,
 ) -> PyResult<Arrays<'py>> {
     let strikes = strikes_of(&strikes);
     let runner = runner(py, threads)?;
-    let result = py.detach(|| batch::simulate_strikes(&shot.0, &strikes, &runner));
+    let simulate =
+        if own_elevation { batch::simulate_at_own_elevation } else { batch::simulate_strikes };
+    let result = py.detach(|| simulate(&shot.0, &strikes, &runner));
     arrays(py, result)
 }
 

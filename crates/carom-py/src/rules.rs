@@ -1,18 +1,16 @@
 //! `_core.Frame`.
 
-use carom::resolve::cue_ball::Strike;
 use carom::{Error, Trace as Played};
 use carom_rules::{Choice, Options, Play, Rules};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
 use crate::node::{from_python, to_python};
-use crate::shot::Shot;
+use crate::shot::{Shot, StrikeArguments, strike_or_default};
 use crate::trace::Trace;
 
-/// A play: strike (speed, azimuth, elevation, side, height), the cue ball's place, the
-/// call (kind, ball, pocket).
-type PlayArguments = ([f64; 5], Option<[f64; 2]>, (String, Option<String>, Option<String>));
+/// A play: strike, the cue ball's place, the call (kind, ball, pocket).
+type PlayArguments = (StrikeArguments, Option<[f64; 2]>, (String, Option<String>, Option<String>));
 
 /// A game in progress.
 #[pyclass(module = "carom._core")]
@@ -20,10 +18,11 @@ pub(crate) struct Frame(pub(crate) carom_rules::Frame);
 
 impl Frame {
     fn play_of(&self, arguments: PlayArguments) -> Result<Play, Error> {
-        let ([speed, azimuth, elevation, side, height], cue_ball, (kind, ball, pocket)) = arguments;
-        let strike = Strike { speed, azimuth, elevation, side, height };
+        let (strike, cue_ball, (kind, ball, pocket)) = arguments;
+        let (strike, has_elevation) = strike_or_default(strike);
         let call = self.0.call(&kind, ball.as_deref(), pocket.as_deref())?;
-        Ok(Play { strike, cue_ball, call })
+        let play = Play { strike, cue_ball, call };
+        if has_elevation { Ok(play) } else { self.0.at_default_elevation(&play) }
     }
 }
 

@@ -13,6 +13,17 @@ pub(crate) fn strike_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> 
     Strike { speed, azimuth, elevation, side, height }
 }
 
+/// Speed, azimuth, elevation, side, height. None stands for the default elevation.
+pub(crate) type StrikeArguments = (f64, f64, Option<f64>, f64, f64);
+
+/// The strike, and whether it has an elevation.
+pub(crate) fn strike_or_default(
+    (speed, azimuth, elevation, side, height): StrikeArguments,
+) -> (Strike, bool) {
+    let strike = Strike { speed, azimuth, elevation: elevation.unwrap_or(0.0), side, height };
+    (strike, elevation.is_some())
+}
+
 /// A validated shot; immutable, shared, never copied.
 #[pyclass(frozen, module = "carom._core")]
 pub(crate) struct Shot(pub(crate) Arc<ShotFile>);
@@ -40,6 +51,11 @@ impl Shot {
 
     fn to_object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.0.to_node())
+    }
+
+    /// The shot file without an elevation that is the default.
+    fn to_source<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.0.to_source_node())
     }
 
     fn to_json(&self) -> String {
@@ -72,10 +88,20 @@ impl Shot {
         Some((s.speed, s.azimuth, s.elevation, s.side, s.height))
     }
 
-    /// The same shot with another strike: speed, azimuth, elevation, side, height.
-    fn with_strike(&self, py: Python<'_>, strike: [f64; 5]) -> PyResult<Self> {
-        let shot = self.0.with_strike(&strike_of(strike)).map_err(|e| to_exception(py, &e))?;
-        Ok(Self(shot.into()))
+    #[getter]
+    fn has_default_elevation(&self) -> bool {
+        self.0.has_default_elevation()
+    }
+
+    /// The same shot with another strike; without an elevation, at the default one.
+    fn with_strike(&self, py: Python<'_>, strike: StrikeArguments) -> PyResult<Self> {
+        let (strike, has_elevation) = strike_or_default(strike);
+        let shot = if has_elevation {
+            self.0.with_strike(&strike)
+        } else {
+            self.0.with_default_elevation(&strike)
+        };
+        Ok(Self(shot.map_err(|e| to_exception(py, &e))?.into()))
     }
 
     fn __len__(&self) -> usize {

@@ -28,11 +28,12 @@ pub fn usual_table(game: &str) -> Result<String, JsValue> {
 #[wasm_bindgen]
 pub struct Frame(carom_rules::Frame);
 
-/// A player's shot: the strike (speed, azimuth, elevation, side, height), the place of a cue ball in
-/// hand, and the call (kind, ball, pocket).
+/// A player's shot: the strike (speed, azimuth, side, height) and its elevation, the place of a cue
+/// ball in hand, and the call (kind, ball, pocket). Without an elevation it is the default one.
 #[wasm_bindgen]
 pub struct PlayArguments {
     strike: Strike,
+    has_elevation: bool,
     cue_ball: Option<[f64; 2]>,
     call: String,
     ball: Option<String>,
@@ -45,20 +46,23 @@ impl PlayArguments {
     #[wasm_bindgen(constructor)]
     pub fn new(
         strike: &[f64],
+        elevation: Option<f64>,
         cue_ball: Option<Vec<f64>>,
         call: String,
         ball: Option<String>,
         pocket: Option<String>,
     ) -> Result<Self, JsValue> {
-        let [speed, azimuth, elevation, side, height] = *strike else {
-            return Err(js_sys::RangeError::new("strike: write five numbers").into());
+        let [speed, azimuth, side, height] = *strike else {
+            return Err(js_sys::RangeError::new("strike: write four numbers").into());
         };
-        let strike = Strike { speed, azimuth, elevation, side, height };
+        let strike = Strike { speed, azimuth, elevation: elevation.unwrap_or(0.0), side, height };
+        let has_elevation = elevation.is_some();
         let two = |place: Vec<f64>| {
             <[f64; 2]>::try_from(place)
                 .map_err(|_| js_sys::RangeError::new("cue_ball: write two numbers"))
         };
-        Ok(Self { strike, cue_ball: cue_ball.map(two).transpose()?, call, ball, pocket })
+        let cue_ball = cue_ball.map(two).transpose()?;
+        Ok(Self { strike, has_elevation, cue_ball, call, ball, pocket })
     }
 }
 
@@ -85,9 +89,10 @@ impl PlayResult {
 
 impl Frame {
     fn play_of(&self, arguments: &PlayArguments) -> Result<Play, Error> {
-        let PlayArguments { strike, cue_ball, call, ball, pocket } = arguments;
+        let PlayArguments { strike, has_elevation, cue_ball, call, ball, pocket } = arguments;
         let call = self.0.call(call, ball.as_deref(), pocket.as_deref())?;
-        Ok(Play { strike: *strike, cue_ball: *cue_ball, call })
+        let play = Play { strike: *strike, cue_ball: *cue_ball, call };
+        if *has_elevation { Ok(play) } else { self.0.at_default_elevation(&play) }
     }
 
     fn play_checked(&mut self, arguments: &PlayArguments) -> Result<PlayResult, Error> {

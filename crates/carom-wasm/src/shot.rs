@@ -35,6 +35,18 @@ impl Shot {
         self.0.to_json()
     }
 
+    /// The shot file as [`Self::to_json`] gives it, but without an elevation that is the default.
+    #[wasm_bindgen(js_name = toSourceJson)]
+    pub fn to_source_json(&self) -> String {
+        self.0.to_source_node().to_json()
+    }
+
+    /// Whether the elevation is the default, because none was given.
+    #[wasm_bindgen(js_name = hasDefaultElevation)]
+    pub fn has_default_elevation(&self) -> bool {
+        self.0.has_default_elevation()
+    }
+
     /// The table's geometry as JSON.
     pub fn geometry(&self) -> String {
         self.0.table().to_node().to_json()
@@ -71,19 +83,22 @@ impl Shot {
         self.0.miscue_limit()
     }
 
-    /// The same shot with another strike.
+    /// The same shot with another strike; without an elevation, at the default one.
     #[wasm_bindgen(js_name = withStrike)]
     pub fn with_strike(
         &self,
         speed: f64,
         azimuth: f64,
-        elevation: f64,
+        elevation: Option<f64>,
         side: f64,
         height: f64,
     ) -> Result<Self, JsValue> {
-        let strike = Strike { speed, azimuth, elevation, side, height };
-        let shot = self.0.with_strike(&strike).map_err(|e| to_exception(&e))?;
-        Ok(Self(shot.into()))
+        let strike = Strike { speed, azimuth, elevation: elevation.unwrap_or(0.0), side, height };
+        let shot = match elevation {
+            Some(_) => self.0.with_strike(&strike),
+            None => self.0.with_default_elevation(&strike),
+        };
+        Ok(Self(shot.map_err(|e| to_exception(&e))?.into()))
     }
 
     /// Simulates the shot and records all its events.

@@ -64,6 +64,17 @@ pub fn simulate_strikes(shot: &Shot, strikes: &[Strike], runner: &Runner) -> Bat
     })
 }
 
+/// As [`simulate_strikes`], with every strike at the elevation that `shot` gives it
+/// ([`Shot::at_own_elevation`]). The elevations in `strikes` are not used.
+pub fn simulate_at_own_elevation(shot: &Shot, strikes: &[Strike], runner: &Runner) -> BatchResult {
+    let struck = shot.strike.as_ref().map_or(0, |(ball, _)| *ball);
+    run(strikes.len(), shot.balls.len(), runner, |k| {
+        let strike = shot.at_own_elevation(&strikes[k]);
+        shot.resolve_strike(&strike)?;
+        Ok((Cow::Borrowed(shot), Some((struck, strike))))
+    })
+}
+
 /// As [`simulate_strikes`], but with an error of perception: strike k is played on layout `first` +
 /// k of this seed, which [`Perception::places`] draws around the positions in `shot`. `shot` holds
 /// the positions that the player sees and plans on; the layouts hold possible true positions. The

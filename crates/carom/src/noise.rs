@@ -172,10 +172,10 @@ impl Perception {
     /// Layout `index` of this seed: `shot` with the balls of [`Self::places`].
     ///
     /// # Errors
-    /// As [`Self::check`], and as [`Shot::with_balls`] for a strike that cannot be played there.
+    /// As [`Self::check`], and as [`Shot::with_layout`] for a strike that cannot be played there.
     pub fn draw(&self, shot: &Shot, seed: u64, index: u64) -> Result<Shot, Error> {
         self.check()?;
-        shot.with_balls(self.places(shot, seed, index), shot.strike())
+        shot.with_layout(self.places(shot, seed, index))
     }
 
     /// The balls of `shot` with their positions in layout `index` of this seed. The balls are moved

@@ -227,6 +227,9 @@ pub struct Cue {
     /// in ball radii). 0 for a restitution that does not fall. Without effect on
     /// [`Tip::Efficiency`].
     pub tip_off_centre_loss: f64,
+    /// Least elevation of a real stroke, rad, in [0, π/2): the default elevation of a strike is at
+    /// least this angle. With 0 the default elevation is always 0: the cue needs no room.
+    pub stroke_elevation: f64,
 }
 
 /// How long contacts last at an approach of 1 m/s without losses, s. At the speed V they last

@@ -6,14 +6,14 @@ import gymnasium
 
 # The version increases when the same actions give other results.
 ENVIRONMENTS = {
-    "carom/Potting-v0": "potting",
-    "carom/EightBall-v3": "eight-ball",
-    "carom/NineBall-v0": "nine-ball",
-    "carom/TenBall-v1": "ten-ball",
-    "carom/StraightPool-v1": "straight-pool",
-    "carom/Snooker-v3": "snooker",
-    "carom/ThreeCushion-v3": "three-cushion",
-    "carom/SumToThree-v0": "sum-to-three",
+    "carom/Potting-v1": "potting",
+    "carom/EightBall-v4": "eight-ball",
+    "carom/NineBall-v1": "nine-ball",
+    "carom/TenBall-v2": "ten-ball",
+    "carom/StraightPool-v2": "straight-pool",
+    "carom/Snooker-v4": "snooker",
+    "carom/ThreeCushion-v4": "three-cushion",
+    "carom/SumToThree-v1": "sum-to-three",
 }
 
 

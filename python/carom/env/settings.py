@@ -102,7 +102,8 @@ def settings(**given: Any) -> Settings:
       ``relative``: the first action is the point where the cue ball meets the nearest ball on,
       from that ball's right edge (−1) to its left edge (1).
     - ``speed``: Least and largest speed of the cue, m/s.
-    - ``max_elevation``: Largest elevation of the cue, rad; a negative action is a level cue.
+    - ``max_elevation``: Largest elevation of the cue, rad. The default elevation of a strike is
+      the least, also where it is larger than this.
     - ``opponent``: The second player: ``none``, ``random`` or ``potter``.
     - ``balls``: Number of object balls that are placed at random at the start, or the least and
       the most. In potting None means 1. In the games None means a rack; otherwise the game begins

@@ -60,7 +60,8 @@ def kick_table(
     """Where the struck ball of a shot meets the cushions, alone on the table.
 
     Args:
-        shot: Table, physics and struck ball. The elevation is that of its strike.
+        shot: Table, physics and struck ball. The elevation is that of its strike;
+            if it is omitted, it is the default of each cell, without the other balls.
         azimuth: Directions of the cue, rad; None is every 5°.
         speed: Speeds of the cue, m/s.
         side: Contact points right of centre, ball radii.

@@ -163,9 +163,10 @@ def pot_map(
 ) -> PotMap:
     """The chance of a straight pot with the cue ball anywhere on the table.
 
-    Speed and spin are those of the shot's strike. For every place of the cue ball the direction is
-    refined until it pots exactly, including throw and squirt, and turned to the middle of the
-    directions that pot. Then ``n`` variants are played.
+    Speed and spin are those of the shot's strike, and so is the elevation; if the shot omits it, it
+    is the default at every place. For every place of the cue ball the direction is refined until it
+    pots exactly, including throw and squirt, and turned to the middle of the directions that pot.
+    Then ``n`` variants are played.
 
     Args:
         shot: Table, balls and strike.

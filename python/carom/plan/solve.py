@@ -104,9 +104,9 @@ def solve(
     the cue ball must stay on the table. The search plays every direction that geometry proposes
     (ghost balls, mirror images, the sides of other balls) and strikes spread over the whole range.
     On every route it refines the best strikes until they reach the goal exactly, and ranks them by
-    their chance. Of the shot's own strike it uses only the struck ball and the elevation. It
-    raises the cue over obstacles, and with ``elevation`` also to jump over balls or to curve
-    around them.
+    their chance. Of the shot's own strike it uses only the struck ball and the elevation; if the
+    shot omits it, every strike has its own default elevation. It raises the cue over obstacles, and
+    with ``elevation`` also to jump over balls or to curve around them.
 
     Args:
         shot: Table, balls and the struck ball.

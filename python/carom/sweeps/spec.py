@@ -214,7 +214,8 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
     columns = _columns(found.get("columns"))
     whole = {
         "format": FORMAT,
-        "shots": [shot.to_dict() for shot in layouts],
+        # A default elevation stays the default, so that it follows the parameters.
+        "shots": [shot._core.to_source() for shot in layouts],
         "vary": found.get("vary", {}),
         "samples": samples,
         "sequence": sequence,

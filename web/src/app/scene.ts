@@ -1,6 +1,6 @@
 /** Updates the viewer from the state. No other module changes what the viewer shows, except films. */
 
-import { STRIDE, type Engine, type Trace } from "../engine/index.ts";
+import { STRIDE, type Engine, type Strike, type Trace } from "../engine/index.ts";
 import type { CuePose, Mark, Viewer } from "../viewer/index.ts";
 import type { Context } from "./common/context.ts";
 import type { AimedShot } from "./document/document.ts";
@@ -8,7 +8,6 @@ import { areasOf } from "./game/areas.ts";
 import type { Game } from "./document/game.ts";
 import { canAim, standing } from "./game/play.ts";
 import type { State, Store } from "./document/store.ts";
-import { anglesOf } from "./document/strike-angles.ts";
 
 /** Greatest distance (m) of a drawn path from the exact one: below a pixel at usual zooms. */
 const PATH_TOLERANCE = 0.0005;
@@ -87,7 +86,7 @@ export class Scene {
     if (refused) states.set(refused.position, refused.index * STRIDE);
     this.#setBalls(states);
     this.#setPaths(trace, "ghost");
-    this.#viewer.setCue(aims && shot.struck !== null ? pose(document.shot, shot.struck) : null);
+    this.#viewer.setCue(aims && shot.struck !== null ? pose(shot.strike!, shot.struck) : null);
     this.#viewer.setMarks([
       ...(trace ? marks(trace) : []),
       ...(refused
@@ -137,14 +136,8 @@ function moves(points: Float64Array): boolean {
   return false;
 }
 
-function pose({ strike }: AimedShot, ball: number): CuePose {
-  return {
-    ball,
-    ...anglesOf(strike),
-    side: strike.side ?? 0,
-    height: strike.height ?? 0,
-    pull: Math.min(PULL + PULL_PER_SPEED * strike.speed, LONGEST_PULL),
-  };
+function pose({ speed, ...strike }: Strike, ball: number): CuePose {
+  return { ball, ...strike, pull: Math.min(PULL + PULL_PER_SPEED * speed, LONGEST_PULL) };
 }
 
 /** Ghost balls: the struck ball at its first contact with another ball, and where it stops. */

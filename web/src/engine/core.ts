@@ -18,6 +18,7 @@ import {
   type Shot,
   type ShotFile,
   type Strike,
+  type StrikeInput,
   STRIDE,
   type Trace,
   type TraceFile,
@@ -45,8 +46,8 @@ const BATCH_MEMORY = 2 ** 30;
 const ROW_BYTES = 44;
 const BALL_BYTES = 25;
 
-/** Keys of a strike in the order in which the engine takes its numbers. */
-const STRIKE = ["speed", "azimuth", "elevation", "side", "height"] as const;
+/** Keys that every strike has, in the order in which the engine takes its numbers. */
+const STRIKE = ["speed", "azimuth", "side", "height"] as const;
 
 let loaded: Promise<Engine> | undefined;
 
@@ -234,6 +235,12 @@ function termsOf(given: FrameTerms): Required<Omit<FrameTerms, "target">> {
   };
 }
 
+/** The elevation of a strike; undefined stands for the default one. */
+function elevationOf({ elevation }: StrikeInput): number | undefined {
+  if (elevation === undefined) return undefined;
+  return numbers("strike", { elevation }, ["elevation"])[0];
+}
+
 /** A strike from the engine's five numbers. */
 function strikeOf(values: ArrayLike<number>): Strike {
   return {
@@ -268,6 +275,15 @@ class WasmShot implements Shot {
     return this.handle.object.toJson();
   }
 
+  get source() {
+    if (!this.hasDefaultElevation) return this.file;
+    return JSON.parse(this.handle.object.toSourceJson()) as ShotFile;
+  }
+
+  get hasDefaultElevation() {
+    return this.handle.object.hasDefaultElevation();
+  }
+
   get geometry() {
     return (this.#geometry ??= JSON.parse(this.handle.object.geometry()) as Geometry);
   }
@@ -297,10 +313,11 @@ class WasmShot implements Shot {
     return this.handle.object.miscueLimit();
   }
 
-  withStrike(strike: Strike): Shot {
-    const [speed, azimuth, elevation, side, height] = numbers("strike", strike, STRIKE);
+  withStrike(strike: StrikeInput): Shot {
+    const [speed, azimuth, side, height] = numbers("strike", strike, STRIKE);
+    const elevation = elevationOf(strike);
     return new WasmShot(
-      checked(() => this.handle.object.withStrike(speed!, azimuth!, elevation!, side!, height!)),
+      checked(() => this.handle.object.withStrike(speed!, azimuth!, elevation, side!, height!)),
     );
   }
 
@@ -474,6 +491,7 @@ class WasmFrame implements Frame {
 function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
   const { strike, cue_ball, call } = object("play", play) as Partial<Play>;
   const values = Float64Array.from(numbers("strike", strike, STRIKE));
+  const elevation = elevationOf(strike!);
   const place =
     cue_ball === undefined
       ? undefined
@@ -483,7 +501,7 @@ function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
   text("call.kind", kind);
   if (ball !== undefined) text("call.ball", ball);
   if (into !== undefined) text("call.into", into);
-  const given = new wasm.PlayArguments(values, place, kind, ball, into);
+  const given = new wasm.PlayArguments(values, elevation, place, kind, ball, into);
   try {
     return use(given);
   } finally {

@@ -41,7 +41,10 @@ export interface StrikeEntry {
   /** Direction in which the cue moves, counter-clockwise from +x: in degrees or in radians. */
   readonly azimuth_deg?: number;
   readonly azimuth?: number;
-  /** Elevation of the butt: in degrees or in radians. Default 0. */
+  /**
+   * Elevation of the butt: in degrees or in radians. By default the least angle of a real stroke at
+   * which the cue clears the rails and the other balls.
+   */
   readonly elevation_deg?: number;
   readonly elevation?: number;
   /** Contact point right of the ball's centre, in ball radii. */
@@ -65,6 +68,9 @@ export interface Strike {
   /** Contact point above the ball's centre, in ball radii. */
   readonly height: number;
 }
+
+/** A strike that may omit its elevation: it is the default one then. */
+export type StrikeInput = Omit<Strike, "elevation"> & { readonly elevation?: number | undefined };
 
 /** A ball with all its values, including those that the file leaves to the physics. */
 export interface BallInfo {
@@ -303,8 +309,12 @@ export const PADDING = -3;
 
 /** A validated shot; immutable. */
 export interface Shot {
-  /** The shot file as a value; parsed on first use. */
+  /** The shot file as a value, with the elevation that is used; parsed on first use. */
   readonly file: ShotFile;
+  /** The shot file without an elevation that is the default, so that it follows changes. */
+  readonly source: ShotFile;
+  /** Whether the elevation was omitted, so that it is the default. */
+  readonly hasDefaultElevation: boolean;
   /** The shot file as JSON; its numbers are exactly those that were read. */
   json(): string;
   readonly geometry: Geometry;
@@ -318,10 +328,10 @@ export interface Shot {
    */
   readonly miscueLimit: number;
   /**
-   * The same shot with another strike; about a microsecond.
+   * The same shot with another strike; about a microsecond. Without an elevation it is the default.
    * @throws CaromError for a strike that the engine refuses in a file, and if the shot has no strike.
    */
-  withStrike(strike: Strike): Shot;
+  withStrike(strike: StrikeInput): Shot;
   /** @throws CaromError if the cap of events is reached. */
   simulate(): Trace;
   /**

@@ -169,7 +169,8 @@ test("an obstructed cue is reported with the necessary elevation, and a button r
     const balls = shot.balls.map((ball) =>
       ball.id === "cue" ? { ...ball, position: [0.03, 0.6] as const } : ball,
     );
-    store.apply({ shot: { ...shot, balls, strike: { ...shot.strike, azimuth_deg: 10 } } }, "try");
+    const strike = { ...shot.strike, azimuth_deg: 10, elevation_deg: 0 };
+    store.apply({ shot: { ...shot, balls, strike } }, "try");
   });
   await page.getByText(/The cue would pass through the left lower rail: raise it to/).waitFor();
   const raise = page.getByRole("button", { name: "Raise the cue", exact: true });
@@ -177,6 +178,25 @@ test("an obstructed cue is reported with the necessary elevation, and a button r
   await settled(page);
   expect(await raise.isVisible()).toBe(false);
   expect((await shotOf(page)).strike!.elevation_deg).toBeGreaterThan(5);
+});
+
+test("the elevation is automatic until an angle is set, and links have the angle", async ({
+  open,
+}) => {
+  const page = await open();
+  const automatic = page.getByRole("button", { name: "Automatic elevation" });
+  const field = page.getByRole("spinbutton", { name: /^Elevation/ });
+  const pressed = () => automatic.getAttribute("aria-pressed");
+  expect([await pressed(), await field.inputValue()]).toEqual(["true", "3"]);
+  await field.fill("20");
+  await field.press("Enter");
+  await settled(page);
+  expect([await pressed(), await field.inputValue()]).toEqual(["false", "20"]);
+  await automatic.click();
+  await settled(page);
+  expect([await pressed(), await field.inputValue()]).toEqual(["true", "3"]);
+  const file = await page.evaluate(() => window.carom!.store.shot.file.strike!);
+  expect(file.elevation_deg).toBe(3);
 });
 
 test("speed is shown and set in the chosen unit", async ({ open }) => {

@@ -65,7 +65,7 @@ test("racks, tables and balls are changed, and undo restores the first layout", 
   const racked = await shotOf(page);
   expect(racked.balls).toHaveLength(10);
   expect(
-    await page.evaluate(() => window.carom!.engine.breakShot("nine-ball", { seed: 7 }).file),
+    await page.evaluate(() => window.carom!.engine.breakShot("nine-ball", { seed: 7 }).source),
   ).toEqual(racked);
 
   await page.getByRole("radio", { name: "5", exact: true }).click();

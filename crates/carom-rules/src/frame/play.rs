@@ -2,6 +2,7 @@
 
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
+use carom::shot::PlacedBall;
 use carom::{BallState, Error, MotionState, Shot, Simulator, Trace};
 
 use super::Frame;
@@ -20,6 +21,28 @@ impl Frame {
     /// allowed, if the cue ball is placed where it must not be, and for a strike that a shot file
     /// could not have.
     pub fn shot(&self, play: &Play) -> Result<Shot, Error> {
+        let (balls, cue) = self.balls_of(play)?;
+        let strike = through_degrees(&play.strike);
+        let shot = self.state.base.with_balls(balls, Some((cue, strike)));
+        shot.map_err(|error| at_cue_ball(error, cue))
+    }
+
+    /// `play` at the default elevation of its strike ([`Shot::default_elevation`]). The elevation in
+    /// `play` is not used.
+    ///
+    /// # Errors
+    /// As [`Self::shot`].
+    pub fn at_default_elevation(&self, play: &Play) -> Result<Play, Error> {
+        let (balls, cue) = self.balls_of(play)?;
+        let strike = Strike { elevation: 0.0, ..play.strike };
+        let shot = self.state.base.with_balls(balls, Some((cue, strike)));
+        let shot = shot.map_err(|error| at_cue_ball(error, cue))?;
+        let elevation = shot.default_elevation(&strike);
+        Ok(Play { strike: Strike { elevation, ..strike }, ..*play })
+    }
+
+    /// The balls of `play`, and the index of the struck ball among them.
+    fn balls_of(&self, play: &Play) -> Result<(Vec<PlacedBall>, usize), Error> {
         let turn = self.asked_turn()?;
         self.check_call(turn, play.call)?;
         let mut layout = self.state.layout.clone();
@@ -27,9 +50,7 @@ impl Frame {
         self.check_cue_ball(turn, play.cue_ball, place)?;
         layout.put(turn.cue, place);
         let cue = layout.on_table().position(|ball| ball == turn.cue).unwrap_or_default();
-        let strike = through_degrees(&play.strike);
-        let shot = self.state.base.with_balls(layout.placed(), Some((cue, strike)));
-        shot.map_err(|error| at_cue_ball(error, cue))
+        Ok((layout.placed(), cue))
     }
 
     /// The shot that the frame asks for.

@@ -5,6 +5,7 @@
 //! numbers are written so that they read back to the same bits. A [`ShotFile`] also keeps the tree
 //! that it was read from, and writes it again unchanged.
 
+mod angle;
 mod balls;
 mod geometry;
 #[cfg(feature = "json")]

@@ -46,6 +46,14 @@ impl Node {
         }
     }
 
+    /// The value under `key`, to change, if this is an object that has it.
+    pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut Node> {
+        match self {
+            Self::Object(fields) => fields.iter_mut().find(|(k, _)| k == key).map(|(_, v)| v),
+            _ => None,
+        }
+    }
+
     /// Sets the value under `key`. An existing key keeps its position; a new one is added at the
     /// end. Does nothing if this is not an object.
     pub fn set(&mut self, key: &str, value: impl Into<Node>) {

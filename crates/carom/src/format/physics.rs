@@ -3,6 +3,7 @@
 use alloc::format;
 use alloc::vec::Vec;
 
+use super::angle::STROKE_ELEVATION;
 use super::node::{Node, word_of};
 use super::read::At;
 use crate::Ball;
@@ -261,6 +262,8 @@ fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
         "tip_restitution",
         "tip_efficiency",
         "tip_off_centre_loss",
+        "stroke_elevation",
+        "stroke_elevation_deg",
     ])?;
     if let Some(at) = fields.get("model") {
         cue.model = at.choice("strike model", STRIKE_MODELS)?;
@@ -269,6 +272,9 @@ fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
     fields.number_into("end_mass", &Range::not_negative(" kg"), &mut cue.end_mass)?;
     fields.number_into("tip_radius", &Range::not_negative(" m"), &mut cue.tip_radius)?;
     fields.number_into("tip_friction", &FRICTION, &mut cue.tip_friction)?;
+    if let Some(angle) = STROKE_ELEVATION.read(&fields)? {
+        cue.stroke_elevation = angle;
+    }
     match (fields.get("tip_restitution"), fields.get("tip_efficiency")) {
         (Some(_), Some(efficiency)) => {
             return Err(efficiency.refuse(
@@ -329,6 +335,16 @@ fn write(physics: &Physics) -> Node {
         Tip::Restitution(e) => ("tip_restitution", e.into()),
         Tip::Efficiency(eta) => ("tip_efficiency", eta.into()),
     };
+    let mut cue_node = Node::object([
+        ("model", word_of(STRIKE_MODELS, cue.model)),
+        ("mass", cue.mass.into()),
+        ("end_mass", cue.end_mass.into()),
+        ("tip_radius", cue.tip_radius.into()),
+        ("tip_friction", cue.tip_friction.into()),
+        tip,
+        ("tip_off_centre_loss", cue.tip_off_centre_loss.into()),
+    ]);
+    STROKE_ELEVATION.write(&mut cue_node, cue.stroke_elevation);
     Node::object([
         ("gravity", (*gravity).into()),
         ("ball", Node::object([("mass", ball.mass.into()), ("radius", ball.radius.into())])),
@@ -353,18 +369,7 @@ fn write(physics: &Physics) -> Node {
         ("facing", write_surface(facing)),
         ("liner", write_surface(liner)),
         ("slate", write_surface(slate)),
-        (
-            "cue",
-            Node::object([
-                ("model", word_of(STRIKE_MODELS, cue.model)),
-                ("mass", cue.mass.into()),
-                ("end_mass", cue.end_mass.into()),
-                ("tip_radius", cue.tip_radius.into()),
-                ("tip_friction", cue.tip_friction.into()),
-                tip,
-                ("tip_off_centre_loss", cue.tip_off_centre_loss.into()),
-            ]),
-        ),
+        ("cue", cue_node),
         (
             "contact_times",
             Node::object([

@@ -9,7 +9,7 @@ use core::ops::Deref;
 use super::key_path::KeyPath;
 use super::node::Node;
 use super::read::At;
-use super::{balls, physics, strike, table};
+use super::{angle, balls, physics, strike, table};
 use crate::error::Error;
 use crate::resolve::cue_ball::Strike;
 use crate::shot::{DEFAULT_MAX_EVENTS, Parts, Shot, StrikePolicy, checked_balls};
@@ -19,7 +19,8 @@ pub const SHOT_FORMAT: &str = "carom-shot/1";
 
 const KEYS: &[&str] = &["format", "table", "physics", "balls", "strike", "max_events"];
 
-/// A shot with the file that it was read from. The file is written back unchanged.
+/// A shot with the file that it was read from. The file is written back unchanged, except that an
+/// omitted elevation is written.
 ///
 /// A [`Shot`] alone is written from its data. The result describes the same shot, but default
 /// values are left out and presets are named.
@@ -54,15 +55,34 @@ impl ShotFile {
         &self.shot
     }
 
-    /// The file as a tree of values, as it was read.
+    /// The file as a tree of values, as it was read, and with the elevation that is used.
     pub fn to_node(&self) -> Cow<'_, Node> {
-        match &self.source {
-            Some(source) => Cow::Borrowed(source),
-            None => Cow::Owned(self.shot.to_node()),
+        let Some(source) = &self.source else { return Cow::Owned(self.shot.to_node()) };
+        let default = self.shot.strike().filter(|_| self.shot.has_default_elevation());
+        let Some((_, strike)) = default else { return Cow::Borrowed(source) };
+        let mut node = Node::clone(source);
+        if let Some(written) = node.get_mut("strike") {
+            strike::write_elevation_into(written, &strike);
         }
+        Cow::Owned(node)
     }
 
-    /// The file as JSON: what was read, number for number.
+    /// As [`Self::to_node`], but without an elevation that is the default: what is read from it has
+    /// the default elevation again, also with other values.
+    pub fn to_source_node(&self) -> Node {
+        let mut node = match &self.source {
+            Some(source) => Node::clone(source),
+            None => self.shot.to_node(),
+        };
+        if let Some(written) = node.get_mut("strike")
+            && self.shot.has_default_elevation()
+        {
+            strike::remove_elevation(written);
+        }
+        node
+    }
+
+    /// The file as JSON: what was read, number for number, and the elevation that is used.
     pub fn to_json(&self) -> String {
         self.to_node().to_json()
     }
@@ -72,19 +92,36 @@ impl ShotFile {
     /// # Errors
     /// As [`Shot::resolve_strike`].
     pub fn with_strike(&self, strike: &Strike) -> Result<Self, Error> {
-        let shot = self.shot.with_strike(strike)?;
+        self.with_strike_of(self.shot.with_strike(strike)?)
+    }
+
+    /// The same file with another strike on the same ball, at the default elevation. The elevation
+    /// of `strike` is not used.
+    ///
+    /// # Errors
+    /// As [`Shot::resolve_strike`].
+    pub fn with_default_elevation(&self, strike: &Strike) -> Result<Self, Error> {
+        self.with_strike_of(self.shot.with_default_elevation(strike)?)
+    }
+
+    /// This file with the strike of `shot`, which is the same in everything else.
+    fn with_strike_of(&self, shot: Shot) -> Result<Self, Error> {
         let Some(source) = &self.source else { return Ok(shot.into()) };
         let mut node = Node::clone(source);
         let mut written = node.get("strike").cloned().unwrap_or_else(|| Node::object([]));
         if let Some((ball, strike)) = shot.strike() {
             strike::write_into(&mut written, &shot.balls()[ball].id, &strike);
         }
+        if shot.has_default_elevation() {
+            strike::remove_elevation(&mut written);
+        }
         node.set("strike", written);
         Ok(Self { shot, source: Some(node.into()) })
     }
 
     /// The same file with other values at the given paths; later values replace earlier ones. A
-    /// missing key is added, and a preset's name becomes the base of an object.
+    /// missing key is added, and a preset's name becomes the base of an object. An omitted elevation
+    /// is the default of the new file.
     ///
     /// # Errors
     /// [`Error::Input`] for a path that leads nowhere, and for everything for which a shot file
@@ -93,10 +130,10 @@ impl ShotFile {
         &self,
         values: impl IntoIterator<Item = (&'a KeyPath, Node)>,
     ) -> Result<Self, Error> {
-        let mut node = self.to_node().into_owned();
+        let mut node = self.to_source_node();
         for (path, value) in values {
             path.set(&mut node, value)?;
-            strike::remove_other_unit(&mut node, path);
+            angle::remove_other_unit(&mut node, path);
         }
         Self::from_node(node)
     }
@@ -188,14 +225,18 @@ fn read(file: &Node) -> Result<Shot, Error> {
     let physics = physics::read(fields.get("physics").as_ref(), &default_physics)?;
     let balls = balls::read(&fields.require("balls", "a list of balls")?, &physics.ball)?;
     let balls = checked_balls(balls, &table)?;
-    let (mut policy, mut struck) = (StrikePolicy::default(), None);
+    let (mut policy, mut struck, mut has_default_elevation) =
+        (StrikePolicy::default(), None, false);
     if let Some(at) = fields.get("strike") {
         policy = strike::read_policy(&at)?;
-        struck = Some(strike::read(&at, &balls)?);
+        let read = strike::read(&at, &balls)?;
+        struck = Some((read.ball, read.strike));
+        has_default_elevation = !read.has_elevation;
     }
     let max_events = match fields.get("max_events") {
         Some(at) => at.whole(1, u32::MAX)?,
         None => DEFAULT_MAX_EVENTS,
     };
-    Shot::new(Parts { table, physics, balls, strike: struck, policy, max_events })
+    let strike = struck;
+    Shot::new(Parts { table, physics, balls, strike, policy, max_events, has_default_elevation })
 }

@@ -97,6 +97,7 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
         speed: opening.speed.unwrap_or(game.break_speed()),
         // A shot file has this angle in degrees, and reading it again must give the same bits.
         azimuth: radians(degrees(azimuth)),
+        // Replaced by the default elevation.
         elevation: 0.0,
         side: 0.0,
         height: 0.0,
@@ -108,6 +109,7 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
         strike: Some((0, strike)),
         policy: StrikePolicy::default(),
         max_events: DEFAULT_MAX_EVENTS,
+        has_default_elevation: true,
     })
 }
 

@@ -14,9 +14,11 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 pub(crate) use balls::{CheckedBalls, MASS, RADIUS, checked as checked_balls, fits};
-pub use obstruction::Touched;
+pub use obstruction::{BallInSpace, Touched};
 pub(crate) use strike::{OFFSET, SPEED, explain};
 pub use strike::{Policy, StrikePolicy};
+
+use obstruction::CueLine;
 
 use crate::error::Error;
 use crate::math::{Vec3, degrees};
@@ -38,8 +40,14 @@ pub struct PlacedBall {
     pub state: BallState,
 }
 
+impl From<&PlacedBall> for BallInSpace {
+    fn from(placed: &PlacedBall) -> Self {
+        Self { center: placed.state.position, radius: placed.ball.radius }
+    }
+}
+
 /// A validated shot.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Shot {
     pub(crate) table: Arc<Table>,
     pub(crate) physics: Arc<Physics>,
@@ -49,6 +57,23 @@ pub struct Shot {
     policy: StrikePolicy,
     /// Friction of the tip as given. `physics` has the friction that the strike is resolved with.
     tip_friction: f64,
+    /// Whether the elevation of `strike` is the default, because none was given.
+    has_default_elevation: bool,
+}
+
+/// Shots are equal if the same happens in them: whether an elevation is the default or the same
+/// angle was given makes no difference.
+impl PartialEq for Shot {
+    fn eq(&self, other: &Self) -> bool {
+        let Self { table, physics, balls, strike, max_events, policy, tip_friction, .. } = self;
+        *table == other.table
+            && *physics == other.physics
+            && *balls == other.balls
+            && *strike == other.strike
+            && *max_events == other.max_events
+            && *policy == other.policy
+            && *tip_friction == other.tip_friction
+    }
 }
 
 impl AsRef<Shot> for Shot {
@@ -66,6 +91,8 @@ pub(crate) struct Parts {
     pub(crate) strike: Option<(usize, Strike)>,
     pub(crate) policy: StrikePolicy,
     pub(crate) max_events: u32,
+    /// Whether the strike gets the default elevation; the elevation in `strike` is not used then.
+    pub(crate) has_default_elevation: bool,
 }
 
 impl Shot {
@@ -75,13 +102,24 @@ impl Shot {
     /// # Errors
     /// As [`Self::with_balls`].
     pub(crate) fn new(parts: Parts) -> Result<Self, Error> {
-        let Parts { table, mut physics, balls, strike, policy, max_events } = parts;
+        let Parts { table, mut physics, balls, strike, policy, max_events, .. } = parts;
+        let has_default_elevation = parts.has_default_elevation;
         let tip_friction = physics.cue.tip_friction;
         if policy.miscue == Policy::Report {
             physics.cue.tip_friction = strike::TIP_THAT_HOLDS;
         }
         let (balls, physics) = (balls.into_inner(), physics.into());
-        Self { table, physics, balls, strike, max_events, policy, tip_friction }.checked()
+        Self {
+            table,
+            physics,
+            balls,
+            strike,
+            max_events,
+            policy,
+            tip_friction,
+            has_default_elevation,
+        }
+        .checked()
     }
 
     /// The same shot with another strike on the same ball.
@@ -91,7 +129,27 @@ impl Shot {
     pub fn with_strike(&self, strike: &Strike) -> Result<Self, Error> {
         self.resolve_strike(strike)?;
         let strike = self.strike.map(|(ball, _)| (ball, *strike));
-        Ok(Self { strike, ..self.clone() })
+        Ok(Self { strike, has_default_elevation: false, ..self.clone() })
+    }
+
+    /// The same shot with another strike on the same ball, at the default elevation. The elevation
+    /// of `strike` is not used.
+    ///
+    /// # Errors
+    /// As [`Self::resolve_strike`].
+    pub fn with_default_elevation(&self, strike: &Strike) -> Result<Self, Error> {
+        let strike = Strike { elevation: self.default_elevation(strike), ..*strike };
+        Ok(Self { has_default_elevation: true, ..self.with_strike(&strike)? })
+    }
+
+    /// The same shot with other balls. If the elevation of its strike is the default, it is the
+    /// default among these balls.
+    ///
+    /// # Errors
+    /// As [`Self::with_balls`].
+    pub fn with_layout(&self, balls: Vec<PlacedBall>) -> Result<Self, Error> {
+        let balls = balls::checked(balls, &self.table)?.into_inner();
+        Self { balls, ..self.clone() }.checked()
     }
 
     /// Other balls on the same table, under the same physics; `strike` is the struck ball's index
@@ -110,11 +168,30 @@ impl Shot {
         let balls = balls::checked(balls, &self.table)?.into_inner();
         let (table, physics) = (self.table.clone(), self.physics.clone());
         let Self { max_events, policy, tip_friction, .. } = *self;
-        Self { table, physics, balls, strike, max_events, policy, tip_friction }.checked()
+        let has_default_elevation = false;
+        Self {
+            table,
+            physics,
+            balls,
+            strike,
+            max_events,
+            policy,
+            tip_friction,
+            has_default_elevation,
+        }
+        .checked()
     }
 
-    /// The shot, if its strike can be played.
-    fn checked(self) -> Result<Self, Error> {
+    /// The shot with its default elevation, if it has one, and if its strike can be played.
+    fn checked(mut self) -> Result<Self, Error> {
+        self.has_default_elevation &= self.strike.is_some();
+        if self.has_default_elevation
+            && let Some((ball, strike)) = self.strike
+            && ball < self.balls.len()
+        {
+            let elevation = self.default_elevation_on(ball, &strike);
+            self.strike = Some((ball, Strike { elevation, ..strike }));
+        }
         if let Some((ball, strike)) = &self.strike {
             if *ball >= self.balls.len() {
                 let remedy = format!("count the {} balls from 0", self.balls.len());
@@ -150,6 +227,11 @@ impl Shot {
     /// The struck ball's index and the strike, if there is one.
     pub const fn strike(&self) -> Option<(usize, Strike)> {
         self.strike
+    }
+
+    /// Whether the elevation of the strike is the default, because none was given.
+    pub const fn has_default_elevation(&self) -> bool {
+        self.has_default_elevation
     }
 
     /// The policy for strikes that a player could not play cleanly.
@@ -202,8 +284,51 @@ impl Shot {
         self.cue_on(ball, &strike).least_elevation()
     }
 
-    fn cue_on(&self, ball: usize, strike: &Strike) -> obstruction::CueLine {
-        obstruction::CueLine::new(&self.table, &self.balls, ball, strike)
+    /// The elevation (rad) of `strike` on the struck ball if none is given: the least angle, from
+    /// that of a real stroke on (`cue.stroke_elevation`), at which the cue clears the rails and the
+    /// other balls. If it clears them at no angle up to 80°, it is that of a real stroke. On
+    /// unbounded cloth, with a `stroke_elevation` of 0 and without a strike it is 0. The elevation
+    /// of `strike` is not used.
+    pub fn default_elevation(&self, strike: &Strike) -> f64 {
+        self.strike.map_or(0.0, |(ball, _)| self.default_elevation_on(ball, strike))
+    }
+
+    /// As [`Self::default_elevation`], for a strike on the ball `struck` among `others`.
+    pub fn default_elevation_among(
+        &self,
+        struck: BallInSpace,
+        others: impl Iterator<Item = BallInSpace>,
+        strike: &Strike,
+    ) -> f64 {
+        let stroke = self.physics.cue.stroke_elevation;
+        if stroke == 0.0 || self.table.description.is_none() {
+            return 0.0;
+        }
+        CueLine::new(&self.table, struck, (0..).zip(others), strike).default_elevation(stroke)
+    }
+
+    /// `strike` at the elevation that this shot gives it: the default, if the elevation of the
+    /// shot's own strike is the default, and otherwise that of the shot's own strike.
+    #[must_use]
+    pub fn at_own_elevation(&self, strike: &Strike) -> Strike {
+        let Some((ball, own)) = self.strike else { return *strike };
+        let default = self.has_default_elevation.then(|| self.default_elevation_on(ball, strike));
+        Strike { elevation: default.unwrap_or(own.elevation), ..*strike }
+    }
+
+    fn default_elevation_on(&self, ball: usize, strike: &Strike) -> f64 {
+        let others = self.others(ball).map(|(_, other)| other);
+        self.default_elevation_among((&self.balls[ball]).into(), others, strike)
+    }
+
+    fn cue_on(&self, ball: usize, strike: &Strike) -> CueLine {
+        CueLine::new(&self.table, (&self.balls[ball]).into(), self.others(ball), strike)
+    }
+
+    /// All balls except `ball`, with their indices.
+    fn others(&self, ball: usize) -> impl Iterator<Item = (u16, BallInSpace)> {
+        let all = (0u16..).zip(&*self.balls);
+        all.filter(move |(i, _)| usize::from(*i) != ball).map(|(i, other)| (i, other.into()))
     }
 
     fn refuse_obstruction(&self, ball: usize, strike: &Strike) -> Result<(), Error> {

@@ -16,8 +16,7 @@
 
 use alloc::vec::Vec;
 
-use super::PlacedBall;
-use crate::math::{Vec2, asin, atan2, sin_cos, sqrt};
+use crate::math::{Vec2, Vec3, asin, atan2, radians, sin_cos, sqrt};
 use crate::resolve::cue_ball::Strike;
 use crate::table::{Part, Rail, Shape, TOUCH_TOLERANCE, Table, arc_sides};
 
@@ -32,6 +31,9 @@ const BUTT: f64 = 0.0145;
 /// it in nearly every shot. A cue at a lower elevation may be raised to this one.
 const STANCE: f64 = 0.087_266_462_599_716_48;
 
+/// Largest default elevation, rad (80°): a player hardly strikes from higher.
+const STEEPEST_DEFAULT: f64 = radians(80.0);
+
 /// Least step of the search for the least elevation, rad: less than 2 µm at the butt. The search
 /// needs more than one step only for oblique edges, and then a few steps.
 const RESOLUTION: f64 = 1e-6;
@@ -45,6 +47,15 @@ pub enum Touched {
     Ball(u16),
     /// A cushion of this rail.
     Rail(Rail),
+}
+
+/// A ball as an obstacle.
+#[derive(Clone, Copy, Debug)]
+pub struct BallInSpace {
+    /// Its centre in the file's frame, m.
+    pub center: Vec3,
+    /// Its radius, m.
+    pub radius: f64,
 }
 
 /// A possible obstacle, in the vertical plane of the cue, relative to the struck ball's centre.
@@ -111,20 +122,28 @@ pub(super) struct CueLine {
 }
 
 impl CueLine {
-    /// The cue of `strike` on ball `ball`. The elevation of `strike` is not used.
-    pub(super) fn new(table: &Table, balls: &[PlacedBall], ball: usize, strike: &Strike) -> Self {
-        let radius = balls[ball].ball.radius;
+    /// The cue of `strike` on the ball `struck`, with the `others` by their indices. The elevation
+    /// of `strike` is not used.
+    pub(super) fn new(
+        table: &Table,
+        struck: BallInSpace,
+        others: impl Iterator<Item = (u16, BallInSpace)>,
+        strike: &Strike,
+    ) -> Self {
+        let radius = struck.radius;
         let (side, height) = (strike.side * radius, strike.height * radius);
         let tip = sqrt((radius * radius - side * side - height * height).max(0.0));
         let mut line = Self { height, tip, obstacles: Vec::new() };
-        let center = table.to_engine_frame(&balls[ball].state).position;
+        let origin = table.center();
+        let in_engine_frame = |Vec3 { x, y, z }| Vec3::new(x - origin.x, y - origin.y, z);
+        let center = in_engine_frame(struck.center);
         let (sin, cos) = sin_cos(strike.azimuth);
         let (back, right) = (Vec2::new(-cos, -sin), Vec2::new(sin, -cos));
-        for (i, other) in (0u16..).zip(balls).filter(|(i, _)| usize::from(*i) != ball) {
-            let to = table.to_engine_frame(&other.state).position - center;
+        for (i, other) in others {
+            let to = in_engine_frame(other.center) - center;
             let aside = right.dot(to.xy()) - side;
             line.add(Touched::Ball(i), back.dot(to.xy()), to.z, |thickness| {
-                let apart = other.ball.radius + thickness;
+                let apart = other.radius + thickness;
                 let squared = apart * apart - aside * aside;
                 (squared > 0.0).then(|| Section::Ball { apart: sqrt(squared) })
             });
@@ -182,6 +201,12 @@ impl CueLine {
     /// blocked.
     pub(super) fn least_elevation(&self) -> Option<f64> {
         self.least_from(0.0)
+    }
+
+    /// The default elevation, rad: the least elevation from `stroke` on at which nothing blocks the
+    /// cue. If there is none up to 80°, it is `stroke`.
+    pub(super) fn default_elevation(&self, stroke: f64) -> f64 {
+        self.least_from(stroke).filter(|least| *least <= STEEPEST_DEFAULT).unwrap_or(stroke)
     }
 
     /// The ball or rail nearest to the tip that blocks a cue at `elevation`, even if it is raised

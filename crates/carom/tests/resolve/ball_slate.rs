@@ -160,6 +160,7 @@ fn launch(elevation: f64) -> Body {
         end_mass: 0.0,
         tip_radius: 0.0106,
         tip_friction: 0.8,
+        stroke_elevation: 0.0,
         tip: Tip::Efficiency(0.87),
     };
     let strike = Strike {
@@ -238,6 +239,7 @@ fn tp_a_19_a_masse_shot_keeps_coriolis_direction_however_often_it_hops() {
         end_mass: 0.0,
         tip_radius: 0.01,
         tip_friction: 0.8,
+        stroke_elevation: 0.0,
         tip: Tip::Restitution(0.7),
     };
     for (elevation, side, height) in [(5.0, 0.4, 0.2), (30.0, -0.3, 0.4), (70.0, 0.35, -0.2)] {

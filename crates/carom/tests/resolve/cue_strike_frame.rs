@@ -15,6 +15,7 @@ const CUE: Cue = Cue {
     end_mass: 0.0,
     tip_radius: 0.01,
     tip_friction: 0.8,
+    stroke_elevation: 0.0,
     tip: Tip::Restitution(0.7),
 };
 /// Rounding error of a few sums and products of numbers near 100.

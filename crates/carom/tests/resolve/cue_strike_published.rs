@@ -22,6 +22,7 @@ fn cue(tip: Tip) -> Cue {
         tip_friction: 0.8,
         tip,
         tip_off_centre_loss: 0.0,
+        stroke_elevation: 0.0,
     }
 }
 

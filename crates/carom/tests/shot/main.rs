@@ -1,6 +1,7 @@
 //! Shots as files: reading, writing and errors; and the racks.
 #![cfg(feature = "json")]
 
+mod default_elevation;
 mod defaults;
 mod examples;
 mod in_the_air;

@@ -50,8 +50,8 @@ fn a_cue_must_be_raised_over_the_rail_behind_a_near_ball() {
 #[test]
 fn a_level_cue_may_be_raised_by_the_few_degrees_of_a_usual_stance() {
     // From the middle of the table 0.95° is enough to clear the rail.
-    assert_eq!(obstructed(r#""azimuth_deg": 90"#, ""), None);
-    assert_eq!(obstructed(r#""azimuth_deg": -90"#, ""), None);
+    assert_eq!(obstructed(r#""azimuth_deg": 90, "elevation_deg": 0"#, ""), None);
+    assert_eq!(obstructed(r#""azimuth_deg": -90, "elevation_deg": 0"#, ""), None);
 }
 
 #[test]
@@ -77,10 +77,10 @@ fn a_ball_ahead_does_not_obstruct_the_cue() {
 
 #[test]
 fn there_is_no_nose_over_a_side_pocket_and_none_on_unbounded_cloth() {
-    assert_eq!(obstructed(r#""azimuth_deg": 0"#, ""), None);
+    assert_eq!(obstructed(r#""azimuth_deg": 0, "elevation_deg": 0"#, ""), None);
     let text = r#"{"format": "carom-shot/1", "table": {"cloth": "unbounded"},
         "balls": [{"id": "cue", "position": [0, 0]}],
-        "strike": {"ball": "cue", "speed": 1, "azimuth_deg": 12}}"#;
+        "strike": {"ball": "cue", "speed": 1, "azimuth_deg": 12, "elevation_deg": 0}}"#;
     let shot = Shot::from_json(text).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(shot.cue_obstruction(), None);
 }
@@ -88,7 +88,8 @@ fn there_is_no_nose_over_a_side_pocket_and_none_on_unbounded_cloth() {
 #[test]
 fn an_obstructed_cue_is_refused_on_request() {
     let e =
-        shot_from(0.06, r#""azimuth_deg": 90, "obstruction": "refuse""#, "").expect_err("refused");
+        shot_from(0.06, r#""azimuth_deg": 90, "elevation_deg": 0, "obstruction": "refuse""#, "")
+            .expect_err("refused");
     let sentence = e.to_string();
     assert!(sentence.starts_with("strike.elevation_deg: "), "{sentence}");
     assert!(sentence.contains("the bottom rail"), "{sentence}");
@@ -108,7 +109,7 @@ fn an_obstructed_cue_is_refused_on_request() {
 #[test]
 fn a_shot_that_refuses_an_obstructed_cue_refuses_it_for_every_strike_of_a_batch() {
     let behind = r#", {"id": "8", "position": [0.635, 1.1]}"#;
-    let level = r#""azimuth_deg": 0, "obstruction": "refuse""#;
+    let level = r#""azimuth_deg": 0, "elevation_deg": 0, "obstruction": "refuse""#;
     let shot = shot(level, behind).unwrap_or_else(|e| panic!("{e}"));
     let (_, sideways) = shot.strike().expect("the shot has a strike");
     let upwards = Strike { azimuth: core::f64::consts::FRAC_PI_2, ..sideways };
@@ -172,7 +173,7 @@ fn a_ball_behind_and_one_above_can_obstruct_every_elevation() {
     let strike = r#""azimuth_deg": 90, "elevation_deg": 20"#;
     assert_eq!(least_elevation(shot(strike, &both)), None);
     assert_eq!(obstructed(strike, &both).as_deref(), Some("7"));
-    let sentence = shot(r#""azimuth_deg": 90, "obstruction": "refuse""#, &both)
+    let sentence = shot(r#""azimuth_deg": 90, "elevation_deg": 0, "obstruction": "refuse""#, &both)
         .expect_err("refused")
         .to_string();
     assert!(sentence.contains("ball \"7\"; turn the azimuth"), "{sentence}");

@@ -15,7 +15,8 @@ fn frozen_to_left_rail(azimuth_deg: f64, speed: f64) -> Shot {
     let x: f64 = (r * r - rise * rise).sqrt();
     shot(&format!(
         r#""table": "wpa-9ft", "balls": [{{"id": "cue", "position": [{x:?}, 0.7]}}],
-           "strike": {{"ball": "cue", "speed": {speed:?}, "azimuth_deg": {azimuth_deg:?}}}"#
+           "strike": {{"ball": "cue", "speed": {speed:?}, "azimuth_deg": {azimuth_deg:?},
+                       "elevation_deg": 0}}"#
     ))
 }
 

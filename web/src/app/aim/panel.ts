@@ -1,7 +1,7 @@
 /** The Aim tab: tip position, speed, elevation and direction of the cue, and the ball to strike. */
 
-import { FINE, turn } from "../document/strike.ts";
-import { azimuthOf, elevationOf } from "../document/strike-angles.ts";
+import { FINE, makeElevationAutomatic, turn } from "../document/strike.ts";
+import { azimuthOf, elevationOf, isAutomatic } from "../document/strike-angles.ts";
 import { AZIMUTH_DIGITS, wrap } from "../common/angles.ts";
 import type { Context } from "../common/context.ts";
 import { h, uniqueId } from "../common/dom.ts";
@@ -38,17 +38,7 @@ export function mountAimPanel(root: HTMLElement, store: Store, context: Context)
     h("h2", {}, "Stroke"),
   );
   mountSpeed(root, store, context);
-  mountField(root, store, context, {
-    label: "Elevation",
-    unit: "°",
-    spoken: "degrees",
-    digits: 3,
-    min: () => 0,
-    max: () => STEEPEST,
-    step: 0.5,
-    read: () => elevationOf(store.document.shot.strike),
-    write: (value, group) => store.strike({ elevation_deg: value }, "raise the cue", group),
-  });
+  mountElevation(root, store, context);
   mountDirection(root, store, context);
   mountStruck(root, store);
 }
@@ -100,6 +90,39 @@ function mountSpeed(root: HTMLElement, store: Store, context: Context): void {
         group,
       ),
   });
+}
+
+function mountElevation(root: HTMLElement, store: Store, context: Context): void {
+  mountField(root, store, context, {
+    label: "Elevation",
+    unit: "°",
+    spoken: "degrees",
+    digits: 3,
+    min: () => 0,
+    max: () => STEEPEST,
+    step: 0.5,
+    read: () => elevationOf(store.document.shot.strike, store.shot.strike?.elevation ?? 0),
+    write: (value, group) => store.strike({ elevation_deg: value }, "raise the cue", group),
+  });
+  const button = h(
+    "button",
+    {
+      type: "button",
+      class: "button",
+      title: "Automatic: the least elevation of a real stroke that clears the rails and the balls",
+      onclick: () => {
+        if (!isAutomatic(store.document.shot.strike)) makeElevationAutomatic(store);
+      },
+    },
+    "Automatic",
+  );
+  button.setAttribute("aria-label", "Automatic elevation");
+  const show = () => {
+    button.setAttribute("aria-pressed", String(isAutomatic(store.document.shot.strike)));
+  };
+  store.subscribe(show);
+  show();
+  root.append(h("div", { class: "direction" }, button));
 }
 
 function mountDirection(root: HTMLElement, store: Store, context: Context): void {

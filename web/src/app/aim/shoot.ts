@@ -4,7 +4,7 @@ import type { Trace } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { ballName } from "../common/words.ts";
 import type { Store } from "../document/store.ts";
-import { changed } from "../document/strike-angles.ts";
+import { automatic, changed } from "../document/strike-angles.ts";
 import { playShot } from "../game/play.ts";
 import { replay } from "../replay/control.ts";
 
@@ -46,9 +46,8 @@ export function takeItFromHere(store: Store, context: Context): void {
     const [x, y] = endOf(trace, id);
     return { id, position: [x, y] as const, ...(mass && { mass }), ...(radius && { radius }) };
   });
-  // The next shot starts with a level cue at the centre: elevation and English rarely carry over.
-  const centred = { ball: struck, elevation_deg: 0, side: 0, height: 0 };
-  const strike = changed(shot.strike, centred);
+  // The next shot starts at the centre and at the automatic elevation: both rarely carry over.
+  const strike = automatic(changed(shot.strike, { ball: struck, side: 0, height: 0 }));
   const taken = store.apply({ shot: { ...shot, balls, strike } }, "take it from here");
   if (taken && struck !== cue) {
     context.announce(`${ballName(cue)} is off the table: the cue now strikes ${ballName(struck)}.`);

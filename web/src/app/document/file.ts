@@ -6,7 +6,7 @@ import { errorText } from "../common/words.ts";
 import type { AimedShot, Document } from "./document.ts";
 
 /** The strike of a shot whose file has none: a soft shot along the table. */
-const DEFAULT_STRIKE: Omit<StrikeEntry, "ball"> = { speed: 2, azimuth_deg: 90, elevation_deg: 0 };
+const DEFAULT_STRIKE: Omit<StrikeEntry, "ball"> = { speed: 2, azimuth_deg: 90 };
 
 /** The shot with a strike; a file without one gets a strike on its cue ball, or else its first ball. */
 export function aimed(file: ShotFile): AimedShot {
@@ -39,7 +39,7 @@ export function readFile(engine: Engine, json: string): FileContents {
     return { shot: startOf(trace.shot.file), trace };
   }
   const shot = engine.shot(json);
-  const { file } = shot;
+  const file = shot.source;
   const moving = file.balls.some((ball) => ball.velocity ?? ball.angular_velocity);
   if (!moving || file.strike) return { shot: aimed(file), trace: null };
   // A cue cannot strike balls that already move: show the replay, and aim where the balls started.

@@ -55,8 +55,8 @@ export function removeBall(store: Store, id: string): boolean {
 /** Racks a game on its usual table; the seed decides the order of the balls and the gaps. */
 export function rack(store: Store, engine: Engine, game: string, seed: number): boolean {
   try {
-    const { file } = engine.breakShot(game, { seed });
-    return store.apply({ shot: aimed(file), seed }, `rack ${game}`);
+    const { source } = engine.breakShot(game, { seed });
+    return store.apply({ shot: aimed(source), seed }, `rack ${game}`);
   } catch (error) {
     if (!(error instanceof CaromError)) throw error;
     return refuse(store, error.message);

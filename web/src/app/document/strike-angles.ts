@@ -9,17 +9,38 @@ export function azimuthOf({ azimuth, azimuth_deg = 0 }: StrikeEntry): number {
   return azimuth === undefined ? azimuth_deg : azimuth / RADIANS_PER_DEGREE;
 }
 
-/** Elevation of the cue, degrees; a file may have it in radians. */
-export function elevationOf({ elevation, elevation_deg = 0 }: StrikeEntry): number {
-  return elevation === undefined ? elevation_deg : elevation / RADIANS_PER_DEGREE;
+/** Whether the strike omits its elevation, so that the engine chooses it. */
+export function isAutomatic({ elevation, elevation_deg }: StrikeEntry): boolean {
+  return elevation === undefined && elevation_deg === undefined;
 }
 
-/** The angles of a strike in radians, as the engine reads them from a file. */
-export function anglesOf(strike: StrikeEntry): { azimuth: number; elevation: number } {
-  const { azimuth_deg = 0, elevation_deg = 0 } = strike;
+/**
+ * Elevation of the cue, degrees; a file may have it in radians.
+ *
+ * @param used The elevation that the engine uses, rad; it is shown if the strike omits one.
+ */
+export function elevationOf({ elevation, elevation_deg }: StrikeEntry, used: number): number {
+  return elevation_deg ?? (elevation ?? used) / RADIANS_PER_DEGREE;
+}
+
+/**
+ * The angles of a strike in radians, as the engine reads them from a file. The elevation is undefined
+ * if it is automatic.
+ */
+export function anglesOf(strike: StrikeEntry): { azimuth: number; elevation: number | undefined } {
+  const { azimuth_deg = 0, elevation_deg } = strike;
   const { azimuth = azimuth_deg * RADIANS_PER_DEGREE } = strike;
-  const { elevation = elevation_deg * RADIANS_PER_DEGREE } = strike;
+  const inRadians = elevation_deg === undefined ? undefined : elevation_deg * RADIANS_PER_DEGREE;
+  const { elevation = inRadians } = strike;
   return { azimuth, elevation };
+}
+
+/** The strike with an automatic elevation. */
+export function automatic(strike: StrikeEntry): StrikeEntry {
+  const next: { -readonly [K in keyof StrikeEntry]: StrikeEntry[K] } = { ...strike };
+  delete next.elevation;
+  delete next.elevation_deg;
+  return next;
 }
 
 /** A strike with other values. An angle in degrees replaces the same angle in radians. */

@@ -2,7 +2,7 @@
 
 import { azimuthTo, wrap } from "../common/angles.ts";
 import { ballName, obstruction, raised } from "../common/words.ts";
-import { azimuthOf } from "./strike-angles.ts";
+import { automatic, azimuthOf } from "./strike-angles.ts";
 import type { Store } from "./store.ts";
 
 /** Factor by which fine adjustment reduces every drag and key. */
@@ -22,6 +22,13 @@ export function aimAt(store: Store, id: string): void {
   if (!to || !from || to === from) return;
   const azimuth = azimuthTo([from[0], from[1]], [to[0], to[1]]);
   store.strike({ azimuth_deg: azimuth }, `aim at ${ballName(id)}`);
+}
+
+/** Lets the engine choose the elevation: the least angle of a real stroke that clears the rails. */
+export function makeElevationAutomatic(store: Store): boolean {
+  const { shot } = store.document;
+  const strike = automatic(shot.strike);
+  return store.apply({ shot: { ...shot, strike } }, "set the elevation to automatic");
 }
 
 /** Raises the butt until the cue passes over the obstacle, if there is one. */

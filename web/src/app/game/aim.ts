@@ -36,7 +36,7 @@ function standardBreak(engine: Engine, { setup }: Game): AimedShot | null {
   if (setup.from || typeof table === "object" || !engine.games.includes(setup.rules)) return null;
   try {
     const shot = engine.breakShot(setup.rules, { seed, ...(table !== undefined && { table }) });
-    const { file } = shot;
+    const file = shot.source;
     shot.free();
     return file.strike ? { ...file, strike: file.strike } : null;
   } catch (error) {

@@ -2,6 +2,7 @@ import { describe, expect, test, vi } from "vitest";
 import { CaromError, load, type Engine } from "../../../src/engine/index.ts";
 import { documentOf } from "../../../src/app/document/file.ts";
 import { Store } from "../../../src/app/document/store.ts";
+import { makeElevationAutomatic } from "../../../src/app/document/strike.ts";
 
 const engine: Engine = await load();
 
@@ -112,6 +113,23 @@ describe("simulation", () => {
     }
     store.undo();
     expect(store.ghost.trace!.hash).toBe(engine.shot(store.document.shot).simulate().hash);
+  });
+
+  test("an automatic elevation follows the aim, and what is saved has the angle", () => {
+    const near = { ...SHOT, balls: [{ id: "cue", position: [0.5, 0.06] }, SHOT.balls[1]] } as const;
+    const store = new Store(engine, documentOf(near));
+    const used = () => (store.shot.strike!.elevation * 180) / Math.PI;
+    expect(used()).toBeGreaterThan(10);
+    store.strike({ azimuth_deg: 0 }, "aim");
+    expect(used()).toBeCloseTo(3, 12);
+    expect(store.document.shot.strike.elevation_deg).toBeUndefined();
+    expect(store.shot.file.strike!.elevation_deg).toBeCloseTo(3, 12);
+    store.strike({ elevation_deg: 0 }, "lower the cue");
+    expect(used()).toBe(0);
+    makeElevationAutomatic(store);
+    expect(used()).toBeCloseTo(3, 12);
+    store.undo();
+    expect(used()).toBe(0);
   });
 
   test("a change of the strike does not read the file again, and the ghost is simulated once", () => {

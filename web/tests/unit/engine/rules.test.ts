@@ -85,6 +85,14 @@ test("frame.shot gives the shot that frame.play plays", () => {
   expect(engine.shot(shot.json()).simulate().hash).toBe(shot.simulate().hash);
 });
 
+test("a play without an elevation has the default one", () => {
+  const frame = engine.frame("eight-ball", { seed: 3 });
+  const { elevation, ...aim } = STRIKE;
+  const shot = frame.shot({ strike: aim, cue_ball: [0.6, 0.5] });
+  expect([elevation, shot.strike!.elevation]).toEqual([0, 3 * (Math.PI / 180)]);
+  expect(frame.play({ strike: aim, cue_ball: [0.6, 0.5] }).trace.hash).toBe(shot.simulate().hash);
+});
+
 test("a cue ball in hand is refused outside its region, whose box is known", () => {
   const pool = engine.frame("nine-ball");
   expect(pool.handBounds).toEqual([

@@ -5,6 +5,7 @@ import {
   OFF_TABLE,
   ON_TABLE,
   type Shot,
+  type ShotFile,
   type Strike,
 } from "../../../src/engine/index.js";
 import { GOLDENS, shotFile } from "./files.js";
@@ -88,6 +89,22 @@ describe("withStrike", () => {
     expect(turned.file.strike!.side).toBe(0.2);
     expect(turned.strike!.azimuth).toBeCloseTo(strike.azimuth + 0.1, 14);
     expect(shot.strike).toEqual(strike);
+  });
+
+  test("without an elevation has the default one, which its file names", () => {
+    const { elevation, ...aim } = strike;
+    expect([elevation > 1, shot.hasDefaultElevation]).toEqual([true, false]);
+    const struck = shot.withStrike({ ...aim, side: 0 });
+    expect(struck.hasDefaultElevation).toBe(true);
+    expect(struck.strike!.elevation).toBeLessThan(elevation);
+    const angles = (file: ShotFile) =>
+      Object.keys(file.strike!).filter((key) => key.startsWith("elevation")).length;
+    expect([angles(struck.file), angles(struck.source)]).toEqual([1, 0]);
+    expect(engine.shot(struck.source).simulate().hash).toBe(struck.simulate().hash);
+    expect(shot.source).toBe(shot.file);
+    expect(refusal(() => shot.withStrike({ ...aim, elevation: NaN })).place).toBe(
+      "strike.elevation",
+    );
   });
 
   test("refuses what the engine refuses in a file", () => {

@@ -1,0 +1,95 @@
+//! Angles that a file may have in radians or in degrees.
+
+use alloc::format;
+use core::f64::consts::FRAC_PI_2;
+
+use super::key_path::KeyPath;
+use super::node::Node;
+use super::read::Fields;
+use crate::error::Error;
+use crate::math::{degrees, radians};
+use crate::range::Range;
+
+/// An angle that a file gives in radians or in degrees.
+pub(super) struct Angle {
+    /// The object that has it, as the keys that lead there.
+    parent: &'static [&'static str],
+    radians_key: &'static str,
+    degrees_key: &'static str,
+    radians: Range,
+    degrees: Range,
+}
+
+pub(super) const AZIMUTH: Angle = Angle {
+    parent: &["strike"],
+    radians_key: "azimuth",
+    degrees_key: "azimuth_deg",
+    radians: Range::any(" rad"),
+    degrees: Range::any(" degrees"),
+};
+
+pub(super) const ELEVATION: Angle = Angle {
+    parent: &["strike"],
+    radians_key: "elevation",
+    degrees_key: "elevation_deg",
+    radians: Range::half_open(0.0, FRAC_PI_2, " rad"),
+    degrees: Range::half_open(0.0, 90.0, " degrees"),
+};
+
+pub(super) const STROKE_ELEVATION: Angle = Angle {
+    parent: &["physics", "cue"],
+    radians_key: "stroke_elevation",
+    degrees_key: "stroke_elevation_deg",
+    ..ELEVATION
+};
+
+impl Angle {
+    /// The angle in radians, if either key is there.
+    pub(super) fn read(&self, fields: &Fields<'_>) -> Result<Option<f64>, Error> {
+        match (fields.get(self.radians_key), fields.get(self.degrees_key)) {
+            (Some(at), Some(_)) => Err(at.refuse(
+                format!("{} gives the same angle", self.degrees_key),
+                format!("keep {} (rad) or {} (degrees)", self.radians_key, self.degrees_key),
+            )),
+            (Some(at), None) => at.number(&self.radians).map(Some),
+            (None, Some(at)) => at.number(&self.degrees).map(|angle| Some(radians(angle))),
+            (None, None) => Ok(None),
+        }
+    }
+
+    /// Removes the angle from `node`, an object.
+    pub(super) fn remove(&self, node: &mut Node) {
+        node.remove(self.radians_key);
+        node.remove(self.degrees_key);
+    }
+
+    /// Writes `angle` (rad): in degrees if it reads back to the same bits, else in radians.
+    pub(super) fn write(&self, node: &mut Node, angle: f64) {
+        let in_degrees = degrees(angle);
+        let is_exact = radians(in_degrees).to_bits() == angle.to_bits();
+        if is_exact && self.degrees.contains(in_degrees) {
+            node.remove(self.radians_key);
+            node.set(self.degrees_key, in_degrees);
+        } else {
+            node.remove(self.degrees_key);
+            node.set(self.radians_key, angle);
+        }
+    }
+}
+
+/// If `path` is an angle in one unit, removes the same angle in the other unit, so that the file
+/// has the angle once.
+pub(super) fn remove_other_unit(file: &mut Node, path: &KeyPath) {
+    for Angle { parent, radians_key, degrees_key, .. } in [&AZIMUTH, &ELEVATION, &STROKE_ELEVATION]
+    {
+        for (written, other) in [(radians_key, degrees_key), (degrees_key, radians_key)] {
+            let keys: alloc::vec::Vec<&str> = parent.iter().chain([written]).copied().collect();
+            if path.is(&keys) {
+                let parent = parent.iter().try_fold(&mut *file, |node, key| node.get_mut(key));
+                if let Some(parent) = parent {
+                    parent.remove(other);
+                }
+            }
+        }
+    }
+}
