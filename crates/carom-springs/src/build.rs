@@ -8,14 +8,14 @@ use crate::Vector;
 use crate::law::{Friction, Law, Restitution, squirt, stiffness_of_time, tip_restitution};
 use crate::network::{Ball, Contact, Cue, Network, Sides};
 
-/// Balls nearer than this have a contact, m. Nothing moves as far during an impact.
-const REACH: f64 = 0.02;
 /// A ball touches a nose that is nearer than this, m.
 const NEAR: f64 = 2e-3;
 
 /// What the shot file does not contain.
 #[derive(Clone, Copy, Debug)]
 pub struct Springs {
+    /// Balls nearer than this have a contact, m. The engine leaves wider gaps to later events.
+    pub reach: f64,
     /// Whether slate and noses are part of an impact of balls.
     pub walls: bool,
     /// Whether the lines of centres keep their first directions; only for studies of this.
@@ -33,6 +33,7 @@ pub struct Springs {
 impl Springs {
     /// The presets `pool`, `snooker`, `english` and `carom`.
     pub const USUAL: Self = Self {
+        reach: 2e-4,
         walls: true,
         keeps_normals: false,
         slate_time: 0.5e-3,
@@ -60,7 +61,7 @@ pub fn network(shot: &Shot, springs: &Springs) -> Network {
             }
         })
         .collect();
-    let mut network = Network::of_balls(balls, ball_law(physics), REACH);
+    let mut network = Network::of_balls(balls, ball_law(physics), springs.reach);
     network.keeps_normals = springs.keeps_normals;
     if springs.walls {
         add_slate(&mut network, physics, springs);
