@@ -53,7 +53,8 @@ fn main() -> ExitCode {
 }
 
 fn read(mut arguments: impl Iterator<Item = String>) -> Result<Plan, String> {
-    let mut plan = Plan { kind: None, count: 1000, first: 0, walls: true, fixed: false, own_error: false };
+    let mut plan =
+        Plan { kind: None, count: 1000, first: 0, walls: true, fixed: false, own_error: false };
     while let Some(flag) = arguments.next() {
         let mut value = || arguments.next().ok_or_else(|| format!("{flag} needs a value"));
         let number = |text: String| {
@@ -72,13 +73,16 @@ fn read(mut arguments: impl Iterator<Item = String>) -> Result<Plan, String> {
     Ok(plan)
 }
 
+/// The differences of velocity and of Rω, or why there are none.
+type Judged = Result<(f64, f64), String>;
+
 fn distribution(kind: &CaseKind, plan: &Plan) -> Value {
     let springs = Springs { walls: plan.walls, keeps_normals: plan.fixed, ..Springs::USUAL };
     let style = ProgressStyle::with_template("{msg:28} {wide_bar} {pos}/{len} {eta}")
         .unwrap_or_else(|_| ProgressStyle::default_bar());
     let bar = ProgressBar::new(plan.count).with_style(style).with_message(kind.name());
     let begin = Instant::now();
-    let results: Vec<(u64, Result<(f64, f64), String>)> = (plan.first..plan.first + plan.count)
+    let results: Vec<(u64, Judged)> = (plan.first..plan.first + plan.count)
         .into_par_iter()
         .progress_with(bar)
         .map(|seed| {

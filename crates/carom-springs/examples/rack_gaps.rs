@@ -56,7 +56,13 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn row(gap: f64, name: &str, method: BreakMethod, speed: f64, racks: std::ops::Range<u64>) -> Value {
+fn row(
+    gap: f64,
+    name: &str,
+    method: BreakMethod,
+    speed: f64,
+    racks: std::ops::Range<u64>,
+) -> Value {
     let begin = Instant::now();
     let bar = ProgressBar::new(racks.end - racks.start);
     let results: Vec<Result<BreakResult, String>> = racks
@@ -64,7 +70,8 @@ fn row(gap: f64, name: &str, method: BreakMethod, speed: f64, racks: std::ops::R
         .progress_with(bar)
         .map(|k| opening(gap, speed, k).and_then(|shot| play(&shot, method)))
         .collect();
-    let played: Vec<BreakResult> = results.iter().filter_map(|r| r.as_ref().ok().copied()).collect();
+    let played: Vec<BreakResult> =
+        results.iter().filter_map(|r| r.as_ref().ok().copied()).collect();
     let errors: Vec<&String> = results.iter().filter_map(|r| r.as_ref().err()).collect();
     let statistics = |value: fn(&BreakResult) -> f64| {
         let n = played.len() as f64;

@@ -6,7 +6,7 @@ use carom::resolve::cue_ball::Strike;
 
 use crate::Vector;
 use crate::law::{Friction, Law, Restitution, squirt, stiffness_of_time, tip_restitution};
-use crate::network::{Ball, Contact, Cue, Network, Sides};
+use crate::network::{Network, Sides, Spring, SpringBall, SpringCue};
 
 /// A ball touches a nose that is nearer than this, m.
 const NEAR: f64 = 2e-3;
@@ -52,7 +52,7 @@ pub fn network(shot: &Shot, springs: &Springs) -> Network {
         .map(|placed| {
             let state = &placed.state;
             let vector = |v: carom::math::Vec3| Vector::new(v.x, v.y, v.z);
-            Ball {
+            SpringBall {
                 mass: placed.ball.mass,
                 radius: placed.ball.radius,
                 position: vector(state.position),
@@ -98,6 +98,9 @@ fn add_slate(network: &mut Network, physics: &Physics, springs: &Springs) {
 
 fn add_noses(network: &mut Network, shot: &Shot, springs: &Springs) {
     let (table, rail) = (shot.table(), &shot.physics().cushion);
+    if !table.size.x.is_finite() {
+        return;
+    }
     let is_smooth = matches!(rail.model, CushionModel::Restitution | CushionModel::Factors);
     let law = Law {
         restitution: Restitution {
@@ -124,7 +127,7 @@ fn add_noses(network: &mut Network, shot: &Shot, springs: &Springs) {
                 let stiffness = stiffness_of_time(ball.mass, springs.cushion_time);
                 let (gap, measured) = (away - ball.radius, into);
                 let sides = Sides::Wall { ball: k, normal, gap, measured };
-                network.contacts.push(Contact { sides, stiffness, law });
+                network.contacts.push(Spring { sides, stiffness, law });
             }
         }
     }
@@ -155,7 +158,7 @@ fn add_tip(
     let reduced = mass * cue.mass / (mass + cue.mass);
     network.add_tip(
         ball,
-        Cue { mass: cue.mass, speed: strike.speed },
+        SpringCue { mass: cue.mass, speed: strike.speed },
         [axis, launch, arm],
         stiffness_of_time(reduced, springs.tip_time),
         tip_restitution(central, springs.off_centre_loss, offset),

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::random::Random;
+use crate::random::Draws;
 
 /// Mass (kg) and radius (m) of a usual ball.
 pub(crate) const USUAL: (f64, f64) = (0.17, 0.028_575);
@@ -24,6 +24,8 @@ pub struct ClusterKind {
     pub alike: bool,
     /// Whether neighbours have gaps of up to 0.1 mm.
     pub gaps: bool,
+    /// Whether there are only two balls. The engine follows the law of a pair there.
+    pub pair: bool,
 }
 
 struct Disc {
@@ -57,8 +59,8 @@ fn between(a: [f64; 2], p: f64, b: [f64; 2], q: f64) -> Option<[f64; 2]> {
 
 /// The shot file of cluster `seed`.
 pub fn shot_file(kind: &ClusterKind, seed: u64) -> String {
-    let random = &mut Random::new(seed);
-    let size = 2 + random.below(14);
+    let random = &mut Draws::new(seed);
+    let size = if kind.pair { 2 } else { 3 + random.below(13) };
     let mut discs: Vec<Disc> = Vec::new();
     while discs.len() < size {
         let is_last = discs.len() + 1 == size;
@@ -91,7 +93,7 @@ pub fn shot_file(kind: &ClusterKind, seed: u64) -> String {
 }
 
 /// The last ball moves towards one that it touches, more or less.
-fn moved(kind: &ClusterKind, discs: &[Disc], random: &mut Random) -> String {
+fn moved(kind: &ClusterKind, discs: &[Disc], random: &mut Draws) -> String {
     let (last, others) = discs.split_last().expect("at least two balls");
     let met: Vec<f64> = others
         .iter()
@@ -128,7 +130,7 @@ fn moved(kind: &ClusterKind, discs: &[Disc], random: &mut Random) -> String {
 }
 
 /// A random law of the contacts of balls.
-pub(crate) fn ball_law(model: &str, random: &mut Random) -> Value {
+pub(crate) fn ball_law(model: &str, random: &mut Draws) -> Value {
     let friction = match (model, random.chance(0.5)) {
         ("elastic", _) => json!(0.0),
         (_, true) => json!(0.06),

@@ -5,7 +5,7 @@ use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::OrdinaryNumericalMethod;
 use differential_equations::status::Status;
 
-use crate::motion::{Motion, Settings, WEAK};
+use crate::motion::{Equations, Settings, WEAK};
 use crate::network::Network;
 
 /// The longest step, in units of the shortest contact's time: a tenth of a contact.
@@ -17,13 +17,13 @@ const STILL: f64 = 1e-9;
 /// The most steps of the search for the instant at which an approach stops.
 const MAX_NARROWINGS: u32 = 60;
 /// The most steps of an impact.
-const MAX_STEPS: u64 = 30_000;
+const MAX_STEPS: u64 = 200_000;
 /// The most instants without a force. Slow balls may bounce for ever.
 const MAX_PAUSES: usize = 400;
 
 /// The result of an integration.
 #[derive(Clone, Debug)]
-pub struct Impact {
+pub struct SpringImpact {
     /// The bodies at every instant, after the first force, at which no contact carries one, and the
     /// time of it, s. The last one is the end.
     pub pauses: Vec<(f64, Network)>,
@@ -35,7 +35,7 @@ pub struct Impact {
     pub sweeps: u64,
 }
 
-impl Impact {
+impl SpringImpact {
     /// The bodies at the end.
     pub fn end(&self) -> &Network {
         &self.pauses[self.pauses.len() - 1].1
@@ -69,10 +69,10 @@ fn crossing(begin: f64, end: f64, mut speed: impl FnMut(f64) -> f64) -> f64 {
 
 /// Integrates an impact, from the first contact until bodies that do not touch meet no other for
 /// `horizon` (s). `None` if no two bodies approach.
-pub fn resolve(start: &Network, settings: &Settings, horizon: f64) -> Option<Impact> {
-    let (motion, mut state) = Motion::of(start, settings)?;
+pub fn resolve(start: &Network, settings: &Settings, horizon: f64) -> Option<SpringImpact> {
+    let (motion, mut state) = Equations::of(start, settings)?;
     let unit = motion.units.time;
-    let mut impact = Impact { pauses: Vec::new(), steps: 0, evaluations: 0, sweeps: 0 };
+    let mut impact = SpringImpact { pauses: Vec::new(), steps: 0, evaluations: 0, sweeps: 0 };
     let mut time = 0.0;
     let mut method = ExplicitRungeKutta::dopri5()
         .rtol(0.0)
@@ -99,7 +99,6 @@ pub fn resolve(start: &Network, settings: &Settings, horizon: f64) -> Option<Imp
                 restart = false;
             }
             impact.steps += 1;
-            if std::env::var("DBG").is_ok() && impact.steps < 8 || impact.steps > 20000 && impact.steps < 20003 { eprintln!("DBG {} t {} h {} restart turned {:?} {}", impact.steps, method.t(), method.h(), turned, motion.debug(method.y())); }
             assert!(impact.steps < MAX_STEPS, "the impact does not end");
             match method.step(&motion) {
                 Ok(evaluations) => impact.evaluations += evaluations.function as u64,
@@ -120,9 +119,9 @@ pub fn resolve(start: &Network, settings: &Settings, horizon: f64) -> Option<Imp
             if turns {
                 let begin = method.t_prev();
                 let mut at = |time: f64| method.interpolate(time).expect("a time in the step");
-                let instants = turned.iter().map(|&k| {
-                    crossing(begin, time, |time| motion.approach(k, &at(time)))
-                });
+                let instants = turned
+                    .iter()
+                    .map(|&k| crossing(begin, time, |time| motion.approach(k, &at(time))));
                 let first = instants.fold(time, f64::min);
                 if first < time {
                     (time, state) = (first, at(first));

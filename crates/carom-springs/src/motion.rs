@@ -150,7 +150,7 @@ struct Work {
 
 /// The equations of a network.
 #[derive(Debug)]
-pub struct Motion {
+pub struct Equations {
     /// The units.
     pub units: Units,
     settings: Settings,
@@ -174,7 +174,7 @@ fn store(state: &mut [f64], at: usize, v: Vector) {
     state[at..at + 3].copy_from_slice(v.as_slice());
 }
 
-impl Motion {
+impl Equations {
     /// The equations of `network`, and its state at the start. `None` if nothing moves.
     pub fn of(network: &Network, settings: &Settings) -> Option<(Self, Vec<f64>)> {
         let speed = network.fastest();
@@ -316,9 +316,17 @@ impl Motion {
 
     /// Whether no contact carries a force that would change a speed noticeably.
     pub fn is_free(&self, state: &[f64]) -> bool {
-        self.links.iter().all(|link| {
+        let work = self.work.borrow();
+        self.links.iter().zip(&work.memory).all(|(link, memory)| {
             let Some((_, depth, approach, _)) = self.geometry(link, state) else { return true };
-            depth <= 0.0 || approach <= WEAK && link.is_weak(depth, approach)
+            let e = match memory.phase {
+                Phase::Closing => 1.0,
+                _ => link.law.restitution.at(memory.approach * self.units.speed),
+            };
+            depth <= 0.0
+                || approach <= WEAK
+                    && link.spring(depth.max(0.0)) * e * e + approach * approach < WEAK * WEAK
+                || e == 0.0 && approach <= WEAK
         })
     }
 
@@ -330,6 +338,7 @@ impl Motion {
         for (link, memory) in self.links.iter().zip(&mut work.memory) {
             let pressed = self.geometry(link, state).filter(|(_, depth, ..)| *depth > 0.0);
             let force = if pressed.is_some() { memory.force } else { 0.0 };
+            let weak = pressed.is_none_or(|(_, depth, approach, _)| link.is_weak(depth, approach));
             if let Some((_, depth, approach, slip)) = pressed {
                 memory.approach = memory.approach.max(self.measured(link, state, approach));
                 memory.slip = memory.slip.max(slip.norm());
@@ -350,9 +359,9 @@ impl Motion {
             let slides = size > bound || memory.slides && size > (1.0 - RELEASED) * bound;
             if size > bound && size > 0.0 {
                 store(state, at, pull * (bound / size));
-                changed |= size > bound * (1.0 + LIMITED);
+                changed |= !weak && size > bound * (1.0 + LIMITED);
             }
-            changed |= slides != memory.slides;
+            changed |= !weak && slides != memory.slides;
             memory.slides = slides;
         }
         changed
@@ -399,18 +408,6 @@ impl Motion {
         }
     }
 
-    /// debug
-    pub fn debug(&self, state: &[f64]) -> String {
-        let work = self.work.borrow();
-        let mut s = String::new();
-        for (k, link) in self.links.iter().enumerate() {
-            if let Some((_, d, a, u)) = self.geometry(link, state) && d > 0.0 {
-                s += &format!("\n   {k} {} d {d:.2e} a {a:.2e} u {:.2e} {:?} F {:.2e} rub {:.2e} slides {}", match link.sides { Sides::Balls{a,b} => format!("{a}-{b}"), Sides::Wall{ball,..}=>format!("wall {ball}"), _=>"tip".into()}, u.norm(), work.memory[k].phase, work.memory[k].force, work.memory[k].rub.norm(), work.memory[k].slides);
-            }
-        }
-        s
-    }
-
     /// Finds the forces in a state that is not the end of a step.
     pub fn refresh(&self, state: &[f64]) {
         let work = &mut *self.work.borrow_mut();
@@ -447,7 +444,9 @@ impl Motion {
                     gap.max(0.0) / (closing + radicand.sqrt())
                 }
                 _ => {
-                    let Some((_, depth, approach, _)) = self.geometry(link, state) else { continue };
+                    let Some((_, depth, approach, _)) = self.geometry(link, state) else {
+                        continue;
+                    };
                     if approach <= slowest {
                         continue;
                     }
@@ -701,11 +700,14 @@ impl Motion {
 }
 
 impl Link {
+    /// The square of the speed with which a contact would part without losses.
+    fn spring(&self, depth: f64) -> f64 {
+        0.8 * self.stiffness * self.mobility * depth * depth * depth.sqrt()
+    }
+
     /// Whether a compression is too weak to change a speed noticeably.
     fn is_weak(&self, depth: f64, approach: f64) -> bool {
-        // The square of the speed with which the contact would part without losses.
-        let spring = 0.8 * self.stiffness * self.mobility * depth * depth * depth.sqrt();
-        spring + approach * approach < WEAK * WEAK
+        self.spring(depth) + approach * approach < WEAK * WEAK
     }
 }
 
@@ -722,7 +724,7 @@ impl Pressed {
     }
 }
 
-impl ODE<f64, Vec<f64>> for Motion {
+impl ODE<f64, Vec<f64>> for Equations {
     fn diff(&self, _time: f64, state: &Vec<f64>, rates: &mut Vec<f64>) {
         debug_assert_eq!(state.len(), self.size, "the state belongs to other equations");
         self.rates(state, rates);

@@ -5,7 +5,7 @@ use crate::law::{Law, ball_stiffness};
 
 /// A ball.
 #[derive(Clone, Copy, Debug)]
-pub struct Ball {
+pub struct SpringBall {
     /// kg.
     pub mass: f64,
     /// m.
@@ -20,7 +20,7 @@ pub struct Ball {
 
 /// A cue, which moves along its axis.
 #[derive(Clone, Copy, Debug)]
-pub struct Cue {
+pub struct SpringCue {
     /// kg.
     pub mass: f64,
     /// m/s.
@@ -62,7 +62,7 @@ pub enum Sides {
 
 /// A spring.
 #[derive(Clone, Copy, Debug)]
-pub struct Contact {
+pub struct Spring {
     /// What meets.
     pub sides: Sides,
     /// k, N/m^(3/2).
@@ -75,18 +75,18 @@ pub struct Contact {
 #[derive(Clone, Debug, Default)]
 pub struct Network {
     /// The balls.
-    pub balls: Vec<Ball>,
+    pub balls: Vec<SpringBall>,
     /// The cue, if there is one.
-    pub cue: Option<Cue>,
+    pub cue: Option<SpringCue>,
     /// The contacts.
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<Spring>,
     /// Whether the lines of centres keep their first directions; only for studies of this.
     pub keeps_normals: bool,
 }
 
 impl Network {
     /// Balls, with a contact for every two that are nearer than `reach` (m).
-    pub fn of_balls(balls: Vec<Ball>, law: Law, reach: f64) -> Self {
+    pub fn of_balls(balls: Vec<SpringBall>, law: Law, reach: f64) -> Self {
         let mut network = Self { balls, ..Self::default() };
         for a in 0..network.balls.len() {
             for b in a + 1..network.balls.len() {
@@ -94,7 +94,7 @@ impl Network {
                 if (q.position - p.position).norm() - p.radius - q.radius < reach {
                     let stiffness = ball_stiffness(p.radius, q.radius);
                     let sides = Sides::Balls { a, b };
-                    network.contacts.push(Contact { sides, stiffness, law });
+                    network.contacts.push(Spring { sides, stiffness, law });
                 }
             }
         }
@@ -105,7 +105,7 @@ impl Network {
     pub fn add_wall(&mut self, ball: usize, normal: Vector, gap: f64, stiffness: f64, law: Law) {
         let normal = normal.normalize();
         let sides = Sides::Wall { ball, normal, gap, measured: normal };
-        self.contacts.push(Contact { sides, stiffness, law });
+        self.contacts.push(Spring { sides, stiffness, law });
     }
 
     /// Adds a cue whose tip touches a ball. `arm` is the contact point from the ball's centre, in
@@ -113,18 +113,18 @@ impl Network {
     pub fn add_tip(
         &mut self,
         ball: usize,
-        cue: Cue,
+        cue: SpringCue,
         [axis, launch, arm]: [Vector; 3],
         stiffness: f64,
         restitution: f64,
     ) {
         self.cue = Some(cue);
         let sides = Sides::Tip { ball, launch, turn: arm.cross(&axis) };
-        self.contacts.push(Contact { sides, stiffness, law: Law::rigid(restitution, 0.0) });
+        self.contacts.push(Spring { sides, stiffness, law: Law::rigid(restitution, 0.0) });
     }
 
     /// 1/m* along the normal of a contact, 1/kg.
-    pub fn mobility(&self, contact: &Contact) -> f64 {
+    pub fn mobility(&self, contact: &Spring) -> f64 {
         match contact.sides {
             Sides::Balls { a, b } => 1.0 / self.balls[a].mass + 1.0 / self.balls[b].mass,
             Sides::Wall { ball, .. } => 1.0 / self.balls[ball].mass,

@@ -3,13 +3,13 @@
 use serde_json::{Value, json};
 
 use crate::clusters::{USUAL, ball_law};
-use crate::random::Random;
+use crate::random::Draws;
 use crate::strikes::{AREA, nose_distance};
 
 /// The shot file of case `seed`: a ball touches the left rail, another one hits it, and perhaps more
 /// balls touch the first one.
 pub fn shot_file(seed: u64) -> String {
-    let random = &mut Random::new(seed);
+    let random = &mut Draws::new(seed);
     let (mass, radius) = USUAL;
     let (reach, nose) = (2.0 * radius, nose_distance(radius));
     let frozen = [nose, 0.72 * AREA[1]];

@@ -4,9 +4,9 @@ use crate::Vector;
 
 /// The generator xorshift64* (Vigna 2016).
 #[derive(Clone, Debug)]
-pub struct Random(u64);
+pub struct Draws(u64);
 
-impl Random {
+impl Draws {
     /// The stream of `seed`.
     pub fn new(seed: u64) -> Self {
         let mut random = Self(seed.wrapping_mul(0xd134_2543_de82_ef95) ^ 0x2545_f491_4f6c_dd1d);

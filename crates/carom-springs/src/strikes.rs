@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::clusters::{USUAL, ball_law};
-use crate::random::Random;
+use crate::random::Draws;
 
 /// The playing area of the table `wpa-9ft`, nose to nose, m: 50 in by 100 in.
 pub(crate) const AREA: [f64; 2] = [50.0 * 0.0254, 100.0 * 0.0254];
@@ -21,7 +21,7 @@ pub(crate) fn nose_distance(radius: f64) -> f64 {
 
 /// The shot file of strike `seed`.
 pub fn shot_file(seed: u64) -> String {
-    let random = &mut Random::new(seed);
+    let random = &mut Draws::new(seed);
     let at_rail = random.chance(0.3);
     let x = if at_rail { nose_distance(USUAL.1) } else { 0.5 * AREA[0] };
     // In the upper half of the long rail, far from the pockets.

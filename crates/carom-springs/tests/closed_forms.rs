@@ -1,10 +1,10 @@
 //! Impacts whose results are known.
 
 use carom_springs::Vector;
-use carom_springs::impact::{Impact, resolve};
+use carom_springs::impact::{SpringImpact, resolve};
 use carom_springs::law::{Law, stiffness_of_time, tip_restitution};
 use carom_springs::motion::Settings;
-use carom_springs::network::{Ball, Cue, Network};
+use carom_springs::network::{Network, SpringBall, SpringCue};
 
 const MASS: f64 = 0.17;
 const RADIUS: f64 = 0.028_575;
@@ -12,8 +12,8 @@ const CUE: f64 = 0.567;
 /// The accuracy that the judge promises, as a share of the fastest speed.
 const PROMISED: f64 = 1e-4;
 
-fn ball(place: f64, speed: f64) -> Ball {
-    Ball {
+fn ball(place: f64, speed: f64) -> SpringBall {
+    SpringBall {
         mass: MASS,
         radius: RADIUS,
         position: Vector::new(2.0 * RADIUS * place, 0.0, 0.0),
@@ -22,7 +22,7 @@ fn ball(place: f64, speed: f64) -> Ball {
     }
 }
 
-fn after(network: &Network) -> Impact {
+fn after(network: &Network) -> SpringImpact {
     resolve(network, &Settings::USUAL, 1e-3).expect("an impact")
 }
 
@@ -172,7 +172,7 @@ fn strike(elevation: f64, side: f64, height: f64, friction: Option<f64>) -> Netw
     let mut network = Network { balls: vec![ball(0.0, 0.0)], ..Network::default() };
     let stiffness = stiffness_of_time(MASS * CUE / (MASS + CUE), 1e-3);
     let e = tip_restitution(0.6, 0.0, 0.0);
-    network.add_tip(0, Cue { mass: CUE, speed: 3.0 }, [axis, axis, arm], stiffness, e);
+    network.add_tip(0, SpringCue { mass: CUE, speed: 3.0 }, [axis, axis, arm], stiffness, e);
     if let Some(mu) = friction {
         let slate = stiffness_of_time(MASS, 0.5e-3);
         network.add_wall(0, -Vector::z(), 0.0, slate, Law::rigid(0.5, mu));
