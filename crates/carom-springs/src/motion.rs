@@ -3,7 +3,7 @@
 //! The state holds, for every ball, its displacement, its velocity and Rω; then the cue's speed and
 //! the compression at the tip; then the pull of every compliant contact.
 //!
-//! Every contact has a [`Phase`], which is constant during a step. The instant at which a
+//! Every contact closes, turns or opens, and this is constant during a step. The instant at which a
 //! compression stops growing or falling is located, and the integration starts again there.
 //!
 //! Two forces of the model are not functions of the state. Where a compression neither grows nor

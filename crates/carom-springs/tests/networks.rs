@@ -34,11 +34,11 @@ fn the_engine_accepts_every_random_shot() {
 fn two_accuracies_of_the_springs_agree() {
     for kind in CaseKind::all() {
         let both = [&Settings::USUAL, &Settings::FINE];
-        let errors = (0..20)
+        let errors = (0..9)
             .map(|seed| own_error(&kind.shot_file(seed), &Springs::USUAL, both))
             .collect::<Result<Vec<_>, _>>();
         let errors = sorted(errors.expect("every case has an impact"));
-        assert!(errors[10] < 3e-5 && errors[19] < 5e-4, "{}: {errors:?}", kind.name());
+        assert!(errors[4] < 3e-5 && errors[8] < 5e-4, "{}: {errors:?}", kind.name());
     }
 }
 
@@ -46,7 +46,7 @@ fn two_accuracies_of_the_springs_agree() {
 fn balls_alone_keep_their_momentum_and_gain_no_energy() {
     for kind in CaseKind::all() {
         let CaseKind::Cluster(cluster) = kind else { continue };
-        for seed in 0..20 {
+        for seed in 0..10 {
             let shot = Shot::from_json(&kind.shot_file(seed)).expect("a valid shot");
             let start = network(&shot, &BALLS_ONLY);
             let impact = integrated(&shot, &BALLS_ONLY, &Settings::USUAL).expect("an impact");
@@ -68,11 +68,11 @@ fn balls_alone_keep_their_momentum_and_gain_no_energy() {
 fn the_engine_resolves_networks_as_the_springs_do() {
     for kind in CaseKind::all() {
         let CaseKind::Cluster(ClusterKind { gaps: false, .. }) = kind else { continue };
-        let apart = (0..40)
+        let apart = (0..15)
             .map(|seed| judge(&kind.shot_file(seed), &ENGINE, &Settings::USUAL))
             .map(|difference| difference.map(|d| d.velocity))
             .collect::<Result<Vec<_>, _>>();
         let apart = sorted(apart.expect("every case has an impact"));
-        assert!(apart[20] < ENGINE_MEDIAN, "{}: {apart:?}", kind.name());
+        assert!(apart[7] < ENGINE_MEDIAN, "{}: {apart:?}", kind.name());
     }
 }
