@@ -68,11 +68,11 @@ fn balls_alone_keep_their_momentum_and_gain_no_energy() {
 fn the_engine_resolves_networks_as_the_springs_do() {
     for kind in CaseKind::all() {
         let CaseKind::Cluster(ClusterKind { gaps: false, .. }) = kind else { continue };
-        let apart = (0..15)
+        let apart = (0..25)
             .map(|seed| judge(&kind.shot_file(seed), &ENGINE, &Settings::USUAL))
             .map(|difference| difference.map(|d| d.velocity))
             .collect::<Result<Vec<_>, _>>();
         let apart = sorted(apart.expect("every case has an impact"));
-        assert!(apart[7] < ENGINE_MEDIAN, "{}: {apart:?}", kind.name());
+        assert!(apart[12] < ENGINE_MEDIAN, "{}: {apart:?}", kind.name());
     }
 }
