@@ -26,6 +26,9 @@ const LOW_SPEED: f64 = 0.032;
 /// Balls that would overlap by rounding are moved apart by this share of their distance.
 const ROUNDING: f64 = 1e-9;
 
+/// How often all pairs are moved apart.
+const PASSES: u32 = 20;
+
 /// A way to compute the first milliseconds of a break.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BreakMethod {
@@ -102,7 +105,10 @@ fn spread(shot: &Shot, keeps_normals: bool) -> Result<Shot, String> {
     let springs = Springs { reach: f64::INFINITY, keeps_normals, ..Springs::USUAL };
     let impact = resolve(&network(&started, &springs), &Settings::USUAL, APART);
     let mut end = impact.ok_or("the cue ball misses the rack")?.end().clone();
-    separate(&mut end);
+    // Moving one pair apart may push another one together.
+    for _ in 0..PASSES {
+        separate(&mut end);
+    }
     for (placed, ball) in balls.iter_mut().zip(&end.balls) {
         let vector = |v: Vector| Vec3::new(v.x, v.y, v.z);
         placed.state.position = vector(ball.position);
