@@ -92,7 +92,7 @@ const STEPS_PER_TURN: usize = 4;
 const LONGEST_DRIFT: f64 = 10.0;
 
 /// The most passes that take the rest of the approach from bodies that touch.
-const PARTING_PASSES: usize = 16;
+const PARTING_PASSES: usize = 400;
 
 /// How the impact is integrated. The leapfrog method places forces in the middle of steps;
 /// evaluating each force at an extrapolated position cancels most of its error (Takahashi & Imada
@@ -475,8 +475,10 @@ impl Network<'_> {
         share
     }
 
-    /// Takes the rest of their approach from bodies that touch. All contacts act at once in each
-    /// pass, so that their order does not matter.
+    /// Takes the rest of their approach from bodies that have touched. It is measured along the lines
+    /// of centres at the start, because the balls stay where they were: two balls that separate along
+    /// a line that has turned may approach along that one. All contacts act at once in each pass, so
+    /// that their order does not matter.
     fn part(&self, units: &Units, bodies: &mut [Body]) {
         let least = STILL * units.speed;
         for _ in 0..PARTING_PASSES {
@@ -484,9 +486,9 @@ impl Network<'_> {
             let mut parted = true;
             for link in self.links.iter().filter(|link| link.spring.has_touched) {
                 let b = if link.b == WALL { Vec3::ZERO } else { bodies[link.b].velocity };
-                let approach = (bodies[link.a].velocity - b).dot(link.normal);
+                let approach = (bodies[link.a].velocity - b).dot(link.first_normal);
                 if approach > least {
-                    let push = link.normal * (approach * link.share * link.spring.mass);
+                    let push = link.first_normal * (approach * link.share * link.spring.mass);
                     pushes[link.a] -= push;
                     pushes[link.b] += push;
                     parted = false;

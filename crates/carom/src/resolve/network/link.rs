@@ -183,7 +183,7 @@ pub(super) struct Link {
     pub(super) normal: Vec3,
     pub(super) tangents: TangentBasis,
     /// The normal at the start, and 1/(distance of the centres); 0 for a wall.
-    first_normal: Vec3,
+    pub(super) first_normal: Vec3,
     per_distance: f64,
     /// Whether there was a gap at the start.
     has_gap: bool,
