@@ -1,6 +1,6 @@
 //! Compares the engine's impacts of many bodies with springs integrated in time.
 //!
-//! Usage: `networks [--kind NAME] [--count N] [--first SEED] [--without-walls] [--fixed-normals]
+//! Usage: `networks [--kind NAME] [--count N] [--first SEED] [--with-walls] [--fixed-normals]
 //! [--own-error]`
 //!
 //! Prints JSON: for every kind the median, the 99th percentile and the worst of the largest
@@ -54,7 +54,7 @@ fn main() -> ExitCode {
 
 fn read(mut arguments: impl Iterator<Item = String>) -> Result<Plan, String> {
     let mut plan =
-        Plan { kind: None, count: 1000, first: 0, walls: true, fixed: false, own_error: false };
+        Plan { kind: None, count: 1000, first: 0, walls: false, fixed: false, own_error: false };
     while let Some(flag) = arguments.next() {
         let mut value = || arguments.next().ok_or_else(|| format!("{flag} needs a value"));
         let number = |text: String| {
@@ -64,7 +64,7 @@ fn read(mut arguments: impl Iterator<Item = String>) -> Result<Plan, String> {
             "--kind" => plan.kind = Some(value()?),
             "--count" => plan.count = number(value()?)?,
             "--first" => plan.first = number(value()?)?,
-            "--without-walls" => plan.walls = false,
+            "--with-walls" => plan.walls = true,
             "--fixed-normals" => plan.fixed = true,
             "--own-error" => plan.own_error = true,
             _ => return Err(format!("unknown argument {flag}; see the head of this example")),

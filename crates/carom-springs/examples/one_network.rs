@@ -1,6 +1,6 @@
 //! Prints one random network: its shot file, and the velocities by the engine and by the springs.
 //!
-//! Usage: `one_network KIND SEED [--without-walls] [--fixed-normals]`, with the kinds of `networks`.
+//! Usage: `one_network KIND SEED [--with-walls] [--fixed-normals]`, with the kinds of `networks`.
 
 use std::process::ExitCode;
 
@@ -20,7 +20,7 @@ fn main() -> ExitCode {
     };
     let has = |flag: &str| arguments.iter().any(|argument| argument == flag);
     let springs = Springs {
-        walls: !has("--without-walls"),
+        walls: has("--with-walls"),
         keeps_normals: has("--fixed-normals"),
         ..Springs::USUAL
     };

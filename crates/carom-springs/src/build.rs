@@ -16,31 +16,19 @@ const NEAR: f64 = 2e-3;
 pub struct Springs {
     /// Balls nearer than this have a contact, m. The engine leaves wider gaps to later events.
     pub reach: f64,
-    /// Whether slate and noses are part of an impact of balls.
+    /// Whether the slate under every ball and the noses are part of the impact. The engine takes only
+    /// the slate under a ball that a raised cue presses down.
     pub walls: bool,
     /// Whether the lines of centres keep their first directions; only for studies of this.
     pub keeps_normals: bool,
-    /// Duration of a lossless contact at 1 m/s with the slate, s.
-    pub slate_time: f64,
-    /// With a nose, s.
+    /// Duration of a lossless contact at 1 m/s with a nose, s.
     pub cushion_time: f64,
-    /// With the tip, s.
-    pub tip_time: f64,
-    /// Loss of the tip's restitution off the middle.
-    pub off_centre_loss: f64,
 }
 
 impl Springs {
-    /// The presets `pool`, `snooker`, `english` and `carom`.
-    pub const USUAL: Self = Self {
-        reach: 2e-4,
-        walls: true,
-        keeps_normals: false,
-        slate_time: 0.5e-3,
-        cushion_time: 4e-3,
-        tip_time: 1e-3,
-        off_centre_loss: 4.388_423,
-    };
+    /// What the engine does. The time of the noses is an estimate.
+    pub const USUAL: Self =
+        Self { reach: 2e-4, walls: false, keeps_normals: false, cushion_time: 4e-3 };
 }
 
 /// The bodies of `shot` at its start, with a contact wherever two are near.
@@ -64,11 +52,14 @@ pub fn network(shot: &Shot, springs: &Springs) -> Network {
     let mut network = Network::of_balls(balls, ball_law(physics), springs.reach);
     network.keeps_normals = springs.keeps_normals;
     if springs.walls {
-        add_slate(&mut network, physics, springs);
+        (0..network.balls.len()).for_each(|k| add_slate(&mut network, k, physics));
         add_noses(&mut network, shot, springs);
     }
     if let Some((ball, strike)) = shot.strike() {
-        add_tip(&mut network, ball, &strike, physics, springs);
+        if strike.elevation > 0.0 && !springs.walls {
+            add_slate(&mut network, ball, physics);
+        }
+        add_tip(&mut network, ball, &strike, physics);
     }
     network
 }
@@ -84,15 +75,13 @@ fn ball_law(physics: &Physics) -> Law {
     }
 }
 
-fn add_slate(network: &mut Network, physics: &Physics, springs: &Springs) {
+fn add_slate(network: &mut Network, k: usize, physics: &Physics) {
     let law = Law::rigid(physics.slate.restitution, physics.slate.friction);
-    for k in 0..network.balls.len() {
-        let ball = network.balls[k];
-        let stiffness = stiffness_of_time(ball.mass, springs.slate_time);
-        let gap = ball.position.z - ball.radius;
-        if gap < NEAR {
-            network.add_wall(k, -Vector::z(), gap, stiffness, law);
-        }
+    let ball = network.balls[k];
+    let stiffness = stiffness_of_time(ball.mass, physics.contact_times.slate);
+    let gap = ball.position.z - ball.radius;
+    if gap < NEAR {
+        network.add_wall(k, -Vector::z(), gap, stiffness, law);
     }
 }
 
@@ -133,13 +122,7 @@ fn add_noses(network: &mut Network, shot: &Shot, springs: &Springs) {
     }
 }
 
-fn add_tip(
-    network: &mut Network,
-    ball: usize,
-    strike: &Strike,
-    physics: &Physics,
-    springs: &Springs,
-) {
+fn add_tip(network: &mut Network, ball: usize, strike: &Strike, physics: &Physics) {
     let cue = &physics.cue;
     let mass = network.balls[ball].mass;
     let (sin, cos) = strike.elevation.sin_cos();
@@ -160,7 +143,7 @@ fn add_tip(
         ball,
         SpringCue { mass: cue.mass, speed: strike.speed },
         [axis, launch, arm],
-        stiffness_of_time(reduced, springs.tip_time),
-        tip_restitution(central, springs.off_centre_loss, offset),
+        stiffness_of_time(reduced, physics.contact_times.tip),
+        tip_restitution(central, cue.tip_off_centre_loss, offset),
     );
 }

@@ -99,7 +99,7 @@ pub fn integrated(
 pub fn played(shot: &Shot) -> Result<Network, String> {
     let trace = Simulator::new().record(shot).map_err(|error| error.to_string())?;
     let is_impact = |kind: TraceEventKind| match shot.strike() {
-        Some(_) => matches!(kind, TraceEventKind::CueStrike),
+        Some(_) => matches!(kind, TraceEventKind::CueStrike { .. }),
         None => matches!(kind, TraceEventKind::BallCollision),
     };
     let event = trace.events().find(|event| is_impact(event.kind)).ok_or("no impact")?;

@@ -117,11 +117,11 @@ impl Law {
     }
 }
 
-/// A tip's restitution at the distance `offset` (ball radii) from the middle: e₀√((1 − s²)/(1 +
-/// cs²)).
+/// A tip's restitution at the distance `offset` (ball radii) from the middle: e₀/√(1 + c·s²/(1 −
+/// s²)).
 pub fn tip_restitution(central: f64, off_centre_loss: f64, offset: f64) -> f64 {
     let s = offset * offset;
-    central * ((1.0 - s) / (1.0 + off_centre_loss * s)).sqrt()
+    central / (1.0 + off_centre_loss * s / (1.0 - s)).sqrt()
 }
 
 /// The angle of squirt, rad, at `side` ball radii (TP A.31); 0 if the cue's end has no mass.

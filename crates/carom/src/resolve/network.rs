@@ -42,7 +42,7 @@ mod strike;
 use crate::math::{Vec3, pow, sqrt};
 use crate::physics::BallBall;
 use crate::resolve::{Body, SPIN_PER_IMPULSE};
-use link::Link;
+use link::{Link, NormalSpring};
 use step::TimeStep;
 use strike::Cue;
 pub use strike::TipTouch;
@@ -111,7 +111,7 @@ pub struct Stepping {
 
 impl Stepping {
     /// The steps of [`Impact::resolve`].
-    pub const CHOSEN: Self = Self { steps_per_contact: 22.0, ahead: 1.0 / 12.0, trend: 1.0 };
+    pub const CHOSEN: Self = Self { steps_per_contact: 16.0, ahead: 1.0 / 12.0, trend: 1.0 };
 }
 
 /// Two balls that touch, or nearly.
@@ -365,7 +365,10 @@ impl Network<'_> {
     /// start approach. A gap that has not closed by then is left to a later impact.
     fn integrate<const GRIP: bool>(&mut self, law: &BallBall, units: &Units, stepping: &Stepping) {
         let Self { balls, links, cue } = self;
-        let mut step = TimeStep::first(units, stepping);
+        let springs = links.iter().map(|link| &link.spring);
+        let springs = springs.chain(cue.as_ref().map(|cue| &cue.spring));
+        let greatest_square = springs.map(NormalSpring::square_speed).fold(0.0, larger);
+        let mut step = TimeStep::first(units, stepping, greatest_square);
         // Forces act in the middle of a step.
         let mut drift = 0.5 * step.length;
         // Set of the contacts of balls that have moved, one bit each. The other contacts cannot

@@ -241,12 +241,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let reach = TOUCH_TOLERANCE + pushed.max(closing);
         let is_met = |p: &Proximity| p.gap <= pushed && velocity.dot(p.normal) > 0.0;
         self.gather_around(&mut cluster, 0, time, reach, is_met);
-        self.gather(&mut cluster, 1, time, reach, |p| p.gap <= closing);
-        let own = cluster.place_of(struck as u16);
         let is_pressed = velocity.z < 0.0;
         if cluster.size == 1 && !is_pressed {
             return Ok(false);
         }
+        self.gather(&mut cluster, 0, time, reach, |p| p.gap <= closing);
+        let own = cluster.place_of(struck as u16);
         let slate = [slate_under(own, &self.ball[struck], physics)];
         let walls = if is_pressed { &slate[..] } else { &[] };
         let Physics { cue, contact_times, .. } = physics;

@@ -139,6 +139,12 @@ impl NormalSpring {
         full * (self.open + (1.0 - self.open) * closing)
     }
 
+    /// The (speed)² of the approach, for the choice of steps.
+    pub(super) fn square_speed(&self) -> f64 {
+        let approach = larger(self.approach, 0.0);
+        self.quickness * approach * approach
+    }
+
     /// The time until the bodies meet; infinite if they do not approach.
     pub(super) fn time_to_contact(&self) -> f64 {
         if self.approach > STILL { larger(-self.depth, 0.0) / self.approach } else { f64::INFINITY }
