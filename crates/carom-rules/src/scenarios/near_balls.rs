@@ -4,8 +4,8 @@ use super::{DescribedShot, Scenario, assert_fouls, hit};
 use crate::referee::NearHit;
 use crate::{BallIndex, Call, Foul, Rules};
 
-/// After the break, with ball `on` next: the fouls of a strike with so many contacts of the tip
-/// that hits this ball so full.
+/// Rules on the shot after the break: the tip met the cue ball `contacts` times, and the cue ball met
+/// the 1 during the strike.
 #[track_caller]
 fn nine_ball(contacts: u8, hit_of: NearHit, expected: &[Foul]) {
     let mut scenario = Scenario::of(Rules::NineBall);
