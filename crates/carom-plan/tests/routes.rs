@@ -73,8 +73,8 @@ fn without_cushions(solution: &Solution) -> bool {
 #[test]
 fn a_frozen_ball_is_potted_by_the_strike_itself() {
     // The line of centres points at the corner pocket.
-    let along = [1.27 - 0.9, 2.54 - 1.9_f64];
-    let length = along[0].hypot(along[1]);
+    let along = [1.27 - 0.9, 2.54 - 1.9];
+    let length = carom::math::sqrt(along[0] * along[0] + along[1] * along[1]);
     let diameter = 2.0 * 0.028575;
     let cue = [0, 1].map(|k| [0.9, 1.9][k] - diameter * along[k] / length);
     let frozen = shot(&[("cue", cue), ("1", [0.9, 1.9])]);

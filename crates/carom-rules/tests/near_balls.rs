@@ -1,5 +1,6 @@
 //! Rulings on simulated strikes at balls that touch the cue ball or lie near it.
 
+use carom::math::{radians, sin_cos};
 use carom::resolve::cue_ball::Strike;
 use carom_rules::{Foul, Frame, Options, Play, Rules, Ruling};
 
@@ -10,10 +11,10 @@ fn strike(rules: Rules, gap: f64, cut_deg: f64, speed: f64) -> Ruling {
         Frame::new(rules, Options::default(), None, None, 1).expect("the game's own table");
     let target = if rules == Rules::ThreeCushion { 2 } else { 1 };
     let apart = 2.0 * frame.base().physics().ball.radius + gap;
-    let cut = cut_deg.to_radians();
+    let (sin, cos) = sin_cos(radians(cut_deg));
     let mut places = vec![None; frame.layout().len()];
     places[0] = Some([0.5, 1.0]);
-    places[target] = Some([0.5 + apart * cut.sin(), 1.0 + apart * cut.cos()]);
+    places[target] = Some([0.5 + apart * sin, 1.0 + apart * cos]);
     let others: &[usize] = match rules {
         Rules::Snooker => &[16, 17, 18, 19, 20, 21],
         Rules::ThreeCushion => &[1],

@@ -1,7 +1,7 @@
 //! The outcome has the facts that rules need: most follow from the order of events, the others from
 //! the balls' positions.
 
-use carom::math::Vec3;
+use carom::math::{Vec3, radians, sin_cos};
 use carom::outcome::{Collector, Outcome, OutcomeRecorder, Touched};
 use carom::simulate::simulate;
 use carom::table::{Part, PocketName, Rail};
@@ -96,8 +96,9 @@ fn in_a_many_ball_contact_the_cue_ball_touches_only_the_balls_next_to_it() {
 /// the cue ball and angles (degrees) from its line.
 fn struck(balls: &[(f64, f64)]) -> Outcome {
     let place = |(i, (gap, angle)): (usize, &(f64, f64))| {
-        let (apart, angle) = (2.0 * RADIUS + gap, angle.to_radians());
-        let (x, y) = (0.6 + apart * angle.sin(), 0.6 + apart * angle.cos());
+        let apart = 2.0 * RADIUS + gap;
+        let (sin, cos) = sin_cos(radians(*angle));
+        let (x, y) = (0.6 + apart * sin, 0.6 + apart * cos);
         format!(r#", {{"id": "{}", "position": [{x}, {y}]}}"#, i + 1)
     };
     let balls: String = balls.iter().enumerate().map(place).collect();
