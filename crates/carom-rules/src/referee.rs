@@ -8,11 +8,12 @@ use crate::layout::{BallIndex, FROZEN};
 
 /// A ball was only grazed if it leaves with less than this share of the cue ball's speed. For
 /// equal balls that is a cut of 79° or more, where the cue ball overlaps 2 % of the object ball:
-/// 1 mm in pool. With a larger share, pushes that a referee would see remain without a foul; with a
-/// smaller one, no strike at a near ball would be legal.
+/// 1 mm in pool. With a larger share, visible pushes would be legal; with a smaller one, hits that a
+/// referee accepts as thin would be fouls.
 const GRAZE: f64 = 0.2;
 
-/// Facts about the cue ball's path and first hit that some rules need and an [`Outcome`] does not hold.
+/// Facts about the cue ball's path and first hit that some rules need and an [`Outcome`] does not
+/// hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct CueBallTravel {
     /// Whether the cue ball jumped over a ball before its first contact with one.
