@@ -175,7 +175,7 @@ fn show(seed: u64, model: BallBallModel, alike: bool) {
         let i = Impact { law: &law, touches: &touches, walls: &[], tip: None };
         let mut p = bodies.clone();
         let r =
-            i.resolve_in_steps(&mut p, &Stepping { steps_per_contact: steps, ..Stepping::CHOSEN });
+            i.resolve_in_steps(&mut p, &Stepping { steps_per_contact: steps, ahead: 1.0 / 12.0, trend: 1.0 });
         println!("{steps} {r:?} {:?} {}", bodies.last().unwrap().velocity, touches.len());
         for b in &p {
             print!(

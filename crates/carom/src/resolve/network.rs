@@ -94,6 +94,15 @@ const LONGEST_DRIFT: f64 = 10.0;
 /// The most passes that take the rest of the approach from bodies that touch.
 const PARTING_PASSES: usize = 400;
 
+/// Steps per contact: this number divided by the number of contacts, within two limits.
+const STEPS: f64 = 176.0;
+const FEWEST_STEPS: f64 = 11.0;
+const MOST_STEPS: f64 = 44.0;
+
+/// Steps per contact where a tip acts. The slate is the stiffest contact there, and it carries
+/// little of the force.
+const STRIKE_STEPS: f64 = 16.0;
+
 /// How the impact is integrated. The leapfrog method places forces in the middle of steps;
 /// evaluating each force at an extrapolated position cancels most of its error (Takahashi & Imada
 /// 1984).
@@ -110,8 +119,17 @@ pub struct Stepping {
 }
 
 impl Stepping {
-    /// The steps of [`Impact::resolve`].
-    pub const CHOSEN: Self = Self { steps_per_contact: 16.0, ahead: 1.0 / 12.0, trend: 1.0 };
+    /// Steps with the two constants that are best for small ones (Takahashi & Imada 1984).
+    pub const fn new(steps_per_contact: f64) -> Self {
+        Self { steps_per_contact, ahead: 1.0 / 12.0, trend: 1.0 }
+    }
+
+    /// The steps of [`Impact::resolve`] for a number of contacts. Few contacts are integrated in
+    /// short steps. A rack takes long ones: short ones would double the time of a break, and where
+    /// its balls go depends on far smaller differences, such as the gaps between them.
+    pub fn of(contacts: usize) -> Self {
+        Self::new((STEPS / contacts as f64).clamp(FEWEST_STEPS, MOST_STEPS))
+    }
 }
 
 /// Two balls that touch, or nearly.
@@ -191,15 +209,19 @@ impl Impact<'_> {
     ///
     /// There are at most [`MAX_BODIES`] `bodies`.
     pub fn resolve(&self, bodies: &mut [Body]) -> Option<TipReport> {
-        self.resolve_in_steps(bodies, &Stepping::CHOSEN)
+        let contacts = self.touches.len() + self.walls.len();
+        let stepping = match self.tip {
+            Some(_) => Stepping::new(STRIKE_STEPS),
+            None => Stepping::of(contacts),
+        };
+        self.resolve_in_steps(bodies, &stepping)
     }
 
     /// [`resolve`](Self::resolve) with other steps than the engine's, for studies of their accuracy.
     #[inline]
     pub fn resolve_in_steps(&self, bodies: &mut [Body], stepping: &Stepping) -> Option<TipReport> {
-        let contacts = MAX_CONTACTS;
-        let touches = &self.touches[..self.touches.len().min(contacts)];
-        let walls = &self.walls[..self.walls.len().min(contacts - touches.len())];
+        let touches = &self.touches[..self.touches.len().min(MAX_CONTACTS)];
+        let walls = &self.walls[..self.walls.len().min(MAX_CONTACTS - touches.len())];
         let impact = Impact { touches, walls, ..*self };
         let units = Units::of(&impact, bodies)?;
         let mut balls = [Ball::default(); BALL_SLOTS];
