@@ -9,7 +9,7 @@
 //!   slate and the tip have the k of their contact times ([`stiffness_of_time`]). While
 //!   a contact opens, its force is e² times as large, so that a pair alone separates with e times
 //!   its approach speed. e is the law's restitution at the fastest approach that the contact has had
-//!   ([`restitution::effective`]).
+//!   ([`restitution::effective`](super::restitution::effective)).
 //! * **Tangentially** friction of at most μF against the slip **u** of a's surface over b's (as in
 //!   [`contact`](super::ball_ball::contact)), μ being that of the fastest slip that the contact has
 //!   had. In the rigid models friction stops the slip. In the models `compliant` and `stronge` it is
@@ -124,7 +124,7 @@ impl Stepping {
         Self { steps_per_contact, ahead: 1.0 / 12.0, trend: 1.0 }
     }
 
-    /// The steps of [`Impact::resolve`] for a number of contacts. Few contacts are integrated in
+    /// The steps of [`NetworkImpact::resolve`] for a number of contacts. Few contacts are integrated in
     /// short steps. A rack takes long ones: short ones would double the time of a break, and where
     /// its balls go depends on far smaller differences, such as the gaps between them.
     pub fn of(contacts: usize) -> Self {
@@ -184,7 +184,7 @@ pub struct TipReport {
 
 /// One impact of everything that touches.
 #[derive(Clone, Copy, Debug)]
-pub struct Impact<'a> {
+pub struct NetworkImpact<'a> {
     /// The law of the balls.
     pub law: &'a BallBall,
     /// Contacts of balls; only the first [`MAX_CONTACTS`] of these and the walls are used.
@@ -200,10 +200,10 @@ pub struct Impact<'a> {
 ///
 /// There are at most [`MAX_BODIES`] `bodies`.
 pub fn resolve(law: &BallBall, bodies: &mut [Body], touches: &[Touch]) -> bool {
-    Impact { law, touches, walls: &[], tip: None }.resolve(bodies).is_some()
+    NetworkImpact { law, touches, walls: &[], tip: None }.resolve(bodies).is_some()
 }
 
-impl Impact<'_> {
+impl NetworkImpact<'_> {
     /// Resolves the impact. Returns `None`, and changes nothing, if no two bodies approach. Balls
     /// that the impact does not reach keep their exact bits.
     ///
@@ -222,7 +222,7 @@ impl Impact<'_> {
     pub fn resolve_in_steps(&self, bodies: &mut [Body], stepping: &Stepping) -> Option<TipReport> {
         let touches = &self.touches[..self.touches.len().min(MAX_CONTACTS)];
         let walls = &self.walls[..self.walls.len().min(MAX_CONTACTS - touches.len())];
-        let impact = Impact { touches, walls, ..*self };
+        let impact = NetworkImpact { touches, walls, ..*self };
         let units = Units::of(&impact, bodies)?;
         let mut balls = [Ball::default(); BALL_SLOTS];
         let mut links = [Link::default(); MAX_CONTACTS];
@@ -274,7 +274,7 @@ struct Units {
 
 impl Units {
     /// `None` if no two bodies approach.
-    fn of(impact: &Impact<'_>, bodies: &[Body]) -> Option<Self> {
+    fn of(impact: &NetworkImpact<'_>, bodies: &[Body]) -> Option<Self> {
         let (mut speed, mut rate) = (0.0_f64, 0.0_f64);
         let mass = bodies.iter().fold(0.0_f64, |most, body| most.max(body.mass));
         for touch in impact.touches {
@@ -469,7 +469,7 @@ impl Network<'_> {
 
     /// Applies the changes of the impact to the balls, scaled so that the energy does not rise.
     /// Returns the scale.
-    fn apply(&self, impact: &Impact<'_>, units: &Units, bodies: &mut [Body]) -> f64 {
+    fn apply(&self, impact: &NetworkImpact<'_>, units: &Units, bodies: &mut [Body]) -> f64 {
         // Scaled by λ, the changes alter the energy by −λ·work + λ²·cost. Without walls, velocities
         // are relative to one of the balls, because a common velocity would add rounding error.
         let alone = impact.walls.is_empty() && impact.tip.is_none();

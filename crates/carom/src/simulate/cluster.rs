@@ -10,7 +10,8 @@ use crate::math::{Vec3, sqrt};
 use crate::resolve::Body;
 use crate::resolve::cue_ball::{self, Strike};
 use crate::resolve::network::{
-    Impact, MAX_BODIES, MAX_CONTACTS, TipReport, TipTouch, Touch, WallTouch, stiffness_of_time,
+    MAX_BODIES, MAX_CONTACTS, NetworkImpact, TipReport, TipTouch, Touch, WallTouch,
+    stiffness_of_time,
 };
 use crate::table::TOUCH_TOLERANCE;
 use crate::{Ball, BallState, Physics};
@@ -366,7 +367,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 }
             }
         }
-        let impact = Impact { law: &physics.ball_ball, touches: &touches[..count], walls, tip };
+        let impact =
+            NetworkImpact { law: &physics.ball_ball, touches: &touches[..count], walls, tip };
         let report = impact.resolve(bodies).unwrap_or_default();
         for (k, body) in bodies.iter().enumerate() {
             let (v, spin) = (body.velocity, body.angular_velocity);
