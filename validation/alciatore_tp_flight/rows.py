@@ -5,6 +5,7 @@ from itertools import pairwise
 
 from carom.validation.lab import (
     FOOT,
+    JSON,
     MPH,
     TP_MASS_RATIO,
     Ball,
@@ -184,11 +185,8 @@ def sl_masse() -> list[float]:
     return turns
 
 
-def preset_masse(elevation: float, speed: float, **cloth: float) -> Run:
-    """A massé along +y with the `pool` preset, tip ¼R right and ¼R low.
-
-    `cloth` has a `friction` of cloth and slate, if it is not the preset's.
-    """
+def preset_masse(elevation: float, speed: float, physics: JSON | str = "pool") -> Run:
+    """A massé along +y, tip ¼R right and ¼R low."""
     strike = {
         "ball": "cue",
         "speed": speed,
@@ -197,15 +195,16 @@ def preset_masse(elevation: float, speed: float, **cloth: float) -> Run:
         "side": 0.25,
         "height": -0.25,
     }
-    if not cloth:
-        return simulate(ball(), strike=strike)
-    friction = cloth["friction"]
-    physics = {
+    return simulate(ball(), strike=strike, physics=physics)
+
+
+def with_friction(friction: float) -> JSON:
+    """The `pool` preset with another friction of cloth and slate."""
+    return {
         "base": "pool",
         "cloth": {"sliding_friction": friction},
         "slate": {"friction": friction},
     }
-    return simulate(ball(), strike=strike, physics=physics)
 
 
 def turn(run: Run) -> float:
@@ -259,7 +258,7 @@ def sl8() -> list[float]:
 )
 def sl9() -> list[float]:
     return [
-        turn(preset_masse(75.0, v, friction=friction))
+        turn(preset_masse(75.0, v, with_friction(friction)))
         for friction in (0.1, 0.3)
         for v in (2.0, 3.5)
     ]

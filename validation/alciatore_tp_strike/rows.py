@@ -121,8 +121,8 @@ OFFSETS = (0.0, 0.1, 0.2, 0.3, 0.4)
     reference={f"{x:g} R": ball_speed(x, 0.87, PRESET_MASS_RATIO) for x in OFFSETS},
     tolerance=relative(0.05),
     uses_preset=True,
-    note="At the centre, TP A.30's two values for a leather tip, η = 0.87 and the preset's e = 0.73, "
-    "differ by 4.2 %.",
+    note="At the centre, TP A.30's two values for a leather tip, η = 0.87 and the preset's "
+    "e = 0.73, differ by 4.2 %.",
 )
 def cu3() -> list[float]:
     return [preset_speed(x) for x in OFFSETS]
@@ -282,8 +282,8 @@ def net_deviation(side: float) -> tuple[float, float]:
     ),
     tolerance=(absolute(0.05), absolute(0.01)),
     note="The formulas are published; the figures are ours, for the preset's cue and 3°. The start "
-    "is that of the tip alone. In the engine the slate's friction during the blow has already taken "
-    "0.04° of it.",
+    "is that of the tip alone. In the engine the slate's friction during the blow has already "
+    "taken 0.04° of it.",
     uses_preset=True,
 )
 def cu11() -> list[float]:

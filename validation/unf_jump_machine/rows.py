@@ -23,8 +23,8 @@ def flight(run: Run) -> tuple[float, float]:
     return float(landing.after["cue"].position[1]), apex - float(landing.after["cue"].position[2])
 
 
-#: A jump cue: half as heavy as a playing cue (Simpson 2000), with a phenolic tip of restitution 0.87
-#: (TP A.30) that is on the ball for 0.8 ms.
+#: A jump cue: half as heavy as a playing cue (Simpson 2000), with a phenolic tip of restitution
+#: 0.87 (TP A.30) that is on the ball for 0.8 ms.
 JUMP_CUE: JSON = {
     "base": "pool",
     "cue": {"mass": 0.25, "tip_restitution": 0.87},
@@ -81,9 +81,9 @@ def elevation_for(angle: float, physics: JSON | str) -> float:
         for name in LAUNCHES
         for what, range_ in (("elevation", Range(30.0, 65.0)), ("cue speed", Range(2.0, 7.0)))
     },
-    note="Cue of 0.25 kg, phenolic tip (restitution 0.87, 0.8 ms), centre ball. The elevation of the "
-    "machine's cues is not known to us. The `pool` cue, with a leather tip, does not reach these "
-    "angles.",
+    note="Cue of 0.25 kg, phenolic tip (restitution 0.87, 0.8 ms), centre ball. The elevation of "
+    "the machine's cues is not known to us. The `pool` cue, with a leather tip, does not reach "
+    "these angles.",
 )
 def sl12() -> list[float]:
     numbers = []
