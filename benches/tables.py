@@ -23,7 +23,10 @@ ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benches" / "results"
 PAGES = (
     ROOT / "README.md",
-    *(ROOT / "docs" / f"{name}.md" for name in ("benchmarks", "guarantees", "many-balls")),
+    *(
+        ROOT / "docs" / f"{name}.md"
+        for name in ("benchmarks", "contact", "guarantees", "many-balls")
+    ),
 )
 #: The comment above a table, and the table.
 PLACE = re.compile(r"<!-- table: (\S+) (\S+) -->\n\n((?:\|.*\n)*)")
@@ -169,6 +172,36 @@ def breaks(result: JSON) -> str:
     return markdown(head, lines)
 
 
+def slate_times(result: JSON) -> str:
+    """Contact times of the slate that meet the bars of a massé and of a jump."""
+
+    def span(times: list[float] | None) -> str:
+        return f"{times[0]:.2f} to {times[1]:.2f}" if times else "none"
+
+    bars = ["hop_at_most_15_mm", "direction_within_1_deg", "45_deg_jumps_a_ball", "all"]
+    head = ["Restitution of the slate", "hop ≤ 15 mm", "direction within 1°"]
+    head += ["45° jumps a ball", "all, ms"]
+    lines = [
+        [f"{row['restitution']:g}", *(span(row[bar]) for bar in bars)]
+        for row in result["slate_times"]
+    ]
+    return markdown(head, lines)
+
+
+def friction_of_blow(result: JSON) -> str:
+    """The part of the slide's friction that a blow uses up."""
+    head = ["Elevation", "network", "sequential, with its bounce"]
+    lines = [
+        [
+            f"{row['elevation_deg']:g}°",
+            f"{row['network_percent']:.0f} %",
+            f"{row['sequential_percent']:.0f} %",
+        ]
+        for row in result["friction_of_the_blow"]
+    ]
+    return markdown(head, lines)
+
+
 TABLES: dict[str, Callable[[JSON], str]] = {
     "summary": summary,
     "times": times,
@@ -176,6 +209,8 @@ TABLES: dict[str, Callable[[JSON], str]] = {
     "amplification": amplification,
     "rows": rows_of_balls,
     "breaks": breaks,
+    "slate-times": slate_times,
+    "friction-of-blow": friction_of_blow,
 }
 
 

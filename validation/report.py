@@ -15,10 +15,13 @@ if TYPE_CHECKING:
 
 
 class Count(NamedTuple):
-    """How many numbers there are, and how many of them are outside their tolerance."""
+    """How many numbers there are, how many of them are outside their tolerance, and how many are
+    computed with an unmodified preset.
+    """
 
     numbers: int = 0
     outside: int = 0
+    preset: int = 0
 
 
 #: Counts by whether the numbers must agree, and by kind.
@@ -54,7 +57,12 @@ def add(tally: Tally, row: Row, outside: int) -> None:
     """Counts the numbers of a row, `outside` of which are outside their tolerance."""
     key = (row.must_agree, row.kind)
     before = tally.get(key, Count())
-    tally[key] = Count(before.numbers + len(row.reference), before.outside + outside)
+    numbers = len(row.reference)
+    tally[key] = Count(
+        before.numbers + numbers,
+        before.outside + outside,
+        before.preset + numbers * row.uses_preset,
+    )
 
 
 def declared(names: Iterable[str]) -> Tally:
@@ -92,11 +100,14 @@ def _totals(tally: Tally) -> list[str]:
     """The sums over all kinds."""
     published = sum(c.numbers for (_, k), c in tally.items() if k.is_published_and_computed)
     checked = [count for (must_agree, _), count in tally.items() if must_agree]
+    sourced = [c for (must_agree, k), c in tally.items() if must_agree and k.is_from_a_source]
     shown = [count for (must_agree, _), count in tally.items() if not must_agree]
     lines = [
         f"{published} numbers are published and computed by the engine",
         f"{sum(c.numbers for c in checked)} numbers must agree, "
         f"{sum(c.outside for c in checked)} failed",
+        f"{sum(c.preset for c in sourced)} of the {sum(c.numbers for c in sourced)} numbers from a "
+        "source that must agree are computed with an unmodified preset",
     ]
     if shown:
         lines.append(

@@ -36,6 +36,13 @@ class Kind(Enum):
         return self in {Kind.PUBLISHED, Kind.FORMULA}
 
     @property
+    def is_from_a_source(self) -> bool:
+        """Whether a source gives the reference numbers, and the parameters were not fitted to
+        them.
+        """
+        return self in {Kind.PUBLISHED, Kind.FORMULA, Kind.MEASURED}
+
+    @property
     def must_agree(self) -> bool:
         """Whether a number outside its tolerance is a failure.
 
@@ -130,7 +137,9 @@ class Row:
     A tuple of tolerances is repeated over the numbers: throw, cut, throw, cut …
     `misses` names the labels at which the default parameters are known to be outside the
     tolerance of a row that is only shown; `note` explains it. `shown_only` marks a row that need
-    not agree although rows of its kind must.
+    not agree although rows of its kind must, `held` a row that must agree although rows of its kind
+    need not. `uses_preset` marks a row that simulates whole shots or contacts with an unmodified
+    preset of the physics; a test compares it with the shots that the row simulates.
     """
 
     id: str
@@ -142,13 +151,15 @@ class Row:
     tolerance: Tolerance | tuple[Tolerance, ...]
     compute: Callable[[], Sequence[float]]
     shown_only: bool = False
+    held: bool = False
+    uses_preset: bool = False
     misses: tuple[str, ...] = ()
     note: str = ""
 
     @property
     def must_agree(self) -> bool:
         """Whether a number outside its tolerance is a failure."""
-        return self.kind.must_agree and not self.shown_only
+        return self.held or (self.kind.must_agree and not self.shown_only)
 
     def compare(self) -> list[Comparison]:
         """Computes carom's numbers and puts them beside the reference numbers.
@@ -183,6 +194,8 @@ def row(
     reference: Mapping[str, Reference],
     tolerance: Tolerance | tuple[Tolerance, ...] = Tolerance(0.0),
     shown_only: bool = False,
+    held: bool = False,
+    uses_preset: bool = False,
     misses: tuple[str, ...] = (),
     note: str = "",
 ) -> Callable[[Callable[[], Sequence[float]]], Row]:
@@ -199,6 +212,8 @@ def row(
             tolerance=tolerance,
             compute=compute,
             shown_only=shown_only,
+            held=held,
+            uses_preset=uses_preset,
             misses=misses,
             note=note,
         )

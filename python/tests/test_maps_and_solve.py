@@ -57,7 +57,11 @@ def test_every_solution_hits_the_given_ball_first(cut: Shot) -> None:
 
 def test_a_raised_cue_jumps_over_blocking_balls_or_curves_around_them() -> None:
     balls = {"cue": (0.5, 0.5), "1": (0.5, 1.2), "8": (0.5, 0.8)}
-    hidden = Shot("wpa-9ft", balls, carom.Strike(speed=2.0, azimuth=math.pi / 2))
+    # A jump cue: light, with a phenolic tip (TP A.30).
+    cue = {"mass": 0.25, "tip_restitution": 0.87}
+    physics = {"base": "pool", "cue": cue, "contact_times": {"tip": 8e-4}}
+    strike = carom.Strike(speed=2.0, azimuth=math.pi / 2)
+    hidden = Shot("wpa-9ft", balls, strike, physics=physics)
     ask = {"first": "1", "noise": CLUB, "n": 100, "wanted": 40, "per_route": 1, "samples": 512}
     assert all("kick" in s.kind for s in hidden.solve(**ask))
     ways = {s.route: s for s in hidden.solve(**ask, elevation=math.radians(70))}

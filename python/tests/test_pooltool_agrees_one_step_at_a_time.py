@@ -34,6 +34,8 @@ PHYSICS: JSON = {
         "spin_deceleration": 2.5 * (4.0 / 9.0 * RADIUS) * GRAVITY / RADIUS,
     },
     "cue": {
+        # pooltool's tip acts alone.
+        "model": "sequential",
         "mass": 0.567,
         "end_mass": MASS / 30,
         "tip_radius": 0.0106045,

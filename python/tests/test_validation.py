@@ -7,9 +7,10 @@ import io
 import math
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
-from carom.validation import Kind, Range, absolute, papers, relative, report
+from carom.validation import Kind, Range, absolute, lab, papers, relative, report
 from carom.validation.row import Row, check
 
 ROOT = Path(__file__).parents[2]
@@ -23,7 +24,7 @@ REQUIRED = {
     *("BB20", "BB22", "BB23", "BB25", "BB27", "BB28"),
     *("CU-1", "CU-2", "CU-3", "CU-6", "CU-7", "CU-8", "CU-9", "CU-11", "CU-13", "CU-14"),
     *("CU-16", "CU-19", "SY1", "SY2", "SY3", "SY5"),
-    *("SL1", "SL3", "SL4", "SL7", "PO1", "PO3"),
+    *("SL1", "SL3", "SL4", "SL7", "SL8", "SL10", "SL11", "SL12", "BB29", "CU3", "PO1", "PO3"),
 }
 
 EXAMPLE = Row(
@@ -116,6 +117,60 @@ def test_a_row_given_as_a_range_is_not_counted_as_a_published_number() -> None:
     for row in all_rows():
         if row.kind.is_published_and_computed:
             assert not any(isinstance(value, Range) for value in row.reference.values()), row
+
+
+def simulated_by(row: Row, monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
+    """The shots that a row simulates, as shot files."""
+    shots: list[dict[str, Any]] = []
+
+    def recorded(trace: Any) -> lab.Run:
+        shots.append(trace.shot.to_dict())
+        return lab_run(trace)
+
+    lab_run = lab.Run
+    monkeypatch.setattr(lab, "Run", recorded)
+    row.compute()
+    return shots
+
+
+@pytest.mark.parametrize("row", [row for row in all_rows() if row.uses_preset], ids=str)
+def test_a_row_that_counts_for_the_presets_simulates_them_unmodified(
+    row: Row, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shots = simulated_by(row, monkeypatch)
+    assert shots, "the row simulates nothing"
+    for shot in shots:
+        # An object is a preset with changes; a name, or nothing, is a preset as it is.
+        assert not isinstance(shot.get("physics"), dict)
+        assert not any({"mass", "radius"} & ball.keys() for ball in shot["balls"])
+        assert "strike" in shot, "a ball that moves from the start does not test the cue"
+
+
+def test_the_share_of_the_presets_is_computed_from_the_marks() -> None:
+    marked = dataclasses.replace(EXAMPLE, uses_preset=True)
+    fitted = dataclasses.replace(EXAMPLE, kind=Kind.FITTED, held=True, uses_preset=True)
+    measured = dataclasses.replace(EXAMPLE, kind=Kind.MEASURED, uses_preset=True)
+    derived = dataclasses.replace(EXAMPLE, kind=Kind.DERIVED, uses_preset=True)
+    line = "{} of the {} numbers from a source that must agree are computed with an unmodified"
+
+    def printed(*rows: Row) -> str:
+        tally: report.Tally = {}
+        for row in rows:
+            report.add(tally, row, 0)
+        return report.summary(tally)
+
+    # Our own rules, fitted numbers and measurements that are only shown do not count.
+    assert line.format(0, 2) in printed(EXAMPLE, fitted, measured, derived)
+    assert line.format(2, 4) in printed(EXAMPLE, marked, fitted)
+    held = dataclasses.replace(measured, held=True)
+    assert line.format(4, 6) in printed(EXAMPLE, marked, held)
+
+
+def test_a_measured_row_that_is_held_must_agree() -> None:
+    held = dataclasses.replace(EXAMPLE, kind=Kind.MEASURED, held=True)
+    check(held)
+    with pytest.raises(AssertionError):
+        check(dataclasses.replace(held, compute=lambda: [5.0, 2.0]))
 
 
 def test_a_row_that_reads_a_stored_file_says_so() -> None:

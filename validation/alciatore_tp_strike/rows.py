@@ -74,6 +74,60 @@ def cu2() -> list[float]:
     return [cue.speed / MPH, cue.speed / (15 * MPH), spin]
 
 
+#: The mass ratio ball/cue of the preset.
+PRESET_MASS_RATIO = 0.170097 / 0.567
+
+
+def ball_speed(offset: float, efficiency: float, mass_ratio: float) -> float:
+    """Ball speed per cue speed of TP A.30."""
+    k = 1.0 + 2.5 * offset * offset
+    radicand = efficiency - (1.0 - efficiency) * k / mass_ratio
+    return (1.0 + math.sqrt(radicand)) / (mass_ratio + k)
+
+
+def preset_speed(offset: float) -> float:
+    """Ball speed per cue speed with the `pool` preset, 15 mph, level cue, `offset` radii low."""
+    strike = {"ball": "cue", "speed": 15 * MPH, "azimuth_deg": 90.0, "elevation_deg": 0.0}
+    run = simulate(ball(), strike={**strike, "height": -offset})
+    return run.first("cue-strike").after["cue"].speed / (15 * MPH)
+
+
+@row(
+    "CU2-pool",
+    "Tip ½R off centre, cue 15 mph, `pool` preset",
+    unit="mph",
+    source="TP B.10, A.30",
+    kind=Kind.FITTED,
+    reference={"v_b": 11.194},
+    tolerance=absolute(1e-3),
+    held=True,
+    uses_preset=True,
+    note="The loss of the preset's tip off the centre is fitted to this number: agreement is not "
+    "evidence.",
+)
+def cu2_pool() -> list[float]:
+    return [15 * preset_speed(0.5)]
+
+
+OFFSETS = (0.0, 0.1, 0.2, 0.3, 0.4)
+
+
+@row(
+    "CU3",
+    "Tip off centre, cue 15 mph, `pool` preset against tip efficiency 0.87: ball speed",
+    unit="v_s",
+    source="TP A.30",
+    kind=Kind.FORMULA,
+    reference={f"{x:g} R": ball_speed(x, 0.87, PRESET_MASS_RATIO) for x in OFFSETS},
+    tolerance=relative(0.05),
+    uses_preset=True,
+    note="At the centre, TP A.30's two values for a leather tip, η = 0.87 and the preset's "
+    "e = 0.73, differ by 4.2 %.",
+)
+def cu3() -> list[float]:
+    return [preset_speed(x) for x in OFFSETS]
+
+
 @row(
     "CU4",
     "Tip restitution of leather and phenolic, centre ball: speeds and energy ratio",
@@ -226,8 +280,11 @@ def net_deviation(side: float) -> tuple[float, float]:
     reference=dict(
         zip(("starts to the left by", "rolls to the left by"), net_deviation(0.4), strict=True)
     ),
-    tolerance=absolute(0.01),
-    note="The formulas are published; the figures are ours, for the preset's cue and 3°.",
+    tolerance=(absolute(0.05), absolute(0.01)),
+    note="The formulas are published; the figures are ours, for the preset's cue and 3°. The start "
+    "is that of the tip alone. In the engine the slate's friction during the blow has already "
+    "taken 0.04° of it.",
+    uses_preset=True,
 )
 def cu11() -> list[float]:
     run = on_a_table(0.9, side=0.4)
@@ -262,6 +319,7 @@ def least_angle(distance: float) -> float:
         "1 m": 3.0,
     },
     tolerance=absolute(1e-6),
+    uses_preset=True,
 )
 def cu12() -> list[float]:
     runs = [on_a_table(distance) for distance in (0.06, 0.12, 0.24, 1.0)]

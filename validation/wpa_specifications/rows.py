@@ -35,6 +35,7 @@ def lengths_travelled(speed: float) -> float:
     unit="lengths",
     source="WPA specifications, cushions",
     kind=Kind.FITTED,
+    uses_preset=True,
     reference={"lengths": Range(4.0, math.inf)},
 )
 def cu_19() -> list[float]:

@@ -11,12 +11,20 @@ const LUCK: f64 = 0.1;
 const RAISED: f64 = 1.2;
 
 fn shot(balls: &[(&str, [f64; 2])]) -> Shot {
+    shot_with("\"pool\"", balls)
+}
+
+/// A jump cue: light, with a phenolic tip (TP A.30).
+const JUMP_CUE: &str =
+    r#"{"cue": {"mass": 0.25, "tip_restitution": 0.87}, "contact_times": {"tip": 8e-4}}"#;
+
+fn shot_with(physics: &str, balls: &[(&str, [f64; 2])]) -> Shot {
     let balls: Vec<String> = balls
         .iter()
         .map(|(id, [x, y])| format!(r#"{{"id": "{id}", "position": [{x}, {y}]}}"#))
         .collect();
     let text = format!(
-        r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "balls": [{}],
+        r#"{{"format": "carom-shot/1", "table": "wpa-9ft", "physics": {physics}, "balls": [{}],
             "strike": {{"ball": "cue", "speed": 2.0, "azimuth_deg": 90.0, "obstruction": "report"}}}}"#,
         balls.join(", ")
     );
@@ -167,7 +175,7 @@ fn an_escape_from_a_snooker_leaves_the_cue_ball_in_the_disc() {
 
 /// A layout in which a ball blocks the straight line to the object ball.
 fn blocked() -> Shot {
-    shot(&[("cue", [0.4, 0.75]), ("1", [0.9, 1.9]), ("2", [0.57, 1.13])])
+    shot_with(JUMP_CUE, &[("cue", [0.4, 0.75]), ("1", [0.9, 1.9]), ("2", [0.57, 1.13])])
 }
 
 #[test]

@@ -37,8 +37,8 @@ fn over_the_blue(elevation: f64) -> Ruling {
     let mut places: Vec<_> = (0..22).map(|ball| frame.layout().place(ball)).collect();
     (1..=15).for_each(|red| places[red] = None);
     places[0] = Some([0.6, 1.0]);
-    places[19] = Some([0.6, 1.15]);
-    places[1] = Some([0.6, 2.2]);
+    places[19] = Some([0.6, 1.7]);
+    places[1] = Some([0.6, 2.6]);
     frame.resume_at(&places, 0).expect("a red is left");
     let strike = Strike { speed: 5.0, azimuth: UP, elevation, side: 0.0, height: 0.0 };
     frame.play(&Play::new(strike)).expect("it can be played").0
@@ -122,11 +122,11 @@ fn a_ball_pressed_into_the_rail_to_which_it_is_frozen_is_not_driven_to_it() {
 fn in_pool_a_jump_over_a_ball_is_not_a_foul() {
     let mut frame = frame(Rules::NineBall);
     let mut places = vec![None; 10];
-    for (ball, place) in [(0, [0.6, 0.8]), (2, [0.6, 0.95]), (1, [0.6, 2.0]), (9, [0.2, 0.3])] {
+    for (ball, place) in [(0, [0.6, 0.8]), (2, [0.6, 1.4]), (1, [0.6, 2.25]), (9, [0.2, 0.3])] {
         places[ball] = Some(place);
     }
     frame.resume_at(&places, 0).expect("a valid position");
-    let strike = |elevation| Strike { speed: 3.0, azimuth: UP, elevation, side: 0.0, height: 0.0 };
+    let strike = |elevation| Strike { speed: 4.5, azimuth: UP, elevation, side: 0.0, height: 0.0 };
     let mut level = frame.clone();
     let level = level.play(&Play::new(strike(0.0))).expect("it can be played").0;
     assert!(level.fouls.has(Foul::WrongBallFirst));

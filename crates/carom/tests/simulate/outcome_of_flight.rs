@@ -22,12 +22,14 @@ fn outcome(balls: &str, more: &str) -> Outcome {
 fn a_jump_shot_jumps_the_blocking_ball_and_none_beside_it() {
     let balls = r#"{"id": "cue", "position": [0.635, 0.6]}, {"id": "in the way", "position": [0.635, 0.8]},
         {"id": "beside", "position": [0.75, 0.8]}, {"id": "behind", "position": [0.635, 2.0]}"#;
+    // A jump cue: light, with a phenolic tip (TP A.30).
     let strike = |elevation: f64| {
         format!(
-            r#", "strike": {{"ball": "cue", "speed": 4, "azimuth_deg": 90, "elevation_deg": {elevation}}}"#
+            r#", "physics": {{"cue": {{"mass": 0.25, "tip_restitution": 0.87}}, "contact_times": {{"tip": 8e-4}}}},
+            "strike": {{"ball": "cue", "speed": 5, "azimuth_deg": 90, "elevation_deg": {elevation}}}"#
         )
     };
-    let jump = outcome(balls, &strike(40.0));
+    let jump = outcome(balls, &strike(50.0));
     assert_eq!(jump.jumped[0], (0, 1));
     assert!(!jump.jumped.contains(&(0, 2)), "{jump:?}");
     assert_eq!(jump.first_contact, Some(3));

@@ -299,7 +299,13 @@ fn documented_hash(trace: &Node) -> String {
         let word = |key| text(event.get(key));
         words.push(double(event.get("time").expect("a time")));
         words.extend(match word("type") {
-            "cue-strike" => [0, 0, 0],
+            "cue-strike" => {
+                let Some(Node::Integer(contacts)) = event.get("tip_contacts") else {
+                    panic!("no tip_contacts");
+                };
+                let pushed = event.get("pushed") == Some(&Node::Bool(true));
+                [0, *contacts as u64 - 1, u64::from(pushed)]
+            }
             "ball-collision" => [1, 0, 0],
             "rail-collision" => [2, number(RAILS, word("rail")), number(PARTS, word("part"))],
             "pocket-collision" => [3, number(POCKETS, word("pocket")), 0],
