@@ -112,6 +112,7 @@ stress: $(BUILT) ## The long randomised suites: 10 million shots and more (hours
 	bash scripts/fuzz.sh 600
 	$(PYTEST) -m stress
 	cargo run --release -p carom-check --example stress
+	cargo run --release -p carom-springs --example networks -- --count 60000
 
 bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 	$(BIN)/carom bench

@@ -54,6 +54,8 @@ def _lines(trace: dict[str, Any]) -> list[tuple[str, tuple[str, ...]]]:
         else:
             where = _where(first, aloft=run[0] in landings)
         rise = rises[run[-1]]
+        if faults := _faults(first):
+            where += f" {faults}"
         # Three coordinates include the height already.
         if rise >= SEEN and where.count(",") < 2:
             where += f" ↑ {1000 * rise:.0f} mm"
@@ -123,6 +125,13 @@ def _where(event: dict[str, Any], *, aloft: bool) -> str:
             # The height is given only for balls in the air.
             coordinates = 3 if aloft and event["type"] != "slate-collision" else 2
             return ", ".join(f"{x:.3f}" for x in event["before"][0]["position"][:coordinates])
+
+
+def _faults(event: dict[str, Any]) -> str:
+    """What is unusual about a strike: a double hit, or a push; of both the double hit."""
+    if event.get("tip_contacts", 1) > 1:
+        return "double hit"
+    return "push" if event.get("pushed") else ""
 
 
 def _speeds(states_before: list[dict[str, Any]], states_after: list[dict[str, Any]]) -> str:

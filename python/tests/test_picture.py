@@ -15,8 +15,9 @@ import numpy as np
 import pytest
 from carom import Shot, picture
 from carom.picture import evaluation, solutions
+from carom.picture.balls import mark
 from carom.picture.colors import look
-from carom.picture.paths import Leg, routes
+from carom.picture.paths import Leg, routes, starts
 from carom.picture.table import Ground
 
 # Tolerance between a leg's curve and the ball's state, m. They are computed by different closed
@@ -108,6 +109,31 @@ def test_the_length_of_a_leg_is_the_length_of_its_curve(control: tuple[float, fl
     points = 2 * s * (1 - s) * np.array(control) + s**2 * np.array([1.0, 0.0])
     length = np.hypot(*np.diff(points, axis=0).T).sum()
     assert math.isclose(leg.length, length, rel_tol=QUADRATURE)
+
+
+def test_a_strike_into_a_frozen_ball_is_drawn_with_both_paths_and_a_mark() -> None:
+    gap = 2 * 0.028575
+    shot = Shot.from_dict(
+        {
+            "format": "carom-shot/1",
+            "table": "wpa-9ft",
+            "balls": [
+                {"id": "cue", "position": [0.6, 0.6]},
+                {"id": "1", "position": [0.6, 0.6 + gap]},
+            ],
+            "strike": {"ball": "cue", "speed": 0.5, "azimuth_deg": 90.0, "elevation_deg": 0.0},
+        }
+    )
+    trace = shot.simulate()
+    drawn = routes(trace.to_dict(), starts(trace))
+    for index, route in enumerate(drawn):
+        assert route.legs[0].start_time == 0.0
+        for time in np.linspace(0.0, trace.duration, 7).tolist():
+            assert np.abs(route.at(time) - trace.at(time).position[index]).max() < CURVE_ROUNDING
+    by_id = {route.id: route for route in drawn}
+    assert mark(trace.to_dict()["events"][0], by_id) == "ball-collision"
+    ids = [patch.get_gid() for patch in picture.draw(trace).axes[0].patches]
+    assert {"path-cue", "path-1"} <= set(ids)
 
 
 def test_the_svg_holds_every_path_as_exact_curves(nine_ball_trace: carom.Trace) -> None:

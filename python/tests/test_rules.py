@@ -31,6 +31,27 @@ def test_a_break_of_nine_ball_is_ruled_on() -> None:
     assert on_table == {str(n) for n in range(1, 10)} - fallen
 
 
+def test_a_push_into_a_near_ball_is_a_foul_and_a_strike_into_a_frozen_ball_is_not() -> None:
+    def ruling(gap: float) -> carom.Ruling:
+        places = {"cue": [0.6, 0.6], "1": [0.6, 0.6 + 2 * 0.028575 + gap], "9": [1.0, 2.0]}
+        shot = carom.Shot.from_dict(
+            {
+                "format": "carom-shot/1",
+                "table": "wpa-9ft",
+                "balls": [{"id": ball, "position": place} for ball, place in places.items()],
+            }
+        )
+        frame = carom.Frame.of_shot("nine-ball", shot)
+        return frame.play(carom.Strike(speed=3.0, azimuth=math.pi / 2))
+
+    near = ruling(1e-3)
+    assert [foul.rule for foul in near.fouls] == ["WPA 6.7"]
+    assert "tip was still on the cue ball" in near.fouls[0].what
+    assert near.trace is not None
+    assert near.trace.outcome.pushed
+    assert ruling(0.0).legal
+
+
 def test_the_same_seed_and_plays_give_the_same_frame() -> None:
     one, other = (carom.Frame("snooker", seed=5) for _ in range(2))
     strike = carom.Strike(speed=3.0, azimuth=math.pi / 2)

@@ -51,6 +51,49 @@ def test_a_trace_has_the_documented_keys(pot: dict[str, Any]) -> None:
     assert [ball["id"] for ball in trace["final"]] == ["cue", "1"]
 
 
+def strike_at(*balls: tuple[float, float], speed: float = 2.0) -> Trace:
+    """A level strike straight up the table at balls with these gaps (m) and angles (rad)."""
+    placed: list[dict[str, Any]] = [{"id": "cue", "position": [0.6, 0.6]}]
+    for number, (gap, angle) in enumerate(balls, start=1):
+        apart = 2 * 0.028575 + gap
+        place = [0.6 + apart * math.sin(angle), 0.6 + apart * math.cos(angle)]
+        placed.append({"id": str(number), "position": place})
+    shot = {
+        "format": "carom-shot/1",
+        "table": "wpa-9ft",
+        "balls": placed,
+        "strike": {"ball": "cue", "speed": speed, "azimuth_deg": 90.0, "elevation_deg": 0.0},
+    }
+    return Shot.from_dict(shot).simulate()
+
+
+def test_a_strike_into_a_frozen_ball_moves_both_balls_at_once() -> None:
+    trace = strike_at((0.0, 0.0))
+    strike = trace.events[0]
+    assert (strike.type, strike.balls) == ("cue-strike", ["cue", "1"])
+    assert (strike.tip_contacts, strike.pushed) == (1, False)
+    assert trace.outcome.met_during_strike == ["1"]
+    assert trace.outcome.first_contact == "1"
+    start, soon = trace.at(0.0), trace.at(1e-3)
+    for ball, after in enumerate(strike.after):
+        assert list(start.velocity[ball]) == after["velocity"]
+        moved = soon.position[ball] - start.position[ball]
+        assert np.allclose(moved, 1e-3 * start.velocity[ball], rtol=1e-3, atol=1e-9)
+    assert soon.position[1, 1] - soon.position[0, 1] > 2 * 0.028575, "they separate"
+    assert Trace.from_json(trace.to_json()).outcome == trace.outcome
+
+
+def test_the_table_of_events_names_a_push_and_a_double_hit() -> None:
+    def first(trace: Trace) -> str:
+        return plain(trace.to_dict()).splitlines()[1]
+
+    assert "push" not in first(strike_at((0.0, 0.0)))
+    assert "0.600, 0.600 push" in first(strike_at((1e-3, 0.0)))
+    twice = strike_at((2e-3, math.radians(30)), speed=4.0)
+    assert twice.outcome.tip_contacts == 2
+    assert "0.600, 0.600 double hit" in first(twice)
+
+
 def test_the_properties_agree_with_the_dict(nine_ball_trace: Trace) -> None:
     whole = nine_ball_trace.to_dict()
     assert nine_ball_trace.events == whole["events"]

@@ -31,12 +31,10 @@ impl TaskRecorder {
 
 impl Recorder for TaskRecorder {
     fn record(&mut self, event: &Event<'_>) {
+        if self.first_contact.is_none() && event.is_ball_contact() {
+            self.first_contact = event.nearest_to(self.cue);
+        }
         match event.kind {
-            EventKind::BallCollision
-                if self.first_contact.is_none() && event.balls.contains(&self.cue) =>
-            {
-                self.first_contact = event.balls.iter().copied().find(|b| *b != self.cue);
-            }
             EventKind::RailCollision(_) => self.cushions += 1,
             EventKind::OffTable => self.left_table = true,
             EventKind::PocketCollision(pocket) => {

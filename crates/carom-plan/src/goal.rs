@@ -206,22 +206,19 @@ impl Recorder for GoalRecorder {
         }
         self.places.update_resting(event);
         let has = |ball: usize| event.balls.iter().any(|b| usize::from(*b) == ball);
-        match event.kind {
-            EventKind::BallCollision => {
-                if self.first_touched.is_none() && has(self.cue_ball) {
-                    let others = event.balls.iter().map(|b| usize::from(*b));
-                    let mut others = others.filter(|b| *b != self.cue_ball);
-                    // If several balls are touched at once, the one that the goal names counts.
-                    let wanted = self.goal.first.filter(|ball| has(*ball));
-                    self.first_touched = wanted.or_else(|| others.next());
-                }
-                self.moved |= self.goal.pot.is_some_and(|(ball, _)| has(ball));
+        let has_potted = self.goal.pot.is_some_and(|(ball, _)| has(ball));
+        if event.is_ball_contact() {
+            if self.first_touched.is_none() && has(self.cue_ball) {
+                // If several balls are touched at once, the one that the goal names counts.
+                let wanted = self.goal.first.filter(|ball| has(*ball));
+                let nearest = || event.nearest_to(self.cue_ball as u16).map(usize::from);
+                self.first_touched = wanted.or_else(nearest);
             }
-            EventKind::PocketCollision(pocket) => {
-                let into = self.targets.iter().any(|(i, _)| *i == usize::from(pocket));
-                self.potted |= into && self.goal.pot.is_some_and(|(ball, _)| has(ball));
-            }
-            _ => (),
+            self.moved |= has_potted;
+        }
+        if let EventKind::PocketCollision(pocket) = event.kind {
+            let into = self.targets.iter().any(|(i, _)| *i == usize::from(pocket));
+            self.potted |= into && has_potted;
         }
     }
 }

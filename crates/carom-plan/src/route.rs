@@ -136,16 +136,18 @@ impl RouteLog {
                 self.log_curve(event, places);
                 self.events.push(LoggedEvent::Cushion(event.balls[0], cushion));
             }
-            EventKind::BallCollision => {
+            EventKind::BallCollision | EventKind::CueStrike { .. } if event.is_ball_contact() => {
                 self.log_curve(event, places);
                 let speed = |k: usize| event.before[k].velocity.length();
                 let fastest =
                     (0..event.balls.len()).fold(0, |a, b| if speed(b) > speed(a) { b } else { a });
+                // In a strike all balls rest, and the first one, the cue ball, moves the others.
+                let is_strike = event.kind != EventKind::BallCollision;
+                let moves = |k: usize| speed(k) > RESTING || (is_strike && k == fastest);
                 // In a contact of many balls, all resting balls get their motion from the fastest.
                 for k in (0..event.balls.len()).filter(|k| *k != fastest) {
-                    self.events.push(LoggedEvent::Balls(
-                        [fastest, k].map(|k| (event.balls[k], speed(k) > RESTING)),
-                    ));
+                    self.events
+                        .push(LoggedEvent::Balls([fastest, k].map(|k| (event.balls[k], moves(k)))));
                 }
             }
             _ => (),

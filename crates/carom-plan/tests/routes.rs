@@ -79,6 +79,18 @@ fn without_cushions(solution: &Solution) -> bool {
 }
 
 #[test]
+fn a_frozen_ball_is_potted_by_the_strike_itself() {
+    // The line of centres points at the corner pocket.
+    let along = [1.27 - 0.9, 2.54 - 1.9];
+    let length = carom::math::sqrt(along[0] * along[0] + along[1] * along[1]);
+    let diameter = 2.0 * 0.028575;
+    let cue = [0, 1].map(|k| [0.9, 1.9][k] - diameter * along[k] / length);
+    let frozen = shot(&[("cue", cue), ("1", [0.9, 1.9])]);
+    let best = &found(&frozen, pot(1, TOP_RIGHT))[0];
+    assert_eq!((best.route.words(&frozen).as_str(), best.route.kind().as_str()), ("1", "direct"));
+}
+
+#[test]
 fn the_direct_route_comes_first_when_nothing_blocks_it() {
     let open = shot(&[("cue", [0.5, 1.2]), ("1", [0.9, 1.9])]);
     let solutions = found(&open, pot(1, TOP_RIGHT));

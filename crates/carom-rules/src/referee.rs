@@ -4,9 +4,16 @@ use carom::event::{Event, EventKind, Recorder};
 use carom::outcome::{Outcome, OutcomeRecorder, Touched};
 use carom::{BallState, Shot};
 
-use crate::layout::BallIndex;
+use crate::layout::{BallIndex, FROZEN};
 
-/// Facts about the cue ball's path that some rules need and an [`Outcome`] does not hold.
+/// A ball was only grazed if it leaves with less than this share of the cue ball's speed. For
+/// equal balls that is a cut of 79° or more, where the cue ball overlaps 2 % of the object ball:
+/// 1 mm in pool. With a larger share, visible pushes would be legal; with a smaller one, hits that a
+/// referee accepts as thin would be fouls.
+const GRAZE: f64 = 0.2;
+
+/// Facts about the cue ball's path and first hit that some rules need and an [`Outcome`] does not
+/// hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct CueBallTravel {
     /// Whether the cue ball jumped over a ball before its first contact with one.
@@ -15,6 +22,36 @@ pub(crate) struct CueBallTravel {
     pub(crate) reached_before_contact: f64,
     /// The largest y of the cue ball's centre in the whole shot (file frame, m).
     pub(crate) reached: f64,
+    /// The fullest hit of a near ball during the strike.
+    pub(crate) near_hit: NearHit,
+}
+
+/// How full the cue ball hit, during the strike, a ball that it did not touch before. A ball with a
+/// gap of at most [`FROZEN`] counts as touched.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum NearHit {
+    /// It hit none.
+    #[default]
+    Nothing,
+    /// It only grazed one ([`GRAZE`]).
+    Grazed,
+    /// It hit one more fully.
+    Full,
+}
+
+impl NearHit {
+    /// The fullest hit in the strike `event` of `shot` among the balls `met`. The cue ball is ball
+    /// `own` of the event.
+    fn of(event: &Event<'_>, own: usize, met: &[u16], shot: &Shot) -> Self {
+        let radius = |k: usize| shot.balls()[usize::from(event.balls[k])].ball.radius;
+        let place = |k: usize| event.before[k].position;
+        let speed = |k: usize| event.after[k].velocity.length();
+        let apart = |k: usize| (place(k) - place(own)).length() - radius(k) - radius(own);
+        let near =
+            (0..event.balls.len()).filter(|k| met.contains(&event.balls[*k]) && apart(*k) > FROZEN);
+        let hit = |k| if speed(k) < GRAZE * speed(own) { Self::Grazed } else { Self::Full };
+        near.map(hit).max().unwrap_or_default()
+    }
 }
 
 /// `outcome` of a shot whose ball `k` is ball `balls[k]` of the frame, with the frame's ball
@@ -38,12 +75,14 @@ pub(crate) fn renumbered(outcome: &Outcome, balls: &[BallIndex]) -> Outcome {
             renumber(k);
         }
     }
+    out.met_during_strike.iter_mut().for_each(renumber);
     out.never_resting.iter_mut().for_each(renumber);
     out
 }
 
 /// Records the outcome of a shot and the travel of its cue ball.
 pub(crate) struct RefereeRecorder<'a> {
+    shot: &'a Shot,
     outcome: OutcomeRecorder<'a>,
     cue: u16,
     before_contact: bool,
@@ -52,17 +91,20 @@ pub(crate) struct RefereeRecorder<'a> {
     /// contact, and in the whole shot. A path that bends between two events may reach farther.
     reached_before_contact: f64,
     reached: f64,
+    near_hit: NearHit,
 }
 
 impl<'a> RefereeRecorder<'a> {
     pub(crate) fn new(shot: &'a Shot) -> Self {
         Self {
+            shot,
             outcome: OutcomeRecorder::new(shot),
             cue: shot.cue_ball().unwrap_or_default() as u16,
             before_contact: true,
             jumped_before_contact: false,
             reached_before_contact: f64::NEG_INFINITY,
             reached: f64::NEG_INFINITY,
+            near_hit: NearHit::Nothing,
         }
     }
 
@@ -73,6 +115,7 @@ impl<'a> RefereeRecorder<'a> {
             jumped_before_contact: self.jumped_before_contact,
             reached_before_contact: self.reached_before_contact + middle,
             reached: self.reached + middle,
+            near_hit: self.near_hit,
         };
         (self.outcome.finish(last), travel)
     }
@@ -85,9 +128,13 @@ impl Recorder for RefereeRecorder<'_> {
         self.reached = self.reached.max(event.before[k].position.y);
         if self.before_contact {
             self.reached_before_contact = self.reached;
-            self.before_contact = event.kind != EventKind::BallCollision;
-            let jumped = &self.outcome.so_far().jumped;
-            self.jumped_before_contact = jumped.iter().any(|(over, _)| *over == self.cue);
+            let so_far = self.outcome.so_far();
+            self.before_contact = so_far.first_contact.is_none();
+            self.jumped_before_contact = so_far.jumped.iter().any(|(over, _)| *over == self.cue);
+        }
+        if let EventKind::CueStrike { .. } = event.kind {
+            let met = &self.outcome.so_far().met_during_strike;
+            self.near_hit = NearHit::of(event, k, met, self.shot);
         }
     }
 }

@@ -28,6 +28,10 @@ pub enum Foul {
     Jump,
     /// The cue ball moved a ball that it touched before the shot (snooker, three-cushion).
     Push,
+    /// The tip touched the cue ball more than once.
+    DoubleHit,
+    /// The tip was still on the cue ball when it hit a ball that it had not touched before.
+    PushShot,
     /// The shot left the next player snookered by the free ball (snooker).
     SnookeredByFreeBall,
     /// The cue ball touched a cushion before the red in the starting shot (three-cushion).
@@ -49,6 +53,8 @@ impl Foul {
             Self::WrongBallPocketed => "a ball that was not on was pocketed",
             Self::Jump => "the cue ball jumped over a ball",
             Self::Push => "a touching ball was moved",
+            Self::DoubleHit => "a double hit: the tip touched the cue ball more than once",
+            Self::PushShot => "a push: the tip was still on the cue ball when it hit a ball",
             Self::SnookeredByFreeBall => "the free ball was left in the way",
             Self::IndirectStart => "the starting shot went to a cushion before the red",
         }
@@ -60,7 +66,7 @@ impl Foul {
 pub struct Fouls(u16);
 
 impl Fouls {
-    const ALL: [Foul; 13] = [
+    const ALL: [Foul; 15] = [
         Foul::Scratch,
         Foul::CueBallOffTable,
         Foul::NoContact,
@@ -72,6 +78,8 @@ impl Fouls {
         Foul::WrongBallPocketed,
         Foul::Jump,
         Foul::Push,
+        Foul::DoubleHit,
+        Foul::PushShot,
         Foul::SnookeredByFreeBall,
         Foul::IndirectStart,
     ];

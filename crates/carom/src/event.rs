@@ -48,6 +48,26 @@ pub struct Event<'a> {
     pub after: &'a [BallState],
 }
 
+impl Event<'_> {
+    /// Whether balls meet: in a collision, or in a strike that moves further balls through the cue
+    /// ball.
+    pub fn is_ball_contact(&self) -> bool {
+        match self.kind {
+            EventKind::BallCollision => true,
+            EventKind::CueStrike { .. } => self.balls.len() > 1,
+            _ => false,
+        }
+    }
+
+    /// The ball nearest to `ball` among the event's other balls, if `ball` takes part.
+    pub fn nearest_to(&self, ball: u16) -> Option<u16> {
+        let own = self.balls.iter().position(|&b| b == ball)?;
+        let apart = |k: usize| (self.before[k].position - self.before[own].position).length();
+        let others = (0..self.balls.len()).filter(|&k| k != own);
+        others.min_by(|&a, &b| apart(a).total_cmp(&apart(b))).map(|k| self.balls[k])
+    }
+}
+
 /// Receives the events of a shot while it is simulated. The event loop has the recorder's type as a
 /// generic parameter, so that a recorder costs no more than what it does with the events.
 pub trait Recorder {

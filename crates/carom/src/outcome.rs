@@ -62,6 +62,10 @@ pub struct Outcome {
     pub tip_contacts: u8,
     /// Whether the cue ball met a ball that it did not touch before, while the tip was still on it.
     pub pushed: bool,
+    /// The balls that the cue ball met during the strike, in the order in which it met them. They
+    /// touched it at the start, or lay so near that it met them while the tip was on it or just
+    /// after.
+    pub met_during_strike: Vec<u16>,
     /// Balls that never come to rest, because friction is zero.
     pub never_resting: Vec<u16>,
     /// Number of events.

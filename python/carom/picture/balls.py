@@ -159,6 +159,9 @@ def draw_marks(ax: Axes, events: list[dict[str, Any]], routes: list[Route]) -> s
 def mark(event: dict[str, Any], routes: dict[str, Route]) -> str | None:
     """The kind of an event's mark, a key of ``MARKS``; None if the event has no mark."""
     kind: str = event["type"]
+    if kind == "cue-strike" and len(event["balls"]) > 1:
+        # The cue ball moves the balls that touch it at once.
+        kind = "ball-collision"
     if kind == "motion-transition":
         return kind if event["to"] == "rolling" else None
     if kind == "rail-collision" and event["part"] == "top":

@@ -147,7 +147,11 @@ function marks(trace: Trace): Mark[] {
   if (struck === null || id === null) return [];
   const found: Mark[] = [];
   const contact = trace.events.find(
-    (event) => event.type === "ball-collision" && event.balls.includes(id),
+    // A strike moves the balls that touch the cue ball at once.
+    ({ type, balls }) =>
+      (type === "ball-collision" || type === "cue-strike") &&
+      balls.length > 1 &&
+      balls.includes(id),
   );
   if (contact) {
     const { position } = contact.before[contact.balls.indexOf(id)]!;

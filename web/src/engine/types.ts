@@ -201,7 +201,15 @@ interface EventBase {
 
 export type TraceEvent = EventBase &
   (
-    | { readonly type: "cue-strike" | "ball-collision" | "slate-collision" | "off-table" }
+    | {
+        /** Its balls are the cue ball and those that it moves at the same instant. */
+        readonly type: "cue-strike";
+        /** How often the tip meets the cue ball; a trace of an early engine does not have it. */
+        readonly tip_contacts?: number;
+        /** Whether the cue ball, with the tip on it, meets a ball that it did not touch before. */
+        readonly pushed?: boolean;
+      }
+    | { readonly type: "ball-collision" | "slate-collision" | "off-table" }
     | { readonly type: "rail-collision"; readonly rail: RailName; readonly part: CushionPart }
     | { readonly type: "pocket-collision"; readonly pocket: PocketName }
     | { readonly type: "motion-transition"; readonly from: Motion; readonly to: Motion }
@@ -227,6 +235,12 @@ export interface Outcome {
   /** Balls that touch a rail to which they were not frozen, or to which they come back. */
   readonly driven_to_rail: readonly string[];
   readonly cue_ball_touched: readonly ({ readonly ball: string } | { readonly rail: RailName })[];
+  /** How often the tip meets the cue ball: more than once in a double hit; 0 without a strike. */
+  readonly tip_contacts: number;
+  /** Whether the cue ball, with the tip on it, meets a ball that it did not touch before. */
+  readonly pushed: boolean;
+  /** Balls that the cue ball meets during the strike, those included that touched it before. */
+  readonly met_during_strike: readonly string[];
   /** Balls that no friction stops: their last path continues after the trace's duration. */
   readonly never_resting: readonly string[];
   /** Whether the tip offset is beyond the miscue limit. */

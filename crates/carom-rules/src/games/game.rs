@@ -6,7 +6,7 @@ use carom::table::PocketName;
 
 use crate::layout::{BallIndex, FrameLayout};
 use crate::play::{Call, Play};
-use crate::referee::CueBallTravel;
+use crate::referee::{CueBallTravel, NearHit};
 use crate::request::{Choice, Request, Turn};
 use crate::seat::{self, Seat};
 use crate::state::FrameState;
@@ -72,6 +72,19 @@ impl PlayedShot<'_> {
     /// The object balls that left the table other than by a pocket, in order.
     pub(crate) fn thrown_off(&self) -> impl Iterator<Item = BallIndex> + '_ {
         self.outcome.off_table.iter().copied().filter(|ball| *ball != self.turn.cue)
+    }
+
+    /// Whether the tip touched the cue ball more than once, unless a frozen ball or a hit of a near
+    /// ball that is less full than `least` held the cue ball up.
+    pub(crate) fn is_double_hit(&self, least: NearHit) -> bool {
+        let alone = self.outcome.met_during_strike.is_empty();
+        self.outcome.tip_contacts > 1 && (alone || self.travel.near_hit >= least)
+    }
+
+    /// Whether the tip was still on the cue ball when it hit a ball that was not frozen to it, at
+    /// least as full as `least`.
+    pub(crate) fn is_push_shot(&self, least: NearHit) -> bool {
+        self.outcome.pushed && self.travel.near_hit >= least
     }
 
     /// Number of object balls driven to a rail. Balls that were pocketed or left the table count as

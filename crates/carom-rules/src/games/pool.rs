@@ -5,6 +5,7 @@ use carom::outcome::Touched;
 use super::game::PlayedShot;
 use crate::layout::BallIndex;
 use crate::markings::{head_string, spot_named};
+use crate::referee::NearHit;
 use crate::region::Region;
 use crate::request::{Calls, Request, Turn};
 use crate::rules::Rules;
@@ -28,6 +29,7 @@ pub(crate) const fn rule(rules: Rules, foul: Foul) -> &'static str {
         Foul::WrongBallFirst => "WPA 6.2",
         Foul::NoContact | Foul::NoRailAfterContact => "WPA 6.3",
         Foul::BallOffTable => "WPA 6.5",
+        Foul::DoubleHit | Foul::PushShot => "WPA 6.7",
         Foul::BehindHeadString => "WPA 6.11",
         Foul::SoftBreak => match rules {
             Rules::EightBall => "WPA 3.3",
@@ -39,11 +41,11 @@ pub(crate) const fn rule(rules: Rules, foul: Foul) -> &'static str {
     }
 }
 
-/// The standard fouls of a shot (WPA 6.1 to 6.3, 6.5). One of the turn's balls on must be hit
+/// The standard fouls of a shot (WPA 6.1 to 6.3, 6.5, 6.7). One of the turn's balls on must be hit
 /// first; any ball may be, if the turn names none. Fouls of the player's body and hands are not
 /// simulated.
 pub(crate) fn standard_fouls(shot: &PlayedShot<'_>) -> Fouls {
-    let mut fouls = lost_balls(shot);
+    let mut fouls = push_out_fouls(shot);
     let first = shot.first_contact();
     fouls.add_if(first.is_none(), Foul::NoContact);
     if let Some(first) = first {
@@ -97,11 +99,13 @@ pub(crate) fn nearest_behind(state: &FrameState, legal: &[BallIndex]) -> Option<
 }
 
 /// The fouls that also apply to a push-out (WPA 2.4).
-pub(crate) fn lost_balls(shot: &PlayedShot<'_>) -> Fouls {
+pub(crate) fn push_out_fouls(shot: &PlayedShot<'_>) -> Fouls {
     let mut fouls = Fouls::NONE;
     fouls.add_if(shot.is_scratch(), Foul::Scratch);
     fouls.add_if(shot.is_cue_ball_off_table(), Foul::CueBallOffTable);
     fouls.add_if(shot.thrown_off().next().is_some(), Foul::BallOffTable);
+    fouls.add_if(shot.is_double_hit(NearHit::Full), Foul::DoubleHit);
+    fouls.add_if(shot.is_push_shot(NearHit::Full), Foul::PushShot);
     fouls
 }
 

@@ -64,7 +64,7 @@ impl GameRules for Rotation {
         let is_push_out = shot.play.call == Call::PushOut;
         let was_break = core::mem::take(&mut self.is_break);
         state.ruling.fouls =
-            if is_push_out { pool::lost_balls(shot) } else { pool::standard_fouls(shot) };
+            if is_push_out { pool::push_out_fouls(shot) } else { pool::standard_fouls(shot) };
         let potted = shot.potted().next().is_some();
         let soft = was_break && !potted && shot.balls_driven() < BALLS_TO_RAIL;
         state.ruling.fouls.add_if(soft, Foul::SoftBreak);

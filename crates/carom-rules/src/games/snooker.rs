@@ -28,13 +28,14 @@ const MISSES: u32 = 3;
 /// The number of the rule that sets the penalty (WPBSA, rules of snooker, section 3).
 pub(crate) const fn rule(foul: Foul) -> &'static str {
     match foul {
+        Foul::DoubleHit => "WPBSA 3.10(a)(ii)",
         Foul::NoContact => "WPBSA 3.10(a)(vi)",
         Foul::Scratch => "WPBSA 3.10(a)(vii)",
         Foul::SnookeredByFreeBall => "WPBSA 3.10(a)(viii)",
         Foul::Jump => "WPBSA 3.10(a)(ix)",
         Foul::WrongBallPocketed => "WPBSA 3.10(b)(iii)",
         Foul::WrongBallFirst => "WPBSA 3.10(b)(iv)",
-        Foul::Push => "WPBSA 3.10(b)(v)",
+        Foul::Push | Foul::PushShot => "WPBSA 3.10(b)(v)",
         Foul::CueBallOffTable | Foul::BallOffTable => "WPBSA 3.10(b)(vii)",
         _ => "",
     }

@@ -8,6 +8,7 @@ use carom::table::Rail;
 use super::game::{GameRules, PlayedShot};
 use crate::layout::{BallIndex, FROZEN, FrameLayout};
 use crate::markings::spot_named;
+use crate::referee::NearHit;
 use crate::request::{Calls, Choice, Request, Turn};
 use crate::ruling::Foul;
 use crate::seat::{self, Seat};
@@ -25,6 +26,7 @@ pub(crate) const fn rule(foul: Foul) -> &'static str {
         Foul::WrongBallFirst | Foul::IndirectStart => "UMB 23",
         Foul::Push => "UMB 27",
         Foul::CueBallOffTable | Foul::BallOffTable => "UMB 28",
+        Foul::DoubleHit | Foul::PushShot => "UMB 41",
         _ => "",
     }
 }
@@ -142,6 +144,9 @@ impl GameRules for ThreeCushion {
         fouls.add_if(first.is_some_and(|ball| ball != RED), Foul::WrongBallFirst);
         fouls.add_if(indirect, Foul::IndirectStart);
         fouls.add_if(touched.first().is_some_and(pushed), Foul::Push);
+        // Article 41 makes no exception for a graze.
+        fouls.add_if(shot.is_double_hit(NearHit::Grazed), Foul::DoubleHit);
+        fouls.add_if(shot.is_push_shot(NearHit::Grazed), Foul::PushShot);
         Self::spot(state, &shot.outcome.off_table, shot.opponent());
 
         let frozen_to = frozen_to(state.base.table(), shot.before, shot.turn.cue);

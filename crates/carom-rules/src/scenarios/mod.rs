@@ -2,6 +2,7 @@
 
 mod eight_ball;
 mod endings;
+mod near_balls;
 mod rotation;
 mod snooker;
 mod straight_pool;
@@ -12,7 +13,7 @@ use carom::resolve::cue_ball::Strike;
 use carom::table::{PocketName, Rail};
 
 use crate::markings::distance;
-use crate::referee::CueBallTravel;
+use crate::referee::{CueBallTravel, NearHit};
 use crate::{
     BallIndex, Call, Choice, Foul, Frame, Options, Play, Request, Rules, Ruling, Seat, Turn,
 };
@@ -134,6 +135,7 @@ fn hit(balls: &[BallIndex]) -> DescribedShot {
             jumped_before_contact: false,
             reached_before_contact: 10.0,
             reached: 10.0,
+            near_hit: NearHit::Nothing,
         },
     }
 }
@@ -183,6 +185,16 @@ impl DescribedShot {
         self
     }
 
+    /// The tip met the cue ball `contacts` times and the cue ball met `ball` during the strike, with
+    /// the tip still on it; `hit` tells how full if the ball was not frozen to the cue ball.
+    fn meeting(mut self, ball: BallIndex, contacts: u8, hit: NearHit) -> Self {
+        self.outcome.met_during_strike = vec![ball];
+        self.outcome.tip_contacts = contacts;
+        self.outcome.pushed = hit != NearHit::Nothing;
+        self.travel.near_hit = hit;
+        self
+    }
+
     /// The cue ball touched balls (by index) and cushions (negative) in this order, instead of the
     /// order given before.
     fn touching(mut self, order: &[i32]) -> Self {
@@ -214,6 +226,8 @@ fn every_pool_foul_has_a_rule_number_and_a_description() {
             Foul::BallOffTable,
             Foul::BehindHeadString,
             Foul::SoftBreak,
+            Foul::DoubleHit,
+            Foul::PushShot,
         ] {
             assert!(rules.rule(foul).starts_with("WPA "), "{foul:?} in {}", rules.name());
             assert!(!foul.words().is_empty());

@@ -53,6 +53,7 @@ impl Outcome {
             ("cue_ball_touched", Node::list(self.cue_ball_touched.iter().map(touched))),
             ("tip_contacts", u32::from(self.tip_contacts).into()),
             ("pushed", self.pushed.into()),
+            ("met_during_strike", ids(&self.met_during_strike)),
             ("never_resting", ids(&self.never_resting)),
             ("miscue", shot.is_miscue().into()),
             ("cue_obstructed", shot.cue_obstruction().as_ref().map(name).into()),

@@ -73,9 +73,7 @@ impl<'a> Collector<'a> {
             TraceEventKind::CueStrike { tip_contacts, pushed } => {
                 self.outcome.tip_contacts = tip_contacts;
                 self.outcome.pushed = pushed;
-                if event.balls.len() > 1 {
-                    self.balls_collide(event);
-                }
+                self.cue_strikes(event);
             }
             TraceEventKind::SlateCollision
             | TraceEventKind::RailCollision { part: Part::Top | Part::Liner, .. }
@@ -116,6 +114,47 @@ impl<'a> Collector<'a> {
             self.outcome.cue_ball_touched.push(Touched::Ball(other));
             last = Some((gap, k));
         }
+    }
+
+    /// The cue strikes the cue ball, which may meet balls at the same instant.
+    fn cue_strikes(&mut self, event: &TraceEvent<'_>) {
+        let Some(cue) = self.outcome.cue_ball else { return };
+        let Some(own) = event.balls.iter().position(|&ball| ball == cue) else { return };
+        let mut met: Vec<(f64, u16)> = self.met_during_strike(event, own).collect();
+        met.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (_, other) in met {
+            self.contact = true;
+            self.outcome.first_contact = self.outcome.first_contact.or(Some(other));
+            self.outcome.cue_ball_touched.push(Touched::Ball(other));
+            self.outcome.met_during_strike.push(other);
+        }
+    }
+
+    /// The balls that ball `own` of a strike met itself, each with the distance (m) that `own` had
+    /// to move. A strike can also move balls through others.
+    fn met_during_strike<'e>(
+        &'e self,
+        event: &'e TraceEvent<'_>,
+        own: usize,
+    ) -> impl Iterator<Item = (f64, u16)> + 'e {
+        let ball = |k: usize| &self.shot.balls()[usize::from(event.balls[k])].ball;
+        // Contacts of balls keep their momentum, so its sum has the direction of the strike.
+        let momentum = (0..event.balls.len()).fold(Vec2::ZERO, |sum, k| {
+            sum + (event.after[k].velocity - event.before[k].velocity).xy() * ball(k).mass
+        });
+        let impulse = momentum.length();
+        let way = if impulse > 0.0 { momentum * (1.0 / impulse) } else { Vec2::ZERO };
+        // An upper bound: while the tip is on the ball, the ball moves about half as far.
+        let farthest = self.shot.physics().contact_times.tip * impulse / ball(own).mass;
+        (0..event.balls.len()).filter(move |&k| k != own).filter_map(move |k| {
+            let between = event.before[k].position - event.before[own].position;
+            let radii = ball(k).radius + ball(own).radius;
+            let gap = between.length() - radii;
+            let ahead = way.dot(between.xy());
+            let radicand = ahead * ahead - gap * (gap + 2.0 * radii);
+            let meets = ahead > 0.0 && radicand >= 0.0 && gap <= TOUCH_TOLERANCE + farthest;
+            meets.then(|| (ahead - crate::math::sqrt(radicand), event.balls[k]))
+        })
     }
 
     /// The next ball after `last` that ball `own` of a contact touches directly, in the order of

@@ -9,7 +9,7 @@
 //!   slate and the tip have the k of their contact times ([`stiffness_of_time`]). While
 //!   a contact opens, its force is e² times as large, so that a pair alone separates with e times
 //!   its approach speed. e is the law's restitution at the fastest approach that the contact has had
-//!   ([`restitution::effective`]).
+//!   ([`restitution::effective`](super::restitution::effective)).
 //! * **Tangentially** friction of at most μF against the slip **u** of a's surface over b's (as in
 //!   [`contact`](super::ball_ball::contact)), μ being that of the fastest slip that the contact has
 //!   had. In the rigid models friction stops the slip. In the models `compliant` and `stronge` it is
@@ -42,7 +42,7 @@ mod strike;
 use crate::math::{Vec3, pow, sqrt};
 use crate::physics::BallBall;
 use crate::resolve::{Body, SPIN_PER_IMPULSE};
-use link::Link;
+use link::{Link, NormalSpring};
 use step::TimeStep;
 use strike::Cue;
 pub use strike::TipTouch;
@@ -92,7 +92,16 @@ const STEPS_PER_TURN: usize = 4;
 const LONGEST_DRIFT: f64 = 10.0;
 
 /// The most passes that take the rest of the approach from bodies that touch.
-const PARTING_PASSES: usize = 16;
+const PARTING_PASSES: usize = 400;
+
+/// Steps per contact: this number divided by the number of contacts, within two limits.
+const STEPS: f64 = 176.0;
+const FEWEST_STEPS: f64 = 11.0;
+const MOST_STEPS: f64 = 44.0;
+
+/// Steps per contact where a tip acts. The slate is the stiffest contact there, and it carries
+/// little of the force.
+const STRIKE_STEPS: f64 = 16.0;
 
 /// How the impact is integrated. The leapfrog method places forces in the middle of steps;
 /// evaluating each force at an extrapolated position cancels most of its error (Takahashi & Imada
@@ -110,8 +119,17 @@ pub struct Stepping {
 }
 
 impl Stepping {
-    /// The steps of [`Impact::resolve`].
-    pub const CHOSEN: Self = Self { steps_per_contact: 22.0, ahead: 1.0 / 12.0, trend: 1.0 };
+    /// Steps with the two constants that are best for small ones (Takahashi & Imada 1984).
+    pub const fn new(steps_per_contact: f64) -> Self {
+        Self { steps_per_contact, ahead: 1.0 / 12.0, trend: 1.0 }
+    }
+
+    /// The steps of [`NetworkImpact::resolve`] for a number of contacts. Few contacts are integrated in
+    /// short steps. A rack takes long ones: short ones would double the time of a break, and where
+    /// its balls go depends on far smaller differences, such as the gaps between them.
+    pub fn of(contacts: usize) -> Self {
+        Self::new((STEPS / contacts as f64).clamp(FEWEST_STEPS, MOST_STEPS))
+    }
 }
 
 /// Two balls that touch, or nearly.
@@ -166,7 +184,7 @@ pub struct TipReport {
 
 /// One impact of everything that touches.
 #[derive(Clone, Copy, Debug)]
-pub struct Impact<'a> {
+pub struct NetworkImpact<'a> {
     /// The law of the balls.
     pub law: &'a BallBall,
     /// Contacts of balls; only the first [`MAX_CONTACTS`] of these and the walls are used.
@@ -182,25 +200,29 @@ pub struct Impact<'a> {
 ///
 /// There are at most [`MAX_BODIES`] `bodies`.
 pub fn resolve(law: &BallBall, bodies: &mut [Body], touches: &[Touch]) -> bool {
-    Impact { law, touches, walls: &[], tip: None }.resolve(bodies).is_some()
+    NetworkImpact { law, touches, walls: &[], tip: None }.resolve(bodies).is_some()
 }
 
-impl Impact<'_> {
+impl NetworkImpact<'_> {
     /// Resolves the impact. Returns `None`, and changes nothing, if no two bodies approach. Balls
     /// that the impact does not reach keep their exact bits.
     ///
     /// There are at most [`MAX_BODIES`] `bodies`.
     pub fn resolve(&self, bodies: &mut [Body]) -> Option<TipReport> {
-        self.resolve_in_steps(bodies, &Stepping::CHOSEN)
+        let contacts = self.touches.len() + self.walls.len();
+        let stepping = match self.tip {
+            Some(_) => Stepping::new(STRIKE_STEPS),
+            None => Stepping::of(contacts),
+        };
+        self.resolve_in_steps(bodies, &stepping)
     }
 
     /// [`resolve`](Self::resolve) with other steps than the engine's, for studies of their accuracy.
     #[inline]
     pub fn resolve_in_steps(&self, bodies: &mut [Body], stepping: &Stepping) -> Option<TipReport> {
-        let contacts = MAX_CONTACTS;
-        let touches = &self.touches[..self.touches.len().min(contacts)];
-        let walls = &self.walls[..self.walls.len().min(contacts - touches.len())];
-        let impact = Impact { touches, walls, ..*self };
+        let touches = &self.touches[..self.touches.len().min(MAX_CONTACTS)];
+        let walls = &self.walls[..self.walls.len().min(MAX_CONTACTS - touches.len())];
+        let impact = NetworkImpact { touches, walls, ..*self };
         let units = Units::of(&impact, bodies)?;
         let mut balls = [Ball::default(); BALL_SLOTS];
         let mut links = [Link::default(); MAX_CONTACTS];
@@ -252,7 +274,7 @@ struct Units {
 
 impl Units {
     /// `None` if no two bodies approach.
-    fn of(impact: &Impact<'_>, bodies: &[Body]) -> Option<Self> {
+    fn of(impact: &NetworkImpact<'_>, bodies: &[Body]) -> Option<Self> {
         let (mut speed, mut rate) = (0.0_f64, 0.0_f64);
         let mass = bodies.iter().fold(0.0_f64, |most, body| most.max(body.mass));
         for touch in impact.touches {
@@ -365,7 +387,10 @@ impl Network<'_> {
     /// start approach. A gap that has not closed by then is left to a later impact.
     fn integrate<const GRIP: bool>(&mut self, law: &BallBall, units: &Units, stepping: &Stepping) {
         let Self { balls, links, cue } = self;
-        let mut step = TimeStep::first(units, stepping);
+        let springs = links.iter().map(|link| &link.spring);
+        let springs = springs.chain(cue.as_ref().map(|cue| &cue.spring));
+        let greatest_square = springs.map(NormalSpring::square_speed).fold(0.0, larger);
+        let mut step = TimeStep::first(units, stepping, greatest_square);
         // Forces act in the middle of a step.
         let mut drift = 0.5 * step.length;
         // Set of the contacts of balls that have moved, one bit each. The other contacts cannot
@@ -444,7 +469,7 @@ impl Network<'_> {
 
     /// Applies the changes of the impact to the balls, scaled so that the energy does not rise.
     /// Returns the scale.
-    fn apply(&self, impact: &Impact<'_>, units: &Units, bodies: &mut [Body]) -> f64 {
+    fn apply(&self, impact: &NetworkImpact<'_>, units: &Units, bodies: &mut [Body]) -> f64 {
         // Scaled by λ, the changes alter the energy by −λ·work + λ²·cost. Without walls, velocities
         // are relative to one of the balls, because a common velocity would add rounding error.
         let alone = impact.walls.is_empty() && impact.tip.is_none();
@@ -475,8 +500,10 @@ impl Network<'_> {
         share
     }
 
-    /// Takes the rest of their approach from bodies that touch. All contacts act at once in each
-    /// pass, so that their order does not matter.
+    /// Takes the rest of their approach from bodies that have touched. It is measured along the lines
+    /// of centres at the start, because the balls stay where they were: two balls that separate along
+    /// a line that has turned may approach along that one. All contacts act at once in each pass, so
+    /// that their order does not matter.
     fn part(&self, units: &Units, bodies: &mut [Body]) {
         let least = STILL * units.speed;
         for _ in 0..PARTING_PASSES {
@@ -484,9 +511,9 @@ impl Network<'_> {
             let mut parted = true;
             for link in self.links.iter().filter(|link| link.spring.has_touched) {
                 let b = if link.b == WALL { Vec3::ZERO } else { bodies[link.b].velocity };
-                let approach = (bodies[link.a].velocity - b).dot(link.normal);
+                let approach = (bodies[link.a].velocity - b).dot(link.first_normal);
                 if approach > least {
-                    let push = link.normal * (approach * link.share * link.spring.mass);
+                    let push = link.first_normal * (approach * link.share * link.spring.mass);
                     pushes[link.a] -= push;
                     pushes[link.b] += push;
                     parted = false;

@@ -10,7 +10,8 @@ use crate::math::{Vec3, sqrt};
 use crate::resolve::Body;
 use crate::resolve::cue_ball::{self, Strike};
 use crate::resolve::network::{
-    Impact, MAX_BODIES, MAX_CONTACTS, TipReport, TipTouch, Touch, WallTouch, stiffness_of_time,
+    MAX_BODIES, MAX_CONTACTS, NetworkImpact, TipReport, TipTouch, Touch, WallTouch,
+    stiffness_of_time,
 };
 use crate::table::TOUCH_TOLERANCE;
 use crate::{Ball, BallState, Physics};
@@ -241,12 +242,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let reach = TOUCH_TOLERANCE + pushed.max(closing);
         let is_met = |p: &Proximity| p.gap <= pushed && velocity.dot(p.normal) > 0.0;
         self.gather_around(&mut cluster, 0, time, reach, is_met);
-        self.gather(&mut cluster, 1, time, reach, |p| p.gap <= closing);
-        let own = cluster.place_of(struck as u16);
         let is_pressed = velocity.z < 0.0;
         if cluster.size == 1 && !is_pressed {
             return Ok(false);
         }
+        self.gather(&mut cluster, 0, time, reach, |p| p.gap <= closing);
+        let own = cluster.place_of(struck as u16);
         let slate = [slate_under(own, &self.ball[struck], physics)];
         let walls = if is_pressed { &slate[..] } else { &[] };
         let Physics { cue, contact_times, .. } = physics;
@@ -366,7 +367,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 }
             }
         }
-        let impact = Impact { law: &physics.ball_ball, touches: &touches[..count], walls, tip };
+        let impact =
+            NetworkImpact { law: &physics.ball_ball, touches: &touches[..count], walls, tip };
         let report = impact.resolve(bodies).unwrap_or_default();
         for (k, body) in bodies.iter().enumerate() {
             let (v, spin) = (body.velocity, body.angular_velocity);

@@ -5,8 +5,8 @@
 //! folded into the lower one; without this, a flipped sign bit would change only the top bit of the
 //! hash.
 //!
-//! Per event: the time; the type's number; two details (rail and part, pocket and 0, from and to,
-//! or 0 and 0); the number of balls; per ball its index, its state before, its state after. Then
+//! Per event: the time; the type's number; two details (contacts of the tip − 1 and pushed, rail
+//! and part, pocket and 0, from and to, or 0 and 0); the number of balls; per ball its index, its state before, its state after. Then
 //! per ball its final state. A state is position, velocity, angular velocity (nine numbers) and the
 //! number of its motion state. Rails, parts, pockets and motion states have the numbers of their
 //! declaration, from 0. The algorithm belongs to `carom-trace/1` and changes only with that

@@ -1,7 +1,7 @@
 //! The outcome has the facts that rules need: most follow from the order of events, the others from
 //! the balls' positions.
 
-use carom::math::Vec3;
+use carom::math::{Vec3, radians, sin_cos};
 use carom::outcome::{Collector, Outcome, OutcomeRecorder, Touched};
 use carom::simulate::simulate;
 use carom::table::{Part, PocketName, Rail};
@@ -90,6 +90,54 @@ fn in_a_many_ball_contact_the_cue_ball_touches_only_the_balls_next_to_it() {
     assert_eq!(outcome.cue_ball_touched.len(), 1, "at least the nearest");
     let elsewhere = collected(Some(5), &[(HIT, &[0, 1, 2])]);
     assert_eq!(elsewhere.first_contact, None);
+}
+
+/// The outcome of a level strike straight up the table at 2 m/s, with `balls` at these gaps (m) from
+/// the cue ball and angles (degrees) from its line.
+fn struck(balls: &[(f64, f64)]) -> Outcome {
+    let place = |(i, (gap, angle)): (usize, &(f64, f64))| {
+        let apart = 2.0 * RADIUS + gap;
+        let (sin, cos) = sin_cos(radians(*angle));
+        let (x, y) = (0.6 + apart * sin, 0.6 + apart * cos);
+        format!(r#", {{"id": "{}", "position": [{x}, {y}]}}"#, i + 1)
+    };
+    let balls: String = balls.iter().enumerate().map(place).collect();
+    let shot = Shot::from_json(&format!(
+        r#"{{"format": "carom-shot/1", "table": "wpa-9ft",
+        "balls": [{{"id": "cue", "position": [0.6, 0.6]}}{balls}],
+        "strike": {{"ball": "cue", "speed": 2.0, "azimuth_deg": 90.0, "elevation_deg": 0.0,
+            "side": 0.0, "height": 0.0}}}}"#
+    ));
+    let shot = shot.unwrap_or_else(|e| panic!("{e}"));
+    shot.simulate().unwrap_or_else(|e| panic!("{e}")).outcome().clone()
+}
+
+#[test]
+fn a_strike_lists_the_balls_that_the_cue_ball_meets_at_once() {
+    let frozen = struck(&[(0.0, 0.0)]);
+    assert_eq!((frozen.pushed, &frozen.met_during_strike[..]), (false, &[1][..]));
+    let near = struck(&[(1e-3, 0.0)]);
+    assert_eq!((near.pushed, &near.met_during_strike[..]), (true, &[1][..]));
+    let far = struck(&[(1e-2, 0.0)]);
+    assert_eq!((far.pushed, far.first_contact), (false, Some(1)));
+    assert!(far.met_during_strike.is_empty(), "it met the ball later");
+    assert!(struck(&[(0.0, 95.0)]).met_during_strike.is_empty(), "it leaves the ball");
+}
+
+#[test]
+fn a_strike_into_a_row_meets_only_its_first_ball() {
+    let d = 2.0 * RADIUS;
+    let outcome = struck(&[(d, 0.0), (0.0, 0.0)]);
+    assert_eq!((outcome.first_contact, &outcome.met_during_strike[..]), (Some(2), &[2][..]));
+}
+
+#[test]
+fn a_strike_meets_the_ball_first_that_is_nearest_along_its_way() {
+    // The first ball is nearer, but at 70° from the line the cue ball comes to it later.
+    let outcome = struck(&[(3e-4, 70.0), (5e-4, 0.0)]);
+    assert_eq!(outcome.first_contact, Some(2));
+    assert_eq!(outcome.met_during_strike, [2, 1]);
+    assert_eq!(outcome.cue_ball_touched[..2], [Touched::Ball(2), Touched::Ball(1)]);
 }
 
 #[test]

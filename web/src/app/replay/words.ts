@@ -9,7 +9,7 @@ export function eventInWords(event: TraceEvent): string {
   const [first = ""] = names;
   switch (event.type) {
     case "cue-strike":
-      return `cue strikes ${first}`;
+      return strikeInWords(event, first, names.slice(1));
     case "ball-collision":
       return `${listInWords(names)} collide`;
     case "rail-collision":
@@ -23,6 +23,16 @@ export function eventInWords(event: TraceEvent): string {
     case "off-table":
       return `${first} leaves the table`;
   }
+}
+
+function strikeInWords(
+  { tip_contacts = 1, pushed = false }: TraceEvent & { type: "cue-strike" },
+  struck: string,
+  moved: readonly string[],
+): string {
+  const others = moved.length > 0 ? `, which moves ${listInWords(moved)}` : "";
+  const faults = [tip_contacts > 1 && "double hit", pushed && "push"].filter(Boolean);
+  return `cue strikes ${struck}${others}${faults.length > 0 ? ` (${faults.join(", ")})` : ""}`;
 }
 
 function transitionInWords(from: Motion, to: Motion): string {

@@ -1,5 +1,12 @@
 import { describe, expect, test } from "vitest";
-import { load, MOTIONS, STRIDE, type BallState, type Trace } from "../../../src/engine/index.js";
+import {
+  load,
+  MOTIONS,
+  STRIDE,
+  type BallState,
+  type ShotFile,
+  type Trace,
+} from "../../../src/engine/index.js";
 import initialised from "../../../src/engine/pkg/carom_wasm.js";
 import { GOLDENS, shotFile } from "./files.js";
 
@@ -35,6 +42,25 @@ describe("statesAt", () => {
         expect({ id, ...ball(states, ids.indexOf(id)) }).toEqual(after);
       }
     }
+  });
+
+  test("moves a frozen ball from the strike on", () => {
+    const frozen: ShotFile = {
+      format: "carom-shot/1",
+      table: "wpa-9ft",
+      balls: [
+        { id: "cue", position: [0.6, 0.6] },
+        { id: "1", position: [0.6, 0.6 + 2 * 0.028575] },
+      ],
+      strike: { ball: "cue", speed: 2, azimuth_deg: 90, elevation_deg: 0, side: 0, height: 0 },
+    };
+    const trace = engine.shot(frozen).simulate();
+    const strike = trace.events[0]!;
+    expect(strike).toMatchObject({ type: "cue-strike", tip_contacts: 1, pushed: false });
+    expect(trace.outcome.met_during_strike).toEqual(["1"]);
+    const states = trace.statesAt(0);
+    expect(strike.after.map(({ id }, i) => ({ id, ...ball(states, i) }))).toEqual(strike.after);
+    expect(trace.statesAt(0.1)[STRIDE + 1]).toBeGreaterThan(states[STRIDE + 1]!);
   });
 
   test("writes into the given array and keeps no reference to it", () => {

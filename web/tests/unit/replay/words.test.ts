@@ -9,6 +9,18 @@ describe("an event in words", () => {
   test.each([
     [{ type: "cue-strike", balls: ["cue"] }, "cue strikes the cue ball"],
     [
+      { type: "cue-strike", balls: ["cue", "1", "2"], tip_contacts: 1, pushed: false },
+      "cue strikes the cue ball, which moves ball 1 and ball 2",
+    ],
+    [
+      { type: "cue-strike", balls: ["cue", "1"], tip_contacts: 1, pushed: true },
+      "cue strikes the cue ball, which moves ball 1 (push)",
+    ],
+    [
+      { type: "cue-strike", balls: ["cue", "1"], tip_contacts: 2, pushed: true },
+      "cue strikes the cue ball, which moves ball 1 (double hit, push)",
+    ],
+    [
       { type: "ball-collision", balls: ["cue", "1", "2"] },
       "the cue ball, ball 1 and ball 2 collide",
     ],

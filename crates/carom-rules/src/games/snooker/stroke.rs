@@ -7,6 +7,7 @@ use super::hidden;
 use crate::games::game::PlayedShot;
 use crate::layout::{BallIndex, FROZEN};
 use crate::play::Call;
+use crate::referee::NearHit;
 use crate::ruling::{Foul, Fouls};
 use crate::state::FrameState;
 
@@ -71,6 +72,7 @@ impl Stroke {
         };
         foul(shot.is_scratch(), Foul::Scratch, 0);
         foul(shot.is_cue_ball_off_table(), Foul::CueBallOffTable, 0);
+        foul(shot.is_double_hit(NearHit::Full), Foul::DoubleHit, 0);
         match shot.first_contact() {
             // Playing away from a touching ball that is on counts as hitting it (rule 8c).
             None => foul(self.missed, Foul::NoContact, 0),
@@ -78,6 +80,13 @@ impl Stroke {
                 let touched = shot.outcome.cue_ball_touched.first();
                 let at_once = touched == Some(&Touched::Ball(first));
                 foul(at_once && self.touching.contains(&first), Foul::Push, value(first));
+                let concerned =
+                    shot.outcome.met_during_strike.iter().map(|ball| value(*ball)).max();
+                foul(
+                    shot.is_push_shot(NearHit::Full),
+                    Foul::PushShot,
+                    concerned.unwrap_or_default(),
+                );
                 foul(self.missed, Foul::WrongBallFirst, value(first));
             }
         }

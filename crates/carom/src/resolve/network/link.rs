@@ -139,6 +139,12 @@ impl NormalSpring {
         full * (self.open + (1.0 - self.open) * closing)
     }
 
+    /// The (speed)² of the approach, for the choice of steps.
+    pub(super) fn square_speed(&self) -> f64 {
+        let approach = larger(self.approach, 0.0);
+        self.quickness * approach * approach
+    }
+
     /// The time until the bodies meet; infinite if they do not approach.
     pub(super) fn time_to_contact(&self) -> f64 {
         if self.approach > STILL { larger(-self.depth, 0.0) / self.approach } else { f64::INFINITY }
@@ -183,7 +189,7 @@ pub(super) struct Link {
     pub(super) normal: Vec3,
     pub(super) tangents: TangentBasis,
     /// The normal at the start, and 1/(distance of the centres); 0 for a wall.
-    first_normal: Vec3,
+    pub(super) first_normal: Vec3,
     per_distance: f64,
     /// Whether there was a gap at the start.
     has_gap: bool,

@@ -24,9 +24,15 @@ pub(super) struct TimeStep {
 }
 
 impl TimeStep {
-    pub(super) fn first(units: &Units, stepping: &Stepping) -> Self {
+    /// The first step. `greatest_square` is the largest (speed)² at the start.
+    pub(super) fn first(units: &Units, stepping: &Stepping, greatest_square: f64) -> Self {
         let length = CONTACT_TIME / stepping.steps_per_contact;
-        Self { length, square_speed: 1.0, speed: units.speed }
+        let mut step = Self { length, square_speed: 1.0, speed: units.speed };
+        while greatest_square < RELAXED * step.square_speed {
+            step.square_speed *= RELAXED;
+            step.length *= LONGER;
+        }
+        step
     }
 
     /// Lengthens the step a little where the impact has faded, and shortens it where speeds have
