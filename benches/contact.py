@@ -1,4 +1,4 @@
-"""The tables of docs/contact.md: contact times of the slate, and the friction of a blow.
+"""The tables of docs/contact.md: a frozen cue ball, the slate's contact time, a blow's friction.
 
     python benches/contact.py
 
@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 from carom.bench import report
+from carom.validation.alciatore_tp_collision.rows import FROZEN_ANGLES, FROZEN_CUTS, frozen
 from carom.validation.alciatore_tp_flight.rows import preset_masse, rise, turn
 from carom.validation.lab import JSON, Ball, Run, ball, simulate
 
@@ -34,12 +35,23 @@ RADIUS = 0.028575
 def main() -> int:
     """Computes, prints and stores."""
     result = report.where() | {
+        "frozen": [frozen_cue_ball(*row) for row in zip(FROZEN_CUTS, FROZEN_ANGLES, strict=True)],
         "slate_times": [window(e) for e in SLATE_RESTITUTIONS],
         "friction_of_the_blow": [friction_of_blow(elevation) for elevation in ELEVATIONS],
     }
     print(json.dumps(result, indent=2))
     STORED.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
     return 0
+
+
+def frozen_cue_ball(cut: float, measured: float) -> dict[str, float]:
+    """The angle at which a frozen cue ball leaves, ° off the line of centres."""
+    return {
+        "aim_deg": cut,
+        "measured_deg": measured,
+        "network_deg": round(frozen(cut), 1),
+        "sequential_deg": round(frozen(cut, model="sequential"), 1),
+    }
 
 
 def window(restitution: float) -> dict[str, Any]:

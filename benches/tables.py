@@ -172,6 +172,20 @@ def breaks(result: JSON) -> str:
     return markdown(head, lines)
 
 
+def frozen_cue_ball(result: JSON) -> str:
+    """The angles at which a frozen cue ball leaves."""
+    rows = result["frozen"]
+    lines = [
+        [name, *(f"{row[key]:g}°" for row in rows)]
+        for name, key in (
+            ("measured (TP A.15)", "measured_deg"),
+            ("`network`", "network_deg"),
+            ("`sequential`", "sequential_deg"),
+        )
+    ]
+    return markdown(["φ", *(f"{row['aim_deg']:g}°" for row in rows)], lines)
+
+
 def slate_times(result: JSON) -> str:
     """Contact times of the slate that meet the bars of a massé and of a jump."""
 
@@ -209,6 +223,7 @@ TABLES: dict[str, Callable[[JSON], str]] = {
     "amplification": amplification,
     "rows": rows_of_balls,
     "breaks": breaks,
+    "frozen": frozen_cue_ball,
     "slate-times": slate_times,
     "friction-of-blow": friction_of_blow,
 }

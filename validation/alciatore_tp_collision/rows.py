@@ -406,7 +406,7 @@ def bb28() -> list[float]:
         for speed in (1.0, 3.0)
         for cut in FROZEN_CUTS
     },
-    tolerance=absolute(2.5),
+    tolerance=absolute(2.0),
     uses_preset=True,
     note="The formula has neither friction nor losses; the preset has both.",
 )
