@@ -12,11 +12,7 @@ Covered models: all of balls and cushions (`elastic`, `frictional`, `compliant` 
 restitution or efficiency and with squirt. `springs` solves the contact with a tangential spring
 stretch by stretch, and `friction` integrates Mathavan's two models with exact Coulomb friction.
 
-A third, `touching`, integrates one impact of bodies that touch: balls (`elastic`, `frictional` and
-`compliant`), cue, slate and cushion. `networks` compares it with the engine's impacts of several
-balls.
-
-Not covered by the first two: contacts of several balls at once, sharp points, the straight edges of
+Not covered: contacts of several bodies at once (`crates/carom-springs` judges those), sharp points, the straight edges of
 pocket mouths, and in `friction` a contact that slips again after it held. On tables with pockets
 `precise` ends where a ball falls into a pocket, flies over the jaws or touches an edge in flight;
 `stepping` goes on.

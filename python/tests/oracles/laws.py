@@ -300,7 +300,8 @@ def last_hop(gravity: Number, fn: Functions = math) -> Number:
 def strike(cue: dict[str, Any], stroke: dict[str, Any], ball: Body, fn: Any = math) -> Body:
     """A resting ball after the cue (Leckie & Greenspan 2005; TP A.30 and A.31).
 
-    The contact point is given perpendicular to the cue's axis; the impulse acts along the axis.
+    The contact point is given perpendicular to the cue's axis; the impulse acts along the axis. The
+    tip's restitution falls off the centre (docs/contact.md).
     The end of the cue, which has to follow the ball's surface sideways, turns the velocity.
     """
     azimuth, elevation = (fn.radians(stroke[k]) for k in ("azimuth_deg", "elevation_deg"))
@@ -316,7 +317,9 @@ def strike(cue: dict[str, Any], stroke: dict[str, Any], ball: Body, fn: Any = ma
         eta = cue["tip_efficiency"]
         recoil = fn.sqrt(eta - (1 - eta) * inverse_inertia / ratio)
     else:
-        recoil = cue["tip_restitution"]
+        offset = x * x + y * y
+        loss = 1 + cue.get("tip_off_centre_loss", 0) * offset / (1 - offset)
+        recoil = cue["tip_restitution"] / fn.sqrt(loss)
     speed = (1 + recoil) * stroke["speed"] / (ratio + inverse_inertia)
     spin = scale(cross(arm, axis), speed * 5 / (2 * ball.radius))
     squirt = 0 * x

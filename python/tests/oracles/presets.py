@@ -10,6 +10,9 @@ from typing import Any
 
 JSON = dict[str, Any]
 
+#: How the tip's restitution falls off the centre.
+LOSS: JSON = {"tip_off_centre_loss": 5.388423}
+
 POOL: JSON = {
     "gravity": 9.80665,
     "ball": {"mass": 0.170097, "radius": 0.028575},
@@ -24,7 +27,7 @@ POOL: JSON = {
     "facing": {"restitution": 0.7, "friction": 0.25},
     "liner": {"restitution": 0.35, "friction": 0.15},
     "slate": {"restitution": 0.5, "friction": 0.2},
-    "cue": {"mass": 0.567, "end_mass": 0.00567, "tip_restitution": 0.73},
+    "cue": {"mass": 0.567, "end_mass": 0.00567, "tip_restitution": 0.73, **LOSS},
 }
 
 SNOOKER: JSON = {
@@ -38,7 +41,7 @@ SNOOKER: JSON = {
         "friction": 0.38,
         "frequency_ratio": 1.7,
     },
-    "cue": {"mass": 0.48, "end_mass": 0.0047, "tip_restitution": 0.73},
+    "cue": {"mass": 0.48, "end_mass": 0.0047, "tip_restitution": 0.73, **LOSS},
 }
 
 ENGLISH: JSON = {
@@ -53,7 +56,7 @@ CAROM: JSON = {
     "ball": {"mass": 0.210, "radius": 0.03075},
     "cloth": {"sliding_friction": 0.2, "rolling_friction": 0.0045, "spin_deceleration": 3.9},
     "ball_ball": {**POOL["ball_ball"], "restitution": 0.98},
-    "cue": {"mass": 0.51, "end_mass": 0.007, "tip_restitution": 0.73},
+    "cue": {"mass": 0.51, "end_mass": 0.007, "tip_restitution": 0.73, **LOSS},
 }
 
 POOLFIZ: JSON = {
@@ -85,7 +88,7 @@ IDEAL: JSON = {
     "facing": {"restitution": 1.0, "friction": 0.0},
     "liner": {"restitution": 0.35, "friction": 0.0},
     "slate": {"restitution": 0.5, "friction": 0.0},
-    "cue": {**POOL["cue"], "end_mass": 0.0, "tip_restitution": 1.0},
+    "cue": {"mass": 0.567, "end_mass": 0.0, "tip_restitution": 1.0},
 }
 
 PRESETS: dict[str, JSON] = {

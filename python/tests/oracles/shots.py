@@ -25,6 +25,8 @@ PHYSICS: JSON = {
     "liner": {"restitution": 0.4, "friction": 0.3},
     "slate": {"restitution": 0.55, "friction": 0.2},
     "cue": {
+        # A raised cue first pushes the ball, and then the slate acts.
+        "model": "sequential",
         "mass": 0.567,
         "end_mass": 0.0,
         "tip_radius": 0.0106,

@@ -28,16 +28,16 @@ const NETWORK_SPEED: f64 = 1e-2;
 /// momentum at the fastest approach; and as a fraction of the balls' own speeds.
 const UNEXPLAINED: [f64; 2] = [1e-8, 1e-14];
 
-/// The angle by which a line of centres may turn follows from the fastest relative velocity, and from
-/// how long a contact of two balls lasts: so long at an approach of 1 m/s, s (TP B.29); at the speed V it
-/// lasts V^(−1/5) times as long. At most so many follow one another.
+/// How long a contact of two balls lasts at an approach of 1 m/s, s (TP B.29); at the speed V it
+/// lasts V^(−1/5) times as long. Together with the fastest relative velocity, and with the largest
+/// number of contacts that follow one another, this gives the angle by which lines may turn.
 const CONTACT_TIME: f64 = 3.3e-4;
 const SUCCESSIVE_CONTACTS: f64 = 4.0;
 
 /// Largest angle by which a line of centres may turn, rad: in a break at 13 m/s it is 0.02.
 const MOST_TURN: f64 = 0.2;
 
-/// Up to so many contacts, each may act along lines of centres that turn. In a larger network the
+/// Up to this number of contacts, each may act along lines of centres that turn. In a larger network the
 /// lines stay, and the turn is added to the accuracy: the search would take too long.
 const MOST_TURNING: usize = 12;
 
