@@ -13,7 +13,7 @@ restitution or efficiency and with squirt. `springs` solves the contact with a t
 stretch by stretch, and `friction` integrates Mathavan's two models with exact Coulomb friction.
 
 Not covered: contacts of several bodies at once (`crates/carom-springs` judges those), sharp points,
-the straight edges of pocket mouths, and in `friction` a contact that slips again after it held. On tables with pockets
-`precise` ends where a ball falls into a pocket, flies over the jaws or touches an edge in flight;
-`stepping` goes on.
+the straight edges of pocket mouths, and in `friction` a contact that slips again after it held. On
+tables with pockets `precise` ends where a ball falls into a pocket, flies over the jaws or touches
+an edge in flight; `stepping` goes on.
 """
