@@ -148,8 +148,7 @@ impl Shot {
     /// # Errors
     /// As [`Self::with_balls`].
     pub fn with_layout(&self, balls: Vec<PlacedBall>) -> Result<Self, Error> {
-        let balls = balls::checked(balls, &self.table)?.into_inner();
-        Self { balls, ..self.clone() }.checked()
+        self.among(balls, self.strike, self.has_default_elevation)
     }
 
     /// Other balls on the same table, under the same physics; `strike` is the struck ball's index
@@ -165,10 +164,19 @@ impl Shot {
         balls: Vec<PlacedBall>,
         strike: Option<(usize, Strike)>,
     ) -> Result<Self, Error> {
+        self.among(balls, strike, false)
+    }
+
+    /// Other balls and another strike on the same table, under the same physics.
+    fn among(
+        &self,
+        balls: Vec<PlacedBall>,
+        strike: Option<(usize, Strike)>,
+        has_default_elevation: bool,
+    ) -> Result<Self, Error> {
         let balls = balls::checked(balls, &self.table)?.into_inner();
         let (table, physics) = (self.table.clone(), self.physics.clone());
         let Self { max_events, policy, tip_friction, .. } = *self;
-        let has_default_elevation = false;
         Self {
             table,
             physics,

@@ -203,7 +203,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         };
         // More than the largest gap of balls that act together, with a margin for rounding.
         let reach = 2.0 * TOUCH_TOLERANCE + CLOSING_TIME * first.approach;
-        self.gather(&mut cluster, 0, time, reach, together);
+        self.gather(&mut cluster, time, reach, together);
         if cluster.size == 2 {
             return false;
         }
@@ -246,7 +246,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         if cluster.size == 1 && !is_pressed {
             return Ok(false);
         }
-        self.gather(&mut cluster, 0, time, reach, |p| p.gap <= closing);
+        self.gather(&mut cluster, time, reach, |p| p.gap <= closing);
         let own = cluster.place_of(struck as u16);
         let slate = [slate_under(own, &self.ball[struck], physics)];
         let walls = if is_pressed { &slate[..] } else { &[] };
@@ -279,18 +279,17 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    /// Adds every ball within `reach` (m) that acts `together` with a ball of the cluster, from the
-    /// one at `first` on, then those that act together with the added balls, and so on. Finally
-    /// sorts the balls in the shot's order.
+    /// Adds every ball within `reach` (m) that acts `together` with a ball of the cluster, then those
+    /// that act together with the added balls, and so on. Finally sorts the balls in the shot's
+    /// order.
     fn gather(
         &self,
         cluster: &mut Cluster,
-        first: usize,
         time: f64,
         reach: f64,
         together: impl Fn(&Proximity) -> bool,
     ) {
-        let mut visited = first;
+        let mut visited = 0;
         while visited < cluster.size {
             self.gather_around(cluster, visited, time, reach, &together);
             visited += 1;
