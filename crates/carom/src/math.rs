@@ -22,6 +22,14 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     libm::sincos(x)
 }
 
+/// Whether this processor has AVX2.
+pub(crate) fn has_wide_vectors() -> bool {
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
+    return std::is_x86_feature_detected!("avx2");
+    #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
+    return false;
+}
+
 /// Radians to degrees. Where possible, the result is a number that [`radians`] converts
 /// back to the same bits.
 pub fn degrees(radians: f64) -> f64 {

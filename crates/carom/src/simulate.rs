@@ -219,7 +219,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             earliest: [f64::INFINITY; N],
             last_contact: [f64::NEG_INFINITY; N],
             off_bed: [false; N],
-            wide: row::has_wide_vectors(),
+            wide: crate::math::has_wide_vectors(),
             pair: [[f64::INFINITY; N]; N],
             partners: [BallSet::EMPTY; N],
             finder: PhantomData,

@@ -18,6 +18,9 @@
 //!   contact it then oscillates through the same phase as Stronge's linear springs, at any speed
 //!   (the phase of √(7/2·k_t/m*) is π·ω_t/ω_n). `mathavan-2014` is treated like `frictional`,
 //!   because its friction of the cloth has no form for many balls.
+//! * **A held contact.** While others press a contact with less than the force of closing and more
+//!   than e² times it, the contact neither opens nor closes, and its force is theirs. So is the slate
+//!   under a ball that a raised cue presses down.
 //! * **The lines of centres** turn as the balls move, by about a hundredth of a radian in a break.
 //!   The normals of walls and the cue's axis do not turn.
 //!
@@ -35,16 +38,23 @@
 //! energy. At last any two bodies that touch and still approach, by a rounding error or by this
 //! scaling, lose their approach speed.
 
+mod alone;
+mod ball;
+mod grip;
 mod link;
+mod spring;
 mod step;
 mod strike;
+mod system;
 
 use crate::math::{Vec3, pow, sqrt};
 use crate::physics::BallBall;
 use crate::resolve::{Body, SPIN_PER_IMPULSE};
-use link::{Link, NormalSpring};
-use step::TimeStep;
+use ball::Ball;
+use link::{Block, LANES, Link};
 use strike::Cue;
+use system::{Network, Places};
+
 pub use strike::TipTouch;
 
 /// The most balls in a network.
@@ -82,26 +92,16 @@ const GRID: f64 = 384.0;
 /// An approach slower than this fraction of the fastest approach counts as 0.
 const STILL: f64 = 1e-9;
 
-/// Number of steps after which the lines of centres are turned. The balls of a break turn a line
-/// by 0.001 rad per step at most.
-const STEPS_PER_TURN: usize = 4;
-
-/// The lines of centres turn during at most this time without a force, in units of T: three times a
-/// contact. The engine leaves the balls where they are, so a contact that takes place later must
-/// not see them far away.
-const LONGEST_DRIFT: f64 = 10.0;
-
-/// The most passes that take the rest of the approach from bodies that touch.
-const PARTING_PASSES: usize = 400;
-
 /// Steps per contact: this number divided by the number of contacts, within two limits.
 const STEPS: f64 = 176.0;
 const FEWEST_STEPS: f64 = 11.0;
 const MOST_STEPS: f64 = 44.0;
 
-/// Steps per contact where a tip acts. The slate is the stiffest contact there, and it carries
-/// little of the force.
-const STRIKE_STEPS: f64 = 16.0;
+/// Steps per contact where a tip acts. Beside the tip alone, the slate's share of the speed is the
+/// sine of the elevation, and its error is in proportion. So the root of this share times as many
+/// steps do, but not fewer than the second number.
+const STRIKE_STEPS: f64 = 24.0;
+const FEWEST_STRIKE_STEPS: f64 = 8.0;
 
 /// How the impact is integrated. The leapfrog method places forces in the middle of steps;
 /// evaluating each force at an extrapolated position cancels most of its error (Takahashi & Imada
@@ -129,6 +129,16 @@ impl Stepping {
     /// its balls go depends on far smaller differences, such as the gaps between them.
     pub fn of(contacts: usize) -> Self {
         Self::new((STEPS / contacts as f64).clamp(FEWEST_STEPS, MOST_STEPS))
+    }
+
+    /// The steps of [`NetworkImpact::resolve`] for a strike.
+    fn of_strike(tip: &TipTouch, touches: &[Touch], walls: &[WallTouch]) -> Self {
+        if !touches.is_empty() {
+            return Self::new(STRIKE_STEPS);
+        }
+        let share = |wall: &WallTouch| tip.launch.dot(wall.normal).abs();
+        let most = walls.iter().map(share).fold(0.0, larger);
+        Self::new(larger(STRIKE_STEPS * sqrt(most), FEWEST_STRIKE_STEPS))
     }
 }
 
@@ -211,7 +221,7 @@ impl NetworkImpact<'_> {
     pub fn resolve(&self, bodies: &mut [Body]) -> Option<TipReport> {
         let contacts = self.touches.len() + self.walls.len();
         let stepping = match self.tip {
-            Some(_) => Stepping::new(STRIKE_STEPS),
+            Some(tip) => Stepping::of_strike(&tip, self.touches, self.walls),
             None => Stepping::of(contacts),
         };
         self.resolve_in_steps(bodies, &stepping)
@@ -224,36 +234,16 @@ impl NetworkImpact<'_> {
         let walls = &self.walls[..self.walls.len().min(MAX_CONTACTS - touches.len())];
         let impact = NetworkImpact { touches, walls, ..*self };
         let units = Units::of(&impact, bodies)?;
+        if let (Some(tip), [], [wall], [body]) = (self.tip, touches, walls, &mut *bodies) {
+            return Some(alone::resolve((&tip, wall), body, &units, stepping));
+        }
+        let mut cue = self.tip.map(|tip| Cue::new(&tip, bodies, &units));
         let mut balls = [Ball::default(); BALL_SLOTS];
         let mut links = [Link::default(); MAX_CONTACTS];
-        let mut cue = self.tip.map(|tip| Cue::new(&tip, bodies, &units));
-        for (ball, body) in balls.iter_mut().zip(bodies.iter()) {
-            ball.begin(body, &units);
-        }
-        for (link, touch) in links.iter_mut().zip(touches) {
-            link.join(touch, self.law, bodies, &units);
-        }
-        for (link, wall) in links[touches.len()..].iter_mut().zip(walls) {
-            link.join_wall(wall, bodies, &units);
-        }
-        let links = &mut links[..touches.len() + walls.len()];
-        for (k, link) in links.iter().enumerate() {
-            balls[link.a].links |= 1 << k;
-            if link.b != WALL {
-                balls[link.b].links |= 1 << k;
-            }
-        }
-        for link in links.iter_mut() {
-            let most = balls[link.a].links.count_ones().max(balls[link.b].links.count_ones());
-            link.share = 1.0 / f64::from(most);
-        }
-        let mut network = Network { balls: &mut balls, links, cue: cue.as_mut() };
-        let smooth = self.law.is_smooth() && walls.iter().all(|wall| wall.friction == 0.0);
-        if smooth {
-            network.integrate::<false>(self.law, &units, stepping);
-        } else {
-            network.integrate::<true>(self.law, &units, stepping);
-        }
+        let mut blocks = [Block::NONE; MAX_CONTACTS / LANES];
+        let places = Places { balls: &mut balls, links: &mut links, blocks: &mut blocks };
+        let mut network = Network::new(&impact, bodies, &units, places, cue.as_mut());
+        network.integrate(self.law, &units, stepping);
         let share = network.apply(&impact, &units, bodies);
         network.part(&units, bodies);
         Some(cue.map_or_else(TipReport::default, |cue| cue.report(share, &units)))
@@ -321,223 +311,6 @@ impl Touch {
 /// Hertz's k of two balls, N/m^(3/2).
 fn ball_stiffness(a: &Body, b: &Body) -> f64 {
     4.0 / 3.0 * CONTACT_MODULUS * sqrt(a.radius * b.radius / (a.radius + b.radius))
-}
-
-/// A ball during the impact.
-#[derive(Clone, Copy, Default)]
-#[repr(align(128))]
-struct Ball {
-    /// Impulse.
-    push: Vec3,
-    /// Σ n × (impulse on the second ball of the contact). It turns both balls in the same sense.
-    turn: Vec3,
-    /// Velocity.
-    velocity: Vec3,
-    /// Surface velocity Rω.
-    surface: Vec3,
-    /// Velocity and surface velocity before the impact.
-    first_velocity: Vec3,
-    first_surface: Vec3,
-    /// Displacement at the last impulse, and the time of that impulse.
-    shift: Vec3,
-    since: f64,
-    /// 1/mass.
-    mobility: f64,
-    /// Set of its contacts, one bit each.
-    links: u64,
-}
-
-impl Ball {
-    fn begin(&mut self, body: &Body, units: &Units) {
-        let per_speed = 1.0 / units.speed;
-        self.velocity = body.velocity * per_speed;
-        self.surface = body.angular_velocity * (body.radius * per_speed);
-        self.first_velocity = self.velocity;
-        self.first_surface = self.surface;
-        self.mobility = units.mass / body.mass;
-    }
-
-    /// Computes the velocities after an impulse at the time `now`. Returns the set of contacts that
-    /// this changes.
-    #[inline(always)]
-    fn update(&mut self, now: f64) -> u64 {
-        self.shift = self.shift_at(now);
-        self.since = now;
-        self.velocity = self.first_velocity + self.push * self.mobility;
-        self.surface = self.first_surface + self.turn * (-SPIN_PER_IMPULSE * self.mobility);
-        self.links
-    }
-
-    /// The displacement at the time `now`.
-    #[inline(always)]
-    fn shift_at(&self, now: f64) -> Vec3 {
-        self.shift + self.velocity * (now - self.since)
-    }
-}
-
-/// All bodies and contacts during the impact.
-struct Network<'a> {
-    balls: &'a mut [Ball; BALL_SLOTS],
-    links: &'a mut [Link],
-    cue: Option<&'a mut Cue>,
-}
-
-impl Network<'_> {
-    /// Integrates the impact until no contact carries a force and no two bodies that touched at the
-    /// start approach. A gap that has not closed by then is left to a later impact.
-    fn integrate<const GRIP: bool>(&mut self, law: &BallBall, units: &Units, stepping: &Stepping) {
-        let Self { balls, links, cue } = self;
-        let springs = links.iter().map(|link| &link.spring);
-        let springs = springs.chain(cue.as_ref().map(|cue| &cue.spring));
-        let greatest_square = springs.map(NormalSpring::square_speed).fold(0.0, larger);
-        let mut step = TimeStep::first(units, stepping, greatest_square);
-        // Forces act in the middle of a step.
-        let mut drift = 0.5 * step.length;
-        // Set of the contacts of balls that have moved, one bit each. The other contacts cannot
-        // change.
-        let mut active = 0_u64;
-        for (k, link) in links.iter().enumerate() {
-            active |= u64::from(link.spring.approach != 0.0) << k;
-        }
-        let most = (MOST_CONTACTS * stepping.steps_per_contact) as usize;
-        let (mut now, mut until_turn) = (0.0, 0);
-        for _ in 0..most {
-            now += smaller(drift, LONGEST_DRIFT);
-            if until_turn == 0 {
-                turn(active, balls, links, now, 0.5 * (STEPS_PER_TURN - 1) as f64 * step.length);
-                until_turn = STEPS_PER_TURN;
-            }
-            until_turn -= 1;
-            // The balls with an impulse, one bit each.
-            let mut loaded = 0_u32;
-            let mut greatest_square = 0.0;
-            for k in step::Bits(active) {
-                let Some(link) = links.get_mut(k) else { break };
-                let (a, b) = (&balls[link.a % BALL_SLOTS], &balls[link.b % BALL_SLOTS]);
-                let velocity = a.velocity - b.velocity;
-                let approach = velocity.dot(link.normal);
-                let Some(normal) =
-                    link.spring.impulse(approach, drift, &step, stepping, &mut greatest_square)
-                else {
-                    link.grip.presses = false;
-                    continue;
-                };
-                let mut push = link.normal * normal;
-                let mut turn = Vec3::ZERO;
-                if GRIP && link.grip.rubs {
-                    let slip = link.tangents.slip(velocity, a.surface + b.surface);
-                    let friction = link.friction_impulse(slip, normal, &step, &law.friction);
-                    push += link.tangents.vector(friction.x, friction.y);
-                    turn = round_to_grid(link.tangents.vector(-friction.y, friction.x));
-                }
-                let push = round_to_grid(push);
-                loaded |= link.both;
-                let a = &mut balls[link.a % BALL_SLOTS];
-                a.push -= push;
-                a.turn += turn;
-                let b = &mut balls[link.b % BALL_SLOTS];
-                b.push += push;
-                b.turn += turn;
-            }
-            if let Some(cue) = cue {
-                loaded |= cue.act(balls, links, drift, (&step, stepping), &mut greatest_square);
-            }
-            let last = step.length;
-            step.adapt(greatest_square);
-            if loaded != 0 {
-                drift = 0.5 * (last + step.length);
-                for k in step::Bits(u64::from(loaded)) {
-                    active |= balls[k % BALL_SLOTS].update(now);
-                }
-                continue;
-            }
-            let springs = step::Bits(active).map(|k| &links[k].spring);
-            let springs = springs.chain(cue.as_ref().map(|cue| &cue.spring));
-            let (mut wait, mut goes_on) = (f64::INFINITY, false);
-            for spring in springs {
-                let time = spring.time_to_contact();
-                goes_on |= spring.has_touched && time < f64::INFINITY;
-                wait = smaller(time, wait);
-            }
-            if !goes_on {
-                return;
-            }
-            drift = wait + 0.5 * step.length;
-            until_turn = 0;
-        }
-    }
-
-    /// Applies the changes of the impact to the balls, scaled so that the energy does not rise.
-    /// Returns the scale.
-    fn apply(&self, impact: &NetworkImpact<'_>, units: &Units, bodies: &mut [Body]) -> f64 {
-        // Scaled by λ, the changes alter the energy by −λ·work + λ²·cost. Without walls, velocities
-        // are relative to one of the balls, because a common velocity would add rounding error.
-        let alone = impact.walls.is_empty() && impact.tip.is_none();
-        let frame = if alone { self.balls[0].first_velocity } else { Vec3::ZERO };
-        let (mut work, mut cost) = (0.0, 0.0);
-        for ball in &self.balls[..bodies.len()] {
-            let velocity = ball.first_velocity - frame;
-            work += ball.first_surface.dot(ball.turn) - velocity.dot(ball.push);
-            let change = ball.push.length_squared();
-            let surface = SPIN_PER_IMPULSE * ball.turn.length_squared();
-            cost += 0.5 * ball.mobility * (change + surface);
-        }
-        if let Some(cue) = &self.cue {
-            let (lost, gained) = cue.work_and_cost();
-            work += lost;
-            cost += gained;
-        }
-        let law = impact.law;
-        let lossless = alone && law.restitution == 1.0 && law.is_smooth();
-        let share = if cost > work || lossless { (work / cost).clamp(0.0, 2.0) } else { 1.0 };
-        for (ball, body) in self.balls.iter().zip(bodies) {
-            if ball.push != Vec3::ZERO || ball.turn != Vec3::ZERO {
-                let scale = share * units.speed * ball.mobility;
-                body.velocity += ball.push * scale;
-                body.angular_velocity -= ball.turn * (SPIN_PER_IMPULSE * scale / body.radius);
-            }
-        }
-        share
-    }
-
-    /// Takes the rest of their approach from bodies that have touched. It is measured along the lines
-    /// of centres at the start, because the balls stay where they were: two balls that separate along
-    /// a line that has turned may approach along that one. All contacts act at once in each pass, so
-    /// that their order does not matter.
-    fn part(&self, units: &Units, bodies: &mut [Body]) {
-        let least = STILL * units.speed;
-        for _ in 0..PARTING_PASSES {
-            let mut pushes = [Vec3::ZERO; BALL_SLOTS];
-            let mut parted = true;
-            for link in self.links.iter().filter(|link| link.spring.has_touched) {
-                let b = if link.b == WALL { Vec3::ZERO } else { bodies[link.b].velocity };
-                let approach = (bodies[link.a].velocity - b).dot(link.first_normal);
-                if approach > least {
-                    let push = link.first_normal * (approach * link.share * link.spring.mass);
-                    pushes[link.a] -= push;
-                    pushes[link.b] += push;
-                    parted = false;
-                }
-            }
-            if parted {
-                return;
-            }
-            for ((body, ball), push) in bodies.iter_mut().zip(self.balls.iter()).zip(pushes) {
-                if push != Vec3::ZERO {
-                    body.velocity += push * ball.mobility;
-                }
-            }
-        }
-    }
-}
-
-/// Turns the lines of centres of the `active` contacts to where they are `ahead` of the time `now`.
-fn turn(active: u64, balls: &[Ball; BALL_SLOTS], links: &mut [Link], now: f64, ahead: f64) {
-    for k in step::Bits(active) {
-        let link = &mut links[k];
-        let (a, b) = (&balls[link.a % BALL_SLOTS], &balls[link.b % BALL_SLOTS]);
-        link.turn(b.shift_at(now) - a.shift_at(now), b.velocity - a.velocity, ahead);
-    }
 }
 
 /// The smaller of two numbers, neither of which is NaN.

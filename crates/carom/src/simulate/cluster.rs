@@ -112,6 +112,14 @@ impl Cluster {
     }
 }
 
+/// The event of a strike in a network.
+fn strike_event(report: &TipReport) -> EventKind {
+    EventKind::CueStrike {
+        tip_contacts: report.contacts.clamp(1, u32::from(u8::MAX)) as u8,
+        pushed: report.pushes,
+    }
+}
+
 /// The slate under the ball at the place `own` of a cluster.
 fn slate_under(own: u8, ball: &Ball, physics: &Physics) -> WallTouch {
     let Physics { slate, contact_times, .. } = physics;
@@ -234,15 +242,22 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         step: &mut StepContext<'_, R>,
     ) -> Result<bool, SimulationError> {
         let (time, physics) = (step.time, step.physics);
-        let mut cluster = Cluster::of(struck as u16, self.state(struck, time));
         let speed = velocity.length();
         // While the tip is on the ball, the ball moves about half as far as at its final speed.
         let pushed = TOUCH_TOLERANCE + 0.5 * physics.contact_times.tip * speed;
         let closing = TOUCH_TOLERANCE + CLOSING_TIME * speed;
         let reach = TOUCH_TOLERANCE + pushed.max(closing);
+        let is_pressed = velocity.z < 0.0;
+        let near = clearance(self.disc(struck, time), reach);
+        if (0..self.n).all(|k| k == struck || near(self.disc(k, time)) > 0.0) {
+            if is_pressed {
+                self.on_strike_on_slate(struck, strike, step)?;
+            }
+            return Ok(is_pressed);
+        }
+        let mut cluster = Cluster::of(struck as u16, self.state(struck, time));
         let is_met = |p: &Proximity| p.gap <= pushed && velocity.dot(p.normal) > 0.0;
         self.gather_around(&mut cluster, 0, time, reach, is_met);
-        let is_pressed = velocity.z < 0.0;
         if cluster.size == 1 && !is_pressed {
             return Ok(false);
         }
@@ -261,14 +276,37 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             self.resolve_cluster(&mut cluster, reach, together, (walls, Some(tip)), physics);
         cluster.keep_struck([struck as u16; 2]);
         cluster.put_first(struck as u16);
-        let kind = EventKind::CueStrike {
-            tip_contacts: report.contacts.clamp(1, u32::from(u8::MAX)) as u8,
-            pushed: report.pushes,
-        };
         self.begin_paths(&cluster, step);
         let (before, after) = cluster.states();
-        step.record(kind, cluster.balls(), before, after);
+        step.record(strike_event(&report), cluster.balls(), before, after);
         Ok(true)
+    }
+
+    /// The cue strikes the resting ball `struck`, far from all others, and presses it on the slate.
+    ///
+    /// # Errors
+    /// If the strike cannot be played.
+    fn on_strike_on_slate<R: Recorder>(
+        &mut self,
+        struck: usize,
+        strike: &Strike,
+        step: &mut StepContext<'_, R>,
+    ) -> Result<(), SimulationError> {
+        let (physics, ball) = (step.physics, self.ball[struck]);
+        let before = self.state(struck, step.time);
+        let tip = cue_ball::tip_touch(&physics.cue, &ball, strike, physics.contact_times.tip, 0)
+            .map_err(SimulationError::Strike)?;
+        let mut bodies = [Body::new(&ball, &before)];
+        let walls = &[slate_under(0, &ball, physics)];
+        let impact = NetworkImpact { law: &physics.ball_ball, touches: &[], walls, tip: Some(tip) };
+        let report = impact.resolve(&mut bodies).unwrap_or_default();
+        let [Body { velocity, angular_velocity, .. }] = bodies;
+        let support = Support::under(&before);
+        let after = support.settled(&before, velocity, angular_velocity, &ball, physics);
+        self.begin_path(struck, &after, step);
+        self.last_contact[struck] = step.time;
+        step.record(strike_event(&report), &[struck as u16], &[before], &[after]);
+        Ok(())
     }
 
     /// Gives the balls of a cluster their new paths.

@@ -1,5 +1,4 @@
 //! The search for the balls that one ball may meet, several at a time with vector instructions.
-//! It is the only part of the engine that is also compiled for AVX2.
 
 use carom_roots::{Motion, Row};
 
@@ -118,14 +117,6 @@ pub(super) fn each_equal<const N: usize>(
             }
         }
     }
-}
-
-/// Whether this processor has AVX2.
-pub(super) fn has_wide_vectors() -> bool {
-    #[cfg(all(feature = "std", target_arch = "x86_64"))]
-    return std::is_x86_feature_detected!("avx2");
-    #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
-    return false;
 }
 
 impl<const N: usize> Lanes<N> {

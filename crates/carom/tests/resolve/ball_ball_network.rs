@@ -5,7 +5,7 @@ use crate::near::assert_near;
 use carom::math::{Vec3, cos, pow, sin, sqrt};
 use carom::physics::{BallBall, BallBallModel, Physics, SlipFriction};
 use carom::resolve::Body;
-use carom::resolve::network::{Touch, resolve};
+use carom::resolve::network::{NetworkImpact, Stepping, TipTouch, Touch, WallTouch, resolve};
 use carom::resolve::{ball_ball, network};
 
 /// Largest difference from the limit of small steps, as a fraction of the speed.
@@ -369,4 +369,59 @@ fn more_contacts_than_fit_are_left_to_the_next_impact() {
     touches.resize(network::MAX_CONTACTS + 5, idle);
     assert!(resolve(&elastic(), &mut bodies, &touches));
     assert_near(bodies[1].velocity.x, 1.0, STEPS);
+}
+
+/// A strike at 30° with English, on a ball that the slate supports.
+fn raised_strike() -> (TipTouch, WallTouch) {
+    let axis = Vec3::new(sqrt(0.75), 0.0, -0.5);
+    let arm = Vec3::new(0.1, 0.3, 0.1) - axis * 0.9;
+    let tip = TipTouch {
+        ball: 0,
+        cue_mass: 0.54,
+        cue_speed: 3.0,
+        launch: axis,
+        twist: arm.cross(axis),
+        stiffness: network::stiffness_of_time(0.13, 1e-3),
+        restitution: 0.73,
+    };
+    let slate = WallTouch {
+        ball: 0,
+        normal: Vec3::new(0.0, 0.0, -1.0),
+        stiffness: network::stiffness_of_time(MASS, 0.5e-3),
+        restitution: 0.5,
+        friction: 0.2,
+        frequency_ratio: None,
+    };
+    (tip, slate)
+}
+
+#[test]
+fn a_strike_beside_an_idle_ball_gives_what_the_same_strike_alone_gives() {
+    let (tip, slate) = raised_strike();
+    let law = break_law();
+    let impact = NetworkImpact { law: &law, touches: &[], walls: &[slate], tip: Some(tip) };
+    let mut alone = [still()];
+    let mut beside = [still(), still()];
+    let (first, second) = (impact.resolve(&mut alone), impact.resolve(&mut beside));
+    let near = |a: Vec3, b: Vec3| (a - b).length() < 1e-11 * a.length();
+    assert!(near(alone[0].velocity, beside[0].velocity));
+    assert!(near(alone[0].angular_velocity, beside[0].angular_velocity));
+    assert_eq!(beside[1].velocity, Vec3::ZERO);
+    assert_eq!(first.map(|report| report.contacts), second.map(|report| report.contacts));
+}
+
+#[test]
+fn the_error_of_a_strike_on_the_slate_falls_with_the_second_power_of_the_step() {
+    let (tip, slate) = raised_strike();
+    let law = break_law();
+    let impact = NetworkImpact { law: &law, touches: &[], walls: &[slate], tip: Some(tip) };
+    let play = |steps: f64| {
+        let mut bodies = [still()];
+        impact.resolve_in_steps(&mut bodies, &Stepping::new(steps));
+        bodies[0].velocity
+    };
+    let exact = play(4096.0);
+    let error = |steps: f64| (play(steps) - exact).length() / exact.length();
+    assert!(error(24.0) < 1e-3, "{}", error(24.0));
+    assert!(error(256.0) < 1e-5, "{}", error(256.0));
 }

@@ -1,8 +1,8 @@
 //! The cue in a network: a body that moves along its axis, and the spring of its tip.
 
-use super::link::{Link, NormalSpring};
-use super::step::{Bits, TimeStep};
-use super::{BALL_SLOTS, Ball, SPIN_PER_IMPULSE, Stepping, TipReport, Units, round_to_grid};
+use super::spring::{NormalSprings, Spring};
+use super::step::TimeStep;
+use super::{SPIN_PER_IMPULSE, Stepping, TipReport, Units};
 use crate::math::Vec3;
 use crate::resolve::Body;
 
@@ -48,9 +48,9 @@ impl TipTouch {
 
 /// The cue during the impact.
 pub(super) struct Cue {
-    ball: usize,
-    launch: Vec3,
-    twist: Vec3,
+    pub(super) ball: usize,
+    pub(super) launch: Vec3,
+    pub(super) twist: Vec3,
     /// Speed before the impact, and now.
     first_velocity: f64,
     velocity: f64,
@@ -58,13 +58,13 @@ pub(super) struct Cue {
     push: f64,
     /// 1/mass.
     mobility: f64,
-    pub(super) spring: NormalSpring,
+    pub(super) spring: NormalSprings<1>,
     /// Whether the tip is on the ball, how often it came there, and for how long.
     presses: bool,
     contacts: u32,
     time: f64,
     /// Whether the ball met another across a gap while the tip was on it.
-    pushes: bool,
+    pub(super) pushes: bool,
 }
 
 impl Cue {
@@ -72,6 +72,9 @@ impl Cue {
         let approach = tip.approach(bodies) / units.speed;
         let mobility = tip.mobility(bodies);
         let velocity = tip.cue_speed / units.speed;
+        let mut spring = NormalSprings::NONE;
+        let TipTouch { stiffness, restitution, .. } = *tip;
+        spring.set(0, &Spring { approach, stiffness, mobility, gap: 0.0, restitution }, units);
         Self {
             ball: usize::from(tip.ball),
             launch: tip.launch,
@@ -80,14 +83,7 @@ impl Cue {
             velocity,
             push: 0.0,
             mobility: units.mass / tip.cue_mass,
-            spring: NormalSpring::new(
-                approach,
-                tip.stiffness,
-                mobility,
-                0.0,
-                tip.restitution,
-                units,
-            ),
+            spring,
             presses: false,
             contacts: 0,
             time: 0.0,
@@ -95,33 +91,34 @@ impl Cue {
         }
     }
 
-    /// The tip's impulse of one step. Returns the set of the balls with an impulse.
-    pub(super) fn act(
+    /// The tip's impulse of one step on a ball with this velocity and surface velocity; 0 while the
+    /// tip is off the ball.
+    #[inline(always)]
+    pub(super) fn impulse(
         &mut self,
-        balls: &mut [Ball; BALL_SLOTS],
-        links: &[Link],
+        (velocity, surface): (Vec3, Vec3),
         drift: f64,
         (step, stepping): (&TimeStep, &Stepping),
         greatest_square: &mut f64,
-    ) -> u32 {
-        let ball = &mut balls[self.ball % BALL_SLOTS];
-        let away = ball.velocity.dot(self.launch) + ball.surface.dot(self.twist);
+    ) -> f64 {
+        let away = velocity.dot(self.launch) + surface.dot(self.twist);
         let approach = self.velocity - away;
-        let Some(impulse) = self.spring.impulse(approach, drift, step, stepping, greatest_square)
-        else {
-            self.presses = false;
-            return 0;
+        let now = self.spring.advance([approach], drift, (step, stepping), greatest_square);
+        let impulse = if now.loaded() != 0 {
+            self.spring.impulse((0, self.presses), &now, step, greatest_square)
+        } else {
+            0.0
         };
+        if impulse == 0.0 {
+            self.presses = false;
+            return 0.0;
+        }
         self.contacts += u32::from(!self.presses);
         self.presses = true;
         self.time += step.length;
-        let met = |k: usize| links[k].met_across_gap();
-        self.pushes = self.pushes || Bits(ball.links).any(met);
-        ball.push += round_to_grid(self.launch * impulse);
-        ball.turn -= round_to_grid(self.twist * impulse);
         self.push += impulse;
         self.velocity = self.first_velocity - self.push * self.mobility;
-        1 << self.ball
+        impulse
     }
 
     /// What the impulse on the cue takes of the energy, in the first and in the second order.
