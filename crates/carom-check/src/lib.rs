@@ -97,6 +97,34 @@ pub enum FaultKind {
     NotAtRest,
 }
 
+impl FaultKind {
+    /// All of them, in the order of declaration.
+    pub const ALL: [Self; 8] = [
+        Self::Overlap,
+        Self::Apart,
+        Self::Misplaced,
+        Self::OffPath,
+        Self::Motion,
+        Self::Conservation,
+        Self::Dimensions,
+        Self::NotAtRest,
+    ];
+
+    /// The name in tables and stored results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Overlap => "overlap",
+            Self::Apart => "apart",
+            Self::Misplaced => "misplaced",
+            Self::OffPath => "off-path",
+            Self::Motion => "motion",
+            Self::Conservation => "conservation",
+            Self::Dimensions => "dimensions",
+            Self::NotAtRest => "not-at-rest",
+        }
+    }
+}
+
 /// An error in a shot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {

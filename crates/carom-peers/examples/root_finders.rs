@@ -1,34 +1,80 @@
-//! Simulates the 100 000 random shots of Leckie & Greenspan 2006, section 3, with each root finder
-//! in the event loop, and prints as JSON how many have an impossible result and how long a shot
-//! takes. The engine's own finder is timed with its proofs of no contact, the others without (the
-//! key `proofs`).
+//! Simulates random shots of Leckie & Greenspan 2006, section 3, with one root finder in the event
+//! loop, and prints as JSON how many have an impossible result. `scripts/root_finders.py` runs it
+//! for every finder and stores the sums.
 //!
-//! `cargo run --release -p carom-peers --example root_finders -- [SHOTS [TIMED [METHOD]]]`
+//! * `root_finders list` prints one JSON object per finder and family of shots, in a line each: the
+//!   names, whether the engine's proofs of no contact are on, and how many times fewer shots are
+//!   played than with the others.
+//! * `root_finders check FAMILY METHOD READING FIRST COUNT` checks the shots from number FIRST on.
+//! * `root_finders time FAMILY METHOD READING COUNT` prints the mean time of a shot, µs.
 //!
-//! METHOD is the name of one method, such as `carom`; the default is all of them.
+//! `cargo run --release -p carom-peers --example root_finders -- list`
 
-use carom_peers::whole_shots::{Contestant, RootRule, ShotSource, TOLERANCES};
+use std::process::ExitCode;
 
-fn main() {
+use carom_check::FaultKind;
+use carom_peers::whole_shots::{Contestant, FaultCounts, RootRule, ShotSource, TOLERANCES};
+
+const USAGE: &str = "usage: root_finders list | check FAMILY METHOD READING FIRST COUNT | \
+                     time FAMILY METHOD READING COUNT";
+
+fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let number = |place: usize, usual: u64| {
-        arguments.get(place).map_or(usual, |text| text.parse().expect("a number"))
-    };
-    let (shots, timed) = (number(0, 100_000), number(1, 1_000));
-    let wanted = |finder: &&Contestant| arguments.get(2).is_none_or(|m| finder.method == m);
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match answer(&words) {
+        Some(text) => {
+            println!("{text}");
+            ExitCode::SUCCESS
+        }
+        None => {
+            eprintln!("{USAGE}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// What to print; `None` if the words cannot be read.
+fn answer(words: &[&str]) -> Option<String> {
+    match *words {
+        ["list"] => Some(list().join("\n")),
+        ["check", family, method, reading, first, count] => {
+            let (source, finder) = (source(family)?, finder(method, reading)?);
+            let (first, count): (u64, u64) = (first.parse().ok()?, count.parse().ok()?);
+            Some(checked(&finder.check(source, first..first + count)))
+        }
+        ["time", family, method, reading, count] => {
+            let (source, finder) = (source(family)?, finder(method, reading)?);
+            let seconds = finder.seconds_per_shot(source, count.parse().ok()?);
+            Some(format!("{:.1}", 1e6 * seconds))
+        }
+        _ => None,
+    }
+}
+
+fn source(family: &str) -> Option<ShotSource> {
+    [ShotSource::Ordinary, ShotSource::Frozen].into_iter().find(|s| s.name() == family)
+}
+
+fn finder(method: &str, reading: &str) -> Option<&'static Contestant> {
+    Contestant::ALL.iter().find(|c| c.method == method && c.rule.name() == reading)
+}
+
+fn list() -> Vec<String> {
     let mut lines = Vec::new();
     for family in [ShotSource::Ordinary, ShotSource::Frozen] {
-        for finder in Contestant::ALL.iter().filter(wanted) {
+        for finder in &Contestant::ALL {
             if let Some(share) = share(family, finder) {
-                lines.push(line(family, finder, shots / share, timed));
+                lines.push(format!(
+                    r#"{{"family": "{}", "method": "{}", "reading": "{}", "proofs": {}, "share": {share}}}"#,
+                    family.name(),
+                    finder.method,
+                    finder.rule.name(),
+                    finder.has_proofs(),
+                ));
             }
         }
     }
-    println!("{{");
-    println!(
-        r#" "command": "cargo run --release -p carom-peers --example root_finders -- {shots} {timed}","#
-    );
-    println!(" \"finders\": [\n{}\n ]\n}}", lines.join(",\n"));
+    lines
 }
 
 /// The divisor of the number of shots: a tenth of the hard shots is simulated, and a hundredth
@@ -44,24 +90,18 @@ fn share(family: ShotSource, finder: &Contestant) -> Option<u64> {
     }
 }
 
-fn line(family: ShotSource, finder: &Contestant, shots: u64, timed: u64) -> String {
-    let found = finder.check(family, shots);
-    let microseconds = 1e6 * finder.seconds_per_shot(family, timed.min(shots));
-    let impossible: Vec<String> = TOLERANCES
-        .iter()
-        .zip(found.impossible)
-        .map(|((name, _), count)| format!(r#""{name}": {count}"#))
-        .collect();
-    let (family, reading) = (family.name(), finder.rule.name());
-    eprintln!("{family}, {}, {reading}: {found:?}, {microseconds:.1} µs", finder.method);
-    format!(
-        r#"  {{"family": "{family}", "method": "{}", "reading": "{reading}", "shots": {shots}, "proofs": {}, "impossible": {{{}}}, "overlap": {}, "apart": {}, "endless": {}, "other": {}, "microseconds_per_shot": {microseconds:.1}}}"#,
-        finder.method,
-        finder.rule == RootRule::FirstContact,
-        impossible.join(", "),
-        found.overlap,
-        found.apart,
-        found.endless,
-        found.other,
-    )
+/// Counts of first faults by tolerance and kind. Kinds without a fault are left out.
+fn checked(counts: &FaultCounts) -> String {
+    let at = |tolerance: usize| {
+        let of_kind = |kind: &FaultKind| (kind.name(), counts.of_kind(tolerance, *kind));
+        let kinds: Vec<String> = FaultKind::ALL
+            .iter()
+            .map(of_kind)
+            .filter(|(_, count)| *count > 0)
+            .map(|(name, count)| format!(r#""{name}": {count}"#))
+            .collect();
+        format!(r#""{}": {{{}}}"#, TOLERANCES[tolerance].0, kinds.join(", "))
+    };
+    let faults: Vec<String> = (0..TOLERANCES.len()).map(at).collect();
+    format!(r#"{{"shots": {}, "first_faults": {{{}}}}}"#, counts.shots, faults.join(", "))
 }

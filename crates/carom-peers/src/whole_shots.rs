@@ -9,6 +9,7 @@
 use core::cell::Cell;
 use core::f64::consts::{FRAC_PI_2, TAU};
 use core::marker::PhantomData;
+use core::ops::Range;
 use std::time::Instant;
 
 use carom::Shot;
@@ -230,9 +231,14 @@ impl Contestant {
         Self::ENGINE,
     ];
 
-    /// Checks the shots 0 to `shots` − 1 of a source, on all cores.
-    pub fn check(&self, source: ShotSource, shots: u64) -> FaultCounts {
-        (0..shots)
+    /// Whether the engine's proofs of no contact are on: for the engine's own finder only.
+    pub fn has_proofs(&self) -> bool {
+        self.rule == RootRule::FirstContact
+    }
+
+    /// Checks the shots of a source with the numbers in `shots`, on all cores.
+    pub fn check(&self, source: ShotSource, shots: Range<u64>) -> FaultCounts {
+        shots
             .into_par_iter()
             .map(|index| FaultCounts::of(&(self.check)(source, index)))
             .reduce(FaultCounts::default, FaultCounts::with)
@@ -321,42 +327,34 @@ fn seconds<F: ContactFinder>(shots: &[PlayableShot]) -> f64 {
 pub struct FaultCounts {
     /// Shots played.
     pub shots: u64,
-    /// Shots with an impossible result, at each of [`TOLERANCES`].
-    pub impossible: [u64; TOLERANCES.len()],
-    /// Of those at 1 µm: shots with an overlap.
-    pub overlap: u64,
-    /// Of those at 1 µm: shots with a collision of balls that do not touch.
-    pub apart: u64,
-    /// Of those at 1 µm: shots stopped at the limit of events.
-    pub endless: u64,
-    /// Of those at 1 µm: other faults, such as a gain of energy or a ball off its path.
-    pub other: u64,
+    /// Shots with an impossible result, at each of [`TOLERANCES`], by the kind of their first fault
+    /// in the order of [`FaultKind::ALL`]. Later faults of a shot may follow from the first, so they
+    /// are not counted.
+    pub first_faults: [[u64; FaultKind::ALL.len()]; TOLERANCES.len()],
 }
 
 impl FaultCounts {
     fn of(judged: &FirstFaults) -> Self {
-        let [_, kind, _] = judged;
-        let is = |wanted: FaultKind| u64::from(*kind == Some(wanted));
-        let (overlap, apart) = (is(FaultKind::Overlap), is(FaultKind::Apart));
-        let endless = is(FaultKind::NotAtRest);
-        Self {
-            shots: 1,
-            impossible: judged.map(|fault| u64::from(fault.is_some())),
-            overlap,
-            apart,
-            endless,
-            other: u64::from(kind.is_some()) - overlap - apart - endless,
-        }
+        let count =
+            |found: Option<FaultKind>| FaultKind::ALL.map(|kind| u64::from(found == Some(kind)));
+        Self { shots: 1, first_faults: judged.map(count) }
+    }
+
+    /// Shots with an impossible result at each of [`TOLERANCES`].
+    pub fn impossible(&self) -> [u64; TOLERANCES.len()] {
+        self.first_faults.map(|kinds| kinds.iter().sum())
+    }
+
+    /// Shots whose first fault at a place of [`TOLERANCES`] is of this kind.
+    pub fn of_kind(&self, tolerance: usize, kind: FaultKind) -> u64 {
+        self.first_faults[tolerance][kind as usize]
     }
 
     fn with(self, other: Self) -> Self {
+        let sum = |t: usize, k: usize| self.first_faults[t][k] + other.first_faults[t][k];
         Self {
             shots: self.shots + other.shots,
-            impossible: core::array::from_fn(|k| self.impossible[k] + other.impossible[k]),
-            overlap: self.overlap + other.overlap,
-            apart: self.apart + other.apart,
-            endless: self.endless + other.endless,
-            other: self.other + other.other,
+            first_faults: core::array::from_fn(|t| core::array::from_fn(|k| sum(t, k))),
         }
     }
 }
