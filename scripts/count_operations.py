@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from carom.bench import report, states
+from carom.bench import goldens, states
 
 ROOT = Path(__file__).resolve().parents[1]
 STORED = ROOT / "validation" / "leckie_greenspan_2006" / "operations.json"
@@ -35,14 +35,8 @@ def count(members: list[states.State]) -> dict[str, Any]:
 
 def main() -> None:
     """Counts every class and stores the result."""
-    classes = {name: count(members) for name, members in states.load().items()}
-    measured = report.where()
-    result = {
-        "command": "python scripts/count_operations.py",
-        "commit": measured["commit"],
-        "date": measured["date"][:10],
-        "classes": classes,
-    }
+    stamp = goldens.stamp("python scripts/count_operations.py")
+    result = stamp | {"classes": {name: count(shots) for name, shots in states.load().items()}}
     STORED.write_text(json.dumps(result, indent=1) + "\n")
 
 

@@ -7,13 +7,13 @@
 
 use std::cell::Cell;
 
-use carom::Shot;
 use carom::detect::ball_ball::ContactFinder;
 use carom::detect::ball_table::keeps_clear;
-use carom::event::{Event, NullRecorder, Recorder};
+use carom::event::{Event, EventKind, NullRecorder, Recorder};
 use carom::limits::SMALL_CAPACITY;
 use carom::motion::Path;
 use carom::simulate::{Simulation, SimulationError};
+use carom::{MotionState, Shot};
 use carom_roots::Motion;
 
 /// Time step of the integration for comparison, s: the paper's "rather coarse" one.
@@ -37,11 +37,40 @@ impl<const PROOFS: bool> ContactFinder for CountingFinder<PROOFS> {
     }
 }
 
+/// The kinds of events that [`Operations::by_kind`] counts, in its order.
+pub const EVENT_KINDS: [&str; 8] = [
+    "cue strike",
+    "collision of two balls",
+    "network of balls",
+    "cushion",
+    "slate or lip",
+    "pocket",
+    "off the table",
+    "motion transition",
+];
+
+/// The place of an event in [`EVENT_KINDS`].
+fn place_of(event: &Event<'_>) -> usize {
+    match event.kind {
+        EventKind::CueStrike { .. } => 0,
+        EventKind::BallCollision => 1 + usize::from(event.balls.len() > 2),
+        EventKind::RailCollision(_) => 3,
+        EventKind::SlateCollision => 4,
+        EventKind::PocketCollision(_) => 5,
+        EventKind::OffTable => 6,
+        EventKind::MotionTransition { .. } => 7,
+    }
+}
+
 /// Operation counts of one shot or of many.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Operations {
     /// Events.
     pub events: u64,
+    /// Events by kind, in the order of [`EVENT_KINDS`].
+    pub by_kind: [u64; EVENT_KINDS.len()],
+    /// Balls of the networks, summed over the networks.
+    pub network_balls: u64,
     /// Time from strike to rest, s.
     pub duration: f64,
     /// Number of moving balls after each event, summed over the events.
@@ -54,10 +83,12 @@ pub struct Operations {
     pub solved: u64,
     /// Balls whose state is advanced and whose next transition is predicted.
     pub advanced: u64,
-    /// Paths searched for cushions and pockets.
+    /// Paths on the cloth searched for cushions and pockets.
     pub searched: u64,
     /// Those of them that are proved to stay clear.
     pub clear: u64,
+    /// Paths in the air or on a rail's top searched for all parts of the table.
+    pub searched_off_bed: u64,
     /// Operations of an integration with steps of 1 ms, counted as in the paper.
     pub by_steps: f64,
 }
@@ -84,6 +115,8 @@ impl Operations {
     pub fn with(self, other: Self) -> Self {
         Self {
             events: self.events + other.events,
+            by_kind: core::array::from_fn(|k| self.by_kind[k] + other.by_kind[k]),
+            network_balls: self.network_balls + other.network_balls,
             duration: self.duration + other.duration,
             moving: self.moving + other.moving,
             pairs: self.pairs + other.pairs,
@@ -92,6 +125,7 @@ impl Operations {
             advanced: self.advanced + other.advanced,
             searched: self.searched + other.searched,
             clear: self.clear + other.clear,
+            searched_off_bed: self.searched_off_bed + other.searched_off_bed,
             by_steps: self.by_steps + other.by_steps,
         }
     }
@@ -104,9 +138,9 @@ impl Operations {
 
     /// Operations of the engine, counted in the same way. A proof is one operation, like the
     /// paper's test of two balls for overlap; for the table, four quadratics remain of the paper's
-    /// twelve.
+    /// twelve on the cloth. Off the bed, which the paper does not have, all twelve count.
     pub fn of_the_engine(&self) -> u64 {
-        let table = self.searched + 8 * (self.searched - self.clear);
+        let table = self.searched + 8 * (self.searched - self.clear) + 24 * self.searched_off_bed;
         4 * self.advanced + self.looked_at + 19 * self.solved + table
     }
 }
@@ -155,7 +189,10 @@ impl Recorder for OperationsRecorder<'_> {
             self.moves[i] = path.moves();
             self.plays[i] = path.motion.in_play();
             self.counts.advanced += 1;
-            if path.moves() {
+            let is_off_bed = path.motion == MotionState::Airborne || path.position.z != ball.radius;
+            if path.moves() && is_off_bed {
+                self.counts.searched_off_bed += 1;
+            } else if path.moves() {
                 let motion = Motion {
                     d: [path.position.x, path.position.y],
                     v: [path.velocity.x, path.velocity.y],
@@ -168,6 +205,11 @@ impl Recorder for OperationsRecorder<'_> {
         }
         let (moving, pairs) = self.busy();
         self.counts.events += 1;
+        let place = place_of(event);
+        self.counts.by_kind[place] += 1;
+        if EVENT_KINDS[place] == "network of balls" {
+            self.counts.network_balls += event.balls.len() as u64;
+        }
         self.counts.moving += moving;
         self.counts.pairs += pairs;
     }

@@ -2,7 +2,7 @@
 //! the counts of 100 000.
 
 use carom_check::FaultKind;
-use carom_peers::operations::Operations;
+use carom_peers::operations::{EVENT_KINDS, Operations};
 use carom_peers::whole_shots::{Contestant, FaultCounts, RootRule, ShotSource};
 
 /// Shots per finder. The shots, and so the counts below, are the same in each run.
@@ -65,4 +65,15 @@ fn the_engine_solves_few_of_the_papers_quartics() {
     let counts = Operations::of(&shot).expect("a shot that ends");
     assert!(counts.solved < counts.looked_at && counts.looked_at < counts.pairs, "{counts:?}");
     assert!(10 * counts.of_the_engine() < counts.of_the_paper(), "{counts:?}");
+}
+
+#[test]
+fn every_event_of_a_shot_has_one_kind() {
+    let shot = include_str!("../../../shots/jump_shot.json");
+    let shot = carom::Shot::from_json(shot).expect("a shot of the project");
+    let counts = Operations::of(&shot).expect("a shot that ends");
+    assert_eq!(counts.by_kind.iter().sum::<u64>(), counts.events, "{counts:?}");
+    let place = |name| EVENT_KINDS.iter().position(|k| *k == name).expect("a kind");
+    assert_eq!(counts.by_kind[place("cue strike")], 1);
+    assert!(counts.by_kind[place("slate or lip")] > 0 && counts.searched_off_bed > 0, "{counts:?}");
 }
