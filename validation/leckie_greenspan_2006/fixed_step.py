@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:
-    from carom.validation.lab import Vector
+    from carom.validation.lab import JSON, Vector
     from numpy.typing import NDArray
 
 #: Ball, cloth and rail of the comparison, in SI units; `rows.laws` gives the engine the same.
@@ -28,8 +28,8 @@ WIDTH, LENGTH = 1.0, 2.0
 class Balls:
     """n balls: position (m) and velocity (m/s), shape (n, 2); spin (rad/s), shape (n, 3).
 
-    `rolls` says of each ball whether it rolls. `steps` and `contacts` (s) describe the simulation
-    that led here: its number of steps, and the times of the ball–ball collisions.
+    `rolls` says of each ball whether it rolls. `steps`, `contacts` (s) and `pairs` describe the
+    simulation that led here: its number of steps, and the times and balls of the collisions.
     """
 
     position: Vector
@@ -38,6 +38,7 @@ class Balls:
     rolls: NDArray[np.bool_]
     steps: int = 0
     contacts: list[float] = field(default_factory=list)
+    pairs: list[tuple[int, int]] = field(default_factory=list)
 
     @property
     def slip(self) -> Vector:
@@ -47,6 +48,16 @@ class Balls:
     @property
     def at_rest(self) -> bool:
         return not (self.velocity.any() or self.spin.any())
+
+
+def start(balls: list[JSON]) -> Balls:
+    """Balls in the form of a shot file, all of them sliding."""
+    return Balls(
+        np.array([b["position"] for b in balls]),
+        np.array([b["velocity"][:2] for b in balls]),
+        np.array([b["angular_velocity"] for b in balls]),
+        np.zeros(len(balls), dtype=bool),
+    )
 
 
 def unit(v: Vector) -> Vector:
@@ -75,40 +86,44 @@ def stepped(b: Balls, dt: float, order: int = 1) -> Balls:
     return Balls(b.position + mean * dt, velocity, spin, b.rolls.copy())
 
 
-def fall(before: float, after: float) -> float | None:
-    """The fraction of the step at which a value fell through zero; None if it did not."""
-    return before / (before - after) if before > 0.0 >= after else None
+def gaps(b: Balls) -> Vector:
+    """Distances from touching: (n, 4) to the rails left, right, bottom and top; negative inside."""
+    walls = np.array([[0.0, WIDTH, 0.0, LENGTH]])
+    sign = np.array([[1.0, -1.0, 1.0, -1.0]])
+    gap: Vector = sign * (np.repeat(b.position, 2, axis=1) - walls) - RADIUS
+    return gap
+
+
+def separations(b: Balls) -> Vector:
+    """Distances from touching, of each ball to each other, (n, n)."""
+    apart = b.position[:, None] - b.position[None, :]
+    gap: Vector = np.sqrt(np.sum(apart * apart, axis=2)) - 2 * RADIUS
+    return gap
 
 
 def events(a: Balls, b: Balls) -> list[tuple[float, str, int, int]]:
     """The events between `a` and `b`: fraction of the step, kind, ball, other ball or axis."""
     found = []
-    n = len(a.position)
-    turned = np.sum(a.slip * b.slip, axis=1) <= 0.0
-    stopped = np.sum(a.velocity * b.velocity, axis=1) <= 0.0
-    for i in range(n):
-        if not a.rolls[i] and a.slip[i].any() and turned[i]:
-            before, after = np.linalg.norm(a.slip[i]), np.linalg.norm(b.slip[i])
-            found.append((float(before / (before + after)), "rolls", i, i))
-        if a.rolls[i] and a.velocity[i].any() and stopped[i]:
-            before, after = np.linalg.norm(a.velocity[i]), np.linalg.norm(b.velocity[i])
-            found.append((float(before / (before + after)), "stops", i, i))
-        for axis, size in ((0, WIDTH), (1, LENGTH)):
-            for side in (0, 1):
-                gaps = [
-                    (s.position[i, axis] if side == 0 else size - s.position[i, axis]) - RADIUS
-                    for s in (a, b)
-                ]
-                fraction = fall(*gaps)
-                if fraction is not None:
-                    found.append((fraction, "rail", i, axis))
-        for j in range(i + 1, n):
-            gaps = [
-                float(np.linalg.norm(s.position[j] - s.position[i])) - 2 * RADIUS for s in (a, b)
-            ]
-            fraction = fall(*gaps)
-            if fraction is not None:
-                found.append((fraction, "balls", i, j))
+    slip, velocity = a.slip, a.velocity
+    turned = ~a.rolls & slip.any(axis=1) & (np.sum(slip * b.slip, axis=1) <= 0.0)
+    stopped = a.rolls & velocity.any(axis=1) & (np.sum(velocity * b.velocity, axis=1) <= 0.0)
+    for kind, ends, before, after in (
+        ("rolls", turned, slip, b.slip),
+        ("stops", stopped, velocity, b.velocity),
+    ):
+        for i in np.flatnonzero(ends):
+            was, left = np.linalg.norm(before[i]), np.linalg.norm(after[i])
+            found.append((float(was / (was + left)), kind, int(i), int(i)))
+    for kind, before, after in (
+        ("rail", gaps(a), gaps(b)),
+        ("balls", separations(a), separations(b)),
+    ):
+        for i, k in np.argwhere((before > 0.0) & (after <= 0.0)):
+            fraction = before[i, k] / (before[i, k] - after[i, k])
+            if kind == "rail":
+                found.append((float(fraction), kind, int(i), int(k) // 2))
+            elif i < k:
+                found.append((float(fraction), kind, int(i), int(k)))
     return found
 
 
@@ -133,7 +148,7 @@ def apply(b: Balls, kind: str, i: int, j: int) -> None:
 
 def simulate(start: Balls, dt: float, order: int = 1) -> Balls:
     """Steps of `dt` s until all balls rest; records the number of steps and the collisions."""
-    now, time, steps, contacts = start, 0.0, 0, []
+    now, time, steps, contacts, pairs = start, 0.0, 0, [], []
     while not now.at_rest:
         size = dt
         following = stepped(now, size, order)
@@ -146,6 +161,7 @@ def simulate(start: Balls, dt: float, order: int = 1) -> Balls:
             size *= fraction
             if kind == "balls":
                 contacts.append(time + size)
+                pairs.append((i, j))
         now, time = following, time + size
-    now.steps, now.contacts = steps, contacts
+    now.steps, now.contacts, now.pairs = steps, contacts, pairs
     return now

@@ -76,29 +76,25 @@ def laws() -> JSON:
     }
 
 
+#: The table of `fixed_step`.
+TABLE: JSON = {
+    "length": fixed_step.LENGTH,
+    "width": fixed_step.WIDTH,
+    "pockets": "none",
+    "cushion_height": fixed_step.RADIUS,
+}
+
+
 @cache
 def exact() -> Run:
     """The shot as the engine simulates it."""
-    table = {
-        "length": fixed_step.LENGTH,
-        "width": fixed_step.WIDTH,
-        "pockets": "none",
-        "cushion_height": fixed_step.RADIUS,
-    }
-    return simulate_events(*shot(), physics=laws(), table=table)
+    return simulate_events(*shot(), physics=laws(), table=TABLE)
 
 
 @cache
 def by_steps(dt: float, order: int = 1) -> fixed_step.Balls:
     """The shot by steps of `dt` s, of the order of `fixed_step.stepped`."""
-    balls = shot()
-    start = fixed_step.Balls(
-        np.array([b["position"] for b in balls]),
-        np.array([b["velocity"][:2] for b in balls]),
-        np.array([b["angular_velocity"] for b in balls]),
-        np.zeros(len(balls), dtype=bool),
-    )
-    return fixed_step.simulate(start, dt, order)
+    return fixed_step.simulate(fixed_step.start(shot()), dt, order)
 
 
 def end_error(dt: float, order: int = 1) -> float:
