@@ -41,7 +41,7 @@ RELEASE_TESTS := --profile release-tests -p carom -p carom-check -p carom-rules 
 # maturin is found on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
-.PHONY: help demo test stress bench bench-peer docs goldens licenses fmt page picture \
+.PHONY: help demo test stress bench bench-peer docs goldens experiments licenses fmt page picture \
         lint lint-rust lint-page lint-python lint-text \
         rust-build rust-test web-test python-test setup clean
 
@@ -134,6 +134,9 @@ docs: $(BUILT) $(PAGE) ## The documentation, into docs/_build.
 
 goldens: $(BUILT) ## Write the goldens again, after an intended change of results.
 	$(PY) scripts/write_goldens.py
+
+experiments: $(BUILT) ## Make the stored results again that are older than the physics; resumable.
+	$(PY) scripts/experiments.py
 
 licenses: $(BUILT) $(MODULES) ## Write the licence notices of the dependencies, after a change of dependencies.
 	$(PY) scripts/write_licenses.py

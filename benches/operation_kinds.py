@@ -79,7 +79,9 @@ def executed(file: Path) -> Counter[tuple[str, int]]:
         if line.startswith("ob="):
             name = Path(line[3:]).name
         elif line.startswith("calls="):
-            skip = True  # The next line has the cost of the called function, which is listed itself.
+            skip = (
+                True  # The next line has the cost of the called function, which is listed itself.
+            )
         elif line.startswith("0x"):
             if not skip:
                 address, _, instructions = line.split()

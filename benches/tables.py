@@ -5,7 +5,8 @@
     python benches/tables.py --write 2026-11-22-b3512da.json    # with another run of `carom bench`
 
 In a page a table is below a comment `<!-- table: NAME FILE -->`, where FILE is the stored result in
-``benches/results``. A test compares the pages with the tables.
+``benches/results`` or in the folder of the paper's experiments. A test compares the pages with the
+tables.
 """
 
 from __future__ import annotations
@@ -13,19 +14,24 @@ from __future__ import annotations
 import argparse
 import json
 import re
+import statistics
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from carom.bench.states import CLASSES
+from carom.validation.leckie_greenspan_2006 import tables as paper
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benches" / "results"
+#: The folder of the paper's experiments, which has stored results and a page of its own.
+PAPER = ROOT / "validation" / "leckie_greenspan_2006"
 PAGES = (
     ROOT / "README.md",
+    PAPER / "README.md",
     *(
         ROOT / "docs" / f"{name}.md"
-        for name in ("benchmarks", "contact", "guarantees", "many-balls")
+        for name in ("benchmarks", "contact", "guarantees", "many-balls", "realism")
     ),
 )
 #: The comment above a table, and the table.
@@ -57,10 +63,15 @@ def filled(text: str, bench: str | None = None) -> str:
         name, file = place[1], place[2]
         if bench is not None and name in {"summary", "times", "events"}:
             file = bench
-        result = json.loads((RESULTS / file).read_text(encoding="utf-8"))
+        result = json.loads(path_of(file).read_text(encoding="utf-8"))
         return f"<!-- table: {name} {file} -->\n\n{TABLES[name](result)}\n"
 
     return PLACE.sub(replace, text)
+
+
+def path_of(file: str) -> Path:
+    """The path of a stored result."""
+    return next(path for path in (PAPER / file, RESULTS / file) if path.is_file())
 
 
 def markdown(head: list[str], lines: list[list[str]]) -> str:
@@ -216,17 +227,84 @@ def friction_of_blow(result: JSON) -> str:
     return markdown(head, lines)
 
 
-TABLES: dict[str, Callable[[JSON], str]] = {
-    "summary": summary,
-    "times": times,
-    "events": events,
-    "amplification": amplification,
-    "rows": rows_of_balls,
-    "breaks": breaks,
-    "frozen": frozen_cue_ball,
-    "slate-times": slate_times,
-    "friction-of-blow": friction_of_blow,
-}
+def realism_summary(result: JSON) -> str:
+    """How many measured numbers each item of the realism page has, and how far the engine is."""
+    choices = ["before", "after"] if result["before"] else ["after"]
+    head = ["", "preset", "numbers"]
+    for choice in choices:
+        head += [f"within, {choice}", f"median, {choice}", f"worst, {choice}"]
+    lines = []
+    for item in result["items"].values():
+        cells = [item["title"], f"`{item['preset']}`", str(len(item["points"]))]
+        for choice in choices:
+            cells += deviation(item, choice)
+        lines.append(cells)
+    return markdown(head, lines)
+
+
+def deviation(item: JSON, choice: str) -> list[str]:
+    """Numbers within the tolerance, and the median and largest |ours − measured|."""
+    found = [p for p in item["points"] if p[choice] is not None]
+    off = [abs(p[choice] - p["measured"]) for p in found]
+    near = sum(d <= p["tolerance"] * (1 + 1e-6) for d, p in zip(off, found, strict=True))
+    if not off:
+        return ["0", "–", "–"]
+    median = statistics.median(off)
+    return [str(near), f"{digits_or_0(median)} {item['unit']}", f"{digits_or_0(max(off))}"]
+
+
+def digits_or_0(value: float) -> str:
+    """A number with two digits, or 0."""
+    return digits(value, 2) if value else "0"
+
+
+def realism_points(result: JSON, name: str) -> str:
+    """Every measured number of one item beside the engine's."""
+    item = result["items"][name]
+    head = ["", f"measured, {item['unit']}", "tolerance"]
+    choices = ["before", "after"] if result["before"] else ["after"]
+    head += [{"before": "before", "after": "default"}[choice] for choice in choices]
+
+    def shown(value: float | None) -> str:
+        return "–" if value is None else f"{value:.4g}"
+
+    lines = [
+        [
+            p["label"],
+            shown(p["measured"]),
+            f"± {p['tolerance']:.2g}",
+            *(shown(p[c]) for c in choices),
+        ]
+        for p in item["points"]
+    ]
+    return markdown(head, lines)
+
+
+#: The items of the realism page whose numbers it shows one by one.
+REALISM_ITEMS = (
+    "throw", "returns", "carom-returns", "banks", "carom-rolling", "snooker-rolling",
+    "corner-five-carom", "corner-five-pool", "plus-system", "ball-turn",
+)  # fmt: skip
+
+TABLES: dict[str, Callable[[JSON], str]] = (
+    {
+        "summary": summary,
+        "times": times,
+        "events": events,
+        "amplification": amplification,
+        "rows": rows_of_balls,
+        "breaks": breaks,
+        "frozen": frozen_cue_ball,
+        "slate-times": slate_times,
+        "friction-of-blow": friction_of_blow,
+        "realism-summary": realism_summary,
+    }
+    | {
+        f"realism-{name}": lambda result, name=name: realism_points(result, name)
+        for name in REALISM_ITEMS
+    }
+    | {f"paper-{name}": lambda _, table=table: table() for name, table in paper.TABLES.items()}
+)
 
 
 if __name__ == "__main__":

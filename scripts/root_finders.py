@@ -85,9 +85,7 @@ def check(finder: JSON) -> None:
     """Checks the next shots of a finder and adds the counts."""
     size = SLOW_CHUNK if finder["reading"] == "smallest positive root" else CHUNK
     first = finder["shots"]
-    found = json.loads(
-        answer("check", *names(finder), first, min(size, finder["wanted"] - first))
-    )
+    found = json.loads(answer("check", *names(finder), first, min(size, finder["wanted"] - first)))
     finder["shots"] += found["shots"]
     for limit, kinds in found["first_faults"].items():
         sums = finder["first_faults"].setdefault(limit, {})

@@ -26,7 +26,7 @@ def load_tables() -> ModuleType:
 
 tables: Any = load_tables()
 #: The pages with tables, by name.
-PAGES = {page.stem: page for page in tables.PAGES}
+PAGES = {page.relative_to(ROOT).as_posix(): page for page in tables.PAGES}
 
 
 @pytest.mark.parametrize("name", PAGES)
@@ -40,7 +40,7 @@ def test_a_page_has_the_tables_of_the_stored_results(name: str) -> None:
 def test_a_page_names_the_commit_of_each_stored_result(name: str) -> None:
     page = PAGES[name].read_text(encoding="utf-8")
     for file in set(re.findall(r"<!-- table: \S+ (\S+) -->", page)):
-        stored = json.loads((tables.RESULTS / file).read_text(encoding="utf-8"))
+        stored = json.loads(tables.path_of(file).read_text(encoding="utf-8"))
         assert stored["commit"].rstrip("+") in page, f"{PAGES[name]}: {file} has another commit"
 
 
@@ -51,7 +51,7 @@ def test_every_stored_result_names_its_commit() -> None:
 
 
 def test_a_wrong_number_in_a_page_is_found() -> None:
-    page = PAGES["benchmarks"].read_text(encoding="utf-8")
+    page = PAGES["docs/benchmarks.md"].read_text(encoding="utf-8")
     place = tables.PLACE.search(page)
     first_number = re.search(r"\d+", place[3])
     assert first_number is not None

@@ -7,19 +7,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 from carom.validation import plot
 from carom.validation.leckie_greenspan_2006.rows import (
-    by_steps,
-    end_error,
     event_operations,
-    exact,
     impossible,
     integration_operations,
-    shot,
+    stepped,
+    stored,
 )
+from carom.validation.leckie_greenspan_2006.tables import quantile
 
 if TYPE_CHECKING:
+    from carom.validation.lab import JSON
     from matplotlib.figure import Figure
 
-STEPS = (1.6e-2, 8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4, 1e-4)
+#: The forms of the step by their names in the stored result.
+FORMS = {"v dt": "v Δt", "v dt + a dt^2 / 2": "v Δt + ½aΔt²"}
 
 APPROACHING = "at which they approach"
 READING = {"carom": "first contact"}
@@ -32,24 +33,26 @@ LABELS = {
 
 def figure() -> Figure:
     fig, (left, middle, right) = plot.panels(3)
-    steps = np.array(STEPS)
-    left.loglog(steps, [end_error(dt) for dt in steps], "o-", color=plot.COLORS[1],
-                markersize=4, label="final positions, m")  # fmt: skip
-    left.loglog(steps, [end_error(dt, order=2) for dt in steps], "^-", color=plot.COLORS[3],
-                markersize=4, label="the same, steps with ½aΔt²")  # fmt: skip
-    first = exact().first("ball-collision").time
-    late = [abs(by_steps(dt).contacts[0] - first) for dt in steps]
-    left.loglog(steps, late, "s-", color=plot.COLORS[2], markersize=4, label="first collision, s")
-    left.loglog(steps, 0.05 * steps / steps[0], ":", color="0.5", label="∝ Δt")
+    result = stored("fixed_step.json")
+    steps = np.array(result["steps"])
+    for (form, label), color in zip(FORMS.items(), (1, 3), strict=True):
+        for share, style in ((0.5, "o-"), (0.9, "o:")):
+            errors = [quantile(stepped(form, dt), share) for dt in steps]
+            left.loglog(steps, errors, style, color=plot.COLORS[color], markersize=4,
+                        label=f"{label}, {'median' if share == 0.5 else '90 %'}")  # fmt: skip
     left.axhline(1e-15, color=plot.COLORS[0], label="by events: rounding")
-    plot.name(left, "Δt, s", "error", "One shot by steps: error")
+    plot.name(left, "Δt, s", "error of the ends, m", f"{len(result['shots'])} shots by steps")
 
-    n = len(shot())
-    by_step = [integration_operations(n, by_steps(dt).steps, n) for dt in steps]
-    events = len(exact().events) * event_operations(n, n)
+    def operations(shot: JSON, k: int) -> int:
+        n = shot["balls"]
+        return integration_operations(n, shot["by_steps"]["v dt"][k]["steps"], n)
+
+    shots = result["shots"]
+    by_step = [np.mean([operations(s, k) for s in shots]) for k in range(len(steps))]
+    events = np.mean([s["events"] * event_operations(s["balls"], s["balls"]) for s in shots])
     middle.loglog(steps, by_step, "o-", color=plot.COLORS[1], markersize=4, label="by steps")
-    middle.axhline(events, color=plot.COLORS[0], label=f"by events ({len(exact().events)} of them)")
-    plot.name(middle, "Δt, s", "operations (section 3)", "One shot: operations")
+    middle.axhline(events, color=plot.COLORS[0], label="by events")
+    plot.name(middle, "Δt, s", "operations (section 3)", "Mean operations of a shot")
 
     methods = ("textbook closed form", "companion matrix", "Algorithm 1010", "carom")
     for k, limit in enumerate(("promised", "micrometre", "millimetre")):
@@ -61,7 +64,5 @@ def figure() -> Figure:
     right.set_yscale("symlog", linthresh=1)
     right.set_ylim(0, 1e6)
     right.set_xticks(range(4), [m.replace(" ", "\n", 1) for m in methods], fontsize=7)
-    plot.name(
-        right, "", "impossible shots of 100 000", "Random shots by root finder (commit 4430a05)"
-    )
+    plot.name(right, "", "impossible shots of 100 000", "Random shots by root finder")
     return fig

@@ -1,10 +1,6 @@
-from importlib import resources
-
 import pytest
-from carom.validation.leckie_greenspan_2006 import rows, tables
+from carom.validation.leckie_greenspan_2006 import rows
 from carom.validation.row import Row, check, rows_of
-
-PAGE = (resources.files(rows.__package__) / "README.md").read_text()
 
 
 @pytest.mark.parametrize("row", rows_of(rows), ids=str)
@@ -35,7 +31,44 @@ def test_a_narrower_limit_finds_at_least_as_many_impossible_shots() -> None:
             found["impossible"][name] for name in ("millimetre", "micrometre", "promised")
         )
         assert wide <= middle <= narrow <= found["shots"]
-        assert sum(found[kind] for kind in ("overlap", "apart", "endless", "other")) == middle
+        for limit, count in found["impossible"].items():
+            assert sum(found["first_faults"][limit].values()) == count
+
+
+def test_only_the_engines_own_finder_ran_with_the_proofs() -> None:
+    assert {f["method"] for f in rows.finders() if f["proofs"]} == {"carom"}
+    assert all(f["proofs"] for f in rows.finders() if f["method"] == "carom")
+
+
+def test_the_second_order_term_makes_the_steps_more_accurate_in_every_stored_shot_set() -> None:
+    result = rows.stored("fixed_step.json")
+    assert len(result["shots"]) == result["wanted"] >= 20
+    medians = {
+        form: [rows.median_end_error(form, dt) for dt in result["steps"]]
+        for form in ("v dt", "v dt + a dt^2 / 2")
+    }
+    for first, second in zip(*medians.values(), strict=True):
+        assert second < first
+    # The steps are stored from the longest to the shortest.
+    assert medians["v dt"][-1] < 0.2 * medians["v dt"][0]
+
+
+def test_every_kind_of_impact_and_search_has_a_count() -> None:
+    kinds = rows.stored("operation_kinds.json")["kinds"]
+    groups = {kind["group"].partition(":")[0] for kind in kinds}
+    assert groups == {"search", "motion", "impact"}
+    for kind in kinds:
+        assert 0 <= kind["divisions"] + kind["square_roots"] <= kind["operations"], kind
+        assert kind["operations"] > 0, kind
+        assert kind["inputs"] > 0, kind
+    named = {(kind["group"], kind["name"]): kind["operations"] for kind in kinds}
+    pair = "search: two balls"
+    assert named[pair, "carom-roots, mid-game"] < named[pair, "companion eigenvalues, mid-game"]
+
+
+def test_the_events_of_a_class_are_the_sum_of_its_kinds() -> None:
+    for counts in rows.counted().values():
+        assert sum(counts["by_kind"].values()) == counts["events"]
 
 
 def test_the_stored_operations_follow_the_formulas_of_section_3() -> None:
@@ -44,18 +77,3 @@ def test_the_stored_operations_follow_the_formulas_of_section_3() -> None:
         assert counts["operations"]["the paper's events"] == paper
         assert counts["solved"] <= counts["looked_at"]
         assert counts["operations"]["carom"] < paper < counts["operations"]["by steps of 1 ms"]
-
-
-@pytest.mark.parametrize(
-    "table",
-    [tables.finder_table("ordinary"), tables.finder_table("frozen"), tables.operation_table()],
-    ids=["ordinary shots", "frozen balls", "operations"],
-)
-def test_the_readme_has_the_tables_of_the_stored_results(table: str) -> None:
-    assert table in PAGE
-
-
-@pytest.mark.parametrize("name", ["operations.json", "root_finders.json"])
-def test_the_readme_names_the_commit_and_date_of_a_stored_result(name: str) -> None:
-    page = " ".join(PAGE.split())
-    assert f"`{name}` is from {tables.made(name)}" in page

@@ -1,0 +1,1 @@
+"""Measured numbers beside the engine: one module per subject, for scripts/realism_figures.py."""
