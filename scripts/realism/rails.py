@@ -43,10 +43,13 @@ def share(table: str, speed: float, physics: Physics, *, rolls: bool = False) ->
     )
     event = run.first("rail-collision")
     after = event.after["cue"]
+    before = event.before["cue"].speed
     if rolls:
-        later = (e for e in run.all("motion-transition", "cue") if e.time > event.time)
-        after = next(e.after["cue"] for e in later if e.after["cue"].motion == "rolling")
-    return after.speed / event.before["cue"].speed
+        # The slip u = v_y + Rω_x takes 2/7 of itself from the speed until it has ended, however
+        # far away that is (Leckie & Greenspan 2005).
+        along, spin = float(after.velocity[1]), float(after.spin[0])
+        return abs(along - 2.0 / 7.0 * (along + radius * spin)) / before
+    return after.speed / before
 
 
 def return_points(physics: Physics) -> list[Point]:
