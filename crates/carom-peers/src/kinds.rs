@@ -85,12 +85,12 @@ fn pairs_of_balls() -> Vec<Kind> {
     let mut kinds = vec![Kind::over(group, "proofs for a row of four pairs", rows, |row| {
         black_box(black_box(row).open());
     })];
-    let sources: [(&str, fn(u64, usize) -> Vec<Case>); 2] =
-        [("mid-game", pot_pairs), ("eight-ball break", break_pairs)];
-    for (name, pairs) in sources {
+    for (name, pairs) in
+        [("mid-game", pot_pairs(1, INPUTS)), ("eight-ball break", break_pairs(1, INPUTS))]
+    {
         for finder in [Finder::Carom, Finder::Ferrari, Finder::Companion, Finder::Algorithm1010] {
             let label = format!("{}, {name}", finder.name());
-            kinds.push(Kind::over(group, &label, pairs(1, INPUTS), move |case| {
+            kinds.push(Kind::over(group, &label, pairs.clone(), move |case| {
                 let Case { motion, distance, horizon, .. } = black_box(case);
                 black_box(finder.first_contact(motion, *distance, *horizon));
             }));
