@@ -232,7 +232,8 @@ def realism_summary(result: JSON) -> str:
     choices = ["before", "after"] if result["before"] else ["after"]
     head = ["", "preset", "numbers"]
     for choice in choices:
-        head += [f"within, {choice}", f"median, {choice}", f"worst, {choice}"]
+        name = {"before": f"{result['before']}: ", "after": ""}[choice]
+        head += [f"{name}within the tolerance", f"{name}median distance", f"{name}largest"]
     lines = []
     for item in result["items"].values():
         cells = [item["title"], f"`{item['preset']}`", str(len(item["points"]))]
@@ -250,7 +251,8 @@ def deviation(item: JSON, choice: str) -> list[str]:
     if not off:
         return ["0", "–", "–"]
     median = statistics.median(off)
-    return [str(near), f"{digits_or_0(median)} {item['unit']}", f"{digits_or_0(max(off))}"]
+    unit = "" if item["unit"] == "–" else f" {item['unit']}"
+    return [str(near), f"{digits_or_0(median)}{unit}", f"{digits_or_0(max(off))}{unit}"]
 
 
 def digits_or_0(value: float) -> str:
@@ -263,7 +265,7 @@ def realism_points(result: JSON, name: str) -> str:
     item = result["items"][name]
     head = ["", f"measured, {item['unit']}", "tolerance"]
     choices = ["before", "after"] if result["before"] else ["after"]
-    head += [{"before": "before", "after": "default"}[choice] for choice in choices]
+    head += [{"before": result["before"], "after": "default"}[choice] for choice in choices]
 
     def shown(value: float | None) -> str:
         return "–" if value is None else f"{value:.4g}"
@@ -278,6 +280,12 @@ def realism_points(result: JSON, name: str) -> str:
         for p in item["points"]
     ]
     return markdown(head, lines)
+
+
+def made(result: JSON) -> str:
+    """How and when a result was made."""
+    cells = [f"`{result['command']}`", result["commit"], result["date"]]
+    return markdown(["Made by", "commit", "date"], [cells])
 
 
 #: The items of the realism page whose numbers it shows one by one.
@@ -297,6 +305,7 @@ TABLES: dict[str, Callable[[JSON], str]] = (
         "frozen": frozen_cue_ball,
         "slate-times": slate_times,
         "friction-of-blow": friction_of_blow,
+        "made": made,
         "realism-summary": realism_summary,
     }
     | {

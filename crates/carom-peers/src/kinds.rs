@@ -3,7 +3,8 @@
 //!
 //! Most inputs are harvested from random shots: the balls of impacts as the event loop hands them
 //! to the models, and the paths that it searches. All models of one impact get the same inputs. The
-//! networks, and the contacts that are rare, have inputs made for them.
+//! networks, and the contacts that are rare, have inputs made for them. `black_box` hides every input
+//! and law from the compiler, so that it cannot compute a part once for all inputs.
 //!
 //! `benches/operation_kinds.py` runs every kind under valgrind's callgrind and counts the additions,
 //! subtractions, multiplications, divisions and square roots of the compiled program.
@@ -213,7 +214,7 @@ fn ball_impacts(harvest: &Harvest) -> Vec<Kind> {
             let (law, cloth) = (BallBall { model, ..pool.ball_ball }, pool.cloth);
             Kind::over("impact: ball and ball", name, harvest.pairs.clone(), move |(n, a, b)| {
                 let (mut a, mut b) = (*black_box(a), *black_box(b));
-                ball_ball::resolve(&law, &cloth, *n, &mut a, &mut b);
+                ball_ball::resolve(black_box(&law), black_box(&cloth), *n, &mut a, &mut b);
                 black_box((a, b));
             })
         })
@@ -222,7 +223,7 @@ fn ball_impacts(harvest: &Harvest) -> Vec<Kind> {
     let dropped = dropped_balls(pool.ball);
     kinds.push(Kind::over("impact: ball and ball", "held by the slate", dropped, move |b| {
         let [(normal, mut flyer), (_, mut held)] = *black_box(b);
-        ball_ball::held::resolve(e, normal, &mut flyer, &mut held);
+        ball_ball::held::resolve(black_box(e), normal, &mut flyer, &mut held);
         black_box((flyer, held));
     }));
     kinds
@@ -264,7 +265,7 @@ fn table_impacts(harvest: &Harvest) -> Vec<Kind> {
             let balls = harvest.rails.clone();
             Kind::over("impact: ball and cushion", name, balls, move |(normal, ball)| {
                 let mut ball = *black_box(ball);
-                ball_cushion::resolve(&law, &cloth, *normal, true, &mut ball);
+                ball_cushion::resolve(black_box(&law), black_box(&cloth), *normal, true, &mut ball);
                 black_box(ball);
             })
         })
@@ -272,7 +273,7 @@ fn table_impacts(harvest: &Harvest) -> Vec<Kind> {
     let (slate, facing, gravity) = (pool.slate, pool.facing, pool.gravity);
     kinds.push(Kind::over("impact: ball and slate", "bounce", harvest.bounces.clone(), move |b| {
         let mut ball = *black_box(b);
-        ball_slate::bounce(&slate, &mut ball);
+        ball_slate::bounce(black_box(&slate), &mut ball);
         black_box(ball);
     }));
     kinds.push(Kind::over(
@@ -281,7 +282,7 @@ fn table_impacts(harvest: &Harvest) -> Vec<Kind> {
         harvest.bounces.iter().zip(0..).map(lying).collect(),
         move |b| {
             let mut ball = *black_box(b);
-            ball_slate::settle(&slate, gravity, &mut ball);
+            ball_slate::settle(black_box(&slate), black_box(gravity), &mut ball);
             black_box(ball);
         },
     ));
@@ -291,7 +292,7 @@ fn table_impacts(harvest: &Harvest) -> Vec<Kind> {
         on_lips(pool.ball),
         move |(edge, ball)| {
             let mut ball = *black_box(ball);
-            ball_edge::resolve(&facing, gravity, edge, &mut ball);
+            ball_edge::resolve(black_box(&facing), black_box(gravity), edge, &mut ball);
             black_box(ball);
         },
     ));
@@ -364,7 +365,7 @@ fn networks() -> Vec<Kind> {
             let name = format!("{count} balls, {} contacts", touches.len());
             Kind::over("impact: network", &name, inputs, move |bodies| {
                 let mut bodies = black_box(bodies).clone();
-                black_box(network::resolve(&law, &mut bodies, &touches));
+                black_box(network::resolve(black_box(&law), &mut bodies, &touches));
                 black_box(bodies);
             })
         })
@@ -401,7 +402,9 @@ fn strikes() -> Vec<Kind> {
     let (cue, ball) = (pool.cue, pool.ball);
     let mut kinds = vec![Kind::over("impact: cue and ball", "tip alone", inputs.clone(), {
         move |strike| {
-            black_box(cue_ball::resolve(&cue, &ball, black_box(strike)).is_ok());
+            black_box(
+                cue_ball::resolve(black_box(&cue), black_box(&ball), black_box(strike)).is_ok(),
+            );
         }
     })];
     for frozen in 0..3 {
@@ -413,7 +416,7 @@ fn strikes() -> Vec<Kind> {
         };
         let physics = pool.clone();
         kinds.push(Kind::over("impact: cue and ball", &name, few, move |strike| {
-            black_box(struck_in_network(&physics, black_box(strike), frozen));
+            black_box(struck_in_network(black_box(&physics), black_box(strike), frozen));
         }));
     }
     kinds
