@@ -5,6 +5,8 @@ use carom::math::{Vec2, Vec3};
 use carom::shot::Shot;
 use carom::{BallState, MotionState};
 
+use crate::rolling;
+
 /// The path p + v t + h t² of a ball's centre, and the ball's radius.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Curve {
@@ -31,7 +33,9 @@ impl Curve {
                 let slip = Vec2::new(v.x - radius * w.y, v.y + radius * w.x);
                 (level, against(slip, cloth.sliding_friction))
             }
-            MotionState::Rolling => (level, against(v.xy(), cloth.rolling_friction)),
+            MotionState::Rolling => {
+                (level, against(v.xy(), rolling::band(&cloth, v.xy().length()).0))
+            }
             _ => (level, Vec3::ZERO),
         };
         Self { p: state.position, v, h, radius }

@@ -27,6 +27,7 @@ mod places;
 mod rail_laws;
 pub mod random;
 pub mod random_shots;
+mod rolling;
 mod sampled;
 mod solid;
 mod table;

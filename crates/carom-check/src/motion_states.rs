@@ -6,6 +6,8 @@ use carom::math::Vec2;
 use carom::shot::Shot;
 use carom::{BallState, MotionState};
 
+use crate::rolling;
+
 /// Largest jump of a velocity, or of the velocity of a ball's surface, where a motion state ends,
 /// m/s per m/s: rounding, and the slip below which the engine lets a ball roll.
 pub(crate) const SMOOTH: f64 = 1e-11;
@@ -28,13 +30,18 @@ fn speeds(s: &BallState, radius: f64) -> f64 {
     s.velocity.length() + radius * s.angular_velocity.length()
 }
 
-/// How long a ball stays in its motion state if nothing touches it, s (Leckie & Greenspan 2005).
+/// How long a ball stays in its motion state if nothing touches it, s (Leckie & Greenspan 2005); a
+/// rolling ball, in its band of rolling resistance.
 fn longest(shot: &Shot, s: &BallState, radius: f64) -> f64 {
     let (cloth, g) = (shot.physics().cloth, shot.physics().gravity);
     match s.motion {
         // The slip falls at 7/2 of μg: one part is the centre's, 5/2 are the surface's.
         MotionState::Sliding => slip(s, radius).length() / (3.5 * cloth.sliding_friction * g),
-        MotionState::Rolling => s.velocity.length() / (cloth.rolling_friction * g),
+        MotionState::Rolling => {
+            let speed = s.velocity.length();
+            let (friction, low) = rolling::band(&cloth, speed);
+            (speed - low) / (friction * g)
+        }
         MotionState::Spinning => s.angular_velocity.z.abs() / cloth.spin_deceleration,
         _ => f64::INFINITY,
     }
@@ -93,7 +100,8 @@ pub(crate) fn audit(shot: &Shot, event: &Event<'_>) -> Option<String> {
     }
 }
 
-/// Where a motion state ends, the spin is continuous, and the next state is a later one.
+/// Where a motion state ends, the spin is continuous, and the next state is a later one. A ball also
+/// goes from rolling to rolling, at the end of a band of rolling resistance.
 fn transition(
     shot: &Shot,
     event: &Event<'_>,
@@ -101,7 +109,14 @@ fn transition(
     to: MotionState,
 ) -> Option<String> {
     let (ball, before, after) = (event.balls[0], event.before[0], event.after[0]);
-    if order(to) <= order(from) {
+    let speed = after.velocity.length();
+    let rolls_on = (from, to) == (MotionState::Rolling, MotionState::Rolling);
+    if rolls_on && !rolling::is_end(&shot.physics().cloth, speed) {
+        return Some(format!(
+            "ball {ball} begins to roll again at {speed:e} m/s, where no band ends"
+        ));
+    }
+    if order(to) <= order(from) && !rolls_on {
         return Some(format!("ball {ball} goes from {} back to {}", from.name(), to.name()));
     }
     let radius = shot.balls()[usize::from(ball)].ball.radius;

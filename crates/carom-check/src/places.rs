@@ -6,6 +6,7 @@ use carom::shot::Shot;
 use carom::{BallState, MotionState};
 
 use crate::motion_states::SMOOTH;
+use crate::rolling;
 use crate::solid::Solid;
 use crate::table_contact::{self, TableContact};
 
@@ -203,8 +204,10 @@ impl EventCheck<'_> {
         }
         let jump = (after.velocity - before.velocity).length();
         let speed = before.velocity.length();
-        let holding = self.shot.physics().cloth.rolling_friction
-            * (self.shot.physics().gravity * radius).sqrt();
+        let physics = self.shot.physics();
+        let surface = radius * before.angular_velocity.xy().length();
+        let friction = rolling::band(&physics.cloth, speed.max(surface)).0;
+        let holding = friction * (physics.gravity * radius).sqrt();
         let hangs = at_edge
             && after.velocity.length() == 0.0
             && speed <= holding.max(HANGS_BELOW) * (1.0 + SMOOTH);

@@ -1,6 +1,11 @@
 //! The parameters of the physical models: plain data, immutable during a shot.
 
 pub mod presets;
+mod rolling_friction;
+mod rolling_law;
+
+pub use rolling_friction::{MAX_ROLLING_BANDS, RollingBand, RollingFriction};
+pub use rolling_law::{RollingLaw, RollingTolerance};
 
 use crate::table::Part;
 
@@ -49,7 +54,7 @@ pub struct Cloth {
     /// Coefficient of sliding friction μ_s.
     pub sliding_friction: f64,
     /// Coefficient of rolling resistance μ_r.
-    pub rolling_friction: f64,
+    pub rolling_friction: RollingFriction,
     /// Deceleration of the spin about the vertical, rad/s².
     pub spin_deceleration: f64,
 }

@@ -382,6 +382,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// A motion state ends by the passage of time.
     fn on_motion_transition<R: Recorder>(&mut self, i: usize, step: &mut StepContext<'_, R>) {
         let path = &self.path[i];
+        if let Some(after) = path.band_end(&step.physics.cloth) {
+            return self.on_band_end(i, &after, step);
+        }
         let before = path.at(path.duration);
         let after = path.successor();
         let moved = path.moves();
@@ -397,6 +400,19 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             self.find_own_candidates(i, step.time, step.table);
             self.make_visible(i);
         }
+    }
+
+    /// A rolling ball comes to the end of its band of rolling resistance and rolls on in `after`.
+    #[cold]
+    fn on_band_end<R: Recorder>(
+        &mut self,
+        i: usize,
+        after: &BallState,
+        step: &mut StepContext<'_, R>,
+    ) {
+        let before = self.path[i].at(self.path[i].duration);
+        let kind = EventKind::MotionTransition { from: before.motion, to: after.motion };
+        self.emit(i, kind, [before, *after], step);
     }
 
     /// A ball meets a feature of the table.

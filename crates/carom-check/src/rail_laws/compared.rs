@@ -2,7 +2,9 @@
 //! ways.
 
 use carom::math::{Vec3, sqrt};
-use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
+use carom::physics::{
+    Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution, RollingFriction,
+};
 use carom::resolve::{Body, ball_cushion};
 
 use super::{RailImpact, Rebound};
@@ -14,8 +16,11 @@ const ROUNDING: f64 = 1e-12;
 /// Random impacts of each model.
 const IMPACTS: usize = 2000;
 
-const CLOTH: Cloth =
-    Cloth { sliding_friction: 0.2, rolling_friction: 0.01, spin_deceleration: 10.0 };
+const CLOTH: Cloth = Cloth {
+    sliding_friction: 0.2,
+    rolling_friction: RollingFriction::constant(0.01),
+    spin_deceleration: 10.0,
+};
 
 /// A random law of `model`, within and beyond the published parameters.
 fn law(random: &mut Random, model: CushionModel) -> Cushion {

@@ -10,7 +10,8 @@ use crate::Ball;
 use crate::error::Error;
 use crate::physics::{
     BallBall, BallBallModel, Cloth, ContactTimes, Cue, Cushion, CushionFriction, CushionModel,
-    CushionRestitution, Physics, SlipFriction, StrikeModel, Surface, Tip,
+    CushionRestitution, Physics, RollingBand, RollingFriction, SlipFriction, StrikeModel, Surface,
+    Tip,
 };
 use crate::range::Range;
 use crate::shot::{MASS, RADIUS};
@@ -114,9 +115,29 @@ fn ball(at: &At<'_>, ball: &mut Ball) -> Result<(), Error> {
 fn cloth(at: &At<'_>, cloth: &mut Cloth) -> Result<(), Error> {
     let fields = at.fields(&["sliding_friction", "rolling_friction", "spin_deceleration"])?;
     fields.number_into("sliding_friction", &FRICTION, &mut cloth.sliding_friction)?;
-    fields.number_into("rolling_friction", &FRICTION, &mut cloth.rolling_friction)?;
+    if let Some(at) = fields.get("rolling_friction") {
+        cloth.rolling_friction = rolling_friction(&at)?;
+    }
     let deceleration = Range::not_negative(" rad/s²");
     fields.number_into("spin_deceleration", &deceleration, &mut cloth.spin_deceleration)
+}
+
+/// A number, or a list of speed bands. A list replaces that of the base.
+fn rolling_friction(at: &At<'_>) -> Result<RollingFriction, Error> {
+    if let Node::Integer(_) | Node::Number(_) = at.node() {
+        return Ok(RollingFriction::constant(at.number(&FRICTION)?));
+    }
+    let items = at.items("a number ≥ 0, or a list of speed bands")?;
+    let bands: Result<Vec<_>, _> = items.iter().map(rolling_band).collect();
+    RollingFriction::from_bands(&bands?).map_err(|error| error.inside(at.place()))
+}
+
+fn rolling_band(at: &At<'_>) -> Result<RollingBand, Error> {
+    let fields = at.fields(&["up_to", "friction"])?;
+    let mut up_to = f64::INFINITY;
+    fields.number_into("up_to", &Range::positive(" m/s"), &mut up_to)?;
+    let friction = fields.require("friction", "the coefficient, such as 0.01")?;
+    Ok(RollingBand { up_to, friction: friction.number(&FRICTION)? })
 }
 
 fn ball_ball(at: &At<'_>, law: &mut BallBall) -> Result<(), Error> {
@@ -352,7 +373,7 @@ fn write(physics: &Physics) -> Node {
             "cloth",
             Node::object([
                 ("sliding_friction", cloth.sliding_friction.into()),
-                ("rolling_friction", cloth.rolling_friction.into()),
+                ("rolling_friction", cloth.rolling_friction.to_node()),
                 ("spin_deceleration", cloth.spin_deceleration.into()),
             ]),
         ),
@@ -378,6 +399,23 @@ fn write(physics: &Physics) -> Node {
             ]),
         ),
     ])
+}
+
+impl RollingFriction {
+    /// `physics.cloth.rolling_friction` as a shot file has it: a number, or a list of bands.
+    pub fn to_node(&self) -> Node {
+        if let Some(mu) = self.as_constant() {
+            return mu.into();
+        }
+        Node::list(self.bands().map(|RollingBand { up_to, friction }| {
+            let mut band = Node::object([]);
+            if up_to.is_finite() {
+                band.set("up_to", up_to);
+            }
+            band.set("friction", friction);
+            band
+        }))
+    }
 }
 
 fn write_surface(law: &Surface) -> Node {

@@ -44,7 +44,7 @@ pub struct Path {
     pub spin_deceleration: f64,
     /// Motion state.
     pub motion: MotionState,
-    /// Duration of the motion state, s; infinite if it does not end by itself.
+    /// Duration of the path, s; infinite if it does not end by itself.
     pub duration: f64,
     /// The ball's radius, m.
     pub radius: f64,
@@ -59,7 +59,8 @@ impl Default for Path {
 impl Path {
     /// The path of a ball from `state`. Its motion state must agree with its velocities (see
     /// [`classify`]). `gravity` in m/s².
-    #[inline]
+    // Not inlined, the path would be returned in memory and copied: 80 instructions per event.
+    #[inline(always)]
     pub fn new(state: &BallState, ball: &Ball, cloth: &Cloth, gravity: f64) -> Self {
         match state.motion {
             MotionState::Sliding => sliding::path(state, ball.radius, cloth, gravity),
@@ -108,7 +109,19 @@ impl Path {
         }
     }
 
-    /// The state at the end of this path, in which the next path starts.
+    /// The state at the end of a rolling ball's path, if there only its band of rolling resistance
+    /// ends and it rolls on; `cloth` is that of the path.
+    #[inline(always)]
+    pub fn band_end(&self, cloth: &Cloth) -> Option<BallState> {
+        if self.motion == MotionState::Rolling && cloth.rolling_friction.as_constant().is_none() {
+            rolling::band_end(self, cloth)
+        } else {
+            None
+        }
+    }
+
+    /// The state at the end of this path, in which the next path starts, unless
+    /// [`band_end`](Self::band_end) has one.
     #[inline(always)]
     pub fn successor(&self) -> BallState {
         match self.motion {

@@ -5,7 +5,7 @@
 
 use super::{
     BallBall, BallBallModel, Cloth, ContactTimes, Cue, Cushion, CushionFriction, CushionModel,
-    CushionRestitution, Physics, SlipFriction, StrikeModel, Surface, Tip,
+    CushionRestitution, Physics, RollingFriction, SlipFriction, StrikeModel, Surface, Tip,
 };
 use crate::Ball;
 use crate::math::radians;
@@ -49,7 +49,7 @@ impl Physics {
             cloth: Cloth {
                 // TP 4.1, B.12.
                 sliding_friction: 0.2,
-                rolling_friction: 0.01,
+                rolling_friction: RollingFriction::constant(0.01),
                 // TP B.2: 10 rad/s² (5 to 15 measured).
                 spin_deceleration: 10.0,
             },
@@ -95,7 +95,7 @@ impl Physics {
             // Mathavan 2009 (μ_s .178–.245, μ_r .0127–.0129 on film), 2014 (spin).
             cloth: Cloth {
                 sliding_friction: 0.212,
-                rolling_friction: 0.0128,
+                rolling_friction: RollingFriction::constant(0.0128),
                 spin_deceleration: 22.0,
             },
             // Mathavan 2014, whose balls are rigid; compliant here, as in pool.
@@ -137,7 +137,7 @@ impl Physics {
                 // Heated cloth. A fit to matches gives the deceleration 0.0383 + 0.0150 v m/s² at
                 // the speed v. With 0.0045 a ball of 0.6 m/s stops where it does in the fit; a
                 // ball of 1 m/s would need 0.0049.
-                rolling_friction: 0.0045,
+                rolling_friction: RollingFriction::constant(0.0045),
                 // Han 2005: M_z = 3.82e-4 N·m on m = 0.23 kg, R = 32.75 mm gives 3.9 rad/s².
                 spin_deceleration: 3.9,
             },
@@ -162,7 +162,7 @@ impl Physics {
             ball: Ball { mass: 0.16301, radius: RADIUS },
             cloth: Cloth {
                 sliding_friction: 0.2,
-                rolling_friction: 0.015,
+                rolling_friction: RollingFriction::constant(0.015),
                 // Leckie & Greenspan 2005: dω_z/dt = −5μ_sp·g/(2R).
                 spin_deceleration: 2.5 * SPIN_FRICTION * GRAVITY / RADIUS,
             },

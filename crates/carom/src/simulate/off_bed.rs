@@ -7,7 +7,7 @@ use super::step::StepContext;
 use super::support::{Support, on_plane};
 use crate::detect::ball_ball::ContactFinder;
 use crate::event::{EventKind, Recorder};
-use crate::math::Vec3;
+use crate::math::{Vec3, sqrt};
 use crate::resolve::{Body, ball_edge, ball_slate};
 use crate::table::{Capture, LIP_OVERHANG};
 use crate::{BallState, MotionState, Physics};
@@ -53,11 +53,12 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// Whether rolling resistance stops a ball at an edge.
     fn is_too_slow_to_fall(&self, i: usize, state: &BallState, physics: &Physics) -> bool {
         let radius = self.ball[i].radius;
-        let friction = physics.cloth.rolling_friction;
+        let surface = radius * radius * state.angular_velocity.xy().length_squared();
+        let squared_speed = state.velocity.length_squared().max(surface);
+        let friction = physics.cloth.rolling_friction.at(sqrt(squared_speed));
         let least =
             (friction * friction * physics.gravity * radius).max(SLOWEST_FALL * SLOWEST_FALL);
-        let surface = radius * radius * state.angular_velocity.xy().length_squared();
-        state.velocity.length_squared().max(surface) < least
+        squared_speed < least
     }
 
     /// The state of ball `i` where rolling resistance has stopped it at an edge, its centre at

@@ -4,13 +4,16 @@
 use crate::near::assert_near;
 use crate::random::Random;
 use carom::math::{Vec2, Vec3, exp, sin_cos, sqrt};
-use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
+use carom::physics::{BallBall, BallBallModel, Cloth, RollingFriction, SlipFriction};
 use carom::resolve::ball_ball;
 use carom::resolve::network::{self, Touch};
 use carom::resolve::{Body, ball_slate};
 
-const CLOTH: Cloth =
-    Cloth { sliding_friction: 0.2, rolling_friction: 0.01, spin_deceleration: 10.0 };
+const CLOTH: Cloth = Cloth {
+    sliding_friction: 0.2,
+    rolling_friction: RollingFriction::constant(0.01),
+    spin_deceleration: 10.0,
+};
 const GRAVITY: f64 = 9.81;
 const IMPACTS: u32 = 100_000;
 const MODELS: [BallBallModel; 4] = [

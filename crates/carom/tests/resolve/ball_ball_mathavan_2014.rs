@@ -3,11 +3,14 @@
 
 use crate::near::assert_near;
 use carom::math::{Vec3, cos, radians, sin};
-use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
+use carom::physics::{BallBall, BallBallModel, Cloth, RollingFriction, SlipFriction};
 use carom::resolve::{Body, ball_ball};
 
-const CLOTH: Cloth =
-    Cloth { sliding_friction: 0.212, rolling_friction: 0.01, spin_deceleration: 22.0 };
+const CLOTH: Cloth = Cloth {
+    sliding_friction: 0.212,
+    rolling_friction: RollingFriction::constant(0.01),
+    spin_deceleration: 22.0,
+};
 const UP: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 const STEPS: u32 = 160_000;
 

@@ -2,11 +2,14 @@
 
 use crate::near::assert_near;
 use carom::math::{Vec2, Vec3, sqrt};
-use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
+use carom::physics::{BallBall, BallBallModel, Cloth, RollingFriction, SlipFriction};
 use carom::resolve::{Body, ball_ball};
 
-const CLOTH: Cloth =
-    Cloth { sliding_friction: 0.2, rolling_friction: 0.01, spin_deceleration: 10.9 };
+const CLOTH: Cloth = Cloth {
+    sliding_friction: 0.2,
+    rolling_friction: RollingFriction::constant(0.01),
+    spin_deceleration: 10.9,
+};
 /// Restitution.
 const E: f64 = 0.95;
 

@@ -2,14 +2,17 @@
 
 use crate::near::assert_near;
 use carom::math::{Vec2, Vec3, asin, atan2, cos, radians, sin};
-use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
+use carom::physics::{BallBall, BallBallModel, Cloth, RollingFriction, SlipFriction};
 use carom::resolve::{Body, ball_ball};
 
 const MPH: f64 = 0.44704;
 /// Alciatore's ball, inches to metres: 1⅛ in.
 const RADIUS: f64 = 0.028575;
-const CLOTH: Cloth =
-    Cloth { sliding_friction: 0.2, rolling_friction: 0.01, spin_deceleration: 10.0 };
+const CLOTH: Cloth = Cloth {
+    sliding_friction: 0.2,
+    rolling_friction: RollingFriction::constant(0.01),
+    spin_deceleration: 10.0,
+};
 /// TP A.14.
 const ALCIATORE: SlipFriction = SlipFriction { a: 0.009951, b: 0.108, c: 1.088 };
 

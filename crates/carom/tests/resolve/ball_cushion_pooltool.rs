@@ -14,7 +14,9 @@
 //! * All its models set the vertical velocity after the impact to 0.
 
 use carom::math::{Vec2, Vec3, sqrt};
-use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
+use carom::physics::{
+    Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution, RollingFriction,
+};
 use carom::resolve::{Body, ball_cushion::resolve};
 use serde_json::Value;
 
@@ -35,8 +37,11 @@ fn largest_difference(data: &Value, kind: &str, name: &str, model: CushionModel,
         tangential_factor: 1.0,
         spin_factor: 1.0,
     };
-    let cloth =
-        Cloth { sliding_friction: f("u_s"), rolling_friction: 0.01, spin_deceleration: 10.9 };
+    let cloth = Cloth {
+        sliding_friction: f("u_s"),
+        rolling_friction: RollingFriction::constant(0.01),
+        spin_deceleration: 10.9,
+    };
     let nose = f("cushion_height") - radius;
     let mut largest: f64 = 0.0;
     for sample in data[kind].as_array().expect("samples") {

@@ -2,7 +2,9 @@
 
 use crate::random::Random;
 use carom::math::{Vec2, Vec3, sin_cos, sqrt};
-use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
+use carom::physics::{
+    Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution, RollingFriction,
+};
 use carom::resolve::{Body, ball_cushion::resolve};
 
 const MODELS: [CushionModel; 5] = [
@@ -74,7 +76,7 @@ fn case(model: CushionModel, random: &mut Random) -> Case {
         },
         cloth: Cloth {
             sliding_friction: one_of(random, [0.0, 0.2, 0.5]),
-            rolling_friction: 0.01,
+            rolling_friction: RollingFriction::constant(0.01),
             spin_deceleration: 10.0,
         },
         normal,

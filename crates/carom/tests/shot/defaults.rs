@@ -1,6 +1,6 @@
 //! The defaults of a shot file, and the values that it takes from a base.
 
-use carom::physics::Tip;
+use carom::physics::{RollingFriction, Tip};
 use carom::{Physics, Shot};
 
 fn read(table: &str, physics: &str, balls: &str) -> Shot {
@@ -37,7 +37,7 @@ fn the_default_physics_is_that_of_the_table_and_pool_for_a_table_without_one() {
 fn one_key_of_a_section_leaves_the_others_as_in_the_base() {
     let shot = read("\"wpa-9ft\"", r#", "physics": {"cloth": {"rolling_friction": 0.02}}"#, BALL);
     let mut expected = Physics::pool();
-    expected.cloth.rolling_friction = 0.02;
+    expected.cloth.rolling_friction = RollingFriction::constant(0.02);
     assert_eq!(**shot.physics(), expected);
 }
 

@@ -149,7 +149,7 @@ fn missing_values_come_from_the_preset_of_the_table() {
     let shot = at_rest();
     let pool = Physics::pool();
     let physics = shot.physics();
-    assert_eq!(physics.cloth.rolling_friction, 0.011);
+    assert_eq!(physics.cloth.rolling_friction.as_constant(), Some(0.011));
     assert_eq!(physics.cloth.sliding_friction, pool.cloth.sliding_friction);
     assert_eq!(physics.cushion, pool.cushion);
     assert_eq!(

@@ -84,8 +84,9 @@ fn a_ball_that_reaches_the_lip_very_slowly_hangs_there_and_a_faster_one_falls() 
     let physics = carom::Physics::pool();
     let (pocket, distance) = (&table.pockets[0], 0.05);
     let start = pocket.center + table.center() - pocket.axis * (pocket.radius + distance);
-    let braking = physics.cloth.rolling_friction * physics.gravity;
-    let limit = physics.cloth.rolling_friction * (physics.gravity * RADIUS).sqrt();
+    let friction = physics.cloth.rolling_friction.at(0.0);
+    let braking = friction * physics.gravity;
+    let limit = friction * (physics.gravity * RADIUS).sqrt();
     // The speed at the lip.
     let with = |left: f64| {
         let v = pocket.axis * (left * left + 2.0 * braking * distance).sqrt();
