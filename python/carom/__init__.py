@@ -19,6 +19,7 @@ from carom._core import __version__
 from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
 from carom.call import Call
+from carom.cloth import rolling_bands
 from carom.errors import CaromError, EventCapError, InputError, PageError
 from carom.noise import Noise, NoisyResult, Perception
 from carom.plan import (
@@ -90,6 +91,7 @@ __all__ = [
     "kick_table",
     "position_map",
     "pot_map",
+    "rolling_bands",
     "rule_sets",
     "schema",
     "simulate_batch",

@@ -10,6 +10,7 @@ mod options;
 mod plan;
 mod progress;
 mod reference;
+mod rolling;
 mod rules;
 mod shot;
 mod sweep;
@@ -39,6 +40,8 @@ mod _core {
     use crate::plan::{evaluate, solve, stages, wilson};
     #[pymodule_export]
     use crate::reference::{break_shot, games, schema, tables};
+    #[pymodule_export]
+    use crate::rolling::rolling_bands;
     #[pymodule_export]
     use crate::rules::{Frame, rule_sets};
     #[pymodule_export]

@@ -163,7 +163,8 @@ def mark(event: dict[str, Any], routes: dict[str, Route]) -> str | None:
         # The cue ball moves the balls that touch it at once.
         kind = "ball-collision"
     if kind == "motion-transition":
-        return kind if event["to"] == "rolling" else None
+        # The end of a speed band is not visible.
+        return kind if event["to"] == "rolling" != event["from"] else None
     if kind == "rail-collision" and event["part"] == "top":
         kind = "slate-collision"
     if kind == "slate-collision":

@@ -38,6 +38,7 @@ function strikeInWords(
 function transitionInWords(from: Motion, to: Motion): string {
   if (to === "stationary") return "comes to rest";
   if (to === "airborne") return "leaves the cloth";
+  if (to === from) return `goes on ${to} in a slower speed band`;
   return `stops ${from}, starts ${to}`;
 }
 
