@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from mpmath import mp, mpf, polyroots
 
-from oracles import laws
+from oracles import laws, rolling
 from oracles.world import Happening, Post, State, Wall, World, motion_of
 
 if TYPE_CHECKING:
@@ -112,11 +112,12 @@ class Precise:
             return Leg(self.time, state, half, turn, 2 * size / (7 * a))
         if state.motion == "rolling":
             size = mp.hypot(v[0], v[1])
-            a = mpf(cloth["rolling_friction"]) * g
+            friction, low = rolling.band(cloth, size)
+            a = mpf(friction) * g
             e = (v[0] / size, v[1] / size)
             turn = (e[1] * a / r, -e[0] * a / r, decay)
             half = (-e[0] * a / 2, -e[1] * a / 2, zero)
-            return Leg(self.time, state, half, turn, size / a)
+            return Leg(self.time, state, half, turn, (size - mpf(low)) / a)
         lasts = mp.inf
         if state.motion == "airborne":
             return Leg(self.time, state, (zero, zero, -g / 2), (zero, zero, zero), lasts)
@@ -298,6 +299,11 @@ class Precise:
         if s.motion == "sliding":
             w = (-s.velocity[1] / r, s.velocity[0] / r, wz)
             return replace(s, spin=w, motion="rolling")
+        first = self.leg[i].state.velocity
+        _, low = rolling.band(self.world.physics["cloth"], mp.hypot(first[0], first[1]))
+        if s.motion == "rolling" and low > 0:
+            v = laws.scale(s.velocity, mpf(low) / mp.hypot(s.velocity[0], s.velocity[1]))
+            return replace(s, velocity=v, spin=(-v[1] / r, v[0] / r, wz))
         rest = "stationary" if wz == 0 or s.motion == "spinning" else "spinning"
         spin = (zero, zero, wz if rest == "spinning" else zero)
         return replace(s, velocity=(zero, zero, zero), spin=spin, motion=rest)

@@ -14,7 +14,7 @@ import numpy as np
 from scipy.integrate import DOP853
 from scipy.optimize import brentq, minimize_scalar
 
-from oracles import laws
+from oracles import laws, rolling
 from oracles.places import CLEAR, Circle, Place, edges_of, from_center, inside, on_top, places_of
 from oracles.world import Happening, Hole, State, World, motion_of
 
@@ -68,6 +68,8 @@ class Stepping:
         #: Positions, velocities and spins; one column per ball.
         self.y = np.zeros((9, n))
         self.motion = [""] * n
+        #: The speeds at which the rolling balls' bands of rolling resistance end, m/s.
+        self.low = [0.0] * n
         self.radius = np.array(world.radius)
         self.places = [places_of(world, r) for r in world.radius]
         self.edges = [edges_of(world, r) for r in world.radius]
@@ -100,18 +102,20 @@ class Stepping:
         cloth, g = self.world.physics["cloth"], self.world.gravity
         r = self.radius
         sliding = np.array([m == "sliding" for m in self.motion])
-        rolling = np.array([m == "rolling" for m in self.motion])
+        in_roll = np.array([m == "rolling" for m in self.motion])
         flying = np.array([m == "airborne" for m in self.motion])
-        slides, rolls = sliding.any(), rolling.any()
+        slides, rolls = sliding.any(), in_roll.any()
         on_cloth = np.array([m in ON_CLOTH for m in self.motion])
         u0 = _slip(self.y, r)
         v0 = self.y[3:5].copy()
+        bands = [rolling.band(cloth, speed) for speed in np.hypot(*v0)]
+        drags = np.array([friction for friction, _ in bands]) * g * in_roll
         spin_sign = np.sign(self.y[8]) * on_cloth
 
         def rates(_: float, flat: Array) -> Array:
             y = flat.reshape(9, -1)
             d = np.zeros_like(y)
-            d[0:2] = y[3:5] * (sliding | rolling | flying)
+            d[0:2] = y[3:5] * (sliding | in_roll | flying)
             d[2] = y[5] * flying
             d[5] = -g * flying
             # The force continues unchanged after slip or speed vanishes, so that the integrator can
@@ -122,7 +126,7 @@ class Stepping:
                 d[6] += force[1] * 5 / (2 * r)
                 d[7] -= force[0] * 5 / (2 * r)
             if rolls:
-                drag = -cloth["rolling_friction"] * g * _unit(y[3:5], v0) * rolling
+                drag = -drags * _unit(y[3:5], v0)
                 d[3:5] += drag
                 d[6] += -drag[1] / r
                 d[7] += drag[0] / r
@@ -147,7 +151,9 @@ class Stepping:
                 found.append(Watch(("slide", ids[i]), (i,), _along(u0, r, i, slip=True)))
             elif motion == "rolling":
                 v0 = self.y[3:5, i].copy()
-                found.append(Watch(("roll", ids[i]), (i,), _along(v0, r, i, slip=False)))
+                self.low[i] = rolling.band(self.world.physics["cloth"], np.hypot(*v0))[1]
+                value = _along(v0, r, i, slip=False, end=self.low[i])
+                found.append(Watch(("roll", ids[i]), (i,), value))
             if motion in ON_CLOTH and self.y[8, i] != 0.0:
                 sign = np.sign(self.y[8, i])
                 found.append(Watch(("spin", ids[i]), (i,), lambda y, i=i, s=sign: s * y[8, i]))
@@ -381,6 +387,8 @@ class Stepping:
         elif kind == "slide":
             y[6, i], y[7, i] = -y[4, i] / self.radius[i], y[3, i] / self.radius[i]
             self.motion[i] = "rolling"
+        elif self.low[i] > 0.0:
+            y[3:8, i] *= self.low[i] / np.hypot(y[3, i], y[4, i])
         else:
             y[3:8, i] = 0.0
             self.motion[i] = "stationary" if y[8, i] == 0.0 else "spinning"
@@ -421,14 +429,16 @@ def _unit(v: Array, before: Array) -> Array:
     return v / size * np.where((v * before).sum(axis=0) < 0.0, -1.0, 1.0)
 
 
-def _along(v0: Array, r: Array, i: int, slip: bool) -> Callable[[Array], Array]:
-    """The component of slip or velocity along its initial direction."""
+def _along(
+    v0: Array, r: Array, i: int, slip: bool, end: float = 0.0
+) -> Callable[[Array], Array]:
+    """The component of slip or velocity along its initial direction, less `end`, m/s."""
     n = v0 / np.hypot(*v0)
 
     def value(y: Array) -> Array:
         if slip:
             return n[0] * (y[3, i] - r[i] * y[7, i]) + n[1] * (y[4, i] + r[i] * y[6, i])
-        return n[0] * y[3, i] + n[1] * y[4, i]
+        return n[0] * y[3, i] + n[1] * y[4, i] - end
 
     return value
 

@@ -150,6 +150,32 @@ def test_integration_alone_gives_the_first_events(seed: int) -> None:
     assert worst.largest < ALONE, worst
 
 
+#: The resistance grows with speed, falls with it, and has a band that ends near rest.
+BANDS: dict[str, list[JSON]] = {
+    "growing": [
+        {"up_to": 0.1, "friction": 0.006},
+        {"up_to": 0.4, "friction": 0.01},
+        {"friction": 0.02},
+    ],
+    "falling": [{"up_to": 0.15, "friction": 0.03}, {"friction": 0.008}],
+    "near rest": [{"up_to": 0.01, "friction": 0.02}, {"friction": 0.01}],
+}
+
+
+@pytest.mark.parametrize("bands", BANDS)
+@pytest.mark.parametrize("seed", range(4))
+def test_both_oracles_give_the_engines_events_in_bands_of_speed(seed: int, bands: str) -> None:
+    cloth = {**PHYSICS["cloth"], "rolling_friction": BANDS[bands]}
+    shot = random_shot(seed, balls=4, cloth=cloth)
+    world, events = world_of(shot), play(shot)
+    rolls_on = [e for e in events if e.get("from") == e.get("to") == "rolling"]
+    assert rolls_on
+    worst = follow(Precise(world, start_of(shot)), world, events, resync=True)
+    assert worst.largest < EXACT, worst
+    worst = follow(Stepping(world, start_of(shot)), world, events, resync=True)
+    assert worst.largest < STEPPED, worst
+
+
 #: On the cloth, thrown or dropped, and struck by an elevated cue.
 EXACT_SHOTS = [
     *((random_shot, seed) for seed in range(8)),
