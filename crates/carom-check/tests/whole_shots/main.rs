@@ -13,4 +13,5 @@ mod owned_event;
 mod plan;
 mod random_shots;
 mod sampled;
+mod speed_bands;
 mod symmetries;

@@ -52,9 +52,12 @@ const SAMPLES: u32 = 64;
 /// then ends within 1e-9 of its length where it should; more would change no roll by a nanometre.
 const HALVINGS: u32 = 30;
 
-/// Below this bc/a the law is nearly constant, and the closed form of S would lose digits, so its
-/// series is used. The series' error is then 1e-12 of the distance.
-const NEARLY_CONSTANT: f64 = 1e-3;
+/// Below this bc/a the closed form of S loses digits, about 1e-16/(bc/a)² of the distance, so its
+/// series is used. Larger, and the series would need more terms.
+const NEARLY_CONSTANT: f64 = 0.03;
+
+/// Terms of the series; the next one is less than 1e-12 of the distance.
+const TERMS: u32 = 8;
 
 impl RollingLaw {
     /// Deceleration of a ball that rolls at `speed` (m/s), m/s².
@@ -72,8 +75,8 @@ impl RollingLaw {
         }
         // ∫ v/D dv = (1/a) Σ (−b/a)^k (high^(k+2) − low^(k+2))/(k+2), from the highest power down.
         let primitive = |v: f64| {
-            let x = -ratio * v;
-            v * v * (1.0 / 2.0 + x * (1.0 / 3.0 + x * (1.0 / 4.0 + x * (1.0 / 5.0))))
+            let next = |sum: f64, k: u32| 1.0 / f64::from(k + 2) - ratio * v * sum;
+            v * v * (0..TERMS).rev().fold(0.0, next)
         };
         (primitive(high) - primitive(low)) / a
     }
@@ -194,5 +197,137 @@ impl RollingLaw {
             let error = exact - (v - low) * (v + low) / (2.0 * deceleration);
             error <= (tolerance.share * (rest + exact)).max(tolerance.least)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEATED: RollingLaw = RollingLaw { a: 0.0410, b: 0.0142 };
+    const GRAVITY: f64 = 9.80665;
+
+    fn tolerance(fastest: f64, share: f64, least: f64) -> RollingTolerance {
+        RollingTolerance { fastest, share, least }
+    }
+
+    fn bands(law: &RollingLaw, tolerance: &RollingTolerance) -> Vec<RollingBand> {
+        let friction = law.bands(GRAVITY, tolerance).unwrap_or_else(|e| panic!("{e}"));
+        friction.bands().collect()
+    }
+
+    /// The roll from `speed` in bands, m.
+    fn roll(bands: &[RollingBand], speed: f64) -> f64 {
+        let mut low = 0.0;
+        let mut distance = 0.0;
+        for band in bands {
+            let high = speed.min(band.up_to);
+            if high > low {
+                distance += (high * high - low * low) / (2.0 * band.friction * GRAVITY);
+            }
+            low = band.up_to;
+        }
+        distance
+    }
+
+    /// Simpson's rule for ∫ v/(a + bv) dv, independent of the closed form.
+    fn integrated(law: &RollingLaw, low: f64, high: f64) -> f64 {
+        const STEPS: u32 = 20_000;
+        let h = (high - low) / f64::from(STEPS);
+        let f = |k: u32| {
+            let v = low + h * f64::from(k);
+            v / (law.a + law.b * v)
+        };
+        let weight = |k: u32| if k % 2 == 0 { 2.0 } else { 4.0 };
+        let inner = (1..STEPS).fold(0.0, |sum, k| sum + weight(k) * f(k));
+        (f(0) + inner + f(STEPS)) * h / 3.0
+    }
+
+    #[test]
+    fn the_distance_is_the_integral_of_v_over_the_deceleration() {
+        for b in [0.0, 1e-9, 1e-5, 4e-4, 5e-4, 0.0142, 3.0] {
+            let law = RollingLaw { b, ..HEATED };
+            for (low, high) in [(0.0, 0.05), (0.0, 1.0), (0.9, 1.0), (2.0, 7.0)] {
+                let (found, expected) = (law.distance(low, high), integrated(&law, low, high));
+                assert!(
+                    (found / expected - 1.0).abs() < 2e-12,
+                    "{b} {low} {high} {found} {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_ball_that_starts_at_the_end_of_a_band_rolls_as_far_as_by_the_law() {
+        let bands = bands(&HEATED, &tolerance(3.0, 0.005, 0.005));
+        for end in bands.iter().map(|band| band.up_to.min(3.0)) {
+            let (found, expected) = (roll(&bands, end), HEATED.distance(0.0, end));
+            assert!((found / expected - 1.0).abs() < 1e-12, "{end} {found} {expected}");
+        }
+    }
+
+    #[test]
+    fn no_roll_is_further_from_the_law_than_the_tolerance() {
+        for (fastest, share, least) in [(3.0, 0.005, 0.005), (3.0, 0.002, 0.01), (7.0, 0.01, 0.001)]
+        {
+            let bands = bands(&HEATED, &tolerance(fastest, share, least));
+            let mut largest: f64 = 0.0;
+            for k in 1..=20_000 {
+                let v = fastest * f64::from(k) / 20_000.0;
+                let exact = HEATED.distance(0.0, v);
+                let error = exact - roll(&bands, v);
+                assert!(error > -1e-12, "a ball never rolls further than by the law");
+                largest = largest.max(error / (share * exact).max(least));
+            }
+            // The errors are checked at 64 speeds of each band, and not far below the limit.
+            assert!((0.5..1.001).contains(&largest), "{fastest} {share} {least}: {largest}");
+        }
+    }
+
+    #[test]
+    fn the_bands_are_the_fewest() {
+        let limits = tolerance(3.0, 0.005, 0.005);
+        let found = bands(&HEATED, &limits);
+        // Bands that are each as long as possible, one after another.
+        let greedy = HEATED.ends(&limits);
+        assert_eq!(found.len(), greedy.len());
+        // With one band fewer, the last of them does not reach the highest speed.
+        assert!(greedy[greedy.len() - 2] < 3.0);
+        assert_eq!(found.len(), 10);
+    }
+
+    #[test]
+    fn a_law_that_hardly_grows_needs_one_band() {
+        for b in [0.0, 1e-6] {
+            let found = bands(&RollingLaw { b, ..HEATED }, &tolerance(3.0, 0.005, 0.005));
+            assert_eq!(found.len(), 1);
+            assert!((found[0].friction * GRAVITY / HEATED.a - 1.0).abs() < 1e-4);
+        }
+    }
+
+    #[test]
+    fn values_out_of_range_are_refused_by_name() {
+        let good = tolerance(3.0, 0.005, 0.005);
+        let place = |law: RollingLaw, gravity: f64, tolerance: RollingTolerance| match law
+            .bands(gravity, &tolerance)
+        {
+            Err(Error::Input(e)) => e.place,
+            other => panic!("expected a refusal, got {other:?}"),
+        };
+        for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(place(RollingLaw { a: bad, ..HEATED }, GRAVITY, good), "a");
+            assert_eq!(place(HEATED, bad, good), "gravity");
+            assert_eq!(
+                place(HEATED, GRAVITY, RollingTolerance { fastest: bad, ..good }),
+                "fastest"
+            );
+            assert_eq!(place(HEATED, GRAVITY, RollingTolerance { least: bad, ..good }), "least");
+        }
+        for bad in [-1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(place(RollingLaw { b: bad, ..HEATED }, GRAVITY, good), "b");
+            assert_eq!(place(HEATED, GRAVITY, RollingTolerance { share: bad, ..good }), "share");
+        }
+        // Too many bands.
+        assert_eq!(place(HEATED, GRAVITY, tolerance(5.0, 1e-4, 1e-4)), "share");
     }
 }

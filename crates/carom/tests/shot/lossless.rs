@@ -1,6 +1,6 @@
 //! Shot files are read and written without losing a bit or a word.
 
-use carom::format::Node;
+use carom::format::{KeyPath, Node};
 use carom::resolve::cue_ball::Strike;
 use carom::{Physics, Shot, ShotFile};
 
@@ -266,4 +266,32 @@ fn with_balls_gives_the_shot_of_a_file_with_these_balls() {
     flown[0].state.velocity.x = f64::NAN;
     assert!(refused(flown).starts_with("balls[0].velocity: NaN m/s is out of range"));
     assert!(refused(Vec::new()).starts_with("balls: found 0 balls"));
+}
+
+#[test]
+fn speed_bands_keep_their_bits_and_replace_those_of_the_base() {
+    let bands = r#"[{"up_to": 0.1, "friction": 0.3}, {"up_to": 0.7000000000000001, "friction": 0.0045},
+        {"friction": 1e-149}]"#;
+    let read = |friction: &str| {
+        let file = format!(
+            r#"{{"format": "carom-shot/1", "table": "carom-10ft",
+                "physics": {{"base": "carom", "cloth": {{"rolling_friction": {friction}}}}},
+                "balls": [{{"id": "a", "position": [0.5, 0.5], "velocity": [1, 0, 0]}}]}}"#
+        );
+        ShotFile::from_json(&file).unwrap_or_else(|e| panic!("{e}"))
+    };
+    let shot = read(bands);
+    let again = ShotFile::from_json(&shot.to_json()).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(again.physics(), shot.physics());
+    let path = KeyPath::parse("physics").unwrap_or_else(|e| panic!("{e}"));
+    let whole = shot.physics().to_node();
+    let written = shot.with_values([(&path, whole)]).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(written.physics(), shot.physics());
+    let number = KeyPath::parse("physics.cloth.rolling_friction").unwrap_or_else(|e| panic!("{e}"));
+    let plain = shot.with_values([(&number, 0.02.into())]).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(plain.physics(), read("0.02").physics());
+    let one = KeyPath::parse("physics.cloth.rolling_friction[1].friction");
+    let one = one.unwrap_or_else(|e| panic!("{e}"));
+    let changed = shot.with_values([(&one, 0.006.into())]).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(changed.physics(), read(&bands.replace("0.0045", "0.006")).physics());
 }

@@ -403,6 +403,35 @@ fn unbounded_cloth_has_no_other_keys() {
 }
 
 #[test]
+fn bad_speed_bands_are_refused_with_their_place() {
+    let bad = |bands: &str, place: &str, words: &[&str]| {
+        let physics = format!(r#""cloth": {{"rolling_friction": {bands}}}"#);
+        refused(BASE, &physics, &format!("physics.cloth.rolling_friction{place}"), words);
+    };
+    let last = r#"{"friction": 0.01}"#;
+    bad("[]", "", &["a list of 0 bands", "write 1 to 16 bands, or a number"]);
+    let band = |k: u32| format!(r#"{{"up_to": {k}, "friction": 0.01}}"#);
+    let many: Vec<String> = (1..=16).map(band).collect();
+    bad(&format!("[{}, {last}]", many.join(", ")), "", &["a list of 17 bands", "1 to 16"]);
+    bad("{\"a\": 0.01}", "", &["an object", "a number ≥ 0, or a list of speed bands"]);
+    bad("\"0.01\"", "", &["or a list of speed bands"]);
+    bad(&format!("[0.01, {last}]"), "[0]", &["an object {...}"]);
+    bad(&format!(r#"[{{"upto": 1, "friction": 0.01}}, {last}]"#), "[0].upto", &["`up_to`"]);
+    bad(&format!(r#"[{{"up_to": 1}}, {last}]"#), "[0].friction", &["missing"]);
+    bad(&format!("[{last}, {last}]"), "[0].up_to", &["has no end", "give the largest speed"]);
+    bad(&format!("[{}]", band(1)), "[0].up_to", &["the last band ends at 1.0 m/s", "leave it out"]);
+    let (one, two) = (band(1), band(2));
+    bad(&format!("[{one}, {one}, {last}]"), "[1].up_to", &["not above", "sort the bands"]);
+    bad(&format!("[{two}, {one}, {last}]"), "[1].up_to", &["1.0 m/s is not above", "2.0 m/s"]);
+    for speed in ["0", "-1", "1e10", "null", "\"fast\""] {
+        bad(&format!(r#"[{{"up_to": {speed}, "friction": 0.01}}, {last}]"#), "[0].up_to", &[]);
+    }
+    for friction in ["-0.01", "1e10", "null", "[0.01]"] {
+        bad(&format!(r#"[{one}, {{"friction": {friction}}}]"#), "[1].friction", &[]);
+    }
+}
+
+#[test]
 fn a_vanishing_parameter_is_read_as_zero() {
     let hash = |section: &str, key: &str, value: &str| {
         let shot = Shot::from_json(&format!(

@@ -76,6 +76,11 @@ fn the_shot_schema_and_the_reader_have_the_same_keys() {
         let path: Vec<&str> = path.split('/').collect();
         assert_eq!(keys(at(&schema, &path)), keys_of_the_reader(&text), "{path:?}");
     }
+    let bands = file(good.0, r#"{"cloth": {"rolling_friction": [{"qqqqqqqqqq": 1}]}}"#, "", "", "");
+    let cloth = at(&schema, &["$defs", "physics", "oneOf", "1", "properties", "cloth"]);
+    let band = at(cloth, &["properties", "rolling_friction", "oneOf", "1"]);
+    assert_eq!(keys(at(band, &["items", "properties"])), keys_of_the_reader(&bands));
+    assert_eq!(at(band, &["maxItems"]), &Node::Integer(carom::physics::MAX_ROLLING_BANDS as i64));
     let mut of_tables = keys(at(&schema, &["$defs", "table", "oneOf", "2", "properties"]));
     of_tables.insert(String::from("cloth"));
     let text = file(r#"{"qqqqqqqqqq": 1}"#, good.1, "", "", "");

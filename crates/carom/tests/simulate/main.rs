@@ -11,6 +11,7 @@ mod order_of_balls;
 mod orientations_and_polylines;
 mod outcome_of_flight;
 mod preset_cushions;
+mod speed_bands;
 mod strike_network;
 mod support;
 mod trace_file;
