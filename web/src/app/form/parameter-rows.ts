@@ -8,6 +8,7 @@ import {
   valueAt,
   withoutValue,
   withValue,
+  writtenPath,
   type Parameter,
   type Part,
   type Values,
@@ -43,9 +44,12 @@ export function mountParameters(
   let shown = "";
 
   function set(path: readonly string[], value: unknown): boolean {
-    const own = subject.changes();
-    const same = text(valueAt(subject.base(), path)) === text(value);
-    return subject.write(same ? withoutValue(own, path) : withValue(own, path, value), path);
+    const [own, now] = [subject.changes(), subject.now()];
+    const written = writtenPath(now, path);
+    const next =
+      written.length < path.length ? valueAt(withValue(now, path, value), written) : value;
+    const same = text(valueAt(subject.base(), written)) === text(next);
+    return subject.write(same ? withoutValue(own, written) : withValue(own, written, next), path);
   }
 
   function show(): void {
@@ -110,7 +114,8 @@ export function mountParameters(
       show();
     });
     const reset = () => {
-      set(path, valueAt(subject.base(), path));
+      const written = writtenPath(subject.now(), path);
+      set(written, valueAt(subject.base(), written));
       store.settle();
     };
     const name = path.length > 1 ? path.slice(1).map(title).join(", ") : title(path[0]!);
@@ -161,5 +166,6 @@ function valueOf({ kind }: Parameter, written: string): string | number | null {
 
 /** A value of the file as text. */
 function text(value: unknown): string {
+  if (typeof value === "object") return JSON.stringify(value);
   return String(typeof value === "number" ? round(value, DIGITS) : value);
 }

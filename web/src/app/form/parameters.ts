@@ -4,7 +4,7 @@ export type Values = Readonly<Record<string, unknown>>;
 
 /** One parameter. */
 export interface Parameter {
-  /** Keys below the part, such as `ball_ball`, `friction`, `a`. */
+  /** Keys below the part, such as `ball_ball`, `friction`, `a`; in a list the item's number. */
   readonly path: readonly string[];
   readonly kind: "number" | "choice";
   readonly choices: readonly string[];
@@ -20,12 +20,13 @@ interface Schema {
   readonly description?: string;
   readonly enum?: readonly string[];
   readonly properties?: Readonly<Record<string, Schema>>;
+  readonly items?: Schema;
   readonly oneOf?: readonly Schema[];
   readonly $ref?: string;
 }
 
 /** A unit at the end of a schema description, before punctuation. */
-const UNIT = /(?:^|, )(kg|m\/s²|rad\/s²|s\/m|m|degrees)(?=[.,:;]|$)/;
+const UNIT = /(?:^|, )(kg|m\/s²|m\/s|rad\/s²|s\/m|m|degrees)(?=[.,:;]|$)/;
 
 /** The parameters that both the schema and `values` have, in the schema's order. */
 export function parameters(schema: object, part: Part, values: Values): Parameter[] {
@@ -52,6 +53,13 @@ function collect(
   if (typeof value === "number") return [{ ...common, kind: "number" }];
   if (typeof value !== "object" || value === null) return [];
   const full = schema.$ref ? $defs[schema.$ref.replace("#/$defs/", "")] : schema;
+  if (Array.isArray(value)) {
+    // A list that stands for a number, such as speed bands. Other lists have forms of their own.
+    const items = full?.oneOf?.find((choice) => choice.type === "array")?.items;
+    return value.flatMap((item, k) =>
+      items ? collect($defs, [...path, String(k)], items, item) : [],
+    );
+  }
   const fit = full?.oneOf?.find((choice) => choice.type === "object") ?? full;
   return Object.entries(fit?.properties ?? {}).flatMap(([key, inner]) =>
     collect($defs, [...path, key], inner, (value as Values)[key]),
@@ -73,7 +81,20 @@ export function withValue(values: Values, path: readonly string[], value: unknow
   if (key === undefined) return values;
   const inner = values[key];
   const below = typeof inner === "object" && inner !== null ? (inner as Values) : {};
-  return { ...values, [key]: rest.length > 0 ? withValue(below, rest, value) : value };
+  const next = rest.length > 0 ? withValue(below, rest, value) : value;
+  if (Array.isArray(values)) {
+    return values.map((item: unknown, k) => (String(k) === key ? next : item)) as unknown as Values;
+  }
+  return { ...values, [key]: next };
+}
+
+/**
+ * The path of what is written to the file when the value at `path` changes: of the whole list if
+ * the value is in one, because a list replaces that of the base.
+ */
+export function writtenPath(values: Values, path: readonly string[]): readonly string[] {
+  const list = path.findIndex((_, k) => Array.isArray(valueAt(values, path.slice(0, k))));
+  return list < 0 ? path : path.slice(0, list);
 }
 
 /** A copy of `values` without the value at `path` and without objects that become empty. */
@@ -88,8 +109,9 @@ export function withoutValue(values: Values, path: readonly string[]): Values {
 
 /** Whether `changes` has a value at `path` that differs from the base. Some files repeat the base. */
 export function isChanged(changes: Values, base: Values, path: readonly string[]): boolean {
-  const [own, usual] = [valueAt(changes, path), valueAt(base, path)];
-  return own !== undefined && usual !== undefined && own !== usual;
+  const written = writtenPath(changes, path);
+  const [own, usual] = [valueAt(changes, written), valueAt(base, written)];
+  return own !== undefined && usual !== undefined && JSON.stringify(own) !== JSON.stringify(usual);
 }
 
 /** `base` with the values of `changes` merged into it, as the engine merges them. */
@@ -124,6 +146,8 @@ const TITLES: Readonly<Record<string, string>> = {
 
 /** `ball_ball` as a heading, `sliding_friction` as a label. */
 export function title(key: string): string {
+  // The items of the only list, rolling friction.
+  if (/^\d+$/.test(key)) return `Band ${Number(key) + 1}`;
   const known = TITLES[key];
   if (known !== undefined) return known;
   const text = key.replaceAll("_", " ");

@@ -4,10 +4,12 @@ import {
   isChanged,
   merged,
   parameters,
+  title,
   type Values,
   valueAt,
   withoutValue,
   withValue,
+  writtenPath,
 } from "../../../src/app/form/parameters.ts";
 
 const engine = await load();
@@ -67,4 +69,34 @@ test("changes are merged over their base as the engine merges them", () => {
   expect(valueAt(now, ["cloth", "sliding_friction"])).toBe(
     valueAt(engine.physics.pool!, ["cloth", "sliding_friction"]),
   );
+});
+
+const BANDS = [{ up_to: 0.5, friction: 0.008 }, { friction: 0.012 }];
+
+test("speed bands have a row for each number, with its unit", () => {
+  const now = merged(engine.physics.pool!, { cloth: { rolling_friction: BANDS } });
+  const rows = parameters(schema, "physics", now).filter(({ path }) => path.length > 2);
+  const bands = rows.filter(({ path }) => path[1] === "rolling_friction");
+  expect(bands.map(({ path, unit }) => [path.slice(2).join("."), unit])).toEqual([
+    ["0.up_to", "m/s"],
+    ["0.friction", ""],
+    ["1.friction", ""],
+  ]);
+  expect(bands.map(({ path }) => title(path[2]!))).toEqual(["Band 1", "Band 1", "Band 2"]);
+});
+
+test("a changed number of a speed band is written with the whole list", () => {
+  const now: Values = { cloth: { rolling_friction: BANDS } };
+  const path = ["cloth", "rolling_friction", "1", "friction"];
+  const written = writtenPath(now, path);
+  expect(written).toEqual(["cloth", "rolling_friction"]);
+  const next = valueAt(withValue(now, path, 0.02), written);
+  expect(next).toEqual([BANDS[0], { friction: 0.02 }]);
+  const changes = withValue({ base: "pool" }, written, next);
+  expect(isChanged(changes, now, path)).toBe(true);
+  expect(isChanged(now, now, path)).toBe(false);
+  expect(isChanged(changes, engine.physics.pool!, path)).toBe(true);
+  expect(withoutValue(changes, written)).toEqual({ base: "pool" });
+  // A value outside a list is written alone.
+  expect(writtenPath(now, ["cloth", "sliding_friction"])).toEqual(["cloth", "sliding_friction"]);
 });

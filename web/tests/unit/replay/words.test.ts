@@ -41,6 +41,10 @@ describe("an event in words", () => {
       "ball 1 stops sliding, starts rolling",
     ],
     [
+      { type: "motion-transition", balls: ["1"], from: "rolling", to: "rolling" },
+      "ball 1 goes on rolling in a slower speed band",
+    ],
+    [
       { type: "motion-transition", balls: ["1"], from: "rolling", to: "stationary" },
       "ball 1 comes to rest",
     ],
