@@ -429,9 +429,7 @@ def _unit(v: Array, before: Array) -> Array:
     return v / size * np.where((v * before).sum(axis=0) < 0.0, -1.0, 1.0)
 
 
-def _along(
-    v0: Array, r: Array, i: int, slip: bool, end: float = 0.0
-) -> Callable[[Array], Array]:
+def _along(v0: Array, r: Array, i: int, slip: bool, end: float = 0.0) -> Callable[[Array], Array]:
     """The component of slip or velocity along its initial direction, less `end`, m/s."""
     n = v0 / np.hypot(*v0)
 

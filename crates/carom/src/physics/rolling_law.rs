@@ -238,7 +238,7 @@ mod tests {
             let v = low + h * f64::from(k);
             v / (law.a + law.b * v)
         };
-        let weight = |k: u32| if k % 2 == 0 { 2.0 } else { 4.0 };
+        let weight = |k: u32| if k.is_multiple_of(2) { 2.0 } else { 4.0 };
         let inner = (1..STEPS).fold(0.0, |sum, k| sum + weight(k) * f(k));
         (f(0) + inner + f(STEPS)) * h / 3.0
     }

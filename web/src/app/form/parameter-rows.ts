@@ -166,6 +166,7 @@ function valueOf({ kind }: Parameter, written: string): string | number | null {
 
 /** A value of the file as text. */
 function text(value: unknown): string {
-  if (typeof value === "object") return JSON.stringify(value);
-  return String(typeof value === "number" ? round(value, DIGITS) : value);
+  if (typeof value === "number") return String(round(value, DIGITS));
+  if (value === undefined) return "";
+  return typeof value === "string" ? value : JSON.stringify(value);
 }
