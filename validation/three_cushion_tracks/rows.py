@@ -8,7 +8,6 @@ deceleration of rolling balls between contacts follows D(v) = 0.0410 + 0.0142 v 
 import math
 
 import carom
-from carom.cloth import STANDARD_GRAVITY
 from carom.validation.lab import JSON, ball, simulate
 from carom.validation.row import Kind, absolute, relative, row
 
