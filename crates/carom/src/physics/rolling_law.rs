@@ -39,8 +39,8 @@ pub struct RollingTolerance {
     pub fastest: f64,
     /// The largest error as a share of the roll's length.
     pub share: f64,
-    /// The error that is always allowed, m. Purpose: without it the shortest rolls, which nobody
-    /// can tell apart, would need ever more bands.
+    /// The error that is always allowed, m. Purpose: without it the shortest rolls, whose ends look
+    /// the same, would need ever more bands.
     pub least: f64,
 }
 
