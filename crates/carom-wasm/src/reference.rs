@@ -2,8 +2,7 @@
 
 use carom::format::Node;
 use carom::rack::{Break, Game, USUAL_GAP, break_shot as open};
-use carom::table::PRESETS;
-use carom::{Physics, Table};
+use carom::{Physics, Table, edition};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -16,18 +15,33 @@ pub fn version() -> String {
     carom::trace::ENGINE.into()
 }
 
-/// Every table preset's geometry.
+/// Every table preset's geometry: the newest ones, then older editions.
 #[wasm_bindgen]
 pub fn tables() -> String {
-    let presets = PRESETS.iter().filter_map(|name| Table::preset(name));
+    let presets = edition::listed(edition::TABLES).into_iter().filter_map(Table::preset);
     Node::list(presets.map(|table| table.to_node())).to_json()
 }
 
-/// Every physics preset by name, as in a shot file.
+/// The current name of the preset `name` of a table or of physics, see [`edition`].
+#[wasm_bindgen(js_name = currentPresetName)]
+pub fn current_preset_name(name: &str) -> Option<String> {
+    let table = Table::preset(name).and_then(|table| table.name);
+    table.or_else(|| edition::current_physics_name(name).map(String::from))
+}
+
+/// Every physics preset by name, as in a shot file: the newest ones, then older editions.
 #[wasm_bindgen]
 pub fn physics() -> String {
-    let preset = |name: &&str| Some(((*name).into(), Physics::preset(name)?.to_node()));
-    Node::Object(Physics::PRESETS.iter().filter_map(preset).collect()).to_json()
+    let preset = |name: &'static str| Some((name.into(), Physics::preset(name)?.to_node()));
+    Node::Object(edition::listed(edition::PHYSICS).into_iter().filter_map(preset).collect())
+        .to_json()
+}
+
+/// A shot file, or a frame's table and physics, with the dated names of presets.
+#[wasm_bindgen(js_name = withDatedNames)]
+pub fn with_dated_names(file: &str) -> Result<String, JsValue> {
+    let file = Node::from_json(file).map_err(|e| to_exception(&e))?;
+    Ok(carom::format::with_dated_names(&file).to_json())
 }
 
 /// The names of the games that can be racked.

@@ -175,6 +175,14 @@ class WasmEngine implements Engine {
     checked(() => wasm.checkNoise(sigmasOf(noise)));
   }
 
+  currentPresetName(name: string): string {
+    return wasm.currentPresetName(name) ?? name;
+  }
+
+  withDatedNames<T extends Pick<ShotFile, "table" | "physics">>(file: T): T {
+    return checked(() => JSON.parse(wasm.withDatedNames(JSON.stringify(file))) as T);
+  }
+
   usualTable(game: string): string {
     return checked(() => wasm.usualTable(text("game", game)));
   }

@@ -23,9 +23,19 @@ export interface Engine {
   readonly version: string;
   /** Games that can be racked. */
   readonly games: readonly string[];
-  /** Table presets. */
+  /** Table presets: the newest ones, then older editions. */
   readonly tables: readonly Geometry[];
-  /** Physics presets by name: every parameter, as in a shot file. */
+  /**
+   * The current name of the preset `name`, of a table or of physics: without a date if its values are the
+   * newest. Records have dated names. A name that no preset has is returned as it is.
+   */
+  currentPresetName(name: string): string;
+  /**
+   * A shot file, or a frame's table and physics, with the dated names of presets, for a record: `pool`
+   * will have other values one day.
+   */
+  withDatedNames<T extends Pick<ShotFile, "table" | "physics">>(file: T): T;
+  /** Physics presets by current name: every parameter, as in a shot file. */
   readonly physics: Readonly<Record<string, Readonly<Record<string, unknown>>>>;
   /** Reads a shot file. @throws CaromError that names the place, the fault and the remedy. */
   shot(file: string | ShotFile): Shot;

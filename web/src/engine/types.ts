@@ -113,8 +113,10 @@ export const STRIDE = 14;
 
 /** A table in metres. Cushions and liners are lines of the ground plan. */
 export interface Geometry {
-  /** The preset's name if the table is an unchanged preset. */
+  /** The preset's name if the table is an unchanged preset; without a date if the values are the newest. */
   readonly name: string | null;
+  /** The name under which these values remain available, such as "wpa-9ft-2026-11". */
+  readonly dated_name: string | null;
   /** Playing area along x and y, nose to nose; null on unbounded cloth. */
   readonly size: Point | null;
   /** Height of the cushion nose above the slate. */

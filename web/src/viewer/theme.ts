@@ -52,5 +52,10 @@ const CLOTHS: Readonly<Record<string, string>> = {
  * @param physics - The table's own physics preset, if it has one.
  */
 export function clothColor(physics: string | undefined): string {
-  return CLOTHS[physics ?? "pool"] ?? CLOTHS.pool!;
+  return CLOTHS[kindOf(physics)] ?? CLOTHS.pool!;
+}
+
+/** The kind of game of a physics preset, whose name may go on with conditions and a date. */
+export function kindOf(physics = "pool"): string {
+  return physics.split("-", 1)[0]!;
 }

@@ -58,7 +58,7 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
   };
   const baseName = (): string => {
     const { base } = changes();
-    return typeof base === "string" ? base : "";
+    return typeof base === "string" ? engine.currentPresetName(base) : "";
   };
   const preset = () => presets.get(baseName());
   const showForm = mountParameters(form, store, engine.schema("shot"), {

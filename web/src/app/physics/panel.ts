@@ -36,9 +36,9 @@ export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: C
   };
   const baseName = () => {
     const { physics } = store.document.shot;
-    if (typeof physics === "string") return physics;
+    if (typeof physics === "string") return engine.currentPresetName(physics);
     const { base } = own();
-    return typeof base === "string" ? base : TABLES_OWN;
+    return typeof base === "string" ? engine.currentPresetName(base) : TABLES_OWN;
   };
   const base = (): Values =>
     engine.physics[baseName() || (store.shot.geometry.physics ?? "pool")] ?? {};

@@ -1,10 +1,11 @@
 /** The address bar: it follows the document, and a link that is entered there is opened. */
 
-import { CaromError, type Engine } from "../../engine/index.ts";
+import { CaromError, type Engine, type Shot } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import type { Document, View } from "../document/document.ts";
 import { aimed } from "../document/file.ts";
-import type { Store } from "../document/store.ts";
+import type { Setup } from "../document/game.ts";
+import type { State, Store } from "../document/store.ts";
 import { standing } from "../game/play.ts";
 import { referee } from "../game/referee.ts";
 import { replay } from "../replay/control.ts";
@@ -67,9 +68,24 @@ function checked(engine: Engine, { shot, noise, seed, game, view, time }: LinkSt
 }
 
 /** The page's address with its present state; null where the page has no address to share. */
-export function link(store: Store): string | null {
+export function link(store: Store, engine: Engine): string | null {
   if (location.protocol === "about:") return null;
-  return location.href.replace(/#.*$/s, "") + stateToFragment(store.shot.file, store.state);
+  return location.href.replace(/#.*$/s, "") + fragment(engine, store.shot, store.state);
+}
+
+/** The fragment for a state. Presets have dated names, so that the link keeps their values. */
+function fragment(engine: Engine, shot: Shot, state: State): string {
+  const { game } = state.document;
+  const dated = game && { ...game, setup: datedSetup(engine, game.setup) };
+  const document = { ...state.document, game: dated };
+  return stateToFragment(engine.withDatedNames(shot.file), { ...state, document });
+}
+
+function datedSetup(engine: Engine, setup: Setup): Setup {
+  if (setup.from) return { ...setup, from: engine.withDatedNames(setup.from) };
+  const { table = engine.usualTable(setup.rules), physics } = setup.options;
+  const named = engine.withDatedNames({ table, ...(physics !== undefined && { physics }) });
+  return { ...setup, options: { ...setup.options, ...named } };
 }
 
 /** Updates the address after each change. A link that was refused stays until the first change. */
@@ -81,7 +97,7 @@ export function mountAddress(store: Store, context: Context): void {
     const aiming = { ...store.state, session: { ...store.session, mode: "aim" as const } };
     try {
       // Replaced, not pushed: "back" leaves the page as expected; the page has its own undo.
-      history.replaceState(null, "", stateToFragment(store.shot.file, aiming));
+      history.replaceState(null, "", fragment(context.engine, store.shot, aiming));
     } catch {
       // In a notebook or another page's frame the address cannot be changed.
     }

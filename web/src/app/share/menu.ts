@@ -61,6 +61,7 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
 
 function mountLink(
   store: Store,
+  engine: Engine,
   copyText: (text: string, what: string) => Promise<void>,
 ): { section: HTMLElement; refresh: () => void } {
   const address = h("input", { type: "text", readonly: true, id: uniqueId("link") });
@@ -75,7 +76,7 @@ function mountLink(
   return {
     section: section("Link with everything on this page", label, address, button, none),
     refresh: () => {
-      const here = link(store);
+      const here = link(store, engine);
       address.value = here ?? "";
       address.hidden = button.hidden = here === null;
       none.hidden = here !== null;

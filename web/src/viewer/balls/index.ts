@@ -17,6 +17,7 @@ import {
   Vector3,
 } from "three";
 import { FLOOR, LAYER } from "../table/solid";
+import { kindOf } from "../theme";
 import {
   type BallInfo,
   type Geometry,
@@ -125,7 +126,7 @@ export class Balls {
 
   /** Replaces the balls; meshes with the same look are reused. */
   setBalls(balls: readonly BallInfo[], geometry: Geometry): void {
-    const carom = geometry.physics === "carom";
+    const carom = kindOf(geometry.physics) === "carom";
     const kept = new Map(this.#bodies.map((body) => [key(body.look), body]));
     const old = new Set(this.#bodies);
     this.#bodies = balls.map((info, index) => {
