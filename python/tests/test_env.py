@@ -492,3 +492,12 @@ def test_a_match_is_a_zero_sum_game() -> None:
 def test_carom_is_imported_without_gymnasium() -> None:
     code = "import sys, carom; assert not {'gymnasium', 'pettingzoo'} & set(sys.modules)"
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_an_environment_names_its_presets_with_dates() -> None:
+    env = carom.env.CaromVectorEnv("nine-ball", 2)
+    assert env.presets == {"table": "wpa-9ft-2026-11"}
+    again = carom.env.CaromVectorEnv("nine-ball", 2, **env.presets)
+    assert np.array_equal(again.reset(seed=3)[0], env.reset(seed=3)[0])
+    pool = carom.env.CaromVectorEnv("three-cushion", physics="carom-heated")
+    assert pool.presets["physics"] == "carom-heated-2026-11"

@@ -216,6 +216,16 @@ impl VectorEnv {
         Ok(self.environment(index)?.next().map(|turn| turn.player))
     }
 
+    /// `table` and `physics` of the environments as in a shot file, with dated names of presets: what
+    /// a record needs to make the same environments after the presets have changed. No `physics` if
+    /// the table's name implies it.
+    pub fn presets(&self) -> Node {
+        let mut node = self.environments[0].episode.base().to_record_node();
+        let Node::Object(fields) = &mut node else { return node };
+        fields.retain(|(key, _)| key == "table" || key == "physics");
+        node
+    }
+
     /// The data for a drawing of environment `index`: its table, the balls on it (id, radius in m,
     /// position in m) and the scores.
     ///

@@ -168,6 +168,10 @@ impl VectorEnv {
         self.0.player(index).map_err(|e| to_exception(py, &e))
     }
 
+    fn presets<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.0.presets())
+    }
+
     fn picture<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.0.picture(index).map_err(|e| to_exception(py, &e))?)
     }

@@ -60,6 +60,15 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
         self.action_spaces = dict.fromkeys(self.possible_agents, act)
         self._seeded = False
 
+    @property
+    def presets(self) -> dict[str, Any]:
+        """The settings ``table`` and ``physics`` with dated names, for records.
+
+        A name without a date will have other values one day. ``physics`` is missing if the table's
+        name implies it.
+        """
+        return self._core.presets()
+
     def observation_space(self, agent: str) -> Box:
         """The space of observations, the same for both agents."""
         return self.observation_spaces[agent]

@@ -42,6 +42,15 @@ class CaromEnv(gymnasium.Env[Any, Any]):
         self.observation_space, self.action_space = spaces(self._core)
         self._seeded = False
 
+    @property
+    def presets(self) -> dict[str, Any]:
+        """The settings ``table`` and ``physics`` with dated names, for records.
+
+        A name without a date will have other values one day. ``physics`` is missing if the table's
+        name implies it.
+        """
+        return self._core.presets()
+
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Array, dict[str, Any]]:

@@ -120,6 +120,15 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
         self.action_space = batch_space(self.single_action_space, num_envs)
         self._seeded = False
 
+    @property
+    def presets(self) -> dict[str, Any]:
+        """The settings ``table`` and ``physics`` with dated names, for records.
+
+        A name without a date will have other values one day. ``physics`` is missing if the table's
+        name implies it.
+        """
+        return self._core.presets()
+
     def reset(
         self,
         *,
