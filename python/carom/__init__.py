@@ -41,7 +41,7 @@ from carom.plan import (
     solve,
 )
 from carom.racks import break_shot
-from carom.reference import schema, tables
+from carom.reference import physics, schema, tables
 from carom.rules import Frame, Ruling, rule_sets
 from carom.shot import Shot
 from carom.trace import Snapshot, Trace
@@ -89,6 +89,7 @@ __all__ = [
     "break_statistics",
     "evaluate",
     "kick_table",
+    "physics",
     "position_map",
     "pot_map",
     "rolling_bands",

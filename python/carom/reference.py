@@ -14,9 +14,21 @@ from carom.errors import InputError
 def tables() -> list[dict[str, Any]]:
     """All presets of tables, with dimensions, cushions and pockets, m.
 
-    Batch results number the pockets in the order given here.
+    ``name`` has no date if the values are the newest; ``dated_name`` names them for ever. Older
+    editions follow the newest ones. Batch results number the pockets in the order given here.
     """
     return _core.tables()
+
+
+def physics() -> list[dict[str, Any]]:
+    """All presets of physics with their values, and the source of every value.
+
+    Each has ``name``, ``dated_name``, ``parameters`` (a list of ``key``, ``value``, ``unit``,
+    ``evidence``, ``source``) and ``physics``, the same values as a shot file has them.
+    ``evidence`` is ``measured``, ``fit``, ``specified`` (a rule book, a convention, a published
+    model) or ``estimate``. Older editions follow the newest ones.
+    """
+    return _core.physics()
 
 
 def schema(kind: Literal["shot", "trace", "sweep"] = "shot") -> dict[str, Any]:

@@ -352,6 +352,49 @@ def test_tables_prints_every_preset_with_its_dimensions(run: CommandLine) -> Non
     assert [table["name"] for table in carom.tables()] == names
 
 
+def test_physics_prints_every_value_with_its_evidence_and_source(run: CommandLine) -> None:
+    done = run("physics", "carom-heated")
+    assert done.returncode == 0
+    assert done.stdout.startswith("carom-heated (carom-heated-2026-11)\n")
+    spin = next(line for line in done.stdout.splitlines() if "spin_deceleration" in line)
+    assert "3.6 rad/s²  fit" in spin
+    assert "three-cushion match" in spin
+    listed = json.loads(run("physics", "--json").stdout)
+    assert listed == carom.physics()
+    assert run("physics", "pool").stdout == run("physics", "pool-2026-11").stdout
+    refused(run("physics", "felt"), "carom-heated")
+
+
+def test_every_listed_physics_is_that_of_a_shot_with_its_name() -> None:
+    for preset in carom.physics():
+        assert {p["evidence"] for p in preset["parameters"]} <= {
+            "measured",
+            "fit",
+            "specified",
+            "estimate",
+        }
+        cue = {"id": "cue", "position": [0.5, 0.5]}
+        ends = {
+            name: carom.Shot.from_dict(
+                {
+                    "format": "carom-shot/1",
+                    "table": {"length": 2.0, "width": 1.0},
+                    "physics": physics,
+                    "balls": [cue],
+                    "strike": {"ball": "cue", "speed": 4.0, "azimuth_deg": 50.0, "side": 0.3},
+                }
+            )
+            .simulate()
+            .hash
+            for name, physics in (
+                ("name", preset["name"]),
+                ("dated", preset["dated_name"]),
+                ("values", preset["physics"]),
+            )
+        }
+        assert len(set(ends.values())) == 1, preset["name"]
+
+
 @pytest.mark.parametrize("kind", ["shot", "trace"])
 def test_schema_prints_a_json_schema(run: CommandLine, kind: str) -> None:
     done = run("schema", kind)

@@ -3,6 +3,7 @@
 pub mod presets;
 mod rolling_friction;
 mod rolling_law;
+pub mod sources;
 
 pub use rolling_friction::{MAX_ROLLING_BANDS, RollingBand, RollingFriction};
 pub use rolling_law::{RollingLaw, RollingTolerance};

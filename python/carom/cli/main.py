@@ -52,6 +52,7 @@ app.command("validate")(engine.validate)
 app.command("bench")(engine.bench)
 app.command("import")(convert.import_)
 app.command("tables")(reference.tables)
+app.command("physics")(reference.physics)
 app.command("schema")(reference.schema)
 
 

@@ -1,4 +1,4 @@
-"""``carom tables`` and ``carom schema``: the built-in tables and the file formats."""
+"""``carom tables``, ``carom physics`` and ``carom schema``: presets and file formats."""
 
 from __future__ import annotations
 
@@ -22,6 +22,26 @@ def tables(
     emit("\n\n".join(_describe(table) for table in known))
 
 
+def physics(
+    name: Annotated[
+        str | None, typer.Argument(metavar="[NAME]", help="A preset, with or without a date.")
+    ] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print every value as JSON.")] = False,
+) -> None:
+    """Print the physics presets: every value with its unit, its evidence and its source."""
+    known = carom.physics()
+    if name is not None:
+        names = [known_name for p in known for known_name in (p["name"], p["dated_name"])]
+        known = [p for p in known if name in (p["name"], p["dated_name"])]
+        if not known:
+            listed = ", ".join(dict.fromkeys(names))
+            raise carom.InputError(f'name: there is no physics preset "{name}"; write one of {listed}')
+    if json:
+        emit(js.dumps(known, indent=2))
+        return
+    emit("\n\n".join(_values(preset) for preset in known))
+
+
 def schema(
     kind: Annotated[
         str, typer.Argument(metavar="[shot|trace|sweep]", help="The kind of file.")
@@ -31,8 +51,17 @@ def schema(
     emit(js.dumps(carom.schema(kind), indent=2))  # type: ignore[arg-type] # checked there
 
 
+def _values(preset: dict[str, Any]) -> str:
+    lines = [f"{preset['name']} ({preset['dated_name']})"]
+    for p in preset["parameters"]:
+        value = p["value"] if isinstance(p["value"], str) else f"{p['value']:.6g}"
+        unit = f" {p['unit']}" if p["unit"] else ""
+        lines.append(f"  {p['key']:<27}{value + unit:>16}  {p['evidence']:<9}  {p['source']}")
+    return "\n".join(lines)
+
+
 def _describe(table: dict[str, Any]) -> str:
-    lines = [table["name"]]
+    lines = [f"{table['name']} ({table['dated_name']})"]
     for dimension in table["dimensions"]:
         value = _with_unit(dimension["value"], dimension["unit"])
         lines.append(f"  {dimension['key']:<28}{value:>11}  {dimension['source'] or ''}".rstrip())
