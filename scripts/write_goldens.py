@@ -35,11 +35,43 @@ def main() -> None:
     (ROOT / "goldens" / "shots.json").write_text(f"{{\n{rows}\n}}\n", encoding="utf-8")
     (ROOT / "goldens" / "noise.json").write_text(_noise(), encoding="utf-8")
     (ROOT / "goldens" / "games.json").write_text(_games(), encoding="utf-8")
+    _write_presets()
     for name in PICTURES:
         trace = carom.Shot.load(ROOT / "shots" / f"{name}.json").simulate()
         drawn = picture.png(trace, title=name.replace("_", " "))
         (ROOT / "docs" / "images" / f"{name}.png").write_bytes(drawn)
     print(f"{len(goldens)} goldens written; explain a change in CHANGELOG.md")
+
+
+def _write_presets() -> None:
+    """Store the values of every dated preset. Values that are stored already never change."""
+    dated = {preset["name"]: preset["dated_name"] for preset in carom.physics()}
+    now = {f"physics-{preset['dated_name']}": preset["physics"] for preset in carom.physics()}
+    for table in carom.tables():
+        now[f"table-{table['dated_name']}"] = {
+            **{d["key"]: d["value"] for d in table["dimensions"]},
+            "pockets": table["pockets"],
+            "physics": dated.get(table["physics"], table["physics"]),
+            "spots": table["markings"]["spots"],
+        }
+    folder = ROOT / "goldens" / "presets"
+    folder.mkdir(exist_ok=True)
+    for name, values in now.items():
+        path = folder / f"{name}.json"
+        stored = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+        text = json.dumps(_with_new_keys(stored, values), indent=1, ensure_ascii=False)
+        path.write_text(f"{text}\n", encoding="utf-8")
+
+
+def _with_new_keys(stored: dict[str, Any], now: dict[str, Any]) -> dict[str, Any]:
+    merged = dict(stored)
+    for key, value in now.items():
+        old = stored.get(key)
+        if key not in stored:
+            merged[key] = value
+        elif isinstance(old, dict) and isinstance(value, dict):
+            merged[key] = _with_new_keys(old, value)
+    return merged
 
 
 def _noise() -> str:

@@ -104,8 +104,8 @@ class Frame:
         self._moves = []
         self._setup = {
             "game": game,
-            "table": _core.plain(table),
-            "physics": _core.plain(physics),
+            # Dated names of presets: the record replays when the presets have other values.
+            **_core.Frame.recorded_setup(game, table, physics),
             "seed": seed,
         } | _written(options)
 
@@ -138,7 +138,7 @@ class Frame:
             options,
         )
         frame._moves = []
-        frame._setup = {"game": game, "shot": shot.to_dict()} | _written(options)
+        frame._setup = {"game": game, "shot": shot._core.to_record()} | _written(options)
         return frame
 
     @classmethod

@@ -1,9 +1,8 @@
 //! Reference data of the engine: table presets, racks, schemas.
 
-use carom::Table;
 use carom::format::Node;
 use carom::rack::{Break, Game, USUAL_GAP, break_shot as open};
-use carom::table::PRESETS;
+use carom::{Table, edition};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
@@ -11,10 +10,16 @@ use crate::exceptions::InputError;
 use crate::node::to_python;
 use crate::shot::Shot;
 
-/// Every preset's geometry.
+/// Every physics preset with its values and their sources.
+#[pyfunction]
+pub(crate) fn physics(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    to_python(py, &carom::format::physics_list())
+}
+
+/// Every preset's geometry: the newest ones, then older editions.
 #[pyfunction]
 pub(crate) fn tables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
-    let presets = PRESETS.iter().filter_map(|name| Table::preset(name));
+    let presets = edition::listed(edition::TABLES).into_iter().filter_map(Table::preset);
     to_python(py, &Node::List(presets.map(|table| table.to_node()).collect()))
 }
 

@@ -1,5 +1,6 @@
 //! `_core.Frame`.
 
+use carom::format::Node;
 use carom::{Error, Trace as Played};
 use carom_rules::{Choice, Options, Play, Rules};
 use pyo3::prelude::*;
@@ -11,6 +12,10 @@ use crate::trace::Trace;
 
 /// A play: strike, the cue ball's place, the call (kind, ball, pocket).
 type PlayArguments = (StrikeArguments, Option<[f64; 2]>, (String, Option<String>, Option<String>));
+
+fn optional(value: &Bound<'_, PyAny>) -> PyResult<Option<Node>> {
+    if value.is_none() { Ok(None) } else { from_python(value).map(Some) }
+}
 
 /// A game in progress.
 #[pyclass(module = "carom._core")]
@@ -37,15 +42,25 @@ impl Frame {
         options: (i32, bool, u32),
     ) -> PyResult<Self> {
         let py = table.py();
-        let optional = |value: &Bound<'_, PyAny>| {
-            if value.is_none() { Ok(None) } else { from_python(value).map(Some) }
-        };
         let (points, miss, patience) = options;
         let rules = Rules::read(game).map_err(|e| to_exception(py, &e))?;
         let options = Options { points, miss, patience };
         carom_rules::Frame::new(rules, options, optional(table)?, optional(physics)?, seed)
             .map(Self)
             .map_err(|e| to_exception(py, &e))
+    }
+
+    /// Table and physics as the record of a new frame keeps them, with dated names.
+    #[staticmethod]
+    fn recorded_setup<'py>(
+        game: &str,
+        table: &Bound<'py, PyAny>,
+        physics: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let py = table.py();
+        let rules = Rules::read(game).map_err(|e| to_exception(py, &e))?;
+        let setup = carom_rules::recorded_setup(rules, optional(table)?, optional(physics)?);
+        to_python(py, &setup)
     }
 
     /// A frame that continues from the balls of a shot.

@@ -53,6 +53,11 @@ impl Shot {
         to_python(py, &self.0.to_node())
     }
 
+    /// The shot file with the dated names of presets.
+    fn to_record<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.0.to_record_node())
+    }
+
     /// The shot file without an elevation that is the default.
     fn to_source<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.0.to_source_node())

@@ -242,15 +242,26 @@ impl Frame {
     }
 }
 
-/// A shot of one resting ball on the game's table.
-fn base(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Result<Shot, Error> {
-    let mut file = Node::object([
-        ("format", carom::format::SHOT_FORMAT.into()),
-        ("table", table.unwrap_or_else(|| rules.rack().table().into())),
-    ]);
+/// `table` and `physics` of a new frame as a record keeps them: the game's own table is named, and
+/// presets have their dated names, so that the record replays when the presets have other values.
+/// Without `physics` if the table's name implies it.
+pub fn recorded_setup(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Node {
+    carom::format::with_dated_names(&setup(rules, table, physics))
+}
+
+fn setup(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Node {
+    let table = table.unwrap_or_else(|| rules.rack().table().into());
+    let mut file = Node::object([("table", table)]);
     if let Some(physics) = physics {
         file.set("physics", physics);
     }
+    file
+}
+
+/// A shot of one resting ball on the game's table.
+fn base(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Result<Shot, Error> {
+    let mut file = setup(rules, table, physics);
+    file.set("format", carom::format::SHOT_FORMAT);
     let ball = Node::object([("id", "cue".into()), ("position", INSIDE.into())]);
     file.set("balls", Node::list([ball]));
     Shot::from_node(&file)

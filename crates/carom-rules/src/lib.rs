@@ -45,7 +45,7 @@ mod scenarios;
 mod seat;
 mod state;
 
-pub use frame::Frame;
+pub use frame::{Frame, recorded_setup};
 pub use layout::{BallIndex, FrameBall, FrameLayout};
 pub use play::{Call, Play, through_degrees};
 pub use region::Region;

@@ -50,6 +50,7 @@ extern crate alloc;
 pub mod ball;
 pub mod batch;
 pub mod detect;
+pub mod edition;
 pub mod error;
 pub mod event;
 pub mod format;

@@ -26,6 +26,7 @@ impl Table {
         };
         let mut node = Node::object([
             ("name", self.name.as_ref().into()),
+            ("dated_name", self.name.as_deref().and_then(Table::dated_name).into()),
             ("size", size),
             ("cushion_height", self.cushion_height.into()),
             ("cushions", parts(&|part| !matches!(part, Part::Liner | Part::Top))),

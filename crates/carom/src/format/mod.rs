@@ -7,12 +7,14 @@
 
 mod angle;
 mod balls;
+mod dated;
 mod geometry;
 #[cfg(feature = "json")]
 mod json;
 mod key_path;
 mod node;
 mod outcome;
+mod parameters;
 mod physics;
 mod read;
 pub mod schema;
@@ -21,8 +23,10 @@ mod strike;
 mod table;
 mod trace;
 
+pub use dated::with_dated_names;
 pub use key_path::KeyPath;
 pub use node::Node;
+pub use parameters::{Parameter, parameters, physics_list};
 pub use read::Reader;
 pub use shot::{SHOT_FORMAT, ShotFile};
 pub use trace::TRACE_FORMAT;

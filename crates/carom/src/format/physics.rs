@@ -7,6 +7,7 @@ use super::angle::STROKE_ELEVATION;
 use super::node::{Node, word_of};
 use super::read::At;
 use crate::Ball;
+use crate::edition;
 use crate::error::Error;
 use crate::physics::{
     BallBall, BallBallModel, Cloth, ContactTimes, Cue, Cushion, CushionFriction, CushionModel,
@@ -103,7 +104,8 @@ fn preset(name: &str) -> Physics {
 
 fn named(at: &At<'_>) -> Result<Physics, Error> {
     let name = at.text("a physics preset's name, or an object {...}")?;
-    Physics::preset(name).ok_or_else(|| at.unknown_word(name, "physics preset", &Physics::PRESETS))
+    let known = || edition::names(edition::PHYSICS);
+    Physics::preset(name).ok_or_else(|| at.unknown_word(name, "physics preset", &known()))
 }
 
 fn ball(at: &At<'_>, ball: &mut Ball) -> Result<(), Error> {
@@ -336,9 +338,9 @@ pub(super) fn write_over(physics: &Physics, default: &str) -> Option<Node> {
     if Physics::preset(default).as_ref() == Some(physics) {
         return None;
     }
-    let is_same = |name: &&&str| Physics::preset(name).as_ref() == Some(physics);
-    let named = Physics::PRESETS.iter().find(is_same);
-    Some(named.map_or_else(|| physics.to_node(), |name| (*name).into()))
+    let is_same = |name: &&str| Physics::preset(name).as_ref() == Some(physics);
+    let named = edition::names(edition::PHYSICS).into_iter().find(is_same);
+    Some(named.map_or_else(|| physics.to_node(), Node::from))
 }
 
 impl Physics {

@@ -6,6 +6,7 @@ use alloc::string::String;
 use alloc::sync::Arc;
 use core::ops::Deref;
 
+use super::dated::with_dated_names;
 use super::key_path::KeyPath;
 use super::node::Node;
 use super::read::At;
@@ -65,6 +66,12 @@ impl ShotFile {
             strike::write_elevation_into(written, &strike);
         }
         Cow::Owned(node)
+    }
+
+    /// As [`Self::to_node`], with the dated names of presets ([`crate::edition`]): what a record keeps,
+    /// so that it replays to the same bits when the presets have other values.
+    pub fn to_record_node(&self) -> Node {
+        with_dated_names(&self.to_node())
     }
 
     /// As [`Self::to_node`], but without an elevation that is the default: what is read from it has
@@ -210,6 +217,11 @@ impl Shot {
     /// [`Self::to_node`] as JSON.
     pub fn to_json(&self) -> String {
         self.to_node().to_json()
+    }
+
+    /// [`Self::to_node`] with the dated names of presets, as [`ShotFile::to_record_node`].
+    pub fn to_record_node(&self) -> Node {
+        with_dated_names(&self.to_node())
     }
 }
 

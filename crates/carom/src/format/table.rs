@@ -7,15 +7,16 @@ use alloc::vec::Vec;
 
 use super::node::{Node, word_of};
 use super::read::{At, Fields};
+use crate::edition;
 use crate::error::Error;
 use crate::range::Range;
 use crate::table::{
-    self, Markings, PocketDescription, PocketLayout, PocketModel, Sights, Spot, Table,
-    TableDescription, TableError,
+    Markings, PocketDescription, PocketLayout, PocketModel, Sights, Spot, Table, TableDescription,
+    TableError,
 };
 
 /// The physics that belongs to unbounded cloth.
-const UNBOUNDED_PHYSICS: &str = "pool";
+pub(super) const UNBOUNDED_PHYSICS: &str = "pool";
 
 const LENGTH: Range = Range::positive(" m");
 const OPEN_LENGTH: Range = Range::not_negative(" m");
@@ -97,7 +98,7 @@ fn base(at: &At<'_>) -> Result<TableDescription, Error> {
 }
 
 fn unknown_preset(at: &At<'_>, name: &str) -> Error {
-    at.unknown_word(name, "table preset", &table::PRESETS)
+    at.unknown_word(name, "table preset", &edition::names(edition::TABLES))
 }
 
 /// `d` changed by `fields`.
@@ -127,10 +128,10 @@ fn changed(fields: &Fields<'_>, mut d: TableDescription) -> Result<TableDescript
     }
     if let Some(at) = fields.get("physics") {
         let name = at.text("a physics preset's name")?;
-        if !crate::Physics::PRESETS.contains(&name) {
-            return Err(at.unknown_word(name, "physics preset", &crate::Physics::PRESETS));
-        }
-        d.physics = name.into();
+        let known = || edition::names(edition::PHYSICS);
+        d.physics = edition::current_physics_name(name)
+            .ok_or_else(|| at.unknown_word(name, "physics preset", &known()))?
+            .into();
     }
     Ok(d)
 }

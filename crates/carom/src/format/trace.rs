@@ -7,6 +7,7 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
+use super::dated::with_dated_names;
 use super::node::Node;
 use super::read::{At, Fields};
 use super::shot::ShotFile;
@@ -55,13 +56,13 @@ impl Trace {
     }
 
     /// The trace as a tree of values, with `shot` as its shot file: the tree of the [`ShotFile`]
-    /// that was simulated.
+    /// that was simulated. Presets get their dated names ([`crate::edition`]).
     pub fn to_node_with(&self, shot: Node) -> Node {
         let balls = self.shot().balls();
         Node::object([
             ("format", TRACE_FORMAT.into()),
             ("engine", self.engine().into()),
-            ("shot", shot),
+            ("shot", with_dated_names(&shot)),
             ("duration", self.duration().into()),
             ("events", Node::list(self.events().map(|e| write_event(&e, balls)))),
             ("final", Node::list(balls.iter().zip(self.last()).map(|(b, s)| write_ball(b, s)))),

@@ -4,6 +4,7 @@ use alloc::format;
 use alloc::vec::Vec;
 
 use super::{Game, RackedBall, USUAL_GAP, rack};
+use crate::edition;
 use crate::error::Error;
 use crate::math::{Vec2, Vec3, asin, atan2, degrees, radians};
 use crate::resolve::cue_ball::Strike;
@@ -15,7 +16,8 @@ const ENGLISH_CUE_BALL: Ball = Ball { mass: 0.094, radius: 0.023_812_5 };
 
 /// The cue ball of `table`, if it differs from the object balls.
 pub fn cue_ball_of_its_own(table: &Table) -> Option<Ball> {
-    (table.name.as_deref() == Some("english-7ft")).then_some(ENGLISH_CUE_BALL)
+    let edition = edition::find(edition::TABLES, table.name.as_deref()?)?;
+    (edition.name == "english-7ft").then_some(ENGLISH_CUE_BALL)
 }
 
 /// An opening shot.
@@ -74,7 +76,7 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
     let game = opening.game;
     let name = opening.table.unwrap_or(game.table());
     let unknown = || {
-        let known = crate::table::PRESETS.join(", ");
+        let known = edition::names(edition::TABLES).join(", ");
         Error::input(
             "table",
             format!("there is no table preset \"{name}\""),

@@ -6,8 +6,10 @@ use alloc::sync::Arc;
 use super::description::INCH;
 use super::sheet::{Figure, PocketSheet, Sheet, Source, SpotPattern, figure};
 use super::{PocketModel, Table, TableDescription};
+use crate::edition::{self, Edition};
 
-/// Names of the presets, in the order in which `carom tables` lists them.
+/// Names of the presets, without dates, in the order in which `carom tables` lists them.
+/// [`edition::TABLES`] also has the dated names.
 pub const PRESETS: [&str; 9] = [
     "wpa-9ft",
     "wpa-8ft",
@@ -66,7 +68,6 @@ const WPA_SIDE: PocketSheet = PocketSheet {
 };
 
 const WPA_9FT: Sheet = Sheet {
-    name: "wpa-9ft",
     length: inches(100.0, WPA),
     width: inches(50.0, WPA),
     cushion_height: WPA_NOSE,
@@ -85,7 +86,6 @@ const WPA_9FT: Sheet = Sheet {
 };
 
 const WPA_8FT: Sheet = Sheet {
-    name: "wpa-8ft",
     length: inches(92.0, WPA),
     width: inches(46.0, WPA),
     head_string: Some(inches(23.0, WPA)),
@@ -93,7 +93,6 @@ const WPA_8FT: Sheet = Sheet {
 };
 
 const BAR_7FT: Sheet = Sheet {
-    name: "bar-7ft",
     length: inches(76.0, Source::Memory),
     width: inches(38.0, Source::Memory),
     cushion_height: figure(WPA_NOSE.value, LIKE_WPA),
@@ -121,7 +120,6 @@ const fn as_if(p: PocketSheet, source: Source) -> PocketSheet {
 /// depth of the hole's centre behind the nose lines (41.7 and 68.5 mm). Shelf and cut angle follow
 /// from them.
 const SHOWOOD_7FT: Sheet = Sheet {
-    name: "showood-7ft",
     length: figure(1.9812, SHOWOOD),
     width: figure(0.9906, SHOWOOD),
     cushion_height: figure(0.036576, SHOWOOD),
@@ -156,7 +154,6 @@ const SHOWOOD_7FT: Sheet = Sheet {
 const SIN_7_14_DEG: f64 = 0.124_294_224_946_840_18;
 
 const SNOOKER_12FT: Sheet = Sheet {
-    name: "snooker-12ft",
     length: figure(3.569, WPBSA),
     width: figure(1.778, WPBSA),
     cushion_height: figure(0.03675, MATHAVAN),
@@ -193,7 +190,6 @@ const SNOOKER_12FT: Sheet = Sheet {
 const ENGLISH_TO_SNOOKER: f64 = 2.0 * INCH / 0.0525;
 
 const ENGLISH_7FT: Sheet = Sheet {
-    name: "english-7ft",
     // The rule allows 6 × 3 ft to 7 × 3½ ft. A “7 ft” table is 7 ft long outside.
     length: inches(72.0, WEPF),
     width: inches(36.0, WEPF),
@@ -230,7 +226,6 @@ const ENGLISH_7FT: Sheet = Sheet {
 };
 
 const CAROM_10FT: Sheet = Sheet {
-    name: "carom-10ft",
     length: figure(2.84, UMB),
     width: figure(1.42, UMB),
     cushion_height: figure(0.037, UMB),
@@ -247,7 +242,6 @@ const CAROM_10FT: Sheet = Sheet {
 };
 
 const CAROM_9FT: Sheet = Sheet {
-    name: "carom-9ft",
     length: figure(2.54, Source::Memory),
     width: figure(1.27, Source::Memory),
     cushion_height: figure(0.037, LIKE_10FT),
@@ -259,7 +253,6 @@ const CAROM_9FT: Sheet = Sheet {
 /// In FastFiz a ball rebounds when its centre is R from a rail's line, so the nose is as high as
 /// the centre. FastFiz uses its `RAIL_HEIGHT`, 40.005 mm, only to find cues that are obstructed.
 const POOLFIZ: Sheet = Sheet {
-    name: "poolfiz",
     length: figure(2.236, FASTFIZ),
     width: figure(1.116, FASTFIZ),
     cushion_height: figure(0.028575, FASTFIZ),
@@ -293,54 +286,80 @@ const POOLFIZ: Sheet = Sheet {
     physics: "poolfiz",
 };
 
-/// The figures of the preset `name`.
+/// The figures of the preset `name`, which may have a date.
 pub(super) fn sheet(name: &str) -> Option<&'static Sheet> {
-    static ALL: [Sheet; 9] = [
-        WPA_9FT,
-        WPA_8FT,
-        BAR_7FT,
-        SHOWOOD_7FT,
-        SNOOKER_12FT,
-        ENGLISH_7FT,
-        CAROM_10FT,
-        CAROM_9FT,
-        POOLFIZ,
-    ];
-    ALL.iter().find(|sheet| sheet.name == name)
+    match edition::find(edition::TABLES, name)?.dated {
+        "wpa-9ft-2026-11" => Some(&WPA_9FT),
+        "wpa-8ft-2026-11" => Some(&WPA_8FT),
+        "bar-7ft-2026-11" => Some(&BAR_7FT),
+        "showood-7ft-2026-11" => Some(&SHOWOOD_7FT),
+        "snooker-12ft-2026-11" => Some(&SNOOKER_12FT),
+        "english-7ft-2026-11" => Some(&ENGLISH_7FT),
+        "carom-10ft-2026-11" => Some(&CAROM_10FT),
+        "carom-9ft-2026-11" => Some(&CAROM_9FT),
+        "poolfiz-2026-11" => Some(&POOLFIZ),
+        _ => None,
+    }
+}
+
+/// The name under which a table is known: without the date if this is the same as the preset of that
+/// name without a date, the physics included.
+fn current_name(edition: &Edition) -> &'static str {
+    let is_current = edition::find(edition::PHYSICS, edition.physics)
+        .is_some_and(|physics| physics.is_newest_of(edition::PHYSICS));
+    if is_current { edition.current_name(edition::TABLES) } else { edition.dated }
 }
 
 impl TableDescription {
-    /// The preset of that name ([`PRESETS`]).
+    /// The preset of that name: one of [`PRESETS`] with the newest values, or a dated name with the
+    /// values of that edition and its physics.
     pub fn preset(name: &str) -> Option<Self> {
-        Some(sheet(name)?.description())
+        let mut description = sheet(name)?.description();
+        let edition = edition::find(edition::TABLES, name)?;
+        if name == edition.dated && name != edition.name {
+            description.physics = edition::current_physics_name(edition.physics)?.to_string();
+        }
+        Some(description)
     }
 }
 
 impl Table {
-    /// The preset of that name ([`PRESETS`]).
+    /// The preset of that name, as [`TableDescription::preset`]. Its own name has no date if the
+    /// values are the newest.
     pub fn preset(name: &str) -> Option<Self> {
         // `ok` hides no error: the tests build every preset.
         let mut table = Self::from_description(&TableDescription::preset(name)?).ok()?;
-        table.name = Some(name.to_string());
+        let edition = edition::find(edition::TABLES, name)?;
+        let known = if name == edition.name { edition.name } else { current_name(edition) };
+        table.name = Some(known.to_string());
         Some(table)
     }
 
+    /// The dated name of a preset, with or without a date: `wpa-9ft-2026-11` for `wpa-9ft`.
+    pub fn dated_name(name: &str) -> Option<&'static str> {
+        edition::find(edition::TABLES, name).map(|edition| edition.dated)
+    }
+
     /// The preset of that name, shared by all shots on it, so that it stays in the processor's
-    /// cache from shot to shot. Without the standard library every call makes a new one.
+    /// cache from shot to shot. A new one for an edition that is not the newest, and for every call
+    /// without the standard library.
     pub(crate) fn shared_preset(name: &str) -> Option<Arc<Self>> {
         #[cfg(feature = "std")]
         {
             use std::sync::OnceLock;
             static TABLES: [OnceLock<Arc<Table>>; PRESETS.len()] =
                 [const { OnceLock::new() }; PRESETS.len()];
-            let shared = &TABLES[PRESETS.iter().position(|&preset| preset == name)?];
-            if shared.get().is_none() {
-                let table = Self::preset(name)?;
-                return Some(shared.get_or_init(|| table.into()).clone());
+            let edition = edition::find(edition::TABLES, name)?;
+            let known = if name == edition.name { name } else { current_name(edition) };
+            if let Some(index) = PRESETS.iter().position(|&preset| preset == known) {
+                let shared = &TABLES[index];
+                if shared.get().is_none() {
+                    let table = Self::preset(known)?;
+                    return Some(shared.get_or_init(|| table.into()).clone());
+                }
+                return shared.get().cloned();
             }
-            shared.get().cloned()
         }
-        #[cfg(not(feature = "std"))]
         Self::preset(name).map(Arc::new)
     }
 }

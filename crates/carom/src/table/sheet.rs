@@ -67,7 +67,6 @@ pub(super) enum SpotPattern {
 /// The figures of a preset, see [`TableDescription`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sheet {
-    pub(super) name: &'static str,
     pub(super) length: Figure,
     pub(super) width: Figure,
     pub(super) cushion_height: Figure,

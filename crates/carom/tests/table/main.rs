@@ -6,6 +6,7 @@ mod flight;
 mod meeting;
 mod oracle;
 mod place;
+mod preset_goldens;
 mod presets;
 mod rail_top;
 mod solid;
