@@ -40,7 +40,7 @@ from carom.plan import (
     pot_map,
     solve,
 )
-from carom.racks import break_shot
+from carom.racks import break_presets, break_shot
 from carom.reference import physics, schema, tables
 from carom.rules import Frame, Ruling, rule_sets
 from carom.shot import Shot
@@ -85,6 +85,7 @@ __all__ = [
     "__version__",
     "acceptance",
     "bank_table",
+    "break_presets",
     "break_shot",
     "break_statistics",
     "evaluate",

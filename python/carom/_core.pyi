@@ -18,6 +18,7 @@ __all__ = [
     "__version__",
     "acceptance",
     "bank_table",
+    "break_presets",
     "break_shot",
     "break_statistics",
     "check_keys",
@@ -231,6 +232,7 @@ def acceptance(
 ) -> NDArray[np.int8]: ...
 def break_statistics(
     game: str,
+    preset: str | None,
     table: str | None,
     speed: float | None,
     gap: float | None,
@@ -248,8 +250,10 @@ def solve(
 ) -> list[dict[str, Any]]: ...
 def stages() -> list[str]: ...
 def wilson(hits: int, trials: int, level: float) -> tuple[float, float]: ...
+def break_presets() -> list[dict[str, Any]]: ...
 def break_shot(
-    game: str, table: str | None, speed: float | None, seed: int, gap: float | None
+    game: str,
+    preset: str | None, table: str | None, speed: float | None, seed: int, gap: float | None
 ) -> Shot: ...
 def games() -> list[str]: ...
 def rolling_bands(

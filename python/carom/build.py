@@ -146,7 +146,13 @@ class Strike:
 
 
 def opening(
-    game: str, *, table: str | None, speed: float | None, seed: int, gap: float | None
+    game: str,
+    *,
+    table: str | None,
+    speed: float | None,
+    seed: int,
+    gap: float | None,
+    preset: str | None = None,
 ) -> _core.Shot:
     """The opening shot of a game; see ``carom.break_shot`` for the arguments.
 
@@ -155,6 +161,7 @@ def opening(
     """
     return _core.break_shot(
         text("game", game, '"nine-ball"'),
+        None if preset is None else text("preset", preset, "a break preset's name"),
         None if table is None else text("table", table, "a preset's name"),
         None if speed is None else number("speed", speed),
         whole("seed", seed),

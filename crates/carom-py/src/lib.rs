@@ -39,7 +39,7 @@ mod _core {
     #[pymodule_export]
     use crate::plan::{evaluate, solve, stages, wilson};
     #[pymodule_export]
-    use crate::reference::{break_shot, games, physics, schema, tables};
+    use crate::reference::{break_presets, break_shot, games, physics, schema, tables};
     #[pymodule_export]
     use crate::rolling::rolling_bands;
     #[pymodule_export]

@@ -1,6 +1,6 @@
 //! `_core.pot_map`, `position_map`, `acceptance`, `breaks`, `kick_table` and `bank_table`.
 
-use carom::rack::{Break, Game, USUAL_GAP};
+use carom::rack::{Break, Game};
 use carom::table::Rail;
 use carom_plan::Chance;
 use carom_plan::breaks;
@@ -121,6 +121,7 @@ pub(crate) fn acceptance<'py>(
 pub(crate) fn break_statistics<'py>(
     py: Python<'py>,
     game: &str,
+    preset: Option<String>,
     table: Option<String>,
     speed: Option<f64>,
     gap: Option<f64>,
@@ -130,8 +131,10 @@ pub(crate) fn break_statistics<'py>(
 ) -> PyResult<(Arrays<'py>, Bound<'py, PyDict>)> {
     let game = Game::parse(game).map_err(|e| to_exception(py, &e))?;
     let model = sampling.model();
-    let (table, gap, seed) = (table.as_deref(), gap.unwrap_or(USUAL_GAP), model.seed);
-    let opening = Break { game, table, speed, seed, gap };
+    let usual =
+        Break::named(game, preset.as_deref(), model.seed).map_err(|e| to_exception(py, &e))?;
+    let (speed, gap) = (speed.or(usual.speed), gap.unwrap_or(usual.gap));
+    let opening = Break { table: table.as_deref(), speed, gap, ..usual };
     let found = progress::run(py, &report, |progress| {
         breaks::breaks(&opening, &model, count(threads), progress)
     })?;

@@ -1,7 +1,7 @@
 //! Reference data of the engine: table presets, racks, schemas.
 
 use carom::format::Node;
-use carom::rack::{Break, Game, USUAL_GAP, break_shot as open};
+use carom::rack::{Break, Game, break_shot as open};
 use carom::{Table, edition};
 use pyo3::prelude::*;
 
@@ -29,18 +29,27 @@ pub(crate) fn games() -> Vec<&'static str> {
     Game::ALL.iter().map(|game| game.name()).collect()
 }
 
+/// Every break preset with its values and their sources.
+#[pyfunction]
+pub(crate) fn break_presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    to_python(py, &carom::rack::break_presets())
+}
+
 /// The opening shot of a game; None stands for the game's usual value.
 #[pyfunction]
 pub(crate) fn break_shot(
     py: Python<'_>,
     game: &str,
+    preset: Option<&str>,
     table: Option<&str>,
     speed: Option<f64>,
     seed: u64,
     gap: Option<f64>,
 ) -> PyResult<Shot> {
     let game = Game::parse(game).map_err(|e| to_exception(py, &e))?;
-    let opening = Break { game, table, speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
+    let usual = Break::named(game, preset, seed).map_err(|e| to_exception(py, &e))?;
+    let (speed, gap) = (speed.or(usual.speed), gap.unwrap_or(usual.gap));
+    let opening = Break { table, speed, gap, ..usual };
     open(&opening).map(Shot::from).map_err(|e| to_exception(py, &e))
 }
 

@@ -1,7 +1,7 @@
 //! Table and physics presets, racks and schemas. Lists are JSON.
 
 use carom::format::Node;
-use carom::rack::{Break, Game, USUAL_GAP, break_shot as open};
+use carom::rack::{Break, Game, break_shot as open};
 use carom::{Physics, Table, edition};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -58,10 +58,13 @@ pub fn break_shot(
     speed: Option<f64>,
     seed: u64,
     gap: Option<f64>,
+    preset: Option<String>,
 ) -> Result<Shot, JsValue> {
     let game = Game::parse(game).map_err(|e| to_exception(&e))?;
     let table = table.as_deref();
-    let opening = Break { game, table, speed, seed, gap: gap.unwrap_or(USUAL_GAP) };
+    let usual = Break::named(game, preset.as_deref(), seed).map_err(|e| to_exception(&e))?;
+    let (speed, gap) = (speed.or(usual.speed), gap.unwrap_or(usual.gap));
+    let opening = Break { table, speed, gap, ..usual };
     open(&opening).map(Shot::from).map_err(|e| to_exception(&e))
 }
 

@@ -411,7 +411,11 @@ def stats_break(
         str | None, typer.Option(help="A table's preset; default: the game's own.")
     ] = None,
     gap: Annotated[
-        float | None, typer.Option(help="Mean gap between the balls, m; default: 0.0001.")
+        float | None,
+        typer.Option(help="Mean gap between the balls, m; default: the preset's, or 0.0001."),
+    ] = None,
+    preset: Annotated[
+        str | None, typer.Option(help="How players open the game, as for carom break.")
     ] = None,
     precision: Precise = None,
     seed: Seed = 0,
@@ -428,6 +432,7 @@ def stats_break(
         table=table,
         speed=speed,
         gap=gap,
+        preset=preset,
         precision=precision,
         seed=seed,
         level=level,

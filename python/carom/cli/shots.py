@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json as js
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -57,6 +58,13 @@ def break_(
         float | None,
         typer.Option(help="Mean gap between the balls, m; 0 is frozen; default: 0.0001."),
     ] = None,
+    preset: Annotated[
+        str | None,
+        typer.Option(help="How players open the game; --presets lists them."),
+    ] = None,
+    presets: Annotated[
+        bool, typer.Option("--presets", help="List the break presets with their sources.")
+    ] = False,
     shot_file: Annotated[
         bool, typer.Option("--shot", help="Print the shot file instead of simulating it.")
     ] = False,
@@ -66,11 +74,36 @@ def break_(
     png: Png = None,
 ) -> None:
     """Break a rack; print the table of events."""
-    the_break = carom.break_shot(game, table=table, speed=speed, seed=seed, gap=gap)
+    if presets:
+        known = carom.break_presets()
+        emit(js.dumps(known, indent=2) if json else "\n\n".join(map(_preset, known)))
+        return
+    the_break = carom.break_shot(
+        game, table=table, speed=speed, seed=seed, gap=gap, preset=preset
+    )
     if shot_file:
         emit(the_break.to_json())
         return
     _show(the_break.simulate(), f"{game} break", json=json, html=html, svg=svg, png=png)
+
+
+def _preset(preset: dict[str, Any]) -> str:
+    place = preset["place"]
+    words = place if isinstance(place, str) else ", ".join(f"{k}: {v} m" for k, v in place.items())
+    values = {
+        "place": words,
+        "speed": f"{preset['speed']:g} m/s",
+        "aim": f"ball {preset['aim_ball']} of the rack, {preset['aim_offset']:.3g} radii to the right",
+        "side": f"{preset['side']:g} radii",
+        "height": f"{preset['height']:g} radii",
+        "elevation": "least clear",
+        "gap": f"{1000 * preset['gap']:g} mm",
+        "rack": "middle ball on the foot spot" if preset["middle_on_spot"] else "usual",
+    }
+    lines = [f"{preset['game']} {preset['name']}"]
+    for s in preset["sources"]:
+        lines.append(f"  {s['key']:<10}{values[s['key']]:<46}  {s['evidence']:<9}  {s['source']}")
+    return "\n".join(lines)
 
 
 def _show(

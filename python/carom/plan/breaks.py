@@ -89,6 +89,7 @@ def break_statistics(
     table: str | None = None,
     speed: float | None = None,
     gap: float | None = None,
+    preset: str | None = None,
     precision: float | None = None,
     seed: int = 0,
     level: float = 0.95,
@@ -104,7 +105,8 @@ def break_statistics(
         table: A preset's name; the game's own table if None. A game with pockets needs a table
             with pockets.
         speed: The cue's speed, m/s; the game's usual one if None.
-        gap: Mean gap between the balls, m; None is the usual 0.1 mm.
+        gap: Mean gap between the balls, m; None is the preset's, or the usual 0.1 mm.
+        preset: How players open the game, as for ``break_shot``.
         precision: Stop when half the width of every interval is at most this; checked after every
             1024 racks. None breaks all ``racks``.
         seed: Seed of the first rack; the others have the following seeds.
@@ -118,12 +120,13 @@ def break_statistics(
     """
     racks = whole("racks", racks, _MOST_RACKS + 1, low=1)
     sampling = Sampling(noise, None, seed, racks, precision, level)
-    first = opening(game, table=table, speed=speed, seed=seed, gap=gap)
+    first = opening(game, table=table, speed=speed, seed=seed, gap=gap, preset=preset)
     ids = tuple(first.ids)
     pockets = tuple(pocket["name"] for pocket in first.geometry()["pockets"])
     with stage_bars(["racks"], show=progress) as report:
         arrays, counts = _core.break_statistics(
             text("game", game),
+            preset,
             table,
             None if speed is None else number("speed", speed),
             None if gap is None else number("gap", gap),

@@ -137,13 +137,16 @@ class WasmEngine implements Engine {
   }
 
   breakShot(game: string, options: BreakOptions = {}): Shot {
-    const { table, seed = 0 } = options;
+    const { table, preset, seed = 0 } = options;
     if (table !== undefined) text("table", table);
+    if (preset !== undefined) text("preset", preset);
     const [speed, gap] = (["speed", "gap"] as const).map((key) =>
       options[key] === undefined ? undefined : numbers("", options, [key])[0],
     );
     return new WasmShot(
-      checked(() => wasm.breakShot(text("game", game), table, speed, whole("seed", seed), gap)),
+      checked(() =>
+        wasm.breakShot(text("game", game), table, speed, whole("seed", seed), gap, preset),
+      ),
     );
   }
 

@@ -11,8 +11,10 @@ export interface BreakOptions {
   readonly speed?: number;
   /** Seed of the rack (order of the balls, gaps), a whole number. Default 0. */
   readonly seed?: number;
-  /** Mean gap between neighbouring balls, m; 0 to 0.005; default: 0.0001, a rack set with a triangle. */
+  /** Mean gap between neighbouring balls, m; 0 to 0.005; default: the preset's, or 0.0001 (a triangle). */
   readonly gap?: number;
+  /** How players open the game, such as "rail" in nine-ball; default: from the middle, without spin. */
+  readonly preset?: string;
 }
 
 /** The engine. */

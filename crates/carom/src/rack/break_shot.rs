@@ -3,10 +3,10 @@
 use alloc::format;
 use alloc::vec::Vec;
 
-use super::{Game, RackedBall, USUAL_GAP, rack};
+use super::{BreakPreset, CueBallPlace, Game, RackedBall, USUAL_GAP, rack};
 use crate::edition;
 use crate::error::Error;
-use crate::math::{Vec2, Vec3, asin, atan2, degrees, radians};
+use crate::math::{Vec2, Vec3, asin, atan2, degrees, radians, sqrt};
 use crate::resolve::cue_ball::Strike;
 use crate::shot::{DEFAULT_MAX_EVENTS, Parts, PlacedBall, Shot, StrikePolicy, checked_balls};
 use crate::{Ball, BallState, Physics, Table};
@@ -33,12 +33,32 @@ pub struct Break<'a> {
     pub seed: u64,
     /// Mean gap between the balls of the rack, m; 0 for a frozen rack.
     pub gap: f64,
+    /// How players open the game; `None` strikes the cue ball in the middle, from where the rack has
+    /// it. Its speed and gap are not used: [`Self::of_preset`] copies them.
+    pub preset: Option<&'static BreakPreset>,
 }
 
 impl Break<'_> {
     /// The usual opening shot of `game` on its own table, with this seed.
     pub const fn new(game: Game, seed: u64) -> Self {
-        Self { game, table: None, speed: None, seed, gap: USUAL_GAP }
+        Self { game, table: None, speed: None, seed, gap: USUAL_GAP, preset: None }
+    }
+
+    /// The opening shot of `preset`, with its speed and its gap.
+    pub const fn of_preset(preset: &'static BreakPreset, seed: u64) -> Self {
+        let (speed, gap) = (Some(preset.speed), preset.gap);
+        Self { speed, gap, preset: Some(preset), ..Self::new(preset.game, seed) }
+    }
+
+    /// The opening shot of `game`, of the preset of that name if one is given.
+    ///
+    /// # Errors
+    /// As [`BreakPreset::of`].
+    pub fn named(game: Game, preset: Option<&str>, seed: u64) -> Result<Self, Error> {
+        Ok(match preset {
+            Some(name) => Self::of_preset(BreakPreset::of(game, name)?, seed),
+            None => Self::new(game, seed),
+        })
     }
 }
 
@@ -68,7 +88,8 @@ impl Game {
     }
 }
 
-/// The opening shot of a game: its rack, and the cue ball struck in the middle at the balls.
+/// The opening shot of a game: its rack, and the cue ball struck at the balls, in the middle or as the
+/// preset has it.
 ///
 /// # Errors
 /// [`Error::Input`] for a table that does not exist, as [`rack`], and as [`Shot::with_balls`].
@@ -86,9 +107,12 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
     let table = Table::shared_preset(name).ok_or_else(unknown)?;
     let physics = table.description.as_ref().and_then(|d| Physics::preset(&d.physics));
     let physics = physics.unwrap_or_else(Physics::pool);
-    let balls = rack(game, &table, physics.ball.radius, opening.seed, opening.gap)?;
+    let mut balls = rack(game, &table, physics.ball.radius, opening.seed, opening.gap)?;
+    if let Some(preset) = opening.preset {
+        place_as_players(&mut balls, preset, &table, 2.0 * physics.ball.radius + opening.gap);
+    }
 
-    let (target, beside) = game.break_aim();
+    let (target, beside) = opening.preset.map_or(game.break_aim(), |preset| preset.aim);
     let azimuth = aim(balls[0].1, balls[target].1, beside * physics.ball.radius);
     let mut placed: Vec<PlacedBall> = balls.into_iter().map(|b| place(b, physics.ball)).collect();
     if let Some(cue_ball) = cue_ball_of_its_own(&table) {
@@ -101,8 +125,8 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
         azimuth: radians(degrees(azimuth)),
         // Replaced by the default elevation.
         elevation: 0.0,
-        side: 0.0,
-        height: 0.0,
+        side: opening.preset.map_or(0.0, |preset| preset.side),
+        height: opening.preset.map_or(0.0, |preset| preset.height),
     };
     Shot::new(Parts {
         balls: checked_balls(placed, &table)?,
@@ -113,6 +137,24 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
         max_events: DEFAULT_MAX_EVENTS,
         has_default_elevation: true,
     })
+}
+
+/// Moves the cue ball, and the rack if its middle ball is on the foot spot. `pitch` is the distance of
+/// neighbours in the rack, m.
+fn place_as_players(balls: &mut [RackedBall], preset: &BreakPreset, table: &Table, pitch: f64) {
+    let cue_ball = &mut balls[0].1;
+    match preset.place {
+        CueBallPlace::AsRacked => {}
+        CueBallPlace::LeftOfMiddle(distance) => cue_ball[0] = 0.5 * table.size.x - distance,
+        CueBallPlace::FromLeftRail(distance) => cue_ball[0] = distance,
+    }
+    if preset.middle_on_spot {
+        // The middle ball is two rows behind the apex.
+        let two_rows = sqrt(3.0) * pitch;
+        for (_, [_, y]) in &mut balls[1..] {
+            *y -= two_rows;
+        }
+    }
 }
 
 fn place((id, [x, y]): RackedBall, ball: Ball) -> PlacedBall {

@@ -6,6 +6,7 @@
 //! are mirror-symmetric. The random numbers are PCG64 (O'Neill 2014) from the seed alone: the same
 //! seed gives the same rack in every process and on every platform.
 
+mod break_preset;
 mod break_shot;
 mod pattern;
 
@@ -15,6 +16,7 @@ use alloc::vec::Vec;
 
 use rand_pcg::{Pcg64, rand_core::Rng};
 
+pub use break_preset::{BreakPreset, CueBallPlace, break_presets};
 pub use break_shot::{Break, break_shot, cue_ball_of_its_own};
 
 use crate::Table;
