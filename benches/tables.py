@@ -21,6 +21,7 @@ from typing import Any
 
 from carom.bench.states import CLASSES
 from carom.validation.leckie_greenspan_2006 import tables as paper
+from carom.plan.chance import Chance
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benches" / "results"
@@ -31,7 +32,15 @@ PAGES = (
     PAPER / "README.md",
     *(
         ROOT / "docs" / f"{name}.md"
-        for name in ("benchmarks", "contact", "guarantees", "many-balls", "realism")
+        for name in (
+            "benchmarks",
+            "breaks",
+            "contact",
+            "guarantees",
+            "many-balls",
+            "realism",
+            "tables",
+        )
     ),
 )
 #: The comment above a table, and the table.
@@ -314,6 +323,109 @@ TABLES: dict[str, Callable[[JSON], str]] = (
     }
     | {f"paper-{name}": lambda _, table=table: table() for name, table in paper.TABLES.items()}
 )
+#: Counts of breaks that were published: the row of `breaks.py`, what happened, count, breaks, source.
+PUBLISHED_BREAKS = (
+    (
+        ("nine-ball, beside the rail, template", "nine-ball, edge of the box, template"),
+        "three balls past the head string, a ball falls, no foul",
+        (75, 105),
+        "nine-ball world championship 2016",
+    ),
+    (
+        ("nine-ball, beside the rail, template", "nine-ball, edge of the box, template"),
+        "a ball falls, no foul",
+        (82, 105),
+        "nine-ball world championship 2016",
+    ),
+    (
+        ("eight-ball, 7 ft (bar-7ft), triangle", "eight-ball, 7 ft (showood-7ft), triangle"),
+        "a ball falls, no foul",
+        (82, 124),
+        "Colorado Shootout 2024, 7 ft",
+    ),
+    (
+        ("eight-ball, 7 ft (bar-7ft), triangle", "eight-ball, 7 ft (showood-7ft), triangle"),
+        "the 8 falls",
+        (2, 124),
+        "Colorado Shootout 2024, 7 ft",
+    ),
+)
+
+
+def _share(count: int, trials: int) -> str:
+    """A share in percent with its Wilson interval."""
+    chance = Chance.of(count, trials, 0.95)
+    low, high = chance.low, chance.high
+    return f"{100 * chance.probability:.1f} ({100 * low:.1f} to {100 * high:.1f})"
+
+
+def published_breaks(result: JSON) -> str:
+    """Published counts of breaks beside ours."""
+    lines = []
+    for names, what, (count, trials), source in PUBLISHED_BREAKS:
+        for name in names:
+            row = result["rows"][name]
+            ours = _share(row["counts"].get(what, 0), row["racks"])
+            lines.append(
+                [name, what, f"{count} of {trials}: {_share(count, trials)}", ours, source]
+            )
+    head = ["Break", "what happens", "published, %", "ours, %", "source"]
+    return markdown(head, lines)
+
+
+def break_presets(result: JSON) -> str:
+    """What happens in the breaks of each preset."""
+    whats = ["a ball falls, no foul", "scratch", "a ball off the table"]
+    lines = []
+    for name, row in sorted(result["rows"].items()):
+        counts = row["counts"]
+        deciding = sum(count for what, count in counts.items() if what.startswith("the "))
+        shares = [_share(counts.get(what, 0), row["racks"]) for what in whats]
+        lines.append([name, *shares, _share(deciding, row["racks"])])
+    head = ["Break", *(f"{what}, %" for what in whats), "the 8, 9 or 10 falls, %"]
+    return markdown(head, lines)
+
+
+def pockets(result: JSON) -> str:
+    """The accepted width of a pocket at both ends of every parameter's range."""
+
+    def end(row: JSON, base: list[float], which: str) -> str:
+        changes = [f"{width - at:+.1f}" for width, at in zip(row[which], base, strict=True)]
+        return " / ".join(changes).replace("-", "−")
+
+    lines = []
+    for pocket, rows in sorted(result["pockets"].items()):
+        base = rows["base"]
+        widths = " / ".join(f"{width:.1f}" for width in base)
+        lines.append([f"`{pocket}`", "", "", f"width {widths}", ""])
+        for name, row in rows.items():
+            if name == "base":
+                continue
+            low, high = row["range"]
+            unit = "°" if name.endswith("_deg") else ""
+            if "." not in name and not unit:
+                low, high, unit = 1000 * low, 1000 * high, " mm"
+            span = f"{low:.4g} to {high:.4g}{unit}"
+            ends = [end(row, base, "low"), end(row, base, "high")]
+            lines.append([f"`{name}`", span, row["source"], *ends])
+    head = ["Parameter", "range", "range from", "low end, mm", "high end, mm"]
+    return markdown(head, lines)
+
+
+TABLES: dict[str, Callable[[JSON], str]] = {
+    "summary": summary,
+    "times": times,
+    "events": events,
+    "amplification": amplification,
+    "rows": rows_of_balls,
+    "breaks": breaks,
+    "frozen": frozen_cue_ball,
+    "slate-times": slate_times,
+    "friction-of-blow": friction_of_blow,
+    "published-breaks": published_breaks,
+    "break-presets": break_presets,
+    "pockets": pockets,
+}
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import math
 from itertools import combinations
 from typing import Any
 
+import carom
 import numpy as np
 import pytest
 from carom import InputError, Layout, Shot, Strike, break_shot
@@ -77,3 +78,31 @@ def test_an_invalid_rack_is_refused_with_its_place(arguments: dict[str, Any], pl
     with pytest.raises(InputError) as refusal:
         break_shot(**arguments)
     assert str(refusal.value).startswith(place)
+
+
+def test_every_break_preset_makes_a_shot_with_its_values() -> None:
+    for preset in carom.break_presets():
+        shot = carom.break_shot(preset["game"], preset=preset["name"], seed=2)
+        strike = shot.to_dict()["strike"]
+        assert strike["speed"] == preset["speed"]
+        assert strike.get("side", 0.0) == preset["side"]
+        assert strike.get("height", 0.0) == preset["height"]
+        assert {source["key"] for source in preset["sources"]} >= {"place", "speed", "aim"}
+
+
+def test_options_of_a_break_replace_those_of_its_preset() -> None:
+    shot = carom.break_shot("nine-ball", preset="box", speed=6.0, gap=1e-4, seed=5)
+    places = {ball["id"]: ball["position"] for ball in shot.to_dict()["balls"]}
+    assert shot.to_dict()["strike"]["speed"] == 6.0
+    assert places["cue"][0] == pytest.approx(0.635 - 8 * 0.0254)
+    assert places["1"] != carom.break_shot("nine-ball", preset="box").to_dict()["balls"][1]["position"]
+
+
+def test_break_statistics_of_a_preset_are_those_of_its_shots() -> None:
+    noise = carom.Noise()
+    found = carom.break_statistics("nine-ball", 3, noise=noise, preset="rail", gap=1e-4, seed=9)
+    for row in range(3):
+        shot = carom.break_shot("nine-ball", preset="rail", gap=1e-4, seed=9 + row)
+        assert found.result.events[row] == len(shot.simulate())
+    with pytest.raises(carom.InputError, match=r"preset: nine-ball has no break preset"):
+        carom.break_statistics("nine-ball", 3, preset="corner")

@@ -1,7 +1,7 @@
 //! Racks follow their rule books, never overlap, and depend on the seed alone.
 
 use carom::math::Vec2;
-use carom::rack::{Break, Game, USUAL_GAP, break_shot, rack};
+use carom::rack::{Break, BreakPreset, Game, USUAL_GAP, break_shot, rack};
 use carom::{Physics, Table};
 
 /// Radius and table of a game.
@@ -208,6 +208,44 @@ fn every_opening_shot_is_valid_on_its_table_and_reads_back() {
         let shot = break_shot(&opening).unwrap_or_else(|e| panic!("{table}: {e}"));
         assert_eq!(shot.balls().len(), 16);
     }
+}
+
+#[test]
+fn every_break_preset_is_valid_on_its_table_and_reads_back() {
+    for preset in &BreakPreset::ALL {
+        let found = BreakPreset::of(preset.game, preset.name).unwrap();
+        assert_eq!(found, preset, "names are unique within a game");
+        let shot = break_shot(&Break::of_preset(found, 1)).unwrap_or_else(|e| panic!("{e}"));
+        let again = carom::Shot::from_json(&shot.to_json()).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(shot, again, "{preset:?}");
+        let (_, strike) = shot.strike().unwrap();
+        assert_eq!((strike.speed, strike.height), (preset.speed, preset.height));
+    }
+    for game in Game::ALL {
+        assert!(BreakPreset::ALL.iter().any(|preset| preset.game == game), "{game:?}");
+    }
+}
+
+#[test]
+fn a_nine_ball_break_from_beside_the_rail_hits_the_1_full_and_has_the_9_on_the_foot_spot() {
+    let preset = BreakPreset::of(Game::NineBall, "rail").unwrap();
+    let shot = break_shot(&Break::of_preset(preset, 4)).unwrap();
+    let at = |id: &str| shot.balls()[shot.ball_index(id).unwrap()].state.position;
+    let (cue, one, nine) = (at("cue"), at("1"), at("9"));
+    assert!((nine.x - 0.635).abs() < 1e-12 && (nine.y - 1.905).abs() < 1e-12, "{nine:?}");
+    assert!((cue.x - 3.5 * 0.0254).abs() < 1e-12, "{cue:?}");
+    let azimuth = shot.strike().unwrap().1.azimuth;
+    assert!(((one.y - cue.y).atan2(one.x - cue.x) - azimuth).abs() < 1e-12);
+    // Frozen: neighbours touch within the tolerance of a file.
+    let gap = (one - at(&shot.balls()[2].id)).length() - 2.0 * shot.balls()[1].ball.radius;
+    assert!(gap.abs() < 1e-9, "{gap}");
+}
+
+#[test]
+fn an_unknown_break_preset_is_refused_with_the_presets_of_the_game() {
+    let error = BreakPreset::of(Game::NineBall, "corner").unwrap_err().to_string();
+    assert!(error.starts_with("preset: nine-ball has no break preset \"corner\""), "{error}");
+    assert!(error.contains("rail, box, rail-triangle"), "{error}");
 }
 
 #[test]
