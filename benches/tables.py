@@ -20,8 +20,8 @@ from pathlib import Path
 from typing import Any
 
 from carom.bench.states import CLASSES
-from carom.validation.leckie_greenspan_2006 import tables as paper
 from carom.plan.chance import Chance
+from carom.validation.leckie_greenspan_2006 import tables as paper
 
 ROOT = Path(__file__).resolve().parents[1]
 RESULTS = ROOT / "benches" / "results"
@@ -303,27 +303,7 @@ REALISM_ITEMS = (
     "corner-five-carom", "corner-five-pool", "plus-system", "ball-turn",
 )  # fmt: skip
 
-TABLES: dict[str, Callable[[JSON], str]] = (
-    {
-        "summary": summary,
-        "times": times,
-        "events": events,
-        "amplification": amplification,
-        "rows": rows_of_balls,
-        "breaks": breaks,
-        "frozen": frozen_cue_ball,
-        "slate-times": slate_times,
-        "friction-of-blow": friction_of_blow,
-        "made": made,
-        "realism-summary": realism_summary,
-    }
-    | {
-        f"realism-{name}": lambda result, name=name: realism_points(result, name)
-        for name in REALISM_ITEMS
-    }
-    | {f"paper-{name}": lambda _, table=table: table() for name, table in paper.TABLES.items()}
-)
-#: Counts of breaks that were published: the row of `breaks.py`, what happened, count, breaks, source.
+#: Published counts of breaks: rows of `breaks.py`, what happened, count and breaks, source.
 PUBLISHED_BREAKS = (
     (
         ("nine-ball, beside the rail, template", "nine-ball, edge of the box, template"),
@@ -412,20 +392,29 @@ def pockets(result: JSON) -> str:
     return markdown(head, lines)
 
 
-TABLES: dict[str, Callable[[JSON], str]] = {
-    "summary": summary,
-    "times": times,
-    "events": events,
-    "amplification": amplification,
-    "rows": rows_of_balls,
-    "breaks": breaks,
-    "frozen": frozen_cue_ball,
-    "slate-times": slate_times,
-    "friction-of-blow": friction_of_blow,
-    "published-breaks": published_breaks,
-    "break-presets": break_presets,
-    "pockets": pockets,
-}
+TABLES: dict[str, Callable[[JSON], str]] = (
+    {
+        "summary": summary,
+        "times": times,
+        "events": events,
+        "amplification": amplification,
+        "rows": rows_of_balls,
+        "breaks": breaks,
+        "frozen": frozen_cue_ball,
+        "slate-times": slate_times,
+        "friction-of-blow": friction_of_blow,
+        "published-breaks": published_breaks,
+        "break-presets": break_presets,
+        "pockets": pockets,
+        "made": made,
+        "realism-summary": realism_summary,
+    }
+    | {
+        f"realism-{name}": lambda result, name=name: realism_points(result, name)
+        for name in REALISM_ITEMS
+    }
+    | {f"paper-{name}": lambda _, table=table: table() for name, table in paper.TABLES.items()}
+)
 
 
 if __name__ == "__main__":

@@ -95,7 +95,9 @@ def test_options_of_a_break_replace_those_of_its_preset() -> None:
     places = {ball["id"]: ball["position"] for ball in shot.to_dict()["balls"]}
     assert shot.to_dict()["strike"]["speed"] == 6.0
     assert places["cue"][0] == pytest.approx(0.635 - 8 * 0.0254)
-    assert places["1"] != carom.break_shot("nine-ball", preset="box").to_dict()["balls"][1]["position"]
+    assert (
+        places["1"] != carom.break_shot("nine-ball", preset="box").to_dict()["balls"][1]["position"]
+    )
 
 
 def test_break_statistics_of_a_preset_are_those_of_its_shots() -> None:

@@ -35,7 +35,9 @@ def physics(
         known = [p for p in known if name in (p["name"], p["dated_name"])]
         if not known:
             listed = ", ".join(dict.fromkeys(names))
-            raise carom.InputError(f'name: there is no physics preset "{name}"; write one of {listed}')
+            raise carom.InputError(
+                f'name: there is no physics preset "{name}"; write one of {listed}'
+            )
     if json:
         emit(js.dumps(known, indent=2))
         return

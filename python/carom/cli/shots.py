@@ -78,9 +78,7 @@ def break_(
         known = carom.break_presets()
         emit(js.dumps(known, indent=2) if json else "\n\n".join(map(_preset, known)))
         return
-    the_break = carom.break_shot(
-        game, table=table, speed=speed, seed=seed, gap=gap, preset=preset
-    )
+    the_break = carom.break_shot(game, table=table, speed=speed, seed=seed, gap=gap, preset=preset)
     if shot_file:
         emit(the_break.to_json())
         return
@@ -93,17 +91,18 @@ def _preset(preset: dict[str, Any]) -> str:
     values = {
         "place": words,
         "speed": f"{preset['speed']:g} m/s",
-        "aim": f"ball {preset['aim_ball']} of the rack, {preset['aim_offset']:.3g} radii to the right",
+        "aim": f"ball {preset['aim_ball']}, {preset['aim_offset']:.3g} radii to the right",
         "side": f"{preset['side']:g} radii",
         "height": f"{preset['height']:g} radii",
         "elevation": "least clear",
         "gap": f"{1000 * preset['gap']:g} mm",
         "rack": "middle ball on the foot spot" if preset["middle_on_spot"] else "usual",
     }
-    lines = [f"{preset['game']} {preset['name']}"]
-    for s in preset["sources"]:
-        lines.append(f"  {s['key']:<10}{values[s['key']]:<46}  {s['evidence']:<9}  {s['source']}")
-    return "\n".join(lines)
+    lines = (
+        f"  {s['key']:<10}{values[s['key']]:<46}  {s['evidence']:<9}  {s['source']}"
+        for s in preset["sources"]
+    )
+    return "\n".join([f"{preset['game']} {preset['name']}", *lines])
 
 
 def _show(

@@ -1,6 +1,7 @@
 /** The Share dialog, and the button that opens files. */
 
 import "./menu.css";
+import type { Engine } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { type Child, h, icon, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
@@ -19,7 +20,7 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
   const dialog = h("dialog", { id: "share-dialog", "aria-labelledby": title.id });
   const close = action("Close", "close-share", () => dialog.close());
   const copier = mountCopier();
-  const linkPart = mountLink(store, copier.copy);
+  const linkPart = mountLink(store, context.engine, copier.copy);
   const shotText = (): string => `${toPrettyJson(store.shot.file)}\n`;
   dialog.append(
     h("div", { class: "head" }, title, close),
