@@ -195,9 +195,33 @@ test("the engine has tables, physics, games and schemas", () => {
   expect(engine.version).toMatch(/^carom \d+\.\d+\.\d+$/);
   expect(engine.tables.map((t) => t.name)).toContain("carom-10ft");
   const presets = ["pool", "snooker", "english", "carom", "poolfiz", "ideal"];
-  expect(Object.keys(engine.physics).sort()).toEqual(presets.sort());
+  const conditions = ["pool-new-cloth", "pool-worn-cloth", "carom-heated"];
+  expect(Object.keys(engine.physics).sort()).toEqual([...presets, ...conditions].sort());
   for (const game of engine.games)
     expect(engine.breakShot(game).simulate().duration).toBeGreaterThan(1);
   expect(engine.schema("shot")).toMatchObject({ title: "carom-shot/1" });
   expect(engine.schema("trace")).toMatchObject({ title: "carom-trace/1" });
+});
+
+test("records have dated names of presets, which are read as the current ones", () => {
+  const file = engine.breakShot("nine-ball", { preset: "rail" }).file;
+  const record = engine.withDatedNames(file);
+  expect(record).toEqual({ ...file, table: "wpa-9ft-2026-11" });
+  expect(engine.shot(record).geometry).toEqual(engine.shot(file).geometry);
+  expect(engine.shot(record).simulate().hash).toBe(engine.shot(file).simulate().hash);
+  expect(engine.withDatedNames({ table: { cloth: "unbounded" } })).toEqual({
+    table: { cloth: "unbounded" },
+    physics: "pool-2026-11",
+  });
+  expect(engine.currentPresetName("carom-10ft-2026-11")).toBe("carom-10ft");
+  expect(engine.currentPresetName("carom-heated-2026-11")).toBe("carom-heated");
+  expect(engine.currentPresetName("felt")).toBe("felt");
+});
+
+test("a break preset has its own place of the cue ball, and an unknown one is refused", () => {
+  const [cue] = engine.breakShot("nine-ball", { preset: "rail" }).balls;
+  expect(cue!.position[0]).toBeCloseTo(0.0889, 12);
+  expect(() => engine.breakShot("nine-ball", { preset: "corner" })).toThrow(
+    /^preset: nine-ball has no break preset "corner"/,
+  );
 });
