@@ -6,6 +6,7 @@ import {
   type Engine,
   type Point,
   type Shot,
+  type ShotFile,
 } from "../../engine/index.ts";
 import type { AimedShot } from "../document/document.ts";
 import { ballName } from "../common/words.ts";
@@ -16,7 +17,7 @@ import { anyShot, type Progress, progressOf } from "./progress.ts";
 export function referee(engine: Engine): { shot(file: AimedShot, game: Game | null): Shot } {
   return {
     shot: (file, game) => {
-      if (game) check(file, progressOf(engine, game));
+      if (game) check(engine, file, progressOf(engine, game));
       const shot = engine.shot(file);
       if (game) checkHand(file, progressOf(engine, game));
       return shot;
@@ -24,10 +25,13 @@ export function referee(engine: Engine): { shot(file: AimedShot, game: Game | nu
   };
 }
 
-function check(file: AimedShot, progress: Progress): void {
+function check(engine: Engine, file: AimedShot, progress: Progress): void {
   const { start, frame } = progress;
   const { request } = frame.state;
-  if (!same(file.table, start.table) || !same(file.physics, start.physics)) {
+  // The shot of a link has dated names of presets, and the game's start has current ones.
+  const equipment = ({ table, physics }: Pick<ShotFile, "table" | "physics">) =>
+    engine.withDatedNames({ table, ...(physics !== undefined && { physics }) });
+  if (!same(equipment(file), equipment(start))) {
     throw new CaromError(
       "Table and physics cannot be changed during a game: end the game first, under Game.",
       "table",
