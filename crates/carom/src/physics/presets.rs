@@ -177,7 +177,7 @@ impl Physics {
                 sliding_friction: 0.178,
                 // The tracks give the deceleration 0.0410 + 0.0142 v m/s² at the speed v. A ball of
                 // 1 m/s stops after 9.95 m with it, and with this constant.
-                rolling_friction: 0.005_12,
+                rolling_friction: RollingFriction::constant(0.005_12),
                 spin_deceleration: 3.6,
             },
             ball_ball: BallBall { restitution: 0.92, ..carom.ball_ball },
@@ -279,13 +279,19 @@ impl Physics {
 /// New worsted cloth: slippery, fast, and spin lasts. No measurement of one cloth was found; the
 /// values are in the lower half of the ranges of Alciatore's FAQ (sliding 0.15 to 0.4, rolling 0.005 to
 /// 0.015, spin 5 to 15 rad/s²). Heated carom cloth has 0.005, so new pool cloth is above that.
-const NEW_CLOTH: Cloth =
-    Cloth { sliding_friction: 0.15, rolling_friction: 0.0075, spin_deceleration: 5.0 };
+const NEW_CLOTH: Cloth = Cloth {
+    sliding_friction: 0.15,
+    rolling_friction: RollingFriction::constant(0.0075),
+    spin_deceleration: 5.0,
+};
 
 /// Worn cloth of a club: the middle of the range for sliding, the high ends for rolling and spin (same
 /// source as [`NEW_CLOTH`]).
-const WORN_CLOTH: Cloth =
-    Cloth { sliding_friction: 0.275, rolling_friction: 0.015, spin_deceleration: 15.0 };
+const WORN_CLOTH: Cloth = Cloth {
+    sliding_friction: 0.275,
+    rolling_friction: RollingFriction::constant(0.015),
+    spin_deceleration: 15.0,
+};
 
 /// The loss of a leather tip off the centre, fitted: a cue of 20 oz at 15 mph, half a radius off the
 /// centre, gives a ball of 6 oz 11.194 mph (TP B.10, A.30). Its restitution is then 0.44.

@@ -82,11 +82,11 @@ fn the_dimensions_behind_a_dated_name_never_change() {
 fn a_change_of_one_bit_behind_a_dated_name_is_found() {
     let old = Physics::pool();
     let mut new = old.clone();
-    new.cloth.rolling_friction = new.cloth.rolling_friction.next_up();
+    new.cloth.sliding_friction = new.cloth.sliding_friction.next_up();
     let mut out = Vec::new();
     differences("pool", &old.to_node(), &new.to_node(), &mut out);
     assert_eq!(out.len(), 1);
-    assert!(out[0].starts_with("pool.cloth.rolling_friction: "), "{out:?}");
+    assert!(out[0].starts_with("pool.cloth.sliding_friction: "), "{out:?}");
 }
 
 fn shot_file(table: &str, more: &str) -> String {
