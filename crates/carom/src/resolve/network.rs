@@ -40,6 +40,7 @@
 
 mod alone;
 mod ball;
+mod directions;
 mod grip;
 mod link;
 mod spring;

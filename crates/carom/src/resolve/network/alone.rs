@@ -3,8 +3,8 @@
 //! takes a third of the time.
 
 use super::ball::Ball;
+use super::directions::Directions;
 use super::grip::{Grip, GripStep};
-use super::link::Directions;
 use super::spring::{NormalSprings, Spring};
 use super::step::TimeStep;
 use super::strike::Cue;

@@ -1,6 +1,6 @@
 //! Friction at a contact during the impact.
 
-use super::link::Directions;
+use super::directions::Directions;
 use super::spring::SpringState;
 use super::{STILL, WallTouch, larger, smaller};
 use crate::math::{Vec2, Vec3, sqrt};

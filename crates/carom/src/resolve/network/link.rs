@@ -5,6 +5,7 @@
     reason = "a loop over the lanes of several arrays becomes vector instructions"
 )]
 
+use super::directions::Directions;
 use super::grip::Grip;
 use super::spring::{NormalSprings, Spring};
 use super::{BALL_SLOTS, Touch, Units, WALL, WallTouch, ball_stiffness};
@@ -228,42 +229,4 @@ impl Block {
 #[inline(always)]
 pub(super) fn vector(lanes: &[Lane; 3], lane: usize) -> Vec3 {
     Vec3::new(lanes[0][lane], lanes[1][lane], lanes[2][lane])
-}
-
-/// The normal of a contact and two unit vectors in its tangent plane; **n** × the first is the
-/// second.
-#[derive(Clone, Copy)]
-pub(super) struct Directions {
-    pub(super) normal: Vec3,
-    /// Horizontal.
-    first: Vec2,
-    second: Vec3,
-}
-
-impl Directions {
-    /// Those of a normal that does not turn.
-    pub(super) fn of(normal: Vec3) -> Self {
-        let level = normal.xy();
-        let length = level.length();
-        let first = if length > 0.0 { level.perp() * (1.0 / length) } else { Vec2::new(1.0, 0.0) };
-        Self { normal, first, second: normal.cross(first.with_z(0.0)) }
-    }
-
-    /// The components of the slip, from the velocity of the first ball's centre relative to the
-    /// second's and the sum of both Rω.
-    #[inline(always)]
-    pub(super) fn slip(&self, velocity: Vec3, surface: Vec3) -> Vec2 {
-        let Self { first, second, .. } = *self;
-        Vec2::new(
-            velocity.xy().dot(first) + surface.dot(second),
-            velocity.dot(second) - surface.xy().dot(first),
-        )
-    }
-
-    /// The vector with these components.
-    #[inline(always)]
-    pub(super) fn vector(&self, x: f64, y: f64) -> Vec3 {
-        let level = self.first * x + self.second.xy() * y;
-        level.with_z(self.second.z * y)
-    }
 }
