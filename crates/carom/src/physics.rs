@@ -133,8 +133,9 @@ pub enum CushionModel {
     Factors,
 }
 
-/// Restitution of the cushion as a function of the normal speed V: e = a + bV + cV², limited to
-/// 0..=1 (Han 2005; here for `stronge` too). A constant is `a` alone.
+/// Restitution of the cushion as a function of the normal speed V before the impact: e = a + bV +
+/// cV², limited to `lowest..=highest`. Han 2005 gives his measurements in this form; here every
+/// model can have it. A constant is `a` alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CushionRestitution {
     /// Constant part.
@@ -143,10 +144,33 @@ pub struct CushionRestitution {
     pub b: f64,
     /// Per (m/s)² of normal speed.
     pub c: f64,
+    /// Lower limit, from 0 to `highest`. A polynomial falls below any value at high speed, so a fit
+    /// needs it for speeds that were not measured.
+    pub lowest: f64,
+    /// Upper limit, from `lowest` to 1.
+    pub highest: f64,
 }
 
-/// Friction of the cushion as a function of the incidence γ from the normal, rad: μ = a + bγ (Han
-/// 2005). A constant is `a` alone.
+impl CushionRestitution {
+    /// A restitution that does not depend on speed, 0 to 1.
+    pub const fn constant(e: f64) -> Self {
+        Self::polynomial(e, 0.0, 0.0)
+    }
+
+    /// e = `a` + `b`V + `c`V² at the normal speed V (m/s), limited to 0..=1.
+    pub const fn polynomial(a: f64, b: f64, c: f64) -> Self {
+        Self { a, b, c, lowest: 0.0, highest: 1.0 }
+    }
+
+    /// Whether it is the same at every speed, with the limits 0 and 1.
+    pub fn is_constant(&self) -> bool {
+        *self == Self::constant(self.a)
+    }
+}
+
+/// Friction of the cushion as a function of the incidence γ from the normal, rad: μ = a + bγ, at
+/// least 0. Han 2005 gives his measurements in this form; here every model with friction can have
+/// it. A constant is `a` alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CushionFriction {
     /// Constant part.
@@ -176,7 +200,7 @@ impl Cushion {
     /// The same model with the restitution and friction of `surface`.
     fn with(&self, surface: &Surface) -> Self {
         Self {
-            restitution: CushionRestitution { a: surface.restitution, b: 0.0, c: 0.0 },
+            restitution: CushionRestitution::constant(surface.restitution),
             friction: CushionFriction { a: surface.friction, b: 0.0 },
             ..*self
         }

@@ -208,7 +208,12 @@ def rebound(
     share = quiet_share(approach)
     e = law["restitution"]
     if isinstance(e, dict):
-        e = min(max(e["a"] + e["b"] * approach + e["c"] * approach**2, 0), 1)
+        fitted = e["a"] + e["b"] * approach + e["c"] * approach**2
+        e = min(max(fitted, e.get("lowest", 0)), e.get("highest", 1))
+    mu = law["friction"]
+    if isinstance(mu, dict):
+        across = add(ball.velocity, into, -approach)
+        mu = max(mu["a"] + mu["b"] * fn.atan2(fn.sqrt(dot(across, across)), approach), 0)
 
     impulse = scale(into, -(1 + e) * approach)  # per unit mass
     spin_change: Vec = (0, 0, 0)
@@ -218,7 +223,7 @@ def rebound(
         spin_change = scale(ball.spin, law["spin_factor"] - 1)
     elif law["model"] == "mathavan-2010":
         bed = cloth if on_bed else None
-        (after,) = squeeze([(ball, normal)], law["friction"], bed, e, fn)
+        (after,) = squeeze([(ball, normal)], mu, bed, e, fn)
         impulse, spin_change = (
             add(after.velocity, ball.velocity, -1),
             add(after.spin, ball.spin, -1),
@@ -228,10 +233,6 @@ def rebound(
         u = add(ball.velocity, cross(ball.spin, scale(normal, ball.radius)))
         u = add(u, normal, -dot(u, normal))
         slip = fn.sqrt(dot(u, u))
-        mu = law["friction"]
-        if isinstance(mu, dict):
-            across = add(ball.velocity, into, -approach)
-            mu = max(mu["a"] + mu["b"] * fn.atan2(fn.sqrt(dot(across, across)), approach), 0)
         impulse = scale(normal, -(1 + e) * head_on)
         if slip > 0:
             if law["model"] == "han-2005":

@@ -89,8 +89,7 @@ impl<'a> BedContact<'a> {
             EdgeKind::Liner => physics.liner,
             EdgeKind::Top => physics.slate,
         };
-        law.restitution =
-            carom::physics::CushionRestitution { a: surface.restitution, b: 0.0, c: 0.0 };
+        law.restitution = carom::physics::CushionRestitution::constant(surface.restitution);
         law.friction = carom::physics::CushionFriction { a: surface.friction, b: 0.0 };
         law
     }

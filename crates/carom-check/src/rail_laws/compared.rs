@@ -30,6 +30,8 @@ fn law(random: &mut Random, model: CushionModel) -> Cushion {
             a: random.between(0.0, 1.0),
             b: random.between(-0.1, 0.1),
             c: random.between(-0.02, 0.02),
+            lowest: random.between(0.0, 0.5),
+            highest: random.between(0.5, 1.0),
         },
         friction: CushionFriction { a: random.between(0.0, 0.6), b: random.between(-0.2, 0.2) },
         frequency_ratio: random.between(1.05, 1.95),

@@ -73,7 +73,7 @@ impl RailImpact {
         let e = law.restitution.a + law.restitution.b * v.x + law.restitution.c * v.x * v.x;
         let incidence = atan2(v.y.abs(), v.x);
         let mu = law.friction.a + law.friction.b * incidence;
-        (e.clamp(0.0, 1.0), mu.max(0.0))
+        (e.max(law.restitution.lowest).min(law.restitution.highest), mu.max(0.0))
     }
 
     /// The motion after the impact by `law`.

@@ -1,7 +1,6 @@
 //! The `physics` of a shot file: a preset's name, or an object merged key by key over its base.
 
 use alloc::format;
-use alloc::vec::Vec;
 
 use super::angle::STROKE_ELEVATION;
 use super::node::{Node, word_of};
@@ -187,86 +186,77 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
     ])?;
     if let Some(at) = fields.get("model") {
         law.model = at.choice("cushion model", CUSHION_MODELS)?;
-        replace_unsupported_fits(law);
+        replace_fits_of_other_models(law);
     }
     if let Some(at) = fields.get("restitution") {
-        cushion_restitution(&at, law.model, &mut law.restitution)?;
+        cushion_restitution(&at, &mut law.restitution)?;
     }
     if let Some(at) = fields.get("friction") {
-        cushion_friction(&at, law.model, &mut law.friction)?;
+        cushion_friction(&at, &mut law.friction)?;
     }
     fields.number_into("tangential_factor", &FRACTION, &mut law.tangential_factor)?;
     fields.number_into("spin_factor", &FRACTION, &mut law.spin_factor)?;
     fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
 }
 
-/// Models whose restitution may be a fit in the speed: Han's, because his paper has one, and
-/// Stronge's, because measured cushions need one and his contact allows any e.
-const RESTITUTION_FITS: &[CushionModel] = &[CushionModel::Han2005, CushionModel::Stronge];
-/// Models whose friction may be a fit in the incidence.
-const FRICTION_FITS: &[CushionModel] = &[CushionModel::Han2005];
+/// Models that take over the fitted restitution of a base. A fit belongs to the model with which it
+/// was made; the first versions of `carom-shot/1` let these two exchange it.
+const TAKES_RESTITUTION: &[CushionModel] = &[CushionModel::Han2005, CushionModel::Stronge];
+/// Models that take over the fitted friction of a base.
+const TAKES_FRICTION: &[CushionModel] = &[CushionModel::Han2005];
 
-/// Replaces a fit that the base has, but the model does not allow, by its value for a slow,
+/// Replaces a fit of the base that was made with another model by its value for a slow,
 /// perpendicular impact.
-fn replace_unsupported_fits(law: &mut Cushion) {
-    if !RESTITUTION_FITS.contains(&law.model) {
-        law.restitution = CushionRestitution { a: law.restitution.at(0.0), b: 0.0, c: 0.0 };
+fn replace_fits_of_other_models(law: &mut Cushion) {
+    if !TAKES_RESTITUTION.contains(&law.model) {
+        law.restitution = CushionRestitution::constant(law.restitution.at(0.0));
     }
-    if !FRICTION_FITS.contains(&law.model) {
+    if !TAKES_FRICTION.contains(&law.model) {
         law.friction.b = 0.0;
     }
 }
 
-fn cushion_restitution(
-    at: &At<'_>,
-    model: CushionModel,
-    restitution: &mut CushionRestitution,
-) -> Result<(), Error> {
+fn cushion_restitution(at: &At<'_>, restitution: &mut CushionRestitution) -> Result<(), Error> {
     if !at.is_object() {
-        *restitution = CushionRestitution { a: at.number(&FRACTION)?, b: 0.0, c: 0.0 };
+        *restitution = CushionRestitution::constant(at.number(&FRACTION)?);
         return Ok(());
     }
-    only_for(RESTITUTION_FITS, at, model)?;
-    let fields = at.fields(&["a", "b", "c"])?;
+    let fields = at.fields(&["a", "b", "c", "lowest", "highest"])?;
     fields.number_into("a", &Range::any(""), &mut restitution.a)?;
     fields.number_into("b", &Range::any(" per m/s"), &mut restitution.b)?;
     fields.number_into("c", &Range::any(" per (m/s)²"), &mut restitution.c)?;
+    fields.number_into("lowest", &FRACTION, &mut restitution.lowest)?;
+    fields.number_into("highest", &FRACTION, &mut restitution.highest)?;
+    let CushionRestitution { lowest, highest, .. } = *restitution;
+    if lowest > highest {
+        let (key, other) = if fields.get("lowest").is_some() {
+            ("lowest", format!("highest is {highest:?}"))
+        } else {
+            ("highest", format!("lowest is {lowest:?}"))
+        };
+        let place = fields.get(key).unwrap_or_else(|| at.clone());
+        return Err(place.refuse(
+            format!("the lower limit is above the upper one: {other}"),
+            "choose lowest ≤ highest",
+        ));
+    }
     if !restitution.is_possible() {
         return Err(at.refuse(
-            "a + bV + cV² is outside [0, 1] at every normal speed V",
-            "choose a, b and c that give a coefficient of restitution",
+            format!("a + bV + cV² is outside [{lowest}, {highest}] at every normal speed V"),
+            "choose a, b and c that give a coefficient of restitution within the limits",
         ));
     }
     Ok(())
 }
 
-fn cushion_friction(
-    at: &At<'_>,
-    model: CushionModel,
-    friction: &mut CushionFriction,
-) -> Result<(), Error> {
+fn cushion_friction(at: &At<'_>, friction: &mut CushionFriction) -> Result<(), Error> {
     if !at.is_object() {
         *friction = CushionFriction { a: at.number(&FRICTION)?, b: 0.0 };
         return Ok(());
     }
-    only_for(FRICTION_FITS, at, model)?;
     let fields = at.fields(&["a", "b"])?;
     fields.number_into("a", &FRICTION, &mut friction.a)?;
     fields.number_into("b", &Range::any(" per rad"), &mut friction.b)
-}
-
-/// Refuses a fit if `model` is not one of `models`, which allow it.
-fn only_for(models: &[CushionModel], at: &At<'_>, model: CushionModel) -> Result<(), Error> {
-    if models.contains(&model) {
-        return Ok(());
-    }
-    let names = CUSHION_MODELS.iter().filter(|(_, m)| models.contains(m));
-    let names: Vec<_> = names.map(|(name, _)| format!("\"{name}\"")).collect();
-    let word = CUSHION_MODELS.iter().find(|(_, m)| *m == model).map_or("", |(name, _)| name);
-    Err(at.refuse(
-        format!("the cushion model \"{word}\" takes no fit {{\"a\", \"b\", ...}} here"),
-        format!("write a number, or choose the model {}", names.join(" or ")),
-    ))
 }
 
 fn surface(at: &At<'_>, law: &mut Surface) -> Result<(), Error> {
@@ -433,11 +423,13 @@ fn write_slip_friction(friction: &SlipFriction) -> Node {
 }
 
 fn write_cushion(cushion: &Cushion) -> Node {
-    let CushionRestitution { a, b, c } = cushion.restitution;
-    let restitution = if b == 0.0 && c == 0.0 {
+    let CushionRestitution { a, b, c, lowest, highest } = cushion.restitution;
+    let restitution = if cushion.restitution.is_constant() {
         a.into()
     } else {
-        Node::object([("a", a.into()), ("b", b.into()), ("c", c.into())])
+        // The limits too, because a base may have others.
+        let numbers = [("a", a), ("b", b), ("c", c), ("lowest", lowest), ("highest", highest)];
+        Node::object(numbers.map(|(key, x)| (key, x.into())))
     };
     let CushionFriction { a, b } = cushion.friction;
     let friction =

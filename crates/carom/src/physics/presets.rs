@@ -216,7 +216,7 @@ impl Physics {
             },
             cushion: Cushion {
                 model: CushionModel::Factors,
-                restitution: CushionRestitution { a: 0.6, b: 0.0, c: 0.0 },
+                restitution: CushionRestitution::constant(0.6),
                 friction: CushionFriction { a: 0.0, b: 0.0 },
                 tangential_factor: 0.9,
                 spin_factor: 0.1,
@@ -255,7 +255,7 @@ impl Physics {
             },
             cushion: Cushion {
                 model: CushionModel::Restitution,
-                restitution: CushionRestitution { a: 1.0, b: 0.0, c: 0.0 },
+                restitution: CushionRestitution::constant(1.0),
                 friction: CushionFriction { a: 0.0, b: 0.0 },
                 ..RAIL
             },
@@ -315,7 +315,7 @@ const THROW: SlipFriction = SlipFriction { a: 0.0, b: 0.115, c: 0.41 };
 /// that of pooltool's Stronge model.
 const RAIL: Cushion = Cushion {
     model: CushionModel::Stronge,
-    restitution: CushionRestitution { a: 0.9, b: 0.0, c: 0.0 },
+    restitution: CushionRestitution::constant(0.9),
     friction: CushionFriction { a: 0.175, b: 0.0 },
     frequency_ratio: 1.8,
     tangential_factor: 1.0,
@@ -330,7 +330,7 @@ const RAIL: Cushion = Cushion {
 /// stays plausible for shots faster than the film. Frequency ratio as in pooltool 0.6.0.
 const SNOOKER_RAIL: Cushion = Cushion {
     model: CushionModel::Stronge,
-    restitution: CushionRestitution { a: 1.24, b: -0.132, c: 0.0066 },
+    restitution: CushionRestitution::polynomial(1.24, -0.132, 0.0066),
     friction: CushionFriction { a: 0.38, b: 0.0 },
     frequency_ratio: 1.7,
     tangential_factor: 1.0,

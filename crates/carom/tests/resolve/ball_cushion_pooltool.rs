@@ -31,7 +31,7 @@ fn largest_difference(data: &Value, kind: &str, name: &str, model: CushionModel,
     let (mass, radius) = (mass.expect("m"), radius.expect("R"));
     let law = Cushion {
         model,
-        restitution: CushionRestitution { a: e, b: 0.0, c: 0.0 },
+        restitution: CushionRestitution::constant(e),
         friction: CushionFriction { a: f("f_c"), b: 0.0 },
         frequency_ratio: 1.7,
         tangential_factor: 1.0,

@@ -1,7 +1,7 @@
 //! Laws that every cushion model obeys with any parameters.
 
 use crate::random::Random;
-use carom::math::{Vec2, Vec3, sin_cos, sqrt};
+use carom::math::{Vec2, Vec3, atan2, sin_cos, sqrt};
 use carom::physics::{
     Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution, RollingFriction,
 };
@@ -65,6 +65,8 @@ fn case(model: CushionModel, random: &mut Random) -> Case {
                 a: one_of(random, [0.0, 0.05, 0.39, 0.85, 1.0, 1.4, -0.3]),
                 b: one_of(random, [0.0, 0.257]),
                 c: one_of(random, [0.0, -0.044]),
+                lowest: 0.0,
+                highest: 1.0,
             },
             friction: CushionFriction {
                 a: one_of(random, [0.0, 0.02, 0.14, 0.2, 0.471, 1.0]),
@@ -343,7 +345,7 @@ fn a_slow_ball_is_reflected_without_loss() {
         assert!((ball.velocity - expected).length() < 1e-17);
         assert_eq!(ball.angular_velocity, case.ball.angular_velocity);
         // At 1.5 mm/s, half a reflection and half the model's own result.
-        case.law.restitution = CushionRestitution { a: 0.0, b: 0.0, c: 0.0 };
+        case.law.restitution = CushionRestitution::constant(0.0);
         case.law.friction = CushionFriction { a: 0.0, b: 0.0 };
         case.normal = Vec3::new(1.0, 0.0, 0.0);
         case.cloth.sliding_friction = 0.0;
@@ -368,7 +370,7 @@ fn a_ball_that_leaves_the_rail_is_left_unchanged() {
 fn a_ball_that_lands_on_the_edge_bounces_as_from_a_floor() {
     for model in MODELS {
         let mut case = case(model, &mut Random(10));
-        case.law.restitution = CushionRestitution { a: 0.6, b: 0.0, c: 0.0 };
+        case.law.restitution = CushionRestitution::constant(0.6);
         case.on_bed = false;
         case.normal = Vec3::new(0.0, 0.0, -1.0);
         case.ball.velocity = Vec3::new(0.0, 0.0, -1.0);
@@ -382,7 +384,7 @@ fn a_ball_that_lands_on_the_edge_bounces_as_from_a_floor() {
 #[test]
 fn a_nose_above_the_centre_presses_a_ball_down_and_strong_friction_makes_it_hop() {
     let mut case = case(CushionModel::Han2005, &mut Random(11));
-    case.law.restitution = CushionRestitution { a: 0.8, b: 0.0, c: 0.0 };
+    case.law.restitution = CushionRestitution::constant(0.8);
     (case.normal, case.on_bed) = (Vec3::new(sqrt(1.0 - 0.2 * 0.2), 0.0, 0.2), true);
     case.ball.velocity = Vec3::new(2.0, 0.0, 0.0);
     // Top spin: the ball's surface moves down along the nose, which lifts the ball.
@@ -393,5 +395,39 @@ fn a_nose_above_the_centre_presses_a_ball_down_and_strong_friction_makes_it_hop(
         let slides = friction * sqrt(1.0 - 0.2 * 0.2) - 0.2;
         let rise = slides.max(0.0) * 1.8 * 2.0 * sqrt(1.0 - 0.2 * 0.2);
         assert!((ball.velocity.z - rise).abs() < 1e-14 && hops == (ball.velocity.z > 0.0));
+    }
+}
+
+#[test]
+fn a_fit_acts_in_every_model_as_its_values_at_the_first_touch() {
+    for model in MODELS {
+        let mut random = Random(7);
+        let mut faster = 0;
+        for _ in 0..1000 {
+            let mut case = case(model, &mut random);
+            if !case.on_bed {
+                continue;
+            }
+            // The carom rail of a tracked match, with a lower limit that fast impacts reach.
+            case.law.restitution = CushionRestitution {
+                lowest: 0.4,
+                ..CushionRestitution::polynomial(0.915, -0.034, -0.005)
+            };
+            case.law.friction = CushionFriction { a: 0.24, b: 0.034 };
+            let fitted = after(&case);
+            let (v, into) = (case.ball.velocity.xy(), into(&case));
+            let (speed, across) = (v.dot(into), v.dot(into.perp()).abs());
+            if speed <= 0.0 {
+                continue;
+            }
+            let e = (0.915 + speed * (-0.034 + speed * -0.005)).max(0.4);
+            case.law.restitution = CushionRestitution::constant(e);
+            case.law.friction = CushionFriction { a: 0.24 + 0.034 * atan2(across, speed), b: 0.0 };
+            let constant = after(&case);
+            assert_eq!(fitted.velocity, constant.velocity, "{model:?}");
+            assert_eq!(fitted.angular_velocity, constant.angular_velocity, "{model:?}");
+            faster += u32::from(e == 0.4);
+        }
+        assert!(faster > 20, "{model:?}: {faster} impacts at the lower limit");
     }
 }

@@ -13,7 +13,7 @@ const MATHAVAN_SIN: f64 = 0.4;
 fn law(model: CushionModel, e: f64, mu: f64) -> Cushion {
     Cushion {
         model,
-        restitution: CushionRestitution { a: e, b: 0.0, c: 0.0 },
+        restitution: CushionRestitution::constant(e),
         friction: CushionFriction { a: mu, b: 0.0 },
         frequency_ratio: 1.7,
         tangential_factor: 1.0,
@@ -289,7 +289,7 @@ fn poolfiz_multiplies_the_two_speeds_and_the_spin() {
 fn the_fits_of_han_2005_are_as_published_and_stay_physical() {
     const ROUNDING: f64 = 1e-12;
     let fit = Cushion {
-        restitution: CushionRestitution { a: 0.39, b: 0.257, c: -0.044 },
+        restitution: CushionRestitution::polynomial(0.39, 0.257, -0.044),
         friction: CushionFriction { a: 0.471, b: -0.241 },
         ..law(CushionModel::Han2005, 0.0, 0.0)
     };

@@ -331,30 +331,36 @@ fn a_ball_larger_than_a_hole_is_refused() {
 }
 
 #[test]
-fn a_fit_is_refused_if_the_cushion_model_does_not_allow_it() {
-    let fit = r#"{"a": 0.4, "b": 0.2, "c": 0}"#;
-    for model in ["restitution", "mathavan-2010", "factors"] {
-        refused(
-            BASE,
-            &format!(r#""cushion": {{"model": "{model}", "restitution": {fit}}}"#),
-            "physics.cushion.restitution",
-            &[model, "\"han-2005\" or \"stronge\""],
+fn every_cushion_model_takes_fits() {
+    for model in ["restitution", "han-2005", "mathavan-2010", "stronge", "factors"] {
+        let cushion = format!(
+            r#""cushion": {{"model": "{model}",
+                "restitution": {{"a": 0.39, "b": 0.257, "c": -0.044, "lowest": 0.5, "highest": 0.8}},
+                "friction": {{"a": 0.471, "b": -0.241}}}}"#
         );
+        let shot = Shot::from_json(&edited(BASE, &cushion)).expect(model);
+        let e = &shot.physics().cushion.restitution;
+        let at = |v: f64| e.at(v);
+        // The polynomial is 0.39, 0.603, 0.765 and −1.44.
+        assert_eq!([at(0.0), at(6.5)], [0.5, 0.5], "{model}");
+        assert!((at(1.0) - 0.603).abs() < 1e-15 && (at(2.5) - 0.7575).abs() < 1e-15, "{model}");
+        assert!((shot.physics().cushion.friction.b + 0.241).abs() < 1e-15, "{model}");
     }
-    for model in ["restitution", "mathavan-2010", "stronge", "factors"] {
-        refused(
-            BASE,
-            &format!(
-                r#""cushion": {{"model": "{model}", "friction": {{"a": 0.471, "b": -0.241}}}}"#
-            ),
-            "physics.cushion.friction",
-            &[model, "the model \"han-2005\""],
-        );
-    }
-    let han = r#""cushion": {"model": "han-2005", "restitution": {"a": 0.39, "b": 0.257, "c": -0.044}, "friction": {"a": 0.471, "b": -0.241}}"#;
-    Shot::from_json(&edited(BASE, han)).expect("Han's own fits");
-    let stronge = format!(r#""cushion": {{"model": "stronge", "restitution": {fit}}}"#);
-    Shot::from_json(&edited(BASE, &stronge)).expect("a fit for Stronge's model");
+}
+
+#[test]
+fn limits_of_a_fit_that_contradict_each_other_are_refused() {
+    let fit = |keys: &str| {
+        format!(r#""cushion": {{"restitution": {{"a": 0.9, "b": -0.05, "c": 0, {keys}}}}}"#)
+    };
+    let place = |key: &str| format!("physics.cushion.restitution{key}");
+    let both = r#""lowest": 0.9, "highest": 0.4"#;
+    refused(BASE, &fit(both), &place(".lowest"), &["highest is 0.4", "lowest ≤ highest"]);
+    refused(BASE, &fit(r#""highest": 1.1"#), &place(".highest"), &["1.1"]);
+    refused(BASE, &fit(r#""lowest": -0.1"#), &place(".lowest"), &["-0.1"]);
+    // A falling polynomial never reaches a range above its start.
+    refused(BASE, &fit(r#""lowest": 0.95"#), &place(""), &["[0.95, 1] at every normal speed"]);
+    Shot::from_json(&edited(BASE, &fit(r#""lowest": 0.5, "highest": 0.5"#))).expect("one value");
 }
 
 #[test]
@@ -379,7 +385,7 @@ fn a_fit_outside_0_to_1_at_every_speed_is_refused() {
 }
 
 #[test]
-fn a_model_without_fits_takes_the_bases_fit_at_speed_0() {
+fn another_model_takes_the_fit_of_its_base_at_speed_0() {
     let with = |cushion: &str| {
         let physics = format!(r#""base": "snooker", "cushion": {cushion}"#);
         Shot::from_json(&edited(BASE, &physics)).expect("a good file")

@@ -19,10 +19,13 @@
 //! part, where friction at the nose lifts the ball more than the nose presses it down, makes the
 //! ball hop.
 //!
-//! Off the bed every model acts along **n**, and `mathavan-2010` has no term for the cloth. The
-//! fitted restitution depends on the normal speed V, and the fitted friction on the angle of
-//! incidence γ. On the bed V and γ are taken in the horizontal plane, in which the authors of the
-//! fits measured them; off the bed they are relative to **n**.
+//! Off the bed every model acts along **n**, and `mathavan-2010` has no term for the cloth.
+//!
+//! In every model a fitted restitution depends on the normal speed V, and a fitted friction on the
+//! angle of incidence γ. On the bed V and γ are taken in the horizontal plane, in which the authors
+//! of the fits measured them; off the bed they are relative to **n**. Both are those at the first
+//! touch: `mathavan-2010`, which integrates the impact, and `stronge`, which follows its phases,
+//! keep this e and μ until the ball leaves.
 //!
 //! # What holds for every model
 //!
@@ -112,29 +115,31 @@ impl RailFrame {
 }
 
 impl CushionRestitution {
-    /// e = a + bV + cV² at the normal speed `v` (m/s), limited to 0..=1. A fitted polynomial leaves
-    /// this range beyond the measured speeds (Han's reaches 0 at 7.1 m/s).
+    /// e = a + bV + cV² at the normal speed `v` (m/s), limited to `lowest..=highest`. A fitted
+    /// polynomial leaves this range beyond the measured speeds (Han's reaches 0 at 7.1 m/s).
     #[inline]
     pub fn at(&self, v: f64) -> f64 {
         // With a constant the processor need not wait for the speed.
         let e = if self.b == 0.0 && self.c == 0.0 { self.a } else { self.value(v) };
-        e.clamp(0.0, 1.0)
+        // `f64::clamp` also tests the order of the limits, which is checked where they are set.
+        let e = if e < self.lowest { self.lowest } else { e };
+        if e > self.highest { self.highest } else { e }
     }
 
     fn value(&self, v: f64) -> f64 {
         self.a + v * (self.b + v * self.c)
     }
 
-    /// Whether there is a normal speed ≥ 0 at which the fitted polynomial is in 0..=1.
+    /// Whether there is a normal speed ≥ 0 at which the fitted polynomial is within the limits.
     pub fn is_possible(&self) -> bool {
         let at_rest = self.a;
         let turns = self.b * self.c < 0.0;
         let turning = if turns { self.value(-self.b / (2.0 * self.c)) } else { at_rest };
         // The sign at high speed is that of the last coefficient.
         let last = if self.c == 0.0 { self.b } else { self.c };
-        let falls_to_1 = at_rest.min(turning) <= 1.0 || last < 0.0;
-        let rises_to_0 = at_rest.max(turning) >= 0.0 || last > 0.0;
-        falls_to_1 && rises_to_0
+        let comes_down = at_rest.min(turning) <= self.highest || last < 0.0;
+        let comes_up = at_rest.max(turning) >= self.lowest || last > 0.0;
+        comes_down && comes_up
     }
 }
 
