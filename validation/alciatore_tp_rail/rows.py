@@ -104,7 +104,13 @@ SIGHT = 3.6875 * INCH
 AIMS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0)
 
 
-def arrival(start: float, aim: float, table: str, size: tuple[float, float]) -> float:
+def arrival(
+    start: float,
+    aim: float,
+    table: str,
+    size: tuple[float, float],
+    physics: JSON | str = "pool",
+) -> float:
     """The place at which a fast stun bank arrives, in diamonds along the rail that it started from.
 
     The ball moves from the sight `start` on the left rail towards the sight `aim` on the right
@@ -121,7 +127,7 @@ def arrival(start: float, aim: float, table: str, size: tuple[float, float]) -> 
             position=(x, y),
             velocity=(speed * math.cos(direction), speed * math.sin(direction), 0.0),
         ),
-        physics="pool",
+        physics=physics,
         table=table,
     )
     after = run.first("rail-collision").after["cue"]
@@ -129,9 +135,14 @@ def arrival(start: float, aim: float, table: str, size: tuple[float, float]) -> 
     return (float(after.position[1]) + slope * (float(after.position[0]) + SIGHT)) / diamond
 
 
-def bank(aim: float, table: str, size: tuple[float, float]) -> float:
+def bank(
+    aim: float,
+    table: str,
+    size: tuple[float, float],
+    physics: JSON | str = "pool",
+) -> float:
     """The sight from which a bank towards the sight `aim` arrives at the corner."""
-    return crossing(lambda start: arrival(start, aim, table, size), aim, 8.0, width=1e-6)
+    return crossing(lambda start: arrival(start, aim, table, size, physics), aim, 8.0, width=1e-6)
 
 
 NINE_FEET, SEVEN_FEET = ("wpa-9ft", (1.27, 2.54)), ("showood-7ft", (0.9906, 1.9812))

@@ -1,5 +1,6 @@
 //! The parameters of the physical models: plain data, immutable during a shot.
 
+pub mod ball_surface;
 pub mod presets;
 mod rolling_friction;
 mod rolling_law;

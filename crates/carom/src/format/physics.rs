@@ -158,6 +158,10 @@ fn ball_ball(at: &At<'_>, law: &mut BallBall) -> Result<(), Error> {
 }
 
 fn slip_friction(at: &At<'_>, friction: &mut SlipFriction) -> Result<(), Error> {
+    if at.is_text() {
+        *friction = at.choice("surface of the balls", &SlipFriction::SURFACES)?;
+        return Ok(());
+    }
     if !at.is_object() {
         *friction = SlipFriction::constant(at.number(&FRICTION)?);
         return Ok(());

@@ -137,6 +137,11 @@ impl<'a> At<'a> {
         matches!(self.node, Node::Object(_))
     }
 
+    /// Whether this is a string.
+    pub(crate) const fn is_text(&self) -> bool {
+        matches!(self.node, Node::Text(_))
+    }
+
     /// A string.
     pub(crate) fn flag(&self) -> Result<bool, Error> {
         match self.node {

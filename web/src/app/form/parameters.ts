@@ -51,6 +51,8 @@ function collect(
     return [{ ...common, kind: "choice", choices: schema.enum }];
   }
   if (typeof value === "number") return [{ ...common, kind: "number" }];
+  const names = schema.oneOf?.find((choice) => choice.enum)?.enum;
+  if (typeof value === "string" && names) return [{ ...common, kind: "choice", choices: names }];
   if (typeof value !== "object" || value === null) return [];
   const full = schema.$ref ? $defs[schema.$ref.replace("#/$defs/", "")] : schema;
   if (Array.isArray(value)) {
