@@ -48,13 +48,14 @@ __all__ = [
     "see",
     "simulate",
     "simulate_batch",
-    "simulate_seen",
     "simulate_strikes",
+    "simulate_variants",
     "solve",
     "stages",
     "tables",
     "tasks",
     "unknown_word",
+    "variant",
     "wilson",
     "wrong_type",
 ]
@@ -146,14 +147,15 @@ def simulate_batch(shots: list[Shot], threads: int) -> _Arrays: ...
 def simulate_strikes(
     shot: Shot, strikes: NDArray[np.float64], own_elevation: bool, threads: int
 ) -> _Arrays: ...
-def simulate_seen(
+def simulate_variants(
     shot: Shot,
     strikes: NDArray[np.float64],
+    noise: Noise,
     perception: Perception,
-    seed: int,
-    first: int,
+    draw: tuple[int, int],
     threads: int,
 ) -> _Arrays: ...
+def variant(shot: Shot, noise: Noise, seed: int, index: int) -> Shot: ...
 def check_perception(perception: Perception) -> None: ...
 def check_noise(noise: Noise) -> None: ...
 def draw_strikes(

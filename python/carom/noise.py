@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple, dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Self
 
 from carom import _core
@@ -28,18 +28,26 @@ if TYPE_CHECKING:
     import carom
 
 
+# The standard deviations among the fields of `Noise`.
+_SIGMAS = ("speed", "azimuth", "elevation", "side_m", "height_m")
+
+
 @renamed_fields(side="side_m", height="height_m")
 @dataclass(frozen=True, slots=True)
 class Noise:
-    """Standard deviations of a strike's errors, which are Gaussian and independent of each other.
+    """Errors of a strike, Gaussian and independent of each other, and cling between balls.
 
     Attributes:
-        speed: Of the cue's speed, m/s.
+        speed: Standard deviation of the cue's speed, m/s.
         azimuth: Of the cue's direction, rad.
         elevation: Of the cue's elevation, rad.
         side_m: Of the contact point to the side, m. It is in metres, not in ball radii as the
             offsets of a strike, because a player's error does not depend on the ball's size.
         height_m: Of the contact point's height, m.
+        cling_probability: Probability with which a contact of two balls clings (kick, skid), 0 to 1.
+            No source gives one for pool; the presets have 0.
+        cling_friction: Coefficient of friction of a contact that clings. 0.22 gives the throw that
+            was measured with chalk at the contact (docs/rails-and-balls.md).
 
     Raises:
         InputError: A number is negative, not finite, or far beyond what a player does.
@@ -50,6 +58,8 @@ class Noise:
     elevation: float = 0.0
     side_m: float = 0.0
     height_m: float = 0.0
+    cling_probability: float = 0.0
+    cling_friction: float = 0.22
 
     def __post_init__(self) -> None:
         for field in fields(self):
@@ -89,18 +99,20 @@ class Noise:
         return cls(*presets[base]).scaled(multiplier)
 
     def scaled(self, multiplier: float) -> Self:
-        """This noise with every σ multiplied by ``multiplier``.
+        """This noise with every σ multiplied by ``multiplier``; the cling stays.
 
         Raises:
             InputError: The multiplier is negative, not finite or too large.
         """
         factor = number("multiplier", multiplier)
-        return type(self)(*(sigma * factor for sigma in astuple(self)))
+        scaled = {sigma: getattr(self, sigma) * factor for sigma in _SIGMAS}
+        return replace(self, **scaled)
 
     def draw(self, shot: carom.Shot, index: int = 0, *, seed: int = 0) -> Strike:
         """One execution of the strike of ``shot``: that of variant ``index`` of ``Shot.vary``.
 
-        It may be impossible to play, such as a miscue or a speed ≤ 0.
+        It may be impossible to play, such as a miscue or a speed ≤ 0. ``variant`` gives the whole
+        shot, with the contacts that cling.
 
         Raises:
             InputError: The shot has no strike, or a number is out of range.
@@ -111,6 +123,19 @@ class Noise:
         meant = shot.to_dict()["strike"]
         obstruction = meant.get("obstruction", Strike.obstruction)
         return Strike(speed, azimuth, elevation, side, height, meant["ball"], obstruction)
+
+    def variant(self, shot: carom.Shot, index: int = 0, *, seed: int = 0) -> carom.Shot:
+        """Variant ``index`` of ``Shot.vary`` as an ordinary shot, with its strike and its cling.
+
+        The contacts that cling are the key ``cling`` of its file, so it simulates to the same bits
+        everywhere.
+
+        Raises:
+            InputError: The shot has no strike, a number is out of range, or the drawn strike cannot
+                be played.
+        """
+        inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
+        return shot._wrap(_core.variant(inner, self, whole("seed", seed), whole("index", index)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -213,10 +238,9 @@ def vary(
     def run(start: int, end: int) -> Arrays:
         rows = _core.draw_strikes(inner, noise, end - start, seed, first + start)
         strikes[:, start:end] = rows.T
-        if perception.position == 0.0:
-            return _core.simulate_strikes(inner, rows, False, thread_count(threads))
-        return _core.simulate_seen(
-            inner, rows, perception, seed, first + start, thread_count(threads)
+        draw = (seed, first + start)
+        return _core.simulate_variants(
+            inner, rows, noise, perception, draw, thread_count(threads)
         )
 
     ends = in_chunks(run, n, len(inner), progress=progress)

@@ -37,6 +37,7 @@ class Shot:
         strike: The strike; None if the balls have velocities of their own.
         physics: The parameters; None is the preset that belongs to the table.
         max_events: Largest number of events; more are an error. None is the engine's default.
+        cling: The contacts that cling, as the shot file has them; None for none.
 
     Raises:
         InputError: A value is invalid; the message names the place.
@@ -53,6 +54,7 @@ class Shot:
         *,
         physics: Physics | str | Mapping[str, Any] | None = None,
         max_events: int | None = None,
+        cling: Mapping[str, Any] | None = None,
     ) -> None:
         file: dict[str, Any] = {
             "format": "carom-shot/1",
@@ -64,6 +66,7 @@ class Shot:
         optional = {
             "physics": physics,
             "strike": strike.to_dict() if isinstance(strike, Strike) else strike,
+            "cling": cling,
             "max_events": max_events,
         }
         file |= {key: value for key, value in optional.items() if value is not None}

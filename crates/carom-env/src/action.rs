@@ -69,7 +69,8 @@ pub(crate) fn strike(
     let least = episode.default_elevation(turn.cue, from, &intended);
     intended.elevation = intended.elevation.max(least);
     let actual = with_noise(config, episode, turn, &intended, draw);
-    Some(NoisyStrike { intended, actual, cue_ball })
+    let cling = config.noise.draw_cling(draw.0, draw.1);
+    Some(NoisyStrike { intended, actual, cling, cue_ball })
 }
 
 /// The azimuth (rad) that hits the target ball at `across`: from its right edge (−1) to its left

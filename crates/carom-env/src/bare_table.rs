@@ -5,10 +5,11 @@ use std::sync::Arc;
 use carom::event::Recorder;
 use carom::format::{Node, SHOT_FORMAT};
 use carom::math::Vec3;
-use carom::resolve::cue_ball::Strike;
 use carom::shot::PlacedBall;
 use carom::{BallState, Error, MotionState, Shot, Simulator};
 use carom_rules::{BallIndex, FrameBall, through_degrees};
+
+use crate::episode::NoisyStrike;
 
 /// A place inside every table (file frame, m), for the only ball of the base shot.
 const INSIDE: [f64; 2] = [0.25, 0.25];
@@ -49,7 +50,7 @@ impl BareTable {
         &mut self,
         simulator: &mut Simulator,
         cue: BallIndex,
-        strike: Strike,
+        strike: &NoisyStrike,
         recorder: &mut impl Recorder,
     ) -> Result<(), Error> {
         let on_table = |ball: &usize| self.places[*ball].is_some();
@@ -61,8 +62,11 @@ impl BareTable {
             Some(PlacedBall { id: id.clone(), ball: *ball, state })
         });
         let struck = balls.iter().position(|ball| *ball == usize::from(cue)).unwrap_or_default();
-        let strike = through_degrees(&strike);
-        let shot = self.base.with_balls(placed.collect(), Some((struck, strike)))?;
+        let actual = through_degrees(&strike.actual);
+        let mut shot = self.base.with_balls(placed.collect(), Some((struck, actual)))?;
+        if !strike.cling.is_empty() {
+            shot = shot.with_cling(strike.cling);
+        }
         let summary = simulator.play(&shot, recorder)?;
         for (i, &ball) in balls.iter().enumerate() {
             let state = simulator.file_state(i, &shot, summary.duration);

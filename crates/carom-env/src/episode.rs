@@ -2,7 +2,7 @@
 
 use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
-use carom::shot::BallInSpace;
+use carom::shot::{BallInSpace, Cling};
 use carom::{Error, Shot, Simulator};
 use carom_rules::{BallIndex, FrameBall, Seat, Turn};
 
@@ -13,6 +13,8 @@ pub(crate) struct NoisyStrike {
     pub(crate) intended: Strike,
     /// The strike that is played.
     pub(crate) actual: Strike,
+    /// The contacts that cling.
+    pub(crate) cling: Cling,
     /// Where a cue ball in hand is placed before the strike (file frame, m).
     pub(crate) cue_ball: Option<[f64; 2]>,
 }

@@ -118,11 +118,13 @@ impl FrameEpisode {
             return Err(Error::input("step", "the episode is over", "reset the environment"));
         };
         let balls = self.balls_of_shot(&turn);
-        let NoisyStrike { intended, actual, cue_ball } = *strike;
+        let NoisyStrike { intended, actual, cling, cue_ball } = *strike;
         let prepared = Play { strike: intended, cue_ball, call: Self::default_call(&turn) };
         let prepared = self.frame.shot(&prepared)?;
         let call = self.call(simulator, &turn, &prepared, &balls);
         let play = Play { strike: actual, cue_ball, call };
+        // The call is chosen without noise.
+        let prepared = if cling.is_empty() { prepared } else { prepared.with_cling(cling) };
         let (ruling, outcome) = self.frame.play_prepared(simulator, &play, &prepared)?;
         let legal = ruling.is_legal();
         let may_pot = |(k, _): &&(u16, _)| self.may_pot(&turn, balls[usize::from(*k)]);

@@ -48,7 +48,8 @@ pub(crate) fn strike(
         Opponent::Potter => potter(config, episode, turn, dice)?,
     };
     let actual = action::with_noise(config, episode, turn, &intended, draw);
-    Some(NoisyStrike { intended, actual, cue_ball })
+    let cling = config.noise.draw_cling(draw.0, draw.1);
+    Some(NoisyStrike { intended, actual, cling, cue_ball })
 }
 
 /// A pot that the potter could play.

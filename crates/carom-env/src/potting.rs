@@ -97,7 +97,7 @@ impl Episode for Potting {
         self.over = true;
         // The balls on the table are 0 to `count`, so their indices are those of the shot.
         let mut recorder = TaskRecorder::new(CUE.into());
-        self.table.play(simulator, CUE, strike.actual, &mut recorder)?;
+        self.table.play(simulator, CUE, strike, &mut recorder)?;
         let fell = |ball: BallIndex| recorder.pots.iter().any(|(down, _)| *down == ball);
         let legal = !fell(CUE) && !recorder.left_table;
         let potted = legal && self.turn.on.iter().any(|ball| fell(*ball));

@@ -144,7 +144,7 @@ impl Episode for SumToThree {
         let seat = self.turn.player;
         let mut recorder = TaskRecorder::new(CUE.into());
         self.opening = false;
-        if let Err(error) = self.table.play(simulator, CUE, strike.actual, &mut recorder) {
+        if let Err(error) = self.table.play(simulator, CUE, strike, &mut recorder) {
             self.ending = Some(Ending::Stalemate);
             return Err(error);
         }

@@ -1,5 +1,6 @@
 //! The errors of a player, and the sampling of a probability up to a precision.
 
+use carom::batch::Variants;
 use carom::noise::Perception;
 use carom::{Error, Noise};
 
@@ -54,6 +55,11 @@ impl ErrorModel {
         self.perception.check()?;
         check_level(self.level)?;
         self.half_width.map_or(Ok(()), check_half_width)
+    }
+
+    /// The variants from number `first` on.
+    pub(crate) fn variants_from(&self, first: u64) -> Variants {
+        Variants { noise: self.noise, perception: self.perception, seed: self.seed, first }
     }
 
     /// Whether the probabilities with these `counts` among `trials` have the requested precision.

@@ -192,10 +192,7 @@ fn simulate(
     first: u64,
     runner: &Runner,
 ) -> Result<BatchResult, Error> {
-    if model.perception.position == 0.0 {
-        return Ok(batch::simulate_strikes(shot, strikes, runner));
-    }
-    batch::simulate_seen(shot, strikes, &model.perception, model.seed, first, runner)
+    batch::simulate_variants(shot, strikes, &model.variants_from(first), runner)
 }
 
 fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {

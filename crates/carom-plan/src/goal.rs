@@ -248,8 +248,9 @@ impl<'a> GoalTester<'a> {
         Some(recorder.finish(self.shot, &self.simulator, played.ok()?.duration))
     }
 
-    /// The result of `strike` on another layout of the same balls; None if it cannot be played.
+    /// The result of `strike` in another variant of the shot; None if it cannot be played.
     fn play_on(&mut self, layout: &Shot, strike: &Strike) -> Option<Attempt> {
+        layout.resolve_strike(strike).ok()?;
         let (ball, _) = layout.strike()?;
         let mut recorder = GoalRecorder::new(layout, self.fresh.goal);
         let played = self.simulator.play_strike(layout, Some((ball, *strike)), &mut recorder);
@@ -267,12 +268,12 @@ impl<'a> GoalTester<'a> {
         let radius = self.fresh.places.radius(struck);
         model.count(progress, |k| {
             let strike = model.noise.draw(strike, radius, model.seed, k);
-            let attempt = if model.perception.position == 0.0 {
+            let variants = model.variants_from(k);
+            let attempt = if variants.have_one_shot() {
                 self.play(&strike)
             } else {
-                let places = model.perception.places(self.shot, model.seed, k);
-                let layout = self.shot.with_balls(places, Some((struck, strike))).ok();
-                layout.and_then(|layout| self.play_on(&layout, &strike))
+                let variant = variants.shot(self.shot, 0, Some((struck, strike))).ok();
+                variant.and_then(|variant| self.play_on(&variant, &strike))
             };
             attempt.is_some_and(|a| a.is_met())
         })

@@ -76,14 +76,11 @@ impl<'a> Refereed<'a> {
         first: u64,
         runner: &Runner,
     ) -> (BatchResult, Verdicts) {
+        let variants = model.variants_from(first);
         let played = runner.map(0..strikes.len(), Simulator::new, |simulator, k| {
-            if model.perception.position == 0.0 {
-                return self.rule(simulator, strikes[k], self.shot);
-            }
-            let places = model.perception.places(self.shot, model.seed, first + k as u64);
             let struck = self.shot.strike().map(|(ball, _)| (ball, strikes[k]));
-            let shot = self.shot.with_balls(places, struck)?;
-            self.rule(simulator, strikes[k], &shot)
+            let variant = variants.shot(self.shot, k as u64, struck)?;
+            self.rule(simulator, strikes[k], &variant)
         });
         self.gather(played)
     }

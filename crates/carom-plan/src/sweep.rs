@@ -4,7 +4,7 @@
 //! strike if it is played with noise. Its result depends only on these: not on other rows, on their
 //! order or on the number of threads.
 
-use carom::batch::{OFF_TABLE, PADDING, PocketRecorder};
+use carom::batch::{OFF_TABLE, PADDING, PocketRecorder, draw_variant};
 use carom::event::{Event, Recorder};
 use carom::format::{KeyPath, Node};
 use carom::math::{degrees, radians};
@@ -227,10 +227,10 @@ pub fn shot(rows: &SweepRows<'_>, row: usize) -> Result<ShotFile, Error> {
     };
     let meant = rows.meant(row, &made, own);
     made.resolve_strike(&meant)?;
-    let played = rows.noise.map_or(meant, |(noise, seed, index)| {
-        noise.draw(&meant, made.balls()[struck].ball.radius, seed, index[row] as u64)
-    });
-    made.with_strike(&played)
+    let made = made.with_strike(&meant)?;
+    rows.noise.map_or(Ok(made.clone()), |(noise, seed, index)| {
+        draw_variant(&made, &noise, seed, index[row] as u64)
+    })
 }
 
 /// Plays rows one after the other.
@@ -322,6 +322,8 @@ impl<'a> RowPlayer<'a> {
                 column[row] = value;
             }
             shot.resolve_strike(&strike)?;
+            let variant = noise.with_cling(shot, seed, index[row] as u64);
+            return self.simulate(row, &variant, Some((struck, strike)), outcome);
         }
         self.simulate(row, shot, Some((struck, strike)), outcome)
     }

@@ -3,7 +3,7 @@
 use std::array::from_fn;
 
 use carom::Noise;
-use carom::batch::{self, BatchResult};
+use carom::batch::{self, BatchResult, Variants};
 use carom::noise::SKILLS;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::to_exception;
-use crate::options::{NoiseOptions, PerceptionOptions, count};
+use crate::options::{NoiseOptions, PerceptionOptions, count, numbers_of};
 use crate::shot::{Shot, strike_of};
 
 pub(crate) type Arrays<'py> = (
@@ -55,21 +55,22 @@ pub(crate) fn simulate_strikes<'py>(
     arrays(py, result)
 }
 
-/// The same on the layouts of `perception` and `seed` from number `first` on.
+/// The same with the layouts of `perception` and the cling of `noise`; `draw`: the seed and the number
+/// of the first variant.
 #[pyfunction]
-pub(crate) fn simulate_seen<'py>(
+pub(crate) fn simulate_variants<'py>(
     py: Python<'py>,
     shot: &Shot,
     strikes: PyReadonlyArray2<'py, f64>,
+    noise: NoiseOptions,
     perception: PerceptionOptions,
-    seed: u64,
-    first: u64,
+    draw: (u64, u64),
     threads: usize,
 ) -> PyResult<Arrays<'py>> {
-    let strikes = strikes_of(&strikes);
-    let (perception, runner) = (perception.perception(), runner(py, threads)?);
-    let result =
-        py.detach(|| batch::simulate_seen(&shot.0, &strikes, &perception, seed, first, &runner));
+    let (strikes, runner) = (strikes_of(&strikes), runner(py, threads)?);
+    let (noise, perception, (seed, first)) = (noise.noise(), perception.perception(), draw);
+    let variants = Variants { noise, perception, seed, first };
+    let result = py.detach(|| batch::simulate_variants(&shot.0, &strikes, &variants, &runner));
     arrays(py, result.map_err(|e| to_exception(py, &e))?)
 }
 
@@ -107,6 +108,19 @@ pub(crate) fn check_noise(py: Python<'_>, noise: NoiseOptions) -> PyResult<()> {
     noise.noise().check().map_err(|e| to_exception(py, &e))
 }
 
+/// The shot with the strike and the cling of variant `index` of `seed`.
+#[pyfunction]
+pub(crate) fn variant(
+    py: Python<'_>,
+    shot: &Shot,
+    noise: NoiseOptions,
+    seed: u64,
+    index: u64,
+) -> PyResult<Shot> {
+    let drawn = batch::draw_variant(&shot.0, &noise.noise(), seed, index);
+    drawn.map(|drawn| Shot(drawn.into())).map_err(|e| to_exception(py, &e))
+}
+
 /// The shot with its balls where they are perceived: layout number `index` of `seed`.
 #[pyfunction]
 pub(crate) fn see(
@@ -120,20 +134,18 @@ pub(crate) fn see(
     seen.map(Shot::from).map_err(|e| to_exception(py, &e))
 }
 
-/// The σ of the Computational Olympiad's noise: speed, azimuth, elevation, side, height.
+/// The Computational Olympiad's noise: the fields of `carom.Noise`, in order.
 #[pyfunction]
-pub(crate) fn olympiad(multiplier: f64) -> [f64; 5] {
-    let Noise { speed, azimuth, elevation, side_m: side, height_m: height } =
-        Noise::olympiad(multiplier);
-    [speed, azimuth, elevation, side, height]
+pub(crate) fn olympiad(multiplier: f64) -> [f64; 7] {
+    numbers_of(&Noise::olympiad(multiplier))
 }
 
-/// The names of the noise presets and their σ: speed, azimuth, elevation, side, height.
+/// The names of the noise presets, and the fields of `carom.Noise`, in order.
 #[pyfunction]
-pub(crate) fn noise_presets() -> Vec<(&'static str, [f64; 5])> {
+pub(crate) fn noise_presets() -> Vec<(&'static str, [f64; 7])> {
     let olympiad = ("olympiad", Noise::olympiad(1.0));
     let all = SKILLS.into_iter().chain([olympiad]);
-    all.map(|(name, n)| (name, [n.speed, n.azimuth, n.elevation, n.side_m, n.height_m])).collect()
+    all.map(|(name, noise)| (name, numbers_of(&noise))).collect()
 }
 
 /// The runner of `threads` threads; 0 is one per core.

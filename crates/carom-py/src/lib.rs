@@ -26,7 +26,7 @@ mod _core {
     #[pymodule_export]
     use crate::batch::{
         check_noise, check_perception, draw_strikes, noise_presets, olympiad, see, simulate_batch,
-        simulate_seen, simulate_strikes,
+        simulate_strikes, simulate_variants, variant,
     };
     #[pymodule_export]
     use crate::env::{VectorEnv, meanings, tasks};

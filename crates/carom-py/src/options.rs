@@ -14,11 +14,21 @@ pub(crate) struct NoiseOptions {
     elevation: f64,
     side_m: f64,
     height_m: f64,
+    cling_probability: f64,
+    cling_friction: f64,
 }
 
 impl NoiseOptions {
     pub(crate) fn noise(&self) -> Noise {
-        noise_of([self.speed, self.azimuth, self.elevation, self.side_m, self.height_m])
+        Noise {
+            speed: self.speed,
+            azimuth: self.azimuth,
+            elevation: self.elevation,
+            side_m: self.side_m,
+            height_m: self.height_m,
+            cling_probability: self.cling_probability,
+            cling_friction: self.cling_friction,
+        }
     }
 }
 
@@ -99,9 +109,11 @@ impl SearchOptions {
     }
 }
 
-/// The noise with these σ: speed, azimuth, elevation, side, height.
-pub(crate) fn noise_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Noise {
-    Noise { speed, azimuth, elevation, side_m: side, height_m: height }
+/// The numbers of a noise in the order of the fields of `carom.Noise`.
+pub(crate) fn numbers_of(noise: &Noise) -> [f64; 7] {
+    let Noise { speed, azimuth, elevation, side_m, height_m, .. } = *noise;
+    let Noise { cling_probability, cling_friction, .. } = *noise;
+    [speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction]
 }
 
 /// A number of threads from Python, where 0 is one per core.

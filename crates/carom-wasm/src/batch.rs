@@ -1,7 +1,9 @@
 //! Many shots at once.
 
 use carom::Noise;
-use carom::batch::{BatchResult, draw_strikes, simulate_batch, simulate_strikes};
+use carom::batch::{
+    BatchResult, Variants, draw_strikes, draw_variant, simulate_batch, simulate_variants,
+};
 use carom::format::Node;
 use carom::noise::SKILLS;
 use carom::resolve::cue_ball::Strike;
@@ -37,52 +39,63 @@ impl Shots {
     }
 }
 
-/// σ of the Computational Olympiad's noise times `multiplier`, in the order of [`sigmas`].
+/// The Computational Olympiad's noise times `multiplier`, in the order of [`numbers`].
 #[wasm_bindgen]
 pub fn olympiad(multiplier: f64) -> Result<Vec<f64>, JsValue> {
     let noise = Noise::olympiad(multiplier);
     noise.check().map_err(|e| to_exception(&e))?;
-    Ok(sigmas(&noise).to_vec())
+    Ok(numbers(&noise).to_vec())
 }
 
-/// Rejects a noise with a σ out of range.
+/// Rejects a noise with a number out of range.
 #[wasm_bindgen(js_name = checkNoise)]
 pub fn check_noise(noise: &[f64]) -> Result<(), JsValue> {
     noise_of(noise)?.check().map_err(|e| to_exception(&e))
 }
 
-/// Speed (m/s), azimuth, elevation (rad), side, height (m).
-fn sigmas(noise: &Noise) -> [f64; 5] {
-    [noise.speed, noise.azimuth, noise.elevation, noise.side_m, noise.height_m]
+/// σ of speed (m/s), azimuth, elevation (rad), side, height (m); probability and friction of a cling.
+fn numbers(noise: &Noise) -> [f64; 7] {
+    let Noise { speed, azimuth, elevation, side_m, height_m, .. } = *noise;
+    let Noise { cling_probability, cling_friction, .. } = *noise;
+    [speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction]
 }
 
-/// The inverse of [`sigmas`].
-fn noise_of(sigmas: &[f64]) -> Result<Noise, JsValue> {
-    let [speed, azimuth, elevation, side, height] = *sigmas else {
-        return Err(js_sys::RangeError::new("noise: write five numbers").into());
+/// The inverse of [`numbers`].
+fn noise_of(numbers: &[f64]) -> Result<Noise, JsValue> {
+    let [speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction] = *numbers
+    else {
+        return Err(js_sys::RangeError::new("noise: write seven numbers").into());
     };
-    Ok(Noise { speed, azimuth, elevation, side_m: side, height_m: height })
+    Ok(Noise { speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction })
 }
 
-/// The presets of execution noise, JSON: pairs of a name and the five [`sigmas`]. The levels of play come
+/// The presets of execution noise, JSON: pairs of a name and the [`numbers`]. The levels of play come
 /// first, from the widest errors to the smallest; then the Olympiad.
 #[wasm_bindgen(js_name = noisePresets)]
 pub fn noise_presets() -> String {
     let olympiad = ("olympiad", Noise::olympiad(1.0));
     let presets = SKILLS.into_iter().chain([olympiad]);
     let node =
-        |(name, noise): (&str, Noise)| Node::List(vec![name.into(), Node::list(sigmas(&noise))]);
+        |(name, noise): (&str, Noise)| Node::List(vec![name.into(), Node::list(numbers(&noise))]);
     Node::list(presets.map(node)).to_json()
 }
 
 #[wasm_bindgen]
 impl Shot {
-    /// Simulates the variants `first .. first + n` with execution noise, given as [`sigmas`].
+    /// Simulates the variants `first .. first + n` with execution noise, given as [`numbers`].
     pub fn vary(&self, noise: &[f64], n: usize, seed: u64, first: u64) -> Result<Batch, JsValue> {
         let noise = noise_of(noise)?;
         let strikes =
             draw_strikes(&self.0, &noise, n, seed, first).map_err(|e| to_exception(&e))?;
-        Ok(Batch { result: simulate_strikes(&self.0, &strikes, &Runner::default()), strikes })
+        let variants = Variants { noise, seed, first, ..Variants::default() };
+        let result = simulate_variants(&self.0, &strikes, &variants, &Runner::default());
+        Ok(Batch { result: result.map_err(|e| to_exception(&e))?, strikes })
+    }
+
+    /// The shot of variant `index`: an ordinary shot, with its strike and its cling.
+    pub fn variant(&self, noise: &[f64], seed: u64, index: u64) -> Result<Shot, JsValue> {
+        let drawn = draw_variant(&self.0, &noise_of(noise)?, seed, index);
+        drawn.map(|drawn| Shot(drawn.into())).map_err(|e| to_exception(&e))
     }
 }
 

@@ -12,7 +12,7 @@ use crate::noise::Perception;
 use crate::resolve::cue_ball::Strike;
 use crate::runner::Runner;
 use crate::simulator::Simulator;
-use crate::{MotionState, Noise, Shot};
+use crate::{MotionState, Noise, Shot, ShotFile};
 
 /// Number of shots that a thread gets at a time: a few hundred microseconds of work, so that the
 /// overhead is negligible and all threads end at about the same time.
@@ -75,27 +75,80 @@ pub fn simulate_at_own_elevation(shot: &Shot, strikes: &[Strike], runner: &Runne
     })
 }
 
-/// As [`simulate_strikes`], but with an error of perception: strike k is played on layout `first` +
-/// k of this seed, which [`Perception::places`] draws around the positions in `shot`. `shot` holds
-/// the positions that the player sees and plans on; the layouts hold possible true positions. The
-/// error has the same distribution in both directions.
+/// What differs between the variants of a shot beside their strikes, which [`draw_strikes`] draws.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Variants {
+    /// Its cling. The errors of the strike are not used.
+    pub noise: Noise,
+    /// Errors of the perceived positions.
+    pub perception: Perception,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// Number of the first variant.
+    pub first: u64,
+}
+
+impl Variants {
+    /// Rejects numbers out of their ranges.
+    ///
+    /// # Errors
+    /// As [`Noise::check`] and [`Perception::check`].
+    pub fn check(&self) -> Result<(), Error> {
+        self.noise.check()?;
+        self.perception.check()
+    }
+
+    /// Whether the variants differ in their strikes alone.
+    pub fn have_one_shot(&self) -> bool {
+        self.perception.position == 0.0 && self.noise.cling_probability == 0.0
+    }
+
+    /// `shot` in variant `first` + `k`, with this strike: the balls where they truly lie, and the
+    /// contacts that cling.
+    ///
+    /// # Errors
+    /// As [`Shot::with_balls`], if there is an error of perception.
+    pub fn shot<'a>(
+        &self,
+        shot: &'a Shot,
+        k: u64,
+        strike: Option<(usize, Strike)>,
+    ) -> Result<Cow<'a, Shot>, Error> {
+        let index = self.first.wrapping_add(k);
+        let clung = self.noise.with_cling(shot, self.seed, index);
+        if self.perception.position == 0.0 {
+            return Ok(clung);
+        }
+        let places = self.perception.places(shot, self.seed, index);
+        Ok(Cow::Owned(clung.with_balls(places, strike)?))
+    }
+}
+
+/// As [`simulate_strikes`], with the rest of the [`Variants`]: strike k is played in variant `first`
+/// + k. With an error of perception `shot` holds the positions that the player sees and plans on;
+/// the layouts of the variants hold possible true positions. The error has the same distribution in
+/// both directions.
 ///
 /// # Errors
-/// As [`Perception::check`]; and [`Error::Input`] if the shot has no strike.
-pub fn simulate_seen(
+/// As [`Variants::check`]; and [`Error::Input`] if the shot has no strike.
+pub fn simulate_variants(
     shot: &Shot,
     strikes: &[Strike],
-    perception: &Perception,
-    seed: u64,
-    first: u64,
+    variants: &Variants,
     runner: &Runner,
 ) -> Result<BatchResult, Error> {
-    perception.check()?;
+    variants.check()?;
     let (struck, _) = own_strike(shot)?;
+    if variants.have_one_shot() {
+        return Ok(simulate_strikes(shot, strikes, runner));
+    }
     Ok(run(strikes.len(), shot.balls.len(), runner, |k| {
         let strike = Some((struck, strikes[k]));
-        let places = perception.places(shot, seed, first.wrapping_add(k as u64));
-        Ok((Cow::Owned(shot.with_balls(places, strike)?), strike))
+        let variant = variants.shot(shot, k as u64, strike)?;
+        if variants.perception.position == 0.0 {
+            variant.resolve_strike(&strikes[k])?;
+        }
+        Ok((variant, strike))
     }))
 }
 
@@ -123,6 +176,26 @@ pub fn draw_strikes(
     let radius = shot.balls[ball].ball.radius;
     let strike = |k| noise.draw(&meant, radius, seed, first.wrapping_add(k));
     Ok((0..n as u64).map(strike).collect())
+}
+
+/// Variant `index`, of this seed, of `shot` under `noise`: an ordinary shot with the strike and the
+/// cling of that variant. It simulates to the bits of the variant's row.
+///
+/// # Errors
+/// [`Error::Input`] if the shot has no strike, as [`Noise::check`], and if the drawn strike cannot be
+/// played.
+pub fn draw_variant(
+    shot: &ShotFile,
+    noise: &Noise,
+    seed: u64,
+    index: u64,
+) -> Result<ShotFile, Error> {
+    let strike = draw_strikes(shot, noise, 1, seed, index)?[0];
+    let struck = shot.with_strike(&strike)?;
+    if noise.cling_probability == 0.0 {
+        return Ok(struck);
+    }
+    Ok(struck.with_cling(noise.draw_cling(seed, index)))
 }
 
 /// The struck ball's index and the strike of `shot`.

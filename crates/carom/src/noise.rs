@@ -19,6 +19,7 @@
 //! refused in a shot file fails with the same error: a speed ≤ 0, an elevation of 90° or more, a
 //! tip that misses the ball or slips off it (unless `strike.miscue` says that miscues are played).
 
+use alloc::borrow::Cow;
 use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
 
@@ -27,14 +28,17 @@ use chacha20::rand_core::{Rng, SeedableRng};
 
 use crate::error::Error;
 use crate::math::{log, radians, sin_cos, sqrt};
+use crate::physics::ball_surface::CHALKED;
 use crate::range::Range;
 use crate::resolve::cue_ball::Strike;
-use crate::shot::{self, PlacedBall, Shot};
+use crate::shot::{self, Cling, MOST_CONTACTS, PlacedBall, Shot};
 
 /// Part of the generator's key that separates these random numbers from others of the same seed.
 const STRIKE_KEY: &[u8; 24] = b"carom: noise of a strike";
 /// The same for perception.
 const PERCEPTION_KEY: &[u8; 24] = b"carom: sight of a layout";
+/// The same for contacts that cling.
+const CLING_KEY: &[u8; 24] = b"carom: cling of contacts";
 
 /// σ of a tip offset: at most a third of a ball's radius. A larger one is a mistake of units.
 const OFFSET: Range = Range::closed(0.0, 0.01, " m");
@@ -42,6 +46,10 @@ const OFFSET: Range = Range::closed(0.0, 0.01, " m");
 const ANGLE: Range = Range::closed(0.0, PI, " rad");
 /// σ of the cue's speed: at most the speed of the fastest breaks.
 const SPEED: Range = Range::closed(0.0, 15.0, " m/s");
+/// Probability of a cling.
+const PROBABILITY: Range = Range::closed(0.0, 1.0, "");
+/// Coefficient of friction of a contact that clings.
+const FRICTION: Range = Range::not_negative("");
 /// σ of a perceived position: at most about two balls' diameters.
 const POSITION: Range = Range::closed(0.0, 0.1, " m");
 
@@ -68,11 +76,12 @@ const fn skill(speed: f64, azimuth: f64, elevation: f64, offset: f64) -> Noise {
         elevation: radians(elevation),
         side_m: 0.001 * offset,
         height_m: 0.001 * offset,
+        ..Noise::NONE
     }
 }
 
-/// Standard deviations of a strike's errors.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// Standard deviations of a strike's errors, and how often two balls cling.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
     /// Of the cue's speed, m/s; 0 to 15.
     pub speed: f64,
@@ -85,9 +94,32 @@ pub struct Noise {
     pub side_m: f64,
     /// Of the contact point's height, m; 0 to 0.01.
     pub height_m: f64,
+    /// The probability with which a contact of two balls clings, 0 to 1 ([`Cling`]). No source gives
+    /// one for pool; it is 0 in every preset.
+    pub cling_probability: f64,
+    /// The coefficient of friction of a contact that clings, at every slip speed;
+    /// [`CHALKED`] in every preset.
+    pub cling_friction: f64,
+}
+
+impl Default for Noise {
+    fn default() -> Self {
+        Self::NONE
+    }
 }
 
 impl Noise {
+    /// No errors, and no contact clings.
+    pub const NONE: Self = Self {
+        speed: 0.0,
+        azimuth: 0.0,
+        elevation: 0.0,
+        side_m: 0.0,
+        height_m: 0.0,
+        cling_probability: 0.0,
+        cling_friction: CHALKED,
+    };
+
     /// The Computational Olympiad's noise times `multiplier`; its tournaments were played at 0.5, 1
     /// and 2. σ: offsets 0.5 mm each, elevation 0.1°, azimuth 0.125°, speed 0.075 m/s.
     pub const fn olympiad(multiplier: f64) -> Self {
@@ -97,6 +129,7 @@ impl Noise {
             elevation: radians(0.1),
             side_m: 0.000_5,
             height_m: 0.000_5,
+            ..Self::NONE
         }
         .scaled(multiplier)
     }
@@ -107,7 +140,8 @@ impl Noise {
         skill.or_else(|| (name == "olympiad").then(|| Self::olympiad(1.0)))
     }
 
-    /// This noise with every σ multiplied by `multiplier`.
+    /// This noise with every σ multiplied by `multiplier`. Cling is no error of the player and
+    /// stays.
     #[must_use]
     pub const fn scaled(self, multiplier: f64) -> Self {
         Self {
@@ -116,13 +150,15 @@ impl Noise {
             elevation: self.elevation * multiplier,
             side_m: self.side_m * multiplier,
             height_m: self.height_m * multiplier,
+            ..self
         }
     }
 
-    /// Rejects a standard deviation out of its range.
+    /// Rejects a number out of its range.
     ///
     /// # Errors
-    /// [`Error::Input`] for a σ that is negative, not finite, or larger than its field allows.
+    /// [`Error::Input`] for a σ that is negative, not finite, or larger than its field allows, for
+    /// a probability outside 0..=1 and for a negative friction.
     pub fn check(&self) -> Result<(), Error> {
         for (key, value, range) in [
             ("speed", self.speed, SPEED),
@@ -130,6 +166,8 @@ impl Noise {
             ("elevation", self.elevation, ANGLE),
             ("side_m", self.side_m, OFFSET),
             ("height_m", self.height_m, OFFSET),
+            ("cling_probability", self.cling_probability, PROBABILITY),
+            ("cling_friction", self.cling_friction, FRICTION),
         ] {
             range.check(|| alloc::format!("noise.{key}"), value)?;
         }
@@ -146,6 +184,29 @@ impl Noise {
             side: meant.side + self.side_m / radius * side,
             height: meant.height + self.height_m / radius * height,
         }
+    }
+
+    /// The contacts that cling in variant `index` of this seed. A contact that clings with one
+    /// probability clings with every higher one.
+    pub fn draw_cling(&self, seed: u64, index: u64) -> Cling {
+        if self.cling_probability == 0.0 {
+            return Cling::NONE;
+        }
+        let mut random = random(CLING_KEY, seed, index);
+        let contacts = (0..MOST_CONTACTS).filter(|_| {
+            // In (0, 1], so that a probability of 1 is certain and one of 0 impossible.
+            positive_unit(&mut random) <= self.cling_probability
+        });
+        Cling::new(contacts, self.cling_friction)
+    }
+
+    /// `shot` with the contacts that cling in variant `index` of this seed. If this noise has no
+    /// cling, those of the shot remain.
+    pub fn with_cling<'a>(&self, shot: &'a Shot, seed: u64, index: u64) -> Cow<'a, Shot> {
+        if self.cling_probability == 0.0 {
+            return Cow::Borrowed(shot);
+        }
+        Cow::Owned(shot.with_cling(self.draw_cling(seed, index)))
     }
 }
 

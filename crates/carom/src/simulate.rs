@@ -256,7 +256,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         recorder: &mut R,
     ) -> Result<Summary, SimulationError> {
         self.load(shot);
-        let mut step = StepContext::new(&shot.table, &shot.physics, recorder);
+        let mut step = StepContext::new(shot, recorder);
         if let Some((struck, strike)) = &strike {
             assert!(*struck < self.n, "there is no ball {struck} in a shot of {} balls", self.n);
             self.on_cue_strike(*struck, strike, &mut step)?;

@@ -36,8 +36,16 @@ _STEPS = ("from", "to", "count")
 _OPTIONS = ("name", "relative")
 _DISTRIBUTIONS = ("uniform", "log_uniform", "normal")
 _WAYS = "grid, from + to + count, uniform, log_uniform, normal, choice"
-# The keys of `noise`, in the order of `Noise`'s arguments; older spellings in the second list.
-_SIGMAS = ("speed", "azimuth_deg", "elevation_deg", "side_m", "height_m")
+# The keys of `noise`; older spellings in the second list.
+_NOISE = (
+    "speed",
+    "azimuth_deg",
+    "elevation_deg",
+    "side_m",
+    "height_m",
+    "cling_probability",
+    "cling_friction",
+)
 _OLD_SIGMAS = {"side": "side_m", "height": "height_m"}
 # Most steps of one grid; more of them are a typing error.
 _MOST_STEPS = 10**12
@@ -438,18 +446,18 @@ def _samples(found: Mapping[str, Any], parameters: tuple[Parameter, ...]) -> int
     return samples
 
 
-def _noise(value: Any) -> Noise:
-    if isinstance(value, str):
-        return Noise.preset(value)
-    given = _fields("noise", value, (*_SIGMAS, *_OLD_SIGMAS))
-    sigmas = dict.fromkeys(_SIGMAS, 0.0)
-    for key, sigma in given.items():
-        x = _core.read_number(sigma, f"noise.{key}")
+def _noise(written: Any) -> Noise:
+    if isinstance(written, str):
+        return Noise.preset(written)
+    given = _fields("noise", written, (*_NOISE, *_OLD_SIGMAS))
+    numbers = {}
+    for key, value in given.items():
+        x = _core.read_number(value, f"noise.{key}")
         new = _OLD_SIGMAS.get(key, key)
         if new != key and new in given:
             _refuse(f"noise.{key}", f"{new} gives the same number", f"keep only {new}")
-        sigmas[new] = x * RADIANS if key.endswith("_deg") else x
-    return Noise(*sigmas.values())
+        numbers[new.removesuffix("_deg")] = x * RADIANS if key.endswith("_deg") else x
+    return Noise(**numbers)
 
 
 # One degree, rad.

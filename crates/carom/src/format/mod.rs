@@ -7,6 +7,7 @@
 
 mod angle;
 mod balls;
+mod cling;
 mod dated;
 mod geometry;
 #[cfg(feature = "json")]

@@ -19,7 +19,7 @@ use crate::shot::{MASS, RADIUS};
 /// A coefficient of restitution, an efficiency, or a share that is kept.
 const FRACTION: Range = Range::closed(0.0, 1.0, "");
 /// A coefficient of friction.
-const FRICTION: Range = Range::not_negative("");
+pub(super) const FRICTION: Range = Range::not_negative("");
 /// ω_t/ω_n: Stronge's piecewise solution holds if the tangential spring oscillates faster than the
 /// normal one, but less than twice as fast.
 const FREQUENCY_RATIO: Range = Range::closed(1.0, 2.0, "");

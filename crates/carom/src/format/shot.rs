@@ -10,15 +10,15 @@ use super::dated::with_dated_names;
 use super::key_path::KeyPath;
 use super::node::Node;
 use super::read::At;
-use super::{angle, balls, physics, strike, table};
+use super::{angle, balls, cling, physics, strike, table};
 use crate::error::Error;
 use crate::resolve::cue_ball::Strike;
-use crate::shot::{DEFAULT_MAX_EVENTS, Parts, Shot, StrikePolicy, checked_balls};
+use crate::shot::{Cling, DEFAULT_MAX_EVENTS, Parts, Shot, StrikePolicy, checked_balls};
 
 /// The value of `format` in a shot file.
 pub const SHOT_FORMAT: &str = "carom-shot/1";
 
-const KEYS: &[&str] = &["format", "table", "physics", "balls", "strike", "max_events"];
+const KEYS: &[&str] = &["format", "table", "physics", "balls", "strike", "cling", "max_events"];
 
 /// A shot with the file that it was read from. The file is written back unchanged, except that an
 /// omitted elevation is written.
@@ -126,6 +126,16 @@ impl ShotFile {
         Ok(Self { shot, source: Some(node.into()) })
     }
 
+    /// The same file in which other contacts cling.
+    #[must_use]
+    pub fn with_cling(&self, cling: Cling) -> Self {
+        let shot = self.shot.with_cling(cling);
+        let Some(source) = &self.source else { return shot.into() };
+        let mut node = Node::clone(source);
+        node.set("cling", cling::write(shot.cling()));
+        Self { shot, source: Some(node.into()) }
+    }
+
     /// The same file with other values at the given paths; later values replace earlier ones. A
     /// missing key is added, and a preset's name becomes the base of an object. An omitted elevation
     /// is the default of the new file.
@@ -208,6 +218,9 @@ impl Shot {
             let id = &self.balls[*ball].id;
             file.set("strike", strike::write(id, strike, self.strike_policy()));
         }
+        if !self.cling().is_empty() {
+            file.set("cling", cling::write(self.cling()));
+        }
         if self.max_events != DEFAULT_MAX_EVENTS {
             file.set("max_events", self.max_events);
         }
@@ -249,6 +262,16 @@ fn read(file: &Node) -> Result<Shot, Error> {
         Some(at) => at.whole(1, u32::MAX)?,
         None => DEFAULT_MAX_EVENTS,
     };
+    let cling = fields.get("cling").map_or(Ok(Cling::NONE), |at| cling::read(&at))?;
     let strike = struck;
-    Shot::new(Parts { table, physics, balls, strike, policy, max_events, has_default_elevation })
+    Shot::new(Parts {
+        table,
+        physics,
+        balls,
+        strike,
+        policy,
+        max_events,
+        has_default_elevation,
+        cling,
+    })
 }

@@ -8,7 +8,9 @@ use crate::edition;
 use crate::error::Error;
 use crate::math::{Vec2, Vec3, asin, atan2, degrees, radians, sqrt};
 use crate::resolve::cue_ball::Strike;
-use crate::shot::{DEFAULT_MAX_EVENTS, Parts, PlacedBall, Shot, StrikePolicy, checked_balls};
+use crate::shot::{
+    Cling, DEFAULT_MAX_EVENTS, Parts, PlacedBall, Shot, StrikePolicy, checked_balls,
+};
 use crate::{Ball, BallState, Physics, Table};
 
 /// The cue ball on English tables (1⅞ in; from memory, not verified).
@@ -135,6 +137,7 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
         strike: Some((0, strike)),
         policy: StrikePolicy::default(),
         max_events: DEFAULT_MAX_EVENTS,
+        cling: Cling::NONE,
         has_default_elevation: true,
     })
 }

@@ -4,6 +4,7 @@
 //! [`Shot::with_strike`], [`Shot::with_balls`]. Each way ends in the same checks.
 
 mod balls;
+mod cling;
 mod obstruction;
 mod place;
 mod strike;
@@ -14,6 +15,7 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 pub(crate) use balls::{CheckedBalls, MASS, RADIUS, checked as checked_balls, fits};
+pub use cling::{Cling, MOST_CONTACTS};
 pub use obstruction::{BallInSpace, Touched};
 pub(crate) use strike::{OFFSET, SPEED, explain};
 pub use strike::{Policy, StrikePolicy};
@@ -59,13 +61,15 @@ pub struct Shot {
     tip_friction: f64,
     /// Whether the elevation of `strike` is the default, because none was given.
     has_default_elevation: bool,
+    cling: Cling,
 }
 
 /// Shots are equal if the same happens in them: whether an elevation is the default or the same
 /// angle was given makes no difference.
 impl PartialEq for Shot {
     fn eq(&self, other: &Self) -> bool {
-        let Self { table, physics, balls, strike, max_events, policy, tip_friction, .. } = self;
+        let Self { table, physics, balls, strike, max_events, policy, tip_friction, cling, .. } =
+            self;
         *table == other.table
             && *physics == other.physics
             && *balls == other.balls
@@ -73,6 +77,7 @@ impl PartialEq for Shot {
             && *max_events == other.max_events
             && *policy == other.policy
             && *tip_friction == other.tip_friction
+            && *cling == other.cling
     }
 }
 
@@ -93,6 +98,7 @@ pub(crate) struct Parts {
     pub(crate) max_events: u32,
     /// Whether the strike gets the default elevation; the elevation in `strike` is not used then.
     pub(crate) has_default_elevation: bool,
+    pub(crate) cling: Cling,
 }
 
 impl Shot {
@@ -103,7 +109,7 @@ impl Shot {
     /// As [`Self::with_balls`].
     pub(crate) fn new(parts: Parts) -> Result<Self, Error> {
         let Parts { table, mut physics, balls, strike, policy, max_events, .. } = parts;
-        let has_default_elevation = parts.has_default_elevation;
+        let (has_default_elevation, cling) = (parts.has_default_elevation, parts.cling);
         let tip_friction = physics.cue.tip_friction;
         if policy.miscue == Policy::Report {
             physics.cue.tip_friction = strike::TIP_THAT_HOLDS;
@@ -118,6 +124,7 @@ impl Shot {
             policy,
             tip_friction,
             has_default_elevation,
+            cling,
         }
         .checked()
     }
@@ -176,7 +183,7 @@ impl Shot {
     ) -> Result<Self, Error> {
         let balls = balls::checked(balls, &self.table)?.into_inner();
         let (table, physics) = (self.table.clone(), self.physics.clone());
-        let Self { max_events, policy, tip_friction, .. } = *self;
+        let Self { max_events, policy, tip_friction, cling, .. } = *self;
         Self {
             table,
             physics,
@@ -186,8 +193,15 @@ impl Shot {
             policy,
             tip_friction,
             has_default_elevation,
+            cling,
         }
         .checked()
+    }
+
+    /// The same shot in which other contacts cling.
+    #[must_use]
+    pub fn with_cling(&self, cling: Cling) -> Self {
+        Self { cling, ..self.clone() }
     }
 
     /// The shot with its default elevation, if it has one, and if its strike can be played.
@@ -240,6 +254,11 @@ impl Shot {
     /// Whether the elevation of the strike is the default, because none was given.
     pub const fn has_default_elevation(&self) -> bool {
         self.has_default_elevation
+    }
+
+    /// The contacts that cling.
+    pub const fn cling(&self) -> &Cling {
+        &self.cling
     }
 
     /// The policy for strikes that a player could not play cleanly.

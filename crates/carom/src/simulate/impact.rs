@@ -8,7 +8,7 @@ use super::support::Support;
 use crate::detect::ball_ball::ContactFinder;
 use crate::event::{EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
-use crate::physics::{Cushion, Surface};
+use crate::physics::{BallBall, Cushion, Surface};
 use crate::resolve::ball_ball::held;
 use crate::resolve::ball_edge::{self, Edge};
 use crate::resolve::{self, Body, ball_slate};
@@ -87,7 +87,9 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         b: usize,
         step: &mut StepContext<'_, R>,
     ) {
+        let clung = step.next_cling();
         let StepContext { physics, time, .. } = *step;
+        let law = clung.as_ref().unwrap_or(&physics.ball_ball);
         let balls = [a as u16, b as u16];
         let before = [self.state(a, time), self.state(b, time)];
         let d = before[1].position - before[0].position;
@@ -105,8 +107,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let mobility = |k: usize| along[k].length_squared() / pair[k].mass;
         let reduced = 1.0 / (mobility(0) + mobility(1));
         let pushes = [0, 1].map(|k| along[k] * (reduced / pair[k].mass));
-        let smooth = physics.ball_ball.is_smooth();
-        let impact = PairImpact { before: &before, balls: &pair, on_bed, normal, pushes };
+        let smooth = law.is_smooth();
+        let impact = PairImpact { before: &before, balls: &pair, law, on_bed, normal, pushes };
         let encounter =
             Encounter { before: &before, balls: &pair, normal, push, persistent, smooth };
         let after = impact.raised(0.0, physics);
@@ -161,6 +163,7 @@ impl CushionImpact<'_> {
 struct PairImpact<'a> {
     before: &'a [BallState; 2],
     balls: &'a [Ball; 2],
+    law: &'a BallBall,
     on_bed: [bool; 2],
     /// Unit vector from the first ball's centre to the second's.
     normal: Vec3,
@@ -173,12 +176,12 @@ impl PairImpact<'_> {
     /// The states after the impact, with the approach speed raised by `speed`, m/s.
     #[inline(always)]
     fn raised(&self, speed: f64, physics: &Physics) -> [BallState; 2] {
-        let Self { before, balls, on_bed, normal, pushes } = self;
+        let Self { before, balls, law, on_bed, normal, pushes } = self;
         let mut p = Body::new(&balls[0], &before[0]);
         let mut q = Body::new(&balls[1], &before[1]);
         p.velocity += pushes[0] * speed;
         q.velocity -= pushes[1] * speed;
-        let Physics { ball_ball: law, cloth, gravity, .. } = physics;
+        let Physics { cloth, gravity, .. } = physics;
         let gentle = || {
             let approach = (p.velocity - q.velocity).dot(*normal);
             approach < ball_slate::last_hop_speed(*gravity)

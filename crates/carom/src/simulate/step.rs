@@ -1,7 +1,9 @@
 //! The context of one step of the event loop.
 
 use crate::event::{Event, EventKind, Recorder};
-use crate::{BallState, Physics, Table};
+use crate::physics::{BallBall, SlipFriction};
+use crate::shot::Cling;
+use crate::{BallState, Physics, Shot, Table};
 
 /// What event handlers share: the surroundings of the shot, its recorder, and its progress.
 pub(super) struct StepContext<'a, R> {
@@ -11,13 +13,29 @@ pub(super) struct StepContext<'a, R> {
     pub(super) time: f64,
     /// Events recorded so far, the strike included.
     pub(super) events: u32,
+    /// The contacts of two balls that cling; `None` in a shot without any.
+    cling: Option<&'a Cling>,
+    /// Contacts of two balls so far; counted only if some cling.
+    pair_contacts: u32,
     recorder: &'a mut R,
 }
 
 impl<'a, R: Recorder> StepContext<'a, R> {
     /// The context at time 0, before any event.
-    pub(super) fn new(table: &'a Table, physics: &'a Physics, recorder: &'a mut R) -> Self {
-        Self { table, physics, time: 0.0, events: 0, recorder }
+    pub(super) fn new(shot: &'a Shot, recorder: &'a mut R) -> Self {
+        let cling = Some(shot.cling()).filter(|cling| !cling.is_empty());
+        let (table, physics) = (&*shot.table, &*shot.physics);
+        Self { table, physics, time: 0.0, events: 0, cling, pair_contacts: 0, recorder }
+    }
+
+    /// The law of the next contact of two balls, if it clings. Counts this contact.
+    #[inline(always)]
+    pub(super) fn next_cling(&mut self) -> Option<BallBall> {
+        let cling = self.cling?;
+        let contact = self.pair_contacts;
+        self.pair_contacts += 1;
+        let friction = SlipFriction::constant(cling.friction());
+        cling.contains(contact).then_some(BallBall { friction, ..self.physics.ball_ball })
     }
 
     /// Counts an event at the current time and passes it to the recorder.

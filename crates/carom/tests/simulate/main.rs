@@ -1,6 +1,7 @@
 //! Whole shots: the event loop, traces, outcomes and goldens.
 #![cfg(feature = "json")]
 
+mod cling;
 mod goldens;
 mod hard_cases;
 mod many_balls;

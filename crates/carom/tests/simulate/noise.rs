@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use carom::batch::{BatchResult, draw_strikes, simulate_seen, simulate_strikes};
+use carom::batch::{BatchResult, Variants, draw_strikes, simulate_strikes, simulate_variants};
 use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
@@ -210,7 +210,9 @@ fn a_shot_without_a_strike_has_no_strike_to_vary() {
     let without = shot.with_balls(shot.balls().to_vec(), None).expect("the balls are valid");
     let drawn = draw_strikes(&without, &Noise::default(), 1, 0, 0).map(|_| ());
     let perception = Perception { position: 1e-3 };
-    let seen = simulate_seen(&without, &strikes, &perception, 0, 0, &Runner::default()).map(|_| ());
+    let variants = Variants { perception, ..Variants::default() };
+    let runner = Runner::default();
+    let seen = simulate_variants(&without, &strikes, &variants, &runner).map(|_| ());
     for result in [drawn, seen] {
         let sentence = result.expect_err("no strike").to_string();
         assert!(sentence.starts_with("strike: the shot has no strike to vary"), "{sentence}");
