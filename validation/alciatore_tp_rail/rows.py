@@ -174,3 +174,33 @@ def cu_16() -> list[float]:
     nine = [bank(aim, *NINE_FEET) for aim in AIMS]
     seven = [bank(aim, *SEVEN_FEET) for aim in AIMS]
     return [*nine, *nine, *seven]
+
+
+#: Friction of the rails of three tables that are otherwise equal (scripts/contact_fits.json).
+FRICTIONS = {"Olhausen 9 ft": 0.225, "Gold Crown 9 ft": 0.274, "Valley 7 ft": 0.208}
+TABLES = {"Olhausen 9 ft": NINE_FEET, "Gold Crown 9 ft": NINE_FEET, "Valley 7 ft": SEVEN_FEET}
+
+
+def rail(table: str) -> JSON:
+    """The preset `pool` with the rail of this table."""
+    law: JSON = {
+        "model": "stronge",
+        "restitution": {"a": 1.04, "b": -0.05, "c": 0.0},
+        "friction": FRICTIONS[table],
+        "frequency_ratio": 1.53,
+    }
+    return {"base": "pool", "cushion": law}
+
+
+@row(
+    "CU-16-rails",
+    "Fast sliding banks into the corner: rails that differ in friction alone, e = 1.04 − 0.05 V",
+    unit="diamonds",
+    source="TP B.28",
+    kind=Kind.FITTED,
+    reference=cu_16.reference,
+    tolerance=absolute(0.3),
+    held=True,
+)
+def cu_16_rails() -> list[float]:
+    return [bank(aim, *TABLES[table], rail(table)) for table in TABLES for aim in AIMS]

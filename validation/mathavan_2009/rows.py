@@ -4,7 +4,7 @@ Application of high-speed imaging to determine the dynamics of billiards, Am. J.
 788–794. The measurements are shown beside the defaults of the `snooker` preset.
 """
 
-from carom.validation.lab import ball, simulate
+from carom.validation.lab import JSON, ball, simulate
 from carom.validation.mathavan_2014.rows import QUANTITIES, SHOTS, rolled_out
 from carom.validation.row import Kind, Range, absolute, row
 
@@ -57,8 +57,8 @@ def film(x: float) -> float:
     return -0.0877 * x * x + 1.131 * x - 0.0953
 
 
-def rebound_speed(x: float) -> float:
-    """Speed after a perpendicular hit of the top rail at x m/s, rolling (default of `snooker`)."""
+def rebound_speed(x: float, physics: JSON | str = "snooker") -> float:
+    """Speed after a perpendicular hit of the top rail at x m/s, rolling."""
     start = 3.4
     run = simulate(
         ball(
@@ -67,7 +67,7 @@ def rebound_speed(x: float) -> float:
             spin=(-x / 0.02625, 0.0, 0.0),
             radius=0.02625,
         ),
-        physics="snooker",
+        physics=physics,
         table="snooker-12ft",
     )
     event = run.first("rail-collision")
@@ -86,3 +86,62 @@ def rebound_speed(x: float) -> float:
 )
 def cu_8() -> list[float]:
     return [rebound_speed(x) for x in INCIDENT]
+
+
+#: Balls of the film: the restitution and the friction that give all of BB20
+#: (scripts/contact_fits.json).
+FILM_BALLS: JSON = {"restitution": 0.921, "friction": {"a": 0.0, "b": 0.0508, "c": 0.344}}
+
+
+@row(
+    "BB20-balls",
+    "Collision of a rolling ball: friction that falls with the slip speed, restitution 0.921",
+    unit="m/s, m/s, °",
+    source="Mathavan 2009, table",
+    kind=Kind.FITTED,
+    reference=bb20.reference,
+    tolerance=(absolute(0.03), absolute(0.03), absolute(1.5)),
+    held=True,
+)
+def bb20_balls() -> list[float]:
+    physics: JSON = {"base": "snooker", "ball_ball": FILM_BALLS}
+    return [value for shot in SHOTS for value in rolled_out(physics, *shot)[:3]]
+
+
+def fitted_rail(abc: tuple[float, float, float], lowest: float, **more: float | str) -> JSON:
+    """The preset `snooker` with a rail whose restitution was fitted to the film."""
+    restitution = dict(zip("abc", abc, strict=True)) | {"lowest": lowest}
+    return {"base": "snooker", "cushion": {"restitution": restitution, **more}}
+
+
+#: The film's rail in three models (scripts/contact_fits.json).
+FILM_RAILS = {
+    "restitution": fitted_rail((0.8665, 0.0828, -0.02958), 0.794, model="restitution"),
+    "mathavan-2010": fitted_rail(
+        (0.9348, 0.0849, -0.03162), 0.845, model="mathavan-2010", friction=0.14
+    ),
+    "stronge": fitted_rail(
+        (0.978, 0.0596, -0.02743),
+        0.851,
+        model="stronge",
+        friction=0.38,
+        frequency_ratio=1.7,
+    ),
+}
+
+
+@row(
+    "CU-8-rails",
+    "Perpendicular rebound of a rolling ball: restitution fitted in three models",
+    unit="m/s",
+    source="Mathavan 2009, Fig. 9 (31 shots)",
+    kind=Kind.FITTED,
+    reference={
+        f"{model}, {x} m/s": round(film(x), 4) for model in FILM_RAILS for x in (0.28, *INCIDENT)
+    },
+    tolerance=absolute(0.05),
+    held=True,
+)
+def cu_8_rails() -> list[float]:
+    rails = FILM_RAILS.values()
+    return [rebound_speed(x, rail) for rail in rails for x in (0.28, *INCIDENT)]

@@ -2,17 +2,18 @@
 
 import math
 
-from carom.validation.lab import MPH, ball, simulate
+from carom.validation.lab import JSON, MPH, ball, simulate
 from carom.validation.row import Kind, Range, row
 
 LENGTH = 2.54
 
 
-def lengths_travelled(speed: float) -> float:
+def lengths_travelled(speed: float, physics: JSON | str = "pool") -> float:
     """Table lengths that a centre-ball shot from the head spot travels along the middle."""
     run = simulate(
         ball(position=(0.635, 0.25 * LENGTH)),
         table="wpa-9ft",
+        physics=physics,
         strike={
             "ball": "cue",
             "speed": speed,

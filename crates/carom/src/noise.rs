@@ -48,8 +48,9 @@ const ANGLE: Range = Range::closed(0.0, PI, " rad");
 const SPEED: Range = Range::closed(0.0, 15.0, " m/s");
 /// Probability of a cling.
 const PROBABILITY: Range = Range::closed(0.0, 1.0, "");
-/// Coefficient of friction of a contact that clings.
-const FRICTION: Range = Range::not_negative("");
+/// Coefficient of friction of a contact that clings: at most 10. With 1 a contact sticks at any angle
+/// that players use.
+const FRICTION: Range = Range::closed(0.0, 10.0, "");
 /// σ of a perceived position: at most about two balls' diameters.
 const POSITION: Range = Range::closed(0.0, 0.1, " m");
 
@@ -158,7 +159,7 @@ impl Noise {
     ///
     /// # Errors
     /// [`Error::Input`] for a σ that is negative, not finite, or larger than its field allows, for
-    /// a probability outside 0..=1 and for a negative friction.
+    /// a probability outside 0..=1 and for a friction outside 0..=10.
     pub fn check(&self) -> Result<(), Error> {
         for (key, value, range) in [
             ("speed", self.speed, SPEED),

@@ -353,6 +353,12 @@ class WasmShot implements Shot {
     return Object.assign(toBatch(batch), { strikes });
   }
 
+  variant(noise: Noise, index = 0, { seed = 0 }: { readonly seed?: number } = {}): Shot {
+    const values = sigmasOf(noise);
+    const [start, number] = [whole("seed", seed), whole("index", index)];
+    return new WasmShot(checked(() => this.handle.object.variant(values, start, number)));
+  }
+
   free() {
     this.handle.free();
   }

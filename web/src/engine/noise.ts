@@ -1,16 +1,27 @@
-/** Execution noise as the engine's five numbers, and back. */
+/** Execution noise as the engine's seven numbers, and back. */
 
 import { numbers, object } from "./arguments.js";
 import { CaromError } from "./error.js";
 import type { Noise } from "./types.js";
 import { warnOnce } from "./warn.js";
 
-const SIGMAS = ["speed", "azimuth", "elevation", "side_m", "height_m"] as const;
+const NUMBERS = [
+  "speed",
+  "azimuth",
+  "elevation",
+  "side_m",
+  "height_m",
+  "cling_probability",
+  "cling_friction",
+] as const;
+
+/** What a noise without these keys has: those of the engine's presets. */
+export const CLING = { cling_probability: 0, cling_friction: 0.22 } as const;
 
 /** Keys of older versions, whose names did not say that they are in metres. */
 const OLD_KEYS = { side: "side_m", height: "height_m" } as const;
 
-/** The noise from σ of speed, azimuth, elevation, side and height. */
+/** The noise from σ of speed, azimuth, elevation, side and height, and its cling. */
 export function namedSigmas(values: ArrayLike<number>): Noise {
   return {
     speed: values[0]!,
@@ -18,18 +29,20 @@ export function namedSigmas(values: ArrayLike<number>): Noise {
     elevation: values[2]!,
     side_m: values[3]!,
     height_m: values[4]!,
+    cling_probability: values[5]!,
+    cling_friction: values[6]!,
   };
 }
 
 /**
- * The σ of a noise, in the engine's order.
+ * The numbers of a noise, in the engine's order.
  *
  * @throws CaromError if one is missing or not a number.
  */
 export function sigmasOf(noise: Noise): Float64Array {
   const { value, old } = withNewKeys(object("noise", noise) as Readonly<Record<string, unknown>>);
   for (const key of old) warnOnce(`Noise.${key} is called Noise.${OLD_KEYS[key]} now`);
-  return Float64Array.from(numbers("noise", value, SIGMAS));
+  return Float64Array.from(numbers("noise", { ...CLING, ...value }, NUMBERS));
 }
 
 /**

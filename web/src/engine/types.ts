@@ -16,6 +16,8 @@ export interface ShotFile {
   readonly physics?: string | Readonly<Record<string, unknown>>;
   readonly balls: readonly BallEntry[];
   readonly strike?: StrikeEntry;
+  /** The contacts of two balls that cling, counted from 0 in the order of the shot. */
+  readonly cling?: { readonly contacts: readonly number[]; readonly friction?: number };
   readonly max_events?: number;
 }
 
@@ -270,7 +272,7 @@ export interface TraceFile {
   readonly hash: string;
 }
 
-/** Standard deviations of a player's execution errors, Gaussian and independent. */
+/** Standard deviations of a player's execution errors, Gaussian and independent; and cling. */
 export interface Noise {
   /** Of the contact point sideways, m. */
   readonly side_m: number;
@@ -282,6 +284,10 @@ export interface Noise {
   readonly azimuth: number;
   /** m/s. */
   readonly speed: number;
+  /** Probability with which a contact of two balls clings, 0 to 1. Default 0. */
+  readonly cling_probability?: number;
+  /** Coefficient of friction of a contact that clings. Default 0.22. */
+  readonly cling_friction?: number;
 }
 
 /** Which variants `Shot.vary` draws. */
@@ -350,6 +356,11 @@ export interface Shot {
   withStrike(strike: StrikeInput): Shot;
   /** @throws CaromError if the cap of events is reached. */
   simulate(): Trace;
+  /**
+   * Variant `index` of `vary` as an ordinary shot, with its strike and the contacts that cling.
+   * @throws CaromError as `vary`, and if the drawn strike cannot be played.
+   */
+  variant(noise: Noise, index?: number, options?: { readonly seed?: number }): Shot;
   /**
    * Simulates `n` variants of this shot with execution noise, numbered from `first`. Variant k of a
    * seed is the same in every batch, and the same as in Python.

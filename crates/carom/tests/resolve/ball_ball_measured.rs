@@ -82,3 +82,53 @@ fn the_rigid_model_cannot_reach_the_measured_throw() {
     let (by_speed, by_cut) = rms_errors(&BallBall { model, friction, ..physics.ball_ball });
     assert!(by_speed > 2.0 && by_cut > 0.9, "{by_speed}°, {by_cut}°");
 }
+
+/// The law of the pool preset with the surface of this name.
+fn with_surface(name: &str) -> BallBall {
+    let (_, friction) = SlipFriction::SURFACES
+        .into_iter()
+        .find(|(known, _)| *known == name)
+        .unwrap_or_else(|| panic!("no surface {name}"));
+    BallBall { friction, ..Physics::pool().ball_ball }
+}
+
+#[test]
+fn bb23_dirty_balls_throw_within_half_a_degree_of_the_test_of_2014() {
+    let (physics, law) = (Physics::pool(), with_surface("dirty"));
+    let to_object = 0.5 * (1.0 + law.restitution) * cos(radians(30.0));
+    for (speed, measured) in BY_SPEED {
+        assert_near(throw(&physics, &law, speed * FOOT / to_object, 30.0), measured, 0.25);
+    }
+}
+
+#[test]
+fn bb25_used_balls_throw_within_half_a_degree_of_twelve_readings_of_2006() {
+    let (physics, law) = (Physics::pool(), with_surface("used"));
+    let misses: Vec<f64> = BY_CUT
+        .iter()
+        .flat_map(|&(cut, measured)| SPEEDS_MPH.into_iter().zip(measured).map(move |p| (cut, p)))
+        .map(|(cut, (speed, measured))| throw(&physics, &law, speed * MPH, cut) - measured)
+        .filter(|miss| miss.abs() > 0.5)
+        .collect();
+    assert_eq!(misses.len(), 3, "{misses:?}");
+    assert!(misses.iter().all(|miss| miss.abs() < 0.8), "{misses:?}");
+}
+
+#[test]
+fn bb25_no_falling_friction_meets_the_slow_throws_at_30_and_at_45_degrees() {
+    // At 45° the balls slip throughout, so 5.1° (5.6° − 0.5°) takes this friction; the slip is slower
+    // at 30°, so a falling friction is at least as large there.
+    let friction = SlipFriction::constant(carom::math::sin(radians(5.1)) / cos(radians(5.1)));
+    let (physics, slow) = (Physics::pool(), SPEEDS_MPH[0] * MPH);
+    let law = BallBall { friction, ..physics.ball_ball };
+    assert_near(throw(&physics, &law, slow, 45.0), 5.1, 1e-6);
+    assert!(throw(&physics, &law, slow, 30.0) > 4.5 + 0.5);
+}
+
+#[test]
+fn bb27_surfaces_throw_as_measured_after_their_treatments() {
+    let (physics, slow) = (Physics::pool(), SPEEDS_MPH[0] * MPH);
+    for (surface, measured) in [("clean", 3.6), ("used", 4.9)] {
+        assert_near(throw(&physics, &with_surface(surface), slow, 45.0), measured, 0.1);
+    }
+}

@@ -468,3 +468,12 @@ fn a_vanishing_parameter_is_read_as_zero() {
         }
     }
 }
+
+#[test]
+fn a_surface_that_does_not_exist_is_refused_with_the_known_ones() {
+    let place = "physics.ball_ball.friction";
+    refused(BASE, r#""ball_ball": {"friction": "used up"}"#, place, &["\"clean\"", "\"dirty\""]);
+    let used =
+        Shot::from_json(&edited(BASE, r#""ball_ball": {"friction": "used"}"#)).expect("used");
+    assert_eq!(used.physics().ball_ball.friction, carom::physics::ball_surface::USED);
+}

@@ -90,7 +90,10 @@ fn a_shot_file_with_cling_is_written_back_and_names_its_faults() {
     assert_eq!(clung.cling().friction(), 0.22);
     assert_eq!(ShotFile::from_json(&clung.to_json()).expect("a file"), clung);
     let written = clung.shot().to_json();
-    assert!(written.contains(r#""cling": {"contacts": [0, 3, 255], "friction": 0.22}"#), "{written}");
+    assert!(
+        written.contains(r#""cling": {"contacts": [0, 3, 255], "friction": 0.22}"#),
+        "{written}"
+    );
     assert_eq!(Shot::from_json(&written).expect("a file"), *clung.shot());
     assert_eq!(cut(r#", "cling": {"contacts": []}"#), cut(""));
     for (cling, sentence) in [

@@ -1,7 +1,7 @@
 /** The contents of a link: the document, the view, and the time of a replay. */
 
 import type { Noise, ShotFile } from "../../engine/index.ts";
-import { withNewKeys } from "../../engine/noise.ts";
+import { CLING, withNewKeys } from "../../engine/noise.ts";
 import { FIRST_VIEW, type View } from "../document/document.ts";
 import { type Game, LONGEST_NAME } from "../document/game.ts";
 import type { State } from "../document/store.ts";
@@ -25,7 +25,15 @@ const CHOICES: { readonly [K in keyof View]: readonly View[K][] } = {
   units: ["m/s", "km/h", "mph"],
 };
 
-const SIGMAS: readonly (keyof Noise)[] = ["speed", "azimuth", "elevation", "side_m", "height_m"];
+const NOISE: readonly (keyof Noise)[] = [
+  "speed",
+  "azimuth",
+  "elevation",
+  "side_m",
+  "height_m",
+  "cling_probability",
+  "cling_friction",
+];
 
 /** Kinds of calls, as the engine has them. */
 const CALLS: readonly unknown[] = ["pocket", "on", "safety", "push-out"];
@@ -80,11 +88,12 @@ function broken(place: string, found: unknown, remedy: string): LinkError {
 function noiseOf(data: unknown): Noise | null {
   if (data === undefined || data === null) return null;
   if (!isRecord(data)) throw broken("noise", data, "write an object with five standard deviations");
-  const { value } = withNewKeys(data);
-  const entries = SIGMAS.map((key) => {
-    const sigma = value[key];
-    if (typeof sigma !== "number") throw broken(`noise.${key}`, sigma, "write a number");
-    return [key, sigma] as const;
+  // Links of older versions have no cling.
+  const value: Readonly<Record<string, unknown>> = { ...CLING, ...withNewKeys(data).value };
+  const entries = NOISE.map((key) => {
+    const number = value[key];
+    if (typeof number !== "number") throw broken(`noise.${key}`, number, "write a number");
+    return [key, number] as const;
   });
   return Object.fromEntries(entries) as unknown as Noise;
 }

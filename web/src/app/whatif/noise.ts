@@ -44,10 +44,10 @@ function capital(text: string): string {
 export function presetOf(noise: Noise, known: readonly PresetGroup[]): Preset | undefined {
   return known
     .flatMap(({ presets }) => presets)
-    .find((preset) => SIGMAS.every(({ key }) => preset.noise[key] === noise[key]));
+    .find((preset) => ALL.every(({ key }) => preset.noise[key] === noise[key]));
 }
 
-/** How the page shows a σ. */
+/** How the page shows a number of a noise. */
 export interface Sigma {
   readonly key: keyof Noise;
   readonly label: string;
@@ -107,3 +107,27 @@ export const SIGMAS: readonly Sigma[] = [
     step: 0.05,
   },
 ];
+
+/** Cling between balls: chalk or dirt that raises the friction of single contacts. */
+export const CLING: readonly Sigma[] = [
+  {
+    key: "cling_probability",
+    label: "Contacts that cling",
+    unit: "%",
+    spoken: "per cent",
+    scale: 0.01,
+    max: 100,
+    step: 0.5,
+  },
+  {
+    key: "cling_friction",
+    label: "Their friction",
+    unit: "",
+    spoken: "",
+    scale: 1,
+    max: 0.5,
+    step: 0.01,
+  },
+];
+
+const ALL: readonly Sigma[] = [...SIGMAS, ...CLING];

@@ -8,7 +8,7 @@ import { mountField } from "../form/field.ts";
 import { canAim } from "../game/play.ts";
 import type { State, Store } from "../document/store.ts";
 import { type VariantsProgress, Variants } from "./client.ts";
-import { presetOf, presetsOf, type Sigma, SIGMAS } from "./noise.ts";
+import { CLING, presetOf, presetsOf, type Sigma, SIGMAS } from "./noise.ts";
 import { mountResult } from "./result.ts";
 import VariantsWorker from "./worker.ts?worker&inline";
 
@@ -129,6 +129,8 @@ function mountSettings(root: HTMLElement, store: Store, context: Context): void 
   );
   for (const sigma of SIGMAS) mountSigma(root, store, context, sigma);
   root.append(h("h2", {}, "Random numbers"), seedRow(store));
+  root.append(h("h2", {}, "Cling between balls"));
+  for (const number of CLING) mountSigma(root, store, context, number);
   store.subscribe(() => {
     const { noise } = store.document;
     preset.value = (noise && presetOf(noise, known)?.name) ?? "";

@@ -38,10 +38,10 @@ export async function simulate(
     try {
       for (let first = 0; first < request.count; first += CHUNK) {
         const count = Math.min(CHUNK, request.count - first);
-        const { chunk, strikes } = vary(shot, request, first, count);
+        const chunk = vary(shot, request, first, count);
         send({ kind: "chunk", ...chunk }, [chunk.ends.buffer, chunk.pockets.buffer]);
         if (first === 0) {
-          const paths = cueBallPaths(shot, strikes, Math.min(request.paths, count));
+          const paths = cueBallPaths(shot, request, Math.min(request.paths, count));
           send(
             { kind: "paths", generation, paths },
             paths.map(({ buffer }) => buffer),
@@ -64,7 +64,7 @@ function vary(
   { generation, noise, seed }: VariantsRequest,
   first: number,
   count: number,
-): { chunk: Chunk; strikes: Float64Array } {
+): Chunk {
   const batch = shot.vary(noise, count, { seed, first });
   const struck = shot.struck!;
   const ends = new Float64Array(2 * count);
@@ -72,24 +72,16 @@ function vary(
     const at = 3 * (k * batch.balls + struck);
     ends.set(batch.final_position.subarray(at, at + 2), 2 * k);
   }
-  const { pocket: pockets, errors, strikes } = batch;
-  return { chunk: { generation, first, count, ends, pockets, errors }, strikes };
+  const { pocket: pockets, errors } = batch;
+  return { generation, first, count, ends, pockets, errors };
 }
 
 /** Paths of the struck ball in the first variants; failed variants have none. */
-function cueBallPaths(shot: Shot, strikes: Float64Array, count: number): Float32Array[] {
+function cueBallPaths(shot: Shot, { noise, seed }: VariantsRequest, count: number): Float32Array[] {
   const paths: Float32Array[] = [];
   for (let k = 0; k < count; k++) {
-    const [speed, azimuth, elevation, side, height] = strikes.subarray(5 * k, 5 * k + 5);
-    const strike = {
-      speed: speed!,
-      azimuth: azimuth!,
-      elevation: elevation!,
-      side: side!,
-      height: height!,
-    };
     try {
-      const varied = shot.withStrike(strike);
+      const varied = shot.variant(noise, k, { seed });
       const trace = varied.simulate();
       paths.push(withoutTimes(trace.polyline(shot.struck!, PATH_TOLERANCE)));
       trace.free();

@@ -6,7 +6,8 @@ import { LinkError, toFragment } from "../../../src/app/share/link.ts";
 import { stateFromFragment, stateToFragment } from "../../../src/app/share/state.ts";
 import type { Game } from "../../../src/app/document/game.ts";
 
-const noise = { speed: 0.075, azimuth: 0.002, elevation: 0.001, side_m: 0.0005, height_m: 0.0005 };
+const errors = { speed: 0.075, azimuth: 0.002, elevation: 0.001, side_m: 0.0005, height_m: 0.0005 };
+const noise = { ...errors, cling_probability: 0.02, cling_friction: 0.3 };
 const strike = { ball: "cue", speed: 2, azimuth_deg: 90 };
 const shot = {
   format: "carom-shot/1",
@@ -89,6 +90,12 @@ describe("the state in a link", () => {
       expect(() => stateFromFragment(odd)).toThrow(/noise\.speed: .*write a number/);
     }
     expect(() => stateFromFragment(toFragment({ shot, noise: 3 }))).toThrow(/noise: found 3/);
+  });
+
+  test("a noise of an older link has no cling", () => {
+    const old = toFragment({ shot, noise: errors });
+    const cling = { cling_probability: 0, cling_friction: 0.22 };
+    expect(stateFromFragment(old)?.noise).toStrictEqual({ ...errors, ...cling });
   });
 
   test("accepts the keys side and height of older links for a noise", () => {

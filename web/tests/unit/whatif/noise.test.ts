@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { load } from "../../../src/engine/index.ts";
-import { presetOf, presetsOf, SIGMAS } from "../../../src/app/whatif/noise.ts";
+import { CLING, presetOf, presetsOf, SIGMAS } from "../../../src/app/whatif/noise.ts";
 
 const engine = await load();
 const PRESETS = presetsOf(engine);
@@ -18,11 +18,16 @@ test("a preset is recognised by its values, and other noise is not", () => {
   expect(presetOf({ ...engine.olympiad(), side_m: 0 }, PRESETS)).toBeUndefined();
 });
 
-test("every σ has a slider, and every preset is within its range", () => {
-  expect(SIGMAS.map(({ key }) => key).sort()).toStrictEqual(Object.keys(engine.olympiad()).sort());
+test("every number has a slider, and every preset is within its range", () => {
+  const sliders = [...SIGMAS, ...CLING];
+  expect(sliders.map(({ key }) => key).sort()).toStrictEqual(Object.keys(engine.olympiad()).sort());
   for (const { noise } of ALL) {
-    for (const { key, scale, max } of SIGMAS) expect(noise[key] / scale).toBeLessThanOrEqual(max);
+    for (const { key, scale, max } of sliders) expect(noise[key]! / scale).toBeLessThanOrEqual(max);
   }
+});
+
+test("a noise with cling is no preset", () => {
+  expect(presetOf({ ...engine.olympiad(), cling_probability: 0.1 }, PRESETS)).toBeUndefined();
 });
 
 test("the levels of play are in order, from the widest errors to the smallest", () => {

@@ -1,0 +1,90 @@
+"""The stored fits of rails and ball surfaces are those that the engine gives."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import carom
+import pytest
+from carom.validation.alciatore_throw_tests.rows import CHALK
+from carom.validation.alciatore_tp_rail import rows as rail_rows
+from carom.validation.mathavan_2009 import rows as film_rows
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+STORED = json.loads((SCRIPTS / "contact_fits.json").read_text(encoding="utf-8"))
+#: Stored residuals are rounded to four digits.
+ROUNDED = 6e-5
+
+
+def _script() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("fit_contacts", SCRIPTS / "fit_contacts.py")
+    assert spec
+    assert spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+FIT = _script()
+
+
+def same(stored: dict[str, Any], residuals: list[float]) -> None:
+    """The stored residuals are these, and the stored summary describes them."""
+    assert list(stored["residuals"].values()) == pytest.approx(residuals, abs=ROUNDED)
+    assert stored["largest"] == pytest.approx(max(map(abs, residuals)), abs=ROUNDED)
+
+
+def test_surfaces_have_their_stored_throw() -> None:
+    surfaces = STORED["surfaces"]
+    same(surfaces["dirty"], FIT.residuals_2014(surfaces["dirty"]["friction"]))
+    same(surfaces["used"], FIT.residuals_2006(surfaces["used"]["friction"]))
+    same(surfaces["clean"], [FIT.at_45_slow(surfaces["clean"]["friction"]) - FIT.CLEANER])
+    assert surfaces["used"]["cannot fit"] == FIT.cannot_fit_2006()
+    assert CHALK == pytest.approx(surfaces["chalked"]["friction"], abs=2e-3)
+
+
+@pytest.mark.parametrize("name", ["clean", "used", "dirty"])
+def test_a_named_surface_is_the_stored_friction(name: str) -> None:
+    friction = STORED["surfaces"][name]["friction"]
+    for cut, speed in ((45.0, 0.447), (20.0, 3.0)):
+        named = FIT.throw(cut, speed, FIT.with_friction(name))
+        assert named == FIT.throw(cut, speed, FIT.with_friction(friction))
+
+
+def test_snooker_balls_have_their_stored_motion() -> None:
+    film = STORED["snooker"]["film"]
+    same(film, FIT.residuals_snooker(film["friction"], film["restitution"]))
+    assert film["outside"] == []
+    assert {k: film[k] for k in ("restitution", "friction")} == film_rows.FILM_BALLS
+
+
+@pytest.mark.parametrize("table", FIT.TABLES)
+def test_a_table_has_its_stored_banks(table: str) -> None:
+    for stored in (STORED["banks"][table], STORED["banks"][f"{table}, constant restitution"]):
+        same(stored, FIT.residuals_banks(table, stored["cushion"]))
+        assert stored["outside"] == []
+
+
+def test_the_three_tables_differ_in_the_friction_of_their_rails_alone() -> None:
+    cushions = [dict(STORED["banks"][table]["cushion"]) for table in FIT.TABLES]
+    for table, cushion in zip(FIT.TABLES, cushions, strict=True):
+        assert rail_rows.rail(table)["cushion"] == cushion
+        cushion.pop("friction")
+    assert cushions[0] == cushions[1] == cushions[2]
+
+
+@pytest.mark.parametrize("model", STORED["film"])
+def test_a_model_has_its_stored_rebounds_of_the_film(model: str) -> None:
+    stored = STORED["film"][model]
+    same(stored, FIT.residuals_film(stored["cushion"]))
+    # Han's rigid nose cannot return as much as the film shows, whatever its restitution.
+    assert bool(stored["outside"]) == (model == "han-2005")
+
+
+def test_the_tracked_rails_are_laws_of_a_shot_file() -> None:
+    for stored in STORED["tracked"].values():
+        carom.Physics.preset("carom", cushion=stored["cushion"])
