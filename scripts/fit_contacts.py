@@ -374,7 +374,7 @@ def bank_result(table: str, cushion: JSON, free: str) -> JSON:
 # Rails of a film and of a tracked match.
 
 FILM_TOLERANCE = 0.05
-#: Residual of parameters that are no restitution, m/s.
+#: Residual of parameters that give no restitution at any speed, m/s.
 NO_REBOUND = 4.0
 #: The normal speeds of the film's 31 shots, m/s: its range, evenly.
 FILM_SPEEDS = (0.28, *INCIDENT)
@@ -436,8 +436,8 @@ def film_rails() -> JSON:
 
 # Rails of a tracked three-cushion match.
 
-#: Laws that were learned from the tracks of a match on a heated 10-ft table. The tracks are no part
-#: of this project, so they are not fitted here.
+#: Laws that were learned from the tracks of a match on a heated 10-ft table. This project does not
+#: have the tracks, so they are not fitted here.
 TRACKED: dict[str, JSON] = {
     "han-2005": {
         "model": "han-2005",

@@ -222,7 +222,7 @@ pub fn play(rows: &SweepRows<'_>, balls: usize, outcomes: bool) -> RowResults {
 pub fn shot(rows: &SweepRows<'_>, row: usize) -> Result<ShotFile, Error> {
     let layout = rows.layouts[rows.layout[row] as usize];
     let made = rows.make(row, layout)?;
-    let Some((struck, own)) = made.strike() else {
+    let Some((_, own)) = made.strike() else {
         return Ok(made);
     };
     let meant = rows.meant(row, &made, own);

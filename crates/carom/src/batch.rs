@@ -103,7 +103,7 @@ impl Variants {
         self.perception.position == 0.0 && self.noise.cling_probability == 0.0
     }
 
-    /// `shot` in variant `first` + `k`, with this strike: the balls where they truly lie, and the
+    /// `shot` in variant number `first` plus `k`, with this strike: the balls where they truly lie, and the
     /// contacts that cling.
     ///
     /// # Errors
@@ -124,10 +124,10 @@ impl Variants {
     }
 }
 
-/// As [`simulate_strikes`], with the rest of the [`Variants`]: strike k is played in variant `first`
-/// + k. With an error of perception `shot` holds the positions that the player sees and plans on;
-/// the layouts of the variants hold possible true positions. The error has the same distribution in
-/// both directions.
+/// As [`simulate_strikes`], with the rest of the [`Variants`]: the strike with index k is played in
+/// variant number `first` plus k. With an error of perception `shot` holds the positions that the
+/// player sees and plans on; the layouts of the variants hold possible true positions. The error has
+/// the same distribution in both directions.
 ///
 /// # Errors
 /// As [`Variants::check`]; and [`Error::Input`] if the shot has no strike.

@@ -141,8 +141,8 @@ impl Noise {
         skill.or_else(|| (name == "olympiad").then(|| Self::olympiad(1.0)))
     }
 
-    /// This noise with every σ multiplied by `multiplier`. Cling is no error of the player and
-    /// stays.
+    /// This noise with every σ multiplied by `multiplier`. The cling stays,
+    /// because it does not depend on the player.
     #[must_use]
     pub const fn scaled(self, multiplier: f64) -> Self {
         Self {

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json as js
 import math
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -48,6 +49,14 @@ NoiseName = Annotated[
         "a multiplier may follow, as in olympiad:0.5.",
     ),
 ]
+Cling = Annotated[
+    float,
+    typer.Option(
+        "--cling",
+        metavar="P",
+        help="Probability with which a contact of two balls clings (kick, skid), 0 to 1.",
+    ),
+]
 Sight = Annotated[
     float,
     typer.Option(
@@ -73,6 +82,7 @@ Json = Annotated[bool, typer.Option("--json", help="Print the answer as JSON.")]
 def evaluate(
     file: File,
     noise: NoiseName = "olympiad",
+    cling: Cling = 0.0,
     perception: Sight = 0.0,
     n: Annotated[int, typer.Option("-n", min=1, help="Largest number of variants.")] = 10_000,
     seed: Seed = 0,
@@ -118,7 +128,7 @@ def evaluate(
     announced = None if call is None else _call(call)
     shot, frame = (shot, None) if game is None else _in_game(shot, game, announced)
     answer = shot.evaluate(
-        Noise.preset(noise),
+        _noise(noise, cling),
         n,
         perception=Perception(perception),
         seed=seed,
@@ -149,6 +159,7 @@ def solve(
         str | None, typer.Option(metavar="BALL", help="The ball to hit before any other.")
     ] = None,
     noise: NoiseName = "olympiad",
+    cling: Cling = 0.0,
     perception: Sight = 0.0,
     wanted: Annotated[int, typer.Option(min=1, help="Largest number of strikes printed.")] = 10,
     per_route: Annotated[
@@ -190,7 +201,7 @@ def solve(
         pot=None if pot is None else _ball_and_pocket(pot),
         leave=area,
         first=first,
-        noise=Noise.preset(noise),
+        noise=_noise(noise, cling),
         perception=Perception(perception),
         wanted=wanted,
         per_route=per_route,
@@ -230,6 +241,7 @@ def map_pot(
     ball: Annotated[str, typer.Option(help="The ball to pot.")],
     pocket: Annotated[str, typer.Option(help="The pocket; carom tables prints the names.")],
     noise: NoiseName = "olympiad",
+    cling: Cling = 0.0,
     perception: Sight = 0.0,
     columns: Annotated[int, typer.Option(min=1, help="Number of cells along the width.")] = 32,
     n: Annotated[
@@ -247,7 +259,7 @@ def map_pot(
     found = shot.pot_map(
         ball,
         pocket,
-        noise=Noise.preset(noise),
+        noise=_noise(noise, cling),
         perception=Perception(perception),
         columns=columns,
         n=n,
@@ -404,6 +416,7 @@ def stats_break(
     game: Annotated[str, typer.Option(help="The game, as for carom break.")] = "nine-ball",
     racks: Annotated[int, typer.Option("-n", min=1, help="Largest number of racks.")] = 1000,
     noise: NoiseName = "olympiad",
+    cling: Cling = 0.0,
     speed: Annotated[
         float | None, typer.Option(help="The cue's speed, m/s; default: the game's usual one.")
     ] = None,
@@ -428,7 +441,7 @@ def stats_break(
     found = carom.break_statistics(
         game,
         racks,
-        noise=Noise.preset(noise),
+        noise=_noise(noise, cling),
         table=table,
         speed=speed,
         gap=gap,
@@ -469,6 +482,11 @@ def _ball_and_pocket(text: str) -> str | tuple[str, str]:
     ball, colon, pocket = text.partition(":")
     return (ball, pocket) if colon else ball
 
+
+
+def _noise(name: str, cling: float) -> Noise:
+    """The preset of this name, with this probability of a cling."""
+    return replace(Noise.preset(name), cling_probability=cling)
 
 def _call(text: str) -> Call:
     ball, colon, pocket = text.partition(":")

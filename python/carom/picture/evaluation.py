@@ -9,9 +9,7 @@ import numpy as np
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.patches import Ellipse, PathPatch
 
-from carom import _core
 from carom.arguments import instance
-from carom.batch import VARIABLES
 from carom.errors import InputError
 from carom.picture import colors
 from carom.picture.balls import curve, draw_ball, draw_cue
@@ -86,12 +84,11 @@ def png(evaluation: Evaluation, *, title: str | None = None) -> bytes:
 def variants(evaluation: Evaluation, count: int) -> list[Shot]:
     """The valid ones among the first ``count`` variants."""
     shot, seed = evaluation.shot, evaluation.seed
-    strikes = _core.draw_strikes(shot._core, evaluation.noise, count, seed, 0)
     played = []
-    for index, strike in enumerate(strikes.tolist()):
+    for index in range(count):
         try:
-            seen = evaluation.perception.see(shot, index, seed=seed)
-            played.append(seen.with_strike(**dict(zip(VARIABLES, strike, strict=True))))
+            variant = evaluation.noise.variant(shot, index, seed=seed)
+            played.append(evaluation.perception.see(variant, index, seed=seed))
         except InputError:
             # A miscue has no path to draw.
             continue
@@ -106,6 +103,11 @@ def _errors(evaluation: Evaluation) -> str:
         f"  elevation {math.degrees(noise.elevation):.3g}°, "
         f"tip {1e3 * noise.side_m:.3g} and {1e3 * noise.height_m:.3g} mm"
     )
+    if noise.cling_probability:
+        said += (
+            f"\ncling: {noise.cling_probability:.2g} of the contacts, "
+            f"friction {noise.cling_friction:.2g}"
+        )
     if evaluation.perception.position:
         said += (
             f"\nσ of the balls' perceived positions: {1e3 * evaluation.perception.position:.3g} mm"

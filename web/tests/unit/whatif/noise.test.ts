@@ -26,7 +26,7 @@ test("every number has a slider, and every preset is within its range", () => {
   }
 });
 
-test("a noise with cling is no preset", () => {
+test("a noise with cling equals none of the presets", () => {
   expect(presetOf({ ...engine.olympiad(), cling_probability: 0.1 }, PRESETS)).toBeUndefined();
 });
 
