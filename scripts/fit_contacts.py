@@ -18,6 +18,7 @@ import math
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
+
 import carom
 import numpy as np
 from carom.validation.alciatore_throw_tests.rows import CUTS, bb23, bb25, throw
@@ -43,7 +44,13 @@ Residuals = Callable[..., Sequence[float]]
 
 def main(wanted: list[str]) -> int:
     """Makes the fits of the groups in `wanted`, or all, and writes them."""
-    groups = {"surfaces": surfaces, "snooker": snooker, "banks": banks, "film": film_rails, "tracked": tracked}
+    groups = {
+        "surfaces": surfaces,
+        "snooker": snooker,
+        "banks": banks,
+        "film": film_rails,
+        "tracked": tracked,
+    }
     for name in wanted or groups:
         fitted = groups[name]()
         results = json.loads(RESULTS.read_text(encoding="utf-8")) if RESULTS.exists() else {}
@@ -318,9 +325,9 @@ def stronge(e: JSON | float, mu: float, ratio: float) -> JSON:
     }
 
 
-#: Slope of the restitution, per m/s. The banks meet the rail at 3.4 to 5.3 m/s, which is too narrow a
-#: range to fit it. It is about that of Mathavan's film from 1 to 3.5 m/s (0.95 to 0.80, CU-8) and of
-#: the tracked three-cushion match (−0.034 − 2·0.005 V, −0.05 at 2 m/s).
+#: Slope of the restitution, per m/s. The banks meet the rail at 3.4 to 5.3 m/s, which is too narrow
+#: a range to fit it. It is about that of Mathavan's film from 1 to 3.5 m/s (0.95 to 0.80, CU-8) and
+#: of the tracked three-cushion match (−0.034 − 2·0.005 V, −0.05 at 2 m/s).
 SLOPE = -0.05
 
 
@@ -421,15 +428,13 @@ def film_rails() -> JSON:
         found = search(of, bounds, FILM_TOLERANCE, 25)
         fitted = cushion(*found)
         results[model] = {
-            "source": "CU-8: Mathavan, Jackson & Parkin 2009, Fig. 9, 31 shots from 0.28 to 3.5 m/s",
+            "source": "CU-8: Mathavan, Jackson & Parkin 2009, Fig. 9, 31 shots, 0.28 to 3.5 m/s",
             "unit": "m/s",
             "tolerance": FILM_TOLERANCE,
             "free": "a, b, c",
             "seed": SEED,
             "cushion": fitted,
-            **summary(
-                [f"{x:g} m/s" for x in FILM_SPEEDS], residuals_film(fitted), FILM_TOLERANCE
-            ),
+            **summary([f"{x:g} m/s" for x in FILM_SPEEDS], residuals_film(fitted), FILM_TOLERANCE),
         }
     return results
 
@@ -460,7 +465,7 @@ SEEN = (
 
 
 def normal_ratio(cushion: JSON, speed: float, incidence_deg: float) -> float:
-    """Normal speed when the ball rolls again over that before, of a rolling ball at a carom rail."""
+    """Normal speed when a ball rolls again after a carom rail, over that before."""
     incidence = math.radians(incidence_deg)
     across, into = speed * math.sin(incidence), speed * math.cos(incidence)
     radius, width = 0.03075, 1.42

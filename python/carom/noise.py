@@ -44,8 +44,8 @@ class Noise:
         side_m: Of the contact point to the side, m. It is in metres, not in ball radii as the
             offsets of a strike, because a player's error does not depend on the ball's size.
         height_m: Of the contact point's height, m.
-        cling_probability: Probability with which a contact of two balls clings (kick, skid), 0 to 1.
-            No source gives one for pool; the presets have 0.
+        cling_probability: Probability with which a contact of two balls clings (kick, skid), 0 to
+            1. No source gives one for pool; the presets have 0.
         cling_friction: Coefficient of friction of a contact that clings. 0.22 gives the throw that
             was measured with chalk at the contact (docs/rails-and-balls.md).
 
@@ -239,9 +239,7 @@ def vary(
         rows = _core.draw_strikes(inner, noise, end - start, seed, first + start)
         strikes[:, start:end] = rows.T
         draw = (seed, first + start)
-        return _core.simulate_variants(
-            inner, rows, noise, perception, draw, thread_count(threads)
-        )
+        return _core.simulate_variants(inner, rows, noise, perception, draw, thread_count(threads))
 
     ends = in_chunks(run, n, len(inner), progress=progress)
     return NoisyResult(ends.final_position, ends.pocket, ends.events, ends.errors, *strikes)

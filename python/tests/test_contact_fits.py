@@ -44,7 +44,7 @@ def test_surfaces_have_their_stored_throw() -> None:
     same(surfaces["used"], FIT.residuals_2006(surfaces["used"]["friction"]))
     same(surfaces["clean"], [FIT.at_45_slow(surfaces["clean"]["friction"]) - FIT.CLEANER])
     assert surfaces["used"]["cannot fit"] == FIT.cannot_fit_2006()
-    assert CHALK == pytest.approx(surfaces["chalked"]["friction"], abs=2e-3)
+    assert pytest.approx(surfaces["chalked"]["friction"], abs=2e-3) == CHALK
 
 
 @pytest.mark.parametrize("name", ["clean", "used", "dirty"])

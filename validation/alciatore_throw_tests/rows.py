@@ -34,9 +34,7 @@ def throw(cut_degrees: float, speed: float, physics: JSON | str = "pool") -> flo
     return degrees_between(math.pi / 2 + cut, after.heading)
 
 
-def throw_at_object_speed(
-    cut_degrees: float, target: float, physics: JSON | str = "pool"
-) -> float:
+def throw_at_object_speed(cut_degrees: float, target: float, physics: JSON | str = "pool") -> float:
     """The throw at the cue ball speed that gives the object ball the speed `target`, m/s."""
     cut = math.radians(cut_degrees)
 
@@ -154,7 +152,7 @@ def bb25_used() -> list[float]:
 
 @row(
     "BB27",
-    "Throw at 45°, slow, by the balls' surface: `clean`, `used`, alcohol, and a contact that clings",
+    "Throw at 45°, slow, by surface: `clean`, `used`, alcohol, and a contact that clings",
     unit="°",
     source="Alciatore, Throw follow-up I",
     kind=Kind.FITTED,

@@ -483,10 +483,10 @@ def _ball_and_pocket(text: str) -> str | tuple[str, str]:
     return (ball, pocket) if colon else ball
 
 
-
 def _noise(name: str, cling: float) -> Noise:
     """The preset of this name, with this probability of a cling."""
     return replace(Noise.preset(name), cling_probability=cling)
+
 
 def _call(text: str) -> Call:
     ball, colon, pocket = text.partition(":")
