@@ -27,7 +27,7 @@ class Kind(Enum):
     RANGE = "an inequality or a wide range, not a number"
     STORED = "read from a stored file, not computed now"
     MEASURED = "measured, or estimated from experience"
-    FITTED = "measured, and default parameters were fitted to it or taken from it"
+    FITTED = "measured, and parameters were fitted to it or taken from it"
     UNKNOWN_RULE = "published, but the rule behind it is not"
 
     @property

@@ -441,3 +441,12 @@ def test_the_installed_command_is_the_module(file: Path) -> None:
     command = Path(sys.executable).parent / "carom"
     done = subprocess.run([command, "--version"], capture_output=True, text=True, check=True)
     assert done.stdout == f"carom {carom.__version__}\n"
+
+
+def test_a_cling_of_every_contact_changes_the_chances(run: CommandLine, file: Path) -> None:
+    plain, clung = (
+        json.loads(run("evaluate", str(file), "-n", "200", "--cling", p, "--json").stdout)
+        for p in ("0", "1")
+    )
+    assert plain["end_mean"] != clung["end_mean"]
+    refused(run("evaluate", str(file), "--cling", "1.5"), "noise.cling_probability", "1.5")

@@ -163,3 +163,27 @@ def test_the_old_names_of_the_offsets_still_work_and_warn() -> None:
     assert noise == Noise(side_m=0.001)
     with pytest.warns(FutureWarning, match=r"Noise\.height is now Noise\.height_m"):
         assert noise.height == 0.0  # type: ignore[attr-defined]
+
+
+def test_a_variant_with_cling_is_an_ordinary_shot_with_the_bits_of_its_row() -> None:
+    shot = Shot.load(ROOT / "shots" / "half_ball_cut.json")
+    noise = carom.Noise(speed=0.05, cling_probability=0.5, cling_friction=0.3)
+    rows = shot.vary(noise, 20, seed=4, first=10)
+    clung = 0
+    for k in range(20):
+        variant = noise.variant(shot, 10 + k, seed=4)
+        again = Shot.from_json(variant.to_json())
+        ends = carom.simulate_batch([again])
+        assert ends.final_position.tobytes() == rows.final_position[k : k + 1].tobytes()
+        clung += 0 in variant.to_dict()["cling"]["contacts"]
+    assert 0 < clung < 20
+    without = shot.vary(carom.Noise(speed=0.05), 20, seed=4, first=10)
+    assert np.array_equal(rows.speed, without.speed)
+    assert not np.array_equal(rows.final_position, without.final_position)
+
+
+def test_the_presets_have_the_friction_of_a_cling_and_no_probability() -> None:
+    for noise in (carom.Noise.preset("club"), carom.Noise.olympiad(2.0), carom.Noise()):
+        assert (noise.cling_probability, noise.cling_friction) == (0.0, 0.22)
+    half = carom.Noise(speed=0.1, cling_probability=0.1).scaled(0.5)
+    assert (half.speed, half.cling_probability, half.cling_friction) == (0.05, 0.1, 0.22)
