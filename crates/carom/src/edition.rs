@@ -18,12 +18,19 @@ pub struct Edition {
 /// The editions of the physics. Those of one name are in the order of their dates.
 pub const PHYSICS: &[Edition] = &[
     physics("pool", "pool-2026-11"),
-    physics("pool-new-cloth", "pool-new-cloth-2026-11"),
-    physics("pool-worn-cloth", "pool-worn-cloth-2026-11"),
+    physics("pool", "pool-2026-12"),
+    physics("pool-new-cloth", "pool-new-cloth-2026-12"),
+    physics("pool-worn-cloth", "pool-worn-cloth-2026-12"),
+    physics("pool-clean-balls", "pool-clean-balls-2026-12"),
+    physics("pool-dirty-balls", "pool-dirty-balls-2026-12"),
+    physics("pool-gold-crown", "pool-gold-crown-2026-12"),
+    physics("pool-valley", "pool-valley-2026-12"),
     physics("snooker", "snooker-2026-11"),
+    physics("snooker", "snooker-2026-12"),
     physics("english", "english-2026-11"),
+    physics("english", "english-2026-12"),
     physics("carom", "carom-2026-11"),
-    physics("carom-heated", "carom-heated-2026-11"),
+    physics("carom", "carom-2026-12"),
     physics("poolfiz", "poolfiz-2026-11"),
     physics("ideal", "ideal-2026-11"),
 ];
@@ -31,13 +38,21 @@ pub const PHYSICS: &[Edition] = &[
 /// The editions of the tables. Those of one name are in the order of their dates.
 pub const TABLES: &[Edition] = &[
     table("wpa-9ft", "wpa-9ft-2026-11", "pool-2026-11"),
+    table("wpa-9ft", "wpa-9ft-2026-12", "pool-2026-12"),
     table("wpa-8ft", "wpa-8ft-2026-11", "pool-2026-11"),
+    table("wpa-8ft", "wpa-8ft-2026-12", "pool-2026-12"),
     table("bar-7ft", "bar-7ft-2026-11", "pool-2026-11"),
+    table("bar-7ft", "bar-7ft-2026-12", "pool-2026-12"),
     table("showood-7ft", "showood-7ft-2026-11", "pool-2026-11"),
+    table("showood-7ft", "showood-7ft-2026-12", "pool-2026-12"),
     table("snooker-12ft", "snooker-12ft-2026-11", "snooker-2026-11"),
+    table("snooker-12ft", "snooker-12ft-2026-12", "snooker-2026-12"),
     table("english-7ft", "english-7ft-2026-11", "english-2026-11"),
+    table("english-7ft", "english-7ft-2026-12", "english-2026-12"),
     table("carom-10ft", "carom-10ft-2026-11", "carom-2026-11"),
+    table("carom-10ft", "carom-10ft-2026-12", "carom-2026-12"),
     table("carom-9ft", "carom-9ft-2026-11", "carom-2026-11"),
+    table("carom-9ft", "carom-9ft-2026-12", "carom-2026-12"),
     table("poolfiz", "poolfiz-2026-11", "poolfiz-2026-11"),
 ];
 

@@ -3,9 +3,12 @@
 //! Every value has its source. Values marked *estimated* or *from memory* have none; they are the
 //! first to be replaced by a measurement.
 
+mod november_2026;
+
 use super::{
     BallBall, BallBallModel, Cloth, ContactTimes, Cue, Cushion, CushionFriction, CushionModel,
-    CushionRestitution, Physics, RollingFriction, SlipFriction, StrikeModel, Surface, Tip,
+    CushionRestitution, Physics, RollingBand, RollingFriction, SlipFriction, StrikeModel, Surface,
+    Tip, ball_surface,
 };
 use crate::Ball;
 use crate::edition;
@@ -26,14 +29,17 @@ const STROKE_ELEVATION: f64 = radians(3.0);
 
 impl Physics {
     /// The names of the presets, without dates. [`edition::PHYSICS`] also has the dated names.
-    pub const PRESETS: [&str; 9] = [
+    pub const PRESETS: [&str; 12] = [
         "pool",
         "pool-new-cloth",
         "pool-worn-cloth",
+        "pool-clean-balls",
+        "pool-dirty-balls",
+        "pool-gold-crown",
+        "pool-valley",
         "snooker",
         "english",
         "carom",
-        "carom-heated",
         "poolfiz",
         "ideal",
     ];
@@ -41,13 +47,20 @@ impl Physics {
     /// The preset of this name: `pool` has the newest values, `pool-2026-11` those of that edition.
     pub fn preset(name: &str) -> Option<Self> {
         match edition::find(edition::PHYSICS, name)?.dated {
-            "pool-2026-11" => Some(Self::pool()),
-            "pool-new-cloth-2026-11" => Some(Self::pool().on(NEW_CLOTH)),
-            "pool-worn-cloth-2026-11" => Some(Self::pool().on(WORN_CLOTH)),
-            "snooker-2026-11" => Some(Self::snooker()),
-            "english-2026-11" => Some(Self::english()),
-            "carom-2026-11" => Some(Self::carom()),
-            "carom-heated-2026-11" => Some(Self::carom_heated()),
+            "pool-2026-12" => Some(Self::pool()),
+            "pool-new-cloth-2026-12" => Some(Self::pool().on(NEW_CLOTH)),
+            "pool-worn-cloth-2026-12" => Some(Self::pool().on(WORN_CLOTH)),
+            "pool-clean-balls-2026-12" => Some(Self::pool().with_throw(ball_surface::CLEAN)),
+            "pool-dirty-balls-2026-12" => Some(Self::pool().with_throw(ball_surface::DIRTY)),
+            "pool-gold-crown-2026-12" => Some(Self::pool().between(GOLD_CROWN_RAIL)),
+            "pool-valley-2026-12" => Some(Self::pool().between(VALLEY_RAIL)),
+            "snooker-2026-12" => Some(Self::snooker()),
+            "english-2026-12" => Some(Self::english()),
+            "carom-2026-12" => Some(Self::carom()),
+            "pool-2026-11" => Some(november_2026::pool()),
+            "snooker-2026-11" => Some(november_2026::snooker()),
+            "english-2026-11" => Some(november_2026::english()),
+            "carom-2026-11" => Some(november_2026::carom()),
             "poolfiz-2026-11" => Some(Self::poolfiz()),
             "ideal-2026-11" => Some(Self::ideal()),
             _ => None,
@@ -76,10 +89,10 @@ impl Physics {
                 model: BallBallModel::Compliant,
                 // Dr. Dave FAQ: 0.92–0.98.
                 restitution: 0.95,
-                friction: THROW,
+                friction: ball_surface::USED,
                 frequency_ratio: BALL_FREQUENCY_RATIO,
             },
-            cushion: RAIL,
+            cushion: OLHAUSEN_RAIL,
             // Neoprene: less restitution and more friction than a nose; 0.5 to 0.7, from memory.
             facing: Surface { restitution: 0.7, friction: 0.25 },
             // Leather or plastic, from memory: 0.3 to 0.5; friction estimated.
@@ -117,12 +130,7 @@ impl Physics {
                 rolling_friction: RollingFriction::constant(0.0128),
                 spin_deceleration: 22.0,
             },
-            // Mathavan 2014, whose balls are rigid; compliant here, as in pool.
-            ball_ball: BallBall {
-                restitution: 0.89,
-                friction: SlipFriction::constant(0.05),
-                ..pool.ball_ball
-            },
+            ball_ball: BallBall { restitution: 0.921, friction: SNOOKER_THROW, ..pool.ball_ball },
             cushion: SNOOKER_RAIL,
             // 17 oz and a smaller tip, from memory; end mass in proportion, estimated.
             cue: Cue { mass: 0.48, end_mass: 0.0047, tip_radius: 0.009, ..pool.cue },
@@ -144,44 +152,24 @@ impl Physics {
         }
     }
 
-    /// Carom: 61.5 mm balls on heated cloth.
+    /// Carom on a heated table, as the UMB requires it: the tracks of a three-cushion match of 2022, 91
+    /// shots.
     pub fn carom() -> Self {
         let pool = Self::pool();
         Self {
             // UMB: 61–61.5 mm; 205–220 g from memory, 210 g as in pooltool.
             ball: Ball { mass: 0.210, radius: 0.03075 },
             cloth: Cloth {
-                // As in pool and in pooltool; Han 2005 found 0.069 on his table.
-                sliding_friction: 0.2,
-                // Heated cloth. A fit to matches gives the deceleration 0.0383 + 0.0150 v m/s² at
-                // the speed v. With 0.0045 a ball of 0.6 m/s stops where it does in the fit; a
-                // ball of 1 m/s would need 0.0049.
-                rolling_friction: RollingFriction::constant(0.0045),
-                // Han 2005: M_z = 3.82e-4 N·m on m = 0.23 kg, R = 32.75 mm gives 3.9 rad/s².
-                spin_deceleration: 3.9,
+                sliding_friction: 0.178,
+                rolling_friction: RollingFriction::of_bands(&HEATED_CLOTH),
+                spin_deceleration: 3.6,
             },
-            // Han 2005; friction as in pool. The cushions too are those of a pool table: estimated.
-            ball_ball: BallBall { restitution: 0.98, ..pool.ball_ball },
+            // The tracks; their throw of 2.3° at 2.5 to 6 m/s is that of used pool balls.
+            ball_ball: BallBall { restitution: 0.92, ..pool.ball_ball },
+            cushion: HEATED_RAIL,
             // A carom cue is lighter and stiffer: estimated.
             cue: Cue { mass: 0.51, end_mass: 0.007, ..pool.cue },
             ..pool
-        }
-    }
-
-    /// Carom as on the heated table of a three-cushion match of 2022, from the tracks of 91 shots.
-    /// The cushions are still those of [`Self::carom`].
-    pub fn carom_heated() -> Self {
-        let carom = Self::carom();
-        Self {
-            cloth: Cloth {
-                sliding_friction: 0.178,
-                // The tracks give the deceleration 0.0410 + 0.0142 v m/s² at the speed v. A ball of
-                // 1 m/s stops after 9.95 m with it, and with this constant.
-                rolling_friction: RollingFriction::constant(0.005_12),
-                spin_deceleration: 3.6,
-            },
-            ball_ball: BallBall { restitution: 0.92, ..carom.ball_ball },
-            ..carom
         }
     }
 
@@ -190,13 +178,23 @@ impl Physics {
         Self { cloth, ..self }
     }
 
+    /// The same physics with another friction of the balls.
+    fn with_throw(self, friction: SlipFriction) -> Self {
+        Self { ball_ball: BallBall { friction, ..self.ball_ball }, ..self }
+    }
+
+    /// The same physics between other rails.
+    fn between(self, cushion: Cushion) -> Self {
+        Self { cushion, ..self }
+    }
+
     /// Close to Poolfiz, the engine of the Computational Olympiad, with the figures of its
     /// successor FastFiz 0.2 (`FastFiz.h`); docs/poolfiz.md lists what agrees and what differs.
     pub fn poolfiz() -> Self {
         const GRAVITY: f64 = 9.81;
         const RADIUS: f64 = 0.028575;
         const SPIN_FRICTION: f64 = 0.044;
-        let pool = Self::pool();
+        let pool = november_2026::pool();
         Self {
             gravity: GRAVITY,
             // 5.57 oz, 2¼ in.
@@ -220,7 +218,7 @@ impl Physics {
                 friction: CushionFriction { a: 0.0, b: 0.0 },
                 tangential_factor: 0.9,
                 spin_factor: 0.1,
-                ..RAIL
+                ..november_2026::RAIL
             },
             // FastFiz has no jaws, so the ends of the rails have the properties of the rails.
             facing: Surface { restitution: 0.6, friction: 0.0 },
@@ -245,7 +243,7 @@ impl Physics {
 
     /// Pool without losses in collisions and without throw or squirt; the cloth is real.
     pub fn ideal() -> Self {
-        let pool = Self::pool();
+        let pool = november_2026::pool();
         Self {
             ball_ball: BallBall {
                 model: BallBallModel::Elastic,
@@ -257,7 +255,7 @@ impl Physics {
                 model: CushionModel::Restitution,
                 restitution: CushionRestitution::constant(1.0),
                 friction: CushionFriction { a: 0.0, b: 0.0 },
-                ..RAIL
+                ..november_2026::RAIL
             },
             facing: Surface { restitution: 1.0, friction: 0.0 },
             liner: Surface { friction: 0.0, ..pool.liner },
@@ -302,40 +300,82 @@ const OFF_CENTRE_LOSS: f64 = 5.388_423;
 /// (docs/contact.md).
 const CONTACT_TIMES: ContactTimes = ContactTimes { tip: 1e-3, slate: 5e-4 };
 
-/// Friction of pool balls, fitted with the compliant model to Alciatore's throw measurements of
-/// 2006 and 2014 together (`tests/resolve/ball_ball_measured.rs`): 0.66° rms over 20 readings. TP
-/// A.14's friction between rigid balls has 1.39°. A fit to the data of 2014 alone, 0.150·e^(−0.52
-/// s), has 0.24° there and 1.2° on the data of 2006.
-const THROW: SlipFriction = SlipFriction { a: 0.0, b: 0.115, c: 0.41 };
-
-/// Cushions of a pool table, chosen on measurements: fast sliding banks on three tables (TP B.28:
-/// 0.25 diamonds rms at 12 mph, where the tables differ by 0.13 among themselves) and the four
-/// table lengths of a firm shot (WPA: 4.1 with the cue at 10 mph). A rolling ball comes back from a
-/// perpendicular hit with 0.85 of its speed, a sliding one with 0.78. The tangential compliance is
-/// that of pooltool's Stronge model.
-const RAIL: Cushion = Cushion {
+/// Cushions of an Olhausen 9 ft table, fitted to its fast sliding banks (Alciatore, TP B.28: 0.28
+/// diamonds at most). The banks of a Gold Crown and of a Valley 7 ft table have the same restitution
+/// and compliance, and another friction. The fall of the restitution with speed is that of
+/// Mathavan's film and of the tracked match; the banks, at 3.4 to 5.3 m/s, do not determine it. A
+/// rolling ball comes back from a perpendicular hit with 0.96 of its speed at 1 m/s, and with 0.84
+/// at 3.5 m/s. A firm shot goes 4.8 to 5.3 table lengths (WPA: 4 to 4½ and more).
+const OLHAUSEN_RAIL: Cushion = Cushion {
     model: CushionModel::Stronge,
-    restitution: CushionRestitution::constant(0.9),
-    friction: CushionFriction { a: 0.175, b: 0.0 },
-    frequency_ratio: 1.8,
+    // No rail was measured at more than 5.3 m/s: the lower limit keeps faster shots plausible.
+    restitution: CushionRestitution { a: 1.04, b: -0.05, c: 0.0, lowest: 0.5, highest: 1.0 },
+    friction: CushionFriction { a: 0.225, b: 0.0 },
+    frequency_ratio: 1.53,
     tangential_factor: 1.0,
     spin_factor: 1.0,
 };
 
+/// Cushions of a Brunswick Gold Crown 9 ft table: 0.25 diamonds at most (TP B.28).
+const GOLD_CROWN_RAIL: Cushion =
+    Cushion { friction: CushionFriction { a: 0.274, b: 0.0 }, ..OLHAUSEN_RAIL };
+
+/// Cushions of a Valley 7 ft table: 0.21 diamonds at most (TP B.28).
+const VALLEY_RAIL: Cushion =
+    Cushion { friction: CushionFriction { a: 0.208, b: 0.0 }, ..OLHAUSEN_RAIL };
+
 /// Cushions of a snooker table, fitted to the 31 filmed rebounds of a rolling ball that hits a nose
-/// at 7R/5 squarely (Mathavan, Jackson & Parkin 2009, Fig. 9, 0.28 to 3.5 m/s): 0.023 m/s rms,
-/// 0.044 m/s at most. The friction is the least with this error, because more friction moves
-/// oblique rebounds away from Mathavan 2010's equations. The fit is 1 up to 2 m/s: the remaining
-/// loss there comes from the wedge of slate and nose. Its minimum is 0.58 at 10 m/s, so that it
-/// stays plausible for shots faster than the film. Frequency ratio as in pooltool 0.6.0.
+/// at 7R/5 squarely (Mathavan, Jackson & Parkin 2009, Fig. 9, 0.28 to 3.5 m/s): 0.039 m/s at most.
+/// The limit is the fit's value at the end of the film. Friction and frequency ratio as before
+/// (`november_2026.rs`).
 const SNOOKER_RAIL: Cushion = Cushion {
     model: CushionModel::Stronge,
-    restitution: CushionRestitution::polynomial(1.24, -0.132, 0.0066),
+    restitution: CushionRestitution {
+        a: 0.978,
+        b: 0.0596,
+        c: -0.027_43,
+        lowest: 0.851,
+        highest: 1.0,
+    },
     friction: CushionFriction { a: 0.38, b: 0.0 },
     frequency_ratio: 1.7,
     tangential_factor: 1.0,
     spin_factor: 1.0,
 };
+
+/// Friction of snooker balls, fitted with their restitution of 0.921 to the filmed collisions of
+/// Mathavan, Jackson & Parkin 2009: within 0.015 m/s and 0.66° of all nine numbers. Three collisions
+/// do not determine how the friction falls with the slip speed; that is as for used pool balls.
+const SNOOKER_THROW: SlipFriction = SlipFriction { a: 0.0, b: 0.0508, c: 0.344 };
+
+/// Cushions of the tracked carom table: the law of Han 2005 with restitution and friction learned
+/// from 337 rebounds, 0.15 to 3.5 m/s. Han's own table returned 0.51 to 0.765 and its restitution
+/// rose with speed.
+const HEATED_RAIL: Cushion = Cushion {
+    model: CushionModel::Han2005,
+    restitution: CushionRestitution { a: 0.915, b: -0.034, c: -0.005, lowest: 0.5, highest: 1.0 },
+    friction: CushionFriction { a: 0.240, b: 0.034 },
+    frequency_ratio: 1.8,
+    tangential_factor: 1.0,
+    spin_factor: 1.0,
+};
+
+/// The deceleration 0.0410 + 0.0142 v m/s² of the tracked match in bands up to 3 m/s: a ball stops
+/// within 1 % or 10 mm of where it does with this law (`carom.rolling_bands(0.0410, 0.0142,
+/// share=0.01, least=0.01)`). The tracks show rolling balls up to 1.35 m/s.
+const HEATED_CLOTH: [RollingBand; 7] = [
+    band(0.283_782_435_581_088_07, 0.004_452_647_461_077_105),
+    band(0.495_281_006_829_030_3, 0.004_757_125_884_432_819),
+    band(0.779_485_577_398_366, 0.005_116_335_080_286_76),
+    band(1.150_281_069_509_329, 0.005_590_920_081_083_174),
+    band(1.626_319_109_195_984_4, 0.006_204_445_341_562_901),
+    band(2.232_160_281_319_124, 0.006_988_191_722_284_195_5),
+    band(f64::INFINITY, 0.007_983_247_533_537_964),
+];
+
+const fn band(up_to: f64, friction: f64) -> RollingBand {
+    RollingBand { up_to, friction }
+}
 
 #[cfg(test)]
 mod tests {

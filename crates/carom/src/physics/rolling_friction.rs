@@ -49,6 +49,12 @@ impl RollingFriction {
         Self { above, friction }
     }
 
+    /// From the bands of a preset, which are not checked: as those of [`Self::from_bands`].
+    pub(super) fn of_bands(bands: &[RollingBand]) -> Self {
+        // `unwrap_or` hides no error: the tests build every preset.
+        Self::from_bands(bands).unwrap_or(Self::constant(0.0))
+    }
+
     /// From bands in ascending order of speed. The last one has no upper end.
     ///
     /// # Errors

@@ -138,17 +138,6 @@ const CAROM: &[SourceRow] = &[
     ("cue.end_mass", Estimate, "a carom cue is stiffer"),
 ];
 
-const CAROM_HEATED: &[SourceRow] = &[
-    ("cloth.sliding_friction", Fit, MATCH),
-    (
-        "cloth.rolling_friction",
-        Fit,
-        "a ball of 1 m/s stops where it does with 0.0410 + 0.0142 v m/s², fitted to the match of 2022",
-    ),
-    ("cloth.spin_deceleration", Fit, MATCH),
-    ("ball_ball.restitution", Fit, MATCH),
-];
-
 /// Filmed at 50 Hz with a noise of 1 mm; published with the tracker 3cushiontool.
 const MATCH: &str = "tracks of a three-cushion match of 2022, 91 shots";
 
@@ -170,6 +159,82 @@ const POOL_WORN_CLOTH: &[SourceRow] = &[
     ("cloth.sliding_friction", Estimate, "the middle of 0.15 to 0.4 in Alciatore's FAQ"),
     ("cloth.rolling_friction", Estimate, "the high end of 0.005 to 0.015 in Alciatore's FAQ"),
     ("cloth.spin_deceleration", Estimate, "the high end of 5 to 15 rad/s² in Alciatore's FAQ"),
+];
+
+/// What changed in December 2026.
+const POOL_2026_12: &[SourceRow] = &[
+    (
+        "ball_ball.friction",
+        Fit,
+        "used balls: Alciatore's throw test of 2006, 12 of 15 readings within 0.5°",
+    ),
+    (
+        "cushion.restitution",
+        Fit,
+        "fast banks of Alciatore TP B.28, Olhausen 9 ft: within 0.28 diamonds; its fall with speed as \
+         in Mathavan's film",
+    ),
+    ("cushion.friction", Fit, "fast banks of Alciatore TP B.28, Olhausen 9 ft"),
+    ("cushion.frequency_ratio", Fit, "fast banks of Alciatore TP B.28, three tables together"),
+];
+
+const POOL_CLEAN_BALLS: &[SourceRow] = &[(
+    "ball_ball.friction",
+    Fit,
+    "Alciatore's Throw follow-up I: 3.6° at 45°, slow, after a ball cleaner; fall with speed as for used \
+     balls",
+)];
+
+const POOL_DIRTY_BALLS: &[SourceRow] = &[(
+    "ball_ball.friction",
+    Fit,
+    "Alciatore's throw test of 2014 (follow-up II): five readings within 0.21°",
+)];
+
+const POOL_GOLD_CROWN: &[SourceRow] = &[(
+    "cushion.friction",
+    Fit,
+    "fast banks of Alciatore TP B.28, Gold Crown: within 0.25 diamonds",
+)];
+
+const POOL_VALLEY: &[SourceRow] = &[(
+    "cushion.friction",
+    Fit,
+    "fast banks of Alciatore TP B.28, Valley 7 ft: within 0.21 diamonds",
+)];
+
+const FILMED_BALLS: &str =
+    "three filmed collisions, Mathavan, Jackson & Parkin 2009: within 0.015 m/s and 0.66°";
+
+const SNOOKER_2026_12: &[SourceRow] = &[
+    ("ball_ball.restitution", Fit, FILMED_BALLS),
+    ("ball_ball.friction", Fit, FILMED_BALLS),
+    (
+        "cushion.restitution",
+        Fit,
+        "31 filmed rebounds, 0.28 to 3.5 m/s, within 0.039 m/s: Mathavan, Jackson & Parkin 2009, Fig. 9",
+    ),
+];
+
+const ENGLISH_2026_12: &[SourceRow] = &[
+    ("ball_ball.friction", Estimate, "used phenolic balls as in pool"),
+    ("cushion.restitution", Estimate, "as in snooker"),
+];
+
+const CAROM_2026_12: &[SourceRow] = &[
+    ("cloth.sliding_friction", Fit, MATCH),
+    (
+        "cloth.rolling_friction",
+        Fit,
+        "0.0410 + 0.0142 v m/s², 0.1 to 1.35 m/s, in bands: tracks of a three-cushion match of 2022",
+    ),
+    ("cloth.spin_deceleration", Fit, MATCH),
+    ("ball_ball.restitution", Fit, MATCH),
+    ("ball_ball.friction", Fit, "used pool balls; the match's throw, 2.3° at 2.5 to 6 m/s, agrees"),
+    ("cushion.model", Specified, "Han 2005"),
+    ("cushion.restitution", Fit, "337 rebounds in the tracks of a three-cushion match of 2022"),
+    ("cushion.friction", Fit, "337 rebounds in the tracks of a three-cushion match of 2022"),
+    ("cushion.frequency_ratio", Specified, "not used by this model"),
 ];
 
 const FASTFIZ: &str = "FastFiz 0.2, FastFiz.h";
@@ -203,14 +268,21 @@ const IDEAL: &[SourceRow] = &[
 
 const SHEETS: &[SourceSheet] = &[
     sheet("pool-2026-11", None, POOL),
-    sheet("pool-new-cloth-2026-11", Some("pool-2026-11"), POOL_NEW_CLOTH),
-    sheet("pool-worn-cloth-2026-11", Some("pool-2026-11"), POOL_WORN_CLOTH),
     sheet("snooker-2026-11", Some("pool-2026-11"), SNOOKER),
     sheet("english-2026-11", Some("snooker-2026-11"), ENGLISH),
     sheet("carom-2026-11", Some("pool-2026-11"), CAROM),
-    sheet("carom-heated-2026-11", Some("carom-2026-11"), CAROM_HEATED),
     sheet("poolfiz-2026-11", Some("pool-2026-11"), POOLFIZ),
     sheet("ideal-2026-11", Some("pool-2026-11"), IDEAL),
+    sheet("pool-2026-12", Some("pool-2026-11"), POOL_2026_12),
+    sheet("pool-new-cloth-2026-12", Some("pool-2026-12"), POOL_NEW_CLOTH),
+    sheet("pool-worn-cloth-2026-12", Some("pool-2026-12"), POOL_WORN_CLOTH),
+    sheet("pool-clean-balls-2026-12", Some("pool-2026-12"), POOL_CLEAN_BALLS),
+    sheet("pool-dirty-balls-2026-12", Some("pool-2026-12"), POOL_DIRTY_BALLS),
+    sheet("pool-gold-crown-2026-12", Some("pool-2026-12"), POOL_GOLD_CROWN),
+    sheet("pool-valley-2026-12", Some("pool-2026-12"), POOL_VALLEY),
+    sheet("snooker-2026-12", Some("snooker-2026-11"), SNOOKER_2026_12),
+    sheet("english-2026-12", Some("english-2026-11"), ENGLISH_2026_12),
+    sheet("carom-2026-12", Some("carom-2026-11"), CAROM_2026_12),
 ];
 
 const fn sheet(
