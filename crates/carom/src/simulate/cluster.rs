@@ -38,6 +38,9 @@ const SAME_INSTANT_GAP: f64 = 1e-14;
 /// that counts as 0.
 const SLOWEST: f64 = 1e-9;
 
+/// A disc infinitely far away: x, y, R.
+const AWAY: [f64; 3] = [f64::INFINITY, 0.0, 0.0];
+
 /// Number of balls tested together by vector instructions. It divides every capacity.
 const BLOCK: usize = 8;
 
@@ -257,7 +260,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
         let mut cluster = Cluster::of(struck as u16, self.state(struck, time));
         let is_met = |p: &Proximity| p.gap <= pushed && velocity.dot(p.normal) > 0.0;
-        self.gather_around(&mut cluster, 0, time, reach, is_met);
+        let mut free = self.free_discs(&cluster, time);
+        self.gather_around(&mut cluster, 0, &mut free, (time, reach), is_met);
         if cluster.size == 1 && !is_pressed {
             return Ok(false);
         }
@@ -327,9 +331,10 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         reach: f64,
         together: impl Fn(&Proximity) -> bool,
     ) {
+        let mut free = self.free_discs(cluster, time);
         let mut visited = 0;
         while visited < cluster.size {
-            self.gather_around(cluster, visited, time, reach, &together);
+            self.gather_around(cluster, visited, &mut free, (time, reach), &together);
             visited += 1;
         }
         let size = cluster.size;
@@ -339,29 +344,40 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
     }
 
-    /// Adds every ball within `reach` (m) that acts `together` with the ball at `place` in the
+    /// The discs of the balls that can join the cluster. Those of all others are infinitely far away.
+    fn free_discs(&self, cluster: &Cluster, time: f64) -> [[f64; 3]; N] {
+        let mut free = [AWAY; N];
+        for (k, disc) in free[..self.n].iter_mut().enumerate() {
+            if self.path[k].motion.in_play() {
+                *disc = self.disc(k, time);
+            }
+        }
+        for &ball in cluster.balls() {
+            free[usize::from(ball)] = AWAY;
+        }
+        free
+    }
+
+    /// Adds every `free` ball within `reach` (m) that acts `together` with the ball at `place` in the
     /// cluster.
     fn gather_around(
         &self,
         cluster: &mut Cluster,
         place: usize,
-        time: f64,
-        reach: f64,
+        free: &mut [[f64; 3]; N],
+        (time, reach): (f64, f64),
         together: impl Fn(&Proximity) -> bool,
     ) {
         let near = clearance(self.disc(usize::from(cluster.balls[place]), time), reach);
-        for k in 0..self.n {
-            if near(self.disc(k, time)) > 0.0
-                || cluster.size == MAX_BODIES
-                || cluster.balls().contains(&(k as u16))
-                || !self.path[k].motion.in_play()
-            {
+        for (k, disc) in free[..self.n].iter_mut().enumerate() {
+            if near(*disc) > 0.0 || cluster.size == MAX_BODIES {
                 continue;
             }
             cluster.balls[cluster.size] = k as u16;
             cluster.before[cluster.size] = self.state(k, time);
             if together(&self.proximity(cluster, place, cluster.size)) {
                 cluster.size += 1;
+                *disc = AWAY;
             }
         }
     }
@@ -386,14 +402,15 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let bodies = &mut bodies[..size];
         let mut touches = [Touch { a: 0, b: 0, normal: Vec3::ZERO, gap: 0.0 }; MAX_CONTACTS];
         let mut count = 0;
-        let disc = |k: usize| {
+        let mut discs = [AWAY; MAX_BODIES];
+        for (k, disc) in discs[..size].iter_mut().enumerate() {
             let at = cluster.before[k].position;
-            [at.x, at.y, self.ball[usize::from(cluster.balls[k])].radius]
-        };
+            *disc = [at.x, at.y, self.ball[usize::from(cluster.balls[k])].radius];
+        }
         for p in 0..size {
-            let near = clearance(disc(p), reach);
-            for q in p + 1..size {
-                if near(disc(q)) > 0.0 {
+            let near = clearance(discs[p], reach);
+            for (q, &disc) in discs[..size].iter().enumerate().skip(p + 1) {
+                if near(disc) > 0.0 {
                     continue;
                 }
                 let proximity = self.proximity(cluster, p, q);
