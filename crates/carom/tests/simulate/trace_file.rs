@@ -87,7 +87,7 @@ fn a_trace_that_was_edited_is_refused() {
         refused("\"motion\": \"stationary\"", "\"motion\": \"still\""),
         "events[0].before[0].motion"
     );
-    assert_eq!(refused("\"wpa-9ft-2026-11\"", "\"wpa-9ft-2026\""), "shot.table");
+    assert_eq!(refused("\"wpa-9ft-2026-12\"", "\"wpa-9ft-2026\""), "shot.table");
     assert_eq!(refused("\"duration\"", "\"during\""), "duration");
 }
 

@@ -100,39 +100,41 @@ fn shot_file(table: &str, more: &str) -> String {
 #[test]
 fn traces_have_dated_names_and_everything_else_as_it_was_read() {
     let cases = [
-        (r#""wpa-9ft""#, "", r#""wpa-9ft-2026-11""#, None),
+        (r#""wpa-9ft""#, "", r#""wpa-9ft-2026-12""#, None),
+        (r#""wpa-9ft-2026-12""#, "", r#""wpa-9ft-2026-12""#, None),
+        // An older edition keeps its date.
         (r#""wpa-9ft-2026-11""#, "", r#""wpa-9ft-2026-11""#, None),
         (
             r#""wpa-9ft""#,
             r#", "physics": "ideal""#,
-            r#""wpa-9ft-2026-11""#,
+            r#""wpa-9ft-2026-12""#,
             Some(r#""ideal-2026-11""#),
         ),
         (
             r#"{"base": "carom-10ft", "length": 2.8, "width": 1.4}"#,
             r#", "physics": {"gravity": 9.8}"#,
-            r#"{"base": "carom-10ft-2026-11", "length": 2.8, "width": 1.4}"#,
+            r#"{"base": "carom-10ft-2026-12", "length": 2.8, "width": 1.4}"#,
             Some(r#"{"gravity": 9.8}"#),
         ),
         // The physics of these two tables follows from no name.
-        (r#"{"cloth": "unbounded"}"#, "", r#"{"cloth": "unbounded"}"#, Some(r#""pool-2026-11""#)),
+        (r#"{"cloth": "unbounded"}"#, "", r#"{"cloth": "unbounded"}"#, Some(r#""pool-2026-12""#)),
         (
             r#"{"length": 2.0, "width": 1.0}"#,
             r#", "physics": {"gravity": 9.8}"#,
             r#"{"length": 2.0, "width": 1.0}"#,
-            Some(r#"{"gravity": 9.8, "base": "pool-2026-11"}"#),
+            Some(r#"{"gravity": 9.8, "base": "pool-2026-12"}"#),
         ),
         (
             r#"{"length": 2.0, "width": 1.0, "physics": "carom"}"#,
             "",
-            r#"{"length": 2.0, "width": 1.0, "physics": "carom-2026-11"}"#,
+            r#"{"length": 2.0, "width": 1.0, "physics": "carom-2026-12"}"#,
             None,
         ),
         (
             r#""wpa-9ft""#,
             r#", "physics": {"base": "snooker", "gravity": 9.8}"#,
-            r#""wpa-9ft-2026-11""#,
-            Some(r#"{"base": "snooker-2026-11", "gravity": 9.8}"#),
+            r#""wpa-9ft-2026-12""#,
+            Some(r#"{"base": "snooker-2026-12", "gravity": 9.8}"#),
         ),
     ];
     for (table, more, dated, physics) in cases {
