@@ -6,14 +6,14 @@ import gymnasium
 
 # The version increases when the same actions give other results.
 ENVIRONMENTS = {
-    "carom/Potting-v1": "potting",
-    "carom/EightBall-v4": "eight-ball",
-    "carom/NineBall-v1": "nine-ball",
-    "carom/TenBall-v2": "ten-ball",
-    "carom/StraightPool-v2": "straight-pool",
-    "carom/Snooker-v4": "snooker",
-    "carom/ThreeCushion-v4": "three-cushion",
-    "carom/SumToThree-v1": "sum-to-three",
+    "carom/Potting-v2": "potting",
+    "carom/EightBall-v5": "eight-ball",
+    "carom/NineBall-v2": "nine-ball",
+    "carom/TenBall-v3": "ten-ball",
+    "carom/StraightPool-v3": "straight-pool",
+    "carom/Snooker-v5": "snooker",
+    "carom/ThreeCushion-v5": "three-cushion",
+    "carom/SumToThree-v2": "sum-to-three",
 }
 
 
