@@ -38,14 +38,14 @@ NOISE = carom.Noise.olympiad(1.0)
 
 # SHA-256 of five steps of sixteen environments.
 RESULTS = {
-    "carom/EightBall-v5": "253dfb91ed9231af",
-    "carom/NineBall-v2": "e8564e984e8eddb5",
+    "carom/EightBall-v5": "84b81f0256153008",
+    "carom/NineBall-v2": "68eb630e4f1d4dfd",
     "carom/Potting-v2": "54652ea9dcc8c0f1",
-    "carom/Snooker-v5": "5f1767fba0d4457b",
-    "carom/StraightPool-v3": "0fd5c869ab4b8e9b",
-    "carom/SumToThree-v2": "c2fc530a27353c3c",
-    "carom/TenBall-v3": "61b5b12ba95939d5",
-    "carom/ThreeCushion-v5": "b4e8054a7ad93926",
+    "carom/Snooker-v5": "c2cc1317c4fa9746",
+    "carom/StraightPool-v3": "0b8e88200bfbd92f",
+    "carom/SumToThree-v2": "9c919dbc73c6b11a",
+    "carom/TenBall-v3": "509bde415a58cf86",
+    "carom/ThreeCushion-v5": "4ddce330d8d8f4fa",
 }
 
 
@@ -496,8 +496,8 @@ def test_carom_is_imported_without_gymnasium() -> None:
 
 def test_an_environment_names_its_presets_with_dates() -> None:
     env = carom.env.CaromVectorEnv("nine-ball", 2)
-    assert env.presets == {"table": "wpa-9ft-2026-11"}
+    assert env.presets == {"table": "wpa-9ft-2026-12"}
     again = carom.env.CaromVectorEnv("nine-ball", 2, **env.presets)
     assert np.array_equal(again.reset(seed=3)[0], env.reset(seed=3)[0])
-    pool = carom.env.CaromVectorEnv("three-cushion", physics="carom-heated")
-    assert pool.presets["physics"] == "carom-heated-2026-11"
+    pool = carom.env.CaromVectorEnv("three-cushion", physics="pool-worn-cloth")
+    assert pool.presets["physics"] == "pool-worn-cloth-2026-12"
