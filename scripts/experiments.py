@@ -57,7 +57,7 @@ EXPERIMENTS = (
     Experiment(
         "realism",
         ROOT / "benches" / "results" / "realism.json",
-        ("scripts/realism_figures.py",),
+        ("scripts/realism_figures.py", "--before", "2026-11"),
     ),
 )
 

@@ -92,11 +92,11 @@ def compared(item: Item, before: Choice | None, after: Choice) -> dict[str, Any]
                 "tolerance": number(p.tolerance),
                 "after": number(p.ours),
             }
-            for p in item.points(after.physics(item.preset))
+            for p in item.points(after)
         ],
     }
     if before is not None:
-        earlier = item.points(before.physics(item.preset))
+        earlier = item.points(before)
         for point, then in zip(entry["points"], earlier, strict=True):
             point["before"] = number(then.ours)
     return entry

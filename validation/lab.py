@@ -154,8 +154,12 @@ def simulate(
     physics: JSON | str = "pool",
     table: JSON | str | None = None,
     strike: JSON | None = None,
+    cling: JSON | None = None,
 ) -> Run:
-    """Simulates balls that move from the start, or a strike; on unbounded cloth by default."""
+    """Simulates balls that move from the start, or a strike; on unbounded cloth by default.
+
+    `strike` and `cling` are those keys of a shot file.
+    """
     shot: JSON = {
         "format": "carom-shot/1",
         "table": UNBOUNDED if table is None else table,
@@ -167,6 +171,8 @@ def simulate(
         for b in shot["balls"]:
             if b["id"] == strike["ball"]:
                 del b["velocity"], b["angular_velocity"]
+    if cling is not None:
+        shot["cling"] = cling
     return Run(carom.Shot.from_dict(shot).simulate())
 
 

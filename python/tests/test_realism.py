@@ -59,9 +59,8 @@ def test_the_range_of_rolling_is_that_of_the_validation() -> None:
 
 def test_the_surfaces_of_the_validation_are_measured_ones() -> None:
     surface = MEASURED["throw_surface"]
-    row = ROWS[surface["row"]]
-    for name, value in row.reference.items():
-        assert surface["throw_deg"][name] == value
+    rows = {**ROWS[surface["row"]].reference, **ROWS["BB27-surfaces"].reference}
+    assert surface["throw_deg"] == rows
 
 
 def test_every_measurement_has_a_source_a_unit_and_a_title() -> None:
@@ -90,8 +89,7 @@ def test_another_physics_gives_other_numbers(figures: Any, tmp_path: Path) -> No
     file = tmp_path / "sticky.json"
     file.write_text('{"ball_ball": {"friction": 0.2}}', encoding="utf-8")
     throw = figures.ITEMS[0]
-    changed = figures.Choice(str(file), "sticky").physics("pool")
-    default, sticky = (throw.points(p) for p in ("pool", changed))
+    default, sticky = (throw.points(figures.Choice(c, "")) for c in ("default", str(file)))
     pairs = list(zip(default, sticky, strict=True))
     assert all(a.label == b.label and a.measured == b.measured for a, b in pairs)
     assert sum(b.ours > a.ours for a, b in pairs) > len(pairs) // 2
@@ -105,6 +103,11 @@ def test_a_choice_names_dated_presets_files_and_presets(figures: Any, tmp_path: 
     assert list(chosen.values()) == [
         "pool", "pool-2026-11", {"base": "pool", "gravity": 9.8}, "snooker",
     ]  # fmt: skip
+
+
+def test_a_preset_that_is_newer_than_a_date_has_the_physics_of_its_game(figures: Any) -> None:
+    assert figures.Choice("2026-11", "").physics("pool-valley") == "pool-2026-11"
+    assert figures.Choice("2026-12", "").physics("pool-valley") == "pool-valley-2026-12"
 
 
 def test_a_range_agrees_up_to_its_ends(figures: Any) -> None:

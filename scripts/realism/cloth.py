@@ -33,8 +33,9 @@ def deceleration(preset: str, speed: float, physics: Physics) -> float:
     return (first - last) / MOMENT
 
 
-def carom_points(physics: Physics) -> list[Point]:
+def carom_points(choice: Choice) -> list[Point]:
     """The deceleration on a heated carom table at three speeds."""
+    physics = choice.physics("carom")
     data = MEASURED["rolling_carom"]
     return [
         Point(f"{v} m/s", a, data["tolerance"], deceleration("carom", v, physics))
@@ -42,10 +43,10 @@ def carom_points(physics: Physics) -> list[Point]:
     ]
 
 
-def snooker_points(physics: Physics) -> list[Point]:
+def snooker_points(choice: Choice) -> list[Point]:
     """The deceleration on a snooker table."""
     low, high = MEASURED["rolling_snooker"]["range"]
-    ours = deceleration("snooker", 1.0, physics)
+    ours = deceleration("snooker", 1.0, choice.physics("snooker"))
     return [Point("snooker", (low + high) / 2, (high - low) / 2, ours)]
 
 
@@ -100,10 +101,11 @@ def turn(physics: Physics, rate: float = SPIN_RATE) -> float:
     return degrees_between(math.atan2(velocity[1], velocity[0]), math.pi / 2)
 
 
-def turn_points(physics: Physics) -> list[Point]:
+def turn_points(choice: Choice) -> list[Point]:
     """The turn of TP B.2."""
     data = MEASURED["ball_turn"]
-    return [Point("8 ft at 2 mph", data["turn_deg"], data["tolerance"], turn(physics))]
+    return [Point("8 ft at 2 mph", data["turn_deg"], data["tolerance"],
+                  turn(choice.physics("pool")))]  # fmt: skip
 
 
 def turn_figure(before: Choice | None, after: Choice) -> Figure:

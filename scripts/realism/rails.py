@@ -52,8 +52,9 @@ def share(table: str, speed: float, physics: Physics, *, rolls: bool = False) ->
     return after.speed / before
 
 
-def return_points(physics: Physics) -> list[Point]:
+def return_points(choice: Choice) -> list[Point]:
     """The filmed returns of a snooker table."""
+    physics = choice.physics("snooker")
     data = MEASURED["rail_snooker"]
     return [
         Point(f"{v} m/s", float(np.polyval(data["polynomial"], v)), data["tolerance"],
@@ -62,8 +63,9 @@ def return_points(physics: Physics) -> list[Point]:
     ]  # fmt: skip
 
 
-def carom_points(physics: Physics) -> list[Point]:
+def carom_points(choice: Choice) -> list[Point]:
     """Han's fit, and the band of the tracked match, for carom tables."""
+    physics = choice.physics("carom")
     han, tracked = MEASURED["rail_carom_han"], MEASURED["rail_carom_tracked"]
     found = [
         Point(f"Han 2005, {v} m/s", float(np.polyval(han["polynomial"], v)), han["tolerance"],
@@ -143,18 +145,23 @@ def bank(aim: float, table: str, physics: Physics) -> float:
     return crossing(lambda start: arrival(start, aim, table, physics), aim, 9.5, width=1e-6)
 
 
-#: The tables of TP B.28, and ours that stand for them.
-BANKED = {"Olhausen 9 ft": "wpa-9ft", "Gold Crown 9 ft": "wpa-9ft", "Valley 7 ft": "showood-7ft"}
+#: The tables of TP B.28: ours of that size, and the preset with their rails.
+BANKED = {
+    "Olhausen 9 ft": ("wpa-9ft", "pool"),
+    "Gold Crown 9 ft": ("wpa-9ft", "pool-gold-crown"),
+    "Valley 7 ft": ("showood-7ft", "pool-valley"),
+}
 
 
-def bank_points(physics: Physics) -> list[Point]:
+def bank_points(choice: Choice) -> list[Point]:
     """The banks of three tables."""
     data = MEASURED["banks"]
     return [
-        Point(f"{name}, aim {aim:g}", start, data["tolerance"], bank(aim, BANKED[name], physics))
-        for name, starts in data["start"].items()
-        for aim, start in zip(data["aim"], starts, strict=True)
-    ]
+        Point(f"{name}, aim {aim:g}", start, data["tolerance"],
+              bank(aim, table, choice.physics(preset)))
+        for name, (table, preset) in BANKED.items()
+        for aim, start in zip(data["aim"], data["start"][name], strict=True)
+    ]  # fmt: skip
 
 
 def bank_figure(before: Choice | None, after: Choice) -> Figure:
@@ -162,13 +169,13 @@ def bank_figure(before: Choice | None, after: Choice) -> Figure:
     fig, panels = plot.panels(3)
     data = MEASURED["banks"]
     aims = np.linspace(0.4, 3.0, 14)
-    for ax, (name, starts) in zip(panels, data["start"].items(), strict=True):
+    for ax, (name, (table, preset)) in zip(panels, BANKED.items(), strict=True):
 
-        def curve(physics: Physics, table: str = BANKED[name]) -> list[float]:
+        def curve(physics: Physics, table: str = table) -> list[float]:
             return [bank(float(aim), table, physics) for aim in aims]
 
-        lines(ax, aims, curve, "pool", (before, after))
-        rings(ax, data["aim"], starts, data["tolerance"], "measured (TP B.28)")
+        lines(ax, aims, curve, preset, (before, after), preset)
+        rings(ax, data["aim"], data["start"][name], data["tolerance"], "measured (TP B.28)")
         plot.name(ax, "aim, diamonds", "start, diamonds", name)
     return fig
 
@@ -181,4 +188,7 @@ CAROM_RETURNS = Item(
     "carom-returns", "Perpendicular returns, carom", "–",
     ("rail_carom_han", "rail_carom_tracked"), "carom", carom_points, return_figure,
 )  # fmt: skip
-BANKS = Item("banks", "Fast banks", "diamonds", ("banks",), "pool", bank_points, bank_figure)
+BANKS = Item(
+    "banks", "Fast banks", "diamonds", ("banks",), "pool, pool-gold-crown, pool-valley",
+    bank_points, bank_figure,
+)  # fmt: skip

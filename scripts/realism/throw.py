@@ -15,7 +15,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 RADIUS = 0.028575
-PRESET = "pool"
+PRESET, DIRTY = "pool", "pool-dirty-balls"
+#: The presets of the surfaces. No preset has balls cleaned with alcohol, and a chalked contact is a
+#: cling.
+SURFACES = {"used": PRESET, "ball cleaner": "pool-clean-balls"}
 
 
 def hit(cut_deg: float, speed: float, physics: Physics) -> Ball:
@@ -43,24 +46,25 @@ def throw_at(cut_deg: float, object_speed: float, physics: Physics) -> float:
     return throw(cut_deg, speed, physics)
 
 
-def points(physics: Physics) -> list[Point]:
+def points(choice: Choice) -> list[Point]:
     """The readings of 2014 and 2006, and the slow throw at 45° by surface."""
     late, early, surface = (MEASURED[f"throw_{k}"] for k in ("2014", "2006", "surface"))
+    dirty, used = choice.physics(DIRTY), choice.physics(PRESET)
     found = [
         Point(f"2014, 30°, {v} ft/s", angle, late["tolerance"],
-              throw_at(late["cut_deg"], v * FOOT, physics))
+              throw_at(late["cut_deg"], v * FOOT, dirty))
         for v, angle in zip(late["object_speed_ft_s"], late["throw_deg"], strict=True)
     ]  # fmt: skip
     found += [
-        Point(f"2006, {cut}°, {name}", angle, early["tolerance"], throw(cut, speed, physics))
+        Point(f"2006, {cut}°, {name}", angle, early["tolerance"], throw(cut, speed, used))
         for name, speed in early["speed_m_s"].items()
         for cut, angle in zip(early["cut_deg"], early["throw_deg"][name], strict=True)
     ]
-    slow = throw(surface["cut_deg"], surface["speed_m_s"], physics)
     found += [
-        Point(f"45°, slow, {name}", angle, surface["tolerance"], slow)
-        for name, angle in surface["throw_deg"].items()
-    ]
+        Point(f"45°, slow, {name}", surface["throw_deg"][name], surface["tolerance"],
+              throw(surface["cut_deg"], surface["speed_m_s"], choice.physics(preset)))
+        for name, preset in SURFACES.items()
+    ]  # fmt: skip
     return found
 
 
@@ -69,10 +73,12 @@ def figure(before: Choice | None, after: Choice) -> Figure:
     fig, (left, right) = plot.panels(2)
     data = MEASURED["throw_2014"]
     speeds = np.linspace(2.0, 11.5, 40)
-    lines(
-        left, speeds, lambda p: [throw_at(30.0, v * FOOT, p) for v in speeds], PRESET,
-        (before, after),
-    )  # fmt: skip
+
+    def slowing(physics: Physics) -> list[float]:
+        return [throw_at(30.0, v * FOOT, physics) for v in speeds]
+
+    lines(left, speeds, slowing, DIRTY, (before, after), "dirty balls")
+    lines(left, speeds, slowing, PRESET, (None, after), "used balls", 2)
     rings(left, data["object_speed_ft_s"], data["throw_deg"], data["tolerance"], "test of 2014")
     plot.name(left, "object ball, ft/s", "throw, °", "Cut 30°, stun")
 
@@ -95,5 +101,6 @@ def figure(before: Choice | None, after: Choice) -> Figure:
 
 
 ITEM = Item(
-    "throw", "Throw", "°", ("throw_2014", "throw_2006", "throw_surface"), PRESET, points, figure
-)
+    "throw", "Throw", "°", ("throw_2014", "throw_2006", "throw_surface"),
+    "pool, pool-dirty-balls, pool-clean-balls", points, figure,
+)  # fmt: skip

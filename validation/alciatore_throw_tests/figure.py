@@ -8,6 +8,7 @@ import numpy as np
 from carom.validation import plot
 from carom.validation.alciatore_throw_tests.rows import (
     CUTS,
+    OBJECT_SPEEDS,
     bb23,
     bb25,
     throw,
@@ -22,8 +23,10 @@ if TYPE_CHECKING:
 def figure() -> Figure:
     fig, (left, right) = plot.panels(2)
     speeds = np.linspace(2.0, 11.5, 25)
-    plot.ours(left, speeds, [throw_at_object_speed(30.0, v * FOOT) for v in speeds], "carom, pool")
-    plot.published(left, (2.8, 3.55, 4.5, 7.2, 10.7), list(bb23.reference.values()), "measured")
+    plot.ours(left, speeds, [throw_at_object_speed(30.0, v * FOOT) for v in speeds], "pool")
+    dirty = [throw_at_object_speed(30.0, v * FOOT, "pool-dirty-balls") for v in speeds]
+    plot.ours(left, speeds, dirty, "pool-dirty-balls", 1)
+    plot.published(left, OBJECT_SPEEDS, list(bb23.reference.values()), "measured")
     left.set_ylim(0.0, 7.0)
     plot.name(left, "object ball's speed, ft/s", "throw at 30°, °", "2014 test")
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from carom.validation import plot
-from carom.validation.alciatore_tp_rail.rows import AIMS, NINE_FEET, bank, cu_16, lag_distance
+from carom.validation.alciatore_tp_rail.rows import AIMS, TABLES, bank, cu_16, lag_distance
 from carom.validation.lab import FOOT, MPH
 
 if TYPE_CHECKING:
@@ -16,11 +16,12 @@ if TYPE_CHECKING:
 def figure() -> Figure:
     fig, (left, right) = plot.panels(2)
     aims = np.linspace(0.5, 3.0, 26)
-    plot.ours(left, aims, [bank(a, *NINE_FEET) for a in aims], "carom, wpa-9ft")
     measured = np.array(list(cu_16.reference.values())).reshape(3, -1)
     for k, (label, values) in enumerate(
-        zip(("Olhausen 9 ft", "Gold Crown 9 ft", "Valley 7 ft"), measured, strict=True)
+        zip(TABLES, measured, strict=True)
     ):
+        size, preset = TABLES[label]
+        plot.ours(left, aims, [bank(a, *size, preset) for a in aims], preset, k + 1)
         plot.published(left, AIMS, values, label, k + 1)
     left.plot(AIMS, [2 * a for a in AIMS], ":", color="0.5", label="mirror")
     plot.name(left, "aim, diamonds", "start, diamonds", "Fast sliding bank into the corner")
