@@ -15,20 +15,14 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import carom
 from carom.bench import report
 from carom.plan.chance import Chance
+from carom.validation.breaks_on_video.rows import NOISE, happened
 
 ROOT = Path(__file__).resolve().parents[1]
 STORED = ROOT / "benches" / "results" / "breaks.json"
 #: Racks per row, and racks after which the result is stored.
 RACKS, BLOCK = 4000, 1000
-#: The player's errors: a preset of `carom.Noise`.
-NOISE = "professional"
-#: Balls that must be pocketed or touch the line of the head string in a legal break of the world
-#: championship of 2016.
-LEAST_PAST_HEAD_STRING = 3
-
 #: The breaks that are counted: name, game, break preset, table, gap in m (None is the preset's).
 ROWS: tuple[tuple[str, str, str | None, str | None, float | None], ...] = (
     ("nine-ball, beside the rail, template", "nine-ball", "rail", None, None),
@@ -71,55 +65,6 @@ def main() -> int:
         for what, count in sorted(row["counts"].items()):
             print(f"  {what}: {Chance.of(count, row['racks'], 0.95)}")
     return 0
-
-
-def happened(
-    seed: int, game: str, preset: str | None, table: str | None, gap: float | None
-) -> list[str]:
-    """What happened in the break of one rack, with the errors of the player."""
-    shot = carom.break_shot(game, preset=preset, table=table, gap=gap, seed=seed)
-    drawn = carom.Noise.preset(NOISE).draw(shot, seed)
-    keys = ("speed", "azimuth", "elevation", "side", "height")
-    trace = shot.with_strike(**{key: getattr(drawn, key) for key in keys}).simulate()
-    outcome = trace.outcome
-    fallen = {ball for ball, _ in outcome["pocketed"]}
-    off = set(outcome["off_table"])
-    foul = "cue" in fallen or bool(off) or outcome["first_contact"] is None
-    if game in ("nine-ball", "ten-ball"):
-        foul = foul or outcome["first_contact"] != "1"
-    potted = fallen - {"cue"}
-    past = potted | past_head_string(trace, shot)
-    deciding = {"eight-ball": "8", "nine-ball": "9", "ten-ball": "10"}[game]
-    legal = len(past) >= LEAST_PAST_HEAD_STRING
-    found = {
-        "a ball falls": bool(potted),
-        "a ball falls, no foul": bool(potted) and not foul,
-        "three balls past the head string, a ball falls, no foul": bool(potted)
-        and not foul
-        and legal,
-        "scratch": "cue" in fallen,
-        "a ball off the table": bool(off),
-        f"the {deciding} falls": deciding in fallen,
-    }
-    return [what for what, is_so in found.items() if is_so]
-
-
-def past_head_string(trace: carom.Trace, shot: carom.Shot) -> set[str]:
-    """Object balls that touched the plane of the head string.
-
-    Checked at the events and at the end. A ball that turned back between two events without
-    meeting a cushion or a ball would be missed; only strong spin could do that.
-    """
-    geometry = shot.geometry()
-    line = geometry["markings"]["head_string"]
-    radius = dict(zip(shot.ids, shot.radius.tolist(), strict=True))
-    data = trace.to_dict()
-    states = [state for event in data["events"] for state in event["after"]] + data["final"]
-    return {
-        state["id"]
-        for state in states
-        if state["id"] != "cue" and state["position"][1] - radius[state["id"]] <= line
-    }
 
 
 if __name__ == "__main__":

@@ -114,7 +114,8 @@ def return_figure(before: Choice | None, after: Choice) -> Figure:
     )  # fmt: skip
     plot.name(right, "speed at the rail, m/s", "share returned", "Carom, rolling")
     for ax in (left, right):
-        ax.set_ylim(0.3, 1.0)
+        # Room for the legend above the curves.
+        ax.set_ylim(0.3, 1.3)
     return fig
 
 
@@ -174,9 +175,9 @@ def bank_figure(before: Choice | None, after: Choice) -> Figure:
         def curve(physics: Physics, table: str = table) -> list[float]:
             return [bank(float(aim), table, physics) for aim in aims]
 
-        lines(ax, aims, curve, preset, (before, after), preset)
+        lines(ax, aims, curve, preset, (before, after))
         rings(ax, data["aim"], data["start"][name], data["tolerance"], "measured (TP B.28)")
-        plot.name(ax, "aim, diamonds", "start, diamonds", name)
+        plot.name(ax, "aim, diamonds", "start, diamonds", f"{name}: {preset}")
     return fig
 
 

@@ -77,8 +77,8 @@ def figure(before: Choice | None, after: Choice) -> Figure:
     def slowing(physics: Physics) -> list[float]:
         return [throw_at(30.0, v * FOOT, physics) for v in speeds]
 
-    lines(left, speeds, slowing, DIRTY, (before, after), "dirty balls")
-    lines(left, speeds, slowing, PRESET, (None, after), "used balls", 2)
+    lines(left, speeds, slowing, DIRTY, (None, after), "dirty balls")
+    lines(left, speeds, slowing, PRESET, (before, after), "used balls", 2)
     rings(left, data["object_speed_ft_s"], data["throw_deg"], data["tolerance"], "test of 2014")
     plot.name(left, "object ball, ft/s", "throw, °", "Cut 30°, stun")
 
@@ -96,6 +96,8 @@ def figure(before: Choice | None, after: Choice) -> Figure:
     for name, angle in data["throw_deg"].items():
         right.plot([data["cut_deg"]], [angle], "x", color="0.3", markersize=5)
         right.annotate(name, (data["cut_deg"] + 1.5, angle), fontsize=6, va="center")
+    # Room for the legend above the curves.
+    right.set_ylim(0.0, 15.0)
     plot.name(right, "cut, °", "throw, °", "Stun; crosses: slow, by surface")
     return fig
 

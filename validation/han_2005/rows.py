@@ -71,3 +71,38 @@ def han_mu() -> list[float]:
         tangential = math.sin(gamma) - float(after.velocity[0])
         found.append(tangential / (math.cos(gamma) - float(after.velocity[1])))
     return found
+
+
+def returned(speed: float) -> float:
+    """Share of the speed that the rails of the preset `carom` return to a rolling ball."""
+    radius = 0.03075
+    run = simulate(
+        ball(
+            position=(0.71, 2.74),
+            velocity=(0.0, speed, 0.0),
+            spin=(-speed / radius, 0.0, 0.0),
+        ),
+        physics="carom",
+        table="carom-10ft",
+    )
+    event = run.first("rail-collision")
+    return event.after["cue"].speed / event.before["cue"].speed
+
+
+DEFAULT_SPEEDS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0)
+
+
+@row(
+    "HAN-default",
+    "Share of the speed that a rail returns to a rolling ball at right angles (default of `carom`)",
+    unit="–",
+    source="Han 2005 (fit e(V))",
+    kind=Kind.MEASURED,
+    reference={f"{v} m/s": round(0.39 + 0.257 * v - 0.044 * v * v, 6) for v in DEFAULT_SPEEDS},
+    tolerance=absolute(0.05),
+    misses=tuple(f"{v} m/s" for v in (0.5, 1.0, 1.5, 2.0)),
+    note="Han's rails return less of a slow ball than of a fast one. Those of the tracked match, which "
+    "the preset has, return more. No law agrees with both.",
+)
+def han_default() -> list[float]:
+    return [returned(v) for v in DEFAULT_SPEEDS]
