@@ -19,7 +19,8 @@ def figure() -> Figure:
         assert isinstance(c.reference, Range)
         label = "published, 95 %" if k == 0 else None
         ax.plot([k, k], [c.reference.low, c.reference.high], "-", color=plot.COLORS[4],
-                linewidth=7, alpha=0.6, label=label)  # fmt: skip
+                linewidth=7, alpha=0.6, label=label,
+                solid_capstyle="butt")  # fmt: skip
     ax.plot(range(len(found)), [c.ours for c in found], "_", color=plot.COLORS[0], markersize=16,
             markeredgewidth=2, label="carom")  # fmt: skip
     names = ("8-ball, bar", "8-ball, showood", "the 8, bar", "the 8, showood",

@@ -135,8 +135,8 @@ NINE_BALL = {
     uses_preset=True,
     reference={label: published(count, 105) for label, (_, _, count) in NINE_BALL.items()},
     misses=tuple(NINE_BALL),
-    note="The players chose the place of the cue ball after earlier racks; ours is the same in every "
-    "rack. A frozen rack depends strongly on that place (docs/breaks.md).",
+    note="The players broke from anywhere behind the line; our place is the same in every rack. The "
+    "result of a frozen rack depends strongly on it (docs/breaks.md).",
 )
 def br_nine() -> list[float]:
     return [shares("nine-ball", preset)[what] for preset, what, _ in NINE_BALL.values()]

@@ -56,7 +56,7 @@ def schema(
 def _values(preset: dict[str, Any]) -> str:
     lines = [f"{preset['name']} ({preset['dated_name']})"]
     for p in preset["parameters"]:
-        value = p["value"] if isinstance(p["value"], str) else f"{p['value']:.6g}"
+        value = _written(p["value"])
         unit = f" {p['unit']}" if p["unit"] else ""
         lines.append(f"  {p['key']:<27}{value + unit:>16}  {p['evidence']:<9}  {p['source']}")
     return "\n".join(lines)
@@ -79,3 +79,13 @@ def _with_unit(value: float, unit: str) -> str:
     if unit == "m" and value < 1.0:
         return f"{1000 * value:.2f} mm"
     return f"{value:.4f} m" if unit == "m" else f"{value:.2f} {unit}"
+
+
+def _written(value: str | float | list[dict[str, float]]) -> str:
+    """A value of the physics; the range of the friction for a list of speed bands."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, list):
+        frictions = [band["friction"] for band in value]
+        return f"{min(frictions):.3g}–{max(frictions):.3g}"
+    return f"{value:.6g}"
