@@ -12,7 +12,6 @@ import carom
 import pytest
 from carom.validation.alciatore_throw_tests.rows import CHALK
 from carom.validation.alciatore_tp_rail import rows as rail_rows
-from carom.validation.mathavan_2009 import rows as film_rows
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 STORED = json.loads((SCRIPTS / "contact_fits.json").read_text(encoding="utf-8"))
@@ -30,6 +29,18 @@ def _script() -> ModuleType:
 
 
 FIT = _script()
+
+
+def values(preset: str) -> dict[str, Any]:
+    """The values of a preset as a shot file has them."""
+    return next(entry["physics"] for entry in carom.physics() if entry["name"] == preset)
+
+
+def has(whole: Any, part: Any) -> bool:
+    """Whether `whole` has the values of `part`; it may have more keys."""
+    if isinstance(part, dict):
+        return all(has(whole[key], value) for key, value in part.items())
+    return bool(whole == part)
 
 
 def same(stored: dict[str, Any], residuals: list[float]) -> None:
@@ -59,7 +70,8 @@ def test_snooker_balls_have_their_stored_motion() -> None:
     film = STORED["snooker"]["film"]
     same(film, FIT.residuals_snooker(film["friction"], film["restitution"]))
     assert film["outside"] == []
-    assert {k: film[k] for k in ("restitution", "friction")} == film_rows.FILM_BALLS
+    fitted = {k: film[k] for k in ("restitution", "friction")}
+    assert has(values("snooker")["ball_ball"], fitted)
 
 
 @pytest.mark.parametrize("table", FIT.TABLES)
@@ -72,9 +84,25 @@ def test_a_table_has_its_stored_banks(table: str) -> None:
 def test_the_three_tables_differ_in_the_friction_of_their_rails_alone() -> None:
     cushions = [dict(STORED["banks"][table]["cushion"]) for table in FIT.TABLES]
     for table, cushion in zip(FIT.TABLES, cushions, strict=True):
-        assert rail_rows.rail(table)["cushion"] == cushion
+        _, preset = rail_rows.TABLES[table]
+        assert has(values(preset)["cushion"], cushion)
         cushion.pop("friction")
     assert cushions[0] == cushions[1] == cushions[2]
+
+
+def test_the_presets_have_the_stored_fits() -> None:
+    for preset, name in (
+        ("pool", "used"),
+        ("pool-clean-balls", "clean"),
+        ("pool-dirty-balls", "dirty"),
+    ):
+        fitted = STORED["surfaces"][name]["friction"]
+        assert has(values(preset)["ball_ball"]["friction"], fitted)
+    assert has(values("snooker")["cushion"], STORED["film"]["stronge"]["cushion"])
+    # The preset has a limit for balls that are faster than those of the match.
+    tracked = STORED["tracked"]["han-2005"]["cushion"]
+    law = {k: v for k, v in tracked["restitution"].items() if k in "abc"}
+    assert has(values("carom")["cushion"], tracked | {"restitution": law})
 
 
 @pytest.mark.parametrize("model", STORED["film"])

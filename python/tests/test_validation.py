@@ -6,6 +6,7 @@ import dataclasses
 import io
 import math
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,8 @@ REQUIRED = {
     *("BB20", "BB22", "BB23", "BB25", "BB27", "BB28"),
     *("CU-1", "CU-2", "CU-3", "CU-6", "CU-7", "CU-8", "CU-9", "CU-11", "CU-13", "CU-14"),
     *("CU-16", "CU-19", "SY1", "SY2", "SY3", "SY5"),
+    *("BB27-surfaces", "DS-corner", "DS-plus", "BR-eight", "BR-8", "BR-nine", "RR4", "RR5"),
+    *("HAN-default",),
     *("SL1", "SL3", "SL4", "SL7", "SL8", "SL10", "SL11", "SL12", "BB29", "CU3", "PO1", "PO3"),
 }
 
@@ -129,6 +132,10 @@ def simulated_by(row: Row, monkeypatch: pytest.MonkeyPatch) -> list[dict[str, An
 
     lab_run = lab.Run
     monkeypatch.setattr(lab, "Run", recorded)
+    # Another row may have simulated the shots of this one already.
+    for function in vars(sys.modules[row.compute.__module__]).values():
+        if hasattr(function, "cache_clear"):
+            function.cache_clear()
     row.compute()
     return shots
 
@@ -209,8 +216,15 @@ def test_the_report_counts_each_kind_apart() -> None:
     assert f"     3  {Kind.FORMULA.value}" in text
     assert f"     6  {Kind.FORMULA_ONLY.value}" in text
     assert "3 numbers are published and computed by the engine" in text
-    # The measured banks of three tables, and those at which the preset is known to miss.
-    assert f"    18  {Kind.FITTED.value} (3 outside the tolerance)" in text
+    # The measured banks of three tables.
+    assert f"    18  {Kind.FITTED.value}\n" in text
+
+
+def test_the_report_counts_the_numbers_that_the_presets_are_known_to_miss() -> None:
+    out = io.StringIO()
+    assert report.run("three_cushion_tracks", out) == 0
+    # One of three decelerations, and two of five returns.
+    assert f"     8  {Kind.FITTED.value} (3 outside the tolerance)" in out.getvalue()
 
 
 def test_the_report_returns_one_when_a_number_that_must_agree_is_off(
