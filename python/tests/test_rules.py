@@ -270,12 +270,12 @@ def test_the_old_name_of_the_winning_points_works_in_calls_and_records() -> None
 
 def test_a_record_has_the_dated_names_of_presets() -> None:
     setup = carom.Frame("nine-ball").record["setup"]
-    assert setup["table"] == "wpa-9ft-2026-11"
+    assert setup["table"] == "wpa-9ft-2026-12"
     # The table's dated name implies its physics.
     assert "physics" not in setup
     setup = carom.Frame("nine-ball", physics="ideal").record["setup"]
     assert setup["physics"] == "ideal-2026-11"
     table = {"length": 2.84, "width": 1.42}
     frame = carom.Frame("three-cushion", table=table)
-    assert frame.record["setup"]["physics"] == "pool-2026-11"
+    assert frame.record["setup"]["physics"] == "pool-2026-12"
     assert carom.Frame.replay(frame.record).to_dict() == frame.to_dict()
