@@ -117,7 +117,7 @@ export const STRIDE = 14;
 export interface Geometry {
   /** The preset's name if the table is an unchanged preset; without a date if the values are the newest. */
   readonly name: string | null;
-  /** The name under which these values remain available, such as "wpa-9ft-2026-11". */
+  /** The name under which these values remain available, such as "wpa-9ft-2026-12". */
   readonly dated_name: string | null;
   /** Playing area along x and y, nose to nose; null on unbounded cloth. */
   readonly size: Point | null;

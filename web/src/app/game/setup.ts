@@ -3,6 +3,7 @@
 import type { FrameOptions } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, uniqueId } from "../common/dom.ts";
+import { presetLabel, presetOptions } from "../common/presets.ts";
 import type { Store } from "../document/store.ts";
 import { LONGEST_NAME, type Setup } from "../document/game.ts";
 import { startGame } from "./play.ts";
@@ -25,7 +26,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   const rules = select(engine.ruleSets.map((name) => [name, gameName(name)]));
   const usual = h("option", { value: "" });
   const table = h("select", { id: uniqueId("table") }, usual);
-  for (const { name } of engine.tables) if (name) table.append(h("option", { value: name }, name));
+  table.append(...presetOptions(engine.tables.flatMap(({ name }) => name ?? [])));
   table.append(h("option", { value: THIS_TABLE }, "This one, with its physics"));
   const seed = number(drawn(), 0);
   const goal = number(40, 1);
@@ -112,7 +113,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   }
 
   const show = (): void => {
-    usual.textContent = `The game’s own (${engine.usualTable(rules.value)})`;
+    usual.textContent = `The game’s own (${presetLabel(engine.usualTable(rules.value))})`;
     goalRow.hidden = !WITH_GOAL.has(rules.value);
     tableRow.hidden = seedRow.hidden = start.value === AS_THEY_LIE;
     missRow.hidden = rules.value !== "snooker";

@@ -2,6 +2,7 @@
 
 import type { Context } from "../common/context.ts";
 import { h, uniqueId } from "../common/dom.ts";
+import { presetOptions } from "../common/presets.ts";
 import { changeTable } from "../document/layout.ts";
 import { mountParameters } from "../form/parameter-rows.ts";
 import type { Values } from "../form/parameters.ts";
@@ -15,13 +16,12 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
   const presets = new Map(
     engine.tables.flatMap((table) => (table.name ? [[table.name, table]] : [])),
   );
-  const option = (value: string, text = value) => h("option", { value }, text);
-  const own = option("", "From the file");
+  const own = h("option", { value: "" }, "From the file");
   const select = h(
     "select",
     { id: uniqueId("control") },
     own,
-    ...[...presets.keys()].map((name) => option(name)),
+    ...presetOptions([...presets.keys()]),
   );
   select.addEventListener("change", () => {
     if (select.value === "" || !changeTable(store, engine, select.value)) show();

@@ -2,9 +2,10 @@
 
 import type { Context } from "../common/context.ts";
 import type { AimedShot } from "../document/document.ts";
-import { h, uniqueId } from "../common/dom.ts";
+import { h, setText, uniqueId } from "../common/dom.ts";
+import { presetLabel, presetOptions } from "../common/presets.ts";
 import { mountParameters } from "../form/parameter-rows.ts";
-import { merged, title, type Values } from "../form/parameters.ts";
+import { merged, type Values } from "../form/parameters.ts";
 import type { Store } from "../document/store.ts";
 
 /** The list's value for the table's own physics. */
@@ -12,10 +13,8 @@ const TABLES_OWN = "";
 
 export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: Context): void {
   const preset = h("select", { id: uniqueId("preset") });
-  preset.append(
-    h("option", { value: TABLES_OWN }, "The table’s own"),
-    ...Object.keys(engine.physics).map((name) => h("option", { value: name }, title(name))),
-  );
+  const tablesOwn = h("option", { value: TABLES_OWN });
+  preset.append(tablesOwn, ...presetOptions(Object.keys(engine.physics)));
   preset.addEventListener("change", () => {
     const next: { -readonly [K in keyof AimedShot]: AimedShot[K] } = { ...store.document.shot };
     if (preset.value === TABLES_OWN) delete next.physics;
@@ -40,8 +39,8 @@ export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: C
     const { base } = own();
     return typeof base === "string" ? engine.currentPresetName(base) : TABLES_OWN;
   };
-  const base = (): Values =>
-    engine.physics[baseName() || (store.shot.geometry.physics ?? "pool")] ?? {};
+  const ownName = () => store.shot.geometry.physics ?? "pool";
+  const base = (): Values => engine.physics[baseName() || ownName()] ?? {};
   const showForm = mountParameters(form, store, engine.schema("shot"), {
     part: "physics",
     now: () => merged(base(), own()),
@@ -57,6 +56,7 @@ export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: C
   });
 
   function show(): void {
+    setText(tablesOwn, `The table’s own (${presetLabel(ownName())})`);
     preset.value = baseName();
     showForm();
   }

@@ -195,8 +195,12 @@ test("the engine has tables, physics, games and schemas", () => {
   expect(engine.version).toMatch(/^carom \d+\.\d+\.\d+$/);
   expect(engine.tables.map((t) => t.name)).toContain("carom-10ft");
   const presets = ["pool", "snooker", "english", "carom", "poolfiz", "ideal"];
-  const conditions = ["pool-new-cloth", "pool-worn-cloth", "carom-heated"];
-  expect(Object.keys(engine.physics).sort()).toEqual([...presets, ...conditions].sort());
+  const conditions = ["new-cloth", "worn-cloth", "clean-balls", "dirty-balls"];
+  const rails = ["gold-crown", "valley"];
+  const older = ["pool", "snooker", "english", "carom"].map((name) => `${name}-2026-11`);
+  expect(Object.keys(engine.physics).sort()).toEqual(
+    [...presets, ...[...conditions, ...rails].map((name) => `pool-${name}`), ...older].sort(),
+  );
   for (const game of engine.games)
     expect(engine.breakShot(game).simulate().duration).toBeGreaterThan(1);
   expect(engine.schema("shot")).toMatchObject({ title: "carom-shot/1" });
@@ -206,15 +210,18 @@ test("the engine has tables, physics, games and schemas", () => {
 test("records have dated names of presets, which are read as the current ones", () => {
   const file = engine.breakShot("nine-ball", { preset: "rail" }).file;
   const record = engine.withDatedNames(file);
-  expect(record).toEqual({ ...file, table: "wpa-9ft-2026-11" });
+  expect(record).toEqual({ ...file, table: "wpa-9ft-2026-12" });
   expect(engine.shot(record).geometry).toEqual(engine.shot(file).geometry);
   expect(engine.shot(record).simulate().hash).toBe(engine.shot(file).simulate().hash);
   expect(engine.withDatedNames({ table: { cloth: "unbounded" } })).toEqual({
     table: { cloth: "unbounded" },
-    physics: "pool-2026-11",
+    physics: "pool-2026-12",
   });
-  expect(engine.currentPresetName("carom-10ft-2026-11")).toBe("carom-10ft");
-  expect(engine.currentPresetName("carom-heated-2026-11")).toBe("carom-heated");
+  expect(engine.currentPresetName("carom-10ft-2026-12")).toBe("carom-10ft");
+  expect(engine.currentPresetName("pool-worn-cloth-2026-12")).toBe("pool-worn-cloth");
+  // Older values keep their date.
+  expect(engine.currentPresetName("carom-10ft-2026-11")).toBe("carom-10ft-2026-11");
+  expect(engine.currentPresetName("carom-2026-11")).toBe("carom-2026-11");
   expect(engine.currentPresetName("felt")).toBe("felt");
 });
 
