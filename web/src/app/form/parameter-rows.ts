@@ -3,7 +3,9 @@
 import { h, uniqueId } from "../common/dom.ts";
 import {
   isChanged,
+  label,
   parameters,
+  QUANTITY,
   title,
   valueAt,
   withoutValue,
@@ -83,19 +85,43 @@ export function mountParameters(
       ...new Set(found.filter(({ path }) => path.length > 1).map(({ path }) => path[0]!)),
     ];
     return [
-      ...single.map(row),
+      ...single.map((parameter) => row(parameter)),
       ...keys.map((key) =>
         h(
           "details",
           { open: subject.open.includes(key) },
           h("summary", {}, title(key)),
-          ...found.filter(({ path }) => path.length > 1 && path[0] === key).map(row),
+          ...entries(found.filter(({ path }) => path.length > 1 && path[0] === key)),
         ),
       ),
     ];
   }
 
-  function row(parameter: Parameter): HTMLElement {
+  /** The rows of a group. Those of a fit or of a list are below its name and formula. */
+  function entries(found: readonly Parameter[]): HTMLElement[] {
+    return [...new Set(found.map(({ path }) => path[QUANTITY - 1]!))].flatMap((key) => {
+      const same = found.filter(({ path }) => path[QUANTITY - 1] === key);
+      const { quantity } = same[0]!;
+      if (quantity === "") return same.map((parameter) => row(parameter));
+      // The bands of a list have the same hints: they are shown once, and read aloud for each.
+      const shown = new Set<string>();
+      const rows = same.map((parameter) => {
+        const again = shown.has(parameter.description);
+        shown.add(parameter.description);
+        return row(parameter, again);
+      });
+      const name = h("h3", { id: uniqueId("quantity") }, title(key));
+      return h(
+        "div",
+        { class: "quantity", role: "group", "aria-labelledby": name.id },
+        name,
+        h("p", { class: "hint" }, quantity),
+        ...rows,
+      );
+    });
+  }
+
+  function row(parameter: Parameter, hintAgain = false): HTMLElement {
     const { path, description, unit } = parameter;
     const input = control(parameter);
     input.id = uniqueId("parameter");
@@ -118,7 +144,6 @@ export function mountParameters(
       set(written, valueAt(subject.base(), written));
       store.settle();
     };
-    const name = path.length > 1 ? path.slice(1).map(title).join(", ") : title(path[0]!);
     const full = path.map(title).join(" ").toLowerCase();
     const back = h(
       "button",
@@ -134,7 +159,7 @@ export function mountParameters(
     return h(
       "div",
       { class: "parameter" },
-      h("label", { for: input.id }, name),
+      h("label", { for: input.id }, label(parameter)),
       h(
         "div",
         { class: "row" },
@@ -142,7 +167,7 @@ export function mountParameters(
         h("span", { class: "unit" }, unit === "degrees" ? "°" : unit),
         back,
       ),
-      h("p", { class: "hint", id: `${input.id}-hint` }, description),
+      h("p", { class: hintAgain ? "hint unseen" : "hint", id: `${input.id}-hint` }, description),
     );
   }
 

@@ -10,6 +10,8 @@ export interface Parameter {
   readonly choices: readonly string[];
   readonly description: string;
   readonly unit: string;
+  /** Of a number of a fit or of a list: the description of the quantity that they give; else empty. */
+  readonly quantity: string;
 }
 
 /** A part of the shot file that may start from a preset. */
@@ -26,7 +28,10 @@ interface Schema {
 }
 
 /** A unit at the end of a schema description, before punctuation. */
-const UNIT = /(?:^|, )(kg|m\/s²|m\/s|rad\/s²|s\/m|m|degrees)(?=[.,:;]|$)/;
+const UNIT = /(?:^|, )(kg|m\/s²|m\/s|rad\/s²|s\/m|m|s|degrees)(?=[.,:;]|$)/;
+
+/** Keys of the path of a quantity: its group's and its own. */
+export const QUANTITY = 2;
 
 /** The parameters that both the schema and `values` have, in the schema's order. */
 export function parameters(schema: object, part: Part, values: Values): Parameter[] {
@@ -42,11 +47,13 @@ function collect(
   path: readonly string[],
   schema: Schema,
   value: unknown,
+  above = "",
 ): Parameter[] {
   const text = schema.description ?? "";
+  const quantity = path.length === QUANTITY ? text : above;
   const unit = UNIT.exec(text)?.[1] ?? "";
   // The form shows the unit beside the number.
-  const common = { path, description: text.replace(UNIT, ""), unit, choices: [] };
+  const common = { path, description: text.replace(UNIT, ""), unit, choices: [], quantity: above };
   if (schema.enum && value !== undefined) {
     return [{ ...common, kind: "choice", choices: schema.enum }];
   }
@@ -59,12 +66,12 @@ function collect(
     // A list that stands for a number, such as speed bands. Other lists have forms of their own.
     const items = full?.oneOf?.find((choice) => choice.type === "array")?.items;
     return value.flatMap((item, k) =>
-      items ? collect($defs, [...path, String(k)], items, item) : [],
+      items ? collect($defs, [...path, String(k)], items, item, quantity) : [],
     );
   }
   const fit = full?.oneOf?.find((choice) => choice.type === "object") ?? full;
   return Object.entries(fit?.properties ?? {}).flatMap(([key, inner]) =>
-    collect($defs, [...path, key], inner, (value as Values)[key]),
+    collect($defs, [...path, key], inner, (value as Values)[key], quantity),
   );
 }
 
@@ -143,7 +150,6 @@ const TITLES: Readonly<Record<string, string>> = {
   slate: "Bounces on slate",
   corner_pocket: "Corner pockets",
   side_pocket: "Side pockets",
-  cut_angle_deg: "Cut angle",
 };
 
 /** `ball_ball` as a heading, `sliding_friction` as a label. */
@@ -152,6 +158,16 @@ export function title(key: string): string {
   if (/^\d+$/.test(key)) return `Band ${Number(key) + 1}`;
   const known = TITLES[key];
   if (known !== undefined) return known;
-  const text = key.replaceAll("_", " ");
+  // A coefficient has the letter of its formula.
+  if (key.length === 1) return key;
+  // The unit is beside the number.
+  const text = key.replace(/_deg$/, "").replaceAll("_", " ");
   return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+/** The label of a parameter within its group, or within the fit or list that it belongs to. */
+export function label({ path, quantity }: Parameter): string {
+  const keys = path.length === 1 ? path : path.slice(quantity === "" ? 1 : QUANTITY);
+  const [first, ...rest] = keys.map(title);
+  return [first, ...rest.map((text) => text.toLowerCase())].join(", ");
 }

@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { load } from "../../../src/engine/index.ts";
 import {
   isChanged,
+  label,
   merged,
   parameters,
   title,
@@ -41,7 +42,29 @@ test("units come from the schema's descriptions", () => {
   expect(units.get("ball.mass")).toBe("kg");
   expect(units.get("cloth.spin_deceleration")).toBe("rad/s²");
   expect(units.get("cue.end_mass")).toBe("kg");
+  expect(units.get("contact_times.tip")).toBe("s");
   expect(units.get("cloth.sliding_friction")).toBe("");
+});
+
+test("the numbers of a fit are labelled as in its formula, which their quantity has", () => {
+  const rows = parameters(schema, "physics", engine.physics.carom!);
+  const [below, alone] = [true, false].map((fit) =>
+    rows.filter(({ quantity }) => (quantity !== "") === fit),
+  );
+  const of = (...keys: string[]) =>
+    below!.filter(({ path }) => keys.every((k, i) => path[i] === k));
+  expect(of("cushion", "restitution").map(label)).toEqual(["a", "b", "c", "Lowest", "Highest"]);
+  for (const { quantity } of of("cushion", "restitution"))
+    expect(quantity).toMatch(/e = a \+ bV \+ cV² .* normal speed V in m\/s/);
+  for (const { quantity } of of("ball_ball", "friction")) expect(quantity).toMatch(/slip speed/);
+  expect(of("cloth", "rolling_friction").slice(0, 2).map(label)).toEqual([
+    "Band 1, up to",
+    "Band 1, friction",
+  ]);
+  // A single number has the name of its quantity.
+  for (const parameter of alone!) expect(parameter.path.length).toBeLessThan(3);
+  expect(alone!.map(label)).toContain("Sliding friction");
+  expect(alone!.map(label)).toContain("Stroke elevation");
 });
 
 test("a change that is reset leaves no trace", () => {
