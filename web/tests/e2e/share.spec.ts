@@ -58,7 +58,8 @@ test("a link opens the same shot, noise, seed and view elsewhere", async ({ open
   await page.evaluate(() => {
     const { store } = window.carom!;
     store.strike({ azimuth_deg: 71.23456789, side: 0.3, elevation_deg: 12.3 }, "aim");
-    const noise = { speed: 0.1, azimuth: 0.003, elevation: 0, side_m: 0.001, height_m: 0 };
+    const sigmas = { speed: 0.1, azimuth: 0.003, elevation: 0, side_m: 0.001, height_m: 0 };
+    const noise = { ...sigmas, cling_probability: 0.05, cling_friction: 0.3 };
     store.apply({ noise, seed: 77 }, "noise");
     store.setView({ units: "mph" });
   });
