@@ -1,5 +1,5 @@
 import type { Page } from "playwright-core";
-import { expect, onPage, picture, settled, shotOf, test } from "./fixture.ts";
+import { DESKTOP, expect, onPage, PHONE, picture, settled, shotOf, test } from "./fixture.ts";
 
 const ball = async (page: Page, id: string) =>
   (await shotOf(page)).balls.find((one) => one.id === id)?.position;
@@ -116,6 +116,66 @@ test("a physics parameter is changed, refused out of range, and reset", async ({
   await page.getByRole("button", { name: "Reset Cloth sliding friction" }).click();
   expect((await shotOf(page)).physics ?? {}).toEqual({});
 });
+
+test("of a preset a speed band and a rail's fit are changed and reset", async ({ open }) => {
+  const page = await open();
+  await page.getByRole("tab", { name: "Physics" }).click();
+  await page.getByRole("combobox", { name: "Preset" }).selectOption("Carom, heated");
+  expect((await shotOf(page)).physics).toBe("carom");
+  const write = async (quantity: string, name: string, value: string) => {
+    const group = page.getByRole("group", { name: quantity, exact: true });
+    const field = group.getByRole("spinbutton", { name, exact: true }).first();
+    await field.fill(value);
+    await field.press("Enter");
+  };
+  await write("Rolling friction", "Band 2, friction", "0.005");
+  await page.getByText("Cushions", { exact: true }).click();
+  await write("Restitution", "a", "0.9");
+  const physics = (await shotOf(page)).physics as {
+    cloth: { rolling_friction: readonly object[] };
+  };
+  const bands = await page.evaluate(
+    () => window.carom!.engine.physics.carom!.cloth as { rolling_friction: readonly object[] },
+  );
+  expect(physics).toMatchObject({ base: "carom", cushion: { restitution: { a: 0.9 } } });
+  expect(physics.cloth.rolling_friction).toEqual(
+    bands.rolling_friction.map((band, k) => (k === 1 ? { ...band, friction: 0.005 } : band)),
+  );
+  await page.getByRole("button", { name: "Reset cushions restitution a" }).click();
+  await page.getByRole("button", { name: "Reset cloth rolling friction band 2 friction" }).click();
+  expect((await shotOf(page)).physics).toEqual({ base: "carom" });
+});
+
+for (const [device, viewport] of [
+  ["a desktop", DESKTOP],
+  ["a phone", PHONE],
+] as const) {
+  test(`on ${device} the lists and rows of the physics fit their panel`, async ({ open }) => {
+    const page = await open({ viewport });
+    // The texts of this table and of its physics are the longest.
+    const table = "english-7ft-2026-11";
+    await page.getByRole("tab", { name: "Layout" }).click();
+    await page.getByRole("combobox", { name: "Table" }).selectOption(table);
+    expect((await shotOf(page)).table).toBe(table);
+    const tooWide = (tab: string) =>
+      page.evaluate((id) => {
+        const panel = document.querySelector<HTMLElement>(`#panel-${id}`)!;
+        for (const group of panel.querySelectorAll("details")) group.open = true;
+        const { right } = panel.getBoundingClientRect();
+        return [...panel.querySelectorAll("select, input, button, .unit, .hint")]
+          .filter((element) => element.getBoundingClientRect().right > right)
+          .map((element) => element.outerHTML);
+      }, tab);
+    for (const tab of ["Layout", "Physics"]) {
+      await page.getByRole("tab", { name: tab }).click();
+      expect(await tooWide(tab.toLowerCase()), tab).toEqual([]);
+    }
+    for (const preset of ["pool", "carom", "snooker"]) {
+      await page.getByRole("combobox", { name: "Preset" }).selectOption(preset);
+      expect(await tooWide("physics"), preset).toEqual([]);
+    }
+  });
+}
 
 test("table dimensions are changed, refused with the reason, reset and undone", async ({
   open,

@@ -13,7 +13,7 @@ const LABELS: Readonly<Record<string, string>> = {
   "pool-valley": "Pool, Valley rails",
   snooker: "Snooker",
   english: "English pool",
-  carom: "Carom, heated table",
+  carom: "Carom, heated",
   poolfiz: "Poolfiz",
   ideal: "Ideal collisions",
   "wpa-9ft": "WPA, 9 ft",
@@ -39,10 +39,10 @@ export function presetLabel(name: string): string {
   return `${OLDER[name] ?? presetLabel(undated)}, ${month(date)}`;
 }
 
-/** "November 2026" for `2026-11`. */
+/** "Nov 2026" for `2026-11`. */
 function month(date: string): string {
   return new Date(`${date}-01T00:00:00Z`).toLocaleDateString("en", {
-    month: "long",
+    month: "short",
     year: "numeric",
     timeZone: "UTC",
   });

@@ -56,7 +56,7 @@ export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: C
   });
 
   function show(): void {
-    setText(tablesOwn, `The table’s own (${presetLabel(ownName())})`);
+    setText(tablesOwn, `Table’s own (${presetLabel(ownName())})`);
     preset.value = baseName();
     showForm();
   }

@@ -16,10 +16,10 @@ test("every preset has a text of its own, not its name in files", () => {
 });
 
 test("older values have the month in their text", () => {
-  expect(presetLabel("pool-2026-11")).toBe("Pool, November 2026");
-  expect(presetLabel("wpa-9ft-2026-11")).toBe("WPA, 9 ft, November 2026");
+  expect(presetLabel("pool-2026-11")).toBe("Pool, Nov 2026");
+  expect(presetLabel("wpa-9ft-2026-11")).toBe("WPA, 9 ft, Nov 2026");
   // The carom table of November 2026 was not heated.
-  expect(presetLabel("carom-2026-11")).toBe("Carom, November 2026");
+  expect(presetLabel("carom-2026-11")).toBe("Carom, Nov 2026");
 });
 
 test("a preset without a text is listed by its name", () => {
