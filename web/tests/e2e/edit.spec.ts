@@ -161,7 +161,8 @@ for (const [device, viewport] of [
       page.evaluate((id) => {
         const panel = document.querySelector<HTMLElement>(`#panel-${id}`)!;
         for (const group of panel.querySelectorAll("details")) group.open = true;
-        const { right } = panel.getBoundingClientRect();
+        // The heading is as wide as the panel's contents. Half a pixel is for fractions of widths.
+        const right = panel.querySelector("h2")!.getBoundingClientRect().right + 0.5;
         return [...panel.querySelectorAll("select, input, button, .unit, .hint")]
           .filter((element) => element.getBoundingClientRect().right > right)
           .map((element) => element.outerHTML);
