@@ -1,6 +1,7 @@
 //! The `physics` of a shot file: a preset's name, or an object merged key by key over its base.
 
 use alloc::format;
+use alloc::vec::Vec;
 
 use super::angle::STROKE_ELEVATION;
 use super::node::{Node, word_of};
