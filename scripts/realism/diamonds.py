@@ -1,7 +1,8 @@
 """Diamond systems of two and three rails: where a ball with running English arrives.
 
 The ball rolls with sidespin along the line through two sights. Players allow for squirt and swerve
-when they aim, so the cue takes no part here. The rows of validation/diamond_systems strike the ball.
+when they aim, so the cue takes no part here. The rows of validation/diamond_systems strike the
+ball.
 """
 
 from __future__ import annotations

@@ -59,8 +59,8 @@ class Item:
     unit: str
     #: Keys of the measured data.
     data: tuple[str, ...]
-    #: The presets that belong to the table of the measurement, as the page lists them, and the numbers
-    #: with a choice of physics.
+    #: The presets that belong to the table of the measurement, as the page lists them, and the
+    #: numbers with a choice of physics.
     preset: str
     points: Callable[[Choice], list[Point]]
     #: Draws the item with the choice of physics `after`, and `before` unless it is None.
@@ -72,8 +72,8 @@ class Choice:
     """Which physics to draw: for each preset that the items need, one that stands for it.
 
     `text` is "default" (each preset itself), a date such as "2026-11" (the dated preset of the same
-    name, or of its game if the name is newer), the path of a JSON file with changes of each preset, or the name of one preset, which
-    then stands for all.
+    name, or of its game if the name is newer), the path of a JSON file with changes of each preset,
+    or the name of one preset, which then stands for all.
     """
 
     text: str
@@ -86,7 +86,7 @@ class Choice:
         if re.fullmatch(r"\d{4}-\d{2}", self.text):
             known = {entry["dated_name"] for entry in carom.physics()}
             dated = f"{preset}-{self.text}"
-            return dated if dated in known else f"{preset.split('-')[0]}-{self.text}"
+            return dated if dated in known else f"{preset.split('-', 1)[0]}-{self.text}"
         if self.text.endswith(".json"):
             changes: JSON = json.loads(Path(self.text).read_text(encoding="utf-8"))
             return {"base": preset, **changes}

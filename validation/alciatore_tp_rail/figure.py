@@ -17,9 +17,7 @@ def figure() -> Figure:
     fig, (left, right) = plot.panels(2)
     aims = np.linspace(0.5, 3.0, 26)
     measured = np.array(list(cu_16.reference.values())).reshape(3, -1)
-    for k, (label, values) in enumerate(
-        zip(TABLES, measured, strict=True)
-    ):
+    for k, (label, values) in enumerate(zip(TABLES, measured, strict=True)):
         size, preset = TABLES[label]
         plot.ours(left, aims, [bank(a, *size, preset) for a in aims], preset, k + 1)
         plot.published(left, AIMS, values, label, k + 1)

@@ -23,8 +23,10 @@ def figure() -> Figure:
                 solid_capstyle="butt")  # fmt: skip
     ax.plot(range(len(found)), [c.ours for c in found], "_", color=plot.COLORS[0], markersize=16,
             markeredgewidth=2, label="carom")  # fmt: skip
-    names = ("8-ball, bar", "8-ball, showood", "the 8, bar", "the 8, showood",
-             "9-ball, rail, legal", "9-ball, rail", "9-ball, box, legal", "9-ball, box")  # fmt: skip
+    names = (
+        "8-ball, bar", "8-ball, showood", "the 8, bar", "the 8, showood", "9-ball, rail, legal",
+        "9-ball, rail", "9-ball, box, legal", "9-ball, box",
+    )  # fmt: skip
     ax.set_xticks(range(len(found)), names, rotation=40, ha="right", fontsize=7)
     ax.set_ylim(0.0, 110.0)
     plot.name(ax, "", "share of the breaks, %", "Breaks of professionals")

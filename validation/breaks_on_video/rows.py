@@ -1,7 +1,7 @@
 """Breaks of professionals, counted on video, beside the break presets with the default physics.
 
-The errors of the player are those of the noise preset `professional`. A published share is compared as
-its Wilson interval at 95 % confidence.
+The errors of the player are those of the noise preset `professional`. A published share is compared
+as its Wilson interval at 95 % confidence.
 """
 
 from functools import cache
@@ -135,8 +135,8 @@ NINE_BALL = {
     uses_preset=True,
     reference={label: published(count, 105) for label, (_, _, count) in NINE_BALL.items()},
     misses=tuple(NINE_BALL),
-    note="The players broke from anywhere behind the line; our place is the same in every rack. The "
-    "result of a frozen rack depends strongly on it (docs/breaks.md).",
+    note="The players broke from anywhere behind the line; our place is the same in every rack. "
+    "The result of a frozen rack depends strongly on it (docs/breaks.md).",
 )
 def br_nine() -> list[float]:
     return [shares("nine-ball", preset)[what] for preset, what, _ in NINE_BALL.values()]

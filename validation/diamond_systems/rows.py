@@ -15,8 +15,8 @@ MEASURED: JSON = json.loads((resources.files("carom.validation") / "measured.jso
 
 #: Distance of the sights behind the nose line (WPA), m.
 SIGHT = 3.6875 * INCH
-#: Table, its width and length (m), and radius of the balls, by preset of the physics. The pool table
-#: has no pockets here, because a system also counts diamonds at pockets.
+#: Table, its width and length (m), and radius of the balls, by preset of the physics. The pool
+#: table has no pockets here, because a system also counts diamonds at pockets.
 TABLES: dict[str, tuple[JSON | str, float, float, float]] = {
     "pool": ({"length": 2.54, "width": 1.27, "pockets": "none"}, 1.27, 2.54, 0.028575),
     "carom": ("carom-10ft", 1.42, 2.84, 0.03075),
@@ -25,8 +25,8 @@ TABLES: dict[str, tuple[JSON | str, float, float, float]] = {
 CUE_SPEED = 2.2
 #: Height of the tip, ball radii: the ball rolls when it reaches the first rail.
 HEIGHT = 0.3
-#: Tip offsets to the side, ball radii: running English for the corner five (Rω_z/v = 0.75), "one tip"
-#: for the plus system (0.5).
+#: Tip offsets to the side, ball radii: running English for the corner five (Rω_z/v = 0.75), "one
+#: tip" for the plus system (0.5).
 RUNNING, ONE_TIP = 0.3, 0.2
 
 Line = tuple[tuple[float, float], tuple[float, float]]
@@ -76,7 +76,7 @@ def played(preset: str, line: Line, side: float) -> Run:
 
     The azimuth is searched, as a player allows for squirt and swerve.
     """
-    table, _, _, radius = TABLES[preset]
+    table = TABLES[preset][0]
     (x, y), (to_x, to_y) = ((u * diamond(preset), v * diamond(preset)) for u, v in line)
     aim = math.atan2(to_y - y, to_x - x)
     # It starts on the line, well inside the table.
@@ -135,8 +135,8 @@ def ds_corner() -> list[float]:
     reference={f"{start} + {short}": float(start + short) for start, short in PLUS_COMBINATIONS},
     tolerance=absolute(PLUS["tolerance"]),
     misses=("3 + 5",),
-    note="The arrival depends on the spin, which the source calls one tip: with 0.3 radii instead of 0.2 "
-    "3 + 5 arrives at 7.9.",
+    note="The arrival depends on the spin, which the source calls one tip: with 0.3 radii instead "
+    "of 0.2, 3 + 5 arrives at 7.9.",
 )
 def ds_plus() -> list[float]:
     return [

@@ -101,8 +101,8 @@ DEFAULT_SPEEDS = (0.5, 1.0, 1.5, 2.0, 2.5, 3.0)
     reference={f"{v} m/s": round(0.39 + 0.257 * v - 0.044 * v * v, 6) for v in DEFAULT_SPEEDS},
     tolerance=absolute(0.05),
     misses=tuple(f"{v} m/s" for v in (0.5, 1.0, 1.5, 2.0)),
-    note="Han's rails return less of a slow ball than of a fast one. Those of the tracked match, which "
-    "the preset has, return more. No law agrees with both.",
+    note="Han's rails return less of a slow ball than of a fast one. Those of the tracked match, "
+    "which the preset has, return more of it. No law agrees with both.",
 )
 def han_default() -> list[float]:
     return [returned(v) for v in DEFAULT_SPEEDS]

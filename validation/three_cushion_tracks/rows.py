@@ -116,8 +116,8 @@ def rr4() -> list[float]:
 def returned(speed: float, physics: JSON | str = "carom") -> float:
     """Share of the speed that is left after the top rail, when the ball rolls again.
 
-    The ball rolls into the rail at right angles. Behind the rail it slides, and until it rolls it loses
-    2/7 of its slip (Leckie & Greenspan 2005), however far away that is.
+    The ball rolls into the rail at right angles. Behind the rail it slides, and until it rolls it
+    loses 2/7 of its slip (Leckie & Greenspan 2005), however far away that is.
     """
     run = simulate(
         ball(
@@ -142,8 +142,8 @@ def returned(speed: float, physics: JSON | str = "carom") -> float:
     kind=Kind.FITTED,
     reference={f"{v} m/s": Range(0.56, 0.68) for v in (0.5, 1.0, 1.5, 2.5, 3.5)},
     misses=("2.5 m/s", "3.5 m/s"),
-    note="The law of the rail was fitted to whole rebounds of the match, whose spin is not published; "
-    "here the ball rolls.",
+    note="The law of the rail was fitted to whole rebounds of the match, whose spin is not "
+    "published; here the ball rolls.",
 )
 def rr5() -> list[float]:
     return [returned(v) for v in (0.5, 1.0, 1.5, 2.5, 3.5)]
