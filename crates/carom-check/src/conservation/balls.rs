@@ -5,7 +5,7 @@
 //! most μ times the upward part. At most one of two balls is driven down. J follows, up to rounding,
 //! from the change of spin and velocity of the other ball. The rest of the change of the ball that
 //! is driven down is the impulse of the ground. An impulse that would lift a ball by less than the
-//! smallest hop may be left out.
+//! smallest hop may be left out. J is then compared with the law of two balls ([`super::pair_law`]).
 
 use carom::event::Event;
 use carom::math::Vec3;
@@ -13,23 +13,23 @@ use carom::physics::BallBallModel;
 use carom::shot::Shot;
 use carom::{Ball, MotionState};
 
-use super::{ROUNDING, SPIN_SHARE, STILL, last_hop_speed, network};
+use super::pair_law::PairImpulse;
+use super::{Circumstances, ROUNDING, SPIN_SHARE, STILL, last_hop_speed, network};
 use crate::places::ground;
 use crate::solid::Solid;
 
 /// The violation of a conservation law in a collision, if there is one.
 pub(super) fn audit(
-    shot: &Shot,
-    solid: &Solid,
+    scene: &Circumstances<'_>,
     event: &Event<'_>,
     balls: &[Ball],
-    gap: f64,
 ) -> Option<String> {
+    let Circumstances { shot, solid, law, gap } = *scene;
     let all: Vec<CollidingBall> =
         (0..balls.len()).map(|k| CollidingBall::new(shot, solid, event, balls, k)).collect();
-    check_total(shot, &all).or_else(|| match &all[..] {
+    check_total(scene, &all).or_else(|| match &all[..] {
         // A persistent contact of smooth balls may take a small fraction of the spin.
-        [a, b] if shot.physics().ball_ball.is_smooth() => [a, b].into_iter().find_map(|p| {
+        [a, b] if law.is_smooth() => [a, b].into_iter().find_map(|p| {
             let (turned, most) = (p.turn.length(), p.turn_rounding + SPIN_SHARE * p.spin);
             (turned > most).then(|| {
                 format!("the spin of ball {}, which is smooth, changes by {turned:e}", p.named)
@@ -39,13 +39,16 @@ pub(super) fn audit(
             let d = event.before[1].position - event.before[0].position;
             let normal = d * (1.0 / d.length());
             // This model includes the cloth's friction on both balls, so it is not checked.
-            let model = shot.physics().ball_ball.model;
-            if model == BallBallModel::Mathavan2014 && a.stands && b.stands {
+            if law.model == BallBallModel::Mathavan2014 && a.stands && b.stands {
                 return None;
             }
-            let cases = [check_pair(shot, a, b, normal), check_pair(shot, b, a, -normal)];
-            let [Err(first), Err(second)] = cases else { return None };
-            Some(if first.0 < second.0 { first.1 } else { second.1 })
+            match [check_pair(shot, a, b, normal), check_pair(shot, b, a, -normal)] {
+                [Err(first), Err(second)] => {
+                    Some(if first.0 < second.0 { first.1 } else { second.1 })
+                }
+                [Ok(impulse), _] => check_law(scene, event, [a, b], impulse),
+                [_, Ok(impulse)] => check_law(scene, event, [a, b], -impulse),
+            }
         }
         _ => network::audit(shot, solid, event, balls, gap),
     })
@@ -104,17 +107,18 @@ fn friction(shot: &Shot) -> f64 {
 }
 
 /// Checks the sum of all momenta: it changes only by the impulse of the ground.
-fn check_total(shot: &Shot, all: &[CollidingBall]) -> Option<String> {
+fn check_total(scene: &Circumstances<'_>, all: &[CollidingBall]) -> Option<String> {
+    let Circumstances { shot, law, .. } = *scene;
     let sum = |of: fn(&CollidingBall) -> f64| all.iter().map(of).sum::<f64>();
     let change = all.iter().fold(Vec3::ZERO, |sum, p| sum + p.push);
     let (rounding, lift) = (sum(|p| p.push_rounding), sum(|p| p.lift));
     let stands = all.iter().any(|p| p.stands);
     // Impulses along horizontal lines of centres do not press any ball down.
-    let level = shot.physics().ball_ball.is_smooth()
-        && all.iter().all(|p| p.stands && p.ball.radius == all[0].ball.radius);
+    let level =
+        law.is_smooth() && all.iter().all(|p| p.stands && p.ball.radius == all[0].ball.radius);
     let pressed = if stands && !level { change.z + lift } else { 0.0 };
     // The model that integrates the cloth's friction drops the vertical part of the impulses.
-    let integrated = shot.physics().ball_ball.model == BallBallModel::Mathavan2014 && stands;
+    let integrated = law.model == BallBallModel::Mathavan2014 && stands;
     let dropped = if integrated { sum(|p| p.push.length()) } else { 0.0 };
     let most = rounding + friction(shot) * (2.0 * pressed.max(0.0) + dropped);
     let (level, up) = (change.xy().length(), change.z);
@@ -126,13 +130,14 @@ fn check_total(shot: &Shot, all: &[CollidingBall]) -> Option<String> {
 }
 
 /// Checks a collision under the assumption that only `other` is driven down; `normal` points from
-/// `free` to it. The error holds the ratio of the excess to its allowance, and a description.
+/// `free` to it. The result is the impulse on `free`, kg·m/s; the error holds the ratio of the excess
+/// to its allowance, and a description.
 fn check_pair(
     shot: &Shot,
     free: &CollidingBall,
     other: &CollidingBall,
     normal: Vec3,
-) -> Result<(), (f64, String)> {
+) -> Result<Vec3, (f64, String)> {
     let wrong = |size: f64, most: f64, what: &str| {
         let excess = size / most;
         let text = format!(
@@ -171,10 +176,39 @@ fn check_pair(
     wrong(turn.length(), most, "angular momentum about the contact, on the other side,")?;
     let rounding = rounding + other.push_rounding;
     if !other.stands {
-        return wrong(ground.length(), rounding, "momentum");
+        wrong(ground.length(), rounding, "momentum")?;
+        return Ok(impulse);
     }
     wrong(-ground.z, other.lift + rounding, "momentum, downwards,")?;
     // A suppressed bounce has already had its impulse and friction; at most half of it is left.
     let most = friction(shot) * 2.0 * ground.z.max(0.0) + rounding + leaning;
-    wrong(ground.xy().length(), most, "momentum, by friction on the ground,")
+    wrong(ground.xy().length(), most, "momentum, by friction on the ground,")?;
+    Ok(impulse)
+}
+
+/// Compares the `impulse` on the first of two balls, kg·m/s, with the law of two balls.
+fn check_law(
+    scene: &Circumstances<'_>,
+    event: &Event<'_>,
+    [a, b]: [&CollidingBall; 2],
+    impulse: Vec3,
+) -> Option<String> {
+    let [p, q] = [event.before[0], event.before[1]];
+    let d = q.position - p.position;
+    let normal = d * (1.0 / d.length());
+    let spin = p.angular_velocity * a.ball.radius + q.angular_velocity * b.ball.radius;
+    let reduced = a.ball.mass * b.ball.mass / (a.ball.mass + b.ball.mass);
+    let rounding = |x: &CollidingBall| x.push_rounding + x.turn_rounding / x.ball.radius;
+    let pair = PairImpulse {
+        normal,
+        velocity: p.velocity - q.velocity,
+        surface: spin.cross(normal),
+        separation: (event.after[1].velocity - event.after[0].velocity).dot(normal),
+        impulse: impulse * (1.0 / reduced),
+        rounding: 10.0 * (rounding(a) + rounding(b)) / reduced,
+        on_bed: [a, b].iter().all(|x| x.stands)
+            && [p, q].iter().all(|s| s.motion != MotionState::Airborne),
+    };
+    let wrong = pair.audit(scene.law)?;
+    Some(format!("balls {} and {} get {wrong}", a.named, b.named))
 }

@@ -4,10 +4,12 @@ mod balls;
 mod impulses;
 mod linear;
 mod network;
+mod pair_law;
 mod rail_on_bed;
 mod table;
 
 use carom::event::{Event, EventKind};
+use carom::physics::BallBall;
 use carom::shot::Shot;
 use carom::{Ball, BallState, MotionState};
 
@@ -41,9 +43,20 @@ fn last_hop_speed(shot: &Shot) -> f64 {
     (2.0 * shot.physics().gravity * LAST_HOP).sqrt() * (1.0 + ROUNDING)
 }
 
-/// The violation of a conservation law in an event, if there is one. Balls less than `gap` apart, m,
-/// touch.
-pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>, gap: f64) -> Option<String> {
+/// What an event is checked against.
+#[derive(Clone, Copy)]
+pub(crate) struct Circumstances<'a> {
+    pub(crate) shot: &'a Shot,
+    pub(crate) solid: &'a Solid,
+    /// The law of two balls that meet: that of the physics, or with the friction of a cling.
+    pub(crate) law: &'a BallBall,
+    /// Balls less than this apart, m, touch.
+    pub(crate) gap: f64,
+}
+
+/// The violation of a conservation law in an event, if there is one.
+pub(crate) fn audit(scene: &Circumstances<'_>, event: &Event<'_>) -> Option<String> {
+    let Circumstances { shot, solid, .. } = *scene;
     let balls: Vec<Ball> = event.balls.iter().map(|&i| shot.balls()[usize::from(i)].ball).collect();
     for (k, s) in event.after.iter().enumerate() {
         if !(s.position.is_finite() && s.velocity.is_finite() && s.angular_velocity.is_finite()) {
@@ -76,7 +89,7 @@ pub(crate) fn audit(shot: &Shot, solid: &Solid, event: &Event<'_>, gap: f64) -> 
         return Some(format!("{:?} raises the energy by {given:e} J", event.kind));
     }
     match event.kind {
-        EventKind::BallCollision => balls::audit(shot, solid, event, &balls, gap),
+        EventKind::BallCollision => balls::audit(scene, event, &balls),
         EventKind::RailCollision(k) => table::rail(shot, solid, event, &balls[0], usize::from(k)),
         EventKind::SlateCollision => table::slate(shot, solid, event, &balls[0]),
         _ => None,

@@ -8,9 +8,9 @@
 
 use carom::event::Event;
 use carom::math::Vec3;
-use carom::physics::CushionModel;
+use carom::physics::{Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::shot::Shot;
-use carom::{Ball, MotionState};
+use carom::{Ball, MotionState, Physics};
 
 use super::{ROUNDING, SPIN_SHARE, STILL, last_hop_speed};
 use crate::rail_laws::{REFLECTS, RailImpact, Rebound};
@@ -33,6 +33,21 @@ pub(super) fn audit(
         contact.check_impulses().or_else(|| contact.check_law())
     };
     wrong.map(|what| format!("the rail gives ball {} {what}", event.balls[0]))
+}
+
+/// The law of a part of a rail: the cushion's, with the surface of the part.
+pub(super) fn law_of(physics: &Physics, kind: EdgeKind) -> Cushion {
+    let surface = match kind {
+        EdgeKind::Nose => return physics.cushion,
+        EdgeKind::Point | EdgeKind::Facing => physics.facing,
+        EdgeKind::Liner => physics.liner,
+        EdgeKind::Top => physics.slate,
+    };
+    Cushion {
+        restitution: CushionRestitution::constant(surface.restitution),
+        friction: CushionFriction { a: surface.friction, b: 0.0 },
+        ..physics.cushion
+    }
 }
 
 struct BedContact<'a> {
@@ -80,18 +95,8 @@ impl<'a> BedContact<'a> {
     }
 
     /// The law of the part that is touched.
-    fn law(&self) -> carom::physics::Cushion {
-        let physics = self.shot.physics();
-        let mut law = physics.cushion;
-        let surface = match self.kind {
-            EdgeKind::Nose => return law,
-            EdgeKind::Point | EdgeKind::Facing => physics.facing,
-            EdgeKind::Liner => physics.liner,
-            EdgeKind::Top => physics.slate,
-        };
-        law.restitution = carom::physics::CushionRestitution::constant(surface.restitution);
-        law.friction = carom::physics::CushionFriction { a: surface.friction, b: 0.0 };
-        law
+    fn law(&self) -> Cushion {
+        law_of(self.shot.physics(), self.kind)
     }
 
     /// Checks the impulses of nose and slate that the changes imply, per unit mass.

@@ -1,13 +1,16 @@
 //! Checks of the impulse of the table on a flying ball. It acts at the touched point, pushes the
-//! ball away, and its friction is at most μ times its normal part.
+//! ball away, and its friction is at most μ times its normal part. An edge of a rail returns the
+//! restitution of its law.
 
 use carom::event::Event;
 use carom::math::Vec3;
+use carom::physics::{Cushion, CushionModel};
 use carom::shot::Shot;
 use carom::{Ball, MotionState};
 
 use super::{ROUNDING, STILL, rail_on_bed};
 use crate::places::TABLE_GAP;
+use crate::rail_laws::restitution;
 use crate::solid::Solid;
 use crate::table::EdgeKind;
 use crate::table_contact;
@@ -47,18 +50,76 @@ pub(super) fn rail(
     if is_edge && tips(event, touched.away) {
         return None;
     }
-    let wrong = check_impulse(event, ball, touched.away, friction)?;
+    let law = rail_on_bed::law_of(physics, kind);
+    let check = |away: Vec3| {
+        if is_edge && law.model == CushionModel::Factors {
+            return check_factors(&law, event, ball, away);
+        }
+        check_impulse(event, ball, away, friction)
+            .or_else(|| if is_edge { check_restitution(&law, event, ball, away) } else { None })
+    };
+    let wrong = check(touched.away)?;
     if kind == EdgeKind::Liner && touched.away.z == 0.0 {
         let (sin, cos) = carom::math::sin_cos(LEAN);
-        return check_impulse(event, ball, (touched.away.xy() * cos).with_z(-sin), friction);
+        return check((touched.away.xy() * cos).with_z(-sin));
     }
     Some(wrong)
 }
 
+/// Largest error of the separation speed, as a fraction of the approach speed: the steps of
+/// `mathavan-2010`, which end where the law's work is done.
+const SEPARATION: f64 = 1e-4;
+
+/// The separation speed of a flying ball from an edge, m/s, by the law's restitution.
+fn separation(law: &Cushion, approach: f64) -> f64 {
+    let fit = law.restitution;
+    let e = fit.a + approach * fit.b + approach * approach * fit.c;
+    restitution(e.max(fit.lowest).min(fit.highest), approach) * approach
+}
+
+/// The error in the separation speed from an edge, if there is one. A ball that approaches at less
+/// than twice the speed of a hop may leave with that speed instead.
+fn check_restitution(law: &Cushion, event: &Event<'_>, ball: &Ball, away: Vec3) -> Option<String> {
+    if is_slow(event, away, 2.0) {
+        return None;
+    }
+    let (before, after) = (event.before[0].velocity, event.after[0].velocity);
+    let approach = -before.dot(away);
+    let (leaves, expected) = (after.dot(away), separation(law, approach));
+    let spin = event.before[0].angular_velocity.length();
+    let rounding = ROUNDING * (before.length() + ball.radius * spin) + 4.0 * STILL;
+    let exact = law.model != CushionModel::Mathavan2010;
+    let allowed = rounding + if exact { 0.0 } else { SEPARATION * approach };
+    ((leaves - expected).abs() > allowed).then(|| {
+        format!("the rail returns {leaves:e} of {approach:e} m/s, where the law has {expected:e}")
+    })
+}
+
+/// The error in a rebound by the model `factors`, which is not that of an impulse at one point.
+fn check_factors(law: &Cushion, event: &Event<'_>, ball: &Ball, away: Vec3) -> Option<String> {
+    let (before, after) = (event.before[0], event.after[0]);
+    let approach = -before.velocity.dot(away);
+    let across = before.velocity + away * approach;
+    let share = |factor: f64| restitution(factor, approach);
+    let velocity = away * separation(law, approach) + across * share(law.tangential_factor);
+    let spin = before.angular_velocity * share(law.spin_factor);
+    let off = (after.velocity - velocity).length()
+        + ball.radius * (after.angular_velocity - spin).length();
+    let speeds = before.velocity.length() + ball.radius * before.angular_velocity.length();
+    let allowed = ROUNDING * speeds + 4.0 * STILL;
+    (off > allowed)
+        .then(|| format!("the rebound by factors is off by {off:e}, allowed {allowed:e}"))
+}
+
 /// Whether a ball is pressed against an edge by its weight, or by its motion around the edge.
 fn tips(event: &Event<'_>, away: Vec3) -> bool {
+    is_slow(event, away, 1.0)
+}
+
+/// Whether a ball approaches so slowly, at up to `times` the speed of tipping.
+fn is_slow(event: &Event<'_>, away: Vec3, times: f64) -> bool {
     let v = event.before[0].velocity;
-    v.dot(away).abs() <= TIPPING[0] + TIPPING[1] * v.length()
+    v.dot(away).abs() <= times * (TIPPING[0] + TIPPING[1] * v.length())
 }
 
 /// Checks the contact of a flying ball with the bed.

@@ -8,7 +8,7 @@
 mod compared;
 mod han;
 mod mathavan;
-mod stronge;
+pub(crate) mod stronge;
 
 use carom::math::{Vec3, atan2, sqrt};
 use carom::physics::{Cloth, Cushion, CushionModel};
@@ -38,6 +38,12 @@ pub(crate) struct Rebound {
 /// alone decides, m/s: docs/guarantees.md, “Slow impacts”.
 pub(crate) const REFLECTS: f64 = 1e-3;
 const FULL: f64 = 2e-3;
+
+/// Restitution at the `approach` speed, m/s, with the reflection of slow impacts; `e` is the law's.
+pub(crate) fn restitution(e: f64, approach: f64) -> f64 {
+    let reflected = ((FULL - approach) / (FULL - REFLECTS)).clamp(0.0, 1.0);
+    e + (1.0 - e) * reflected
+}
 
 impl RailImpact {
     /// Slip at the nose: along (sin θ, 0, −cos θ), and along y (Han 2005, with the sign of the

@@ -42,13 +42,16 @@ pub(super) struct ShotBuilder {
     pub(super) place: TableSize,
     pub(super) balls: Vec<DrawnBall>,
     pub(super) rng: Random,
+    /// The keys `physics` and `cling` of the file; `None` leaves them out.
+    pub(super) physics: Option<String>,
+    pub(super) cling: Option<String>,
 }
 
 impl ShotBuilder {
     /// A random table without balls.
     pub(super) fn new(mut rng: Random) -> Self {
         let place = PLACES[rng.below(PLACES.len())];
-        Self { place, balls: Vec::new(), rng }
+        Self { place, balls: Vec::new(), rng, physics: None, cling: None }
     }
 
     pub(super) fn fits(&self, [x, y]: [f64; 2]) -> bool {
@@ -115,10 +118,13 @@ impl ShotBuilder {
     }
 
     pub(super) fn file(self, strike: Option<String>) -> String {
-        let mut text = format!(
-            "{{\"format\": \"carom-shot/1\", \"table\": \"{}\", \"balls\": [",
-            self.place.0
-        );
+        let mut text = format!("{{\"format\": \"carom-shot/1\", \"table\": \"{}\"", self.place.0);
+        for (key, value) in [("physics", &self.physics), ("cling", &self.cling)] {
+            if let Some(value) = value {
+                let _ = write!(text, ", \"{key}\": {value}");
+            }
+        }
+        text.push_str(", \"balls\": [");
         let r = self.place.3;
         for (k, ball) in self.balls.iter().enumerate() {
             let comma = if k == 0 { "" } else { ", " };

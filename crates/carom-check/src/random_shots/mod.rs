@@ -3,6 +3,7 @@
 mod builder;
 mod cloth;
 mod flight;
+mod laws;
 
 use builder::ShotBuilder;
 
@@ -38,11 +39,15 @@ pub enum ShotFamily {
     Jaws,
     /// Balls in the mouths of pockets that roll slowly over a lip or are hit.
     Mouths,
+    /// A shot of any other family with random physics: a preset, bands of rolling resistance, fitted
+    /// cushions of every model, surfaces of balls, and contacts that cling.
+    Laws,
 }
 
 impl ShotFamily {
-    /// All families.
-    pub const ALL: [Self; 12] = [
+    /// The families that draw where the balls are and how they move; the physics is that of the
+    /// table.
+    const LAYOUTS: [Self; 12] = [
         Self::Pot,
         Self::EightBallBreak,
         Self::NineBallBreak,
@@ -56,11 +61,25 @@ impl ShotFamily {
         Self::Jaws,
         Self::Mouths,
     ];
+
+    /// All families.
+    pub const ALL: [Self; 13] = {
+        let mut all = [Self::Laws; 13];
+        let mut k = 0;
+        while k < Self::LAYOUTS.len() {
+            all[k] = Self::LAYOUTS[k];
+            k += 1;
+        }
+        all
+    };
 }
 
 /// The shot file number `seed` of a family.
 pub fn shot_file(family: ShotFamily, seed: u64) -> String {
-    let builder = ShotBuilder::new(Random::new(seed ^ ((family as u64 + 1) << 56)));
+    draw(family, ShotBuilder::new(Random::new(seed ^ ((family as u64 + 1) << 56))))
+}
+
+fn draw(family: ShotFamily, builder: ShotBuilder) -> String {
     match family {
         ShotFamily::Pot => builder.pot(),
         ShotFamily::EightBallBreak => builder.triangle(5),
@@ -74,5 +93,11 @@ pub fn shot_file(family: ShotFamily, seed: u64) -> String {
         ShotFamily::Jump => builder.jump(),
         ShotFamily::Jaws => builder.jaws(),
         ShotFamily::Mouths => builder.mouths(),
+        ShotFamily::Laws => {
+            let mut builder = builder.with_laws();
+            let layouts = ShotFamily::LAYOUTS;
+            let layout = layouts[builder.rng.below(layouts.len())];
+            draw(layout, builder)
+        }
     }
 }

@@ -3,6 +3,7 @@
 
 mod detected_faults;
 mod detected_flight_faults;
+mod detected_law_faults;
 mod detected_network_faults;
 mod detected_rail_faults;
 mod detected_spin_faults;
