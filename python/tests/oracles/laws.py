@@ -210,7 +210,8 @@ def rebound(
     if isinstance(e, dict):
         fitted = e["a"] + e["b"] * approach + e["c"] * approach**2
         e = min(max(fitted, e.get("lowest", 0)), e.get("highest", 1))
-    mu = law["friction"]
+    # `restitution` and `factors` have no friction.
+    mu = law.get("friction", 0)
     if isinstance(mu, dict):
         across = add(ball.velocity, into, -approach)
         mu = max(mu["a"] + mu["b"] * fn.atan2(fn.sqrt(dot(across, across)), approach), 0)
