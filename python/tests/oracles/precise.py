@@ -53,6 +53,8 @@ class Precise:
         mp.dps = DIGITS
         self.world = world
         self.time = mpf(time)
+        #: Number of collisions of two balls so far.
+        self.met = 0
         self.leg: list[Leg] = []
         self.found: dict[tuple[int, ...], tuple[list[Leg], Any]] = {}
         for i, state in enumerate(states):
@@ -267,7 +269,9 @@ class Precise:
         elif key[0] == "ball-collision":
             apart = laws.add(s.velocity, before[1].velocity, -1)
             pair = self._body(i, s), self._body(balls[1], before[1])
-            bodies = laws.collide(physics["ball_ball"], *pair, mp, cloth)
+            law = _exact_law(self.world.law_of_balls(self.met))
+            self.met += 1
+            bodies = laws.collide(law, *pair, mp, cloth)
             d = laws.add(before[1].position, s.position, -1)
             approach = laws.dot(apart, d) / mp.sqrt(laws.dot(d, d))
             gentle = approach < 2 * laws.LOUD

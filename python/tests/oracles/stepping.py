@@ -70,6 +70,8 @@ class Stepping:
         self.motion = [""] * n
         #: The speeds at which the rolling balls' bands of rolling resistance end, m/s.
         self.low = [0.0] * n
+        #: Number of collisions of two balls so far.
+        self.met = 0
         self.radius = np.array(world.radius)
         self.places = [places_of(world, r) for r in world.radius]
         self.edges = [edges_of(world, r) for r in world.radius]
@@ -340,11 +342,12 @@ class Stepping:
         elif kind == "ball-collision":
             j = watch.balls[1]
             bodies = laws.collide(
-                physics["ball_ball"],
+                self.world.law_of_balls(self.met),
                 self._body(i),
                 self._body(j),
                 cloth=physics["cloth"]["sliding_friction"],
             )
+            self.met += 1
             for k, body in zip((i, j), bodies, strict=True):
                 self._take(k, body)
         elif kind == "slate-collision" or key[-1] == "top":

@@ -176,6 +176,74 @@ def test_both_oracles_give_the_engines_events_in_bands_of_speed(seed: int, bands
     assert worst.largest < STEPPED, worst
 
 
+#: Restitution that falls with speed from above its upper limit to its lower one, and friction that
+#: grows, or falls to 0, with the angle. The balls meet the rails at up to 5 m/s.
+FITS: dict[str, JSON] = {
+    "falling": {
+        "restitution": {"a": 1.0, "b": -0.15, "c": 0.0, "lowest": 0.6, "highest": 0.92},
+        "friction": {"a": 0.1, "b": 0.15},
+    },
+    "rising": {
+        "restitution": {"a": 0.4, "b": 0.15, "c": -0.01, "lowest": 0.5, "highest": 0.75},
+        "friction": {"a": 0.2, "b": -0.3},
+    },
+}
+RAILS: dict[str, JSON] = {
+    "restitution": {},
+    "factors": {"tangential_factor": 0.9, "spin_factor": 0.3},
+    "han-2005": {},
+    "stronge": {"frequency_ratio": 1.53},
+}
+#: These shots reach both limits and the range between them, and no ball is pressed on a rail.
+FITTED_SEEDS = (2, 5)
+
+
+@pytest.mark.parametrize("model", RAILS)
+@pytest.mark.parametrize("fit", FITS)
+@pytest.mark.parametrize("seed", FITTED_SEEDS)
+def test_both_oracles_give_the_engines_events_between_fitted_rails(
+    seed: int, fit: str, model: str
+) -> None:
+    cushion = {"model": model, **RAILS[model], **FITS[fit]}
+    shot = random_shot(seed, balls=4, cushion=cushion)
+    world, events = world_of(shot), play(shot)
+    assert any(e["type"] == "rail-collision" for e in events)
+    worst = follow(Precise(world, start_of(shot)), world, events, resync=True)
+    assert worst.largest < EXACT, worst
+    worst = follow(Stepping(world, start_of(shot)), world, events, resync=True)
+    assert worst.largest < STEPPED, worst
+
+
+def test_the_fitted_rails_are_met_at_both_limits_and_between_them() -> None:
+    for fit in FITS.values():
+        law = fit["restitution"]
+        found = set()
+        for seed in FITTED_SEEDS:
+            for e in play(random_shot(seed, balls=4, cushion={"model": "han-2005", **fit})):
+                if e["type"] == "rail-collision":
+                    v = e["before"][0]["velocity"]
+                    speed = abs(v[0] if e["rail"] in ("left", "right") else v[1])
+                    value = law["a"] + law["b"] * speed + law["c"] * speed**2
+                    found.add((value > law["lowest"]) + (value > law["highest"]))
+        assert found == {0, 1, 2}
+
+
+@pytest.mark.parametrize("model", ["frictional", "compliant", "elastic"])
+@pytest.mark.parametrize("cling", [{"contacts": [0, 2]}, {"contacts": [1], "friction": 0.35}])
+@pytest.mark.parametrize("seed", [0, 5])
+def test_both_oracles_give_the_engines_events_with_clings(
+    seed: int, cling: JSON, model: str
+) -> None:
+    ball_ball = {**PHYSICS["ball_ball"], "model": model, "frequency_ratio": 1.7}
+    shot = {**random_shot(seed, balls=6, ball_ball=ball_ball), "cling": cling}
+    world, events = world_of(shot), play(shot)
+    assert sum(e["type"] == "ball-collision" for e in events) > 2
+    worst = follow(Precise(world, start_of(shot)), world, events, resync=True)
+    assert worst.largest < EXACT, worst
+    worst = follow(Stepping(world, start_of(shot)), world, events, resync=True)
+    assert worst.largest < STEPPED, worst
+
+
 #: On the cloth, thrown or dropped, and struck by an elevated cue.
 EXACT_SHOTS = [
     *((random_shot, seed) for seed in range(8)),

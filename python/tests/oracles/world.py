@@ -65,11 +65,19 @@ class World:
     holes: list[Hole] = field(default_factory=list)
     inside: list[Point] = field(default_factory=list)
     border: tuple[float, float, float, float] | None = None
+    #: Numbers of the contacts of two balls that cling, counted from 0, and their friction.
+    cling: tuple[tuple[int, ...], float] = ((), 0.0)
 
     @property
     def gravity(self) -> float:
         g: float = self.physics["gravity"]
         return g
+
+    def law_of_balls(self, contact: int) -> JSON:
+        """The law of this contact of two balls, counted from 0."""
+        law: JSON = self.physics["ball_ball"]
+        contacts, friction = self.cling
+        return {**law, "friction": friction} if contact in contacts else law
 
     def law_of(self, part: str) -> JSON:
         """The law of a part of the rails: the cushion's, with the part's own surface."""
@@ -94,7 +102,9 @@ def world_of(shot: JSON, geometry: JSON | None = None, physics: JSON | None = No
     if not shape and table.get("cloth") != "unbounded":
         sizes = (table[k] for k in ("width", "length", "cushion_height", "rail_width"))
         shape = rectangle(*sizes)
+    cling = shot.get("cling", {"contacts": []})
     return World(
+        cling=(tuple(cling["contacts"]), cling.get("friction", CHALKED)),
         ids=[b["id"] for b in shot["balls"]],
         mass=[b.get("mass", default["mass"]) for b in shot["balls"]],
         radius=[b.get("radius", default["radius"]) for b in shot["balls"]],
@@ -121,6 +131,9 @@ def rectangle(w: float, length: float, nose_height: float, rail_width: float) ->
 def _border(size: Any, rail: float) -> tuple[float, float, float, float]:
     return (-rail, -rail, size[0] + rail, size[1] + rail)
 
+
+#: The friction of a cling that has none of its own: chalk (docs/rails-and-balls.md).
+CHALKED = 0.22
 
 #: Number of straight pieces of an arc in the polygon `World.inside`. Their sagitta is below 10 µm,
 #: which matters only where a ball touches exactly the line of an edge.
