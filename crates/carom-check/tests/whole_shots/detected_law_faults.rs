@@ -8,7 +8,7 @@ use carom_check::CheckRecorder;
 
 use crate::owned_event::events;
 
-/// A stunned ball meets a second one at 45°, which meets a third one. `ball_ball` is the law, and
+/// A stunned ball meets a second one at 45°, which then cuts a third one. `ball_ball` is the law, and
 /// `cling` a further key of the file.
 fn two_cuts(ball_ball: &str, cling: &str) -> Shot {
     let file = format!(
@@ -16,7 +16,7 @@ fn two_cuts(ball_ball: &str, cling: &str) -> Shot {
             "physics": {{"base": "pool", "ball_ball": {ball_ball}}},
             "balls": [{{"id": "cue", "position": [0.6, 0.6], "velocity": [0, 1.5, 0]}},
             {{"id": "1", "position": [0.640411, 0.640911]}},
-            {{"id": "2", "position": [0.70, 0.7015]}}]{cling}}}"#
+            {{"id": "2", "position": [0.66134, 0.71898]}}]{cling}}}"#
     );
     Shot::from_json(&file).unwrap_or_else(|e| panic!("{e}"))
 }
