@@ -379,7 +379,8 @@ const fn band(up_to: f64, friction: f64) -> RollingBand {
 
 #[cfg(test)]
 mod tests {
-    use super::{Physics, Tip};
+    use super::{HEATED_CLOTH, Physics, Tip};
+    use crate::edition;
     use crate::resolve::cue_ball::{Strike, miscue_limit, resolve};
 
     #[test]
@@ -392,8 +393,11 @@ mod tests {
 
     #[test]
     fn every_preset_has_numbers_that_a_shot_file_accepts() {
-        for name in Physics::PRESETS {
+        for name in edition::PHYSICS.iter().map(|edition| edition.dated) {
             let p = Physics::preset(name).unwrap();
+            let cloth = p.cloth;
+            let bands = || cloth.rolling_friction.bands();
+            assert!(bands().count() >= 1 && bands().all(|band| band.friction > 0.0), "{name}");
             let positive = [p.gravity, p.ball.mass, p.ball.radius, p.cue.mass, p.cue.tip_radius];
             assert!(positive.iter().all(|&x| x > 0.0 && x.is_finite()), "{name}");
             let e = [p.ball_ball.restitution, p.cushion.restitution.at(3.0), p.slate.restitution];
@@ -404,6 +408,21 @@ mod tests {
             let Tip::Restitution(e) = p.cue.tip else { panic!("{name}") };
             assert!((0.0..=1.0).contains(&e), "{name}");
         }
+    }
+
+    #[test]
+    fn the_heated_cloth_has_the_bands_of_its_law() {
+        let bands = Physics::carom().cloth.rolling_friction;
+        assert!(bands.bands().eq(HEATED_CLOTH));
+        // A ball stops within 1 % or 10 mm of where it does with 0.0410 + 0.0142 v m/s².
+        let law = crate::physics::RollingLaw { a: 0.0410, b: 0.0142 };
+        let tolerance = crate::physics::RollingTolerance { fastest: 3.0, share: 0.01, least: 0.01 };
+        let made = law.bands(super::STANDARD_GRAVITY, &tolerance).unwrap();
+        for (stored, made) in bands.bands().zip(made.bands()) {
+            assert!((stored.friction / made.friction - 1.0).abs() < 1e-12);
+            assert!(stored.up_to == made.up_to || (stored.up_to / made.up_to - 1.0).abs() < 1e-12);
+        }
+        assert_eq!(made.bands().count(), HEATED_CLOTH.len());
     }
 
     #[test]

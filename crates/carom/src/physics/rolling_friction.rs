@@ -51,7 +51,7 @@ impl RollingFriction {
 
     /// From the bands of a preset, which are not checked: as those of [`Self::from_bands`].
     pub(super) fn of_bands(bands: &[RollingBand]) -> Self {
-        // `unwrap_or` hides no error: the tests build every preset.
+        // The coefficient 0 shows an error: a test requires that every preset has a larger one.
         Self::from_bands(bands).unwrap_or(Self::constant(0.0))
     }
 
