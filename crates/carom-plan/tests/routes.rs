@@ -86,8 +86,13 @@ fn a_frozen_ball_is_potted_by_the_strike_itself() {
     let diameter = 2.0 * 0.028575;
     let cue = [0, 1].map(|k| [0.9, 1.9][k] - diameter * along[k] / length);
     let frozen = shot(&[("cue", cue), ("1", [0.9, 1.9])]);
-    let best = &found(&frozen, pot(1, TOP_RIGHT))[0];
-    assert_eq!((best.route.words(&frozen).as_str(), best.route.kind().as_str()), ("1", "direct"));
+    let solutions = found(&frozen, pot(1, TOP_RIGHT));
+    // Routes on which the balls meet again pot it as surely: the first of them is a matter of one
+    // variant in 200.
+    let direct = solutions.iter().find(|s| s.route.kind() == "direct").expect("a direct route");
+    assert_eq!(direct.route.words(&frozen), "1");
+    assert!(direct.chance.share() > 0.95, "{direct:?}");
+    assert_eq!(solutions[0].route.words(&frozen).split(", ").next(), Some("1"), "no kick");
 }
 
 #[test]
@@ -148,7 +153,7 @@ fn a_carom_pots_a_ball_that_no_combination_can_reach() {
 #[test]
 fn a_pot_and_a_position_of_the_cue_ball_are_reached_together() {
     let open = shot(&[("cue", [0.5, 1.2]), ("1", [0.9, 1.9])]);
-    let area = Disc { center: [0.9, 1.2], radius: 0.2 };
+    let area = Disc { center: [0.6, 1.6], radius: 0.2 };
     let both = found(&open, Goal { leave: Some(area), ..pot(1, TOP_RIGHT) });
     let alone = found(&open, pot(1, TOP_RIGHT));
     assert!(both.len() >= 3);

@@ -61,8 +61,9 @@ fn in_snooker_a_strike_into_a_touching_ball_is_one_push() {
 
 #[test]
 fn a_thin_graze_of_a_near_ball_is_legal_in_pool_and_snooker() {
+    // At this speed the cue ball stays on both tables.
     for rules in [Rules::NineBall, Rules::Snooker] {
-        assert_eq!(fouls(rules, 1.5e-4, 82.0, 3.0), [], "it leaves at an eighth of the speed");
+        assert_eq!(fouls(rules, 1.5e-4, 82.0, 2.5), [], "it leaves at an eighth of the speed");
         assert_eq!(fouls(rules, 1.5e-4, 60.0, 3.0), [Foul::PushShot]);
     }
     assert!(fouls(Rules::ThreeCushion, 1.5e-4, 82.0, 3.0).contains(&Foul::PushShot));
