@@ -30,11 +30,20 @@ const UNEXPLAINED: [f64; 2] = [1e-8, 1e-14];
 
 /// How long a contact of two balls lasts at an approach of 1 m/s, s (TP B.29); at the speed V it
 /// lasts V^(−1/5) times as long. Together with the fastest relative velocity, and with the number of
-/// such times that an impact may last, this gives the angle by which lines may turn. Contacts follow
-/// one another, and between them balls may move without a force for up to three such times. Of the
-/// 18 impacts for which 4 was too little in 1.5 million random shots, 8 is for one, and 16 for none.
+/// such times that an impact may last, this gives the angle by which lines may turn.
 const CONTACT_TIME: f64 = 3.3e-4;
-const SUCCESSIVE_CONTACTS: f64 = 16.0;
+
+/// Contacts that follow one another.
+const SUCCESSIVE_CONTACTS: f64 = 4.0;
+
+/// The same with the times between contacts in which balls move without a force, up to three contact
+/// times each. Of the 18 impacts for which 4 was too little in 1.5 million random shots, 8 is for
+/// one, and 16 for none.
+const LONGEST_IMPACT: f64 = 16.0;
+
+/// Largest angle that [`LONGEST_IMPACT`] allows, rad: a faster impact that lasts so long would
+/// explain impulses between balls that do not touch.
+const MOST_LATE_TURN: f64 = 0.05;
 
 /// Largest angle by which a line of centres may turn, rad: in a break at 13 m/s it is 0.02.
 const MOST_TURN: f64 = 0.2;
@@ -116,8 +125,9 @@ pub(super) fn audit(
     let nearest = pairs.iter().map(|p| balls[p.a].radius + balls[p.b].radius).fold(1.0, f64::min);
     let apart = |p: &Proximity| (event.before[p.a].velocity - event.before[p.b].velocity).length();
     let apart = pairs.iter().map(apart).fold(0.0, f64::max);
-    let time = SUCCESSIVE_CONTACTS * CONTACT_TIME * carom::math::pow(fastest, -0.2);
-    let turn = (apart * time / nearest).min(MOST_TURN);
+    let rate = apart * CONTACT_TIME * carom::math::pow(fastest, -0.2) / nearest;
+    let late = (LONGEST_IMPACT * rate).min(MOST_LATE_TURN);
+    let turn = (SUCCESSIVE_CONTACTS * rate).max(late).min(MOST_TURN);
     let contact = |p: &Proximity| Contact { a: p.a, b: Some(p.b), normal: p.normal, friction };
     let mut contacts: Vec<Contact> = pairs.iter().filter(|p| p.gap <= reach).map(contact).collect();
     let count = contacts.len();
