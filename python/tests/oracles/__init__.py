@@ -9,9 +9,9 @@ presets are copied in `presets`.
 
 Covered models: all of balls and cushions (`elastic`, `frictional`, `compliant` and `mathavan-2014`;
 `restitution`, `factors`, `han-2005`, `stronge` and `mathavan-2010`) with fits of restitution and
-friction, clings, slate, rolling resistance in bands of speed, and the cue with tip restitution or efficiency and with squirt. `springs` solves the
-contact with a tangential spring stretch by stretch, and `friction` integrates Mathavan's two models
-with exact Coulomb friction.
+friction, clings, slate, rolling resistance in bands of speed, and the cue with tip restitution or
+efficiency and with squirt. `springs` solves the contact with a tangential spring stretch by
+stretch, and `friction` integrates Mathavan's two models with exact Coulomb friction.
 
 Not covered: contacts of several bodies at once (`crates/carom-springs` judges those), sharp points,
 the straight edges of pocket mouths, and in `friction` a contact that slips again after it held. On
