@@ -418,9 +418,11 @@ mod tests {
         let law = crate::physics::RollingLaw { a: 0.0410, b: 0.0142 };
         let tolerance = crate::physics::RollingTolerance { fastest: 3.0, share: 0.01, least: 0.01 };
         let made = law.bands(super::STANDARD_GRAVITY, &tolerance).unwrap();
+        // An end that differs by this share changes no roll by 10 µm.
+        let near = |a: f64, b: f64| a == b || (a / b - 1.0).abs() < 1e-6;
         for (stored, made) in bands.bands().zip(made.bands()) {
-            assert!((stored.friction / made.friction - 1.0).abs() < 1e-12);
-            assert!(stored.up_to == made.up_to || (stored.up_to / made.up_to - 1.0).abs() < 1e-12);
+            assert!(near(stored.up_to, made.up_to), "{stored:?} {made:?}");
+            assert!(near(stored.friction, made.friction), "{stored:?} {made:?}");
         }
         assert_eq!(made.bands().count(), HEATED_CLOTH.len());
     }
