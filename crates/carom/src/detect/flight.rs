@@ -17,7 +17,7 @@ use carom_roots::{Motion, first_crossing, first_ring_contact};
 use super::ball_table::TableFeature;
 use super::edge::{self, below, earlier, first_touch_of_hole, keeps_below, plan, relative};
 use crate::math::Vec2;
-use crate::table::{Bounds, Capture, Shape, Table};
+use crate::table::{AISLE, Bounds, Capture, Shape, Table};
 
 /// The surface under a ball (slate or hole, rail's top or opening) is the one below a point this
 /// far ahead of the centre, m: a ball exactly above an edge moves towards one of the two. Ten
@@ -207,6 +207,11 @@ impl Flight<'_> {
         }
         let Table { layout, pockets, .. } = self.table;
         let mut track = PlanLine::new(self.path, first.last);
+        if let Some((_, TableFeature::Lip(k))) = first.found
+            && self.keeps_to_middle(usize::from(k), &track)
+        {
+            return;
+        }
         let field = track.bounds().grown(radius);
         if pockets.is_empty() {
             for (i, place) in layout.bounds[..layout.on_cloth].iter().enumerate() {
@@ -233,6 +238,20 @@ impl Flight<'_> {
                 }
             }
         }
+    }
+
+    /// Whether the ball provably stays in the middle of the mouth of pocket `k`, where it touches
+    /// no edge or wall. Most hops on a lip do.
+    fn keeps_to_middle(&self, k: usize, track: &PlanLine) -> bool {
+        let (pocket, mouth) = (&self.table.pockets[k], &self.table.layout.mouths[k]);
+        let is_there = |place: Vec2| {
+            let from_center = place - pocket.center;
+            let along = pocket.axis.dot(from_center);
+            let across = pocket.axis.cross(from_center);
+            (-AISLE * pocket.radius..=0.0).contains(&along)
+                && across.abs() + self.radius < mouth.aisle
+        };
+        is_there(track.from) && is_there(track.to)
     }
 
     /// Searches one edge or wall. `track` covers the path until the earliest contact so far.

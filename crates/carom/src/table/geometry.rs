@@ -363,7 +363,7 @@ impl Table {
             });
             let bounds = Bounds::of([mouth[0]]);
             let (liner_from, all) = (back.liner_from, Vec::new());
-            self.layout.mouths.push(Mouth { parts, gate, liner_from, all, bounds });
+            self.layout.mouths.push(Mouth { parts, gate, liner_from, all, bounds, aisle: 0.0 });
         }
     }
 }

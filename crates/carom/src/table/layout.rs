@@ -58,7 +58,14 @@ pub(crate) struct Mouth {
     pub(crate) all: Vec<(u16, Bounds)>,
     /// The box around these parts and the hole.
     pub(crate) bounds: Bounds,
+    /// Distance of the nearest edge or wall from the middle of the mouth, m: from the part of the
+    /// pocket's axis that ends at the hole's centre and begins [`AISLE`] radii of the hole before it.
+    pub(crate) aisle: f64,
 }
+
+/// Length of the middle of a mouth, in radii of the hole: the hole up to its lip, and a ball's
+/// radius before it.
+pub(crate) const AISLE: f64 = 2.0;
 
 /// A line across a pocket that captures a ball on the cloth which crosses it outwards. With the
 /// drop-circle model it lies over the hole and only bounds the search: a centre can reach it only
@@ -98,6 +105,11 @@ impl DetectionIndex {
                 self.mouths[k].bounds = self.mouths[k].bounds.with(bounds);
             }
         }
+        for (mouth, pocket) in self.mouths.iter_mut().zip(pockets) {
+            let before = pocket.center - pocket.axis * (AISLE * pocket.radius);
+            let distances = cushions.iter().map(|c| c.shape.distance(before, pocket.center));
+            mouth.aisle = distances.fold(f64::INFINITY, f64::min) - JOIN_OVERLAP;
+        }
         if pockets.is_empty() {
             return;
         }
@@ -105,5 +117,48 @@ impl DetectionIndex {
         self.nose_quadrants = Quadrants::new(noses);
         let mouths = self.mouths.iter().enumerate().map(|(k, mouth)| (k as u16, mouth.bounds));
         self.mouth_quadrants = Quadrants::new(mouths);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::AISLE;
+    use crate::math::Vec2;
+    use crate::table::{PRESETS, Part, Shape, Table};
+
+    /// Points along an edge or a wall in plan view.
+    fn points(shape: &Shape) -> Vec<Vec2> {
+        let between = |a: Vec2, b: Vec2| (0..=20).map(move |k| a + (b - a) * (f64::from(k) / 20.0));
+        match *shape {
+            Shape::Segment { start, end, .. } => between(start, end).collect(),
+            Shape::Arc { center, radius, start, end }
+            | Shape::Hollow { center, radius, start, end } => {
+                let unit = |p: Vec2| p * (1.0 / p.length());
+                between(start, end).map(|p| center + unit(p) * radius).collect()
+            }
+            Shape::Plane { .. } => Vec::new(),
+        }
+    }
+
+    #[test]
+    fn no_edge_is_nearer_to_the_middle_of_a_mouth_than_its_aisle() {
+        let mut wide = 0;
+        for name in PRESETS {
+            let table = Table::preset(name).expect("a preset");
+            for (pocket, mouth) in table.pockets.iter().zip(&table.layout.mouths) {
+                wide += usize::from(mouth.aisle > 0.0286);
+                let edges = table.cushions.iter().filter(|c| c.part != Part::Top);
+                for point in edges.flat_map(|c| points(&c.shape)) {
+                    for k in 0..=10 {
+                        let back = AISLE * pocket.radius * f64::from(k) / 10.0;
+                        let middle = pocket.center - pocket.axis * back;
+                        let distance = (point - middle).length();
+                        assert!(distance >= mouth.aisle, "{name} {:?}: {distance}", pocket.name);
+                    }
+                }
+            }
+        }
+        // A ball fits into the middle of most mouths, so the aisle saves searches.
+        assert!(wide >= 40, "{wide}");
     }
 }

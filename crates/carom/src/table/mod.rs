@@ -37,7 +37,7 @@ pub use sheet::Source;
 
 use crate::math::{Vec2, sqrt};
 pub(crate) use bounds::Bounds;
-pub(crate) use layout::{DetectionIndex, Gate, JOIN_OVERLAP};
+pub(crate) use layout::{AISLE, DetectionIndex, Gate, JOIN_OVERLAP};
 pub(crate) use surface::UNDER_EDGE;
 
 /// A table's geometry, in the engine's frame: origin at the centre of the playing area, x along
@@ -213,6 +213,44 @@ pub enum Shape {
         /// The corners in their order around the outline.
         corners: [Vec2; 4],
     },
+}
+
+impl Shape {
+    /// A lower bound of the distance (m), in plan view, of the edge from the straight line between
+    /// `a` and `b`. Infinite for a rail's top, which has no edge of its own. A wall's is right for a
+    /// line that ends at the wall's centre.
+    pub(crate) fn distance(&self, a: Vec2, b: Vec2) -> f64 {
+        match *self {
+            Self::Segment { start, end, .. } => {
+                let crosses = |p: Vec2, q: Vec2, r: Vec2, s: Vec2| {
+                    ((q - p).cross(r - p) > 0.0) != ((q - p).cross(s - p) > 0.0)
+                };
+                if crosses(a, b, start, end) && crosses(start, end, a, b) {
+                    return 0.0;
+                }
+                let ends = [
+                    distance_from_line(start, a, b),
+                    distance_from_line(end, a, b),
+                    distance_from_line(a, start, end),
+                    distance_from_line(b, start, end),
+                ];
+                ends.into_iter().fold(f64::INFINITY, f64::min)
+            }
+            Self::Arc { center, radius, .. } => distance_from_line(center, a, b) - radius,
+            Self::Hollow { center, radius, start, .. } => {
+                distance_from_line(center + start * radius, a, b).min(radius)
+            }
+            Self::Plane { .. } => f64::INFINITY,
+        }
+    }
+}
+
+/// Distance (m) of `point` from the straight line between `a` and `b`.
+fn distance_from_line(point: Vec2, a: Vec2, b: Vec2) -> f64 {
+    let (line, offset) = (b - a, point - a);
+    let share = (line.dot(offset) / line.length_squared()).clamp(0.0, 1.0);
+    let share = if share.is_nan() { 0.0 } else { share };
+    (offset - line * share).length()
 }
 
 /// Directions of the two half planes that meet in the span of an arc between the unit vectors
