@@ -82,6 +82,15 @@ impl<R: Recorder + ?Sized> Recorder for &mut R {
     }
 }
 
+/// Both recorders get every event, the first one first.
+impl<A: Recorder, B: Recorder> Recorder for (A, B) {
+    #[inline(always)]
+    fn record(&mut self, event: &Event<'_>) {
+        self.0.record(event);
+        self.1.record(event);
+    }
+}
+
 /// Ignores every event.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NullRecorder;

@@ -7,7 +7,7 @@ mod track;
 
 use alloc::vec::Vec;
 
-pub use collect::{Collector, OutcomeRecorder};
+pub use collect::{Collector, OutcomeMemory, OutcomeRecorder};
 
 pub use crate::shot::Touched;
 
@@ -73,6 +73,39 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Empties the outcome for another shot, whose cue ball is `cue_ball`. The memory of the lists
+    /// stays.
+    fn restart(&mut self, cue_ball: Option<u16>) {
+        // Without `..`, so that a new field is not forgotten here.
+        let Self {
+            cue_ball: own_cue_ball,
+            first_contact,
+            pocketed,
+            off_table,
+            hanging,
+            jumped,
+            rails_after_first_contact,
+            driven_to_rail,
+            cue_ball_touched,
+            tip_contacts,
+            pushed,
+            met_during_strike,
+            never_resting,
+            events,
+        } = self;
+        (*own_cue_ball, *first_contact) = (cue_ball, None);
+        (*tip_contacts, *pushed, *events) = (0, false, 0);
+        pocketed.clear();
+        off_table.clear();
+        hanging.clear();
+        jumped.clear();
+        rails_after_first_contact.clear();
+        driven_to_rail.clear();
+        cue_ball_touched.clear();
+        met_during_strike.clear();
+        never_resting.clear();
+    }
+
     /// Whether the cue ball was pocketed.
     pub fn cue_ball_scratched(&self) -> bool {
         self.cue_ball.is_some_and(|cue| self.pocketed.iter().any(|(ball, _)| *ball == cue))

@@ -32,7 +32,7 @@ use crate::physics::StrikeModel;
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 use crate::shot::Shot;
 use crate::{Ball, BallState, MotionState, Physics};
-use ball_set::BallSet;
+pub(crate) use ball_set::BallSet;
 pub(crate) use cluster::CLOSING_TIME;
 use step::StepContext;
 use support::Support;

@@ -22,10 +22,10 @@ pub(super) struct Frozen {
 }
 
 impl Frozen {
-    /// The frozen balls of `shot`, once for each rail that they touch.
-    pub(super) fn find(shot: &Shot) -> Vec<Self> {
+    /// Writes the frozen balls of `shot` into `frozen`, once for each rail that they touch.
+    pub(super) fn find(shot: &Shot, frozen: &mut Vec<Self>) {
         let table = shot.table();
-        let mut frozen = Vec::new();
+        frozen.clear();
         for (ball, placed) in (0u16..).zip(shot.balls()) {
             let position = table.to_engine_frame(&placed.state).position;
             let above = position.z - table.cushion_height;
@@ -47,7 +47,11 @@ impl Frozen {
                 }
             }
         }
-        frozen
+    }
+
+    /// Whether the path of `ball` decides if this ball has left its rail.
+    pub(super) fn waits_for(&self, ball: u16) -> bool {
+        self.ball == ball && !self.left
     }
 
     /// Whether `ball` is still frozen to `rail`.

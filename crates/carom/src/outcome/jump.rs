@@ -4,10 +4,11 @@ use alloc::vec::Vec;
 
 use carom_roots::Motion;
 
-use super::track::Track;
+use super::track::{Track, Tracks};
 use super::{VISIBLE_GAP, among};
 use crate::MotionState;
 use crate::math::sqrt;
+use crate::shot::Shot;
 use crate::trace_event::TraceEvent;
 
 /// The flights in progress. A flight is a ball's path in the air from one of its events to the
@@ -23,7 +24,15 @@ pub(super) struct Jumps {
 }
 
 impl Jumps {
+    /// Begins again, without flights.
+    pub(super) fn restart(&mut self) {
+        self.airborne.clear();
+        self.touched.clear();
+        self.over.clear();
+    }
+
     /// Begins a path of `ball` at an event of `balls`.
+    #[inline]
     pub(super) fn begin(&mut self, ball: u16, motion: MotionState, balls: &[u16]) {
         if motion == MotionState::Airborne {
             self.airborne.push(ball);
@@ -31,27 +40,29 @@ impl Jumps {
         }
     }
 
-    /// Ends the paths of the balls of `event`. Adds the jumps that are then certain to `jumped`.
+    /// Whether no ball is in the air.
+    #[inline]
+    pub(super) fn is_empty(&self) -> bool {
+        self.airborne.is_empty()
+    }
+
+    /// Ends the paths of the balls of `event` of `shot`. Adds the jumps that are then certain to
+    /// `jumped`.
     pub(super) fn end(
         &mut self,
+        shot: &Shot,
         event: &TraceEvent<'_>,
-        tracks: &[Track],
+        tracks: &Tracks,
         jumped: &mut Vec<(u16, u16)>,
     ) {
-        if self.airborne.is_empty() {
-            return;
-        }
         for &flyer in &self.airborne {
             let ends = among(event.balls, flyer);
-            for under in 0..tracks.len() as u16 {
+            let flight = tracks.of(shot, flyer);
+            for under in 0..shot.balls().len() as u16 {
                 if (ends || among(event.balls, under))
                     && under != flyer
                     && !self.over.contains(&(flyer, under))
-                    && passes_over(
-                        &tracks[usize::from(flyer)],
-                        &tracks[usize::from(under)],
-                        event.time,
-                    )
+                    && passes_over(&flight, &tracks.of(shot, under), event.time)
                 {
                     self.over.push((flyer, under));
                 }

@@ -5,12 +5,18 @@ use crate::limits::MAX_BALLS;
 /// Indices of balls, one bit each. An event changes few of the pairs; with sets the engine visits
 /// only these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct BallSet(u128);
+pub(crate) struct BallSet(u128);
+
+impl Default for BallSet {
+    fn default() -> Self {
+        Self::EMPTY
+    }
+}
 
 const _: () = assert!(MAX_BALLS <= u128::BITS as usize);
 
 impl BallSet {
-    pub(super) const EMPTY: Self = Self(0);
+    pub(crate) const EMPTY: Self = Self(0);
 
     #[inline(always)]
     pub(super) fn of(balls: &[u16]) -> Self {
@@ -18,8 +24,13 @@ impl BallSet {
     }
 
     #[inline(always)]
-    pub(super) fn with(self, ball: usize) -> Self {
+    pub(crate) fn with(self, ball: usize) -> Self {
         Self(self.0 | 1 << ball)
+    }
+
+    #[inline(always)]
+    pub(crate) fn contains(self, ball: usize) -> bool {
+        self.0 >> ball & 1 == 1
     }
 
     #[inline(always)]
@@ -60,6 +71,7 @@ mod tests {
     fn union_joins_two_sets_and_without_takes_the_difference() {
         let (a, b) = (BallSet::of(&[1, 2]), BallSet::of(&[2, 100]));
         assert!(a.union(b).balls().eq([1, 2, 100]));
+        assert!(b.contains(100) && !b.contains(1));
         assert!(a.without(b).balls().eq([1]));
         assert!(a.with(2).balls().eq([1, 2]));
     }
