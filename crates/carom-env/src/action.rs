@@ -3,10 +3,11 @@
 use core::f64::consts::PI;
 
 use carom::math::{asin, atan2, sqrt};
+use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
 use carom_rules::Turn;
 
-use crate::config::{Config, STEEPEST};
+use crate::config::Config;
 use crate::episode::{Episode, NoisyStrike};
 use crate::modes::Aim;
 use crate::placement;
@@ -21,12 +22,6 @@ pub const ACTIONS_WITHOUT_HAND: usize = 5;
 /// Largest intended tip offset, as a fraction of the miscue limit: players keep away from the
 /// limit.
 const OFFSET_USED: f64 = 0.9;
-
-/// Largest tip offset after noise, as a fraction of the miscue limit: noise never causes a miscue.
-const OFFSET_KEPT: f64 = 0.999;
-
-/// Smallest cue speed after noise, m/s: without it, noise could make a speed zero or negative.
-const SLOWEST: f64 = 0.01;
 
 /// Clamps a number of an action to [−1, 1]; NaN becomes 0.
 fn bounded(action: f32) -> f64 {
@@ -85,8 +80,7 @@ fn relative(episode: &dyn Episode, turn: &Turn, from: [f64; 2], across: f64) -> 
     atan2(way[1], way[0]) + asin((across * reach / length(way)).clamp(-1.0, 1.0))
 }
 
-/// `intended` with noise, limited to strikes that can be played. `draw`: the seed and the number of
-/// the draw.
+/// `intended` with noise ([`carom::Noise::draw`]). `draw`: the seed and the number of the draw.
 pub(crate) fn with_noise(
     config: &Config,
     episode: &dyn Episode,
@@ -94,17 +88,7 @@ pub(crate) fn with_noise(
     intended: &Strike,
     draw: (u64, u64),
 ) -> Strike {
-    if config.noise == carom::Noise::default() {
-        return *intended;
-    }
-    let drawn = config.noise.draw(intended, episode.radius(turn.cue), draw.0, draw.1);
-    let most = OFFSET_KEPT * episode.base().miscue_limit().min(1.0);
-    let back = (most / drawn.offset().max(most)).min(1.0);
-    Strike {
-        speed: drawn.speed.max(SLOWEST),
-        elevation: drawn.elevation.min(STEEPEST),
-        side: drawn.side * back,
-        height: drawn.height * back,
-        ..drawn
-    }
+    let ball = &episode.balls()[usize::from(turn.cue)].ball;
+    let struck = StruckBall::of(episode.base(), ball);
+    config.noise.draw(intended, &struck, draw.0, draw.1)
 }

@@ -10,8 +10,8 @@ use crate::task::Task;
 /// Largest cue speed, m/s. The fastest breaks that were measured are near 15 m/s.
 const FASTEST: f64 = 15.0;
 
-/// Largest elevation, rad (80°). Closer to upright, noise could turn the cue past the vertical.
-pub(crate) const STEEPEST: f64 = 1.396;
+/// Largest intended elevation, rad (80°). Players do not hold a cue closer to upright.
+const STEEPEST: f64 = 1.396;
 
 /// The reward for a shot.
 #[derive(Clone, Copy, Debug, PartialEq)]

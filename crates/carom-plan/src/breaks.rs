@@ -135,9 +135,8 @@ fn one_break(
 ) -> Result<BatchResult, Error> {
     let shot = break_shot(&Break { seed: opening.seed.wrapping_add(k), ..*opening })?;
     let strikes = batch::draw_strikes(&shot, &model.noise, 1, model.seed, k)?;
-    let variants = model.variants_from(k);
     let one = Runner::new(Some(1))?;
-    let mut row = batch::simulate_variants(&shot, &strikes, &variants, &one)?;
+    let mut row = batch::simulate_variants(&shot, &strikes, &model.errors(), k, &one)?;
     let order: Vec<usize> =
         columns.balls().iter().filter_map(|ball| shot.ball_index(&ball.id)).collect();
     row.pocket = order.iter().map(|i| row.pocket[*i]).collect();

@@ -1,7 +1,6 @@
 //! The errors of a player, and the sampling of a probability up to a precision.
 
-use carom::batch::Variants;
-use carom::noise::Perception;
+use carom::noise::{Errors, Perception};
 use carom::{Error, Noise};
 
 use crate::interval::{Interval, wilson};
@@ -51,15 +50,14 @@ impl ErrorModel {
     /// [`Error::Input`] for what [`Noise::check`] and [`Perception::check`] reject, and for a level
     /// or a half-width out of range.
     pub fn check(&self) -> Result<(), Error> {
-        self.noise.check()?;
-        self.perception.check()?;
+        self.errors().check()?;
         check_level(self.level)?;
         self.half_width.map_or(Ok(()), check_half_width)
     }
 
-    /// The variants from number `first` on.
-    pub(crate) fn variants_from(&self, first: u64) -> Variants {
-        Variants { noise: self.noise, perception: self.perception, seed: self.seed, first }
+    /// The errors and their seed.
+    pub const fn errors(&self) -> Errors {
+        Errors { noise: self.noise, perception: self.perception, seed: self.seed }
     }
 
     /// Whether the probabilities with these `counts` among `trials` have the requested precision.

@@ -11,6 +11,7 @@
 use std::time::{Duration, Instant};
 
 use carom::batch::{self, BatchResult, OFF_TABLE, PADDING};
+use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom::{Error, Shot};
@@ -169,13 +170,13 @@ pub fn evaluate(
 /// The strikes of `count` variants from number `first` on, as [`batch::draw_strikes`] draws them.
 fn draw(shot: &Shot, model: &ErrorModel, first: u64, count: usize, runner: &Runner) -> Vec<Strike> {
     let Some((ball, meant)) = shot.strike() else { return Vec::new() };
-    let radius = shot.balls()[ball].ball.radius;
+    let struck = StruckBall::of(shot, &shot.balls()[ball].ball);
     let chunks = (0..count).step_by(DRAWN).map(|start| start..count.min(start + DRAWN));
     let drawn = runner.map(
         chunks,
         || (),
         |(), chunk| {
-            let strike = |k| model.noise.draw(&meant, radius, model.seed, first + k as u64);
+            let strike = |k| model.noise.draw(&meant, &struck, model.seed, first + k as u64);
             chunk.map(strike).collect::<Vec<_>>()
         },
     );
@@ -192,7 +193,7 @@ fn simulate(
     first: u64,
     runner: &Runner,
 ) -> Result<BatchResult, Error> {
-    batch::simulate_variants(shot, strikes, &model.variants_from(first), runner)
+    batch::simulate_variants(shot, strikes, &model.errors(), first, runner)
 }
 
 fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {

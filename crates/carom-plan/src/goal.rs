@@ -2,6 +2,7 @@
 
 use carom::event::{Event, EventKind, Recorder};
 use carom::math::Vec2;
+use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, MotionState, Shot, Simulator};
 
@@ -265,14 +266,14 @@ impl<'a> GoalTester<'a> {
         progress: &Progress,
     ) -> Chance {
         let struck = self.fresh.cue_ball;
-        let radius = self.fresh.places.radius(struck);
+        let ball = StruckBall::of(self.shot, &self.shot.balls()[struck].ball);
+        let errors = model.errors();
         model.count(progress, |k| {
-            let strike = model.noise.draw(strike, radius, model.seed, k);
-            let variants = model.variants_from(k);
-            let attempt = if variants.have_one_shot() {
+            let strike = model.noise.draw(strike, &ball, model.seed, k);
+            let attempt = if errors.are_of_the_strike() {
                 self.play(&strike)
             } else {
-                let variant = variants.shot(self.shot, 0, Some((struck, strike))).ok();
+                let variant = errors.shot(self.shot, Some((struck, strike)), k).ok();
                 variant.and_then(|variant| self.play_on(&variant, &strike))
             };
             attempt.is_some_and(|a| a.is_met())

@@ -76,10 +76,10 @@ impl<'a> Refereed<'a> {
         first: u64,
         runner: &Runner,
     ) -> (BatchResult, Verdicts) {
-        let variants = model.variants_from(first);
+        let errors = model.errors();
         let played = runner.map(0..strikes.len(), Simulator::new, |simulator, k| {
             let struck = self.shot.strike().map(|(ball, _)| (ball, strikes[k]));
-            let variant = variants.shot(self.shot, k as u64, struck)?;
+            let variant = errors.shot(self.shot, struck, first + k as u64)?;
             self.rule(simulator, strikes[k], &variant)
         });
         self.gather(played)

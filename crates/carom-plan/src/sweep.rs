@@ -5,9 +5,9 @@
 //! order or on the number of threads.
 
 use carom::batch::{OFF_TABLE, PADDING, PocketRecorder, draw_variant};
-use carom::event::{Event, Recorder};
 use carom::format::{KeyPath, Node};
 use carom::math::{degrees, radians};
+use carom::noise::StruckBall;
 use carom::outcome::{OutcomeRecorder, Touched};
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, MotionState, Noise, Outcome, Shot, ShotFile, Simulator, Summary};
@@ -314,8 +314,8 @@ impl<'a> RowPlayer<'a> {
         let mut strike = self.rows.meant(row, shot, own);
         shot.resolve_strike(&strike)?;
         if let Some((noise, seed, index)) = self.rows.noise {
-            let radius = shot.balls()[struck].ball.radius;
-            strike = noise.draw(&strike, radius, seed, index[row] as u64);
+            let ball = StruckBall::of(shot, &shot.balls()[struck].ball);
+            strike = noise.draw(&strike, &ball, seed, index[row] as u64);
             let Strike { speed, azimuth, elevation, side, height } = strike;
             let drawn = [speed, degrees(azimuth), degrees(elevation), side, height];
             for (column, value) in self.results.strike.iter_mut().zip(drawn) {
@@ -340,11 +340,11 @@ impl<'a> RowPlayer<'a> {
         let pockets = &mut self.results.pocket[first..][..count];
         let pockets = PocketRecorder::new(pockets);
         let Summary { duration, events } = if let Some(outcome) = outcome {
-            let mut recorder = RowRecorder { pockets, outcome };
+            let mut recorder = (pockets, outcome);
             let played = self.simulator.play_strike(shot, strike, &mut recorder)?;
             let last = |i| self.simulator.state(i, played.duration);
             let last: Vec<_> = (0..count).map(last).collect();
-            self.results.outcomes[row] = OutcomeColumns::from(&recorder.outcome.finish(&last));
+            self.results.outcomes[row] = OutcomeColumns::from(&recorder.1.finish(&last));
             played
         } else {
             let mut pockets = pockets;
@@ -364,18 +364,5 @@ impl<'a> RowPlayer<'a> {
             }
         }
         Ok(())
-    }
-}
-
-/// Records the pockets and the outcome.
-struct RowRecorder<'a> {
-    pockets: PocketRecorder<'a>,
-    outcome: OutcomeRecorder<'a>,
-}
-
-impl Recorder for RowRecorder<'_> {
-    fn record(&mut self, event: &Event<'_>) {
-        self.pockets.record(event);
-        self.outcome.record(event);
     }
 }

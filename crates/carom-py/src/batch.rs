@@ -3,8 +3,8 @@
 use std::array::from_fn;
 
 use carom::Noise;
-use carom::batch::{self, BatchResult, Variants};
-use carom::noise::SKILLS;
+use carom::batch::{self, BatchResult};
+use carom::noise::{Errors, SKILLS};
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
@@ -69,8 +69,8 @@ pub(crate) fn simulate_variants<'py>(
 ) -> PyResult<Arrays<'py>> {
     let (strikes, runner) = (strikes_of(&strikes), runner(py, threads)?);
     let (noise, perception, (seed, first)) = (noise.noise(), perception.perception(), draw);
-    let variants = Variants { noise, perception, seed, first };
-    let result = py.detach(|| batch::simulate_variants(&shot.0, &strikes, &variants, &runner));
+    let errors = Errors { noise, perception, seed };
+    let result = py.detach(|| batch::simulate_variants(&shot.0, &strikes, &errors, first, &runner));
     arrays(py, result.map_err(|e| to_exception(py, &e))?)
 }
 

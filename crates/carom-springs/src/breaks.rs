@@ -6,6 +6,7 @@
 //! between: in 10 ms they change speeds by 0.1 m/s at most, vertical ones, and by 0.02 m/s.
 
 use carom::math::Vec3;
+use carom::noise::StruckBall;
 use carom::rack::{Break, Game, break_shot};
 use carom::trace::TraceEventKind;
 use carom::{Noise, Shot, Simulator};
@@ -59,7 +60,7 @@ pub fn opening(gap: f64, speed: f64, k: u64) -> Result<Shot, String> {
     let shot = break_shot(&opening).map_err(|error| error.to_string())?;
     let noise = Noise::preset("professional").ok_or("the preset is missing")?;
     let (ball, meant) = shot.strike().ok_or("a break has a strike")?;
-    let struck = noise.draw(&meant, shot.balls()[ball].ball.radius, 1, k);
+    let struck = noise.draw(&meant, &StruckBall::of(&shot, &shot.balls()[ball].ball), 1, k);
     shot.with_strike(&struck).map_err(|error| error.to_string())
 }
 

@@ -1,11 +1,9 @@
 //! Many shots at once.
 
 use carom::Noise;
-use carom::batch::{
-    BatchResult, Variants, draw_strikes, draw_variant, simulate_batch, simulate_variants,
-};
+use carom::batch::{BatchResult, draw_strikes, draw_variant, simulate_batch, simulate_variants};
 use carom::format::Node;
-use carom::noise::SKILLS;
+use carom::noise::{Errors, SKILLS};
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use wasm_bindgen::JsValue;
@@ -87,8 +85,8 @@ impl Shot {
         let noise = noise_of(noise)?;
         let strikes =
             draw_strikes(&self.0, &noise, n, seed, first).map_err(|e| to_exception(&e))?;
-        let variants = Variants { noise, seed, first, ..Variants::default() };
-        let result = simulate_variants(&self.0, &strikes, &variants, &Runner::default());
+        let errors = Errors { noise, seed, ..Errors::default() };
+        let result = simulate_variants(&self.0, &strikes, &errors, first, &Runner::default());
         Ok(Batch { result: result.map_err(|e| to_exception(&e))?, strikes })
     }
 

@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 
 use crate::error::Error;
 use crate::event::{Event, EventKind, Recorder};
-use crate::noise::Perception;
+use crate::noise::{Errors, StruckBall};
 use crate::resolve::cue_ball::Strike;
 use crate::runner::Runner;
 use crate::simulator::Simulator;
@@ -75,77 +75,29 @@ pub fn simulate_at_own_elevation(shot: &Shot, strikes: &[Strike], runner: &Runne
     })
 }
 
-/// What differs between the variants of a shot beside their strikes, which [`draw_strikes`] draws.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Variants {
-    /// Its cling. The errors of the strike are not used.
-    pub noise: Noise,
-    /// Errors of the perceived positions.
-    pub perception: Perception,
-    /// Seed of the random numbers.
-    pub seed: u64,
-    /// Number of the first variant.
-    pub first: u64,
-}
-
-impl Variants {
-    /// Rejects numbers out of their ranges.
-    ///
-    /// # Errors
-    /// As [`Noise::check`] and [`Perception::check`].
-    pub fn check(&self) -> Result<(), Error> {
-        self.noise.check()?;
-        self.perception.check()
-    }
-
-    /// Whether the variants differ in their strikes alone.
-    pub fn have_one_shot(&self) -> bool {
-        self.perception.position == 0.0 && self.noise.cling_probability == 0.0
-    }
-
-    /// `shot` in variant number `first` plus `k`, with this strike: the balls where they truly lie, and the
-    /// contacts that cling.
-    ///
-    /// # Errors
-    /// As [`Shot::with_balls`], if there is an error of perception.
-    pub fn shot<'a>(
-        &self,
-        shot: &'a Shot,
-        k: u64,
-        strike: Option<(usize, Strike)>,
-    ) -> Result<Cow<'a, Shot>, Error> {
-        let index = self.first.wrapping_add(k);
-        let clung = self.noise.with_cling(shot, self.seed, index);
-        if self.perception.position == 0.0 {
-            return Ok(clung);
-        }
-        let places = self.perception.places(shot, self.seed, index);
-        Ok(Cow::Owned(clung.with_balls(places, strike)?))
-    }
-}
-
-/// As [`simulate_strikes`], with the rest of the [`Variants`]: the strike with index k is played in
-/// variant number `first` plus k. With an error of perception `shot` holds the positions that the
+/// As [`simulate_strikes`], with the other `errors`, those of perception and the contacts that cling:
+/// the strike with index k is played in variant number `first` plus k. With an error of perception `shot` holds the positions that the
 /// player sees and plans on; the layouts of the variants hold possible true positions. The error has
 /// the same distribution in both directions.
 ///
 /// # Errors
-/// As [`Variants::check`]; and [`Error::Input`] if the shot has no strike.
+/// As [`Errors::check`]; and [`Error::Input`] if the shot has no strike.
 pub fn simulate_variants(
     shot: &Shot,
     strikes: &[Strike],
-    variants: &Variants,
+    errors: &Errors,
+    first: u64,
     runner: &Runner,
 ) -> Result<BatchResult, Error> {
-    variants.check()?;
+    errors.check()?;
     let (struck, _) = own_strike(shot)?;
-    if variants.have_one_shot() {
+    if errors.are_of_the_strike() {
         return Ok(simulate_strikes(shot, strikes, runner));
     }
     Ok(run(strikes.len(), shot.balls.len(), runner, |k| {
         let strike = Some((struck, strikes[k]));
-        let variant = variants.shot(shot, k as u64, strike)?;
-        if variants.perception.position == 0.0 {
+        let variant = errors.shot(shot, strike, first.wrapping_add(k as u64))?;
+        if errors.perception.position == 0.0 {
             variant.resolve_strike(&strikes[k])?;
         }
         Ok((variant, strike))
@@ -155,7 +107,8 @@ pub fn simulate_variants(
 /// The most strikes of one call of [`draw_strikes`]; they take 4 GB of memory.
 pub const MAX_DRAWN: usize = 100_000_000;
 
-/// Variants `first` to `first` + `n` − 1, of this seed, of `shot`'s own strike under `noise`.
+/// Variants `first` to `first` + `n` − 1, of this seed, of `shot`'s own strike under `noise`
+/// ([`Noise::draw`]).
 ///
 /// # Errors
 /// [`Error::Input`] if the shot has no strike, as [`Noise::check`], and for more than [`MAX_DRAWN`]
@@ -173,8 +126,8 @@ pub fn draw_strikes(
         let remedy = format!("draw at most {MAX_DRAWN} at a time, and the next ones with `first`");
         return Err(Error::input("n", format!("{n} strikes are too many"), remedy));
     }
-    let radius = shot.balls[ball].ball.radius;
-    let strike = |k| noise.draw(&meant, radius, seed, first.wrapping_add(k));
+    let struck = StruckBall::of(shot, &shot.balls[ball].ball);
+    let strike = |k| noise.draw(&meant, &struck, seed, first.wrapping_add(k));
     Ok((0..n as u64).map(strike).collect())
 }
 

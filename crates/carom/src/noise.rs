@@ -15,9 +15,26 @@
 //!
 //! # Strikes that cannot be played
 //!
-//! A cue never points upwards: an elevation below 0 becomes 0. Any other variant that would be
-//! refused in a shot file fails with the same error: a speed ≤ 0, an elevation of 90° or more, a
-//! tip that misses the ball or slips off it (unless `strike.miscue` says that miscues are played).
+//! A drawn strike that cannot be played is replaced by the nearest that can. This is the one law of
+//! execution errors; batches, evaluations, searches, sweeps, environments and the page all use it
+//! ([`Noise::draw`]):
+//!
+//! - An offset beyond [`OFFSET_KEPT`] of the miscue limit is moved back to it, along its direction.
+//!   If the shot plays miscues (`strike.miscue`), it is that share of the ball's radius.
+//! - A speed below [`SLOWEST`] becomes that speed, and one above 50 m/s becomes 50 m/s.
+//! - An elevation below 0 becomes 0, since a cue never points upwards, and one above [`STEEPEST`]
+//!   becomes that angle.
+//! - A parameter whose σ is 0 stays exactly as intended.
+//!
+//! So every intended strike has a result, the results stay continuous in the strike, and every shot
+//! takes the same number of random numbers. Drawing again would have neither of the last two
+//! properties. The price: an intended strike near the miscue limit looks safer than it is, because
+//! its miscues are replaced by strikes at the limit. Programs that choose strikes should keep away
+//! from the limit, as players do; an environment's actions reach 0.9 of it, and
+//! `carom_plan::solve` uses 0.95.
+//!
+//! Some strikes still fail: an offset that is too large for the tip's efficiency, a cue that would
+//! pass through a ball or a rail if the shot refuses that, and a shot that reaches its cap on events.
 
 use alloc::borrow::Cow;
 use alloc::vec::Vec;
@@ -30,8 +47,9 @@ use crate::error::Error;
 use crate::math::{log, radians, sin_cos, sqrt};
 use crate::physics::ball_surface::CHALKED;
 use crate::range::Range;
-use crate::resolve::cue_ball::Strike;
+use crate::resolve::cue_ball::{Strike, miscue_limit};
 use crate::shot::{self, Cling, MOST_CONTACTS, PlacedBall, Shot};
+use crate::{Ball, Table};
 
 /// Part of the generator's key that separates these random numbers from others of the same seed.
 const STRIKE_KEY: &[u8; 24] = b"carom: noise of a strike";
@@ -53,6 +71,19 @@ const PROBABILITY: Range = Range::closed(0.0, 1.0, "");
 const FRICTION: Range = Range::closed(0.0, 10.0, "");
 /// σ of a perceived position: at most about two balls' diameters.
 const POSITION: Range = Range::closed(0.0, 0.1, " m");
+
+/// Largest tip offset of a drawn strike, as a fraction of the largest with which a strike can be
+/// played. Closer to 1, rounding could make a miscue of it; with less, strikes that can be played
+/// would be moved.
+pub const OFFSET_KEPT: f64 = 0.999;
+
+/// Smallest speed of the cue of a drawn strike, 1 cm/s: the cue ball then moves by less than a
+/// millimetre. Much larger, and soft strikes would be made harder.
+pub const SLOWEST: f64 = 0.01;
+
+/// Largest elevation of a drawn strike, 89°. A cue cannot point straight down, where it has no
+/// azimuth. Smaller, and steep massé strikes would be flattened.
+pub const STEEPEST: f64 = radians(89.0);
 
 /// Levels of play, the weakest first.
 ///
@@ -175,16 +206,50 @@ impl Noise {
         Ok(())
     }
 
-    /// Variant `index` of the strike `meant`. `radius` is that of the struck ball, m.
-    pub fn draw(&self, meant: &Strike, radius: f64, seed: u64, index: u64) -> Strike {
-        let [speed, azimuth, elevation, side, height, _] = normal_deviates(seed, index);
-        Strike {
-            speed: meant.speed + self.speed * speed,
-            azimuth: meant.azimuth + self.azimuth * azimuth,
-            elevation: (meant.elevation + self.elevation * elevation).max(0.0),
-            side: meant.side + self.side_m / radius * side,
-            height: meant.height + self.height_m / radius * height,
+    /// Variant `index` of the strike `meant`: a strike that can be played, if `meant` can (see the
+    /// module's page).
+    pub fn draw(&self, meant: &Strike, struck: &StruckBall, seed: u64, index: u64) -> Strike {
+        if [self.speed, self.azimuth, self.elevation, self.side_m, self.height_m] == [0.0; 5] {
+            return *meant;
         }
+        self.apply(meant, struck, &Deviates::of(seed, index))
+    }
+
+    /// The strike `meant` with the errors that follow from `deviates`. For programs that keep the
+    /// deviates of many variants.
+    pub fn apply(&self, meant: &Strike, struck: &StruckBall, deviates: &Deviates) -> Strike {
+        let [speed, azimuth, elevation, side, height, _] = deviates.0;
+        // Adding 0 would change the sign of −0.
+        let add = |meant: f64, sigma: f64, deviate: f64| {
+            if sigma == 0.0 { meant } else { meant + sigma * deviate }
+        };
+        let drawn = Strike {
+            speed: add(meant.speed, self.speed, speed),
+            azimuth: add(meant.azimuth, self.azimuth, azimuth),
+            elevation: add(meant.elevation, self.elevation, elevation),
+            side: add(meant.side, self.side_m / struck.radius, side),
+            height: add(meant.height, self.height_m / struck.radius, height),
+        };
+        self.nearest_playable(drawn, struck)
+    }
+
+    /// The strike nearest to `drawn` that can be played. A parameter without errors is left alone.
+    fn nearest_playable(&self, drawn: Strike, struck: &StruckBall) -> Strike {
+        let mut strike = drawn;
+        if self.speed != 0.0 {
+            strike.speed = drawn.speed.clamp(SLOWEST, shot::FASTEST);
+        }
+        if self.elevation != 0.0 {
+            strike.elevation = drawn.elevation.clamp(0.0, STEEPEST);
+        }
+        if self.side_m != 0.0 || self.height_m != 0.0 {
+            let most = struck.largest_offset;
+            // Exactly 1, which changes no bit, up to the largest offset. `min` also turns the NaN of
+            // a centred strike with a tip without friction into 1.
+            let back = (most / drawn.offset().max(most)).min(1.0);
+            (strike.side, strike.height) = (drawn.side * back, drawn.height * back);
+        }
+        strike
     }
 
     /// The contacts that cling in variant `index` of this seed. A contact that clings with one
@@ -208,6 +273,100 @@ impl Noise {
             return Cow::Borrowed(shot);
         }
         Cow::Owned(shot.with_cling(self.draw_cling(seed, index)))
+    }
+}
+
+/// What limits the strikes of a ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StruckBall {
+    /// The ball's radius, m.
+    pub radius: f64,
+    /// The largest tip offset of a drawn strike, in ball radii.
+    pub largest_offset: f64,
+}
+
+impl StruckBall {
+    /// `ball`, struck with the cue and by the policies of `shot`.
+    pub fn of(shot: &Shot, ball: &Ball) -> Self {
+        // If miscues are only reported, this friction is so large that the limit is the ball.
+        let limit = miscue_limit(shot.physics().cue.tip_friction).min(1.0);
+        Self { radius: ball.radius, largest_offset: OFFSET_KEPT * limit }
+    }
+}
+
+/// The standard normal deviates of one variant, from which the errors of its strike follow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviates([f64; 6]);
+
+impl Deviates {
+    /// The deviates of variant `index` of this seed.
+    pub fn of(seed: u64, index: u64) -> Self {
+        let mut random = random(STRIKE_KEY, seed, index);
+        let mut deviates = [0.0; 6];
+        for pair in deviates.as_chunks_mut().0 {
+            *pair = normal_pair(&mut random);
+        }
+        Self(deviates)
+    }
+}
+
+/// The errors of a player, and the seed of their random numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Errors {
+    /// Errors of the strike, and the contacts that cling.
+    pub noise: Noise,
+    /// Errors of the perceived positions.
+    pub perception: Perception,
+    /// Seed of the random numbers.
+    pub seed: u64,
+}
+
+impl Errors {
+    /// Rejects numbers out of their ranges.
+    ///
+    /// # Errors
+    /// As [`Noise::check`] and [`Perception::check`].
+    pub fn check(&self) -> Result<(), Error> {
+        self.noise.check()?;
+        self.perception.check()
+    }
+
+    /// Whether the variants of a shot differ in their strikes alone.
+    pub fn are_of_the_strike(&self) -> bool {
+        self.perception.position == 0.0 && self.noise.cling_probability == 0.0
+    }
+
+    /// `shot` in variant `index`, with this strike: the balls where they truly lie, and the contacts
+    /// that cling.
+    ///
+    /// # Errors
+    /// As [`Shot::with_balls`], if there is an error of perception.
+    pub fn shot<'a>(
+        &self,
+        shot: &'a Shot,
+        strike: Option<(usize, Strike)>,
+        index: u64,
+    ) -> Result<Cow<'a, Shot>, Error> {
+        let clung = self.noise.with_cling(shot, self.seed, index);
+        if self.perception.position == 0.0 {
+            return Ok(clung);
+        }
+        let places = self.perception.places(shot, self.seed, index);
+        Ok(Cow::Owned(clung.with_balls(places, strike)?))
+    }
+
+    /// Turns `variant` into `shot` in variant `index`, with the strike of `shot`. As [`Self::shot`],
+    /// but in the memory of `variant`: nothing is allocated if it was a variant of `shot` before.
+    /// Strikes are not checked.
+    pub fn write_shot(&self, shot: &Shot, index: u64, variant: &mut Shot) {
+        let cling = match self.noise.cling_probability {
+            0.0 => *shot.cling(),
+            _ => self.noise.draw_cling(self.seed, index),
+        };
+        let balls = variant.become_variant(shot, cling);
+        if self.perception.position != 0.0 {
+            self.perception.displace(balls, shot.table(), self.seed, index);
+        }
     }
 }
 
@@ -244,33 +403,28 @@ impl Perception {
     /// in the order of the shot. A ball that would overlap another or leave the table gets a
     /// smaller error.
     pub fn places(&self, shot: &Shot, seed: u64, index: u64) -> Vec<PlacedBall> {
-        let mut random = random(PERCEPTION_KEY, seed, index);
         let mut balls = shot.balls().to_vec();
+        self.displace(&mut balls, shot.table(), seed, index);
+        balls
+    }
+
+    /// Moves `balls`, which have room on `table`, to their positions in layout `index` of this seed.
+    fn displace(&self, balls: &mut [PlacedBall], table: &Table, seed: u64, index: u64) {
+        let mut random = random(PERCEPTION_KEY, seed, index);
         for i in 0..balls.len() {
             let mut error = normal_pair(&mut random).map(|deviate| self.position * deviate);
             let own = balls[i].state.position;
             for _ in 0..MAX_TRIES {
                 balls[i].state.position.x = own.x + error[0];
                 balls[i].state.position.y = own.y + error[1];
-                if shot::fits(i, &balls, shot.table()) {
+                if shot::fits(i, balls, table) {
                     break;
                 }
                 balls[i].state.position = own;
                 error = error.map(|x| 0.5 * x);
             }
         }
-        balls
     }
-}
-
-/// Six independent normal deviates, of mean 0 and variance 1.
-fn normal_deviates(seed: u64, index: u64) -> [f64; 6] {
-    let mut random = random(STRIKE_KEY, seed, index);
-    let mut deviates = [0.0; 6];
-    for pair in deviates.as_chunks_mut().0 {
-        *pair = normal_pair(&mut random);
-    }
-    deviates
 }
 
 /// The generator of `index` of this seed; `purpose` separates it from others of the same seed.

@@ -98,7 +98,7 @@ pub(crate) fn fits(index: usize, balls: &[PlacedBall], table: &Table) -> bool {
     let ball = &balls[index];
     let mut others = balls.iter().enumerate().filter(|(i, _)| *i != index);
     others.all(|(_, other)| depth(ball, other) <= TOUCH_TOLERANCE)
-        && super::place::check(index, ball, table).is_ok()
+        && super::place::is_inside(ball, table)
 }
 
 /// The height of a centre, m: exactly the radius if it is within [`TOUCH_TOLERANCE`] of it, so that

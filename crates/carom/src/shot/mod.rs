@@ -17,7 +17,7 @@ use alloc::vec::Vec;
 pub(crate) use balls::{CheckedBalls, MASS, RADIUS, checked as checked_balls, fits};
 pub use cling::{Cling, MOST_CONTACTS};
 pub use obstruction::{BallInSpace, Touched};
-pub(crate) use strike::{OFFSET, SPEED, explain};
+pub(crate) use strike::{FASTEST, OFFSET, SPEED, explain};
 pub use strike::{Policy, StrikePolicy};
 
 use obstruction::CueLine;
@@ -32,7 +32,7 @@ use crate::{Ball, BallState, Physics, Table};
 pub const DEFAULT_MAX_EVENTS: u32 = 100_000;
 
 /// A ball placed on the table.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct PlacedBall {
     /// Unique name.
     pub id: String,
@@ -40,6 +40,19 @@ pub struct PlacedBall {
     pub ball: Ball,
     /// State at time 0, in the file's frame (origin at the bottom left corner).
     pub state: BallState,
+}
+
+impl Clone for PlacedBall {
+    fn clone(&self) -> Self {
+        Self { id: self.id.clone(), ..*self }
+    }
+
+    // The derived method would allocate a new id.
+    fn clone_from(&mut self, source: &Self) {
+        let Self { id, ball, state } = self;
+        id.clone_from(&source.id);
+        (*ball, *state) = (source.ball, source.state);
+    }
 }
 
 impl From<&PlacedBall> for BallInSpace {
@@ -198,6 +211,26 @@ impl Shot {
         .checked()
     }
 
+    /// Makes this shot equal to `source`, with the contacts of `cling` and with balls that it shares
+    /// with no other shot. Returns the balls; the caller may move them to places where they have
+    /// room. Allocates nothing if the shot had such balls already, as many as `source`.
+    pub(crate) fn become_variant(&mut self, source: &Self, cling: Cling) -> &mut [PlacedBall] {
+        let Self { table, physics, balls, .. } = self;
+        share(table, &source.table);
+        share(physics, &source.physics);
+        match Arc::get_mut(balls) {
+            Some(own) if own.len() == source.balls.len() => own.clone_from_slice(&source.balls),
+            _ => *balls = source.balls.iter().cloned().collect(),
+        }
+        self.strike = source.strike;
+        self.max_events = source.max_events;
+        self.policy = source.policy;
+        self.tip_friction = source.tip_friction;
+        self.has_default_elevation = source.has_default_elevation;
+        self.cling = cling;
+        Arc::make_mut(&mut self.balls)
+    }
+
     /// The same shot in which other contacts cling.
     #[must_use]
     pub fn with_cling(&self, cling: Cling) -> Self {
@@ -288,13 +321,24 @@ impl Shot {
     /// beyond the miscue limit or too far off centre for the tip's efficiency, and if the cue is
     /// obstructed and the policy is to refuse that.
     pub fn resolve_strike(&self, strike: &Strike) -> Result<(Vec3, Vec3), Error> {
-        let Some((ball, _)) = self.strike else {
-            return Err(Error::input("strike", "the shot has no strike", "add one to vary it"));
-        };
+        let Some((ball, _)) = self.strike else { return Err(no_strike()) };
         strike::check_ranges("strike", strike)?;
         let struck = strike::check("strike", ball, strike, &self.balls, &self.physics)?;
         self.refuse_obstruction(ball, strike)?;
         Ok(struck)
+    }
+
+    /// Refuses what [`Self::resolve_strike`] refuses, except for a tip offset with which the strike
+    /// cannot be played: a simulation refuses that with the same error. Cheaper, for strikes that
+    /// are simulated at once.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the shot has no strike, if a number is out of range, and if the cue is
+    /// obstructed and the policy is to refuse that.
+    pub fn check_strike(&self, strike: &Strike) -> Result<(), Error> {
+        let Some((ball, _)) = self.strike else { return Err(no_strike()) };
+        strike::check_ranges("strike", strike)?;
+        self.refuse_obstruction(ball, strike)
     }
 
     /// The ball or rail nearest to the tip that the cue would pass through. A cue below 5° may be
@@ -409,5 +453,17 @@ impl Shot {
     /// The largest tip offset √(side² + height²) without a miscue, in ball radii.
     pub fn miscue_limit(&self) -> f64 {
         miscue_limit(self.tip_friction)
+    }
+}
+
+fn no_strike() -> Error {
+    Error::input("strike", "the shot has no strike", "add one to vary it")
+}
+
+/// Makes `own` share what `other` shares. Counts of references are left alone if it does already:
+/// threads would wait for each other to change them.
+fn share<T>(own: &mut Arc<T>, other: &Arc<T>) {
+    if !Arc::ptr_eq(own, other) {
+        own.clone_from(other);
     }
 }

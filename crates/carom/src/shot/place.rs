@@ -53,6 +53,20 @@ pub(super) fn check(index: usize, placed: &PlacedBall, table: &Table) -> Result<
     })
 }
 
+/// Whether [`check`] accepts the place of a ball whose radius it has accepted on this table.
+pub(super) fn is_inside(placed: &PlacedBall, table: &Table) -> bool {
+    if !table.size.x.is_finite() {
+        return true;
+    }
+    let (position, radius) = (table.to_engine_frame(&placed.state).position, placed.ball.radius);
+    let placement = if placed.state.motion == MotionState::Airborne {
+        table.place_in_air(position, radius)
+    } else {
+        table.place_check(position.xy(), radius)
+    };
+    placement.is_inside()
+}
+
 /// What is wrong, and the remedy.
 type Problem = Option<(String, String)>;
 

@@ -10,8 +10,10 @@ use crate::physics::Physics;
 use crate::range::{LARGEST, Range};
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 
-/// Speed of the cue, m/s. The record is about 15 m/s.
-pub(crate) const SPEED: Range = Range::above(0.0, 50.0, " m/s");
+/// Largest speed of the cue, m/s. The record is about 15 m/s.
+pub(crate) const FASTEST: f64 = 50.0;
+/// Speed of the cue, m/s.
+pub(crate) const SPEED: Range = Range::above(0.0, FASTEST, " m/s");
 pub(crate) const OFFSET: Range = Range::closed(-1.0, 1.0, " ball radii");
 
 /// Tip friction so large that the tip never slips.

@@ -4,7 +4,7 @@
 use carom::batch::{simulate_at_own_elevation, simulate_strikes};
 use carom::format::{KeyPath, Node};
 use carom::math::{degrees, radians};
-use carom::noise::{Noise, Perception};
+use carom::noise::{Noise, Perception, StruckBall};
 use carom::rack::{Break, Game, break_shot};
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
@@ -242,8 +242,9 @@ fn noise_varies_the_angle_that_was_used() {
     let made = shot(1.27, "", "");
     let (_, meant) = made.strike().expect("a strike");
     let noise = Noise { elevation: radians(0.1), ..Noise::default() };
+    let struck = StruckBall { radius: 0.028_575, largest_offset: 0.5 };
     let angles: Vec<f64> =
-        (0..400).map(|k| noise.draw(&meant, 0.028_575, 1, k).elevation).map(degrees).collect();
+        (0..400).map(|k| noise.draw(&meant, &struck, 1, k).elevation).map(degrees).collect();
     let mean = angles.iter().sum::<f64>() / 400.0;
     assert!((mean - 3.0).abs() < 0.02, "{mean}");
     assert!(angles.iter().any(|a| (a - 3.0).abs() > 0.1));

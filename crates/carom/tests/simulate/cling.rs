@@ -1,7 +1,8 @@
 //! Contacts that cling: in a shot file, and drawn under noise.
 
-use carom::batch::{Variants, draw_strikes, draw_variant, simulate_batch, simulate_variants};
+use carom::batch::{draw_strikes, draw_variant, simulate_batch, simulate_variants};
 use carom::math::{Vec3, atan2, cos, radians, sin};
+use carom::noise::Errors;
 use carom::physics::{BallBall, SlipFriction};
 use carom::resolve::{Body, ball_ball};
 use carom::runner::Runner;
@@ -121,20 +122,20 @@ fn noisy() -> (ShotFile, Noise) {
 fn every_variant_is_an_ordinary_shot_that_replays_to_the_bit() {
     const N: usize = 60;
     let (shot, noise) = noisy();
-    let variants = Variants { noise, seed: 5, first: 100, ..Variants::default() };
+    let errors = Errors { noise, seed: 5, ..Errors::default() };
     let strikes = draw_strikes(&shot, &noise, N, 5, 100).expect("strikes");
     let one = Runner::new(Some(1)).expect("a thread");
-    let rows = simulate_variants(&shot, &strikes, &variants, &one).expect("rows");
+    let rows = simulate_variants(&shot, &strikes, &errors, 100, &one).expect("rows");
     let two = Runner::new(Some(2)).expect("two threads");
-    assert_eq!(rows, simulate_variants(&shot, &strikes, &variants, &two).expect("rows"));
+    assert_eq!(rows, simulate_variants(&shot, &strikes, &errors, 100, &two).expect("rows"));
     let read = |k| {
         let drawn = draw_variant(&shot, &noise, 5, 100 + k).expect("a strike that can be played");
         Shot::from_json(&drawn.to_json()).expect("its file")
     };
     let shots: Vec<Shot> = (0..N as u64).map(read).collect();
     assert_eq!(rows, simulate_batch(&shots, &one));
-    let clean = Variants { noise: Noise::olympiad(1.0), ..variants };
-    assert_ne!(rows, simulate_variants(&shot, &strikes, &clean, &one).expect("rows"));
+    let clean = Errors { noise: Noise::olympiad(1.0), ..errors };
+    assert_ne!(rows, simulate_variants(&shot, &strikes, &clean, 100, &one).expect("rows"));
     assert!(shots.iter().any(|shot| shot.cling().contains(0)));
     assert!(shots.iter().any(|shot| !shot.cling().contains(0)));
 }

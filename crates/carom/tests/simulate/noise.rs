@@ -3,21 +3,23 @@
 use std::fs;
 use std::path::Path;
 
-use carom::batch::{BatchResult, Variants, draw_strikes, simulate_strikes, simulate_variants};
-use carom::noise::Perception;
+use carom::batch::{BatchResult, draw_strikes, simulate_strikes, simulate_variants};
+use carom::noise::{Errors, OFFSET_KEPT, Perception, SLOWEST, STEEPEST, StruckBall};
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom::{Noise, Shot};
 use serde_json::{Value, from_str};
 
 const RADIUS: f64 = 0.028_575;
+/// A ball whose tip offsets have no limit but the ball.
+const BALL: StruckBall = StruckBall { radius: RADIUS, largest_offset: 1.0 };
 const MEANT: Strike = Strike { speed: 3.0, azimuth: 1.0, elevation: 0.5, side: 0.1, height: -0.2 };
 
 /// The errors of each parameter, in units of σ.
 fn errors(noise: &Noise, seed: u64, count: u64) -> [Vec<f64>; 5] {
     let mut all: [Vec<f64>; 5] = Default::default();
     for index in 0..count {
-        let s = noise.draw(&MEANT, RADIUS, seed, index);
+        let s = noise.draw(&MEANT, &BALL, seed, index);
         let errors = [
             (s.speed - MEANT.speed) / noise.speed,
             (s.azimuth - MEANT.azimuth) / noise.azimuth,
@@ -82,17 +84,17 @@ fn changing_one_sigma_changes_no_other_parameter() {
     let all = Noise::olympiad(1.0);
     let still = Noise { speed: 0.0, ..all };
     for index in 0..100 {
-        let [moved, kept] = [all, still].map(|n| n.draw(&MEANT, RADIUS, 7, index));
+        let [moved, kept] = [all, still].map(|n| n.draw(&MEANT, &BALL, 7, index));
         assert_eq!(kept, Strike { speed: MEANT.speed, ..moved });
     }
-    assert_eq!(Noise::default().draw(&MEANT, RADIUS, 7, 3), MEANT);
+    assert_eq!(Noise::default().draw(&MEANT, &BALL, 7, 3), MEANT);
 }
 
 #[test]
 fn a_level_cue_is_drawn_level_or_raised_but_never_lowered() {
     let level = Strike { elevation: 0.0, ..MEANT };
     let drawn: Vec<f64> =
-        (0..1000).map(|k| Noise::olympiad(1.0).draw(&level, RADIUS, 0, k).elevation).collect();
+        (0..1000).map(|k| Noise::olympiad(1.0).draw(&level, &BALL, 0, k).elevation).collect();
     let flat = drawn.iter().filter(|e| **e == 0.0).count();
     assert!((400..600).contains(&flat), "{flat} of 1000 are level");
     assert!(drawn.iter().all(|e| *e >= 0.0));
@@ -126,32 +128,90 @@ fn play(shot: &Shot, noise: &Noise) -> BatchResult {
     simulate_strikes(shot, &strikes, &Runner::default())
 }
 
-#[test]
-fn strikes_that_cannot_be_played_fail_with_their_reason() {
+/// The shot `half_ball_cut` with another strike, which plays miscues if `miscue` is "report".
+fn cut(strike: &Strike, miscue: &str) -> Shot {
     let mut file = shot("half_ball_cut").to_node();
-    let mut strike = file.get("strike").expect("a strike").clone();
-    // 0.01 radii inside the miscue limit of a tip with friction 0.6.
-    strike.set("side", 0.5);
-    file.set("strike", strike.clone());
-    let edge = Shot::from_node(&file).expect("a shot");
-    let noise = Noise { side_m: 0.002, ..Noise::default() };
-    let result = play(&edge, &noise);
-    assert!(result.errors.len() > 20, "{} miscues", result.errors.len());
-    for (row, error) in &result.errors {
-        assert!(error.to_string().contains("miscue"), "{error}");
-        assert_eq!(result.events[*row], 0);
+    let mut own = file.get("strike").expect("a strike").clone();
+    own.set("miscue", miscue);
+    for (key, value) in [("side", strike.side), ("height", strike.height), ("speed", strike.speed)]
+    {
+        own.set(key, value);
     }
+    own.set("elevation_deg", carom::math::degrees(strike.elevation));
+    file.set("strike", own);
+    Shot::from_node(&file).expect("a shot")
+}
 
-    strike.set("miscue", "report");
-    file.set("strike", strike);
-    let reported = play(&Shot::from_node(&file).expect("a shot"), &noise);
-    assert_eq!(reported.errors, []);
+#[test]
+fn an_offset_beyond_the_miscue_limit_is_moved_back_along_its_direction() {
+    let noise = Noise { side_m: 0.004, height_m: 0.004, ..Noise::default() };
+    let limit = shot("half_ball_cut").miscue_limit();
+    for (miscue, limit, share) in [("refuse", limit, 0.95), ("report", 1.0, 0.9)] {
+        let out = share * limit;
+        let edge = Strike { side: 0.6 * out, height: -0.8 * out, elevation: 0.0, ..MEANT };
+        let shot = cut(&edge, miscue);
+        let (ball, meant) = shot.strike().expect("a strike");
+        let struck = StruckBall::of(&shot, &shot.balls()[ball].ball);
+        assert_eq!(struck.largest_offset, OFFSET_KEPT * limit, "{miscue}");
+        let unlimited = StruckBall { largest_offset: 10.0, ..struck };
+        let (mut moved, mut kept) = (0, 0);
+        for index in 0..400 {
+            let free = noise.draw(&meant, &unlimited, 3, index);
+            let drawn = noise.draw(&meant, &struck, 3, index);
+            shot.resolve_strike(&drawn).expect("it can be played");
+            if free.offset() <= struck.largest_offset {
+                assert_eq!(drawn, free);
+                kept += 1;
+            } else {
+                assert!((drawn.offset() - struck.largest_offset).abs() < 1e-15, "{drawn:?}");
+                let across = drawn.side * free.height - drawn.height * free.side;
+                assert!(across.abs() < 1e-15, "{drawn:?} is in another direction than {free:?}");
+                moved += 1;
+            }
+        }
+        assert!(moved > 50 && kept > 50, "{miscue}: {moved} moved, {kept} kept");
+    }
+}
 
-    let soft = Shot::with_strike(&edge, &Strike { speed: 0.01, side: 0.0, ..MEANT }).expect("soft");
-    let noise = Noise::olympiad(1.0);
-    let result = play(&soft, &noise);
-    assert!(result.errors.len() > 30);
-    assert!(result.errors.iter().all(|(_, e)| e.to_string().starts_with("strike.speed")));
+#[test]
+fn a_speed_and_an_elevation_stay_within_their_limits() {
+    let noise = Noise { speed: 5.0, elevation: 0.3, ..Noise::default() };
+    let steep = Strike { speed: 0.5, elevation: 1.4, ..MEANT };
+    let fast = Strike { speed: 49.0, elevation: 0.1, ..MEANT };
+    for (meant, speed, elevation) in [(steep, SLOWEST, STEEPEST), (fast, 50.0, 0.0)] {
+        let (mut at_speed, mut at_elevation) = (0, 0);
+        for index in 0..400 {
+            let drawn = noise.draw(&meant, &BALL, 3, index);
+            assert!((SLOWEST..=50.0).contains(&drawn.speed), "{}", drawn.speed);
+            assert!((0.0..=STEEPEST).contains(&drawn.elevation), "{}", drawn.elevation);
+            at_speed += usize::from(drawn.speed == speed);
+            at_elevation += usize::from(drawn.elevation == elevation);
+        }
+        assert!((50..350).contains(&at_speed), "{at_speed} at {speed} m/s");
+        assert!((50..350).contains(&at_elevation), "{at_elevation} at {elevation} rad");
+    }
+}
+
+#[test]
+fn a_parameter_without_errors_stays_as_intended_at_its_limit_too() {
+    let edge = Strike { speed: 0.004, azimuth: 1.0, elevation: 1.56, side: -0.0, height: 0.514 };
+    let struck = StruckBall { radius: RADIUS, largest_offset: OFFSET_KEPT * 0.514 };
+    let bits = |s: Strike| [s.speed, s.azimuth, s.elevation, s.side, s.height].map(f64::to_bits);
+    let drawn = Noise::default().draw(&edge, &struck, 1, 2);
+    assert_eq!(bits(drawn), bits(edge));
+    let turned = Noise { azimuth: 0.1, ..Noise::default() }.draw(&edge, &struck, 1, 2);
+    assert_eq!(bits(Strike { azimuth: edge.azimuth, ..turned }), bits(edge));
+    assert_ne!(turned.azimuth, edge.azimuth);
+}
+
+#[test]
+fn every_variant_of_a_strike_at_its_limits_is_played() {
+    let limit = shot("half_ball_cut").miscue_limit();
+    for (speed, side, elevation) in [(0.02, limit, 0.0), (2.0, -limit, 1.5), (0.005, 0.0, 1.0)] {
+        let edge = Strike { speed, side, height: 0.0, elevation, ..MEANT };
+        let result = play(&cut(&edge, "refuse"), &Noise::preset("beginner").expect("a preset"));
+        assert_eq!(result.errors, []);
+    }
 }
 
 #[test]
@@ -210,9 +270,9 @@ fn a_shot_without_a_strike_has_no_strike_to_vary() {
     let without = shot.with_balls(shot.balls().to_vec(), None).expect("the balls are valid");
     let drawn = draw_strikes(&without, &Noise::default(), 1, 0, 0).map(|_| ());
     let perception = Perception { position: 1e-3 };
-    let variants = Variants { perception, ..Variants::default() };
+    let errors = Errors { perception, ..Errors::default() };
     let runner = Runner::default();
-    let seen = simulate_variants(&without, &strikes, &variants, &runner).map(|_| ());
+    let seen = simulate_variants(&without, &strikes, &errors, 0, &runner).map(|_| ());
     for result in [drawn, seen] {
         let sentence = result.expect_err("no strike").to_string();
         assert!(sentence.starts_with("strike: the shot has no strike to vary"), "{sentence}");
