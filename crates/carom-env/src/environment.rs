@@ -1,7 +1,7 @@
 //! One environment.
 
-use carom::{Error, Simulator};
-use carom_rules::{Seat, Turn};
+use carom::Error;
+use carom_rules::{FrameSimulator, Seat, Turn};
 
 use crate::config::Config;
 use crate::episode::{Ending, Episode, NoisyStrike, ShotResult};
@@ -112,7 +112,7 @@ impl Environment {
     pub(crate) fn step(
         &mut self,
         config: &Config,
-        simulator: &mut Simulator,
+        simulator: &mut FrameSimulator,
         action: &[f32],
     ) -> StepResult {
         let mut step = StepResult::default();
@@ -142,7 +142,7 @@ impl Environment {
     }
 
     /// The opponent shoots until it is the agent's turn, or the frame is over.
-    fn reply(&mut self, config: &Config, simulator: &mut Simulator, step: &mut StepResult) {
+    fn reply(&mut self, config: &Config, simulator: &mut FrameSimulator, step: &mut StepResult) {
         if config.opponent == Opponent::None {
             return;
         }
@@ -159,7 +159,7 @@ impl Environment {
     fn play(
         &mut self,
         config: &Config,
-        simulator: &mut Simulator,
+        simulator: &mut FrameSimulator,
         strike: Option<NoisyStrike>,
         step: &mut StepResult,
     ) -> Option<ShotResult> {

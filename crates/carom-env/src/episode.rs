@@ -3,8 +3,8 @@
 use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{BallInSpace, Cling};
-use carom::{Error, Shot, Simulator};
-use carom_rules::{BallIndex, FrameBall, Seat, Turn};
+use carom::{Error, Shot};
+use carom_rules::{BallIndex, FrameBall, FrameSimulator, Seat, Turn};
 
 /// A strike before and after noise.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +79,7 @@ pub(crate) trait Episode: Send + Sync {
     /// over.
     fn play(
         &mut self,
-        simulator: &mut Simulator,
+        simulator: &mut FrameSimulator,
         strike: &NoisyStrike,
     ) -> Result<ShotResult, Error>;
     /// A copy.

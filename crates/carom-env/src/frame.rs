@@ -2,10 +2,15 @@
 
 use core::ops::Range;
 
-use carom::{Error, Shot, Simulator};
+use carom::event::NullRecorder;
+use carom::resolve::cue_ball::Strike;
+use carom::{Error, Shot};
 use carom_rules::games::GameState;
 use carom_rules::games::eight_ball::Group;
-use carom_rules::{BallIndex, Call, Choice, Frame, FrameBall, Play, Request, Rules, Seat, Turn};
+use carom_rules::{
+    BallIndex, Call, Choice, Frame, FrameBall, FrameSimulator, Prepared, Request, Rules, Seat,
+    Turn, through_degrees,
+};
 
 use crate::config::Config;
 use crate::episode::{Ending, Episode, NoisyStrike, ShotResult, Standing};
@@ -57,15 +62,6 @@ impl FrameEpisode {
         }
     }
 
-    /// The frame's indices of the balls of the next shot.
-    fn balls_of_shot(&self, turn: &Turn) -> Vec<BallIndex> {
-        let layout = self.frame.layout();
-        let mut balls = Vec::with_capacity(layout.len());
-        let all = 0..layout.len() as BallIndex;
-        balls.extend(all.filter(|ball| *ball == turn.cue || !layout.is_down(*ball)));
-        balls
-    }
-
     /// The call for a shot without an expected pot.
     fn default_call(turn: &Turn) -> Call {
         if turn.calls.nominate {
@@ -77,20 +73,24 @@ impl FrameEpisode {
         }
     }
 
-    /// The call for a shot: the pot, or the first ball hit, of the `intended` shot without noise.
+    /// The call for a shot: the pot, or the first ball hit, of the `intended` strike without noise.
     fn call(
         &self,
-        simulator: &mut Simulator,
-        turn: &Turn,
-        intended: &Shot,
-        balls: &[BallIndex],
+        simulator: &mut FrameSimulator,
+        prepared: &Prepared<'_>,
+        intended: &Strike,
     ) -> Call {
+        let (turn, shot) = (prepared.turn(), prepared.shot());
         let default = Self::default_call(turn);
-        let mut expected = TaskRecorder::new(intended.cue_ball().unwrap_or_default());
-        if default == Call::Nothing || simulator.play(intended, &mut expected).is_err() {
+        if default == Call::Nothing {
             return default;
         }
-        let ball = |k: u16| balls[usize::from(k)];
+        let struck = shot.strike().map(|(ball, _)| (ball, *intended));
+        let mut expected = TaskRecorder::new(shot.cue_ball().unwrap_or_default());
+        if simulator.simulator_mut().play_strike(shot, struck, &mut expected).is_err() {
+            return default;
+        }
+        let ball = |k: u16| prepared.balls()[usize::from(k)];
         if turn.calls.nominate {
             let first = expected.first_contact.map(ball);
             return first.filter(|first| turn.on.contains(first)).map_or(default, Call::On);
@@ -111,24 +111,30 @@ impl FrameEpisode {
 
     fn try_play(
         &mut self,
-        simulator: &mut Simulator,
+        simulator: &mut FrameSimulator,
         strike: &NoisyStrike,
     ) -> Result<ShotResult, Error> {
-        let Some(turn) = self.frame.turn().cloned() else {
+        let Some(turn) = self.frame.turn().copied() else {
             return Err(Error::input("step", "the episode is over", "reset the environment"));
         };
-        let balls = self.balls_of_shot(&turn);
-        let NoisyStrike { intended, actual, cling, cue_ball } = *strike;
-        let prepared = Play { strike: intended, cue_ball, call: Self::default_call(&turn) };
-        let prepared = self.frame.shot(&prepared)?;
-        let call = self.call(simulator, &turn, &prepared, &balls);
-        let play = Play { strike: actual, cue_ball, call };
-        // The call is chosen without noise.
-        let prepared = if cling.is_empty() { prepared } else { prepared.with_cling(cling) };
-        let (ruling, outcome) = self.frame.play_prepared(simulator, &play, &prepared)?;
+        let prepared = Prepared::new(&self.frame, strike.cue_ball)?;
+        let [intended, actual] = [strike.intended, strike.actual].map(|s| through_degrees(&s));
+        prepared.shot().resolve_strike(&intended)?;
+        let call = self.call(simulator, &prepared, &intended);
+        if strike.cling.is_empty() {
+            simulator.simulate(&prepared, &actual)?;
+        } else {
+            // The call is chosen without noise.
+            let clung = prepared.shot().with_cling(strike.cling);
+            simulator.simulate_shot(&prepared, &clung, &actual, &mut NullRecorder)?;
+        }
+        let mut successor = self.frame.clone();
+        let ruling = simulator.rule(&prepared, call, &mut successor)?;
         let legal = ruling.is_legal();
-        let may_pot = |(k, _): &&(u16, _)| self.may_pot(&turn, balls[usize::from(*k)]);
-        let potted = if legal { outcome.pocketed.iter().filter(may_pot).count() as u32 } else { 0 };
+        let pocketed = &simulator.outcome().pocketed;
+        let may_pot = |(ball, _): &&(BallIndex, _)| self.may_pot(&turn, *ball);
+        let potted = if legal { pocketed.iter().filter(may_pot).count() as u32 } else { 0 };
+        self.frame = successor;
         self.answer_choices()?;
         Ok(ShotResult { legal, potted, points: ruling.points })
     }
@@ -222,7 +228,7 @@ impl Episode for FrameEpisode {
 
     fn play(
         &mut self,
-        simulator: &mut Simulator,
+        simulator: &mut FrameSimulator,
         strike: &NoisyStrike,
     ) -> Result<ShotResult, Error> {
         let result = self.try_play(simulator, strike);

@@ -1,7 +1,7 @@
 //! The potting task: one shot at randomly placed balls.
 
-use carom::{Error, Shot, Simulator};
-use carom_rules::{BallIndex, Calls, FrameBall, Turn};
+use carom::{Error, Shot};
+use carom_rules::{BallIndex, BallList, Calls, FrameBall, FrameSimulator, Turn};
 
 use crate::bare_table::BareTable;
 use crate::config::Config;
@@ -38,7 +38,7 @@ impl Potting {
             ));
         }
         let turn =
-            Turn { player: 0, cue: CUE, hand: None, on: Vec::new(), calls: Calls::default() };
+            Turn { player: 0, cue: CUE, hand: None, on: BallList::new(), calls: Calls::default() };
         Ok(Self { table, balls, target_ball: config.target_ball, turn, over: true })
     }
 }
@@ -91,13 +91,13 @@ impl Episode for Potting {
 
     fn play(
         &mut self,
-        simulator: &mut Simulator,
+        simulator: &mut FrameSimulator,
         strike: &NoisyStrike,
     ) -> Result<ShotResult, Error> {
         self.over = true;
         // The balls on the table are 0 to `count`, so their indices are those of the shot.
         let mut recorder = TaskRecorder::new(CUE.into());
-        self.table.play(simulator, CUE, strike, &mut recorder)?;
+        self.table.play(simulator.simulator_mut(), CUE, strike, &mut recorder)?;
         let fell = |ball: BallIndex| recorder.pots.iter().any(|(down, _)| *down == ball);
         let legal = !fell(CUE) && !recorder.left_table;
         let potted = legal && self.turn.on.iter().any(|ball| fell(*ball));

@@ -5,8 +5,8 @@
 //! The definition is that of pooltool's ruleset `sum_to_three`, which does not mention balls that
 //! leave the table. Here such a shot scores nothing, and the ball is put back on its spot.
 
-use carom::{Error, Shot, Simulator};
-use carom_rules::{BallIndex, Calls, FrameBall, Turn};
+use carom::{Error, Shot};
+use carom_rules::{BallIndex, BallList, Calls, FrameBall, FrameSimulator, Turn};
 
 use crate::bare_table::BareTable;
 use crate::config::Config;
@@ -54,8 +54,13 @@ impl SumToThree {
                 "choose carom-10ft, carom-9ft, or a rectangle",
             ));
         }
-        let turn =
-            Turn { player: 0, cue: CUE, hand: None, on: vec![OBJECT], calls: Calls::default() };
+        let turn = Turn {
+            player: 0,
+            cue: CUE,
+            hand: None,
+            on: BallList::from(&[OBJECT][..]),
+            calls: Calls::default(),
+        };
         Ok(Self {
             table,
             points: config.options.points,
@@ -138,13 +143,13 @@ impl Episode for SumToThree {
 
     fn play(
         &mut self,
-        simulator: &mut Simulator,
+        simulator: &mut FrameSimulator,
         strike: &NoisyStrike,
     ) -> Result<ShotResult, Error> {
         let seat = self.turn.player;
         let mut recorder = TaskRecorder::new(CUE.into());
         self.opening = false;
-        if let Err(error) = self.table.play(simulator, CUE, strike, &mut recorder) {
+        if let Err(error) = self.table.play(simulator.simulator_mut(), CUE, strike, &mut recorder) {
             self.ending = Some(Ending::Stalemate);
             return Err(error);
         }

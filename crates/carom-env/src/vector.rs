@@ -1,9 +1,9 @@
 //! Many environments at once.
 
+use carom::Error;
 use carom::format::Node;
 use carom::runner::Runner;
-use carom::{Error, Simulator};
-use carom_rules::Seat;
+use carom_rules::{FrameSimulator, Seat};
 
 use crate::action::{ACTIONS, ACTIONS_WITHOUT_HAND};
 use crate::config::Config;
@@ -180,7 +180,7 @@ impl VectorEnv {
             .zip(out.final_observations.chunks_mut(CHUNK * size));
         runner.map(
             chunks,
-            Simulator::new,
+            FrameSimulator::new,
             |simulator, ((((environments, steps), actions), seen), last)| {
                 let rows = environments.iter_mut().zip(steps).zip(actions.chunks(width));
                 let seen = seen.chunks_mut(size).zip(last.chunks_mut(size));
@@ -276,7 +276,7 @@ impl Transitions {
 fn advance(
     environment: &mut Environment,
     config: &Config,
-    simulator: &mut Simulator,
+    simulator: &mut FrameSimulator,
     action: &[f32],
     seen: &mut [f32],
     last: &mut [f32],

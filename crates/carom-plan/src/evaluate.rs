@@ -8,7 +8,7 @@
 //! asked for, since the width itself is estimated. With rounds of a thousand variants this effect is
 //! smaller than the difference between two seeds.
 
-use std::time::{Duration, Instant};
+use core::ops::Range;
 
 use carom::batch::{self, BatchResult, OFF_TABLE, PADDING};
 use carom::noise::StruckBall;
@@ -19,6 +19,7 @@ use carom::{Error, Shot};
 use crate::error_model::ErrorModel;
 use crate::interval::{Interval, wilson};
 use crate::moments::Moments;
+use crate::part_size::PartSize;
 use crate::progress::Progress;
 use crate::referee::{Referee, Refereed, Verdicts};
 
@@ -27,11 +28,6 @@ pub const VARIANTS_PER_ROUND: u64 = 1024;
 /// Largest number of variants. Each stores the cue ball's final position, 16 bytes. Intervals of a
 /// billion variants are already far shorter than needed.
 pub const MOST_VARIANTS: u64 = 1_000_000_000;
-/// Variants per thread in the first part, before the time of a part is known.
-const FIRST_PART: usize = 64;
-/// Target time between two checks for a stop. With shorter times the threads would wait for each
-/// other more often; longer ones would delay Ctrl-C.
-const PART_TIME: Duration = Duration::from_millis(60);
 
 /// A question about the strike of a shot.
 #[derive(Clone, Copy, Debug, Default)]
@@ -135,27 +131,29 @@ pub fn evaluate(
 ) -> Result<Evaluation, Error> {
     check(shot, question)?;
     let Question { model, watched, .. } = question;
-    let refereed = question.referee.map(|referee| Refereed::new(shot, referee)).transpose()?;
+    let refereed =
+        question.referee.map(|referee| Refereed::new(shot, referee, model.errors())).transpose()?;
     let runner = Runner::new(question.threads)?;
     let round = model.half_width.map_or(u64::MAX, |_| VARIANTS_PER_ROUND);
-    let mut part = FIRST_PART * runner.threads();
+    let mut part = PartSize::new(runner.threads());
     let mut evaluation = Evaluation::empty(shot, question);
     progress.begin(0, model.variants as usize);
     while evaluation.variants < model.variants && !progress.is_stopped() {
         let first = evaluation.variants;
         let round_left = model.variants.min(round - first % round + first) - first;
-        let count = part.min(usize::try_from(round_left).unwrap_or(part));
+        let most = part.variants();
+        let count = most.min(usize::try_from(round_left).unwrap_or(most));
         evaluation.reserve(count)?;
-        let began = Instant::now();
-        let strikes = draw(shot, model, first, count, &runner);
-        if let Some(refereed) = &refereed {
-            let (ends, verdicts) = refereed.simulate(&strikes, model, first, &runner);
-            evaluation.count(&ends);
-            evaluation.rule(verdicts);
-        } else {
-            evaluation.count(&simulate(shot, &strikes, model, first, &runner)?);
-        }
-        part = if began.elapsed() < PART_TIME { 2 * part } else { part.div_ceil(2) };
+        part.play(|| {
+            if let Some(refereed) = &refereed {
+                let (ends, verdicts) = refereed.simulate(first, count, &runner);
+                evaluation.count(&ends);
+                evaluation.rule(verdicts);
+            } else {
+                evaluation.count(&simulate(shot, model, first..first + count as u64, &runner)?);
+            }
+            Ok::<(), Error>(())
+        })?;
         progress.add(count);
         let ends_round =
             evaluation.variants.is_multiple_of(round) || evaluation.variants == model.variants;
@@ -167,16 +165,28 @@ pub fn evaluate(
     Ok(evaluation)
 }
 
-/// The strikes of `count` variants from number `first` on, as [`batch::draw_strikes`] draws them.
-fn draw(shot: &Shot, model: &ErrorModel, first: u64, count: usize, runner: &Runner) -> Vec<Strike> {
+/// Plays these `variants`, with the strikes that [`batch::draw_strikes`] draws.
+fn simulate(
+    shot: &Shot,
+    model: &ErrorModel,
+    variants: Range<u64>,
+    runner: &Runner,
+) -> Result<BatchResult, Error> {
+    let first = variants.start;
+    let strikes = draw(shot, model, variants, runner);
+    batch::simulate_variants(shot, &strikes, &model.errors(), first, runner)
+}
+
+fn draw(shot: &Shot, model: &ErrorModel, variants: Range<u64>, runner: &Runner) -> Vec<Strike> {
     let Some((ball, meant)) = shot.strike() else { return Vec::new() };
     let struck = StruckBall::of(shot, &shot.balls()[ball].ball);
-    let chunks = (0..count).step_by(DRAWN).map(|start| start..count.min(start + DRAWN));
+    let end = variants.end;
+    let chunks = variants.step_by(DRAWN).map(|start| start..end.min(start + DRAWN as u64));
     let drawn = runner.map(
         chunks,
         || (),
         |(), chunk| {
-            let strike = |k| model.noise.draw(&meant, &struck, model.seed, first + k as u64);
+            let strike = |k| model.noise.draw(&meant, &struck, model.seed, k);
             chunk.map(strike).collect::<Vec<_>>()
         },
     );
@@ -185,16 +195,6 @@ fn draw(shot: &Shot, model: &ErrorModel, first: u64, count: usize, runner: &Runn
 
 /// Number of strikes that one thread draws at a time: a few tens of microseconds of work.
 const DRAWN: usize = 128;
-
-fn simulate(
-    shot: &Shot,
-    strikes: &[Strike],
-    model: &ErrorModel,
-    first: u64,
-    runner: &Runner,
-) -> Result<BatchResult, Error> {
-    batch::simulate_variants(shot, strikes, &model.errors(), first, runner)
-}
 
 fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
     let refuse = |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));

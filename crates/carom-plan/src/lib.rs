@@ -6,6 +6,7 @@
 //! - [`maps`] computes a result for every cell of a grid; [`breaks`] counts the results of many
 //!   breaks; [`cushions`] lists the cushion contacts of a ball that is alone on the table.
 //! - [`sweep`] plays the rows of a table of shots.
+//! - A [`Sampler`] gives the frames that may follow a play, for programs that search.
 //!
 //! Every answer depends only on the shot, the noise, the seed and the number of variants: it is the
 //! same for any number of threads and on every platform. Long tasks take a [`Progress`], through
@@ -21,13 +22,16 @@ pub mod grid;
 pub mod interval;
 pub mod maps;
 pub mod moments;
+mod part_size;
 mod places;
 pub mod progress;
 pub mod referee;
 pub mod route;
+pub mod sampler;
 pub mod solve;
 pub mod sweep;
 
+pub use carom_rules::Prepared;
 pub use error_model::{Chance, ErrorModel, check_level};
 pub use evaluate::{Evaluation, Question, Watched, evaluate};
 pub use goal::{Disc, Goal};
@@ -36,6 +40,7 @@ pub use moments::Moments;
 pub use progress::Progress;
 pub use referee::Referee;
 pub use route::{Leg, Route};
+pub use sampler::Sampler;
 pub use solve::{Search, Solution, Stage, solve};
 
 /// The examples of the documentation's page on Rust. They are tested with this crate because it

@@ -1,13 +1,13 @@
 //! Variants of a shot in a game: each is simulated once, and the frame rules on it.
 
 use carom::batch::{BatchResult, OFF_TABLE, ON_TABLE, PADDING};
-use carom::outcome::Outcome;
+use carom::noise::Errors;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
-use carom::{BallState, Error, MotionState, Shot, Simulator};
-use carom_rules::{Call, Frame, Play, Request};
+use carom::{Error, MotionState, Shot};
+use carom_rules::{Call, Frame, Play, Prepared, Request};
 
-use crate::error_model::ErrorModel;
+use crate::sampler::Sampler;
 
 /// A game in which the shot is played.
 #[derive(Clone, Copy, Debug)]
@@ -18,12 +18,12 @@ pub struct Referee<'a> {
     pub call: Call,
 }
 
-/// A shot that its frame asks for.
+/// A shot that its frame asks for, with a player's errors.
 pub(crate) struct Refereed<'a> {
-    referee: Referee<'a>,
-    shot: &'a Shot,
-    /// Where the player places the cue ball, m, if it is in hand.
-    place: Option<[f64; 2]>,
+    prepared: Prepared<'a>,
+    call: Call,
+    meant: Strike,
+    errors: Errors,
 }
 
 /// Numbers of variants with these rulings.
@@ -42,14 +42,16 @@ struct RuledVariant {
 }
 
 impl<'a> Refereed<'a> {
-    /// Rejects a shot that `referee`'s frame does not ask for.
-    pub(crate) fn new(shot: &'a Shot, referee: Referee<'a>) -> Result<Self, Error> {
-        let mut refereed = Self { referee, shot, place: None };
-        let Some((cue_ball, strike)) = shot.strike() else { return Ok(refereed) };
+    /// Rejects a shot without a strike, and one that `referee`'s frame does not ask for.
+    pub(crate) fn new(shot: &'a Shot, referee: Referee<'a>, errors: Errors) -> Result<Self, Error> {
+        let Referee { frame, call } = referee;
+        let Some((cue_ball, meant)) = shot.strike() else {
+            return Err(Error::input("strike", "the shot has no strike to vary", "give it one"));
+        };
         let lies = shot.balls()[cue_ball].state.position;
-        let in_hand = referee.frame.turn().is_some_and(|turn| turn.hand.is_some());
-        refereed.place = in_hand.then_some([lies.x, lies.y]);
-        let asked = referee.frame.shot(&refereed.play(strike))?;
+        let in_hand = frame.turn().is_some_and(|turn| turn.hand.is_some());
+        let place = in_hand.then_some([lies.x, lies.y]);
+        let asked = frame.shot(&Play { strike: meant, cue_ball: place, call })?;
         // The strike may differ, because the conversion of angles to degrees rounds them.
         if asked.balls() != shot.balls()
             || asked.table() != shot.table()
@@ -61,50 +63,56 @@ impl<'a> Refereed<'a> {
                 "evaluate the shot that the frame gives: frame.shot(...)",
             ));
         }
-        Ok(refereed)
+        Ok(Self { prepared: Prepared::with_shot(frame, place, shot)?, call, meant, errors })
     }
 
-    fn play(&self, strike: Strike) -> Play {
-        Play { strike, cue_ball: self.place, call: self.referee.call }
-    }
-
-    /// Plays each of `strikes`, on the layouts from number `first` on that the model's perception draws.
+    /// Plays `count` variants from number `first` on.
     pub(crate) fn simulate(
         &self,
-        strikes: &[Strike],
-        model: &ErrorModel,
         first: u64,
+        count: usize,
         runner: &Runner,
     ) -> (BatchResult, Verdicts) {
-        let errors = model.errors();
-        let played = runner.map(0..strikes.len(), Simulator::new, |simulator, k| {
-            let struck = self.shot.strike().map(|(ball, _)| (ball, strikes[k]));
-            let variant = errors.shot(self.shot, struck, first + k as u64)?;
-            self.rule(simulator, strikes[k], &variant)
-        });
-        self.gather(played)
+        let worker = || (Sampler::new(), self.prepared.frame().clone());
+        self.gather(runner.map(first..first + count as u64, worker, |(sampler, successor), k| {
+            sampler.simulate_variant(&self.prepared, &self.meant, &self.errors, k)?;
+            self.rule(sampler, successor)
+        }))
     }
 
-    fn rule(
-        &self,
-        simulator: &mut Simulator,
-        strike: Strike,
-        shot: &Shot,
-    ) -> Result<RuledVariant, Error> {
-        let mut frame = self.referee.frame.clone();
-        let player = frame.player();
-        let (ruling, outcome, last) = frame.play_displaced(simulator, &self.play(strike), shot)?;
-        let kept = match frame.request() {
-            Request::Shot(turn) => Some(turn.player) == player,
+    fn rule(&self, sampler: &Sampler, successor: &mut Frame) -> Result<RuledVariant, Error> {
+        let ruling = sampler.rule(&self.prepared, self.call, successor)?;
+        let player = self.prepared.turn().player;
+        let kept = match successor.request() {
+            Request::Shot(turn) => turn.player == player,
             Request::Choice { .. } => false,
-            Request::Over { winner, .. } => winner.is_some() && *winner == player,
+            Request::Over { winner, .. } => *winner == Some(player),
         };
         let verdicts = Verdicts { legal: u64::from(ruling.is_legal()), turn_kept: u64::from(kept) };
-        Ok(RuledVariant { ends: ends(shot, &outcome, &last), verdicts })
+        Ok(RuledVariant { ends: self.ends(sampler), verdicts })
+    }
+
+    /// The end of every ball: its pocket, numbered as in a batch, and its position.
+    fn ends(&self, sampler: &Sampler) -> Vec<(i8, [f64; 3])> {
+        let pockets = &self.prepared.shot().table().pockets;
+        let pocket = |ball| {
+            let fell = sampler.outcome().pocketed.iter().find(|(b, _)| *b == ball);
+            fell.and_then(|(_, name)| pockets.iter().position(|pocket| pocket.name == *name))
+        };
+        let ends = self.prepared.balls().iter().zip(sampler.last());
+        ends.map(|(&ball, state)| {
+            let end = match (state.motion, pocket(ball)) {
+                (MotionState::OffTable, _) => OFF_TABLE,
+                (_, Some(pocket)) => pocket as i8,
+                (_, None) => ON_TABLE,
+            };
+            (end, state.position.to_array())
+        })
+        .collect()
     }
 
     fn gather(&self, played: Vec<Result<RuledVariant, Error>>) -> (BatchResult, Verdicts) {
-        let balls = self.shot.balls().len();
+        let balls = self.prepared.balls().len();
         let mut all = BatchResult { shots: played.len(), balls, ..BatchResult::default() };
         let mut verdicts = Verdicts::default();
         for (k, one) in played.into_iter().enumerate() {
@@ -124,24 +132,4 @@ impl<'a> Refereed<'a> {
         }
         (all, verdicts)
     }
-}
-
-/// The end of every ball: its pocket, numbered as in a batch, and its position.
-fn ends(shot: &Shot, outcome: &Outcome, last: &[BallState]) -> Vec<(i8, [f64; 3])> {
-    let pockets = &shot.table().pockets;
-    let pocket = |ball: usize| {
-        let fell = outcome.pocketed.iter().find(|(b, _)| usize::from(*b) == ball);
-        fell.and_then(|(_, name)| pockets.iter().position(|pocket| pocket.name == *name))
-    };
-    last.iter()
-        .enumerate()
-        .map(|(ball, state)| {
-            let end = match (state.motion, pocket(ball)) {
-                (MotionState::OffTable, _) => OFF_TABLE,
-                (_, Some(pocket)) => pocket as i8,
-                (_, None) => ON_TABLE,
-            };
-            (end, state.position.to_array())
-        })
-        .collect()
 }

@@ -1,8 +1,12 @@
 //! A game in progress.
 
 mod play;
+mod prepared;
 mod resume;
+mod simulator;
 mod stalemate;
+
+use std::sync::Arc;
 
 use carom::format::Node;
 use carom::{Error, Shot};
@@ -15,13 +19,15 @@ use crate::ruling::Ruling;
 use crate::seat::{self, Seat};
 use crate::state::FrameState;
 
+pub use prepared::Prepared;
+pub use simulator::FrameSimulator;
 use stalemate::{Stalemate, StalemateCounter};
 
 /// A place inside every table (file frame, m), for the only ball of the base shot.
 const INSIDE: [f64; 2] = [0.25, 0.25];
 
-/// One rack, frame or match of a game between two players.
-#[derive(Clone, Debug)]
+/// One rack, frame or match of a game between two players. [`Clone::clone_from`] allocates nothing.
+#[derive(Debug)]
 pub struct Frame {
     rules: Rules,
     game_state: GameState,
@@ -29,6 +35,19 @@ pub struct Frame {
     request: Request,
     stalemates: StalemateCounter,
     shots: u32,
+}
+
+impl Clone for Frame {
+    fn clone(&self) -> Self {
+        Self { state: self.state.clone(), ..*self }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        let Self { rules, game_state, state, request, stalemates, shots } = self;
+        state.clone_from(&source.state);
+        (*rules, *game_state, *request) = (source.rules, source.game_state, source.request);
+        (*stalemates, *shots) = (source.stalemates, source.shots);
+    }
 }
 
 impl Frame {
@@ -47,7 +66,7 @@ impl Frame {
         seed: u64,
     ) -> Result<Self, Error> {
         options.check()?;
-        let base = base(rules, table, physics)?;
+        let base = Arc::new(base(rules, table, physics)?);
         let refuse = |what: &str, remedy| {
             Err(Error::input("table", format!("{} {what}", rules.name()), remedy))
         };
@@ -81,7 +100,7 @@ impl Frame {
         Self::on_table(self.rules, self.state.options, self.state.base.clone(), seed)
     }
 
-    fn on_table(rules: Rules, options: Options, base: Shot, seed: u64) -> Result<Self, Error> {
+    fn on_table(rules: Rules, options: Options, base: Arc<Shot>, seed: u64) -> Result<Self, Error> {
         let mut state = FrameState::new(rules, options, base, seed)?;
         let mut game_state = GameState::new(rules);
         let request = game_state.rules_mut().start(&mut state, 0);
@@ -142,7 +161,7 @@ impl Frame {
     }
 
     /// A shot on the frame's table with its physics; its balls are not those of the frame.
-    pub const fn base(&self) -> &Shot {
+    pub fn base(&self) -> &Shot {
         &self.state.base
     }
 

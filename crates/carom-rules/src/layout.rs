@@ -8,6 +8,7 @@ use carom::shot::PlacedBall;
 use carom::{Ball, BallState, Error, Shot, Table};
 
 use crate::markings::distance;
+use crate::short_list::ShortList;
 
 /// A ball, by its position in the list of the frame's balls ([`FrameLayout::balls`]). In games with
 /// numbered balls the cue ball is 0 and every other ball has its number.
@@ -35,11 +36,38 @@ pub struct FrameBall {
     pub ball: Ball,
 }
 
+/// The most balls of a frame: the cue ball, fifteen reds and six colours of snooker. Lists of balls
+/// and of places have this capacity.
+pub const MOST_BALLS: usize = 22;
+
+/// Balls of a frame, in order.
+pub type BallList = ShortList<BallIndex, MOST_BALLS>;
+
+/// Centre of each ball (file frame, m); none if it is not on the table.
+pub(crate) type Places = [Option<[f64; 2]>; MOST_BALLS];
+
 /// The balls of a frame and their places.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct FrameLayout {
     balls: Arc<[FrameBall]>,
-    places: Vec<Option<[f64; 2]>>,
+    /// The first ones belong to `balls`, and the others are not used.
+    places: Places,
+}
+
+impl Clone for FrameLayout {
+    fn clone(&self) -> Self {
+        Self { balls: self.balls.clone(), places: self.places }
+    }
+
+    // Frames of one game share their balls. Counts of references are left alone then: threads would
+    // wait for each other to change them.
+    fn clone_from(&mut self, source: &Self) {
+        let Self { balls, places } = self;
+        if !Arc::ptr_eq(balls, &source.balls) {
+            balls.clone_from(&source.balls);
+        }
+        *places = source.places;
+    }
 }
 
 impl FrameLayout {
@@ -52,7 +80,10 @@ impl FrameLayout {
         if racked[1..].iter().all(|(id, _)| number(id).is_some()) {
             racked[1..].sort_by_key(|(id, _)| number(id));
         }
-        let places = racked.iter().map(|(_, place)| Some(*place)).collect();
+        let mut places = Places::default();
+        for (place, (_, racked)) in places.iter_mut().zip(&racked) {
+            *place = Some(*racked);
+        }
         let mut balls: Vec<FrameBall> =
             racked.into_iter().map(|(id, _)| FrameBall { id, ball }).collect();
         if let Some(cue_ball) = rack::cue_ball_of_its_own(table) {
@@ -94,7 +125,7 @@ impl FrameLayout {
     }
 
     /// Those of `balls` that are on the table.
-    pub(crate) fn left(&self, balls: impl Iterator<Item = BallIndex>) -> Vec<BallIndex> {
+    pub(crate) fn left(&self, balls: impl Iterator<Item = BallIndex>) -> BallList {
         balls.filter(|ball| !self.is_down(*ball)).collect()
     }
 
@@ -105,6 +136,15 @@ impl FrameLayout {
 
     pub(crate) fn put(&mut self, ball: BallIndex, place: Option<[f64; 2]>) {
         self.places[usize::from(ball)] = place;
+    }
+
+    /// All places, to be put back with [`Self::put_all`].
+    pub(crate) const fn places(&self) -> &Places {
+        &self.places
+    }
+
+    pub(crate) const fn put_all(&mut self, places: &Places) {
+        self.places = *places;
     }
 
     /// The balls on the table, for a shot.
@@ -141,8 +181,8 @@ impl FrameLayout {
     }
 
     /// The balls that touch `ball`: those with a gap of at most `tolerance`, m.
-    pub(crate) fn touching(&self, ball: BallIndex, tolerance: f64) -> Vec<BallIndex> {
-        let Some(place) = self.place(ball) else { return Vec::new() };
+    pub(crate) fn touching(&self, ball: BallIndex, tolerance: f64) -> BallList {
+        let Some(place) = self.place(ball) else { return BallList::new() };
         let reach = self.radius(ball) + tolerance;
         let touches = |there, radius| distance(place, there) <= reach + radius;
         let others = self.others(ball).filter(|(_, there, radius)| touches(*there, *radius));

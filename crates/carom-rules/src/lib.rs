@@ -26,7 +26,7 @@
 //! Each game is a file of [`games`]. [`Rules::rule`] gives the rule that forbids a foul; the
 //! documentation's page "Rules of the games" lists the rule books.
 //!
-//! Files import downwards only: seat, markings ← layout, region ← play, request, ruling, rules ←
+//! Files import downwards only: seat, short_list, markings ← layout, region ← play, request, ruling, rules ←
 //! state, referee ← games ← frame ← report.
 
 mod frame;
@@ -43,13 +43,15 @@ mod ruling;
 #[cfg(test)]
 mod scenarios;
 mod seat;
+mod short_list;
 mod state;
 
-pub use frame::{Frame, recorded_setup};
-pub use layout::{BallIndex, FrameBall, FrameLayout};
+pub use frame::{Frame, FrameSimulator, Prepared, recorded_setup};
+pub use layout::{BallIndex, BallList, FrameBall, FrameLayout, MOST_BALLS};
 pub use play::{Call, Play, through_degrees};
 pub use region::Region;
-pub use request::{Calls, Choice, Request, Turn};
+pub use request::{Calls, Choice, Choices, Request, Turn};
 pub use rules::{Options, Rules};
 pub use ruling::{Foul, Fouls, Ruling};
 pub use seat::Seat;
+pub use short_list::ShortList;

@@ -1,7 +1,7 @@
 //! Records what a referee needs from a shot.
 
 use carom::event::{Event, EventKind, Recorder};
-use carom::outcome::{Outcome, OutcomeRecorder, Touched};
+use carom::outcome::{Outcome, OutcomeMemory, OutcomeRecorder, Touched};
 use carom::{BallState, Shot};
 
 use crate::layout::{BallIndex, FROZEN};
@@ -54,30 +54,32 @@ impl NearHit {
     }
 }
 
-/// `outcome` of a shot whose ball `k` is ball `balls[k]` of the frame, with the frame's ball
+/// Gives `outcome`, of a shot whose ball `k` is ball `balls[k]` of the frame, the frame's ball
 /// indices.
-pub(crate) fn renumbered(outcome: &Outcome, balls: &[BallIndex]) -> Outcome {
-    let mut out = outcome.clone();
+pub(crate) fn renumber(outcome: &mut Outcome, balls: &[BallIndex]) {
+    // The indices ascend, so they are equal if the last ones are.
+    if balls.last().is_none_or(|last| usize::from(*last) + 1 == balls.len()) {
+        return;
+    }
     let renumber = |k: &mut u16| *k = balls[usize::from(*k)];
-    out.cue_ball.iter_mut().for_each(renumber);
-    out.first_contact.iter_mut().for_each(renumber);
-    out.pocketed.iter_mut().for_each(|(k, _)| renumber(k));
-    out.off_table.iter_mut().for_each(renumber);
-    out.hanging.iter_mut().for_each(|(k, _)| renumber(k));
-    for (over, under) in &mut out.jumped {
+    outcome.cue_ball.iter_mut().for_each(renumber);
+    outcome.first_contact.iter_mut().for_each(renumber);
+    outcome.pocketed.iter_mut().for_each(|(k, _)| renumber(k));
+    outcome.off_table.iter_mut().for_each(renumber);
+    outcome.hanging.iter_mut().for_each(|(k, _)| renumber(k));
+    for (over, under) in &mut outcome.jumped {
         renumber(over);
         renumber(under);
     }
-    out.rails_after_first_contact.iter_mut().for_each(|(k, _)| renumber(k));
-    out.driven_to_rail.iter_mut().for_each(renumber);
-    for touched in &mut out.cue_ball_touched {
+    outcome.rails_after_first_contact.iter_mut().for_each(|(k, _)| renumber(k));
+    outcome.driven_to_rail.iter_mut().for_each(renumber);
+    for touched in &mut outcome.cue_ball_touched {
         if let Touched::Ball(k) = touched {
             renumber(k);
         }
     }
-    out.met_during_strike.iter_mut().for_each(renumber);
-    out.never_resting.iter_mut().for_each(renumber);
-    out
+    outcome.met_during_strike.iter_mut().for_each(renumber);
+    outcome.never_resting.iter_mut().for_each(renumber);
 }
 
 /// Records the outcome of a shot and the travel of its cue ball.
@@ -95,10 +97,11 @@ pub(crate) struct RefereeRecorder<'a> {
 }
 
 impl<'a> RefereeRecorder<'a> {
-    pub(crate) fn new(shot: &'a Shot) -> Self {
+    /// A recorder for one simulation of `shot`, in memory that may have been used before.
+    pub(crate) fn new(shot: &'a Shot, memory: OutcomeMemory) -> Self {
         Self {
             shot,
-            outcome: OutcomeRecorder::new(shot),
+            outcome: OutcomeRecorder::reusing(shot, memory),
             cue: shot.cue_ball().unwrap_or_default() as u16,
             before_contact: true,
             jumped_before_contact: false,
@@ -108,16 +111,16 @@ impl<'a> RefereeRecorder<'a> {
         }
     }
 
-    /// The outcome, with the ball indices of the shot. `last` are the final states (engine frame);
+    /// The outcome, with the ball indices of the shot. `last` are the final states (file frame);
     /// `middle` is half the table's length, m.
-    pub(crate) fn finish(self, last: &[BallState], middle: f64) -> (Outcome, CueBallTravel) {
+    pub(crate) fn finish(self, last: &[BallState], middle: f64) -> (OutcomeMemory, CueBallTravel) {
         let travel = CueBallTravel {
             jumped_before_contact: self.jumped_before_contact,
             reached_before_contact: self.reached_before_contact + middle,
             reached: self.reached + middle,
             near_hit: self.near_hit,
         };
-        (self.outcome.finish(last), travel)
+        (self.outcome.finish_memory(last), travel)
     }
 }
 

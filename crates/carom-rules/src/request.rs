@@ -2,12 +2,13 @@
 
 use carom::Error;
 
-use crate::layout::BallIndex;
+use crate::layout::{BallIndex, BallList};
 use crate::region::Region;
 use crate::seat::Seat;
+use crate::short_list::ShortList;
 
 /// The next request of a frame.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Request {
     /// A shot.
     Shot(Turn),
@@ -16,7 +17,7 @@ pub enum Request {
         /// The seat that chooses.
         player: Seat,
         /// The options; there are at least two.
-        choices: Vec<Choice>,
+        choices: Choices,
         /// The reason, in words.
         why: &'static str,
     },
@@ -32,7 +33,7 @@ pub enum Request {
 impl Request {
     pub(crate) fn choice(player: Seat, choices: &[Choice], why: &'static str) -> Self {
         debug_assert!(choices.len() > 1, "a single option is applied, not offered");
-        Self::Choice { player, choices: choices.to_vec(), why }
+        Self::Choice { player, choices: choices.into(), why }
     }
 
     pub(crate) const fn won(winner: Seat, why: &'static str) -> Self {
@@ -41,7 +42,7 @@ impl Request {
 }
 
 /// The shot that the frame asks for.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {
     /// The seat that shoots.
     pub player: Seat,
@@ -50,7 +51,7 @@ pub struct Turn {
     /// Where a cue ball in hand may be placed; none if it is played from where it lies.
     pub hand: Option<Region>,
     /// The balls on: the cue ball must hit one of them first. Empty where the rules name none.
-    pub on: Vec<BallIndex>,
+    pub on: BallList,
     /// The calls that the player may or must make.
     pub calls: Calls,
 }
@@ -80,10 +81,14 @@ impl Calls {
         Self { pocket: true, safety: true, required: true, ..Self::NONE };
 }
 
+/// The options of a player, each at most once.
+pub type Choices = ShortList<Choice, { Choice::ALL.len() }>;
+
 /// An option of a player.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Choice {
     /// Shoot, with the balls as they lie.
+    #[default]
     PlayOn,
     /// Shoot, with the cue ball in hand behind the head string.
     PlayFromHand,

@@ -1,6 +1,6 @@
 //! Fouls, and the ruling on a shot or a choice.
 
-use crate::layout::BallIndex;
+use crate::layout::BallList;
 
 /// A breach of the rules in a shot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -111,14 +111,14 @@ impl Fouls {
 }
 
 /// The result of a shot or a choice.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ruling {
     /// The fouls; empty for a legal shot.
     pub fouls: Fouls,
     /// The change of each seat's score.
     pub points: [i32; 2],
     /// Balls that were spotted.
-    pub spotted: Vec<BallIndex>,
+    pub spotted: BallList,
     /// Whether the balls were racked again; in straight pool also if only fourteen of them were.
     pub racked: bool,
 }

@@ -1,5 +1,7 @@
 //! The state that every game has.
 
+use std::sync::Arc;
+
 use carom::{Error, Shot};
 
 use crate::layout::FrameLayout;
@@ -10,11 +12,11 @@ use crate::ruling::Ruling;
 const SEED_STEP: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// The state that every game has.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct FrameState {
     pub(crate) options: Options,
     /// A shot on the frame's table with its physics; the balls of this shot are not used.
-    pub(crate) base: Shot,
+    pub(crate) base: Arc<Shot>,
     pub(crate) layout: FrameLayout,
     pub(crate) scores: [i32; 2],
     /// Consecutive fouls of each seat.
@@ -26,11 +28,30 @@ pub(crate) struct FrameState {
     seeds_drawn: u64,
 }
 
+impl Clone for FrameState {
+    fn clone(&self) -> Self {
+        Self { base: self.base.clone(), layout: self.layout.clone(), ..*self }
+    }
+
+    // As for the layout, counts of references are left alone where possible.
+    fn clone_from(&mut self, source: &Self) {
+        let Self { base, layout, .. } = self;
+        if !Arc::ptr_eq(base, &source.base) {
+            base.clone_from(&source.base);
+        }
+        layout.clone_from(&source.layout);
+        let Self { options, scores, fouls, ruling, rules, seed, seeds_drawn, .. } = self;
+        (*options, *rules) = (source.options, source.rules);
+        (*scores, *fouls, *ruling) = (source.scores, source.fouls, source.ruling);
+        (*seed, *seeds_drawn) = (source.seed, source.seeds_drawn);
+    }
+}
+
 impl FrameState {
     pub(crate) fn new(
         rules: Rules,
         options: Options,
-        base: Shot,
+        base: Arc<Shot>,
         seed: u64,
     ) -> Result<Self, Error> {
         let layout = FrameLayout::rack(rules.rack(), &base, seed)?;

@@ -1,15 +1,15 @@
 //! Playing a shot: the play is checked, simulated and ruled on.
 
+use carom::event::NullRecorder;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
-use carom::shot::PlacedBall;
-use carom::{BallState, Error, MotionState, Shot, Simulator, Trace};
+use carom::{BallState, Error, Shot, Trace};
 
-use super::Frame;
+use super::{Frame, FrameSimulator, Prepared};
 use crate::games::PlayedShot;
 use crate::layout::FrameLayout;
 use crate::play::{Call, Play, through_degrees};
-use crate::referee::{CueBallTravel, RefereeRecorder, renumbered};
+use crate::referee::CueBallTravel;
 use crate::request::Turn;
 use crate::ruling::Ruling;
 
@@ -21,10 +21,7 @@ impl Frame {
     /// allowed, if the cue ball is placed where it must not be, and for a strike that a shot file
     /// could not have.
     pub fn shot(&self, play: &Play) -> Result<Shot, Error> {
-        let (balls, cue) = self.balls_of(play)?;
-        let strike = through_degrees(&play.strike);
-        let shot = self.state.base.with_balls(balls, Some((cue, strike)));
-        shot.map_err(|error| at_cue_ball(error, cue))
+        self.prepared(play)?.shot().with_strike(&through_degrees(&play.strike))
     }
 
     /// `play` at the default elevation of its strike ([`Shot::default_elevation`]). The elevation in
@@ -33,28 +30,34 @@ impl Frame {
     /// # Errors
     /// As [`Self::shot`].
     pub fn at_default_elevation(&self, play: &Play) -> Result<Play, Error> {
-        let (balls, cue) = self.balls_of(play)?;
+        let prepared = self.prepared(play)?;
         let strike = Strike { elevation: 0.0, ..play.strike };
-        let shot = self.state.base.with_balls(balls, Some((cue, strike)));
-        let shot = shot.map_err(|error| at_cue_ball(error, cue))?;
-        let elevation = shot.default_elevation(&strike);
+        prepared.shot().resolve_strike(&strike)?;
+        let elevation = prepared.shot().default_elevation(&strike);
         Ok(Play { strike: Strike { elevation, ..strike }, ..*play })
     }
 
-    /// The balls of `play`, and the index of the struck ball among them.
-    fn balls_of(&self, play: &Play) -> Result<(Vec<PlacedBall>, usize), Error> {
-        let turn = self.asked_turn()?;
-        self.check_call(turn, play.call)?;
+    /// The shot of `play`, whose strike is not used.
+    fn prepared(&self, play: &Play) -> Result<Prepared<'_>, Error> {
+        self.check_call(self.asked_turn()?, play.call)?;
+        Prepared::new(self, play.cue_ball)
+    }
+
+    /// The balls before the shot of `turn`, with a cue ball in hand at `cue_ball`.
+    pub(super) fn layout_with(
+        &self,
+        turn: &Turn,
+        cue_ball: Option<[f64; 2]>,
+    ) -> Result<FrameLayout, Error> {
         let mut layout = self.state.layout.clone();
-        let place = play.cue_ball.or_else(|| layout.place(turn.cue));
-        self.check_cue_ball(turn, play.cue_ball, place)?;
+        let place = cue_ball.or_else(|| layout.place(turn.cue));
+        self.check_cue_ball(turn, cue_ball, place)?;
         layout.put(turn.cue, place);
-        let cue = layout.on_table().position(|ball| ball == turn.cue).unwrap_or_default();
-        Ok((layout.placed(), cue))
+        Ok(layout)
     }
 
     /// The shot that the frame asks for.
-    fn asked_turn(&self) -> Result<&Turn, Error> {
+    pub(super) fn asked_turn(&self) -> Result<&Turn, Error> {
         self.turn().ok_or_else(|| {
             Error::input(
                 "play",
@@ -64,7 +67,7 @@ impl Frame {
         })
     }
 
-    fn check_call(&self, turn: &Turn, call: Call) -> Result<(), Error> {
+    pub(super) fn check_call(&self, turn: &Turn, call: Call) -> Result<(), Error> {
         let calls = &turn.calls;
         let wrong = |what: &str, remedy: &str| Err(Error::input("call", what, remedy));
         match call {
@@ -128,13 +131,14 @@ impl Frame {
         Ok(())
     }
 
-    /// Plays a shot: simulates it, rules on it, and updates the request.
+    /// Plays a shot: simulates it, rules on it, and updates the request. Balls of the outcome are
+    /// indices of the frame.
     ///
     /// # Errors
     /// As [`Self::shot`], and if the simulation reaches its limit of events. The frame is unchanged
     /// then.
     pub fn play(&mut self, play: &Play) -> Result<(Ruling, Outcome), Error> {
-        self.play_in(&mut Simulator::new(), play)
+        self.play_in(&mut FrameSimulator::new(), play)
     }
 
     /// As [`Self::play`], with the memory of a simulator that is used many times.
@@ -143,50 +147,37 @@ impl Frame {
     /// As [`Self::play`].
     pub fn play_in(
         &mut self,
-        simulator: &mut Simulator,
+        simulator: &mut FrameSimulator,
         play: &Play,
     ) -> Result<(Ruling, Outcome), Error> {
-        let shot = self.shot(play)?;
-        let (ruling, outcome, _) = self.play_shot(simulator, play, &shot, shot.strike())?;
-        Ok((ruling, outcome))
+        let prepared = self.prepared(play)?;
+        simulator.simulate(&prepared, &through_degrees(&play.strike))?;
+        let mut successor = self.clone();
+        let ruling = simulator.rule(&prepared, play.call, &mut successor)?;
+        *self = successor;
+        Ok((ruling, simulator.outcome().clone()))
     }
 
-    /// As [`Self::play_in`], with a shot that was prepared before: `prepared` is what
-    /// [`Self::shot`] returned for the same place of the cue ball, with any strike and any call.
-    /// For programs that simulate the intended strike first, and then choose the call or add errors
-    /// to the strike.
-    ///
-    /// # Errors
-    /// As [`Self::play`].
-    pub fn play_prepared(
-        &mut self,
-        simulator: &mut Simulator,
-        play: &Play,
-        prepared: &Shot,
-    ) -> Result<(Ruling, Outcome), Error> {
-        self.check_call(self.asked_turn()?, play.call)?;
-        let shot = prepared.with_strike(&through_degrees(&play.strike))?;
-        let (ruling, outcome, _) = self.play_shot(simulator, play, &shot, shot.strike())?;
-        Ok((ruling, outcome))
-    }
-
-    /// As [`Self::play_prepared`], with a strike that is played to the last bit and with balls that
-    /// may be displaced a little from their places in the frame (errors of perception). Also
-    /// returns the final states (file frame, in the order of `prepared`), before any ball was
-    /// spotted.
+    /// As [`Self::play_in`], with a strike that is played to the last bit, in `shot`: what
+    /// [`Self::shot`] returned for the same place of the cue ball, or a variant of it in which the
+    /// balls are displaced a little (errors of perception) or other contacts cling. Also returns
+    /// the final states (file frame, in the order of `shot`), before any ball was spotted.
     ///
     /// # Errors
     /// As [`Self::play`].
     pub fn play_displaced(
         &mut self,
-        simulator: &mut Simulator,
+        simulator: &mut FrameSimulator,
         play: &Play,
-        prepared: &Shot,
+        shot: &Shot,
     ) -> Result<(Ruling, Outcome, Vec<BallState>), Error> {
         self.check_call(self.asked_turn()?, play.call)?;
-        prepared.resolve_strike(&play.strike)?;
-        let strike = prepared.strike().map(|(ball, _)| (ball, play.strike));
-        self.play_shot(simulator, play, prepared, strike)
+        let prepared = Prepared::with_shot(self, play.cue_ball, shot)?;
+        simulator.simulate_shot(&prepared, shot, &play.strike, &mut NullRecorder)?;
+        let mut successor = self.clone();
+        let ruling = simulator.rule(&prepared, play.call, &mut successor)?;
+        *self = successor;
+        Ok((ruling, simulator.outcome().clone(), simulator.last().to_vec()))
     }
 
     /// Rules on a shot that was simulated elsewhere: `trace` is the trace of the shot that
@@ -203,39 +194,7 @@ impl Frame {
                 "simulate the shot that the frame returns for this play",
             ));
         }
-        let shot = trace.shot();
-        let played = self.play_shot(&mut Simulator::new(), play, shot, shot.strike())?;
-        Ok(played.0)
-    }
-
-    /// Simulates `shot` with `strike`, the shot of `play`, and rules on it. Also returns the final
-    /// states (file frame).
-    fn play_shot(
-        &mut self,
-        simulator: &mut Simulator,
-        play: &Play,
-        shot: &Shot,
-        strike: Option<(usize, Strike)>,
-    ) -> Result<(Ruling, Outcome, Vec<BallState>), Error> {
-        let turn = self.asked_turn()?.clone();
-        let mut recorder = RefereeRecorder::new(shot);
-        let summary = simulator.play_strike(shot, strike, &mut recorder)?;
-        let last: Vec<BallState> = simulator.states(summary.duration).collect();
-
-        let layout = &mut self.state.layout;
-        layout.put(turn.cue, play.cue_ball.or_else(|| layout.place(turn.cue)));
-        let mut balls = Vec::with_capacity(layout.len());
-        balls.extend(layout.on_table());
-        let before = layout.clone();
-        let (outcome, travel) = recorder.finish(&last, 0.5 * shot.table().size.y);
-        let last: Vec<BallState> =
-            (0..).zip(&last).map(|(i, state)| shot.to_file_frame(i, state)).collect();
-        for (&ball, state) in balls.iter().zip(&last) {
-            let gone = matches!(state.motion, MotionState::Pocketed | MotionState::OffTable);
-            layout.put(ball, (!gone).then_some([state.position.x, state.position.y]));
-        }
-        let of_frame = renumbered(&outcome, &balls);
-        Ok((self.decide(&turn, play, &of_frame, &travel, &before), outcome, last))
+        self.play(play).map(|(ruling, _)| ruling)
     }
 
     /// Rules on a shot with this outcome, in the frame's ball indices. The balls already are where
@@ -243,23 +202,13 @@ impl Frame {
     pub(crate) fn decide(
         &mut self,
         turn: &Turn,
-        play: &Play,
+        call: Call,
         outcome: &Outcome,
         travel: &CueBallTravel,
         before: &FrameLayout,
     ) -> Ruling {
-        let shot = PlayedShot { turn, play, outcome, travel, before };
+        let shot = PlayedShot { turn, call, outcome, travel, before };
         let request = self.game_state.rules_mut().judge(&mut self.state, &shot);
         self.settle(request, 1)
-    }
-}
-
-/// An error at the place of ball `cue` of a shot, as an error at the play's `cue_ball`.
-fn at_cue_ball(error: Error, cue: usize) -> Error {
-    match error {
-        Error::Input(e) if e.place == format!("balls[{cue}].position") => {
-            Error::input("cue_ball", e.what, e.remedy)
-        }
-        other => other,
     }
 }

@@ -7,7 +7,7 @@ use crate::state::FrameState;
 const LAST_STALEMATE: u32 = 2;
 
 /// The progress of a frame so far.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct StalemateCounter {
     /// Shots since the last progress.
     idle: u32,

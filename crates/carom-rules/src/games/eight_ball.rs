@@ -4,10 +4,10 @@ use carom::format::Node;
 
 use super::game::{GameRules, PlayedShot};
 use super::pool::{self, BALLS_TO_RAIL};
-use crate::layout::{BallIndex, FrameLayout};
+use crate::layout::{BallIndex, BallList, FrameLayout};
 use crate::play::Call;
 use crate::region::Region;
-use crate::request::{Calls, Choice, Request};
+use crate::request::{Calls, Choice, Choices, Request};
 use crate::ruling::Foul;
 use crate::seat::{self, Seat};
 use crate::state::FrameState;
@@ -42,7 +42,7 @@ impl Group {
 }
 
 /// A rack of eight-ball.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EightBall {
     /// The seat with the solids; none while the table is open.
     solids_of: Option<Seat>,
@@ -62,10 +62,10 @@ impl EightBall {
     /// The balls on. On an open table these are all balls but the eight (WPA 3.4). Once one group
     /// is off the table, the player may claim it by calling the eight (2025: 4.4), so the eight is
     /// on too.
-    fn balls_on(&self, layout: &FrameLayout, seat: Seat) -> Vec<BallIndex> {
+    fn balls_on(&self, layout: &FrameLayout, seat: Seat) -> BallList {
         let left = |group: Group| layout.left(group.balls());
         match self.group(seat) {
-            Some(group) if left(group).is_empty() => vec![EIGHT],
+            Some(group) if left(group).is_empty() => BallList::from(&[EIGHT][..]),
             Some(group) => left(group),
             None => {
                 let claimed =
@@ -85,7 +85,7 @@ impl EightBall {
     fn is_against_call(&self, shot: &PlayedShot<'_>) -> bool {
         let is_open = self.solids_of.is_none() && shot.turn.on.contains(&EIGHT);
         let first = shot.first_contact();
-        match shot.play.call {
+        match shot.call {
             Call::Pocket(ball, _) if is_open => {
                 first.is_some_and(|first| (first == EIGHT) != (ball == EIGHT))
             }
@@ -132,7 +132,7 @@ impl EightBall {
             return self.next(state, if potted { seat } else { opponent }, None);
         }
         let nearest = pool::nearest_behind(state, &self.balls_on(&state.layout, opponent));
-        let choices: Vec<Choice> = [
+        let choices: Choices = [
             (!shot.lost_cue_ball(), Choice::PlayOn),
             (fouled, Choice::PlayFromHand),
             (fouled && nearest.is_some(), Choice::SpotNearest),
@@ -155,7 +155,7 @@ impl EightBall {
 impl GameRules for EightBall {
     fn start(&mut self, _: &mut FrameState, breaker: Seat) -> Request {
         *self = Self { solids_of: None, breaker, is_break: true };
-        pool::break_shot(breaker, Vec::new(), Calls::NONE)
+        pool::break_shot(breaker, BallList::new(), Calls::NONE)
     }
 
     fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {

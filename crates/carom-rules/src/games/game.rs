@@ -5,7 +5,7 @@ use carom::outcome::{Outcome, Touched};
 use carom::table::PocketName;
 
 use crate::layout::{BallIndex, FrameLayout};
-use crate::play::{Call, Play};
+use crate::play::Call;
 use crate::referee::{CueBallTravel, NearHit};
 use crate::request::{Choice, Request, Turn};
 use crate::seat::{self, Seat};
@@ -15,7 +15,7 @@ use crate::state::FrameState;
 pub(crate) struct PlayedShot<'a> {
     /// The shot that the frame asked for.
     pub(crate) turn: &'a Turn,
-    pub(crate) play: &'a Play,
+    pub(crate) call: Call,
     pub(crate) outcome: &'a Outcome,
     pub(crate) travel: &'a CueBallTravel,
     /// The balls before the shot, with a cue ball in hand where it was placed.
@@ -35,7 +35,7 @@ impl PlayedShot<'_> {
 
     /// The called ball, if it was pocketed in the called pocket.
     pub(crate) fn made(&self) -> Option<BallIndex> {
-        let Call::Pocket(ball, pocket) = self.play.call else { return None };
+        let Call::Pocket(ball, pocket) = self.call else { return None };
         (self.pocket_of(ball) == Some(pocket)).then_some(ball)
     }
 

@@ -30,7 +30,8 @@ impl Rules {
 }
 
 /// The state that only one game has.
-#[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a heap would make copies of frames allocate")]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GameState {
     /// Eight-ball.
     EightBall(eight_ball::EightBall),

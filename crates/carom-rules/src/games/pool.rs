@@ -3,7 +3,7 @@
 use carom::outcome::Touched;
 
 use super::game::PlayedShot;
-use crate::layout::BallIndex;
+use crate::layout::{BallIndex, BallList};
 use crate::markings::{head_string, spot_named};
 use crate::referee::NearHit;
 use crate::region::Region;
@@ -129,7 +129,7 @@ pub(crate) fn shot(
     state: &FrameState,
     player: Seat,
     hand: Option<Region>,
-    on: Vec<BallIndex>,
+    on: BallList,
     calls: Calls,
 ) -> Request {
     let lost = state.layout.is_down(CUE).then_some(Region::Anywhere);
@@ -137,7 +137,7 @@ pub(crate) fn shot(
 }
 
 /// The request for a break shot, with the cue ball in hand behind the head string.
-pub(crate) fn break_shot(player: Seat, on: Vec<BallIndex>, calls: Calls) -> Request {
+pub(crate) fn break_shot(player: Seat, on: BallList, calls: Calls) -> Request {
     let hand = Some(Region::BehindHeadString);
     Request::Shot(Turn { player, cue: CUE, hand, on, calls })
 }

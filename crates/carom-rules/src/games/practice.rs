@@ -2,22 +2,23 @@
 
 use super::game::{GameRules, PlayedShot};
 use super::pool::{self, CUE};
+use crate::layout::BallList;
 use crate::region::Region;
 use crate::request::{Calls, Choice, Request};
 use crate::seat::Seat;
 use crate::state::FrameState;
 
 /// A practice table.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Practice;
 
 impl GameRules for Practice {
     fn start(&mut self, _: &mut FrameState, seat: Seat) -> Request {
-        pool::break_shot(seat, Vec::new(), Calls::NONE)
+        pool::break_shot(seat, BallList::new(), Calls::NONE)
     }
 
     fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
-        pool::shot(state, seat, None, Vec::new(), Calls::NONE)
+        pool::shot(state, seat, None, BallList::new(), Calls::NONE)
     }
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
@@ -26,7 +27,7 @@ impl GameRules for Practice {
         if state.layout.on_table().all(|ball| ball == CUE) {
             return Request::won(seat, "all balls are down");
         }
-        pool::shot(state, seat, Some(Region::Anywhere), Vec::new(), Calls::NONE)
+        pool::shot(state, seat, Some(Region::Anywhere), BallList::new(), Calls::NONE)
     }
 
     /// Practice offers no choices.

@@ -2,7 +2,7 @@
 
 use super::game::{GameRules, PlayedShot};
 use super::pool::{self, BALLS_TO_RAIL, CUE};
-use crate::layout::BallIndex;
+use crate::layout::{BallIndex, BallList};
 use crate::play::Call;
 use crate::region::Region;
 use crate::request::{Calls, Choice, Request};
@@ -11,7 +11,7 @@ use crate::seat::{self, Seat};
 use crate::state::FrameState;
 
 /// Nine-ball or ten-ball.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation {
     /// The ball that wins the rack: the 9 or the 10.
     last: BallIndex,
@@ -31,7 +31,7 @@ impl Rotation {
     }
 
     /// The ball on: the lowest on the table.
-    fn lowest(&self, state: &FrameState) -> Vec<BallIndex> {
+    fn lowest(&self, state: &FrameState) -> BallList {
         state.layout.on_table().find(|ball| *ball != CUE).into_iter().collect()
     }
 
@@ -61,7 +61,7 @@ impl GameRules for Rotation {
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
         let (seat, opponent) = (shot.seat(), shot.opponent());
-        let is_push_out = shot.play.call == Call::PushOut;
+        let is_push_out = shot.call == Call::PushOut;
         let was_break = core::mem::take(&mut self.is_break);
         state.ruling.fouls =
             if is_push_out { pool::push_out_fouls(shot) } else { pool::standard_fouls(shot) };
@@ -96,7 +96,7 @@ impl GameRules for Rotation {
         if potted && !as_called {
             return Request::choice(opponent, &either, "a ball was pocketed that was not called");
         }
-        let shooter = if potted && shot.play.call != Call::Safety { seat } else { opponent };
+        let shooter = if potted && shot.call != Call::Safety { seat } else { opponent };
         self.next(state, shooter, None, was_break)
     }
 

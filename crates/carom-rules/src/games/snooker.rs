@@ -8,7 +8,7 @@ mod stroke;
 use carom::format::Node;
 
 use super::game::{GameRules, PlayedShot};
-use crate::layout::{BallIndex, FrameLayout};
+use crate::layout::{BallIndex, BallList, FrameLayout, Places};
 use crate::region::Region;
 use crate::request::{Calls, Choice, Request, Turn};
 use crate::ruling::Foul;
@@ -42,7 +42,7 @@ pub(crate) const fn rule(foul: Foul) -> &'static str {
 }
 
 /// A frame of snooker.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Snooker {
     on: On,
     /// Whether the player to shoot has a free ball.
@@ -56,9 +56,9 @@ pub struct Snooker {
 }
 
 /// The table before a shot.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct TableBefore {
-    layout: FrameLayout,
+    places: Places,
     turn: Turn,
     on: On,
     free_ball: bool,
@@ -96,7 +96,7 @@ impl Snooker {
     /// then the colours. A player who trails by more needs penalty points.
     fn worth(&self, layout: &FrameLayout) -> i32 {
         let reds = layout.left(REDS).len() as i32;
-        let colors: i32 = layout.left(COLORS).into_iter().map(value).sum();
+        let colors: i32 = layout.left(COLORS).iter().copied().map(value).sum();
         let black = if self.on == On::Color { value(BLACK) } else { 0 };
         reds * (1 + value(BLACK)) + black + colors
     }
@@ -132,8 +132,8 @@ impl Snooker {
     ) -> Request {
         let opponent = shot.opponent();
         self.before = Some(TableBefore {
-            layout: shot.before.clone(),
-            turn: shot.turn.clone(),
+            places: *shot.before.places(),
+            turn: *shot.turn,
             on: self.on,
             free_ball: self.free_ball,
         });
@@ -178,7 +178,7 @@ impl Snooker {
             return Some(Request::won(winner, "the black decided"));
         }
         state.layout.put(CUE, None);
-        spots::put_back(state, [BLACK]);
+        spots::put_back(state, &[BLACK]);
         let lot = (state.next_seed() >> 32) as usize & 1;
         let choices = [Choice::PlayOn, Choice::PassBack];
         Some(Request::choice(lot, &choices, "the scores are equal: the black is played for"))
@@ -211,11 +211,11 @@ impl GameRules for Snooker {
         let scored = if legal { self.score(shot, &stroke) } else { 0 };
 
         // When the colours are on in order, the ball on stays down.
-        let stays =
-            if legal && self.on == On::Sequence { self.on.balls(shot.before) } else { vec![] };
+        let in_sequence = legal && self.on == On::Sequence;
+        let stays = if in_sequence { self.on.balls(shot.before) } else { BallList::new() };
         let gone = |ball: &BallIndex| !shot.before.is_down(*ball) && state.layout.is_down(*ball);
-        let back: Vec<_> = COLORS.filter(gone).filter(|ball| !stays.contains(ball)).collect();
-        spots::put_back(state, back);
+        let back: BallList = COLORS.filter(gone).filter(|ball| !stays.contains(ball)).collect();
+        spots::put_back(state, &back);
 
         if !legal {
             state.ruling.points[opponent] = penalty;
@@ -236,7 +236,7 @@ impl GameRules for Snooker {
     fn choose(&mut self, state: &mut FrameState, seat: Seat, choice: Choice) -> Request {
         match (choice, self.before.take()) {
             (Choice::Replace, Some(before)) => {
-                state.layout = before.layout;
+                state.layout.put_all(&before.places);
                 self.on = before.on;
                 self.free_ball = before.free_ball;
                 Request::Shot(Turn { hand: None, ..before.turn })

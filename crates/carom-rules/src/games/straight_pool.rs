@@ -6,7 +6,7 @@ use carom::rack::USUAL_GAP;
 
 use super::game::{GameRules, PlayedShot};
 use super::pool::{self, CUE};
-use crate::layout::{BallIndex, FrameLayout};
+use crate::layout::{BallIndex, BallList, FrameLayout};
 use crate::markings::{distance, head_string, spot_named};
 use crate::region::Region;
 use crate::request::{Calls, Choice, Request};
@@ -27,7 +27,7 @@ const SERIOUS_FOUL: i32 = -15;
 const OPENING_BALLS: usize = 2;
 
 /// A game of straight pool.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StraightPool {
     /// Whether the next shot is an opening break.
     is_opening: bool,
@@ -35,7 +35,7 @@ pub struct StraightPool {
 
 impl StraightPool {
     fn next(state: &FrameState, seat: Seat, hand: Option<Region>) -> Request {
-        pool::shot(state, seat, hand, Vec::new(), Calls::REQUIRED)
+        pool::shot(state, seat, hand, BallList::new(), Calls::REQUIRED)
     }
 
     /// The request with the cue ball in hand behind the head string.
@@ -48,7 +48,7 @@ impl StraightPool {
     }
 
     /// The object balls on the table.
-    fn left(state: &FrameState) -> Vec<BallIndex> {
+    fn left(state: &FrameState) -> BallList {
         state.layout.left(1..state.layout.len() as BallIndex)
     }
 
@@ -102,7 +102,7 @@ impl StraightPool {
 impl GameRules for StraightPool {
     fn start(&mut self, _: &mut FrameState, breaker: Seat) -> Request {
         self.is_opening = true;
-        pool::break_shot(breaker, Vec::new(), Calls::REQUIRED)
+        pool::break_shot(breaker, BallList::new(), Calls::REQUIRED)
     }
 
     fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {

@@ -6,7 +6,7 @@ use carom::outcome::{Outcome, Touched};
 use carom::table::Rail;
 
 use super::game::{GameRules, PlayedShot};
-use crate::layout::{BallIndex, FROZEN, FrameLayout};
+use crate::layout::{BallIndex, BallList, FROZEN, FrameLayout};
 use crate::markings::spot_named;
 use crate::referee::NearHit;
 use crate::request::{Calls, Choice, Request, Turn};
@@ -32,7 +32,7 @@ pub(crate) const fn rule(foul: Foul) -> &'static str {
 }
 
 /// A match of three-cushion.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ThreeCushion {
     is_opening: bool,
     innings: [u32; 2],
@@ -49,7 +49,7 @@ impl ThreeCushion {
     fn starting_shot(&mut self, seat: Seat) -> Request {
         self.is_opening = true;
         self.innings[seat] += 1;
-        Self::turn(seat, vec![RED])
+        Self::turn(seat, BallList::from(&[RED][..]))
     }
 
     /// The request after an inning of `seat` that ended with these scores. Both players have the
@@ -81,13 +81,13 @@ impl ThreeCushion {
 
     fn next(state: &FrameState, seat: Seat) -> Request {
         if state.layout.touching(seat as BallIndex, FROZEN).is_empty() {
-            return Self::turn(seat, Vec::new());
+            return Self::turn(seat, BallList::new());
         }
         let choices = [Choice::PlayOn, Choice::SpotFrozen];
         Request::choice(seat, &choices, "the cue ball touches another ball")
     }
 
-    fn turn(player: Seat, on: Vec<BallIndex>) -> Request {
+    fn turn(player: Seat, on: BallList) -> Request {
         let cue = player as BallIndex;
         Request::Shot(Turn { player, cue, hand: None, on, calls: Calls::NONE })
     }
@@ -127,7 +127,7 @@ impl GameRules for ThreeCushion {
     fn resume(&mut self, _: &FrameState, seat: Seat) -> Request {
         *self = Self::default();
         self.innings[seat] = 1;
-        Self::turn(seat, Vec::new())
+        Self::turn(seat, BallList::new())
     }
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
@@ -166,7 +166,7 @@ impl GameRules for ThreeCushion {
             balls.push(cue);
             Self::spot(state, &balls, seat);
         }
-        Self::turn(seat, Vec::new())
+        Self::turn(seat, BallList::new())
     }
 
     fn to_node(&self, _: &FrameState) -> Node {
@@ -174,9 +174,12 @@ impl GameRules for ThreeCushion {
     }
 }
 
+/// Some of the four rails of a table without pockets.
+type RailSet = [Option<Rail>; 4];
+
 /// The rails to which `ball` is frozen.
-fn frozen_to(table: &Table, layout: &FrameLayout, ball: BallIndex) -> Vec<Rail> {
-    let Some([x, y]) = layout.place(ball) else { return Vec::new() };
+fn frozen_to(table: &Table, layout: &FrameLayout, ball: BallIndex) -> RailSet {
+    let Some([x, y]) = layout.place(ball) else { return RailSet::default() };
     let reach = table.reach(layout.radius(ball)) + FROZEN;
     let near = [
         (x, Rail::Left),
@@ -184,16 +187,17 @@ fn frozen_to(table: &Table, layout: &FrameLayout, ball: BallIndex) -> Vec<Rail> 
         (y, Rail::Bottom),
         (table.size.y - y, Rail::Top),
     ];
-    near.into_iter().filter(|(distance, _)| *distance <= reach).map(|(_, rail)| rail).collect()
+    near.map(|(distance, rail)| (distance <= reach).then_some(rail))
 }
 
 /// Whether the cue ball touched at least three cushions before its first contact with the second
 /// object ball. A first touch of a cushion to which it is `frozen_to` does not count.
-fn is_carom(outcome: &Outcome, frozen_to: &[Rail]) -> bool {
+fn is_carom(outcome: &Outcome, frozen_to: &RailSet) -> bool {
     let touched = &outcome.cue_ball_touched;
     let mut cushions = 0;
     let mut first = None;
-    let pressed = |t: &Touched| matches!(t, Touched::Rail(rail) if frozen_to.contains(rail));
+    let pressed =
+        |t: &Touched| matches!(t, Touched::Rail(rail) if frozen_to.contains(&Some(*rail)));
     let skipped = usize::from(touched.first().is_some_and(pressed));
     for touched in &touched[skipped..] {
         match (*touched, first) {

@@ -64,7 +64,7 @@ impl Scenario {
             self.0.put(*ball, None);
         }
         outcome.cue_ball = Some(turn.cue);
-        self.0.decide(&turn, &play, &outcome, &travel, &before)
+        self.0.decide(&turn, play.call, &outcome, &travel, &before)
     }
 
     fn choose(&mut self, choice: Choice) -> Ruling {

@@ -1,6 +1,6 @@
 //! The balls of snooker and their values.
 
-use crate::layout::{BallIndex, FrameLayout};
+use crate::layout::{BallIndex, BallList, FrameLayout};
 
 pub(crate) const CUE: BallIndex = 0;
 pub(crate) const REDS: core::ops::RangeInclusive<BallIndex> = 1..=15;
@@ -31,11 +31,11 @@ pub enum On {
 
 impl On {
     /// The balls on, without a free ball.
-    pub(super) fn balls(self, layout: &FrameLayout) -> Vec<BallIndex> {
+    pub(super) fn balls(self, layout: &FrameLayout) -> BallList {
         match self {
             Self::Red => layout.left(REDS),
             Self::Color => layout.left(COLORS),
-            Self::Sequence => layout.left(COLORS).into_iter().take(1).collect(),
+            Self::Sequence => layout.left(COLORS).iter().copied().take(1).collect(),
         }
     }
 }

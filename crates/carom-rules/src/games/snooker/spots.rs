@@ -4,19 +4,19 @@ use carom::Table;
 use carom::rack::snooker_spots;
 
 use super::balls::{COLORS, YELLOW};
-use crate::layout::BallIndex;
+use crate::layout::{BallIndex, BallList};
 use crate::state::FrameState;
 
-/// Spots the colours `balls`, which are off the table. Each goes to its own spot if that is free.
+/// Spots the colours `balls`, which are off the table, in ascending order. Each goes to its own spot if that is free.
 /// The others follow, the highest first, each to the highest free spot; if no spot is free, as near
 /// to its own spot as possible on the line to the top cushion. A spotted ball touches no other
 /// ball.
-pub(super) fn put_back(state: &mut FrameState, balls: impl IntoIterator<Item = BallIndex>) {
-    let table = state.base.table().clone();
-    let FrameState { layout, ruling, .. } = state;
-    let mut displaced = Vec::new();
-    for ball in balls {
-        let own = spot_of(&table, ball);
+pub(super) fn put_back(state: &mut FrameState, balls: &[BallIndex]) {
+    let FrameState { base, layout, ruling, .. } = state;
+    let table = base.table();
+    let mut displaced = BallList::new();
+    for &ball in balls {
+        let own = spot_of(table, ball);
         layout.put(ball, None);
         if layout.is_free(ball, own) {
             layout.put(ball, Some(own));
@@ -27,12 +27,12 @@ pub(super) fn put_back(state: &mut FrameState, balls: impl IntoIterator<Item = B
             ruling.spotted.push(ball);
         }
     }
-    displaced.sort_unstable();
-    for ball in displaced.into_iter().rev() {
-        let spots = COLORS.rev().map(|color| spot_of(&table, color));
+    // Both callers list the colours in ascending order.
+    for &ball in displaced.iter().rev() {
+        let spots = COLORS.rev().map(|color| spot_of(table, color));
         match spots.into_iter().find(|spot| layout.is_free(ball, *spot)) {
             Some(place) => layout.put(ball, Some(place)),
-            None => layout.spot(ball, spot_of(&table, ball), &table, |_| true),
+            None => layout.spot(ball, spot_of(table, ball), table, |_| true),
         }
     }
 }

@@ -5,7 +5,7 @@ use carom::outcome::Touched;
 use super::balls::{BLACK, CUE, On, value};
 use super::hidden;
 use crate::games::game::PlayedShot;
-use crate::layout::{BallIndex, FROZEN};
+use crate::layout::{BallList, FROZEN};
 use crate::play::Call;
 use crate::referee::NearHit;
 use crate::ruling::{Foul, Fouls};
@@ -21,11 +21,11 @@ pub(super) struct Stroke {
     /// Whether the player had a free ball.
     has_free_ball: bool,
     /// Balls that may be pocketed.
-    may_pot: Vec<BallIndex>,
+    may_pot: BallList,
     /// Points for the ball on.
     pub(super) value: i32,
     /// Balls that touched the cue ball before the stroke.
-    touching: Vec<BallIndex>,
+    touching: BallList,
     /// Whether the first ball hit was not on.
     pub(super) missed: bool,
     /// Whether a ball on could have been hit full in a straight line (rule 14d).
@@ -36,16 +36,17 @@ impl Stroke {
     /// The stroke `shot`, played when `kind` was on.
     pub(super) fn of(kind: On, has_free_ball: bool, shot: &PlayedShot<'_>) -> Self {
         let on = kind.balls(shot.before);
-        let nominated = match shot.play.call {
+        let one = |ball| BallList::from(&[ball][..]);
+        let nominated = match shot.call {
             Call::On(ball) => Some(ball),
             _ => None,
         };
         // A nominated red stands for any red; a ball that is on cannot be a free ball (rule 12a).
         let free = nominated.filter(|ball| has_free_ball && !on.contains(ball));
         let (may_hit, may_pot) = match (kind, free, nominated) {
-            (_, Some(free), _) => (vec![free], on.iter().copied().chain([free]).collect()),
-            (On::Color, None, Some(color)) => (vec![color], vec![color]),
-            _ => (on.clone(), on.clone()),
+            (_, Some(free), _) => (one(free), on.iter().copied().chain([free]).collect()),
+            (On::Color, None, Some(color)) => (one(color), one(color)),
+            _ => (on, on),
         };
         let value_on = match kind {
             On::Red => 1,
@@ -106,7 +107,7 @@ impl Stroke {
 /// Whether the shot leaves the next player snookered by the free ball. This is allowed when only
 /// pink and black remain (rule 12b).
 fn is_behind_free_ball(on: On, state: &FrameState, shot: &PlayedShot<'_>) -> bool {
-    let Call::On(free) = shot.play.call else { return false };
+    let Call::On(free) = shot.call else { return false };
     let on = on.balls(&state.layout);
     let few = state.layout.on_table().filter(|ball| *ball != CUE).count() <= 2;
     let goes_on = shot.potted().next().is_some();

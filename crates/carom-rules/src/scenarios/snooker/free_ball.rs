@@ -4,6 +4,7 @@ use super::{
     BLACK, BLUE, GREEN, NOTHING, PINK, RED, YELLOW, after_a_red, game, on_the_colors, snookered,
 };
 use crate::games::snooker::On;
+use crate::layout::BallList;
 use crate::scenarios::{CORNER, SIDE, Scenario, assert_fouls, hit};
 use crate::{Call, Choice, Foul, Rules};
 
@@ -158,7 +159,10 @@ fn after_a_free_ball_for_the_last_red_a_color_is_on_and_the_red_stays() {
     scenario.choose(Choice::PlayOn);
     scenario.play(Call::On(BLUE), hit(&[BLUE]).potting(BLUE, SIDE));
     scenario.play(Call::On(BLACK), hit(&[BLACK]).potting(BLACK, SIDE));
-    assert_eq!((scenario.asks(0).on.clone(), game(&scenario).break_points()), (vec![RED], 8));
+    assert_eq!(
+        (scenario.asks(0).on, game(&scenario).break_points()),
+        (BallList::from(&[RED][..]), 8)
+    );
 }
 
 #[test]

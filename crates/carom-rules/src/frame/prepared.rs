@@ -1,0 +1,107 @@
+//! A shot that a frame asks for, ready to be simulated.
+
+use std::borrow::Cow;
+
+use carom::noise::StruckBall;
+use carom::resolve::cue_ball::Strike;
+use carom::{Error, Shot};
+
+use super::Frame;
+use crate::layout::{BallList, FrameLayout};
+use crate::request::Turn;
+
+/// Stands in a prepared shot until a strike is given: a level strike at the centre.
+const PLACEHOLDER: Strike =
+    Strike { speed: 1.0, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
+
+/// The shot that a frame asks for, with the cue ball at its place. It is built once and can be
+/// simulated with any strike ([`FrameSimulator`](crate::FrameSimulator)).
+#[derive(Clone, Debug)]
+pub struct Prepared<'a> {
+    frame: &'a Frame,
+    turn: Turn,
+    shot: Cow<'a, Shot>,
+    /// The frame's index of each ball of the shot.
+    balls: BallList,
+    /// The balls before the shot, with a cue ball in hand where it was placed.
+    before: FrameLayout,
+}
+
+impl<'a> Prepared<'a> {
+    /// The shot that `frame` asks for. `cue_ball` is the place of a cue ball in hand: its centre
+    /// (file frame, m).
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the frame does not ask for a shot, and if the cue ball is placed where
+    /// it must not be.
+    pub fn new(frame: &'a Frame, cue_ball: Option<[f64; 2]>) -> Result<Self, Error> {
+        let turn = *frame.asked_turn()?;
+        let before = frame.layout_with(&turn, cue_ball)?;
+        let cue = before.on_table().position(|ball| ball == turn.cue).unwrap_or_default();
+        let shot = frame.base().with_balls(before.placed(), Some((cue, PLACEHOLDER)));
+        let shot = Cow::Owned(shot.map_err(|error| at_cue_ball(error, cue))?);
+        let balls = before.on_table().collect();
+        Ok(Self { frame, turn, shot, balls, before })
+    }
+
+    /// As [`Self::new`], with a `shot` that was made before: [`Frame::shot`] of the same frame and
+    /// the same place of the cue ball.
+    ///
+    /// # Errors
+    /// As [`Self::new`], and [`Error::Input`] if `shot` has another number of balls.
+    pub fn with_shot(
+        frame: &'a Frame,
+        cue_ball: Option<[f64; 2]>,
+        shot: &'a Shot,
+    ) -> Result<Self, Error> {
+        let turn = *frame.asked_turn()?;
+        let before = frame.layout_with(&turn, cue_ball)?;
+        let balls: BallList = before.on_table().collect();
+        if balls.len() != shot.balls().len() {
+            let what = format!("it has {} balls, the frame {}", shot.balls().len(), balls.len());
+            return Err(Error::input("shot", what, "give the shot that the frame returns"));
+        }
+        Ok(Self { frame, turn, shot: Cow::Borrowed(shot), balls, before })
+    }
+
+    /// The frame that asks for the shot.
+    pub const fn frame(&self) -> &'a Frame {
+        self.frame
+    }
+
+    /// The frame's request.
+    pub const fn turn(&self) -> &Turn {
+        &self.turn
+    }
+
+    /// The shot. Its strike is only a placeholder.
+    pub fn shot(&self) -> &Shot {
+        &self.shot
+    }
+
+    /// The struck ball, for drawing errors of its strike.
+    pub fn struck_ball(&self) -> StruckBall {
+        let ball = self.shot.cue_ball().unwrap_or_default();
+        StruckBall::of(&self.shot, &self.shot.balls()[ball].ball)
+    }
+
+    /// The frame's index of each ball of the shot.
+    pub fn balls(&self) -> &[crate::BallIndex] {
+        &self.balls
+    }
+
+    /// The balls before the shot, with a cue ball in hand where it was placed.
+    pub const fn before(&self) -> &FrameLayout {
+        &self.before
+    }
+}
+
+/// An error at the place of ball `cue` of a shot, as an error at the play's `cue_ball`.
+fn at_cue_ball(error: Error, cue: usize) -> Error {
+    match error {
+        Error::Input(e) if e.place == format!("balls[{cue}].position") => {
+            Error::input("cue_ball", e.what, e.remedy)
+        }
+        other => other,
+    }
+}

@@ -1,0 +1,159 @@
+//! Simulating the shots of frames, and ruling on them.
+
+use carom::event::{NullRecorder, Recorder};
+use carom::outcome::{Outcome, OutcomeMemory};
+use carom::resolve::cue_ball::Strike;
+use carom::{BallState, Error, MotionState, Shot, Simulator};
+
+use super::{Frame, Prepared};
+use crate::layout::BallList;
+use crate::play::Call;
+use crate::referee::{CueBallTravel, RefereeRecorder, renumber};
+use crate::ruling::Ruling;
+
+/// Simulates shots of frames and rules on them, one after the other in the same memory. After the
+/// first shots it allocates nothing, except for a new rack.
+///
+/// A shot is simulated once and can be ruled on many times, since a call changes the ruling and not
+/// the motion:
+///
+/// ```
+/// use carom::resolve::cue_ball::Strike;
+/// use carom_rules::{Call, Frame, FrameSimulator, Options, Prepared, Rules};
+///
+/// # fn main() -> Result<(), carom::Error> {
+/// let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 7)?;
+/// let prepared = Prepared::new(&frame, Some([0.635, 0.6]))?;
+/// let strike = Strike { speed: 8.0, azimuth: 1.57, elevation: 0.0, side: 0.0, height: 0.0 };
+/// let mut simulator = FrameSimulator::new();
+/// simulator.simulate(&prepared, &strike)?;
+/// let mut successor = frame.clone();
+/// let ruling = simulator.rule(&prepared, Call::Nothing, &mut successor)?;
+/// assert!(ruling.is_legal() || successor.player() == Some(1));
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct FrameSimulator {
+    simulator: Simulator,
+    /// The outcome of the last simulation, in the frame's ball indices.
+    outcome: OutcomeMemory,
+    travel: CueBallTravel,
+    /// The final states of the last simulation (file frame).
+    last: Vec<BallState>,
+    /// The balls of the last simulation; empty if it failed.
+    balls: BallList,
+}
+
+impl FrameSimulator {
+    /// A simulator that has simulated nothing yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Simulates `strike`, exactly as it is given. The result stays here until the next simulation.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the strike cannot be played, and [`Error::TooManyEvents`] if the shot
+    /// reaches its cap on events.
+    pub fn simulate(&mut self, prepared: &Prepared<'_>, strike: &Strike) -> Result<(), Error> {
+        self.simulate_recorded(prepared, strike, &mut NullRecorder)
+    }
+
+    /// As [`Self::simulate`]; `recorder` gets every event too.
+    ///
+    /// # Errors
+    /// As [`Self::simulate`].
+    pub fn simulate_recorded<R: Recorder>(
+        &mut self,
+        prepared: &Prepared<'_>,
+        strike: &Strike,
+        recorder: &mut R,
+    ) -> Result<(), Error> {
+        self.simulate_shot(prepared, prepared.shot(), strike, recorder)
+    }
+
+    /// As [`Self::simulate_recorded`], with a variant of the prepared `shot` in which the balls are
+    /// displaced a little or other contacts cling.
+    ///
+    /// # Errors
+    /// As [`Self::simulate`].
+    pub fn simulate_shot<R: Recorder>(
+        &mut self,
+        prepared: &Prepared<'_>,
+        shot: &Shot,
+        strike: &Strike,
+        recorder: &mut R,
+    ) -> Result<(), Error> {
+        self.balls.clear();
+        shot.check_strike(strike)?;
+        let strike = shot.strike().map(|(ball, _)| (ball, *strike));
+        self.run(prepared, shot, strike, recorder)
+    }
+
+    /// Simulates `shot`, a variant of the prepared one, with `strike`, which has been checked.
+    pub(super) fn run<R: Recorder>(
+        &mut self,
+        prepared: &Prepared<'_>,
+        shot: &Shot,
+        strike: Option<(usize, Strike)>,
+        recorder: &mut R,
+    ) -> Result<(), Error> {
+        self.balls.clear();
+        let memory = core::mem::take(&mut self.outcome);
+        let mut both = (RefereeRecorder::new(shot, memory), recorder);
+        let played = self.simulator.play_strike(shot, strike, &mut both);
+        self.last.clear();
+        if let Ok(summary) = played {
+            let states = self.simulator.states(summary.duration).enumerate();
+            self.last.extend(states.map(|(i, state)| shot.to_file_frame(i, &state)));
+            self.balls.extend(prepared.balls().iter().copied());
+        }
+        // After a failure too, so that the memory is not lost.
+        (self.outcome, self.travel) = both.0.finish(&self.last, 0.5 * shot.table().size.y);
+        renumber(self.outcome.outcome_mut(), &self.balls);
+        played.map(|_| ())
+    }
+
+    /// Rules on the last simulation, which was one of `prepared`, as if `call` had been announced.
+    /// `successor` becomes the frame after the shot. Can be called again with other calls.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the call is missing or not allowed. `successor` is unchanged then.
+    ///
+    /// # Panics
+    /// If the last simulation failed, or had other balls than `prepared`.
+    pub fn rule(
+        &self,
+        prepared: &Prepared<'_>,
+        call: Call,
+        successor: &mut Frame,
+    ) -> Result<Ruling, Error> {
+        assert!(*self.balls == *prepared.balls(), "the last simulation was not of this shot");
+        prepared.frame().check_call(prepared.turn(), call)?;
+        successor.clone_from(prepared.frame());
+        let layout = &mut successor.state.layout;
+        for (&ball, state) in self.balls.iter().zip(&self.last) {
+            let gone = matches!(state.motion, MotionState::Pocketed | MotionState::OffTable);
+            layout.put(ball, (!gone).then_some([state.position.x, state.position.y]));
+        }
+        let (turn, before) = (prepared.turn(), prepared.before());
+        Ok(successor.decide(turn, call, self.outcome.outcome(), &self.travel, before))
+    }
+
+    /// The outcome of the last simulation. Balls are indices of the frame.
+    pub const fn outcome(&self) -> &Outcome {
+        self.outcome.outcome()
+    }
+
+    /// The final states of the last simulation (file frame), before any ball was spotted, in the
+    /// order of the shot's balls; empty if it failed.
+    pub fn last(&self) -> &[BallState] {
+        &self.last
+    }
+
+    /// The simulator, for shots that are not ruled on. The result of the last simulation stays.
+    pub const fn simulator_mut(&mut self) -> &mut Simulator {
+        &mut self.simulator
+    }
+}
