@@ -111,7 +111,8 @@ class Noise:
     def draw(self, shot: carom.Shot, index: int = 0, *, seed: int = 0) -> Strike:
         """One execution of the strike of ``shot``: that of variant ``index`` of ``Shot.vary``.
 
-        It may be impossible to play, such as a miscue or a speed ≤ 0. ``variant`` gives the whole
+        If the strike of the shot can be played, so can this one: what cannot be played is replaced
+        by the nearest strike that can, as described for ``Shot.vary``. ``variant`` gives the whole
         shot, with the contacts that cling.
 
         Raises:
@@ -132,7 +133,7 @@ class Noise:
 
         Raises:
             InputError: The shot has no strike, a number is out of range, or the drawn strike cannot
-                be played.
+                be played, as in ``NoisyResult.errors``.
         """
         inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
         return shot._wrap(_core.variant(inner, self, whole("seed", seed), whole("index", index)))
@@ -207,7 +208,12 @@ def vary(
     """Simulate ``n`` executions of the shot's strike, each with other errors of the player.
 
     Variant ``index`` of a seed is the same for any ``n``, ``first`` and ``threads``, on every
-    platform. A cue never points upwards: an elevation drawn below 0 becomes 0.
+    platform.
+
+    A drawn strike that cannot be played is replaced by the nearest that can. A tip offset beyond
+    the miscue limit is moved back along its direction to 0.999 of it (with ``"miscue": "report"``,
+    of the ball's radius); the speed stays within [0.01, 50] m/s and the elevation within [0, 89°].
+    So a strike near the miscue limit looks safer than it is.
 
     Args:
         shot: The shot as the player sees and plans it.
@@ -220,8 +226,9 @@ def vary(
         progress: Show a progress bar on stderr.
 
     Returns:
-        A row for each variant, and the strikes. ``errors`` has the variants that cannot be played,
-        by row: a miscue (unless the shot has ``"miscue": "report"``), a speed ≤ 0, ...
+        A row for each variant, and the strikes. ``errors`` has the variants that could not be
+        played, by row: a cue that would pass through a ball, if the shot refuses that; an offset
+        too large for the tip's efficiency; the cap on events.
 
     Raises:
         InputError: The shot has no strike, a number is out of range, or there are too many

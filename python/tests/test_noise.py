@@ -106,16 +106,60 @@ def test_errors_differ_between_seeds_and_have_the_given_spread(pot: dict[str, An
     assert one.azimuth.std() == pytest.approx(0.002, rel=5 / math.sqrt(2 * 4000))
 
 
-def test_a_miscue_is_an_error_of_its_row_unless_the_shot_reports_it(pot: dict[str, Any]) -> None:
+def test_a_miscue_is_moved_back_to_the_limit_unless_the_shot_reports_it(
+    pot: dict[str, Any],
+) -> None:
     pot["strike"]["side"] = 0.51
+    limit = 0.6 / math.sqrt(1 + 0.6**2)
     result = Shot.from_dict(pot).vary(Noise(side_m=0.002), 60)
-    assert 5 < len(result.errors) < 55
-    for row, text in result.errors.items():
-        assert "miscue" in text
-        assert result.events[row] == 0
-        assert abs(result.side[row]) > 0.51
+    assert result.errors == {}
+    assert (result.side <= 0.999 * limit + 1e-15).all()
+    moved = result.side > 0.9989 * limit
+    assert 5 < moved.sum() < 55
     pot["strike"]["miscue"] = "report"
-    assert Shot.from_dict(pot).vary(Noise(side_m=0.002), 60).errors == {}
+    reported = Shot.from_dict(pot).vary(Noise(side_m=0.002), 60)
+    assert reported.errors == {}
+    assert reported.side.max() > limit
+    assert (reported.side[~moved] == result.side[~moved]).all()
+
+
+def test_every_door_draws_the_same_strike_to_the_bit(pot: dict[str, Any]) -> None:
+    # One strike beyond each limit, and one within all.
+    for changes in (
+        {"side": 0.5, "height": 0.1},
+        {"speed": 0.02},
+        {"elevation_deg": 89.5, "side": 0.1},
+        {"elevation_deg": 0.1},
+        {},
+    ):
+        shot = Shot.from_dict({**pot, "strike": {**pot["strike"], **changes}})
+        noise = Noise.preset("beginner")
+        rows = strikes_of(shot.vary(noise, 40, seed=6, first=11))
+        for k in range(40):
+            drawn = noise.draw(shot, 11 + k, seed=6)
+            assert [getattr(drawn, name) for name in STRIKE] == rows[k].tolist()
+            variant = noise.variant(shot, 11 + k, seed=6).to_dict()["strike"]
+            assert variant["speed"] == rows[k, 0]
+            assert (variant["side"], variant["height"]) == (rows[k, 3], rows[k, 4])
+        played, chances = shot.vary(noise, 51, seed=6), shot.evaluate(noise, 51, seed=6)
+        stays = played.pocket[:, 0] == -1
+        assert 10 < stays.sum()
+        ends = played.final_position[stays, 0, :2]
+        assert chances.cue_ball_ends[stays].tolist() == ends.tolist()
+        assert chances.failed == 0
+
+
+def test_a_frame_plays_the_strike_that_the_noise_draws() -> None:
+    frame = carom.Frame("nine-ball", seed=3)
+    far = carom.Strike(speed=0.05, azimuth=1.5, side=0.45, height=0.2, elevation=0.1)
+    meant = frame.shot(far, cue_ball=(0.635, 0.5))
+    noise = Noise.preset("beginner")
+    drawn = noise.draw(meant, 4, seed=8)
+    assert math.hypot(drawn.side, drawn.height) <= 0.999 * 0.6 / math.sqrt(1.36) + 1e-15
+    frame.play(drawn, cue_ball=(0.635, 0.5))
+    played = frame.record["moves"][0]["play"]["strike"]
+    (row,) = strikes_of(meant.vary(noise, 1, seed=8, first=4))
+    assert [played[name] for name in STRIKE] == row.tolist()
 
 
 def test_zero_variants_and_a_single_late_one_are_possible(pot: dict[str, Any]) -> None:

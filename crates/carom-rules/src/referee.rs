@@ -1,8 +1,8 @@
 //! Records what a referee needs from a shot.
 
+use carom::Shot;
 use carom::event::{Event, EventKind, Recorder};
-use carom::outcome::{Outcome, OutcomeMemory, OutcomeRecorder, Touched};
-use carom::{BallState, Shot};
+use carom::outcome::{Outcome, OutcomeMemory, Touched};
 
 use crate::layout::{BallIndex, FROZEN};
 
@@ -85,7 +85,7 @@ pub(crate) fn renumber(outcome: &mut Outcome, balls: &[BallIndex]) {
 /// Records the outcome of a shot and the travel of its cue ball.
 pub(crate) struct RefereeRecorder<'a> {
     shot: &'a Shot,
-    outcome: OutcomeRecorder<'a>,
+    outcome: &'a mut OutcomeMemory,
     cue: u16,
     before_contact: bool,
     jumped_before_contact: bool,
@@ -97,11 +97,12 @@ pub(crate) struct RefereeRecorder<'a> {
 }
 
 impl<'a> RefereeRecorder<'a> {
-    /// A recorder for one simulation of `shot`, in memory that may have been used before.
-    pub(crate) fn new(shot: &'a Shot, memory: OutcomeMemory) -> Self {
+    /// A recorder for one simulation of `shot`. The outcome is collected in `memory`.
+    pub(crate) fn new(shot: &'a Shot, memory: &'a mut OutcomeMemory) -> Self {
+        memory.restart(shot);
         Self {
             shot,
-            outcome: OutcomeRecorder::reusing(shot, memory),
+            outcome: memory,
             cue: shot.cue_ball().unwrap_or_default() as u16,
             before_contact: true,
             jumped_before_contact: false,
@@ -111,32 +112,30 @@ impl<'a> RefereeRecorder<'a> {
         }
     }
 
-    /// The outcome, with the ball indices of the shot. `last` are the final states (file frame);
-    /// `middle` is half the table's length, m.
-    pub(crate) fn finish(self, last: &[BallState], middle: f64) -> (OutcomeMemory, CueBallTravel) {
-        let travel = CueBallTravel {
+    /// The travel of the cue ball. `middle` is half the table's length, m.
+    pub(crate) fn travel(&self, middle: f64) -> CueBallTravel {
+        CueBallTravel {
             jumped_before_contact: self.jumped_before_contact,
             reached_before_contact: self.reached_before_contact + middle,
             reached: self.reached + middle,
             near_hit: self.near_hit,
-        };
-        (self.outcome.finish_memory(last), travel)
+        }
     }
 }
 
 impl Recorder for RefereeRecorder<'_> {
     fn record(&mut self, event: &Event<'_>) {
-        self.outcome.record(event);
+        self.outcome.record(self.shot, event);
         let Some(k) = event.balls.iter().position(|ball| *ball == self.cue) else { return };
         self.reached = self.reached.max(event.before[k].position.y);
         if self.before_contact {
             self.reached_before_contact = self.reached;
-            let so_far = self.outcome.so_far();
+            let so_far = self.outcome.outcome();
             self.before_contact = so_far.first_contact.is_none();
             self.jumped_before_contact = so_far.jumped.iter().any(|(over, _)| *over == self.cue);
         }
         if let EventKind::CueStrike { .. } = event.kind {
-            let met = &self.outcome.so_far().met_during_strike;
+            let met = &self.outcome.outcome().met_during_strike;
             self.near_hit = NearHit::of(event, k, met, self.shot);
         }
     }

@@ -212,13 +212,7 @@ impl Noise {
         if [self.speed, self.azimuth, self.elevation, self.side_m, self.height_m] == [0.0; 5] {
             return *meant;
         }
-        self.apply(meant, struck, &Deviates::of(seed, index))
-    }
-
-    /// The strike `meant` with the errors that follow from `deviates`. For programs that keep the
-    /// deviates of many variants.
-    pub fn apply(&self, meant: &Strike, struck: &StruckBall, deviates: &Deviates) -> Strike {
-        let [speed, azimuth, elevation, side, height, _] = deviates.0;
+        let [speed, azimuth, elevation, side, height, _] = normal_deviates(seed, index);
         // Adding 0 would change the sign of −0.
         let add = |meant: f64, sigma: f64, deviate: f64| {
             if sigma == 0.0 { meant } else { meant + sigma * deviate }
@@ -291,22 +285,6 @@ impl StruckBall {
         // If miscues are only reported, this friction is so large that the limit is the ball.
         let limit = miscue_limit(shot.physics().cue.tip_friction).min(1.0);
         Self { radius: ball.radius, largest_offset: OFFSET_KEPT * limit }
-    }
-}
-
-/// The standard normal deviates of one variant, from which the errors of its strike follow.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Deviates([f64; 6]);
-
-impl Deviates {
-    /// The deviates of variant `index` of this seed.
-    pub fn of(seed: u64, index: u64) -> Self {
-        let mut random = random(STRIKE_KEY, seed, index);
-        let mut deviates = [0.0; 6];
-        for pair in deviates.as_chunks_mut().0 {
-            *pair = normal_pair(&mut random);
-        }
-        Self(deviates)
     }
 }
 
@@ -425,6 +403,16 @@ impl Perception {
             }
         }
     }
+}
+
+/// Six independent normal deviates, of mean 0 and variance 1.
+fn normal_deviates(seed: u64, index: u64) -> [f64; 6] {
+    let mut random = random(STRIKE_KEY, seed, index);
+    let mut deviates = [0.0; 6];
+    for pair in deviates.as_chunks_mut().0 {
+        *pair = normal_pair(&mut random);
+    }
+    deviates
 }
 
 /// The generator of `index` of this seed; `purpose` separates it from others of the same seed.

@@ -39,7 +39,7 @@ class Evaluation:
             (n_balls, n_pockets).
         off_table: Number of variants in which each ball left the table, int64 of shape
             (n_balls,).
-        failed: Number of variants that could not be played, such as miscues. No ball falls in
+        failed: Number of variants that could not be played. No ball falls in
             them.
         first_failure: The error of the first of them; None if there is none.
         legal_count: Number of legal variants; None without a frame.
@@ -111,7 +111,7 @@ class Evaluation:
 
     @property
     def failure(self) -> Chance:
-        """The chance that the strike cannot be played, such as a miscue."""
+        """The chance that the strike cannot be played, because the cue would pass through a ball."""
         return self.chance(self.failed)
 
     @property

@@ -86,33 +86,18 @@ impl FrameSimulator {
         recorder: &mut R,
     ) -> Result<(), Error> {
         self.balls.clear();
+        self.last.clear();
         shot.check_strike(strike)?;
         let strike = shot.strike().map(|(ball, _)| (ball, *strike));
-        self.run(prepared, shot, strike, recorder)
-    }
-
-    /// Simulates `shot`, a variant of the prepared one, with `strike`, which has been checked.
-    pub(super) fn run<R: Recorder>(
-        &mut self,
-        prepared: &Prepared<'_>,
-        shot: &Shot,
-        strike: Option<(usize, Strike)>,
-        recorder: &mut R,
-    ) -> Result<(), Error> {
-        self.balls.clear();
-        let memory = core::mem::take(&mut self.outcome);
-        let mut both = (RefereeRecorder::new(shot, memory), recorder);
-        let played = self.simulator.play_strike(shot, strike, &mut both);
-        self.last.clear();
-        if let Ok(summary) = played {
-            let states = self.simulator.states(summary.duration).enumerate();
-            self.last.extend(states.map(|(i, state)| shot.to_file_frame(i, &state)));
-            self.balls.extend(prepared.balls().iter().copied());
-        }
-        // After a failure too, so that the memory is not lost.
-        (self.outcome, self.travel) = both.0.finish(&self.last, 0.5 * shot.table().size.y);
-        renumber(self.outcome.outcome_mut(), &self.balls);
-        played.map(|_| ())
+        let mut both = (RefereeRecorder::new(shot, &mut self.outcome), recorder);
+        let summary = self.simulator.play_strike(shot, strike, &mut both)?;
+        self.travel = both.0.travel(0.5 * shot.table().size.y);
+        let states = self.simulator.states(summary.duration).enumerate();
+        self.last.extend(states.map(|(i, state)| shot.to_file_frame(i, &state)));
+        self.outcome.finish(shot, &self.last);
+        renumber(self.outcome.outcome_mut(), prepared.balls());
+        self.balls.extend(prepared.balls().iter().copied());
+        Ok(())
     }
 
     /// Rules on the last simulation, which was one of `prepared`, as if `call` had been announced.

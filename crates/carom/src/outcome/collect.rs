@@ -14,8 +14,8 @@ use crate::table::{Capture, Part, PocketName, Rail, TOUCH_TOLERANCE};
 use crate::trace_event::{TraceEvent, TraceEventKind};
 use crate::{BallState, MotionState};
 
-/// The facts of a shot that have been collected so far. It has no reference to the shot, so its
-/// memory serves one shot after the other.
+/// The facts of a shot that have been collected so far, in memory that serves one shot after the
+/// other. It has no reference to the shot. For a single shot: [`OutcomeRecorder`].
 #[derive(Clone, Debug, Default)]
 pub struct OutcomeMemory {
     outcome: Outcome,
@@ -43,7 +43,7 @@ impl<'a> Collector<'a> {
     /// A collector for one simulation of `shot`.
     pub fn new(shot: &'a Shot) -> Self {
         let mut memory = OutcomeMemory::default();
-        memory.restart(shot, Origin::File);
+        memory.restart_in(shot, Origin::File);
         Self { shot, memory }
     }
 
@@ -70,13 +70,42 @@ impl OutcomeMemory {
         &mut self.outcome
     }
 
+    /// Begins again, for one simulation of `shot`.
+    pub fn restart(&mut self, shot: &Shot) {
+        self.restart_in(shot, Origin::Engine);
+    }
+
+    /// Adds the next event of `shot`.
+    #[inline]
+    pub fn record(&mut self, shot: &Shot, event: &Event<'_>) {
+        self.add(
+            shot,
+            &TraceEvent {
+                time: event.time,
+                kind: TraceEventKind::of(event.kind, shot.table()),
+                balls: event.balls,
+                before: event.before,
+                after: event.after,
+            },
+        );
+    }
+
+    /// Completes the outcome; `last` are the final states of the balls of `shot` in the file's
+    /// frame ([`Shot::to_file_frame`]).
+    pub fn finish(&mut self, shot: &Shot, last: &[BallState]) {
+        let at_rest = |s: &BallState| s.motion == MotionState::Stationary || !s.motion.in_play();
+        let restless = (0u16..).zip(last).filter(|(_, s)| !at_rest(s)).map(|(i, _)| i);
+        self.outcome.never_resting.extend(restless);
+        find_hanging(shot, last, &mut self.outcome.hanging);
+    }
+
     /// Begins again with `shot`. The states of events will be given in the frame `origin`.
-    fn restart(&mut self, shot: &Shot, origin: Origin) {
+    fn restart_in(&mut self, shot: &Shot, origin: Origin) {
         self.outcome.restart(shot.cue_ball().and_then(|i| u16::try_from(i).ok()));
         self.contact = false;
         self.tracks.restart(shot.balls().len(), origin);
         Frozen::find(shot, &mut self.frozen);
-        self.jumps.restart();
+        self.jumps.restart(shot);
         for (i, placed) in (0u16..).zip(shot.balls()) {
             self.jumps.begin(i, placed.state.motion, &[]);
         }
@@ -116,15 +145,6 @@ impl OutcomeMemory {
             self.tracks.set(ball, event.time, after);
             self.jumps.begin(ball, after.motion, event.balls);
         }
-    }
-
-    /// Completes the outcome; `last` are the final states of the balls of `shot` in the file's
-    /// frame.
-    fn finish(&mut self, shot: &Shot, last: &[BallState]) {
-        let at_rest = |s: &BallState| s.motion == MotionState::Stationary || !s.motion.in_play();
-        let restless = (0u16..).zip(last).filter(|(_, s)| !at_rest(s)).map(|(i, _)| i);
-        self.outcome.never_resting.extend(restless);
-        find_hanging(shot, last, &mut self.outcome.hanging);
     }
 
     /// Follows the frozen balls of `event` along their paths up to the event.
@@ -298,13 +318,8 @@ pub struct OutcomeRecorder<'a> {
 impl<'a> OutcomeRecorder<'a> {
     /// A recorder for one simulation of `shot`.
     pub fn new(shot: &'a Shot) -> Self {
-        Self::reusing(shot, OutcomeMemory::default())
-    }
-
-    /// A recorder for one simulation of `shot` in the memory of an earlier recorder. It allocates
-    /// only where that memory is too small.
-    pub fn reusing(shot: &'a Shot, mut memory: OutcomeMemory) -> Self {
-        memory.restart(shot, Origin::Engine);
+        let mut memory = OutcomeMemory::default();
+        memory.restart(shot);
         Self { shot, memory }
     }
 
@@ -314,32 +329,16 @@ impl<'a> OutcomeRecorder<'a> {
     }
 
     /// The outcome, once `last` are the balls' final states in the engine's frame.
-    pub fn finish(self, last: &[BallState]) -> Outcome {
+    pub fn finish(mut self, last: &[BallState]) -> Outcome {
         let in_file = |(i, state)| self.shot.to_file_frame(i, state);
         let last: Vec<_> = last.iter().enumerate().map(in_file).collect();
-        self.finish_memory(&last).outcome
-    }
-
-    /// The memory with the outcome, once `last` are the balls' final states in the file's frame
-    /// ([`Shot::to_file_frame`]).
-    pub fn finish_memory(mut self, last: &[BallState]) -> OutcomeMemory {
-        self.memory.finish(self.shot, last);
-        self.memory
+        self.memory.finish(self.shot, &last);
+        self.memory.outcome
     }
 }
 
 impl Recorder for OutcomeRecorder<'_> {
     fn record(&mut self, event: &Event<'_>) {
-        let Self { shot, memory } = self;
-        memory.add(
-            shot,
-            &TraceEvent {
-                time: event.time,
-                kind: TraceEventKind::of(event.kind, shot.table()),
-                balls: event.balls,
-                before: event.before,
-                after: event.after,
-            },
-        );
+        self.memory.record(self.shot, event);
     }
 }

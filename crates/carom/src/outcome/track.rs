@@ -71,6 +71,17 @@ impl Tracks {
         self.moved = self.moved.with(ball);
     }
 
+    /// The greatest height (m) of the flight of ball `ball` of `shot`, to rounding, and the ball's
+    /// radius, m.
+    #[inline]
+    pub(super) fn apex(&self, shot: &Shot, ball: u16) -> (f64, f64) {
+        let placed = &shot.balls()[usize::from(ball)];
+        let moved = self.moved.contains(usize::from(ball));
+        let state = if moved { &self.last[usize::from(ball)].1 } else { &placed.state };
+        let rise = state.velocity.z.max(0.0);
+        (state.position.z + 0.5 * rise * rise / shot.physics().gravity, placed.ball.radius)
+    }
+
     /// The path of ball `ball` of `shot` since its last event.
     pub(super) fn of(&self, shot: &Shot, ball: u16) -> Track {
         let placed = &shot.balls()[usize::from(ball)];

@@ -18,9 +18,6 @@ import { type Game, type Move, newGame, type Setup } from "../document/game.ts";
 import { after, type Progress, progressOf, remember } from "./progress.ts";
 import { choiceInWords, other } from "./words.ts";
 
-/** Variants drawn for one shot. The first one without an error, such as a miscue, is played. */
-const DRAWN = 16;
-
 /** Distance from a pocket's centre within which a tap selects it, in radii of the pocket. */
 const POCKET_REACH = 1.6;
 
@@ -128,19 +125,18 @@ function move(store: Store, engine: Engine, made: Move, label: string): Progress
     : null;
 }
 
-/** The aimed strike with the player's execution errors. */
+/**
+ * The aimed strike with the player's execution errors: the variant whose index is the number of moves so
+ * far. The engine draws no strike that cannot be played.
+ */
 function executed(engine: Engine, shot: Shot, game: Game, { player }: ShotRequest): Strike {
   const skill = game.setup.skills[player];
   const noise = skill === null ? undefined : engine.noisePresets[skill];
   const meant = shot.strike!;
   if (!noise) return meant;
-  const { strikes, errors } = shot.vary(noise, DRAWN, {
-    seed: game.setup.options.seed ?? 0,
-    first: game.moves.length * DRAWN,
-  });
-  const played = Array.from({ length: DRAWN }, (_, k) => k).find((k) => !errors.has(k));
-  if (played === undefined) return meant;
-  const [speed, azimuth, elevation, side, height] = strikes.subarray(5 * played);
+  const { seed = 0 } = game.setup.options;
+  const { strikes } = shot.vary(noise, 1, { seed, first: game.moves.length });
+  const [speed, azimuth, elevation, side, height] = strikes;
   return {
     speed: speed!,
     azimuth: azimuth!,

@@ -342,12 +342,28 @@ describe("errors of a player", () => {
     expect(Object.values(strike(store))).toEqual([...strikes]);
   });
 
-  test("that make the shot unplayable are drawn again", () => {
+  test("have the index of the move, so that every shot has its own", () => {
+    const store = begun("nine-ball", { skills: ["club", "club"] });
+    foul(store);
+    const { strikes } = store.shot.vary(engine.noisePresets.club!, 1, { seed: 7, first: 1 });
+    shootOnce(store);
+    const last = store.document.game!.moves.at(-1) as { play: { strike: Strike } };
+    expect(Object.values(last.play.strike)).toEqual([...strikes]);
+  });
+
+  test("never make the shot unplayable: a miscue is moved back to the miscue limit", () => {
+    let moved = 0;
     for (const seed of [1, 2, 3, 4, 5]) {
       const store = begun("nine-ball", { options: { seed }, skills: ["beginner", null] });
       store.strike({ side: 0.45, height: 0.1 }, "far out");
+      const limit = 0.999 * store.shot.miscueLimit;
       expect(shootOnce(store), refusal(store)).not.toBeNull();
+      const [move] = store.document.game!.moves;
+      const { side, height } = (move as { play: { strike: Strike } }).play.strike;
+      expect(Math.hypot(side, height)).toBeLessThanOrEqual(limit + 1e-15);
+      if (Math.abs(Math.hypot(side, height) - limit) < 1e-12) moved++;
     }
+    expect(moved).toBeGreaterThan(0);
   });
 });
 
