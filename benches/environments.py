@@ -68,7 +68,7 @@ def main() -> int:
 def vector(**more: Any) -> Any:
     """The vector environment."""
     return gymnasium.make_vec(
-        "carom/EightBall-v5",
+        "carom/EightBall-v6",
         num_envs=ENVIRONMENTS,
         balls=(4, 9),
         noise=NOISE,

@@ -1,6 +1,6 @@
 """An environment for learners that is built on pooltool, with as little overhead as possible.
 
-It has the layouts, the kind of action and the size of errors of ``carom/EightBall-v5`` with
+It has the layouts, the kind of action and the size of errors of ``carom/EightBall-v6`` with
 ``aim="relative"``, and the balls stay where they come to rest from shot to shot. It has no referee:
 any ball may be hit first, nothing is called, and an episode ends when the eight or the last of the
 other balls is pocketed. A shot is therefore simulated once, where ours is simulated twice.
@@ -33,7 +33,7 @@ class EightBall:
     """One environment.
 
     Args:
-        layouts: Observations of ``carom/EightBall-v5`` on the same table. The episodes begin with
+        layouts: Observations of ``carom/EightBall-v6`` on the same table. The episodes begin with
             them, one after the other.
         noise: Errors of every strike.
         seed: Seed of the errors.

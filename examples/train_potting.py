@@ -168,7 +168,7 @@ def geometric_aimer(table: Table) -> Player:
 def make(num_envs: int, noise: float) -> Any:
     """The vector of environments for training and evaluation."""
     return gymnasium.make_vec(
-        "carom/Potting-v2",
+        "carom/Potting-v3",
         num_envs=num_envs,
         table=TABLE,
         aim="relative",

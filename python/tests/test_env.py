@@ -27,25 +27,25 @@ NAMES = sorted(carom.env.ENVIRONMENTS)
 TASKS = sorted(carom.env.ENVIRONMENTS.values())
 # Object balls of a game that begins in the middle: the setting, and additional ones.
 MIDDLES = {
-    "carom/EightBall-v5": (6, 0),
-    "carom/NineBall-v2": (3, 0),
-    "carom/TenBall-v3": (4, 0),
-    "carom/StraightPool-v3": (5, 0),
-    "carom/Snooker-v5": (2, 6),
-    "carom/ThreeCushion-v5": (2, 0),
+    "carom/EightBall-v6": (6, 0),
+    "carom/NineBall-v3": (3, 0),
+    "carom/TenBall-v4": (4, 0),
+    "carom/StraightPool-v4": (5, 0),
+    "carom/Snooker-v6": (2, 6),
+    "carom/ThreeCushion-v6": (2, 0),
 }
 NOISE = carom.Noise.olympiad(1.0)
 
 # SHA-256 of five steps of sixteen environments.
 RESULTS = {
-    "carom/EightBall-v5": "84b81f0256153008",
-    "carom/NineBall-v2": "68eb630e4f1d4dfd",
-    "carom/Potting-v2": "54652ea9dcc8c0f1",
-    "carom/Snooker-v5": "c2cc1317c4fa9746",
-    "carom/StraightPool-v3": "0b8e88200bfbd92f",
-    "carom/SumToThree-v2": "9c919dbc73c6b11a",
-    "carom/TenBall-v3": "509bde415a58cf86",
-    "carom/ThreeCushion-v5": "4ddce330d8d8f4fa",
+    "carom/EightBall-v6": "84b81f0256153008",
+    "carom/NineBall-v3": "68eb630e4f1d4dfd",
+    "carom/Potting-v3": "54652ea9dcc8c0f1",
+    "carom/Snooker-v6": "c2cc1317c4fa9746",
+    "carom/StraightPool-v4": "0b8e88200bfbd92f",
+    "carom/SumToThree-v3": "9c919dbc73c6b11a",
+    "carom/TenBall-v4": "509bde415a58cf86",
+    "carom/ThreeCushion-v6": "4ddce330d8d8f4fa",
 }
 
 
@@ -145,19 +145,19 @@ def test_a_game_can_begin_in_the_middle(name: str) -> None:
 
 
 def test_different_seeds_give_different_games() -> None:
-    envs = gymnasium.make_vec("carom/EightBall-v5", num_envs=4)
+    envs = gymnasium.make_vec("carom/EightBall-v6", num_envs=4)
     one, other = play(envs, 2, seed=3), play(envs, 2, seed=30)
     assert any((a != b).any() for a, b in zip(one, other, strict=True))
 
 
 def test_make_vec_steps_in_rust() -> None:
-    envs = gymnasium.make_vec("carom/EightBall-v5", num_envs=8)
+    envs = gymnasium.make_vec("carom/EightBall-v6", num_envs=8)
     assert isinstance(envs.unwrapped, carom.env.CaromVectorEnv)
     assert envs.metadata["autoreset_mode"] is AutoresetMode.SAME_STEP
 
 
 def test_same_step_mode_returns_the_final_observation_with_the_new_episode() -> None:
-    envs = gymnasium.make_vec("carom/Potting-v2", num_envs=5)
+    envs = gymnasium.make_vec("carom/Potting-v3", num_envs=5)
     envs.reset(seed=0)
     observations, _, terminated, _, info = envs.step(np.zeros(envs.action_space.shape))
     # An episode of potting is one shot.
@@ -168,9 +168,9 @@ def test_same_step_mode_returns_the_final_observation_with_the_new_episode() -> 
 
 def test_same_step_mode_has_the_infos_of_gymnasiums_own_vector() -> None:
     settings = {"balls": 2, "noise": NOISE, "patience": 6}
-    ours = gymnasium.make_vec("carom/NineBall-v2", num_envs=3, **settings)
+    ours = gymnasium.make_vec("carom/NineBall-v3", num_envs=3, **settings)
     theirs = SyncVectorEnv(
-        [lambda: gymnasium.make("carom/NineBall-v2", **settings)] * 3,
+        [lambda: gymnasium.make("carom/NineBall-v3", **settings)] * 3,
         autoreset_mode=AutoresetMode.SAME_STEP,
     )
     random = np.random.default_rng(0)
@@ -196,7 +196,7 @@ def test_same_step_mode_has_the_infos_of_gymnasiums_own_vector() -> None:
     assert ends > 5
 
 
-@pytest.mark.parametrize("name", ["carom/SumToThree-v2", "carom/NineBall-v2"])
+@pytest.mark.parametrize("name", ["carom/SumToThree-v3", "carom/NineBall-v3"])
 def test_max_episode_steps_limits_the_episodes_of_a_vector(name: str) -> None:
     envs = gymnasium.make_vec(name, num_envs=2, max_episode_steps=3)
     envs.reset(seed=0)
@@ -220,14 +220,14 @@ def test_a_deep_copy_is_independent_and_in_the_same_state(name: str) -> None:
 
 def test_pickling_an_environment_is_refused_with_a_remedy() -> None:
     with pytest.raises(TypeError, match=r"a function that makes it.*copy\.deepcopy"):
-        pickle.dumps(gymnasium.make("carom/Potting-v2"))
+        pickle.dumps(gymnasium.make("carom/Potting-v3"))
 
 
 def test_the_environments_work_in_gymnasiums_vectors_and_wrappers() -> None:
     def make() -> gymnasium.Env[Any, Any]:
-        return gymnasium.make("carom/NineBall-v2", balls=2)
+        return gymnasium.make("carom/NineBall-v3", balls=2)
 
-    ours = gymnasium.make_vec("carom/NineBall-v2", num_envs=3, balls=2, autoreset_mode="next-step")
+    ours = gymnasium.make_vec("carom/NineBall-v3", num_envs=3, balls=2, autoreset_mode="next-step")
     rows = [play(envs, 8) for envs in (SyncVectorEnv([make] * 3), AsyncVectorEnv([make] * 3), ours)]
     for one, two, three in zip(*rows, strict=True):
         np.testing.assert_array_equal(one, two)
@@ -242,7 +242,7 @@ def test_the_environments_work_in_gymnasiums_vectors_and_wrappers() -> None:
 
 
 def test_a_vector_with_autoreset_disabled_is_reset_by_mask() -> None:
-    envs = gymnasium.make_vec("carom/Potting-v2", num_envs=3, autoreset_mode="disabled")
+    envs = gymnasium.make_vec("carom/Potting-v3", num_envs=3, autoreset_mode="disabled")
     first, _ = envs.reset(seed=0)
     last, *_ = envs.step(np.zeros(envs.action_space.shape))
     mask = np.array([True, False, True])
@@ -253,7 +253,7 @@ def test_a_vector_with_autoreset_disabled_is_reset_by_mask() -> None:
 
 
 def test_relative_aim_pots_often_and_is_rewarded() -> None:
-    envs = gymnasium.make_vec("carom/Potting-v2", num_envs=2000, aim="relative")
+    envs = gymnasium.make_vec("carom/Potting-v3", num_envs=2000, aim="relative")
     envs.reset(seed=0)
     actions = np.zeros(envs.action_space.shape, dtype=np.float32)
     actions[:, 4] = -1
@@ -267,7 +267,7 @@ def test_relative_aim_pots_often_and_is_rewarded() -> None:
 def test_noise_makes_potting_harder() -> None:
     def potted(noise: carom.Noise | None) -> float:
         match = gymnasium.make_vec(
-            "carom/EightBall-v5", num_envs=300, opponent="potter", noise=noise, balls=(4, 6)
+            "carom/EightBall-v6", num_envs=300, opponent="potter", noise=noise, balls=(4, 6)
         )
         match.reset(seed=0)
         wild = np.zeros(match.action_space.shape, dtype=np.float32)
@@ -278,7 +278,7 @@ def test_noise_makes_potting_harder() -> None:
 
 
 @pytest.mark.parametrize("opponent", ["random", "potter"])
-@pytest.mark.parametrize("name", ["carom/EightBall-v5", "carom/NineBall-v2", "carom/Snooker-v5"])
+@pytest.mark.parametrize("name", ["carom/EightBall-v6", "carom/NineBall-v3", "carom/Snooker-v6"])
 def test_with_an_opponent_the_agent_always_shoots_next(name: str, opponent: str) -> None:
     envs = gymnasium.make_vec(name, num_envs=8, opponent=opponent, noise=NOISE, patience=20)
     envs.action_space.seed(0)
@@ -288,7 +288,7 @@ def test_with_an_opponent_the_agent_always_shoots_next(name: str, opponent: str)
         assert (info["player"] == 0).all()
 
 
-@pytest.mark.parametrize("name", ["carom/ThreeCushion-v5", "carom/SumToThree-v2"])
+@pytest.mark.parametrize("name", ["carom/ThreeCushion-v6", "carom/SumToThree-v3"])
 def test_the_shooter_continues_after_a_point(name: str) -> None:
     envs = gymnasium.make_vec(name, num_envs=200)
     envs.action_space.seed(0)
@@ -306,7 +306,7 @@ def test_the_shooter_continues_after_a_point(name: str) -> None:
 
 
 def test_episodes_end_even_if_nothing_is_hit() -> None:
-    envs = gymnasium.make_vec("carom/SumToThree-v2", num_envs=2, patience=5)
+    envs = gymnasium.make_vec("carom/SumToThree-v3", num_envs=2, patience=5)
     envs.reset(seed=0)
     gentle = np.tile(np.float32([0, -1, 0, 0, -1]), (2, 1))
     truncated = [envs.step(gentle)[3] for _ in range(5)]
@@ -315,7 +315,7 @@ def test_episodes_end_even_if_nothing_is_hit() -> None:
 
 
 def test_actions_out_of_bounds_are_clipped_and_nan_counts_as_zero() -> None:
-    envs = gymnasium.make_vec("carom/EightBall-v5", num_envs=1)
+    envs = gymnasium.make_vec("carom/EightBall-v6", num_envs=1)
     envs.reset(seed=0)
     out = envs.step(np.full(envs.action_space.shape, 9.0, dtype=np.float32))
     envs.reset(seed=0)
@@ -373,8 +373,8 @@ def test_a_reward_that_is_not_a_finite_number_is_refused_by_name(value: Any) -> 
 
 def test_the_old_name_of_points_still_works_and_warns() -> None:
     with pytest.warns(FutureWarning, match=r"settings\.target is now settings\.points"):
-        old = gymnasium.make_vec("carom/SumToThree-v2", num_envs=4, target=1)
-    new = gymnasium.make_vec("carom/SumToThree-v2", num_envs=4, points=1)
+        old = gymnasium.make_vec("carom/SumToThree-v3", num_envs=4, target=1)
+    new = gymnasium.make_vec("carom/SumToThree-v3", num_envs=4, points=1)
     for one, other in zip(play(old, 5), play(new, 5), strict=True):
         np.testing.assert_array_equal(one, other)
 
@@ -393,15 +393,15 @@ def test_options_of_a_reset_that_are_not_a_dict_are_refused(options: Any) -> Non
 
 def test_numpy_integers_are_accepted_as_counts() -> None:
     three = np.int64(3)
-    envs = gymnasium.make_vec("carom/NineBall-v2", num_envs=three, balls=three)
-    same = gymnasium.make_vec("carom/NineBall-v2", num_envs=3, balls=3)
+    envs = gymnasium.make_vec("carom/NineBall-v3", num_envs=three, balls=three)
+    same = gymnasium.make_vec("carom/NineBall-v3", num_envs=3, balls=3)
     for one, other in zip(play(envs, 2, seed=three), play(same, 2), strict=True):
         np.testing.assert_array_equal(one, other)
 
 
 @pytest.mark.parametrize("shape", [(7,), (7, 2), (14,), (3, 7), (2, 5)])
 def test_actions_of_another_shape_are_refused(shape: tuple[int, ...]) -> None:
-    envs = gymnasium.make_vec("carom/NineBall-v2", num_envs=2)
+    envs = gymnasium.make_vec("carom/NineBall-v3", num_envs=2)
     envs.reset(seed=0)
     with pytest.raises(InputError, match=r"^actions: found the shape .*; give \(2, 7\)"):
         envs.step(np.zeros(shape))
@@ -429,14 +429,14 @@ def test_single_environments_accept_the_same_seeds_as_vectors() -> None:
 
 @pytest.mark.parametrize("seed", [-1, 2**64, 1.5, "x", [1], [1, None], [1, -1]])
 def test_invalid_seeds_are_refused(seed: Any) -> None:
-    envs = gymnasium.make_vec("carom/NineBall-v2", num_envs=2)
+    envs = gymnasium.make_vec("carom/NineBall-v3", num_envs=2)
     with pytest.raises(InputError, match=r"^seeds?: "):
         envs.reset(seed=seed)
 
 
 @pytest.mark.parametrize("mask", [[True], "xx", [0, 1], [[True, False]]])
 def test_invalid_masks_are_refused(mask: Any) -> None:
-    envs = gymnasium.make_vec("carom/NineBall-v2", num_envs=2, autoreset_mode="disabled")
+    envs = gymnasium.make_vec("carom/NineBall-v3", num_envs=2, autoreset_mode="disabled")
     envs.reset(seed=0)
     with pytest.raises(InputError, match=r"^reset_mask: "):
         envs.reset(options={"reset_mask": mask})
@@ -456,7 +456,7 @@ def test_a_step_before_the_first_reset_is_refused(env: Any) -> None:
 
 
 def test_a_picture_is_an_array_of_pixels() -> None:
-    env = gymnasium.make("carom/Snooker-v5", render_mode="rgb_array")
+    env = gymnasium.make("carom/Snooker-v6", render_mode="rgb_array")
     env.reset(seed=0)
     picture = env.render()
     assert isinstance(picture, np.ndarray)

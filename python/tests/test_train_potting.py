@@ -120,7 +120,7 @@ def test_the_vector_keeps_the_contract_of_stable_baselines(example: ModuleType) 
     raw, _ = example.make(6, 1.0).reset(seed=3)
     np.testing.assert_array_equal(table.view(raw), first)
     with pytest.raises(InputError, match="same-step"):
-        SB3VecEnv(gymnasium.make_vec("carom/Potting-v2", num_envs=2, autoreset_mode="next-step"))
+        SB3VecEnv(gymnasium.make_vec("carom/Potting-v3", num_envs=2, autoreset_mode="next-step"))
 
 
 def test_a_short_training_beats_the_random_player(example: ModuleType, tmp_path: Path) -> None:

@@ -186,3 +186,48 @@ impl Environment {
         won + foul + rewards.pot * f64::from(result.potted) + rewards.point * f64::from(points)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use carom::batch::draw_strikes;
+    use carom::noise::{OFFSET_KEPT, SLOWEST, STEEPEST};
+    use carom::{Noise, Simulator};
+    use carom_rules::{Play, Rules};
+
+    use super::episode;
+    use crate::action::strike;
+    use crate::config::Config;
+    use crate::episode::Episode;
+    use crate::task::Task;
+
+    /// An action at the limits of all numbers: the slowest strike, far off centre, with a steep cue.
+    const FAR_OUT: [f32; 7] = [0.3, -1.0, 0.8, -0.6, 1.0, 0.1, 0.2];
+
+    #[test]
+    fn an_action_is_struck_as_the_engine_draws_it_beyond_each_limit_too() {
+        let task = Task::Game(Rules::NineBall);
+        let noise = Noise { elevation: 0.3, ..Noise::preset("beginner").expect("a preset") };
+        let config = Config { noise, speed: [0.1, 8.0], elevation: 1.3, ..Config::of(task) };
+        let mut episode: Box<dyn Episode> = episode(task, &config).expect("a task");
+        episode.restart(4).expect("a rack");
+        let frame = carom_rules::Frame::new(Rules::NineBall, config.options, None, None, 4);
+        let frame = frame.expect("the same rack");
+        let turn = episode.turn().expect("a shot");
+        let mut simulator = Simulator::new();
+        let [mut slow, mut steep, mut far] = [0; 3];
+        for index in 0..200 {
+            let struck = strike(&config, &*episode, turn, &FAR_OUT, (9, index)).expect("a place");
+            let play = Play { cue_ball: struck.cue_ball, ..Play::new(struck.intended) };
+            let shot = frame.shot(&play).expect("a shot");
+            let meant = shot.with_strike(&struck.intended).expect("an intended strike");
+            let drawn = draw_strikes(&meant, &noise, 1, 9, index).expect("a strike")[0];
+            assert_eq!(struck.actual, drawn);
+            let shot = shot.with_strike(&drawn).expect("it can be played");
+            simulator.play(&shot, &mut carom::event::NullRecorder).expect("it ends");
+            slow += usize::from(drawn.speed == SLOWEST);
+            steep += usize::from(drawn.elevation == STEEPEST);
+            far += usize::from(drawn.offset() > 0.999_999 * OFFSET_KEPT * shot.miscue_limit());
+        }
+        assert!(slow > 10 && steep > 10 && far > 10, "{slow} slow, {steep} steep, {far} far out");
+    }
+}

@@ -3,8 +3,8 @@
     import gymnasium
     import carom.env                                   # registers the environments
 
-    env = gymnasium.make("carom/Potting-v2", balls=3)
-    envs = gymnasium.make_vec("carom/EightBall-v5", num_envs=4096)
+    env = gymnasium.make("carom/Potting-v3", balls=3)
+    envs = gymnasium.make_vec("carom/EightBall-v6", num_envs=4096)
     match = carom.env.aec("eight-ball")                # PettingZoo, two players
 
 Needs the extra: ``pip install carom[env]``.

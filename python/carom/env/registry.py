@@ -6,14 +6,14 @@ import gymnasium
 
 # The version increases when the same actions give other results.
 ENVIRONMENTS = {
-    "carom/Potting-v2": "potting",
-    "carom/EightBall-v5": "eight-ball",
-    "carom/NineBall-v2": "nine-ball",
-    "carom/TenBall-v3": "ten-ball",
-    "carom/StraightPool-v3": "straight-pool",
-    "carom/Snooker-v5": "snooker",
-    "carom/ThreeCushion-v5": "three-cushion",
-    "carom/SumToThree-v2": "sum-to-three",
+    "carom/Potting-v3": "potting",
+    "carom/EightBall-v6": "eight-ball",
+    "carom/NineBall-v3": "nine-ball",
+    "carom/TenBall-v4": "ten-ball",
+    "carom/StraightPool-v4": "straight-pool",
+    "carom/Snooker-v6": "snooker",
+    "carom/ThreeCushion-v6": "three-cushion",
+    "carom/SumToThree-v3": "sum-to-three",
 }
 
 

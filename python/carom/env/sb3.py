@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 class SB3VecEnv(VecEnv):  # type: ignore[misc]
     """A Gymnasium vector that resets in the same step, as a vector of stable-baselines3.
 
-        envs = gymnasium.make_vec("carom/Potting-v2", num_envs=1024)
+        envs = gymnasium.make_vec("carom/Potting-v3", num_envs=1024)
         model = stable_baselines3.PPO("MlpPolicy", SB3VecEnv(envs))
 
     All environments step together in Rust, so single environments cannot be accessed.
@@ -50,7 +50,7 @@ class SB3VecEnv(VecEnv):  # type: ignore[misc]
         if not isinstance(envs, VectorEnv):
             raise InputError(
                 f"envs: found a {type(envs).__name__}; give a Gymnasium vector, for example "
-                'gymnasium.make_vec("carom/Potting-v2", num_envs=64)'
+                'gymnasium.make_vec("carom/Potting-v3", num_envs=64)'
             )
         if envs.metadata.get("autoreset_mode") is not AutoresetMode.SAME_STEP:
             raise InputError(
