@@ -280,7 +280,7 @@ fn the_ruling_on_a_trace_equals_the_ruling_on_its_shot() {
         let mut dice = Dice::new(5);
         let mut frame = Frame::new(rules, Options::default(), None, None, 5).expect("a rack");
         for _ in 0..20 {
-            match frame.request().clone() {
+            match *frame.request() {
                 Request::Shot(turn) => {
                     let play = any_play(&frame, &turn, &mut dice);
                     let Ok(shot) = frame.shot(&play) else { continue };

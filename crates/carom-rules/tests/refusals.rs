@@ -57,7 +57,7 @@ fn a_choice_is_refused_while_a_shot_is_due_and_when_it_is_not_offered() {
     for choice in Choice::ALL {
         assert!(frame(Rules::EightBall).choose(choice).is_err(), "{}", choice.name());
         let mut frame = choosing();
-        let Request::Choice { choices, .. } = frame.request().clone() else { unreachable!() };
+        let Request::Choice { choices, .. } = *frame.request() else { unreachable!() };
         let before = frame.to_node();
         assert_eq!(frame.choose(choice).is_ok(), choices.contains(&choice), "{}", choice.name());
         assert_eq!(frame.to_node() == before, !choices.contains(&choice));

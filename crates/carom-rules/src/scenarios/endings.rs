@@ -21,7 +21,7 @@ fn a_player_who_concedes_a_shot_or_a_choice_loses() {
 fn idle(scenario: &mut Scenario, shots: u32) -> bool {
     let mut racked = false;
     for _ in 0..shots {
-        let turn = scenario.turn().clone();
+        let turn = *scenario.turn();
         let first = turn.on.first().copied().unwrap_or(2);
         let call = if turn.calls.required { Call::Safety } else { Call::Nothing };
         racked = scenario.play(call, hit(&[first]).driving(&[1, 2, 3, 4])).racked;

@@ -43,7 +43,7 @@ impl Scenario {
 
     /// Plays a shot with the outcome `shot`. A cue ball in hand is placed where there is room.
     fn play(&mut self, call: Call, shot: DescribedShot) -> Ruling {
-        let turn = self.turn().clone();
+        let turn = *self.turn();
         let strike = Strike { speed: 1.0, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
         let mut play = Play { strike, cue_ball: None, call };
         if let Some(region) = turn.hand {
