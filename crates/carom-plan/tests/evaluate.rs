@@ -110,15 +110,17 @@ fn every_variant_of_a_strike_at_the_limit_of_the_tip_is_played() {
 
 #[test]
 fn strikes_that_cannot_be_played_are_counted() {
-    // A rail behind the cue ball, which the cue clears only from about a degree of elevation on.
-    let mut file = shot("stop_shot").to_node();
-    let mut strike = file.get("strike").expect("a strike").clone();
-    strike.set("obstruction", "refuse");
-    file.set("strike", strike);
-    let shot = Shot::from_node(&file).expect("a shot");
-    let (_, meant) = shot.strike().expect("a strike");
-    let least = shot.least_elevation().expect("an elevation that is clear");
-    let edge = shot.with_strike(&Strike { elevation: least, ..meant }).expect("a clear cue");
+    // A ball behind the cue ball, which a cue at this elevation just clears.
+    let behind = Shot::from_json(
+        r#"{"format": "carom-shot/1", "table": "wpa-9ft",
+            "balls": [{"id": "cue", "position": [0.635, 1.0]}, {"id": "1", "position": [0.635, 0.9]}],
+            "strike": {"ball": "cue", "speed": 2.0, "azimuth_deg": 90.0, "obstruction": "refuse"}}"#,
+    )
+    .expect("a shot at the default elevation");
+    let (_, meant) = behind.strike().expect("a strike");
+    let least = behind.least_elevation().expect("an elevation that is clear");
+    assert!(least > 0.1, "a lower cue may be raised by the player: {least} rad");
+    let edge = behind.with_strike(&Strike { elevation: least, ..meant }).expect("a clear cue");
     let evaluation = answer(&edge, &question(400));
     assert!((50..350).contains(&evaluation.failed), "{}", evaluation.failed);
     let failure = evaluation.first_failure.expect("an error").to_string();
