@@ -44,14 +44,14 @@ pub const MOST_BALLS: usize = 22;
 pub type BallList = ShortList<BallIndex, MOST_BALLS>;
 
 /// Centre of each ball (file frame, m); none if it is not on the table.
-pub(crate) type Places = [Option<[f64; 2]>; MOST_BALLS];
+pub(crate) type BallPlaces = [Option<[f64; 2]>; MOST_BALLS];
 
 /// The balls of a frame and their places.
 #[derive(Debug, PartialEq)]
 pub struct FrameLayout {
     balls: Arc<[FrameBall]>,
     /// The first ones belong to `balls`, and the others are not used.
-    places: Places,
+    places: BallPlaces,
 }
 
 impl Clone for FrameLayout {
@@ -80,7 +80,7 @@ impl FrameLayout {
         if racked[1..].iter().all(|(id, _)| number(id).is_some()) {
             racked[1..].sort_by_key(|(id, _)| number(id));
         }
-        let mut places = Places::default();
+        let mut places = BallPlaces::default();
         for (place, (_, racked)) in places.iter_mut().zip(&racked) {
             *place = Some(*racked);
         }
@@ -139,11 +139,11 @@ impl FrameLayout {
     }
 
     /// All places, to be put back with [`Self::put_all`].
-    pub(crate) const fn places(&self) -> &Places {
+    pub(crate) const fn places(&self) -> &BallPlaces {
         &self.places
     }
 
-    pub(crate) const fn put_all(&mut self, places: &Places) {
+    pub(crate) const fn put_all(&mut self, places: &BallPlaces) {
         self.places = *places;
     }
 

@@ -8,7 +8,7 @@ mod stroke;
 use carom::format::Node;
 
 use super::game::{GameRules, PlayedShot};
-use crate::layout::{BallIndex, BallList, FrameLayout, Places};
+use crate::layout::{BallIndex, BallList, BallPlaces, FrameLayout};
 use crate::region::Region;
 use crate::request::{Calls, Choice, Request, Turn};
 use crate::ruling::Foul;
@@ -58,7 +58,7 @@ pub struct Snooker {
 /// The table before a shot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct TableBefore {
-    places: Places,
+    places: BallPlaces,
     turn: Turn,
     on: On,
     free_ball: bool,

@@ -6,7 +6,6 @@ import {
   ON_TABLE,
   type Shot,
   type ShotFile,
-  type Strike,
 } from "../../../src/engine/index.js";
 import { GOLDENS, shotFile } from "./files.js";
 
@@ -172,15 +171,38 @@ describe("batches", () => {
   });
 
   test("have an error for each variant that cannot be played", () => {
-    const shot = engine.shot(shotFile("half_ball_cut"));
-    const atTheLimit: Strike = { ...shot.strike!, side: 0.999 * shot.miscueLimit };
-    const batch = shot.withStrike(atTheLimit).vary(engine.olympiad(), 40, { seed: 1 });
+    // The cue just clears the ball behind the cue ball. Lower, it would pass through it.
+    const file = {
+      format: "carom-shot/1",
+      table: "wpa-9ft",
+      balls: [
+        { id: "cue", position: [0.635, 1.0] },
+        { id: "1", position: [0.635, 0.9] },
+      ],
+      strike: { ball: "cue", speed: 2, azimuth_deg: 90, obstruction: "refuse" },
+    } as const;
+    const batch = engine.shot(file).vary(engine.olympiad(), 40, { seed: 1 });
     expect(batch.errors.size).toBeGreaterThan(5);
+    expect(batch.errors.size).toBeLessThan(35);
     for (const [k, text] of batch.errors) {
-      expect(text).toMatch(/miscue/);
+      expect(text).toMatch(/the cue would pass through/);
       expect(batch.events[k]).toBe(0);
       expect(batch.final_position[3 * k * batch.balls]).toBeNaN();
     }
+  });
+
+  test("of a strike at the miscue limit are all played, within the limit", () => {
+    const shot = engine.shot(shotFile("half_ball_cut"));
+    const limit = 0.999 * shot.miscueLimit;
+    const { errors, strikes } = shot
+      .withStrike({ ...shot.strike!, side: limit })
+      .vary(engine.olympiad(), 40, { seed: 1 });
+    expect(errors.size).toBe(0);
+    const offsets = Array.from({ length: 40 }, (_, k) =>
+      Math.hypot(strikes[5 * k + 3]!, strikes[5 * k + 4]!),
+    );
+    expect(Math.max(...offsets)).toBeCloseTo(limit, 12);
+    expect(offsets.filter((offset) => Math.abs(offset - limit) < 1e-12).length).toBeGreaterThan(5);
   });
 
   test("refuse invalid noise and counts", () => {
