@@ -111,7 +111,7 @@ class Evaluation:
 
     @property
     def failure(self) -> Chance:
-        """The chance that the strike cannot be played, because the cue would pass through a ball."""
+        """The chance that the strike cannot be played, as with an obstructed cue."""
         return self.chance(self.failed)
 
     @property

@@ -90,7 +90,7 @@ pub(crate) fn any_calls(frame: &Frame, turn: &Turn, dice: &mut Dice) -> Vec<Call
     calls
 }
 
-/// Frames in which a shot is asked for, with a play of each: `count` shots of random play of a game.
+/// Frames that ask for a shot, with a play of each: `count` shots of random play of a game.
 /// A frame that ends is followed by another.
 pub(crate) fn positions(rules: Rules, seed: u64, count: usize) -> Vec<(Frame, Play)> {
     let mut dice = Dice::new(seed);
