@@ -108,9 +108,43 @@ impl Frame {
         Ok(Self { rules, game_state, state, request, stalemates, shots: 0 })
     }
 
+    /// The same frame, in which every shot has this cap on its number of events.
+    #[must_use]
+    pub fn with_max_events(mut self, max_events: u32) -> Self {
+        self.state.base = std::sync::Arc::new(self.state.base.with_max_events(max_events));
+        self
+    }
+
+    /// The frame as a player sees it who sees the balls at `places` (one entry for each ball of the
+    /// layout, file frame, m; `None` for a ball that is not on the table). Everything else is the
+    /// same.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if another set of balls is on the table. Overlapping balls are reported by
+    /// the next shot.
+    pub fn seen_at(&self, places: &[Option<[f64; 2]>]) -> Result<Self, Error> {
+        let own = (0..).map(|ball| self.state.layout.is_down(ball));
+        let same = places.len() == self.state.layout.len()
+            && places.iter().zip(own).all(|(place, is_down)| place.is_none() == is_down);
+        if !same {
+            let what = "they are not those of the balls on the table";
+            return Err(Error::input("places", what, "displace every ball on the table"));
+        }
+        let mut seen = self.clone();
+        for (ball, place) in (0..).zip(places) {
+            seen.state.layout.put(ball, *place);
+        }
+        Ok(seen)
+    }
+
     /// The game's rules.
     pub const fn rules(&self) -> Rules {
         self.rules
+    }
+
+    /// The options that were agreed before the start.
+    pub const fn options(&self) -> &Options {
+        &self.state.options
     }
 
     /// The next request.
@@ -148,6 +182,12 @@ impl Frame {
     /// The score of each seat; 0 in games without points.
     pub const fn scores(&self) -> [i32; 2] {
         self.state.scores
+    }
+
+    /// Whether the next shot is the opening shot of a rack: a break, or the first shot of
+    /// three-cushion.
+    pub fn is_opening(&self) -> bool {
+        self.turn().is_some() && self.game_state.rules().is_opening()
     }
 
     /// Number of consecutive fouls of each seat.

@@ -46,3 +46,27 @@ fn balls_that_the_game_cannot_have_are_refused() {
         assert!(error.starts_with(place), "{error}");
     }
 }
+
+#[test]
+fn a_frame_that_is_seen_elsewhere_has_the_same_request_and_other_places() {
+    let frame = Frame::new(Rules::EightBall, Options::default(), None, None, 1).expect("a rack");
+    let mut places: Vec<_> = (0..).take(16).map(|ball| frame.layout().place(ball)).collect();
+    places[3] = Some([0.2, 0.3]);
+    let seen = frame.seen_at(&places).expect("the same balls");
+    assert_eq!((seen.request(), seen.shots()), (frame.request(), 0));
+    assert_eq!(seen.layout().place(3), Some([0.2, 0.3]));
+    assert_eq!(seen.layout().place(4), frame.layout().place(4));
+    assert_ne!(frame.layout().place(3), Some([0.2, 0.3]));
+    let missing = [&places[..15], &[None]].concat();
+    for wrong in [&places[..15], &missing] {
+        let error = frame.seen_at(wrong).expect_err("another set of balls").to_string();
+        assert!(error.starts_with("places: "), "{error}");
+    }
+}
+
+#[test]
+fn a_cap_of_events_stays_in_the_following_shots_and_racks() {
+    let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 1).expect("a rack");
+    let capped = frame.with_max_events(7).with_seed(2).expect("a rack");
+    assert_eq!((capped.base().max_events(), capped.options().patience), (7, 100));
+}

@@ -153,6 +153,10 @@ impl EightBall {
 }
 
 impl GameRules for EightBall {
+    fn is_opening(&self) -> bool {
+        self.is_break
+    }
+
     fn start(&mut self, _: &mut FrameState, breaker: Seat) -> Request {
         *self = Self { solids_of: None, breaker, is_break: true };
         pool::break_shot(breaker, BallList::new(), Calls::NONE)

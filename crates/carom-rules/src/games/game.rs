@@ -128,6 +128,9 @@ pub(crate) trait GameRules {
     /// Applies a choice of `seat` and returns the next request.
     fn choose(&mut self, state: &mut FrameState, seat: Seat, choice: Choice) -> Request;
 
+    /// Whether the next shot is the opening shot of a rack, which has rules of its own.
+    fn is_opening(&self) -> bool;
+
     /// The state that only this game has, for reports.
     fn to_node(&self, _: &FrameState) -> Node {
         Node::object([])

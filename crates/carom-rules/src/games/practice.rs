@@ -10,18 +10,28 @@ use crate::state::FrameState;
 
 /// A practice table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Practice;
+pub struct Practice {
+    /// Whether the next shot is the break.
+    is_opening: bool,
+}
 
 impl GameRules for Practice {
+    fn is_opening(&self) -> bool {
+        self.is_opening
+    }
+
     fn start(&mut self, _: &mut FrameState, seat: Seat) -> Request {
+        self.is_opening = true;
         pool::break_shot(seat, BallList::new(), Calls::NONE)
     }
 
     fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
+        self.is_opening = false;
         pool::shot(state, seat, None, BallList::new(), Calls::NONE)
     }
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
+        self.is_opening = false;
         let seat = shot.seat();
         state.ruling.points[seat] = shot.potted().count() as i32;
         if state.layout.on_table().all(|ball| ball == CUE) {

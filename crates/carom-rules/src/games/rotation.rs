@@ -49,6 +49,10 @@ impl Rotation {
 }
 
 impl GameRules for Rotation {
+    fn is_opening(&self) -> bool {
+        self.is_break
+    }
+
     fn start(&mut self, state: &mut FrameState, breaker: Seat) -> Request {
         self.is_break = true;
         pool::break_shot(breaker, self.lowest(state), Calls::NONE)

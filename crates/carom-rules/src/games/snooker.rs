@@ -45,6 +45,8 @@ pub(crate) const fn rule(foul: Foul) -> &'static str {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Snooker {
     on: On,
+    /// Whether the next shot is the first of the frame.
+    is_opening: bool,
     /// Whether the player to shoot has a free ball.
     free_ball: bool,
     /// Points of the current break.
@@ -191,8 +193,12 @@ const fn lead(scores: [i32; 2]) -> i32 {
 }
 
 impl GameRules for Snooker {
+    fn is_opening(&self) -> bool {
+        self.is_opening
+    }
+
     fn start(&mut self, state: &mut FrameState, breaker: Seat) -> Request {
-        *self = Self::default();
+        *self = Self { is_opening: true, ..Self::default() };
         self.turn(state, breaker, Some(Region::TheD))
     }
 
@@ -203,6 +209,7 @@ impl GameRules for Snooker {
     }
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
+        self.is_opening = false;
         let (seat, opponent) = (shot.seat(), shot.opponent());
         let stroke = Stroke::of(self.on, self.free_ball, shot);
         let (fouls, penalty) = stroke.fouls(state, shot);

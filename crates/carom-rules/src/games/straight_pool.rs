@@ -100,6 +100,10 @@ impl StraightPool {
 }
 
 impl GameRules for StraightPool {
+    fn is_opening(&self) -> bool {
+        self.is_opening
+    }
+
     fn start(&mut self, _: &mut FrameState, breaker: Seat) -> Request {
         self.is_opening = true;
         pool::break_shot(breaker, BallList::new(), Calls::REQUIRED)

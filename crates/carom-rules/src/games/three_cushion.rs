@@ -119,6 +119,10 @@ impl ThreeCushion {
 }
 
 impl GameRules for ThreeCushion {
+    fn is_opening(&self) -> bool {
+        self.is_opening
+    }
+
     fn start(&mut self, _: &mut FrameState, breaker: Seat) -> Request {
         *self = Self::default();
         self.starting_shot(breaker)
