@@ -44,7 +44,7 @@ pub fn wilson(hits: u64, trials: u64, level: f64) -> Interval {
 }
 
 /// The z for which a normal deviate is in (−z, z) with probability `level`: erf(z/√2) = level.
-fn two_sided_quantile(level: f64) -> f64 {
+pub fn two_sided_quantile(level: f64) -> f64 {
     const SQRT_2_OVER_PI: f64 = 0.797_884_560_802_865_4;
     let mut z = 0.0;
     for _ in 0..MOST_STEPS {

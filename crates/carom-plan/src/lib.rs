@@ -35,7 +35,7 @@ pub use carom_rules::Prepared;
 pub use error_model::{Chance, ErrorModel, check_level};
 pub use evaluate::{Evaluation, Question, Watched, evaluate};
 pub use goal::{Disc, Goal};
-pub use interval::{Interval, wilson};
+pub use interval::{Interval, two_sided_quantile, wilson};
 pub use moments::Moments;
 pub use progress::Progress;
 pub use referee::Referee;

@@ -46,15 +46,15 @@ impl Progress {
         }
     }
 
-    /// Begins stage number `stage`, which has `total` items.
-    pub(crate) fn begin(&self, stage: u64, total: usize) {
+    /// Begins stage number `stage`, which has `total` items. Called by the task.
+    pub fn begin(&self, stage: u64, total: usize) {
         self.done.store(0, Ordering::Relaxed);
         self.total.store(total as u64, Ordering::Relaxed);
         self.stage.store(stage, Ordering::Release);
     }
 
-    /// Adds `count` items to those that are done.
-    pub(crate) fn add(&self, count: usize) {
+    /// Adds `count` items to those that are done. Called by the task.
+    pub fn add(&self, count: usize) {
         self.done.fetch_add(count as u64, Ordering::Relaxed);
     }
 }

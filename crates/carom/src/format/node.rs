@@ -79,6 +79,14 @@ impl Node {
         out
     }
 
+    /// JSON text on one line, for files with a value per line (JSONL). Numbers are written as by
+    /// [`Self::to_json`].
+    pub fn to_json_line(&self) -> String {
+        let mut out = String::new();
+        self.write_flat(&mut out, usize::MAX);
+        out
+    }
+
     fn write_json(&self, out: &mut String, indent: usize) {
         let start = out.len();
         let limit = if self.is_nested() { start + LINE.saturating_sub(indent) } else { usize::MAX };

@@ -47,6 +47,73 @@ impl<'a> Reader<'a> {
         self.0.whole(low, high)
     }
 
+    /// The value as a finite number with exactly its bits: a tiny number stays what it is, and −0
+    /// stays −0. For records of what was computed.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if it is not a finite number.
+    pub fn exact_number(&self) -> Result<f64, Error> {
+        match *self.0.node {
+            Node::Number(x) if x.is_finite() => Ok(x),
+            Node::Integer(i) => Ok(i as f64),
+            _ => Err(self.wrong_type("a finite number")),
+        }
+    }
+
+    /// The value as a text; `wanted` says what to write.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if it is not a text.
+    pub fn text(&self, wanted: &str) -> Result<&'a str, Error> {
+        self.0.text(wanted)
+    }
+
+    /// The value as `true` or `false`.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if it is neither.
+    pub fn flag(&self) -> Result<bool, Error> {
+        self.0.flag()
+    }
+
+    /// The items of a list; `wanted` says what to write.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if it is not a list.
+    pub fn items(&self, wanted: &str) -> Result<Vec<Self>, Error> {
+        Ok(self.0.items(wanted)?.into_iter().map(Self).collect())
+    }
+
+    /// The value under `key`; none if this is not an object that has it, or if it is `null`.
+    pub fn get(&self, key: &str) -> Option<Self> {
+        let node = self.0.node.get(key).filter(|node| **node != Node::Null)?;
+        Some(Self(At { node, place: self.0.child_place(key) }))
+    }
+
+    /// The value under `key`, which must be there; `example` shows how to write it.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if this is not an object that has it.
+    pub fn require(&self, key: &str, example: &str) -> Result<Self, Error> {
+        let at = self.0.known_fields()?.require(key, example)?;
+        Ok(Self(at))
+    }
+
+    /// The value itself.
+    pub const fn node(&self) -> &'a Node {
+        self.0.node
+    }
+
+    /// The path of the value, such as `moves[3].play`.
+    pub fn place(&self) -> &str {
+        self.0.place()
+    }
+
+    /// An error at the place of the value.
+    pub fn refuse(&self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
+        self.0.refuse(what, remedy)
+    }
+
     /// The error for a value of a wrong type; `wanted` names what to write instead.
     pub fn wrong_type(&self, wanted: &str) -> Error {
         self.0.wrong_type(wanted)
@@ -336,4 +403,50 @@ fn edit_distance(a: &str, b: &str) -> usize {
         }
     }
     row[b.len()]
+}
+
+#[cfg(all(test, feature = "json"))]
+mod tests {
+    use super::{Node, Reader};
+
+    fn node(text: &str) -> Node {
+        Node::from_json(text).unwrap()
+    }
+
+    #[test]
+    fn an_exact_number_keeps_its_bits() {
+        for x in [-0.0, 1e-200, 0.1, f64::MIN_POSITIVE, f64::MAX] {
+            let text = Node::Number(x).to_json_line();
+            let read = Reader::new(&node(&text), "x").exact_number().unwrap();
+            assert_eq!(read.to_bits(), x.to_bits(), "{text}");
+        }
+        for wrong in ["null", "\"1\"", "[1]"] {
+            let error = Reader::new(&node(wrong), "x").exact_number().unwrap_err().to_string();
+            assert!(error.starts_with("x: found "), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_reader_reads_values_inside_and_names_their_places() {
+        let file = node(r#"{"list": [{"on": true, "word": "yes"}], "none": null}"#);
+        let reader = Reader::new(&file, "");
+        let items = reader.require("list", "a list").unwrap().items("a list").unwrap();
+        let item = &items[0];
+        assert_eq!(item.place(), "list[0]");
+        assert_eq!(item.require("on", "true").unwrap().flag(), Ok(true));
+        assert_eq!(item.require("word", "a text").unwrap().text("a text"), Ok("yes"));
+        assert!(reader.get("none").is_none() && reader.get("absent").is_none());
+        let missing = item.require("other", "a number").unwrap_err().to_string();
+        assert_eq!(missing, "list[0].other: the key is missing; write a number");
+        let wrong = item.get("word").unwrap().flag().unwrap_err().to_string();
+        assert!(wrong.starts_with("list[0].word: found the text"), "{wrong}");
+    }
+
+    #[test]
+    fn a_value_on_one_line_reads_back() {
+        let text = format!(r#"{{"numbers": [{}], "text": "a\nb"}}"#, vec!["0.125"; 60].join(", "));
+        let line = node(&text).to_json_line();
+        assert!(!line.contains('\n') && line.len() > 200);
+        assert_eq!(node(&line), node(&text));
+    }
 }

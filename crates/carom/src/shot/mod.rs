@@ -237,6 +237,12 @@ impl Shot {
         Self { cling, ..self.clone() }
     }
 
+    /// The same shot with another cap on the number of events.
+    #[must_use]
+    pub fn with_max_events(&self, max_events: u32) -> Self {
+        Self { max_events, ..self.clone() }
+    }
+
     /// The shot with its default elevation, if it has one, and if its strike can be played.
     fn checked(mut self) -> Result<Self, Error> {
         self.has_default_elevation &= self.strike.is_some();

@@ -291,6 +291,16 @@ pub enum PocketName {
 }
 
 impl PocketName {
+    /// Every pocket.
+    pub const ALL: [Self; 6] = [
+        Self::BottomLeft,
+        Self::BottomRight,
+        Self::Left,
+        Self::Right,
+        Self::TopLeft,
+        Self::TopRight,
+    ];
+
     /// The name used in traces.
     pub const fn name(self) -> &'static str {
         match self {
