@@ -6,6 +6,18 @@
 //! platform. A clock may end the search after any round; the decision tells the number of rounds,
 //! and a budget of that many rounds repeats it.
 
+mod aim;
+mod analysis;
+pub mod line;
 mod player;
+pub mod scene;
+pub mod search;
+mod searcher;
+mod settings;
+pub mod targets;
+pub mod value;
 
+pub use analysis::{Analysis, Recommendation};
 pub use player::{Answer, Budget, Decision, Player, Situation, Spent};
+pub use searcher::Searcher;
+pub use settings::SearchSettings;

@@ -1,11 +1,11 @@
-//! The interface of players: what they are told, what they may spend, and what they answer.
+//! The interface of players: their situation, their budget, and their answer.
 
 use carom::noise::Perception;
 use carom::runner::Runner;
 use carom::{Error, Noise};
 use carom_rules::{Choice, Frame, Play, Request, Seat};
 
-/// What a player is told before a decision.
+/// What a player knows before a decision.
 #[derive(Clone, Copy, Debug)]
 pub struct Situation<'a> {
     /// The frame. It must not be over.

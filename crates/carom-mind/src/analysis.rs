@@ -1,0 +1,115 @@
+//! The report of a search: the best plays with their chances, and what they leave.
+//!
+//! All chances are counted with errors that took no part in the choice.
+
+use carom::Error;
+use carom::table::PocketName;
+use carom_plan::{Chance, Moments};
+use carom_rules::{BallIndex, Play, Request};
+
+use crate::player::{Budget, Situation, Spent};
+use crate::search::{Candidate, Found, PlayKind, PlayedVariant, search};
+use crate::searcher::Searcher;
+use crate::settings::SearchSettings;
+
+/// One of the plays that a search recommends, with its chances.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recommendation {
+    /// The play, as it is intended.
+    pub play: Play,
+    /// What it is meant to do.
+    pub kind: PlayKind,
+    /// The line of a pot.
+    pub line: Option<crate::line::Line>,
+    /// The ball that is to fall, and its pocket.
+    pub pot: Option<(BallIndex, PocketName)>,
+    /// The estimated probability of winning the frame.
+    pub win: f64,
+    /// Its standard error, from the samples alone.
+    pub error: f64,
+    /// Samples after which the player shoots again or has won.
+    pub kept: Chance,
+    /// Samples with a foul.
+    pub foul: Chance,
+    /// The probability of winning if the player keeps the turn; none if that never happened.
+    pub win_if_kept: Option<f64>,
+    /// The same if the player does not.
+    pub win_if_missed: Option<f64>,
+    /// Mean (m) and covariance (m²) of the cue ball's place of rest, file frame, where it stayed on
+    /// the table.
+    pub leave: Moments,
+}
+
+/// The best plays of a position.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Analysis {
+    /// The plays, the best first.
+    pub plays: Vec<Recommendation>,
+    /// What the search has spent.
+    pub spent: Spent,
+}
+
+impl Searcher {
+    /// The best plays of the situation's shot with their chances, at most `count` of them.
+    ///
+    /// # Errors
+    /// As [`crate::Player::decide`], and [`Error::Input`] at `frame` if it asks for a choice and
+    /// not for a shot, and at `count` for 0.
+    pub fn analyse(
+        &self,
+        situation: &Situation<'_>,
+        budget: &Budget<'_>,
+        count: usize,
+    ) -> Result<Analysis, Error> {
+        let (_, request) = situation.asked()?;
+        let Request::Shot(turn) = request else {
+            let what = "it asks for a choice, not for a shot";
+            return Err(Error::input("frame", what, "let the player choose: decide"));
+        };
+        if count == 0 {
+            return Err(Error::input("count", "0 plays are nothing", "ask for at least 1"));
+        }
+        let settings = SearchSettings { stated: count, ..*self.settings() };
+        let found = search(situation, turn, (self.value(), &settings), budget)?;
+        let mut plays: Vec<Recommendation> = found
+            .candidates
+            .iter()
+            .filter(|candidate| !candidate.fresh.is_empty())
+            .map(|candidate| recommend(candidate, &found))
+            .collect();
+        plays.sort_by(|a, b| b.win.total_cmp(&a.win));
+        Ok(Analysis { plays, spent: found.spent })
+    }
+}
+
+fn recommend(candidate: &Candidate, found: &Found<'_>) -> Recommendation {
+    let samples = &candidate.fresh;
+    let count = samples.len() as f64;
+    let mean = samples.iter().map(|sample| sample.value).sum::<f64>() / count;
+    let squares: f64 = samples.iter().map(|s| (s.value - mean) * (s.value - mean)).sum();
+    let share = |is: &dyn Fn(&PlayedVariant) -> bool| Chance {
+        met: samples.iter().filter(|sample| is(sample)).count() as u64,
+        variants: samples.len() as u64,
+    };
+    let mean_if = |kept: bool| {
+        let of = || samples.iter().filter(move |sample| sample.kept == kept);
+        let number = of().count();
+        (number > 0).then(|| of().map(|sample| sample.value).sum::<f64>() / number as f64)
+    };
+    let mut leave = Moments::default();
+    samples.iter().filter_map(|sample| sample.end).for_each(|end| leave.add(end));
+    let pockets = &found.prepared[candidate.place].shot().table().pockets;
+    Recommendation {
+        play: candidate.play,
+        kind: candidate.kind,
+        line: candidate.line,
+        pot: candidate.line.map(|line| (line.object, pockets[line.pocket].name)),
+        win: candidate.stated_win(),
+        error: carom::math::sqrt(squares / (count * (count - 1.0).max(1.0))),
+        kept: share(&|sample| sample.kept),
+        foul: share(&|sample| sample.foul),
+        win_if_kept: mean_if(true),
+        win_if_missed: mean_if(false),
+        leave,
+    }
+}

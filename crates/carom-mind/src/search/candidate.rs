@@ -1,0 +1,101 @@
+//! Candidate plays and what is known about them.
+
+use carom::resolve::cue_ball::Strike;
+use carom_rules::Play;
+
+use crate::line::{Line, LineKind};
+
+/// What a play is meant to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PlayKind {
+    /// To pot a ball along a line.
+    Pot(LineKind),
+    /// To leave the other player a difficult shot.
+    Safety,
+    /// To score with the cue ball (three-cushion).
+    Carom,
+    /// To break.
+    Break,
+    /// To lay the cue ball where neither player wants to shoot from, after a break.
+    PushOut,
+}
+
+impl PlayKind {
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Pot(kind) => kind.name(),
+            Self::Safety => "safety",
+            Self::Carom => "carom",
+            Self::Break => "break",
+            Self::PushOut => "push-out",
+        }
+    }
+}
+
+/// One variant of a play.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlayedVariant {
+    /// Number of its errors.
+    pub index: u64,
+    /// The strike that was executed.
+    pub executed: Strike,
+    /// Its value: the probability that the player wins.
+    pub value: f64,
+    /// Whether the player kept the turn or won.
+    pub kept: bool,
+    /// Whether the shot was a foul.
+    pub foul: bool,
+    /// Where the cue ball came to rest, m, file frame; none if it did not stay on the table.
+    pub end: Option<[f64; 2]>,
+}
+
+/// A play that the search considers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// The play.
+    pub play: Play,
+    /// What it is meant to do.
+    pub kind: PlayKind,
+    /// The line of a pot.
+    pub line: Option<Line>,
+    /// Number of the prepared position: the place of a cue ball in hand.
+    pub place: usize,
+    /// Estimated value before any sample: a probability of winning.
+    pub prior: f64,
+    /// Where the cue ball comes to rest without errors, m, file frame; none if it does not stay on
+    /// the table.
+    pub end: Option<[f64; 2]>,
+    /// The samples so far, by which candidates are compared.
+    pub samples: Vec<PlayedVariant>,
+    /// Samples with errors that took no part in the choice. Only they give chances without the
+    /// bias of a choice: the best of many noisy means is too high.
+    pub fresh: Vec<PlayedVariant>,
+    /// Correction of the mean value by the search of replies.
+    pub correction: f64,
+}
+
+impl Candidate {
+    /// The mean value of the samples, with the correction; the prior without samples.
+    pub fn mean(&self) -> f64 {
+        if self.samples.is_empty() {
+            return self.prior;
+        }
+        let sum: f64 = self.samples.iter().map(|sample| sample.value).sum();
+        sum / self.samples.len() as f64 + self.correction
+    }
+
+    /// The probability of winning by the fresh samples alone, with the correction of the replies.
+    pub fn stated_win(&self) -> f64 {
+        if self.fresh.is_empty() {
+            return self.mean().clamp(0.0, 1.0);
+        }
+        let sum: f64 = self.fresh.iter().map(|sample| sample.value).sum();
+        (sum / self.fresh.len() as f64 + self.correction).clamp(0.0, 1.0)
+    }
+
+    /// The share of samples for which `is` holds; NaN without samples.
+    pub fn share(&self, is: impl Fn(&PlayedVariant) -> bool) -> f64 {
+        self.samples.iter().filter(|sample| is(sample)).count() as f64 / self.samples.len() as f64
+    }
+}

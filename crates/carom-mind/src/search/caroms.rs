@@ -1,0 +1,92 @@
+//! Candidates that score with the cue ball: three-cushion.
+
+use core::f64::consts::TAU;
+
+use carom::Error;
+use carom::math::{asin, atan2, sin_cos, sqrt};
+use carom::resolve::cue_ball::Strike;
+use carom_rules::Request;
+
+use super::candidate::PlayKind;
+use super::explore::Explorer;
+use crate::scene::Scene;
+use crate::targets::call_of;
+use carom_plan::Prepared;
+
+/// The additive recurrence of Roberts (2018) in five dimensions: powers of 1/φ₅, where φ₅ is the
+/// real root of x⁶ = x + 1.
+const STEPS: [f64; 5] = [
+    0.880_737_461_877_619_6,
+    0.775_698_478_770_158_5,
+    0.683_186_709_165_853_8,
+    0.601_708_127_851_388_4,
+    0.529_946_888_950_219_6,
+];
+/// Share of the strikes that go to a cushion first, in any direction.
+const INDIRECT: f64 = 0.25;
+/// Least and greatest cue speed, m/s.
+const SPEEDS: [f64; 2] = [1.6, 7.0];
+/// Largest hit, as a share of a ball's apparent half width.
+const THINNEST: f64 = 0.97;
+/// Largest tip offset, as a share of the miscue limit.
+const OFFSET: f64 = 0.75;
+/// Estimated value, over that of a miss, of a shot that scores without errors.
+const CHANCE: f64 = 0.35;
+
+impl Explorer<'_> {
+    /// Adds strikes that score without errors, among points spread evenly over direction, speed and
+    /// spin.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn caroms(&mut self, prepared: &Prepared<'_>, place: usize) -> Result<(), Error> {
+        let scene = Scene::of(prepared);
+        let Some(cue) = scene.ball(self.turn.cue) else { return Ok(()) };
+        let objects: Vec<_> =
+            self.targets.first.iter().filter_map(|ball| scene.ball(*ball)).collect();
+        let Some(first) = objects.first().copied() else { return Ok(()) };
+        let most = OFFSET * prepared.shot().miscue_limit().min(1.0);
+        let call = call_of(self.turn, first.index, None);
+        let mut point = [0.5; 5];
+        while !self.is_spent() {
+            for (x, step) in point.iter_mut().zip(STEPS) {
+                *x = (*x + step) % 1.0;
+            }
+            let [turn, pick, pace, angle, out] = point;
+            let azimuth = if pick < INDIRECT {
+                TAU * turn
+            } else {
+                let share = (pick - INDIRECT) / (1.0 - INDIRECT) * objects.len() as f64;
+                let ball = objects[(share as usize).min(objects.len() - 1)];
+                let way = ball.center - cue.center;
+                let half = asin(((cue.radius + ball.radius) / way.length()).min(1.0));
+                atan2(way.y, way.x) + THINNEST * half * (2.0 * turn - 1.0)
+            };
+            let (sin, cos) = sin_cos(TAU * angle);
+            let offset = most * sqrt(out);
+            let speed = SPEEDS[0] + pace * (SPEEDS[1] - SPEEDS[0]);
+            let (side, height) = (offset * cos, offset * sin);
+            let strike = Strike { speed, azimuth, elevation: 0.0, side, height };
+            let strike = Self::raised(prepared, strike);
+            if self.sampler.simulate(prepared, &strike).is_err() {
+                self.plays += 1;
+                continue;
+            }
+            self.plays += 1;
+            let (value, is_legal) = self.ruled(prepared, call)?;
+            let keeps = match self.successor.request() {
+                Request::Shot(next) => next.player == self.seat(),
+                Request::Over { winner, .. } => *winner == Some(self.seat()),
+                Request::Choice { .. } => false,
+            };
+            if is_legal && keeps {
+                let kind = (PlayKind::Carom, None, CHANCE * value);
+                self.keep(strike, call, kind, (place, prepared));
+            } else if is_legal && self.found.len() < 4 {
+                let kind = (PlayKind::Safety, None, value);
+                self.keep(strike, call, kind, (place, prepared));
+            }
+        }
+        Ok(())
+    }
+}

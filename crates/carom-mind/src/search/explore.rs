@@ -1,0 +1,99 @@
+//! Finding candidates without errors.
+
+use carom::Error;
+use carom::resolve::cue_ball::Strike;
+use carom_rules::{Call, Frame, Play, Seat, Turn};
+
+use super::candidate::{Candidate, PlayKind};
+use crate::line::Line;
+use crate::player::Situation;
+use crate::targets::Targets;
+use crate::value::{Position, Value};
+use carom_plan::{Prepared, Sampler};
+
+/// Finds candidates for one request.
+pub(crate) struct Explorer<'a> {
+    pub(crate) situation: &'a Situation<'a>,
+    pub(crate) value: &'a dyn Value,
+    pub(crate) turn: &'a Turn,
+    pub(crate) targets: Targets,
+    pub(crate) sampler: Sampler,
+    /// The successor of the last ruled simulation.
+    pub(crate) successor: Frame,
+    /// Number of simulations so far.
+    pub(crate) plays: u64,
+    /// Most simulations.
+    pub(crate) most: u64,
+    pub(crate) found: Vec<Candidate>,
+}
+
+impl<'a> Explorer<'a> {
+    pub(crate) fn new(
+        situation: &'a Situation<'a>,
+        value: &'a dyn Value,
+        turn: &'a Turn,
+        most: u64,
+    ) -> Self {
+        Self {
+            situation,
+            value,
+            turn,
+            targets: Targets::of(situation.frame, turn),
+            sampler: Sampler::new(),
+            successor: situation.frame.clone(),
+            plays: 0,
+            most,
+            found: Vec::new(),
+        }
+    }
+
+    pub(crate) const fn seat(&self) -> Seat {
+        self.turn.player
+    }
+
+    pub(crate) const fn is_spent(&self) -> bool {
+        self.plays >= self.most
+    }
+
+    /// The value of the last ruled simulation for the player.
+    pub(crate) fn value_of_successor(&self) -> f64 {
+        let position = Position { frame: &self.successor, noise: &self.situation.noise };
+        self.value.win_chance(&position, self.seat())
+    }
+
+    /// Rules on the last simulation under `call`, and returns its value for the player and whether
+    /// it was legal.
+    ///
+    /// # Errors
+    /// As [`Sampler::rule`].
+    pub(crate) fn ruled(
+        &mut self,
+        prepared: &Prepared<'_>,
+        call: Call,
+    ) -> Result<(f64, bool), Error> {
+        let is_legal = self.sampler.rule(prepared, call, &mut self.successor)?.is_legal();
+        Ok((self.value_of_successor(), is_legal))
+    }
+
+    /// Keeps a play as a candidate; the last ruled simulation is that of the play.
+    pub(crate) fn keep(
+        &mut self,
+        strike: Strike,
+        call: Call,
+        (kind, line, prior): (PlayKind, Option<Line>, f64),
+        (place, prepared): (usize, &Prepared<'_>),
+    ) {
+        let in_hand = self.turn.hand.is_some();
+        let cue_ball = prepared.before().place(self.turn.cue).filter(|_| in_hand);
+        let end = self.successor.layout().place(self.turn.cue);
+        let play = Play { strike, cue_ball, call };
+        let (samples, fresh, correction) = (Vec::new(), Vec::new(), 0.0);
+        let found = Candidate { play, kind, line, place, prior, end, samples, fresh, correction };
+        self.found.push(found);
+    }
+
+    /// The strike at its default elevation.
+    pub(crate) fn raised(prepared: &Prepared<'_>, strike: Strike) -> Strike {
+        Strike { elevation: prepared.shot().default_elevation(&strike), ..strike }
+    }
+}

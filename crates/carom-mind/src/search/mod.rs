@@ -1,0 +1,18 @@
+//! The search: candidate plays from lines and lattices, a race between them, and a second look at
+//! the finalists.
+
+mod candidate;
+mod caroms;
+mod explore;
+mod hand;
+mod openings;
+mod pots;
+mod race;
+mod replies;
+mod rounds;
+mod safeties;
+mod shift;
+
+pub use candidate::{Candidate, PlayKind, PlayedVariant};
+pub(crate) use replies::quick_value;
+pub use rounds::{Found, search};

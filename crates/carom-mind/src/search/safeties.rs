@@ -1,0 +1,187 @@
+//! Candidates that do not pot: safeties, escapes, and shots in all directions.
+
+use core::f64::consts::TAU;
+
+use carom::Error;
+use carom::math::{Vec2, asin, atan2};
+use carom::resolve::cue_ball::Strike;
+use carom_rules::{BallIndex, Call};
+
+use super::candidate::PlayKind;
+use super::explore::Explorer;
+use crate::scene::{Scene, SceneBall, ghost};
+use crate::targets::call_of;
+use carom_plan::Prepared;
+
+/// Cue speeds, m/s, and heights (ball radii) of safeties.
+const SPEEDS: [f64; 6] = [0.45, 0.7, 1.1, 1.7, 2.6, 4.0];
+const HEIGHTS: [f64; 3] = [0.0, -0.35, 0.35];
+/// Where a ball is hit, as shares of its apparent half width.
+const HITS: [f64; 9] = [0.0, -0.3, 0.3, -0.55, 0.55, -0.75, 0.75, -0.9, 0.9];
+/// Number of directions of a search around the whole table.
+const DIRECTIONS: u32 = 180;
+
+impl Explorer<'_> {
+    /// Adds shots that hit a ball on without potting it.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn safeties(&mut self, prepared: &Prepared<'_>, place: usize) -> Result<(), Error> {
+        let scene = Scene::of(prepared);
+        let Some(cue) = scene.ball(self.turn.cue) else { return Ok(()) };
+        let mut azimuths = self.direct_hits(&scene, cue);
+        if azimuths.is_empty() {
+            azimuths = self.kick_hits(&scene, cue);
+        }
+        // The plain hits of all balls first, so that a small budget tries each of them.
+        for speed in SPEEDS {
+            for height in HEIGHTS {
+                for (azimuth, first) in &azimuths {
+                    self.try_safety(prepared, place, (*azimuth, *first), [speed, height])?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds legal shots in any direction.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn anything(&mut self, prepared: &Prepared<'_>, place: usize) -> Result<(), Error> {
+        let first = self.targets.first.first().copied().unwrap_or_default();
+        for speed in [2.5, 1.2, 5.0] {
+            for k in 0..DIRECTIONS {
+                let azimuth = TAU * f64::from(k) / f64::from(DIRECTIONS);
+                self.try_safety(prepared, place, (azimuth, first), [speed, 0.0])?;
+            }
+        }
+        if self.found.is_empty() {
+            // No shot is legal: the foul that leaves the least.
+            let strike =
+                Strike { speed: 2.5, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
+            let strike = Self::raised(prepared, strike);
+            self.sampler.simulate(prepared, &strike)?;
+            self.plays += 1;
+            let call = call_of(self.turn, first, None);
+            let (value, _) = self.ruled(prepared, call)?;
+            let kind = (PlayKind::Safety, None, value);
+            self.keep(strike, call, kind, (place, prepared));
+        }
+        Ok(())
+    }
+
+    /// Adds push-outs: soft shots in all directions, after which the other player may pass the turn
+    /// back.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn push_outs(&mut self, prepared: &Prepared<'_>, place: usize) -> Result<(), Error> {
+        for speed in [0.6, 1.2, 2.0] {
+            for k in 0..DIRECTIONS / 3 {
+                let azimuth = TAU * f64::from(k) / f64::from(DIRECTIONS / 3);
+                let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
+                let strike = Self::raised(prepared, strike);
+                if self.is_spent() || self.sampler.simulate(prepared, &strike).is_err() {
+                    continue;
+                }
+                self.plays += 1;
+                let (value, is_legal) = self.ruled(prepared, Call::PushOut)?;
+                if is_legal {
+                    let kind = (PlayKind::PushOut, None, value);
+                    self.keep(strike, Call::PushOut, kind, (place, prepared));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The azimuths that hit the balls on directly, with the balls.
+    fn direct_hits(&self, scene: &Scene<'_>, cue: SceneBall) -> Vec<(f64, BallIndex)> {
+        let mut azimuths = Vec::new();
+        for hit in HITS {
+            for ball in self.targets.first.iter().filter_map(|ball| scene.ball(*ball)) {
+                azimuths.extend(hit_at(scene, cue, ball, hit).map(|azimuth| (azimuth, ball.index)));
+            }
+        }
+        azimuths
+    }
+
+    /// The azimuths that lead the cue ball to the balls on off one or two cushions, by mirror
+    /// images.
+    fn kick_hits(&self, scene: &Scene<'_>, cue: SceneBall) -> Vec<(f64, BallIndex)> {
+        let half = scene.half_area(cue.radius);
+        let mut azimuths = Vec::new();
+        let balls = self.targets.first.iter().filter_map(|ball| scene.ball(*ball));
+        for ball in balls {
+            for i in -2_i32..=2 {
+                for j in -2_i32..=2 {
+                    let bounces = i.abs() + j.abs();
+                    if bounces == 0 || bounces > 2 {
+                        continue;
+                    }
+                    let image = Vec2::new(
+                        image_of(ball.center.x, i, half.x),
+                        image_of(ball.center.y, j, half.y),
+                    );
+                    let way = image - cue.center;
+                    let middle = atan2(way.y, way.x);
+                    let reach = (ball.radius + cue.radius) / way.length();
+                    for share in [0.0, -0.6, 0.6] {
+                        azimuths.push((middle + share * asin(reach.min(1.0)), ball.index));
+                    }
+                }
+            }
+        }
+        azimuths
+    }
+
+    fn try_safety(
+        &mut self,
+        prepared: &Prepared<'_>,
+        place: usize,
+        (azimuth, first): (f64, BallIndex),
+        [speed, height]: [f64; 2],
+    ) -> Result<(), Error> {
+        if self.is_spent() {
+            return Ok(());
+        }
+        let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height };
+        let strike = Self::raised(prepared, strike);
+        if self.sampler.simulate(prepared, &strike).is_err() {
+            return Ok(());
+        }
+        self.plays += 1;
+        let call = call_of(self.turn, first, None);
+        let (value, is_legal) = self.ruled(prepared, call)?;
+        if is_legal {
+            let kind = (PlayKind::Safety, None, value);
+            self.keep(strike, call, kind, (place, prepared));
+        }
+        Ok(())
+    }
+}
+
+/// The mirror image number `k` of the coordinate `x` between cushions at ±`half`.
+fn image_of(x: f64, k: i32, half: f64) -> f64 {
+    let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+    2.0 * half * f64::from(k) + sign * x
+}
+
+/// The azimuth that hits `ball` at `share` of its apparent half width; none if another ball is in
+/// the way.
+fn hit_at(scene: &Scene<'_>, cue: SceneBall, ball: SceneBall, share: f64) -> Option<f64> {
+    let way = ball.center - cue.center;
+    let distance = way.length();
+    let reach = cue.radius + ball.radius;
+    let middle = atan2(way.y, way.x);
+    let angle = share * asin((reach / distance).min(1.0));
+    let unit = way * (1.0 / distance);
+    // The ghost ball of this hit: the line of centres is turned by the cut.
+    let cut = asin((share * share.signum() * share.signum()).clamp(-1.0, 1.0));
+    let (sin, cos) = carom::math::sin_cos(-cut);
+    let line = unit * cos + unit.perp() * sin;
+    let place = ghost(ball.center, line, reach);
+    let except = [cue.index, ball.index];
+    scene.is_clear(cue.center, place, cue.radius, &except).then_some(middle + angle)
+}

@@ -1,0 +1,174 @@
+//! Moving a play uphill by its own samples.
+//!
+//! What happens depends only on the executed strike. So a sample of one intention also tells about
+//! a neighbouring one, with the ratio of the two error densities as its weight. The weighted mean
+//! estimates the value of the neighbour without a simulation, as long as the effective sample size
+//! (Kish 1965) is large enough.
+
+use carom::Noise;
+use carom::math::exp;
+use carom::resolve::cue_ball::Strike;
+
+use super::candidate::{Candidate, PlayedVariant};
+
+/// Fewest samples for a shift. With fewer the hill is noise.
+const LEAST_SAMPLES: usize = 48;
+/// Smallest effective sample size, as a share of the samples.
+const LEAST_EFFECTIVE: f64 = 0.25;
+/// First and last step, in standard deviations of the errors.
+const FIRST_STEP: f64 = 0.5;
+const LAST_STEP: f64 = 0.1;
+
+/// The standard deviations of a strike's parameters: azimuth, speed, side, height. `radius` is the
+/// cue ball's, m.
+pub(crate) fn deviations(noise: &Noise, radius: f64) -> [f64; 4] {
+    [noise.azimuth, noise.speed, noise.side_m / radius, noise.height_m / radius]
+}
+
+/// `strike` moved by `steps` standard deviations.
+fn moved(strike: &Strike, deviations: &[f64; 4], steps: &[f64; 4]) -> Strike {
+    let by = |k: usize| deviations[k] * steps[k];
+    Strike {
+        azimuth: strike.azimuth + by(0),
+        speed: strike.speed + by(1),
+        side: strike.side + by(2),
+        height: strike.height + by(3),
+        ..*strike
+    }
+}
+
+/// The intended strike near that of `candidate` with the highest estimated value; none if there
+/// are too few samples, or no better one. `most` is the largest tip offset of an intention, ball
+/// radii.
+pub(crate) fn uphill(candidate: &Candidate, deviations: &[f64; 4], most: f64) -> Option<Strike> {
+    let samples = &candidate.samples;
+    if samples.len() < LEAST_SAMPLES {
+        return None;
+    }
+    let meant = &candidate.play.strike;
+    let errors: Vec<([f64; 4], f64)> =
+        samples.iter().map(|sample| (error(sample, meant, deviations), sample.value)).collect();
+    let mut best = [0.0; 4];
+    let mut value = estimate(&errors, &best)?;
+    let start = value;
+    let mut step = FIRST_STEP;
+    while step >= LAST_STEP {
+        let mut better = false;
+        for k in (0..4).filter(|k| deviations[*k] > 0.0) {
+            for sign in [1.0, -1.0] {
+                let mut next = best;
+                next[k] += sign * step;
+                let strike = moved(meant, deviations, &next);
+                if strike.speed <= 0.0 || strike.offset() > most {
+                    continue;
+                }
+                if let Some(higher) = estimate(&errors, &next).filter(|e| *e > value) {
+                    (best, value, better) = (next, higher, true);
+                }
+            }
+        }
+        if !better {
+            step *= 0.5;
+        }
+    }
+    (value > start).then(|| moved(meant, deviations, &best))
+}
+
+/// The error of a sample in standard deviations; 0 where there is none.
+fn error(sample: &PlayedVariant, meant: &Strike, deviations: &[f64; 4]) -> [f64; 4] {
+    let executed = &sample.executed;
+    let differences = [
+        executed.azimuth - meant.azimuth,
+        executed.speed - meant.speed,
+        executed.side - meant.side,
+        executed.height - meant.height,
+    ];
+    core::array::from_fn(|k| if deviations[k] > 0.0 { differences[k] / deviations[k] } else { 0.0 })
+}
+
+/// The weighted mean value of the intention that is `shift` standard deviations away; none if the
+/// effective sample size is too small.
+fn estimate(errors: &[([f64; 4], f64)], shift: &[f64; 4]) -> Option<f64> {
+    let (mut sum, mut squares, mut values) = (0.0, 0.0, 0.0);
+    for (error, value) in errors {
+        // log φ(e − s) − log φ(e) = e·s − s²/2.
+        let exponent: f64 = (0..4).map(|k| shift[k] * (error[k] - 0.5 * shift[k])).sum();
+        let weight = exp(exponent);
+        sum += weight;
+        squares += weight * weight;
+        values += weight * value;
+    }
+    let effective = sum * sum / squares;
+    (effective >= LEAST_EFFECTIVE * errors.len() as f64).then(|| values / sum)
+}
+
+#[cfg(test)]
+mod tests {
+    use carom::noise::StruckBall;
+    use carom::resolve::cue_ball::Strike;
+    use carom::{Noise, math};
+    use carom_rules::Play;
+
+    use super::{deviations, uphill};
+    use crate::search::{Candidate, PlayKind, PlayedVariant};
+
+    const MEANT: Strike =
+        Strike { speed: 2.0, azimuth: 1.0, elevation: 0.05, side: 0.1, height: 0.0 };
+
+    /// A candidate whose samples have the value of `hill` at the executed strike.
+    fn candidate(noise: &Noise, count: u64, hill: impl Fn(&Strike) -> f64) -> Candidate {
+        let struck = StruckBall { radius: 0.028575, largest_offset: 0.5 };
+        let samples = (0..count).map(|index| {
+            let executed = noise.draw(&MEANT, &struck, 3, index);
+            PlayedVariant {
+                index,
+                executed,
+                value: hill(&executed),
+                kept: true,
+                foul: false,
+                end: None,
+            }
+        });
+        Candidate {
+            play: Play::new(MEANT),
+            kind: PlayKind::Safety,
+            line: None,
+            place: 0,
+            prior: 0.5,
+            end: None,
+            samples: samples.collect(),
+            fresh: Vec::new(),
+            correction: 0.0,
+        }
+    }
+
+    #[test]
+    fn an_intention_moves_towards_the_top_of_a_hill() {
+        let noise = Noise::olympiad(1.0);
+        let deviations = deviations(&noise, 0.028575);
+        let top = MEANT.azimuth + 0.8 * noise.azimuth;
+        let hill = |strike: &Strike| {
+            let off = (strike.azimuth - top) / noise.azimuth;
+            math::exp(-off * off)
+        };
+        let moved = uphill(&candidate(&noise, 400, hill), &deviations, 0.5).unwrap();
+        let share = (moved.azimuth - MEANT.azimuth) / noise.azimuth;
+        assert!((0.4..1.2).contains(&share), "{share}");
+    }
+
+    #[test]
+    fn few_samples_and_level_ground_move_nothing() {
+        let noise = Noise::olympiad(1.0);
+        let deviations = deviations(&noise, 0.028575);
+        assert_eq!(uphill(&candidate(&noise, 20, |s| s.azimuth), &deviations, 0.5), None);
+        assert_eq!(uphill(&candidate(&noise, 200, |_| 0.5), &deviations, 0.5), None);
+    }
+
+    #[test]
+    fn an_intention_stays_within_the_largest_tip_offset() {
+        let noise = Noise::olympiad(1.0);
+        let deviations = deviations(&noise, 0.028575);
+        let moved = uphill(&candidate(&noise, 400, |s| s.side), &deviations, 0.11);
+        assert!(moved.is_none_or(|strike| strike.offset() <= 0.11), "{moved:?}");
+    }
+}
