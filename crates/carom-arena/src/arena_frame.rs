@@ -1,0 +1,485 @@
+//! One frame of a match, as a state machine without threads, files or clocks of its own.
+//!
+//! [`ArenaFrame::next`] gives the next request and its player. The caller lets that player think, measures what
+//! it cost, and gives the answer to [`ArenaFrame::answer`], which draws the errors of the strike,
+//! plays the shot, rules on it and updates clocks and result. The same answers with the same costs
+//! give the same frame to the bit.
+
+mod place;
+
+use std::sync::Arc;
+
+use carom::error::InputError;
+use carom::noise::Perception;
+use carom::{Error, Noise};
+use carom_mind::{Answer, Decision, Situation};
+use carom_rules::{Choice, Frame, FrameSimulator, Play, Request, Rules, Seat, through_degrees};
+
+use crate::clock::{Clock, ClockPeriod, ClockUnit, Cost};
+use crate::execution::{ErrorDraw, execute, perceive};
+use crate::moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
+use crate::secret::PairSeeds;
+use crate::settings::{Disclosure, Match, PlayerIndex};
+
+/// Refused answers that each seat may give in a frame; one more loses it. A program that answers
+/// with a wrong key once in a while is not ended, and one that repeats itself does not hang.
+pub const REFUSALS: u32 = 10;
+
+/// The state that each seat has in a frame.
+#[derive(Clone, Copy, Debug)]
+struct SeatState {
+    /// Shots played so far.
+    shots: u64,
+    /// Requests so far; one that is repeated after a refusal counts again.
+    asked: u64,
+    /// Refused answers.
+    refusals: u32,
+    /// What is left on the clock, in its unit. It only counts for clocks of a frame.
+    left: f64,
+}
+
+/// What a frame needs next.
+#[derive(Clone, Copy, Debug)]
+#[expect(clippy::large_enum_variant, reason = "it lives for one request; a box would allocate")]
+pub enum NextStep<'f> {
+    /// An answer of a player.
+    Ask(Ask<'f>),
+    /// Nothing: the frame is over.
+    Over(&'f FrameEnd),
+}
+
+/// A request to a player.
+#[derive(Clone, Copy, Debug)]
+pub struct Ask<'f> {
+    /// Number of the request in the frame, from 0. An answer to another one is out of date.
+    pub id: u64,
+    /// The seat that is asked.
+    pub seat: Seat,
+    /// The player at that seat.
+    pub player: PlayerIndex,
+    /// What the player may know.
+    pub situation: Situation<'f>,
+    /// What the player may spend on this decision, in the unit of its clock.
+    pub budget: f64,
+    /// The player's clock.
+    pub clock: Clock,
+    /// What is left on the clock of each seat; `None` for clocks of a decision.
+    pub left: [Option<f64>; 2],
+    /// Why the player's last answer to this request was refused.
+    pub refused: Option<&'f InputError>,
+}
+
+impl Ask<'_> {
+    /// The largest number of simulated shots; no limit if the clock counts seconds.
+    pub fn simulations(&self) -> u64 {
+        match self.clock.unit {
+            ClockUnit::Simulations => self.budget as u64,
+            ClockUnit::Seconds => u64::MAX,
+        }
+    }
+
+    /// The time after which no further round should begin, s; `None` if the clock counts simulated
+    /// shots.
+    pub fn seconds(&self) -> Option<f64> {
+        (self.clock.unit == ClockUnit::Seconds).then_some(self.budget)
+    }
+}
+
+/// One frame of a match.
+#[derive(Clone, Debug)]
+pub struct ArenaFrame {
+    of: Arc<Match>,
+    number: u64,
+    players: [PlayerIndex; 2],
+    seeds: PairSeeds,
+    frame: Frame,
+    /// The frame as the player who is asked sees it; `None` if it sees the balls exactly.
+    seen: Option<Frame>,
+    /// Whether the last shot or choice had the balls racked again.
+    racked: bool,
+    seats: [SeatState; 2],
+    moves: Vec<ArenaMove>,
+    end: Option<FrameEnd>,
+}
+
+impl ArenaFrame {
+    /// Frame number `number` of a match, with the seeds of its pair. If the settings have a same
+    /// break, it is played.
+    ///
+    /// # Errors
+    /// None if the match was made without one.
+    pub fn begin(
+        of: Arc<Match>,
+        number: u64,
+        of_pair: PairSeeds,
+        simulator: &mut FrameSimulator,
+    ) -> Result<Self, Error> {
+        let seeds = of.seeds(number, of_pair);
+        let players = of.seats(number);
+        let seat = |seat: Seat| SeatState {
+            shots: 0,
+            asked: 0,
+            refusals: 0,
+            left: of.settings().clock[players[seat]].amount,
+        };
+        let seats = [seat(0), seat(1)];
+        let mut begun = Self {
+            number,
+            players,
+            seeds,
+            frame: of.start().with_seed(seeds.rack)?,
+            of,
+            seen: None,
+            racked: true,
+            seats,
+            moves: Vec::new(),
+            end: None,
+        };
+        begun.go_on(simulator)?;
+        Ok(begun)
+    }
+
+    /// The match.
+    pub fn of(&self) -> &Match {
+        &self.of
+    }
+
+    /// The number of the frame in the match. Frames 2k and 2k + 1 are pair k.
+    pub const fn number(&self) -> u64 {
+        self.number
+    }
+
+    /// The player at each seat.
+    pub const fn players(&self) -> [PlayerIndex; 2] {
+        self.players
+    }
+
+    /// The seeds of the frame.
+    pub const fn seeds(&self) -> &PairSeeds {
+        &self.seeds
+    }
+
+    /// The true state of the game.
+    pub const fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    /// The moves so far.
+    pub fn moves(&self) -> &[ArenaMove] {
+        &self.moves
+    }
+
+    /// The end; `None` while the frame goes on.
+    pub const fn end(&self) -> Option<&FrameEnd> {
+        self.end.as_ref()
+    }
+
+    /// The points of player 0: 1, ½ or 0; `None` while the frame goes on, and if it does not count.
+    pub fn points(&self) -> Option<f64> {
+        let of_seat_0 = self.end.as_ref()?.points()?;
+        Some(if self.players[0] == 0 { of_seat_0 } else { 1.0 - of_seat_0 })
+    }
+
+    /// The next request and its player, or the end of the frame.
+    pub fn next(&self) -> NextStep<'_> {
+        let seat = match (&self.end, self.frame.player()) {
+            (Some(end), _) => return NextStep::Over(end),
+            (None, Some(seat)) => seat,
+            (None, None) => unreachable!("a frame that is over has an end"),
+        };
+        let player = self.players[seat];
+        let clock = self.of.settings().clock[player];
+        let refused = match self.moves.last() {
+            Some(ArenaMove { effect: Effect::Refused(error), .. }) => Some(error),
+            _ => None,
+        };
+        NextStep::Ask(Ask {
+            id: self.seats[0].asked + self.seats[1].asked,
+            seat,
+            player,
+            situation: self.situation(seat),
+            budget: clock.budget(self.seats[seat].left, &self.frame, seat),
+            clock,
+            left: [0, 1].map(|seat| self.left(seat)),
+            refused,
+        })
+    }
+
+    fn left(&self, seat: Seat) -> Option<f64> {
+        let clock = self.of.settings().clock[self.players[seat]];
+        (clock.period == ClockPeriod::Frame).then_some(self.seats[seat].left)
+    }
+
+    /// What `seat` may know.
+    fn situation(&self, seat: Seat) -> Situation<'_> {
+        let settings = self.of.settings();
+        let told = |of: Seat| match settings.disclosure {
+            Disclosure::Both => settings.noise[self.players[of]],
+            Disclosure::Own if of == seat => settings.noise[self.players[of]],
+            Disclosure::Own | Disclosure::Nothing => Noise::NONE,
+        };
+        let perception = match settings.disclosure {
+            Disclosure::Nothing => Perception::default(),
+            _ => settings.perception[self.players[seat]],
+        };
+        Situation {
+            frame: self.seen.as_ref().unwrap_or(&self.frame),
+            noise: [told(0), told(1)],
+            perception,
+            seed: self.seeds.decision(seat, self.seats[seat].asked),
+        }
+    }
+
+    /// Takes a player's decision, and the time that it took, s. Time is counted only by clocks of
+    /// seconds; give 0 otherwise. Returns the move, which holds the refusal or the ruling.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the frame is over.
+    pub fn answer(
+        &mut self,
+        simulator: &mut FrameSimulator,
+        decision: &Decision,
+        seconds: f64,
+    ) -> Result<&ArenaMove, Error> {
+        let seat = self.asked_seat()?;
+        let cost = Cost { spent: decision.spent, seconds };
+        let in_time = self.charge(seat, &cost);
+        let effect = match decision.answer {
+            _ if !in_time => Effect::Late,
+            Answer::Play(play) => self.play(simulator, seat, &play)?,
+            Answer::Choice(choice) => self.choose(choice),
+            Answer::Concede => self.concede()?,
+        };
+        let (answer, win_chance) = (Some(decision.answer), decision.win_chance);
+        self.add(ArenaMove { seat, answer, is_given: false, win_chance, cost, effect }, simulator)
+    }
+
+    /// Refuses an answer that could not be read, such as a line that is not JSON. It counts as the
+    /// other refused answers do, and its cost is charged.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the frame is over.
+    pub fn refuse(
+        &mut self,
+        simulator: &mut FrameSimulator,
+        fault: InputError,
+        cost: Cost,
+    ) -> Result<&ArenaMove, Error> {
+        let seat = self.asked_seat()?;
+        let effect =
+            if self.charge(seat, &cost) { self.refused(seat, fault) } else { Effect::Late };
+        let unread =
+            ArenaMove { seat, answer: None, is_given: false, win_chance: None, cost, effect };
+        self.add(unread, simulator)
+    }
+
+    /// Ends the frame because the player who is asked gave no answer: its time is over, it ended,
+    /// or it was stopped. The other player wins.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the frame is over, and for a reason that is not one of these.
+    pub fn forfeit(
+        &mut self,
+        reason: EndReason,
+        why: &str,
+        cost: Cost,
+    ) -> Result<&ArenaMove, Error> {
+        let seat = self.asked_seat()?;
+        if !EndReason::FAILURES.contains(&reason) {
+            let names = EndReason::FAILURES.map(EndReason::name).join(", ");
+            let what = format!("\"{}\" is not a failure of a player", reason.name());
+            return Err(Error::input("reason", what, format!("give one of {names}")));
+        }
+        self.charge(seat, &cost);
+        let effect = Effect::Failed { reason, why: why.into() };
+        self.end = Some(FrameEnd { winner: Some(1 - seat), reason, why: why.into() });
+        Ok(self.push(ArenaMove {
+            seat,
+            answer: None,
+            is_given: false,
+            win_chance: None,
+            cost,
+            effect,
+        }))
+    }
+
+    fn asked_seat(&self) -> Result<Seat, Error> {
+        match (&self.end, self.frame.player()) {
+            (None, Some(seat)) => Ok(seat),
+            _ => Err(Error::input("answer", "the frame is over", "begin the next frame")),
+        }
+    }
+
+    /// Counts a request and its cost. False if the time of `seat` is over; the frame then ends.
+    fn charge(&mut self, seat: Seat, cost: &Cost) -> bool {
+        let clock = self.of.settings().clock[self.players[seat]];
+        let state = &mut self.seats[seat];
+        state.asked += 1;
+        state.left -= clock.charge(cost);
+        let in_time = clock.period == ClockPeriod::Decision || state.left >= 0.0;
+        if !in_time {
+            let why = "the player's time was over".to_owned();
+            let winner = Some(1 - seat);
+            self.end = Some(FrameEnd { winner, reason: EndReason::TimeOver, why });
+        }
+        in_time
+    }
+
+    /// Counts a refused answer.
+    fn refused(&mut self, seat: Seat, fault: InputError) -> Effect {
+        self.seats[seat].refusals += 1;
+        if self.seats[seat].refusals > REFUSALS {
+            let why = format!("the player gave {} refused answers", self.seats[seat].refusals);
+            let winner = Some(1 - seat);
+            self.end = Some(FrameEnd { winner, reason: EndReason::Refusals, why });
+        }
+        Effect::Refused(fault)
+    }
+
+    /// Checks the play, draws its errors and plays it.
+    fn play(
+        &mut self,
+        simulator: &mut FrameSimulator,
+        seat: Seat,
+        play: &Play,
+    ) -> Result<Effect, Error> {
+        let play_here = match self.accept(play) {
+            Ok(accepted) => accepted,
+            Err(Error::Input(fault)) => return Ok(self.refused(seat, *fault)),
+            Err(other) => return Err(other),
+        };
+        self.strike(simulator, seat, &play_here)
+    }
+
+    /// The play on the true table. The player is asked to answer for what it sees: a place of the
+    /// cue ball that is free there is moved if another ball is truly in the way.
+    fn accept(&self, play: &Play) -> Result<Play, Error> {
+        let Some(seen) = &self.seen else {
+            return self.frame.shot(play).map(|_| *play);
+        };
+        seen.shot(play)?;
+        let moved = place::clear_of_balls(&self.frame, play);
+        self.frame.shot(&moved).map(|_| moved)
+    }
+
+    /// Plays a shot that the frame accepts, with the errors of `seat`.
+    fn strike(
+        &mut self,
+        simulator: &mut FrameSimulator,
+        seat: Seat,
+        play: &Play,
+    ) -> Result<Effect, Error> {
+        let noise = self.of.settings().noise[self.players[seat]];
+        let index = self.seats[seat].shots;
+        let prepared = self.frame.shot(play)?;
+        let draw = ErrorDraw { seed: self.seeds.errors[seat], index };
+        let (strike, cling) = execute(&noise, &prepared, draw)?;
+        let prepared = if cling.is_empty() { prepared } else { prepared.with_cling(cling) };
+        let execution = Execution { strike, cue_ball: play.cue_ball, cling };
+        let executed = prepared.with_strike(&through_degrees(&strike))?;
+        let played = Play { strike: through_degrees(&strike), ..*play };
+        self.seats[seat].shots += 1;
+        let result = simulator.simulator_mut().record(&executed).and_then(|trace| {
+            let (ruling, ..) = self.frame.play_displaced(simulator, &played, &executed)?;
+            Ok((trace.hash(), ruling))
+        });
+        match result {
+            Ok((trace, ruling)) => {
+                self.racked = ruling.racked;
+                Ok(Effect::Played { execution, ruling, trace })
+            }
+            Err(Error::TooManyEvents { cap, .. }) => {
+                let why = format!("a shot reached its cap of {cap} events");
+                let reason = EndReason::EventCap;
+                self.end = Some(FrameEnd { winner: None, reason, why });
+                Ok(Effect::Capped { execution })
+            }
+            Err(other) => Err(other),
+        }
+    }
+
+    fn choose(&mut self, choice: Choice) -> Effect {
+        match self.frame.choose(choice) {
+            Ok(ruling) => {
+                self.racked = ruling.racked;
+                Effect::Chosen { ruling }
+            }
+            Err(Error::Input(fault)) => {
+                let seat = self.frame.player().unwrap_or_default();
+                self.refused(seat, *fault)
+            }
+            Err(_) => unreachable!("a choice simulates nothing"),
+        }
+    }
+
+    fn concede(&mut self) -> Result<Effect, Error> {
+        self.frame.concede()?;
+        Ok(Effect::Conceded)
+    }
+
+    /// Adds a move, and goes on to the next request.
+    fn add(
+        &mut self,
+        arena_move: ArenaMove,
+        simulator: &mut FrameSimulator,
+    ) -> Result<&ArenaMove, Error> {
+        let index = self.moves.len();
+        self.moves.push(arena_move);
+        self.go_on(simulator)?;
+        Ok(&self.moves[index])
+    }
+
+    fn push(&mut self, arena_move: ArenaMove) -> &ArenaMove {
+        self.moves.push(arena_move);
+        &self.moves[self.moves.len() - 1]
+    }
+
+    /// Ends the frame if its game is over; plays the same break of the settings if the frame asks
+    /// for a break; and looks at the table for the player who is asked next.
+    fn go_on(&mut self, simulator: &mut FrameSimulator) -> Result<(), Error> {
+        while self.end.is_none()
+            && let Some(play) = self.given_break()
+            && let Some(seat) = self.frame.player()
+        {
+            let effect = self.strike(simulator, seat, &play)?;
+            let answer = Some(Answer::Play(play));
+            let (win_chance, cost) = (None, Cost::default());
+            self.moves.push(ArenaMove { seat, answer, is_given: true, win_chance, cost, effect });
+        }
+        if self.end.is_none() {
+            self.end = self.end_by_rules();
+        }
+        self.seen = None;
+        if self.end.is_none()
+            && let Some(seat) = self.frame.player()
+        {
+            let perception = self.of.settings().perception[self.players[seat]];
+            let draw = ErrorDraw { seed: self.seeds.sight[seat], index: self.seats[seat].shots };
+            self.seen = perceive(&perception, &self.frame, draw)?;
+        }
+        Ok(())
+    }
+
+    /// The same break of the settings, if the frame asks for a break.
+    fn given_break(&self) -> Option<Play> {
+        let play = self.of.settings().same_break?;
+        self.frame.turn()?;
+        // In straight pool fourteen balls are racked in the middle of a frame, and in three-cushion
+        // the last inning has a starting shot of its own.
+        let repeats = !matches!(self.frame.rules(), Rules::StraightPool | Rules::ThreeCushion);
+        (self.frame.shots() == 0 || (repeats && self.racked)).then_some(play)
+    }
+
+    /// The end of a game that is over.
+    fn end_by_rules(&self) -> Option<FrameEnd> {
+        let Request::Over { winner, why } = *self.frame.request() else { return None };
+        let conceded =
+            matches!(self.moves.last(), Some(ArenaMove { effect: Effect::Conceded, .. }));
+        let reason = match winner {
+            Some(_) if conceded => EndReason::Conceded,
+            Some(_) => EndReason::Won,
+            None => EndReason::Drawn,
+        };
+        Some(FrameEnd { winner, reason, why: why.into() })
+    }
+}

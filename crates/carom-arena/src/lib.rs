@@ -1,0 +1,70 @@
+//! Matches between players: referee, clocks, execution noise, records and statistics.
+//!
+//! A [`Match`] has [`MatchSettings`] and two players. Its frames come in pairs: both frames of a
+//! pair have the same rack and the same streams of errors, and the players exchange their seats.
+//!
+//! - [`ArenaFrame`] is one frame as a state machine, without threads, files or clocks of its own:
+//!   [`ArenaFrame::next`] gives the next request, [`ArenaFrame::answer`] takes the answer.
+//! - [`play_match`] plays the pairs of a [`MatchPlan`] on all cores. A folder holds what was played,
+//!   so that an interrupted match goes on where it stopped, to the same bytes.
+//! - [`MatchScore`], [`PairScores`] and [`SequentialTest`] are the statistics.
+//! - [`replay()`] plays a record, `carom-match/1`, again and compares every bit.
+//!
+//! ```
+//! use std::sync::Arc;
+//!
+//! use carom::{Error, Noise};
+//! use carom_arena::{ArenaFrame, Clock, Match, MatchSettings, NextStep, PlayerEntry, Secret};
+//! use carom_mind::{Answer, Decision, Spent};
+//! use carom_rules::{FrameSimulator, Rules};
+//!
+//! # fn main() -> Result<(), Error> {
+//! let settings = MatchSettings {
+//!     noise: [Noise::olympiad(1.0); 2],
+//!     clock: [Clock::simulations(2000); 2],
+//!     ..MatchSettings::new(Rules::NineBall)
+//! };
+//! let players = [PlayerEntry::new("one"), PlayerEntry::new("other")];
+//! let of = Arc::new(Match::new(settings, players)?);
+//! let (secret, mut simulator) = (Secret::new([7; 32]), FrameSimulator::new());
+//! let mut frame = ArenaFrame::begin(of, 0, secret.pair_seeds(0), &mut simulator)?;
+//! while let NextStep::Ask(ask) = frame.next() {
+//!     println!("player {} may simulate {} shots", ask.player, ask.simulations());
+//!     let spent = Spent::default();
+//!     let decision = Decision { answer: Answer::Concede, win_chance: None, spent };
+//!     frame.answer(&mut simulator, &decision, 0.0)?;
+//! }
+//! assert_eq!(frame.points(), Some(0.0)); // player 0 has conceded
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! All seeds derive from the [`Secret`] of the match. Its hash is published before the match, and
+//! the secret after it. docs/arena.md describes settings, records and statistics.
+
+mod arena_frame;
+mod clock;
+mod error;
+mod execution;
+mod ledger;
+mod moves;
+mod record;
+mod replay;
+mod score;
+mod secret;
+mod sequential;
+mod settings;
+mod tournament;
+
+pub use arena_frame::{ArenaFrame, Ask, NextStep, REFUSALS};
+pub use clock::{Clock, ClockPeriod, ClockUnit, Cost, expected_shots};
+pub use error::ArenaError;
+pub use ledger::RECORD;
+pub use moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
+pub use record::{MATCH_FORMAT, MatchHeader};
+pub use replay::{RecordDifference, Replay, replay};
+pub use score::{FramePoints, MatchScore, PairScores, elo_of_share, share_of_elo};
+pub use secret::{PairSeeds, Secret};
+pub use sequential::{Hypothesis, SequentialTest, TestState};
+pub use settings::{Breaker, Disclosure, Match, MatchSettings, PlayerEntry, PlayerIndex};
+pub use tournament::{MatchPlan, MatchReport, play_frame, play_match};

@@ -1,0 +1,236 @@
+//! The header of a record: all that was agreed before the first shot.
+
+use std::sync::Arc;
+
+use carom::Error;
+use carom::format::{Node, Reader};
+use carom_rules::{Options, Rules};
+
+use super::values::{
+    noise, perception, play, read_noise, read_perception, read_play, read_whole, two, whole,
+};
+use super::{ENGINE, MATCH_FORMAT};
+use crate::clock::{Clock, ClockPeriod, ClockUnit};
+use crate::sequential::SequentialTest;
+use crate::settings::{Breaker, Disclosure, Match, MatchSettings, PlayerEntry};
+
+const KEYS: &[&str] = &[
+    "format",
+    "engine",
+    "players",
+    "game",
+    "options",
+    "table",
+    "physics",
+    "max_events",
+    "noise",
+    "perception",
+    "clock",
+    "breaker",
+    "same_break",
+    "disclosure",
+    "pairs",
+    "test",
+    "secret_sha256",
+];
+
+const DISCLOSURES: [(&str, Disclosure); 3] =
+    [("both", Disclosure::Both), ("own", Disclosure::Own), ("nothing", Disclosure::Nothing)];
+
+const UNITS: [(&str, ClockUnit); 2] =
+    [("simulations", ClockUnit::Simulations), ("seconds", ClockUnit::Seconds)];
+
+const PERIODS: [(&str, ClockPeriod); 2] =
+    [("decision", ClockPeriod::Decision), ("frame", ClockPeriod::Frame)];
+
+/// The header of a record.
+#[derive(Clone, Debug)]
+pub struct MatchHeader {
+    /// The engine that played the match, with its version.
+    pub engine: String,
+    /// Settings and players.
+    pub of: Arc<Match>,
+    /// Number of pairs; the largest one if the match has a sequential test.
+    pub pairs: u64,
+    /// The test that ends the match.
+    pub test: Option<SequentialTest>,
+    /// SHA-256 of the secret.
+    pub secret_sha256: String,
+}
+
+impl MatchHeader {
+    /// The header of a match that this engine plays.
+    pub fn new(
+        of: Arc<Match>,
+        pairs: u64,
+        test: Option<SequentialTest>,
+        secret_sha256: String,
+    ) -> Self {
+        Self { engine: ENGINE.into(), of, pairs, test, secret_sha256 }
+    }
+
+    /// The header as an object.
+    pub fn to_node(&self) -> Node {
+        let settings = self.of.settings();
+        let Options { points, miss, patience } = settings.options;
+        let setup = self.of.recorded_setup();
+        let players = self.of.players().iter().map(|PlayerEntry { name, settings }| {
+            Node::object([("name", name.into()), ("settings", settings.clone())])
+        });
+        let options = [
+            ("points", Node::from(i64::from(points))),
+            ("miss", miss.into()),
+            ("patience", patience.into()),
+        ];
+        let breaker = match settings.breaker {
+            Breaker::Alternate => "alternate".into(),
+            Breaker::Always(player) => Node::Integer(player as i64),
+        };
+        let same_break = settings.same_break.as_ref().map(|same| play(self.of.start(), same));
+        Node::object([
+            ("format", MATCH_FORMAT.into()),
+            ("engine", (&self.engine).into()),
+            ("players", Node::list(players)),
+            ("game", settings.rules.name().into()),
+            ("options", Node::object(options)),
+            ("table", setup.get("table").cloned().into()),
+            ("physics", setup.get("physics").cloned().into()),
+            ("max_events", settings.max_events.into()),
+            ("noise", Node::list(settings.noise.iter().map(noise))),
+            ("perception", Node::list(settings.perception.iter().map(perception))),
+            ("clock", Node::list(settings.clock.iter().map(clock_node))),
+            ("breaker", breaker),
+            ("same_break", same_break.into()),
+            ("disclosure", word_of(&DISCLOSURES, settings.disclosure)),
+            ("pairs", whole(self.pairs)),
+            ("test", self.test.as_ref().map(test_node).into()),
+            ("secret_sha256", (&self.secret_sha256).into()),
+        ])
+    }
+
+    /// Reads a header.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with the key of a value that is missing or invalid, and for another format.
+    pub fn from_node(node: &Node) -> Result<Self, Error> {
+        let header = Reader::new(node, "");
+        let format = header.require("format", &format!("\"{MATCH_FORMAT}\""))?;
+        if format.text(MATCH_FORMAT)? != MATCH_FORMAT {
+            let remedy = format!("give a record with the format \"{MATCH_FORMAT}\"");
+            return Err(format.refuse("it is another format", remedy));
+        }
+        header.keys(KEYS)?;
+        let text = |key: &str| Ok(header.require(key, "a text")?.text("a text")?.to_owned());
+        let players = two(&header.require("players", "a list of two players")?, read_player)?;
+        let mut settings = read_settings(&header)?;
+        let mut of = Match::new(settings.clone(), players.clone())?;
+        if let Some(same) = header.get("same_break") {
+            settings.same_break = Some(read_play(of.start(), &same)?);
+            of = Match::new(settings, players)?;
+        }
+        let test = header.get("test").map(|test| read_test(&test)).transpose()?;
+        let pairs = read_whole(&header.require("pairs", "the number of pairs")?)?;
+        let (engine, secret_sha256) = (text("engine")?, text("secret_sha256")?);
+        Ok(Self { engine, of: of.into(), pairs, test, secret_sha256 })
+    }
+}
+
+fn read_settings(header: &Reader<'_>) -> Result<MatchSettings, Error> {
+    let game = header.require("game", "the name of a game")?;
+    let name = game.text("the name of a game")?;
+    let known = Rules::ALL.map(Rules::name);
+    let rules = Rules::named(name).ok_or_else(|| game.unknown_word(name, "game", &known))?;
+    let require = |key: &str| header.require(key, "the setting");
+    let max_events = require("max_events")?.whole(1, u32::MAX.into())? as u32;
+    Ok(MatchSettings {
+        rules,
+        options: read_options(&require("options")?)?,
+        table: header.get("table").map(|table| table.node().clone()),
+        physics: header.get("physics").map(|physics| physics.node().clone()),
+        max_events,
+        noise: two(&require("noise")?, read_noise)?,
+        perception: two(&require("perception")?, read_perception)?,
+        clock: two(&require("clock")?, read_clock)?,
+        breaker: read_breaker(&require("breaker")?)?,
+        same_break: None,
+        disclosure: word(&require("disclosure")?, "disclosure", &DISCLOSURES)?,
+    })
+}
+
+fn read_player(at: &Reader<'_>) -> Result<PlayerEntry, Error> {
+    at.keys(&["name", "settings"])?;
+    let name = at.require("name", "the name of the player")?.text("a name")?.to_owned();
+    let settings = at.require("settings", "an object")?.node().clone();
+    Ok(PlayerEntry { name, settings })
+}
+
+fn read_options(at: &Reader<'_>) -> Result<Options, Error> {
+    at.keys(&["points", "miss", "patience"])?;
+    Ok(Options {
+        points: at.require("points", "a whole number")?.whole(1, i32::MAX.into())? as i32,
+        miss: at.require("miss", "true or false")?.flag()?,
+        patience: at.require("patience", "a whole number")?.whole(1, u32::MAX.into())? as u32,
+    })
+}
+
+fn read_breaker(at: &Reader<'_>) -> Result<Breaker, Error> {
+    match at.node() {
+        Node::Text(text) if text == "alternate" => Ok(Breaker::Alternate),
+        Node::Integer(player @ 0..=1) => Ok(Breaker::Always(*player as usize)),
+        _ => Err(at.wrong_type("\"alternate\", 0 or 1")),
+    }
+}
+
+fn clock_node(clock: &Clock) -> Node {
+    let amount = match clock.unit {
+        ClockUnit::Simulations => Node::Integer(clock.amount as i64),
+        ClockUnit::Seconds => clock.amount.into(),
+    };
+    let mut node = Node::object([]);
+    if let Some((unit, _)) = UNITS.iter().find(|(_, unit)| *unit == clock.unit) {
+        node.set(unit, amount);
+    }
+    node.set("per", word_of(&PERIODS, clock.period));
+    node
+}
+
+fn read_clock(at: &Reader<'_>) -> Result<Clock, Error> {
+    at.keys(&["simulations", "seconds", "per"])?;
+    let period = word(&at.require("per", "\"decision\" or \"frame\"")?, "period", &PERIODS)?;
+    match (at.get("simulations"), at.get("seconds")) {
+        (Some(amount), None) => Ok(Clock {
+            unit: ClockUnit::Simulations,
+            period,
+            amount: amount.whole(1, u32::MAX.into())? as f64,
+        }),
+        (None, Some(amount)) => {
+            Ok(Clock { unit: ClockUnit::Seconds, period, amount: amount.exact_number()? })
+        }
+        _ => Err(at.refuse("it has no unit, or two", "write either simulations or seconds")),
+    }
+}
+
+fn test_node(test: &SequentialTest) -> Node {
+    let SequentialTest { p0, p1, alpha, beta } = *test;
+    let keys = [("p0", p0), ("p1", p1), ("alpha", alpha), ("beta", beta)];
+    Node::object(keys.map(|(key, value)| (key, value.into())))
+}
+
+fn read_test(at: &Reader<'_>) -> Result<SequentialTest, Error> {
+    at.keys(&["p0", "p1", "alpha", "beta"])?;
+    let key = |key| at.require(key, "a number")?.exact_number();
+    let (p0, p1, alpha, beta) = (key("p0")?, key("p1")?, key("alpha")?, key("beta")?);
+    let test = SequentialTest { p0, p1, alpha, beta };
+    test.check().map(|()| test)
+}
+
+fn word_of<T: PartialEq>(words: &[(&'static str, T)], value: T) -> Node {
+    words.iter().find(|(_, known)| *known == value).map(|(word, _)| *word).into()
+}
+
+fn word<T: Copy>(at: &Reader<'_>, kind: &str, words: &[(&'static str, T)]) -> Result<T, Error> {
+    let names: Vec<&str> = words.iter().map(|(name, _)| *name).collect();
+    let found = at.text(&format!("one of {}", names.join(", ")))?;
+    let known = words.iter().find(|(name, _)| *name == found);
+    known.map(|(_, value)| *value).ok_or_else(|| at.unknown_word(found, kind, &names))
+}

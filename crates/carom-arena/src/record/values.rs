@@ -1,0 +1,199 @@
+//! Values of records that occur in several places: plays, strikes, noise and seeds.
+
+use carom::format::{Node, Reader};
+use carom::noise::Perception;
+use carom::resolve::cue_ball::Strike;
+use carom::shot::Cling;
+use carom::table::PocketName;
+use carom::{Error, Noise};
+use carom_rules::{BallIndex, Call, Frame, Play};
+
+/// What to write for a place of the cue ball.
+const PLACE: &str = "a list of two numbers, m";
+
+/// A number to the bit. NaN and infinities, which JSON does not have, become texts: a refused answer
+/// may contain them.
+pub(super) fn number(x: f64) -> Node {
+    if x.is_finite() { x.into() } else { x.to_string().into() }
+}
+
+/// A number that [`number`] wrote.
+pub(super) fn read_number(at: &Reader<'_>) -> Result<f64, Error> {
+    match at.node() {
+        Node::Text(text) => match text.as_str() {
+            "NaN" => Ok(f64::NAN),
+            "inf" => Ok(f64::INFINITY),
+            "-inf" => Ok(f64::NEG_INFINITY),
+            _ => Err(at.wrong_type("a number")),
+        },
+        _ => at.exact_number(),
+    }
+}
+
+/// 64 bits as 16 hexadecimal digits: a double cannot hold them.
+pub(super) fn bits(word: u64) -> Node {
+    format!("{word:016x}").into()
+}
+
+/// A whole number.
+pub(super) fn whole(n: u64) -> Node {
+    Node::Integer(i64::try_from(n).unwrap_or(i64::MAX))
+}
+
+/// A whole number from 0.
+pub(super) fn read_whole(at: &Reader<'_>) -> Result<u64, Error> {
+    Ok(at.whole(0, i64::MAX)?.unsigned_abs())
+}
+
+/// A value for each of the two players or seats.
+pub(super) fn two<T>(
+    at: &Reader<'_>,
+    read: impl Fn(&Reader<'_>) -> Result<T, Error>,
+) -> Result<[T; 2], Error> {
+    let wanted = "a list of two values";
+    match at.items(wanted)?.as_slice() {
+        [one, other] => Ok([read(one)?, read(other)?]),
+        items => {
+            Err(at.refuse(format!("found a list of {}", items.len()), format!("write {wanted}")))
+        }
+    }
+}
+
+pub(super) fn strike(strike: &Strike) -> Node {
+    Node::object([
+        ("speed", number(strike.speed)),
+        ("azimuth", number(strike.azimuth)),
+        ("elevation", number(strike.elevation)),
+        ("side", number(strike.side)),
+        ("height", number(strike.height)),
+    ])
+}
+
+fn read_strike(at: &Reader<'_>) -> Result<Strike, Error> {
+    let key = |key| read_number(&at.require(key, "a number")?);
+    Ok(Strike {
+        speed: key("speed")?,
+        azimuth: key("azimuth")?,
+        elevation: key("elevation")?,
+        side: key("side")?,
+        height: key("height")?,
+    })
+}
+
+/// A place of the cue ball (file frame, m).
+pub(super) fn place([x, y]: [f64; 2]) -> Node {
+    Node::List(vec![number(x), number(y)])
+}
+
+/// A play in `frame`: `strike`, and if they exist `cue_ball` and `call`.
+pub(super) fn play(frame: &Frame, play: &Play) -> Node {
+    let mut node = Node::object([("strike", strike(&play.strike))]);
+    if let Some(at) = play.cue_ball {
+        node.set("cue_ball", place(at));
+    }
+    // A refused call may name a ball that does not exist.
+    let id = |ball: BallIndex| match frame.layout().balls().get(usize::from(ball)) {
+        Some(known) => Node::from(&known.id),
+        None => u32::from(ball).into(),
+    };
+    let kind = |kind: &str| ("kind", Node::from(kind));
+    match play.call {
+        Call::Nothing => {}
+        Call::Safety => node.set("call", Node::object([kind("safety")])),
+        Call::PushOut => node.set("call", Node::object([kind("push-out")])),
+        Call::On(ball) => node.set("call", Node::object([kind("on"), ("ball", id(ball))])),
+        Call::Pocket(ball, pocket) => {
+            let pocket = ("pocket", Node::from(pocket.name()));
+            node.set("call", Node::object([kind("pocket"), ("ball", id(ball)), pocket]));
+        }
+    }
+    node
+}
+
+/// A play that [`play`] wrote.
+pub(super) fn read_play(frame: &Frame, at: &Reader<'_>) -> Result<Play, Error> {
+    at.keys(&["strike", "cue_ball", "call"])?;
+    let strike = read_strike(&at.require("strike", "the strike, an object")?)?;
+    let cue_ball = match at.get("cue_ball") {
+        None => None,
+        Some(place) => match place.items(PLACE)?.as_slice() {
+            [x, y] => Some([read_number(x)?, read_number(y)?]),
+            _ => return Err(place.wrong_type(PLACE)),
+        },
+    };
+    let call = at.get("call").map_or(Ok(Call::Nothing), |call| read_call(frame, &call))?;
+    Ok(Play { strike, cue_ball, call })
+}
+
+fn read_call(frame: &Frame, at: &Reader<'_>) -> Result<Call, Error> {
+    at.keys(&["kind", "ball", "pocket"])?;
+    let ball = || {
+        let ball = at.require("ball", "the id of a ball")?;
+        match ball.node() {
+            Node::Integer(_) => Ok(ball.whole(0, BallIndex::MAX.into())? as BallIndex),
+            _ => frame.ball(ball.text("the id of a ball")?, ball.place()),
+        }
+    };
+    let kind = at.require("kind", "the kind of the call")?;
+    Ok(match kind.text("the kind of the call")? {
+        "safety" => Call::Safety,
+        "push-out" => Call::PushOut,
+        "on" => Call::On(ball()?),
+        "pocket" => {
+            let pocket = at.require("pocket", "the name of a pocket")?;
+            let name = pocket.text("the name of a pocket")?;
+            let known = PocketName::ALL.map(PocketName::name);
+            let found = PocketName::ALL.into_iter().find(|pocket| pocket.name() == name);
+            let name = found.ok_or_else(|| pocket.unknown_word(name, "pocket", &known))?;
+            Call::Pocket(ball()?, name)
+        }
+        other => {
+            let known = ["safety", "push-out", "on", "pocket"];
+            return Err(kind.unknown_word(other, "kind of call", &known));
+        }
+    })
+}
+
+pub(super) fn cling(cling: &Cling) -> Node {
+    let contacts = Node::list(cling.contacts());
+    Node::object([("contacts", contacts), ("friction", cling.friction().into())])
+}
+
+pub(super) fn noise(noise: &Noise) -> Node {
+    Node::object(noise_fields(noise).map(|(key, value)| (key, value.into())))
+}
+
+const fn noise_fields(noise: &Noise) -> [(&'static str, f64); 7] {
+    [
+        ("speed", noise.speed),
+        ("azimuth", noise.azimuth),
+        ("elevation", noise.elevation),
+        ("side_m", noise.side_m),
+        ("height_m", noise.height_m),
+        ("cling_probability", noise.cling_probability),
+        ("cling_friction", noise.cling_friction),
+    ]
+}
+
+pub(super) fn read_noise(at: &Reader<'_>) -> Result<Noise, Error> {
+    at.keys(&noise_fields(&Noise::NONE).map(|(key, _)| key))?;
+    let key = |key| at.require(key, "a number")?.exact_number();
+    Ok(Noise {
+        speed: key("speed")?,
+        azimuth: key("azimuth")?,
+        elevation: key("elevation")?,
+        side_m: key("side_m")?,
+        height_m: key("height_m")?,
+        cling_probability: key("cling_probability")?,
+        cling_friction: key("cling_friction")?,
+    })
+}
+
+pub(super) fn perception(perception: &Perception) -> Node {
+    Node::object([("position", perception.position.into())])
+}
+
+pub(super) fn read_perception(at: &Reader<'_>) -> Result<Perception, Error> {
+    at.keys(&["position"])?;
+    Ok(Perception { position: at.require("position", "a number, m")?.exact_number()? })
+}

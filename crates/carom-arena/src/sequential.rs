@@ -1,0 +1,225 @@
+//! A sequential test of which player is stronger: play goes on until the evidence suffices.
+//!
+//! The test compares two hypotheses on the expected share s of the points of player 0: s = s₀ and
+//! s = s₁. After N pairs the log-likelihood ratio of normal distributions, each with the variance
+//! that makes the scores of the pairs most likely, is
+//!
+//!   LLR = (N/2) ln(σ₀²/σ₁²),  σᵢ² = mean of (x − sᵢ)² over the shares x of the pairs.
+//!
+//! This is a generalized sequential probability ratio test (Li, Liu & Ying 2014, *Generalized
+//! sequential probability ratio test for separate families of hypotheses*). Chess engines are
+//! tested with it on pentanomial counts (fishtest, docs "Fishtest mathematics"). The test accepts
+//! s₁ once LLR ≥ ln((1 − β)/α), and s₀ once LLR ≤ ln(β/(1 − α)) (Wald 1945, *Sequential tests of
+//! statistical hypotheses*).
+//!
+//! Departure: tests of chess engines last for thousands of pairs, here a few dozen may suffice.
+//! σᵢ² contains ten pairs of known variance ([`PairScores::variance`]), so that a few equal results
+//! do not end a test. The tests of this file measure the error rates.
+
+use carom::Error;
+use carom::math::log;
+
+use crate::score::{PairScores, share_of_elo};
+
+/// The usual probability of a wrong decision, for each hypothesis.
+const ERROR_RATE: f64 = 0.05;
+
+/// A sequential test on the scores of pairs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SequentialTest {
+    /// The share s₀ of the points of player 0 under the null hypothesis, above 0.
+    pub p0: f64,
+    /// The share s₁ under the alternative, above `p0` and below 1.
+    pub p1: f64,
+    /// Probability of accepting `p1` if `p0` is true, above 0 and below ½.
+    pub alpha: f64,
+    /// Probability of accepting `p0` if `p1` is true, above 0 and below ½.
+    pub beta: f64,
+}
+
+/// A hypothesis on the expected share of the points of player 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hypothesis {
+    /// The null hypothesis, `p0`.
+    P0,
+    /// The alternative, `p1`.
+    P1,
+}
+
+/// The state of a sequential test.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TestState {
+    /// The log-likelihood ratio.
+    pub llr: f64,
+    /// At or below this ratio the test accepts `p0`.
+    pub lower: f64,
+    /// At or above this ratio the test accepts `p1`.
+    pub upper: f64,
+    /// The hypothesis that is accepted; `None` if play has to go on.
+    pub accepted: Option<Hypothesis>,
+}
+
+impl SequentialTest {
+    /// A test of two shares of the points of player 0, with error probabilities of 0.05.
+    ///
+    /// # Errors
+    /// [`Error::Input`] as [`Self::check`].
+    pub fn of_shares(p0: f64, p1: f64) -> Result<Self, Error> {
+        let test = Self { p0, p1, alpha: ERROR_RATE, beta: ERROR_RATE };
+        test.check().map(|()| test)
+    }
+
+    /// A test of two differences of Elo ratings, with error probabilities of 0.05. A positive
+    /// difference means that player 0 is stronger.
+    ///
+    /// # Errors
+    /// [`Error::Input`] as [`Self::check`].
+    pub fn of_elo(elo0: f64, elo1: f64) -> Result<Self, Error> {
+        Self::of_shares(share_of_elo(elo0), share_of_elo(elo1))
+    }
+
+    /// Rejects shares and error probabilities out of range.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `test.p0`, `test.p1`, `test.alpha` or `test.beta`.
+    pub fn check(&self) -> Result<(), Error> {
+        let wrong = |key: &str, value: f64, remedy: &str| {
+            Err(Error::input(format!("test.{key}"), format!("{value:?} is out of range"), remedy))
+        };
+        if !(self.p0 > 0.0 && self.p0 < 1.0) {
+            return wrong("p0", self.p0, "write a share between 0 and 1, such as 0.5");
+        }
+        if !(self.p1 > self.p0 && self.p1 < 1.0) {
+            return wrong("p1", self.p1, "write a share between p0 and 1, such as 0.55");
+        }
+        for (key, rate) in [("alpha", self.alpha), ("beta", self.beta)] {
+            if !(rate > 0.0 && rate < 0.5) {
+                return wrong(key, rate, "write a probability between 0 and 0.5, such as 0.05");
+            }
+        }
+        Ok(())
+    }
+
+    /// The state of the test after these pairs.
+    pub fn state(&self, pairs: &PairScores) -> TestState {
+        let Self { p0, p1, alpha, beta } = *self;
+        let n = pairs.pairs() as f64;
+        let llr = 0.5 * n * log(pairs.variance_about(p0) / pairs.variance_about(p1));
+        let (lower, upper) = (log(beta / (1.0 - alpha)), log((1.0 - beta) / alpha));
+        let accepted = if llr >= upper {
+            Some(Hypothesis::P1)
+        } else if llr <= lower {
+            Some(Hypothesis::P0)
+        } else {
+            None
+        };
+        TestState { llr, lower, upper, accepted }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_pcg::Pcg64;
+    use rand_pcg::rand_core::Rng;
+
+    /// Pairs after which a simulated test is given up: a hundred times the usual number.
+    const MOST_PAIRS: u64 = 100_000;
+
+    /// The frequencies with which `test` accepts p0 and p1, and the mean number of pairs, over 4000
+    /// matches. Player 0 wins a frame with the probability `wins[0]` if it breaks and `wins[1]` if
+    /// not.
+    fn frequencies(test: &SequentialTest, wins: [f64; 2]) -> ([f64; 2], f64) {
+        let mut random = Pcg64::new(11, 17);
+        let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+        let (mut accepted, mut played) = ([0_u32; 2], 0);
+        const MATCHES: u32 = 4000;
+        for _ in 0..MATCHES {
+            let mut pairs = PairScores::default();
+            while pairs.pairs() < MOST_PAIRS {
+                pairs.add(wins.map(|p| if unit() < p { 1.0 } else { 0.0 }));
+                match test.state(&pairs).accepted {
+                    Some(Hypothesis::P0) => accepted[0] += 1,
+                    Some(Hypothesis::P1) => accepted[1] += 1,
+                    None => continue,
+                }
+                break;
+            }
+            played += pairs.pairs();
+        }
+        let share = |count: u32| f64::from(count) / f64::from(MATCHES);
+        (accepted.map(share), played as f64 / f64::from(MATCHES))
+    }
+
+    // A frequency of 0.05 among 4000 has a standard error of 0.0034.
+    const MOST_ERRORS: f64 = 0.055;
+
+    #[test]
+    fn wrong_decisions_are_as_rare_as_promised() {
+        for (p0, p1) in [(0.5, 0.55), (0.5, 0.6), (0.45, 0.55), (0.5, 0.75)] {
+            let test = SequentialTest::of_shares(p0, p1).unwrap();
+            let (under_null, pairs_of_null) = frequencies(&test, [p0; 2]);
+            let (under_other, pairs_of_other) = frequencies(&test, [p1; 2]);
+            println!(
+                "{p0} against {p1}: {} wrong, {pairs_of_null} pairs if {p0} is true; \
+                 {} wrong, {pairs_of_other} pairs if {p1} is true",
+                under_null[1], under_other[0]
+            );
+            assert!(under_null[1] < MOST_ERRORS, "{p0} {p1}: {under_null:?}");
+            assert!(under_other[0] < MOST_ERRORS, "{p0} {p1}: {under_other:?}");
+            assert_eq!([under_null, under_other].map(|[a, b]| a + b), [1.0; 2], "no test ended");
+        }
+    }
+
+    #[test]
+    fn an_advantage_of_the_breaker_does_not_raise_the_errors() {
+        let test = SequentialTest::of_shares(0.5, 0.55).unwrap();
+        let (under_null, pairs) = frequencies(&test, [0.8, 0.2]);
+        let (under_other, _) = frequencies(&test, [0.85, 0.25]);
+        assert!(under_null[1] < MOST_ERRORS, "{under_null:?}");
+        assert!(under_other[0] < MOST_ERRORS, "{under_other:?}");
+        // The variance of a pair is smaller, so fewer pairs are needed.
+        let (_, without) = frequencies(&test, [0.5; 2]);
+        println!("{} wrong, {pairs} pairs with it, {without} without it", under_null[1]);
+        assert!(pairs < 0.8 * without, "{pairs} {without}");
+    }
+
+    #[test]
+    fn a_strong_player_is_found_sooner_than_with_a_fixed_number_of_pairs() {
+        let test = SequentialTest::of_shares(0.5, 0.55).unwrap();
+        let (accepted, pairs) = frequencies(&test, [0.65; 2]);
+        assert_eq!(accepted[1], 1.0);
+        // A test with a fixed number needs (2 · 1.645)² · 0.125 / 0.05² = 541 pairs.
+        assert!(pairs < 0.25 * 541.0, "{pairs}");
+    }
+
+    #[test]
+    fn two_equal_pairs_do_not_end_a_test() {
+        let test = SequentialTest::of_shares(0.5, 0.55).unwrap();
+        for counts in [[0, 0, 0, 0, 2], [2, 0, 0, 0, 0], [0, 0, 2, 0, 0]] {
+            assert_eq!(test.state(&PairScores { counts }).accepted, None);
+        }
+    }
+
+    #[test]
+    fn elo_bounds_are_shares() {
+        let test = SequentialTest::of_elo(0.0, 35.0).unwrap();
+        assert!((test.p0 - 0.5).abs() < 1e-15 && (test.p1 - 0.5502).abs() < 1e-4);
+    }
+
+    #[test]
+    fn rejects_bounds_out_of_range_at_their_keys() {
+        let good = SequentialTest { p0: 0.5, p1: 0.6, alpha: 0.05, beta: 0.05 };
+        for (test, place) in [
+            (SequentialTest { p0: 0.0, ..good }, "test.p0: "),
+            (SequentialTest { p1: 0.5, ..good }, "test.p1: "),
+            (SequentialTest { p1: f64::NAN, ..good }, "test.p1: "),
+            (SequentialTest { alpha: 0.5, ..good }, "test.alpha: "),
+            (SequentialTest { beta: 0.0, ..good }, "test.beta: "),
+        ] {
+            let error = test.check().unwrap_err().to_string();
+            assert!(error.starts_with(place), "{error}");
+        }
+        assert!(good.check().is_ok());
+    }
+}
