@@ -155,7 +155,7 @@ pub(crate) struct Aimed {
 /// strike. None if the balls do not follow the line.
 ///
 /// # Errors
-/// As [`Sampler::simulate`], but a strike that cannot be played is no error: none is returned.
+/// As [`Sampler::simulate`], except that a strike that cannot be played gives none.
 pub(crate) fn aim(
     sampler: &mut Sampler,
     prepared: &Prepared<'_>,

@@ -55,7 +55,7 @@ impl LineKind {
     }
 }
 
-/// A part of a line: a ball moves, off so many cushions, to a target.
+/// A part of a line: a ball moves, off a number of cushions, to a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LineLeg {
     /// The ball that moves.

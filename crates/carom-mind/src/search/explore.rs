@@ -83,8 +83,7 @@ impl<'a> Explorer<'a> {
         (kind, line, prior): (PlayKind, Option<Line>, f64),
         (place, prepared): (usize, &Prepared<'_>),
     ) {
-        let in_hand = self.turn.hand.is_some();
-        let cue_ball = prepared.before().place(self.turn.cue).filter(|_| in_hand);
+        let cue_ball = prepared.cue_ball();
         let end = self.successor.layout().place(self.turn.cue);
         let play = Play { strike, cue_ball, call };
         let (samples, fresh, correction) = (Vec::new(), Vec::new(), 0.0);

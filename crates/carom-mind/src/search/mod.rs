@@ -14,5 +14,6 @@ mod safeties;
 mod shift;
 
 pub use candidate::{Candidate, PlayKind, PlayedVariant};
+pub(crate) use explore::Explorer;
 pub(crate) use replies::quick_value;
 pub use rounds::{Found, search};

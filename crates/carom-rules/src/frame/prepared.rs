@@ -90,6 +90,11 @@ impl<'a> Prepared<'a> {
         &self.balls
     }
 
+    /// Where a cue ball in hand was placed (file frame, m); none if it is played where it lies.
+    pub fn cue_ball(&self) -> Option<[f64; 2]> {
+        self.turn.hand.and_then(|_| self.before.place(self.turn.cue))
+    }
+
     /// The balls before the shot, with a cue ball in hand where it was placed.
     pub const fn before(&self) -> &FrameLayout {
         &self.before
