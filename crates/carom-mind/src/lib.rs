@@ -9,6 +9,7 @@
 mod aim;
 mod analysis;
 pub mod line;
+pub mod literature;
 mod player;
 pub mod scene;
 pub mod search;

@@ -1,0 +1,336 @@
+//! What all players of the literature share: the way from a request to a decision.
+//!
+//! The papers describe how their players choose a pot in eight-ball. Everything else that a referee
+//! can ask is answered here, in the same way for all of them: choices and safeties by the player's
+//! own value of positions, places for a ball in hand by geometry, breaks by a fixed strike, and
+//! three-cushion by a search over directions. **Guess:** all of this file; the papers leave it open.
+
+use std::sync::Arc;
+
+use carom::math::{Vec2, atan2};
+use carom::resolve::cue_ball::Strike;
+use carom::{Error, Noise};
+use carom_rules::{Choice, Play, Request, Rules, Seat, Turn};
+
+use super::best_shots::{BestShots, COUNTED};
+use super::pot_table::{PotTable, PotTables};
+use super::shots::{Sight, Workbench};
+use crate::player::{Answer, Budget, Decision, Situation, Spent};
+use crate::scene::Scene;
+use crate::search::{Candidate, Explorer};
+use crate::targets::call_of;
+use crate::value::{Position, Value};
+use carom::noise::Errors;
+use carom_plan::Prepared;
+
+/// Share of the budget that the search for a safety may use.
+const SAFETY_SHARE: f64 = 0.3;
+/// Simulations of a search for a safety: at least one round of hits, at most the whole lattice.
+const SAFETY_PLAYS: [u64; 2] = [60, 1500];
+/// Safeties that are played with drawn errors, and the number of errors.
+const SAFETIES_SAMPLED: usize = 5;
+const SAFETY_SAMPLES: u64 = 10;
+/// Simulations of the search for any legal shot, when nothing else is left.
+const ANYTHING_PLAYS: u64 = 540;
+/// Simulations of the search for a carom, at least.
+const LEAST_CAROM_PLAYS: u64 = 200;
+/// Places of a cue ball in hand that are considered.
+const PLACES: usize = 3;
+/// Cue speed (m/s) and height (ball radii) of the usual break: a full hit, about as hard as good
+/// players break. It is the same for every player that brings no break of its own.
+const BREAK_SPEED: f64 = 9.0;
+const BREAK_HEIGHT: f64 = 0.1;
+/// Cue speed (m/s) of a shot that is played because nothing legal was found.
+const HOPELESS_SPEED: f64 = 2.0;
+
+/// A shot that tries to keep the turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Attack {
+    pub(crate) play: Play,
+    /// Its probability of keeping the turn or winning.
+    pub(crate) chance: f64,
+}
+
+/// What distinguishes the players.
+pub(crate) trait Method {
+    /// The tables that the player has measured.
+    fn tables(&self) -> &PotTables;
+
+    /// The weights with which the best shots of a position are counted.
+    fn weights(&self) -> [f64; COUNTED];
+
+    /// An attack that is less probable than this gives way to a better safety.
+    fn safety_below(&self) -> f64;
+
+    /// The player's attack; none if it finds none.
+    ///
+    /// # Errors
+    /// As [`crate::Player::decide`].
+    fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error>;
+
+    /// The break from one of the prepared places.
+    ///
+    /// # Errors
+    /// As [`crate::Player::decide`].
+    fn break_shot(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Play>, Error> {
+        let _ = spent;
+        Ok(usual_break(desk))
+    }
+}
+
+/// A request for a shot, prepared.
+pub(crate) struct Desk<'a> {
+    pub(crate) situation: &'a Situation<'a>,
+    pub(crate) budget: &'a Budget<'a>,
+    pub(crate) turn: &'a Turn,
+    /// The player's value of positions.
+    pub(crate) value: BestShots,
+    /// The positions of the cue ball, the most promising first.
+    pub(crate) prepared: Vec<Prepared<'a>>,
+}
+
+impl<'a> Desk<'a> {
+    pub(crate) fn new(
+        situation: &'a Situation<'a>,
+        budget: &'a Budget<'a>,
+        turn: &'a Turn,
+        value: BestShots,
+    ) -> Result<Self, Error> {
+        let explorer = Explorer::new(situation, &value, turn, 0);
+        let places: Vec<Option<[f64; 2]>> = match turn.hand {
+            None => vec![None],
+            Some(region) if situation.frame.is_opening() => {
+                explorer.opening_places(region).into_iter().map(Some).collect()
+            }
+            Some(region) => explorer.places(region).into_iter().take(PLACES).map(Some).collect(),
+        };
+        let prepared = places.into_iter().map(|place| Prepared::new(situation.frame, place));
+        let prepared = prepared.collect::<Result<Vec<_>, _>>()?;
+        Ok(Self { situation, budget, turn, value, prepared })
+    }
+
+    pub(crate) const fn seat(&self) -> Seat {
+        self.turn.player
+    }
+
+    /// The errors of the player's strikes.
+    pub(crate) const fn noise(&self) -> Noise {
+        self.situation.noise[self.turn.player]
+    }
+
+    pub(crate) fn table(&self) -> Arc<PotTable> {
+        Arc::clone(&self.value.tables[self.seat()])
+    }
+
+    /// The errors that the player draws for its decision.
+    pub(crate) const fn errors(&self) -> Errors {
+        let Situation { perception, seed, .. } = *self.situation;
+        Errors { noise: self.noise(), perception, seed }
+    }
+
+    /// What the player sees from the prepared positions.
+    pub(crate) fn sight(&self) -> Sight<'a> {
+        Sight::new(self.situation.frame, self.turn, self.table(), self.noise())
+    }
+
+    /// The simulations that are left, and at least `least`.
+    pub(crate) fn left(&self, spent: &Spent, least: u64) -> u64 {
+        self.budget.simulations.saturating_sub(spent.simulations).max(least)
+    }
+
+    fn explorer(&self, most: u64) -> Explorer<'_> {
+        Explorer::new(self.situation, &self.value, self.turn, most)
+    }
+}
+
+/// A player's decision.
+///
+/// # Errors
+/// As [`crate::Player::decide`].
+pub(crate) fn decide(
+    method: &dyn Method,
+    situation: &Situation<'_>,
+    budget: &Budget<'_>,
+) -> Result<Decision, Error> {
+    let (seat, request) = situation.asked()?;
+    let mut spent = Spent::default();
+    let value = value_of(method, situation)?;
+    let answer = match request {
+        Request::Choice { choices, .. } => {
+            Answer::Choice(best_choice(&value, situation, seat, choices))
+        }
+        Request::Shot(turn) => {
+            let desk = Desk::new(situation, budget, turn, value)?;
+            Answer::Play(shot(method, &desk, &mut spent)?)
+        }
+        Request::Over { .. } => unreachable!("a finished frame has no request"),
+    };
+    spent.rounds = spent.rounds.max(1);
+    Ok(Decision { answer, win_chance: None, spent })
+}
+
+/// The player's value of positions. A game without pots needs no table of them.
+pub(crate) fn value_of(method: &dyn Method, situation: &Situation<'_>) -> Result<BestShots, Error> {
+    let frame = situation.frame;
+    let table = |seat: Seat| {
+        if frame.rules() == Rules::ThreeCushion {
+            Ok(Arc::new(PotTable::geometric(situation.noise[seat])))
+        } else {
+            method.tables().table(frame, &situation.noise[seat])
+        }
+    };
+    Ok(BestShots { tables: [table(0)?, table(1)?], weights: method.weights() })
+}
+
+fn best_choice(
+    value: &BestShots,
+    situation: &Situation<'_>,
+    seat: Seat,
+    choices: &[Choice],
+) -> Choice {
+    let mut best = (f64::NEG_INFINITY, choices[0]);
+    for choice in choices {
+        let mut next = situation.frame.clone();
+        if next.choose(*choice).is_err() {
+            continue;
+        }
+        let position = Position { frame: &next, noise: &situation.noise };
+        let chance = value.win_chance(&position, seat);
+        if chance > best.0 {
+            best = (chance, *choice);
+        }
+    }
+    best.1
+}
+
+fn shot(method: &dyn Method, desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
+    let frame = desk.situation.frame;
+    if frame.rules() == Rules::ThreeCushion {
+        return carom(desk, spent);
+    }
+    let explorer = desk.explorer(0);
+    if frame.is_opening() {
+        if explorer.breaks_hard()
+            && let Some(play) = method.break_shot(desk, spent)?
+        {
+            return Ok(play);
+        }
+        return match safety(desk, spent)? {
+            Some((play, _)) => Ok(play),
+            None => anything(desk, spent),
+        };
+    }
+    let attack = method.attack(desk, spent)?;
+    match attack {
+        Some(attack) if attack.chance >= method.safety_below() => Ok(attack.play),
+        Some(attack) => Ok(match safety(desk, spent)? {
+            Some((play, value)) if value > attack.chance => play,
+            _ => attack.play,
+        }),
+        None => match safety(desk, spent)? {
+            Some((play, _)) => Ok(play),
+            None => anything(desk, spent),
+        },
+    }
+}
+
+/// The usual break: a full and hard hit of the nearest ball from the first place.
+pub(crate) fn usual_break(desk: &Desk<'_>) -> Option<Play> {
+    let prepared = desk.prepared.first()?;
+    let toward = toward_nearest(desk, prepared, BREAK_SPEED, BREAK_HEIGHT)?;
+    prepared.shot().resolve_strike(&toward.strike).is_ok().then_some(toward)
+}
+
+/// A full hit of the nearest ball that may be hit; `speed` in m/s, `height` in ball radii.
+fn toward_nearest(
+    desk: &Desk<'_>,
+    prepared: &Prepared<'_>,
+    speed: f64,
+    height: f64,
+) -> Option<Play> {
+    let scene = Scene::of(prepared);
+    let cue = scene.ball(desk.turn.cue)?;
+    let sight = desk.sight();
+    let balls = sight.targets.first.iter().filter_map(|ball| scene.ball(*ball));
+    let gap = |center: Vec2| (center - cue.center).length_squared();
+    let head = balls.min_by(|a, b| gap(a.center).total_cmp(&gap(b.center)))?;
+    let way = head.center - cue.center;
+    let azimuth = atan2(way.y, way.x);
+    let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height };
+    let strike = Explorer::raised(prepared, strike);
+    let call = call_of(desk.turn, head.index, None);
+    Some(Play { strike, cue_ball: prepared.cue_ball(), call })
+}
+
+/// The safety that leaves the other player least, and its value for the player, 0 to 1; none if no
+/// legal shot was found.
+fn safety(desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<(Play, f64)>, Error> {
+    let share = (SAFETY_SHARE * desk.budget.simulations as f64) as u64;
+    let mut explorer = desk.explorer(share.clamp(SAFETY_PLAYS[0], SAFETY_PLAYS[1]));
+    explorer.safeties(&desk.prepared[0], 0)?;
+    spent.simulations += explorer.plays;
+    let mut found: Vec<Candidate> = explorer.found;
+    found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
+    found.truncate(SAFETIES_SAMPLED);
+    let errors = desk.errors();
+    let rated = desk.budget.runner.map(
+        found.iter(),
+        || Workbench::new(desk.situation.frame),
+        |bench, candidate| {
+            let mut sum = 0.0;
+            bench.sample(
+                &desk.prepared[0],
+                &candidate.play,
+                (&errors, 0..SAFETY_SAMPLES),
+                |next, _| {
+                    let position = Position { frame: next, noise: &desk.situation.noise };
+                    sum += desk.value.win_chance(&position, desk.seat());
+                },
+            )?;
+            Ok((candidate.play, sum / SAFETY_SAMPLES as f64))
+        },
+    );
+    spent.simulations += SAFETY_SAMPLES * rated.len() as u64;
+    let rated = rated.into_iter().collect::<Result<Vec<_>, Error>>()?;
+    Ok(first_best(rated, |(_, value)| *value))
+}
+
+/// A legal shot in any direction; if there is none, a full hit of the nearest ball.
+fn anything(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
+    let prepared = &desk.prepared[0];
+    let mut explorer = desk.explorer(ANYTHING_PLAYS);
+    explorer.anything(prepared, 0)?;
+    spent.simulations += explorer.plays;
+    if let Some(best) = first_best(explorer.found, |candidate| candidate.prior) {
+        return Ok(best.play);
+    }
+    let hopeless = || {
+        let strike =
+            Strike { speed: HOPELESS_SPEED, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
+        let first = desk.turn.on.first().copied().unwrap_or(desk.turn.cue);
+        let call = call_of(desk.turn, first, None);
+        let strike = Explorer::raised(prepared, strike);
+        Play { strike, cue_ball: prepared.cue_ball(), call }
+    };
+    Ok(toward_nearest(desk, prepared, HOPELESS_SPEED, 0.0).unwrap_or_else(hopeless))
+}
+
+/// The most promising carom of three-cushion.
+fn carom(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
+    let most = desk.budget.simulations.max(LEAST_CAROM_PLAYS);
+    let mut explorer = desk.explorer(most);
+    explorer.caroms(&desk.prepared[0], 0)?;
+    spent.simulations += explorer.plays;
+    match first_best(explorer.found, |candidate| candidate.prior) {
+        Some(best) => Ok(best.play),
+        None => anything(desk, spent),
+    }
+}
+
+/// The item with the largest value; the first of equals.
+pub(crate) fn first_best<T>(
+    items: impl IntoIterator<Item = T>,
+    value: impl Fn(&T) -> f64,
+) -> Option<T> {
+    items.into_iter().reduce(|best, item| if value(&item) > value(&best) { item } else { best })
+}

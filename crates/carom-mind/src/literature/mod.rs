@@ -1,0 +1,94 @@
+//! The players of the literature, as opponents and as measures.
+//!
+//! Each file has one published player: [`Greedy`], [`DeepGreen`], [`PoolMaster`], [`PickPocket`] and
+//! [`CueCard`]. Their settings are structures whose defaults are the papers' numbers where these are
+//! printed; every other number is marked as a guess in its comment. docs/players.md describes the
+//! players and lists the guesses.
+//!
+//! All of them choose pots by their own method and answer every other request in the same way
+//! ([`desk`]). They count simulated shots instead of seconds: [`Budget::simulations`](crate::Budget)
+//! limits a decision, apart from a least search. A decision has the same bits for any number of
+//! threads.
+
+mod best_shots;
+mod clusters;
+mod cue_card;
+mod deep_green;
+mod desk;
+mod greedy;
+mod levels;
+mod pick_pocket;
+mod pool_master;
+mod position_grid;
+mod pot_table;
+mod shots;
+#[cfg(test)]
+mod tests;
+
+pub use cue_card::{CueCard, CueCardBreak, CueCardSettings, LevelTwo};
+pub use deep_green::{DeepGreen, DeepGreenSettings};
+pub use greedy::{Greedy, GreedyAim, GreedySettings};
+pub use pick_pocket::{PickPocket, PickPocketSettings};
+pub use pool_master::{PoolMaster, PoolMasterSettings};
+
+use carom::Error;
+
+use crate::player::Player;
+use pot_table::PotTables;
+
+/// The names of the players that [`Literature::player`] makes.
+pub const NAMES: [&str; 7] = [
+    "greedy",
+    "deep-green-0",
+    "deep-green-1",
+    "deep-green-2",
+    "pool-master",
+    "pick-pocket",
+    "cue-card",
+];
+
+/// Makes the players with their default settings. The players of one `Literature` share the potting
+/// probabilities that they measure.
+#[derive(Clone, Debug, Default)]
+pub struct Literature {
+    tables: PotTables,
+}
+
+impl Literature {
+    /// The player called `name`, one of [`NAMES`].
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `player` if there is none.
+    pub fn player(&self, name: &str) -> Result<Box<dyn Player>, Error> {
+        let tables = self.tables.clone();
+        let deep_green = |depth| {
+            let settings = DeepGreenSettings { depth, ..DeepGreenSettings::default() };
+            Box::new(DeepGreen::with_tables(settings, self.tables.clone()))
+        };
+        Ok(match name {
+            "greedy" => Box::new(Greedy::with_tables(GreedySettings::default(), tables)),
+            "deep-green-0" => deep_green(0),
+            "deep-green-1" => deep_green(1),
+            "deep-green-2" => deep_green(2),
+            "pool-master" => {
+                Box::new(PoolMaster::with_tables(PoolMasterSettings::default(), tables))
+            }
+            "pick-pocket" => {
+                Box::new(PickPocket::with_tables(PickPocketSettings::default(), tables))
+            }
+            "cue-card" => Box::new(CueCard::with_tables(CueCardSettings::default(), tables)),
+            _ => {
+                return Err(Error::input(
+                    "player",
+                    format!("there is no player of the literature called \"{name}\""),
+                    format!("write one of {}", NAMES.join(", ")),
+                ));
+            }
+        })
+    }
+}
+
+/// The example of the documentation's page on these players.
+#[cfg(doctest)]
+#[doc = include_str!("../../../../docs/players.md")]
+struct Documentation;
