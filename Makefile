@@ -14,7 +14,8 @@ PY := $(BIN)/python
 # Stamp files: a step runs again if one of its sources is newer.
 TOOLS := $(VENV)/.tools
 BUILT := $(VENV)/.built
-RUST_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules crates/carom-plan crates/carom-env crates/carom-py -type f \
+RUST_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules crates/carom-plan crates/carom-mind \
+                  crates/carom-arena crates/carom-env crates/carom-py -type f \
                   \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \)) \
                 Cargo.toml Cargo.lock
 # npm writes this file last.

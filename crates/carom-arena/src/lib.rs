@@ -7,6 +7,7 @@
 //!   [`ArenaFrame::next`] gives the next request, [`ArenaFrame::answer`] takes the answer.
 //! - [`play_match`] plays the pairs of a [`MatchPlan`] on all cores. A folder holds what was played,
 //!   so that an interrupted match goes on where it stopped, to the same bytes.
+//! - [`BuiltInPlayer`] makes a player from its name, such as `carom:2000`.
 //! - [`MatchScore`], [`PairScores`] and [`SequentialTest`] are the statistics.
 //! - [`replay()`] plays a record, `carom-match/1`, again and compares every bit.
 //!
@@ -43,6 +44,7 @@
 //! the secret after it. docs/arena.md describes settings, records and statistics.
 
 mod arena_frame;
+mod built_in;
 mod clock;
 mod error;
 mod execution;
@@ -54,9 +56,11 @@ mod score;
 mod secret;
 mod sequential;
 mod settings;
+mod thinking_time;
 mod tournament;
 
 pub use arena_frame::{ArenaFrame, Ask, NextStep, REFUSALS};
+pub use built_in::BuiltInPlayer;
 pub use clock::{Clock, ClockPeriod, ClockUnit, Cost, expected_shots};
 pub use error::ArenaError;
 pub use ledger::RECORD;
@@ -67,4 +71,5 @@ pub use score::{FramePoints, MatchScore, PairScores, elo_of_share, share_of_elo}
 pub use secret::{PairSeeds, Secret};
 pub use sequential::{Hypothesis, SequentialTest, TestState};
 pub use settings::{Breaker, Disclosure, Match, MatchSettings, PlayerEntry, PlayerIndex};
+pub use thinking_time::ThinkingTime;
 pub use tournament::{MatchPlan, MatchReport, play_frame, play_match};

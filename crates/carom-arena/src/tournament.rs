@@ -3,10 +3,9 @@
 use core::sync::atomic::{AtomicU64, Ordering};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::Instant;
 
 use carom::Error;
-use carom::format::Node;
+use carom::format::{Node, Reader};
 use carom::runner::Runner;
 use carom_mind::{Budget, Player, Spent};
 use carom_plan::Progress;
@@ -17,11 +16,12 @@ use crate::clock::Cost;
 use crate::error::ArenaError;
 use crate::ledger::{Ledger, RECORD};
 use crate::moves::EndReason;
-use crate::record::{MatchHeader, frame_line};
+use crate::record::{MatchHeader, frame_line, read_agreement};
 use crate::score::{FramePoints, MatchScore};
 use crate::secret::Secret;
 use crate::sequential::{SequentialTest, TestState};
 use crate::settings::{Match, PlayerIndex};
+use crate::thinking_time::ThinkingTime;
 
 /// A match to play.
 #[derive(Clone, Debug)]
@@ -34,6 +34,18 @@ pub struct MatchPlan {
     pub test: Option<SequentialTest>,
     /// The secret, for experiments that can be repeated; `None` for one of the operating system.
     pub secret: Option<Secret>,
+}
+
+impl MatchPlan {
+    /// The plan that an object describes. It has the keys of a record's header (docs/arena.md)
+    /// without `format`, `engine` and `secret_sha256`.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with the key of a value that is missing, unknown or invalid.
+    pub fn from_node(node: &Node, secret: Option<Secret>) -> Result<Self, Error> {
+        let (of, pairs, test) = read_agreement(&Reader::new(node, ""))?;
+        Ok(Self { of, pairs, test, secret })
+    }
 }
 
 /// What a match has come to.
@@ -194,11 +206,9 @@ pub fn play_frame(
 ) -> Result<(), Error> {
     while let NextStep::Ask(ask) = frame.next() {
         // Without a clock of seconds no time is read: the target may have none.
-        let limit = ask.seconds().map(|limit| (limit, Instant::now()));
-        let elapsed =
-            || limit.map_or(0.0, |(_, start): (f64, Instant)| start.elapsed().as_secs_f64());
+        let time = ask.seconds().map(ThinkingTime::begin);
         let is_over =
-            |_: Spent| progress.is_stopped() || limit.is_some_and(|(limit, _)| elapsed() >= limit);
+            |_: Spent| progress.is_stopped() || time.as_ref().is_some_and(ThinkingTime::is_over);
         let budget = Budget {
             simulations: ask.simulations(),
             rounds: None,
@@ -206,7 +216,7 @@ pub fn play_frame(
             runner: Runner::new(Some(1))?,
         };
         let decided = players[ask.player].decide(&ask.situation, &budget);
-        let seconds = elapsed();
+        let seconds = time.as_ref().map_or(0.0, ThinkingTime::elapsed);
         if progress.is_stopped() {
             break;
         }

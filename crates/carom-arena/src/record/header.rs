@@ -121,18 +121,27 @@ impl MatchHeader {
         }
         header.keys(KEYS)?;
         let text = |key: &str| Ok(header.require(key, "a text")?.text("a text")?.to_owned());
-        let players = two(&header.require("players", "a list of two players")?, read_player)?;
-        let mut settings = read_settings(&header)?;
-        let mut of = Match::new(settings.clone(), players.clone())?;
-        if let Some(same) = header.get("same_break") {
-            settings.same_break = Some(read_play(of.start(), &same)?);
-            of = Match::new(settings, players)?;
-        }
-        let test = header.get("test").map(|test| read_test(&test)).transpose()?;
-        let pairs = read_whole(&header.require("pairs", "the number of pairs")?)?;
+        let (of, pairs, test) = read_agreement(&header)?;
         let (engine, secret_sha256) = (text("engine")?, text("secret_sha256")?);
-        Ok(Self { engine, of: of.into(), pairs, test, secret_sha256 })
+        Ok(Self { engine, of, pairs, test, secret_sha256 })
     }
+}
+
+/// The match, the number of its pairs and its test, from the keys of a header that everybody has to
+/// agree on: all but `format`, `engine` and `secret_sha256`.
+pub(crate) fn read_agreement(
+    header: &Reader<'_>,
+) -> Result<(Arc<Match>, u64, Option<SequentialTest>), Error> {
+    let players = two(&header.require("players", "a list of two players")?, read_player)?;
+    let mut settings = read_settings(header)?;
+    let mut of = Match::new(settings.clone(), players.clone())?;
+    if let Some(same) = header.get("same_break") {
+        settings.same_break = Some(read_play(of.start(), &same)?);
+        of = Match::new(settings, players)?;
+    }
+    let test = header.get("test").map(|test| read_test(&test)).transpose()?;
+    let pairs = read_whole(&header.require("pairs", "the number of pairs")?)?;
+    Ok((of.into(), pairs, test))
 }
 
 fn read_settings(header: &Reader<'_>) -> Result<MatchSettings, Error> {

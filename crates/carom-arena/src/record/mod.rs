@@ -14,6 +14,7 @@ use crate::secret::{LineHash, Secret};
 
 pub(crate) use frame_line::{Recorded, frame_line, frame_number, frame_points, read_moves};
 pub use header::MatchHeader;
+pub(crate) use header::read_agreement;
 
 /// The format's name, `format` of the header.
 pub const MATCH_FORMAT: &str = "carom-match/1";

@@ -1,0 +1,65 @@
+//! The wall clock of one decision.
+
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+/// Simulated shots of a round of the searching player, divided by those of the round before
+/// (`carom_mind::Settings::first_round`). The time of a round grows as much.
+const GROWTH: f64 = 2.0;
+
+/// The wall clock of one decision. It ends a search when the next round would probably not fit into
+/// the time that is left.
+#[derive(Debug)]
+pub struct ThinkingTime {
+    start: Instant,
+    /// s
+    limit: f64,
+    /// When [`Self::is_over`] was last asked, s after the start.
+    asked: Mutex<f64>,
+}
+
+impl ThinkingTime {
+    /// Starts the clock of a decision that may take `limit` seconds.
+    pub fn begin(limit: f64) -> Self {
+        Self { start: Instant::now(), limit, asked: Mutex::new(0.0) }
+    }
+
+    /// The time since the start, s.
+    pub fn elapsed(&self) -> f64 {
+        self.start.elapsed().as_secs_f64()
+    }
+
+    /// Whether the search should end now. Ask it once after every round: the next round is expected
+    /// to take twice as long as the one that has just ended.
+    pub fn is_over(&self) -> bool {
+        let now = self.elapsed();
+        let mut asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        let last_round = now - core::mem::replace(&mut *asked, now);
+        now + GROWTH * last_round > self.limit
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ThinkingTime;
+    use std::thread::sleep;
+    use std::time::Duration;
+
+    #[test]
+    fn no_round_begins_that_would_probably_not_fit() {
+        // The first round took at least 50 ms, so the second one would end after 150 ms.
+        for (limit, is_over) in [(0.1, true), (1e6, false), (f64::INFINITY, false)] {
+            let time = ThinkingTime::begin(limit);
+            sleep(Duration::from_millis(50));
+            assert_eq!(time.is_over(), is_over, "{limit}");
+        }
+    }
+
+    #[test]
+    fn the_next_round_is_expected_to_last_twice_as_long_as_the_last_one() {
+        let time = ThinkingTime::begin(1e6);
+        sleep(Duration::from_millis(20));
+        assert!(!time.is_over());
+        assert!(time.elapsed() >= 0.02);
+    }
+}
