@@ -100,6 +100,9 @@ pub fn search<'a>(
             break;
         }
     }
+    if settings.stated > 1 {
+        distinct_first(&mut candidates);
+    }
     let stated = settings.stated.min(candidates.len());
     spent.simulations += race.freshen(&mut candidates[..stated], fresh)?;
     Ok(Found { candidates, prepared, spent })
@@ -174,6 +177,21 @@ fn are_alike(a: &Candidate, b: &Candidate) -> bool {
     let (x, y) = (ea[0] - eb[0], ea[1] - eb[1]);
     (la.object, la.pocket, la.kind, a.place) == (lb.object, lb.pocket, lb.kind, b.place)
         && x * x + y * y < ALIKE * ALIKE
+}
+
+/// Moves the best candidate of each aim (kind, ball and pocket) before all others, and keeps the
+/// order otherwise. Without
+/// this a list of a few plays would show one pot in several variants.
+fn distinct_first(candidates: &mut Vec<Candidate>) {
+    let mut aims = Vec::new();
+    let (first, rest): (Vec<_>, Vec<_>) = candidates.drain(..).partition(|candidate| {
+        let aim = (candidate.kind, candidate.line.map(|line| (line.object, line.pocket)));
+        let is_new = !aims.contains(&aim);
+        aims.push(aim);
+        is_new
+    });
+    candidates.extend(first);
+    candidates.extend(rest);
 }
 
 /// Adds the finalists moved uphill.
