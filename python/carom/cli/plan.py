@@ -5,78 +5,48 @@ from __future__ import annotations
 import json as js
 import math
 import sys
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 import carom
-from carom import Call, CushionTable, Frame, Noise, Perception, Shot, Strike
+from carom import Call, CushionTable, Frame, Perception, Shot, Strike
 from carom.batch import own_strike
 from carom.cli import renamed
-from carom.cli.output import emit, read, save
+from carom.cli.options import (
+    Cling,
+    File,
+    Json,
+    Level,
+    NoiseName,
+    Png,
+    Precise,
+    Seed,
+    Sight,
+    Svg,
+    draw,
+    noise_of,
+    title_of,
+)
+from carom.cli.output import emit, read
 from carom.errors import InputError
 from carom.lazy import LazyModule
 from carom.plan.chance import or_null
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     import numpy as np
-    from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
     from carom.picture import evaluation as evaluation_picture
     from carom.picture import maps as maps_picture
-    from carom.picture import output as picture_output
     from carom.picture import solutions as solutions_picture
     from carom.picture.maps import Drawn
 else:
     # Matplotlib takes half a second to load.
     evaluation_picture = LazyModule("carom.picture.evaluation")
     maps_picture = LazyModule("carom.picture.maps")
-    picture_output = LazyModule("carom.picture.output")
     solutions_picture = LazyModule("carom.picture.solutions")
-
-File = Annotated[str, typer.Argument(metavar="FILE", help="A shot file; - is stdin.")]
-NoiseName = Annotated[
-    str,
-    typer.Option(
-        "--noise",
-        metavar="NAME",
-        help="beginner, casual, club, advanced, professional or olympiad; "
-        "a multiplier may follow, as in olympiad:0.5.",
-    ),
-]
-Cling = Annotated[
-    float,
-    typer.Option(
-        "--cling",
-        metavar="P",
-        help="Probability with which a contact of two balls clings (kick, skid), 0 to 1.",
-    ),
-]
-Sight = Annotated[
-    float,
-    typer.Option(
-        "--perception",
-        metavar="SIGMA",
-        help="Standard deviation of true minus perceived positions, per coordinate, m.",
-    ),
-]
-Precise = Annotated[
-    float | None,
-    typer.Option(
-        "--precision",
-        help="Stop counting a chance when half the width of its interval, 0 to 1, is at most this.",
-    ),
-]
-Level = Annotated[float, typer.Option(help="Confidence level of the intervals.")]
-Seed = Annotated[int, typer.Option(help="Seed of the random numbers.")]
-Svg = Annotated[Path | None, typer.Option("--svg", metavar="OUT", help="Write a picture (SVG).")]
-Png = Annotated[Path | None, typer.Option("--png", metavar="OUT", help="Write a picture (PNG).")]
-Json = Annotated[bool, typer.Option("--json", help="Print the answer as JSON.")]
 
 
 def evaluate(
@@ -128,7 +98,7 @@ def evaluate(
     announced = None if call is None else _call(call)
     shot, frame = (shot, None) if game is None else _in_game(shot, game, announced)
     answer = shot.evaluate(
-        _noise(noise, cling),
+        noise_of(noise, cling),
         n,
         perception=Perception(perception),
         seed=seed,
@@ -139,7 +109,7 @@ def evaluate(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    _draw(lambda: evaluation_picture.draw(answer, title=_title(file)), svg=svg, png=png)
+    draw(lambda: evaluation_picture.draw(answer, title=title_of(file)), svg=svg, png=png)
     emit(js.dumps(answer.to_dict()) if json else str(answer))
 
 
@@ -201,7 +171,7 @@ def solve(
         pot=None if pot is None else _ball_and_pocket(pot),
         leave=area,
         first=first,
-        noise=_noise(noise, cling),
+        noise=noise_of(noise, cling),
         perception=Perception(perception),
         wanted=wanted,
         per_route=per_route,
@@ -214,8 +184,8 @@ def solve(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    _draw(
-        lambda: solutions_picture.draw(shot, found, leave=area, title=_title(file)),
+    draw(
+        lambda: solutions_picture.draw(shot, found, leave=area, title=title_of(file)),
         svg=svg,
         png=png,
     )
@@ -259,7 +229,7 @@ def map_pot(
     found = shot.pot_map(
         ball,
         pocket,
-        noise=_noise(noise, cling),
+        noise=noise_of(noise, cling),
         perception=Perception(perception),
         columns=columns,
         n=n,
@@ -391,7 +361,7 @@ def map_bank(
 
 
 def _show_cushions(found: CushionTable, *, json: bool, svg: Path | None, png: Path | None) -> None:
-    _draw(lambda: maps_picture.draw(found), svg=svg, png=png)
+    draw(lambda: maps_picture.draw(found), svg=svg, png=png)
     if json:
         rows = {
             "azimuth": found.azimuth,
@@ -441,7 +411,7 @@ def stats_break(
     found = carom.break_statistics(
         game,
         racks,
-        noise=_noise(noise, cling),
+        noise=noise_of(noise, cling),
         table=table,
         speed=speed,
         gap=gap,
@@ -451,7 +421,7 @@ def stats_break(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    _draw(lambda: maps_picture.draw(found), svg=svg, png=png)
+    draw(lambda: maps_picture.draw(found), svg=svg, png=png)
     emit(js.dumps(found.to_dict()) if json else str(found))
 
 
@@ -459,18 +429,11 @@ def _show(
     found: Drawn, rows: dict[str, Any], *, json: bool, svg: Path | None, png: Path | None
 ) -> None:
     """Write pictures to files, and to stdout the rows as JSON or a table of text."""
-    _draw(lambda: maps_picture.draw(found), svg=svg, png=png)
+    draw(lambda: maps_picture.draw(found), svg=svg, png=png)
     if json:
         emit(js.dumps({name: or_null(values.tolist()) for name, values in rows.items()}))
     else:
         emit(str(found))
-
-
-def _draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) -> None:
-    if svg is not None:
-        save(svg, picture_output.to_svg(figure()))
-    if png is not None:
-        save(png, picture_output.to_png(figure()))
 
 
 def _degrees(name: str, radians: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
@@ -481,11 +444,6 @@ def _degrees(name: str, radians: NDArray[np.float64]) -> dict[str, NDArray[np.fl
 def _ball_and_pocket(text: str) -> str | tuple[str, str]:
     ball, colon, pocket = text.partition(":")
     return (ball, pocket) if colon else ball
-
-
-def _noise(name: str, cling: float) -> Noise:
-    """The preset of this name, with this probability of a cling."""
-    return replace(Noise.preset(name), cling_probability=cling)
 
 
 def _call(text: str) -> Call:
@@ -500,10 +458,6 @@ def _in_game(shot: Shot, game: str, call: Call | None) -> tuple[Shot, Frame]:
     strike = Strike(*own_strike(shot._core))
     frame = Frame.of_shot(game, shot)
     return frame.shot(strike, call=call), frame
-
-
-def _title(file: str) -> str:
-    return "shot" if file == "-" else Path(file).stem.replace("_", " ").replace("-", " ")
 
 
 def _numbers(name: str, text: str, separator: str, shape: str, count: int = 3) -> list[float]:

@@ -1,0 +1,80 @@
+"""Options that several commands share, and what they stand for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from carom import Noise
+from carom.cli.output import save
+from carom.lazy import LazyModule
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from matplotlib.figure import Figure
+
+    from carom.picture import output as picture_output
+else:
+    # Matplotlib takes half a second to load.
+    picture_output = LazyModule("carom.picture.output")
+
+File = Annotated[str, typer.Argument(metavar="FILE", help="A shot file; - is stdin.")]
+NoiseName = Annotated[
+    str,
+    typer.Option(
+        "--noise",
+        metavar="NAME",
+        help="beginner, casual, club, advanced, professional or olympiad; "
+        "a multiplier may follow, as in olympiad:0.5.",
+    ),
+]
+Cling = Annotated[
+    float,
+    typer.Option(
+        "--cling",
+        metavar="P",
+        help="Probability with which a contact of two balls clings (kick, skid), 0 to 1.",
+    ),
+]
+Sight = Annotated[
+    float,
+    typer.Option(
+        "--perception",
+        metavar="SIGMA",
+        help="Standard deviation of true minus perceived positions, per coordinate, m.",
+    ),
+]
+Precise = Annotated[
+    float | None,
+    typer.Option(
+        "--precision",
+        help="Stop counting a chance when half the width of its interval, 0 to 1, is at most this.",
+    ),
+]
+Level = Annotated[float, typer.Option(help="Confidence level of the intervals.")]
+Seed = Annotated[int, typer.Option(help="Seed of the random numbers.")]
+Svg = Annotated[Path | None, typer.Option("--svg", metavar="OUT", help="Write a picture (SVG).")]
+Png = Annotated[Path | None, typer.Option("--png", metavar="OUT", help="Write a picture (PNG).")]
+Json = Annotated[bool, typer.Option("--json", help="Print the answer as JSON.")]
+
+
+def draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) -> None:
+    """Write the picture to the files that were asked for; without any it is not drawn."""
+    if svg is not None:
+        save(svg, picture_output.to_svg(figure()))
+    if png is not None:
+        save(png, picture_output.to_png(figure()))
+
+
+def noise_of(name: str, cling: float) -> Noise:
+    """The preset of this name, with this probability of a cling."""
+    return replace(Noise.preset(name), cling_probability=cling)
+
+
+def title_of(file: str) -> str:
+    """The heading of a picture, from the name of the file."""
+    return "shot" if file == "-" else Path(file).stem.replace("_", " ").replace("-", " ")
