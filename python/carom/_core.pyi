@@ -1,6 +1,7 @@
 """The extension module in Rust: conversions only. Private; the package ``carom`` is the API."""
 
 from collections.abc import Callable, Sequence
+from os import PathLike
 from typing import Any, NoReturn, final
 
 import numpy as np
@@ -9,9 +10,11 @@ from numpy.typing import NDArray
 from carom.env.settings import Settings
 from carom.noise import Noise, Perception
 from carom.plan.options import Goal, Sampling, Search
+from carom.player.thinking import Thinking
 
 __all__ = [
     "Frame",
+    "Player",
     "Shot",
     "Trace",
     "VectorEnv",
@@ -33,7 +36,9 @@ __all__ = [
     "olympiad",
     "physics",
     "plain",
+    "play_match",
     "play_rows",
+    "players",
     "points",
     "position_map",
     "pot_map",
@@ -41,6 +46,7 @@ __all__ = [
     "read_json",
     "read_number",
     "read_whole",
+    "replay_match",
     "rolling_bands",
     "row_shot",
     "rule_sets",
@@ -269,6 +275,31 @@ def physics() -> list[dict[str, Any]]: ...
 def tables() -> list[dict[str, Any]]: ...
 def schema(kind: str) -> str: ...
 def rule_sets() -> list[str]: ...
+
+@final
+class Player:
+    def __new__(cls, name: str) -> Player: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def simulations(self) -> int | None: ...
+    def stop(self) -> None: ...
+    def choose(self, frame: Frame, thinking: Thinking, threads: int) -> dict[str, Any]: ...
+    def explain(
+        self, frame: Frame, thinking: Thinking, plays: int, threads: int
+    ) -> dict[str, Any]: ...
+
+def players() -> list[str]: ...
+def play_match(
+    players: tuple[str, str],
+    agreed: object,
+    secret: str | None,
+    folder: PathLike[str],
+    level: float,
+    threads: int,
+    report: _Report,
+) -> dict[str, Any]: ...
+def replay_match(text: str, level: float, threads: int, report: _Report) -> dict[str, Any]: ...
 
 @final
 class VectorEnv:

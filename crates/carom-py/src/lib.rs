@@ -1,5 +1,6 @@
 //! The Python module `carom._core`: conversions, no logic. The public API is `python/carom`.
 
+mod arena;
 mod batch;
 mod env;
 mod error;
@@ -8,6 +9,7 @@ mod maps;
 mod node;
 mod options;
 mod plan;
+mod player;
 mod progress;
 mod reference;
 mod rolling;
@@ -24,6 +26,8 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
+    use crate::arena::{play_match, replay_match};
+    #[pymodule_export]
     use crate::batch::{
         check_noise, check_perception, draw_strikes, noise_presets, olympiad, see, simulate_batch,
         simulate_strikes, simulate_variants, variant,
@@ -38,6 +42,8 @@ mod _core {
     use crate::node::plain;
     #[pymodule_export]
     use crate::plan::{evaluate, solve, stages, wilson};
+    #[pymodule_export]
+    use crate::player::{Player, players};
     #[pymodule_export]
     use crate::reference::{break_presets, break_shot, games, physics, schema, tables};
     #[pymodule_export]
