@@ -40,6 +40,7 @@ from carom.plan import (
     pot_map,
     solve,
 )
+from carom.player import Analysis, Decision, Leave, Play, Player, Recommendation, players
 from carom.racks import break_presets, break_shot
 from carom.reference import physics, schema, tables
 from carom.rules import Frame, Ruling, rule_sets
@@ -56,24 +57,30 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Acceptance",
+    "Analysis",
     "BatchResult",
     "BreakStatistics",
     "Call",
     "CaromError",
     "Chance",
     "CushionTable",
+    "Decision",
     "Evaluation",
     "EventCapError",
     "Frame",
     "InputError",
     "Layout",
+    "Leave",
     "Noise",
     "NoisyResult",
     "PageError",
     "Perception",
     "Physics",
+    "Play",
+    "Player",
     "PositionMap",
     "PotMap",
+    "Recommendation",
     "Ruling",
     "Shot",
     "Snapshot",
@@ -91,6 +98,7 @@ __all__ = [
     "evaluate",
     "kick_table",
     "physics",
+    "players",
     "position_map",
     "pot_map",
     "rolling_bands",

@@ -252,14 +252,14 @@ def vary(
     return NoisyResult(ends.final_position, ends.pocket, ends.events, ends.errors, *strikes)
 
 
-def noise_or_default(noise: Noise | None) -> Noise:
-    """The noise; the Olympiad's if None.
+def noise_or_default(noise: Noise | None, name: str = "noise") -> Noise:
+    """The noise; the Olympiad's if None. The error calls the argument ``name``.
 
     Raises:
         InputError: It is neither None nor a ``carom.Noise``.
     """
     return instance(
-        "noise", Noise.olympiad() if noise is None else noise, Noise, 'carom.Noise.preset("club")'
+        name, Noise.olympiad() if noise is None else noise, Noise, 'carom.Noise.preset("club")'
     )
 
 

@@ -22,6 +22,7 @@ from carom.cli import (
     renamed,
     shots,
     sweep,
+    think,
 )
 from carom.cli.output import say, say_json
 from carom.errors import EventCapError, InputError, PageError
@@ -44,6 +45,7 @@ app.command("evaluate")(plan.evaluate)
 app.command("solve", cls=renamed.command(elevation="elevation-deg", of_a_way="per-route"))(
     plan.solve
 )
+app.command("think")(think.think)
 app.add_typer(plan.maps, name="map")
 app.add_typer(plan.stats, name="stats")
 app.command("sweep")(sweep.sweep)

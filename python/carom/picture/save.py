@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING
 
 from carom.errors import InputError
 from carom.files import checked_path
-from carom.picture import canvas, evaluation, maps, solutions
+from carom.picture import canvas, evaluation, maps, plays, solutions
 from carom.picture.output import to_png, to_svg
 from carom.plan import Evaluation, Solution
+from carom.player import Analysis
 from carom.trace import Trace
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def save(
-    found: Trace | Evaluation | Sequence[Solution] | Drawn,
+    found: Trace | Evaluation | Analysis | Sequence[Solution] | Drawn,
     path: str | os.PathLike[str],
     *,
     title: str | None = None,
@@ -30,8 +31,8 @@ def save(
     """Write the picture of an answer to a file; the same file for the same answer.
 
     Args:
-        found: A trace, the result of ``Shot.evaluate`` or ``Shot.solve``, a map, a table of
-            cushion shots, or statistics of breaks.
+        found: A trace, the result of ``Shot.evaluate``, ``Shot.solve`` or ``Player.explain``, a
+            map, a table of cushion shots, or statistics of breaks.
         path: The file. Its ending chooses the format: ``.svg`` or ``.png``.
         title: Heading; None writes a default one.
         leave: For solutions, the disc that was passed to ``solve``, to be drawn as well.
@@ -50,7 +51,7 @@ def save(
 
 
 def _draw(
-    found: Trace | Evaluation | Sequence[Solution] | Drawn,
+    found: Trace | Evaluation | Analysis | Sequence[Solution] | Drawn,
     title: str | None,
     leave: tuple[Sequence[float], float] | None,
 ) -> Figure:
@@ -58,6 +59,8 @@ def _draw(
         return canvas.draw(found, title=title)
     if isinstance(found, Evaluation):
         return evaluation.draw(found, title=title)
+    if isinstance(found, Analysis):
+        return plays.draw(found, title=title)
     if isinstance(found, list | tuple):
         if not all(isinstance(item, Solution) for item in found):
             raise InputError("found: not a list of solutions; give what Shot.solve returned")

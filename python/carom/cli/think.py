@@ -1,0 +1,147 @@
+"""``carom think``: the best plays of a position."""
+
+from __future__ import annotations
+
+import json as js
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from carom import Frame, Noise, Perception, Player, Shot
+from carom.cli.options import (
+    Cling,
+    Json,
+    NoiseName,
+    Png,
+    Seed,
+    Sight,
+    Svg,
+    draw,
+    noise_of,
+    title_of,
+)
+from carom.cli.output import emit, read
+from carom.errors import InputError
+from carom.lazy import LazyModule
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from carom.picture import plays as plays_picture
+else:
+    # Matplotlib takes half a second to load.
+    plays_picture = LazyModule("carom.picture.plays")
+
+
+def think(
+    file: Annotated[
+        str,
+        typer.Argument(
+            metavar="FILE", help="A shot file, or the record of a frame (Frame.record); - is stdin."
+        ),
+    ],
+    game: Annotated[
+        str | None,
+        typer.Option(
+            help="The game, for a shot file; the shot's strike is not used. A record has its game."
+        ),
+    ] = None,
+    player: Annotated[
+        str, typer.Option(metavar="NAME", help="The player, such as carom or carom:2000.")
+    ] = "carom",
+    noise: NoiseName = "olympiad",
+    opponent_noise: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME", help="The opponent's noise, as --noise; default: that of the player."
+        ),
+    ] = None,
+    cling: Cling = 0.0,
+    perception: Sight = 0.0,
+    simulations: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N",
+            help="Largest number of simulated shots; default: 20000, or no limit with --time or "
+            "--rounds.",
+        ),
+    ] = None,
+    time: Annotated[
+        float | None,
+        typer.Option(
+            metavar="SECONDS",
+            help="No round of the search begins that would probably end later.",
+        ),
+    ] = None,
+    rounds: Annotated[
+        int | None,
+        typer.Option(metavar="N", help="Largest number of rounds; repeats a search with --time."),
+    ] = None,
+    plays: Annotated[int, typer.Option(min=1, help="Largest number of plays printed.")] = 5,
+    seed: Seed = 0,
+    threads: Annotated[
+        int | None, typer.Option(min=1, help="Number of threads; default: one per core.")
+    ] = None,
+    json: Json = False,
+    svg: Svg = None,
+    png: Png = None,
+) -> None:
+    """Print the best plays of a position, with the chances of winning.
+
+    If the frame requests a choice, print the best choice. Ctrl-C ends the search after its present
+    round; the result so far is printed.
+    """
+    frame = _frame(read(file), game)
+    thinker = Player(
+        player,
+        noise=noise_of(noise, cling),
+        perception=Perception(perception),
+        simulations=simulations,
+        time=time,
+        rounds=rounds,
+        seed=seed,
+        threads=threads,
+    )
+    opponent = None if opponent_noise is None else _opponent(opponent_noise, cling)
+    if frame.request.kind == "choice":
+        _refuse_picture(svg, png)
+        decision = thinker.choose(frame, opponent_noise=opponent)
+        emit(js.dumps(decision.to_dict()) if json else str(decision))
+        return
+    analysis = thinker.explain(frame, plays, opponent_noise=opponent)
+    title = frame.game if file == "-" else title_of(file)
+    draw(lambda: plays_picture.draw(analysis, title=title), svg=svg, png=png)
+    emit(js.dumps(analysis.to_dict()) if json else str(analysis))
+
+
+def _opponent(name: str, cling: float) -> Noise:
+    try:
+        return noise_of(name, cling)
+    except InputError as error:
+        raise InputError(f"--opponent-noise: {error}") from None
+
+
+def _frame(text: str, game: str | None) -> Frame:
+    """The frame of a record, or the frame of the game that begins with the balls of a shot file."""
+    try:
+        file = js.loads(text)
+    except (ValueError, RecursionError):
+        file = None
+    if isinstance(file, dict) and str(file.get("format", "")).startswith("carom-frame"):
+        if game is not None:
+            raise InputError("--game: the record of a frame has its game; leave the option out")
+        return Frame.replay(file)
+    # The error for any other text describes a shot file.
+    shot = Shot.from_json(text)
+    if game is None:
+        raise InputError("--game: a shot file has no game; give one, such as --game eight-ball")
+    return Frame.of_shot(game, shot)
+
+
+def _refuse_picture(svg: Path | None, png: Path | None) -> None:
+    for option, path in (("--svg", svg), ("--png", png)):
+        if path is not None:
+            raise InputError(
+                f"{option}: the frame requests a choice, and there is no play to draw; "
+                "leave the option out"
+            )

@@ -1,0 +1,9 @@
+"""Players: programs that choose a shot, and explain the choice."""
+
+from __future__ import annotations
+
+from carom.player.analysis import Analysis, Leave, Recommendation
+from carom.player.decision import Decision, Play
+from carom.player.player import Player, players
+
+__all__ = ["Analysis", "Decision", "Leave", "Play", "Player", "Recommendation", "players"]

@@ -1,0 +1,156 @@
+"""A player's answer to the request of a frame."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any, Self
+
+from carom.arguments import instance
+from carom.build import Strike
+from carom.call import Call
+from carom.player import words
+from carom.rules import Frame, Ruling
+from carom.shot import Shot
+
+
+@dataclass(frozen=True, slots=True)
+class Play:
+    """A shot as the player intends it: ``frame.play(play.strike, ...)`` has these arguments.
+
+    Attributes:
+        strike: The strike of the cue ball, with its elevation.
+        cue_ball: Where the cue ball is placed first (x, y in m), if it is in hand.
+        call: What the player announces.
+    """
+
+    strike: Strike
+    cue_ball: tuple[float, float] | None = None
+    call: Call | None = None
+
+    @classmethod
+    def _read(cls, fields: dict[str, Any]) -> Self:
+        """The play from its values in Rust."""
+        speed, azimuth, elevation, side, height = fields["strike"]
+        kind, ball, pocket = fields["call"]
+        x_and_y = fields["cue_ball"]
+        return cls(
+            strike=Strike(speed, azimuth, elevation, side, height),
+            cue_ball=None if x_and_y is None else (x_and_y[0], x_and_y[1]),
+            call=None if kind == "nothing" else Call(kind, ball, pocket),
+        )
+
+    def shot(self, frame: Frame) -> Shot:
+        """The shot that this play gives in ``frame``, ready to simulate.
+
+        Raises:
+            InputError: The frame does not request a shot, or does not allow this play.
+        """
+        return _frame(frame).shot(self.strike, cue_ball=self.cue_ball, call=self.call)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON, in the form of a frame's record."""
+        strike = {key: getattr(self.strike, key) for key in _STRIKE}
+        play = {
+            "strike": strike,
+            "cue_ball": self.cue_ball and list(self.cue_ball),
+            "call": self.call and asdict(self.call),
+        }
+        return {key: value for key, value in play.items() if value}
+
+    def __str__(self) -> str:
+        s = self.strike
+        parts = [words.strike(s.speed, s.side, s.height, s.elevation or 0.0)]
+        if self.call is not None:
+            parts.insert(0, _call(self.call))
+        if self.cue_ball is not None:
+            parts.append(f"cue ball at {words.place(self.cue_ball)} m")
+        return ", ".join(parts)
+
+
+# The values of a strike in a record.
+_STRIKE = ("speed", "azimuth", "elevation", "side", "height")
+
+
+def _call(call: Call) -> str:
+    """A call in words."""
+    if call.kind == "pocket":
+        return f"{call.ball} into {call.into}"
+    return f"{call.ball} is on" if call.kind == "on" else call.kind
+
+
+@dataclass(frozen=True, slots=True)
+class Decision:
+    """A player's decision. ``apply`` gives it to the frame.
+
+    Attributes:
+        play: The shot; None if the decision is a choice or a concession.
+        choice: The chosen one of ``request.choices``; None if it is a shot or a concession.
+        win_chance: The probability with which the player expects to win the frame; None if the
+            player does not estimate it.
+        simulations: Number of simulated shots of the decision.
+        rounds: Number of rounds of the search. A player with ``rounds=`` of this number and
+            otherwise the same arguments decides the same, also if a clock or Ctrl-C ended the
+            search.
+        interrupted: Whether Ctrl-C or ``Player.stop`` ended the search.
+    """
+
+    play: Play | None
+    choice: str | None
+    win_chance: float | None
+    simulations: int
+    rounds: int
+    interrupted: bool
+
+    @classmethod
+    def _read(cls, fields: dict[str, Any]) -> Self:
+        """The decision from its values in Rust."""
+        play = fields["play"]
+        return cls(**{**fields, "play": None if play is None else Play._read(play)})
+
+    @property
+    def concession(self) -> bool:
+        """Whether the player gives up the frame."""
+        return self.play is None and self.choice is None
+
+    def apply(self, frame: Frame) -> Ruling:
+        """Answer the frame's request: play the shot exactly as intended, choose, or concede.
+
+        To play the shot with the player's errors, draw them first::
+
+            strike = noise.draw(decision.play.shot(frame), index)
+            frame.play(strike, cue_ball=decision.play.cue_ball, call=decision.play.call)
+
+        Raises:
+            InputError: The frame does not request this, or does not allow it.
+            EventCapError: As for ``Frame.play``.
+        """
+        frame = _frame(frame)
+        if self.play is not None:
+            play = self.play
+            return frame.play(play.strike, cue_ball=play.cue_ball, call=play.call)
+        return frame.concede() if self.choice is None else frame.choose(self.choice)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON: ``play``, ``choice`` or ``concede``, and what it cost."""
+        if self.play is not None:
+            answer: dict[str, Any] = {"play": self.play.to_dict()}
+        else:
+            answer = {"concede": True} if self.choice is None else {"choice": self.choice}
+        return answer | {
+            "win_chance": self.win_chance,
+            "simulations": self.simulations,
+            "rounds": self.rounds,
+            "interrupted": self.interrupted,
+        }
+
+    def __str__(self) -> str:
+        answer = "concede" if self.play is None else str(self.play)
+        if self.choice is not None:
+            answer = self.choice
+        if self.win_chance is None:
+            return answer
+        return f"{answer}; wins {words.percent(self.win_chance)}"
+
+
+def _frame(frame: Frame) -> Frame:
+    return instance("frame", frame, Frame, 'carom.Frame("nine-ball")')

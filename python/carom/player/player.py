@@ -1,0 +1,189 @@
+"""The players that carom has built in."""
+
+from __future__ import annotations
+
+from carom import _core
+from carom.arguments import instance, text, thread_count, whole
+from carom.errors import InputError
+from carom.noise import Noise, Perception
+from carom.player.analysis import Analysis
+from carom.player.decision import Decision
+from carom.player.thinking import MOST_SIMULATIONS, USUAL_SIMULATIONS, Thinking
+from carom.rules import Frame
+from carom.shot import Shot
+
+# Most plays of an analysis: more than a search has candidates.
+_MOST_PLAYS = 1000
+
+
+class Player:
+    """A player that chooses shots and explains them.
+
+    ::
+
+        frame = carom.Frame("eight-ball", seed=7)
+        player = carom.Player(noise=carom.Noise.preset("club"))
+        while not frame.over:
+            player.choose(frame).apply(frame)
+
+    A decision depends only on the frame, the errors of both players, the seed and the budget: it
+    has the same bits for any number of threads, on every platform. The search works in rounds,
+    each with twice as many simulated shots as the one before. It ends when the budget is spent. A
+    clock ends it between two rounds, so a decision with ``time=`` depends on the machine;
+    ``rounds=`` with the number of rounds of such a decision repeats it.
+
+    Ctrl-C ends the search after its present round, and the best play so far is returned, with
+    ``interrupted`` set. A second Ctrl-C raises KeyboardInterrupt.
+
+    Args:
+        level: The name of a built-in player (``carom.players()`` lists them). A number of
+            simulated shots may follow, as in ``carom:2000``. None is ``carom``.
+        noise: Errors of the player's strikes; the Olympiad's if None.
+        perception: Errors of the positions that the player sees; none if None.
+        simulations: Largest number of simulated shots of a decision. None is the number in
+            ``level``, else 20 000, or no limit if ``time`` or ``rounds`` is given.
+        time: Wall-clock time of a decision, s. No round begins that would probably end later, but
+            every decision has at least one round.
+        rounds: Largest number of rounds of a decision.
+        seed: Seed of the random numbers of each decision.
+        threads: Number of threads; None is one per core. Decisions do not depend on it.
+
+    Raises:
+        InputError: There is no such player, or a value has the wrong type or is out of range.
+    """
+
+    def __init__(
+        self,
+        level: str | None = None,
+        *,
+        noise: Noise | None = None,
+        perception: Perception | None = None,
+        simulations: int | None = None,
+        time: float | None = None,
+        rounds: int | None = None,
+        seed: int = 0,
+        threads: int | None = None,
+    ) -> None:
+        name = "carom" if level is None else text("level", level, '"carom"')
+        self._core = _core.Player(name)
+        named = self._core.simulations
+        if simulations is None:
+            unlimited = time is not None or rounds is not None
+            simulations = named or (MOST_SIMULATIONS if unlimited else USUAL_SIMULATIONS)
+        elif named is not None:
+            raise InputError(
+                f"simulations: the name {name!r} has a number of them too; write only one"
+            )
+        self._thinking = Thinking(
+            noise=noise,
+            perception=perception,
+            seed=seed,
+            simulations=simulations,
+            rounds=rounds,
+            time=time,
+        )
+        thread_count(threads)
+        self._threads = threads
+
+    @property
+    def name(self) -> str:
+        """The name of the built-in player."""
+        return self._core.name
+
+    def choose(
+        self,
+        frame: Frame | Shot,
+        *,
+        game: str | None = None,
+        noise: Noise | None = None,
+        opponent_noise: Noise | None = None,
+    ) -> Decision:
+        """Answer the request of a frame. The frame is not changed.
+
+        Args:
+            frame: The frame; or a shot, of which table, physics and balls are used.
+            game: The game, for a shot.
+            noise: Errors of the player's strikes in this decision; None is the player's.
+            opponent_noise: Errors of the opponent's strikes; None is those of the player.
+
+        Raises:
+            InputError: The frame is over, a value has the wrong type, or the balls of the shot do
+                not fit the game.
+            EventCapError: A simulated shot reached its largest number of events.
+        """
+        position, thinking = _frame_of(frame, game), self._options(noise, opponent_noise)
+        fields = self._core.choose(position._core, thinking, thread_count(self._threads))
+        return Decision._read(fields)
+
+    def explain(
+        self,
+        frame: Frame | Shot,
+        count: int = 5,
+        *,
+        game: str | None = None,
+        noise: Noise | None = None,
+        opponent_noise: Noise | None = None,
+    ) -> Analysis:
+        """The best plays of a position with their chances. The frame is not changed.
+
+        The chances of every play are counted with errors of their own, after the search.
+
+        Args:
+            frame: The frame, which requests a shot; or a shot, of which table, physics and balls
+                are used.
+            count: Largest number of plays.
+            game: The game, for a shot.
+            noise: Errors of the player's strikes in this search; None is the player's.
+            opponent_noise: Errors of the opponent's strikes; None is those of the player.
+
+        Raises:
+            InputError: The frame is over or requests a choice, a value has the wrong type, or the
+                balls of the shot do not fit the game.
+            EventCapError: A simulated shot reached its largest number of events.
+        """
+        position, thinking = _frame_of(frame, game).copy(), self._options(noise, opponent_noise)
+        most = whole("count", count, _MOST_PLAYS + 1, low=1)
+        threads = thread_count(self._threads)
+        fields = self._core.explain(position._core, thinking, most, threads)
+        return Analysis._read(fields, position, thinking)
+
+    def stop(self) -> None:
+        """End the decisions in progress, from another thread.
+
+        Each returns the best play so far when its present round ends.
+        """
+        self._core.stop()
+
+    def _options(self, noise: Noise | None, opponent_noise: Noise | None) -> Thinking:
+        own = self._thinking
+        return Thinking(
+            noise=own.noise if noise is None else noise,
+            opponent_noise=opponent_noise,
+            perception=own.perception,
+            seed=own.seed,
+            simulations=own.simulations,
+            rounds=own.rounds,
+            time=own.time,
+        )
+
+    def __repr__(self) -> str:
+        own = self._thinking
+        limits = {"simulations": own.simulations, "rounds": own.rounds, "time": own.time}
+        given = ", ".join(f"{key}={value}" for key, value in limits.items() if value is not None)
+        return f"<carom.Player {self.name!r}: {given}, seed={own.seed}>"
+
+
+def players() -> list[str]:
+    """The names of the built-in players, for ``carom.Player`` and ``carom match``."""
+    return _core.players()
+
+
+def _frame_of(frame: Frame | Shot, game: str | None) -> Frame:
+    if isinstance(frame, Shot):
+        if game is None:
+            raise InputError('game: a shot has no game; give one, such as game="eight-ball"')
+        return Frame.of_shot(game, frame)
+    instance("frame", frame, Frame, 'carom.Frame("nine-ball")')
+    if game is not None:
+        raise InputError("game: the frame has a game; leave it out")
+    return frame
