@@ -16,6 +16,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from carom._core import __version__
+from carom.arena import MatchReplay, MatchResult, play_match, replay_match
 from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
 from carom.call import Call
@@ -71,6 +72,8 @@ __all__ = [
     "InputError",
     "Layout",
     "Leave",
+    "MatchReplay",
+    "MatchResult",
     "Noise",
     "NoisyResult",
     "PageError",
@@ -98,9 +101,11 @@ __all__ = [
     "evaluate",
     "kick_table",
     "physics",
+    "play_match",
     "players",
     "position_map",
     "pot_map",
+    "replay_match",
     "rolling_bands",
     "rule_sets",
     "schema",

@@ -16,6 +16,7 @@ from carom.cli import (
     INTERRUPTED,
     convert,
     engine,
+    match,
     plan,
     play,
     reference,
@@ -46,6 +47,7 @@ app.command("solve", cls=renamed.command(elevation="elevation-deg", of_a_way="pe
     plan.solve
 )
 app.command("think")(think.think)
+app.command("match")(match.match)
 app.add_typer(plan.maps, name="map")
 app.add_typer(plan.stats, name="stats")
 app.command("sweep")(sweep.sweep)

@@ -1,0 +1,212 @@
+"""A match between two players."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from carom import _core
+from carom.arena.result import MatchResult, Score, TestResult
+from carom.arguments import number, numbers, text, thread_count, truth, whole
+from carom.build import Physics, Table
+from carom.errors import InputError
+from carom.files import checked_path
+from carom.noise import Noise, Perception, noise_or_default, perception_or_none
+from carom.player import Play, Player
+from carom.player.thinking import seconds
+from carom.progress import stage_bars
+
+if TYPE_CHECKING:
+    import os
+
+    T = TypeVar("T")
+
+# Thinking time of a frame and player, s: that of the Computational Olympiad.
+_OLYMPIAD = 600.0
+# Error probabilities of a sequential test.
+_ERROR_RATE = 0.05
+
+
+def play_match(
+    one: str,
+    other: str,
+    *,
+    out: str | os.PathLike[str],
+    game: str = "eight-ball",
+    pairs: int = 10,
+    noise: Noise | tuple[Noise, Noise] | None = None,
+    perception: Perception | tuple[Perception, Perception] | None = None,
+    table: Table | str | Mapping[str, Any] | None = None,
+    physics: Physics | str | Mapping[str, Any] | None = None,
+    simulations: int | tuple[int, int] | None = None,
+    time: float | tuple[float, float] | None = None,
+    clock: float | tuple[float, float] | None = None,
+    breaker: str | int = "alternate",
+    same_break: Play | None = None,
+    disclosure: str = "both",
+    test: tuple[float, float] | None = None,
+    secret: str | None = None,
+    points: int = 40,
+    miss: bool = True,
+    patience: int = 100,
+    max_events: int = 100_000,
+    level: float = 0.95,
+    threads: int | None = None,
+    progress: bool = False,
+) -> MatchResult:
+    """Play a match between two built-in players, or continue it.
+
+    The match consists of pairs of frames with the same rack and the same errors, in which the
+    players exchange their seats. Every pair is written to ``out`` when it ends. If the call is
+    interrupted, the same call continues the match. With simulated shots the match is the same for
+    any number of threads and on every machine, if its secret is the same.
+
+    Args:
+        one: The first player's name (``carom.players()`` lists them). A number of simulated shots
+            for each decision may follow, as in ``carom:2000``.
+        other: The second player's name.
+        out: The folder of the match.
+        game: The game, as for ``Frame``.
+        pairs: Number of pairs of frames; with ``test`` the largest number.
+        noise: Errors of the strikes, of both players or of each; the Olympiad's if None.
+        perception: Errors of the positions that the players see; none if None.
+        table: As in a shot; the game's own table if None.
+        physics: As in a shot; the table's own if None.
+        simulations: Simulated shots of each decision, of both players or of each.
+        time: Wall-clock time of each decision, s.
+        clock: Wall-clock time of a frame and player, s; a player who has used it up loses the
+            frame. Of ``simulations``, ``time`` and ``clock`` one may be given; without them a
+            frame has 600 s. A number in a player's name replaces them.
+        breaker: ``"alternate"``, or the player who begins every frame: 0 or 1.
+        same_break: The intended break of both players; None if they choose it.
+        disclosure: The players whose errors a player knows: ``"both"``, ``"own"`` or
+            ``"nothing"``.
+        test: Two expected shares of the points of the first player, such as ``(0.5, 0.55)``. A
+            sequential test ends the match when it accepts one of them, each with an error
+            probability of 0.05.
+        secret: 64 hexadecimal digits that determine all racks and errors, to repeat a match; None
+            for a secret of the operating system.
+        points: Points that win straight pool and three-cushion.
+        miss: Whether a foul and a miss is called in snooker.
+        patience: Number of shots in a row without progress that make a stalemate.
+        max_events: Largest number of events of a shot.
+        level: Confidence level of the intervals, in (0, 1).
+        threads: Number of threads; None is one per core.
+        progress: Show a progress bar on stderr.
+
+    Raises:
+        InputError: There is no such player or game, a value has the wrong type or is out of
+            range, or the folder has another match.
+        OSError: A file cannot be read or written.
+    """
+    names = (_name("one", one), _name("other", other))
+    folder = checked_path("out", out, "match")
+    clocks = _clocks(names, simulations, time, clock)
+    shares = None if test is None else _test(test)
+    agreed = {
+        "game": text("game", game, '"eight-ball"'),
+        "options": {
+            "points": whole("points", points, 1 << 31, low=1),
+            "miss": truth("miss", miss),
+            "patience": whole("patience", patience, 1 << 32, low=1),
+        },
+        "table": table.description if isinstance(table, Table) else table,
+        "physics": physics.description if isinstance(physics, Physics) else physics,
+        "max_events": whole("max_events", max_events, 1 << 32, low=1),
+        "noise": [asdict(noise_or_default(each)) for each in _each("noise", noise)],
+        "perception": [
+            asdict(perception_or_none(each)) for each in _each("perception", perception)
+        ],
+        "clock": clocks,
+        "breaker": breaker,
+        "same_break": None if same_break is None else _break(same_break),
+        "disclosure": text("disclosure", disclosure, '"both"'),
+        "test": shares,
+        "pairs": whole("pairs", pairs, low=1),
+    }
+    given = None if secret is None else text("secret", secret, "64 hexadecimal digits")
+    confidence = number("level", level)
+    with stage_bars(["pairs"], show=progress) as report:
+        fields = _core.play_match(
+            names, agreed, given, folder, confidence, thread_count(threads), report
+        )
+    return _result(game, names, fields, confidence, shares)
+
+
+def _result(
+    game: str,
+    names: tuple[str, str],
+    fields: dict[str, Any],
+    level: float,
+    test: dict[str, float] | None,
+) -> MatchResult:
+    state = fields["test"]
+    return MatchResult(
+        game=game,
+        score=Score._read(fields["score"], names, level),
+        test=None if state is None or test is None else TestResult(test["p0"], test["p1"], **state),
+        record=None if fields["record"] is None else Path(fields["record"]),
+        played_pairs=fields["played_pairs"],
+        secret_sha256=fields["secret_sha256"],
+    )
+
+
+def _name(argument: str, value: Any) -> str:
+    """The name of a player; the error names the argument."""
+    try:
+        Player(text(argument, value, '"carom:2000"'))
+    except InputError as error:
+        raise InputError(f"{argument}: {str(error).partition(': ')[2]}") from None
+    return str(value)
+
+
+def _each(name: str, value: T | tuple[T, T]) -> tuple[T, T]:
+    """The value of each player."""
+    if not isinstance(value, tuple | list):
+        return value, value
+    if len(value) != 2:
+        raise InputError(f"{name}: {len(value)} values; give one, or one for each of two players")
+    return value[0], value[1]
+
+
+def _clocks(
+    names: tuple[str, str],
+    simulations: int | tuple[int, int] | None,
+    time: float | tuple[float, float] | None,
+    clock: float | tuple[float, float] | None,
+) -> list[dict[str, Any]]:
+    """The players' clocks in the form of a record."""
+    given: dict[str, Any] = {"simulations": simulations, "time": time, "clock": clock}
+    written = [name for name, value in given.items() if value is not None]
+    if len(written) > 1:
+        raise InputError(f"{written[1]}: {written[0]} is given too; give one of them")
+    name = written[0] if written else "clock"
+    amounts = _each(name, given[name] if written else _OLYMPIAD)
+    clocks: list[dict[str, Any]] = []
+    for player, amount in zip(names, amounts, strict=True):
+        named = Player(player)._core.simulations
+        if named is not None or name == "simulations":
+            shots = whole("simulations", named or amount, 1 << 32, low=1)
+            clocks.append({"simulations": shots, "per": "decision"})
+        else:
+            period = "decision" if name == "time" else "frame"
+            clocks.append({"seconds": seconds(name, amount), "per": period})
+    return clocks
+
+
+def _break(play: Play) -> dict[str, Any]:
+    """A break in the form of a record of a match."""
+    if not isinstance(play, Play):
+        raise InputError(f"same_break: found a {type(play).__name__}; give carom.Play(...)")
+    written = play.to_dict()
+    if play.call is not None:
+        call = {"kind": play.call.kind, "ball": play.call.ball, "pocket": play.call.into}
+        written["call"] = {key: value for key, value in call.items() if value is not None}
+    return written
+
+
+def _test(shares: Sequence[float]) -> dict[str, float]:
+    p0, p1 = numbers("test", shares, 2)
+    return {"p0": p0, "p1": p1, "alpha": _ERROR_RATE, "beta": _ERROR_RATE}

@@ -1,0 +1,227 @@
+"""The result of a match."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Self
+
+from carom.plan.chance import Chance, or_null
+
+_POINTS = ("0", "½", "1", "1½", "2")
+
+
+@dataclass(frozen=True, slots=True)
+class TestResult:
+    """The state of a sequential test after the pairs so far.
+
+    Attributes:
+        p0: The expected share of the points of the first player under the null hypothesis.
+        p1: The same under the alternative.
+        llr: The log-likelihood ratio.
+        lower: At or below this ratio the test accepts ``p0``.
+        upper: At or above this ratio the test accepts ``p1``.
+        accepted: ``"p0"`` or ``"p1"``; None if play has to go on.
+    """
+
+    p0: float
+    p1: float
+    llr: float
+    lower: float
+    upper: float
+    accepted: str | None
+
+    # The name begins with Test, so pytest would collect the class.
+    __test__ = False
+
+    def __str__(self) -> str:
+        state = "undecided"
+        if self.accepted is not None:
+            state = f"accepts {getattr(self, self.accepted):g}"
+        return (
+            f"test of {self.p0:g} against {self.p1:g}: {state}, "
+            f"log-likelihood ratio {self.llr:.2f} in {self.lower:.2f} to {self.upper:.2f}"
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Score:
+    """The frames and pairs of a match, as counted for the first player.
+
+    Attributes:
+        players: The names of the two players.
+        level: Confidence level of the intervals.
+        losses: Number of frames that the first player lost.
+        draws: Number of drawn frames, which count half a point.
+        wins: Number of frames that the first player won.
+        void: Number of frames that do not count.
+        pair_counts: Number of pairs in which the first player had 0, ½, 1, 1½ and 2 points.
+        share: The first player's share of the points of the pairs; ½ without pairs.
+        share_interval: Its confidence interval, computed from whole pairs.
+        win_share: The share of the decided frames that the first player won. Its interval takes
+            the frames as independent.
+        elo: The difference of Elo ratings that belongs to ``share``; infinite for 0 and 1.
+        elo_interval: The same for ``share_interval``.
+        pairing_ratio: The variance of a pair, divided by that of two independent frames; None if
+            all frames ended the same.
+        reasons: Number of frames by the reason of their end.
+    """
+
+    players: tuple[str, str]
+    level: float
+    losses: int
+    draws: int
+    wins: int
+    void: int
+    pair_counts: tuple[int, int, int, int, int]
+    share: float
+    share_interval: tuple[float, float]
+    win_share: Chance
+    elo: float
+    elo_interval: tuple[float, float]
+    pairing_ratio: float | None
+    reasons: dict[str, int]
+
+    @classmethod
+    def _read(cls, fields: dict[str, Any], players: tuple[str, str], level: float) -> Self:
+        """The score from its values in Rust."""
+        losses, draws, wins = fields["frames"]
+        return cls(
+            players=players,
+            level=level,
+            losses=losses,
+            draws=draws,
+            wins=wins,
+            void=fields["void"],
+            pair_counts=tuple(fields["pairs"]),
+            share=fields["share"],
+            share_interval=fields["share_interval"],
+            win_share=Chance(wins, wins + losses, *fields["wins_interval"]),
+            elo=fields["elo"],
+            elo_interval=fields["elo_interval"],
+            pairing_ratio=fields["pairing_ratio"],
+            reasons=fields["reasons"],
+        )
+
+    @property
+    def pairs(self) -> int:
+        """Number of pairs in which both frames counted."""
+        return sum(self.pair_counts)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON; infinite ratings are null."""
+        low, high = self.win_share.low, self.win_share.high
+        return {
+            "players": list(self.players),
+            "level": self.level,
+            "wins": self.wins,
+            "draws": self.draws,
+            "losses": self.losses,
+            "void": self.void,
+            "pair_counts": list(self.pair_counts),
+            "share": self.share,
+            "share_interval": list(self.share_interval),
+            "win_share": or_null(float(self.win_share)),
+            "win_share_interval": [low, high],
+            "elo": _finite(self.elo),
+            "elo_interval": [_finite(end) for end in self.elo_interval],
+            "pairing_ratio": self.pairing_ratio,
+            "reasons": self.reasons,
+        }
+
+    def lines(self) -> list[str]:
+        """The score as lines of text."""
+        one, other = self.players
+        name = max(len(one), len(other), len("player"))
+        frames = self.wins + self.draws + self.losses
+        points = self.wins + 0.5 * self.draws
+
+        def row(player: str, *cells: str) -> str:
+            return f"  {player:<{name}}" + "".join(f"{cell:>8}" for cell in cells)
+
+        low, high = (100 * end for end in self.share_interval)
+        counts = ", ".join(
+            f"{points}: {count}" for points, count in zip(_POINTS, self.pair_counts, strict=True)
+        )
+        ratio = self.pairing_ratio
+        lines = [
+            row("player", "points", "won", "drawn", "lost"),
+            row(one, f"{points:g}", f"{self.wins}", f"{self.draws}", f"{self.losses}"),
+            row(other, f"{frames - points:g}", f"{self.losses}", f"{self.draws}", f"{self.wins}"),
+            f"{one} has {100 * self.share:.1f} % ({low:.1f} to {high:.1f}) of the points; "
+            f"intervals at {100 * self.level:g} % confidence, from {self.pairs} pairs",
+            f"Elo difference {_rating(self.elo)} "
+            f"({_rating(self.elo_interval[0])} to {_rating(self.elo_interval[1])})",
+            f"pairs by points: {counts}",
+        ]
+        if self.win_share.trials:
+            lines.insert(4, f"wins of decided frames {self.win_share}, as if independent")
+        if ratio is not None:
+            lines.append(f"variance of a pair: {ratio:.2f} of that of two independent frames")
+        ends = ", ".join(f"{reason} {count}" for reason, count in self.reasons.items())
+        if ends:
+            lines.append(f"frames by their end: {ends}")
+        return lines
+
+
+@dataclass(frozen=True, slots=True)
+class MatchResult:
+    """What a match has come to; ``print`` it for a table.
+
+    Attributes:
+        game: The game.
+        score: Frames, pairs and intervals. If the match is not finished, they are those of the
+            first pairs that were played without a gap.
+        test: The state of the sequential test, if there is one.
+        record: The record of the match; None if it is not finished.
+        played_pairs: Number of pairs in the score, with those that do not count.
+        secret_sha256: SHA-256 of the secret of the match.
+    """
+
+    game: str
+    score: Score
+    test: TestResult | None
+    record: Path | None
+    played_pairs: int
+    secret_sha256: str
+
+    @property
+    def finished(self) -> bool:
+        """Whether all pairs are played that the number of pairs or the test asks for."""
+        return self.record is not None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON."""
+        test = self.test
+        return {
+            "game": self.game,
+            "finished": self.finished,
+            "pairs": self.played_pairs,
+            **self.score.to_dict(),
+            "test": None if test is None else {name: getattr(test, name) for name in _TEST},
+            "record": None if self.record is None else str(self.record),
+            "secret_sha256": self.secret_sha256,
+        }
+
+    def __str__(self) -> str:
+        state = "finished" if self.finished else "not finished"
+        lines = [f"{self.game}: {self.played_pairs} pairs of frames, {state}", *self.score.lines()]
+        if self.test is not None:
+            lines.append(str(self.test))
+        lines.append(f"secret: SHA-256 {self.secret_sha256}")
+        if self.record is not None:
+            lines.append(f"record: {self.record}")
+        return "\n".join(lines)
+
+
+_TEST = ("p0", "p1", "llr", "lower", "upper", "accepted")
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _rating(elo: float) -> str:
+    """A difference of ratings with its sign."""
+    return f"{elo:+.0f}" if math.isfinite(elo) else ("+∞" if elo > 0 else "−∞")

@@ -1,0 +1,225 @@
+"""``carom match``: frames between two players."""
+
+from __future__ import annotations
+
+import json as js
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, TypeVar
+
+import typer
+
+import carom
+from carom import Noise, Perception, Play, Strike
+from carom.batch import own_strike
+from carom.cli.options import Json, Level
+from carom.cli.output import emit, read, say
+from carom.errors import InputError
+
+T = TypeVar("T")
+
+
+def match(
+    one: Annotated[
+        str | None,
+        typer.Argument(metavar="[A]", help="The first player, such as carom or carom:2000."),
+    ] = None,
+    other: Annotated[str | None, typer.Argument(metavar="[B]", help="The second player.")] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="DIR", help="Folder for the match.")
+    ] = None,
+    game: Annotated[str, typer.Option(help="The game.")] = "eight-ball",
+    pairs: Annotated[
+        int, typer.Option(min=1, help="Number of pairs of frames; with --test the largest number.")
+    ] = 10,
+    noise: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME[,NAME]",
+            help="Noise of both players, or of each: beginner, casual, club, advanced, "
+            "professional or olympiad; a multiplier may follow, as in olympiad:0.5.",
+        ),
+    ] = "olympiad",
+    perception: Annotated[
+        str,
+        typer.Option(
+            metavar="SIGMA[,SIGMA]",
+            help="Standard deviation of true minus perceived positions, per coordinate, m.",
+        ),
+    ] = "0",
+    table: Annotated[
+        str | None, typer.Option(help="A table's preset; default: the game's own.")
+    ] = None,
+    simulations: Annotated[
+        str | None,
+        typer.Option(
+            metavar="N[,N]",
+            help="Simulated shots of each decision; a number in a player's name replaces it.",
+        ),
+    ] = None,
+    time: Annotated[
+        str | None, typer.Option(metavar="SECONDS[,SECONDS]", help="Time of each decision.")
+    ] = None,
+    clock: Annotated[
+        str | None,
+        typer.Option(
+            metavar="SECONDS[,SECONDS]",
+            help="Time of a frame and player; default, without --simulations and --time: 600.",
+        ),
+    ] = None,
+    breaker: Annotated[
+        str, typer.Option(help="Who begins: alternate, or always A or B.")
+    ] = "alternate",
+    same_break: Annotated[
+        str | None,
+        typer.Option(
+            metavar="PRESET",
+            help="Both players break like this; carom break --presets lists the presets.",
+        ),
+    ] = None,
+    test: Annotated[
+        str | None,
+        typer.Option(
+            metavar="P0,P1",
+            help="End the match when a sequential test accepts one of these shares of the points "
+            "of player A, such as 0.5,0.55.",
+        ),
+    ] = None,
+    points: Annotated[
+        int, typer.Option(min=1, help="Points that win straight pool and three-cushion.")
+    ] = 40,
+    secret: Annotated[
+        str | None,
+        typer.Option(
+            metavar="DIGITS",
+            help="64 hexadecimal digits that determine racks and errors, to repeat a match.",
+        ),
+    ] = None,
+    level: Level = 0.95,
+    threads: Annotated[
+        int | None, typer.Option(min=1, help="Number of threads; default: one per core.")
+    ] = None,
+    replay: Annotated[
+        str | None,
+        typer.Option(
+            metavar="RECORD", help="Play a record again and compare every bit; - is stdin."
+        ),
+    ] = None,
+    json: Json = False,
+) -> None:
+    """Play a match between two players; print the score.
+
+    Pairs of frames have the same rack and the same errors, with the seats exchanged. After a stop
+    the same command continues.
+    """
+    if replay is not None:
+        _replay(replay, (one, other, out), level, threads, json=json)
+        return
+    if one is None or other is None:
+        raise InputError("A: two players are needed; write their names: carom:200 carom:2000")
+    if out is None:
+        raise InputError("--out: the match needs a folder; give one, such as --out match")
+    try:
+        result = carom.play_match(
+            one,
+            other,
+            out=out,
+            game=game,
+            pairs=pairs,
+            noise=_each("noise", noise, Noise.preset),
+            perception=_each("perception", perception, _perception),
+            table=table,
+            simulations=_numbers("simulations", simulations, int),
+            time=_numbers("time", time, float),
+            clock=_numbers("clock", clock, float),
+            breaker=_breaker(breaker),
+            same_break=None if same_break is None else _break(game, table, same_break),
+            test=None if test is None else _test(test),
+            points=points,
+            secret=secret,
+            level=level,
+            threads=threads,
+            progress=sys.stderr.isatty(),
+        )
+    except KeyboardInterrupt:
+        say("stopped; the same command continues from here")
+        raise
+    emit(js.dumps(result.to_dict()) if json else str(result))
+
+
+def _replay(
+    record: str, others: tuple[object, ...], level: float, threads: int | None, *, json: bool
+) -> None:
+    if any(other is not None for other in others):
+        raise InputError("--replay: a record has its players; leave A, B and --out out")
+    found = carom.replay_match(
+        read(record), level=level, threads=threads, progress=sys.stderr.isatty()
+    )
+    if found.difference is not None:
+        engine = ""
+        if found.other_engine:
+            engine = f"; it was written by {found.header['engine']}"
+        where = f"line {found.difference['line']}, {found.difference['key']}"
+        values = f"{found.difference['recorded']} against {found.difference['replayed']}"
+        raise InputError(f"{record}: not reproduced: {where}: {values}{engine}")
+    if json:
+        emit(js.dumps({"frames": found.frames, "reproduced": True, **found.score.to_dict()}))
+        return
+    emit("\n".join([f"reproduced bit by bit: {found.frames} frames", *found.score.lines()]))
+
+
+def _each(name: str, words: str, make: Callable[[str], T]) -> tuple[T, T]:
+    """The value of each player; one is for both."""
+    items = [make(word) for word in words.split(",")]
+    if len(items) > 2:
+        raise InputError(f"--{name}: {len(items)} values; give one, or one for each player")
+    return items[0], items[-1]
+
+
+def _numbers(name: str, words: str | None, kind: Callable[[str], T]) -> tuple[T, T] | None:
+    if words is None:
+        return None
+    try:
+        return _each(name, words, kind)
+    except ValueError as error:
+        if isinstance(error, InputError):
+            raise
+        kinds = "whole numbers" if kind is int else "numbers"
+        raise InputError(f"--{name}: {words!r} are not {kinds}; write one or two") from None
+
+
+def _perception(word: str) -> Perception:
+    try:
+        return Perception(float(word))
+    except InputError:
+        raise
+    except ValueError:
+        raise InputError(f"--perception: {word!r} is not a number; write metres") from None
+
+
+def _test(words: str) -> tuple[float, float]:
+    shares = words.split(",")
+    try:
+        p0, p1 = map(float, shares)
+    except ValueError:
+        raise InputError(
+            f"--test: {words!r} is not P0,P1; write two shares, such as 0.5,0.55"
+        ) from None
+    return p0, p1
+
+
+def _breaker(word: str) -> str | int:
+    if word == "alternate":
+        return word
+    if word not in ("A", "B"):
+        raise InputError(f"--breaker: {word!r} is not a player; write alternate, A or B")
+    return "AB".index(word)
+
+
+def _break(game: str, table: str | None, preset: str) -> Play:
+    """The break preset as a play."""
+    shot = carom.break_shot(game, table=table, preset=preset)
+    file = shot.to_dict()
+    (x, y, *_), *_ = (b["position"] for b in file["balls"] if b["id"] == file["strike"]["ball"])
+    return Play(Strike(*own_strike(shot._core)), cue_ball=(x, y))
