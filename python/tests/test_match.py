@@ -1,0 +1,306 @@
+"""Matches between players: `carom.play_match`, `carom match`, their records."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import FrozenInstanceError
+from typing import TYPE_CHECKING, Any
+
+import carom
+import pytest
+from carom import InputError, Noise, Perception, Play, Strike
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from conftest import CommandLine
+
+SECRET = "ab" * 32
+# Matches of a second: two pairs of nine-ball between players that hardly search.
+SHORT: dict[str, Any] = {"game": "nine-ball", "pairs": 2, "secret": SECRET}
+FLAGS = ["--game", "nine-ball", "--pairs", "2", "--secret", SECRET]
+
+
+def refused(place: str, call: Any) -> None:
+    with pytest.raises(InputError) as caught:
+        call()
+    assert str(caught.value).startswith(f"{place}: "), caught.value
+    assert ";" in str(caught.value), "and the remedy"
+
+
+@pytest.fixture(scope="module")
+def played(tmp_path_factory: pytest.TempPathFactory) -> carom.MatchResult:
+    """A finished match."""
+    out = tmp_path_factory.mktemp("match")
+    return carom.play_match("carom:60", "carom:300", out=out, **SHORT)
+
+
+def header_of(result: carom.MatchResult) -> dict[str, Any]:
+    assert result.record is not None
+    header: dict[str, Any] = json.loads(result.record.read_text().splitlines()[0])
+    return header
+
+
+def test_a_match_counts_the_frames_of_all_pairs(played: carom.MatchResult) -> None:
+    score = played.score
+    assert played.finished
+    assert played.played_pairs == 2
+    assert score.wins + score.draws + score.losses + score.void == 4
+    assert sum(score.reasons.values()) == 4
+    points = sum(half * count for half, count in enumerate(score.pair_counts)) / 2
+    assert points == score.wins + 0.5 * score.draws
+    assert score.share == points / (2 * score.pairs)
+    low, high = score.share_interval
+    assert 0 <= low <= score.share <= high <= 1
+    assert score.win_share.count == score.wins
+    with pytest.raises(FrozenInstanceError):
+        score.wins = 9  # type: ignore[misc]
+
+
+def test_a_match_prints_both_players_and_its_record(played: carom.MatchResult) -> None:
+    said = str(played)
+    assert said.startswith("nine-ball: 2 pairs of frames, finished\n")
+    for word in ("carom:60", "carom:300", "Elo difference", played.secret_sha256):
+        assert word in said
+    assert said.endswith(f"record: {played.record}")
+
+
+def test_a_match_is_plain_values(played: carom.MatchResult) -> None:
+    written = json.loads(json.dumps(played.to_dict(), allow_nan=False))
+    assert written["players"] == ["carom:60", "carom:300"]
+    assert written["record"] == str(played.record)
+
+
+def test_the_record_does_not_depend_on_the_number_of_threads(
+    played: carom.MatchResult, tmp_path: Path
+) -> None:
+    again = carom.play_match("carom:60", "carom:300", out=tmp_path / "m", threads=1, **SHORT)
+    assert again.record is not None
+    assert played.record is not None
+    assert again.record.read_bytes() == played.record.read_bytes()
+    assert again.score == played.score
+
+
+def test_a_finished_match_is_not_played_again(played: carom.MatchResult) -> None:
+    assert played.record is not None
+    before = played.record.stat().st_mtime_ns
+    again = carom.play_match("carom:60", "carom:300", out=played.record.parent, **SHORT)
+    assert again == played
+    assert played.record.stat().st_mtime_ns == before
+
+
+def test_a_record_replays_to_the_bit(played: carom.MatchResult) -> None:
+    assert played.record is not None
+    text = played.record.read_text()
+    found = carom.replay_match(text)
+    assert found.difference is None
+    assert found.frames == 4
+    assert found.score == played.score
+    assert not found.other_engine
+    key = '"executed": {"strike": {"speed": '
+    changed = text.replace(key, f"{key}1", 1)
+    assert changed != text
+    difference = carom.replay_match(changed).difference
+    assert difference is not None
+    assert (difference["line"], difference["key"]) == (2, "moves[0].executed.strike.speed")
+    refused("line 7", lambda: carom.replay_match(text + "{}"))
+
+
+def test_the_settings_of_a_match_are_in_its_record(tmp_path: Path) -> None:
+    the_break = Play(Strike(speed=8.0, azimuth=1.57, elevation=0.06), cue_ball=(0.495, 0.4))
+    result = carom.play_match(
+        "carom",
+        "carom:40",
+        out=tmp_path / "m",
+        game="nine-ball",
+        pairs=1,
+        noise=(Noise.preset("club"), Noise.preset("professional")),
+        perception=Perception(0.001),
+        table="bar-7ft",
+        simulations=50,
+        breaker=1,
+        same_break=the_break,
+        disclosure="own",
+        patience=30,
+    )
+    header = header_of(result)
+    assert [noise["speed"] for noise in header["noise"]] == [0.15, 0.06]
+    assert [sight["position"] for sight in header["perception"]] == [0.001, 0.001]
+    assert [clock["simulations"] for clock in header["clock"]] == [50, 40]
+    assert header["table"].startswith("bar-7ft")
+    assert (header["breaker"], header["disclosure"]) == (1, "own")
+    assert header["same_break"]["cue_ball"] == [0.495, 0.4]
+    assert header["options"]["patience"] == 30
+    assert header["test"] is None
+
+
+def test_clocks_of_time_are_in_the_record(tmp_path: Path) -> None:
+    for name, period in (("time", "decision"), ("clock", "frame")):
+        result = carom.play_match(
+            "carom", "carom:40", out=tmp_path / name, game="nine-ball", pairs=1, **{name: 0.001}
+        )
+        first, other = header_of(result)["clock"]
+        assert first == {"seconds": 0.001, "per": period}
+        assert other == {"simulations": 40, "per": "decision"}
+    assert result.score.reasons.get("time-over", 0) == 2
+
+
+def test_a_test_ends_a_match_that_is_decided(tmp_path: Path) -> None:
+    # A player whose time is over at once loses every frame.
+    result = carom.play_match(
+        "carom:40",
+        "carom",
+        out=tmp_path / "m",
+        game="nine-ball",
+        pairs=100,
+        clock=1e-9,
+        test=(0.4, 0.9),
+    )
+    assert result.test is not None
+    assert result.test.accepted == "p1"
+    assert result.test.llr >= result.test.upper
+    assert result.score.share == 1.0
+    assert result.score.elo == float("inf")
+    assert result.to_dict()["elo"] is None
+    assert 2 <= result.played_pairs < 20
+    assert "test of 0.4 against 0.9: accepts 0.9" in str(result)
+
+
+# Errors.
+
+
+@pytest.mark.parametrize(
+    ("place", "given"),
+    [
+        ("one", {"one": "nobody"}),
+        ("other", {"other": "carom:x"}),
+        ("other", {"other": 5}),
+        ("out", {"out": 5}),
+        ("game", {"game": "billiards"}),
+        ("pairs", {"pairs": 0}),
+        ("noise", {"noise": "club"}),
+        ("noise", {"noise": (Noise(), Noise(), Noise())}),
+        ("perception", {"perception": 0.1}),
+        ("table", {"table": "carom-10ft"}),
+        ("simulations", {"simulations": 0}),
+        ("simulations", {"simulations": 1.5}),
+        ("time", {"time": 0.0}),
+        ("clock", {"clock": float("nan")}),
+        ("clock", {"time": 1.0, "clock": 2.0}),
+        ("breaker", {"breaker": "me"}),
+        ("same_break", {"same_break": Strike(speed=1.0, azimuth=0.0)}),
+        ("same_break.strike.side", {"same_break": Play(Strike(1.0, 0.0, 0.1, side=0.9))}),
+        ("disclosure", {"disclosure": "all"}),
+        ("test", {"test": 0.5}),
+        ("test.p1", {"test": (0.6, 0.5)}),
+        ("secret", {"secret": "12"}),
+        ("miss", {"miss": "yes"}),
+        ("level", {"level": 1.0}),
+        ("threads", {"threads": 0}),
+    ],
+)
+def test_bad_arguments_of_a_match_are_refused(
+    place: str, given: dict[str, Any], tmp_path: Path
+) -> None:
+    arguments: dict[str, Any] = {"one": "carom", "other": "carom", "out": tmp_path / "m", **given}
+    refused(place, lambda: carom.play_match(**arguments))
+    assert not (tmp_path / "m").exists(), "nothing was begun"
+
+
+def test_the_folder_of_another_match_is_refused(played: carom.MatchResult) -> None:
+    assert played.record is not None
+    folder = played.record.parent
+    refused("folder", lambda: carom.play_match("carom:60", "carom:90", out=folder, **SHORT))
+    file: Any = played.record / "below"
+    with pytest.raises(NotADirectoryError) as caught:
+        carom.play_match("carom:60", "carom:300", out=file, **SHORT)
+    assert str(played.record) in str(caught.value)
+
+
+# The command line.
+
+
+def test_match_prints_the_score(run: CommandLine, played: carom.MatchResult) -> None:
+    done = run("match", "carom:60", "carom:300", *FLAGS, "--out", "m")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == str(played).replace(str(played.record), "m/match.jsonl") + "\n"
+    done = run("match", "carom:60", "carom:300", *FLAGS, "--out", "m", "--json")
+    assert json.loads(done.stdout)["wins"] == played.score.wins
+    done = run("match", "--replay", "m/match.jsonl")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("reproduced bit by bit: 4 frames\n")
+    done = run("match", "--replay", "m/match.jsonl", "--json")
+    assert json.loads(done.stdout)["reproduced"] is True
+    text = (run.cwd / "m/match.jsonl").read_text()
+    done = run("match", "--replay", "-", stdin=text.replace('"legal": true', '"legal": false', 1))
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "not reproduced: line 2, moves[" in done.stderr
+
+
+def test_match_passes_its_options_on(run: CommandLine) -> None:
+    done = run(
+        *("match", "carom", "carom", "--out", "m", "--pairs", "1", "--game", "nine-ball"),
+        *("--simulations", "40,50", "--noise", "club,olympiad:0.5", "--perception", "0,0.001"),
+        *("--same-break", "rail", "--breaker", "B", "--test", "0.5,0.6", "--table", "bar-7ft"),
+    )
+    assert done.returncode == 0, done.stderr
+    header = json.loads((run.cwd / "m/match.jsonl").read_text().splitlines()[0])
+    assert [clock["simulations"] for clock in header["clock"]] == [40, 50]
+    assert [noise["speed"] for noise in header["noise"]] == [0.15, 0.0375]
+    assert [sight["position"] for sight in header["perception"]] == [0.0, 0.001]
+    assert header["breaker"] == 1
+    assert header["test"] == {"p0": 0.5, "p1": 0.6, "alpha": 0.05, "beta": 0.05}
+    rail = carom.break_shot("nine-ball", preset="rail", table="bar-7ft")
+    assert header["same_break"]["strike"]["azimuth"] == rail.azimuth
+
+
+def test_ctrl_c_keeps_what_was_played(tmp_path: Path) -> None:
+    flags = ["--game", "nine-ball", "--pairs", "1000", "--threads", "1", "--secret", SECRET]
+    match = [sys.executable, "-m", "carom", "match", "carom:60", "carom:60", *flags, "--out", "m"]
+    # A shell in the background lets its children ignore the interrupt.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    record = tmp_path / "m" / "played.jsonl"
+    with subprocess.Popen(match, stderr=subprocess.PIPE, text=True, cwd=tmp_path) as process:
+        end = time.monotonic() + 60
+        while not (record.exists() and record.read_text().count("\n") > 4):
+            assert process.poll() is None, process.stderr and process.stderr.read()
+            assert time.monotonic() < end
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        _, error = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert error == "carom: stopped; the same command continues from here\n"
+    played = record.read_text().splitlines()
+    assert len(played) % 2 == 1, "the header, and whole pairs"
+    frames = [json.loads(line)["frame"] for line in played[1:]]
+    assert sorted(frames) == list(range(len(frames)))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "place"),
+    [
+        (["carom"], "A: "),
+        (["carom", "carom"], "--out: "),
+        (["me", "carom", "--out", "m"], "one: "),
+        (["carom", "carom:0", "--out", "m"], "other: "),
+        (["carom", "carom", "--out", "m", "--time", "x"], "--time: "),
+        (["carom", "carom", "--out", "m", "--simulations", "1.5"], "--simulations: "),
+        (["carom", "carom", "--out", "m", "--clock", "1,2,3"], "--clock: "),
+        (["carom", "carom", "--out", "m", "--noise", "x"], "noise: "),
+        (["carom", "carom", "--out", "m", "--perception", "x"], "--perception: "),
+        (["carom", "carom", "--out", "m", "--test", "0.5"], "--test: "),
+        (["carom", "carom", "--out", "m", "--breaker", "C"], "--breaker: "),
+        (["carom", "carom", "--out", "m", "--same-break", "x"], "preset: "),
+        (["carom", "carom", "--replay", "m"], "--replay: "),
+        (["--replay", "missing.jsonl"], "missing.jsonl: "),
+    ],
+)
+def test_match_refuses_bad_input(run: CommandLine, arguments: list[str], place: str) -> None:
+    done = run("match", *arguments)
+    assert (done.returncode, done.stdout) == (2, ""), done.stderr
+    assert done.stderr.startswith(f"carom: {place}"), done.stderr
+    assert len(done.stderr.strip().splitlines()) == 1
