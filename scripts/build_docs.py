@@ -46,6 +46,7 @@ def main(folder: Path) -> int:
     )
     draw_shots(gallery / "shots")
     run_snippets(DOCS / "guide-coach.md", gallery / "coach")
+    run_snippets(DOCS / "think.md", gallery / "think")
     pages = folder / "html"
     command = [sys.executable, "-m", "sphinx", "--quiet", "--fail-on-warning", "--keep-going"]
     command += ["--builder", "html", "--doctree-dir", folder / "doctrees", DOCS, pages]
