@@ -176,7 +176,7 @@ def test_a_test_ends_a_match_that_is_decided(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("place", "given"),
     [
-        ("one", {"one": "nobody"}),
+        ("one", {"one": "someone"}),
         ("other", {"other": "carom:x"}),
         ("other", {"other": 5}),
         ("out", {"out": 5}),

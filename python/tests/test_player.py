@@ -356,7 +356,7 @@ def test_ctrl_c_ends_carom_think_with_the_table_so_far(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("place", "given"),
     [
-        ("player", {"level": "nobody"}),
+        ("player", {"level": "someone"}),
         ("player", {"level": "carom:0"}),
         ("level", {"level": 5}),
         ("simulations", {"level": "carom:100", "simulations": 100}),

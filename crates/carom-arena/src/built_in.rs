@@ -114,7 +114,7 @@ mod tests {
 
     #[test]
     fn rejects_unknown_names_and_numbers() {
-        for text in ["", "Carom", "nobody", "carom:", "carom:0", "carom:-5", "carom:1e3", ":5"] {
+        for text in ["", "Carom", "someone", "carom:", "carom:0", "carom:-5", "carom:1e3", ":5"] {
             let error = BuiltInPlayer::read(text).unwrap_err().to_string();
             assert!(error.starts_with("player: ") && error.contains("carom"), "{error}");
         }

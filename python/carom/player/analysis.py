@@ -14,6 +14,8 @@ from carom.player.thinking import Thinking
 from carom.rules import Frame
 from carom.shot import Shot
 
+# Kinds of play that are named with the first ball of the play without errors.
+_OFF_A_BALL = ("safety", "carom")
 # Confidence level of the chances.
 _LEVEL = 0.95
 
@@ -124,7 +126,7 @@ class Recommendation:
     def aim(self) -> str:
         """What is played, in words, such as ``bank: 3 off 1 cushion into top-left``."""
         if self.ball is None:
-            return self.kind if self.kind != "safety" else f"safety{self._off_ball()}"
+            return f"{self.kind}{self._off_ball()}" if self.kind in _OFF_A_BALL else self.kind
         pot = f"{self.ball} into {self.pocket}"
         match self.kind:
             case "bank":

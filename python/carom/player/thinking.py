@@ -12,7 +12,7 @@ from carom.noise import Noise, Perception, noise_or_default, perception_or_none
 # Simulated shots of a decision if no budget is given: about half a second of one core in the middle
 # of a frame, and a few seconds for a break.
 USUAL_SIMULATIONS = 20_000
-# Largest number of simulated shots of a decision. The samples of so many take up to 10 GB.
+# Largest number of simulated shots of a decision. Their samples take up to 10 GB.
 MOST_SIMULATIONS = 10**8
 
 
