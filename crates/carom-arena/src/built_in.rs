@@ -1,17 +1,21 @@
 //! The built-in players by their names, for the command line and the bindings.
 
+use std::sync::LazyLock;
+
 use carom::Error;
 use carom::format::Node;
+use carom_mind::literature::{self, Literature};
 use carom_mind::{Player, Searcher};
 
 use crate::clock::Clock;
 use crate::settings::PlayerEntry;
 
-/// Makes a player.
-type MakePlayer = fn() -> Box<dyn Player>;
+/// The name of the searching player.
+const SEARCHER: &str = "carom";
 
-/// The names of the built-in players, and what makes them.
-const PLAYERS: [(&str, MakePlayer); 1] = [("carom", || Box::new(Searcher::default()))];
+/// Makes the players of the literature. They share the potting probabilities that they measure, so
+/// each table is measured once in a program.
+static LITERATURE: LazyLock<Literature> = LazyLock::new(Literature::default);
 
 /// A built-in player: a name, and simulated shots for each decision if the text gives them.
 ///
@@ -19,14 +23,13 @@ const PLAYERS: [(&str, MakePlayer); 1] = [("carom", || Box::new(Searcher::defaul
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltInPlayer {
     name: &'static str,
-    make: MakePlayer,
     simulations: Option<u32>,
 }
 
 impl BuiltInPlayer {
     /// The names of all built-in players.
     pub fn names() -> impl Iterator<Item = &'static str> {
-        PLAYERS.into_iter().map(|(name, _)| name)
+        core::iter::once(SEARCHER).chain(literature::NAMES)
     }
 
     /// Reads `NAME` or `NAME:SIMULATIONS`.
@@ -39,7 +42,7 @@ impl BuiltInPlayer {
             Some((name, number)) => (name, Some(read_simulations(number)?)),
             None => (text, None),
         };
-        let Some((name, make)) = PLAYERS.into_iter().find(|(known, _)| *known == name) else {
+        let Some(name) = Self::names().find(|known| *known == name) else {
             let names: Vec<&str> = Self::names().collect();
             let what = format!("there is no player \"{name}\"");
             let remedy = format!(
@@ -48,7 +51,7 @@ impl BuiltInPlayer {
             );
             return Err(Error::input("player", what, remedy));
         };
-        Ok(Self { name, make, simulations })
+        Ok(Self { name, simulations })
     }
 
     /// The player's name without the number.
@@ -68,7 +71,13 @@ impl BuiltInPlayer {
 
     /// The player, as new.
     pub fn make(&self) -> Box<dyn Player> {
-        (self.make)()
+        // Only the searching player is not of the literature, and all names are known.
+        LITERATURE.player(self.name).unwrap_or_else(|_| Box::new(Searcher::default()))
+    }
+
+    /// Whether it is the searching player, which can also explain a position.
+    pub fn is_searcher(&self) -> bool {
+        self.name == SEARCHER
     }
 
     /// The player as a match has it. Its name contains the simulated shots.

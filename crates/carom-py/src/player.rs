@@ -203,6 +203,10 @@ impl Player {
     ) -> PyResult<AnalysisFields> {
         let frame = frame.0.clone();
         let analyse = |budget: &Budget<'_>| -> Result<Analysis, Error> {
+            if !self.of.is_searcher() {
+                let what = format!("{} does not explain its plays", self.of.name());
+                return Err(Error::input("player", what, "ask the player carom"));
+            }
             Searcher::default().analyse(&thinking.situation(&frame), budget, plays)
         };
         let (analysis, interrupted) = self.think(py, &thinking, threads, analyse)?;
