@@ -1,11 +1,12 @@
 """Fit the weights of the logistic regression that values positions (carom-mind, ``Logistic``).
 
-    cargo run --release -p carom-mind --example self_play -- eight-ball 0 3000 300 > eight-ball.csv
-    python scripts/fit_values.py eight-ball.csv nine-ball.csv     # writes weights.rs and values.json
+    cargo run --release -p carom-mind --example self_play -- eight-ball 0 2400 300 > eight-ball.csv
+    python scripts/fit_values.py eight-ball.csv nine-ball.csv
 
-Every file holds the positions of one game with the seat that won, from self-play. Every second group
-of six frames, which have six levels of noise, fits the weights, and the others test them. So all
-positions of a frame are on one side. A ridge penalty keeps weights of features without information small.
+Every file holds the positions of one game with the seat that won, from self-play. Every second
+group of six frames, which have six levels of noise, fits the weights, and the others test them. So
+all positions of a frame are on one side. A ridge penalty keeps weights of features without
+information small.
 
 Written: ``crates/carom-mind/src/value/weights.rs``, and ``benches/results/values.json`` with the
 log loss and the calibration on the frames that were not fitted.
@@ -119,7 +120,8 @@ def as_rust(games: dict[str, Any]) -> str:
         "",
         "use super::features::COUNT;",
         "",
-        "/// The games, and the weights of their features in the order of [`super::features::NAMES`].",
+        "/// The games, and the weights of their features in the order of",
+        "/// [`super::features::NAMES`].",
         f"pub(super) const WEIGHTS: [(&str, [f64; COUNT]); {len(games)}] = [",
     ]
     for game, result in games.items():

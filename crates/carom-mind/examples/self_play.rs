@@ -13,8 +13,8 @@ use std::error::Error;
 
 use carom::Noise;
 use carom::runner::Runner;
-use carom_mind::value::{Features, Position};
-use carom_mind::{Answer, Budget, Player, Searcher, Situation};
+use carom_mind::value::{Features, Markov, Position};
+use carom_mind::{Answer, Budget, Player, SearchSettings, Searcher, Situation};
 use carom_plan::Prepared;
 use carom_rules::{Frame, FrameSimulator, Options, Play, Request, Rules, Seat};
 
@@ -34,10 +34,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (first, count): (u64, u64) = (first.parse()?, count.parse()?);
     let simulations: u64 = simulations.parse()?;
     let runner = Runner::new(None)?;
+    // The Markov chain judges the positions, so that the data do not depend on earlier weights.
+    let player = || Searcher::new("markov", Box::<Markov>::default(), SearchSettings::default());
+    player()?;
     let frames = runner.map(
         first..first + count,
-        || (Searcher::default(), FrameSimulator::new()),
-        |(player, simulator), number| play(rules, number, simulations, (player, simulator)),
+        || (player(), FrameSimulator::new()),
+        |(player, simulator), number| match player {
+            Ok(player) => play(rules, number, simulations, (player, simulator)),
+            Err(error) => Err(error.clone()),
+        },
     );
     println!("frame,multiplier,seat,won,{}", carom_mind::value::features::NAMES.join(","));
     for rows in frames {

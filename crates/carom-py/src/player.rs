@@ -139,6 +139,10 @@ pub(crate) struct AnalysisFields {
     interrupted: bool,
 }
 
+/// The players of the literature plan with all simulated shots of a decision. With more than this
+/// one decision would take about an hour.
+const MOST_COUNTED: u64 = 1 << 30;
+
 /// A built-in player.
 #[pyclass(frozen, module = "carom._core")]
 pub(crate) struct Player {
@@ -180,6 +184,10 @@ impl Player {
     ) -> PyResult<DecisionFields> {
         let frame = frame.0.clone();
         let decide = |budget: &Budget<'_>| -> Result<Decision, Error> {
+            if !self.of.is_searcher() && budget.simulations > MOST_COUNTED {
+                let what = format!("{} counts simulated shots, not seconds", self.of.name());
+                return Err(Error::input("simulations", what, "give a number of them"));
+            }
             self.of.make().decide(&thinking.situation(&frame), budget)
         };
         let (decision, interrupted) = self.think(py, &thinking, threads, decide)?;
