@@ -2,7 +2,7 @@
 
     python benches/tables.py                 # print them
     python benches/tables.py --write         # write them into the pages
-    python benches/tables.py --write 2026-11-22-b3512da.json    # with another run of `carom bench`
+    python benches/tables.py --write 2026-11-23-b0cda4d.json    # with another run of `carom bench`
 
 In a page a table is below a comment `<!-- table: NAME FILE -->`, where FILE is the stored result in
 ``benches/results`` or in the folder of the paper's experiments. A test compares the pages with the
