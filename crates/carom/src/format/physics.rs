@@ -180,6 +180,9 @@ fn slip_friction(at: &At<'_>, friction: &mut SlipFriction) -> Result<(), Error> 
     Ok(())
 }
 
+/// Reads `cushion` over the law of the base. A new model keeps the fits of the base as a whole,
+/// because every model takes them: a coefficient alone, without the others and the limits, would be
+/// another rail.
 fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
     let fields = at.fields(&[
         "model",
@@ -191,7 +194,6 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
     ])?;
     if let Some(at) = fields.get("model") {
         law.model = at.choice("cushion model", CUSHION_MODELS)?;
-        replace_fits_of_other_models(law);
     }
     if let Some(at) = fields.get("restitution") {
         cushion_restitution(&at, &mut law.restitution)?;
@@ -202,23 +204,6 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
     fields.number_into("tangential_factor", &FRACTION, &mut law.tangential_factor)?;
     fields.number_into("spin_factor", &FRACTION, &mut law.spin_factor)?;
     fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
-}
-
-/// Models that take over the fitted restitution of a base. A fit belongs to the model with which it
-/// was made; the first versions of `carom-shot/1` let these two exchange it.
-const TAKES_RESTITUTION: &[CushionModel] = &[CushionModel::Han2005, CushionModel::Stronge];
-/// Models that take over the fitted friction of a base.
-const TAKES_FRICTION: &[CushionModel] = &[CushionModel::Han2005];
-
-/// Replaces a fit of the base that was made with another model by its value for a slow,
-/// perpendicular impact.
-fn replace_fits_of_other_models(law: &mut Cushion) {
-    if !TAKES_RESTITUTION.contains(&law.model) {
-        law.restitution = CushionRestitution::constant(law.restitution.at(0.0));
-    }
-    if !TAKES_FRICTION.contains(&law.model) {
-        law.friction.b = 0.0;
-    }
 }
 
 fn cushion_restitution(at: &At<'_>, restitution: &mut CushionRestitution) -> Result<(), Error> {

@@ -1,5 +1,7 @@
 //! The defaults of a shot file, and the values that it takes from a base.
 
+use carom::edition::PHYSICS;
+use carom::format::Node;
 use carom::physics::{RollingFriction, Tip};
 use carom::{Physics, Shot};
 
@@ -39,6 +41,70 @@ fn one_key_of_a_section_leaves_the_others_as_in_the_base() {
     let mut expected = Physics::pool();
     expected.cloth.rolling_friction = RollingFriction::constant(0.02);
     assert_eq!(**shot.physics(), expected);
+}
+
+/// The physics of `changes`, a section of the physics file, over `base`.
+fn over(base: &str, changes: &str) -> Physics {
+    let physics = format!(r#", "physics": {{"base": "{base}", {changes}}}"#);
+    read("\"wpa-9ft\"", &physics, BALL).physics().as_ref().clone()
+}
+
+#[test]
+fn another_model_keeps_every_value_and_every_whole_fit_of_its_base() {
+    for base in PHYSICS.iter().map(|edition| edition.dated) {
+        let own = Physics::preset(base).expect("a preset").to_node();
+        for (section, models) in [
+            ("cushion", &["restitution", "han-2005", "mathavan-2010", "stronge", "factors"][..]),
+            ("ball_ball", &["frictional", "mathavan-2014", "compliant", "elastic"][..]),
+        ] {
+            for model in models {
+                let mut values = own.get(section).expect("a section").clone();
+                values.set("model", *model);
+                if *model == "elastic" {
+                    // The exception that docs/formats.md names.
+                    values.set("restitution", 1.0);
+                }
+                let mut expected = own.clone();
+                expected.set(section, values);
+                let changed = over(base, &format!(r#""{section}": {{"model": "{model}"}}"#));
+                assert_eq!(changed.to_node(), expected, "{section} of {base} as {model}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_rails_of_pool_lose_energy_in_every_model() {
+    for model in ["restitution", "han-2005", "mathavan-2010", "stronge", "factors"] {
+        let cushion = over("pool", &format!(r#""cushion": {{"model": "{model}"}}"#)).cushion;
+        assert!(cushion.restitution.at(2.0) < 0.95, "{model}");
+    }
+}
+
+#[test]
+fn one_number_of_a_fit_leaves_the_others_as_in_the_base() {
+    for (base, section, fit) in [
+        ("snooker", "cushion", "restitution"),
+        ("carom", "cushion", "friction"),
+        ("pool", "ball_ball", "friction"),
+    ] {
+        let own = Physics::preset(base).expect("a preset").to_node();
+        let Some(Node::Object(numbers)) = own.get(section).and_then(|s| s.get(fit)) else {
+            panic!("{base} has no fit of {section}.{fit}");
+        };
+        for (key, value) in numbers {
+            let Node::Number(x) = value else { panic!("{key}: {value:?}") };
+            let new = 0.99 * x;
+            let mut expected = own.clone();
+            let mut values = own.get(section).expect("a section").clone();
+            let mut changed = Node::Object(numbers.clone());
+            changed.set(key, new);
+            values.set(fit, changed);
+            expected.set(section, values);
+            let written = format!(r#""{section}": {{"{fit}": {{"{key}": {new:?}}}}}"#);
+            assert_eq!(over(base, &written).to_node(), expected, "{base} {key}");
+        }
+    }
 }
 
 #[test]

@@ -387,23 +387,6 @@ fn a_fit_outside_0_to_1_at_every_speed_is_refused() {
 }
 
 #[test]
-fn another_model_takes_the_fit_of_its_base_at_speed_0() {
-    let with = |cushion: &str| {
-        let physics = format!(r#""base": "snooker", "cushion": {cushion}"#);
-        Shot::from_json(&edited(BASE, &physics)).expect("a good file")
-    };
-    // `a` of the rail of `snooker`.
-    assert_eq!(
-        with(r#"{"model": "restitution"}"#),
-        with(r#"{"model": "restitution", "restitution": 0.978}"#)
-    );
-    assert_ne!(
-        with(r#"{"model": "han-2005"}"#),
-        with(r#"{"model": "han-2005", "restitution": 0.978}"#)
-    );
-}
-
-#[test]
 fn unbounded_cloth_has_no_other_keys() {
     let table = r#"{"width": 1.27, "length": 2.54, "pockets": "none"}"#;
     refused(table, r#"{"cloth": "unbounded", "length": 2}"#, "table.length", &["unbounded"]);
