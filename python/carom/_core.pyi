@@ -11,6 +11,7 @@ from carom.env.settings import Settings
 from carom.noise import Noise, Perception
 from carom.plan.options import Goal, Sampling, Search
 from carom.player.thinking import Thinking
+from carom.rules import PlayArguments
 
 __all__ = [
     "Frame",
@@ -70,12 +71,6 @@ __version__: str
 
 # Speed, azimuth, elevation, side, height; an elevation of None is the default one.
 _Strike = tuple[float, float, float | None, float, float]
-# A strike, the place of the cue ball, and a call.
-_Play = tuple[
-    _Strike,
-    tuple[float, ...] | None,
-    tuple[str, str | None, str | None],
-]
 
 # Called with the number of the stage, the items done in it, and the number of its items.
 _Report = Callable[[int, int, int], object]
@@ -90,8 +85,8 @@ class Frame:
     @staticmethod
     def of_shot(game: str, shot: Shot, options: tuple[int, bool, int]) -> Frame: ...
     def to_object(self) -> dict[str, Any]: ...
-    def shot(self, play: _Play) -> Shot: ...
-    def play(self, play: _Play) -> tuple[dict[str, Any], Trace]: ...
+    def shot(self, play: PlayArguments) -> Shot: ...
+    def play(self, play: PlayArguments) -> tuple[dict[str, Any], Trace]: ...
     def choose(self, choice: str) -> dict[str, Any]: ...
     def concede(self) -> dict[str, Any]: ...
     def copy(self) -> Frame: ...

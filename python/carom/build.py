@@ -122,6 +122,7 @@ class Strike:
         side: Contact point right of the centre, in ball radii.
         height: Contact point above the centre, in ball radii.
         obstruction: ``"report"`` or ``"refuse"`` a cue that would pass through a ball or rail.
+        miscue: ``"refuse"`` a miscue, or ``"report"`` it and play as if the tip had not slipped.
     """
 
     speed: float
@@ -131,6 +132,7 @@ class Strike:
     height: float = 0.0
     ball: str = "cue"
     obstruction: str = "report"
+    miscue: str = "refuse"
 
     def to_dict(self) -> JSON:
         """The shot file's ``strike``, with angles in radians, so that they keep their bits."""
@@ -142,7 +144,24 @@ class Strike:
             "side": self.side,
             "height": self.height,
             "obstruction": self.obstruction,
+            **({} if self.miscue == Strike.miscue else {"miscue": self.miscue}),
         }
+
+
+# The keys of a shot file's ``strike`` that are not numbers.
+_WORDS = ("ball", "obstruction", "miscue")
+
+
+def like(numbers: Sequence[float], strike: Mapping[str, Any]) -> Strike:
+    """A strike with these numbers, on the ball and under the policies of another one.
+
+    Args:
+        numbers: Speed (m/s), azimuth, elevation (rad), side, height (ball radii).
+        strike: The shot file's ``strike`` with the ball, ``obstruction`` and ``miscue``.
+    """
+    speed, azimuth, elevation, side, height = numbers
+    words = {key: strike[key] for key in _WORDS if key in strike}
+    return Strike(speed, azimuth, elevation, side, height, **words)
 
 
 def opening(

@@ -17,7 +17,7 @@ from carom.arguments import (
     whole,
 )
 from carom.batch import Arrays, BatchResult, in_chunks, own_strike
-from carom.build import Strike
+from carom.build import Strike, like
 from carom.deprecated import renamed_fields
 from carom.errors import InputError
 from carom.lazy import np
@@ -111,19 +111,17 @@ class Noise:
     def draw(self, shot: carom.Shot, index: int = 0, *, seed: int = 0) -> Strike:
         """One execution of the strike of ``shot``: that of variant ``index`` of ``Shot.vary``.
 
-        If the strike of the shot can be played, so can this one: what cannot be played is replaced
-        by the nearest strike that can, as described for ``Shot.vary``. ``variant`` gives the whole
-        shot, with the contacts that cling.
+        It has the ball, ``obstruction`` and ``miscue`` of the shot's strike. If the strike of the
+        shot can be played, so can this one: what cannot be played is replaced by the nearest strike
+        that can, as described for ``Shot.vary``. ``variant`` gives the whole shot, with the contacts
+        that cling.
 
         Raises:
             InputError: The shot has no strike, or a number is out of range.
         """
         inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
         (row,) = _core.draw_strikes(inner, self, 1, whole("seed", seed), whole("index", index))
-        speed, azimuth, elevation, side, height = row.tolist()
-        meant = shot.to_dict()["strike"]
-        obstruction = meant.get("obstruction", Strike.obstruction)
-        return Strike(speed, azimuth, elevation, side, height, meant["ball"], obstruction)
+        return like(row.tolist(), shot.to_dict()["strike"])
 
     def variant(self, shot: carom.Shot, index: int = 0, *, seed: int = 0) -> carom.Shot:
         """Variant ``index`` of ``Shot.vary`` as an ordinary shot, with its strike and its cling.

@@ -19,6 +19,9 @@ from carom.trace import Record, Trace
 
 _FORMAT = "carom-frame/1"
 
+# The fields of a strike that are policies, in the order of `PlayArguments.policy`.
+_POLICIES = ("obstruction", "miscue")
+
 
 @dataclass(frozen=True)
 class Ruling:
@@ -51,6 +54,23 @@ class Ruling:
             racked=node["racked"],
             trace=trace,
         )
+
+
+@dataclass(frozen=True, slots=True)
+class PlayArguments:
+    """A play in the form that Rust reads, by attribute.
+
+    Attributes:
+        strike: Speed, azimuth, elevation (None is the default one), side, height.
+        policy: ``obstruction`` and ``miscue`` of the strike.
+        cue_ball: Where the cue ball is placed first (x, y in m); None if it is not in hand.
+        call: Kind, ball and pocket.
+    """
+
+    strike: tuple[float, float, float | None, float, float]
+    policy: tuple[str, str]
+    cue_ball: tuple[float, ...] | None
+    call: tuple[str, str | None, str | None]
 
 
 class Frame:
@@ -224,8 +244,9 @@ class Frame:
         """The start of the frame and all its moves, as plain values that JSON can hold.
 
         The keys are ``format``; ``setup``: the arguments of ``Frame`` or ``Frame.of_shot``;
-        ``moves``: each with ``play`` (``strike`` in SI units and radians, ``cue_ball``, ``call``),
-        ``choice`` or ``concede``. ``Frame.replay`` restores the frame; ``pickle`` uses both.
+        ``moves``: each with ``play`` (``strike`` in SI units and radians, with ``obstruction`` and
+        ``miscue`` where they are not the usual ones; ``cue_ball``, ``call``), ``choice`` or
+        ``concede``. ``Frame.replay`` restores the frame; ``pickle`` uses both.
         """
         return deepcopy({"format": _FORMAT, "setup": self._setup, "moves": self._moves})
 
@@ -327,7 +348,8 @@ class Frame:
 
         Args:
             strike: The strike. Its ``ball`` is not used: the frame determines the cue ball. Without
-                an elevation it gets the default one, and ``record`` has the angle.
+                an elevation it gets the default one, and ``record`` has the angle. Its
+                ``obstruction`` and ``miscue`` hold for this shot.
             cue_ball: Where to place the cue ball first (x, y in m), if it is in hand.
             call: What the player announces.
 
@@ -338,14 +360,15 @@ class Frame:
         """
         arguments = _arguments(strike, cue_ball, call)
         ruling, core = self._core.play(arguments)
-        struck, place, _ = arguments
         trace = Trace._wrap(core)
-        written = dict(zip(VARIABLES, struck, strict=True))
+        written: dict[str, Any] = dict(zip(VARIABLES, arguments.strike, strict=True))
         if written["elevation"] is None:
             written["elevation"] = trace.shot.elevation
+        policies = zip(_POLICIES, arguments.policy, strict=True)
+        written |= {key: word for key, word in policies if word != getattr(Strike, key)}
         play = {
             "strike": written,
-            "cue_ball": place and list(place),
+            "cue_ball": arguments.cue_ball and list(arguments.cue_ball),
             "call": call and asdict(call),
         }
         self._moves.append({"play": {key: value for key, value in play.items() if value}})
@@ -379,11 +402,7 @@ class Frame:
 
 def _arguments(
     strike: Strike, cue_ball: Sequence[float] | None, call: Call | None
-) -> tuple[
-    tuple[float, float, float | None, float, float],
-    tuple[float, ...] | None,
-    tuple[str, str | None, str | None],
-]:
+) -> PlayArguments:
     instance("strike", strike, Strike, "carom.Strike(speed=2.0, azimuth=1.57)")
     speed, azimuth, side, height = (
         number(f"strike.{key}", getattr(strike, key)) for key in VARIABLES if key != "elevation"
@@ -391,8 +410,15 @@ def _arguments(
     elevation = strike.elevation
     if elevation is not None:
         elevation = number("strike.elevation", elevation)
-    place = None if cue_ball is None else numbers("cue_ball", cue_ball, 2)
-    return (speed, azimuth, elevation, side, height), place, fields_of(call)
+    obstruction, miscue = (
+        text(f"strike.{key}", getattr(strike, key), '"report"') for key in _POLICIES
+    )
+    return PlayArguments(
+        strike=(speed, azimuth, elevation, side, height),
+        policy=(obstruction, miscue),
+        cue_ball=None if cue_ball is None else numbers("cue_ball", cue_ball, 2),
+        call=fields_of(call),
+    )
 
 
 def _options(points: int, miss: bool, patience: int) -> tuple[int, bool, int]:

@@ -117,6 +117,39 @@ def test_the_command_counts_legal_shots(run: CommandLine, tmp_path: Path) -> Non
     assert silent.stderr.startswith("carom: call: ")
 
 
+def test_the_command_keeps_policies_cling_and_event_cap_of_a_shot_in_a_game(
+    run: CommandLine, tmp_path: Path
+) -> None:
+    balls = {"cue": (0.5, 0.04), "9": (0.9, 1.9)}
+    strike = {"ball": "cue", "speed": 2.0, "azimuth_deg": 60, "elevation_deg": 0, "side": 0.55}
+    file = tmp_path / "shot.json"
+
+    def ask(shot: carom.Shot, *more: str) -> tuple[int, str]:
+        shot.save(file)
+        done = run("evaluate", str(file), "-n", "20", "--game", "nine-ball", *more)
+        return done.returncode, done.stdout if done.returncode == 0 else done.stderr
+
+    def shot(**keys: Any) -> carom.Shot:
+        base = carom.Shot("wpa-9ft", balls, {**strike, "miscue": "report"})
+        file = base.to_dict()
+        file["strike"] |= keys.pop("strike", {})
+        return carom.Shot.from_dict(file | keys)
+
+    code, printed = ask(shot(), "--json")
+    assert code == 0, printed
+    assert json.loads(printed)["failed"] == 0
+    # Every variant is above the cap of one event.
+    code, printed = ask(shot(max_events=1), "--json")
+    assert code == 0, printed
+    assert json.loads(printed)["failed"] == 20
+    # The intended cue just clears the rail, and half of the variants are lower.
+    least = shot(strike={"side": 0.0}).simulate().outcome.least_elevation_deg
+    clear = {"side": 0.0, "elevation_deg": least + 0.01, "obstruction": "refuse"}
+    code, printed = ask(shot(strike=clear), "--noise", "olympiad:10", "--json")
+    assert code == 0, printed
+    assert "the cue would pass" in json.loads(printed)["first_failure"]
+
+
 def test_noise_presets_accept_a_multiplier() -> None:
     assert Noise.preset("olympiad:0.5") == Noise.olympiad(0.5)
     for wrong in ("grandmaster", "club:much"):

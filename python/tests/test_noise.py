@@ -71,12 +71,22 @@ def test_a_variant_is_the_shot_with_the_strike_of_its_row(pot: dict[str, Any]) -
 
 
 def test_a_drawn_strike_equals_that_of_its_variant_to_the_bit(pot: dict[str, Any]) -> None:
-    shot = Shot.from_dict({**pot, "strike": {**pot["strike"], "obstruction": "refuse"}})
+    shot = Shot.from_dict(pot)
     noise = Noise.olympiad(2.0)
     variants = shot.vary(noise, 20, seed=3, first=7)
     drawn = [noise.draw(shot, 7 + k, seed=3) for k in range(20)]
     assert [[getattr(s, name) for name in STRIKE] for s in drawn] == strikes_of(variants).tolist()
-    assert {(s.ball, s.obstruction) for s in drawn} == {(pot["strike"]["ball"], "refuse")}
+
+
+def test_a_drawn_strike_has_the_ball_and_the_policies_of_the_shot(pot: dict[str, Any]) -> None:
+    def words(**policies: str) -> tuple[str, str, str]:
+        shot = Shot.from_dict({**pot, "strike": {**pot["strike"], **policies}})
+        drawn = Noise.olympiad().draw(shot)
+        return drawn.ball, drawn.obstruction, drawn.miscue
+
+    ball = pot["strike"]["ball"]
+    assert words() == (ball, "report", "refuse")
+    assert words(obstruction="refuse", miscue="report") == (ball, "refuse", "report")
 
 
 def test_drawing_from_a_shot_without_a_strike_is_refused(pot: dict[str, Any]) -> None:

@@ -5,6 +5,7 @@ import json
 import math
 import pickle
 from collections.abc import Callable
+from dataclasses import replace
 
 import carom
 import numpy as np
@@ -194,6 +195,37 @@ def test_a_copy_has_its_own_moves() -> None:
     before = frame.record
     frame.copy().concede()
     assert frame.record == before
+
+
+def test_a_frame_refuses_or_reports_a_miscue_as_the_strike_says() -> None:
+    frame = carom.Frame("nine-ball", seed=3)
+    strike = carom.Strike(speed=3.0, azimuth=math.pi / 2, side=0.55)
+    with pytest.raises(carom.InputError, match=r"^strike\.side: .*miscue"):
+        frame.play(strike)
+    reported = replace(strike, miscue="report")
+    assert frame.shot(reported).to_dict()["strike"]["miscue"] == "report"
+    ruling = frame.play(reported)
+    assert ruling.trace is not None
+    assert ruling.trace.outcome.miscue
+    (move,) = frame.record["moves"]
+    assert move["play"]["strike"]["miscue"] == "report"
+    assert carom.Frame.replay(frame.record).to_dict() == frame.to_dict()
+
+
+def test_a_frame_refuses_or_reports_an_obstructed_cue_as_the_strike_says() -> None:
+    frame = carom.Frame("nine-ball", seed=3)
+    strike = carom.Strike(speed=3.0, azimuth=math.pi / 2, elevation=0.0, obstruction="refuse")
+    near_rail = (0.635, 0.04)
+    with pytest.raises(carom.InputError, match=r"^strike\.elevation_deg: the cue would pass"):
+        frame.play(strike, cue_ball=near_rail)
+    assert frame.record["moves"] == []
+    # Without an elevation the cue is raised until it clears the rail.
+    frame.copy().play(replace(strike, elevation=None), cue_ball=near_rail)
+    ruling = frame.play(replace(strike, obstruction="report"), cue_ball=near_rail)
+    assert ruling.trace is not None
+    assert ruling.trace.outcome.cue_obstructed == "bottom"
+    with pytest.raises(carom.InputError, match=r"^strike\.miscue: "):
+        frame.play(replace(strike, miscue="maybe"))
 
 
 def test_refused_moves_are_not_recorded() -> None:

@@ -343,7 +343,7 @@ impl ArenaFrame {
         seat: Seat,
         play: &Play,
     ) -> Result<Effect, Error> {
-        let play_here = match self.accept(play) {
+        let play_here = match self.accept(&fair(play)) {
             Ok(accepted) => accepted,
             Err(Error::Input(fault)) => return Ok(self.refused(seat, *fault)),
             Err(other) => return Err(other),
@@ -441,7 +441,7 @@ impl ArenaFrame {
             && let Some(play) = self.given_break()
             && let Some(seat) = self.frame.player()
         {
-            let effect = self.strike(simulator, seat, &play)?;
+            let effect = self.strike(simulator, seat, &fair(&play))?;
             let answer = Some(Answer::Play(play));
             let (win_chance, cost) = (None, Cost::default());
             self.moves.push(ArenaMove { seat, answer, is_given: true, win_chance, cost, effect });
@@ -482,4 +482,10 @@ impl ArenaFrame {
         };
         Some(FrameEnd { winner, reason, why: why.into() })
     }
+}
+
+/// `play` under the usual policies and without cling: a player chooses neither, and records have
+/// neither.
+fn fair(play: &Play) -> Play {
+    Play { cue_ball: play.cue_ball, call: play.call, ..Play::new(play.strike) }
 }

@@ -192,5 +192,5 @@ fn any_play(frame: &Frame, turn: &Turn, dice: &mut Dice) -> Play {
         true => Call::Pocket(target, pockets[dice.below(pockets.len())].name),
         false => Call::Nothing,
     };
-    Play { strike, cue_ball, call }
+    Play { cue_ball, call, ..Play::new(strike) }
 }

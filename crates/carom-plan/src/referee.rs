@@ -51,7 +51,8 @@ impl<'a> Refereed<'a> {
         let lies = shot.balls()[cue_ball].state.position;
         let in_hand = frame.turn().is_some_and(|turn| turn.hand.is_some());
         let place = in_hand.then_some([lies.x, lies.y]);
-        let asked = frame.shot(&Play { strike: meant, cue_ball: place, call })?;
+        let policy = shot.strike_policy();
+        let asked = frame.shot(&Play { cue_ball: place, call, policy, ..Play::new(meant) })?;
         // The strike may differ, because the conversion of angles to degrees rounds them.
         if asked.balls() != shot.balls()
             || asked.table() != shot.table()

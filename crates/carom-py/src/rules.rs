@@ -1,6 +1,7 @@
 //! `_core.Frame`.
 
 use carom::format::Node;
+use carom::shot::StrikePolicy;
 use carom::{Error, Trace as Played};
 use carom_rules::{Choice, Options, Play, Rules};
 use pyo3::prelude::*;
@@ -10,8 +11,16 @@ use crate::node::{from_python, to_python};
 use crate::shot::{Shot, StrikeArguments, strike_or_default};
 use crate::trace::Trace;
 
-/// A play: strike, the cue ball's place, the call (kind, ball, pocket).
-type PlayArguments = (StrikeArguments, Option<[f64; 2]>, (String, Option<String>, Option<String>));
+/// `carom.rules.PlayArguments`, read by attribute.
+#[derive(FromPyObject)]
+pub(crate) struct PlayArguments {
+    strike: StrikeArguments,
+    /// `obstruction` and `miscue`.
+    policy: (String, String),
+    cue_ball: Option<[f64; 2]>,
+    /// Kind, ball, pocket.
+    call: (String, Option<String>, Option<String>),
+}
 
 fn optional(value: &Bound<'_, PyAny>) -> PyResult<Option<Node>> {
     if value.is_none() { Ok(None) } else { from_python(value).map(Some) }
@@ -23,10 +32,11 @@ pub(crate) struct Frame(pub(crate) carom_rules::Frame);
 
 impl Frame {
     fn play_of(&self, arguments: PlayArguments) -> Result<Play, Error> {
-        let (strike, cue_ball, (kind, ball, pocket)) = arguments;
+        let PlayArguments { strike, policy, cue_ball, call: (kind, ball, pocket) } = arguments;
         let (strike, has_elevation) = strike_or_default(strike);
         let call = self.0.call(&kind, ball.as_deref(), pocket.as_deref())?;
-        let play = Play { strike, cue_ball, call };
+        let policy = StrikePolicy::from_names(&policy.0, &policy.1)?;
+        let play = Play { strike, cue_ball, call, policy };
         if has_elevation { Ok(play) } else { self.0.at_default_elevation(&play) }
     }
 }

@@ -2,6 +2,7 @@
 
 use carom::math::{degrees, radians};
 use carom::resolve::cue_ball::Strike;
+use carom::shot::StrikePolicy;
 use carom::table::PocketName;
 
 use crate::layout::BallIndex;
@@ -15,12 +16,16 @@ pub struct Play {
     pub cue_ball: Option<[f64; 2]>,
     /// The call.
     pub call: Call,
+    /// The policies for a strike that a player could not play cleanly.
+    pub policy: StrikePolicy,
 }
 
 impl Play {
-    /// A shot without an announcement that plays the cue ball where it lies.
-    pub const fn new(strike: Strike) -> Self {
-        Self { strike, cue_ball: None, call: Call::Nothing }
+    /// A shot without an announcement that plays the cue ball where it lies, under the usual
+    /// policies.
+    pub fn new(strike: Strike) -> Self {
+        let policy = StrikePolicy::default();
+        Self { strike, cue_ball: None, call: Call::Nothing, policy }
     }
 
     /// The same shot with `ball` called into `pocket`.

@@ -91,7 +91,7 @@ fn any_play(frame: &Frame, turn: &Turn, dice: &mut Dice) -> Play {
     } else {
         Call::Nothing
     };
-    Play { strike, cue_ball, call }
+    Play { cue_ball, call, ..Play::new(strike) }
 }
 
 /// Where to aim from `from` to pot the ball at `to`, and the index of the pocket: a random one of

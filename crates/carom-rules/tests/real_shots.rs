@@ -1,7 +1,8 @@
 //! Rulings that need more than the outcome of a shot, on simulated shots.
 
 use carom::resolve::cue_ball::Strike;
-use carom_rules::{Call, Foul, Frame, Options, Play, Rules, Ruling};
+use carom::shot::{Policy, StrikePolicy};
+use carom_rules::{Call, Foul, Frame, Options, Play, Prepared, Rules, Ruling};
 
 /// Straight up the table.
 const UP: f64 = core::f64::consts::FRAC_PI_2;
@@ -12,7 +13,7 @@ fn frame(rules: Rules) -> Frame {
 
 fn break_at(azimuth: f64, speed: f64) -> Ruling {
     let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
-    let play = Play { strike, cue_ball: Some([0.3, 0.3]), call: Call::Safety };
+    let play = Play { cue_ball: Some([0.3, 0.3]), call: Call::Safety, ..Play::new(strike) };
     frame(Rules::StraightPool).play(&play).expect("it can be played").0
 }
 
@@ -29,6 +30,27 @@ fn only_a_cue_ball_that_stops_before_the_head_string_commits_the_head_string_fou
         [Foul::NoContact, Foul::SoftBreak],
         "it crosses the string"
     );
+}
+
+#[test]
+fn a_miscue_is_refused_or_played_as_the_policy_of_the_play_says() {
+    let strike = Strike { speed: 3.0, azimuth: UP, elevation: 0.1, side: 0.55, height: 0.0 };
+    let refused = Play { call: Call::Safety, ..Play::new(strike) };
+    let mut frame = frame(Rules::StraightPool);
+    let error = frame.play(&refused).expect_err("a miscue").to_string();
+    assert!(error.starts_with("strike.side: ") && error.contains("miscue"), "{error}");
+    let policy = StrikePolicy { miscue: Policy::Report, ..StrikePolicy::default() };
+    let reported = Play { policy, ..refused };
+    let raised = frame.at_default_elevation(&reported).expect("the tip does not slip");
+    assert!(raised.strike.elevation > 0.05 && raised.policy == policy, "{raised:?}");
+    assert!(frame.shot(&reported).expect("the tip does not slip").is_miscue());
+    // So are the drawn strikes.
+    let prepared = [Prepared::new(&frame, None), Prepared::of_play(&frame, &reported)];
+    let [usual, held] = prepared.map(|shot| shot.expect("a shot").struck_ball().largest_offset);
+    assert!(usual < 0.55 && held > 0.99, "{usual} {held}");
+    frame.play(&reported).expect("the tip does not slip");
+    // The policy is that of one shot.
+    assert!(frame.base().strike_policy() == StrikePolicy::default());
 }
 
 /// The ruling on a stroke up the table, with the blue between the cue ball and a red.

@@ -3,6 +3,7 @@
 use carom::Error;
 use carom::format::Node;
 use carom::resolve::cue_ball::Strike;
+use carom::shot::StrikePolicy;
 use carom_rules::{Choice, Options, Play, Rules};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -38,6 +39,7 @@ pub struct PlayArguments {
     call: String,
     ball: Option<String>,
     pocket: Option<String>,
+    policy: StrikePolicy,
 }
 
 #[wasm_bindgen]
@@ -62,7 +64,16 @@ impl PlayArguments {
                 .map_err(|_| js_sys::RangeError::new("cue_ball: write two numbers"))
         };
         let cue_ball = cue_ball.map(two).transpose()?;
-        Ok(Self { strike, has_elevation, cue_ball, call, ball, pocket })
+        let policy = StrikePolicy::default();
+        Ok(Self { strike, has_elevation, cue_ball, call, ball, pocket, policy })
+    }
+
+    /// Sets the policies for a strike that a player could not play cleanly, by name.
+    #[wasm_bindgen(js_name = setPolicy)]
+    pub fn set_policy(&mut self, obstruction: &str, miscue: &str) -> Result<(), JsValue> {
+        let policy = StrikePolicy::from_names(obstruction, miscue);
+        self.policy = policy.map_err(|e| to_exception(&e))?;
+        Ok(())
     }
 }
 
@@ -89,10 +100,10 @@ impl PlayResult {
 
 impl Frame {
     fn play_of(&self, arguments: &PlayArguments) -> Result<Play, Error> {
-        let PlayArguments { strike, has_elevation, cue_ball, call, ball, pocket } = arguments;
+        let PlayArguments { call, ball, pocket, cue_ball, policy, .. } = arguments;
         let call = self.0.call(call, ball.as_deref(), pocket.as_deref())?;
-        let play = Play { strike: *strike, cue_ball: *cue_ball, call };
-        if *has_elevation { Ok(play) } else { self.0.at_default_elevation(&play) }
+        let play = Play { strike: arguments.strike, cue_ball: *cue_ball, call, policy: *policy };
+        if arguments.has_elevation { Ok(play) } else { self.0.at_default_elevation(&play) }
     }
 
     fn play_checked(&mut self, arguments: &PlayArguments) -> Result<PlayResult, Error> {

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 import carom
-from carom import Call, CushionTable, Frame, Perception, Shot, Strike
+from carom import Call, CushionTable, Frame, Perception, Shot
 from carom.batch import own_strike
+from carom.build import like
 from carom.cli import renamed
 from carom.cli.options import (
     Cling,
@@ -455,9 +456,13 @@ def _call(text: str) -> Call:
 
 def _in_game(shot: Shot, game: str, call: Call | None) -> tuple[Shot, Frame]:
     """The shot as the frame requests it, with the frame's order of balls, and the frame."""
-    strike = Strike(*own_strike(shot._core))
     frame = Frame.of_shot(game, shot)
-    return frame.shot(strike, call=call), frame
+    own = own_strike(shot._core)
+    file = shot.to_dict()
+    asked = frame.shot(like(own, file["strike"]), call=call).to_dict()
+    # A frame plays every shot without cling and with the usual cap of events.
+    asked |= {key: file[key] for key in ("cling", "max_events") if key in file}
+    return Shot.from_dict(asked), frame
 
 
 def _numbers(name: str, text: str, separator: str, shape: str, count: int = 3) -> list[float]:

@@ -518,8 +518,14 @@ function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
   text("call.kind", kind);
   if (ball !== undefined) text("call.ball", ball);
   if (into !== undefined) text("call.into", into);
+  const { obstruction = "report", miscue = "refuse" } = strike!;
+  text("strike.obstruction", obstruction);
+  text("strike.miscue", miscue);
   const given = new wasm.PlayArguments(values, elevation, place, kind, ball, into);
   try {
+    checked(() => {
+      given.setPolicy(obstruction, miscue);
+    });
     return use(given);
   } finally {
     given.free();

@@ -3,7 +3,7 @@
  * by their names. The data is that of Python's `Frame.to_dict`, key by key.
  */
 
-import type { PocketName, Point, Shot, StrikeInput, Trace } from "./types.js";
+import type { PocketName, Point, Shot, StrikeEntry, StrikeInput, Trace } from "./types.js";
 
 export type Player = 0 | 1;
 
@@ -18,8 +18,8 @@ export interface Call {
 
 /** A shot as a player plays it. */
 export interface Play {
-  /** Without an elevation it is the default one. */
-  readonly strike: StrikeInput;
+  /** Without an elevation it is the default one. The policies are those of a shot file. */
+  readonly strike: StrikeInput & Pick<StrikeEntry, "obstruction" | "miscue">;
   /** Place of a cue ball in hand, m. */
   readonly cue_ball?: Point;
   readonly call?: Call;

@@ -122,7 +122,7 @@ pub(super) fn read_play(frame: &Frame, at: &Reader<'_>) -> Result<Play, Error> {
         },
     };
     let call = at.get("call").map_or(Ok(Call::Nothing), |call| read_call(frame, &call))?;
-    Ok(Play { strike, cue_ball, call })
+    Ok(Play { cue_ball, call, ..Play::new(strike) })
 }
 
 fn read_call(frame: &Frame, at: &Reader<'_>) -> Result<Call, Error> {

@@ -70,7 +70,7 @@ pub(crate) fn random_play(frame: &Frame, turn: &Turn, dice: &mut Dice) -> Play {
     } else {
         Call::Nothing
     };
-    Play { strike, cue_ball, call }
+    Play { cue_ball, call, ..Play::new(strike) }
 }
 
 /// A random place for a cue ball in hand, which no ball is in the way of.

@@ -315,7 +315,7 @@ impl Method for CueCard {
                 prepared.shot().resolve_strike(&strike)?;
                 let first = desk.turn.on.first().copied().unwrap_or(desk.turn.cue);
                 let call = call_of(desk.turn, first, None);
-                Ok(Some(Play { strike, cue_ball: Some(place), call }))
+                Ok(Some(Play { cue_ball: Some(place), call, ..Play::new(strike) }))
             }
         }
     }

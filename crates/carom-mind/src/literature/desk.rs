@@ -259,7 +259,7 @@ fn toward_nearest(
     let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height };
     let strike = Explorer::raised(prepared, strike);
     let call = call_of(desk.turn, head.index, None);
-    Some(Play { strike, cue_ball: prepared.cue_ball(), call })
+    Some(Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) })
 }
 
 /// The safety that leaves the other player least, and its value for the player, 0 to 1; none if no
@@ -310,7 +310,7 @@ fn anything(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
         let first = desk.turn.on.first().copied().unwrap_or(desk.turn.cue);
         let call = call_of(desk.turn, first, None);
         let strike = Explorer::raised(prepared, strike);
-        Play { strike, cue_ball: prepared.cue_ball(), call }
+        Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) }
     };
     Ok(toward_nearest(desk, prepared, HOPELESS_SPEED, 0.0).unwrap_or_else(hopeless))
 }

@@ -183,7 +183,7 @@ impl Workbench {
         let pocket = prepared.shot().table().pockets[line.pocket].name;
         let call = call_of(sight.turn, line.first, Some((line.object, pocket)));
         let is_legal = self.sampler.rule(prepared, call, &mut self.successor)?.is_legal();
-        let play = Play { strike: aimed.strike, cue_ball: prepared.cue_ball(), call };
+        let play = Play { cue_ball: prepared.cue_ball(), call, ..Play::new(aimed.strike) };
         Ok(is_legal.then_some(play))
     }
 
@@ -264,7 +264,7 @@ pub(crate) fn geometric(
     let strike = Correction::default().start(sight, prepared, line, Stroke::plain(speed));
     let pocket = prepared.shot().table().pockets[line.pocket].name;
     let call = call_of(sight.turn, line.first, Some((line.object, pocket)));
-    Play { strike, cue_ball: prepared.cue_ball(), call }
+    Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) }
 }
 
 /// Strokes spread evenly over speeds from `low` to `high` (m/s, evenly on a logarithmic scale) and over

@@ -104,7 +104,7 @@ fn blind_play(frame: &Frame, index: u64) -> Option<Play> {
             let at = |k: usize, share: f64| low[k] + (0.5 + 0.45 * share) * (high[k] - low[k]);
             [at(0, side), at(1, height)]
         });
-        let play = Play { strike, cue_ball, call };
+        let play = Play { cue_ball, call, ..Play::new(strike) };
         frame.shot(&play).is_ok().then_some(play)
     })
 }

@@ -85,7 +85,7 @@ impl<'a> Explorer<'a> {
     ) {
         let cue_ball = prepared.cue_ball();
         let end = self.successor.layout().place(self.turn.cue);
-        let play = Play { strike, cue_ball, call };
+        let play = Play { cue_ball, call, ..Play::new(strike) };
         let (samples, fresh, correction) = (Vec::new(), Vec::new(), 0.0);
         let found = Candidate { play, kind, line, place, prior, end, samples, fresh, correction };
         self.found.push(found);

@@ -63,7 +63,7 @@ pub(crate) fn any_play(frame: &Frame, turn: &Turn, dice: &mut Dice) -> Play {
     let speed = 0.4 + 6.0 * dice.unit();
     let strike = Strike { speed, azimuth, elevation, side, height };
     let calls = any_calls(frame, turn, dice);
-    Play { strike, cue_ball, call: calls[dice.below(calls.len())] }
+    Play { cue_ball, call: calls[dice.below(calls.len())], ..Play::new(strike) }
 }
 
 /// Some of the calls that are allowed.

@@ -3,6 +3,7 @@
 use carom::event::NullRecorder;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
+use carom::shot::{Policy, StrikePolicy};
 use carom::{BallState, Error, Shot, Trace};
 
 use super::{Frame, FrameSimulator, Prepared};
@@ -21,7 +22,7 @@ impl Frame {
     /// allowed, if the cue ball is placed where it must not be, and for a strike that a shot file
     /// could not have.
     pub fn shot(&self, play: &Play) -> Result<Shot, Error> {
-        self.prepared(play)?.shot().with_strike(&through_degrees(&play.strike))
+        Ok(self.prepared(play)?.into_shot())
     }
 
     /// `play` at the default elevation of its strike ([`Shot::default_elevation`]). The elevation in
@@ -30,17 +31,18 @@ impl Frame {
     /// # Errors
     /// As [`Self::shot`].
     pub fn at_default_elevation(&self, play: &Play) -> Result<Play, Error> {
-        let prepared = self.prepared(play)?;
         let strike = Strike { elevation: 0.0, ..play.strike };
-        prepared.shot().resolve_strike(&strike)?;
+        // A level cue may be obstructed where the raised one is not.
+        let policy = StrikePolicy { obstruction: Policy::Report, ..play.policy };
+        let prepared = self.prepared(&Play { strike, policy, ..*play })?;
         let elevation = prepared.shot().default_elevation(&strike);
         Ok(Play { strike: Strike { elevation, ..strike }, ..*play })
     }
 
-    /// The shot of `play`, whose strike is not used.
+    /// The shot of `play`.
     fn prepared(&self, play: &Play) -> Result<Prepared<'_>, Error> {
         self.check_call(self.asked_turn()?, play.call)?;
-        Prepared::new(self, play.cue_ball)
+        Prepared::of_play(self, play)
     }
 
     /// The balls before the shot of `turn`, with a cue ball in hand at `cue_ball`.

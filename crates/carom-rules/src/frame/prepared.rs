@@ -8,6 +8,7 @@ use carom::{Error, Shot};
 
 use super::Frame;
 use crate::layout::{BallList, FrameLayout};
+use crate::play::{Play, through_degrees};
 use crate::request::Turn;
 
 /// Stands in a prepared shot until a strike is given: a level strike at the centre.
@@ -28,17 +29,40 @@ pub struct Prepared<'a> {
 }
 
 impl<'a> Prepared<'a> {
-    /// The shot that `frame` asks for. `cue_ball` is the place of a cue ball in hand: its centre
-    /// (file frame, m).
+    /// The shot that `frame` asks for, under the usual policies for strikes. `cue_ball` is the place
+    /// of a cue ball in hand: its centre (file frame, m).
     ///
     /// # Errors
     /// [`Error::Input`] if the frame does not ask for a shot, and if the cue ball is placed where
     /// it must not be.
     pub fn new(frame: &'a Frame, cue_ball: Option<[f64; 2]>) -> Result<Self, Error> {
+        Self::with_base(frame, cue_ball, frame.base(), PLACEHOLDER)
+    }
+
+    /// As [`Self::new`], with the strike of `play` and under its policies. Its call is not used.
+    ///
+    /// # Errors
+    /// As [`Self::new`], and for a strike that a shot file could not have under these policies.
+    pub fn of_play(frame: &'a Frame, play: &Play) -> Result<Self, Error> {
+        let (base, strike) = (frame.base(), through_degrees(&play.strike));
+        if play.policy == base.strike_policy() {
+            return Self::with_base(frame, play.cue_ball, base, strike);
+        }
+        let base = base.with_strike_policy(play.policy)?;
+        Self::with_base(frame, play.cue_ball, &base, strike)
+    }
+
+    /// As [`Self::new`], on the table, with the physics and under the policies of `base`.
+    fn with_base(
+        frame: &'a Frame,
+        cue_ball: Option<[f64; 2]>,
+        base: &Shot,
+        strike: Strike,
+    ) -> Result<Self, Error> {
         let turn = *frame.asked_turn()?;
         let before = frame.layout_with(&turn, cue_ball)?;
         let cue = before.on_table().position(|ball| ball == turn.cue).unwrap_or_default();
-        let shot = frame.base().with_balls(before.placed(), Some((cue, PLACEHOLDER)));
+        let shot = base.with_balls(before.placed(), Some((cue, strike)));
         let shot = Cow::Owned(shot.map_err(|error| at_cue_ball(error, cue))?);
         let balls = before.on_table().collect();
         Ok(Self { frame, turn, shot, balls, before })
@@ -74,12 +98,17 @@ impl<'a> Prepared<'a> {
         &self.turn
     }
 
-    /// The shot. Its strike is only a placeholder.
+    /// The shot. Its strike is only a placeholder, except after [`Self::of_play`].
     pub fn shot(&self) -> &Shot {
         &self.shot
     }
 
-    /// The struck ball, for drawing errors of its strike.
+    /// As [`Self::shot`], without the rest.
+    pub(super) fn into_shot(self) -> Shot {
+        self.shot.into_owned()
+    }
+
+    /// The struck ball under the policies of the shot, for drawing errors of its strike.
     pub fn struck_ball(&self) -> StruckBall {
         let ball = self.shot.cue_ball().unwrap_or_default();
         StruckBall::of(&self.shot, &self.shot.balls()[ball].ball)

@@ -45,7 +45,7 @@ impl Scenario {
     fn play(&mut self, call: Call, shot: DescribedShot) -> Ruling {
         let turn = *self.turn();
         let strike = Strike { speed: 1.0, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
-        let mut play = Play { strike, cue_ball: None, call };
+        let mut play = Play { call, ..Play::new(strike) };
         if let Some(region) = turn.hand {
             let (table, layout) = (self.0.base().table(), self.0.layout());
             let free =

@@ -42,6 +42,17 @@ pub(super) fn read_policy(at: &At<'_>) -> Result<StrikePolicy, Error> {
     })
 }
 
+impl StrikePolicy {
+    /// The policies of these names, as `obstruction` and `miscue` of a shot file's `strike`.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a name other than `report` and `refuse`.
+    pub fn from_names(obstruction: &str, miscue: &str) -> Result<Self, Error> {
+        let node = Node::object([("obstruction", obstruction.into()), ("miscue", miscue.into())]);
+        read_policy(&At::root(&node)).map_err(|error| error.inside("strike"))
+    }
+}
+
 /// A strike as a file has it.
 pub(super) struct ReadStrike {
     /// The struck ball's index.

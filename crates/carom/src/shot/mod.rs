@@ -124,9 +124,7 @@ impl Shot {
         let Parts { table, mut physics, balls, strike, policy, max_events, .. } = parts;
         let (has_default_elevation, cling) = (parts.has_default_elevation, parts.cling);
         let tip_friction = physics.cue.tip_friction;
-        if policy.miscue == Policy::Report {
-            physics.cue.tip_friction = strike::TIP_THAT_HOLDS;
-        }
+        physics.cue.tip_friction = policy.used_tip_friction(tip_friction);
         let (balls, physics) = (balls.into_inner(), physics.into());
         Self {
             table,
@@ -229,6 +227,16 @@ impl Shot {
         self.has_default_elevation = source.has_default_elevation;
         self.cling = cling;
         Arc::make_mut(&mut self.balls)
+    }
+
+    /// The same shot with other policies for strikes that a player could not play cleanly.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if its strike cannot be played under these policies.
+    pub fn with_strike_policy(&self, policy: StrikePolicy) -> Result<Self, Error> {
+        let mut physics = Physics::clone(&self.physics);
+        physics.cue.tip_friction = policy.used_tip_friction(self.tip_friction);
+        Self { physics: physics.into(), policy, ..self.clone() }.checked()
     }
 
     /// The same shot in which other contacts cling.

@@ -17,7 +17,7 @@ pub(crate) const SPEED: Range = Range::above(0.0, FASTEST, " m/s");
 pub(crate) const OFFSET: Range = Range::closed(-1.0, 1.0, " ball radii");
 
 /// Tip friction so large that the tip never slips.
-pub(super) const TIP_THAT_HOLDS: f64 = LARGEST;
+const TIP_THAT_HOLDS: f64 = LARGEST;
 
 /// What to do about a strike that a player could not play, or not cleanly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -40,6 +40,13 @@ pub struct StrikePolicy {
 impl Default for StrikePolicy {
     fn default() -> Self {
         Self { obstruction: Policy::Report, miscue: Policy::Refuse }
+    }
+}
+
+impl StrikePolicy {
+    /// The friction of the tip with which strikes are resolved, for a tip of this friction.
+    pub(super) fn used_tip_friction(self, tip_friction: f64) -> f64 {
+        if self.miscue == Policy::Report { TIP_THAT_HOLDS } else { tip_friction }
     }
 }
 

@@ -79,8 +79,13 @@ export function playShot(
   const { shot } = store;
   const [x, y] = shot.balls[shot.struck!]!.position;
   try {
+    const { obstruction, miscue } = store.document.shot.strike;
     const play = {
-      strike: executed(engine, shot, game, asked),
+      strike: {
+        ...executed(engine, shot, game, asked),
+        ...(obstruction !== undefined && { obstruction }),
+        ...(miscue !== undefined && { miscue }),
+      },
       ...(asked.in_hand !== null && { cue_ball: [x, y] as const }),
       ...(game.call && { call: game.call }),
     };

@@ -93,6 +93,30 @@ test("a play without an elevation has the default one", () => {
   expect(frame.play({ strike: aim, cue_ball: [0.6, 0.5] }).trace.hash).toBe(shot.simulate().hash);
 });
 
+test("a miscue and an obstructed cue are refused or reported as the strike says", () => {
+  const refusal = (play: Play) => {
+    try {
+      engine.frame("nine-ball").play(play);
+      return null;
+    } catch (error) {
+      return (error as CaromError).place;
+    }
+  };
+  const slipping = { ...STRIKE, side: 0.55 };
+  expect(refusal({ strike: slipping })).toBe("strike.side");
+  const reported = { strike: { ...slipping, miscue: "report" } } as const;
+  const { trace } = engine.frame("nine-ball").play(reported);
+  expect(trace.outcome.miscue).toBe(true);
+  expect(trace.shot.file.strike?.miscue).toBe("report");
+  const level: Play = { strike: STRIKE, cue_ball: [0.6, 0.04] };
+  expect(refusal(level)).toBeNull();
+  expect(refusal({ ...level, strike: { ...STRIKE, obstruction: "refuse" } })).toBe(
+    "strike.elevation_deg",
+  );
+  // @ts-expect-error not a policy
+  expect(refusal({ strike: { ...STRIKE, miscue: "maybe" } })).toBe("strike.miscue");
+});
+
 test("a cue ball in hand is refused outside its region, whose box is known", () => {
   const pool = engine.frame("nine-ball");
   expect(pool.handBounds).toEqual([

@@ -99,6 +99,20 @@ describe("a game", () => {
     }
   });
 
+  test("keeps the policies of the strike, also in its moves", () => {
+    const store = begun("nine-ball");
+    store.strike({ side: 0.55 }, "aim");
+    expect(refusal(store)).toMatch(/miscue/);
+    const { shot } = store.document;
+    const strike = { ...shot.strike, side: 0.55, miscue: "report" } as const;
+    expect(store.apply({ shot: { ...shot, strike } }, "aim")).toBe(true);
+    expect(shootOnce(store)).not.toBeNull();
+    const { game } = store.document;
+    expect(game!.moves[0]).toMatchObject({ play: { strike: { miscue: "report" } } });
+    const again = progressOf(engine, structuredClone(game!));
+    expect(again.frame.state).toEqual(standing(store, engine)!.frame.state);
+  });
+
   test("continues with the balls where they stop, and undo takes the shot back", () => {
     const store = begun("nine-ball");
     const before = store.document;
