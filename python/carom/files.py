@@ -29,6 +29,11 @@ def checked_path(name: str, value: Any, such_as: str) -> Path:
     return Path(place)
 
 
+def shown(path: str | os.PathLike[str]) -> str:
+    """A path for an error message; bytes that are not UTF-8 are shown as ``?``."""
+    return os.fspath(path).encode(errors="replace").decode()
+
+
 def read_text(path: str | os.PathLike[str]) -> str:
     """The text of a UTF-8 file.
 

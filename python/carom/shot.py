@@ -11,7 +11,7 @@ from carom import _core, arguments, plan
 from carom._core import Shot as CoreShot
 from carom.batch import VARIABLES, batch, own_strike
 from carom.build import Layout, Physics, Strike, Table
-from carom.files import read_text
+from carom.files import read_text, shown
 from carom.lazy import np
 from carom.noise import vary
 from carom.trace import Trace
@@ -86,7 +86,7 @@ class Shot:
             OSError: The file cannot be read.
             InputError: It is not a valid shot.
         """
-        return cls.from_json(read_text(path))
+        return cls._read(read_text(path), shown(path))
 
     @classmethod
     def from_json(cls, text: str) -> Self:
@@ -95,7 +95,12 @@ class Shot:
         Raises:
             InputError: It is not a valid shot.
         """
-        return cls._wrap(_core.Shot.from_json(arguments.text("text", text)))
+        return cls._read(arguments.text("text", text), None)
+
+    @classmethod
+    def _read(cls, text: str, file: str | None) -> Self:
+        """Read a shot from JSON text; the error of a syntax fault names the file of the text."""
+        return cls._wrap(_core.Shot.from_json(text, file))
 
     @classmethod
     def from_dict(cls, file: Mapping[str, Any]) -> Self:

@@ -13,7 +13,7 @@ from carom._core import Shot as CoreShot
 from carom._core import Trace as CoreTrace
 from carom.errors import InputError
 from carom.event_table import plain
-from carom.files import read_text
+from carom.files import read_text, shown
 from carom.lazy import np
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class Trace:
             OSError: The file cannot be read.
             InputError: It is not a valid trace.
         """
-        return cls.from_json(read_text(path))
+        return cls._read(read_text(path), shown(path))
 
     @classmethod
     def from_json(cls, text: str) -> Self:
@@ -97,7 +97,12 @@ class Trace:
         Raises:
             InputError: It is not a valid trace.
         """
-        return cls._wrap(_core.Trace.from_json(arguments.text("text", text)))
+        return cls._read(arguments.text("text", text), None)
+
+    @classmethod
+    def _read(cls, text: str, file: str | None) -> Self:
+        """Read a trace from JSON text; the error of a syntax fault names the file of the text."""
+        return cls._wrap(_core.Trace.from_json(text, file))
 
     @classmethod
     def from_dict(cls, file: Mapping[str, Any]) -> Self:

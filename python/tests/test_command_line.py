@@ -121,6 +121,34 @@ def test_bad_input_gives_one_sentence_and_exit_code_2(
     refused(run("shot", "-", stdin=""), "JSON")
 
 
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("shot",),
+        ("play", "--no-browser"),
+        ("replay",),
+        ("evaluate",),
+        ("think",),
+        ("solve", "--pot", "1"),
+        ("map", "acceptance", "--pocket", "left"),
+        ("sweep", "--out", "table"),
+        ("import", "--format", "pooltool"),
+    ],
+)
+def test_the_error_of_a_syntax_fault_names_the_file_or_stdin(
+    run: CommandLine, tmp_path: Path, command: tuple[str, ...]
+) -> None:
+    file, text = tmp_path / "broken.json", '{"format": "carom-shot/1",\n oops}'
+    file.write_text(text, encoding="utf-8")
+    for done, name in (
+        (run(*command, str(file)), str(file)),
+        (run(*command, "-", stdin=text), "stdin"),
+    ):
+        refused(done, f"carom: {name}: ")
+        refused(done, "not JSON: ")
+        refused(done, "(line 2, column 2)")
+
+
 def test_a_missing_file_is_bad_input(run: CommandLine, tmp_path: Path) -> None:
     refused(run("shot", "nowhere.json"), "nowhere.json")
     refused(run("shot", str(tmp_path)), str(tmp_path))

@@ -6,6 +6,7 @@ import copy
 import json
 import math
 import pickle
+import re
 from pathlib import Path
 from typing import Any
 
@@ -202,8 +203,28 @@ def test_a_nan_in_a_file_is_refused_with_its_place() -> None:
 
 
 def test_invalid_json_is_refused_with_its_line() -> None:
-    with pytest.raises(InputError, match="line 2"):
+    with pytest.raises(InputError, match=r"^not JSON: .* \(line 2, column 2\); correct"):
         Shot.from_json('{"format": "carom-shot/1",\n oops}')
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ('{"format": "carom-shot/1",\n oops}', r"not JSON: .*\(line 2, column 2\)"),
+        ('{"balls": [\n{"id": "a", "id": "b"}]}', r"balls\[0\]\.id: .*\(line 2, column \d+\)"),
+        ('{"max_events":\n NaN}', r"max_events: NaN \(line 2, column \d+\)"),
+        ('{"max_events":\n 1e999}', r"max_events: .*too large.*\(line 2, column \d+\)"),
+        ("", r"not JSON: .*\(line 1, column 0\)"),
+    ],
+)
+def test_the_error_of_a_syntax_fault_names_the_file_the_line_and_the_column(
+    text: str, fault: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "broken.json"
+    path.write_text(text, encoding="utf-8")
+    for kind in (Shot, carom.Trace, carom.Sweep):
+        with pytest.raises(InputError, match=f"^{re.escape(str(path))}: {fault}"):
+            kind.load(path)
 
 
 @pytest.mark.parametrize("text", ['"\ud800"', b"{}", None])

@@ -355,7 +355,10 @@ def test_a_sweep_without_any_valid_row_is_refused(spec: Spec, tmp_path: Path) ->
     ("text", "message"),
     [
         ('{"a": 1, "a": 2}', r"^a: the key occurs twice"),
-        ('{"seed": NaN}', r"^seed: NaN \(line 1\) is not a number .*; write a finite number"),
+        (
+            '{"seed": NaN}',
+            r"^seed: NaN \(line 1, column \d+\) is not a number .*; write a finite number",
+        ),
         ("[1,", r"not JSON: .*line 1, column 3.*; correct the text there"),
         ("[]", r"^the spec: found a list of 0"),
     ],

@@ -5,6 +5,7 @@ mod batch;
 mod env;
 mod error;
 mod exceptions;
+mod json;
 mod maps;
 mod node;
 mod options;

@@ -7,6 +7,7 @@ use carom::resolve::cue_ball::Strike;
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
+use crate::json;
 use crate::node::{from_python, to_python};
 
 pub(crate) fn strike_of([speed, azimuth, elevation, side, height]: [f64; 5]) -> Strike {
@@ -37,8 +38,9 @@ impl From<carom::Shot> for Shot {
 #[pymethods]
 impl Shot {
     #[staticmethod]
-    fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
-        let shot = ShotFile::from_json(text).map_err(|e| to_exception(py, &e))?;
+    fn from_json(py: Python<'_>, text: &str, file: Option<&str>) -> PyResult<Self> {
+        let node = json::read(py, text, file)?;
+        let shot = ShotFile::from_node(node).map_err(|e| to_exception(py, &e))?;
         Ok(Self(shot.into()))
     }
 

@@ -12,6 +12,7 @@ use pyo3::types::PyDict;
 
 use crate::error::to_exception;
 use crate::exceptions::InputError;
+use crate::json;
 use crate::node::{from_python, to_python};
 use crate::options::NoiseOptions;
 use crate::shot::Shot;
@@ -169,11 +170,14 @@ fn to_dict(py: Python<'_>, results: RowResults) -> PyResult<Bound<'_, PyDict>> {
 }
 
 /// JSON text in plain dicts, lists and values. Rejects duplicate keys and numbers that are not
-/// finite.
+/// finite; the error names the `file` of the text, if it has one.
 #[pyfunction]
-pub(crate) fn read_json<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
-    let node = Node::from_json(text).map_err(|error| to_exception(py, &error))?;
-    to_python(py, &node)
+pub(crate) fn read_json<'py>(
+    py: Python<'py>,
+    text: &str,
+    file: Option<&str>,
+) -> PyResult<Bound<'py, PyAny>> {
+    to_python(py, &json::read(py, text, file)?)
 }
 
 /// Rejects a value that is not an object, and unknown keys. `place` is the value's path in its

@@ -10,6 +10,7 @@ use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
+use crate::json;
 use crate::node::{from_python, to_python};
 use crate::shot::Shot;
 
@@ -57,9 +58,9 @@ type States<'py> = (Cube<'py>, Cube<'py>, Cube<'py>, Cube<'py>, Vec<&'static str
 #[pymethods]
 impl Trace {
     #[staticmethod]
-    fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
-        let node = Node::from_json(text);
-        node.and_then(|node| Self::read(&node)).map_err(|e| to_exception(py, &e))
+    fn from_json(py: Python<'_>, text: &str, file: Option<&str>) -> PyResult<Self> {
+        let node = json::read(py, text, file)?;
+        Self::read(&node).map_err(|e| to_exception(py, &e))
     }
 
     #[staticmethod]

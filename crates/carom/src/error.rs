@@ -53,6 +53,15 @@ impl Error {
         self
     }
 
+    /// The same error with its place in a file: `shot.json: balls[3].position`.
+    pub fn in_file(mut self, file: &str) -> Self {
+        if let Self::Input(e) = &mut self {
+            let colon = if e.place.is_empty() { "" } else { ": " };
+            e.place = alloc::format!("{file}{colon}{}", e.place);
+        }
+        self
+    }
+
     /// Whether the input is at fault (exit code 2), not the engine.
     pub const fn is_bad_input(&self) -> bool {
         matches!(self, Self::Input(_))

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 import carom
-from carom.cli.output import emit, read_bytes, say
+from carom.cli.output import emit, file_name, read_bytes, say
 from carom.errors import InputError
 
 
@@ -41,18 +41,28 @@ def import_(
     Messages on stderr name what the shot file cannot hold.
     """
     data = read_bytes(file)
+    try:
+        made = _convert(data, format_, strike)
+    except InputError as error:
+        # The converters have only the bytes of the file.
+        text = str(error)
+        if not text.startswith("the file "):
+            raise
+        raise InputError(text.replace("the file", f"{file_name(file)}: the file", 1)) from None
+    for sentence in made.left_out:
+        say(sentence)
+    emit(made.shot.to_json())
+
+
+def _convert(data: bytes, format_: Format | None, strike: str | None) -> carom.convert.Converted:
     if format_ is None:
         # A table state begins with its number of balls; a system with a brace, or it is not text.
         format_ = Format.FASTFIZ if data.lstrip()[:1].isdigit() else Format.POOLTOOL
     if format_ is Format.POOLTOOL:
         if strike is not None:
             raise InputError("--strike: a pooltool system has its own strike; leave the option out")
-        made = carom.convert.pooltool(data)
-    else:
-        made = carom.convert.fastfiz(_text(data), None if strike is None else _numbers(strike))
-    for sentence in made.left_out:
-        say(sentence)
-    emit(made.shot.to_json())
+        return carom.convert.pooltool(data)
+    return carom.convert.fastfiz(_text(data), None if strike is None else _numbers(strike))
 
 
 def _text(data: bytes) -> str:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 import carom
-from carom.cli.output import emit, read
+from carom.cli.output import emit, file_name, read
 from carom.errors import InputError
 from carom.lazy import LazyModule
 
@@ -27,7 +27,7 @@ def replay(
 ) -> None:
     """Simulate the shot of a saved trace again; print the trace."""
     text = read(file)
-    saved = carom.Trace.from_json(text)
+    saved = carom.Trace._read(text, file_name(file))
     again = saved.shot.simulate()
     if not check:
         emit(again.to_json())

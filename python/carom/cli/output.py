@@ -8,12 +8,23 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import carom
 from carom.errors import InputError
 from carom.event_table import printable
-from carom.files import read_text
+from carom.files import read_text, shown
 from carom.streams import emit
 
-__all__ = ["emit", "keep_sockets", "read", "read_bytes", "save", "say", "say_json"]
+__all__ = [
+    "emit",
+    "file_name",
+    "keep_sockets",
+    "read",
+    "read_bytes",
+    "read_shot",
+    "save",
+    "say",
+    "say_json",
+]
 
 
 def say(text: str) -> None:
@@ -67,6 +78,21 @@ def read(path: str) -> str:
         raise InputError(
             f"stdin: not UTF-8 text ({error.reason}); encode the JSON as UTF-8"
         ) from None
+
+
+def read_shot(path: str) -> carom.Shot:
+    """The shot of a file, or of stdin for ``-``.
+
+    Raises:
+        OSError: The file cannot be read.
+        InputError: It is not a valid shot; the error of a syntax fault names the file.
+    """
+    return carom.Shot._read(read(path), file_name(path))
+
+
+def file_name(path: str) -> str:
+    """The name of a file in an error message, where ``-`` is stdin."""
+    return "stdin" if path == "-" else shown(path)
 
 
 def read_bytes(path: str) -> bytes:

@@ -30,7 +30,7 @@ from carom.cli.options import (
     noise_of,
     title_of,
 )
-from carom.cli.output import emit, read
+from carom.cli.output import emit, read_shot
 from carom.errors import InputError
 from carom.lazy import LazyModule
 from carom.plan.chance import or_null
@@ -95,7 +95,7 @@ def evaluate(
     """
     if call is not None and game is None:
         raise InputError("--call: a call needs a game; give --game too")
-    shot = Shot.from_json(read(file))
+    shot = read_shot(file)
     announced = None if call is None else _call(call)
     shot, frame = (shot, None) if game is None else _in_game(shot, game, announced)
     answer = shot.evaluate(
@@ -165,7 +165,7 @@ def solve(
     png: Png = None,
 ) -> None:
     """Print the strikes that reach a goal, the most probable first."""
-    shot = Shot.from_json(read(file))
+    shot = read_shot(file)
     area = None if leave is None else _disc(leave)
     least, most = _numbers("speed", speed, ":", "LEAST:MOST", 2)
     found = shot.solve(
@@ -226,7 +226,7 @@ def map_pot(
     png: Png = None,
 ) -> None:
     """Print the chance of a pot for each place of the cue ball."""
-    shot = Shot.from_json(read(file))
+    shot = read_shot(file)
     found = shot.pot_map(
         ball,
         pocket,
@@ -259,7 +259,7 @@ def map_position(
     png: Png = None,
 ) -> None:
     """Print where the cue ball stops, for each speed and spin."""
-    found = Shot.from_json(read(file)).position_map(
+    found = read_shot(file).position_map(
         ball,
         pocket,
         speed=_steps("speed", speed),
@@ -293,7 +293,7 @@ def map_acceptance(
 
     The balls differ in speed, angle to the pocket's axis, and offset.
     """
-    shot = Shot.from_json(read(file))
+    shot = read_shot(file)
     found = shot.acceptance(pocket, distance=distance, progress=sys.stderr.isatty())
     rows = {
         "speed": found.speed,
@@ -324,7 +324,7 @@ def map_kick(
 
     The struck ball is alone on the table.
     """
-    found = Shot.from_json(read(file)).kick_table(
+    found = read_shot(file).kick_table(
         azimuth=[math.radians(turn) for turn in _steps("azimuth-deg", azimuth_deg)],
         speed=_steps("speed", speed),
         side=_steps("side", side),
@@ -351,7 +351,7 @@ def map_bank(
 
     The ball starts without spin and is alone on the table.
     """
-    found = Shot.from_json(read(file)).bank_table(
+    found = read_shot(file).bank_table(
         ball,
         azimuth=[math.radians(turn) for turn in _steps("azimuth-deg", azimuth_deg)],
         speed=_steps("speed", speed),

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 import carom
-from carom.cli.output import keep_sockets, read
+from carom.cli.output import file_name, keep_sockets, read
 
 
 def play(
@@ -29,16 +29,16 @@ def play(
     # otherwise end this one.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     keep_sockets()
-    document = None if file is None else _document(read(file))
+    document = None if file is None else _document(read(file), file_name(file))
     carom.serve.serve(carom.page.html(document), port=port, browser=browser)
 
 
-def _document(text: str) -> carom.Shot | carom.Trace:
+def _document(text: str, name: str) -> carom.Shot | carom.Trace:
     try:
         file = json.loads(text)
     except (ValueError, RecursionError):
         file = None
     if isinstance(file, dict) and str(file.get("format", "")).startswith("carom-trace"):
-        return carom.Trace.from_json(text)
+        return carom.Trace._read(text, name)
     # The error for any other text describes a shot file.
-    return carom.Shot.from_json(text)
+    return carom.Shot._read(text, name)

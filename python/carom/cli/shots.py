@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 import carom
-from carom.cli.output import emit, read, save
+from carom.cli.output import emit, read_shot, save
 from carom.event_table import plain, rich_table
 from carom.lazy import LazyModule
 
@@ -35,7 +35,7 @@ def shot(
     png: Png = None,
 ) -> None:
     """Simulate a shot file; print its table of events."""
-    trace = carom.Shot.from_json(read(file)).simulate()
+    trace = read_shot(file).simulate()
     title = "shot" if file == "-" else Path(file).stem.replace("_", " ").replace("-", " ")
     _show(trace, title, json=json, html=html, svg=svg, png=png)
 

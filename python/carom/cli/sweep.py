@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 import carom
-from carom.cli.output import emit, keep_sockets, read, say
+from carom.cli.output import emit, file_name, keep_sockets, read, say
 
 
 def sweep(
@@ -45,7 +45,7 @@ def sweep(
     """
     if address or ray:
         keep_sockets()
-    spec = carom.Sweep.from_json(read(file)) if file == "-" else carom.Sweep.load(file)
+    spec = carom.Sweep._read(read(file), file_name(file), Path(file).parent)
     try:
         report = spec.run(
             out,

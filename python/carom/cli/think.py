@@ -20,7 +20,7 @@ from carom.cli.options import (
     noise_of,
     title_of,
 )
-from carom.cli.output import emit, read
+from carom.cli.output import emit, file_name, read
 from carom.errors import InputError
 from carom.lazy import LazyModule
 
@@ -91,7 +91,7 @@ def think(
     If the frame requests a choice, print the best choice. Ctrl-C ends the search after its present
     round; the result so far is printed.
     """
-    frame = _frame(read(file), game)
+    frame = _frame(read(file), file_name(file), game)
     thinker = Player(
         player,
         noise=noise_of(noise, cling),
@@ -121,7 +121,7 @@ def _opponent(name: str, cling: float) -> Noise:
         raise InputError(f"--opponent-noise: {error}") from None
 
 
-def _frame(text: str, game: str | None) -> Frame:
+def _frame(text: str, name: str, game: str | None) -> Frame:
     """The frame of a record, or the frame of the game that begins with the balls of a shot file."""
     try:
         file = js.loads(text)
@@ -132,7 +132,7 @@ def _frame(text: str, game: str | None) -> Frame:
             raise InputError("--game: the record of a frame has its game; leave the option out")
         return Frame.replay(file)
     # The error for any other text describes a shot file.
-    shot = Shot.from_json(text)
+    shot = Shot._read(text, name)
     if game is None:
         raise InputError("--game: a shot file has no game; give one, such as --game eight-ball")
     return Frame.of_shot(game, shot)

@@ -73,6 +73,11 @@ def _decode(data: bytes) -> Any:
         return unpack(data)
     try:
         return json.loads(data)
+    except json.JSONDecodeError as error:
+        raise InputError(
+            f"the file is not JSON: {error.msg} (line {error.lineno}, column {error.colno}); "
+            "give a system that pooltool saved"
+        ) from None
     except ValueError as error:
         raise InputError(
             f"the file is not JSON ({error}); give a system that pooltool saved"

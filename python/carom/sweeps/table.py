@@ -10,7 +10,7 @@ from carom import _core
 from carom.arguments import cores, instance, truth, whole
 from carom.arguments import text as checked_text
 from carom.errors import InputError
-from carom.files import checked_path, read_text
+from carom.files import checked_path, read_text, shown
 from carom.lazy import pa
 from carom.shot import Shot
 from carom.sweeps import on_ray
@@ -52,7 +52,7 @@ class Sweep:
             InputError: The spec is invalid; the message names the place.
         """
         place = checked_path("path", path, "sweep.json")
-        return cls.from_json(read_text(place), folder=place.parent)
+        return cls._read(read_text(place), shown(place), place.parent)
 
     @classmethod
     def from_json(cls, text: str, *, folder: str | os.PathLike[str] = ".") -> Self:
@@ -64,7 +64,12 @@ class Sweep:
             OSError: A file cannot be read.
             InputError: The spec is invalid; the message names the place.
         """
-        return cls.from_dict(_core.read_json(checked_text("text", text)), folder=folder)
+        return cls._read(checked_text("text", text), None, folder)
+
+    @classmethod
+    def _read(cls, text: str, file: str | None, folder: str | os.PathLike[str]) -> Self:
+        """Read a spec from JSON text; the error of a syntax fault names the file of the text."""
+        return cls.from_dict(_core.read_json(text, file), folder=folder)
 
     @classmethod
     def from_dict(cls, spec: Mapping[str, Any], *, folder: str | os.PathLike[str] = ".") -> Self:

@@ -47,6 +47,7 @@ fn known_part(place: &str) -> &str {
 
 fn explain(text: &str, place: &str, e: &serde_json::Error) -> Error {
     let message = e.to_string();
+    let at = format!("line {}, column {}", e.line(), e.column());
     if let Some(key) = message.strip_prefix(DUPLICATE) {
         let key = key.split(" at line").next().unwrap_or(key);
         let place = match place {
@@ -54,34 +55,26 @@ fn explain(text: &str, place: &str, e: &serde_json::Error) -> Error {
             _ if place.ends_with(&format!(".{key}")) || place == key => String::from(place),
             _ => format!("{place}.{key}"),
         };
-        return Error::input(
-            place,
-            format!("the key occurs twice (line {})", e.line()),
-            "keep one of the two",
-        );
+        return Error::input(place, format!("the key occurs twice ({at})"), "keep one of the two");
     }
     let token = token_at(text, e.line(), e.column());
     if ["nan", "inf", "-inf", "+inf", "-nan"].iter().any(|w| token.to_lowercase().starts_with(w)) {
         return Error::input(
             place,
-            format!("{token} (line {}) is not a number that a shot can use", e.line()),
+            format!("{token} ({at}) is not a number that a shot can use"),
             "write a finite number",
         );
     }
     if message.starts_with("number out of range") {
         return Error::input(
             place,
-            format!("the number on line {} is too large for a double", e.line()),
+            format!("the number is too large for a double ({at})"),
             "write a finite number",
         );
     }
     let reason = message.split(" at line").next().unwrap_or(&message);
     let found = if token.is_empty() { String::new() } else { format!(" at `{token}`") };
-    Error::input(
-        place,
-        format!("not JSON: {reason}{found} (line {}, column {})", e.line(), e.column()),
-        "correct the text there",
-    )
+    Error::input(place, format!("not JSON: {reason}{found} ({at})"), "correct the text there")
 }
 
 /// The word at this line and column, where a syntax error is.
