@@ -1,9 +1,10 @@
-"""What a player announces before a shot."""
+"""What a player announces before a shot, and the whole play in the form that Rust reads."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Self
+from typing import Any, Self
 
 from carom.arguments import instance, text
 
@@ -54,6 +55,25 @@ class Call:
     def push_out(cls) -> Self:
         """Call a push-out, after a legal break of nine-ball or ten-ball."""
         return cls("push-out")
+
+
+@dataclass(frozen=True, slots=True)
+class PlayArguments:
+    """A play in the form that Rust reads, by attribute.
+
+    Attributes:
+        strike: Speed, azimuth, elevation (None is the default one), side, height.
+        policy: ``obstruction`` and ``miscue`` of the strike.
+        cue_ball: Where the cue ball is placed first (x, y in m); None if it is not in hand.
+        call: Kind, ball and pocket.
+        cling: The contacts that cling, as a shot file has them; None for none.
+    """
+
+    strike: tuple[float, float, float | None, float, float]
+    policy: tuple[str, str]
+    cue_ball: tuple[float, ...] | None
+    call: tuple[str, str | None, str | None]
+    cling: Mapping[str, Any] | None = None
 
 
 def fields_of(call: Call | None) -> tuple[str, str | None, str | None]:

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from copy import deepcopy
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Self
 
 from carom import _core
 from carom.arguments import instance, number, numbers, text, truth, whole
 from carom.batch import VARIABLES
 from carom.build import Physics, Strike, Table
-from carom.call import Call, fields_of
+from carom.call import Call, PlayArguments, fields_of
 from carom.deprecated import renamed_arguments
 from carom.errors import InputError
+from carom.noise import Noise
 from carom.shot import Shot
 from carom.trace import Record, Trace
 
@@ -54,23 +55,6 @@ class Ruling:
             racked=node["racked"],
             trace=trace,
         )
-
-
-@dataclass(frozen=True, slots=True)
-class PlayArguments:
-    """A play in the form that Rust reads, by attribute.
-
-    Attributes:
-        strike: Speed, azimuth, elevation (None is the default one), side, height.
-        policy: ``obstruction`` and ``miscue`` of the strike.
-        cue_ball: Where the cue ball is placed first (x, y in m); None if it is not in hand.
-        call: Kind, ball and pocket.
-    """
-
-    strike: tuple[float, float, float | None, float, float]
-    policy: tuple[str, str]
-    cue_ball: tuple[float, ...] | None
-    call: tuple[str, str | None, str | None]
 
 
 class Frame:
@@ -227,7 +211,10 @@ class Frame:
                 try:
                     if "call" in play:
                         play["call"] = Call(**play["call"])
-                    self.play(Strike(**strike), **play)
+                    cling = play.pop("cling", None)
+                    call = play.get("call")
+                    arguments = replace(_arguments(Strike(**strike), **play), cling=cling)
+                    self._play(arguments, call, None, 0)
                 except TypeError as error:
                     raise InputError(f"play: {error}; give the value of Frame.record") from None
             case {"choice": choice}:
@@ -245,8 +232,8 @@ class Frame:
 
         The keys are ``format``; ``setup``: the arguments of ``Frame`` or ``Frame.of_shot``;
         ``moves``: each with ``play`` (``strike`` in SI units and radians, with ``obstruction`` and
-        ``miscue`` where they are not the usual ones; ``cue_ball``, ``call``), ``choice`` or
-        ``concede``. ``Frame.replay`` restores the frame; ``pickle`` uses both.
+        ``miscue`` where they are not the usual ones; ``cue_ball``, ``call``, ``cling``),
+        ``choice`` or ``concede``. ``Frame.replay`` restores the frame; ``pickle`` uses both.
         """
         return deepcopy({"format": _FORMAT, "setup": self._setup, "moves": self._moves})
 
@@ -343,8 +330,14 @@ class Frame:
         *,
         cue_ball: Sequence[float] | None = None,
         call: Call | None = None,
+        noise: Noise | None = None,
+        seed: int = 0,
     ) -> Ruling:
         """Play a shot: simulate it, rule on it, and update the request.
+
+        With ``noise`` the player errs: the strike and the contacts that cling are those of variant
+        k of ``seed`` (``Noise.variant``), where k is the number of shots played so far. ``record``
+        has the strike that was played and these contacts.
 
         Args:
             strike: The strike. Its ``ball`` is not used: the frame determines the cue ball. Without
@@ -352,17 +345,26 @@ class Frame:
                 ``obstruction`` and ``miscue`` hold for this shot.
             cue_ball: Where to place the cue ball first (x, y in m), if it is in hand.
             call: What the player announces.
+            noise: Errors of the player; None for the strike as it is given, without cling.
+            seed: Seed of the errors.
 
         Raises:
             InputError: No shot is requested, the call is missing or not allowed, the cue ball must
-                not be placed there, or the strike cannot be played. The frame is unchanged then.
+                not be placed there, a number is out of range, or the strike cannot be played, as
+                given or as drawn. The frame is unchanged then.
             EventCapError: The simulation reached its largest number of events.
         """
-        arguments = _arguments(strike, cue_ball, call)
-        ruling, core = self._core.play(arguments)
+        if noise is not None:
+            instance("noise", noise, Noise, 'carom.Noise.preset("club")')
+        return self._play(_arguments(strike, cue_ball, call), call, noise, whole("seed", seed))
+
+    def _play(
+        self, arguments: PlayArguments, call: Call | None, noise: Noise | None, seed: int
+    ) -> Ruling:
+        ruling, core, struck, cling = self._core.play(arguments, noise, seed)
         trace = Trace._wrap(core)
-        written: dict[str, Any] = dict(zip(VARIABLES, arguments.strike, strict=True))
-        if written["elevation"] is None:
+        written: dict[str, Any] = dict(zip(VARIABLES, struck, strict=True))
+        if arguments.strike[2] is None and noise is None:
             written["elevation"] = trace.shot.elevation
         policies = zip(_POLICIES, arguments.policy, strict=True)
         written |= {key: word for key, word in policies if word != getattr(Strike, key)}
@@ -370,6 +372,7 @@ class Frame:
             "strike": written,
             "cue_ball": arguments.cue_ball and list(arguments.cue_ball),
             "call": call and asdict(call),
+            "cling": cling,
         }
         self._moves.append({"play": {key: value for key, value in play.items() if value}})
         return Ruling._read(ruling, trace)
@@ -401,7 +404,7 @@ class Frame:
 
 
 def _arguments(
-    strike: Strike, cue_ball: Sequence[float] | None, call: Call | None
+    strike: Strike, cue_ball: Sequence[float] | None = None, call: Call | None = None
 ) -> PlayArguments:
     instance("strike", strike, Strike, "carom.Strike(speed=2.0, azimuth=1.57)")
     speed, azimuth, side, height = (

@@ -228,6 +228,58 @@ def test_a_frame_refuses_or_reports_an_obstructed_cue_as_the_strike_says() -> No
         frame.play(replace(strike, miscue="maybe"))
 
 
+def test_a_frame_draws_strike_and_cling_of_the_variant_with_the_number_of_the_shot() -> None:
+    noise = carom.Noise(azimuth=0.002, speed=0.05, cling_probability=0.5, cling_friction=0.3)
+    frame = carom.Frame("practice", seed=3)
+    clings = []
+    for number in range(3):
+        strike = aim(frame, next(ball for ball in frame.balls if ball != "cue"), speed=4.0)
+        meant = frame.shot(strike)
+        variant = noise.variant(meant, number, seed=11)
+        drawn = noise.draw(meant, number, seed=11)
+        ruling = frame.play(strike, noise=noise, seed=11)
+        assert ruling.trace is not None
+        played = ruling.trace.shot.to_dict()
+        assert played["cling"] == variant.to_dict()["cling"]
+        clings.append(played["cling"]["contacts"])
+        written = frame.record["moves"][-1]["play"]
+        assert carom.Strike(**written["strike"]) == replace(drawn, ball="cue")
+        assert written["cling"] == played["cling"]
+    assert clings[0] != clings[1] != clings[2]
+    record = json.loads(json.dumps(frame.record))
+    assert carom.Frame.replay(record).to_dict() == frame.to_dict()
+    assert carom.Frame.replay(record).record == record
+
+
+def test_the_cling_of_a_record_is_played_again() -> None:
+    frame = carom.Frame("nine-ball", seed=3)
+    before = frame.copy()
+    strike = aim(frame, "1", speed=8.0)
+    frame.play(strike, noise=carom.Noise(cling_probability=1.0, cling_friction=0.9), seed=1)
+    assert carom.Frame.replay(frame.record).balls == frame.balls
+    without = frame.record
+    del without["moves"][0]["play"]["cling"]
+    before.play(strike)
+    assert carom.Frame.replay(without).balls == before.balls != frame.balls
+    without["moves"][0]["play"]["cling"] = {"contacts": [256]}
+    with pytest.raises(carom.InputError, match=r"^moves\[0\]: cling\.contacts\[0\]: 256 is out"):
+        carom.Frame.replay(without)
+
+
+def test_a_noise_without_cling_plays_the_drawn_strike() -> None:
+    noise = carom.Noise.olympiad(2.0)
+    frame = carom.Frame("nine-ball", seed=3)
+    strike = aim(frame, "1", speed=8.0)
+    by_hand = frame.copy()
+    by_hand.play(noise.draw(frame.shot(strike), 0, seed=5))
+    frame.play(strike, noise=noise, seed=5)
+    assert frame.record == by_hand.record
+    with pytest.raises(carom.InputError, match=r"^noise: found a str"):
+        frame.play(strike, noise="club")  # type: ignore[arg-type]
+    with pytest.raises(carom.InputError, match=r"^seed: -1 is out of range"):
+        frame.play(strike, noise=noise, seed=-1)
+
+
 def test_refused_moves_are_not_recorded() -> None:
     frame = carom.Frame("nine-ball")
     with pytest.raises(carom.InputError):

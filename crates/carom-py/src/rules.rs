@@ -1,17 +1,18 @@
 //! `_core.Frame`.
 
+use carom::Error;
 use carom::format::Node;
-use carom::shot::StrikePolicy;
-use carom::{Error, Trace as Played};
-use carom_rules::{Choice, Options, Play, Rules};
+use carom::shot::{Cling, StrikePolicy};
+use carom_rules::{Choice, Options, Play, Rules, Ruling};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
 use crate::node::{from_python, to_python};
+use crate::options::NoiseOptions;
 use crate::shot::{Shot, StrikeArguments, strike_or_default};
 use crate::trace::Trace;
 
-/// `carom.rules.PlayArguments`, read by attribute.
+/// `carom.call.PlayArguments`, read by attribute.
 #[derive(FromPyObject)]
 pub(crate) struct PlayArguments {
     strike: StrikeArguments,
@@ -20,7 +21,14 @@ pub(crate) struct PlayArguments {
     cue_ball: Option<[f64; 2]>,
     /// Kind, ball, pocket.
     call: (String, Option<String>, Option<String>),
+    /// As in a shot file.
+    cling: Option<Py<PyAny>>,
 }
+
+/// Speed, azimuth, elevation, side, height.
+type Strike = (f64, f64, f64, f64, f64);
+/// A ruling, the trace of the shot, and the strike and the cling of the play.
+type Played<'py> = (Bound<'py, PyAny>, Trace, Strike, Option<Bound<'py, PyAny>>);
 
 fn optional(value: &Bound<'_, PyAny>) -> PyResult<Option<Node>> {
     if value.is_none() { Ok(None) } else { from_python(value).map(Some) }
@@ -31,13 +39,38 @@ fn optional(value: &Bound<'_, PyAny>) -> PyResult<Option<Node>> {
 pub(crate) struct Frame(pub(crate) carom_rules::Frame);
 
 impl Frame {
-    fn play_of(&self, arguments: PlayArguments) -> Result<Play, Error> {
-        let PlayArguments { strike, policy, cue_ball, call: (kind, ball, pocket) } = arguments;
+    fn play_of(&self, py: Python<'_>, arguments: PlayArguments) -> PyResult<Play> {
+        let cling = match &arguments.cling {
+            Some(cling) => Some(from_python(cling.bind(py))?),
+            None => None,
+        };
+        self.read_play(arguments, cling.as_ref()).map_err(|e| to_exception(py, &e))
+    }
+
+    fn read_play(&self, arguments: PlayArguments, cling: Option<&Node>) -> Result<Play, Error> {
+        let PlayArguments { strike, policy, cue_ball, call: (kind, ball, pocket), .. } = arguments;
         let (strike, has_elevation) = strike_or_default(strike);
         let call = self.0.call(&kind, ball.as_deref(), pocket.as_deref())?;
         let policy = StrikePolicy::from_names(&policy.0, &policy.1)?;
-        let play = Play { strike, cue_ball, call, policy };
+        let cling = cling.map_or(Ok(Cling::NONE), Cling::from_node)?;
+        let play = Play { strike, cue_ball, call, policy, cling };
         if has_elevation { Ok(play) } else { self.0.at_default_elevation(&play) }
+    }
+
+    /// What was played, the ruling and the trace.
+    fn play_noisy(
+        &mut self,
+        meant: &Play,
+        noise: Option<NoiseOptions>,
+        seed: u64,
+    ) -> Result<(Play, Ruling, carom::Trace), Error> {
+        let play = match noise {
+            Some(noise) => self.0.draw_play(meant, &noise.noise(), seed)?,
+            None => *meant,
+        };
+        let trace = self.0.shot(&play)?.simulate()?;
+        let ruling = self.0.apply(&play, &trace)?;
+        Ok((play, ruling, trace))
     }
 }
 
@@ -93,22 +126,26 @@ impl Frame {
     }
 
     fn shot(&self, py: Python<'_>, play: PlayArguments) -> PyResult<Shot> {
-        let shot = self.play_of(play).and_then(|play| self.0.shot(&play));
-        shot.map(Shot::from).map_err(|e| to_exception(py, &e))
+        let play = self.play_of(py, play)?;
+        self.0.shot(&play).map(Shot::from).map_err(|e| to_exception(py, &e))
     }
 
-    /// The ruling, and the trace of the shot.
+    /// Plays a shot, with the errors of `noise` if there is one.
     fn play<'py>(
         &mut self,
         py: Python<'py>,
         play: PlayArguments,
-    ) -> PyResult<(Bound<'py, PyAny>, Trace)> {
-        let played = self.play_of(play).and_then(|play| {
-            let trace: Played = self.0.shot(&play)?.simulate()?;
-            Ok((self.0.apply(&play, &trace)?, trace))
-        });
-        let (ruling, trace) = played.map_err(|e| to_exception(py, &e))?;
-        Ok((to_python(py, &self.0.ruling_node(&ruling))?, Trace::from(trace)))
+        noise: Option<NoiseOptions>,
+        seed: u64,
+    ) -> PyResult<Played<'py>> {
+        let meant = self.play_of(py, play)?;
+        let (play, ruling, trace) =
+            self.play_noisy(&meant, noise, seed).map_err(|e| to_exception(py, &e))?;
+        let Play { strike: s, cling, .. } = play;
+        let strike = (s.speed, s.azimuth, s.elevation, s.side, s.height);
+        let cling = (!cling.is_empty()).then(|| to_python(py, &cling.to_node())).transpose()?;
+        let ruling = to_python(py, &self.0.ruling_node(&ruling))?;
+        Ok((ruling, Trace::from(trace), strike, cling))
     }
 
     fn choose<'py>(&mut self, py: Python<'py>, choice: &str) -> PyResult<Bound<'py, PyAny>> {

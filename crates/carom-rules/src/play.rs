@@ -2,7 +2,7 @@
 
 use carom::math::{degrees, radians};
 use carom::resolve::cue_ball::Strike;
-use carom::shot::StrikePolicy;
+use carom::shot::{Cling, StrikePolicy};
 use carom::table::PocketName;
 
 use crate::layout::BallIndex;
@@ -18,14 +18,16 @@ pub struct Play {
     pub call: Call,
     /// The policies for a strike that a player could not play cleanly.
     pub policy: StrikePolicy,
+    /// The contacts of two balls that cling.
+    pub cling: Cling,
 }
 
 impl Play {
     /// A shot without an announcement that plays the cue ball where it lies, under the usual
-    /// policies.
+    /// policies and without cling.
     pub fn new(strike: Strike) -> Self {
         let policy = StrikePolicy::default();
-        Self { strike, cue_ball: None, call: Call::Nothing, policy }
+        Self { strike, cue_ball: None, call: Call::Nothing, policy, cling: Cling::NONE }
     }
 
     /// The same shot with `ball` called into `pocket`.

@@ -1,5 +1,7 @@
 //! Rulings that need more than the outcome of a shot, on simulated shots.
 
+use carom::Noise;
+use carom::batch::draw_strikes;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{Policy, StrikePolicy};
 use carom_rules::{Call, Foul, Frame, Options, Play, Prepared, Rules, Ruling};
@@ -51,6 +53,26 @@ fn a_miscue_is_refused_or_played_as_the_policy_of_the_play_says() {
     frame.play(&reported).expect("the tip does not slip");
     // The policy is that of one shot.
     assert!(frame.base().strike_policy() == StrikePolicy::default());
+}
+
+#[test]
+fn a_drawn_play_has_the_strike_and_the_cling_of_the_variant_with_the_number_of_the_shot() {
+    let noise = Noise { azimuth: 0.001, cling_probability: 0.5, ..Noise::NONE };
+    let mut frame = frame(Rules::Practice);
+    for index in 0..3 {
+        let strike = Strike { speed: 2.0, azimuth: UP, elevation: 0.1, side: 0.0, height: 0.0 };
+        let meant = Play::new(strike);
+        let shot = frame.shot(&meant).expect("a shot");
+        let drawn = frame.draw_play(&meant, &noise, 7).expect("a play");
+        assert_eq!(drawn.strike, draw_strikes(&shot, &noise, 1, 7, index).expect("one")[0]);
+        assert_eq!(drawn.cling, noise.draw_cling(7, index));
+        assert_eq!(*frame.shot(&drawn).expect("a shot").cling(), drawn.cling);
+        // Without cling in the noise that of the play remains.
+        let clinging = Play { cling: drawn.cling, ..meant };
+        let exact = frame.draw_play(&clinging, &Noise::NONE, 7).expect("a play");
+        assert_eq!(exact.cling, drawn.cling);
+        frame.play(&drawn).expect("it can be played");
+    }
 }
 
 /// The ruling on a stroke up the table, with the blue between the cue ball and a red.

@@ -3,7 +3,7 @@
 use carom::Error;
 use carom::format::Node;
 use carom::resolve::cue_ball::Strike;
-use carom::shot::StrikePolicy;
+use carom::shot::{Cling, StrikePolicy};
 use carom_rules::{Choice, Options, Play, Rules};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -40,6 +40,7 @@ pub struct PlayArguments {
     ball: Option<String>,
     pocket: Option<String>,
     policy: StrikePolicy,
+    cling: Cling,
 }
 
 #[wasm_bindgen]
@@ -64,8 +65,8 @@ impl PlayArguments {
                 .map_err(|_| js_sys::RangeError::new("cue_ball: write two numbers"))
         };
         let cue_ball = cue_ball.map(two).transpose()?;
-        let policy = StrikePolicy::default();
-        Ok(Self { strike, has_elevation, cue_ball, call, ball, pocket, policy })
+        let (policy, cling) = (StrikePolicy::default(), Cling::NONE);
+        Ok(Self { strike, has_elevation, cue_ball, call, ball, pocket, policy, cling })
     }
 
     /// Sets the policies for a strike that a player could not play cleanly, by name.
@@ -73,6 +74,14 @@ impl PlayArguments {
     pub fn set_policy(&mut self, obstruction: &str, miscue: &str) -> Result<(), JsValue> {
         let policy = StrikePolicy::from_names(obstruction, miscue);
         self.policy = policy.map_err(|e| to_exception(&e))?;
+        Ok(())
+    }
+
+    /// Sets the contacts that cling: JSON, as a shot file has them.
+    #[wasm_bindgen(js_name = setCling)]
+    pub fn set_cling(&mut self, json: &str) -> Result<(), JsValue> {
+        let cling = Node::from_json(json).and_then(|node| Cling::from_node(&node));
+        self.cling = cling.map_err(|e| to_exception(&e))?;
         Ok(())
     }
 }
@@ -100,9 +109,10 @@ impl PlayResult {
 
 impl Frame {
     fn play_of(&self, arguments: &PlayArguments) -> Result<Play, Error> {
-        let PlayArguments { call, ball, pocket, cue_ball, policy, .. } = arguments;
+        let PlayArguments { call, ball, pocket, .. } = arguments;
+        let PlayArguments { strike, cue_ball, policy, cling, .. } = *arguments;
         let call = self.0.call(call, ball.as_deref(), pocket.as_deref())?;
-        let play = Play { strike: arguments.strike, cue_ball: *cue_ball, call, policy: *policy };
+        let play = Play { strike, cue_ball, call, policy, cling };
         if arguments.has_elevation { Ok(play) } else { self.0.at_default_elevation(&play) }
     }
 

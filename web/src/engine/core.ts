@@ -506,7 +506,7 @@ class WasmFrame implements Frame {
 
 /** Converts a play for the engine, and frees the converted play afterwards. */
 function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
-  const { strike, cue_ball, call } = object("play", play) as Partial<Play>;
+  const { strike, cue_ball, call, cling } = object("play", play) as Partial<Play>;
   const values = Float64Array.from(numbers("strike", strike, STRIKE));
   const elevation = elevationOf(strike!);
   const place =
@@ -525,6 +525,7 @@ function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
   try {
     checked(() => {
       given.setPolicy(obstruction, miscue);
+      if (cling !== undefined) given.setCling(json(cling));
     });
     return use(given);
   } finally {

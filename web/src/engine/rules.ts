@@ -3,7 +3,7 @@
  * by their names. The data is that of Python's `Frame.to_dict`, key by key.
  */
 
-import type { PocketName, Point, Shot, StrikeEntry, StrikeInput, Trace } from "./types.js";
+import type { PocketName, Point, Shot, ShotFile, StrikeEntry, StrikeInput, Trace } from "./types.js";
 
 export type Player = 0 | 1;
 
@@ -23,6 +23,8 @@ export interface Play {
   /** Place of a cue ball in hand, m. */
   readonly cue_ball?: Point;
   readonly call?: Call;
+  /** The contacts that cling, such as those of a drawn variant (`Shot.variant`). Default: none. */
+  readonly cling?: NonNullable<ShotFile["cling"]>;
 }
 
 /** Region in which a cue ball in hand may be placed. */

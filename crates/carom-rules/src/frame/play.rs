@@ -1,10 +1,11 @@
 //! Playing a shot: the play is checked, simulated and ruled on.
 
+use carom::batch::draw_strikes;
 use carom::event::NullRecorder;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{Policy, StrikePolicy};
-use carom::{BallState, Error, Shot, Trace};
+use carom::{BallState, Error, Noise, Shot, Trace};
 
 use super::{Frame, FrameSimulator, Prepared};
 use crate::games::PlayedShot;
@@ -23,6 +24,21 @@ impl Frame {
     /// could not have.
     pub fn shot(&self, play: &Play) -> Result<Shot, Error> {
         Ok(self.prepared(play)?.into_shot())
+    }
+
+    /// `play` as a player with the errors of `noise` executes it: with the strike and the contacts
+    /// that cling of a variant of this seed, whose number is that of the shots played so far. So
+    /// every shot of a frame has errors of its own. If `noise` has no cling, that of `play` remains.
+    ///
+    /// # Errors
+    /// As [`Self::shot`] for the intended play, and as [`Noise::check`]. The drawn play can be played
+    /// if the intended one can, except where [`carom::noise`] says otherwise.
+    pub fn draw_play(&self, play: &Play, noise: &Noise, seed: u64) -> Result<Play, Error> {
+        let index = u64::from(self.shots);
+        let strike = draw_strikes(&self.shot(play)?, noise, 1, seed, index)?[0];
+        let has_cling = noise.cling_probability > 0.0;
+        let cling = if has_cling { noise.draw_cling(seed, index) } else { play.cling };
+        Ok(Play { strike, cling, ..*play })
     }
 
     /// `play` at the default elevation of its strike ([`Shot::default_elevation`]). The elevation in

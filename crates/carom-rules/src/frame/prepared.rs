@@ -39,20 +39,23 @@ impl<'a> Prepared<'a> {
         Self::with_base(frame, cue_ball, frame.base(), PLACEHOLDER)
     }
 
-    /// As [`Self::new`], with the strike of `play` and under its policies. Its call is not used.
+    /// As [`Self::new`], with the strike of `play`, under its policies and with its contacts that
+    /// cling. Its call is not used.
     ///
     /// # Errors
     /// As [`Self::new`], and for a strike that a shot file could not have under these policies.
     pub fn of_play(frame: &'a Frame, play: &Play) -> Result<Self, Error> {
-        let (base, strike) = (frame.base(), through_degrees(&play.strike));
-        if play.policy == base.strike_policy() {
-            return Self::with_base(frame, play.cue_ball, base, strike);
+        let (mut base, strike) = (Cow::Borrowed(frame.base()), through_degrees(&play.strike));
+        if play.policy != base.strike_policy() {
+            base = Cow::Owned(base.with_strike_policy(play.policy)?);
         }
-        let base = base.with_strike_policy(play.policy)?;
+        if !play.cling.is_empty() {
+            base = Cow::Owned(base.with_cling(play.cling));
+        }
         Self::with_base(frame, play.cue_ball, &base, strike)
     }
 
-    /// As [`Self::new`], on the table, with the physics and under the policies of `base`.
+    /// As [`Self::new`], on the table, with the physics, policies and cling of `base`.
     fn with_base(
         frame: &'a Frame,
         cue_ball: Option<[f64; 2]>,

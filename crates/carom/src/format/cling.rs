@@ -26,6 +26,21 @@ pub(super) fn read(at: &At<'_>) -> Result<Cling, Error> {
     Ok(cling)
 }
 
+impl Cling {
+    /// Reads the `cling` of a shot file from a tree of values.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for everything that a shot file could not have there.
+    pub fn from_node(node: &Node) -> Result<Self, Error> {
+        read(&At::root(node)).map_err(|error| error.inside("cling"))
+    }
+
+    /// The `cling` of a shot file; it reads back to the same contacts and the same friction.
+    pub fn to_node(&self) -> Node {
+        write(self)
+    }
+}
+
 /// `cling` as a shot file has it.
 pub(super) fn write(cling: &Cling) -> Node {
     let contacts = Node::list(cling.contacts());

@@ -8,6 +8,7 @@ import {
   type PocketName,
   type Point,
   type Shot,
+  type ShotFile,
   type ShotRequest,
   type Strike,
 } from "../../engine/index.ts";
@@ -80,12 +81,14 @@ export function playShot(
   const [x, y] = shot.balls[shot.struck!]!.position;
   try {
     const { obstruction, miscue } = store.document.shot.strike;
+    const { strike, cling } = executed(engine, shot, game, asked);
     const play = {
       strike: {
-        ...executed(engine, shot, game, asked),
+        ...strike,
         ...(obstruction !== undefined && { obstruction }),
         ...(miscue !== undefined && { miscue }),
       },
+      ...(cling && { cling }),
       ...(asked.in_hand !== null && { cue_ball: [x, y] as const }),
       ...(game.call && { call: game.call }),
     };
@@ -131,24 +134,24 @@ function move(store: Store, engine: Engine, made: Move, label: string): Progress
 }
 
 /**
- * The aimed strike with the player's execution errors: the variant whose index is the number of moves so
- * far. The engine draws no strike that cannot be played.
+ * The aimed strike with the player's execution errors, and the contacts that cling: the variant whose index
+ * is the number of moves so far. The engine draws no strike that cannot be played.
  */
-function executed(engine: Engine, shot: Shot, game: Game, { player }: ShotRequest): Strike {
+function executed(
+  engine: Engine,
+  shot: Shot,
+  game: Game,
+  { player }: ShotRequest,
+): { readonly strike: Strike; readonly cling?: ShotFile["cling"] } {
   const skill = game.setup.skills[player];
   const noise = skill === null ? undefined : engine.noisePresets[skill];
-  const meant = shot.strike!;
-  if (!noise) return meant;
+  // A game plays the aimed shot without the contacts that cling in its file.
+  if (!noise) return { strike: shot.strike! };
   const { seed = 0 } = game.setup.options;
-  const { strikes } = shot.vary(noise, 1, { seed, first: game.moves.length });
-  const [speed, azimuth, elevation, side, height] = strikes;
-  return {
-    speed: speed!,
-    azimuth: azimuth!,
-    elevation: elevation!,
-    side: side!,
-    height: height!,
-  };
+  const variant = shot.variant(noise, game.moves.length, { seed });
+  const drawn = { strike: variant.strike!, cling: variant.file.cling };
+  variant.free();
+  return drawn;
 }
 
 /** What is missing in a call, with the remedy; null if the call is complete. */

@@ -117,6 +117,19 @@ test("a miscue and an obstructed cue are refused or reported as the strike says"
   expect(refusal({ strike: { ...STRIKE, miscue: "maybe" } })).toBe("strike.miscue");
 });
 
+test("contacts that cling are those of the play", () => {
+  const frame = engine.frame("nine-ball", { seed: 7 });
+  const [plain, clinging] = [undefined, { contacts: [0, 2], friction: 0.9 }].map((cling) => {
+    const play = { strike: STRIKE, ...(cling && { cling }) };
+    return frame.copy().play(play).trace;
+  });
+  expect(plain!.shot.file.cling).toBeUndefined();
+  expect(clinging!.shot.file.cling).toEqual({ contacts: [0, 2], friction: 0.9 });
+  expect(clinging!.hash).not.toBe(plain!.hash);
+  const twice = { contacts: [1, 1] };
+  expect(() => frame.play({ strike: STRIKE, cling: twice })).toThrow(/^cling.contacts\[1\]: /);
+});
+
 test("a cue ball in hand is refused outside its region, whose box is known", () => {
   const pool = engine.frame("nine-ball");
   expect(pool.handBounds).toEqual([

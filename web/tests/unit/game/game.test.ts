@@ -365,6 +365,29 @@ describe("errors of a player", () => {
     expect(Object.values(last.play.strike)).toEqual([...strikes]);
   });
 
+  test("contain the contacts that cling, which the move stores", () => {
+    // No preset has cling, so the club player gets one.
+    const club = { ...engine.noisePresets.club!, cling_probability: 0.5, cling_friction: 0.9 };
+    const clinging = new Proxy(engine, {
+      get: (target, key) =>
+        key === "noisePresets"
+          ? { ...engine.noisePresets, club }
+          : (Reflect.get(target, key, target) as unknown),
+    });
+    const store = begun("nine-ball", { skills: ["club", null] });
+    const variant = store.shot.variant(club, 0, { seed: 7 });
+    playShot(store, { ...context, engine: clinging }, () => undefined);
+    const { game } = store.document;
+    const [move] = game!.moves;
+    const cling = (move as { play: { cling: unknown } }).play.cling;
+    expect(cling).toEqual(variant.file.cling);
+    const { frame, trace } = standing(store, engine)!;
+    expect(trace!.shot.file.cling).toEqual(cling);
+    const again = progressOf(engine, structuredClone(game!));
+    expect(again.frame.state).toEqual(frame.state);
+    expect(again.trace!.hash).toBe(trace!.hash);
+  });
+
   test("never make the shot unplayable: a miscue is moved back to the miscue limit", () => {
     let moved = 0;
     for (const seed of [1, 2, 3, 4, 5]) {
