@@ -149,6 +149,22 @@ def test_the_error_of_a_syntax_fault_names_the_file_or_stdin(
         refused(done, "(line 2, column 2)")
 
 
+def test_physics_prints_the_speed_bands_of_a_law(run: CommandLine) -> None:
+    law = ("physics", "--rolling-bands", "0.0410,0.0142")
+    done = run(*law)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads(done.stdout) == carom.rolling_bands(0.0410, 0.0142)
+    done = run(*law, "--fastest", "2", "--share", "0.02", "--least", "0.01", "--gravity", "9.81")
+    options = {"fastest": 2.0, "share": 0.02, "least": 0.01, "gravity": 9.81}
+    assert json.loads(done.stdout) == carom.rolling_bands(0.0410, 0.0142, **options)
+    constant = run("physics", "--rolling-bands", "0.0980665,0", "--json")
+    assert json.loads(constant.stdout) == pytest.approx(0.01)
+    refused(run("physics", "--rolling-bands", "0.04"), "--rolling-bands: '0.04' is not A,B")
+    refused(run("physics", "--rolling-bands", "-1,0"), "a: -1.0 is out of range")
+    refused(run("physics", "--share", "0.1"), "--share: ", "give --rolling-bands too")
+    refused(run("physics", "pool", "--rolling-bands", "0.04,0.01"), "NAME: ")
+
+
 def test_a_missing_file_is_bad_input(run: CommandLine, tmp_path: Path) -> None:
     refused(run("shot", "nowhere.json"), "nowhere.json")
     refused(run("shot", str(tmp_path)), str(tmp_path))

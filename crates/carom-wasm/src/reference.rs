@@ -1,6 +1,7 @@
-//! Table and physics presets, racks and schemas. Lists are JSON.
+//! Table and physics presets, speed bands of rolling friction, racks and schemas. Lists are JSON.
 
 use carom::format::Node;
+use carom::physics::{RollingLaw, RollingTolerance};
 use carom::rack::{Break, Game, break_shot as open};
 use carom::{Physics, Table, edition};
 use wasm_bindgen::JsValue;
@@ -35,6 +36,21 @@ pub fn physics() -> String {
     let preset = |name: &'static str| Some((name.into(), Physics::preset(name)?.to_node()));
     Node::Object(edition::listed(edition::PHYSICS).into_iter().filter_map(preset).collect())
         .to_json()
+}
+
+/// The value of `physics.cloth.rolling_friction` that follows a measured deceleration of rolling balls,
+/// `a` + `b`·v: JSON, a number or a list of speed bands.
+#[wasm_bindgen(js_name = rollingBands)]
+pub fn rolling_bands(
+    a: f64,
+    b: f64,
+    fastest: f64,
+    share: f64,
+    least: f64,
+    gravity: f64,
+) -> Result<String, JsValue> {
+    let bands = RollingLaw { a, b }.bands(gravity, &RollingTolerance { fastest, share, least });
+    Ok(bands.map_err(|e| to_exception(&e))?.to_node().to_json())
 }
 
 /// A shot file, or a frame's table and physics, with the dated names of presets.

@@ -31,6 +31,7 @@ from carom.cli.options import (
     title_of,
 )
 from carom.cli.output import emit, read_shot
+from carom.cli.values import numbers
 from carom.errors import InputError
 from carom.lazy import LazyModule
 from carom.plan.chance import or_null
@@ -167,7 +168,7 @@ def solve(
     """Print the strikes that reach a goal, the most probable first."""
     shot = read_shot(file)
     area = None if leave is None else _disc(leave)
-    least, most = _numbers("speed", speed, ":", "LEAST:MOST", 2)
+    least, most = numbers("speed", speed, ":", "LEAST:MOST", 2)
     found = shot.solve(
         pot=None if pot is None else _ball_and_pocket(pot),
         leave=area,
@@ -465,23 +466,13 @@ def _in_game(shot: Shot, game: str, call: Call | None) -> tuple[Shot, Frame]:
     return Shot.from_dict(asked), frame
 
 
-def _numbers(name: str, text: str, separator: str, shape: str, count: int = 3) -> list[float]:
-    try:
-        numbers = [float(part) for part in text.split(separator)]
-    except ValueError:
-        numbers = []
-    if len(numbers) != count:
-        raise InputError(f"--{name}: {text!r} is not {shape}; write {count} numbers")
-    return numbers
-
-
 def _disc(text: str) -> tuple[tuple[float, float], float]:
-    x, y, radius = _numbers("leave", text, ",", "X,Y,R")
+    x, y, radius = numbers("leave", text, ",", "X,Y,R")
     return (x, y), radius
 
 
 def _steps(name: str, text: str) -> list[float]:
-    start, end, count = _numbers(name, text, ":", "FROM:TO:COUNT")
+    start, end, count = numbers(name, text, ":", "FROM:TO:COUNT")
     if not (count.is_integer() and 1 <= count <= 10_000):
         raise InputError(f"--{name}: {count:g} is not a number of steps; write 1 to 10000")
     steps = max(1, int(count) - 1)

@@ -9,6 +9,7 @@ import typer
 
 import carom
 from carom.cli.output import emit
+from carom.cli.values import numbers
 
 
 def tables(
@@ -27,8 +28,47 @@ def physics(
         str | None, typer.Argument(metavar="[NAME]", help="A preset, with or without a date.")
     ] = None,
     json: Annotated[bool, typer.Option("--json", help="Print every value as JSON.")] = False,
+    rolling_bands: Annotated[
+        str | None,
+        typer.Option(
+            metavar="A,B",
+            help="Print the speed bands of a measured deceleration of rolling balls, A + B·v "
+            "(m/s², 1/s), as a value of cloth.rolling_friction.",
+        ),
+    ] = None,
+    fastest: Annotated[
+        float | None,
+        typer.Option(help="Highest speed at which the bands follow the law, m/s; default: 3."),
+    ] = None,
+    share: Annotated[
+        float | None,
+        typer.Option(
+            help="Largest error of the bands, as a share of a roll's length; default: 0.005."
+        ),
+    ] = None,
+    least: Annotated[
+        float | None,
+        typer.Option(help="Error of the bands that is always allowed, m; default: 0.005."),
+    ] = None,
+    gravity: Annotated[
+        float | None, typer.Option(help="Gravity for the bands, m/s²; default: 9.80665.")
+    ] = None,
 ) -> None:
-    """Print the physics presets: every value with its unit, its evidence and its source."""
+    """Print the physics presets: every value with its unit, its evidence and its source.
+
+    With --rolling-bands, print speed bands of rolling friction instead.
+    """
+    options = {"fastest": fastest, "share": share, "least": least, "gravity": gravity}
+    given = {key: value for key, value in options.items() if value is not None}
+    if rolling_bands is not None:
+        if name is not None:
+            raise carom.InputError("NAME: --rolling-bands needs no preset; leave the name out")
+        a, b = numbers("rolling-bands", rolling_bands, ",", "A,B", 2)
+        emit(js.dumps(carom.rolling_bands(a, b, **given)))
+        return
+    if given:
+        option = next(iter(given))
+        raise carom.InputError(f"--{option}: it belongs to speed bands; give --rolling-bands too")
     known = carom.physics()
     if name is not None:
         names = [known_name for p in known for known_name in (p["name"], p["dated_name"])]

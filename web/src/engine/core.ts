@@ -3,7 +3,7 @@
  * and for sites that serve the `.wasm` file themselves.
  */
 import { boolean, json, numbers, object, text, whole } from "./arguments.js";
-import type { BreakOptions, Engine } from "./engine.js";
+import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.js";
 import { CaromError } from "./error.js";
 import { namedSigmas, sigmasOf } from "./noise.js";
 import * as wasm from "./pkg/carom_wasm.js";
@@ -32,6 +32,9 @@ export * from "./rules.js";
 export * from "./types.js";
 
 const DEFAULT_TERMS = { points: 40, miss: true, patience: 100 } as const;
+
+/** Default options of `rollingBands`, those of Python's `rolling_bands`. */
+const ROLLING = { fastest: 3, share: 0.005, least: 0.005, gravity: 9.80665 } as const;
 
 /** Largest values of the 32-bit integers that the engine takes for `points` and `patience`. */
 const LARGEST_POINTS = 2 ** 31 - 1;
@@ -184,6 +187,22 @@ class WasmEngine implements Engine {
 
   withDatedNames<T extends Pick<ShotFile, "table" | "physics">>(file: T): T {
     return checked(() => JSON.parse(wasm.withDatedNames(JSON.stringify(file))) as T);
+  }
+
+  rollingBands(
+    a: number,
+    b: number,
+    options: RollingOptions = {},
+  ): number | readonly RollingBand[] {
+    const law = numbers("", { a, b }, ["a", "b"]);
+    const tolerance = numbers("", { ...ROLLING, ...options }, Object.keys(ROLLING));
+    const [fastest, share, least, gravity] = tolerance;
+    return checked(
+      () =>
+        JSON.parse(
+          wasm.rollingBands(law[0]!, law[1]!, fastest!, share!, least!, gravity!),
+        ) as number | RollingBand[],
+    );
   }
 
   usualTable(game: string): string {

@@ -17,6 +17,26 @@ export interface BreakOptions {
   readonly preset?: string;
 }
 
+/** Options of `Engine.rollingBands`. */
+export interface RollingOptions {
+  /** Highest speed at which the law is followed, m/s; faster balls have the last band. Default 3. */
+  readonly fastest?: number;
+  /** Largest error of the place where a ball stops, as a share of the roll's length. Default 0.005. */
+  readonly share?: number;
+  /** An error that is always allowed, m; the larger of the two counts. Default 0.005. */
+  readonly least?: number;
+  /** m/s². Default 9.80665, as in the presets except `poolfiz`. */
+  readonly gravity?: number;
+}
+
+/** A speed band of rolling friction. */
+export interface RollingBand {
+  /** Highest speed of the band, m/s; the last band has none. */
+  readonly up_to?: number;
+  /** Coefficient of rolling friction in the band. */
+  readonly friction: number;
+}
+
 /** The engine. */
 export interface Engine {
   /** The compiled module; a worker that receives it calls its own `load` with it. */
@@ -39,6 +59,12 @@ export interface Engine {
   withDatedNames<T extends Pick<ShotFile, "table" | "physics">>(file: T): T;
   /** Physics presets by current name: every parameter, as in a shot file. */
   readonly physics: Readonly<Record<string, Readonly<Record<string, unknown>>>>;
+  /**
+   * Speed bands that follow a measured deceleration of rolling balls, a + bv (a in m/s², b in 1/s): a
+   * value of `physics.cloth.rolling_friction`. A number if one band is enough.
+   * @throws CaromError if a value is out of range, or if the law needs more than 16 bands.
+   */
+  rollingBands(a: number, b: number, options?: RollingOptions): number | readonly RollingBand[];
   /** Reads a shot file. @throws CaromError that names the place, the fault and the remedy. */
   shot(file: string | ShotFile): Shot;
   /** Reads a saved trace. @throws CaromError as `shot`. */

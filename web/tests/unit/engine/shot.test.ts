@@ -4,6 +4,7 @@ import {
   load,
   OFF_TABLE,
   ON_TABLE,
+  type RollingBand,
   type Shot,
   type ShotFile,
 } from "../../../src/engine/index.js";
@@ -227,6 +228,24 @@ test("the engine has tables, physics, games and schemas", () => {
     expect(engine.breakShot(game).simulate().duration).toBeGreaterThan(1);
   expect(engine.schema("shot")).toMatchObject({ title: "carom-shot/1" });
   expect(engine.schema("trace")).toMatchObject({ title: "carom-trace/1" });
+});
+
+test("rolling bands follow a measured law, within the errors of the options", () => {
+  const bands = engine.rollingBands(0.041, 0.0142, { share: 0.01, least: 0.01 });
+  // The preset `carom` has the bands of this law.
+  const { rolling_friction } = engine.physics.carom!.cloth as { rolling_friction: RollingBand[] };
+  expect(bands).toHaveLength(rolling_friction.length);
+  (bands as readonly RollingBand[]).forEach(({ up_to, friction }, k) => {
+    expect(friction).toBeCloseTo(rolling_friction[k]!.friction, 8);
+    expect(up_to ?? Infinity).toBeCloseTo(rolling_friction[k]!.up_to ?? Infinity, 6);
+  });
+  const finer = engine.rollingBands(0.041, 0.0142) as readonly RollingBand[];
+  expect(finer.length).toBeGreaterThan(rolling_friction.length);
+  expect(engine.rollingBands(0.0981, 0, { gravity: 9.81 })).toBeCloseTo(0.01, 14);
+  expect(() => engine.rollingBands(0, 0.01)).toThrow(/^a: 0.0 is out of range/);
+  expect(() => engine.rollingBands(0.04, 0.01, { least: 0 })).toThrow(/^least: /);
+  // @ts-expect-error not a number
+  expect(() => engine.rollingBands("0.04", 0.01)).toThrow(/^a: found "0.04"; write a number/);
 });
 
 test("records have dated names of presets, which are read as the current ones", () => {
