@@ -73,8 +73,14 @@ impl Trace {
     }
 
     /// Writes all balls' states at `time` (s): position, velocity, spin, orientation, motion code.
+    /// `out` has [`STRIDE`] numbers for each ball.
     #[wasm_bindgen(js_name = statesAt)]
     pub fn states_at(&self, time: f64, out: &mut [f64]) -> Result<(), JsValue> {
+        let wanted = STRIDE * self.trace.shot().balls().len();
+        if out.len() != wanted {
+            let what = format!("out has {} numbers; it needs {wanted}", out.len());
+            return Err(js_sys::RangeError::new(&what).into());
+        }
         let states = self.trace.at(time).map_err(|e| to_exception(&e))?;
         let orientations = self.orientations.get_or_init(|| self.trace.orientations());
         for (ball, (state, row)) in states.iter().zip(out.as_chunks_mut::<STRIDE>().0).enumerate() {
@@ -89,12 +95,19 @@ impl Trace {
 
     /// The path of ball `ball` as x, y, z (m), t (s) per point; its chords stay within `tolerance` (m) of
     /// the exact path.
-    pub fn polyline(&self, ball: usize, tolerance: f64) -> Vec<f64> {
+    ///
+    /// `ball` is a double, because WebAssembly would truncate the index 1.7 to 1.
+    pub fn polyline(&self, ball: f64, tolerance: f64) -> Result<Vec<f64>, JsValue> {
+        let balls = self.trace.shot().balls().len();
+        let Some(ball) = (0..balls).find(|index| *index as f64 == ball) else {
+            let what = format!("there is no ball {ball}; write an index from 0 to {}", balls - 1);
+            return Err(js_sys::RangeError::new(&what).into());
+        };
         let points = self.trace.polyline(ball, tolerance);
         let numbers = |p: &carom::trace::Waypoint| {
             let [x, y, z] = p.position.to_array();
             [x, y, z, p.time]
         };
-        points.iter().flat_map(numbers).collect()
+        Ok(points.iter().flat_map(numbers).collect())
     }
 }

@@ -448,7 +448,10 @@ class WasmTrace implements Trace {
       throw new RangeError(`out has ${given} numbers; it needs ${length}, in a Float64Array`);
     }
     const states = out ?? new Float64Array(length);
-    checked(() => trace.statesAt(time, states));
+    const [at] = numbers("", { time }, ["time"]);
+    checked(() => {
+      trace.statesAt(at!, states);
+    });
     return states;
   }
 

@@ -391,7 +391,8 @@ export interface Trace {
    * All balls at `time` (s, ≥ 0): `STRIDE` numbers per ball, exact to rounding. At the time of an event
    * these are the states after it; after the end, the final states.
    * @param out Array of `STRIDE` × balls numbers that is filled and returned.
-   * @throws CaromError for a time that is negative or not finite, RangeError for an `out` of another length.
+   * @throws CaromError for a time that is not a number, negative or not finite, RangeError for an `out` of
+   * another length.
    */
   statesAt(time: number, out?: Float64Array): Float64Array;
   /**

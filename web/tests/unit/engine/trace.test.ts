@@ -7,7 +7,7 @@ import {
   type ShotFile,
   type Trace,
 } from "../../../src/engine/index.js";
-import initialised from "../../../src/engine/pkg/carom_wasm.js";
+import initialised, { Trace as InnerTrace } from "../../../src/engine/pkg/carom_wasm.js";
 import { GOLDENS, shotFile } from "./files.js";
 
 const engine = await load();
@@ -102,6 +102,14 @@ describe("statesAt", () => {
     }
   });
 
+  test("refuses times that are not numbers", () => {
+    const trace = simulated("draw_shot");
+    for (const time of ["0.5", true, null, [1], undefined]) {
+      // @ts-expect-error not a number
+      expect(() => trace.statesAt(time), String(time)).toThrow(/^time: found .*; write a number$/);
+    }
+  });
+
   test("refuses times before the strike", () => {
     const trace = simulated("draw_shot");
     expect(() => trace.statesAt(-1)).toThrow(
@@ -147,6 +155,22 @@ describe("polyline", () => {
     expect(() => trace.polyline(0, 0)).toThrow("the tolerance 0 m is out of range");
     expect(() => trace.polyline(0, NaN)).toThrow(RangeError);
   });
+});
+
+test("WebAssembly itself truncates neither an index nor an array", () => {
+  const trace = simulated("draw_shot");
+  const inner = InnerTrace.fromJson(trace.json());
+  expect(inner.polyline(1, 1e-3)).toEqual(trace.polyline(1, 1e-3));
+  for (const ball of [0.5, 1.7, -1, 2, 2 ** 32, NaN, Infinity]) {
+    expect(() => inner.polyline(ball, 1e-3), String(ball)).toThrow(/^there is no ball .* 0 to 1$/);
+  }
+  for (const length of [0, STRIDE, 2 * STRIDE - 1, 2 * STRIDE + 1]) {
+    const out = new Float64Array(length);
+    expect(() => {
+      inner.statesAt(0, out);
+    }).toThrow(`out has ${length} numbers; it needs ${2 * STRIDE}`);
+  }
+  inner.free();
 });
 
 function distance(a: ArrayLike<number>, b: ArrayLike<number>): number {
