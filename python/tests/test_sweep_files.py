@@ -118,6 +118,89 @@ def test_a_folder_of_another_sweep_is_refused(spec: Spec, tmp_path: Path) -> Non
         carom.sweep(spec, tmp_path)
 
 
+def test_a_folder_stores_dated_names_of_presets(pot: dict[str, Any], tmp_path: Path) -> None:
+    rectangle = {**pot, "table": {"length": 2.54, "width": 1.27, "pockets": "none"}}
+    del rectangle["physics"]
+    vary = {
+        "physics": {"grid": ["pool-valley", {"base": "pool", "gravity": 9.81}]},
+        "strike.speed": {"grid": [1.0, 2.0]},
+    }
+    spec = {"format": "carom-sweep/1", "shots": [pot, rectangle], "vary": vary}
+    carom.sweep(spec, tmp_path)
+    stored = json.loads((tmp_path / "sweep.json").read_text(encoding="utf-8"))["spec"]
+    assert stored["shots"][0]["table"] == "wpa-9ft-2026-12"
+    assert stored["shots"][0]["physics"] == "pool-2026-12"
+    assert stored["shots"][1]["physics"] == "pool-2026-12"
+    assert stored["vary"]["physics"]["grid"] == [
+        "pool-valley-2026-12",
+        {"base": "pool-2026-12", "gravity": 9.81},
+    ]
+    said = pq.read_metadata(tmp_path / "part-000000.parquet").metadata
+    assert json.loads(said[b"carom.sweep"]) == stored
+    again = Sweep.from_dict(stored)
+    assert again.sha256 == Sweep.from_dict(spec).sha256
+    assert again.table().equals(Sweep.from_dict(spec).table())
+    assert carom.sweep(stored, tmp_path).parts_before == 1
+
+
+def test_a_table_that_varies_keeps_its_own_physics_in_the_stored_spec(pot: dict[str, Any]) -> None:
+    pot["table"] = {"length": 3.569, "width": 1.778, "pockets": "none"}
+    del pot["physics"]
+    grid = {"table": {"grid": [pot["table"], "carom-10ft"]}}
+    sweep = Sweep.from_dict({"format": "carom-sweep/1", "shots": pot, "vary": grid})
+    assert "physics" not in sweep.to_dict()["shots"][0]
+    assert sweep.to_dict()["vary"]["table"]["grid"] == [pot["table"], "carom-10ft-2026-12"]
+    assert Sweep.from_dict(sweep.to_dict()).table().equals(sweep.table())
+    pool, carom_table = (sweep.shot(row).to_dict() for row in (0, 1))
+    assert "physics" not in pool
+    carom_table["physics"] = "carom"
+    shots = (carom.Shot.from_dict(carom_table), sweep.shot(1))
+    assert shots[0].simulate().hash == shots[1].simulate().hash
+
+
+def begun_before(spec: Spec, folder: Path, values: Spec) -> None:
+    """The first part and the manifest of a folder as older versions wrote them.
+
+    The folder has ``spec`` with names without dates; the rows are those of ``values``.
+    """
+    old, player = Sweep.from_dict(spec).spec, Sweep.from_dict(values)._player
+    parts = Parts(folder, rows=old.rows, part_rows=100, sha256=old.undated_sha256)
+    parts.write(player, 0)
+    manifest = {
+        "format": "carom-sweep-parts/1",
+        "carom": carom.__version__,
+        "sha256": old.undated_sha256,
+        "rows": old.rows,
+        "part_rows": 100,
+        "spec": old.undated,
+    }
+    (folder / "sweep.json").write_text(json.dumps(manifest), encoding="utf-8")
+
+
+def test_an_older_folder_with_names_without_dates_is_continued(spec: Spec, tmp_path: Path) -> None:
+    begun_before(spec, tmp_path, spec)
+    stored = json.loads((tmp_path / "sweep.json").read_text(encoding="utf-8"))
+    assert stored["spec"]["shots"][0]["physics"] == "pool"
+    assert stored["sha256"] != Sweep.from_dict(spec).sha256
+    report = carom.sweep(spec, tmp_path)
+    assert (report.parts, report.parts_before) == (2, 1)
+    assert read(tmp_path).equals(Sweep.from_dict(spec).table())
+    said = [pq.read_metadata(path).metadata for path in sorted(tmp_path.glob("*.parquet"))]
+    assert {s[b"carom.sweep.sha256"].decode() for s in said} == {stored["sha256"]}
+    assert carom.sweep(stored["spec"], tmp_path).parts_before == 2
+
+
+def test_an_older_folder_is_refused_if_its_names_had_other_values(
+    spec: Spec, tmp_path: Path
+) -> None:
+    then = json.loads(json.dumps(spec))
+    for shot in then["shots"]:
+        shot["physics"] = "pool-2026-11"
+    begun_before(spec, tmp_path, then)
+    with pytest.raises(InputError, match=r"part-000000\.parquet: its rows differ .*without a date"):
+        carom.sweep(spec, tmp_path)
+
+
 def test_a_broken_or_foreign_part_is_refused_by_name(spec: Spec, tmp_path: Path) -> None:
     carom.sweep(spec, tmp_path, part_rows=100)
     second = tmp_path / "part-000001.parquet"

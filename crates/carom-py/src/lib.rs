@@ -55,8 +55,8 @@ mod _core {
     use crate::shot::Shot;
     #[pymodule_export]
     use crate::sweep::{
-        check_keys, play_rows, points, quantiles, read_json, read_number, read_whole, row_shot,
-        unknown_word, wrong_type,
+        check_keys, dated_value, play_rows, points, quantiles, read_json, read_number, read_whole,
+        row_shot, unknown_word, wrong_type,
     };
     #[pymodule_export]
     use crate::trace::{Trace, simulate};

@@ -65,6 +65,16 @@ impl Shot {
         to_python(py, &self.0.to_source_node())
     }
 
+    /// The same with the dated names of presets; that of the table's physics is added.
+    fn to_record_source<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.0.to_record_source_node())
+    }
+
+    /// The same with the dated names of presets in place of those of the file.
+    fn to_dated_source<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.0.to_dated_source_node())
+    }
+
     fn to_json(&self) -> String {
         self.0.to_json()
     }

@@ -1,6 +1,6 @@
 //! Functions for sweeps: `_core.play_rows`, `row_shot`, `read_json`, `points` and `quantiles`.
 
-use carom::format::{KeyPath, Node, Reader};
+use carom::format::{KeyPath, Node, Reader, with_value_dated};
 use carom::sample::{Distribution, Sequence};
 use carom::{Error, ShotFile};
 use carom_plan::sweep::{self, Column, OutcomeColumns, RowResults, STRIKE, SweepRows, Values};
@@ -178,6 +178,15 @@ pub(crate) fn read_json<'py>(
     file: Option<&str>,
 ) -> PyResult<Bound<'py, PyAny>> {
     to_python(py, &json::read(py, text, file)?)
+}
+
+/// The value at `path` of a shot file with the dated names of presets.
+#[pyfunction]
+pub(crate) fn dated_value<'py>(
+    path: &str,
+    value: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
+    to_python(value.py(), &with_value_dated(path, &from_python(value)?))
 }
 
 /// Rejects a value that is not an object, and unknown keys. `place` is the value's path in its

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import itertools
+import json
 import os
 import socket
 from collections import deque
@@ -31,6 +32,9 @@ MOST_ROWS = 131_072
 LEAST_ROWS = 4096
 # Number of parts of a sweep of medium size, so that every core gets some.
 PARTS = 16
+# Rows of a part that are compared with the sweep if the folder stores names without dates. Any
+# change of a preset that matters shows in far fewer.
+COMPARED = 64
 # Longest spec that each part holds, bytes; longer ones, such as those of a thousand layouts, are in
 # the manifest only.
 LONGEST_SPEC = 65_536
@@ -74,11 +78,14 @@ class Parts:
         folder: The folder of the files.
         rows: Rows of the whole sweep.
         part_rows: Rows of each part; the last one may have fewer.
+        sha256: Hash of the spec in the folder's manifest; None is that of the sweep's spec. The
+            manifest of an older folder has names of presets without dates.
     """
 
     folder: Path
     rows: int
     part_rows: int
+    sha256: str | None = None
 
     def __len__(self) -> int:
         return (self.rows + self.part_rows - 1) // self.part_rows
@@ -134,7 +141,7 @@ class Parts:
                 table = play_rows(player, start, min(start + GROUP, end), go_on)
                 failed += len(table) - table["error"].null_count
                 file.write_table(table, row_group_size=GROUP)
-            file.add_key_value_metadata(metadata(player, first, failed))
+            file.add_key_value_metadata(metadata(player, first, failed, self.sha256))
         return failed
 
     def receipt(self, player: RowPlayer, part: int, worker: int = 0) -> Receipt:
@@ -153,7 +160,7 @@ class Parts:
         start, stop = self.range(part)
         wanted = {
             b"carom.version": __version__,
-            b"carom.sweep.sha256": player.spec.sha256,
+            b"carom.sweep.sha256": self.sha256 or player.spec.sha256,
             b"carom.sweep.first_row": str(start),
         }
         same = all(said.get(key) == value.encode() for key, value in wanted.items())
@@ -178,6 +185,28 @@ class Parts:
         """
         there = (part for part in range(len(self)) if self.path(part).exists())
         return list(_in_order(lambda part: self.receipt(player, part), there, threads))
+
+    def check_values(self, player: RowPlayer) -> None:
+        """Compare the first rows of the first existing part with those of the sweep.
+
+        Purpose: a name of a preset without a date meant the values of its time, and a spec with
+        such names does not tell which.
+
+        Raises:
+            InputError: They differ.
+        """
+        part = next((part for part in range(len(self)) if self.path(part).exists()), None)
+        if part is None:
+            return
+        start, stop = self.range(part)
+        count = min(stop - start, COMPARED)
+        found = pq.read_table(self.path(part)).slice(0, count)
+        if not found.equals(play_rows(player, start, start + count)):
+            raise InputError(
+                f"{self.path(part)}: its rows differ from those of this sweep, because the folder "
+                "has names of presets without a date, which may have had other values; choose "
+                "another folder"
+            )
 
     def tidy(self) -> None:
         """Remove the unfinished files that killed writers left."""
@@ -253,15 +282,19 @@ def _in_order(call: Callable[[int], R], items: Iterable[int], threads: int) -> I
                 future.cancel()
 
 
-def metadata(player: RowPlayer, first_row: int, failed: int) -> dict[str, str]:
+def metadata(
+    player: RowPlayer, first_row: int, failed: int, sha256: str | None = None
+) -> dict[str, str]:
     """The metadata of a part's file."""
     said = {
         "carom.version": __version__,
-        "carom.sweep.sha256": player.spec.sha256,
+        "carom.sweep.sha256": sha256 or player.spec.sha256,
         "carom.sweep.first_row": str(first_row),
         "carom.sweep.failed": str(failed),
     }
-    spec = player.spec.to_json()
+    is_undated = said["carom.sweep.sha256"] != player.spec.sha256
+    file = player.spec.undated if is_undated else player.spec.file
+    spec = json.dumps(file, ensure_ascii=False)
     return said | ({"carom.sweep": spec} if len(spec) <= LONGEST_SPEC else {})
 
 

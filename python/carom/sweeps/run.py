@@ -57,6 +57,8 @@ def run(
     with _claimed(player, folder, part_rows) as parts:
         parts.tidy()
         before = parts.receipts(player, threads)
+        if parts.sha256 != player.spec.sha256:
+            parts.check_values(player)
         there = {receipt.part for receipt in before}
         missing = [k for k in range(len(parts)) if k not in there]
         ray_start = None
@@ -151,9 +153,9 @@ def _claimed(player: RowPlayer, folder: Path, part_rows: int | None) -> Iterator
         unfinished.replace(manifest)
     with manifest.open(encoding="utf-8") as file:
         _lock(file.fileno(), folder)
-        rows = _part_rows(player, manifest, file.read(), part_rows)
+        rows, sha256 = _manifest(player, manifest, file.read(), part_rows)
         _check_count(player.spec.rows, rows)
-        yield Parts(folder, player.spec.rows, rows)
+        yield Parts(folder, player.spec.rows, rows, sha256)
 
 
 def _check_count(rows: int, part_rows: int) -> None:
@@ -165,8 +167,8 @@ def _check_count(rows: int, part_rows: int) -> None:
         )
 
 
-def _part_rows(player: RowPlayer, manifest: Path, text: str, wanted: int | None) -> int:
-    """Rows of a part from the manifest, which must be that of this sweep and this run."""
+def _manifest(player: RowPlayer, manifest: Path, text: str, wanted: int | None) -> tuple[int, str]:
+    """Rows of a part and hash from the manifest, which must be that of this sweep and this run."""
     remedy = "choose another folder, or delete this one"
     try:
         said = json.loads(text)
@@ -174,7 +176,7 @@ def _part_rows(player: RowPlayer, manifest: Path, text: str, wanted: int | None)
         rows = whole("part_rows", said["part_rows"], low=1)
     except (ValueError, KeyError, TypeError):
         raise InputError(f"{manifest}: it does not describe a sweep; {remedy}") from None
-    if sha256 != player.spec.sha256:
+    if sha256 not in (player.spec.sha256, player.spec.undated_sha256):
         raise InputError(f"{manifest}: the folder holds another sweep; {remedy}")
     if version != __version__:
         what = f"the folder was begun by carom {version}, and this is {__version__}"
@@ -182,7 +184,7 @@ def _part_rows(player: RowPlayer, manifest: Path, text: str, wanted: int | None)
     if wanted not in (None, rows):
         what = f"the folder has parts of {rows} rows, and part_rows is {wanted}"
         raise InputError(f"{manifest}: {what}; leave part_rows out, or choose another folder")
-    return rows
+    return rows, sha256
 
 
 def _lock(file: int, folder: Path) -> None:

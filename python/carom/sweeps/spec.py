@@ -14,6 +14,7 @@ from carom import _core
 from carom.errors import InputError
 from carom.noise import Noise
 from carom.shot import Shot
+from carom.sweeps import dated
 from carom.sweeps.columns import CHOSEN, OUTCOMES
 
 FORMAT = "carom-sweep/1"
@@ -137,7 +138,9 @@ class Spec:
         variants: How often each strike is simulated, each time with other noise.
         paired: Whether all points of the grids and all layouts have the same draws and noise.
         columns: The outcomes that the table has.
-        file: The complete spec: shots in full, every default written out.
+        file: The complete spec: shots in full, every default written out, presets with dated
+            names.
+        undated: The same with the names of presets as they were given. Older folders store it.
     """
 
     layouts: tuple[Shot, ...]
@@ -150,6 +153,7 @@ class Spec:
     paired: bool
     columns: tuple[str, ...]
     file: dict[str, Any] = field(repr=False, compare=False)
+    undated: dict[str, Any] = field(repr=False, compare=False)
 
     @property
     def grids(self) -> tuple[Grid, ...]:
@@ -181,8 +185,17 @@ class Spec:
     @property
     def sha256(self) -> str:
         """Hash of the complete spec as JSON text without blanks, 64 hex digits."""
-        text = json.dumps(self.file, ensure_ascii=False, separators=(",", ":"))
-        return hashlib.sha256(text.encode()).hexdigest()
+        return _digest(self.file)
+
+    @property
+    def undated_sha256(self) -> str:
+        """Hash of ``undated``, which identifies the table in older folders."""
+        return _digest(self.undated)
+
+
+def _digest(file: dict[str, Any]) -> str:
+    text = json.dumps(file, ensure_ascii=False, separators=(",", ":"))
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def load(file: Mapping[str, Any], folder: Path) -> Spec:
@@ -203,7 +216,9 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
     if "shots" not in found:
         _refuse("shots", "the key is missing", "write a shot, the name of its file, or a list")
     layouts = _layouts(found["shots"], folder)
-    parameters = _parameters(found.get("vary", {}))
+    given = found.get("vary", {})
+    vary = dated.vary(given)
+    parameters = _parameters(vary)
     seed = _core.read_whole(found.get("seed", 0), "seed", 0, _LARGEST)
     samples = _samples(found, parameters)
     sequence = found.get("sequence", "random")
@@ -223,8 +238,8 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
     whole = {
         "format": FORMAT,
         # A default elevation stays the default, so that it follows the parameters.
-        "shots": [shot._core.to_source() for shot in layouts],
-        "vary": found.get("vary", {}),
+        "shots": dated.shots(tuple(shot._core for shot in layouts), vary),
+        "vary": vary,
         "samples": samples,
         "sequence": sequence,
         "seed": seed,
@@ -233,8 +248,19 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
         "paired": paired,
         "columns": list(columns),
     }
+    undated = whole | {"shots": [shot._core.to_source() for shot in layouts], "vary": given}
     spec = Spec(
-        layouts, parameters, samples, sequence, seed, noise, variants, paired, columns, whole
+        layouts,
+        parameters,
+        samples,
+        sequence,
+        seed,
+        noise,
+        variants,
+        paired,
+        columns,
+        whole,
+        undated,
     )
     if spec.rows > _LARGEST:
         what = f"the table would have {spec.rows} rows"

@@ -29,6 +29,36 @@ pub fn with_dated_names(file: &Node) -> Node {
     dated
 }
 
+/// The shot file `file`, which is valid, with the dated name of every preset that it names. The
+/// physics that belongs to the table is not added.
+pub(super) fn with_named_dated(file: &Node) -> Node {
+    let mut dated = file.clone();
+    date_table(&mut dated);
+    date_physics(&mut dated);
+    dated
+}
+
+/// `value`, the value at `path` of a shot file (`table`, `physics.base`), with the dated names of
+/// presets. Values at other paths, and names that no preset has, stay as they are.
+pub fn with_value_dated(path: &str, value: &Node) -> Node {
+    let (part, key) = path.split_once('.').unwrap_or((path, ""));
+    let inner = if key.is_empty() { value.clone() } else { Node::object([(key, value.clone())]) };
+    let mut file = Node::object([(part, inner)]);
+    date_table(&mut file);
+    date_physics(&mut file);
+    let dated =
+        file.get(part).and_then(|inner| if key.is_empty() { Some(inner) } else { inner.get(key) });
+    dated.unwrap_or(value).clone()
+}
+
+/// Writes the dated names into `physics` of `file`.
+fn date_physics(file: &mut Node) {
+    date(file, "physics", Physics::dated_name);
+    if let Some(physics) = file.get_mut("physics") {
+        date(physics, "base", Physics::dated_name);
+    }
+}
+
 /// Writes the dated names into `table` of `file`. The dated name of the physics that these names
 /// imply; `None` if they imply none.
 fn date_table(file: &mut Node) -> Option<&'static str> {

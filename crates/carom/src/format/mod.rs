@@ -24,7 +24,7 @@ mod strike;
 mod table;
 mod trace;
 
-pub use dated::with_dated_names;
+pub use dated::{with_dated_names, with_value_dated};
 pub use key_path::KeyPath;
 pub use node::Node;
 pub use parameters::{Parameter, parameters, physics_list};

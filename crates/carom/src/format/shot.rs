@@ -6,7 +6,7 @@ use alloc::string::String;
 use alloc::sync::Arc;
 use core::ops::Deref;
 
-use super::dated::with_dated_names;
+use super::dated::{with_dated_names, with_named_dated};
 use super::key_path::KeyPath;
 use super::node::Node;
 use super::read::At;
@@ -87,6 +87,17 @@ impl ShotFile {
             strike::remove_elevation(written);
         }
         node
+    }
+
+    /// As [`Self::to_source_node`], with the dated names of presets as [`Self::to_record_node`].
+    pub fn to_record_source_node(&self) -> Node {
+        with_dated_names(&self.to_source_node())
+    }
+
+    /// As [`Self::to_source_node`], with the dated names of the presets that the file names. The
+    /// physics that belongs to the table is not added: it follows if the table changes.
+    pub fn to_dated_source_node(&self) -> Node {
+        with_named_dated(&self.to_source_node())
     }
 
     /// The file as JSON: what was read, number for number, and the elevation that is used.
