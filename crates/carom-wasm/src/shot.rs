@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use carom::ShotFile;
+use carom::format::coefficient_at;
 use carom::resolve::cue_ball::Strike;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -81,6 +82,12 @@ impl Shot {
     #[wasm_bindgen(js_name = miscueLimit)]
     pub fn miscue_limit(&self) -> f64 {
         self.0.miscue_limit()
+    }
+
+    /// The coefficient `key` of the physics at a speed (m/s), or `cushion.friction` at an angle (rad).
+    #[wasm_bindgen(js_name = coefficientAt)]
+    pub fn coefficient_at(&self, key: &str, at: f64) -> Result<f64, JsValue> {
+        coefficient_at(self.0.physics(), key, at).map_err(|e| to_exception(&e))
     }
 
     /// The same shot with another strike; without an elevation, at the default one.

@@ -11,6 +11,7 @@ import type { Choice, Frame, FrameOptions, FrameState, FrameTerms, Play, Ruling 
 import {
   type BallInfo,
   type Batch,
+  type CoefficientKey,
   type Geometry,
   type Noise,
   type NoisyBatch,
@@ -199,9 +200,8 @@ class WasmEngine implements Engine {
     const [fastest, share, least, gravity] = tolerance;
     return checked(
       () =>
-        JSON.parse(
-          wasm.rollingBands(law[0]!, law[1]!, fastest!, share!, least!, gravity!),
-        ) as number | RollingBand[],
+        JSON.parse(wasm.rollingBands(law[0]!, law[1]!, fastest!, share!, least!, gravity!)) as
+          number | RollingBand[],
     );
   }
 
@@ -341,6 +341,11 @@ class WasmShot implements Shot {
 
   get miscueLimit() {
     return this.handle.object.miscueLimit();
+  }
+
+  coefficientAt(key: CoefficientKey, at: number): number {
+    const [value] = numbers("", { at }, ["at"]);
+    return checked(() => this.handle.object.coefficientAt(text("key", key), value!));
   }
 
   withStrike(strike: StrikeInput): Shot {

@@ -3,7 +3,15 @@
  * by their names. The data is that of Python's `Frame.to_dict`, key by key.
  */
 
-import type { PocketName, Point, Shot, ShotFile, StrikeEntry, StrikeInput, Trace } from "./types.js";
+import type {
+  PocketName,
+  Point,
+  Shot,
+  ShotFile,
+  StrikeEntry,
+  StrikeInput,
+  Trace,
+} from "./types.js";
 
 export type Player = 0 | 1;
 

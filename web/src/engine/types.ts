@@ -74,6 +74,10 @@ export interface Strike {
 /** A strike that may omit its elevation: it is the default one then. */
 export type StrikeInput = Omit<Strike, "elevation"> & { readonly elevation?: number | undefined };
 
+/** Coefficients of the physics that may depend on a speed or an angle. */
+export type CoefficientKey =
+  "cloth.rolling_friction" | "ball_ball.friction" | "cushion.restitution" | "cushion.friction";
+
 /** A ball with all its values, including those that the file leaves to the physics. */
 export interface BallInfo {
   readonly id: string;
@@ -349,6 +353,12 @@ export interface Shot {
    * The largest tip offset √(side² + height²) without a miscue, in ball radii.
    */
   readonly miscueLimit: number;
+  /**
+   * A coefficient of the shot's physics at a speed, m/s: of a rolling ball, of slip, or perpendicular to
+   * the rail; `cushion.friction` at an angle of incidence, rad.
+   * @throws CaromError for another key, and for a speed or angle that is negative or not finite.
+   */
+  coefficientAt(key: CoefficientKey, at: number): number;
   /**
    * The same shot with another strike; about a microsecond. Without an elevation it is the default.
    * @throws CaromError for a strike that the engine refuses in a file, and if the shot has no strike.

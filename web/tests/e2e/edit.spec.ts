@@ -146,6 +146,42 @@ test("of a preset a speed band and a rail's fit are changed and reset", async ({
   expect((await shotOf(page)).physics).toEqual({ base: "carom" });
 });
 
+test("a coefficient is given as a number or by speed, and back", async ({ open }) => {
+  const page = await open();
+  await page.getByRole("tab", { name: "Physics" }).click();
+  const physics = async () => (await shotOf(page)).physics ?? {};
+  const group = (name: string) => page.getByRole("group", { name, exact: true });
+  const given = (name: string) => group(name).getByRole("combobox", { name: "Given" });
+  // Rolling friction: the preset has a number.
+  await given("Rolling friction").selectOption("by speed");
+  const bands = [{ up_to: 1, friction: 0.01 }, { friction: 0.01 }];
+  expect(await physics()).toEqual({ cloth: { rolling_friction: bands } });
+  expect(await given("Rolling friction").evaluate((e) => e === document.activeElement)).toBe(true);
+  const faster = group("Rolling friction").getByRole("spinbutton", { name: "Band 2, friction" });
+  await faster.fill("0.012");
+  await faster.press("Enter");
+  bands[1] = { friction: 0.012 };
+  expect(await physics()).toEqual({ cloth: { rolling_friction: bands } });
+  await page.getByRole("button", { name: "Reset how cloth rolling friction is given" }).click();
+  expect(await physics()).toEqual({});
+  // The restitution of the cushions: the preset has a fit, 1.04 − 0.05 V.
+  await page.getByText("Cushions", { exact: true }).click();
+  await given("Restitution").selectOption("as a number");
+  expect(await physics()).toEqual({ cushion: { restitution: 0.99 } });
+  const number = group("Restitution").getByRole("spinbutton", { name: "Restitution" });
+  await number.fill("0.9");
+  await number.press("Enter");
+  expect(await physics()).toEqual({ cushion: { restitution: 0.9 } });
+  expect(
+    await page.evaluate(() => window.carom!.store.shot.coefficientAt("cushion.restitution", 4)),
+  ).toBe(0.9);
+  await given("Restitution").selectOption("by speed");
+  expect(await physics()).toEqual({});
+  await page.getByRole("button", { name: "Undo: change cushion.restitution" }).click();
+  expect(await physics()).toEqual({ cushion: { restitution: 0.9 } });
+  expect(await given("Restitution").inputValue()).toBe("number");
+});
+
 for (const [device, viewport] of [
   ["a desktop", DESKTOP],
   ["a phone", PHONE],

@@ -27,7 +27,7 @@ mod trace;
 pub use dated::{with_dated_names, with_value_dated};
 pub use key_path::KeyPath;
 pub use node::Node;
-pub use parameters::{Parameter, parameters, physics_list};
+pub use parameters::{Parameter, coefficient_at, parameters, physics_list};
 pub use read::Reader;
 pub use shot::{SHOT_FORMAT, ShotFile};
 pub use trace::TRACE_FORMAT;

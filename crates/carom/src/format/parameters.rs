@@ -6,6 +6,8 @@ use alloc::vec::Vec;
 
 use super::node::Node;
 use crate::edition::{self, Edition};
+use crate::error::Error;
+use crate::math::sin_cos;
 use crate::physics::Physics;
 use crate::physics::sources::{Evidence, source};
 
@@ -70,6 +72,37 @@ fn unit(key: &str) -> &'static str {
     }
 }
 
+/// Keys of the coefficients that may depend on a speed or an angle.
+const VARIABLE: [&str; 4] =
+    ["cloth.rolling_friction", "ball_ball.friction", "cushion.restitution", "cushion.friction"];
+
+/// The coefficient `key` of `physics` at a speed (m/s): of a rolling ball for
+/// `cloth.rolling_friction`, of slip for `ball_ball.friction`, perpendicular to the rail for
+/// `cushion.restitution`; and for `cushion.friction` at an angle of incidence (rad).
+///
+/// # Errors
+/// [`Error::Input`] for another key, and for a speed or angle that is negative or not finite.
+pub fn coefficient_at(physics: &Physics, key: &str, at: f64) -> Result<f64, Error> {
+    if !(at >= 0.0 && at.is_finite()) {
+        let what = format!("{at:?} is out of range");
+        return Err(Error::input("at", what, "give a finite speed or angle ≥ 0"));
+    }
+    let Physics { cloth, ball_ball, cushion, .. } = physics;
+    match key {
+        "cloth.rolling_friction" => Ok(cloth.rolling_friction.at(at)),
+        "ball_ball.friction" => Ok(ball_ball.friction.at(at)),
+        "cushion.restitution" => Ok(cushion.restitution.at(at)),
+        "cushion.friction" => {
+            let (sin, cos) = sin_cos(at);
+            Ok(cushion.friction.at(sin, cos))
+        }
+        _ => {
+            let what = format!("\"{key}\" is not a coefficient that may depend on speed or angle");
+            Err(Error::input("key", what, format!("write one of {}", VARIABLE.join(", "))))
+        }
+    }
+}
+
 /// Every physics preset: `name`, `dated_name`, `parameters` (`key`, `value`, `unit`, `evidence`,
 /// `source`), and `physics`, the same values as a shot file has them.
 pub fn physics_list() -> Node {
@@ -99,7 +132,7 @@ fn preset(edition: &Edition) -> Option<Node> {
 mod tests {
     use alloc::vec::Vec;
 
-    use super::{Node, Parameter, parameters, source_key};
+    use super::{Node, Parameter, coefficient_at, parameters, source_key};
     use crate::Physics;
     use crate::edition::PHYSICS;
     use crate::physics::sources::source;
@@ -132,6 +165,19 @@ mod tests {
                 assert_eq!(same, Some(&p.value), "{} of {}", p.key, edition.dated);
             }
         }
+    }
+
+    #[test]
+    fn a_coefficient_is_that_of_its_law_at_a_speed_or_an_angle() {
+        let physics = Physics::preset("carom").unwrap();
+        let at = |key: &str, at: f64| coefficient_at(&physics, key, at).unwrap();
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} {b}");
+        near(at("cushion.restitution", 2.0), 0.915 - 0.034 * 2.0 - 0.005 * 4.0);
+        near(at("cushion.friction", 0.5), 0.240 + 0.034 * 0.5);
+        near(at("ball_ball.friction", 0.0), 0.0942);
+        assert!(at("cloth.rolling_friction", 3.0) > at("cloth.rolling_friction", 0.1));
+        assert!(coefficient_at(&physics, "cloth.sliding_friction", 1.0).is_err());
+        assert!(coefficient_at(&physics, "cushion.restitution", -1.0).is_err());
     }
 
     #[test]

@@ -2,6 +2,15 @@
 
 import { h, uniqueId } from "../common/dom.ts";
 import {
+  type Coefficient,
+  inKind,
+  type Kind,
+  kindLabel,
+  kindOf,
+  kinds,
+  quantityOf,
+} from "./kinds.ts";
+import {
   isChanged,
   label,
   parameters,
@@ -28,6 +37,8 @@ export interface Subject {
   readonly changes: () => Values;
   /** Writes the changes to the shot file. @returns Whether they were accepted. */
   readonly write: (changes: Values, path: readonly string[]) => boolean;
+  /** The engine's coefficient of a quantity at a middle speed or angle; null if none depends on them. */
+  readonly coefficient: Coefficient | null;
   /** Keys of the groups that are open at first. */
   readonly open: readonly string[];
 }
@@ -44,6 +55,10 @@ export function mountParameters(
 ): () => void {
   const { part } = subject;
   let shown = "";
+  /** Whether a group is open, by its key: it stays so when its rows change. */
+  const open = new Map<string, boolean>();
+  /** Whether the rows are being replaced: a focused field that is removed loses the focus, and shows again. */
+  let isReplacing = false;
 
   function set(path: readonly string[], value: unknown): boolean {
     const [own, now] = [subject.changes(), subject.now()];
@@ -55,12 +70,17 @@ export function mountParameters(
   }
 
   function show(): void {
+    if (isReplacing) return;
     const now = subject.now();
     const found = parameters(schema, part, now);
-    const key = JSON.stringify(found.map(({ path }) => path));
+    const key = JSON.stringify(found.map(({ path, kind }) => [path, kind]));
     if (key !== shown) {
       shown = key;
+      for (const group of root.querySelectorAll<HTMLDetailsElement>("details[data-group]"))
+        open.set(group.dataset.group!, group.open);
+      isReplacing = true;
       root.replaceChildren(...groups(found));
+      isReplacing = false;
     }
     const [base, changes] = [subject.base(), subject.changes()];
     for (const { path } of found) {
@@ -76,6 +96,12 @@ export function mountParameters(
       const row = input.closest(".parameter")!;
       row.toggleAttribute("data-changed", isChanged(changes, base, path));
     }
+    for (const select of root.querySelectorAll<HTMLSelectElement>("select[data-kind]")) {
+      const path = select.dataset.kind!.split(".");
+      const [kind, usual] = [kindOf(valueAt(now, path)), kindOf(valueAt(base, path))];
+      select.value = kind ?? "";
+      select.closest(".parameter")!.toggleAttribute("data-changed", kind !== usual);
+    }
   }
 
   /** Single values first, then one collapsible group per object. */
@@ -89,7 +115,7 @@ export function mountParameters(
       ...keys.map((key) =>
         h(
           "details",
-          { open: subject.open.includes(key) },
+          { open: open.get(key) ?? subject.open.includes(key), "data-group": key },
           h("summary", {}, title(key)),
           ...entries(found.filter(({ path }) => path.length > 1 && path[0] === key)),
         ),
@@ -102,7 +128,14 @@ export function mountParameters(
     return [...new Set(found.map(({ path }) => path[QUANTITY - 1]!))].flatMap((key) => {
       const same = found.filter(({ path }) => path[QUANTITY - 1] === key);
       const { quantity } = same[0]!;
-      if (quantity === "") return same.map((parameter) => row(parameter));
+      const path = quantityOf(same[0]!);
+      const control = kindRow(path);
+      if (quantity === "") {
+        const only = same.map((parameter) => row(parameter));
+        if (!control) return only;
+        const group = { class: "quantity", role: "group", "aria-label": title(key) };
+        return h("div", group, ...only, control);
+      }
       // The bands of a list have the same hints: they are shown once, and read aloud for each.
       const shown = new Set<string>();
       const rows = same.map((parameter) => {
@@ -117,8 +150,42 @@ export function mountParameters(
         name,
         h("p", { class: "hint" }, quantity),
         ...rows,
+        control,
       );
     });
+  }
+
+  /** The control that chooses between a number and numbers by speed; null if there is no choice. */
+  function kindRow(path: readonly string[]): HTMLElement | null {
+    const { coefficient } = subject;
+    const choices = kinds(schema, part, path, valueAt(subject.now(), path));
+    if (!coefficient || path.length < QUANTITY || choices.length === 0) return null;
+    const options = choices.map((kind) => h("option", { value: kind }, kindLabel(path, kind)));
+    const id = uniqueId("kind");
+    const select = h("select", { id, "data-kind": path.join(".") }, ...options);
+    const write = (value: unknown) => {
+      // A step of its own for undo, after that of a number that is being typed.
+      store.settle();
+      set(path, value);
+      store.settle();
+      show();
+      // The rows of the group are new ones.
+      root.querySelector<HTMLSelectElement>(`[data-kind="${path.join(".")}"]`)?.focus();
+    };
+    select.addEventListener("change", () => {
+      const values = { now: subject.now(), base: subject.base() };
+      write(inKind(path, select.value as Kind, values, coefficient));
+    });
+    const label = `Reset how ${path.map(title).join(" ").toLowerCase()} is given`;
+    const reset = () => {
+      write(valueAt(subject.base(), path));
+    };
+    return h(
+      "div",
+      { class: "parameter" },
+      h("label", { for: id }, "Given"),
+      h("div", { class: "row" }, select, back(label, reset)),
+    );
   }
 
   function row(parameter: Parameter, hintAgain = false): HTMLElement {
@@ -145,17 +212,6 @@ export function mountParameters(
       store.settle();
     };
     const full = path.map(title).join(" ").toLowerCase();
-    const back = h(
-      "button",
-      {
-        type: "button",
-        class: "button plain back",
-        "aria-label": `Reset ${full}`,
-        title: "Reset",
-        onclick: reset,
-      },
-      "↺",
-    );
     return h(
       "div",
       { class: "parameter" },
@@ -165,13 +221,22 @@ export function mountParameters(
         { class: "row" },
         input,
         h("span", { class: "unit" }, unit === "degrees" ? "°" : unit),
-        back,
+        back(`Reset ${full}`, reset),
       ),
       h("p", { class: hintAgain ? "hint unseen" : "hint", id: `${input.id}-hint` }, description),
     );
   }
 
   return show;
+}
+
+/** A button that resets a value. */
+function back(label: string, onclick: () => void): HTMLElement {
+  return h(
+    "button",
+    { type: "button", class: "button plain back", "aria-label": label, title: "Reset", onclick },
+    "↺",
+  );
 }
 
 type Control = HTMLInputElement | HTMLSelectElement;

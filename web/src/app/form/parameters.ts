@@ -17,7 +17,7 @@ export interface Parameter {
 /** A part of the shot file that may start from a preset. */
 export type Part = "physics" | "table";
 
-interface Schema {
+export interface Schema {
   readonly type?: string;
   readonly description?: string;
   readonly enum?: readonly string[];
@@ -33,11 +33,26 @@ const UNIT = /(?:^|, )(kg|m\/s²|m\/s|rad\/s²|s\/m|m|s|degrees)(?=[.,:;]|$)/;
 /** Keys of the path of a quantity: its group's and its own. */
 export const QUANTITY = 2;
 
+/** The schema of the quantity at `path`, a group's key and its own; undefined if there is none. */
+export function quantitySchema(
+  schema: object,
+  part: Part,
+  path: readonly string[],
+): Schema | undefined {
+  let found: Schema | undefined = partSchema(schema, part);
+  for (const key of path) found = found?.properties?.[key];
+  return found;
+}
+
+function partSchema(schema: object, part: Part): Schema | undefined {
+  const { $defs } = schema as { $defs: Record<string, Schema> };
+  return $defs[part]?.oneOf?.find(({ properties }) => properties?.base);
+}
+
 /** The parameters that both the schema and `values` have, in the schema's order. */
 export function parameters(schema: object, part: Part, values: Values): Parameter[] {
   const { $defs } = schema as { $defs: Record<string, Schema> };
-  const object = $defs[part]?.oneOf?.find(({ properties }) => properties?.base);
-  return Object.entries(object?.properties ?? {}).flatMap(([key, inner]) =>
+  return Object.entries(partSchema(schema, part)?.properties ?? {}).flatMap(([key, inner]) =>
     key === "base" ? [] : collect($defs, [key], inner, values[key]),
   );
 }

@@ -78,6 +78,7 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
       const name = ["table", ...path].join(".");
       return store.apply(({ shot }) => ({ shot: { ...shot, table } }), `change ${name}`, name);
     },
+    coefficient: null,
     open: [],
   });
 

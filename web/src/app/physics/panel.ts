@@ -1,5 +1,6 @@
 /** The Physics tab: the preset and its parameters, in the order of the shot file's schema. */
 
+import type { CoefficientKey } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import type { AimedShot } from "../document/document.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
@@ -7,6 +8,14 @@ import { presetLabel, presetOptions } from "../common/presets.ts";
 import { mountParameters } from "../form/parameter-rows.ts";
 import { merged, type Values } from "../form/parameters.ts";
 import type { Store } from "../document/store.ts";
+import { round } from "../common/units.ts";
+
+/** Speed (m/s) and angle (rad) at which a coefficient becomes a number: a soft shot, half a right angle. */
+const MIDDLE_SPEED = 1;
+const MIDDLE_ANGLE = Math.PI / 4;
+
+/** Digits of that number: measurements have fewer. */
+const DIGITS = 4;
 
 /** The list's value for the table's own physics. */
 const TABLES_OWN = "";
@@ -52,6 +61,10 @@ export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: C
         `change ${path.join(".")}`,
         `physics ${path.join(".")}`,
       ),
+    coefficient: (key) => {
+      const at = key === "cushion.friction" ? MIDDLE_ANGLE : MIDDLE_SPEED;
+      return round(store.shot.coefficientAt(key as CoefficientKey, at), DIGITS);
+    },
     open: ["cloth"],
   });
 

@@ -147,7 +147,7 @@ impl CushionFriction {
     /// μ = a + bγ, at least 0, for a ball that approaches with the speeds `across` the normal and
     /// `into` the rail, m/s; γ is the angle between the two.
     #[inline]
-    fn at(&self, across: f64, into: f64) -> f64 {
+    pub fn at(&self, across: f64, into: f64) -> f64 {
         if self.b == 0.0 {
             return self.a.max(0.0);
         }

@@ -1,0 +1,97 @@
+/** Kinds in which a quantity may be given: as a number, or by speed or angle; and changes of the kind. */
+
+import {
+  type Parameter,
+  type Part,
+  QUANTITY,
+  quantitySchema,
+  valueAt,
+  type Values,
+} from "./parameters.ts";
+
+/** A number; numbers of a formula, such as a + bV; a list of speed bands; or the name of a surface. */
+export type Kind = "number" | "fit" | "bands" | "name";
+
+/** The coefficient of a quantity of the present physics at a speed or an angle. */
+export type Coefficient = (key: string) => number;
+
+/** End of the first of two new bands, m/s: about the middle of the speeds at which balls roll. */
+const FIRST_END = 1;
+
+/** Quantities that depend on the angle of incidence, not on a speed. */
+const BY_ANGLE: readonly string[] = ["cushion.friction"];
+
+const WORDS: Readonly<Record<Kind, string>> = {
+  number: "as a number",
+  fit: "by speed",
+  bands: "by speed",
+  name: "by surface",
+};
+
+/** The kind in words. */
+export function kindLabel(path: readonly string[], kind: Kind): string {
+  return kind === "fit" && BY_ANGLE.includes(path.join(".")) ? "by angle" : WORDS[kind];
+}
+
+/** The kind of a value; null if it has none. */
+export function kindOf(value: unknown): Kind | null {
+  if (typeof value === "number") return "number";
+  if (typeof value === "string") return "name";
+  if (Array.isArray(value)) return "bands";
+  return typeof value === "object" && value !== null ? "fit" : null;
+}
+
+/** The quantity that a parameter belongs to. */
+export function quantityOf({ path }: Parameter): readonly string[] {
+  return path.slice(0, QUANTITY);
+}
+
+/**
+ * The kinds in which the quantity at `path` may be given; empty if there is only one. The names of
+ * surfaces are offered only where a file has one, because a preset has its numbers.
+ */
+export function kinds(
+  schema: object,
+  part: Part,
+  path: readonly string[],
+  present: unknown,
+): readonly Kind[] {
+  const choices = quantitySchema(schema, part, path)?.oneOf ?? [];
+  const found = choices.flatMap(({ type, enum: names }): Kind[] => {
+    if (names) return kindOf(present) === "name" ? ["name"] : [];
+    if (type === "number") return ["number"];
+    if (type === "object") return ["fit"];
+    return type === "array" ? ["bands"] : [];
+  });
+  return found.length > 1 && found.includes("number") ? found : [];
+}
+
+/**
+ * The value of the quantity at `path` in another kind. If the preset has this kind, it is the value of
+ * the preset; otherwise the new value is the same at every speed and angle.
+ *
+ * @param now The present values.
+ * @param base The values of the preset.
+ * @param coefficient The engine's coefficient of the quantity at a middle speed or angle.
+ */
+export function inKind(
+  path: readonly string[],
+  kind: Kind,
+  { now, base }: { readonly now: Values; readonly base: Values },
+  coefficient: Coefficient,
+): unknown {
+  const [present, usual] = [valueAt(now, path), valueAt(base, path)];
+  if (kindOf(present) === kind) return present;
+  if (kindOf(usual) === kind) return usual;
+  const number = typeof present === "number" ? present : coefficient(path.join("."));
+  if (kind === "bands") return [{ up_to: FIRST_END, friction: number }, { friction: number }];
+  if (kind === "fit") return { ...FLAT[path.join(".")], a: number };
+  return number;
+}
+
+/** The other numbers of a fit that does not depend on speed or angle. */
+const FLAT: Readonly<Record<string, Values>> = {
+  "ball_ball.friction": { a: 0, b: 0, c: 0 },
+  "cushion.restitution": { a: 0, b: 0, c: 0, lowest: 0, highest: 1 },
+  "cushion.friction": { a: 0, b: 0 },
+};
