@@ -144,8 +144,8 @@ licenses: $(BUILT) $(MODULES) ## Write the licence notices of the dependencies, 
 
 picture: $(BUILT) $(PAGE) ## The README's picture of the page, by Chromium.
 	@mkdir -p out
-	@$(BIN)/carom shot shots/nine_ball_break.json --html out/nine_ball_break.html > /dev/null
-	node web/scripts/picture.js out/nine_ball_break.html 0.8 docs/images/page.png
+	@$(BIN)/carom break --seed 20 --html out/nine_ball_break.html > /dev/null
+	node web/scripts/picture.js out/nine_ball_break.html 1.3 docs/images/page.png
 
 fmt: $(TOOLS) $(MODULES) ## Format everything.
 	cargo fmt --all

@@ -20,6 +20,7 @@ from carom import (
     Strike,
     acceptance,
     bank_table,
+    break_shot,
     break_statistics,
     kick_table,
     position_map,
@@ -63,7 +64,8 @@ def write_live_table(folder: Path) -> None:
     Sphinx copies the folder next to its own pages (`html_extra_path`).
     """
     folder.mkdir()
-    trace = Shot.load(ROOT / "shots" / "nine_ball_break.json").simulate()
+    # The break of the README: the 6 and the 9 fall.
+    trace = break_shot("nine-ball", seed=20).simulate()
     element = 'id="carom-document"'
     # With this attribute the page starts the trace without a click; then the visitor can aim.
     page = html(trace, title="nine-ball break").replace(element, f"{element} data-play", 1)

@@ -15,13 +15,12 @@ fi
 
 make .venv/.built
 mkdir -p out
-"$carom" shot shots/nine_ball_break.json --svg out/nine_ball_break.svg \
-  --png out/nine_ball_break.png
+"$carom" break --seed 20 --svg out/nine_ball_break.svg --png out/nine_ball_break.png
 echo "Pictures: out/nine_ball_break.svg, out/nine_ball_break.png"
 
 if [ $page = yes ]; then
   make python/carom/web/index.html
-  "$carom" shot shots/nine_ball_break.json --html out/nine_ball_break.html >/dev/null
+  "$carom" break --seed 20 --html out/nine_ball_break.html >/dev/null
   echo "The page: open out/nine_ball_break.html, or run .venv/bin/carom play"
 else
   printf '%s\n' "Left out: the page (out/nine_ball_break.html, carom play)." "$lacking" \

@@ -22,7 +22,11 @@ ROOT = Path(__file__).parents[1]
 NOISES = (("half_ball_cut", 1.0, 42, 0), ("nine_ball_break", 0.5, (1 << 53) - 1, 1 << 40))
 VARIANTS = 8
 MOVES = 12
-PICTURES = ("nine_ball_break", "jump_shot")
+# The README's pictures: a break in which the 6 and the 9 fall, and a shot file.
+PICTURES = {
+    "nine_ball_break": lambda: carom.break_shot("nine-ball", seed=20),
+    "jump_shot": lambda: carom.Shot.load(ROOT / "shots" / "jump_shot.json"),
+}
 
 
 def main() -> None:
@@ -36,9 +40,8 @@ def main() -> None:
     (ROOT / "goldens" / "noise.json").write_text(_noise(), encoding="utf-8")
     (ROOT / "goldens" / "games.json").write_text(_games(), encoding="utf-8")
     _write_presets()
-    for name in PICTURES:
-        trace = carom.Shot.load(ROOT / "shots" / f"{name}.json").simulate()
-        drawn = picture.png(trace, title=name.replace("_", " "))
+    for name, shot in PICTURES.items():
+        drawn = picture.png(shot().simulate(), title=name.replace("_", " "))
         (ROOT / "docs" / "images" / f"{name}.png").write_bytes(drawn)
     print(f"{len(goldens)} goldens written; explain a change in CHANGELOG.md")
 

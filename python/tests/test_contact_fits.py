@@ -12,8 +12,11 @@ import carom
 import pytest
 from carom.validation.alciatore_throw_tests.rows import CHALK
 from carom.validation.alciatore_tp_rail import rows as rail_rows
+from carom.validation.lab import MPH
+from carom.validation.wpa_specifications.rows import lengths_travelled
 
-SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPTS = ROOT / "scripts"
 STORED = json.loads((SCRIPTS / "contact_fits.json").read_text(encoding="utf-8"))
 #: Stored residuals are rounded to four digits.
 ROUNDED = 6e-5
@@ -72,6 +75,33 @@ def test_snooker_balls_have_their_stored_motion() -> None:
     assert film["outside"] == []
     fitted = {k: film[k] for k in ("restitution", "friction")}
     assert has(values("snooker")["ball_ball"], fitted)
+
+
+def test_the_source_of_the_snooker_balls_names_their_largest_errors() -> None:
+    film = STORED["snooker"]["film"]
+    # Per shot: speeds of cue ball and object ball, m/s, and the direction of the cue ball, °.
+    found = [abs(x) for x in FIT.residuals_snooker(film["friction"], film["restitution"])]
+    angles = found[2::3]
+    speeds = [x for k, x in enumerate(found) if k % 3 != 2]
+    said = f"within {max(speeds):.3f} m/s and {max(angles):.2f}°"
+    (snooker,) = (preset for preset in carom.physics() if preset["name"] == "snooker")
+    for parameter in snooker["parameters"]:
+        if parameter["key"].startswith("ball_ball.") and "filmed" in parameter["source"]:
+            assert said in parameter["source"], parameter["key"]
+    assert said in (ROOT / "crates/carom/src/physics/presets.rs").read_text(encoding="utf-8")
+
+
+def test_the_comment_of_the_pool_rails_has_their_table_lengths() -> None:
+    pool, gold_crown, valley = (
+        lengths_travelled(10 * MPH, preset) for preset in ("pool", "pool-gold-crown", "pool-valley")
+    )
+    source = (ROOT / "crates/carom/src/physics/presets.rs").read_text(encoding="utf-8")
+    text = " ".join(source.replace("///", " ").split())
+    assert f"travels {pool:.1f} lengths of a 9 ft table" in text
+    assert f"below {gold_crown:.1f} (Gold Crown) and {valley:.1f} (Valley)" in text
+    page = (ROOT / "docs" / "rails-and-balls.md").read_text(encoding="utf-8")
+    assert f"travels {pool:.1f} table lengths" in page
+    assert f"({valley:.1f} on `pool-valley`, {gold_crown:.1f} on `pool-gold-crown`)" in page
 
 
 @pytest.mark.parametrize("table", FIT.TABLES)

@@ -7,6 +7,7 @@ import shlex
 from collections.abc import Iterator
 from pathlib import Path
 
+import carom
 import pytest
 import typer
 from carom.cli.main import app
@@ -45,6 +46,23 @@ def glossary() -> list[str]:
     text = GLOSSARY.read_text(encoding="utf-8")
     blocks = [block for _, _, what, block in FENCE.findall(text) if what == "{glossary}"]
     return [line for block in blocks for line in block.splitlines() if line and line[0] != " "]
+
+
+def test_balls_fall_in_the_break_of_the_readme_and_of_its_pictures() -> None:
+    # Seen: after a change of the presets, the break that the README shows pocketed nothing.
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    (seed,) = re.findall(r"^carom break --seed (\d+)", readme, re.MULTILINE)
+    assert f"break with the seed {seed}, in which the 6 and the 9 fall" in readme
+    outcome = carom.break_shot("nine-ball", seed=int(seed)).simulate().outcome
+    assert sorted(ball for ball, _ in outcome.pocketed) == ["6", "9"]
+    for file, pattern in (
+        ("Makefile", "carom break --seed (.+?) --html"),
+        ("scripts/demo.sh", "break --seed (.+?) --"),
+        ("scripts/build_docs.py", r"break_shot\(.*?seed=(\d+)"),
+        ("scripts/write_goldens.py", r"break_shot\(.*?seed=(\d+)"),
+    ):
+        used = re.findall(pattern, (ROOT / file).read_text(encoding="utf-8"))
+        assert set(used) == {seed}, file
 
 
 @pytest.mark.parametrize("page", PAGES, ids=name)

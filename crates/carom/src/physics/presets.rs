@@ -305,7 +305,8 @@ const CONTACT_TIMES: ContactTimes = ContactTimes { tip: 1e-3, slate: 5e-4 };
 /// and compliance, and another friction. The fall of the restitution with speed is that of
 /// Mathavan's film and of the tracked match; the banks, at 3.4 to 5.3 m/s, do not determine it. A
 /// rolling ball comes back from a perpendicular hit with 0.96 of its speed at 1 m/s, and with 0.84
-/// at 3.5 m/s. A firm shot goes 4.8 to 5.3 table lengths (WPA: 4 to 4½ and more).
+/// at 3.5 m/s. With the cue at 10 mph a ball travels 4.8 lengths of a 9 ft table, between the rails
+/// below 5.7 (Gold Crown) and 4.6 (Valley); the WPA asks for 4 to 4½ (row CU-19).
 const OLHAUSEN_RAIL: Cushion = Cushion {
     model: CushionModel::Stronge,
     // No rail was measured at more than 5.3 m/s: the lower limit keeps faster shots plausible.
@@ -344,7 +345,7 @@ const SNOOKER_RAIL: Cushion = Cushion {
 };
 
 /// Friction of snooker balls, fitted with their restitution of 0.921 to the filmed collisions of
-/// Mathavan, Jackson & Parkin 2009: within 0.015 m/s and 0.66° of all nine numbers. Three collisions
+/// Mathavan, Jackson & Parkin 2009: within 0.015 m/s and 0.63° of all nine numbers. Three collisions
 /// do not determine how the friction falls with the slip speed; that is as for used pool balls.
 const SNOOKER_THROW: SlipFriction = SlipFriction { a: 0.0, b: 0.0508, c: 0.344 };
 

@@ -204,7 +204,7 @@ const POOL_VALLEY: &[SourceRow] = &[(
 )];
 
 const FILMED_BALLS: &str =
-    "three filmed collisions, Mathavan, Jackson & Parkin 2009: within 0.015 m/s and 0.66°";
+    "three filmed collisions, Mathavan, Jackson & Parkin 2009: within 0.015 m/s and 0.63°";
 
 const SNOOKER_2026_12: &[SourceRow] = &[
     ("ball_ball.restitution", Fit, FILMED_BALLS),
