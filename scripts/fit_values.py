@@ -122,6 +122,7 @@ def as_rust(games: dict[str, Any]) -> str:
         "",
         "/// The games, and the weights of their features in the order of",
         "/// [`super::features::NAMES`].",
+        "#[rustfmt::skip]",
         f"pub(super) const WEIGHTS: [(&str, [f64; COUNT]); {len(games)}] = [",
     ]
     for game, result in games.items():

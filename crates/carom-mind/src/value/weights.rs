@@ -4,6 +4,7 @@ use super::features::COUNT;
 
 /// The games, and the weights of their features in the order of
 /// [`super::features::NAMES`].
+#[rustfmt::skip]
 pub(super) const WEIGHTS: [(&str, [f64; COUNT]); 3] = [
     (
         "eight-ball",
