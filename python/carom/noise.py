@@ -113,8 +113,8 @@ class Noise:
 
         It has the ball, ``obstruction`` and ``miscue`` of the shot's strike. If the strike of the
         shot can be played, so can this one: what cannot be played is replaced by the nearest strike
-        that can, as described for ``Shot.vary``. ``variant`` gives the whole shot, with the contacts
-        that cling; in a game ``Frame.play`` draws both.
+        that can, as described for ``Shot.vary``. ``variant`` gives the whole shot, with the
+        contacts that cling; in a game ``Frame.play`` draws both.
 
         Raises:
             InputError: The shot has no strike, or a number is out of range.
