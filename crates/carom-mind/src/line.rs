@@ -151,24 +151,8 @@ pub fn straight_to_pocket(
     let except = [cue.index, object.index];
     let is_clear = scene.is_clear(cue.center, contact.ghost, cue.radius, &except)
         && scene.is_clear(object.center, target, object.radius, &except);
-    let legs = [
-        LineLeg { ball: cue.index, cushions: 0, target: contact.ghost },
-        LineLeg { ball: object.index, cushions: 0, target },
-    ];
-    let amplified = contact.turn();
-    is_clear.then(|| Line {
-        kind: LineKind::Direct,
-        first: object.index,
-        object: object.index,
-        pocket,
-        legs: [legs[0], legs[1], legs[1]],
-        count: 2,
-        azimuth: atan2(contact.way.y, contact.way.x),
-        tolerance: window.half_width / amplified,
-        slope: amplified * window.distance,
-        fullness: contact.fullness,
-        lengths: [contact.distance, window.distance],
-    })
+    let goes = TwoLegs { contact, window, target, way: contact.way };
+    is_clear.then(|| goes.line(LineKind::Direct, (cue.index, object.index), pocket))
 }
 
 /// Adds the lines on which the object ball goes off one cushion.
@@ -200,25 +184,8 @@ fn bank(
     let is_clear = scene.is_clear(cue.center, contact.ghost, cue.radius, &except)
         && scene.is_clear(object.center, bounce, object.radius, &[object.index])
         && scene.is_clear(bounce, target, object.radius, &[object.index]);
-    let legs = [
-        LineLeg { ball: cue.index, cushions: 0, target: contact.ghost },
-        LineLeg { ball: object.index, cushions: 1, target },
-    ];
-    let amplified = contact.turn();
-    is_clear.then(|| Line {
-        kind: LineKind::Bank,
-        first: object.index,
-        object: object.index,
-        pocket,
-        legs: [legs[0], legs[1], legs[1]],
-        count: 2,
-        azimuth: atan2(contact.way.y, contact.way.x),
-        tolerance: window.half_width / amplified,
-        // The mirror reverses the sense of a turn.
-        slope: -amplified * window.distance,
-        fullness: contact.fullness,
-        lengths: [contact.distance, window.distance],
-    })
+    let goes = TwoLegs { contact, window, target, way: contact.way };
+    is_clear.then(|| goes.line(LineKind::Bank, (cue.index, object.index), pocket))
 }
 
 /// Adds the lines on which the cue ball goes off one cushion before it meets the object ball.
@@ -249,24 +216,8 @@ fn kick(
         && scene.is_clear(bounce, contact.ghost, cue.radius, &except)
         && scene.is_clear(object.center, target, object.radius, &except);
     let (way, _) = towards(cue.center, bounce)?;
-    let legs = [
-        LineLeg { ball: cue.index, cushions: 1, target: contact.ghost },
-        LineLeg { ball: object.index, cushions: 0, target },
-    ];
-    let amplified = contact.turn();
-    is_clear.then(|| Line {
-        kind: LineKind::Kick,
-        first: object.index,
-        object: object.index,
-        pocket,
-        legs: [legs[0], legs[1], legs[1]],
-        count: 2,
-        azimuth: atan2(way.y, way.x),
-        tolerance: window.half_width / amplified,
-        slope: -amplified * window.distance,
-        fullness: contact.fullness,
-        lengths: [contact.distance, window.distance],
-    })
+    let goes = TwoLegs { contact, window, target, way };
+    is_clear.then(|| goes.line(LineKind::Kick, (cue.index, object.index), pocket))
 }
 
 /// Adds the lines on which the first ball drives another one into the pocket.
@@ -315,6 +266,42 @@ fn combination(
         fullness: contact.fullness * second.fullness,
         lengths: [contact.distance, second.distance + window.distance],
     })
+}
+
+/// The path of the cue ball to its contact, and of the object ball to the pocket.
+struct TwoLegs {
+    contact: Contact,
+    window: Window,
+    /// Where the object ball arrives, m.
+    target: Vec2,
+    /// The cue ball's first direction, a unit vector.
+    way: Vec2,
+}
+
+impl TwoLegs {
+    fn line(&self, kind: LineKind, (cue, object): (BallIndex, BallIndex), pocket: usize) -> Line {
+        let Self { contact, window, target, way } = self;
+        let before = u8::from(kind == LineKind::Kick);
+        let after = u8::from(kind == LineKind::Bank);
+        let own = LineLeg { ball: cue, cushions: before, target: contact.ghost };
+        let other = LineLeg { ball: object, cushions: after, target: *target };
+        let amplified = contact.turn();
+        let slope = amplified * window.distance;
+        Line {
+            kind,
+            first: object,
+            object,
+            pocket,
+            legs: [own, other, other],
+            count: 2,
+            azimuth: atan2(way.y, way.x),
+            tolerance: window.half_width / amplified,
+            // A mirror reverses the sense of a turn.
+            slope: if before + after > 0 { -slope } else { slope },
+            fullness: contact.fullness,
+            lengths: [contact.distance, window.distance],
+        }
+    }
 }
 
 fn objects<'a>(scene: &'a Scene<'_>, targets: &'a Targets) -> impl Iterator<Item = SceneBall> + 'a {
