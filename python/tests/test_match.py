@@ -151,6 +151,23 @@ def test_clocks_of_time_are_in_the_record(tmp_path: Path) -> None:
     assert set(result.score.reasons) <= {"time-over", "won"}
 
 
+def test_simulated_shots_of_a_frame_are_a_clock(tmp_path: Path) -> None:
+    result = carom.play_match(
+        "carom", "carom:40", out=tmp_path / "m", game="nine-ball", pairs=1, frame_simulations=500
+    )
+    header = header_of(result)
+    assert header["clock"][0] == {"simulations": 500, "per": "frame"}
+    assert header["clock"][1] == {"simulations": 40, "per": "decision"}
+
+
+def test_settings_of_a_player_stand_in_its_name(tmp_path: Path) -> None:
+    name = "carom[shift=false,value=markov]:40"
+    result = carom.play_match(name, "carom:40", out=tmp_path / "m", game="nine-ball", pairs=1)
+    entry = header_of(result)["players"][0]
+    assert entry["name"] == name
+    assert entry["settings"] == {"player": "carom", "settings": {"shift": False, "value": "markov"}}
+
+
 def test_a_test_ends_a_match_that_is_decided(tmp_path: Path) -> None:
     # A player whose time is over at once loses every frame.
     result = carom.play_match(
@@ -180,6 +197,7 @@ def test_a_test_ends_a_match_that_is_decided(tmp_path: Path) -> None:
     [
         ("one", {"one": "someone"}),
         ("other", {"other": "carom:x"}),
+        ("one.exploring", {"one": "carom[exploring=2]"}),
         ("other", {"other": 5}),
         ("out", {"out": 5}),
         ("game", {"game": "billiards"}),
@@ -193,6 +211,7 @@ def test_a_test_ends_a_match_that_is_decided(tmp_path: Path) -> None:
         ("time", {"time": 0.0}),
         ("clock", {"clock": float("nan")}),
         ("clock", {"time": 1.0, "clock": 2.0}),
+        ("frame_simulations", {"frame_simulations": 0}),
         ("breaker", {"breaker": "me"}),
         ("same_break", {"same_break": Strike(speed=1.0, azimuth=0.0)}),
         ("same_break.strike.side", {"same_break": Play(Strike(1.0, 0.0, 0.1, side=0.9))}),

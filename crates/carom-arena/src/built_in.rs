@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use carom::Error;
-use carom::format::Node;
+use carom::format::{Node, Reader};
 use carom_mind::literature::{self, Literature};
 use carom_mind::{Player, Searcher};
 
@@ -17,12 +17,15 @@ const SEARCHER: &str = "carom";
 /// each table is measured once in a program.
 static LITERATURE: LazyLock<Literature> = LazyLock::new(Literature::default);
 
-/// A built-in player: a name, and simulated shots for each decision if the text gives them.
+/// A built-in player: a name, some settings, and simulated shots for each decision.
 ///
-/// It is written `NAME` or `NAME:SIMULATIONS`, such as `carom:2000`.
-#[derive(Clone, Copy, Debug)]
+/// It is written `NAME`, `NAME:SIMULATIONS`, `NAME[KEY=VALUE,...]` or
+/// `NAME[KEY=VALUE,...]:SIMULATIONS`, such as `carom:2000` or `cue-card[level-two=off]:20000`. The
+/// settings are those of [`Searcher::read`] and [`Literature::player_with`].
+#[derive(Clone, Debug)]
 pub struct BuiltInPlayer {
     name: &'static str,
+    settings: Node,
     simulations: Option<u32>,
 }
 
@@ -32,15 +35,22 @@ impl BuiltInPlayer {
         core::iter::once(SEARCHER).chain(literature::NAMES)
     }
 
-    /// Reads `NAME` or `NAME:SIMULATIONS`.
+    /// Reads a player.
     ///
     /// # Errors
-    /// [`Error::Input`] at `player` for an unknown name, and for a number of simulated shots that is
-    /// not a whole number from 1 to 2³² − 1.
+    /// [`Error::Input`] at `player` for an unknown name, at `player.KEY` for a setting that the
+    /// player does not have or that is out of range, and for a number of simulated shots that is not
+    /// a whole number from 1 to 2³² − 1.
     pub fn read(text: &str) -> Result<Self, Error> {
-        let (name, simulations) = match text.split_once(':') {
-            Some((name, number)) => (name, Some(read_simulations(number)?)),
-            None => (text, None),
+        let (rest, simulations) = match text.rsplit_once(':') {
+            Some((rest, number)) if !number.contains(']') => {
+                (rest, Some(read_simulations(number)?))
+            }
+            _ => (text, None),
+        };
+        let (name, settings) = match rest.split_once('[') {
+            Some((name, settings)) => (name, read_settings(settings)?),
+            None => (rest, Node::object([])),
         };
         let Some(name) = Self::names().find(|known| *known == name) else {
             let names: Vec<&str> = Self::names().collect();
@@ -51,10 +61,12 @@ impl BuiltInPlayer {
             );
             return Err(Error::input("player", what, remedy));
         };
-        Ok(Self { name, simulations })
+        let player = Self { name, settings, simulations };
+        player.make()?;
+        Ok(player)
     }
 
-    /// The player's name without the number.
+    /// The player's name without settings and number.
     pub const fn name(&self) -> &'static str {
         self.name
     }
@@ -70,24 +82,70 @@ impl BuiltInPlayer {
     }
 
     /// The player, as new.
-    pub fn make(&self) -> Box<dyn Player> {
-        // Only the searching player is not of the literature, and all names are known.
-        LITERATURE.player(self.name).unwrap_or_else(|_| Box::new(Searcher::default()))
+    ///
+    /// # Errors
+    /// As [`Self::read`]; none for a player that was read.
+    pub fn make(&self) -> Result<Box<dyn Player>, Error> {
+        match self.searcher() {
+            Some(searcher) => Ok(Box::new(searcher?)),
+            None => LITERATURE.player_with(self.name, &self.reader()),
+        }
     }
 
-    /// Whether it is the searching player, which can also explain a position.
-    pub fn is_searcher(&self) -> bool {
-        self.name == SEARCHER
+    /// The searching player, which can also explain a position; none for the others.
+    pub fn searcher(&self) -> Option<Result<Searcher, Error>> {
+        (self.name == SEARCHER).then(|| Searcher::read(&self.reader()))
     }
 
-    /// The player as a match has it. Its name contains the simulated shots.
+    /// The player as a match has it. Its name is the text that was read.
     pub fn entry(&self) -> PlayerEntry {
-        let name = match self.simulations {
-            Some(simulations) => format!("{}:{simulations}", self.name),
-            None => self.name.into(),
-        };
-        PlayerEntry { name, settings: Node::object([("player", self.name.into())]) }
+        let mut name: String = self.name.into();
+        let mut settings = Node::object([("player", self.name.into())]);
+        if let Node::Object(fields) = &self.settings
+            && !fields.is_empty()
+        {
+            let texts = fields.iter().map(|(key, value)| match value {
+                Node::Text(text) => format!("{key}={text}"),
+                value => format!("{key}={}", value.to_json_line()),
+            });
+            name = format!("{name}[{}]", texts.collect::<Vec<_>>().join(","));
+            settings.set("settings", self.settings.clone());
+        }
+        if let Some(simulations) = self.simulations {
+            name = format!("{name}:{simulations}");
+        }
+        PlayerEntry { name, settings }
     }
+
+    fn reader(&self) -> Reader<'_> {
+        Reader::new(&self.settings, "player")
+    }
+}
+
+/// The settings `KEY=VALUE,...]`: a value is a number, `true`, `false`, or a word.
+fn read_settings(text: &str) -> Result<Node, Error> {
+    let refuse = |what: String| {
+        Error::input("player", what, "write settings as in carom[shift=false,finalists=4]:2000")
+    };
+    let Some(inside) = text.strip_suffix(']') else {
+        return Err(refuse(format!("the settings \"[{text}\" have no end")));
+    };
+    let mut settings = Node::object([]);
+    for setting in inside.split(',') {
+        let Some((key, value)) = setting.split_once('=') else {
+            return Err(refuse(format!("\"{setting}\" is not a setting")));
+        };
+        let (key, value) = (key.trim(), value.trim());
+        if settings.get(key).is_some() {
+            return Err(refuse(format!("the setting \"{key}\" stands twice")));
+        }
+        let value = match Node::from_json(value) {
+            Ok(value @ (Node::Bool(_) | Node::Integer(_) | Node::Number(_))) => value,
+            _ => value.into(),
+        };
+        settings.set(key, value);
+    }
+    Ok(settings)
 }
 
 fn read_simulations(text: &str) -> Result<u32, Error> {
@@ -107,7 +165,7 @@ mod tests {
     fn every_name_makes_the_player_of_this_name() {
         for name in BuiltInPlayer::names() {
             let player = BuiltInPlayer::read(name).unwrap();
-            assert_eq!((player.name(), player.make().name()), (name, name));
+            assert_eq!((player.name(), player.make().unwrap().name()), (name, name));
             assert_eq!((player.simulations(), player.entry().name.as_str()), (None, name));
         }
     }
@@ -119,6 +177,40 @@ mod tests {
         assert_eq!(player.clock(usual), Clock::simulations(2000));
         assert_eq!(player.entry().name, "carom:2000");
         assert_eq!(BuiltInPlayer::read("carom").unwrap().clock(usual), usual);
+    }
+
+    #[test]
+    fn settings_stand_in_brackets_behind_the_name() {
+        for text in [
+            "carom[value=markov,exploring=0.3,shift=false]:2000",
+            "cue-card[level-two=off,samples=30,break=usual]",
+            "greedy[aim=simulated]:100",
+            "pick-pocket[samples=30]",
+        ] {
+            let player = BuiltInPlayer::read(text).unwrap();
+            assert_eq!(player.entry().name, text);
+        }
+        let spaced = BuiltInPlayer::read("carom[ shift = false, finalists = 4 ]").unwrap();
+        assert_eq!(spaced.entry().name, "carom[shift=false,finalists=4]");
+    }
+
+    #[test]
+    fn rejects_settings_with_their_place() {
+        for (text, place) in [
+            ("carom[finalists=-1]", "player.finalists"),
+            ("carom[exploring=1.5]", "player.exploring"),
+            ("carom[value=network]", "player.value"),
+            ("carom[samples=30]", "player"),
+            ("carom[shift=1]", "player.shift"),
+            ("carom[shift=true,shift=false]", "player"),
+            ("carom[shift]", "player"),
+            ("carom[shift=true", "player"),
+            ("greedy[aim=]", "player.aim"),
+            ("pool-master[samples=3]", "player"),
+        ] {
+            let error = BuiltInPlayer::read(text).unwrap_err().to_string();
+            assert!(error.starts_with(place), "{text}: {error}");
+        }
     }
 
     #[test]

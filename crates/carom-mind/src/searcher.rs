@@ -1,12 +1,13 @@
 //! The searching player.
 
 use carom::Error;
+use carom::format::Reader;
 use carom_rules::{Choice, Frame, Request, Rules, Seat, Turn};
 
 use crate::player::{Answer, Budget, Decision, Player, Situation, Spent};
 use crate::search::{quick_value, search};
 use crate::settings::SearchSettings;
-use crate::value::{Logistic, Value};
+use crate::value::{Logistic, Markov, Value};
 
 /// Simulations that value one of the options of a choice.
 const PER_CHOICE: u64 = 400;
@@ -41,6 +42,25 @@ impl Searcher {
     ) -> Result<Self, Error> {
         settings.check()?;
         Ok(Self { name: name.into(), value, settings })
+    }
+
+    /// A player with the settings of an object: `value` (`logistic` or `markov`) and
+    /// [`SearchSettings::KEYS`].
+    ///
+    /// # Errors
+    /// [`Error::Input`] for an unknown key and for a value out of range.
+    pub fn read(object: &Reader<'_>) -> Result<Self, Error> {
+        let keys: Vec<&str> = core::iter::once("value").chain(SearchSettings::KEYS).collect();
+        object.keys(&keys)?;
+        let value: Box<dyn Value> = match object.get("value") {
+            None => Box::<Logistic>::default(),
+            Some(value) => match value.text("logistic or markov")? {
+                "logistic" => Box::<Logistic>::default(),
+                "markov" => Box::<Markov>::default(),
+                other => return Err(value.unknown_word(other, "value", &["logistic", "markov"])),
+            },
+        };
+        Self::new("carom", value, SearchSettings::read(object)?)
     }
 
     /// The value by which it judges positions.

@@ -1,6 +1,7 @@
 //! The settings of the searching player.
 
 use carom::Error;
+use carom::format::Reader;
 
 /// How the searching player searches.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +22,8 @@ pub struct SearchSettings {
     pub per_reply: u64,
     /// Whether finalists are moved uphill by the weights of their samples.
     pub shift: bool,
+    /// Whether all candidates are raced with the same drawn errors.
+    pub common_errors: bool,
     /// Number of plays whose chances are stated, from samples that took no part in the choice. At
     /// least 1.
     pub stated: usize,
@@ -40,6 +43,7 @@ impl Default for SearchSettings {
             representatives: 8,
             per_reply: 160,
             shift: true,
+            common_errors: true,
             stated: 1,
             concede_below: 0.001,
         }
@@ -52,12 +56,58 @@ const FRESH_IN_ALL: f64 = 0.25;
 /// Fewest and most samples of such a statement: with 4000 the standard error of a chance is at most
 /// 0.8 points.
 const FRESH_SAMPLES: [u64; 2] = [8, 4000];
+/// Largest count that a setting may have.
+const MOST_OF_ANYTHING: i64 = 1_000_000;
 
 impl SearchSettings {
     /// Number of fresh samples of a stated play, of `simulations` in all.
     pub(crate) fn fresh(&self, simulations: u64) -> u64 {
         let share = FRESH.min(FRESH_IN_ALL / self.stated as f64);
         ((share * simulations as f64) as u64).clamp(FRESH_SAMPLES[0], FRESH_SAMPLES[1])
+    }
+
+    /// The names of the settings that [`Self::read`] knows.
+    pub const KEYS: [&str; 9] = [
+        "exploring",
+        "racing",
+        "safeties",
+        "first-round",
+        "finalists",
+        "representatives",
+        "per-reply",
+        "shift",
+        "common-errors",
+    ];
+
+    /// The settings of an object with some of [`Self::KEYS`]; the others keep their defaults.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with the key of a value that is out of range.
+    pub fn read(object: &Reader<'_>) -> Result<Self, Error> {
+        let mut settings = Self::default();
+        if let Some(value) = object.get("exploring") {
+            settings.exploring = value.number()?;
+            if !(0.0..=0.9).contains(&settings.exploring) {
+                return Err(value.refuse("it is not a share", "write a number from 0 to 0.9"));
+            }
+        }
+        let count = |key: &str, least: i64, usual: u64| -> Result<u64, Error> {
+            let value = object.get(key);
+            value.map_or(Ok(usual), |value| Ok(value.whole(least, MOST_OF_ANYTHING)? as u64))
+        };
+        let flag = |key: &str, usual: bool| -> Result<bool, Error> {
+            object.get(key).map_or(Ok(usual), |value| value.flag())
+        };
+        settings.racing = count("racing", 1, settings.racing as u64)? as usize;
+        settings.safeties = count("safeties", 0, settings.safeties as u64)? as usize;
+        settings.first_round = count("first-round", 1, settings.first_round)?;
+        settings.finalists = count("finalists", 0, settings.finalists as u64)? as usize;
+        settings.representatives =
+            count("representatives", 1, settings.representatives as u64)? as usize;
+        settings.per_reply = count("per-reply", 1, settings.per_reply)?;
+        settings.shift = flag("shift", settings.shift)?;
+        settings.common_errors = flag("common-errors", settings.common_errors)?;
+        Ok(settings)
     }
 
     /// Rejects settings out of range.

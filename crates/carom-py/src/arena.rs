@@ -108,7 +108,7 @@ pub(crate) fn play_match(
         [Err(error), _] | [_, Err(error)] => return Err(raise(error)),
     };
     let mut agreed = from_python(agreed)?;
-    let entries = players.map(|player| {
+    let entries = players.each_ref().map(|player| {
         let entry = player.entry();
         Node::object([("name", entry.name.into()), ("settings", entry.settings)])
     });
@@ -116,7 +116,7 @@ pub(crate) fn play_match(
     let secret = secret.map(|digits| Secret::parse(&digits)).transpose().map_err(raise)?;
     let plan = MatchPlan::from_node(&agreed, secret).map_err(raise)?;
     let runner = Runner::new(count(threads)).map_err(raise)?;
-    let make = |index: usize| Ok(players[index].make());
+    let make = |index: usize| players[index].make();
     let played = progress::run(py, &report, |progress| {
         Ok(carom_arena::play_match(&plan, &folder, &make, &runner, progress))
     })?;

@@ -41,6 +41,7 @@ def play_match(
     table: Table | str | Mapping[str, Any] | None = None,
     physics: Physics | str | Mapping[str, Any] | None = None,
     simulations: int | tuple[int, int] | None = None,
+    frame_simulations: int | tuple[int, int] | None = None,
     time: float | tuple[float, float] | None = None,
     clock: float | tuple[float, float] | None = None,
     breaker: str | int = "alternate",
@@ -75,10 +76,12 @@ def play_match(
         table: As in a shot; the game's own table if None.
         physics: As in a shot; the table's own if None.
         simulations: Simulated shots of each decision, of both players or of each.
+        frame_simulations: Simulated shots of a frame and player, who plans with them; a player who
+            has used them up loses the frame.
         time: Wall-clock time of each decision, s.
         clock: Wall-clock time of a frame and player, s; a player who has used it up loses the
-            frame. Of ``simulations``, ``time`` and ``clock`` one may be given; without them a
-            frame has 600 s. A number in a player's name replaces them.
+            frame. Of ``simulations``, ``frame_simulations``, ``time`` and ``clock`` one may be
+            given; without them a frame has 600 s. A number in a player's name replaces them.
         breaker: ``"alternate"``, or the player who begins every frame: 0 or 1.
         same_break: The intended break of both players; None if they choose it.
         disclosure: The players whose errors a player knows: ``"both"``, ``"own"`` or
@@ -103,7 +106,13 @@ def play_match(
     """
     names = (_name("one", one), _name("other", other))
     folder = checked_path("out", out, "match")
-    clocks = _clocks(names, simulations, time, clock)
+    given = {
+        "simulations": simulations,
+        "frame_simulations": frame_simulations,
+        "time": time,
+        "clock": clock,
+    }
+    clocks = _clocks(names, given)
     shares = None if test is None else _test(test)
     agreed = {
         "game": text("game", game, '"eight-ball"'),
@@ -155,11 +164,12 @@ def _result(
 
 def _name(argument: str, value: Any) -> str:
     """The name of a player; the error names the argument."""
+    name = text(argument, value, '"carom:2000"')
     try:
-        Player(text(argument, value, '"carom:2000"'))
+        Player(name)
     except InputError as error:
-        raise InputError(f"{argument}: {str(error).partition(': ')[2]}") from None
-    return str(value)
+        raise InputError(f"{argument}{str(error).removeprefix('player')}") from None
+    return name
 
 
 def _each(name: str, value: T | tuple[T, T]) -> tuple[T, T]:
@@ -171,14 +181,8 @@ def _each(name: str, value: T | tuple[T, T]) -> tuple[T, T]:
     return value[0], value[1]
 
 
-def _clocks(
-    names: tuple[str, str],
-    simulations: int | tuple[int, int] | None,
-    time: float | tuple[float, float] | None,
-    clock: float | tuple[float, float] | None,
-) -> list[dict[str, Any]]:
+def _clocks(names: tuple[str, str], given: Mapping[str, Any]) -> list[dict[str, Any]]:
     """The players' clocks in the form of a record."""
-    given: dict[str, Any] = {"simulations": simulations, "time": time, "clock": clock}
     written = [name for name, value in given.items() if value is not None]
     if len(written) > 1:
         raise InputError(f"{written[1]}: {written[0]} is given too; give one of them")
@@ -187,12 +191,14 @@ def _clocks(
     clocks: list[dict[str, Any]] = []
     for player, amount in zip(names, amounts, strict=True):
         named = Player(player)._core.simulations
-        if named is not None or name == "simulations":
-            shots = whole("simulations", named or amount, 1 << 32, low=1)
-            clocks.append({"simulations": shots, "per": "decision"})
+        if named is not None:
+            clocks.append({"simulations": named, "per": "decision"})
+            continue
+        per = "decision" if name in ("simulations", "time") else "frame"
+        if name.endswith("simulations"):
+            clocks.append({"simulations": whole(name, amount, 1 << 32, low=1), "per": per})
         else:
-            period = "decision" if name == "time" else "frame"
-            clocks.append({"seconds": seconds(name, amount), "per": period})
+            clocks.append({"seconds": seconds(name, amount), "per": per})
     return clocks
 
 

@@ -58,6 +58,9 @@ def match(
             help="Simulated shots of each decision; a number in a player's name replaces it.",
         ),
     ] = None,
+    frame_simulations: Annotated[
+        str | None, typer.Option(metavar="N[,N]", help="Simulated shots of a frame and player.")
+    ] = None,
     time: Annotated[
         str | None, typer.Option(metavar="SECONDS[,SECONDS]", help="Time of each decision.")
     ] = None,
@@ -65,7 +68,7 @@ def match(
         str | None,
         typer.Option(
             metavar="SECONDS[,SECONDS]",
-            help="Time of a frame and player; default, without --simulations and --time: 600.",
+            help="Time of a frame and player; 600 if nothing else limits the players.",
         ),
     ] = None,
     breaker: Annotated[
@@ -131,6 +134,7 @@ def match(
             perception=_each("perception", perception, _perception),
             table=table,
             simulations=_numbers("simulations", simulations, int),
+            frame_simulations=_numbers("frame-simulations", frame_simulations, int),
             time=_numbers("time", time, float),
             clock=_numbers("clock", clock, float),
             breaker=_breaker(breaker),

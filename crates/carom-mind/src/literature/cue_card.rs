@@ -9,12 +9,13 @@
 use core::ops::Range;
 
 use carom::Error;
+use carom::format::Reader;
 use carom::resolve::cue_ball::Strike;
 use carom_rules::{Frame, Play};
 
 use super::best_shots::COUNTED;
 use super::desk::{Attack, Desk, Method, decide, first_best, usual_break};
-use super::levels::{NodeSearch, Rated, Rating, generate, level_one, level_two};
+use super::levels::{MOST_SAMPLES, NodeSearch, Rated, Rating, generate, level_one, level_two};
 use super::pot_table::PotTables;
 use super::shots::{Stroke, Workbench, sampled_strokes};
 use crate::player::{Budget, Decision, Player, Situation, Spent};
@@ -120,6 +121,35 @@ impl Default for CueCardSettings {
             safety_below: 0.4,
             break_shot: CueCardBreak::Searched,
         }
+    }
+}
+
+impl CueCardSettings {
+    /// The settings of an object; see [`super::Literature::player_with`].
+    pub(crate) fn read(object: &Reader<'_>) -> Result<Self, Error> {
+        object.keys(&["samples", "level-two", "break"])?;
+        let mut settings = Self::default();
+        if let Some(samples) = object.get("samples") {
+            settings.samples = samples.whole(1, MOST_SAMPLES)? as u64;
+        }
+        if let Some(value) = object.get("level-two") {
+            let known = ["searched", "off", "given-to-level-one"];
+            settings.level_two = match value.text(&known.join(", "))? {
+                "searched" => LevelTwo::Searched,
+                "off" => LevelTwo::Off,
+                "given-to-level-one" => LevelTwo::GivenToLevelOne,
+                other => return Err(value.unknown_word(other, "level two", &known)),
+            };
+        }
+        if let Some(value) = object.get("break") {
+            let known = ["searched", "usual"];
+            settings.break_shot = match value.text(&known.join(" or "))? {
+                "searched" => CueCardBreak::Searched,
+                "usual" => CueCardBreak::Usual,
+                other => return Err(value.unknown_word(other, "break", &known)),
+            };
+        }
+        Ok(settings)
     }
 }
 

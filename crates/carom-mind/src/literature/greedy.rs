@@ -5,6 +5,7 @@
 //! shot that is most probable and plans no position.
 
 use carom::Error;
+use carom::format::Reader;
 
 use super::best_shots::COUNTED;
 use super::desk::{Attack, Desk, Method, decide, first_best};
@@ -39,6 +40,23 @@ pub struct GreedySettings {
 impl Default for GreedySettings {
     fn default() -> Self {
         Self { speed: 2.2, aim: GreedyAim::Geometric, safety_below: 0.1 }
+    }
+}
+
+impl GreedySettings {
+    /// The settings of an object; see [`super::Literature::player_with`].
+    pub(crate) fn read(object: &Reader<'_>) -> Result<Self, Error> {
+        object.keys(&["aim"])?;
+        let mut settings = Self::default();
+        if let Some(value) = object.get("aim") {
+            let known = ["geometric", "simulated"];
+            settings.aim = match value.text(&known.join(" or "))? {
+                "geometric" => GreedyAim::Geometric,
+                "simulated" => GreedyAim::Simulated,
+                other => return Err(value.unknown_word(other, "aim", &known)),
+            };
+        }
+        Ok(settings)
     }
 }
 

@@ -12,6 +12,9 @@ use super::pot_table::EVERY_KIND;
 use super::shots::{PotShot, Sight, Stroke, Workbench};
 use carom_plan::Prepared;
 
+/// Most drawn errors of a shot that a player's settings may ask for.
+pub(crate) const MOST_SAMPLES: i64 = 10_000;
+
 /// What a player thinks of a state that one of its shots leaves.
 pub(crate) type Gain<'a> = dyn Fn(&Frame) -> f64 + Sync + 'a;
 

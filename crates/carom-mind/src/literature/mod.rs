@@ -32,6 +32,7 @@ pub use pick_pocket::{PickPocket, PickPocketSettings};
 pub use pool_master::{PoolMaster, PoolMasterSettings};
 
 use carom::Error;
+use carom::format::{Node, Reader};
 
 use crate::player::Player;
 use pot_table::PotTables;
@@ -60,23 +61,35 @@ impl Literature {
     /// # Errors
     /// [`Error::Input`] at `player` if there is none.
     pub fn player(&self, name: &str) -> Result<Box<dyn Player>, Error> {
+        self.player_with(name, &Reader::new(&Node::object([]), "settings"))
+    }
+
+    /// The same with some settings: `samples` of `pick-pocket`; `samples`, `level-two` (`searched`,
+    /// `off` or `given-to-level-one`) and `break` (`searched` or `usual`) of `cue-card`; `aim`
+    /// (`geometric` or `simulated`) of `greedy`.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `player` if there is none, and at a setting that is not the player's.
+    pub fn player_with(&self, name: &str, settings: &Reader<'_>) -> Result<Box<dyn Player>, Error> {
         let tables = self.tables.clone();
-        let deep_green = |depth| {
+        let deep_green = |depth| -> Result<Box<dyn Player>, Error> {
+            settings.keys(&[])?;
             let settings = DeepGreenSettings { depth, ..DeepGreenSettings::default() };
-            Box::new(DeepGreen::with_tables(settings, self.tables.clone()))
+            Ok(Box::new(DeepGreen::with_tables(settings, self.tables.clone())))
         };
         Ok(match name {
-            "greedy" => Box::new(Greedy::with_tables(GreedySettings::default(), tables)),
-            "deep-green-0" => deep_green(0),
-            "deep-green-1" => deep_green(1),
-            "deep-green-2" => deep_green(2),
+            "greedy" => Box::new(Greedy::with_tables(GreedySettings::read(settings)?, tables)),
+            "deep-green-0" => deep_green(0)?,
+            "deep-green-1" => deep_green(1)?,
+            "deep-green-2" => deep_green(2)?,
             "pool-master" => {
+                settings.keys(&[])?;
                 Box::new(PoolMaster::with_tables(PoolMasterSettings::default(), tables))
             }
             "pick-pocket" => {
-                Box::new(PickPocket::with_tables(PickPocketSettings::default(), tables))
+                Box::new(PickPocket::with_tables(PickPocketSettings::read(settings)?, tables))
             }
-            "cue-card" => Box::new(CueCard::with_tables(CueCardSettings::default(), tables)),
+            "cue-card" => Box::new(CueCard::with_tables(CueCardSettings::read(settings)?, tables)),
             _ => {
                 return Err(Error::input(
                     "player",

@@ -6,10 +6,11 @@
 //! and the last states are valued by their best shots.
 
 use carom::Error;
+use carom::format::Reader;
 
 use super::best_shots::COUNTED;
 use super::desk::{Attack, Desk, Method, decide, first_best};
-use super::levels::{NodeSearch, Rated, Rating, generate, level_one, level_two};
+use super::levels::{MOST_SAMPLES, NodeSearch, Rated, Rating, generate, level_one, level_two};
 use super::pot_table::PotTables;
 use super::shots::{Stroke, sampled_strokes};
 use crate::player::{Budget, Decision, Player, Situation, Spent};
@@ -51,6 +52,18 @@ pub struct PickPocketSettings {
 impl Default for PickPocketSettings {
     fn default() -> Self {
         Self { samples: 15, strokes: 24, depth: 2, weights: [1.0, 0.33, 0.15], safety_below: 0.4 }
+    }
+}
+
+impl PickPocketSettings {
+    /// The settings of an object; see [`super::Literature::player_with`].
+    pub(crate) fn read(object: &Reader<'_>) -> Result<Self, Error> {
+        object.keys(&["samples"])?;
+        let mut settings = Self::default();
+        if let Some(samples) = object.get("samples") {
+            settings.samples = samples.whole(1, MOST_SAMPLES)? as u64;
+        }
+        Ok(settings)
     }
 }
 

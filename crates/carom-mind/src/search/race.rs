@@ -25,6 +25,8 @@ pub(crate) struct Race<'a> {
     pub(crate) prepared: &'a [Prepared<'a>],
     pub(crate) seat: Seat,
     pub(crate) runner: &'a Runner,
+    /// Whether all candidates have the same drawn errors.
+    pub(crate) common_errors: bool,
 }
 
 impl Race<'_> {
@@ -104,7 +106,7 @@ impl Race<'_> {
         indices: Range<u64>,
     ) -> Result<Vec<PlayedVariant>, Error> {
         let prepared = &self.prepared[candidate.place];
-        let (errors, struck) = (self.errors(), prepared.struck_ball());
+        let (errors, struck) = (self.errors_of(candidate), prepared.struck_ball());
         let cue = prepared.turn().cue;
         let mut samples = Vec::with_capacity(CHUNK as usize);
         for index in indices {
@@ -122,12 +124,13 @@ impl Race<'_> {
         Ok(samples)
     }
 
-    /// The errors of the player.
-    pub(crate) fn errors(&self) -> Errors {
+    /// The errors with which the player executes a candidate.
+    pub(crate) fn errors_of(&self, candidate: &Candidate) -> Errors {
+        let own = if self.common_errors { 0 } else { candidate.play.strike.azimuth.to_bits() };
         Errors {
             noise: self.situation.noise[self.seat],
             perception: self.situation.perception,
-            seed: self.situation.seed,
+            seed: self.situation.seed ^ own,
         }
     }
 }

@@ -71,7 +71,12 @@ fn reply(
 ) -> Result<Reply, Error> {
     let prepared = &race.prepared[candidate.place];
     let index = candidate.samples[sample].index;
-    sampler.simulate_variant(prepared, &candidate.play.strike, &race.errors(), index)?;
+    sampler.simulate_variant(
+        prepared,
+        &candidate.play.strike,
+        &race.errors_of(candidate),
+        index,
+    )?;
     sampler.rule(prepared, candidate.play.call, successor)?;
     let estimated = candidate.samples[sample].value;
     let situation = Situation { frame: successor, ..*race.situation };

@@ -65,8 +65,14 @@ pub fn search<'a>(
         .into_iter()
         .map(|place| Prepared::new(situation.frame, place))
         .collect::<Result<Vec<_>, _>>()?;
-    let race =
-        Race { situation, value, prepared: &prepared, seat: turn.player, runner: &budget.runner };
+    let race = Race {
+        situation,
+        value,
+        prepared: &prepared,
+        seat: turn.player,
+        runner: &budget.runner,
+        common_errors: settings.common_errors,
+    };
     let mut spent = Spent::default();
     let mut candidates = Vec::new();
     let fresh = settings.fresh(budget.simulations);
