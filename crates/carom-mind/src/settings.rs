@@ -14,11 +14,13 @@ pub struct SearchSettings {
     pub safeties: usize,
     /// Simulations of the first round. Each further round has twice as many.
     pub first_round: u64,
-    /// Number of finalists whose replies are searched; 0 for none.
+    /// Share of a further round's simulations that look for neighbours of the best plays. 0 to 0.9.
+    pub refining: f64,
+    /// Share of a round's simulations that search successors of the finalists. 0 to 0.9.
+    pub replying: f64,
+    /// Largest number of finalists whose successors are searched; 0 for none.
     pub finalists: usize,
-    /// Successors of a finalist that are searched.
-    pub representatives: usize,
-    /// Simulations for each of them.
+    /// Fewest simulations for each of them. A round that cannot afford them searches none.
     pub per_reply: u64,
     /// Whether finalists are moved uphill by the weights of their samples.
     pub shift: bool,
@@ -39,9 +41,10 @@ impl Default for SearchSettings {
             racing: 48,
             safeties: 12,
             first_round: 1500,
+            refining: 0.25,
+            replying: 0.3,
             finalists: 6,
-            representatives: 8,
-            per_reply: 160,
+            per_reply: 60,
             shift: true,
             common_errors: true,
             stated: 1,
@@ -67,13 +70,14 @@ impl SearchSettings {
     }
 
     /// The names of the settings that [`Self::read`] knows.
-    pub const KEYS: [&str; 9] = [
+    pub const KEYS: [&str; 10] = [
         "exploring",
         "racing",
         "safeties",
         "first-round",
+        "refining",
+        "replying",
         "finalists",
-        "representatives",
         "per-reply",
         "shift",
         "common-errors",
@@ -85,12 +89,14 @@ impl SearchSettings {
     /// [`Error::Input`] with the key of a value that is out of range.
     pub fn read(object: &Reader<'_>) -> Result<Self, Error> {
         let mut settings = Self::default();
-        if let Some(value) = object.get("exploring") {
-            settings.exploring = value.number()?;
-            if !(0.0..=0.9).contains(&settings.exploring) {
+        let share = |key: &str, usual: f64| -> Result<f64, Error> {
+            let Some(value) = object.get(key) else { return Ok(usual) };
+            let share = value.number()?;
+            if !(0.0..=0.9).contains(&share) {
                 return Err(value.refuse("it is not a share", "write a number from 0 to 0.9"));
             }
-        }
+            Ok(share)
+        };
         let count = |key: &str, least: i64, usual: u64| -> Result<u64, Error> {
             let value = object.get(key);
             value.map_or(Ok(usual), |value| Ok(value.whole(least, MOST_OF_ANYTHING)? as u64))
@@ -98,12 +104,13 @@ impl SearchSettings {
         let flag = |key: &str, usual: bool| -> Result<bool, Error> {
             object.get(key).map_or(Ok(usual), |value| value.flag())
         };
+        settings.exploring = share("exploring", settings.exploring)?;
+        settings.refining = share("refining", settings.refining)?;
+        settings.replying = share("replying", settings.replying)?;
         settings.racing = count("racing", 1, settings.racing as u64)? as usize;
         settings.safeties = count("safeties", 0, settings.safeties as u64)? as usize;
         settings.first_round = count("first-round", 1, settings.first_round)?;
         settings.finalists = count("finalists", 0, settings.finalists as u64)? as usize;
-        settings.representatives =
-            count("representatives", 1, settings.representatives as u64)? as usize;
         settings.per_reply = count("per-reply", 1, settings.per_reply)?;
         settings.shift = flag("shift", settings.shift)?;
         settings.common_errors = flag("common-errors", settings.common_errors)?;
@@ -115,15 +122,21 @@ impl SearchSettings {
     /// # Errors
     /// [`Error::Input`] for a share outside 0 to 0.9, and for a race without candidates.
     pub fn check(&self) -> Result<(), Error> {
-        if !(0.0..=0.9).contains(&self.exploring) {
-            let what = format!("{:?} is not a share", self.exploring);
-            return Err(Error::input("settings.exploring", what, "write a number from 0 to 0.9"));
+        for (key, share) in [
+            ("exploring", self.exploring),
+            ("refining", self.refining),
+            ("replying", self.replying),
+        ] {
+            if !(0.0..=0.9).contains(&share) {
+                let (place, what) =
+                    (format!("settings.{key}"), format!("{share:?} is not a share"));
+                return Err(Error::input(place, what, "write a number from 0 to 0.9"));
+            }
         }
         for (key, value) in [
             ("racing", self.racing as u64),
             ("stated", self.stated as u64),
             ("first_round", self.first_round),
-            ("representatives", self.representatives as u64),
             ("per_reply", self.per_reply),
         ] {
             if value == 0 {

@@ -5,6 +5,9 @@ use carom_rules::Play;
 
 use crate::line::{Line, LineKind};
 
+/// Number of samples that count as much as the prior in the mean value of a candidate.
+const PRIOR_SAMPLES: f64 = 4.0;
+
 /// What a play is meant to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PlayKind {
@@ -63,6 +66,8 @@ pub struct Candidate {
     pub place: usize,
     /// Estimated value before any sample: a probability of winning.
     pub prior: f64,
+    /// Estimated value if the pot is missed; none for other plays.
+    pub missed: Option<f64>,
     /// Where the cue ball comes to rest without errors, m, file frame; none if it does not stay on
     /// the table.
     pub end: Option<[f64; 2]>,
@@ -76,13 +81,12 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    /// The mean value of the samples, with the correction; the prior without samples.
+    /// The mean value of the samples and of the prior, which counts as much as
+    /// four of them, with the correction.
     pub fn mean(&self) -> f64 {
-        if self.samples.is_empty() {
-            return self.prior;
-        }
         let sum: f64 = self.samples.iter().map(|sample| sample.value).sum();
-        sum / self.samples.len() as f64 + self.correction
+        let count = self.samples.len() as f64;
+        (PRIOR_SAMPLES * self.prior + sum) / (PRIOR_SAMPLES + count) + self.correction
     }
 
     /// The probability of winning by the fresh samples alone, with the correction of the replies.

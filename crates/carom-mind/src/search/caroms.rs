@@ -80,10 +80,10 @@ impl Explorer<'_> {
                 Request::Choice { .. } => false,
             };
             if is_legal && keeps {
-                let kind = (PlayKind::Carom, None, CHANCE * value);
+                let kind = (PlayKind::Carom, CHANCE * value);
                 self.keep(strike, call, kind, (place, prepared));
             } else if is_legal && self.found.len() < 4 {
-                let kind = (PlayKind::Safety, None, value);
+                let kind = (PlayKind::Safety, value);
                 self.keep(strike, call, kind, (place, prepared));
             }
         }

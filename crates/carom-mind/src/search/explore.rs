@@ -5,7 +5,6 @@ use carom::resolve::cue_ball::Strike;
 use carom_rules::{Call, Frame, Play, Seat, Turn};
 
 use super::candidate::{Candidate, PlayKind};
-use crate::line::Line;
 use crate::player::Situation;
 use crate::targets::Targets;
 use crate::value::{Position, Value};
@@ -80,15 +79,21 @@ impl<'a> Explorer<'a> {
         &mut self,
         strike: Strike,
         call: Call,
-        (kind, line, prior): (PlayKind, Option<Line>, f64),
+        (kind, prior): (PlayKind, f64),
         (place, prepared): (usize, &Prepared<'_>),
     ) {
-        let cue_ball = prepared.cue_ball();
-        let end = self.successor.layout().place(self.turn.cue);
-        let play = Play { cue_ball, call, ..Play::new(strike) };
-        let (samples, fresh, correction) = (Vec::new(), Vec::new(), 0.0);
-        let found = Candidate { play, kind, line, place, prior, end, samples, fresh, correction };
-        self.found.push(found);
+        self.found.push(Candidate {
+            play: Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) },
+            kind,
+            line: None,
+            place,
+            prior,
+            missed: None,
+            end: self.successor.layout().place(self.turn.cue),
+            samples: Vec::new(),
+            fresh: Vec::new(),
+            correction: 0.0,
+        });
     }
 
     /// The strike at its default elevation.

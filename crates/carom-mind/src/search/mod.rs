@@ -8,6 +8,7 @@ mod hand;
 mod openings;
 mod pots;
 mod race;
+mod refine;
 mod replies;
 mod rounds;
 mod safeties;

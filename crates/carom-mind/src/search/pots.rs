@@ -100,7 +100,7 @@ impl Explorer<'_> {
 
     /// Aims one strike along a line and keeps it if it pots the ball legally. Returns the azimuth,
     /// less squirt, and the slope of the miss.
-    fn pot(
+    pub(crate) fn pot(
         &mut self,
         prepared: &Prepared<'_>,
         place: usize,
@@ -136,7 +136,10 @@ impl Explorer<'_> {
             }
         };
         let prior = chance * value + (1.0 - chance) * miss.min(value);
-        self.keep(aimed.strike, call, (kind, Some(*line), prior), (place, prepared));
+        self.keep(aimed.strike, call, (kind, prior), (place, prepared));
+        if let Some(found) = self.found.last_mut() {
+            (found.line, found.missed) = (Some(*line), Some(miss));
+        }
         Ok(Some((turned, aimed.slope)))
     }
 }

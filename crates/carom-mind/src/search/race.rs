@@ -38,7 +38,8 @@ impl Race<'_> {
     pub(crate) fn run(&self, candidates: &mut [Candidate], simulations: u64) -> Result<u64, Error> {
         let mut left = candidates.len();
         let mut spent = 0;
-        let heats = u64::from(usize::BITS - left.max(1).leading_zeros());
+        // The number of times that `left` is halved, rounded up, until one is left.
+        let heats = u64::from(usize::BITS - left.saturating_sub(1).leading_zeros()).max(1);
         while left > 0 {
             let samples = simulations / heats / left as u64;
             if samples == 0 && left > 1 {
@@ -54,7 +55,7 @@ impl Race<'_> {
                 candidates[k].samples.extend(chunk);
             }
             candidates[..left].sort_by(|a, b| b.mean().total_cmp(&a.mean()));
-            left = if left > 1 { left.div_ceil(2) } else { 0 };
+            left = if left > 2 { left.div_ceil(2) } else { 0 };
         }
         Ok(spent)
     }

@@ -12,55 +12,98 @@ use super::candidate::Candidate;
 use super::explore::Explorer;
 use super::race::Race;
 use crate::player::Situation;
+use crate::settings::SearchSettings;
 use crate::value::{Position, Value};
 use carom_plan::{Prepared, Sampler};
+
+/// Fewest and most successors of a finalist that are searched. With more, each is searched longer.
+const SUCCESSORS: [u64; 2] = [4, 24];
+/// Fewest finalists: one alone cannot be compared.
+const LEAST_FINALISTS: u64 = 2;
+
+/// How many successors are searched, and how long.
+pub(crate) struct Replies {
+    finalists: usize,
+    /// Successors of each finalist.
+    successors: u64,
+    /// Simulations for each successor.
+    each: u64,
+}
+
+impl Replies {
+    /// With about `simulations` simulations; none if they are too few.
+    pub(crate) fn within(simulations: u64, settings: &SearchSettings) -> Option<Self> {
+        let [least, most] = SUCCESSORS;
+        let nodes = simulations / settings.per_reply;
+        let finalists = (nodes / least).min(settings.finalists as u64);
+        if finalists < LEAST_FINALISTS {
+            return None;
+        }
+        let successors = (nodes / finalists).clamp(least, most);
+        let each = simulations / (finalists * successors);
+        Some(Self { finalists: finalists as usize, successors, each })
+    }
+
+    /// The number of simulations.
+    pub(crate) const fn cost(&self) -> u64 {
+        self.finalists as u64 * self.successors * self.each
+    }
+
+    /// Corrects the values of the first candidates, and orders them. Returns the number of
+    /// simulations.
+    ///
+    /// # Errors
+    /// As [`Sampler::simulate_variant`].
+    pub(crate) fn search(
+        &self,
+        race: &Race<'_>,
+        candidates: &mut [Candidate],
+    ) -> Result<u64, Error> {
+        let finalists = self.finalists.min(candidates.len());
+        let jobs: Vec<(usize, usize)> = (0..finalists)
+            .flat_map(|k| {
+                let count = (self.successors as usize).min(candidates[k].samples.len());
+                (0..count).map(move |sample| (k, sample))
+            })
+            .collect();
+        let racing = &*candidates;
+        let replies = race.runner.map(
+            jobs,
+            || (Sampler::new(), race.situation.frame.clone()),
+            |(sampler, successor), (k, sample)| {
+                reply(race, &racing[k], (sampler, successor), (k, sample, self.each))
+            },
+        );
+        let replies = replies.into_iter().collect::<Result<Vec<Reply>, Error>>()?;
+        let spent = replies.iter().map(|reply| reply.plays).sum();
+        // The search finds more than the value expects, or less, in all positions of a player alike.
+        // Only what differs between the finalists counts.
+        let usual = [false, true]
+            .map(|own| mean(replies.iter().filter(|r| r.is_own == own).map(|r| r.difference)));
+        for (k, candidate) in candidates[..finalists].iter_mut().enumerate() {
+            let own = replies.iter().filter(|reply| reply.finalist == k);
+            candidate.correction =
+                mean(own.map(|reply| reply.difference - usual[usize::from(reply.is_own)]));
+        }
+        candidates[..finalists].sort_by(|a, b| b.mean().total_cmp(&a.mean()));
+        Ok(spent)
+    }
+}
+
+/// The mean; 0 of nothing.
+fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+    if count > 0.0 { sum / count } else { 0.0 }
+}
 
 /// A searched successor.
 struct Reply {
     finalist: usize,
+    /// Whether the player has the turn.
+    is_own: bool,
     /// Searched value less estimated value.
     difference: f64,
     plays: u64,
-}
-
-/// Corrects the values of the first `finalists` candidates by searching `representatives`
-/// successors of each with about `per_reply` simulations. Returns the number of simulations.
-///
-/// # Errors
-/// As [`Sampler::simulate_variant`].
-pub(crate) fn search_replies(
-    race: &Race<'_>,
-    candidates: &mut [Candidate],
-    (finalists, representatives, per_reply): (usize, usize, u64),
-) -> Result<u64, Error> {
-    let finalists = finalists.min(candidates.len());
-    let jobs: Vec<(usize, usize)> = (0..finalists)
-        .flat_map(|k| {
-            let count = representatives.min(candidates[k].samples.len());
-            (0..count).map(move |sample| (k, sample))
-        })
-        .collect();
-    let racing = &*candidates;
-    let replies = race.runner.map(
-        jobs,
-        || (Sampler::new(), race.situation.frame.clone()),
-        |(sampler, successor), (k, sample)| {
-            reply(race, &racing[k], (sampler, successor), (k, sample, per_reply))
-        },
-    );
-    let mut sums = vec![(0.0, 0_u32); finalists];
-    let mut spent = 0;
-    for reply in replies {
-        let Reply { finalist, difference, plays } = reply?;
-        sums[finalist].0 += difference;
-        sums[finalist].1 += 1;
-        spent += plays;
-    }
-    for (candidate, (sum, count)) in candidates.iter_mut().zip(sums) {
-        candidate.correction = if count > 0 { sum / f64::from(count) } else { 0.0 };
-    }
-    candidates[..finalists].sort_by(|a, b| b.mean().total_cmp(&a.mean()));
-    Ok(spent)
 }
 
 fn reply(
@@ -81,12 +124,13 @@ fn reply(
     let estimated = candidate.samples[sample].value;
     let situation = Situation { frame: successor, ..*race.situation };
     let (searched, plays) = quick_value(&situation, race.value, per_reply)?;
+    let is_own = successor.player() == Some(race.seat);
     let difference = match successor.player() {
-        Some(player) if player == race.seat => searched - estimated,
+        Some(_) if is_own => searched - estimated,
         Some(_) => 1.0 - searched - estimated,
         None => 0.0,
     };
-    Ok(Reply { finalist, difference, plays: plays + 1 })
+    Ok(Reply { finalist, is_own, difference, plays: plays + 1 })
 }
 
 /// The value of a position for the player to answer, by a search without errors of about

@@ -7,7 +7,7 @@ use carom_rules::{Rules, Turn};
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
 use super::race::Race;
-use super::replies::search_replies;
+use super::replies::Replies;
 use super::shift::{deviations, uphill};
 use crate::player::{Budget, Situation, Spent};
 use crate::settings::SearchSettings;
@@ -78,7 +78,7 @@ pub fn search<'a>(
     let fresh = settings.fresh(budget.simulations);
     let stating = (fresh * settings.stated as u64).min(budget.simulations / 2);
     let racing = budget.simulations - stating;
-    let mut size = settings.first_round.min(racing);
+    let mut size = round_size(settings.first_round, racing);
     while budget.allows(spent, size) {
         let before = spent.simulations;
         if spent.rounds == 0 {
@@ -90,19 +90,24 @@ pub fn search<'a>(
             if settings.shift {
                 shift(&mut candidates, &race);
             }
+            explorer.plays = 0;
+            explorer.most = (settings.refining * size as f64) as u64;
+            explorer.refine(&prepared, &candidates, spent.rounds as i32 - 1)?;
+            spent.simulations += explorer.plays;
+            let mut found = core::mem::take(&mut explorer.found);
+            found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
+            candidates.extend(found.into_iter().take(KEPT));
         }
-        let replies = (settings.finalists * settings.representatives) as u64 * settings.per_reply;
-        let replies = if 3 * replies <= size { replies } else { 0 };
-        let left = size.saturating_sub(spent.simulations - before).saturating_sub(replies);
+        let replies = Replies::within((settings.replying * size as f64) as u64, settings);
+        let cost = replies.as_ref().map_or(0, Replies::cost);
+        let left = size.saturating_sub(spent.simulations - before).saturating_sub(cost);
         spent.simulations += race.run(&mut candidates, left)?;
-        if replies > 0 {
-            let how = (settings.finalists, settings.representatives, settings.per_reply);
-            spent.simulations += search_replies(&race, &mut candidates, how)?;
+        if let Some(replies) = replies {
+            spent.simulations += replies.search(&race, &mut candidates)?;
         }
         spent.rounds += 1;
-        size = (2 * size).min(racing.saturating_sub(spent.simulations));
-        // A round that is much smaller than the one before would only add noise.
-        if size < settings.first_round {
+        size = round_size(2 * size, racing.saturating_sub(spent.simulations));
+        if size < settings.first_round / 4 {
             break;
         }
     }
@@ -112,6 +117,12 @@ pub fn search<'a>(
     let stated = settings.stated.min(candidates.len());
     spent.simulations += race.freshen(&mut candidates[..stated], fresh)?;
     Ok(Found { candidates, prepared, spent })
+}
+
+/// The simulations of a round that should have `wanted` of the `left` ones: all, if less than
+/// another such round would remain.
+const fn round_size(wanted: u64, left: u64) -> u64 {
+    if left < 2 * wanted { left } else { wanted }
 }
 
 /// Fills the explorer's candidates with about `simulations` simulations.

@@ -65,7 +65,7 @@ impl Explorer<'_> {
             self.plays += 1;
             let call = call_of(self.turn, first, None);
             let (value, _) = self.ruled(prepared, call)?;
-            let kind = (PlayKind::Safety, None, value);
+            let kind = (PlayKind::Safety, value);
             self.keep(strike, call, kind, (place, prepared));
         }
         Ok(())
@@ -88,7 +88,7 @@ impl Explorer<'_> {
                 self.plays += 1;
                 let (value, is_legal) = self.ruled(prepared, Call::PushOut)?;
                 if is_legal {
-                    let kind = (PlayKind::PushOut, None, value);
+                    let kind = (PlayKind::PushOut, value);
                     self.keep(strike, Call::PushOut, kind, (place, prepared));
                 }
             }
@@ -155,7 +155,7 @@ impl Explorer<'_> {
         let call = call_of(self.turn, first, None);
         let (value, is_legal) = self.ruled(prepared, call)?;
         if is_legal {
-            let kind = (PlayKind::Safety, None, value);
+            let kind = (PlayKind::Safety, value);
             self.keep(strike, call, kind, (place, prepared));
         }
         Ok(())

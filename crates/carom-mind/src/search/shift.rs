@@ -135,6 +135,7 @@ mod tests {
             line: None,
             place: 0,
             prior: 0.5,
+            missed: None,
             end: None,
             samples: samples.collect(),
             fresh: Vec::new(),

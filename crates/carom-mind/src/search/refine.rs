@@ -1,0 +1,113 @@
+//! Finer steps around the best candidates: other speeds and tip offsets, on the same line or in the
+//! same direction.
+
+use carom::Error;
+use carom::resolve::cue_ball::{Strike, squirt};
+use carom_plan::Prepared;
+
+use super::candidate::{Candidate, PlayKind};
+use super::explore::Explorer;
+use super::pots::largest_offset;
+
+/// Steps of the first refinement: factor of the speed, and change of the tip offset (ball radii).
+/// Every further refinement halves them.
+const FASTER: f64 = 0.16;
+const OFFSET: f64 = 0.14;
+/// Change of the azimuth of a play without a line, rad.
+const TURN: f64 = 0.02;
+/// Directions in which a candidate is changed: speed, height, side.
+const DIRECTIONS: [[f64; 3]; 8] = [
+    [1.0, 0.0, 0.0],
+    [-1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, -1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [0.0, 0.0, -1.0],
+    [1.0, 1.0, 0.0],
+    [-1.0, -1.0, 0.0],
+];
+
+impl Explorer<'_> {
+    /// Adds neighbours of `candidates`, the best first, while simulations are left. `round` counts
+    /// the refinements before.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn refine(
+        &mut self,
+        prepared: &[Prepared<'_>],
+        candidates: &[Candidate],
+        round: i32,
+    ) -> Result<(), Error> {
+        let scale = 0.5_f64.powi(round);
+        for candidate in candidates {
+            let position = &prepared[candidate.place];
+            for direction in DIRECTIONS {
+                if self.is_spent() {
+                    return Ok(());
+                }
+                let step = direction.map(|share| scale * share);
+                self.neighbour(position, candidate, step)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the neighbour of `candidate` that is `step` away, if it does what it is meant to do.
+    fn neighbour(
+        &mut self,
+        prepared: &Prepared<'_>,
+        candidate: &Candidate,
+        [faster, higher, aside]: [f64; 3],
+    ) -> Result<(), Error> {
+        let meant = candidate.play.strike;
+        let shot = prepared.shot();
+        let ball = shot.strike().map_or(0, |(ball, _)| ball);
+        let ball = &shot.balls()[ball].ball;
+        let noise = &self.situation.noise[self.seat()];
+        let most = largest_offset(shot, noise, ball.radius);
+        let side = meant.side + OFFSET * aside;
+        let height = meant.height + OFFSET * higher;
+        let strike = Strike { speed: meant.speed * (1.0 + FASTER * faster), side, height, ..meant };
+        if strike.offset() > most.max(meant.offset()) {
+            return Ok(());
+        }
+        let cue = &shot.physics().cue;
+        let azimuth = meant.azimuth + squirt(cue, ball, meant.side) - squirt(cue, ball, side);
+        let strike = Self::raised(prepared, Strike { azimuth, ..strike });
+        match (candidate.kind, candidate.line) {
+            (PlayKind::Pot(_), Some(line)) => {
+                let chance = line.chance(noise, ball.radius);
+                let mut missed = candidate.missed;
+                let start = (strike, line.slope);
+                self.pot(prepared, candidate.place, (&line, chance), (start, &mut missed))?;
+            }
+            (PlayKind::PushOut, _) => {}
+            _ => {
+                let azimuth = meant.azimuth + TURN * aside;
+                self.again(prepared, candidate, Strike { azimuth, side: meant.side, ..strike })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds a play that is like `candidate`, if it is legal.
+    fn again(
+        &mut self,
+        prepared: &Prepared<'_>,
+        candidate: &Candidate,
+        strike: Strike,
+    ) -> Result<(), Error> {
+        let call = candidate.play.call;
+        self.plays += 1;
+        if self.sampler.simulate(prepared, &strike).is_err() {
+            return Ok(());
+        }
+        let (value, is_legal) = self.ruled(prepared, call)?;
+        if is_legal {
+            let prior = value.min(candidate.mean());
+            self.keep(strike, call, (candidate.kind, prior), (candidate.place, prepared));
+        }
+        Ok(())
+    }
+}

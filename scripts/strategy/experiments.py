@@ -1,0 +1,99 @@
+"""The experiments: what is played, by name."""
+
+from __future__ import annotations
+
+from matches import Match
+from visits import Visits
+
+#: Multiples of the Olympiad's noise.
+NOISES = (0.5, 1.0, 2.0)
+#: Simulated shots that take about one second of one core.
+SECOND = 50_000
+#: The players of the win matrix, weakest first, and the simulated shots of each decision.
+MATRIX = (
+    "greedy",
+    "deep-green-0",
+    "deep-green-1",
+    "deep-green-2",
+    "pool-master",
+    "pick-pocket",
+    "cue-card",
+    "carom",
+)
+MATRIX_SIMULATIONS = 3000
+
+EXPERIMENTS: dict[str, Match | Visits] = {}
+
+# How often does the player who breaks run out?
+for game in ("eight-ball", "nine-ball"):
+    for noise in NOISES:
+        EXPERIMENTS[f"run-{game}-x{noise:g}"] = Visits(
+            f"carom:{SECOND}", count=120, game=game, noise=noise
+        )
+
+# Run-outs of eight-ball from ball in hand.
+for balls in (1, 2, 3, 5, 7):
+    for noise in NOISES:
+        EXPERIMENTS[f"run-out-{balls}-x{noise:g}"] = Visits(
+            "carom:5000", count=200, balls=balls, noise=noise
+        )
+
+# High runs of straight pool.
+for noise in NOISES:
+    EXPERIMENTS[f"high-run-x{noise:g}"] = Visits(
+        "carom:5000", count=60, game="straight-pool", noise=noise, points=150
+    )
+
+# Wins off the break, between equal players.
+for game in ("eight-ball", "nine-ball"):
+    for noise in NOISES:
+        EXPERIMENTS[f"breaker-{game}-x{noise:g}"] = Match(
+            "carom:3000", "carom:3000", pairs=150, game=game, noise=noise, breaker=0
+        )
+
+# Everybody against everybody.
+for k, other in enumerate(MATRIX):
+    for one in MATRIX[:k]:
+        EXPERIMENTS[f"matrix-{one}-{other}"] = Match(
+            f"{one}:{MATRIX_SIMULATIONS}", f"{other}:{MATRIX_SIMULATIONS}", pairs=60
+        )
+
+# Strength against simulated shots, each number against a tenth of it.
+for power in (3, 4, 5, 6):
+    EXPERIMENTS[f"strength-1e{power}"] = Match(
+        f"carom:{10**power}", f"carom:{10 ** (power - 1)}", pairs=(120, 100, 60, 12)[power - 3]
+    )
+
+# What each part of the search is worth: the player without it against the player with it.
+PARTS = {
+    "replies": "replying=0",
+    "shift": "shift=false",
+    "refining": "refining=0",
+    "safeties": "safeties=0",
+    "common-errors": "common-errors=false",
+    "logistic-value": "value=markov",
+}
+for part, setting in PARTS.items():
+    EXPERIMENTS[f"part-{part}"] = Match(f"carom[{setting}]:10000", "carom:10000", pairs=120)
+
+# The bars against the re-creations, on the table of the Olympiad.
+CUE_CARD = 200_000
+EXPERIMENTS["cue-card-same-break"] = Match(
+    "carom",
+    "cue-card",
+    pairs=200,
+    table="poolfiz",
+    frame_simulations=(CUE_CARD // 10, CUE_CARD),
+    same_break="poolfiz",
+)
+EXPERIMENTS["cue-card-own-breaks"] = Match(
+    "carom", "cue-card", pairs=200, table="poolfiz", frame_simulations=(300_000, CUE_CARD)
+)
+EXPERIMENTS["cue-card-300000-same-break"] = Match(
+    "carom",
+    "cue-card",
+    pairs=200,
+    table="poolfiz",
+    frame_simulations=(300_000, CUE_CARD),
+    same_break="poolfiz",
+)

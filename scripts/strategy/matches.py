@@ -1,0 +1,117 @@
+"""Matches between two players, and what their records say."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import carom
+from carom import Noise, Play, Strike
+from carom.batch import own_strike
+
+
+@dataclass(frozen=True)
+class Match:
+    """A match; the arguments are those of ``carom.play_match``."""
+
+    one: str
+    other: str
+    pairs: int
+    #: The noise of both players as multiples of the Olympiad's, or the name of a preset with a
+    #: multiple of each player.
+    noise: float | tuple[str, str] = 1.0
+    game: str = "eight-ball"
+    table: str | None = None
+    #: Simulated shots of a frame for each player; in place of those of a decision.
+    frame_simulations: tuple[int, int] | None = None
+    #: Seconds of a decision for each player.
+    time: tuple[float, float] | None = None
+    #: The break preset of both players; None if they break in their own way.
+    same_break: str | None = None
+    #: Two shares of the points between which a sequential test decides.
+    test: tuple[float, float] | None = None
+    #: Who begins: "alternate", or a player.
+    breaker: str | int = "alternate"
+
+    def describe(self) -> str:
+        """The match in words."""
+        return f"{self.one} - {self.other}, {self.pairs} pairs of {self.game}"
+
+    def play(self, name: str, folder: Path, threads: int) -> dict[str, Any]:
+        """Plays or continues the match, and counts what happened."""
+        result = carom.play_match(
+            self.one,
+            self.other,
+            out=folder,
+            game=self.game,
+            pairs=self.pairs,
+            noise=self.noises(),
+            table=self.table,
+            frame_simulations=self.frame_simulations,
+            time=self.time,
+            breaker=self.breaker,
+            same_break=self._break(),
+            test=self.test,
+            # The racks and errors are those of the name.
+            secret=hashlib.sha256(name.encode()).hexdigest(),
+            threads=threads,
+        )
+        score = result.to_dict()
+        del score["record"]
+        assert result.record is not None
+        return {"players": [self.one, self.other], **score, **counts(result.record)}
+
+    def noises(self) -> tuple[Noise, Noise]:
+        """The noise of both players."""
+        if isinstance(self.noise, tuple):
+            one, other = self.noise
+        else:
+            one = other = f"olympiad:{self.noise}"
+        return Noise.preset(one), Noise.preset(other)
+
+    def _break(self) -> Play | None:
+        if self.same_break is None:
+            return None
+        shot = carom.break_shot(self.game, table=self.table, preset=self.same_break)
+        (place,) = (b["position"] for b in shot.to_dict()["balls"] if b["id"] == "cue")
+        return Play(Strike(*own_strike(shot._core)), cue_ball=(place[0], place[1]))
+
+
+def counts(record: Path) -> dict[str, Any]:
+    """What the frames of a record have in common, for each player as the one who breaks.
+
+    ``breaks``, ``kept`` (the breaker shoots again), ``break_wins``, ``runs`` (break and run: the
+    other player never came to the table), ``pots`` (called pots after the break) and ``made`` (those
+    that kept the turn), ``safeties``, ``decisions``, ``simulations`` and ``seconds``.
+    """
+    tally = [Counter[str](), Counter[str]()]
+    lines = record.read_text(encoding="utf-8").splitlines()
+    for frame in map(json.loads, lines[1:-1]):
+        moves, seats = frame["moves"], frame["seats"]
+        winner = frame["end"]["winner"]
+        breaker = tally[seats[0]]
+        breaker["breaks"] += 1
+        breaker["kept"] += len(moves) > 1 and moves[1]["seat"] == 0 and "play" in moves[1]
+        breaker["break_wins"] += winner == seats[0]
+        breaker["runs"] += winner == seats[0] and all(move["seat"] == 0 for move in moves)
+        for number, move in enumerate(moves):
+            player = tally[seats[move["seat"]]]
+            cost = move.get("cost", {})
+            player["decisions"] += 1
+            player["simulations"] += cost.get("simulations", 0)
+            player["seconds"] += cost.get("seconds", 0.0)
+            call = (move.get("play", {}).get("call") or {}).get("kind")
+            player["safeties"] += call == "safety"
+            if call == "pocket" and number > 0:
+                last = number + 1 == len(moves)
+                next_seat = seats.index(winner) if last and winner is not None else None
+                next_seat = next_seat if last else moves[number + 1]["seat"]
+                player["pots"] += 1
+                player["made"] += next_seat == move["seat"]
+    names = ("breaks", "kept", "break_wins", "runs", "pots", "made", "safeties", "decisions")
+    names += ("simulations", "seconds")
+    return {"counts": [{name: player[name] for name in names} for player in tally]}
