@@ -33,79 +33,134 @@ const SHIFTED: usize = 4;
 
 /// What a search has found.
 #[derive(Clone, Debug)]
-pub struct Found<'a> {
+pub(crate) struct Found<'a> {
     /// The candidates, the best first. Those that [`SearchSettings::stated`] asks for have fresh samples.
-    pub candidates: Vec<Candidate>,
+    pub(crate) candidates: Vec<Candidate>,
     /// The positions from which they are played, by [`Candidate::place`].
-    pub prepared: Vec<Prepared<'a>>,
+    pub(crate) prepared: Vec<Prepared<'a>>,
     /// What the search has spent.
-    pub spent: Spent,
+    pub(crate) spent: Spent,
 }
 
-/// Searches the plays of a shot.
-///
-/// # Errors
-/// [`Error::Input`] as [`Situation::asked`], and [`Error::TooManyEvents`] if a shot does not end.
-pub fn search<'a>(
-    situation: &Situation<'a>,
-    turn: &Turn,
-    (value, settings): (&dyn Value, &SearchSettings),
-    budget: &Budget<'_>,
-) -> Result<Found<'a>, Error> {
-    let mut explorer = Explorer::new(situation, value, turn, 0);
-    let is_opening = situation.frame.is_opening();
-    let places: Vec<Option<[f64; 2]>> = match turn.hand {
-        None => vec![None],
-        Some(region) if is_opening => {
-            explorer.opening_places(region).into_iter().map(Some).collect()
+/// What is searched, and how.
+pub(crate) struct Task<'a, 'b> {
+    pub(crate) situation: &'b Situation<'a>,
+    pub(crate) turn: &'b Turn,
+    pub(crate) value: &'b dyn Value,
+    pub(crate) settings: &'b SearchSettings,
+    pub(crate) budget: &'b Budget<'b>,
+}
+
+/// A search between two of its rounds. It borrows nothing, so a program can do other work before the
+/// next round.
+#[derive(Clone, Debug)]
+pub struct Rounds {
+    /// The places from which the cue ball is played.
+    places: Vec<Option<[f64; 2]>>,
+    candidates: Vec<Candidate>,
+    spent: Spent,
+    /// Simulations of the next round.
+    size: u64,
+    /// Simulations of all rounds.
+    racing: u64,
+    /// Number of plays whose chances are stated.
+    stated: usize,
+    /// Fresh samples of such a play.
+    fresh: u64,
+    is_complete: bool,
+}
+
+impl Rounds {
+    /// A search before its first round.
+    pub(crate) fn new(task: &Task<'_, '_>) -> Self {
+        let Task { situation, turn, value, settings, budget } = *task;
+        let stated = settings.stated;
+        let explorer = Explorer::new(situation, value, turn, 0);
+        let places = match turn.hand {
+            None => vec![None],
+            Some(region) if situation.frame.is_opening() => {
+                explorer.opening_places(region).into_iter().map(Some).collect()
+            }
+            Some(region) => explorer.places(region).into_iter().map(Some).collect(),
+        };
+        let fresh = settings.fresh(budget.simulations);
+        let stating = (fresh * stated as u64).min(budget.simulations / 2);
+        let racing = budget.simulations - stating;
+        let size = settings.first_round.min(racing);
+        let (candidates, spent) = (Vec::new(), Spent::default());
+        Self { places, candidates, spent, size, racing, stated, fresh, is_complete: false }
+    }
+
+    /// What the rounds have spent.
+    pub const fn spent(&self) -> Spent {
+        self.spent
+    }
+
+    /// The best play so far.
+    pub fn best(&self) -> Option<&Candidate> {
+        self.candidates.first()
+    }
+
+    fn prepared<'a>(&self, situation: &Situation<'a>) -> Result<Vec<Prepared<'a>>, Error> {
+        self.places.iter().map(|place| Prepared::new(situation.frame, *place)).collect()
+    }
+
+    /// Plays the next round if the budget allows one. Returns whether it was played.
+    ///
+    /// # Errors
+    /// [`Error::TooManyEvents`] if a shot does not end.
+    pub(crate) fn play(&mut self, task: &Task<'_, '_>) -> Result<bool, Error> {
+        let Task { situation, turn, value, settings, budget } = *task;
+        if self.is_complete || !budget.allows(self.spent, self.size) {
+            return Ok(false);
         }
-        Some(region) => explorer.places(region).into_iter().map(Some).collect(),
-    };
-    let prepared = places
-        .into_iter()
-        .map(|place| Prepared::new(situation.frame, place))
-        .collect::<Result<Vec<_>, _>>()?;
-    let race =
-        Race { situation, value, prepared: &prepared, seat: turn.player, runner: &budget.runner };
-    let mut spent = Spent::default();
-    let mut candidates = Vec::new();
-    let fresh = settings.fresh(budget.simulations);
-    let stating = (fresh * settings.stated as u64).min(budget.simulations / 2);
-    let racing = budget.simulations - stating;
-    let mut size = settings.first_round.min(racing);
-    while budget.allows(spent, size) {
-        let before = spent.simulations;
-        if spent.rounds == 0 {
-            explore(&mut explorer, &prepared, (settings.exploring * size as f64) as u64)?;
-            spent.simulations += explorer.plays;
-            candidates = select(core::mem::take(&mut explorer.found), settings);
+        let prepared = &self.prepared(situation)?;
+        let race = Race { situation, value, prepared, seat: turn.player, runner: &budget.runner };
+        let before = self.spent.simulations;
+        if self.spent.rounds == 0 {
+            let mut explorer = Explorer::new(situation, value, turn, 0);
+            explore(&mut explorer, prepared, (settings.exploring * self.size as f64) as u64)?;
+            self.spent.simulations += explorer.plays;
+            self.candidates = select(explorer.found, settings);
         } else {
-            candidates.truncate(KEPT);
+            self.candidates.truncate(KEPT);
             if settings.shift {
-                shift(&mut candidates, &race);
+                shift(&mut self.candidates, &race);
             }
         }
         let replies = (settings.finalists * settings.representatives) as u64 * settings.per_reply;
-        let replies = if 3 * replies <= size { replies } else { 0 };
-        let left = size.saturating_sub(spent.simulations - before).saturating_sub(replies);
-        spent.simulations += race.run(&mut candidates, left)?;
+        let replies = if 3 * replies <= self.size { replies } else { 0 };
+        let explored = self.spent.simulations - before;
+        let left = self.size.saturating_sub(explored).saturating_sub(replies);
+        self.spent.simulations += race.run(&mut self.candidates, left)?;
         if replies > 0 {
             let how = (settings.finalists, settings.representatives, settings.per_reply);
-            spent.simulations += search_replies(&race, &mut candidates, how)?;
+            self.spent.simulations += search_replies(&race, &mut self.candidates, how)?;
         }
-        spent.rounds += 1;
-        size = (2 * size).min(racing.saturating_sub(spent.simulations));
+        self.spent.rounds += 1;
+        self.size = (2 * self.size).min(self.racing.saturating_sub(self.spent.simulations));
         // A round that is much smaller than the one before would only add noise.
-        if size < settings.first_round {
-            break;
+        self.is_complete = self.size < settings.first_round;
+        Ok(true)
+    }
+
+    /// What the rounds have found. The best plays get fresh samples.
+    ///
+    /// # Errors
+    /// As [`Self::play`].
+    pub(crate) fn end<'a>(self, task: &Task<'a, '_>) -> Result<Found<'a>, Error> {
+        let Task { situation, turn, value, budget, .. } = *task;
+        let prepared = self.prepared(situation)?;
+        let Self { mut candidates, mut spent, stated, fresh, .. } = self;
+        if stated > 1 {
+            distinct_first(&mut candidates);
         }
+        let stated = stated.min(candidates.len());
+        let (seat, runner) = (turn.player, &budget.runner);
+        let race = Race { situation, value, prepared: &prepared, seat, runner };
+        spent.simulations += race.freshen(&mut candidates[..stated], fresh)?;
+        Ok(Found { candidates, prepared, spent })
     }
-    if settings.stated > 1 {
-        distinct_first(&mut candidates);
-    }
-    let stated = settings.stated.min(candidates.len());
-    spent.simulations += race.freshen(&mut candidates[..stated], fresh)?;
-    Ok(Found { candidates, prepared, spent })
 }
 
 /// Fills the explorer's candidates with about `simulations` simulations.
