@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use carom::Error;
 use carom::format::Node;
 use carom_mind::literature::{self, Literature};
-use carom_mind::{Player, Searcher};
+use carom_mind::{Budget, Player, Searcher};
 
 use crate::clock::Clock;
 use crate::settings::PlayerEntry;
@@ -16,6 +16,10 @@ const SEARCHER: &str = "carom";
 /// Makes the players of the literature. They share the potting probabilities that they measure, so
 /// each table is measured once in a program.
 static LITERATURE: LazyLock<Literature> = LazyLock::new(Literature::default);
+
+/// The most simulated shots with which a player of the literature may plan: some minutes of one core.
+/// With the number that stands for no limit, a decision would take hours.
+pub const MOST_PLANNED: u64 = 5_000_000;
 
 /// A built-in player: a name, and simulated shots for each decision if the text gives them.
 ///
@@ -75,6 +79,32 @@ impl BuiltInPlayer {
         LITERATURE.player(self.name).unwrap_or_else(|_| Box::new(Searcher::default()))
     }
 
+    /// The player, as new, if it is the searching one.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `player` for a player of the literature, which does not explain its plays.
+    pub fn searcher(&self) -> Result<Searcher, Error> {
+        if self.is_searcher() {
+            return Ok(Searcher::default());
+        }
+        let what = format!("{} does not explain its plays", self.name);
+        Err(Error::input("player", what, "ask the player carom"))
+    }
+
+    /// Rejects a budget without a bound: the players of the literature plan with all simulated shots
+    /// of a decision, whatever the clock says.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `simulations`, for a player of the literature and more than
+    /// [`MOST_PLANNED`] of them.
+    pub fn check_budget(&self, budget: &Budget<'_>) -> Result<(), Error> {
+        if self.is_searcher() || budget.simulations <= MOST_PLANNED {
+            return Ok(());
+        }
+        let what = format!("{} plans with a number of simulated shots, not with a time", self.name);
+        Err(Error::input("simulations", what, format!("give a number up to {MOST_PLANNED}")))
+    }
+
     /// Whether it is the searching player, which can also explain a position.
     pub fn is_searcher(&self) -> bool {
         self.name == SEARCHER
@@ -100,8 +130,9 @@ fn read_simulations(text: &str) -> Result<u32, Error> {
 
 #[cfg(test)]
 mod tests {
-    use super::BuiltInPlayer;
+    use super::{BuiltInPlayer, MOST_PLANNED};
     use crate::clock::Clock;
+    use carom_mind::Budget;
 
     #[test]
     fn every_name_makes_the_player_of_this_name() {
@@ -119,6 +150,18 @@ mod tests {
         assert_eq!(player.clock(usual), Clock::simulations(2000));
         assert_eq!(player.entry().name, "carom:2000");
         assert_eq!(BuiltInPlayer::read("carom").unwrap().clock(usual), usual);
+    }
+
+    #[test]
+    fn only_the_searching_player_explains_and_takes_any_budget() {
+        let [searcher, other] = ["carom", "greedy"].map(|name| BuiltInPlayer::read(name).unwrap());
+        assert!(searcher.searcher().is_ok());
+        assert!(other.searcher().is_err_and(|e| e.to_string().starts_with("player: ")));
+        for (simulations, is_accepted) in [(MOST_PLANNED, true), (MOST_PLANNED + 1, false)] {
+            let budget = Budget::simulations(simulations);
+            assert!(searcher.check_budget(&budget).is_ok());
+            assert_eq!(other.check_budget(&budget).is_ok(), is_accepted);
+        }
     }
 
     #[test]
