@@ -1,4 +1,4 @@
-"""Rewrite the goldens: event counts and hashes of shots, noisy variants, and random games.
+"""Rewrite the goldens: event counts and hashes of shots, noisy variants, random games, decisions.
 
     python scripts/write_goldens.py
 
@@ -22,6 +22,8 @@ ROOT = Path(__file__).parents[1]
 NOISES = (("half_ball_cut", 1.0, 42, 0), ("nine_ball_break", 0.5, (1 << 53) - 1, 1 << 40))
 VARIANTS = 8
 MOVES = 12
+# The options of the decisions: enough simulated shots for a second round.
+THINKING = {"noise": "club", "opponentNoise": "professional", "simulations": 4000}
 # The README's pictures: a break in which the 6 and the 9 fall, and a shot file.
 PICTURES = {
     "nine_ball_break": lambda: carom.break_shot("nine-ball", seed=20),
@@ -39,6 +41,7 @@ def main() -> None:
     (ROOT / "goldens" / "shots.json").write_text(f"{{\n{rows}\n}}\n", encoding="utf-8")
     (ROOT / "goldens" / "noise.json").write_text(_noise(), encoding="utf-8")
     (ROOT / "goldens" / "games.json").write_text(_games(), encoding="utf-8")
+    (ROOT / "goldens" / "decisions.json").write_text(_decisions(), encoding="utf-8")
     _write_presets()
     for name, shot in PICTURES.items():
         drawn = picture.png(shot().simulate(), title=name.replace("_", " "))
@@ -109,10 +112,82 @@ def _games() -> str:
     return "[\n" + ",\n".join(games) + "\n]\n"
 
 
-def _moves(frame: carom.Frame, chance: random.Random) -> list[dict[str, Any]]:
+def _decisions() -> str:
+    """What players decide after some random moves, and which plays they recommend."""
+    rows = []
+    for seed, game in enumerate(carom.rule_sets()):
+        frame = _middle(game, seed, "shot")
+        rows += [_decided(frame, {**THINKING, "seed": seed})]
+        rows += [_decided(frame, {**THINKING, "rounds": 1}, count=4)]
+    push_out = _middle("nine-ball", 0, "choice")
+    pool, caroms = _middle("eight-ball", 1, "shot"), _middle("three-cushion", 0, "shot")
+    sighted = {**THINKING, "perception": {"position": 0.002}}
+    rows += [_decided(push_out, THINKING), _decided(pool, sighted, count=1)]
+    for name in carom.players()[1:]:
+        for frame in (pool, push_out, caroms):
+            rows += [_decided(frame, {"name": f"{name}:300", "noise": "club"})]
+    return "[\n" + ",\n".join(f"  {json.dumps(row)}" for row in rows) + "\n]\n"
+
+
+def _middle(game: str, seed: int, kind: str) -> carom.Frame:
+    """A frame after some random moves that requests a shot or a choice, from ``seed`` on."""
+    while True:
+        frame, chance = carom.Frame(game, seed=seed), random.Random(seed)
+        for _ in range(MOVES // 2):
+            _moves(frame, chance, 1)
+            if kind == "choice" and frame.request["kind"] == kind:
+                break
+        if frame.request["kind"] == kind:
+            return frame
+        seed += 1
+
+
+def _decided(
+    frame: carom.Frame, options: dict[str, Any], count: int | None = None
+) -> dict[str, Any]:
+    """A decision or, with ``count``, an analysis. The options are named as in JavaScript."""
+    given = dict(options)
+    noise = carom.Noise.preset(given.pop("noise"))
+    opponent = given.pop("opponentNoise", None)
+    told = {"noise": noise, "opponent_noise": opponent and carom.Noise.preset(opponent)}
+    if "perception" in given:
+        given["perception"] = carom.Perception(**given["perception"])
+    player = carom.Player(given.pop("name", None), **given)
+    row: dict[str, Any] = {"options": options, "record": frame.record}
+    if count is None:
+        made = player.choose(frame, **told)
+        spent: Any = made
+        row["decision"] = {
+            "play": made.play and _plain_play(made.play.to_dict()),
+            "choice": made.choice,
+            "win_chance": made.win_chance,
+        }
+    else:
+        analysis = player.explain(frame, count, **told)
+        spent, plays = analysis, analysis.to_dict()["plays"]
+        for play in plays:
+            # The aim is the other values in words.
+            del play["aim"]
+            play["play"] = _plain_play(play["play"])
+        row |= {"count": count, "analysis": {"plays": plays}}
+    row["decision" if count is None else "analysis"] |= {
+        "simulations": spent.simulations,
+        "rounds": spent.rounds,
+    }
+    return row
+
+
+def _plain_play(play: dict[str, Any]) -> dict[str, Any]:
+    """A play without the parts of the call that it does not have."""
+    if "call" not in play:
+        return play
+    return {**play, "call": {key: value for key, value in play["call"].items() if value}}
+
+
+def _moves(frame: carom.Frame, chance: random.Random, most: int = MOVES) -> list[dict[str, Any]]:
     """Play random moves: each move with its ruling and the hash of its shot."""
     moves: list[dict[str, Any]] = []
-    while len(moves) < MOVES and not frame.over:
+    while len(moves) < most and not frame.over:
         request = frame.request
         if request["kind"] == "choice":
             choice = chance.choice(request["choices"])

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use carom::Error;
 use carom::format::{Node, Reader};
 use carom_mind::literature::{self, Literature};
-use carom_mind::{Player, Searcher};
+use carom_mind::{Budget, Player, Searcher};
 
 use crate::clock::Clock;
 use crate::settings::PlayerEntry;
@@ -16,6 +16,10 @@ const SEARCHER: &str = "carom";
 /// Makes the players of the literature. They share the potting probabilities that they measure, so
 /// each table is measured once in a program.
 static LITERATURE: LazyLock<Literature> = LazyLock::new(Literature::default);
+
+/// The most simulated shots with which a player of the literature may plan: some minutes of one core.
+/// With the number that stands for no limit, a decision would take hours.
+pub const MOST_PLANNED: u64 = 5_000_000;
 
 /// A built-in player: a name, some settings, and simulated shots for each decision.
 ///
@@ -86,15 +90,41 @@ impl BuiltInPlayer {
     /// # Errors
     /// As [`Self::read`]; none for a player that was read.
     pub fn make(&self) -> Result<Box<dyn Player>, Error> {
-        match self.searcher() {
-            Some(searcher) => Ok(Box::new(searcher?)),
-            None => LITERATURE.player_with(self.name, &self.reader()),
+        if self.is_searcher() {
+            return Ok(Box::new(self.searcher()?));
         }
+        LITERATURE.player_with(self.name, &self.reader())
     }
 
-    /// The searching player, which can also explain a position; none for the others.
-    pub fn searcher(&self) -> Option<Result<Searcher, Error>> {
-        (self.name == SEARCHER).then(|| Searcher::read(&self.reader()))
+    /// The player, as new, if it is the searching one.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `player` for a player of the literature, which does not explain its plays.
+    pub fn searcher(&self) -> Result<Searcher, Error> {
+        if self.is_searcher() {
+            return Searcher::read(&self.reader());
+        }
+        let what = format!("{} does not explain its plays", self.name);
+        Err(Error::input("player", what, "ask the player carom"))
+    }
+
+    /// Rejects a budget without a bound: the players of the literature plan with all simulated shots
+    /// of a decision, whatever the clock says.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `simulations`, for a player of the literature and more than
+    /// [`MOST_PLANNED`] of them.
+    pub fn check_budget(&self, budget: &Budget<'_>) -> Result<(), Error> {
+        if self.is_searcher() || budget.simulations <= MOST_PLANNED {
+            return Ok(());
+        }
+        let what = format!("{} plans with a number of simulated shots, not with a time", self.name);
+        Err(Error::input("simulations", what, format!("give a number up to {MOST_PLANNED}")))
+    }
+
+    /// Whether it is the searching player, which can also explain a position.
+    pub fn is_searcher(&self) -> bool {
+        self.name == SEARCHER
     }
 
     /// The player as a match has it. Its name is the text that was read.
@@ -158,8 +188,9 @@ fn read_simulations(text: &str) -> Result<u32, Error> {
 
 #[cfg(test)]
 mod tests {
-    use super::BuiltInPlayer;
+    use super::{BuiltInPlayer, MOST_PLANNED};
     use crate::clock::Clock;
+    use carom_mind::Budget;
 
     #[test]
     fn every_name_makes_the_player_of_this_name() {
@@ -210,6 +241,18 @@ mod tests {
         ] {
             let error = BuiltInPlayer::read(text).unwrap_err().to_string();
             assert!(error.starts_with(place), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn only_the_searching_player_explains_and_takes_any_budget() {
+        let [searcher, other] = ["carom", "greedy"].map(|name| BuiltInPlayer::read(name).unwrap());
+        assert!(searcher.searcher().is_ok());
+        assert!(other.searcher().is_err_and(|e| e.to_string().starts_with("player: ")));
+        for (simulations, is_accepted) in [(MOST_PLANNED, true), (MOST_PLANNED + 1, false)] {
+            let budget = Budget::simulations(simulations);
+            assert!(searcher.check_budget(&budget).is_ok());
+            assert_eq!(other.check_budget(&budget).is_ok(), is_accepted);
         }
     }
 

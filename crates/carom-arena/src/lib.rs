@@ -60,7 +60,7 @@ mod thinking_time;
 mod tournament;
 
 pub use arena_frame::{ArenaFrame, Ask, NextStep, REFUSALS};
-pub use built_in::BuiltInPlayer;
+pub use built_in::{BuiltInPlayer, MOST_PLANNED};
 pub use clock::{Clock, ClockPeriod, ClockUnit, Cost, expected_shots};
 pub use error::ArenaError;
 pub use ledger::RECORD;
@@ -71,5 +71,5 @@ pub use score::{FramePoints, MatchScore, PairScores, elo_of_share, share_of_elo}
 pub use secret::{PairSeeds, Secret};
 pub use sequential::{Hypothesis, SequentialTest, TestState};
 pub use settings::{Breaker, Disclosure, Match, MatchSettings, PlayerEntry, PlayerIndex};
-pub use thinking_time::ThinkingTime;
+pub use thinking_time::{ThinkingTime, TimeLimit};
 pub use tournament::{MatchPlan, MatchReport, play_frame, play_match};

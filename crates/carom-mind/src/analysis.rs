@@ -5,12 +5,11 @@
 use carom::Error;
 use carom::table::PocketName;
 use carom_plan::{Chance, Moments};
-use carom_rules::{BallIndex, Play, Request};
+use carom_rules::{BallIndex, Play};
 
 use crate::player::{Budget, Situation, Spent};
-use crate::search::{Candidate, Found, PlayKind, PlayedVariant, search};
+use crate::search::{Candidate, Found, PlayKind, PlayedVariant, Rounds};
 use crate::searcher::Searcher;
-use crate::settings::SearchSettings;
 
 /// One of the plays that a search recommends, with its chances.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,16 +60,22 @@ impl Searcher {
         budget: &Budget<'_>,
         count: usize,
     ) -> Result<Analysis, Error> {
-        let (_, request) = situation.asked()?;
-        let Request::Shot(turn) = request else {
-            let what = "it asks for a choice, not for a shot";
-            return Err(Error::input("frame", what, "let the player choose: decide"));
-        };
-        if count == 0 {
-            return Err(Error::input("count", "0 plays are nothing", "ask for at least 1"));
-        }
-        let settings = SearchSettings { stated: count, ..*self.settings() };
-        let found = search(situation, turn, (self.value(), &settings), budget)?;
+        let mut rounds = self.begin(situation, budget, count)?;
+        while self.play_round(&mut rounds, situation, budget)? {}
+        self.analysis(rounds, situation, budget)
+    }
+
+    /// The best plays that the rounds of a search have found, as many as [`Self::begin`] was told.
+    ///
+    /// # Errors
+    /// As [`Self::play_round`].
+    pub fn analysis(
+        &self,
+        rounds: Rounds,
+        situation: &Situation<'_>,
+        budget: &Budget<'_>,
+    ) -> Result<Analysis, Error> {
+        let found = self.found(rounds, situation, budget)?;
         let mut plays: Vec<Recommendation> = found
             .candidates
             .iter()

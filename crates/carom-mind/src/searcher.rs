@@ -5,7 +5,7 @@ use carom::format::Reader;
 use carom_rules::{Choice, Frame, Request, Rules, Seat, Turn};
 
 use crate::player::{Answer, Budget, Decision, Player, Situation, Spent};
-use crate::search::{quick_value, search};
+use crate::search::{Found, Rounds, Task, quick_value};
 use crate::settings::SearchSettings;
 use crate::value::{Logistic, Markov, Value};
 
@@ -73,13 +73,73 @@ impl Searcher {
         &self.settings
     }
 
-    fn shoot(
+    /// Begins a search for the situation's shot, for programs that do other work between its rounds.
+    /// [`Self::play_round`] goes on with it; [`Self::decision`] or [`Self::analysis`] ends it. All get
+    /// the same situation and budget, and together they find what [`Player::decide`] or
+    /// [`Self::analyse`] finds. `plays` is the number of plays whose chances are stated, usually 1
+    /// for a decision.
+    ///
+    /// # Errors
+    /// As [`Self::analyse`].
+    pub fn begin(
         &self,
         situation: &Situation<'_>,
         budget: &Budget<'_>,
-        turn: &Turn,
+        plays: usize,
+    ) -> Result<Rounds, Error> {
+        let turn = turn_of(situation)?;
+        if plays == 0 {
+            return Err(Error::input("count", "0 plays are nothing", "ask for at least 1"));
+        }
+        let settings = SearchSettings { stated: plays, ..self.settings };
+        Ok(Rounds::new(&self.task(situation, turn, (budget, &settings))))
+    }
+
+    /// Plays the next round of a search if the budget allows one. Returns whether it was played.
+    ///
+    /// # Errors
+    /// [`Error::TooManyEvents`] if a shot does not end.
+    pub fn play_round(
+        &self,
+        rounds: &mut Rounds,
+        situation: &Situation<'_>,
+        budget: &Budget<'_>,
+    ) -> Result<bool, Error> {
+        let turn = turn_of(situation)?;
+        rounds.play(&self.task(situation, turn, (budget, &self.settings)))
+    }
+
+    /// The plays that the rounds have found, the best first.
+    pub(crate) fn found<'a>(
+        &self,
+        rounds: Rounds,
+        situation: &Situation<'a>,
+        budget: &Budget<'_>,
+    ) -> Result<Found<'a>, Error> {
+        let turn = turn_of(situation)?;
+        rounds.end(&self.task(situation, turn, (budget, &self.settings)))
+    }
+
+    fn task<'a, 'b>(
+        &'b self,
+        situation: &'b Situation<'a>,
+        turn: &'b Turn,
+        (budget, settings): (&'b Budget<'b>, &'b SearchSettings),
+    ) -> Task<'a, 'b> {
+        Task { situation, turn, value: self.value(), settings, budget }
+    }
+
+    /// The decision to which the rounds of a search have led.
+    ///
+    /// # Errors
+    /// As [`Self::play_round`], and [`Error::Input`] at `frame` if no strike can be played.
+    pub fn decision(
+        &self,
+        rounds: Rounds,
+        situation: &Situation<'_>,
+        budget: &Budget<'_>,
     ) -> Result<Decision, Error> {
-        let found = search(situation, turn, (self.value(), &self.settings), budget)?;
+        let found = self.found(rounds, situation, budget)?;
         let spent = found.spent;
         let Some(best) = found.candidates.first() else {
             return Err(Error::input(
@@ -133,9 +193,24 @@ impl Player for Searcher {
     ) -> Result<Decision, Error> {
         let (seat, request) = situation.asked()?;
         match request {
-            Request::Shot(turn) => self.shoot(situation, budget, turn),
+            Request::Shot(_) => {
+                let mut rounds = self.begin(situation, budget, self.settings.stated)?;
+                while self.play_round(&mut rounds, situation, budget)? {}
+                self.decision(rounds, situation, budget)
+            }
             Request::Choice { choices, .. } => self.choose(situation, seat, choices),
             Request::Over { .. } => Err(Error::input("frame", "it is over", "begin a new frame")),
+        }
+    }
+}
+
+/// The turn of the situation's request, which asks for a shot.
+fn turn_of<'a>(situation: &Situation<'a>) -> Result<&'a Turn, Error> {
+    match situation.asked()?.1 {
+        Request::Shot(turn) => Ok(turn),
+        _ => {
+            let what = "it asks for a choice, not for a shot";
+            Err(Error::input("frame", what, "let the player choose: decide"))
         }
     }
 }

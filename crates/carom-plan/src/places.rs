@@ -64,7 +64,8 @@ impl Places {
             let near = self.radius[ball] + self.radius[i] - VISIBLE;
             i != ball
                 && self.rests[i]
-                && !met.contains(&other)
+                // LLVM 22 cannot select WebAssembly's vectors for `met.contains(&other)`.
+                && !met.iter().any(|ball| usize::from(*ball) == i)
                 && (self.last[i] - from).length() >= near
                 && distance(from, to, self.last[i]) < near
         })

@@ -139,10 +139,6 @@ pub(crate) struct AnalysisFields {
     interrupted: bool,
 }
 
-/// The players of the literature plan with all simulated shots of a decision. With more than this
-/// one decision would take about an hour.
-const MOST_COUNTED: u64 = 1 << 30;
-
 /// A built-in player.
 #[pyclass(frozen, module = "carom._core")]
 pub(crate) struct Player {
@@ -184,10 +180,7 @@ impl Player {
     ) -> PyResult<DecisionFields> {
         let frame = frame.0.clone();
         let decide = |budget: &Budget<'_>| -> Result<Decision, Error> {
-            if self.of.searcher().is_none() && budget.simulations > MOST_COUNTED {
-                let what = format!("{} counts simulated shots, not seconds", self.of.name());
-                return Err(Error::input("simulations", what, "give a number of them"));
-            }
+            self.of.check_budget(budget)?;
             self.of.make()?.decide(&thinking.situation(&frame), budget)
         };
         let (decision, interrupted) = self.think(py, &thinking, threads, decide)?;
@@ -211,11 +204,7 @@ impl Player {
     ) -> PyResult<AnalysisFields> {
         let frame = frame.0.clone();
         let analyse = |budget: &Budget<'_>| -> Result<Analysis, Error> {
-            let Some(searcher) = self.of.searcher() else {
-                let what = format!("{} does not explain its plays", self.of.name());
-                return Err(Error::input("player", what, "ask the player carom"));
-            };
-            searcher?.analyse(&thinking.situation(&frame), budget, plays)
+            self.of.searcher()?.analyse(&thinking.situation(&frame), budget, plays)
         };
         let (analysis, interrupted) = self.think(py, &thinking, threads, analyse)?;
         let Analysis { plays, spent: Spent { simulations, rounds } } = analysis;

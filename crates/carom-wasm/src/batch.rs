@@ -59,7 +59,7 @@ fn numbers(noise: &Noise) -> [f64; 7] {
 }
 
 /// The inverse of [`numbers`].
-fn noise_of(numbers: &[f64]) -> Result<Noise, JsValue> {
+pub(crate) fn noise_of(numbers: &[f64]) -> Result<Noise, JsValue> {
     let [speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction] = *numbers
     else {
         return Err(js_sys::RangeError::new("noise: write seven numbers").into());

@@ -3,9 +3,11 @@
 
 pub mod batch;
 pub mod error;
+pub mod player;
 pub mod reference;
 pub mod rules;
 pub mod shot;
+pub mod successors;
 pub mod trace;
 
 use wasm_bindgen::prelude::wasm_bindgen;

@@ -1,13 +1,14 @@
 //! `Frame`: games with a referee.
 
-use carom::Error;
 use carom::format::Node;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{Cling, StrikePolicy};
+use carom::{Error, Noise};
 use carom_rules::{Choice, Options, Play, Rules};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::batch::noise_of;
 use crate::error::to_exception;
 use crate::shot::Shot;
 use crate::trace::Trace;
@@ -27,7 +28,7 @@ pub fn usual_table(game: &str) -> Result<String, JsValue> {
 
 /// A game in progress.
 #[wasm_bindgen]
-pub struct Frame(carom_rules::Frame);
+pub struct Frame(pub(crate) carom_rules::Frame);
 
 /// A player's shot: the strike (speed, azimuth, side, height) and its elevation, the place of a cue
 /// ball in hand, and the call (kind, ball, pocket). Without an elevation it is the default one.
@@ -86,10 +87,12 @@ impl PlayArguments {
     }
 }
 
-/// The ruling on a played shot, and its trace.
+/// The ruling on a played shot, the strike and the contacts that cling as they were played, and the
+/// trace.
 #[wasm_bindgen]
 pub struct PlayResult {
     ruling: String,
+    play: Play,
     trace: carom::Trace,
 }
 
@@ -100,6 +103,18 @@ impl PlayResult {
         self.ruling.clone()
     }
 
+    /// Speed, azimuth, elevation, side, height.
+    pub fn strike(&self) -> Vec<f64> {
+        let Strike { speed, azimuth, elevation, side, height } = self.play.strike;
+        vec![speed, azimuth, elevation, side, height]
+    }
+
+    /// The contacts that cling, JSON as a shot file has them; none if no contact does.
+    pub fn cling(&self) -> Option<String> {
+        let cling = self.play.cling;
+        (!cling.is_empty()).then(|| cling.to_node().to_json())
+    }
+
     /// The trace of the shot.
     #[wasm_bindgen(js_name = intoTrace)]
     pub fn into_trace(self) -> Trace {
@@ -108,7 +123,7 @@ impl PlayResult {
 }
 
 impl Frame {
-    fn play_of(&self, arguments: &PlayArguments) -> Result<Play, Error> {
+    pub(crate) fn play_of(&self, arguments: &PlayArguments) -> Result<Play, Error> {
         let PlayArguments { call, ball, pocket, .. } = arguments;
         let PlayArguments { strike, cue_ball, policy, cling, .. } = *arguments;
         let call = self.0.call(call, ball.as_deref(), pocket.as_deref())?;
@@ -116,11 +131,26 @@ impl Frame {
         if arguments.has_elevation { Ok(play) } else { self.0.at_default_elevation(&play) }
     }
 
-    fn play_checked(&mut self, arguments: &PlayArguments) -> Result<PlayResult, Error> {
-        let play = self.play_of(arguments)?;
+    /// Plays a shot, with the errors of a noise if there is one.
+    fn play_checked(
+        &mut self,
+        arguments: &PlayArguments,
+        errors: Option<(Noise, u64)>,
+    ) -> Result<PlayResult, Error> {
+        let meant = self.play_of(arguments)?;
+        let play = match errors {
+            Some((noise, seed)) => self.0.draw_play(&meant, &noise, seed)?,
+            None => meant,
+        };
         let trace = self.0.shot(&play)?.simulate()?;
         let ruling = self.0.apply(&play, &trace)?;
-        Ok(PlayResult { ruling: self.0.ruling_node(&ruling).to_json(), trace })
+        let play = match trace.shot().strike() {
+            Some((_, strike)) if !arguments.has_elevation && errors.is_none() => {
+                Play { strike: Strike { elevation: strike.elevation, ..play.strike }, ..play }
+            }
+            _ => play,
+        };
+        Ok(PlayResult { ruling: self.0.ruling_node(&ruling).to_json(), play, trace })
     }
 }
 
@@ -143,6 +173,21 @@ impl Frame {
             carom_rules::Frame::new(Rules::read(game)?, options, read(table)?, read(physics)?, seed)
         };
         frame().map(Self).map_err(|e| to_exception(&e))
+    }
+
+    /// Table and physics as the record of a new frame keeps them, with dated names: JSON.
+    #[wasm_bindgen(js_name = recordedSetup)]
+    pub fn recorded_setup(
+        game: &str,
+        table: Option<String>,
+        physics: Option<String>,
+    ) -> Result<String, JsValue> {
+        let read = |json: Option<String>| json.map(|text| Node::from_json(&text)).transpose();
+        let setup = || {
+            let rules = Rules::read(game)?;
+            Ok(carom_rules::recorded_setup(rules, read(table)?, read(physics)?).to_json())
+        };
+        setup().map_err(|e| to_exception(&e))
     }
 
     /// A frame that starts from the balls of a shot.
@@ -182,7 +227,19 @@ impl Frame {
 
     /// Plays a shot, and rules on it.
     pub fn play(&mut self, play: &PlayArguments) -> Result<PlayResult, JsValue> {
-        self.play_checked(play).map_err(|e| to_exception(&e))
+        self.play_checked(play, None).map_err(|e| to_exception(&e))
+    }
+
+    /// Plays a shot as a player with this execution noise does, and rules on it.
+    #[wasm_bindgen(js_name = playNoisy)]
+    pub fn play_noisy(
+        &mut self,
+        play: &PlayArguments,
+        noise: &[f64],
+        seed: u64,
+    ) -> Result<PlayResult, JsValue> {
+        let errors = Some((noise_of(noise)?, seed));
+        self.play_checked(play, errors).map_err(|e| to_exception(&e))
     }
 
     /// Answers the choice that the frame asks for; returns the ruling, JSON.

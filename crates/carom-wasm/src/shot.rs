@@ -36,6 +36,12 @@ impl Shot {
         self.0.to_json()
     }
 
+    /// The shot file with the dated names of presets.
+    #[wasm_bindgen(js_name = toRecordJson)]
+    pub fn to_record_json(&self) -> String {
+        self.0.to_record_node().to_json()
+    }
+
     /// The shot file as [`Self::to_json`] gives it, but without an elevation that is the default.
     #[wasm_bindgen(js_name = toSourceJson)]
     pub fn to_source_json(&self) -> String {

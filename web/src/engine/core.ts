@@ -5,9 +5,22 @@
 import { boolean, json, numbers, object, text, whole } from "./arguments.js";
 import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.js";
 import { CaromError } from "./error.js";
+import { FRAME_FORMAT, type FrameMove, type FrameRecord, replay } from "./frame-record.js";
+import { Handle, checked } from "./handle.js";
 import { namedSigmas, sigmasOf } from "./noise.js";
 import * as wasm from "./pkg/carom_wasm.js";
-import type { Choice, Frame, FrameOptions, FrameState, FrameTerms, Play, Ruling } from "./rules.js";
+import type { Player, PlayerOptions } from "./player.js";
+import type {
+  Choice,
+  Frame,
+  FrameOptions,
+  FrameState,
+  FrameTerms,
+  Play,
+  PlayErrors,
+  Ruling,
+  Successors,
+} from "./rules.js";
 import {
   type BallInfo,
   type Batch,
@@ -26,9 +39,12 @@ import {
   type VaryOptions,
 } from "./types.js";
 import { warnOnce } from "./warn.js";
+import { WasmPlayer } from "./wasm-player.js";
 
 export * from "./engine.js";
 export * from "./error.js";
+export type { FrameMove, FrameRecord, FrameSetup } from "./frame-record.js";
+export * from "./player.js";
 export * from "./rules.js";
 export * from "./types.js";
 
@@ -49,6 +65,9 @@ const BATCH_MEMORY = 2 ** 30;
 /** Bytes of a batch per row, and per row and ball. */
 const ROW_BYTES = 44;
 const BALL_BYTES = 25;
+
+/** Memory of as many successors: about half of `BATCH_MEMORY`. */
+const MOST_SUCCESSORS = 2 ** 24;
 
 /** Keys that every strike has, in the order in which the engine takes its numbers. */
 const STRIKE = ["speed", "azimuth", "side", "height"] as const;
@@ -73,48 +92,11 @@ async function start(source: BufferSource | WebAssembly.Module): Promise<Engine>
   return new WasmEngine(module);
 }
 
-/** Calls the engine and turns its refusal into a `CaromError`. */
-function checked<T>(call: () => T): T {
-  try {
-    return call();
-  } catch (error) {
-    if (error instanceof Error && ("place" in error || "shot" in error)) {
-      const { place, shot } = error as { place?: string; shot?: string };
-      throw new CaromError(error.message, place, shot);
-    }
-    throw error;
-  }
-}
-
-/** An object in WebAssembly's memory, until it is freed. */
-class Handle<T extends { free(): void }> {
-  readonly #kind: string;
-  #object: T | null;
-
-  /** @param kind What the object is, for the message after it was freed. */
-  constructor(kind: string, object: T) {
-    this.#kind = kind;
-    this.#object = object;
-  }
-
-  /** @throws TypeError if the object was freed. */
-  get object(): T {
-    if (this.#object) return this.#object;
-    throw new TypeError(
-      `this ${this.#kind} was freed; call free() after its last use, or make a new ${this.#kind}`,
-    );
-  }
-
-  free(): void {
-    this.#object?.free();
-    this.#object = null;
-  }
-}
-
 class WasmEngine implements Engine {
   readonly version = wasm.version();
   readonly games: readonly string[] = wasm.games();
   readonly ruleSets: readonly string[] = wasm.ruleSets();
+  readonly players: readonly string[] = wasm.players();
   readonly module: WebAssembly.Module;
   #tables: readonly Geometry[] | undefined;
   #physics: Engine["physics"] | undefined;
@@ -210,32 +192,38 @@ class WasmEngine implements Engine {
   }
 
   frame(game: string, options: FrameOptions = {}): Frame {
-    const { table, physics, seed = 0 } = options;
-    const { points, miss, patience } = termsOf(options);
+    const { seed = 0 } = options;
+    const terms = termsOf(options);
     const optional = (value: unknown) => (value === undefined ? undefined : JSON.stringify(value));
+    const [table, physics] = [optional(options.table), optional(options.physics)];
+    const { points, miss, patience } = terms;
     const start = whole("seed", seed);
-    return new WasmFrame(
-      checked(
-        () =>
-          new wasm.Frame(
-            text("game", game),
-            optional(table),
-            optional(physics),
-            start,
-            points,
-            miss,
-            patience,
-          ),
-      ),
+    const frame = checked(
+      () => new wasm.Frame(text("game", game), table, physics, start, points, miss, patience),
     );
+    return new WasmFrame(frame, () => {
+      const setup = wasm.Frame.recordedSetup(game, table, physics);
+      return { game, ...(JSON.parse(setup) as Pick<ShotFile, "table">), seed, ...terms };
+    });
   }
 
   frameOf(game: string, shot: Shot, terms: FrameTerms = {}): Frame {
-    const { points, miss, patience } = termsOf(terms);
+    const written = termsOf(terms);
+    const { points, miss, patience } = written;
     const handle = handleOf(shot);
-    return new WasmFrame(
-      checked(() => wasm.Frame.ofShot(text("game", game), handle, points, miss, patience)),
+    const frame = checked(() =>
+      wasm.Frame.ofShot(text("game", game), handle, points, miss, patience),
     );
+    const file = handle.toRecordJson();
+    return new WasmFrame(frame, () => ({ game, shot: JSON.parse(file) as ShotFile, ...written }));
+  }
+
+  replay(record: FrameRecord): Frame {
+    return replay(this, record);
+  }
+
+  player(options: PlayerOptions = {}): Player {
+    return new WasmPlayer(options, frameHandleOf);
   }
 
   schema(kind: string): object {
@@ -285,6 +273,11 @@ function strikeOf(values: ArrayLike<number>): Strike {
 function handleOf(shot: Shot): wasm.Shot {
   if (shot instanceof WasmShot) return shot.handle.object;
   throw new TypeError("this is not a shot of this engine; make it with Engine.shot");
+}
+
+function frameHandleOf(frame: Frame): wasm.Frame {
+  if (frame instanceof WasmFrame) return frame.handle.object;
+  throw new TypeError("this is not a frame of this engine; make it with Engine.frame");
 }
 
 class WasmShot implements Shot {
@@ -479,56 +472,104 @@ class WasmTrace implements Trace {
 }
 
 class WasmFrame implements Frame {
-  readonly #handle: Handle<wasm.Frame>;
+  readonly handle: Handle<wasm.Frame>;
+  readonly #setup: () => FrameRecord["setup"];
+  readonly #moves: FrameMove[];
   #state: FrameState | undefined;
 
-  constructor(frame: wasm.Frame) {
-    this.#handle = new Handle("frame", frame);
+  constructor(frame: wasm.Frame, setup: () => FrameRecord["setup"], moves: FrameMove[] = []) {
+    this.handle = new Handle("frame", frame);
+    this.#setup = setup;
+    this.#moves = moves;
+  }
+
+  get record(): FrameRecord {
+    return structuredClone({ format: FRAME_FORMAT, setup: this.#setup(), moves: this.#moves });
   }
 
   get state() {
-    return (this.#state ??= JSON.parse(this.#handle.object.toJson()) as FrameState);
+    return (this.#state ??= JSON.parse(this.handle.object.toJson()) as FrameState);
   }
 
   get handBounds() {
-    const box = this.#handle.object.handBounds();
+    const box = this.handle.object.handBounds();
     if (box === undefined) return null;
     const [left, bottom, right, top] = box;
     return [[left!, bottom!] as const, [right!, top!] as const] as const;
   }
 
   shot(play: Play): Shot {
-    const frame = this.#handle.object;
+    const frame = this.handle.object;
     return withPlay(play, (given) => new WasmShot(checked(() => frame.shot(given))));
   }
 
-  play(play: Play) {
-    const frame = this.#handle.object;
-    const result = withPlay(play, (given) => checked(() => frame.play(given)));
+  play(play: Play, errors: PlayErrors = {}) {
+    const frame = this.handle.object;
+    const sigmas = errors.noise && sigmasOf(errors.noise);
+    const seed = whole("seed", errors.seed ?? 0);
+    const result = withPlay(play, (given) =>
+      checked(() => (sigmas ? frame.playNoisy(given, sigmas, seed) : frame.play(given))),
+    );
     this.#state = undefined;
+    this.#moves.push({ play: playedOf(play, result) });
     const ruling = JSON.parse(result.ruling()) as Ruling;
     return { ruling, trace: new WasmTrace(result.intoTrace()) };
   }
 
   choose(choice: Choice): Ruling {
-    const ruling = checked(() => this.#handle.object.choose(text("choice", choice)));
+    const ruling = checked(() => this.handle.object.choose(text("choice", choice)));
     this.#state = undefined;
+    this.#moves.push({ choice });
     return JSON.parse(ruling) as Ruling;
   }
 
   concede(): Ruling {
-    const ruling = checked(() => this.#handle.object.concede());
+    const ruling = checked(() => this.handle.object.concede());
     this.#state = undefined;
+    this.#moves.push({ concede: true });
     return JSON.parse(ruling) as Ruling;
   }
 
+  successors(play: Play, noise: Noise, n: number, options: VaryOptions = {}): Successors {
+    const frame = this.handle.object;
+    const sigmas = sigmasOf(noise);
+    const { seed = 0, first = 0 } = options;
+    const rows = Number(whole("n", n, MOST_SUCCESSORS, "ask for more in parts, with `first`"));
+    const [start, from] = [whole("seed", seed), whole("first", first)];
+    const found = withPlay(play, (given) =>
+      checked(() => frame.successors(given, sigmas, rows, start, from)),
+    );
+    try {
+      const [player, winner] = [found.player(), found.winner()];
+      return { player, winner, legal: found.legal(), cue_ball: found.cueBall() };
+    } finally {
+      found.free();
+    }
+  }
+
   copy(): Frame {
-    return new WasmFrame(this.#handle.object.copy());
+    return new WasmFrame(this.handle.object.copy(), this.#setup, [...this.#moves]);
   }
 
   free() {
-    this.#handle.free();
+    this.handle.free();
   }
+}
+
+/** A play as it was played, for a record: with all numbers of the strike, and policies that are not the usual ones. */
+function playedOf({ strike: given, cue_ball, call }: Play, result: wasm.PlayResult): Play {
+  const { obstruction = "report", miscue = "refuse" } = given;
+  const cling = result.cling();
+  return {
+    strike: {
+      ...strikeOf(result.strike()),
+      ...(obstruction !== "report" && { obstruction }),
+      ...(miscue !== "refuse" && { miscue }),
+    },
+    ...(cue_ball && { cue_ball: [cue_ball[0], cue_ball[1]] }),
+    ...(call && { call: { ...call } }),
+    ...(cling !== undefined && { cling: JSON.parse(cling) as NonNullable<ShotFile["cling"]> }),
+  };
 }
 
 /** Converts a play for the engine, and frees the converted play afterwards. */

@@ -1,5 +1,7 @@
 /** The interface of the engine that `load` returns. */
 
+import type { FrameRecord } from "./frame-record.js";
+import type { Player, PlayerOptions } from "./player.js";
 import type { Frame, FrameOptions, FrameTerms } from "./rules.js";
 import type { Batch, Geometry, Noise, Shot, ShotFile, Trace, TraceFile } from "./types.js";
 
@@ -97,6 +99,16 @@ export interface Engine {
    * @throws CaromError if the game does not have these balls, or would be over with them.
    */
   frameOf(game: string, shot: Shot, terms?: FrameTerms): Frame;
+  /**
+   * The frame of a record, with every move repeated. The same version of the engine gives the same frame,
+   * to the bit; with another version a shot may end differently, and a later move may then be refused.
+   * @throws CaromError if this is not a record, or a move is not allowed; the message has the move's index.
+   */
+  replay(record: FrameRecord): Frame;
+  /** Names of the built-in players. */
+  readonly players: readonly string[];
+  /** A player that chooses shots and explains them. @throws CaromError for an invalid option. */
+  player(options?: PlayerOptions): Player;
   /** The JSON Schema of a file format. */
   schema(kind: "shot" | "trace"): object;
 }

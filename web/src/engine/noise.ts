@@ -37,12 +37,13 @@ export function namedSigmas(values: ArrayLike<number>): Noise {
 /**
  * The numbers of a noise, in the engine's order.
  *
+ * @param place What the argument is called.
  * @throws CaromError if one is missing or not a number.
  */
-export function sigmasOf(noise: Noise): Float64Array {
-  const { value, old } = withNewKeys(object("noise", noise) as Readonly<Record<string, unknown>>);
+export function sigmasOf(noise: Noise, place = "noise"): Float64Array {
+  const { value, old } = withNewKeys(object(place, noise) as Readonly<Record<string, unknown>>);
   for (const key of old) warnOnce(`Noise.${key} is called Noise.${OLD_KEYS[key]} now`);
-  return Float64Array.from(numbers("noise", { ...CLING, ...value }, NUMBERS));
+  return Float64Array.from(numbers(place, { ...CLING, ...value }, NUMBERS));
 }
 
 /**

@@ -3,7 +3,9 @@
  * by their names. The data is that of Python's `Frame.to_dict`, key by key.
  */
 
+import type { FrameRecord } from "./frame-record.js";
 import type {
+  Noise,
   PocketName,
   Point,
   Shot,
@@ -11,9 +13,11 @@ import type {
   StrikeEntry,
   StrikeInput,
   Trace,
+  VaryOptions,
 } from "./types.js";
 
-export type Player = 0 | 1;
+/** A player of a frame, by number. */
+export type Seat = 0 | 1;
 
 /** A player's call before a shot; a shot without a call leaves it out. */
 export interface Call {
@@ -53,7 +57,7 @@ export type Choice =
 /** The referee asks for a shot. */
 export interface ShotRequest {
   readonly kind: "shot";
-  readonly player: Player;
+  readonly player: Seat;
   readonly cue_ball: string;
   /** Null if the cue ball is played from where it lies. */
   readonly in_hand: Region | null;
@@ -66,7 +70,7 @@ export interface ShotRequest {
 /** The referee asks for a decision. */
 export interface ChoiceRequest {
   readonly kind: "choice";
-  readonly player: Player;
+  readonly player: Seat;
   readonly choices: readonly Choice[];
   /** The reason, as text. */
   readonly why: string;
@@ -76,7 +80,7 @@ export interface ChoiceRequest {
 export interface OverRequest {
   readonly kind: "over";
   /** Null if the frame ends without a winner. */
-  readonly winner: Player | null;
+  readonly winner: Seat | null;
   /** The reason, as text. */
   readonly why: string;
 }
@@ -142,6 +146,26 @@ export interface FrameOptions extends FrameTerms {
   readonly seed?: number;
 }
 
+/** The errors with which a player executes a play. */
+export interface PlayErrors {
+  /** Default: the play is played as it is given. */
+  readonly noise?: Noise;
+  /** Seed of the errors, a whole number. Default 0. */
+  readonly seed?: number;
+}
+
+/** Variants of a play, each ruled on. Arrays have an entry for each variant, `cue_ball` two. */
+export interface Successors {
+  /** The player who is asked next; −1 if the frame is over. */
+  readonly player: Int8Array;
+  /** The winner; −1 if there is none. */
+  readonly winner: Int8Array;
+  /** 1 for a shot without a foul, else 0. */
+  readonly legal: Uint8Array;
+  /** Where the cue ball lies (x, y in m); NaN if it is not on the table. */
+  readonly cue_ball: Float64Array;
+}
+
 /**
  * A frame between two players. Its state has a request, which a player answers with `play` or `choose`,
  * until the frame is over.
@@ -157,15 +181,28 @@ export interface Frame {
   /** The shot that `play` would play. @throws CaromError as `play`. */
   shot(play: Play): Shot;
   /**
-   * Plays a shot: simulates it and rules on it. The frame then has a new request.
+   * Plays a shot: simulates it and rules on it. The frame then has a new request. With a noise the player
+   * errs: strike and cling are those of variant k of the seed (`Shot.variant`), where k is the number of
+   * shots played so far. `record` has the strike that was played, and the contacts that cling.
    * @throws CaromError if the request is not for a shot, if a call is missing or not allowed, if the cue
    * ball may not be placed there, and if the strike cannot be played. The frame is then unchanged.
    */
-  play(play: Play): { readonly ruling: Ruling; readonly trace: Trace };
+  play(play: Play, errors?: PlayErrors): { readonly ruling: Ruling; readonly trace: Trace };
   /** Makes a choice. @throws CaromError unless the request offers it. */
   choose(choice: Choice): Ruling;
   /** The player at the table concedes. @throws CaromError if the frame is over. */
   concede(): Ruling;
+  /**
+   * The start of the frame and all its moves, as plain values that JSON can hold. `Engine.replay` restores
+   * the frame.
+   */
+  readonly record: FrameRecord;
+  /**
+   * What may follow a play with execution noise: the variants `first … first + n − 1`, as in `Shot.vary`,
+   * each ruled on. The frame is not changed.
+   * @throws CaromError as `play`.
+   */
+  successors(play: Play, noise: Noise, n: number, options?: VaryOptions): Successors;
   /** An independent copy, for instance to try a shot. */
   copy(): Frame;
   /** Frees the memory at once instead of at garbage collection. The object is unusable afterwards. */

@@ -17,4 +17,5 @@ mod shift;
 pub use candidate::{Candidate, PlayKind, PlayedVariant};
 pub(crate) use explore::Explorer;
 pub(crate) use replies::quick_value;
-pub use rounds::{Found, search};
+pub use rounds::Rounds;
+pub(crate) use rounds::{Found, Task};

@@ -33,90 +33,149 @@ const SHIFTED: usize = 4;
 
 /// What a search has found.
 #[derive(Clone, Debug)]
-pub struct Found<'a> {
+pub(crate) struct Found<'a> {
     /// The candidates, the best first. Those that [`SearchSettings::stated`] asks for have fresh samples.
-    pub candidates: Vec<Candidate>,
+    pub(crate) candidates: Vec<Candidate>,
     /// The positions from which they are played, by [`Candidate::place`].
-    pub prepared: Vec<Prepared<'a>>,
+    pub(crate) prepared: Vec<Prepared<'a>>,
     /// What the search has spent.
-    pub spent: Spent,
+    pub(crate) spent: Spent,
 }
 
-/// Searches the plays of a shot.
-///
-/// # Errors
-/// [`Error::Input`] as [`Situation::asked`], and [`Error::TooManyEvents`] if a shot does not end.
-pub fn search<'a>(
-    situation: &Situation<'a>,
-    turn: &Turn,
-    (value, settings): (&dyn Value, &SearchSettings),
-    budget: &Budget<'_>,
-) -> Result<Found<'a>, Error> {
-    let mut explorer = Explorer::new(situation, value, turn, 0);
-    let is_opening = situation.frame.is_opening();
-    let places: Vec<Option<[f64; 2]>> = match turn.hand {
-        None => vec![None],
-        Some(region) if is_opening => {
-            explorer.opening_places(region).into_iter().map(Some).collect()
+/// What is searched, and how.
+pub(crate) struct Task<'a, 'b> {
+    pub(crate) situation: &'b Situation<'a>,
+    pub(crate) turn: &'b Turn,
+    pub(crate) value: &'b dyn Value,
+    pub(crate) settings: &'b SearchSettings,
+    pub(crate) budget: &'b Budget<'b>,
+}
+
+impl<'b> Task<'_, 'b> {
+    /// The race between plays from these positions.
+    fn race(&self, prepared: &'b [Prepared<'b>]) -> Race<'b> {
+        Race {
+            situation: self.situation,
+            value: self.value,
+            prepared,
+            seat: self.turn.player,
+            runner: &self.budget.runner,
+            common_errors: self.settings.common_errors,
         }
-        Some(region) => explorer.places(region).into_iter().map(Some).collect(),
-    };
-    let prepared = places
-        .into_iter()
-        .map(|place| Prepared::new(situation.frame, place))
-        .collect::<Result<Vec<_>, _>>()?;
-    let race = Race {
-        situation,
-        value,
-        prepared: &prepared,
-        seat: turn.player,
-        runner: &budget.runner,
-        common_errors: settings.common_errors,
-    };
-    let mut spent = Spent::default();
-    let mut candidates = Vec::new();
-    let fresh = settings.fresh(budget.simulations);
-    let stating = (fresh * settings.stated as u64).min(budget.simulations / 2);
-    let racing = budget.simulations - stating;
-    let mut size = round_size(settings.first_round, racing);
-    while budget.allows(spent, size) {
-        let before = spent.simulations;
-        if spent.rounds == 0 {
-            explore(&mut explorer, &prepared, (settings.exploring * size as f64) as u64)?;
-            spent.simulations += explorer.plays;
-            candidates = select(core::mem::take(&mut explorer.found), settings);
-        } else {
-            candidates.truncate(KEPT);
-            if settings.shift {
-                shift(&mut candidates, &race);
+    }
+}
+
+/// A search between two of its rounds. It borrows nothing, so a program can do other work before the
+/// next round.
+#[derive(Clone, Debug)]
+pub struct Rounds {
+    /// The places from which the cue ball is played.
+    places: Vec<Option<[f64; 2]>>,
+    candidates: Vec<Candidate>,
+    spent: Spent,
+    /// Simulations of the next round.
+    size: u64,
+    /// Simulations of all rounds.
+    racing: u64,
+    /// Number of plays whose chances are stated.
+    stated: usize,
+    /// Fresh samples of such a play.
+    fresh: u64,
+    is_complete: bool,
+}
+
+impl Rounds {
+    /// A search before its first round.
+    pub(crate) fn new(task: &Task<'_, '_>) -> Self {
+        let Task { situation, turn, value, settings, budget } = *task;
+        let stated = settings.stated;
+        let explorer = Explorer::new(situation, value, turn, 0);
+        let places = match turn.hand {
+            None => vec![None],
+            Some(region) if situation.frame.is_opening() => {
+                explorer.opening_places(region).into_iter().map(Some).collect()
             }
-            explorer.plays = 0;
-            explorer.most = (settings.refining * size as f64) as u64;
-            explorer.refine(&prepared, &candidates, spent.rounds as i32 - 1)?;
-            spent.simulations += explorer.plays;
-            let mut found = core::mem::take(&mut explorer.found);
-            found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
-            candidates.extend(found.into_iter().take(KEPT));
+            Some(region) => explorer.places(region).into_iter().map(Some).collect(),
+        };
+        let fresh = settings.fresh(budget.simulations);
+        let stating = (fresh * stated as u64).min(budget.simulations / 2);
+        let racing = budget.simulations - stating;
+        let size = round_size(settings.first_round, racing);
+        let (candidates, spent) = (Vec::new(), Spent::default());
+        Self { places, candidates, spent, size, racing, stated, fresh, is_complete: false }
+    }
+
+    /// What the rounds have spent.
+    pub const fn spent(&self) -> Spent {
+        self.spent
+    }
+
+    /// The best play so far.
+    pub fn best(&self) -> Option<&Candidate> {
+        self.candidates.first()
+    }
+
+    fn prepared<'a>(&self, situation: &Situation<'a>) -> Result<Vec<Prepared<'a>>, Error> {
+        self.places.iter().map(|place| Prepared::new(situation.frame, *place)).collect()
+    }
+
+    /// Plays the next round if the budget allows one. Returns whether it was played.
+    ///
+    /// # Errors
+    /// [`Error::TooManyEvents`] if a shot does not end.
+    pub(crate) fn play(&mut self, task: &Task<'_, '_>) -> Result<bool, Error> {
+        let Task { situation, turn, value, settings, budget } = *task;
+        if self.is_complete || !budget.allows(self.spent, self.size) {
+            return Ok(false);
         }
-        let replies = Replies::within((settings.replying * size as f64) as u64, settings);
+        let prepared = &self.prepared(situation)?;
+        let race = task.race(prepared);
+        let before = self.spent.simulations;
+        let mut explorer = Explorer::new(situation, value, turn, 0);
+        if self.spent.rounds == 0 {
+            explore(&mut explorer, prepared, (settings.exploring * self.size as f64) as u64)?;
+            self.candidates = select(explorer.found, settings);
+        } else {
+            self.candidates.truncate(KEPT);
+            if settings.shift {
+                shift(&mut self.candidates, &race);
+            }
+            explorer.most = (settings.refining * self.size as f64) as u64;
+            explorer.refine(prepared, &self.candidates, self.spent.rounds as i32 - 1)?;
+            explorer.found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
+            self.candidates.extend(explorer.found.into_iter().take(KEPT));
+        }
+        self.spent.simulations += explorer.plays;
+        let replies = Replies::within((settings.replying * self.size as f64) as u64, settings);
         let cost = replies.as_ref().map_or(0, Replies::cost);
-        let left = size.saturating_sub(spent.simulations - before).saturating_sub(cost);
-        spent.simulations += race.run(&mut candidates, left)?;
+        let explored = self.spent.simulations - before;
+        let left = self.size.saturating_sub(explored).saturating_sub(cost);
+        self.spent.simulations += race.run(&mut self.candidates, left)?;
         if let Some(replies) = replies {
-            spent.simulations += replies.search(&race, &mut candidates)?;
+            self.spent.simulations += replies.search(&race, &mut self.candidates)?;
         }
-        spent.rounds += 1;
-        size = round_size(2 * size, racing.saturating_sub(spent.simulations));
-        if size < settings.first_round / 4 {
-            break;
+        self.spent.rounds += 1;
+        let left = self.racing.saturating_sub(self.spent.simulations);
+        self.size = round_size(2 * self.size, left);
+        // A round that is much smaller than the first one would only add noise.
+        self.is_complete = self.size < settings.first_round / 4;
+        Ok(true)
+    }
+
+    /// What the rounds have found. The best plays get fresh samples.
+    ///
+    /// # Errors
+    /// As [`Self::play`].
+    pub(crate) fn end<'a>(self, task: &Task<'a, '_>) -> Result<Found<'a>, Error> {
+        let prepared = self.prepared(task.situation)?;
+        let Self { mut candidates, mut spent, stated, fresh, .. } = self;
+        if stated > 1 {
+            distinct_first(&mut candidates);
         }
+        let stated = stated.min(candidates.len());
+        spent.simulations += task.race(&prepared).freshen(&mut candidates[..stated], fresh)?;
+        Ok(Found { candidates, prepared, spent })
     }
-    if settings.stated > 1 {
-        distinct_first(&mut candidates);
-    }
-    let stated = settings.stated.min(candidates.len());
-    spent.simulations += race.freshen(&mut candidates[..stated], fresh)?;
-    Ok(Found { candidates, prepared, spent })
 }
 
 /// The simulations of a round that should have `wanted` of the `left` ones: all, if less than

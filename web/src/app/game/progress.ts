@@ -6,7 +6,7 @@ import {
   type Engine,
   type Frame,
   type FrameState,
-  type Player,
+  type Seat,
   type Ruling,
   type Shot,
   type ShotFile,
@@ -19,7 +19,7 @@ import type { Game, Move, Setup } from "../document/game.ts";
 /** A move with its ruling. */
 export interface PlayedMove {
   readonly move: Move;
-  readonly player: Player;
+  readonly player: Seat;
   readonly before: FrameState;
   readonly after: FrameState;
   readonly ruling: Ruling;

@@ -4,7 +4,7 @@ import type {
   Call,
   Choice,
   FrameState,
-  Player,
+  Seat,
   Region,
   Request,
   Ruling,
@@ -24,7 +24,7 @@ const LISTED = 3;
 
 const GROUPS = { solids: "solids (1 to 7)", stripes: "stripes (9 to 15)" } as const;
 
-export function other(player: Player): Player {
+export function other(player: Seat): Seat {
   return player === 0 ? 1 : 0;
 }
 
@@ -127,7 +127,7 @@ function points({ points: scored }: Ruling, names: Pair<string>): string[] {
     count === 0
       ? []
       : [
-          `${names[player as Player]} ${count > 0 ? "scores" : "loses"} ${Math.abs(count)} ` +
+          `${names[player as Seat]} ${count > 0 ? "scores" : "loses"} ${Math.abs(count)} ` +
             (Math.abs(count) === 1 ? "point" : "points"),
         ],
   );

@@ -2,6 +2,7 @@
 
 import { load } from "../../engine/core.ts"; // without embedded WebAssembly: the page sends it
 import type { Engine } from "../../engine/index.ts";
+import { nextTask } from "../../engine/next-task.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 import { simulate, type WorkerContext } from "./variants.ts";
 
@@ -26,16 +27,4 @@ addEventListener("message", ({ data }: MessageEvent<ToWorker>) => {
 async function run(request: Extract<ToWorker, { kind: "simulate" }>): Promise<void> {
   if (!engine) return;
   await simulate(await engine, request, context);
-}
-
-/** Resolves in the next task. Nested timers would work too, but browsers delay them by 4 ms each. */
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
 }

@@ -1,0 +1,160 @@
+/** `Player` over the WebAssembly module. */
+
+import { numbers, object, text, whole } from "./arguments.js";
+import { CaromError } from "./error.js";
+import { Handle, checked } from "./handle.js";
+import { sigmasOf } from "./noise.js";
+import * as wasm from "./pkg/carom_wasm.js";
+import type {
+  Analysis,
+  Decision,
+  ExplainOptions,
+  Player,
+  PlayerOptions,
+  Progress,
+  Thought,
+} from "./player.js";
+import type { Frame } from "./rules.js";
+
+/** Simulated shots of a decision if no budget is given, as in Python. */
+const USUAL_SIMULATIONS = 20_000;
+/** The samples of so many simulated shots take about a gigabyte; WebAssembly has four. */
+const MOST_SIMULATIONS = 1e7;
+const MOST_ROUNDS = 2 ** 32 - 1;
+const USUAL_PLAYS = 5;
+/** More than a search has candidates. */
+const MOST_PLAYS = 1000;
+
+/** The object of a frame in WebAssembly's memory. */
+type FrameObject = (frame: Frame) => wasm.Frame;
+
+export class WasmPlayer implements Player {
+  readonly name: string;
+  readonly #player: Handle<wasm.Player>;
+  readonly #thinking: Handle<wasm.Thinking>;
+  readonly #objectOf: FrameObject;
+
+  constructor(options: PlayerOptions, objectOf: FrameObject) {
+    object("options", options);
+    const { name = "carom" } = options;
+    const player = checked(() => new wasm.Player(text("name", name)));
+    this.name = player.name();
+    this.#player = new Handle("player", player);
+    this.#thinking = new Handle("player", thinkingOf(options, player.simulations()));
+    this.#objectOf = objectOf;
+  }
+
+  choose(frame: Frame): Decision {
+    return finished(this.beginChoice(frame));
+  }
+
+  explain(frame: Frame, options: ExplainOptions = {}): Analysis {
+    return finished(this.beginAnalysis(frame, options));
+  }
+
+  beginChoice(frame: Frame): Thought<Decision> {
+    return new WasmThought(this.#begin(frame), (thought, interrupted) => {
+      type Written = Pick<Decision, "play" | "choice" | "win_chance" | "simulations" | "rounds">;
+      const decision = JSON.parse(thought.intoDecision()) as Written;
+      const concession = decision.play === null && decision.choice === null;
+      return { ...decision, concession, interrupted };
+    });
+  }
+
+  beginAnalysis(frame: Frame, options: ExplainOptions = {}): Thought<Analysis> {
+    const { count = USUAL_PLAYS } = options;
+    if (count === 0)
+      throw new CaromError("count: 0 plays are nothing; ask for at least 1", "count");
+    const plays = Number(whole("count", count, MOST_PLAYS));
+    return new WasmThought(this.#begin(frame, plays), (thought, interrupted) => ({
+      ...(JSON.parse(thought.intoAnalysis()) as Omit<Analysis, "interrupted">),
+      interrupted,
+    }));
+  }
+
+  #begin(frame: Frame, plays?: number): wasm.Thought {
+    const [player, thinking] = [this.#player.object, this.#thinking.object];
+    const position = this.#objectOf(frame);
+    return checked(() => player.begin(position, thinking, plays));
+  }
+
+  free(): void {
+    this.#player.free();
+    this.#thinking.free();
+  }
+}
+
+/** The options for the engine. `named`: the simulated shots in the player's name. */
+function thinkingOf(options: PlayerOptions, named: number | undefined): wasm.Thinking {
+  const { noise, opponentNoise, perception, simulations, rounds, time, seed = 0 } = options;
+  if (simulations !== undefined && named !== undefined) {
+    throw new CaromError(
+      `simulations: the name "${options.name}" has a number of them too; write only one`,
+      "simulations",
+    );
+  }
+  const isLimited = time !== undefined || rounds !== undefined;
+  const most = simulations ?? named ?? (isLimited ? MOST_SIMULATIONS : USUAL_SIMULATIONS);
+  const own = noise === undefined ? wasm.olympiad(1) : sigmasOf(noise);
+  const [sight] = numbers("perception", perception ?? { position: 0 }, ["position"]);
+  return checked(
+    () =>
+      new wasm.Thinking(
+        own,
+        opponentNoise === undefined ? own : sigmasOf(opponentNoise, "opponentNoise"),
+        sight!,
+        whole("seed", seed),
+        atLeastOne("simulations", most, MOST_SIMULATIONS),
+        rounds === undefined ? undefined : Number(atLeastOne("rounds", rounds, MOST_ROUNDS)),
+        time === undefined ? undefined : seconds(time),
+      ),
+  );
+}
+
+function atLeastOne(place: string, value: number, most: number): bigint {
+  if (value !== 0) return whole(place, value, most);
+  const message = `${place}: 0 is out of range; write a whole number from 1 to ${most}`;
+  throw new CaromError(message, place);
+}
+
+function seconds(time: number): number {
+  const [value] = numbers("", { time }, ["time"]);
+  if (value! > 0 && value! < Infinity) return value!;
+  throw new CaromError(`time: ${value} is out of range; write a number of seconds above 0`, "time");
+}
+
+function finished<T>(thought: Thought<T>): T {
+  try {
+    while (thought.playRound());
+    return thought.end();
+  } finally {
+    thought.free();
+  }
+}
+
+class WasmThought<T> implements Thought<T> {
+  readonly #handle: Handle<wasm.Thought>;
+  readonly #end: (thought: wasm.Thought, interrupted: boolean) => T;
+
+  constructor(thought: wasm.Thought, end: (thought: wasm.Thought, interrupted: boolean) => T) {
+    this.#handle = new Handle("thought", thought);
+    this.#end = end;
+  }
+
+  playRound(): boolean {
+    return checked(() => this.#handle.object.playRound());
+  }
+
+  get progress(): Progress {
+    return JSON.parse(this.#handle.object.progress()) as Progress;
+  }
+
+  end(interrupted = false): T {
+    const thought = this.#handle.take();
+    return checked(() => this.#end(thought, interrupted));
+  }
+
+  free(): void {
+    this.#handle.free();
+  }
+}
