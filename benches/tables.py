@@ -19,6 +19,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import strategy
 from carom.bench.states import CLASSES
 from carom.plan.chance import Chance
 from carom.validation.leckie_greenspan_2006 import tables as paper
@@ -39,7 +40,9 @@ PAGES = (
             "guarantees",
             "many-balls",
             "realism",
+            "strategy",
             "tables",
+            "think",
         )
     ),
 )
@@ -86,6 +89,11 @@ def path_of(file: str) -> Path:
 def markdown(head: list[str], lines: list[list[str]]) -> str:
     """A Markdown table."""
     return "\n".join(f"| {' | '.join(cells)} |" for cells in (head, ["---"] * len(head), *lines))
+
+
+def head_and_lines(rows: list[list[str]]) -> tuple[list[str], list[list[str]]]:
+    """The first row and the others."""
+    return rows[0], rows[1:]
 
 
 def digits(value: float, count: int = 3) -> str:
@@ -412,6 +420,10 @@ TABLES: dict[str, Callable[[JSON], str]] = (
     | {
         f"realism-{name}": lambda result, name=name: realism_points(result, name)
         for name in REALISM_ITEMS
+    }
+    | {
+        name: lambda result, table=table: markdown(*head_and_lines(table(result["experiments"])))
+        for name, table in strategy.TABLES.items()
     }
     | {f"paper-{name}": lambda _, table=table: table() for name, table in paper.TABLES.items()}
 )

@@ -5,9 +5,9 @@
     python scripts/strategy --threads 2 NAME ...
 
 What is played is stored as it comes, under ``out/strategy``, and a run that was stopped continues
-there. A complete experiment is summarised in ``benches/results/strategy/NAME.json``, from which
-``benches/tables.py`` makes the tables of the page. Racks, errors and decisions depend on the name of the
-experiment alone, so every result can be made again to the bit.
+there. A complete experiment is summarised in ``benches/results/strategy.json``, from which
+``benches/tables.py`` makes the tables of the page. Racks, errors and decisions depend on the name of
+the experiment alone, so every result without a clock can be made again to the bit.
 """
 
 from __future__ import annotations
@@ -17,13 +17,14 @@ import json
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 from carom.bench import goldens
-from experiments import EXPERIMENTS
+from catalogue import EXPERIMENTS
 
 ROOT = Path(__file__).resolve().parents[2]
 PLAYED = ROOT / "out" / "strategy"
-STORED = ROOT / "benches" / "results" / "strategy"
+STORED = ROOT / "benches" / "results" / "strategy.json"
 
 
 def main() -> int:
@@ -42,24 +43,29 @@ def main() -> int:
         parser.error(f"there is no experiment {', '.join(arguments.names)}; see --list")
     if arguments.list or not arguments.names:
         for name, experiment in chosen.items():
-            print(f"{state(name):8}  {name:36}  {experiment.describe()}")
+            made = stored()["experiments"].get(name, {}).get("commit", "-")
+            print(f"{made:10}  {name:36}  {experiment.describe()}")
         return 0
-    STORED.mkdir(parents=True, exist_ok=True)
     for name, experiment in chosen.items():
-        result = experiment.play(name, PLAYED / name, arguments.threads)
-        stored = goldens.stamp(f"python scripts/strategy {name}") | {"name": name} | result
-        path = STORED / f"{name}.json"
-        path.write_text(json.dumps(stored, indent=1) + "\n", encoding="utf-8")
-        print(f"{name}: {json.dumps(result)}", flush=True)
+        store(name, experiment.play(name, PLAYED / name, arguments.threads))
     return 0
 
 
-def state(name: str) -> str:
-    """Whether the result of an experiment is stored."""
-    path = STORED / f"{name}.json"
-    if not path.is_file():
-        return "-"
-    return "old" if goldens.changed(json.loads(path.read_text("utf-8"))) else "stored"
+def stored() -> dict[str, Any]:
+    """All stored results."""
+    if not STORED.is_file():
+        return {"experiments": {}}
+    return json.loads(STORED.read_text("utf-8"))
+
+
+def store(name: str, result: dict[str, Any]) -> None:
+    """Adds the result of an experiment to the stored ones, or replaces it."""
+    stamp = goldens.stamp("python scripts/strategy NAME")
+    made = {"commit": stamp["commit"], "date": stamp["date"]}
+    experiments = stored()["experiments"] | {name: made | result}
+    whole = stamp | {"experiments": dict(sorted(experiments.items()))}
+    STORED.write_text(json.dumps(whole, indent=1) + "\n", encoding="utf-8")
+    print(f"{name}: {json.dumps(result)}", flush=True)
 
 
 if __name__ == "__main__":

@@ -21,9 +21,8 @@ class Match:
     one: str
     other: str
     pairs: int
-    #: The noise of both players as multiples of the Olympiad's, or the name of a preset with a
-    #: multiple of each player.
-    noise: float | tuple[str, str] = 1.0
+    #: The noise of both players as a multiple of the Olympiad's; None for that of their levels.
+    noise: float | None = 1.0
     game: str = "eight-ball"
     table: str | None = None
     #: Simulated shots of a frame for each player; in place of those of a decision.
@@ -49,7 +48,7 @@ class Match:
             out=folder,
             game=self.game,
             pairs=self.pairs,
-            noise=self.noises(),
+            noise=None if self.noise is None else Noise.preset(f"olympiad:{self.noise}"),
             table=self.table,
             frame_simulations=self.frame_simulations,
             time=self.time,
@@ -64,14 +63,6 @@ class Match:
         del score["record"]
         assert result.record is not None
         return {"players": [self.one, self.other], **score, **counts(result.record)}
-
-    def noises(self) -> tuple[Noise, Noise]:
-        """The noise of both players."""
-        if isinstance(self.noise, tuple):
-            one, other = self.noise
-        else:
-            one = other = f"olympiad:{self.noise}"
-        return Noise.preset(one), Noise.preset(other)
 
     def _break(self) -> Play | None:
         if self.same_break is None:

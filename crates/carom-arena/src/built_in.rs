@@ -2,10 +2,10 @@
 
 use std::sync::LazyLock;
 
-use carom::Error;
 use carom::format::{Node, Reader};
+use carom::{Error, Noise};
 use carom_mind::literature::{self, Literature};
-use carom_mind::{Budget, Player, Searcher};
+use carom_mind::{Budget, LEVELS, Level, Player, Searcher};
 
 use crate::clock::Clock;
 use crate::settings::PlayerEntry;
@@ -36,7 +36,8 @@ pub struct BuiltInPlayer {
 impl BuiltInPlayer {
     /// The names of all built-in players.
     pub fn names() -> impl Iterator<Item = &'static str> {
-        core::iter::once(SEARCHER).chain(literature::NAMES)
+        let levels = LEVELS.iter().map(|level| level.name);
+        core::iter::once(SEARCHER).chain(levels).chain(literature::NAMES)
     }
 
     /// Reads a player.
@@ -75,14 +76,23 @@ impl BuiltInPlayer {
         self.name
     }
 
-    /// The simulated shots for each decision, if the text gave them.
-    pub const fn simulations(&self) -> Option<u32> {
-        self.simulations
+    /// The simulated shots for each decision, if the text or the level gives them.
+    pub fn simulations(&self) -> Option<u32> {
+        self.simulations.or_else(|| Some(self.level()?.simulations))
     }
 
-    /// The clock of the simulated shots that the text gave, or else `usual`.
+    /// The errors of the player's strikes, if it is a level of strength.
+    pub fn noise(&self) -> Option<Noise> {
+        Some(self.level()?.noise)
+    }
+
+    fn level(&self) -> Option<&'static Level> {
+        Level::named(self.name)
+    }
+
+    /// The clock of [`Self::simulations`], or else `usual`.
     pub fn clock(&self, usual: Clock) -> Clock {
-        self.simulations.map_or(usual, Clock::simulations)
+        self.simulations().map_or(usual, Clock::simulations)
     }
 
     /// The player, as new.
@@ -102,7 +112,7 @@ impl BuiltInPlayer {
     /// [`Error::Input`] at `player` for a player of the literature, which does not explain its plays.
     pub fn searcher(&self) -> Result<Searcher, Error> {
         if self.is_searcher() {
-            return Searcher::read(&self.reader());
+            return Searcher::read(self.name, &self.reader());
         }
         let what = format!("{} does not explain its plays", self.name);
         Err(Error::input("player", what, "ask the player carom"))
@@ -122,9 +132,10 @@ impl BuiltInPlayer {
         Err(Error::input("simulations", what, format!("give a number up to {MOST_PLANNED}")))
     }
 
-    /// Whether it is the searching player, which can also explain a position.
+    /// Whether it is the searching player, also at a level of strength, which can also explain a
+    /// position.
     pub fn is_searcher(&self) -> bool {
-        self.name == SEARCHER
+        self.name == SEARCHER || self.level().is_some()
     }
 
     /// The player as a match has it. Its name is the text that was read.
@@ -188,7 +199,7 @@ fn read_simulations(text: &str) -> Result<u32, Error> {
 
 #[cfg(test)]
 mod tests {
-    use super::{BuiltInPlayer, MOST_PLANNED};
+    use super::{BuiltInPlayer, Level, MOST_PLANNED};
     use crate::clock::Clock;
     use carom_mind::Budget;
 
@@ -197,7 +208,8 @@ mod tests {
         for name in BuiltInPlayer::names() {
             let player = BuiltInPlayer::read(name).unwrap();
             assert_eq!((player.name(), player.make().unwrap().name()), (name, name));
-            assert_eq!((player.simulations(), player.entry().name.as_str()), (None, name));
+            let simulations = Level::named(name).map(|level| level.simulations);
+            assert_eq!((player.simulations(), player.entry().name.as_str()), (simulations, name));
         }
     }
 
@@ -208,6 +220,16 @@ mod tests {
         assert_eq!(player.clock(usual), Clock::simulations(2000));
         assert_eq!(player.entry().name, "carom:2000");
         assert_eq!(BuiltInPlayer::read("carom").unwrap().clock(usual), usual);
+    }
+
+    #[test]
+    fn a_level_has_errors_and_simulations_that_a_number_replaces() {
+        let [level, with_number] =
+            ["level-3", "level-3:50"].map(|text| BuiltInPlayer::read(text).unwrap());
+        assert_eq!(level.noise(), Level::named("level-3").map(|level| level.noise));
+        assert_eq!(level.clock(Clock::seconds(2.0)), Clock::simulations(600));
+        assert_eq!((with_number.noise(), with_number.simulations()), (level.noise(), Some(50)));
+        assert_eq!(BuiltInPlayer::read("carom").unwrap().noise(), None);
     }
 
     #[test]

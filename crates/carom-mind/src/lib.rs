@@ -8,6 +8,7 @@
 
 mod aim;
 mod analysis;
+mod level;
 pub mod line;
 pub mod literature;
 mod player;
@@ -19,6 +20,7 @@ pub mod targets;
 pub mod value;
 
 pub use analysis::{Analysis, Recommendation};
+pub use level::{LEVELS, Level};
 pub use player::{Answer, Budget, Decision, Player, Situation, Spent};
 pub use searcher::Searcher;
 pub use settings::SearchSettings;

@@ -44,12 +44,12 @@ impl Searcher {
         Ok(Self { name: name.into(), value, settings })
     }
 
-    /// A player with the settings of an object: `value` (`logistic` or `markov`) and
+    /// A player with this name and the settings of an object: `value` (`logistic` or `markov`) and
     /// [`SearchSettings::KEYS`].
     ///
     /// # Errors
     /// [`Error::Input`] for an unknown key and for a value out of range.
-    pub fn read(object: &Reader<'_>) -> Result<Self, Error> {
+    pub fn read(name: &str, object: &Reader<'_>) -> Result<Self, Error> {
         let keys: Vec<&str> = core::iter::once("value").chain(SearchSettings::KEYS).collect();
         object.keys(&keys)?;
         let value: Box<dyn Value> = match object.get("value") {
@@ -60,7 +60,7 @@ impl Searcher {
                 other => return Err(value.unknown_word(other, "value", &["logistic", "markov"])),
             },
         };
-        Self::new("carom", value, SearchSettings::read(object)?)
+        Self::new(name, value, SearchSettings::read(object)?)
     }
 
     /// The value by which it judges positions.

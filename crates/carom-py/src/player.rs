@@ -12,7 +12,7 @@ use carom_rules::{Call, Frame as Game, Play};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
-use crate::options::{NoiseOptions, PerceptionOptions, count};
+use crate::options::{NoiseOptions, PerceptionOptions, count, numbers_of};
 use crate::progress;
 use crate::rules::Frame;
 
@@ -158,6 +158,12 @@ impl Player {
     #[getter]
     fn name(&self) -> &'static str {
         self.of.name()
+    }
+
+    /// The fields of `carom.Noise`, in order, of a level of strength.
+    #[getter]
+    fn noise(&self) -> Option<[f64; 7]> {
+        self.of.noise().map(|noise| numbers_of(&noise))
     }
 
     /// The simulated shots that the name gives.

@@ -71,7 +71,8 @@ def play_match(
         out: The folder of the match.
         game: The game, as for ``Frame``.
         pairs: Number of pairs of frames; with ``test`` the largest number.
-        noise: Errors of the strikes, of both players or of each; the Olympiad's if None.
+        noise: Errors of the strikes, of both players or of each. None is those of a player that is
+            a level, and the Olympiad's for another.
         perception: Errors of the positions that the players see; none if None.
         table: As in a shot; the game's own table if None.
         physics: As in a shot; the table's own if None.
@@ -124,7 +125,7 @@ def play_match(
         "table": table.description if isinstance(table, Table) else table,
         "physics": physics.description if isinstance(physics, Physics) else physics,
         "max_events": whole("max_events", max_events, 1 << 32, low=1),
-        "noise": [asdict(noise_or_default(each)) for each in _each("noise", noise)],
+        "noise": [asdict(each) for each in _noises(names, noise)],
         "perception": [
             asdict(perception_or_none(each)) for each in _each("perception", perception)
         ],
@@ -179,6 +180,13 @@ def _each(name: str, value: T | tuple[T, T]) -> tuple[T, T]:
     if len(value) != 2:
         raise InputError(f"{name}: {len(value)} values; give one, or one for each of two players")
     return value[0], value[1]
+
+
+def _noises(names: tuple[str, str], noise: Any) -> list[Noise]:
+    """The errors of both players."""
+    if noise is None:
+        return [Player(name).noise for name in names]
+    return [noise_or_default(each) for each in _each("noise", noise)]
 
 
 def _clocks(names: tuple[str, str], given: Mapping[str, Any]) -> list[dict[str, Any]]:

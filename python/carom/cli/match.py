@@ -34,13 +34,14 @@ def match(
         int, typer.Option(min=1, help="Number of pairs of frames; with --test the largest number.")
     ] = 10,
     noise: Annotated[
-        str,
+        str | None,
         typer.Option(
             metavar="NAME[,NAME]",
             help="Noise of both players, or of each: beginner, casual, club, advanced, "
-            "professional or olympiad; a multiplier may follow, as in olympiad:0.5.",
+            "professional or olympiad; a multiplier may follow, as in olympiad:0.5. Default: that "
+            "of a level, else olympiad.",
         ),
-    ] = "olympiad",
+    ] = None,
     perception: Annotated[
         str,
         typer.Option(
@@ -130,7 +131,7 @@ def match(
             out=out,
             game=game,
             pairs=pairs,
-            noise=_each("noise", noise, Noise.preset),
+            noise=None if noise is None else _each("noise", noise, Noise.preset),
             perception=_each("perception", perception, _perception),
             table=table,
             simulations=_numbers("simulations", simulations, int),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json as js
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -11,7 +12,6 @@ from carom import Frame, Noise, Perception, Player, Shot
 from carom.cli.options import (
     Cling,
     Json,
-    NoiseName,
     Png,
     Seed,
     Sight,
@@ -49,7 +49,14 @@ def think(
     player: Annotated[
         str, typer.Option(metavar="NAME", help="The player, such as carom or carom:2000.")
     ] = "carom",
-    noise: NoiseName = "olympiad",
+    noise: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="beginner, casual, club, advanced, professional or olympiad; a multiplier may "
+            "follow, as in olympiad:0.5. Default: that of a level, else olympiad.",
+        ),
+    ] = None,
     opponent_noise: Annotated[
         str | None,
         typer.Option(
@@ -92,9 +99,10 @@ def think(
     round; the result so far is printed.
     """
     frame = _frame(read(file), file_name(file), game)
+    usual = Player(player).noise if noise is None else Noise.preset(noise)
     thinker = Player(
         player,
-        noise=noise_of(noise, cling),
+        noise=replace(usual, cling_probability=cling),
         perception=Perception(perception),
         simulations=simulations,
         time=time,

@@ -36,9 +36,11 @@ class Player:
     ``interrupted`` set. A second Ctrl-C raises KeyboardInterrupt.
 
     Args:
-        level: The name of a built-in player (``carom.players()`` lists them). A number of
-            simulated shots may follow, as in ``carom:2000``. None is ``carom``.
-        noise: Errors of the player's strikes; the Olympiad's if None.
+        level: The name of a built-in player (``carom.players()`` lists them), such as ``level-3``.
+            Settings and a number of simulated shots may follow, as in ``carom[shift=false]:2000``.
+            None is ``carom``.
+        noise: Errors of the player's strikes. None is those of the level, and the Olympiad's for a
+            player that is not a level.
         perception: Errors of the positions that the player sees; none if None.
         simulations: Largest number of simulated shots of a decision. None is the number in
             ``level``, else 20 000, or no limit if ``time`` or ``rounds`` is given.
@@ -66,16 +68,16 @@ class Player:
     ) -> None:
         name = "carom" if level is None else text("level", level, '"carom"')
         self._core = _core.Player(name)
+        unlimited = time is not None or rounds is not None
         named = self._core.simulations
         if simulations is None:
-            unlimited = time is not None or rounds is not None
             simulations = named or (MOST_SIMULATIONS if unlimited else USUAL_SIMULATIONS)
-        elif named is not None:
+        elif ":" in name:
             raise InputError(
                 f"simulations: the name {name!r} has a number of them too; write only one"
             )
         self._thinking = Thinking(
-            noise=noise,
+            noise=self._usual_noise() if noise is None else noise,
             perception=perception,
             seed=seed,
             simulations=simulations,
@@ -89,6 +91,18 @@ class Player:
     def name(self) -> str:
         """The name of the built-in player."""
         return self._core.name
+
+    @property
+    def noise(self) -> Noise:
+        """The errors of the player's strikes."""
+        noise = self._thinking.noise
+        assert noise is not None
+        return noise
+
+    def _usual_noise(self) -> Noise | None:
+        """The errors of a level; None for a player that is not one."""
+        fields = self._core.noise
+        return None if fields is None else Noise(*fields)
 
     def choose(
         self,

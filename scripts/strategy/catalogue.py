@@ -76,6 +76,12 @@ PARTS = {
 for part, setting in PARTS.items():
     EXPERIMENTS[f"part-{part}"] = Match(f"carom[{setting}]:10000", "carom:10000", pairs=120)
 
+# The levels of strength, each against the one below.
+for number in (2, 3, 4, 5):
+    EXPERIMENTS[f"level-{number}-level-{number - 1}"] = Match(
+        f"level-{number}", f"level-{number - 1}", pairs=150, noise=None
+    )
+
 # The bars against the re-creations, on the table of the Olympiad.
 CUE_CARD = 200_000
 EXPERIMENTS["cue-card-same-break"] = Match(
@@ -84,16 +90,58 @@ EXPERIMENTS["cue-card-same-break"] = Match(
     pairs=200,
     table="poolfiz",
     frame_simulations=(CUE_CARD // 10, CUE_CARD),
-    same_break="poolfiz",
+    same_break="head",
 )
-EXPERIMENTS["cue-card-own-breaks"] = Match(
-    "carom", "cue-card", pairs=200, table="poolfiz", frame_simulations=(300_000, CUE_CARD)
-)
-EXPERIMENTS["cue-card-300000-same-break"] = Match(
+# Six seconds of one core: 300 000 simulated shots of 20 µs.
+EXPERIMENTS["cue-card-6-s-same-break"] = Match(
     "carom",
     "cue-card",
     pairs=200,
     table="poolfiz",
     frame_simulations=(300_000, CUE_CARD),
-    same_break="poolfiz",
+    same_break="head",
+)
+EXPERIMENTS["cue-card-6-s-own-breaks"] = Match(
+    "carom", "cue-card", pairs=200, table="poolfiz", frame_simulations=(300_000, CUE_CARD)
+)
+
+# CueCard against PickPocket, as published.
+EXPERIMENTS["literature-cue-card-pick-pocket-own-breaks"] = Match(
+    "cue-card", "pick-pocket", pairs=150, table="poolfiz", frame_simulations=(CUE_CARD, CUE_CARD)
+)
+EXPERIMENTS["literature-cue-card-pick-pocket-same-break"] = Match(
+    "cue-card",
+    "pick-pocket",
+    pairs=150,
+    table="poolfiz",
+    frame_simulations=(CUE_CARD, CUE_CARD),
+    same_break="head",
+)
+# CueCard without level two, and with its simulations moved to level one.
+for change in ("off", "given-to-level-one"):
+    EXPERIMENTS[f"literature-level-two-{change}"] = Match(
+        f"cue-card[level-two={change}]:10000", "cue-card:10000", pairs=2500, table="poolfiz"
+    )
+# Samples of a shot at level one.
+for samples in (10, 20, 60, 120, 300):
+    EXPERIMENTS[f"literature-samples-{samples}"] = Match(
+        f"cue-card[samples={samples},level-two=off]:10000",
+        "cue-card[samples=30,level-two=off]:10000",
+        pairs=300,
+        table="poolfiz",
+    )
+# Deep Green at three noises.
+for noise in (0.0, 0.5, 1.0):
+    for one, other in (("greedy", "deep-green-1"), ("deep-green-1", "deep-green-2")):
+        EXPERIMENTS[f"literature-{one}-{other}-x{noise:g}"] = Match(
+            f"{one}:3000", f"{other}:3000", pairs=100, noise=noise, table="poolfiz"
+        )
+# The searching player against others, with the same break.
+for other in ("pick-pocket", "greedy"):
+    EXPERIMENTS[f"bar-carom-{other}"] = Match(
+        "carom:3000", f"{other}:3000", pairs=100, table="poolfiz", same_break="head"
+    )
+# Five milliseconds a decision: 250 simulated shots of 20 µs.
+EXPERIMENTS["bar-5-ms-greedy"] = Match(
+    "carom:250", "greedy[aim=simulated]:3000", pairs=100, same_break="head"
 )

@@ -1,0 +1,183 @@
+"""The tables of docs/strategy.md, from the stored results of ``scripts/strategy``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from carom.plan.chance import Chance
+from carom.player import Player
+
+JSON = dict[str, Any]
+#: The experiments of the file.
+Experiments = dict[str, JSON]
+
+
+def share(count: int, trials: int) -> str:
+    """A share in per cent, with its Wilson interval at 95 %."""
+    chance = Chance(count, trials)
+    return f"{100 * count / trials:.1f} ({100 * chance.low:.1f} to {100 * chance.high:.1f})"
+
+
+def points(match: JSON, player: int = 0) -> str:
+    """The share of the points of a player in per cent, with the interval from pairs."""
+    low, high = match["share_interval"]
+    own = match["share"]
+    if player == 1:
+        own, low, high = 1 - own, 1 - high, 1 - low
+    return f"{100 * own:.1f} ({100 * low:.1f} to {100 * high:.1f})"
+
+
+def levels(found: Experiments) -> list[list[str]]:
+    """The levels of strength, and how often each beats the one below."""
+    rows = [["Level", "σ of the direction, degrees", "simulations", "points against the level below, %"]]
+    for number in range(1, 6):
+        name = f"level-{number}"
+        player = Player(name)
+        match = found.get(f"{name}-{name[:-1]}{number - 1}")
+        direction = f"{float(player.noise.azimuth) * 57.29577951308232:.3f}"
+        cells = [f"`{name}`", direction, str(player._core.simulations)]
+        rows.append([*cells, points(match) if match else ""])
+    return rows
+
+
+def runs(found: Experiments) -> list[list[str]]:
+    """Break and run, with the share of breaks that keep the turn."""
+    rows = [["Game", "noise", "breaks", "break and run, %", "the break keeps the turn, %", "bar, %"]]
+    bars = {
+        "run-eight-ball-x0.5": 60,
+        "run-eight-ball-x1": 35,
+        "run-eight-ball-x2": 10,
+        "run-nine-ball-x0.5": 40,
+        "run-nine-ball-x1": 20,
+        "run-nine-ball-x2": 4,
+    }
+    for name, bar in bars.items():
+        if visits := found.get(name):
+            game = name.removeprefix("run-").rpartition("-")[0]
+            n = visits["visits"]
+            cells = [game, f"× {visits['noise']:g}", str(n), share(visits["won"], n)]
+            rows.append([*cells, share(visits["kept"], n), str(bar)])
+    return rows
+
+
+def run_outs(found: Experiments) -> list[list[str]]:
+    """Run-outs from ball in hand by the number of balls."""
+    rows = [["Own balls", "× 0.5, %", "× 1, %", "× 2, %"]]
+    for balls in (1, 2, 3, 5, 7):
+        visits = [found.get(f"run-out-{balls}-x{noise}") for noise in ("0.5", "1", "2")]
+        if any(visits):
+            rows.append([str(balls), *(share(v["won"], v["visits"]) if v else "" for v in visits)])
+    return rows
+
+
+def high_runs(found: Experiments) -> list[list[str]]:
+    """Runs of straight pool."""
+    rows = [["Noise", "visits", "mean run", "median", "highest run"]]
+    for noise in ("0.5", "1", "2"):
+        if visits := found.get(f"high-run-x{noise}"):
+            run = visits["points"]
+            cells = [f"{run['mean']:.1f}", f"{run['median']}", f"{run['most']}"]
+            rows.append([f"× {noise}", str(visits["visits"]), *cells])
+    return rows
+
+
+def breaker(found: Experiments) -> list[list[str]]:
+    """How often the player who breaks wins, among equals."""
+    rows = [["Game", "noise", "frames", "the breaker wins, %", "break and run, %"]]
+    for name, match in found.items():
+        if name.startswith("breaker-"):
+            game, _, noise = name.removeprefix("breaker-").rpartition("-")
+            count = match["counts"][0]
+            n = count["breaks"]
+            wins, ran = share(count["break_wins"], n), share(count["runs"], n)
+            rows.append([game, noise.replace("x", "× "), str(n), wins, ran])
+    return rows
+
+
+def matrix(found: Experiments) -> list[list[str]]:
+    """Points of the player of the row against that of the column."""
+    matches = [match for name, match in found.items() if name.startswith("matrix-")]
+    names = [name.partition(":")[0] for match in matches for name in match["players"]]
+    order = sorted(set(names), key=lambda name: -total(name, matches))
+    rows = [["Points, %", *(f"`{name}`" for name in order)]]
+    for one in order:
+        cells = [f"`{one}`"]
+        for other in order:
+            met = [m for m in matches if {p.partition(":")[0] for p in m["players"]} == {one, other}]
+            cells.append(points_of(one, met[0]) if met and one != other else "")
+        rows.append(cells)
+    return rows
+
+
+def total(name: str, matches: list[JSON]) -> float:
+    """The mean share of a player over its matches."""
+    shares = [
+        match["share"] if k == 0 else 1 - match["share"]
+        for match in matches
+        for k, player in enumerate(match["players"])
+        if player.partition(":")[0] == name
+    ]
+    return sum(shares) / len(shares)
+
+
+def points_of(name: str, match: JSON) -> str:
+    """The share of the points of the player of this name, with half the width of its interval."""
+    own = match["share"]
+    if match["players"][0].partition(":")[0] != name:
+        own = 1 - own
+    low, high = match["share_interval"]
+    return f"{100 * own:.0f} ± {50 * (high - low):.0f}"
+
+
+def strength(found: Experiments) -> list[list[str]]:
+    """Ten times the simulated shots."""
+    rows = [["Simulations of a decision", "against", "frames", "points, %"]]
+    for name, match in found.items():
+        if name.startswith("strength-"):
+            one, other = (player.partition(":")[2] for player in match["players"])
+            frames = 2 * match["pairs"]
+            rows.append([f"{int(one):,}", f"{int(other):,}", str(frames), points(match)])
+    return rows
+
+
+def parts(found: Experiments) -> list[list[str]]:
+    """What each part of the search is worth."""
+    rows = [["Without", "frames", "points against the whole player, %"]]
+    for name, match in found.items():
+        if name.startswith("part-"):
+            part = name.removeprefix("part-").replace("-", " ")
+            rows.append([part, str(2 * match["pairs"]), points(match)])
+    return rows
+
+
+def duels(found: Experiments) -> list[list[str]]:
+    """Every other match."""
+    special = ("matrix-", "strength-", "part-", "breaker-", "level-")
+    rows = [["Experiment", "first", "second", "frames", "points of the first, %"]]
+    for name, match in found.items():
+        if "share" in match and not name.startswith(special):
+            one, other = match["players"]
+            frames = str(2 * match["pairs"])
+            rows.append([name, f"`{one}`", f"`{other}`", frames, points(match)])
+    return rows
+
+
+def made(found: Experiments) -> list[list[str]]:
+    """Which commit made which result."""
+    rows = [["Experiment", "commit"]]
+    rows += [[f"`{name}`", result["commit"]] for name, result in found.items()]
+    return rows
+
+
+TABLES = {
+    "levels": levels,
+    "runs": runs,
+    "run-outs": run_outs,
+    "high-runs": high_runs,
+    "breaker": breaker,
+    "matrix": matrix,
+    "strength": strength,
+    "parts": parts,
+    "duels": duels,
+    "strategy-commits": made,
+}
