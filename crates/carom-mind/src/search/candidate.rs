@@ -66,8 +66,6 @@ pub struct Candidate {
     pub place: usize,
     /// Estimated value before any sample: a probability of winning.
     pub prior: f64,
-    /// Estimated value if the pot is missed; none for other plays.
-    pub missed: Option<f64>,
     /// Where the cue ball comes to rest without errors, m, file frame; none if it does not stay on
     /// the table.
     pub end: Option<[f64; 2]>,

@@ -5,10 +5,10 @@ use core::f64::consts::TAU;
 use carom::Error;
 use carom::math::{asin, atan2, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
-use carom_rules::Request;
 
 use super::candidate::PlayKind;
 use super::explore::Explorer;
+use super::race::keeps_turn;
 use crate::scene::Scene;
 use crate::targets::call_of;
 use carom_plan::Prepared;
@@ -74,16 +74,12 @@ impl Explorer<'_> {
             }
             self.plays += 1;
             let (value, is_legal) = self.ruled(prepared, call)?;
-            let keeps = match self.successor.request() {
-                Request::Shot(next) => next.player == self.seat(),
-                Request::Over { winner, .. } => *winner == Some(self.seat()),
-                Request::Choice { .. } => false,
-            };
+            let keeps = keeps_turn(&self.successor, self.seat());
             if is_legal && keeps {
-                let kind = (PlayKind::Carom, CHANCE * value);
+                let kind = (PlayKind::Carom, None, CHANCE * value);
                 self.keep(strike, call, kind, (place, prepared));
             } else if is_legal && self.found.len() < 4 {
-                let kind = (PlayKind::Safety, value);
+                let kind = (PlayKind::Safety, None, value);
                 self.keep(strike, call, kind, (place, prepared));
             }
         }

@@ -5,6 +5,7 @@ use carom::resolve::cue_ball::Strike;
 use carom_rules::{Call, Frame, Play, Seat, Turn};
 
 use super::candidate::{Candidate, PlayKind};
+use crate::line::Line;
 use crate::player::Situation;
 use crate::targets::Targets;
 use crate::value::{Position, Value};
@@ -79,16 +80,15 @@ impl<'a> Explorer<'a> {
         &mut self,
         strike: Strike,
         call: Call,
-        (kind, prior): (PlayKind, f64),
+        (kind, line, prior): (PlayKind, Option<Line>, f64),
         (place, prepared): (usize, &Prepared<'_>),
     ) {
         self.found.push(Candidate {
             play: Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) },
             kind,
-            line: None,
+            line,
             place,
             prior,
-            missed: None,
             end: self.successor.layout().place(self.turn.cue),
             samples: Vec::new(),
             fresh: Vec::new(),

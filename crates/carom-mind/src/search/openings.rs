@@ -74,7 +74,7 @@ impl Explorer<'_> {
                     self.plays += 1;
                     let call = call_of(self.turn, head.index, None);
                     let (value, _) = self.ruled(prepared, call)?;
-                    let kind = (PlayKind::Break, value);
+                    let kind = (PlayKind::Break, None, value);
                     self.keep(strike, call, kind, (place, prepared));
                 }
             }

@@ -1,7 +1,11 @@
 //! Candidates that pot a ball: a lattice of speed × height × side on every line.
 
+use core::f64::consts::TAU;
+
+use carom::math::{exp, log, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Noise, Shot};
+use carom_rules::Call;
 
 use super::candidate::PlayKind;
 use super::explore::Explorer;
@@ -29,10 +33,39 @@ const LEAST_CHANCE: f64 = 0.02;
 const MOST_LINES: usize = 14;
 /// Share of the tolerance by which a missed shot is turned to value what it leaves.
 const MISS: f64 = 1.6;
+/// Least and greatest speed of further strikes, m/s.
+const LIMITS: [f64; 2] = [0.35, 7.0];
+/// Difference of the priors by which a line gets a third of the further strikes of another.
+const SPREAD: f64 = 0.1;
+/// The additive recurrence of Roberts (2018) in four dimensions: powers of 1/φ₄, where φ₄ is the
+/// real root of x⁵ = x + 1.
+const STEPS: [f64; 4] = [
+    0.856_674_883_854_502_9,
+    0.733_891_856_627_126,
+    0.628_706_721_037_808_6,
+    0.538_597_257_223_612_5,
+];
+
+/// A line of a prepared position, and what the exploration has learned about it.
+#[derive(Clone, Debug)]
+pub(crate) struct KnownLine {
+    pub(crate) line: Line,
+    /// Number of the prepared position.
+    pub(crate) place: usize,
+    /// The estimated chance of the pot.
+    chance: f64,
+    /// The turn of the azimuth from geometry's, and the slope of the miss, of the last strike that
+    /// potted the ball.
+    turned: Option<(f64, f64)>,
+    /// The value of a missed shot by its speed, of those that were tried.
+    missed: [Option<f64>; SPEEDS.len()],
+    /// The highest prior of a play on this line.
+    best: f64,
+}
 
 impl Explorer<'_> {
-    /// The lines of a prepared position with their chances, the most probable first.
-    pub(crate) fn lines(&self, prepared: &Prepared<'_>) -> Vec<(Line, f64)> {
+    /// The lines of a prepared position, the most probable first. `place` is its number.
+    pub(crate) fn lines(&self, prepared: &Prepared<'_>, place: usize) -> Vec<KnownLine> {
         let scene = Scene::of(prepared);
         let mut lines = Vec::new();
         line::direct(&scene, &self.targets, &mut lines);
@@ -41,12 +74,14 @@ impl Explorer<'_> {
         line::kicks(&scene, &self.targets, &mut lines);
         let noise = &self.situation.noise[self.seat()];
         let radius = scene.ball(self.turn.cue).map_or(0.03, |ball| ball.radius);
-        let mut rated: Vec<(Line, f64)> = lines
-            .into_iter()
-            .map(|line| (line, line.chance(noise, radius)))
-            .filter(|(_, chance)| *chance > LEAST_CHANCE)
-            .collect();
-        rated.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let known = |line: Line| {
+            let chance = line.chance(noise, radius);
+            let missed = [None; SPEEDS.len()];
+            KnownLine { line, place, chance, turned: None, missed, best: 0.0 }
+        };
+        let mut rated: Vec<KnownLine> =
+            lines.into_iter().map(known).filter(|known| known.chance > LEAST_CHANCE).collect();
+        rated.sort_by(|a, b| b.chance.total_cmp(&a.chance));
         rated.truncate(MOST_LINES);
         rated
     }
@@ -59,19 +94,14 @@ impl Explorer<'_> {
     pub(crate) fn pots(
         &mut self,
         prepared: &Prepared<'_>,
-        place: usize,
-        lines: &[(Line, f64)],
+        lines: &mut [KnownLine],
     ) -> Result<(), Error> {
-        let noise = &self.situation.noise[self.seat()];
-        let radius = self.situation.frame.layout().balls()[usize::from(self.turn.cue)].ball.radius;
-        let most = largest_offset(prepared.shot(), noise, radius);
-        let mut missed: Vec<Option<f64>> = vec![None; lines.len()];
-        let mut slopes: Vec<Option<(f64, f64)>> = vec![None; lines.len()];
+        let most = self.largest_offset(prepared);
         // Coarse first: every second speed, heights of the ends and the middle, no side.
         let coarse = |s: usize, h: usize, x: usize| s % 2 == 1 && h < 3 && x == 0;
         for pass in [true, false] {
-            for (k, (line, chance)) in lines.iter().enumerate() {
-                if !pass && missed[k].is_none() {
+            for known in lines.iter_mut() {
+                if !pass && known.best == 0.0 {
                     continue;
                 }
                 for (s, speed) in SPEEDS.iter().enumerate() {
@@ -82,14 +112,7 @@ impl Explorer<'_> {
                             }
                             let out = (height * height + side * side).sqrt().max(1.0);
                             let offsets = [most * side / out, most * height / out];
-                            let known = slopes[k];
-                            let start = start(prepared, line, (*speed, offsets), known);
-                            let rated = (line, *chance);
-                            let found =
-                                self.pot(prepared, place, rated, (start, &mut missed[k]))?;
-                            if let Some(found) = found {
-                                slopes[k] = Some(found);
-                            }
+                            self.pot(prepared, known, (*speed, offsets))?;
                         }
                     }
                 }
@@ -98,50 +121,120 @@ impl Explorer<'_> {
         Ok(())
     }
 
-    /// Aims one strike along a line and keeps it if it pots the ball legally. Returns the azimuth,
-    /// less squirt, and the slope of the miss.
+    /// Adds strikes with any speed and spin on the lines on which something was found, those with the
+    /// best plays more often. `first` is the number of the first strike; returns that of the next.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn more_pots(
+        &mut self,
+        prepared: &[Prepared<'_>],
+        lines: &mut [KnownLine],
+        first: u64,
+    ) -> Result<u64, Error> {
+        let best = lines.iter().map(|known| known.best).fold(0.0, f64::max);
+        let weights: Vec<f64> = lines
+            .iter()
+            .map(|known| if known.best > 0.0 { exp((known.best - best) / SPREAD) } else { 0.0 })
+            .collect();
+        let all: f64 = weights.iter().sum();
+        let mut index = first;
+        while !self.is_spent() && all > 0.0 {
+            index += 1;
+            let [pick, pace, angle, out] = sequence_point(index);
+            let mut left = pick * all;
+            let chosen = weights.iter().position(|weight| {
+                left -= weight;
+                left < 0.0
+            });
+            let Some(known) = chosen.and_then(|k| lines.get_mut(k)) else { continue };
+            let position = &prepared[known.place];
+            let offset = self.largest_offset(position) * sqrt(out);
+            let (sin, cos) = sin_cos(TAU * angle);
+            let speed = LIMITS[0] * exp(pace * log(LIMITS[1] / LIMITS[0]));
+            // A strike that cannot be played costs nothing, but the loop has to end.
+            let before = self.plays;
+            self.pot(position, known, (speed, [offset * cos, offset * sin]))?;
+            self.plays = self.plays.max(before + 1);
+        }
+        Ok(index)
+    }
+
+    pub(crate) fn largest_offset(&self, prepared: &Prepared<'_>) -> f64 {
+        let radius = self.situation.frame.layout().balls()[usize::from(self.turn.cue)].ball.radius;
+        largest_offset(prepared.shot(), &self.situation.noise[self.seat()], radius)
+    }
+
+    /// Aims one strike along a line and keeps it if it pots the ball legally. `offsets` are the side
+    /// and the height.
     pub(crate) fn pot(
         &mut self,
         prepared: &Prepared<'_>,
-        place: usize,
-        (line, chance): (&Line, f64),
-        (start, missed): ((Strike, f64), &mut Option<f64>),
-    ) -> Result<Option<(f64, f64)>, Error> {
+        known: &mut KnownLine,
+        (speed, offsets): (f64, [f64; 2]),
+    ) -> Result<(), Error> {
+        let start = start(prepared, known, (speed, offsets));
+        let line = known.line;
         let mut plays = 0;
-        let aimed = aim(&mut self.sampler, prepared, line, start, &mut plays);
+        let aimed = aim(&mut self.sampler, prepared, &line, start, &mut plays);
         self.plays += plays;
-        let Some(aimed) = aimed? else { return Ok(None) };
-        let turned = aimed.strike.azimuth - start.0.azimuth;
+        let Some(aimed) = aimed? else { return Ok(()) };
         if !aimed.is_potted {
-            return Ok(None);
+            return Ok(());
         }
+        let turned = aimed.strike.azimuth - geometric_azimuth(prepared, &line, offsets[0]);
+        known.turned = Some((turned, aimed.slope));
         let pocket = prepared.shot().table().pockets[line.pocket].name;
         let call = call_of(self.turn, line.first, Some((line.object, pocket)));
         let (value, is_legal) = self.ruled(prepared, call)?;
         if !is_legal {
-            return Ok(Some((turned, aimed.slope)));
+            return Ok(());
         }
-        let kind = PlayKind::Pot(line.kind);
-        // What a miss leaves hardly depends on the cue ball's way, so it is tried once.
-        let miss = match *missed {
-            Some(miss) => miss,
+        let missed = match known.missed[nearest_speed(speed)] {
+            Some(missed) => missed,
             None => {
-                let end = self.successor.clone();
-                let azimuth = aimed.strike.azimuth + MISS * line.tolerance;
-                self.sampler.simulate(prepared, &Strike { azimuth, ..aimed.strike })?;
-                self.plays += 1;
-                let (value, _) = self.ruled(prepared, call)?;
-                self.successor = end;
-                *missed.insert(value)
+                let missed = self.missed(prepared, &line, (&aimed.strike, call))?;
+                *known.missed[nearest_speed(speed)].insert(missed)
             }
         };
-        let prior = chance * value + (1.0 - chance) * miss.min(value);
-        self.keep(aimed.strike, call, (kind, prior), (place, prepared));
-        if let Some(found) = self.found.last_mut() {
-            (found.line, found.missed) = (Some(*line), Some(miss));
-        }
-        Ok(Some((turned, aimed.slope)))
+        let prior = known.chance * value + (1.0 - known.chance) * missed.min(value);
+        known.best = known.best.max(prior);
+        let kind = PlayKind::Pot(line.kind);
+        self.keep(aimed.strike, call, (kind, Some(line), prior), (known.place, prepared));
+        Ok(())
     }
+
+    /// The mean value of the shots that miss a pot to the left and to the right. The last ruled
+    /// simulation stays what it was.
+    fn missed(
+        &mut self,
+        prepared: &Prepared<'_>,
+        line: &Line,
+        (strike, call): (&Strike, Call),
+    ) -> Result<f64, Error> {
+        let end = self.successor.clone();
+        let mut sum = 0.0;
+        for side in [-1.0, 1.0] {
+            let azimuth = strike.azimuth + side * MISS * line.tolerance;
+            self.sampler.simulate(prepared, &Strike { azimuth, ..*strike })?;
+            self.plays += 1;
+            sum += self.ruled(prepared, call)?.0;
+        }
+        self.successor = end;
+        Ok(0.5 * sum)
+    }
+}
+
+/// Point `index` of the recurrence with [`STEPS`], in the unit cube.
+pub(crate) fn sequence_point(index: u64) -> [f64; 4] {
+    STEPS.map(|step| (0.5 + step * index as f64) % 1.0)
+}
+
+/// The number of the lattice's speed that is most like `speed`.
+fn nearest_speed(speed: f64) -> usize {
+    let ratio = |other: f64| (speed / other).max(other / speed);
+    let order = |a: &usize, b: &usize| ratio(SPEEDS[*a]).total_cmp(&ratio(SPEEDS[*b]));
+    (0..SPEEDS.len()).min_by(order).unwrap_or(0)
 }
 
 /// The largest tip offset of intended strikes, ball radii. `radius` is the cue ball's, m.
@@ -151,21 +244,25 @@ pub(crate) fn largest_offset(shot: &Shot, noise: &Noise, radius: f64) -> f64 {
     (limit - AWAY * error).clamp(0.0, OFFSET_USED * limit)
 }
 
-/// The strike with which the aiming along `line` starts, and the slope of the miss.
+/// The strike with which the aiming along a line starts, and the slope of the miss.
 fn start(
     prepared: &Prepared<'_>,
-    line: &Line,
+    known: &KnownLine,
     (speed, [side, height]): (f64, [f64; 2]),
-    known: Option<(f64, f64)>,
 ) -> (Strike, f64) {
-    let shot = prepared.shot();
-    let ball = shot.strike().map_or(0, |(ball, _)| ball);
-    let squirt =
-        carom::resolve::cue_ball::squirt(&shot.physics().cue, &shot.balls()[ball].ball, side);
+    let line = &known.line;
     // The throw and the bend of a similar strike are a better start than none.
-    let (turned, slope) = known.unwrap_or((0.0, line.slope));
+    let (turned, slope) = known.turned.unwrap_or((0.0, line.slope));
     let turned = if line.kind == LineKind::Direct { turned } else { 0.0 };
-    let azimuth = line.azimuth - squirt + turned.clamp(-0.03, 0.03);
+    let azimuth = geometric_azimuth(prepared, line, side) + turned.clamp(-0.03, 0.03);
     let strike = Strike { speed, azimuth, elevation: 0.0, side, height };
     (Explorer::raised(prepared, strike), slope)
+}
+
+/// The azimuth along a line by geometry and squirt alone. `side` is that of the tip, ball radii.
+fn geometric_azimuth(prepared: &Prepared<'_>, line: &Line, side: f64) -> f64 {
+    let shot = prepared.shot();
+    let ball = shot.strike().map_or(0, |(ball, _)| ball);
+    let cue = &shot.physics().cue;
+    line.azimuth - carom::resolve::cue_ball::squirt(cue, &shot.balls()[ball].ball, side)
 }

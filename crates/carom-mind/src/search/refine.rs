@@ -2,12 +2,12 @@
 //! same direction.
 
 use carom::Error;
-use carom::resolve::cue_ball::{Strike, squirt};
+use carom::resolve::cue_ball::Strike;
 use carom_plan::Prepared;
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
-use super::pots::largest_offset;
+use super::pots::{KnownLine, largest_offset};
 
 /// Steps of the first refinement: factor of the speed, and change of the tip offset (ball radii).
 /// Every further refinement halves them.
@@ -35,19 +35,22 @@ impl Explorer<'_> {
     /// As [`Explorer::ruled`].
     pub(crate) fn refine(
         &mut self,
-        prepared: &[Prepared<'_>],
+        (prepared, lines): (&[Prepared<'_>], &mut [KnownLine]),
         candidates: &[Candidate],
-        round: i32,
+        round: u32,
     ) -> Result<(), Error> {
-        let scale = 0.5_f64.powi(round);
+        let scale = 1.0 / f64::from(1_u32 << round.min(16));
         for candidate in candidates {
             let position = &prepared[candidate.place];
+            let mut line = lines
+                .iter_mut()
+                .find(|known| known.place == candidate.place && Some(known.line) == candidate.line);
             for direction in DIRECTIONS {
                 if self.is_spent() {
                     return Ok(());
                 }
                 let step = direction.map(|share| scale * share);
-                self.neighbour(position, candidate, step)?;
+                self.neighbour((position, line.as_deref_mut()), candidate, step)?;
             }
         }
         Ok(())
@@ -56,7 +59,7 @@ impl Explorer<'_> {
     /// Adds the neighbour of `candidate` that is `step` away, if it does what it is meant to do.
     fn neighbour(
         &mut self,
-        prepared: &Prepared<'_>,
+        (prepared, line): (&Prepared<'_>, Option<&mut KnownLine>),
         candidate: &Candidate,
         [faster, higher, aside]: [f64; 3],
     ) -> Result<(), Error> {
@@ -72,23 +75,17 @@ impl Explorer<'_> {
         if strike.offset() > most.max(meant.offset()) {
             return Ok(());
         }
-        let cue = &shot.physics().cue;
-        let azimuth = meant.azimuth + squirt(cue, ball, meant.side) - squirt(cue, ball, side);
-        let strike = Self::raised(prepared, Strike { azimuth, ..strike });
-        match (candidate.kind, candidate.line) {
-            (PlayKind::Pot(_), Some(line)) => {
-                let chance = line.chance(noise, ball.radius);
-                let mut missed = candidate.missed;
-                let start = (strike, line.slope);
-                self.pot(prepared, candidate.place, (&line, chance), (start, &mut missed))?;
+        match (candidate.kind, line) {
+            (PlayKind::Pot(_), Some(known)) => {
+                self.pot(prepared, known, (strike.speed, [side, height]))
             }
-            (PlayKind::PushOut, _) => {}
+            (PlayKind::Pot(_) | PlayKind::PushOut, _) => Ok(()),
             _ => {
                 let azimuth = meant.azimuth + TURN * aside;
-                self.again(prepared, candidate, Strike { azimuth, side: meant.side, ..strike })?;
+                let strike = Strike { azimuth, side: meant.side, ..strike };
+                self.again(prepared, candidate, Self::raised(prepared, strike))
             }
         }
-        Ok(())
     }
 
     /// Adds a play that is like `candidate`, if it is legal.
@@ -106,7 +103,12 @@ impl Explorer<'_> {
         let (value, is_legal) = self.ruled(prepared, call)?;
         if is_legal {
             let prior = value.min(candidate.mean());
-            self.keep(strike, call, (candidate.kind, prior), (candidate.place, prepared));
+            self.keep(
+                strike,
+                call,
+                (candidate.kind, candidate.line, prior),
+                (candidate.place, prepared),
+            );
         }
         Ok(())
     }

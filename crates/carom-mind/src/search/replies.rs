@@ -78,12 +78,28 @@ impl Replies {
         let spent = replies.iter().map(|reply| reply.plays).sum();
         // The search finds more than the value expects, or less, in all positions of a player alike.
         // Only what differs between the finalists counts.
-        let usual = [false, true]
-            .map(|own| mean(replies.iter().filter(|r| r.is_own == own).map(|r| r.difference)));
-        for (k, candidate) in candidates[..finalists].iter_mut().enumerate() {
-            let own = replies.iter().filter(|reply| reply.finalist == k);
-            candidate.correction =
-                mean(own.map(|reply| reply.difference - usual[usize::from(reply.is_own)]));
+        let usual = [false, true].map(|own| {
+            let same = replies.iter().filter(|reply| reply.is_own == Some(own));
+            mean(same.map(|reply| reply.difference))
+        });
+        let residual = |reply: &Reply| match reply.is_own {
+            Some(own) => reply.difference - usual[usize::from(own)],
+            None => 0.0,
+        };
+        let found: Vec<Estimate> = (0..finalists)
+            .map(|k| {
+                let own = replies.iter().filter(|reply| reply.finalist == k);
+                Estimate::of(own.map(residual))
+            })
+            .collect();
+        // The few differences of a finalist are uncertain. How much their mean counts depends on how
+        // much the finalists truly differ (empirical Bayes: Efron & Morris 1973).
+        let spread = Estimate::of(found.iter().map(|estimate| estimate.mean));
+        let noise = mean(found.iter().map(|estimate| estimate.error));
+        let true_spread = (spread.variance - noise).max(0.0);
+        for (candidate, estimate) in candidates[..finalists].iter_mut().zip(found) {
+            let weight = true_spread / (true_spread + estimate.error).max(f64::MIN_POSITIVE);
+            candidate.correction = weight * estimate.mean;
         }
         candidates[..finalists].sort_by(|a, b| b.mean().total_cmp(&a.mean()));
         Ok(spent)
@@ -92,15 +108,36 @@ impl Replies {
 
 /// The mean; 0 of nothing.
 fn mean(values: impl Iterator<Item = f64>) -> f64 {
-    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
-    if count > 0.0 { sum / count } else { 0.0 }
+    Estimate::of(values).mean
+}
+
+/// A mean and its uncertainty.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Estimate {
+    mean: f64,
+    /// Variance of the values.
+    variance: f64,
+    /// Variance of the mean.
+    error: f64,
+}
+
+impl Estimate {
+    fn of(values: impl Iterator<Item = f64>) -> Self {
+        let (mut count, mut sum, mut squares) = (0.0, 0.0, 0.0);
+        for value in values {
+            (count, sum, squares) = (count + 1.0, sum + value, squares + value * value);
+        }
+        let mean = if count > 0.0 { sum / count } else { 0.0 };
+        let variance = (squares - sum * mean).max(0.0) / (count - 1.0_f64).max(1.0);
+        Self { mean, variance, error: variance / count.max(1.0) }
+    }
 }
 
 /// A searched successor.
 struct Reply {
     finalist: usize,
-    /// Whether the player has the turn.
-    is_own: bool,
+    /// Whether the player has the turn; none if the frame is over.
+    is_own: Option<bool>,
     /// Searched value less estimated value.
     difference: f64,
     plays: u64,
@@ -124,10 +161,10 @@ fn reply(
     let estimated = candidate.samples[sample].value;
     let situation = Situation { frame: successor, ..*race.situation };
     let (searched, plays) = quick_value(&situation, race.value, per_reply)?;
-    let is_own = successor.player() == Some(race.seat);
-    let difference = match successor.player() {
-        Some(_) if is_own => searched - estimated,
-        Some(_) => 1.0 - searched - estimated,
+    let is_own = successor.player().map(|player| player == race.seat);
+    let difference = match is_own {
+        Some(true) => searched - estimated,
+        Some(false) => 1.0 - searched - estimated,
         None => 0.0,
     };
     Ok(Reply { finalist, is_own, difference, plays: plays + 1 })
@@ -157,10 +194,10 @@ pub(crate) fn quick_value(
         return Ok((estimated, 0));
     }
     let Ok(prepared) = Prepared::new(frame, place) else { return Ok((estimated, 0)) };
-    let mut lines = explorer.lines(&prepared);
+    let mut lines = explorer.lines(&prepared, 0);
     lines.truncate(3);
     explorer.most = simulations * 2 / 3;
-    explorer.pots(&prepared, 0, &lines)?;
+    explorer.pots(&prepared, &mut lines)?;
     explorer.most = simulations;
     explorer.safeties(&prepared, 0)?;
     // A safety's value without errors is too good: errors spoil some of them.

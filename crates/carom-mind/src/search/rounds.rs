@@ -6,6 +6,7 @@ use carom_rules::{Rules, Turn};
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
+use super::pots::KnownLine;
 use super::race::Race;
 use super::replies::Replies;
 use super::shift::{deviations, uphill};
@@ -28,6 +29,12 @@ const MOST_ALIKE: usize = 2;
 const PUSH_OUTS: usize = 6;
 /// Candidates that a further round keeps.
 const KEPT: usize = 16;
+/// Simulations of a round for each candidate that enters its race.
+const PER_CANDIDATE: u64 = 24;
+/// Shares of a further round's exploration for neighbours of the best plays, and for any hits of a
+/// ball on; the rest goes to further strikes on the lines of pots.
+const NEAR: f64 = 0.4;
+const HITS: f64 = 0.25;
 /// Finalists that are moved uphill.
 const SHIFTED: usize = 4;
 
@@ -72,6 +79,10 @@ pub struct Rounds {
     /// The places from which the cue ball is played.
     places: Vec<Option<[f64; 2]>>,
     candidates: Vec<Candidate>,
+    /// The lines of pots.
+    lines: Vec<KnownLine>,
+    /// Number of strikes that further rounds have tried on them.
+    strikes: u64,
     spent: Spent,
     /// Simulations of the next round.
     size: u64,
@@ -101,8 +112,9 @@ impl Rounds {
         let stating = (fresh * stated as u64).min(budget.simulations / 2);
         let racing = budget.simulations - stating;
         let size = round_size(settings.first_round, racing);
-        let (candidates, spent) = (Vec::new(), Spent::default());
-        Self { places, candidates, spent, size, racing, stated, fresh, is_complete: false }
+        let (candidates, lines, spent) = (Vec::new(), Vec::new(), Spent::default());
+        let (strikes, is_complete) = (0, false);
+        Self { places, candidates, lines, strikes, spent, size, racing, stated, fresh, is_complete }
     }
 
     /// What the rounds have spent.
@@ -133,17 +145,29 @@ impl Rounds {
         let before = self.spent.simulations;
         let mut explorer = Explorer::new(situation, value, turn, 0);
         if self.spent.rounds == 0 {
-            explore(&mut explorer, prepared, (settings.exploring * self.size as f64) as u64)?;
-            self.candidates = select(explorer.found, settings);
+            let simulations = (settings.exploring * self.size as f64) as u64;
+            self.lines = explore(&mut explorer, prepared, simulations)?;
+            let room = self.size / PER_CANDIDATE;
+            self.candidates = select(explorer.found, settings, room as usize);
         } else {
             self.candidates.truncate(KEPT);
             if settings.shift {
                 shift(&mut self.candidates, &race);
             }
-            explorer.most = (settings.refining * self.size as f64) as u64;
-            explorer.refine(prepared, &self.candidates, self.spent.rounds as i32 - 1)?;
-            explorer.found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
-            self.candidates.extend(explorer.found.into_iter().take(KEPT));
+            let refining = settings.refining * self.size as f64;
+            let round = self.spent.rounds - 1;
+            explorer.most = (NEAR * refining) as u64;
+            explorer.refine((prepared, &mut self.lines), &self.candidates, round)?;
+            explorer.most = ((1.0 - HITS) * refining) as u64;
+            let first = self.strikes;
+            self.strikes = explorer.more_pots(prepared, &mut self.lines, first)?;
+            explorer.most = refining as u64;
+            let best = self.candidates.first().map_or(0.0, Candidate::mean);
+            if best < CERTAIN && !situation.frame.is_opening() {
+                self.strikes = explorer.more_hits(prepared, self.strikes)?;
+            }
+            let room = (self.size / PER_CANDIDATE).max(KEPT as u64);
+            self.candidates.extend(best_of(explorer.found, room as usize));
         }
         self.spent.simulations += explorer.plays;
         let replies = Replies::within((settings.replying * self.size as f64) as u64, settings);
@@ -189,18 +213,20 @@ fn explore(
     explorer: &mut Explorer<'_>,
     prepared: &[Prepared<'_>],
     simulations: u64,
-) -> Result<(), Error> {
+) -> Result<Vec<KnownLine>, Error> {
     let frame = explorer.situation.frame;
     let is_opening = frame.is_opening();
     let pots = (POTS * simulations as f64) as u64;
+    let mut lines = Vec::new();
     for (k, position) in prepared.iter().enumerate() {
         explorer.most = pots * (k as u64 + 1) / prepared.len() as u64;
         if frame.rules() == Rules::ThreeCushion {
             explorer.most = simulations;
             explorer.caroms(position, k)?;
         } else if !is_opening {
-            let lines = explorer.lines(position);
-            explorer.pots(position, k, &lines)?;
+            let mut known = explorer.lines(position, k);
+            explorer.pots(position, &mut known)?;
+            lines.extend(known);
         } else if explorer.breaks_hard() {
             explorer.breaks(position, k)?;
         } else {
@@ -222,25 +248,45 @@ fn explore(
             explorer.anything(first, 0)?;
         }
     }
-    Ok(())
+    Ok(lines)
+}
+
+/// The best of `found` by their priors, not too many alike, at most `count`.
+fn best_of(mut found: Vec<Candidate>, count: usize) -> Vec<Candidate> {
+    shuffle(&mut found);
+    found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
+    let mut kept: Vec<Candidate> = Vec::new();
+    for candidate in found {
+        let alike = kept.iter().filter(|other| are_alike(&candidate, other)).count();
+        if alike < MOST_ALIKE && kept.len() < count {
+            kept.push(candidate);
+        }
+    }
+    kept
+}
+
+/// Brings plays into an order that has nothing to do with that in which they were found, so that
+/// equal priors favour no speed or spin.
+fn shuffle(found: &mut [Candidate]) {
+    // The fractional part of k φ is spread evenly over 0 to 1.
+    const PHI: f64 = 0.618_033_988_749_894_9;
+    let mut order: Vec<usize> = (0..found.len()).collect();
+    order.sort_by(|a, b| (PHI * *a as f64 % 1.0).total_cmp(&(PHI * *b as f64 % 1.0)));
+    let mut shuffled: Vec<Candidate> = order.iter().map(|k| found[*k].clone()).collect();
+    found.swap_with_slice(&mut shuffled);
 }
 
 /// The candidates that enter the race: the best by their priors, not too many alike, and the best
 /// safeties.
-fn select(mut found: Vec<Candidate>, settings: &SearchSettings) -> Vec<Candidate> {
+fn select(mut found: Vec<Candidate>, settings: &SearchSettings, wanted: usize) -> Vec<Candidate> {
     found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
     let (push_outs, found): (Vec<_>, Vec<_>) =
         found.into_iter().partition(|c| c.kind == PlayKind::PushOut);
     let (safe, pots): (Vec<_>, Vec<_>) =
         found.into_iter().partition(|c| c.kind == PlayKind::Safety);
-    let room = settings.racing.saturating_sub(settings.safeties.min(safe.len())).max(1);
-    let mut kept: Vec<Candidate> = Vec::new();
-    for candidate in pots {
-        let alike = kept.iter().filter(|other| are_alike(&candidate, other)).count();
-        if alike < MOST_ALIKE && kept.len() < room {
-            kept.push(candidate);
-        }
-    }
+    let room = settings.racing.max(wanted);
+    let room = room.saturating_sub(settings.safeties.min(safe.len())).max(1);
+    let mut kept = best_of(pots, room);
     kept.extend(safe.into_iter().take(settings.safeties));
     kept.extend(push_outs.into_iter().take(PUSH_OUTS));
     kept

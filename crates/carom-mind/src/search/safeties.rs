@@ -3,12 +3,14 @@
 use core::f64::consts::TAU;
 
 use carom::Error;
-use carom::math::{Vec2, asin, atan2};
+use carom::math::{Vec2, asin, atan2, exp, log, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
 use carom_rules::{BallIndex, Call};
 
 use super::candidate::PlayKind;
 use super::explore::Explorer;
+use super::pots::sequence_point;
+use super::race::keeps_turn;
 use crate::scene::{Scene, SceneBall, ghost};
 use crate::targets::call_of;
 use carom_plan::Prepared;
@@ -18,6 +20,10 @@ const SPEEDS: [f64; 6] = [0.45, 0.7, 1.1, 1.7, 2.6, 4.0];
 const HEIGHTS: [f64; 3] = [0.0, -0.35, 0.35];
 /// Where a ball is hit, as shares of its apparent half width.
 const HITS: [f64; 9] = [0.0, -0.3, 0.3, -0.55, 0.55, -0.75, 0.75, -0.9, 0.9];
+/// Greatest cue speed of a hit, m/s.
+const FASTEST: f64 = 6.0;
+/// Estimated value, over that without errors, of a hit that pots a ball by luck.
+const LUCK: f64 = 0.5;
 /// Number of directions of a search around the whole table.
 const DIRECTIONS: u32 = 180;
 
@@ -44,6 +50,42 @@ impl Explorer<'_> {
         Ok(())
     }
 
+    /// Adds shots that hit a ball on anywhere, with any speed and spin. `first` is the number of the
+    /// first strike; returns that of the next.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn more_hits(
+        &mut self,
+        prepared: &[Prepared<'_>],
+        first: u64,
+    ) -> Result<u64, Error> {
+        let Some(position) = prepared.first() else { return Ok(first) };
+        let scene = Scene::of(position);
+        let Some(cue) = scene.ball(self.turn.cue) else { return Ok(first) };
+        let balls: Vec<SceneBall> =
+            self.targets.first.iter().filter_map(|ball| scene.ball(*ball)).collect();
+        let most = self.largest_offset(position);
+        let mut index = first;
+        while !self.is_spent() && !balls.is_empty() {
+            index += 1;
+            let ball = balls[index as usize % balls.len()];
+            let [share, pace, angle, out] = sequence_point(index);
+            let before = self.plays;
+            if let Some(azimuth) = hit_at(&scene, cue, ball, 2.0 * share - 1.0) {
+                let (sin, cos) = sin_cos(TAU * angle);
+                let offset = most * sqrt(out);
+                let speed = SPEEDS[0] * exp(pace * log(FASTEST / SPEEDS[0]));
+                let (side, height) = (offset * cos, offset * sin);
+                let strike = Strike { speed, azimuth, elevation: 0.0, side, height };
+                self.try_hit((position, 0), strike, ball.index)?;
+            }
+            // A hit that cannot be played costs nothing, but the loop has to end.
+            self.plays = self.plays.max(before + 1);
+        }
+        Ok(index)
+    }
+
     /// Adds legal shots in any direction.
     ///
     /// # Errors
@@ -65,7 +107,7 @@ impl Explorer<'_> {
             self.plays += 1;
             let call = call_of(self.turn, first, None);
             let (value, _) = self.ruled(prepared, call)?;
-            let kind = (PlayKind::Safety, value);
+            let kind = (PlayKind::Safety, None, value);
             self.keep(strike, call, kind, (place, prepared));
         }
         Ok(())
@@ -88,7 +130,7 @@ impl Explorer<'_> {
                 self.plays += 1;
                 let (value, is_legal) = self.ruled(prepared, Call::PushOut)?;
                 if is_legal {
-                    let kind = (PlayKind::PushOut, value);
+                    let kind = (PlayKind::PushOut, None, value);
                     self.keep(strike, Call::PushOut, kind, (place, prepared));
                 }
             }
@@ -147,6 +189,16 @@ impl Explorer<'_> {
             return Ok(());
         }
         let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height };
+        self.try_hit((prepared, place), strike, first)
+    }
+
+    /// Keeps a strike that is to hit `first` without potting it, if it is legal.
+    fn try_hit(
+        &mut self,
+        (prepared, place): (&Prepared<'_>, usize),
+        strike: Strike,
+        first: BallIndex,
+    ) -> Result<(), Error> {
         let strike = Self::raised(prepared, strike);
         if self.sampler.simulate(prepared, &strike).is_err() {
             return Ok(());
@@ -155,8 +207,9 @@ impl Explorer<'_> {
         let call = call_of(self.turn, first, None);
         let (value, is_legal) = self.ruled(prepared, call)?;
         if is_legal {
-            let kind = (PlayKind::Safety, value);
-            self.keep(strike, call, kind, (place, prepared));
+            let is_lucky = keeps_turn(&self.successor, self.seat());
+            let prior = if is_lucky { LUCK * value } else { value };
+            self.keep(strike, call, (PlayKind::Safety, None, prior), (place, prepared));
         }
         Ok(())
     }

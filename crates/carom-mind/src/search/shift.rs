@@ -135,7 +135,6 @@ mod tests {
             line: None,
             place: 0,
             prior: 0.5,
-            missed: None,
             end: None,
             samples: samples.collect(),
             fresh: Vec::new(),
