@@ -2,9 +2,7 @@
 //! bodies here touch at the start, and their gap opens so slowly, and closes so soon, that only the
 //! sign of its rate tells a contact.
 
-use std::f64::consts::PI;
-
-use carom_peers::random::Random;
+use carom_peers::random::{Random, RandomMotion};
 use carom_roots::{Motion, first_contact, first_ring_contact};
 
 /// Cases of each test. Before the rate was tested at the end of a concave span, one case in eight
@@ -18,15 +16,10 @@ const GRAVITY: f64 = 9.80665;
 /// units in the last place of x·ẋ, whose terms are below 0.1 m²/s.
 const ROUNDING: f64 = 1e-16;
 
-/// A number in [`low`, `high`) whose logarithm is uniformly distributed.
-fn log_uniform(random: &mut Random, low: f64, high: f64) -> f64 {
-    low * (high / low).powf(random.between(0.0, 1.0))
-}
-
 /// Half the rate of f = (ρ − a)² + z² − R² at `t`, with ρ = |(x, y)|.
 fn ring_rate(motion: &Motion<3>, ring: f64, t: f64) -> f64 {
     let ([x, y, z], [u, v, w]) = (motion.at(t), motion.velocity_at(t));
-    let radius = x.hypot(y);
+    let radius = (x * x + y * y).sqrt();
     (radius - ring) * ((x * u + y * v) / radius) + z * w
 }
 
@@ -51,8 +44,8 @@ fn balls_near_the_critical_speed_leave_a_lip_without_a_false_contact() {
     let mut random = Random::new(11);
     let mut contacts = 0;
     for index in 0..CASES {
-        let (sin, cos) = random.between(-PI, PI).sin_cos();
-        let excess = log_uniform(&mut random, 1e-10, 1e-1) * random.between(-1.0, 1.0).signum();
+        let [cos, sin] = random.direction();
+        let excess = random.sign() * random.magnitude(-10.0, -1.0);
         let (inward, along) = (critical * (1.0 + excess), random.between(-1.0, 1.0));
         let motion = Motion {
             d: [ring * cos, ring * sin, distance],
@@ -73,15 +66,15 @@ fn balls_whose_separation_is_almost_balanced_meet_only_when_they_approach() {
     let mut random = Random::new(12);
     let mut contacts = 0;
     for index in 0..CASES {
-        let (sin, cos) = random.between(-PI, PI).sin_cos();
+        let [cos, sin] = random.direction();
         let turned = |[x, y]: [f64; 2]| [x * cos - y * sin, x * sin + y * cos];
         // The pull is that of a circular motion, less a small share. So f″ begins at almost 0, and a
         // pull against the motion makes it negative.
         let along = random.between(0.0, 2.0);
-        let pull = along * along / (2.0 * distance) * (1.0 - log_uniform(&mut random, 1e-10, 1e-1));
+        let pull = along * along / (2.0 * distance) * (1.0 - random.magnitude(-10.0, -1.0));
         let motion = Motion {
             d: turned([distance, 0.0]),
-            v: turned([log_uniform(&mut random, 1e-16, 1e-9), along]),
+            v: turned([random.magnitude(-16.0, -9.0), along]),
             h: turned([-pull, -random.between(0.0, 2.0)]),
         };
         let Some(t) = first_contact(&motion, distance, 0.5) else { continue };
