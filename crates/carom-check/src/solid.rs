@@ -37,11 +37,13 @@ pub(crate) struct Distance {
     pub(crate) value: f64,
     /// The gradient of the distance: the unit vector away from the piece.
     pub(crate) away: Vec3,
-    /// Radius of curvature of a concave piece as seen from the point, m; infinite for a convex one.
-    /// The distance at a point displaced by δ is at least `value` + `away`·δ − |δ|²/2ρ with ρ =
-    /// `hollow` − |δ|.
+    /// Radius of curvature in plan of a concave piece, an upright cylinder, as seen from the point,
+    /// m; infinite for a convex one. The distance at a point displaced by δ is at least `value` +
+    /// `away`·δ − |δ′|²/2ρ with the horizontal part δ′ of δ and ρ = `hollow` − |δ′|. (In plan the
+    /// distance from the cylinder falls by no more than that, and the distance in space is a convex
+    /// and rising function of this one and of the height above the piece.)
     pub(crate) hollow: f64,
-    /// Largest |δ| for which that holds, m.
+    /// Largest |δ′| for which that holds, m.
     pub(crate) valid: f64,
 }
 

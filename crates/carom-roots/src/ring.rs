@@ -275,6 +275,8 @@ fn search_span(tube: &Tube<'_>, here: &RingSample, there: &RingSample) -> SpanRe
         return SpanResult::Clear;
     }
     match span.shape() {
+        // Still rising at the end, f has not fallen. If it is ≤ 0 there, it is so by rounding.
+        GapShape::Concave if apart && there.g >= 0.0 => SpanResult::Clear,
         GapShape::Falling | GapShape::Concave if apart => {
             if there.f > 0.0 {
                 SpanResult::Clear

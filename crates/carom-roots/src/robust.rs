@@ -160,7 +160,7 @@ fn on_convex<const N: usize>(gap: &Gap<'_, N>, from: Sample, end: f64) -> SpanRe
 }
 
 fn on_concave<const N: usize>(gap: &Gap<'_, N>, from: Sample, to: Sample) -> SpanResult {
-    let mut earliest = from.t;
+    let mut earliest = from;
     if from.f <= 0.0 {
         if from.g <= 0.0 {
             return SpanResult::At(from.t);
@@ -174,16 +174,18 @@ fn on_concave<const N: usize>(gap: &Gap<'_, N>, from: Sample, to: Sample) -> Spa
         }
         // The bodies separate by less than a rounding error and meet no earlier than at the turning
         // point.
-        earliest = turn.t;
+        earliest = turn;
     }
-    if to.f > 0.0 {
+    // Still rising at the end, f has not fallen. If it is ≤ 0 there, it is so by rounding.
+    if to.f > 0.0 || to.g >= 0.0 {
         return SpanResult::Clear;
     }
     let mut here = to;
     for _ in 0..MAX_STEPS {
         let t = here.t - 0.5 * here.f / here.g;
-        if t <= earliest {
-            return SpanResult::At(earliest);
+        if t <= earliest.t {
+            here = earliest;
+            break;
         }
         if t >= here.t {
             break;
@@ -193,7 +195,8 @@ fn on_concave<const N: usize>(gap: &Gap<'_, N>, from: Sample, to: Sample) -> Spa
             break;
         }
     }
-    SpanResult::At(here.t)
+    // Rounding may make a gap ≤ 0 that is still opening. Bodies that separate have not met.
+    SpanResult::At(if here.g > 0.0 { turning_point(gap, here, to).t } else { here.t })
 }
 
 /// The point at which f stops rising and begins to fall, between a rising and a falling point of a

@@ -7,6 +7,7 @@ mod detected_law_faults;
 mod detected_network_faults;
 mod detected_rail_faults;
 mod detected_spin_faults;
+mod found_by_stress;
 mod laws;
 mod long_pushes;
 mod misplaced;

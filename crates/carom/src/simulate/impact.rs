@@ -13,7 +13,7 @@ use crate::resolve::ball_ball::held;
 use crate::resolve::ball_edge::{self, Edge};
 use crate::resolve::{self, Body, ball_slate};
 use crate::table::Part;
-use crate::{Ball, BallState, Physics};
+use crate::{Ball, BallState, MotionState, Physics};
 
 /// Sine and cosine of the angle by which the wall of a liner leans over the hole, so that it
 /// deflects a fast ball downwards: 15°, like the back draft of a facing. Detection treats the wall
@@ -186,12 +186,15 @@ impl PairImpact<'_> {
             let approach = (p.velocity - q.velocity).dot(*normal);
             approach < ball_slate::last_hop_speed(*gravity)
         };
+        // A ball on a rail's top does not come down on the other ball: it meets it like a ball on the
+        // slate.
+        let flies = before.map(|state| state.motion == MotionState::Airborne);
         match on_bed {
-            [false, true] if gentle() => {
+            [false, true] if flies[0] && gentle() => {
                 let normal = unbalanced(*normal, &p);
                 held::resolve(law.restitution, normal, &mut p, &mut q);
             }
-            [true, false] if gentle() => {
+            [true, false] if flies[1] && gentle() => {
                 let normal = unbalanced(-*normal, &q);
                 held::resolve(law.restitution, normal, &mut q, &mut p);
             }
