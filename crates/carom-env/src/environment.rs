@@ -1,20 +1,19 @@
 //! One environment.
 
 use carom::Error;
+use carom_mind::Answer;
 use carom_rules::{FrameSimulator, Seat, Turn};
 
-use crate::config::Config;
+use crate::config::{AGENT, Config};
 use crate::episode::{Ending, Episode, NoisyStrike, ShotResult};
 use crate::frame::FrameEpisode;
 use crate::modes::Opponent;
 use crate::potting::Potting;
-use crate::random::{Dice, episode_seed};
+use crate::random::{decision_seed, episode_seed};
 use crate::sum_to_three::SumToThree;
 use crate::task::Task;
+use crate::worker::Worker;
 use crate::{action, observe, opponent};
-
-/// The seat of an agent that has an opponent.
-const AGENT: Seat = 0;
 
 /// A new episode of `task`.
 pub(crate) fn episode(task: Task, config: &Config) -> Result<Box<dyn Episode>, Error> {
@@ -46,8 +45,8 @@ pub(crate) struct Environment {
     episode_seed: u64,
     /// Steps of this episode.
     steps: u32,
-    /// Shots of this episode, the opponent's included.
-    shots: u64,
+    /// Moves of this episode: all shots, and the answers of a player to choices.
+    moves: u64,
     pub(crate) episode: Box<dyn Episode>,
     /// Whether the episode has ended.
     pub(crate) ended: bool,
@@ -62,7 +61,7 @@ impl Environment {
             number: 0,
             episode_seed: 0,
             steps: 0,
-            shots: 0,
+            moves: 0,
             episode,
             ended: true,
             shooter: 0,
@@ -83,7 +82,7 @@ impl Environment {
 
     fn begin(&mut self) -> Result<(), Error> {
         self.episode_seed = episode_seed(self.seed, self.number);
-        (self.steps, self.shots) = (0, 0);
+        (self.steps, self.moves) = (0, 0);
         self.shooter = 0;
         self.ended = true;
         self.episode.restart(self.episode_seed)?;
@@ -98,7 +97,7 @@ impl Environment {
 
     /// The seat from which the agent observes.
     pub(crate) fn viewer(&self, config: &Config) -> Seat {
-        match config.opponent {
+        match &config.opponent {
             Opponent::None => self.episode.turn().map_or(self.shooter, |turn| turn.player),
             _ => AGENT,
         }
@@ -112,7 +111,7 @@ impl Environment {
     pub(crate) fn step(
         &mut self,
         config: &Config,
-        simulator: &mut FrameSimulator,
+        worker: &mut Worker,
         action: &[f32],
     ) -> StepResult {
         let mut step = StepResult::default();
@@ -120,14 +119,14 @@ impl Environment {
             self.ended = true;
             return StepResult { truncated: true, ..step };
         };
-        let (episode, draw) = (&*self.episode, (self.episode_seed, self.shots));
+        let (episode, draw) = (&*self.episode, (self.episode_seed, self.moves));
         let strike = action::strike(config, episode, turn, action, draw);
         let agent = turn.player;
-        if let Some(result) = self.play(config, simulator, strike, &mut step) {
+        if let Some(result) = self.play(config, &mut worker.simulator, strike, &mut step) {
             step.reward = self.reward(config, agent, &result);
             step.legal = result.legal;
             step.potted = result.potted;
-            self.reply(config, simulator, &mut step);
+            self.reply(config, worker, &mut step);
         }
         match self.episode.ending() {
             Some(Ending::Stalemate) => step.truncated = true,
@@ -142,17 +141,53 @@ impl Environment {
     }
 
     /// The opponent shoots until it is the agent's turn, or the frame is over.
-    fn reply(&mut self, config: &Config, simulator: &mut FrameSimulator, step: &mut StepResult) {
-        if config.opponent == Opponent::None {
-            return;
-        }
-        while let Some(turn) = self.episode.turn().filter(|turn| turn.player != AGENT) {
-            let (episode, draw) = (&*self.episode, (self.episode_seed, self.shots));
-            let mut dice = Dice::of_opponent(self.episode_seed, self.shots);
-            let strike = opponent::strike(config.opponent, config, episode, turn, &mut dice, draw);
-            let Some(result) = self.play(config, simulator, strike, step) else { return };
+    fn reply(&mut self, config: &Config, worker: &mut Worker, step: &mut StepResult) {
+        loop {
+            let result = match &config.opponent {
+                Opponent::None => return,
+                Opponent::Random | Opponent::Potter => {
+                    let turn = self.episode.turn().filter(|turn| turn.player != AGENT);
+                    let Some(turn) = turn else { return };
+                    let draw = (self.episode_seed, self.moves);
+                    let strike = opponent::strike(config, &*self.episode, turn, draw);
+                    self.play(config, &mut worker.simulator, strike, step)
+                }
+                Opponent::Player(_) => {
+                    let frame = self.episode.frame();
+                    let asked = frame.filter(|frame| frame.player() == Some(1 - AGENT));
+                    let Some(frame) = asked else { return };
+                    let seed = decision_seed(self.episode_seed, self.moves);
+                    let answer = worker.decide(config, frame, seed);
+                    self.take(config, &mut worker.simulator, answer, step)
+                }
+            };
+            let Some(result) = result else { return };
             step.reward -= self.reward(config, 1 - AGENT, &result);
         }
+    }
+
+    /// Takes the answer of a player. A missing answer truncates the episode, and so does one that is not
+    /// possible.
+    fn take(
+        &mut self,
+        config: &Config,
+        simulator: &mut FrameSimulator,
+        answer: Option<Answer>,
+        step: &mut StepResult,
+    ) -> Option<ShotResult> {
+        let draw = (self.episode_seed, self.moves);
+        let choice = match answer {
+            Some(Answer::Play(play)) => {
+                let strike = opponent::strike_of_play(config, &*self.episode, &play, draw);
+                return self.play(config, simulator, strike, step);
+            }
+            Some(Answer::Choice(choice)) => Some(choice),
+            Some(Answer::Concede) => None,
+            None => return self.play(config, simulator, None, step),
+        };
+        self.moves += 1;
+        let result = self.episode.choose(choice).ok();
+        fail_without(result, config, step)
     }
 
     /// Plays a strike. One that cannot be played truncates the episode.
@@ -164,13 +199,9 @@ impl Environment {
         step: &mut StepResult,
     ) -> Option<ShotResult> {
         self.shooter = self.episode.turn().map_or(self.shooter, |turn| turn.player);
-        self.shots += 1;
+        self.moves += 1;
         let result = strike.and_then(|strike| self.episode.play(simulator, &strike).ok());
-        if result.is_none() {
-            step.truncated = true;
-            step.reward += config.rewards.failure;
-        }
-        result
+        fail_without(result, config, step)
     }
 
     /// The reward of `seat` for its shot.
@@ -185,6 +216,19 @@ impl Environment {
         let points = result.points[seat] - result.points[1 - seat];
         won + foul + rewards.pot * f64::from(result.potted) + rewards.point * f64::from(points)
     }
+}
+
+/// `result`; without one the step is a failure.
+fn fail_without(
+    result: Option<ShotResult>,
+    config: &Config,
+    step: &mut StepResult,
+) -> Option<ShotResult> {
+    if result.is_none() {
+        step.truncated = true;
+        step.reward += config.rewards.failure;
+    }
+    result
 }
 
 #[cfg(test)]
