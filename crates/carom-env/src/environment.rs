@@ -236,13 +236,19 @@ mod tests {
     use carom::batch::draw_strikes;
     use carom::noise::{OFFSET_KEPT, SLOWEST, STEEPEST};
     use carom::{Noise, Simulator};
-    use carom_rules::{Play, Rules};
+    use carom_arena::BuiltInPlayer;
+    use carom_mind::{Answer, Budget, Situation};
+    use carom_rules::{Choice, Frame, Play, Request, Rules};
 
-    use super::episode;
+    use super::{Environment, StepResult, episode};
     use crate::action::strike;
     use crate::config::Config;
-    use crate::episode::Episode;
+    use crate::episode::{Ending, Episode};
+    use crate::modes::Opponent;
+    use crate::opponent::strike_of_play;
+    use crate::random::{decision_seed, episode_seed};
     use crate::task::Task;
+    use crate::worker::Worker;
 
     /// An action at the limits of all numbers: the slowest strike, far off centre, with a steep cue.
     const FAR_OUT: [f32; 7] = [0.3, -1.0, 0.8, -0.6, 1.0, 0.1, 0.2];
@@ -273,5 +279,133 @@ mod tests {
             far += usize::from(drawn.offset() > 0.999_999 * OFFSET_KEPT * shot.miscue_limit());
         }
         assert!(slow > 10 && steep > 10 && far > 10, "{slow} slow, {steep} steep, {far} far out");
+    }
+
+    const SEED: u64 = 6;
+
+    /// The first episode of a game against `opponent`, and its settings without noise for the agent.
+    fn against(rules: Rules, opponent: &str) -> (Environment, Config) {
+        let task = Task::Game(rules);
+        let opponent = Opponent::read(opponent).expect("an opponent");
+        let config = Config { opponent, ..Config::of(task) };
+        let mut environment = Environment::new(episode(task, &config).expect("a task"), SEED);
+        environment.seed(SEED).expect("a rack");
+        (environment, config)
+    }
+
+    fn frame(environment: &Environment) -> Frame {
+        environment.episode.frame().expect("a game").clone()
+    }
+
+    /// The agent's strike of `action`, without the reply.
+    fn agent_plays(environment: &mut Environment, config: &Config, action: &[f32]) {
+        let turn = *environment.episode.turn().expect("a shot");
+        let strike = strike(config, &*environment.episode, &turn, action, (0, 0));
+        let (mut worker, mut step) = (Worker::new(config), StepResult::default());
+        environment.play(config, &mut worker.simulator, strike, &mut step).expect("it is played");
+    }
+
+    /// A break too weak to be legal: the other player chooses.
+    const WEAK_BREAK: [f32; 7] = [0.5, -0.4, 0.0, 0.0, 0.0, 0.0, 0.0];
+
+    #[test]
+    fn a_reply_is_what_the_player_decides_about_the_frame() {
+        for (rules, name) in [
+            (Rules::EightBall, "carom:30"),
+            (Rules::NineBall, "greedy:30"),
+            (Rules::Snooker, "carom:30"),
+        ] {
+            let (mut environment, config) = against(rules, name);
+            let mut other = environment.clone();
+            agent_plays(&mut other, &config, &WEAK_BREAK);
+            let mut expected = frame(&other);
+            assert_eq!(expected.player(), Some(1), "{name}");
+            let read = BuiltInPlayer::read(name).expect("a player");
+            let mut moves = 1;
+            while expected.player() == Some(1) {
+                let seed = decision_seed(episode_seed(SEED, 0), moves);
+                let situation = Situation::new(&expected, Noise::NONE, seed);
+                let mut player = read.make().expect("a player");
+                let decision = player.decide(&situation, &Budget::simulations(30));
+                match decision.expect("a decision").answer {
+                    Answer::Play(play) => drop(expected.play(&play).expect("a legal play")),
+                    Answer::Choice(choice) => drop(expected.choose(choice).expect("a choice")),
+                    Answer::Concede => drop(expected.concede().expect("a concession")),
+                }
+                moves += 1;
+            }
+            environment.step(&config, &mut Worker::new(&config), &WEAK_BREAK);
+            let found = frame(&environment);
+            assert_eq!(found.layout(), expected.layout(), "{name}");
+            assert_eq!(environment.moves, moves, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_player_answers_its_choices_itself_and_the_others_do_not() {
+        for (name, is_asked) in [("carom:30", true), ("potter", false)] {
+            let (mut environment, config) = against(Rules::EightBall, name);
+            agent_plays(&mut environment, &config, &WEAK_BREAK);
+            let frame = frame(&environment);
+            let asks = matches!(frame.request(), Request::Choice { player: 1, .. });
+            assert_eq!((asks, frame.player()), (is_asked, Some(1)), "{name}");
+        }
+        let (mut environment, config) = against(Rules::EightBall, "carom:30");
+        agent_plays(&mut environment, &config, &WEAK_BREAK);
+        let (mut worker, mut step) = (Worker::new(&config), StepResult::default());
+        let answer = Some(Answer::Choice(Choice::Rebreak));
+        let result = environment.take(&config, &mut worker.simulator, answer, &mut step);
+        assert!(result.expect("a choice").legal);
+        assert_eq!(
+            (frame(&environment).player(), frame(&environment).is_opening()),
+            (Some(1), true)
+        );
+    }
+
+    #[test]
+    fn a_player_that_concedes_loses() {
+        let (mut environment, config) = against(Rules::Snooker, "level-2");
+        agent_plays(&mut environment, &config, &WEAK_BREAK);
+        let (mut worker, mut step) = (Worker::new(&config), StepResult::default());
+        let conceded =
+            environment.take(&config, &mut worker.simulator, Some(Answer::Concede), &mut step);
+        assert_eq!(environment.episode.ending(), Some(Ending::Won(0)));
+        let reward = environment.reward(&config, 1, &conceded.expect("a concession"));
+        assert_eq!((reward, step.truncated), (-config.rewards.win, false));
+    }
+
+    #[test]
+    fn an_answer_that_is_not_possible_truncates_the_episode() {
+        for answer in [None, Some(Answer::Choice(Choice::Replace))] {
+            let (mut environment, config) = against(Rules::EightBall, "carom:30");
+            agent_plays(&mut environment, &config, &WEAK_BREAK);
+            let (mut worker, mut step) = (Worker::new(&config), StepResult::default());
+            let result = environment.take(&config, &mut worker.simulator, answer, &mut step);
+            assert!(result.is_none() && step.truncated, "{answer:?}");
+            assert_eq!(step.reward, config.rewards.failure);
+        }
+    }
+
+    #[test]
+    fn a_level_strikes_with_its_own_noise_and_other_players_with_that_of_the_environment() {
+        for (name, is_own) in [("level-1", true), ("carom", false), ("potter", false)] {
+            let (mut environment, config) = against(Rules::NineBall, name);
+            let turn = *environment.episode.turn().expect("a break");
+            let agent = strike(&config, &*environment.episode, &turn, &WEAK_BREAK, (1, 2));
+            let agent = agent.expect("a place");
+            assert_eq!(agent.actual, agent.intended, "{name}");
+            agent_plays(&mut environment, &config, &WEAK_BREAK);
+            let play = Play::new(agent.intended);
+            if environment.episode.turn().is_none() {
+                environment.episode.choose(Some(Choice::PlayOn)).expect("a choice");
+            }
+            let struck = strike_of_play(&config, &*environment.episode, &play, (1, 2));
+            let struck = struck.expect("a shot");
+            assert_eq!(struck.intended, play.strike, "{name}");
+            assert_eq!(struck.actual != struck.intended, is_own, "{name}");
+        }
+        let (_, config) = against(Rules::NineBall, "level-1");
+        let level = BuiltInPlayer::read("level-1").expect("a level");
+        assert_eq!((config.noise_of(0), Some(config.noise_of(1))), (Noise::NONE, level.noise()));
     }
 }

@@ -17,7 +17,7 @@ pub(crate) struct NoisyStrike {
     pub(crate) cling: Cling,
     /// Where a cue ball in hand is placed before the strike (file frame, m).
     pub(crate) cue_ball: Option<[f64; 2]>,
-    /// The call; none for the call that is made for the player.
+    /// The call; `None` for the call that is made for the player.
     pub(crate) call: Option<Call>,
 }
 
