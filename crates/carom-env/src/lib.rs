@@ -23,6 +23,9 @@
 //! # }
 //! ```
 //!
+//! The opponent can be any built-in player of [`carom_arena::BuiltInPlayer`], by its name
+//! ([`Opponent::read`]). It decides on the thread that steps its environment.
+//!
 //! # The same bits
 //!
 //! The results in an environment depend only on its seed, the number of its episode and the
