@@ -288,6 +288,61 @@ def test_with_an_opponent_the_agent_always_shoots_next(name: str, opponent: str)
         assert (info["player"] == 0).all()
 
 
+@pytest.mark.parametrize("opponent", ["level-1:20", "carom:20", "greedy[aim=simulated]:20"])
+@pytest.mark.parametrize("name", ["carom/EightBall-v6", "carom/ThreeCushion-v6"])
+def test_a_built_in_player_replies_with_the_same_bits_for_any_number_of_threads(
+    name: str, opponent: str
+) -> None:
+    def results(opponent: str, threads: int) -> list[np.ndarray[Any, Any]]:
+        envs = gymnasium.make_vec(
+            name, num_envs=4, opponent=opponent, noise=NOISE, balls=2, threads=threads
+        )
+        return play(envs, 2)
+
+    one = results(opponent, 1)
+    for threads in (2, 3):
+        for a, b in zip(one, results(opponent, threads), strict=True):
+            np.testing.assert_array_equal(a, b)
+    potter = results("potter", 1)
+    assert any((a != b).any() for a, b in zip(one, potter, strict=True))
+
+
+def test_a_frame_against_a_level_ends_by_its_rules() -> None:
+    env = gymnasium.make(
+        "carom/NineBall-v3", opponent="level-1:20", balls=2, aim="relative", patience=20
+    )
+    env.action_space.seed(0)
+    env.reset(seed=1)
+    for _ in range(100):
+        _, reward, terminated, truncated, info = env.step(env.action_space.sample())
+        if terminated or truncated:
+            break
+        assert info["player"] == 0
+    assert terminated
+    assert abs(reward) > 0.5
+    assert info["player"] == -1
+
+
+@pytest.mark.parametrize("task", ["potting", "sum-to-three"])
+def test_a_task_without_a_referee_has_no_player_as_its_opponent(task: str) -> None:
+    with pytest.raises(InputError, match=r"^opponent: .*; (leave it out|write none, random)"):
+        carom.env.CaromEnv(task, opponent="level-2")
+
+
+@pytest.mark.parametrize(
+    ("opponent", "message"),
+    [
+        ("someone", r'^opponent: there is no "someone"; write one of none, .*, level-1, .*200'),
+        ("carom:0", r"^opponent: .*; write a whole number from 1"),
+        ("carom[finalists=-1]", r"^opponent\.finalists: "),
+        ("cue-card:9000000", r"^opponent: .*; give a number up to 5000000"),
+    ],
+)
+def test_an_unknown_opponent_is_refused_with_a_remedy(opponent: str, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        carom.env.CaromEnv("nine-ball", opponent=opponent)
+
+
 @pytest.mark.parametrize("name", ["carom/ThreeCushion-v6", "carom/SumToThree-v3"])
 def test_the_shooter_continues_after_a_point(name: str) -> None:
     envs = gymnasium.make_vec(name, num_envs=200)

@@ -26,7 +26,7 @@ pub const MOST_PLANNED: u64 = 5_000_000;
 /// It is written `NAME`, `NAME:SIMULATIONS`, `NAME[KEY=VALUE,...]` or
 /// `NAME[KEY=VALUE,...]:SIMULATIONS`, such as `carom:2000` or `cue-card[level-two=off]:20000`. The
 /// settings are those of [`Searcher::read`] and [`Literature::player_with`].
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BuiltInPlayer {
     name: &'static str,
     settings: Node,

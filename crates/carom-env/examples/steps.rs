@@ -1,12 +1,14 @@
 //! Measures the steps per second of a vector of environments, as `carom.bench.environments` does,
 //! but without Python.
 //!
-//! `cargo run --release -p carom-env --example steps -- eight-ball 4096 100 [threads] [noise]`
+//! `cargo run --release -p carom-env --example steps -- eight-ball 4096 100 [threads] [noise] [opponent]`
+//!
+//! 0 threads are one for each core.
 
 use std::time::Instant;
 
 use carom::{Error, Noise};
-use carom_env::{Aim, Config, Task, VectorEnv};
+use carom_env::{Aim, Config, Opponent, Task, VectorEnv};
 
 fn main() -> Result<(), Error> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -22,6 +24,7 @@ fn main() -> Result<(), Error> {
         aim: Aim::Relative,
         elevation: 0.0,
         balls,
+        opponent: Opponent::read(&argument(5, "none"))?,
         threads: (threads > 0).then_some(threads),
         ..Config::of(task)
     };

@@ -63,9 +63,7 @@ pub(crate) fn strike(
     // The default elevation is the least: a player does not strike through the rail.
     let least = episode.default_elevation(turn.cue, from, &intended);
     intended.elevation = intended.elevation.max(least);
-    let actual = with_noise(config, episode, turn, &intended, draw);
-    let cling = config.noise.draw_cling(draw.0, draw.1);
-    Some(NoisyStrike { intended, actual, cling, cue_ball })
+    Some(with_noise(config, episode, turn, (cue_ball, intended), draw))
 }
 
 /// The azimuth (rad) that hits the target ball at `across`: from its right edge (−1) to its left
@@ -80,15 +78,19 @@ fn relative(episode: &dyn Episode, turn: &Turn, from: [f64; 2], across: f64) -> 
     atan2(way[1], way[0]) + asin((across * reach / length(way)).clamp(-1.0, 1.0))
 }
 
-/// `intended` with noise ([`carom::Noise::draw`]). `draw`: the seed and the number of the draw.
+/// `intended`, and the place of a cue ball in hand, with the noise of the shooter
+/// ([`carom::Noise::draw`]). `draw`: the seed and the number of the draw.
 pub(crate) fn with_noise(
     config: &Config,
     episode: &dyn Episode,
     turn: &Turn,
-    intended: &Strike,
+    (cue_ball, intended): (Option<[f64; 2]>, Strike),
     draw: (u64, u64),
-) -> Strike {
+) -> NoisyStrike {
+    let noise = config.noise_of(turn.player);
     let ball = &episode.balls()[usize::from(turn.cue)].ball;
     let struck = StruckBall::of(episode.base(), ball);
-    config.noise.draw(intended, &struck, draw.0, draw.1)
+    let actual = noise.draw(&intended, &struck, draw.0, draw.1);
+    let cling = noise.draw_cling(draw.0, draw.1);
+    NoisyStrike { intended, actual, cling, cue_ball, call: None }
 }

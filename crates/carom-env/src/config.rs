@@ -2,7 +2,7 @@
 
 use carom::format::Node;
 use carom::{Error, Noise};
-use carom_rules::{Options, Rules};
+use carom_rules::{Options, Rules, Seat};
 
 use crate::modes::{Aim, Autoreset, Opponent, TargetBall};
 use crate::task::Task;
@@ -12,6 +12,9 @@ const FASTEST: f64 = 15.0;
 
 /// Largest intended elevation, rad (80°). Players do not hold a cue closer to upright.
 const STEEPEST: f64 = 1.396;
+
+/// The seat of an agent that has an opponent.
+pub(crate) const AGENT: Seat = 0;
 
 /// The reward for a shot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +65,8 @@ impl Rewards {
 /// The settings of an environment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Config {
-    /// Noise of every strike, the opponent's included.
+    /// Noise of every strike, the opponent's included, unless the opponent is a level of strength: it
+    /// has its own.
     pub noise: Noise,
     /// The meaning of the first number of an action.
     pub aim: Aim,
@@ -121,6 +125,14 @@ impl Config {
         }
     }
 
+    /// The noise of the strikes of `seat`.
+    pub(crate) fn noise_of(&self, seat: Seat) -> Noise {
+        match &self.opponent {
+            Opponent::Player(player) if seat != AGENT => player.noise().unwrap_or(self.noise),
+            _ => self.noise,
+        }
+    }
+
     pub(crate) fn check(&self, task: Task) -> Result<(), Error> {
         self.noise.check()?;
         self.options.check()?;
@@ -148,6 +160,13 @@ impl Config {
                 "opponent",
                 "the potting task has one shot and no opponent",
                 "leave it out",
+            ));
+        }
+        if let (Task::SumToThree, Opponent::Player(player)) = (task, &self.opponent) {
+            return Err(Error::input(
+                "opponent",
+                format!("{} plays games with a referee, not {}", player.name(), task.name()),
+                "write none, random or potter, or choose a game",
             ));
         }
         self.check_balls(task)

@@ -4,7 +4,7 @@ use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{BallInSpace, Cling};
 use carom::{Error, Shot};
-use carom_rules::{BallIndex, FrameBall, FrameSimulator, Seat, Turn};
+use carom_rules::{BallIndex, Call, Choice, Frame, FrameBall, FrameSimulator, Seat, Turn};
 
 /// A strike before and after noise.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +17,8 @@ pub(crate) struct NoisyStrike {
     pub(crate) cling: Cling,
     /// Where a cue ball in hand is placed before the strike (file frame, m).
     pub(crate) cue_ball: Option<[f64; 2]>,
+    /// The call; `None` for the call that is made for the player.
+    pub(crate) call: Option<Call>,
 }
 
 /// The result of a shot.
@@ -75,8 +77,18 @@ pub(crate) trait Episode: Send + Sync {
     }
     /// Starts another episode.
     fn restart(&mut self, seed: u64) -> Result<(), Error>;
-    /// Plays a shot, and answers every choice that follows from it. After an error the episode is
-    /// over.
+    /// The frame to whose requests a player answers; none if the task has no referee, and after a
+    /// shot that could not be played.
+    fn frame(&self) -> Option<&Frame> {
+        None
+    }
+    /// Takes a player's answer to a choice, or its concession (`None`), and answers every choice that
+    /// follows from it, except those of the player. After an error the episode is over.
+    fn choose(&mut self, _choice: Option<Choice>) -> Result<ShotResult, Error> {
+        Err(Error::input("choice", "the task has no referee", "play a shot"))
+    }
+    /// Plays a shot, and answers every choice that follows from it, except those of a player. After
+    /// an error the episode is over.
     fn play(
         &mut self,
         simulator: &mut FrameSimulator,

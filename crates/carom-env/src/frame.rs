@@ -12,8 +12,9 @@ use carom_rules::{
     Turn, through_degrees,
 };
 
-use crate::config::Config;
+use crate::config::{AGENT, Config};
 use crate::episode::{Ending, Episode, NoisyStrike, ShotResult, Standing};
+use crate::modes::Opponent;
 use crate::placement;
 use crate::random::Dice;
 use crate::task_recorder::TaskRecorder;
@@ -39,6 +40,8 @@ pub(crate) struct FrameEpisode {
     points: i32,
     /// Smallest and largest number of object balls at the start; none if it starts with a rack.
     balls: Option<[usize; 2]>,
+    /// The seat that answers its choices itself: that of a player.
+    chooser: Option<Seat>,
     /// Whether a shot could not be played.
     failed: bool,
 }
@@ -47,7 +50,9 @@ impl FrameEpisode {
     pub(crate) fn new(rules: Rules, config: &Config) -> Result<Self, Error> {
         let (table, physics) = (config.table.clone(), config.physics.clone());
         let frame = Frame::new(rules, config.options, table, physics, 0)?;
-        Ok(Self { frame, points: config.options.points, balls: config.balls, failed: false })
+        let chooser = matches!(config.opponent, Opponent::Player(_)).then_some(1 - AGENT);
+        let (points, balls) = (config.options.points, config.balls);
+        Ok(Self { frame, points, balls, chooser, failed: false })
     }
 
     /// Whether the shooter may pot `ball` in this turn.
@@ -100,8 +105,11 @@ impl FrameEpisode {
         pot.map_or(default, |&(k, pocket)| Call::Pocket(ball(k), pockets[usize::from(pocket)].name))
     }
 
+    /// Answers the choices of the seats that do not answer themselves.
     fn answer_choices(&mut self) -> Result<(), Error> {
-        while let Request::Choice { choices, .. } = self.frame.request() {
+        while let Request::Choice { player, choices, .. } = self.frame.request()
+            && Some(*player) != self.chooser
+        {
             let usual = ANSWERS.into_iter().find(|answer| choices.contains(answer));
             let Some(answer) = usual.or_else(|| choices.first().copied()) else { break };
             self.frame.choose(answer)?;
@@ -120,7 +128,10 @@ impl FrameEpisode {
         let prepared = Prepared::new(&self.frame, strike.cue_ball)?;
         let [intended, actual] = [strike.intended, strike.actual].map(|s| through_degrees(&s));
         prepared.shot().resolve_strike(&intended)?;
-        let call = self.call(simulator, &prepared, &intended);
+        let call = match strike.call {
+            Some(call) => call,
+            None => self.call(simulator, &prepared, &intended),
+        };
         if strike.cling.is_empty() {
             simulator.simulate(&prepared, &actual)?;
         } else {
@@ -137,6 +148,15 @@ impl FrameEpisode {
         self.frame = successor;
         self.answer_choices()?;
         Ok(ShotResult { legal, potted, points: ruling.points })
+    }
+
+    fn try_choose(&mut self, choice: Option<Choice>) -> Result<ShotResult, Error> {
+        let ruling = match choice {
+            Some(choice) => self.frame.choose(choice)?,
+            None => self.frame.concede()?,
+        };
+        self.answer_choices()?;
+        Ok(ShotResult { legal: true, potted: 0, points: ruling.points })
     }
 }
 
@@ -224,6 +244,16 @@ impl Episode for FrameEpisode {
         let table = self.frame.base().table();
         placement::scatter(table, layout.balls(), &wanted, &mut places, &mut dice)?;
         self.frame.resume_at(&places, 0)
+    }
+
+    fn frame(&self) -> Option<&Frame> {
+        (!self.failed).then_some(&self.frame)
+    }
+
+    fn choose(&mut self, choice: Option<Choice>) -> Result<ShotResult, Error> {
+        let result = self.try_choose(choice);
+        self.failed |= result.is_err();
+        result
     }
 
     fn play(

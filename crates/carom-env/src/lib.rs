@@ -23,6 +23,9 @@
 //! # }
 //! ```
 //!
+//! The opponent can be any built-in player of [`carom_arena::BuiltInPlayer`], by its name
+//! ([`Opponent::read`]). It decides on the thread that steps its environment.
+//!
 //! # The same bits
 //!
 //! The results in an environment depend only on its seed, the number of its episode and the
@@ -36,8 +39,8 @@
 //! rules ([`carom_rules::Options::patience`]).
 //!
 //! Files import downwards only: names ← modes, task ← config ← episode, bare_table, placement,
-//! random, task_recorder ← action ← opponent; frame, potting, sum_to_three ← environment, observe ←
-//! vector.
+//! random, task_recorder ← action ← opponent; frame, potting, sum_to_three, worker ← environment, observe
+//! ← vector.
 
 mod action;
 mod bare_table;
@@ -56,10 +59,11 @@ mod sum_to_three;
 mod task;
 mod task_recorder;
 mod vector;
+mod worker;
 
 pub use action::{ACTIONS, ACTIONS_WITHOUT_HAND};
 pub use config::{Config, Rewards};
-pub use modes::{Aim, Autoreset, Opponent, TargetBall};
+pub use modes::{Aim, Autoreset, OPPONENT_SIMULATIONS, Opponent, TargetBall};
 pub use observe::{BALL_FEATURES, FEATURES, POSITION_BOUND, SCORE_BOUND};
 pub use sum_to_three::CUSHIONS;
 pub use task::Task;

@@ -1,6 +1,9 @@
 //! The options of an environment that have names.
 
 use carom::Error;
+use carom::error::InputError;
+use carom_arena::BuiltInPlayer;
+use carom_mind::Budget;
 
 use crate::names::named;
 
@@ -36,8 +39,12 @@ impl Aim {
     }
 }
 
+/// Simulated shots for each decision of a player whose name has no number of them and who is not a
+/// level of strength. A step then takes some milliseconds of one core.
+pub const OPPONENT_SIMULATIONS: u32 = 200;
+
 /// The player of seat 1.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum Opponent {
     /// The agent itself: it shoots for both seats, observes the table as the shooter, and is
     /// rewarded for the shooter's result.
@@ -47,26 +54,78 @@ pub enum Opponent {
     Random,
     /// A player who aims by the ghost ball at the easiest pot, with the same noise as the agent.
     Potter,
+    /// A built-in player, in the games with a referee. It answers everything that its seat is asked:
+    /// shots with their calls, and choices; and it may concede. A level of strength has its own noise,
+    /// the others have the same noise as the agent.
+    Player(BuiltInPlayer),
 }
 
 impl Opponent {
-    const ALL: [Self; 3] = [Self::None, Self::Random, Self::Potter];
+    const SIMPLE: [Self; 3] = [Self::None, Self::Random, Self::Potter];
 
-    /// The opponent's name.
-    pub const fn name(self) -> &'static str {
+    /// The names of all opponents. Settings and a number of simulated shots may follow the name of a
+    /// built-in player.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        Self::SIMPLE.iter().map(Self::stem).chain(BuiltInPlayer::names())
+    }
+
+    /// The opponent's name, with the settings and the number of a built-in player.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Player(player) => player.entry().name,
+            simple => simple.stem().into(),
+        }
+    }
+
+    fn stem(&self) -> &'static str {
         match self {
             Self::None => "none",
             Self::Random => "random",
             Self::Potter => "potter",
+            Self::Player(player) => player.name(),
         }
     }
 
-    /// The opponent called `name`.
+    /// The opponent called `name`: `none`, `random`, `potter`, or a built-in player as
+    /// [`BuiltInPlayer::read`] reads it, such as `level-2` or `carom:500`.
     ///
     /// # Errors
-    /// [`Error::Input`] if there is none.
+    /// [`Error::Input`] at `opponent` if there is none, and for a number of simulated shots that is
+    /// not possible; at `opponent.KEY` for a setting that is not possible.
     pub fn read(name: &str) -> Result<Self, Error> {
-        named(&Self::ALL, Self::name, "opponent", name)
+        if let Some(simple) = Self::SIMPLE.into_iter().find(|simple| simple.stem() == name) {
+            return Ok(simple);
+        }
+        let stem = name.split(['[', ':']).next().unwrap_or_default();
+        if !BuiltInPlayer::names().any(|known| known == stem) {
+            let names: Vec<&str> = Self::names().collect();
+            let remedy = format!(
+                "write one of {}; a number of simulated shots may follow a player, as in carom:200",
+                names.join(", ")
+            );
+            return Err(Error::input("opponent", format!("there is no \"{name}\""), remedy));
+        }
+        let player = BuiltInPlayer::read(name).map_err(at_opponent)?;
+        let budget = Budget::simulations(simulations_of(&player));
+        player.check_budget(&budget).map_err(at_opponent)?;
+        Ok(Self::Player(player))
+    }
+}
+
+/// The simulated shots for each decision of `player`.
+pub(crate) fn simulations_of(player: &BuiltInPlayer) -> u64 {
+    player.simulations().unwrap_or(OPPONENT_SIMULATIONS).into()
+}
+
+/// An error at the place of a player (`player`, `player.KEY`, `simulations`), as one at the opponent.
+fn at_opponent(error: Error) -> Error {
+    match error {
+        Error::Input(fault) => {
+            let InputError { place, what, remedy } = *fault;
+            let key = place.strip_prefix("player").unwrap_or_default();
+            Error::input(format!("opponent{key}"), what, remedy)
+        }
+        other => other,
     }
 }
 

@@ -1,8 +1,8 @@
-//! Built-in opponents.
+//! The strikes of opponents: random actions, the potter, and the plays of built-in players.
 
 use carom::math::{Vec2, atan2};
 use carom::resolve::cue_ball::Strike;
-use carom_rules::{BallIndex, Turn};
+use carom_rules::{BallIndex, Play, Turn};
 
 use crate::action::{self, ACTIONS};
 use crate::config::Config;
@@ -30,26 +30,34 @@ const SAFE: f64 = 2.0;
 /// matters.
 const CLOSE: f64 = 0.3;
 
-/// The strike of `opponent`, with noise `draw`: the seed and the number of the draw. None if the
-/// cue ball is in hand and there is no free place for it.
+/// The strike of the opponent of `config`, with noise `draw`: the seed and the number of the draw. None
+/// if the cue ball is in hand and there is no free place for it.
 pub(crate) fn strike(
-    opponent: Opponent,
     config: &Config,
     episode: &dyn Episode,
     turn: &Turn,
-    dice: &mut Dice,
     draw: (u64, u64),
 ) -> Option<NoisyStrike> {
-    let (cue_ball, intended) = match opponent {
-        Opponent::None | Opponent::Random => {
-            let action = ACTIONS.map(|_| dice.between(-1.0, 1.0) as f32);
-            return action::strike(config, episode, turn, &action, draw);
-        }
-        Opponent::Potter => potter(config, episode, turn, dice)?,
-    };
-    let actual = action::with_noise(config, episode, turn, &intended, draw);
-    let cling = config.noise.draw_cling(draw.0, draw.1);
-    Some(NoisyStrike { intended, actual, cling, cue_ball })
+    let mut dice = Dice::of_opponent(draw.0, draw.1);
+    if config.opponent == Opponent::Potter {
+        let intended = potter(config, episode, turn, &mut dice)?;
+        return Some(action::with_noise(config, episode, turn, intended, draw));
+    }
+    let action = ACTIONS.map(|_| dice.between(-1.0, 1.0) as f32);
+    action::strike(config, episode, turn, &action, draw)
+}
+
+/// The strike of a player's `play`, with noise `draw`, as [`strike`]. None if the episode does not ask for
+/// a shot.
+pub(crate) fn strike_of_play(
+    config: &Config,
+    episode: &dyn Episode,
+    play: &Play,
+    draw: (u64, u64),
+) -> Option<NoisyStrike> {
+    let intended = (play.cue_ball, play.strike);
+    let noisy = action::with_noise(config, episode, episode.turn()?, intended, draw);
+    Some(NoisyStrike { call: Some(play.call), ..noisy })
 }
 
 /// A pot that the potter could play.

@@ -7,6 +7,7 @@ use rand_pcg::rand_core::Rng;
 /// PCG's stream for each purpose: arbitrary different constants.
 const LAYOUT: u128 = 0x6361_726f_6d20_6c61_796f;
 const OPPONENT: u128 = 0x6361_726f_6d20_706c_6179;
+const DECISION: u128 = 0x6361_726f_6d20_6d69_6e64;
 
 /// 2⁶⁴ divided by the golden ratio. It is odd, so that its multiples visit every number.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
@@ -21,6 +22,12 @@ const fn mixed(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)
+}
+
+/// The seed of a player's decision about move number `index` of an episode. It tells nothing about the
+/// noise of the strike, which is drawn with the seed of the episode.
+pub(crate) fn decision_seed(episode_seed: u64, index: u64) -> u64 {
+    Pcg64::new(episode_seed.into(), DECISION + (u128::from(index) << 64)).next_u64()
 }
 
 /// A generator of random numbers.

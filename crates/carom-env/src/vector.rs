@@ -3,14 +3,15 @@
 use carom::Error;
 use carom::format::Node;
 use carom::runner::Runner;
-use carom_rules::{FrameSimulator, Seat};
+use carom_rules::Seat;
 
 use crate::action::{ACTIONS, ACTIONS_WITHOUT_HAND};
 use crate::config::Config;
 use crate::environment::{self, Environment, StepResult};
-use crate::modes::Autoreset;
+use crate::modes::{Autoreset, Opponent};
 use crate::observe::{self, SCORE_BOUND};
 use crate::task::Task;
+use crate::worker::Worker;
 
 /// Largest number of environments in a vector. Each takes several kilobytes; without a limit a mistyped number
 /// would exhaust the memory and abort the program.
@@ -19,6 +20,9 @@ pub const MAX_ENVIRONMENTS: usize = 1 << 20;
 /// Environments in one item of work: a few hundred microseconds, so that handing items out costs
 /// nothing and all threads finish at nearly the same time.
 const CHUNK: usize = 16;
+
+/// The same for a built-in player as the opponent, whose decisions take milliseconds each.
+const PLAYER_CHUNK: usize = 1;
 
 /// Number of episodes that are tried until one has a layout that fits.
 const RESTARTS: u32 = 8;
@@ -172,20 +176,24 @@ impl VectorEnv {
         };
         let mut steps = vec![(StepResult::default(), -1); n];
         let Self { environments, config, runner, .. } = self;
+        let chunk = match config.opponent {
+            Opponent::Player(_) => PLAYER_CHUNK,
+            Opponent::None | Opponent::Random | Opponent::Potter => CHUNK,
+        };
         let chunks = environments
-            .chunks_mut(CHUNK)
-            .zip(steps.chunks_mut(CHUNK))
-            .zip(actions.chunks(CHUNK * width))
-            .zip(out.observations.chunks_mut(CHUNK * size))
-            .zip(out.final_observations.chunks_mut(CHUNK * size));
+            .chunks_mut(chunk)
+            .zip(steps.chunks_mut(chunk))
+            .zip(actions.chunks(chunk * width))
+            .zip(out.observations.chunks_mut(chunk * size))
+            .zip(out.final_observations.chunks_mut(chunk * size));
         runner.map(
             chunks,
-            FrameSimulator::new,
-            |simulator, ((((environments, steps), actions), seen), last)| {
+            || Worker::new(config),
+            |worker, ((((environments, steps), actions), seen), last)| {
                 let rows = environments.iter_mut().zip(steps).zip(actions.chunks(width));
                 let seen = seen.chunks_mut(size).zip(last.chunks_mut(size));
                 for (((environment, step), action), (seen, last)) in rows.zip(seen) {
-                    *step = advance(environment, config, simulator, action, seen, last);
+                    *step = advance(environment, config, worker, action, seen, last);
                 }
             },
         );
@@ -276,7 +284,7 @@ impl Transitions {
 fn advance(
     environment: &mut Environment,
     config: &Config,
-    simulator: &mut FrameSimulator,
+    worker: &mut Worker,
     action: &[f32],
     seen: &mut [f32],
     last: &mut [f32],
@@ -285,7 +293,7 @@ fn advance(
     if environment.ended && config.autoreset == Autoreset::NextStep {
         restart(environment);
     } else {
-        step = environment.step(config, simulator, action);
+        step = environment.step(config, worker, action);
         if environment.ended && config.autoreset == Autoreset::SameStep {
             environment.observe(environment.viewer(config), last);
             restart(environment);

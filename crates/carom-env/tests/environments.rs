@@ -53,7 +53,8 @@ fn observations_are_within_their_bounds_and_no_episode_ends_in_two_ways() {
             if task == Task::Potting && opponent != Opponent::None {
                 continue;
             }
-            let mut config = Config { opponent, noise: Noise::olympiad(2.0), ..Config::of(task) };
+            let noise = Noise::olympiad(2.0);
+            let mut config = Config { opponent, noise, ..Config::of(task) };
             config.options.patience = 10;
             let mut vector = environments(task, 6, config);
             let [low, high] = vector.observation_bounds();

@@ -55,7 +55,7 @@ class Settings:
     """The settings as Rust reads them, by attribute; see :func:`settings` for their meaning.
 
     Attributes:
-        noise: Noise of every strike; all zeros mean no noise.
+        noise: Noise of every strike but those of a level; all zeros mean no noise.
         aim: As given.
         speed: Least and largest speed of the cue, m/s.
         max_elevation: rad.
@@ -97,14 +97,18 @@ def settings(**given: Any) -> Settings:
 
     The settings:
 
-    - ``noise``: Execution noise of every strike, the opponent's too; None means no noise.
+    - ``noise``: Execution noise of every strike, the opponent's too, unless it is a level of
+      strength; None means no noise.
     - ``aim``: ``absolute``: the first action is the cue's direction, −1 to 1 for −π to π.
       ``relative``: the first action is the point where the cue ball meets the nearest ball on,
       from that ball's right edge (−1) to its left edge (1).
     - ``speed``: Least and largest speed of the cue, m/s.
     - ``max_elevation``: Largest elevation of the cue, rad. The default elevation of a strike is
       the least, also where it is larger than this.
-    - ``opponent``: The second player: ``none``, ``random`` or ``potter``.
+    - ``opponent``: The second player: ``none``, ``random``, ``potter``, or in a game a built-in
+      player (``carom.players()`` lists them), such as ``level-2``. Settings and a number of
+      simulated shots for each decision may follow, as in ``carom[shift=false]:500``; a player that
+      is not a level has 200 without a number. A level strikes with its own noise.
     - ``balls``: Number of object balls that are placed at random at the start, or the least and
       the most. In potting None means 1. In the games None means a rack; otherwise the game begins
       in the middle, with equal scores. In snooker these are the reds, and the colours are on their
