@@ -1,7 +1,5 @@
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { fileURLToPath } from "node:url";
+import { rmSync, writeFileSync } from "node:fs";
 import { afterEach, describe, expect, test } from "vitest";
 import {
   CaromError,
@@ -18,6 +16,7 @@ import {
 import { serve } from "../../../src/engine/thinker-server.js";
 import type { FromThinker, ThinkerPort, ToThinker } from "../../../src/engine/thinker-protocol.js";
 import { read } from "./files.js";
+import { compiledPackage } from "./package.js";
 
 const engine = await load();
 const noise = engine.noisePresets.club!;
@@ -131,13 +130,8 @@ describe("a thinker", () => {
 });
 
 test("in Node the package's thinker has a worker of its own", { timeout: 60_000 }, () => {
-  const source = fileURLToPath(new URL("../../../src/engine", import.meta.url));
-  const folder = mkdtempSync(`${tmpdir()}/carom-engine-`);
+  const folder = compiledPackage();
   try {
-    const tsc = fileURLToPath(new URL("../../../node_modules/.bin/tsc", import.meta.url));
-    execFileSync(tsc, ["-p", source, "--outDir", `${folder}/dist`, "--declaration", "false"]);
-    cpSync(`${source}/pkg`, `${folder}/dist/pkg`, { recursive: true });
-    writeFileSync(`${folder}/package.json`, '{"type": "module"}');
     writeFileSync(`${folder}/record.json`, JSON.stringify(RECORD));
     writeFileSync(
       `${folder}/program.js`,
