@@ -4,7 +4,7 @@ use carom::Error;
 use carom_rules::{Choice, Frame, Request, Rules, Seat, Turn};
 
 use crate::player::{Answer, Budget, Decision, Player, Situation, Spent};
-use crate::search::{Found, Rounds, Task, quick_value};
+use crate::search::{Found, Rounds, SearchTask, quick_value};
 use crate::settings::SearchSettings;
 use crate::value::{Logistic, Value};
 
@@ -105,8 +105,8 @@ impl Searcher {
         situation: &'b Situation<'a>,
         turn: &'b Turn,
         (budget, settings): (&'b Budget<'b>, &'b SearchSettings),
-    ) -> Task<'a, 'b> {
-        Task { situation, turn, value: self.value(), settings, budget }
+    ) -> SearchTask<'a, 'b> {
+        SearchTask { situation, turn, value: self.value(), settings, budget }
     }
 
     /// The decision to which the rounds of a search have led.

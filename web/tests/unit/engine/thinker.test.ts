@@ -129,7 +129,7 @@ describe("a thinker", () => {
   });
 });
 
-test("in Node the package's thinker has a worker of its own", { timeout: 60_000 }, () => {
+test("in Node the package's thinker has a worker of its own", () => {
   const folder = compiledPackage();
   try {
     writeFileSync(`${folder}/record.json`, JSON.stringify(RECORD));
