@@ -13,7 +13,7 @@ const REMEDY = "give the value of Frame.record";
 /**
  * The frame of a record, with every move repeated.
  *
- * @throws CaromError if this is no such record, or a move is not allowed; the message has the move's index.
+ * @throws CaromError if this is not a record of a frame, or a move is not allowed; the message has the move's index.
  */
 export function replay(engine: Pick<Engine, "frame" | "frameOf" | "shot">, record: unknown): Frame {
   const { format, setup, moves } = object("record", record) as Partial<FrameRecord>;

@@ -18,7 +18,7 @@ import type { Frame } from "./rules.js";
 
 /** Simulated shots of a decision if no budget is given, as in Python. */
 const USUAL_SIMULATIONS = 20_000;
-/** The samples of so many simulated shots take about a gigabyte; WebAssembly has four. */
+/** The samples of this number of simulated shots take about a gigabyte; WebAssembly has four. */
 const MOST_SIMULATIONS = 1e7;
 const MOST_ROUNDS = 2 ** 32 - 1;
 const USUAL_PLAYS = 5;
