@@ -21,7 +21,8 @@ RUST_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules 
 # npm writes this file last.
 MODULES := web/node_modules/.package-lock.json
 PAGE := python/carom/web/index.html
-PAGE_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules crates/carom-wasm web/src -type f \
+PAGE_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules crates/carom-plan crates/carom-mind \
+                  crates/carom-arena crates/carom-wasm web/src -type f \
                   \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \) \
                   -not -path 'web/src/engine/pkg/*') \
                 Cargo.toml Cargo.lock scripts/wasm.sh scripts/wasm_bindgen/Cargo.toml scripts/wasm_bindgen/src/main.rs web/index.html web/vite.config.ts LICENSE-THIRD-PARTY

@@ -117,15 +117,15 @@ def _decisions() -> str:
     rows = []
     for seed, game in enumerate(carom.rule_sets()):
         frame = _middle(game, seed, "shot")
-        rows += [_decided(frame, {**THINKING, "seed": seed})]
-        rows += [_decided(frame, {**THINKING, "rounds": 1}, count=4)]
+        rows += [decided(frame, {**THINKING, "seed": seed})]
+        rows += [decided(frame, {**THINKING, "rounds": 1}, count=4)]
     push_out = _middle("nine-ball", 0, "choice")
     pool, caroms = _middle("eight-ball", 1, "shot"), _middle("three-cushion", 0, "shot")
     sighted = {**THINKING, "perception": {"position": 0.002}}
-    rows += [_decided(push_out, THINKING), _decided(pool, sighted, count=1)]
+    rows += [decided(push_out, THINKING), decided(pool, sighted, count=1)]
     for name in carom.players()[1:]:
         for frame in (pool, push_out, caroms):
-            rows += [_decided(frame, {"name": f"{name}:300", "noise": "club"})]
+            rows += [decided(frame, {"name": f"{name}:300", "noise": "club"})]
     return "[\n" + ",\n".join(f"  {json.dumps(row)}" for row in rows) + "\n]\n"
 
 
@@ -142,7 +142,7 @@ def _middle(game: str, seed: int, kind: str) -> carom.Frame:
         seed += 1
 
 
-def _decided(
+def decided(
     frame: carom.Frame, options: dict[str, Any], count: int | None = None
 ) -> dict[str, Any]:
     """A decision or, with ``count``, an analysis. The options are named as in JavaScript."""

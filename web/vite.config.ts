@@ -25,6 +25,8 @@ export default defineConfig({
           include: ["tests/unit/**/*.test.ts"],
           // The files share modules, so that each worker loads the engine once, not once per file.
           isolate: false,
+          // A limit for hanging tests, not for slow machines: some tests let a player think.
+          testTimeout: 60_000,
         },
       },
       {

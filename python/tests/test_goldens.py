@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import importlib
 import json
+import sys
+from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import carom
@@ -18,6 +22,7 @@ GOLDENS = {
 }
 
 GAMES = json.loads((ROOT / "goldens" / "games.json").read_text())
+DECISIONS = json.loads((ROOT / "goldens" / "decisions.json").read_text())
 
 
 def test_every_example_shot_has_a_golden() -> None:
@@ -39,6 +44,23 @@ def test_a_batch_of_all_examples_has_the_same_bits_as_single_shots(threads: int)
         final = np.array([ball["position"] for ball in shot.simulate().to_dict()["final"]])
         assert result.events[index] == events
         assert result.final_position[index, : len(final)].tobytes() == final.tobytes()
+
+
+@pytest.fixture(scope="module")
+def write_goldens() -> Iterator[ModuleType]:
+    """The module scripts/write_goldens.py."""
+    sys.path.insert(0, str(ROOT / "scripts"))
+    yield importlib.import_module("write_goldens")
+    sys.path.remove(str(ROOT / "scripts"))
+
+
+@pytest.mark.parametrize("golden", DECISIONS)
+def test_a_player_decides_and_recommends_as_its_golden(
+    golden: dict[str, Any], write_goldens: ModuleType
+) -> None:
+    frame = carom.Frame.replay(golden["record"])
+    row = write_goldens.decided(frame, golden["options"], golden.get("count"))
+    assert json.loads(json.dumps(row)) == golden
 
 
 @pytest.mark.parametrize("golden", GAMES, ids=lambda golden: golden["game"])

@@ -391,6 +391,9 @@ def test_bad_arguments_of_a_decision_are_refused(middle: Frame) -> None:
     refused("noise", lambda: player.choose(middle, noise=noise))
     refused("opponent_noise", lambda: player.choose(middle, opponent_noise=noise))
     refused("count", lambda: player.explain(middle, 0))
+    # A player of the literature plans with a number of simulated shots, not with a time.
+    refused("simulations", lambda: Player("greedy", time=1.0).choose(middle))
+    refused("player", lambda: Player("greedy:50").explain(middle))
     refused("frame", lambda: player.choose(middle).apply(frame))
 
 

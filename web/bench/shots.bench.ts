@@ -1,20 +1,16 @@
 /**
  * Shots per second of the engine in WebAssembly, in Node and in Chromium, compared with the native engine:
- * random mid-game layouts, one core, no traces. The native program is the plain build for the platform,
- * without flags for this processor. Prints the results and writes them to benches/results/wasm.json.
+ * random mid-game layouts, one core, no traces. Prints the results and writes them to benches/results/wasm.json.
  */
-import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, tmpdir } from "node:os";
-import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 import { expect, inject, test } from "vitest";
 import { type Engine, load } from "../src/engine/index.js";
 import { commitAndDate } from "./commit.ts";
 import { layouts } from "./layouts.ts";
-
-const ROOT = fileURLToPath(new URL("../../", import.meta.url));
+import { median, nativeProgram, nativeTime, round, ROOT, timeOf } from "./measure.ts";
 
 /** Least ratio of shots per second in WebAssembly to native ones. */
 const LEAST_RATIO = 0.5;
@@ -22,46 +18,8 @@ const LEAST_RATIO = 0.5;
 /** Passes over all layouts per measurement: about half a second, for a clock of 10 ms resolution. */
 const PASSES = 60;
 
-/**
- * Rounds of alternating measurements, for the medians. All measure processor time, which other programs on
- * the machine disturb little.
- */
+/** Rounds of alternating measurements, for the medians. */
 const ROUNDS = 11;
-
-/** The path of the native program that plays the shots of a file. */
-function nativeProgram(): string {
-  const command = ["build", "--quiet", "--profile", "bench", "-p", "carom"];
-  command.push("--example", "bench_shots", "--message-format", "json");
-  const built = execFileSync("cargo", command, {
-    cwd: ROOT,
-    encoding: "utf8",
-    maxBuffer: 64e6,
-    env: { ...process.env, RUSTFLAGS: "" },
-  });
-  for (const line of built.split("\n").filter(Boolean)) {
-    const { executable, target } = JSON.parse(line) as {
-      executable?: string | null;
-      target?: { name: string };
-    };
-    if (executable && target?.name === "bench_shots") return executable;
-  }
-  throw new Error(
-    "cargo built no program bench_shots: check the example of this name in crates/carom",
-  );
-}
-
-/** Processor time, ms, of `passes` passes of the native program, including its start. */
-function nativeTime(program: string, file: string, passes: number): number {
-  const timed = `TIMEFORMAT=%3U; time "$0" "$@" > /dev/null`;
-  const run = spawnSync("bash", ["-c", timed, program, file, String(passes)], { encoding: "utf8" });
-  const seconds = Number(run.stderr);
-  if (run.status !== 0 || !Number.isFinite(seconds)) throw new Error(run.stderr);
-  return seconds * 1e3;
-}
-
-function median(values: readonly number[]): number {
-  return values.toSorted((a, b) => a - b)[values.length >> 1]!;
-}
 
 declare global {
   interface Window {
@@ -74,7 +32,7 @@ test("mid-game shots a second in WebAssembly are at least half of the native one
   const shots = PASSES * files.length;
   const engine = await load();
   const ours = files.map((file) => engine.shot(file));
-  const program = nativeProgram();
+  const program = nativeProgram("carom", "bench_shots");
   const folder = mkdtempSync(`${tmpdir()}/carom-bench-`);
   const list = `${folder}/shots.jsonl`;
   writeFileSync(list, `${files.join("\n")}\n`);
@@ -86,11 +44,10 @@ test("mid-game shots a second in WebAssembly are at least half of the native one
   await page.evaluate((texts) => {
     window.benchShots = texts.map((text) => window.carom!.engine.shot(text));
   }, files);
-  const inNode = (): number => {
-    const before = process.cpuUsage();
-    for (let pass = 0; pass < PASSES; pass++) engine.simulate(ours);
-    return process.cpuUsage(before).user / 1e3;
-  };
+  const inNode = (): number =>
+    timeOf(() => {
+      for (let pass = 0; pass < PASSES; pass++) engine.simulate(ours);
+    });
   const session = await browser.newBrowserCDPSession();
   const rendererTime = async (): Promise<number> => {
     const { processInfo } = await session.send("SystemInfo.getProcessInfo");
@@ -153,10 +110,6 @@ test("a shot with another strike takes tens of microseconds at most", async () =
   });
   expect(median(times)).toBeLessThan(0.05);
 });
-
-function round(value: number): number {
-  return Number(value.toPrecision(3));
-}
 
 /** Time to unpack and compile the engine, ms. */
 async function loadTimes(wasm: Uint8Array<ArrayBuffer>): Promise<number[]> {

@@ -65,7 +65,7 @@ impl Searcher {
         self.analysis(rounds, situation, budget)
     }
 
-    /// The best plays that the rounds of a search have found, as many as [`Self::begin`] was told.
+    /// The best plays that the rounds of a search have found, at most the number that [`Self::begin`] got.
     ///
     /// # Errors
     /// As [`Self::play_round`].

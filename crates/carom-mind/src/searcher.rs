@@ -5,7 +5,7 @@ use carom::format::Reader;
 use carom_rules::{Choice, Frame, Request, Rules, Seat, Turn};
 
 use crate::player::{Answer, Budget, Decision, Player, Situation, Spent};
-use crate::search::{Found, Rounds, Task, quick_value};
+use crate::search::{Found, Rounds, SearchTask, quick_value};
 use crate::settings::SearchSettings;
 use crate::value::{Logistic, Markov, Value};
 
@@ -125,8 +125,8 @@ impl Searcher {
         situation: &'b Situation<'a>,
         turn: &'b Turn,
         (budget, settings): (&'b Budget<'b>, &'b SearchSettings),
-    ) -> Task<'a, 'b> {
-        Task { situation, turn, value: self.value(), settings, budget }
+    ) -> SearchTask<'a, 'b> {
+        SearchTask { situation, turn, value: self.value(), settings, budget }
     }
 
     /// The decision to which the rounds of a search have led.

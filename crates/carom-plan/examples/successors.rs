@@ -4,15 +4,18 @@
 //! The positions come from random play with a fixed seed; the errors are those of the Olympiad. Every
 //! position has one strike, of which variants are drawn, simulated and ruled on.
 //!
-//!     cargo run --release -p carom-plan --example successors -- [VARIANTS [draw|simulate|rule]]
+//!     cargo run --release -p carom-plan --example successors -- [VARIANTS [draw|simulate|rule|records]]
 //!
 //! With the name of a step the variants are only taken so far, once, and nothing is timed:
-//! `valgrind --tool=callgrind` counts the instructions of a step by differences.
+//! `valgrind --tool=callgrind` counts the instructions of a step by differences. `records` prints each
+//! position as the record of its frame, `carom-frame/1`, with its play, for measurements of the
+//! bindings: a list, JSON.
 
 use std::process::exit;
 use std::time::Instant;
 
 use carom::event::NullRecorder;
+use carom::format::Node;
 use carom::math::{Vec2, atan2};
 use carom::noise::Errors;
 use carom::resolve::cue_ball::Strike;
@@ -47,7 +50,7 @@ fn main() {
     let given: Vec<String> = std::env::args().skip(1).collect();
     let variants = given.first().map_or(Ok(2000), |n| n.parse());
     let Ok(variants) = variants else {
-        eprintln!("usage: successors [VARIANTS [draw|simulate|rule]]");
+        eprintln!("usage: successors [VARIANTS [draw|simulate|rule|records]]");
         exit(2);
     };
     if let Err(error) = run(variants, given.get(1).map(String::as_str)) {
@@ -60,12 +63,15 @@ fn run(variants: u64, step: Option<&str>) -> Result<(), Error> {
     let positions = positions()?;
     let prepared: Vec<(Prepared<'_>, Play)> = positions
         .iter()
-        .map(|(frame, play)| Ok((Prepared::new(frame, play.cue_ball)?, *play)))
+        .map(|Position { frame, play, .. }| Ok((Prepared::new(frame, play.cue_ball)?, *play)))
         .collect::<Result<_, Error>>()?;
     match step {
         Some("draw") => println!("{}", draw(&prepared, variants)),
         Some("simulate") => println!("{}", simulate(&prepared, variants)?),
         Some("rule") => println!("{}", rule(&prepared, variants)?),
+        Some("records") => {
+            println!("{}", Node::list(positions.iter().map(Position::node)).to_json());
+        }
         _ => {
             let balls: usize = prepared.iter().map(|(shot, _)| shot.balls().len()).sum();
             println!(
@@ -146,27 +152,89 @@ fn rule(prepared: &[(Prepared<'_>, Play)], variants: u64) -> Result<u64, Error> 
     Ok(kept)
 }
 
+/// A position with a play, and how the frame came there: the seed of its racks and its moves.
+struct Position {
+    frame: Frame,
+    play: Play,
+    seed: u64,
+    moves: Vec<Node>,
+}
+
+impl Position {
+    /// The record of the frame, and the play as it is written there.
+    fn node(&self) -> Node {
+        let mut setup = carom_rules::recorded_setup(Rules::EightBall, None, None);
+        let Options { points, miss, patience } = *self.frame.options();
+        setup.set("game", Rules::EightBall.name());
+        setup.set("seed", self.seed as f64);
+        setup.set("points", f64::from(points));
+        setup.set("miss", miss);
+        setup.set("patience", patience);
+        let record = Node::object([
+            ("format", "carom-frame/1".into()),
+            ("setup", setup),
+            ("moves", Node::list(self.moves.iter().cloned())),
+        ]);
+        Node::object([("record", record), ("play", play_node(&self.frame, &self.play))])
+    }
+}
+
+fn play_node(frame: &Frame, play: &Play) -> Node {
+    let Strike { speed, azimuth, elevation, side, height } = play.strike;
+    let strike = Node::object([
+        ("speed", speed.into()),
+        ("azimuth", azimuth.into()),
+        ("elevation", elevation.into()),
+        ("side", side.into()),
+        ("height", height.into()),
+    ]);
+    let mut node = Node::object([("strike", strike)]);
+    if let Some(place) = play.cue_ball {
+        node.set("cue_ball", Node::list(place));
+    }
+    if let Call::Pocket(ball, pocket) = play.call {
+        let ball = Node::from(&frame.layout().balls()[usize::from(ball)].id);
+        let call = [("kind", "pocket".into()), ("ball", ball), ("into", pocket.name().into())];
+        node.set("call", Node::object(call));
+    }
+    node
+}
+
 /// Positions in the middle of racks of eight-ball, with a play of each.
-fn positions() -> Result<Vec<(Frame, Play)>, Error> {
+fn positions() -> Result<Vec<Position>, Error> {
     let mut dice = Dice(Pcg64::new(7, 3));
     let mut found = Vec::new();
-    let mut frame = Frame::new(Rules::EightBall, Options::default(), None, None, 0)?;
+    let (mut seed, mut moves) = (0, Vec::new());
+    let mut frame = Frame::new(Rules::EightBall, Options::default(), None, None, seed)?;
     while found.len() < POSITIONS {
-        match *frame.request() {
+        let is_new_rack = match *frame.request() {
             Request::Shot(turn) => {
                 let play = any_play(&frame, &turn, &mut dice);
                 let before = frame.clone();
-                if frame.play(&play).is_err() {
-                    // The head spot is taken, or the cue ball stands in a jaw: another rack.
-                    frame = frame.with_seed(dice.below(1 << 20) as u64)?;
-                } else if BALLS.contains(&before.layout().on_table().count()) {
-                    found.push((before, play));
+                // Refused if the head spot is taken, or the cue ball stands in a jaw: another rack.
+                let is_played = frame.play(&play).is_ok();
+                if is_played {
+                    let made = Node::object([("play", play_node(&before, &play))]);
+                    if BALLS.contains(&before.layout().on_table().count()) {
+                        let moves = moves.clone();
+                        found.push(Position { frame: before, play, seed, moves });
+                    }
+                    moves.push(made);
                 }
+                !is_played
             }
             Request::Choice { choices, .. } => {
-                frame.choose(choices[dice.below(choices.len())])?;
+                let choice = choices[dice.below(choices.len())];
+                frame.choose(choice)?;
+                moves.push(Node::object([("choice", choice.name().into())]));
+                false
             }
-            Request::Over { .. } => frame = frame.with_seed(dice.below(1 << 20) as u64)?,
+            Request::Over { .. } => true,
+        };
+        if is_new_rack {
+            seed = dice.below(1 << 20) as u64;
+            frame = frame.with_seed(seed)?;
+            moves.clear();
         }
     }
     Ok(found)

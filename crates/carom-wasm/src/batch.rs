@@ -52,7 +52,7 @@ pub fn check_noise(noise: &[f64]) -> Result<(), JsValue> {
 }
 
 /// σ of speed (m/s), azimuth, elevation (rad), side, height (m); probability and friction of a cling.
-fn numbers(noise: &Noise) -> [f64; 7] {
+pub(crate) fn numbers(noise: &Noise) -> [f64; 7] {
     let Noise { speed, azimuth, elevation, side_m, height_m, .. } = *noise;
     let Noise { cling_probability, cling_friction, .. } = *noise;
     [speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction]

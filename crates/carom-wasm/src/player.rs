@@ -13,7 +13,7 @@ use carom_rules::{BallIndex, Call, Play};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::batch::noise_of;
+use crate::batch::{noise_of, numbers};
 use crate::error::to_exception;
 use crate::rules::Frame;
 
@@ -82,6 +82,11 @@ impl Player {
         self.0.name().into()
     }
 
+    /// The deviations of the strikes of a level of strength, in the order of `olympiad`.
+    pub fn noise(&self) -> Option<Vec<f64>> {
+        self.0.noise().map(|noise| numbers(&noise).to_vec())
+    }
+
     /// The simulated shots that the name gives.
     pub fn simulations(&self) -> Option<u32> {
         self.0.simulations()
@@ -95,7 +100,7 @@ impl Player {
         thinking: &Thinking,
         plays: Option<usize>,
     ) -> Result<Thought, JsValue> {
-        Thought::begin(self.0, frame, thinking, plays).map_err(|e| to_exception(&e))
+        Thought::begin(self.0.clone(), frame, thinking, plays).map_err(|e| to_exception(&e))
     }
 }
 
@@ -136,8 +141,9 @@ impl Thought {
         let (began, limit) = (now(), thinking.time.map(TimeLimit::new));
         let stage = Stage::OneStep(None);
         let mut thought = Self { of, frame, thinking, began, limit, stage };
-        if plays.is_some() || (of.is_searcher() && thought.frame.turn().is_some()) {
-            let searcher = of.searcher()?;
+        let searches = thought.of.is_searcher() && thought.frame.turn().is_some();
+        if plays.is_some() || searches {
+            let searcher = thought.of.searcher()?;
             let count = plays.unwrap_or(searcher.settings().stated);
             let begin = |situation: &Situation<'_>, budget: &Budget<'_>| {
                 searcher.begin(situation, budget, count)
@@ -162,7 +168,7 @@ impl Thought {
     fn go_on(&mut self) -> Result<bool, Error> {
         // Taken out, because the work borrows the rest.
         let mut stage = std::mem::replace(&mut self.stage, Stage::OneStep(None));
-        let of = self.of;
+        let of = &self.of;
         let went_on = self.with_budget(|situation, budget| match &mut stage {
             Stage::Rounds(search) => {
                 let (searcher, rounds) = &mut **search;
@@ -171,7 +177,7 @@ impl Thought {
             Stage::OneStep(Some(_)) => Ok(false),
             Stage::OneStep(decision) => {
                 of.check_budget(budget)?;
-                *decision = Some(of.make().decide(situation, budget)?);
+                *decision = Some(of.make()?.decide(situation, budget)?);
                 Ok(true)
             }
         });

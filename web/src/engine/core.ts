@@ -5,7 +5,7 @@
 import { boolean, json, numbers, object, text, whole } from "./arguments.js";
 import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.js";
 import { CaromError } from "./error.js";
-import { FRAME_FORMAT, type FrameMove, type FrameRecord, replay } from "./frame-record.js";
+import { FRAME_FORMAT, replay } from "./frame-record.js";
 import { Handle, checked } from "./handle.js";
 import { namedSigmas, sigmasOf } from "./noise.js";
 import * as wasm from "./pkg/carom_wasm.js";
@@ -13,7 +13,9 @@ import type { Player, PlayerOptions } from "./player.js";
 import type {
   Choice,
   Frame,
+  FrameMove,
   FrameOptions,
+  FrameRecord,
   FrameState,
   FrameTerms,
   Play,
@@ -43,7 +45,6 @@ import { WasmPlayer } from "./wasm-player.js";
 
 export * from "./engine.js";
 export * from "./error.js";
-export type { FrameMove, FrameRecord, FrameSetup } from "./frame-record.js";
 export * from "./player.js";
 export * from "./rules.js";
 export * from "./types.js";

@@ -1,8 +1,7 @@
 /** The interface of the engine that `load` returns. */
 
-import type { FrameRecord } from "./frame-record.js";
 import type { Player, PlayerOptions } from "./player.js";
-import type { Frame, FrameOptions, FrameTerms } from "./rules.js";
+import type { Frame, FrameOptions, FrameRecord, FrameTerms } from "./rules.js";
 import type { Batch, Geometry, Noise, Shot, ShotFile, Trace, TraceFile } from "./types.js";
 
 /** Options of `Engine.breakShot`. */

@@ -3,39 +3,17 @@
 import { object } from "./arguments.js";
 import type { Engine } from "./engine.js";
 import { CaromError } from "./error.js";
-import type { Call, Choice, Frame, FrameTerms, Play } from "./rules.js";
-import type { ShotFile } from "./types.js";
+import type { Call, Choice, Frame, FrameRecord, FrameSetup, Play } from "./rules.js";
 
 export const FRAME_FORMAT = "carom-frame/1";
 
 /** What to do with a record that cannot be read. */
 const REMEDY = "give the value of Frame.record";
 
-/** A move of a record: a play with all numbers of its strike, a choice, or a concession. */
-export type FrameMove =
-  { readonly play: Play } | { readonly choice: Choice } | { readonly concede: true };
-
-/** How a recorded frame starts: from its racks, or from the balls of a shot. */
-export type FrameSetup = FrameTerms & { readonly game: string } & (
-    | {
-        readonly table: ShotFile["table"];
-        readonly physics?: NonNullable<ShotFile["physics"]>;
-        readonly seed: number;
-      }
-    | { readonly shot: ShotFile }
-  );
-
-/** A frame as plain values. Presets have dated names, so a record keeps its bits. */
-export interface FrameRecord {
-  readonly format: typeof FRAME_FORMAT;
-  readonly setup: FrameSetup;
-  readonly moves: readonly FrameMove[];
-}
-
 /**
  * The frame of a record, with every move repeated.
  *
- * @throws CaromError if this is no such record, or a move is not allowed; the message has the move's index.
+ * @throws CaromError if this is not a record of a frame, or a move is not allowed; the message has the move's index.
  */
 export function replay(engine: Pick<Engine, "frame" | "frameOf" | "shot">, record: unknown): Frame {
   const { format, setup, moves } = object("record", record) as Partial<FrameRecord>;

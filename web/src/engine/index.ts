@@ -4,7 +4,6 @@ import type { Engine } from "./engine.js";
 
 export * from "./engine.js";
 export * from "./error.js";
-export type { FrameMove, FrameRecord, FrameSetup } from "./frame-record.js";
 export * from "./player.js";
 export * from "./rules.js";
 export * from "./types.js";

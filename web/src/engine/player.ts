@@ -12,11 +12,11 @@ export interface Perception {
 /** What a player knows of the errors, and what a decision may cost. */
 export interface PlayerOptions {
   /**
-   * One of `Engine.players`. A number of simulated shots may follow, as in `carom:2000`. Default:
-   * `carom`, the player that searches.
+   * One of `Engine.players`, such as `level-3`. A number of simulated shots may follow, as in
+   * `carom:2000`. Default: `carom`, the player that searches.
    */
   readonly name?: string;
-  /** Errors of the player's strikes. Default: the Olympiad's. */
+  /** Errors of the player's strikes. Default: those of a level, and else the Olympiad's. */
   readonly noise?: Noise;
   /** Errors of the opponent's strikes. Default: those of the player. */
   readonly opponentNoise?: Noise;
@@ -155,6 +155,8 @@ export interface Thought<T> {
 export interface Player {
   /** The name of the built-in player. */
   readonly name: string;
+  /** The errors of the player's strikes. */
+  readonly noise: Noise;
   /**
    * Answers the request of a frame, which is not changed.
    * @throws CaromError if the frame is over, and if a shot reaches its cap of events.

@@ -3,7 +3,6 @@
  * by their names. The data is that of Python's `Frame.to_dict`, key by key.
  */
 
-import type { FrameRecord } from "./frame-record.js";
 import type {
   Noise,
   PocketName,
@@ -144,6 +143,27 @@ export interface FrameOptions extends FrameTerms {
   readonly physics?: string | Readonly<Record<string, unknown>>;
   /** Seed of the rack, a whole number. Default 0. */
   readonly seed?: number;
+}
+
+/** A move of a record: a play with all numbers of its strike, a choice, or a concession. */
+export type FrameMove =
+  { readonly play: Play } | { readonly choice: Choice } | { readonly concede: true };
+
+/** How a recorded frame starts: from its racks, or from the balls of a shot. */
+export type FrameSetup = FrameTerms & { readonly game: string } & (
+    | {
+        readonly table: ShotFile["table"];
+        readonly physics?: NonNullable<ShotFile["physics"]>;
+        readonly seed: number;
+      }
+    | { readonly shot: ShotFile }
+  );
+
+/** A frame as plain values. Presets have dated names, so a record keeps its bits. */
+export interface FrameRecord {
+  readonly format: "carom-frame/1";
+  readonly setup: FrameSetup;
+  readonly moves: readonly FrameMove[];
 }
 
 /** The errors with which a player executes a play. */

@@ -2,9 +2,8 @@
 
 import type { Engine } from "./engine.js";
 import { CaromError } from "./error.js";
-import type { FrameRecord } from "./frame-record.js";
 import type { Analysis, Decision, ExplainOptions, PlayerOptions, Progress } from "./player.js";
-import type { Frame } from "./rules.js";
+import type { Frame, FrameRecord } from "./rules.js";
 import type { Failure, FromThinker, ToThinker } from "./thinker-protocol.js";
 
 /** The part of a worker that a thinker uses. */

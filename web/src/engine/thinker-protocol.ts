@@ -1,7 +1,7 @@
 /** The messages between a thinker and its worker. */
 
-import type { FrameRecord } from "./frame-record.js";
 import type { Analysis, Decision, PlayerOptions, Progress } from "./player.js";
+import type { FrameRecord } from "./rules.js";
 
 /** A question: the decision in a frame, or with `count` its best plays. */
 export interface ThinkRequest {

@@ -3,7 +3,7 @@
 import { numbers, object, text, whole } from "./arguments.js";
 import { CaromError } from "./error.js";
 import { Handle, checked } from "./handle.js";
-import { sigmasOf } from "./noise.js";
+import { namedSigmas, sigmasOf } from "./noise.js";
 import * as wasm from "./pkg/carom_wasm.js";
 import type {
   Analysis,
@@ -15,10 +15,11 @@ import type {
   Thought,
 } from "./player.js";
 import type { Frame } from "./rules.js";
+import type { Noise } from "./types.js";
 
 /** Simulated shots of a decision if no budget is given, as in Python. */
 const USUAL_SIMULATIONS = 20_000;
-/** The samples of so many simulated shots take about a gigabyte; WebAssembly has four. */
+/** The samples of this number of simulated shots take about a gigabyte; WebAssembly has four. */
 const MOST_SIMULATIONS = 1e7;
 const MOST_ROUNDS = 2 ** 32 - 1;
 const USUAL_PLAYS = 5;
@@ -30,6 +31,7 @@ type FrameObject = (frame: Frame) => wasm.Frame;
 
 export class WasmPlayer implements Player {
   readonly name: string;
+  readonly noise: Noise;
   readonly #player: Handle<wasm.Player>;
   readonly #thinking: Handle<wasm.Thinking>;
   readonly #objectOf: FrameObject;
@@ -40,7 +42,9 @@ export class WasmPlayer implements Player {
     const player = checked(() => new wasm.Player(text("name", name)));
     this.name = player.name();
     this.#player = new Handle("player", player);
-    this.#thinking = new Handle("player", thinkingOf(options, player.simulations()));
+    const usual = player.noise() ?? wasm.olympiad(1);
+    this.noise = options.noise ?? namedSigmas(usual);
+    this.#thinking = new Handle("player", thinkingOf(options, usual, player.simulations()));
     this.#objectOf = objectOf;
   }
 
@@ -84,10 +88,18 @@ export class WasmPlayer implements Player {
   }
 }
 
-/** The options for the engine. `named`: the simulated shots in the player's name. */
-function thinkingOf(options: PlayerOptions, named: number | undefined): wasm.Thinking {
+/**
+ * The options for the engine.
+ * @param usual The errors of the player's level, or the Olympiad's.
+ * @param named The simulated shots of the player's name.
+ */
+function thinkingOf(
+  options: PlayerOptions,
+  usual: Float64Array,
+  named: number | undefined,
+): wasm.Thinking {
   const { noise, opponentNoise, perception, simulations, rounds, time, seed = 0 } = options;
-  if (simulations !== undefined && named !== undefined) {
+  if (simulations !== undefined && options.name?.includes(":")) {
     throw new CaromError(
       `simulations: the name "${options.name}" has a number of them too; write only one`,
       "simulations",
@@ -95,7 +107,7 @@ function thinkingOf(options: PlayerOptions, named: number | undefined): wasm.Thi
   }
   const isLimited = time !== undefined || rounds !== undefined;
   const most = simulations ?? named ?? (isLimited ? MOST_SIMULATIONS : USUAL_SIMULATIONS);
-  const own = noise === undefined ? wasm.olympiad(1) : sigmasOf(noise);
+  const own = noise === undefined ? usual : sigmasOf(noise);
   const [sight] = numbers("perception", perception ?? { position: 0 }, ["position"]);
   return checked(
     () =>

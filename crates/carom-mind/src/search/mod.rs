@@ -18,4 +18,4 @@ pub use candidate::{Candidate, PlayKind, PlayedVariant};
 pub(crate) use explore::Explorer;
 pub(crate) use replies::quick_value;
 pub use rounds::Rounds;
-pub(crate) use rounds::{Found, Task};
+pub(crate) use rounds::{Found, SearchTask};

@@ -50,7 +50,7 @@ pub(crate) struct Found<'a> {
 }
 
 /// What is searched, and how.
-pub(crate) struct Task<'a, 'b> {
+pub(crate) struct SearchTask<'a, 'b> {
     pub(crate) situation: &'b Situation<'a>,
     pub(crate) turn: &'b Turn,
     pub(crate) value: &'b dyn Value,
@@ -58,7 +58,7 @@ pub(crate) struct Task<'a, 'b> {
     pub(crate) budget: &'b Budget<'b>,
 }
 
-impl<'b> Task<'_, 'b> {
+impl<'b> SearchTask<'_, 'b> {
     /// The race between plays from these positions.
     fn race(&self, prepared: &'b [Prepared<'b>]) -> Race<'b> {
         Race {
@@ -97,8 +97,8 @@ pub struct Rounds {
 
 impl Rounds {
     /// A search before its first round.
-    pub(crate) fn new(task: &Task<'_, '_>) -> Self {
-        let Task { situation, turn, value, settings, budget } = *task;
+    pub(crate) fn new(task: &SearchTask<'_, '_>) -> Self {
+        let SearchTask { situation, turn, value, settings, budget } = *task;
         let stated = settings.stated;
         let explorer = Explorer::new(situation, value, turn, 0);
         let places = match turn.hand {
@@ -135,8 +135,8 @@ impl Rounds {
     ///
     /// # Errors
     /// [`Error::TooManyEvents`] if a shot does not end.
-    pub(crate) fn play(&mut self, task: &Task<'_, '_>) -> Result<bool, Error> {
-        let Task { situation, turn, value, settings, budget } = *task;
+    pub(crate) fn play(&mut self, task: &SearchTask<'_, '_>) -> Result<bool, Error> {
+        let SearchTask { situation, turn, value, settings, budget } = *task;
         if self.is_complete || !budget.allows(self.spent, self.size) {
             return Ok(false);
         }
@@ -190,7 +190,7 @@ impl Rounds {
     ///
     /// # Errors
     /// As [`Self::play`].
-    pub(crate) fn end<'a>(self, task: &Task<'a, '_>) -> Result<Found<'a>, Error> {
+    pub(crate) fn end<'a>(self, task: &SearchTask<'a, '_>) -> Result<Found<'a>, Error> {
         let prepared = self.prepared(task.situation)?;
         let Self { mut candidates, mut spent, stated, fresh, .. } = self;
         if stated > 1 {

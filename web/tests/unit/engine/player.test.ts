@@ -138,7 +138,7 @@ test("invalid options and questions are refused with their place", () => {
   };
   const of = (options: unknown) => place(() => engine.player(options as PlayerOptions));
   const noise = presets.club!;
-  expect(of({ name: "nobody" })).toBe("player");
+  expect(of({ name: "unknown" })).toBe("player");
   expect(of({ name: "carom:0" })).toBe("player");
   expect(of({ name: 3 })).toBe("name");
   expect(of({ name: "carom:100", simulations: 100 })).toBe("simulations");

@@ -183,7 +183,7 @@ test("a record that cannot be replayed is refused, with the index of the move", 
 });
 
 test("the successors of a play are those of its variants", () => {
-  const frame = engine.replay(RECORDS.find(({ setup }) => setup.game === "nine-ball")!);
+  const frame = engine.replay(RECORDS.find(({ setup }) => setup.game === "eight-ball")!);
   const noise = engine.noisePresets.beginner!;
   const play = engine.player({ simulations: 300 }).choose(frame).play!;
   const n = 40;
