@@ -8,6 +8,7 @@
 
 mod aim;
 mod analysis;
+pub mod breaks;
 pub mod line;
 pub mod literature;
 mod player;

@@ -2,6 +2,8 @@
 
 use carom::Error;
 
+use crate::breaks::BreakShot;
+
 /// How the searching player searches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchSettings {
@@ -27,6 +29,8 @@ pub struct SearchSettings {
     /// A frame is conceded if the expected chance of winning is below this. Only in snooker, where
     /// points behind cannot always be made up.
     pub concede_below: f64,
+    /// The opening shot of every rack; `None` if it is searched.
+    pub break_shot: Option<BreakShot>,
 }
 
 impl Default for SearchSettings {
@@ -42,6 +46,7 @@ impl Default for SearchSettings {
             shift: true,
             stated: 1,
             concede_below: 0.001,
+            break_shot: None,
         }
     }
 }
@@ -63,7 +68,8 @@ impl SearchSettings {
     /// Rejects settings out of range.
     ///
     /// # Errors
-    /// [`Error::Input`] for a share outside 0 to 0.9, and for a race without candidates.
+    /// [`Error::Input`] for a share outside 0 to 0.9, for a race without candidates, and as
+    /// [`BreakShot::check`].
     pub fn check(&self) -> Result<(), Error> {
         if !(0.0..=0.9).contains(&self.exploring) {
             let what = format!("{:?} is not a share", self.exploring);
@@ -81,6 +87,8 @@ impl SearchSettings {
                 return Err(Error::input(place, "0 is out of range", "write at least 1"));
             }
         }
-        Ok(())
+        self.break_shot
+            .map_or(Ok(()), |shot| shot.check())
+            .map_err(|error| error.inside("settings.break_shot"))
     }
 }

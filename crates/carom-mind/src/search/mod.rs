@@ -15,5 +15,6 @@ mod shift;
 
 pub use candidate::{Candidate, PlayKind, PlayedVariant};
 pub(crate) use explore::Explorer;
+pub(crate) use pots::largest_offset;
 pub(crate) use replies::quick_value;
 pub use rounds::{Found, search};

@@ -6,9 +6,11 @@ use carom_rules::{Rules, Turn};
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
+use super::openings::opening_shots;
 use super::race::Race;
 use super::replies::search_replies;
 use super::shift::{deviations, uphill};
+use crate::breaks::BreakShot;
 use crate::player::{Budget, Situation, Spent};
 use crate::settings::SearchSettings;
 use crate::value::Value;
@@ -53,12 +55,16 @@ pub fn search<'a>(
     budget: &Budget<'_>,
 ) -> Result<Found<'a>, Error> {
     let mut explorer = Explorer::new(situation, value, turn, 0);
-    let is_opening = situation.frame.is_opening();
+    let mut spent = Spent::default();
+    let openings = match situation.frame.is_opening() {
+        true => opening_shots(situation, turn, (value, settings), (budget, &mut spent))?,
+        false => Vec::new(),
+    };
     let places: Vec<Option<[f64; 2]>> = match turn.hand {
-        None => vec![None],
-        Some(region) if is_opening => {
-            explorer.opening_places(region).into_iter().map(Some).collect()
+        _ if !openings.is_empty() => {
+            openings.iter().map(|shot| shot.cue_ball(situation.frame, turn)).collect()
         }
+        None => vec![None],
         Some(region) => explorer.places(region).into_iter().map(Some).collect(),
     };
     let prepared = places
@@ -67,16 +73,17 @@ pub fn search<'a>(
         .collect::<Result<Vec<_>, _>>()?;
     let race =
         Race { situation, value, prepared: &prepared, seat: turn.player, runner: &budget.runner };
-    let mut spent = Spent::default();
     let mut candidates = Vec::new();
     let fresh = settings.fresh(budget.simulations);
     let stating = (fresh * settings.stated as u64).min(budget.simulations / 2);
     let racing = budget.simulations - stating;
     let mut size = settings.first_round.min(racing);
-    while budget.allows(spent, size) {
+    let mut is_first = true;
+    while is_first || budget.allows(spent, size) {
         let before = spent.simulations;
-        if spent.rounds == 0 {
-            explore(&mut explorer, &prepared, (settings.exploring * size as f64) as u64)?;
+        if core::mem::take(&mut is_first) {
+            let simulations = (settings.exploring * size as f64) as u64;
+            explore(&mut explorer, (&prepared, &openings), simulations)?;
             spent.simulations += explorer.plays;
             candidates = select(core::mem::take(&mut explorer.found), settings);
         } else {
@@ -111,24 +118,23 @@ pub fn search<'a>(
 /// Fills the explorer's candidates with about `simulations` simulations.
 fn explore(
     explorer: &mut Explorer<'_>,
-    prepared: &[Prepared<'_>],
+    (prepared, openings): (&[Prepared<'_>], &[BreakShot]),
     simulations: u64,
 ) -> Result<(), Error> {
     let frame = explorer.situation.frame;
-    let is_opening = frame.is_opening();
+    let is_opening = !openings.is_empty();
+    explorer.openings(openings, prepared)?;
     let pots = (POTS * simulations as f64) as u64;
     for (k, position) in prepared.iter().enumerate() {
         explorer.most = pots * (k as u64 + 1) / prepared.len() as u64;
-        if frame.rules() == Rules::ThreeCushion {
+        if is_opening {
+            break;
+        } else if frame.rules() == Rules::ThreeCushion {
             explorer.most = simulations;
             explorer.caroms(position, k)?;
-        } else if !is_opening {
+        } else {
             let lines = explorer.lines(position);
             explorer.pots(position, k, &lines)?;
-        } else if explorer.breaks_hard() {
-            explorer.breaks(position, k)?;
-        } else {
-            explorer.safeties(position, k)?;
         }
     }
     explorer.most = simulations.max(explorer.plays + simulations / 4);
