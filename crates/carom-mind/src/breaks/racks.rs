@@ -15,9 +15,10 @@ use carom_plan::{Prepared, Sampler};
 const BREAKER: Seat = 0;
 /// Racks that one thread plays at a time: about two milliseconds of work.
 const CHUNK: u64 = 8;
-/// Probability with which the player who breaks a further rack wins, before breaks have been played.
-/// Estimated.
+/// Probability with which the player who breaks a further rack wins, before breaks have been played:
+/// where a full break is usual, and where the opening shot is a safety. Estimated.
 const REBREAK: f64 = 0.6;
+const REBREAK_SAFELY: f64 = 0.42;
 
 /// The racks of a game on a table, broken by a player with its errors. Rack k of a seed is the same for
 /// every break, with the same errors, so that breaks are compared on equal terms.
@@ -28,8 +29,11 @@ pub struct Racks<'a> {
     perception: Perception,
     seed: u64,
     value: &'a dyn Value,
-    /// Probability with which the player who breaks a further rack wins.
+    /// Probability with which the player who breaks a further rack wins, at the scores of the start.
     pub(super) rebreak: f64,
+    /// What the value estimates for the start. It does not tell one break from another, but it knows
+    /// what points are worth.
+    at_start: f64,
     /// Simulations that search the successor of every [`Self::REPLIES`]-th rack; 0 for none.
     pub(super) per_reply: u64,
 }
@@ -89,8 +93,14 @@ impl<'a> Racks<'a> {
         }
         let noise = [situation.noise[seat], situation.noise[1 - seat]];
         let Situation { perception, seed, .. } = *situation;
-        let (rebreak, per_reply) = (REBREAK, 0);
-        Ok(Self { start, noise, perception, seed, value, rebreak, per_reply })
+        let rebreak = match start.rules() {
+            Rules::StraightPool | Rules::Snooker => REBREAK_SAFELY,
+            _ => REBREAK,
+        };
+        let fresh = start.with_seed(seed)?;
+        let at_start = value.win_chance(&Position { frame: &fresh, noise: &noise }, BREAKER);
+        let per_reply = 0;
+        Ok(Self { start, noise, perception, seed, value, rebreak, at_start, per_reply })
     }
 
     /// The same racks; of one in six the next shots are searched with about `per_reply` simulations.
@@ -219,11 +229,12 @@ impl<'a> Racks<'a> {
         per_reply: u64,
         plays: &mut u64,
     ) -> Result<f64, Error> {
+        let estimated = || self.value.of_shot(&Position { frame, noise: &self.noise }, turn);
         if frame.is_opening() {
-            return Ok(self.rebreak);
+            return Ok((self.rebreak + estimated() - self.at_start).clamp(0.0, 1.0));
         }
         if per_reply == 0 {
-            return Ok(self.value.of_shot(&Position { frame, noise: &self.noise }, turn));
+            return Ok(estimated());
         }
         let Self { noise, perception, seed, .. } = *self;
         let situation = Situation { frame, noise, perception, seed };
