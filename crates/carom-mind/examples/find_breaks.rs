@@ -40,11 +40,13 @@ const POOL: [&str; 4] = ["wpa-9ft", "wpa-8ft", "bar-7ft", "poolfiz"];
 /// Multiples of the Olympiad's errors.
 const NOISES: [f64; 3] = [1.0, 0.5, 2.0];
 /// Searches with different seeds for each break, and the simulations of each.
-const SEARCHES: u64 = 3;
-const SIMULATIONS: u64 = 25_000;
-/// Racks of the counts, the simulations of a reply, and the seed. The same seed for all breaks, so that
+const SEARCHES: u64 = 2;
+const SIMULATIONS: u64 = 24_000;
+/// Racks of the counts, one in how many is searched for its next shot, the simulations of such a
+/// search, and the seed. The same seed for all breaks, so that
 /// they are compared on the same racks.
-const RACKS: u64 = 3000;
+const RACKS: u64 = 2000;
+const EVERY: u64 = 8;
 const PER_REPLY: u64 = 160;
 const SEED: u64 = 0x636f_756e_7473;
 
@@ -106,9 +108,9 @@ fn add(
         found.push(shot);
     }
     let situation = Situation::new(&frame, of_player, SEED);
-    let racks = Racks::new(&situation, &value)?.with_replies(PER_REPLY);
+    let racks = Racks::new(&situation, &value)?.with_replies(EVERY, PER_REPLY);
     // The winner is chosen on other racks than those of its counts.
-    let (counts, _) = racks.count(&found, 0, RACKS / 2, runner)?;
+    let (counts, _) = racks.count(&found, 0, RACKS / 4, runner)?;
     let best = (0..found.len()).max_by(|a, b| counts[*a].win.total_cmp(&counts[*b].win));
     let shot = found[best.ok_or("no search")?];
     let (counts, _) = racks.count(&[shot], RACKS, RACKS, runner)?;

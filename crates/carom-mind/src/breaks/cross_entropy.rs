@@ -13,7 +13,7 @@ use carom_rules::{Frame, Rules};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-use super::racks::{BreakCounts, Racks};
+use super::racks::{BreakCounts, Corrections, Racks};
 use super::shot::BreakShot;
 use crate::player::Situation;
 use crate::search::largest_offset;
@@ -38,17 +38,20 @@ const ELITE: f64 = 0.2;
 const SMOOTHING: f64 = 0.7;
 /// Smallest spread, as a share of the range.
 const LEAST_SPREAD: f64 = 0.01;
-/// Breaks that enter the final comparison, and those whose replies are searched in it.
+/// Breaks that enter the final comparison.
 const FINALISTS: usize = 12;
-const SEARCHED: usize = 3;
-/// Simulations of a reply in the final comparison.
-const PER_REPLY: u64 = 160;
+/// Share of the simulations that search next shots, and the simulations of such a search.
+const REPLIES: f64 = 0.4;
+const PER_REPLY: u64 = 100;
 /// First racks of the final comparison and of counts after the search: far from all that a search uses.
 const FINAL_RACKS: u64 = 1 << 40;
 
 /// Fastest cue, m/s: the cue ball has 35 mph, about the fastest breaks that were measured. From memory,
 /// not verified.
 const FASTEST: f64 = 12.0;
+/// Slowest cue of a full break, m/s. Slower breaks leave clusters, and values of positions do not see how
+/// much harder a rack with clusters is to clear: a search without this limit plays ten-ball at 5 m/s.
+const SLOWEST: f64 = 7.5;
 /// Largest side and height that is tried in a full break, ball radii: two thirds of a tip. More costs
 /// speed and makes the cue ball swerve.
 const BREAK_OFFSET: f64 = 0.3;
@@ -84,6 +87,8 @@ pub struct BreakSearch<'a> {
     generation: u64,
     /// The number of the next rack.
     next_rack: u64,
+    /// What searches of next shots have found so far.
+    corrections: Corrections,
     mean: [f64; COUNT],
     spread: [f64; COUNT],
     /// The best of the last generations, the best first.
@@ -111,10 +116,12 @@ impl<'a> BreakSearch<'a> {
             simulations,
             generation: 0,
             next_rack: 0,
+            corrections: Corrections::default(),
             mean: [0.5; COUNT],
             spread: [0.5; COUNT],
             elite: elite.collect(),
-            racks,
+            racks: racks
+                .with_replies(((1.0 - REPLIES) / REPLIES * PER_REPLY as f64) as u64, PER_REPLY),
         })
     }
 
@@ -153,15 +160,17 @@ impl<'a> BreakSearch<'a> {
     /// As [`Racks::count`].
     pub fn step(&mut self, runner: &Runner) -> Result<u64, Error> {
         let is_first = self.generation == 0;
-        let racks = (self.step_cost() / POPULATION).clamp(1, MOST_RACKS);
+        let breaks = ((1.0 - REPLIES) * self.step_cost() as f64) as u64;
+        let racks = (breaks / POPULATION).clamp(1, MOST_RACKS);
         let racks = if is_first { racks.div_ceil(FIRST) } else { racks };
-        let size = (self.step_cost() / racks).max(1) as usize;
+        let size = (breaks / racks).max(1) as usize;
         // The elite is played again: on new racks it has no advantage of luck.
         let mut shots: Vec<BreakShot> = self.best().take(size / 4 + 1).collect();
         while shots.len() < size {
             shots.push(if is_first { self.uniform() } else { self.normal() });
         }
-        let (counts, plays) = self.racks.count(&shots, self.next_rack, racks, runner)?;
+        let of_shots = (shots.as_slice(), self.next_rack, racks);
+        let (counts, plays) = self.racks.count_with(&mut self.corrections, of_shots, runner)?;
         self.next_rack += racks;
         self.generation += 1;
         let mut rated = rated(shots, &counts);
@@ -176,31 +185,25 @@ impl<'a> BreakSearch<'a> {
         Ok(plays)
     }
 
-    /// Compares the mean of the distribution and the best breaks by sequential halving, the last of
-    /// them with a search of the next shots. Returns the winner, its counts and the number of
-    /// simulations.
+    /// Compares the mean of the distribution and the best breaks by sequential halving. Returns the
+    /// winner, its counts in the last comparison and the number of simulations.
     ///
     /// # Errors
     /// As [`Racks::count`], and [`Error::Input`] at `frame` if no break can be played.
-    pub fn finish(self, runner: &Runner) -> Result<(BreakShot, BreakCounts, u64), Error> {
+    pub fn finish(mut self, runner: &Runner) -> Result<(BreakShot, BreakCounts, u64), Error> {
         let mut shots = vec![self.shot_at(self.mean)];
         shots.extend(self.best().take(FINALISTS - 1));
-        let mut left = (FINAL * self.simulations as f64) as u64;
+        let most = FINAL * (1.0 - REPLIES) * self.simulations as f64;
+        let heats = u64::from(usize::BITS - shots.len().leading_zeros());
         let (mut first, mut spent) = (FINAL_RACKS, 0);
         loop {
-            let is_last = shots.len() <= SEARCHED;
-            let (per_reply, per_rack, share) = match is_last {
-                true => (PER_REPLY, 1 + PER_REPLY / Racks::REPLIES, left),
-                // The last comparison has at least half of the simulations.
-                false => (0, 1, left / 4),
-            };
-            let count = (share / per_rack / shots.len() as u64).max(2 * Racks::REPLIES);
-            let racks = self.racks.with_replies(per_reply);
-            let (counts, plays) = racks.count(&shots, first, count, runner)?;
-            (first, spent, left) = (first + count, spent + plays, left.saturating_sub(plays));
+            let count = (most as u64 / heats / shots.len() as u64).max(1);
+            let of_shots = (shots.as_slice(), first, count);
+            let (counts, plays) = self.racks.count_with(&mut self.corrections, of_shots, runner)?;
+            (first, spent) = (first + count, spent + plays);
             let best = rated(shots.clone(), &counts);
             let winner = best.first().ok_or_else(unplayable)?;
-            if is_last {
+            if shots.len() <= 2 {
                 let of_winner = shots.iter().zip(counts).find(|(shot, _)| **shot == winner.shot);
                 let counts = of_winner.map(|(_, counts)| counts).unwrap_or_default();
                 return Ok((winner.shot, counts, spent));
@@ -319,7 +322,7 @@ impl Space {
         // A rack of fifteen is ten radii wide; its corner ball is hit thinly at about ±6.
         let (aim, speed, offset) = match frame.rules() {
             Rules::EightBall | Rules::NineBall | Rules::TenBall | Rules::Practice => {
-                (2.0, [5.0, FASTEST], offset)
+                (2.0, [SLOWEST, FASTEST], offset)
             }
             Rules::StraightPool => (7.0, [1.0, 8.0], offset),
             Rules::Snooker => (7.0, [2.0, 7.0], offset),

@@ -34,8 +34,9 @@ pub struct Racks<'a> {
     /// What the value estimates for the start. It does not tell one break from another, but it knows
     /// what points are worth.
     at_start: f64,
-    /// Simulations that search the successor of every [`Self::REPLIES`]-th rack; 0 for none.
-    pub(super) per_reply: u64,
+    /// Of one in `every` breaks the next shot is searched with `per_reply` simulations; 0 for none.
+    every: u64,
+    per_reply: u64,
 }
 
 /// What a break did.
@@ -45,6 +46,7 @@ pub(super) struct PlayedBreak {
     value: f64,
     /// The same after a search of the next shot, less `value`.
     correction: Option<f64>,
+    stratum: Option<usize>,
     fallen: u64,
     is_kept: bool,
     is_foul: bool,
@@ -75,11 +77,6 @@ pub struct BreakCounts {
 }
 
 impl<'a> Racks<'a> {
-    /// One of this many racks is searched for its replies. A reply costs about ten breaks, and its
-    /// difference from the value spreads about half as much as the value: with shares of 1/6 a given
-    /// number of simulations leaves the smallest error (Neyman's allocation).
-    pub(super) const REPLIES: u64 = 6;
-
     /// The racks of the situation's frame, which must ask for an opening shot.
     ///
     /// # Errors
@@ -99,14 +96,15 @@ impl<'a> Racks<'a> {
         };
         let fresh = start.with_seed(seed)?;
         let at_start = value.win_chance(&Position { frame: &fresh, noise: &noise }, BREAKER);
-        let per_reply = 0;
-        Ok(Self { start, noise, perception, seed, value, rebreak, at_start, per_reply })
+        let (every, per_reply) = (0, 0);
+        Ok(Self { start, noise, perception, seed, value, rebreak, at_start, every, per_reply })
     }
 
-    /// The same racks; of one in six the next shots are searched with about `per_reply` simulations.
+    /// The same racks; after one in `every` breaks the next shot is searched with about `per_reply`
+    /// simulations. 0 for none.
     #[must_use]
-    pub const fn with_replies(self, per_reply: u64) -> Self {
-        Self { per_reply, ..self }
+    pub const fn with_replies(self, every: u64, per_reply: u64) -> Self {
+        Self { every, per_reply, ..self }
     }
 
     /// The frame whose racks are played.
@@ -123,6 +121,11 @@ impl<'a> Racks<'a> {
     /// each shot and the number of simulations. They do not depend on the number of threads. A shot
     /// that cannot be played has no breaks.
     ///
+    /// The win chances are corrected by the searches of next shots. The corrections of all shots are
+    /// pooled, apart for breaks that keep the turn, lose it, and fouls with and without a fallen ball
+    /// (poststratification): a value of positions misjudges these cases differently, but hardly one
+    /// break and another within a case.
+    ///
     /// # Errors
     /// [`Error::TooManyEvents`] if a shot does not end.
     pub fn count(
@@ -130,6 +133,17 @@ impl<'a> Racks<'a> {
         shots: &[BreakShot],
         first: u64,
         count: u64,
+        runner: &Runner,
+    ) -> Result<(Vec<BreakCounts>, u64), Error> {
+        let mut corrections = Corrections::default();
+        self.count_with(&mut corrections, (shots, first, count), runner)
+    }
+
+    /// As [`Self::count`]; adds to the corrections of earlier counts, and uses all of them.
+    pub(super) fn count_with(
+        &self,
+        corrections: &mut Corrections,
+        (shots, first, count): (&[BreakShot], u64, u64),
         runner: &Runner,
     ) -> Result<(Vec<BreakCounts>, u64), Error> {
         let jobs = (0..shots.len()).flat_map(|k| {
@@ -140,7 +154,9 @@ impl<'a> Racks<'a> {
             jobs,
             || (Sampler::new(), self.start.clone()),
             |worker, (k, indices)| {
-                let breaks = indices.filter_map(|i| self.play(&shots[k], i, worker).transpose());
+                let number = |rack: u64| k as u64 * count + (rack - first);
+                let breaks = indices
+                    .filter_map(|i| self.play(&shots[k], (i, number(i)), worker).transpose());
                 Ok((k, breaks.collect::<Result<Vec<_>, Error>>()?))
             },
         );
@@ -148,17 +164,23 @@ impl<'a> Racks<'a> {
         let mut plays = 0;
         for chunk in played {
             let (k, chunk): (usize, Vec<PlayedBreak>) = chunk?;
-            plays += chunk.iter().map(|played| played.plays).sum::<u64>();
-            chunk.iter().for_each(|played| tallies[k].add(played));
+            for played in &chunk {
+                plays += played.plays;
+                tallies[k].add(played);
+                if let (Some(correction), Some(k)) = (played.correction, played.stratum) {
+                    corrections[k].add(correction);
+                }
+            }
         }
-        Ok((tallies.iter().map(Tally::counts).collect(), plays))
+        Ok((tallies.iter().map(|tally| tally.counts(corrections)).collect(), plays))
     }
 
-    /// Breaks rack number `index`; `None` if the shot cannot be played.
+    /// Breaks rack number `index`, as break number `number` of a count; `None` if the shot cannot be
+    /// played.
     fn play(
         &self,
         shot: &BreakShot,
-        index: u64,
+        (index, number): (u64, u64),
         (sampler, successor): &mut (Sampler, Frame),
     ) -> Result<Option<PlayedBreak>, Error> {
         let frame = self.start.with_seed(self.seed.wrapping_add(index))?;
@@ -179,6 +201,7 @@ impl<'a> Racks<'a> {
         let mut played = PlayedBreak {
             value: 0.0,
             correction: None,
+            stratum: None,
             fallen: fallen().filter(|ball| *ball != cue).count() as u64,
             is_kept: is_won || successor.player() == Some(BREAKER),
             is_foul: !ruling.is_legal(),
@@ -186,7 +209,14 @@ impl<'a> Racks<'a> {
             plays: 1,
         };
         played.value = self.chance(successor, BREAKER, 0, &mut played.plays)?;
-        if self.per_reply > 0 && index.is_multiple_of(Self::REPLIES) {
+        if !successor.is_over() {
+            played.stratum = Some(match played {
+                PlayedBreak { is_kept: true, .. } => 0,
+                PlayedBreak { is_foul: false, .. } => 1,
+                PlayedBreak { fallen, .. } => 2 + usize::from(fallen == 0),
+            });
+        }
+        if self.every > 0 && number.is_multiple_of(self.every) {
             let searched = self.chance(successor, BREAKER, self.per_reply, &mut played.plays)?;
             played.correction = Some(searched - played.value);
         }
@@ -254,17 +284,24 @@ const fn game_ball(rules: Rules) -> Option<u16> {
     }
 }
 
+/// Number of cases whose corrections are kept apart: see [`Racks::count`].
+const STRATA: usize = 4;
+
+/// The corrections of the win chances, by case.
+pub(super) type Corrections = [Sum; STRATA];
+
 /// Sums over breaks.
 #[derive(Clone, Copy, Debug, Default)]
 struct Tally {
     counts: BreakCounts,
     values: Sum,
-    corrections: Sum,
+    /// Number of breaks of each case.
+    strata: [u64; STRATA],
 }
 
 /// Sums of numbers and of their squares.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sum {
+pub(super) struct Sum {
     count: f64,
     sum: f64,
     squares: f64,
@@ -303,14 +340,18 @@ impl Tally {
         counts.fouls += u64::from(played.is_foul);
         counts.game_ball += u64::from(played.is_game_ball);
         self.values.add(played.value);
-        if let Some(correction) = played.correction {
-            self.corrections.add(correction);
+        if let Some(k) = played.stratum {
+            self.strata[k] += 1;
         }
     }
 
-    fn counts(&self) -> BreakCounts {
-        let win = (self.values.mean() + self.corrections.mean()).clamp(0.0, 1.0);
-        let error = carom::math::sqrt(self.values.variance() + self.corrections.variance());
-        BreakCounts { win, error, ..self.counts }
+    fn counts(&self, corrections: &Corrections) -> BreakCounts {
+        let (mut win, mut variance) = (self.values.mean(), self.values.variance());
+        for (count, correction) in self.strata.iter().zip(corrections) {
+            let share = *count as f64 / self.counts.breaks.max(1) as f64;
+            win += share * correction.mean();
+            variance += share * share * correction.variance();
+        }
+        BreakCounts { win: win.clamp(0.0, 1.0), error: carom::math::sqrt(variance), ..self.counts }
     }
 }
