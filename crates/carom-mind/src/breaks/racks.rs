@@ -15,6 +15,9 @@ use carom_plan::{Prepared, Sampler};
 const BREAKER: Seat = 0;
 /// Racks that one thread plays at a time: about two milliseconds of work.
 const CHUNK: u64 = 8;
+/// Simulations that search the next shot after every foul. Values of positions underrate a cue ball in
+/// hand in an intact rack, so a search by the value alone breaks with fouls.
+const AFTER_FOUL: u64 = 30;
 /// Probability with which the player who breaks a further rack wins, before breaks have been played:
 /// where a full break is usual, and where the opening shot is a safety. Estimated.
 const REBREAK: f64 = 0.6;
@@ -208,7 +211,8 @@ impl<'a> Racks<'a> {
             is_game_ball: fallen().any(is_game_ball),
             plays: 1,
         };
-        played.value = self.chance(successor, BREAKER, 0, &mut played.plays)?;
+        let search = if played.is_foul { AFTER_FOUL } else { 0 };
+        played.value = self.chance(successor, BREAKER, search, &mut played.plays)?;
         if !successor.is_over() {
             played.stratum = Some(match played {
                 PlayedBreak { is_kept: true, .. } => 0,
@@ -270,7 +274,12 @@ impl<'a> Racks<'a> {
         let situation = Situation { frame, noise, perception, seed };
         let (searched, more) = quick_value(&situation, self.value, per_reply)?;
         *plays += more;
-        Ok(searched)
+        // A short search may find no shot at all, or only a poor one: the estimate is the better bound.
+        Ok(if per_reply <= AFTER_FOUL || searched == 0.0 {
+            searched.max(estimated())
+        } else {
+            searched
+        })
     }
 }
 
