@@ -41,7 +41,7 @@ const POOL: [&str; 4] = ["wpa-9ft", "wpa-8ft", "bar-7ft", "poolfiz"];
 const NOISES: [f64; 3] = [1.0, 0.5, 2.0];
 /// Searches with different seeds for each break, and the simulations of each.
 const SEARCHES: u64 = 2;
-const SIMULATIONS: u64 = 24_000;
+const SIMULATIONS: u64 = 38_400;
 /// Racks of the counts, one in how many is searched for its next shot, the simulations of such a
 /// search, and the seed. The same seed for all breaks, so that
 /// they are compared on the same racks.

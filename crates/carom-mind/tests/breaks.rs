@@ -78,7 +78,7 @@ fn a_search_finds_a_good_break_with_the_same_bits_for_any_number_of_threads() {
     let noise = Noise::olympiad(1.0);
     let situation = Situation::new(&frame, noise, 3);
     let search = |threads| {
-        let search = BreakSearch::new(&situation, &Logistic, 3000, &[]).expect("a frame");
+        let search = BreakSearch::new(&situation, &Logistic, 12_000, &[]).expect("a frame");
         search.run(&runner(threads)).expect("a break")
     };
     let (shot, counts, plays) = search(1);

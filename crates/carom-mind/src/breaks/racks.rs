@@ -199,7 +199,7 @@ impl<'a> Racks<'a> {
         let Ok(ruling) = sampler.rule(&prepared, play.call, successor) else { return Ok(None) };
         let fallen = || sampler.outcome().pocketed.iter().map(|(ball, _)| *ball);
         let is_game_ball = |ball: u16| game_ball(frame.rules()) == Some(ball);
-        let cue = u16::from(prepared.turn().cue);
+        let cue = prepared.turn().cue;
         let is_won = matches!(successor.request(), Request::Over { winner: Some(BREAKER), .. });
         let mut played = PlayedBreak {
             value: 0.0,

@@ -21,7 +21,7 @@ use carom_plan::Prepared;
 const LEAST_TO_SEARCH: u64 = 4000;
 /// Share of a decision's simulations that search a break, and their largest number: some seconds.
 const SEARCHING: f64 = 0.5;
-const MOST_TO_SEARCH: u64 = 20_000;
+const MOST_TO_SEARCH: u64 = 40_000;
 /// Breaks of a search that enter the race.
 const FROM_SEARCH: usize = 3;
 /// Simulations of the first round for each break, and the most breaks.
@@ -62,7 +62,8 @@ pub(crate) fn opening_shots(
             spent.simulations += search.step(&budget.runner)?;
             spent.rounds += 1;
         }
-        shots = search.best().take(FROM_SEARCH).collect();
+        // A short search may not find a better break than the one with which it began.
+        shots.extend(search.best().take(FROM_SEARCH));
     }
     let size = settings.first_round.min(budget.simulations);
     let count = (size / PER_BREAK).clamp(1, MOST_BREAKS) as usize;
