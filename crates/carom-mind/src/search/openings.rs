@@ -53,12 +53,18 @@ pub(crate) fn opening_shots(
         return played.map(|_| vec![shot]).map_err(|error| error.inside("settings.break_shot"));
     }
     let known = found(frame, &situation.noise[turn.player]);
-    let mut shots: Vec<BreakShot> = known.iter().map(|(entry, _)| entry.shot).collect();
+    let usual = BreakShot::center(frame.rules().rack().break_speed());
+    let mut shots = vec![known.map_or(usual, |(entry, _)| entry.shot)];
     let is_known = known.is_some_and(|(_, fit)| fit == Fit::Same);
     if !is_known && budget.simulations >= LEAST_TO_SEARCH {
         let share = (SEARCHING * budget.simulations as f64) as u64;
         let mut search = BreakSearch::new(situation, value, share.min(MOST_TO_SEARCH), &shots)?;
-        while search.generations_left() > 0 && budget.allows(*spent, search.step_cost()) {
+        // The race is the last round, so that the number of rounds repeats the decision.
+        let is_allowed = |spent: Spent| budget.rounds.is_none_or(|most| spent.rounds + 1 < most);
+        while search.generations_left() > 0
+            && is_allowed(*spent)
+            && budget.allows(*spent, search.step_cost())
+        {
             spent.simulations += search.step(&budget.runner)?;
             spent.rounds += 1;
         }
