@@ -1,5 +1,6 @@
 //! Breaks that are found by search, and those that are shipped.
 
+use carom::edition::{TABLES, find};
 use carom::format::Node;
 use carom::runner::Runner;
 use carom::{Error, Noise};
@@ -55,6 +56,21 @@ fn the_stated_counts_of_every_entry_hold_on_fresh_racks_with_the_present_physics
             // the seeds are fixed.
             let apart = deviations((a, stated.breaks), (b, fresh.breaks));
             assert!(apart < 4.5, "{name}: {apart:.1}, {b} of 80; {}", entry.line());
+        }
+    }
+}
+
+#[test]
+fn the_documentation_has_the_counts_of_every_entry() {
+    let page = include_str!("../../../docs/think.md");
+    for entry in entries() {
+        let name = find(TABLES, entry.table).expect("a table").name;
+        let start = format!("| {} | {name} | {} |", entry.rules.name(), entry.noise);
+        let row = page.lines().find(|line| line.starts_with(&start)).expect("a row");
+        let counts = entry.counts;
+        for count in [counts.any_fallen, counts.kept, counts.fouls, counts.game_ball] {
+            let share = format!("| {:.1} |", 100.0 * count as f64 / counts.breaks as f64);
+            assert!(row.contains(&share), "{share} is missing in {row}");
         }
     }
 }

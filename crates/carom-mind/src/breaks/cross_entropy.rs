@@ -39,7 +39,7 @@ const SMOOTHING: f64 = 0.7;
 const LEAST_SPREAD: f64 = 0.01;
 /// Breaks that enter the final comparison.
 const FINALISTS: usize = 12;
-/// Of one in this many breaks the next shot is searched, with so many simulations.
+/// One in how many breaks has its next shot searched, and the simulations of such a search.
 const EVERY: u64 = 150;
 const PER_REPLY: u64 = 100;
 /// Simulations of a break with its share of the searches of next shots. Measured: 7 to 9 in pool.
