@@ -8,6 +8,7 @@
 
 mod aim;
 mod analysis;
+pub mod breaks;
 mod level;
 pub mod line;
 pub mod literature;

@@ -3,6 +3,8 @@
 use carom::Error;
 use carom::format::Reader;
 
+use crate::breaks::BreakShot;
+
 /// How the searching player searches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchSettings {
@@ -32,6 +34,8 @@ pub struct SearchSettings {
     /// A frame is conceded if the expected chance of winning is below this. Only in snooker, where
     /// points behind cannot always be made up.
     pub concede_below: f64,
+    /// The opening shot of every rack; `None` if it is searched.
+    pub break_shot: Option<BreakShot>,
 }
 
 impl Default for SearchSettings {
@@ -49,6 +53,7 @@ impl Default for SearchSettings {
             common_errors: true,
             stated: 1,
             concede_below: 0.001,
+            break_shot: None,
         }
     }
 }
@@ -120,7 +125,8 @@ impl SearchSettings {
     /// Rejects settings out of range.
     ///
     /// # Errors
-    /// [`Error::Input`] for a share outside 0 to 0.9, and for a race without candidates.
+    /// [`Error::Input`] for a share outside 0 to 0.9, for a race without candidates, and as
+    /// [`BreakShot::check`].
     pub fn check(&self) -> Result<(), Error> {
         for (key, share) in [
             ("exploring", self.exploring),
@@ -144,6 +150,8 @@ impl SearchSettings {
                 return Err(Error::input(place, "0 is out of range", "write at least 1"));
             }
         }
-        Ok(())
+        self.break_shot
+            .map_or(Ok(()), |shot| shot.check())
+            .map_err(|error| error.inside("settings.break_shot"))
     }
 }

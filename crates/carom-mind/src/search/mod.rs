@@ -16,6 +16,7 @@ mod shift;
 
 pub use candidate::{Candidate, PlayKind, PlayedVariant};
 pub(crate) use explore::Explorer;
+pub(crate) use pots::largest_offset;
 pub(crate) use replies::quick_value;
 pub use rounds::Rounds;
 pub(crate) use rounds::{Found, SearchTask};

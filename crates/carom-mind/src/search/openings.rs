@@ -1,15 +1,80 @@
-//! Candidates for the opening shot of a rack: breaks.
+//! Candidates for the opening shot of a rack: known breaks and their variants, found ones where none is
+//! known, and a lattice.
 
 use carom::Error;
 use carom::math::{Vec2, atan2};
 use carom::resolve::cue_ball::Strike;
-use carom_rules::{Region, Rules};
+use carom_rules::{Region, Rules, Turn};
 
 use super::candidate::PlayKind;
 use super::explore::Explorer;
+use crate::breaks::{BreakSearch, BreakShot, Fit, found, variants};
+use crate::player::{Budget, Situation, Spent};
 use crate::scene::Scene;
+use crate::settings::SearchSettings;
 use crate::targets::call_of;
+use crate::value::Value;
 use carom_plan::Prepared;
+
+/// A break is searched if a decision has at least this many simulations; with fewer the best known one
+/// of a similar table is better.
+const LEAST_TO_SEARCH: u64 = 4000;
+/// Share of a decision's simulations that search a break, and their largest number: some seconds.
+const SEARCHING: f64 = 0.5;
+const MOST_TO_SEARCH: u64 = 40_000;
+/// Breaks of a search that enter the race.
+const FROM_SEARCH: usize = 3;
+/// Simulations of the first round for each break, and the most breaks.
+const PER_BREAK: u64 = 100;
+const MOST_BREAKS: u64 = 16;
+/// Standard deviations of the variants of a break, as a share of the ranges that are searched: of one
+/// that was searched on this table, and of one of a similar table.
+const NEAR: f64 = 0.03;
+const FAR: f64 = 0.08;
+/// Difference of the priors of one opening shot and the next: only their order matters.
+const PRIOR_STEP: f64 = 1e-3;
+
+/// The opening shots that a decision compares, the most promising first: the known break, its mirror
+/// image, and variants of both. The rack is known, so a variant can be better than the break that is the
+/// best one on average. Where no break is known for the table, generations of a [`BreakSearch`] are
+/// rounds of the decision.
+///
+/// # Errors
+/// As [`BreakSearch::step`], and [`Error::Input`] for a given break that cannot be played.
+pub(crate) fn opening_shots(
+    situation: &Situation<'_>,
+    turn: &Turn,
+    (value, settings): (&dyn Value, &SearchSettings),
+    (budget, spent): (&Budget<'_>, &mut Spent),
+) -> Result<Vec<BreakShot>, Error> {
+    let frame = situation.frame;
+    if let Some(shot) = settings.break_shot {
+        let played = shot.play(frame);
+        return played.map(|_| vec![shot]).map_err(|error| error.inside("settings.break_shot"));
+    }
+    let known = found(frame, &situation.noise[turn.player]);
+    let usual = BreakShot::center(frame.rules().rack().break_speed());
+    let mut shots = vec![known.map_or(usual, |(entry, _)| entry.shot)];
+    let is_known = known.is_some_and(|(_, fit)| fit == Fit::Same);
+    if !is_known && budget.simulations >= LEAST_TO_SEARCH {
+        let share = (SEARCHING * budget.simulations as f64) as u64;
+        let mut search = BreakSearch::new(situation, value, share.min(MOST_TO_SEARCH), &shots)?;
+        // The race is the last round, so that the number of rounds repeats the decision.
+        let is_allowed = |spent: Spent| budget.rounds.is_none_or(|most| spent.rounds + 1 < most);
+        while search.generations_left() > 0
+            && is_allowed(*spent)
+            && budget.allows(*spent, search.step_cost())
+        {
+            spent.simulations += search.step(&budget.runner)?;
+            spent.rounds += 1;
+        }
+        // A short search may not find a better break than the one with which it began.
+        shots.extend(search.best().take(FROM_SEARCH));
+    }
+    let size = settings.first_round.min(budget.simulations);
+    let count = (size / PER_BREAK).clamp(1, MOST_BREAKS) as usize;
+    variants(situation, &shots, (if is_known { NEAR } else { FAR }, count))
+}
 
 /// Places of the cue ball across the region, as shares of its width, and depths behind its far
 /// edge, as shares of the region's depth.
@@ -21,6 +86,33 @@ const HEIGHTS: [f64; 3] = [0.1, -0.1, 0.25];
 const HITS: [f64; 3] = [0.0, 0.12, -0.12];
 
 impl Explorer<'_> {
+    /// Adds opening shots, each from its own place. Their order is the order of their priors.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn openings(
+        &mut self,
+        shots: &[BreakShot],
+        prepared: &[Prepared<'_>],
+    ) -> Result<(), Error> {
+        let kind = match self.situation.frame.rules() {
+            Rules::StraightPool | Rules::Snooker => PlayKind::Safety,
+            Rules::ThreeCushion => PlayKind::Carom,
+            _ => PlayKind::Break,
+        };
+        for (k, (shot, position)) in shots.iter().zip(prepared).enumerate() {
+            let play = shot.play_of(position)?;
+            if self.sampler.simulate(position, &play.strike).is_err() {
+                continue;
+            }
+            self.plays += 1;
+            self.ruled(position, play.call)?;
+            let prior = 1.0 - PRIOR_STEP * k as f64;
+            self.keep(play.strike, play.call, (kind, None, prior), (k, position));
+        }
+        Ok(())
+    }
+
     /// Places of the cue ball for an opening shot, file frame, m.
     pub(crate) fn opening_places(&self, region: Region) -> Vec<[f64; 2]> {
         let table = self.situation.frame.base().table();

@@ -201,6 +201,6 @@ pub(crate) fn quick_value(
     explorer.most = simulations;
     explorer.safeties(&prepared, 0)?;
     // A safety's value without errors is too good: errors spoil some of them.
-    let best = explorer.found.iter().map(|candidate| candidate.prior);
-    Ok((best.fold(0.0, f64::max).max(0.0), explorer.plays))
+    let best = explorer.found.iter().map(|candidate| candidate.prior).reduce(f64::max);
+    Ok((best.unwrap_or(estimated), explorer.plays))
 }

@@ -6,10 +6,12 @@ use carom_rules::{Rules, Turn};
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
+use super::openings::opening_shots;
 use super::pots::KnownLine;
 use super::race::Race;
 use super::replies::Replies;
 use super::shift::{deviations, uphill};
+use crate::breaks::BreakShot;
 use crate::player::{Budget, Situation, Spent};
 use crate::settings::SearchSettings;
 use crate::value::Value;
@@ -76,6 +78,8 @@ impl<'b> SearchTask<'_, 'b> {
 /// next round.
 #[derive(Clone, Debug)]
 pub struct Rounds {
+    /// The opening shots that are compared; none if another shot is asked for.
+    openings: Vec<BreakShot>,
     /// The places from which the cue ball is played.
     places: Vec<Option<[f64; 2]>>,
     candidates: Vec<Candidate>,
@@ -84,6 +88,8 @@ pub struct Rounds {
     /// Number of strikes that further rounds have tried on them.
     strikes: u64,
     spent: Spent,
+    /// Number of races so far.
+    races: u32,
     /// Simulations of the next round.
     size: u64,
     /// Simulations of all rounds.
@@ -103,9 +109,6 @@ impl Rounds {
         let explorer = Explorer::new(situation, value, turn, 0);
         let places = match turn.hand {
             None => vec![None],
-            Some(region) if situation.frame.is_opening() => {
-                explorer.opening_places(region).into_iter().map(Some).collect()
-            }
             Some(region) => explorer.places(region).into_iter().map(Some).collect(),
         };
         let fresh = settings.fresh(budget.simulations);
@@ -113,8 +116,20 @@ impl Rounds {
         let racing = budget.simulations - stating;
         let size = round_size(settings.first_round, racing);
         let (candidates, lines, spent) = (Vec::new(), Vec::new(), Spent::default());
-        let (strikes, is_complete) = (0, false);
-        Self { places, candidates, lines, strikes, spent, size, racing, stated, fresh, is_complete }
+        Self {
+            openings: Vec::new(),
+            places,
+            candidates,
+            lines,
+            strikes: 0,
+            spent,
+            races: 0,
+            size,
+            racing,
+            stated,
+            fresh,
+            is_complete: false,
+        }
     }
 
     /// What the rounds have spent.
@@ -137,16 +152,25 @@ impl Rounds {
     /// [`Error::TooManyEvents`] if a shot does not end.
     pub(crate) fn play(&mut self, task: &SearchTask<'_, '_>) -> Result<bool, Error> {
         let SearchTask { situation, turn, value, settings, budget } = *task;
-        if self.is_complete || !budget.allows(self.spent, self.size) {
+        let is_first = self.races == 0;
+        if self.is_complete || !(is_first || budget.allows(self.spent, self.size)) {
             return Ok(false);
+        }
+        if is_first && situation.frame.is_opening() {
+            let searching = (budget, &mut self.spent);
+            self.openings = opening_shots(situation, turn, (value, settings), searching)?;
+            let place = |shot: &BreakShot| shot.cue_ball(situation.frame, turn);
+            if !self.openings.is_empty() {
+                self.places = self.openings.iter().map(place).collect();
+            }
         }
         let prepared = &self.prepared(situation)?;
         let race = task.race(prepared);
         let before = self.spent.simulations;
         let mut explorer = Explorer::new(situation, value, turn, 0);
-        if self.spent.rounds == 0 {
+        if is_first {
             let simulations = (settings.exploring * self.size as f64) as u64;
-            self.lines = explore(&mut explorer, prepared, simulations)?;
+            self.lines = explore(&mut explorer, (prepared, &self.openings), simulations)?;
             let room = self.size / PER_CANDIDATE;
             self.candidates = select(explorer.found, settings, room as usize);
         } else {
@@ -155,7 +179,7 @@ impl Rounds {
                 shift(&mut self.candidates, &race);
             }
             let refining = settings.refining * self.size as f64;
-            let round = self.spent.rounds - 1;
+            let round = self.races - 1;
             explorer.most = (NEAR * refining) as u64;
             explorer.refine((prepared, &mut self.lines), &self.candidates, round)?;
             explorer.most = ((1.0 - HITS) * refining) as u64;
@@ -179,6 +203,7 @@ impl Rounds {
             self.spent.simulations += replies.search(&race, &mut self.candidates)?;
         }
         self.spent.rounds += 1;
+        self.races += 1;
         let left = self.racing.saturating_sub(self.spent.simulations);
         self.size = round_size(2 * self.size, left);
         // A round that is much smaller than the first one would only add noise.
@@ -211,26 +236,26 @@ const fn round_size(wanted: u64, left: u64) -> u64 {
 /// Fills the explorer's candidates with about `simulations` simulations.
 fn explore(
     explorer: &mut Explorer<'_>,
-    prepared: &[Prepared<'_>],
+    (prepared, openings): (&[Prepared<'_>], &[BreakShot]),
     simulations: u64,
 ) -> Result<Vec<KnownLine>, Error> {
     let frame = explorer.situation.frame;
-    let is_opening = frame.is_opening();
+    let is_opening = !openings.is_empty();
+    explorer.openings(openings, prepared)?;
     let pots = (POTS * simulations as f64) as u64;
     let mut lines = Vec::new();
     for (k, position) in prepared.iter().enumerate() {
         explorer.most = pots * (k as u64 + 1) / prepared.len() as u64;
+        if is_opening {
+            break;
+        }
         if frame.rules() == Rules::ThreeCushion {
             explorer.most = simulations;
             explorer.caroms(position, k)?;
-        } else if !is_opening {
+        } else {
             let mut known = explorer.lines(position, k);
             explorer.pots(position, &mut known)?;
             lines.extend(known);
-        } else if explorer.breaks_hard() {
-            explorer.breaks(position, k)?;
-        } else {
-            explorer.safeties(position, k)?;
         }
     }
     explorer.most = simulations.max(explorer.plays + simulations / 4);
