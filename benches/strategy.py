@@ -29,7 +29,7 @@ def points(match: JSON, player: int = 0) -> str:
 
 def levels(found: Experiments) -> list[list[str]]:
     """The levels of strength, and how often each beats the one below."""
-    rows = [["Level", "σ of the direction, degrees", "simulations", "points against the level below, %"]]
+    rows = [["Level", "σ of the direction, °", "simulations", "points against the level below, %"]]
     for number in range(1, 6):
         name = f"level-{number}"
         player = Player(name)
@@ -42,7 +42,7 @@ def levels(found: Experiments) -> list[list[str]]:
 
 def runs(found: Experiments) -> list[list[str]]:
     """Break and run, with the share of breaks that keep the turn."""
-    rows = [["Game", "noise", "breaks", "break and run, %", "the break keeps the turn, %", "bar, %"]]
+    rows = [["Game", "noise", "breaks", "break and run, %", "break keeps the turn, %", "bar, %"]]
     bars = {
         "run-eight-ball-x0.5": 60,
         "run-eight-ball-x1": 35,
@@ -97,16 +97,21 @@ def breaker(found: Experiments) -> list[list[str]]:
 def matrix(found: Experiments) -> list[list[str]]:
     """Points of the player of the row against that of the column."""
     matches = [match for name, match in found.items() if name.startswith("matrix-")]
-    names = [name.partition(":")[0] for match in matches for name in match["players"]]
-    order = sorted(set(names), key=lambda name: -total(name, matches))
+    names: set[str] = set().union(*(names_of(match) for match in matches))
+    order = sorted(names, key=lambda name: -total(name, matches))
     rows = [["Points, %", *(f"`{name}`" for name in order)]]
     for one in order:
         cells = [f"`{one}`"]
         for other in order:
-            met = [m for m in matches if {p.partition(":")[0] for p in m["players"]} == {one, other}]
+            met = [match for match in matches if names_of(match) == {one, other}]
             cells.append(points_of(one, met[0]) if met and one != other else "")
         rows.append(cells)
     return rows
+
+
+def names_of(match: JSON) -> set[str]:
+    """The names of the players, without their simulated shots."""
+    return {player.partition(":")[0] for player in match["players"]}
 
 
 def total(name: str, matches: list[JSON]) -> float:
@@ -162,6 +167,22 @@ def duels(found: Experiments) -> list[list[str]]:
     return rows
 
 
+def endings(found: Experiments) -> list[list[str]]:
+    """What the chosen plays of endings lose beside a search of nearly all plays."""
+    rows = [
+        ["Ending", "positions", "loss, mean", "loss ≤ 1.5 points", "loss ≤ 10 points", "largest"]
+    ]
+    for name, result in found.items():
+        if name.startswith("ending-"):
+            losses = result["losses"]
+            n = len(losses)
+            cells = [f"{100 * sum(losses) / n:.2f}"]
+            cells += [share(sum(x <= limit for x in losses), n) for limit in (0.015, 0.1)]
+            title = name.removeprefix("ending-").replace("-", " ")
+            rows.append([title, str(n), *cells, f"{100 * max(losses):.1f}"])
+    return rows
+
+
 def made(found: Experiments) -> list[list[str]]:
     """Which commit made which result."""
     rows = [["Experiment", "commit"]]
@@ -179,5 +200,6 @@ TABLES = {
     "strength": strength,
     "parts": parts,
     "duels": duels,
+    "endings": endings,
     "strategy-commits": made,
 }

@@ -6,8 +6,8 @@
 
 What is played is stored as it comes, under ``out/strategy``, and a run that was stopped continues
 there. A complete experiment is summarised in ``benches/results/strategy.json``, from which
-``benches/tables.py`` makes the tables of the page. Racks, errors and decisions depend on the name of
-the experiment alone, so every result without a clock can be made again to the bit.
+``benches/tables.py`` makes the tables of the page. Racks, errors and decisions depend on the name
+of the experiment alone, so every result without a clock can be made again to the bit.
 """
 
 from __future__ import annotations
@@ -29,7 +29,9 @@ STORED = ROOT / "benches" / "results" / "strategy.json"
 
 def main() -> int:
     """Reads the command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("names", nargs="*", help="experiments, or parts of their names")
     parser.add_argument("--list", action="store_true", help="print the experiments")
     parser.add_argument("--threads", type=int, default=os.cpu_count(), help="number of threads")

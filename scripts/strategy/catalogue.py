@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from endings import Ending
 from matches import Match
 from visits import Visits
 
@@ -22,13 +23,13 @@ MATRIX = (
 )
 MATRIX_SIMULATIONS = 3000
 
-EXPERIMENTS: dict[str, Match | Visits] = {}
+EXPERIMENTS: dict[str, Match | Visits | Ending] = {}
 
 # How often does the player who breaks run out?
 for game in ("eight-ball", "nine-ball"):
     for noise in NOISES:
         EXPERIMENTS[f"run-{game}-x{noise:g}"] = Visits(
-            f"carom:{SECOND}", count=120, game=game, noise=noise
+            f"carom:{SECOND}", count=60, game=game, noise=noise
         )
 
 # Run-outs of eight-ball from ball in hand.
@@ -37,6 +38,10 @@ for balls in (1, 2, 3, 5, 7):
         EXPERIMENTS[f"run-out-{balls}-x{noise:g}"] = Visits(
             "carom:5000", count=200, balls=balls, noise=noise
         )
+
+# Endings beside a search of nearly all plays.
+for ending in ("lone-nine", "last-ball-and-eight", "three-balls"):
+    EXPERIMENTS[f"ending-{ending}"] = Ending(ending, count=100, simulations=20_000)
 
 # High runs of straight pool.
 for noise in NOISES:
@@ -66,7 +71,7 @@ for power in (3, 4, 5, 6):
 
 # What each part of the search is worth: the player without it against the player with it.
 PARTS = {
-    "replies": "replying=0",
+    "replies": "replying=0.3",
     "shift": "shift=false",
     "refining": "refining=0",
     "safeties": "safeties=0",
@@ -79,7 +84,7 @@ for part, setting in PARTS.items():
 # The levels of strength, each against the one below.
 for number in (2, 3, 4, 5):
     EXPERIMENTS[f"level-{number}-level-{number - 1}"] = Match(
-        f"level-{number}", f"level-{number - 1}", pairs=150, noise=None
+        f"level-{number}", f"level-{number - 1}", pairs=100, noise=None
     )
 
 # The bars against the re-creations, on the table of the Olympiad.

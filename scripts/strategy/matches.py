@@ -76,8 +76,8 @@ def counts(record: Path) -> dict[str, Any]:
     """What the frames of a record have in common, for each player as the one who breaks.
 
     ``breaks``, ``kept`` (the breaker shoots again), ``break_wins``, ``runs`` (break and run: the
-    other player never came to the table), ``pots`` (called pots after the break) and ``made`` (those
-    that kept the turn), ``safeties``, ``decisions``, ``simulations`` and ``seconds``.
+    other player never came to the table), ``pots`` (called pots after the break) and ``made``
+    (those that kept the turn), ``safeties``, ``decisions``, ``simulations`` and ``seconds``.
     """
     tally = [Counter[str](), Counter[str]()]
     lines = record.read_text(encoding="utf-8").splitlines()

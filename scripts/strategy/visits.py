@@ -43,7 +43,7 @@ class Visits:
     def describe(self) -> str:
         """The visits in words."""
         start = "the break" if self.balls is None else f"ball in hand, {self.balls} own balls"
-        return f"{self.player}, {self.count} visits of {self.game} from {start}, noise x{self.noise}"
+        return f"{self.player}, {self.count} × {self.game} from {start}, noise × {self.noise}"
 
     def play(self, name: str, folder: Path, threads: int) -> dict[str, Any]:
         """Plays or continues the visits, and counts what happened."""
@@ -66,7 +66,11 @@ class Visits:
             "won": sum(visit["won"] for visit in visits),
             "kept": sum(visit["shots"] > 1 for visit in visits),
             "shots": sum(visit["shots"] for visit in visits),
-            "points": {"mean": statistics.mean(runs), "median": runs[len(runs) // 2], "most": runs[-1]},
+            "points": {
+                "mean": statistics.mean(runs),
+                "median": runs[len(runs) // 2],
+                "most": runs[-1],
+            },
         }
 
     def _visits(self, name: str, left: list[int], threads: int) -> Iterator[dict[str, Any]]:
@@ -110,8 +114,9 @@ class Visits:
 def with_ball_in_hand(own: int, seed: int) -> carom.Frame:
     """A frame of eight-ball in which player 1 has the cue ball in hand and the table is open.
 
-    Each group has ``own`` balls. They and the eight are at random places, at least half a centimetre
-    from each other and from the cushions. Player 0 has played a foul, in which no other ball moved.
+    Each group has ``own`` balls. They and the eight are at random places, at least half a
+    centimetre from each other and from the cushions. Player 0 has played a foul, in which no other
+    ball moved.
     """
     rng = np.random.default_rng(seed)
     ids = ["cue", "8", *map(str, range(1, own + 1)), *map(str, range(9, 9 + own))]

@@ -98,7 +98,7 @@ impl BuiltInPlayer {
     /// The player, as new.
     ///
     /// # Errors
-    /// As [`Self::read`]; none for a player that was read.
+    /// As [`Self::read`]. A player that was read has none.
     pub fn make(&self) -> Result<Box<dyn Player>, Error> {
         if self.is_searcher() {
             return Ok(Box::new(self.searcher()?));
@@ -178,7 +178,7 @@ fn read_settings(text: &str) -> Result<Node, Error> {
         };
         let (key, value) = (key.trim(), value.trim());
         if settings.get(key).is_some() {
-            return Err(refuse(format!("the setting \"{key}\" stands twice")));
+            return Err(refuse(format!("the setting \"{key}\" occurs twice")));
         }
         let value = match Node::from_json(value) {
             Ok(value @ (Node::Bool(_) | Node::Integer(_) | Node::Number(_))) => value,

@@ -146,7 +146,7 @@ impl<'a> Brute<'a> {
 
     /// The plays that pot a ball without errors, and legal safeties.
     fn plays(&self) -> Result<Vec<Rated>, Box<dyn Error>> {
-        let turn = self.frame.turn().ok_or("no shot is asked for")?;
+        let turn = self.frame.turn().ok_or("the frame requests no shot")?;
         let scene = Scene::of(&self.prepared);
         let targets = Targets::of(self.frame, turn);
         let mut lines: Vec<Line> = Vec::new();

@@ -23,7 +23,8 @@ use carom::edition::{TABLES, find};
 use carom::format::Node;
 use carom::runner::Runner;
 use carom_mind::Situation;
-use carom_mind::breaks::{BreakCounts, BreakSearch, BreakShot, FoundBreak, Racks};
+use carom_mind::breaks::{BreakCounts, BreakShot, FoundBreak};
+use carom_mind::search::{BreakSearch, Racks};
 use carom_mind::value::Logistic;
 use carom_rules::{Frame, Options, Rules};
 

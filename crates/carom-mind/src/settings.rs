@@ -46,7 +46,7 @@ impl Default for SearchSettings {
             safeties: 12,
             first_round: 1500,
             refining: 0.25,
-            replying: 0.3,
+            replying: 0.0,
             finalists: 6,
             per_reply: 60,
             shift: true,

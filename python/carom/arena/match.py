@@ -107,13 +107,13 @@ def play_match(
     """
     names = (_name("one", one), _name("other", other))
     folder = checked_path("out", out, "match")
-    given = {
+    budgets: dict[str, Any] = {
         "simulations": simulations,
         "frame_simulations": frame_simulations,
         "time": time,
         "clock": clock,
     }
-    clocks = _clocks(names, given)
+    clocks = _clocks(names, budgets)
     shares = None if test is None else _test(test)
     agreed = {
         "game": text("game", game, '"eight-ball"'),

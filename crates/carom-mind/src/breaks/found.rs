@@ -7,8 +7,8 @@ use carom::math::log;
 use carom::{Noise, Physics};
 use carom_rules::{Frame, Rules};
 
-use super::racks::BreakCounts;
-use super::shot::BreakShot;
+use super::break_counts::BreakCounts;
+use super::break_shot::BreakShot;
 
 /// One line for each break. The example `find_breaks` adds those that are missing.
 const DATA: &str = include_str!("found.csv");

@@ -3,19 +3,16 @@
 //! A [`BreakShot`] is an opening shot in the terms of a player: where the cue ball is, how the first
 //! ball is hit, and the stroke. It fits every rack of a game, and a similar one fits a similar table.
 //!
-//! [`BreakSearch`] finds one for a game, a table, its physics and a player's errors, by the
+//! [`BreakSearch`](crate::search::BreakSearch) finds one for a game, a table, its physics and a player's errors, by the
 //! cross-entropy method (Rubinstein 1999). It is judged over many racks, each of them with its own gaps
 //! and its own errors of the strike. [`BreakCounts`] counts what a break does. [`found()`] gives the
 //! best known break: the results of searches are shipped as data (`found.csv`, made by the example
 //! `find_breaks`).
 
-mod cross_entropy;
+mod break_counts;
+mod break_shot;
 mod found;
-mod racks;
-mod shot;
 
-pub use cross_entropy::BreakSearch;
-pub(crate) use cross_entropy::variants;
+pub use break_counts::BreakCounts;
+pub use break_shot::BreakShot;
 pub use found::{Fit, FoundBreak, entries, found, multiplier};
-pub use racks::{BreakCounts, Racks};
-pub use shot::BreakShot;

@@ -1,6 +1,7 @@
 //! The search: candidate plays from lines and lattices, a race between them, and a second look at
 //! the finalists.
 
+mod break_search;
 mod candidate;
 mod caroms;
 mod explore;
@@ -8,15 +9,17 @@ mod hand;
 mod openings;
 mod pots;
 mod race;
+mod racks;
 mod refine;
 mod replies;
 mod rounds;
 mod safeties;
 mod shift;
 
+pub use break_search::BreakSearch;
 pub use candidate::{Candidate, PlayKind, PlayedVariant};
 pub(crate) use explore::Explorer;
-pub(crate) use pots::largest_offset;
+pub use racks::Racks;
 pub(crate) use replies::quick_value;
 pub use rounds::Rounds;
 pub(crate) use rounds::{Found, SearchTask};

@@ -6,9 +6,10 @@ use carom::math::{Vec2, atan2};
 use carom::resolve::cue_ball::Strike;
 use carom_rules::{Region, Rules, Turn};
 
+use super::break_search::{BreakSearch, variants};
 use super::candidate::PlayKind;
 use super::explore::Explorer;
-use crate::breaks::{BreakSearch, BreakShot, Fit, found, variants};
+use crate::breaks::{BreakShot, Fit, found};
 use crate::player::{Budget, Situation, Spent};
 use crate::scene::Scene;
 use crate::settings::SearchSettings;

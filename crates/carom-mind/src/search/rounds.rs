@@ -78,7 +78,7 @@ impl<'b> SearchTask<'_, 'b> {
 /// next round.
 #[derive(Clone, Debug)]
 pub struct Rounds {
-    /// The opening shots that are compared; none if another shot is asked for.
+    /// The opening shots that are compared; empty for another shot.
     openings: Vec<BreakShot>,
     /// The places from which the cue ball is played.
     places: Vec<Option<[f64; 2]>>,

@@ -6,7 +6,6 @@ use carom::{Error, Table};
 use carom_rules::{Frame, Play, Region, Turn};
 
 use crate::scene::{Scene, SceneBall};
-use crate::search::Explorer;
 use crate::targets::{Targets, call_of};
 use carom_plan::Prepared;
 
@@ -106,7 +105,7 @@ impl BreakShot {
         let azimuth = atan2(way.y, way.x) - asin(beside);
         let Self { speed, side, height, .. } = *self;
         let strike = Strike { speed, azimuth, elevation: 0.0, side, height };
-        let strike = Explorer::raised(prepared, strike);
+        let strike = Strike { elevation: prepared.shot().default_elevation(&strike), ..strike };
         let call = call_of(turn, first.index, None);
         Ok(Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) })
     }

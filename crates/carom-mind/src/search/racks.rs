@@ -5,9 +5,9 @@ use carom::runner::Runner;
 use carom::{Error, Noise};
 use carom_rules::{Frame, Request, Rules, Seat, Turn};
 
-use super::shot::BreakShot;
+use super::replies::quick_value;
+use crate::breaks::{BreakCounts, BreakShot};
 use crate::player::Situation;
-use crate::search::quick_value;
 use crate::value::{Position, Value};
 use carom_plan::{Prepared, Sampler};
 
@@ -56,27 +56,6 @@ pub(super) struct PlayedBreak {
     is_game_ball: bool,
     /// Number of simulations.
     pub(super) plays: u64,
-}
-
-/// Counts of what a break does, over many racks.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct BreakCounts {
-    /// Number of breaks.
-    pub breaks: u64,
-    /// Number of object balls that fell.
-    pub fallen: u64,
-    /// Breaks in which at least one object ball fell.
-    pub any_fallen: u64,
-    /// Breaks after which the breaker answers the next request, or has won.
-    pub kept: u64,
-    /// Breaks with a foul.
-    pub fouls: u64,
-    /// Breaks in which the ball fell that decides the game: the 8, 9 or 10.
-    pub game_ball: u64,
-    /// The mean of the estimated probability that the breaker wins.
-    pub win: f64,
-    /// Its standard error, from the samples alone.
-    pub error: f64,
 }
 
 impl<'a> Racks<'a> {
@@ -274,12 +253,8 @@ impl<'a> Racks<'a> {
         let situation = Situation { frame, noise, perception, seed };
         let (searched, more) = quick_value(&situation, self.value, per_reply)?;
         *plays += more;
-        // A short search may find no shot at all, or only a poor one: the estimate is the better bound.
-        Ok(if per_reply <= AFTER_FOUL || searched == 0.0 {
-            searched.max(estimated())
-        } else {
-            searched
-        })
+        // A short search may find only a poor shot: the estimate is the better bound.
+        Ok(if per_reply <= AFTER_FOUL { searched.max(estimated()) } else { searched })
     }
 }
 

@@ -12,10 +12,10 @@ use carom_rules::{Frame, Rules};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-use super::racks::{BreakCounts, Corrections, Racks};
-use super::shot::BreakShot;
+use super::pots::largest_offset;
+use super::racks::{Corrections, Racks};
+use crate::breaks::{BreakCounts, BreakShot};
 use crate::player::Situation;
-use crate::search::largest_offset;
 use crate::value::Value;
 use carom_plan::{Prepared, two_sided_quantile};
 
