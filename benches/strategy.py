@@ -169,9 +169,7 @@ def duels(found: Experiments) -> list[list[str]]:
 
 def endings(found: Experiments) -> list[list[str]]:
     """What the chosen plays of endings lose beside a search of nearly all plays."""
-    rows = [
-        ["Ending", "positions", "loss, mean", "loss ≤ 1.5 points", "loss ≤ 10 points", "largest"]
-    ]
+    rows = [["Ending", "positions", "mean loss, points", "≤ 1.5, %", "≤ 10, %", "largest, points"]]
     for name, result in found.items():
         if name.startswith("ending-"):
             losses = result["losses"]

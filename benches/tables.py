@@ -42,7 +42,6 @@ PAGES = (
             "realism",
             "strategy",
             "tables",
-            "think",
         )
     ),
 )

@@ -29,16 +29,8 @@ class Ending:
         """Plays or continues the positions."""
         del name, threads
         folder.mkdir(parents=True, exist_ok=True)
-        program = [
-            "cargo",
-            "run",
-            "--release",
-            "--quiet",
-            "-p",
-            "carom-mind",
-            "--example",
-            "endings",
-        ]
+        program = ["cargo", "run", "--release", "--quiet", "-p", "carom-mind"]
+        program += ["--example", "endings"]
         losses: list[float] = []
         for first in range(0, self.count, CHUNK):
             path = folder / f"{first}.jsonl"

@@ -1,0 +1,83 @@
+"""The experiments of strategy count what was played, and go on where they were stopped."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+import carom
+import pytest
+
+FOLDER = Path(__file__).parents[2] / "scripts" / "strategy"
+
+
+@pytest.fixture(scope="module")
+def modules() -> Any:
+    """The modules of the folder, which import each other by name."""
+    names = ("catalogue", "matches", "visits", "endings")
+    sys.path.insert(0, str(FOLDER))
+    try:
+        yield {name: __import__(name) for name in names}
+    finally:
+        sys.path.remove(str(FOLDER))
+        for name in names:
+            sys.modules.pop(name, None)
+
+
+def test_the_counts_of_a_match_are_those_of_its_record(modules: Any, tmp_path: Path) -> None:
+    match = modules["matches"].Match("carom:60", "greedy:60", pairs=2, game="eight-ball")
+    result = match.play("a test", tmp_path / "m", 1)
+    assert result["pairs"] == 2
+    frames = [
+        json.loads(line)
+        for line in (tmp_path / "m" / "match.jsonl").read_text("utf-8").splitlines()[1:-1]
+    ]
+    one, other = result["counts"]
+    assert (one["breaks"], other["breaks"]) == (2, 2)
+    moves = sum(len(frame["moves"]) for frame in frames)
+    assert one["decisions"] + other["decisions"] == moves
+    wins = [frame["end"]["winner"] == frame["seats"][0] for frame in frames]
+    assert one["break_wins"] + other["break_wins"] == sum(wins)
+    for player in (one, other):
+        assert player["made"] <= player["pots"]
+        assert player["runs"] <= player["break_wins"] <= player["breaks"]
+
+
+def test_a_match_of_the_same_name_has_the_same_frames(modules: Any, tmp_path: Path) -> None:
+    match = modules["matches"].Match("carom:40", "carom:60", pairs=1, game="nine-ball")
+    one = match.play("a name", tmp_path / "one", 1)
+    assert match.play("a name", tmp_path / "other", 2) == one
+    assert match.play("another name", tmp_path / "third", 1) != one
+
+
+def test_visits_go_on_where_they_were_stopped(modules: Any, tmp_path: Path) -> None:
+    visits = modules["visits"].Visits("carom:40", count=3, game="nine-ball")
+    whole = visits.play("a test", tmp_path / "whole", 1)
+    assert whole["visits"] == 3
+    assert whole["shots"] >= 3
+    stored = (tmp_path / "whole" / "visits.jsonl").read_text("utf-8").splitlines()
+    (tmp_path / "stopped").mkdir()
+    (tmp_path / "stopped" / "visits.jsonl").write_text(stored[1] + "\n", encoding="utf-8")
+    assert visits.play("a test", tmp_path / "stopped", 1) == whole
+
+
+@pytest.mark.parametrize("balls", [1, 7])
+def test_a_visit_from_ball_in_hand_begins_on_an_open_table(modules: Any, balls: int) -> None:
+    frame = modules["visits"].with_ball_in_hand(balls, 5)
+    assert (frame.player, frame.request["in_hand"]) == (1, "anywhere")
+    assert len(frame.balls) == 2 + 2 * balls
+    assert frame.balls == modules["visits"].with_ball_in_hand(balls, 5).balls
+    places = list(frame.balls.values())
+    near = modules["visits"].RADIUS + modules["visits"].ROOM
+    x, y = modules["visits"].SIZE
+    assert all(near <= a <= x - near and near <= b <= y - near for a, b in places[1:])
+
+
+def test_every_experiment_names_players_that_exist(modules: Any) -> None:
+    for name, experiment in modules["catalogue"].EXPERIMENTS.items():
+        assert experiment.describe()
+        for player in ("player", "one", "other"):
+            if text := getattr(experiment, player, None):
+                assert carom.Player(text).name == text.partition("[")[0].partition(":")[0], name
