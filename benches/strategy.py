@@ -188,6 +188,32 @@ def made(found: Experiments) -> list[list[str]]:
     return rows
 
 
+def values(games: Experiments) -> list[list[str]]:
+    """Log loss of the values of positions, on frames that were not fitted."""
+    rows = [["Game", "frames", "positions", "logistic", "Markov chain", "a constant"]]
+    for name, game in games.items():
+        loss = game["log_loss"]
+        losses = [f"{loss[kind]:.3f}" for kind in ("logistic", "markov", "constant")]
+        rows.append([name, f"{game['frames']:,}", f"{game['positions']:,}", *losses])
+    return rows
+
+
+def calibration(games: Experiments) -> list[list[str]]:
+    """Stated chances of winning beside what was won, for each tenth of the stated ones."""
+    rows = [["Game", "value", *(f"{k / 10:.1f} to {(k + 1) / 10:.1f}" for k in range(10))]]
+    for name, game in games.items():
+        for kind, key in (("logistic", "calibration"), ("Markov", "calibration_of_markov")):
+            cells = [""] * 10
+            for tenth in game[key]:
+                place = min(int(10 * tenth["stated"]), 9)
+                cells[place] = f"{tenth['won']:.2f} ({tenth['positions']:.0f})"
+            rows.append([name, kind, *cells])
+    return rows
+
+
+#: The tables of benches/results/values.json.
+VALUE_TABLES = {"values": values, "calibration": calibration}
+#: The tables of benches/results/strategy.json.
 TABLES = {
     "levels": levels,
     "runs": runs,

@@ -424,6 +424,10 @@ TABLES: dict[str, Callable[[JSON], str]] = (
         name: lambda result, table=table: markdown(*head_and_lines(table(result["experiments"])))
         for name, table in strategy.TABLES.items()
     }
+    | {
+        name: lambda result, table=table: markdown(*head_and_lines(table(result["games"])))
+        for name, table in strategy.VALUE_TABLES.items()
+    }
     | {f"paper-{name}": lambda _, table=table: table() for name, table in paper.TABLES.items()}
 )
 

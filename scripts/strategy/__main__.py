@@ -4,10 +4,11 @@
     python scripts/strategy NAME ...           # make these; a part of a name is enough
     python scripts/strategy --threads 2 NAME ...
 
-What is played is stored as it comes, under ``out/strategy``, and a run that was stopped continues
-there. A complete experiment is summarised in ``benches/results/strategy.json``, from which
-``benches/tables.py`` makes the tables of the page. Racks, errors and decisions depend on the name
-of the experiment alone, so every result without a clock can be made again to the bit.
+What is played is stored as it comes, under ``out/strategy/SOURCES``, and a run that was stopped
+continues there. SOURCES is git's hash of the folder ``crates``, so that players of different
+versions are never mixed. A complete experiment is summarised in ``benches/results/strategy.json``,
+from which ``benches/tables.py`` makes the tables of the page. Racks, errors and decisions depend on
+the name of the experiment alone, so every result without a clock can be made again to the bit.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -49,8 +51,15 @@ def main() -> int:
             print(f"{made:10}  {name:36}  {experiment.describe()}")
         return 0
     for name, experiment in chosen.items():
-        store(name, experiment.play(name, PLAYED / name, arguments.threads))
+        store(name, experiment.play(name, PLAYED / sources() / name, arguments.threads))
     return 0
+
+
+def sources() -> str:
+    """Git's hash of the sources that are committed."""
+    command = ["git", "rev-parse", "--short=10", "HEAD:crates"]
+    found = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True)
+    return found.stdout.strip()
 
 
 def stored() -> dict[str, Any]:

@@ -5,12 +5,22 @@ use carom::format::Reader;
 
 use crate::breaks::BreakShot;
 
+/// How a race gives samples to its candidates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Allocation {
+    /// Sequential halving (Karnin, Koren & Somekh 2013).
+    #[default]
+    Halving,
+    /// Optimal computing budget allocation (Chen, Lin, Yücesan & Chick 2000).
+    Ocba,
+}
+
 /// How the searching player searches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchSettings {
     /// Share of a round's simulations that search for candidates; the rest races them. 0 to 0.9.
     pub exploring: f64,
-    /// Number of candidates that enter the first race.
+    /// Fewest candidates that enter the first race, if so many are found. A large round has more.
     pub racing: usize,
     /// Number of safeties among them.
     pub safeties: usize,
@@ -28,6 +38,8 @@ pub struct SearchSettings {
     pub shift: bool,
     /// Whether all candidates are raced with the same drawn errors.
     pub common_errors: bool,
+    /// How the race gives samples to the candidates.
+    pub allocation: Allocation,
     /// Number of plays whose chances are stated, from samples that took no part in the choice. At
     /// least 1.
     pub stated: usize,
@@ -51,6 +63,7 @@ impl Default for SearchSettings {
             per_reply: 60,
             shift: true,
             common_errors: true,
+            allocation: Allocation::Halving,
             stated: 1,
             concede_below: 0.001,
             break_shot: None,
@@ -75,7 +88,7 @@ impl SearchSettings {
     }
 
     /// The names of the settings that [`Self::read`] knows.
-    pub const KEYS: [&str; 10] = [
+    pub const KEYS: [&str; 11] = [
         "exploring",
         "racing",
         "safeties",
@@ -86,6 +99,7 @@ impl SearchSettings {
         "per-reply",
         "shift",
         "common-errors",
+        "allocation",
     ];
 
     /// The settings of an object with some of [`Self::KEYS`]; the others keep their defaults.
@@ -119,6 +133,13 @@ impl SearchSettings {
         settings.per_reply = count("per-reply", 1, settings.per_reply)?;
         settings.shift = flag("shift", settings.shift)?;
         settings.common_errors = flag("common-errors", settings.common_errors)?;
+        if let Some(value) = object.get("allocation") {
+            settings.allocation = match value.text("halving or ocba")? {
+                "halving" => Allocation::Halving,
+                "ocba" => Allocation::Ocba,
+                word => return Err(value.unknown_word(word, "allocation", &["halving", "ocba"])),
+            };
+        }
         Ok(settings)
     }
 

@@ -31,8 +31,9 @@ const MOST_ALIKE: usize = 2;
 const PUSH_OUTS: usize = 6;
 /// Candidates that a further round keeps.
 const KEPT: usize = 16;
-/// Simulations of a round for each candidate that enters its race.
+/// Simulations of a round for each new candidate that enters its race, and the most of them.
 const PER_CANDIDATE: u64 = 24;
+const MOST_NEW: u64 = 1000;
 /// Shares of a further round's exploration for neighbours of the best plays, and for any hits of a
 /// ball on; the rest goes to further strikes on the lines of pots.
 const NEAR: f64 = 0.4;
@@ -70,6 +71,7 @@ impl<'b> SearchTask<'_, 'b> {
             seat: self.turn.player,
             runner: &self.budget.runner,
             common_errors: self.settings.common_errors,
+            allocation: self.settings.allocation,
         }
     }
 }
@@ -167,11 +169,12 @@ impl Rounds {
         let prepared = &self.prepared(situation)?;
         let race = task.race(prepared);
         let before = self.spent.simulations;
+        let is_last = before + self.size >= self.racing;
         let mut explorer = Explorer::new(situation, value, turn, 0);
         if is_first {
             let simulations = (settings.exploring * self.size as f64) as u64;
             self.lines = explore(&mut explorer, (prepared, &self.openings), simulations)?;
-            let room = self.size / PER_CANDIDATE;
+            let room = (self.size / PER_CANDIDATE).min(MOST_NEW);
             self.candidates = select(explorer.found, settings, room as usize);
         } else {
             self.candidates.truncate(KEPT);
@@ -190,7 +193,7 @@ impl Rounds {
             if best < CERTAIN && !situation.frame.is_opening() {
                 self.strikes = explorer.more_hits(prepared, self.strikes)?;
             }
-            let room = (self.size / PER_CANDIDATE).max(KEPT as u64);
+            let room = (self.size / PER_CANDIDATE).clamp(KEPT as u64, MOST_NEW);
             self.candidates.extend(best_of(explorer.found, room as usize));
         }
         self.spent.simulations += explorer.plays;
@@ -205,9 +208,8 @@ impl Rounds {
         self.spent.rounds += 1;
         self.races += 1;
         let left = self.racing.saturating_sub(self.spent.simulations);
+        self.is_complete = is_last || left == 0;
         self.size = round_size(2 * self.size, left);
-        // A round that is much smaller than the first one would only add noise.
-        self.is_complete = self.size < settings.first_round / 4;
         Ok(true)
     }
 

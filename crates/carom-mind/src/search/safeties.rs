@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use carom::Error;
 use carom::math::{Vec2, asin, atan2, exp, log, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
-use carom_rules::{BallIndex, Call};
+use carom_rules::{BallIndex, Call, Rules};
 
 use super::candidate::PlayKind;
 use super::explore::Explorer;
@@ -209,7 +209,11 @@ impl Explorer<'_> {
         if is_legal {
             let is_lucky = keeps_turn(&self.successor, self.seat());
             let prior = if is_lucky { LUCK * value } else { value };
-            self.keep(strike, call, (PlayKind::Safety, None, prior), (place, prepared));
+            let kind = match self.situation.frame.rules() {
+                Rules::ThreeCushion if is_lucky => PlayKind::Carom,
+                _ => PlayKind::Safety,
+            };
+            self.keep(strike, call, (kind, None, prior), (place, prepared));
         }
         Ok(())
     }
