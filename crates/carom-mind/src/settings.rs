@@ -20,7 +20,7 @@ pub enum Allocation {
 pub struct SearchSettings {
     /// Share of a round's simulations that search for candidates; the rest races them. 0 to 0.9.
     pub exploring: f64,
-    /// Fewest candidates that enter the first race, if so many are found. A large round has more.
+    /// Candidates that enter the first race, if enough are found. A large round has more.
     pub racing: usize,
     /// Number of safeties among them.
     pub safeties: usize,
