@@ -247,7 +247,7 @@ mod tests {
         let sample = |index: u64| PlayedVariant {
             index,
             executed: strike,
-            value: value + if index % 2 == 0 { 0.1 } else { -0.1 },
+            value: value + if index.is_multiple_of(2) { 0.1 } else { -0.1 },
             kept: true,
             foul: false,
             end: None,
