@@ -41,7 +41,7 @@ for balls in (1, 2, 3, 5, 7):
 
 # Endings beside a search of nearly all plays.
 for ending in ("lone-nine", "last-ball-and-eight", "three-balls"):
-    EXPERIMENTS[f"ending-{ending}"] = Ending(ending, count=100, simulations=20_000)
+    EXPERIMENTS[f"ending-{ending}"] = Ending(ending, count=40, simulations=20_000)
 
 # High runs of straight pool.
 for noise in NOISES:
