@@ -14,7 +14,7 @@ Experiments = dict[str, JSON]
 
 def share(count: int, trials: int) -> str:
     """A share in per cent, with its Wilson interval at 95 %."""
-    chance = Chance(count, trials)
+    chance = Chance.of(count, trials, 0.95)
     return f"{100 * count / trials:.1f} ({100 * chance.low:.1f} to {100 * chance.high:.1f})"
 
 
