@@ -27,8 +27,6 @@ class Match:
     table: str | None = None
     #: Simulated shots of a frame for each player; in place of those of a decision.
     frame_simulations: tuple[int, int] | None = None
-    #: Seconds of a decision for each player.
-    time: tuple[float, float] | None = None
     #: The break preset of both players; None if they break in their own way.
     same_break: str | None = None
     #: Two shares of the points between which a sequential test decides.
@@ -51,7 +49,6 @@ class Match:
             noise=None if self.noise is None else Noise.preset(f"olympiad:{self.noise}"),
             table=self.table,
             frame_simulations=self.frame_simulations,
-            time=self.time,
             breaker=self.breaker,
             same_break=self._break(),
             test=self.test,
