@@ -8,15 +8,18 @@ import { FrameLoop } from "./common/frame-loop.ts";
 import { referee } from "./game/referee.ts";
 import { mountNotices } from "./shell/notices.ts";
 import { mountPage, place } from "./page.ts";
+import { applyLanguage } from "./shell/language.ts";
 import { Scene } from "./scene.ts";
 import { startOf } from "./start.ts";
 import { Store } from "./document/store.ts";
 import { shownTheme } from "./shell/theme.ts";
-import { errorText } from "./common/words.ts";
+import { errorText } from "./common/refusals.ts";
+import { t } from "./words/translate.ts";
 
 const REDUCED_MOTION = matchMedia("(prefers-reduced-motion: reduce)");
 
 async function start(): Promise<void> {
+  applyLanguage();
   const engine = await load();
   const first = startOf(engine);
   const store = new Store(referee(engine), first.document, first.view);
@@ -64,6 +67,6 @@ declare global {
 start().catch((error: unknown) => {
   const refusal = place("refusal");
   refusal.hidden = false;
-  refusal.textContent = `The table cannot be shown. ${errorText(error)}`;
+  refusal.textContent = t("error.start", { why: errorText(error) });
   console.error(error);
 });

@@ -3,13 +3,14 @@
 import { CaromError, type Engine, type ShotFile } from "../engine/index.ts";
 import { playThenAim } from "./aim/autoplay.ts";
 import type { Context } from "./common/context.ts";
-import { errorText } from "./common/words.ts";
+import { errorText } from "./common/refusals.ts";
 import { FIRST_VIEW, type Document, type View } from "./document/document.ts";
 import { cannotOpen, documentOf, readFile } from "./document/file.ts";
 import type { Store } from "./document/store.ts";
 import { replay } from "./replay/control.ts";
 import { readAddress, showTime } from "./share/address.ts";
 import { LinkError } from "./share/link.ts";
+import { t } from "./words/translate.ts";
 
 export interface Start {
   readonly document: Document;
@@ -75,7 +76,7 @@ function fromAddress(engine: Engine, first: Document): Start | null {
     if (error instanceof LinkError) return refusing(first, error.message);
     // Our own bug must not leave the user with an empty page.
     console.error(error);
-    return refusing(first, `This link cannot be opened. ${errorText(error)}`);
+    return refusing(first, t("link.refused", { why: errorText(error) }));
   }
 }
 

@@ -113,7 +113,7 @@ test("a physics parameter is changed, refused out of range, and reset", async ({
   await field.press("Enter");
   expect(await page.getByRole("alert").textContent()).toContain("physics.cloth.sliding_friction");
   expect((await shotOf(page)).physics).toEqual({ cloth: { sliding_friction: 0.3 } });
-  await page.getByRole("button", { name: "Reset Cloth sliding friction" }).click();
+  await page.getByRole("button", { name: "Reset cloth sliding friction" }).click();
   expect((await shotOf(page)).physics ?? {}).toEqual({});
 });
 
@@ -177,7 +177,7 @@ test("a coefficient is given as a number or by speed, and back", async ({ open }
   ).toBe(0.9);
   await given("Restitution").selectOption("by speed");
   expect(await physics()).toEqual({});
-  await page.getByRole("button", { name: "Undo: change cushion.restitution" }).click();
+  await page.getByRole("button", { name: "Undo: change cushions restitution" }).click();
   expect(await physics()).toEqual({ cushion: { restitution: 0.9 } });
   expect(await given("Restitution").inputValue()).toBe("number");
 });

@@ -99,7 +99,7 @@ class Tabs {
   }
 
   async #create(fixed: BrowserContextOptions, quality: Drawing): Promise<Page> {
-    const context = await this.#browser.newContext(fixed);
+    const context = await this.#browser.newContext({ locale: "en-GB", ...fixed });
     context.setDefaultTimeout(WAITING);
     // Before the first picture, and before every later one.
     await context.addInitScript(

@@ -7,6 +7,7 @@ import { canAim } from "../game/play.ts";
 import type { Store } from "../document/store.ts";
 import { obstruction, summary } from "../common/words.ts";
 import { shoot, takeItFromHere } from "./shoot.ts";
+import { paragraph, t } from "../words/translate.ts";
 
 /** Time (ms) without a change after which the outcome is read to screen readers. */
 const REST = 600;
@@ -17,7 +18,7 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
   const remedy = h(
     "button",
     { type: "button", class: "button", onclick: () => raiseTheCue(store) },
-    "Raise the cue",
+    t("aim.raise"),
   );
   const button = h(
     "button",
@@ -28,7 +29,7 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
       onclick: () => shoot(store, context),
     },
     icon("M5 19L15 9M15 9l4-4M17 3l4 4"),
-    "Shoot",
+    t("aim.shoot"),
   );
   const spoken = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
   root.append(
@@ -44,14 +45,14 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
     if (store.session.mode !== "aim" || root.hidden) return;
     const { trace, error } = store.ghost;
     const obstacle = trace ? obstruction(trace.outcome) : null;
-    setText(text, trace ? summary(trace).join(" ") : (error ?? ""));
+    setText(text, trace ? paragraph(summary(trace)) : (error ?? ""));
     setText(warning, obstacle ?? "");
     warning.hidden = obstacle === null;
     remedy.hidden = obstacle === null || trace?.outcome.least_elevation_deg === null;
     button.setAttribute("aria-disabled", String(trace === null));
     clearTimeout(timer);
     timer = setTimeout(() => {
-      setText(spoken, [text.textContent, obstacle].filter(Boolean).join(" "));
+      setText(spoken, paragraph([text.textContent, obstacle ?? ""]));
     }, REST);
   }
   // At most once per frame.
@@ -67,9 +68,9 @@ export function mountTake(back: HTMLElement, store: Store, context: Context): vo
   const onclick = () => {
     takeItFromHere(store, context);
   };
-  const name = "Take it from here";
+  const name = t("aim.take");
   const attributes = { type: "button", class: "button", id: "take-it", "aria-label": name };
-  const take = h("button", { ...attributes, onclick }, ...shortened(name, "From here"));
+  const take = h("button", { ...attributes, onclick }, ...shortened(name, t("aim.take-short")));
   back.before(take);
   store.subscribe(({ document }) => {
     take.hidden = document.game !== null;

@@ -5,6 +5,7 @@ import type { Context } from "../common/context.ts";
 import { h, svg } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
+import { t } from "../words/translate.ts";
 
 /** Step of an arrow key, ball radii. */
 const STEP = 0.02;
@@ -38,7 +39,7 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
       class: "face",
       tabindex: 0,
       role: "application",
-      "aria-roledescription": "tip position",
+      "aria-roledescription": t("face.role"),
       "aria-describedby": "face-hint",
     },
     drawing,
@@ -49,7 +50,7 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
   const put = (side: number, height: number, group: string) =>
     store.strike(
       { side: round(side, DIGITS), height: round(height, DIGITS) },
-      "move the tip",
+      t("change.tip"),
       group,
     );
 
@@ -106,9 +107,9 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
     if (by) {
       const { side = 0, height = 0 } = store.document.shot.strike;
       const step = STEP * fine(event);
-      put(side + by[0] * step, height + by[1] * step, "face keys");
+      put(side + by[0] * step, height + by[1] * step, "face-keys");
     } else if (event.key === "Home") {
-      put(0, 0, "face keys");
+      put(0, 0, "face-keys");
     } else return;
     event.preventDefault();
     event.stopPropagation();
@@ -125,7 +126,7 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
     const off = attempt && (attempt.side !== side || attempt.height !== height);
     tried.style.display = off ? "" : "none";
     if (off) at(tried, attempt.side ?? 0, attempt.height ?? 0);
-    face.setAttribute("aria-label", `Tip position: ${spoken(side, height)}`);
+    face.setAttribute("aria-label", t("face.position", { offset: spoken(side, height) }));
   }
   store.subscribe(show);
   show();
@@ -138,11 +139,16 @@ function at(circle: SVGCircleElement, side: number, height: number): void {
 
 /** An offset in words, in percent of the ball's radius. */
 export function spoken(side: number, height: number): string {
-  const part = (value: number, plus: string, minus: string) =>
-    value === 0 ? "" : `${round(Math.abs(value) * 100, 1)} % ${value > 0 ? plus : minus}`;
-  const parts = [
-    part(side, "right English", "left English"),
-    part(height, "follow", "draw"),
-  ].filter(Boolean);
-  return parts.length > 0 ? parts.join(", ") : "centre";
+  const part = (value: number, plus: OffsetKey, minus: OffsetKey) => {
+    const percent = round(Math.abs(value) * 100, 1);
+    return value === 0 ? "" : t(value > 0 ? plus : minus, { percent });
+  };
+  const [across, up] = [
+    part(side, "face.right", "face.left"),
+    part(height, "face.follow", "face.draw"),
+  ];
+  if (across !== "" && up !== "") return t("face.both", { side: across, height: up });
+  return across || up || t("face.centre");
 }
+
+type OffsetKey = "face.right" | "face.left" | "face.follow" | "face.draw";

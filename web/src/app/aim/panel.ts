@@ -9,6 +9,7 @@ import { mountFace } from "./face.ts";
 import { follow, mountField } from "../form/field.ts";
 import type { Store } from "../document/store.ts";
 import { round, speedFrom, speedIn, type SpeedUnit, SPEED_UNITS } from "../common/units.ts";
+import { t } from "../words/translate.ts";
 
 /** Range of the speed slider (m/s): from a soft roll to the hardest break. The number field takes up to 50. */
 const SOFTEST = 0.1;
@@ -28,14 +29,10 @@ export function mountAimPanel(root: HTMLElement, store: Store, context: Context)
   mountFace(face, store, context);
   mountOffsets(offsets, store, context);
   root.append(
-    h("h2", {}, "Tip"),
+    h("h2", {}, t("aim.tip")),
     tip,
-    h(
-      "p",
-      { class: "hint", id: "face-hint" },
-      "Click the ball, or use the arrow keys: left and right for English, up for follow, down for draw. Outside the dashed circle the cue miscues.",
-    ),
-    h("h2", {}, "Stroke"),
+    h("p", { class: "hint", id: "face-hint" }, t("aim.tip-hint")),
+    h("h2", {}, t("aim.stroke")),
   );
   mountSpeed(root, store, context);
   mountElevation(root, store, context);
@@ -48,24 +45,24 @@ function mountOffsets(root: HTMLElement, store: Store, context: Context): void {
     mountField(root, store, context, {
       label,
       unit: "R",
-      spoken: "ball radii",
+      spoken: t("unit.radii"),
       digits: 3,
       min: () => -1,
       max: () => 1,
       step: 0.01,
       slider: false,
       read: () => store.document.shot.strike[key] ?? 0,
-      write: (value, group) => store.strike({ [key]: value }, "move the tip", group),
+      write: (value, group) => store.strike({ [key]: value }, t("change.tip"), group),
     });
   };
-  field("Side", "side");
-  field("Height", "height");
-  const center = () => store.strike({ side: 0, height: 0 }, "centre the tip");
-  root.append(h("button", { type: "button", class: "button", onclick: center }, "Centre"));
+  field(t("aim.side"), "side");
+  field(t("aim.height"), "height");
+  const center = () => store.strike({ side: 0, height: 0 }, t("change.centre"));
+  root.append(h("button", { type: "button", class: "button", onclick: center }, t("aim.centre")));
 }
 
 function mountSpeed(root: HTMLElement, store: Store, context: Context): void {
-  const units = h("select", { "aria-label": "Unit of speed" });
+  const units = h("select", { "aria-label": t("aim.speed-unit") });
   for (const unit of Object.keys(SPEED_UNITS)) units.append(h("option", { value: unit }, unit));
   units.addEventListener("change", () => {
     store.setView({ units: units.value as SpeedUnit });
@@ -75,7 +72,7 @@ function mountSpeed(root: HTMLElement, store: Store, context: Context): void {
   });
   units.value = store.view.units;
   mountField(root, store, context, {
-    label: "Cue speed",
+    label: t("aim.speed"),
     unit: units,
     spoken: "",
     digits: 3,
@@ -86,7 +83,7 @@ function mountSpeed(root: HTMLElement, store: Store, context: Context): void {
     write: (value, group) =>
       store.strike(
         { speed: round(speedFrom(store.view.units, value), 5) },
-        "change the speed",
+        t("change.speed"),
         group,
       ),
   });
@@ -94,29 +91,29 @@ function mountSpeed(root: HTMLElement, store: Store, context: Context): void {
 
 function mountElevation(root: HTMLElement, store: Store, context: Context): void {
   mountField(root, store, context, {
-    label: "Elevation",
+    label: t("aim.elevation"),
     unit: "°",
-    spoken: "degrees",
+    spoken: t("unit.degrees"),
     digits: 3,
     min: () => 0,
     max: () => STEEPEST,
     step: 0.5,
     read: () => elevationOf(store.document.shot.strike, store.shot.strike?.elevation ?? 0),
-    write: (value, group) => store.strike({ elevation_deg: value }, "raise the cue", group),
+    write: (value, group) => store.strike({ elevation_deg: value }, t("change.elevation"), group),
   });
   const button = h(
     "button",
     {
       type: "button",
       class: "button",
-      title: "Automatic: the least elevation of a real stroke that clears the rails and the balls",
+      title: t("aim.automatic-hint"),
       onclick: () => {
         if (!isAutomatic(store.document.shot.strike)) makeElevationAutomatic(store);
       },
     },
-    "Automatic",
+    t("aim.automatic"),
   );
-  button.setAttribute("aria-label", "Automatic elevation");
+  button.setAttribute("aria-label", t("aim.automatic-elevation"));
   const show = () => {
     button.setAttribute("aria-pressed", String(isAutomatic(store.document.shot.strike)));
   };
@@ -129,26 +126,27 @@ function mountDirection(root: HTMLElement, store: Store, context: Context): void
   const row = h("div", { class: "direction" });
   const field = h("div");
   mountField(field, store, context, {
-    label: "Direction",
+    label: t("aim.direction"),
     unit: "°",
-    spoken: "degrees counter-clockwise from the direction of the short rails",
+    spoken: t("unit.azimuth"),
     digits: AZIMUTH_DIGITS,
     min: () => 0,
     max: () => 360,
     step: 0.1,
     slider: false,
     read: () => azimuthOf(store.document.shot.strike),
-    write: (value, group) => store.strike({ azimuth_deg: wrap(value) }, "aim", group),
+    write: (value, group) => store.strike({ azimuth_deg: wrap(value) }, t("change.aim"), group),
   });
   const degrees = () => TURN * (store.session.fine ? FINE : 1);
-  const arrow = (way: string, sign: number) => {
+  const arrow = (sign: number) => {
     const onclick = () => {
       turn(store, sign * degrees(), `turn ${sign}`);
     };
     const button = h("button", { type: "button", class: "button", onclick });
-    follow(store, button, () => (sign > 0 ? `‹ ${degrees()}°` : `${degrees()}° ›`));
+    follow(store, button, () => t(sign > 0 ? "aim.left" : "aim.right", { degrees: degrees() }));
     const name = () => {
-      button.setAttribute("aria-label", `Turn the cue ${way} by ${degrees()}°`);
+      const key = sign > 0 ? "aim.turn-left" : "aim.turn-right";
+      button.setAttribute("aria-label", t(key, { degrees: degrees() }));
     };
     store.subscribe(name);
     name();
@@ -159,19 +157,19 @@ function mountDirection(root: HTMLElement, store: Store, context: Context): void
     {
       type: "button",
       class: "button",
-      title: "Fine adjustment: drags and keys have a tenth of their effect (F)",
+      title: t("aim.fine-hint"),
       onclick: () => {
         store.setSession({ fine: !store.session.fine });
       },
     },
-    "Fine",
+    t("aim.fine"),
   );
   const show = () => {
     fine.setAttribute("aria-pressed", String(store.session.fine));
   };
   store.subscribe(show);
   show();
-  row.append(arrow("left", 1), arrow("right", -1), fine);
+  row.append(arrow(1), arrow(-1), fine);
   root.append(field, row);
 }
 
@@ -179,7 +177,7 @@ function mountStruck(root: HTMLElement, store: Store): void {
   const id = uniqueId("struck");
   const select = h("select", { id });
   select.addEventListener("change", () => {
-    if (!store.strike({ ball: select.value }, "strike another ball")) show();
+    if (!store.strike({ ball: select.value }, t("change.struck"))) show();
   });
   function show(): void {
     const { balls, strike } = store.document.shot;
@@ -194,5 +192,5 @@ function mountStruck(root: HTMLElement, store: Store): void {
   }
   store.subscribe(show);
   show();
-  root.append(h("div", { class: "row struck" }, h("label", { for: id }, "Ball to strike"), select));
+  root.append(h("div", { class: "row struck" }, h("label", { for: id }, t("aim.struck")), select));
 }

@@ -7,6 +7,7 @@ import type { Store } from "../document/store.ts";
 import { automatic, changed } from "../document/strike-angles.ts";
 import { playShot } from "../game/play.ts";
 import { replay } from "../replay/control.ts";
+import { sentence, t } from "../words/translate.ts";
 
 /** Plays the aimed shot: in a game as a move, on a free table as a replay of the ghost. */
 export function shoot(store: Store, context: Context): void {
@@ -20,7 +21,7 @@ export function shoot(store: Store, context: Context): void {
   }
   const { trace, error } = store.ghost;
   if (!trace) {
-    store.refuse(`This shot cannot be played. ${error ?? ""}`);
+    store.refuse(t("error.unplayable", { why: error ?? "" }));
     return;
   }
   const still = context.reducedMotion();
@@ -36,7 +37,7 @@ export function takeItFromHere(store: Store, context: Context): void {
   const cue = store.document.shot.strike.ball;
   const struck = left.some(({ id }) => id === cue) ? cue : left[0]?.id;
   if (struck === undefined) {
-    store.refuse("No ball is left on the table: undo, or rack the balls under Layout.");
+    store.refuse(t("aim.no-ball-left"));
     return;
   }
   const { shot } = store.document;
@@ -48,9 +49,10 @@ export function takeItFromHere(store: Store, context: Context): void {
   });
   // The next shot starts at the centre and at the automatic elevation: both rarely carry over.
   const strike = automatic(changed(shot.strike, { ball: struck, side: 0, height: 0 }));
-  const taken = store.apply({ shot: { ...shot, balls, strike } }, "take it from here");
+  const taken = store.apply({ shot: { ...shot, balls, strike } }, t("change.take"));
   if (taken && struck !== cue) {
-    context.announce(`${ballName(cue)} is off the table: the cue now strikes ${ballName(struck)}.`);
+    const names = { ball: ballName(cue), struck: ballName(struck) };
+    context.announce(sentence(t("aim.other-struck", names)));
   }
 }
 

@@ -26,8 +26,3 @@ export function round(value: number, digits: number): number {
   const rounded = Math.round(value * scale) / scale;
   return rounded === 0 ? 0 : rounded;
 }
-
-/** A length (m) as text: in mm below 1 m, else in m. */
-export function lengthText(metres: number): string {
-  return metres < 1 ? `${Math.round(metres * 1000)} mm` : `${metres.toFixed(2)} m`;
-}

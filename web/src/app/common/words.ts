@@ -1,7 +1,7 @@
 /** Names of balls and places, and the outcome of a shot in short sentences. */
 
-import { CaromError, type Outcome, type Trace } from "../../engine/index.ts";
-import { lengthText } from "./units.ts";
+import type { Outcome, PocketName, RailName, Trace } from "../../engine/index.ts";
+import { decimal, named, sentence, t } from "../words/translate.ts";
 
 /** Lowest hop (m) that is reported: nearly every elevated cue makes the ball hop a little. */
 const REPORTED_HOP = 0.003;
@@ -11,28 +11,54 @@ const TOLERANCE = REPORTED_HOP / 10;
 
 /** A ball's name within a sentence. */
 export function ballName(id: string): string {
-  if (/^\d+$/.test(id)) return `ball ${id}`;
-  return /^[a-z]+-\d+$/.test(id) ? id.replace("-", " ") : `the ${id}${id === "cue" ? " ball" : ""}`;
+  if (/^\d+$/.test(id)) return t("ball.numbered", { id });
+  const [, kind, number] = /^([a-z]+)-(\d+)$/.exec(id) ?? [];
+  if (kind === "red") return t("ball.red-n", { number: number! });
+  if (kind !== undefined) return t("ball.other-n", { id: kind, number: number! });
+  return BALLS.includes(id) ? named("ball", id)! : t("ball.other", { id });
 }
 
-/** A rail's or pocket's name within a sentence. */
-export function placeName(name: string): string {
-  return name.replace("-", " ");
+/** Balls that have a name, not a number. */
+const BALLS: readonly string[] = [
+  "cue",
+  "white",
+  "yellow",
+  "red",
+  "green",
+  "brown",
+  "blue",
+  "pink",
+  "black",
+];
+
+/** A pocket's name, as in "top left". */
+export function pocketName(pocket: PocketName): string {
+  return t(`pocket.${pocket}`);
 }
 
-/** A text as a sentence: with a capital and a full stop. */
-export function sentence(text: string): string {
-  return `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+/** A rail's name within a sentence. */
+export function railName(rail: RailName): string {
+  return t(`rail.${rail}`);
+}
+
+/** A length (m) as text: in mm below 1 m, else in m. */
+export function lengthText(metres: number): string {
+  return metres < 1
+    ? t("length.mm", { length: Math.round(metres * 1000) })
+    : t("length.m", { length: decimal(metres, 2) });
 }
 
 /** A warning if a ball or rail is in the way of the cue; null if none is. */
 export function obstruction(outcome: Outcome): string | null {
   const { cue_obstructed: by, least_elevation_deg: least } = outcome;
-  if (by === null) return null;
-  const what = /^(left|right|top|bottom)/.test(by) ? `the ${placeName(by)} rail` : ballName(by);
-  const remedy =
-    least === null ? "aim in another direction" : `raise it to ${raised(least)}° or more`;
-  return `The cue would pass through ${what}: ${remedy}.`;
+  return by === null ? null : obstructionBy(by, least);
+}
+
+/** The warning that a ball or a rail is in the way. `least` clears it, degrees; null: nothing does. */
+export function obstructionBy(by: string, least: number | null): string {
+  const obstacle = named("rail", by) ?? ballName(by);
+  if (least === null) return t("obstruction.turn", { obstacle });
+  return t("obstruction.raise", { obstacle, degrees: raised(least) });
 }
 
 /** The least elevation that clears the obstacle, rounded up to a tenth of a degree. */
@@ -45,34 +71,39 @@ export function summary(trace: Trace): string[] {
   const { outcome } = trace;
   const cue = outcome.cue_ball;
   const said: string[] = [];
-  if (outcome.miscue) said.push("Miscue: the tip would slip off the ball.");
+  if (outcome.miscue) said.push(t("outcome.miscue"));
   said.push(contact(outcome));
-  for (const [ball, pocket] of outcome.pocketed) {
-    if (ball !== cue)
-      said.push(sentence(`${ballName(ball)} drops in the ${placeName(pocket)} pocket`));
+  for (const [id, pocket] of outcome.pocketed) {
+    const drop = { ball: ballName(id), pocket: pocketName(pocket) };
+    if (id !== cue) said.push(sentence(t("outcome.drops", drop)));
   }
   if (outcome.cue_ball_scratched) {
     const pocket = outcome.pocketed.find(([ball]) => ball === cue)?.[1];
-    said.push(pocket ? `Scratch in the ${placeName(pocket)} pocket.` : "Scratch.");
+    said.push(
+      pocket ? t("outcome.scratch-in", { pocket: pocketName(pocket) }) : t("outcome.scratch"),
+    );
   }
-  for (const ball of outcome.off_table) said.push(sentence(`${ballName(ball)} leaves the table`));
-  for (const [ball, over] of outcome.jumped) {
-    said.push(sentence(`${ballName(ball)} jumps over ${ballName(over)}`));
+  for (const id of outcome.off_table) said.push(sentence(t("outcome.off", { ball: ballName(id) })));
+  for (const [id, over] of outcome.jumped) {
+    said.push(sentence(t("outcome.jumps", { ball: ballName(id), other: ballName(over) })));
   }
   const hop = cue === null ? 0 : highest(trace, cue);
-  if (hop > REPORTED_HOP) said.push(sentence(`${ballName(cue!)} hops ${lengthText(hop)} high`));
-  for (const [ball, pocket] of outcome.hanging) {
-    said.push(sentence(`${ballName(ball)} hangs at the ${placeName(pocket)} pocket`));
+  if (hop > REPORTED_HOP) {
+    said.push(sentence(t("outcome.hops", { ball: ballName(cue!), height: lengthText(hop) })));
+  }
+  for (const [id, pocket] of outcome.hanging) {
+    said.push(sentence(t("outcome.hangs", { ball: ballName(id), pocket: pocketName(pocket) })));
   }
   return said;
 }
 
 function contact(outcome: Outcome): string {
-  if (outcome.cue_ball === null) return "No ball is struck.";
-  const rails = outcome.rails_before_first_contact.length;
-  const after = rails > 0 ? ` after ${rails} ${rails === 1 ? "rail" : "rails"}` : "";
-  if (outcome.first_contact === null) return `Hits no ball${after}.`;
-  return `Hits ${ballName(outcome.first_contact)} first${after}.`;
+  if (outcome.cue_ball === null) return t("outcome.no-strike");
+  const count = outcome.rails_before_first_contact.length;
+  if (outcome.first_contact === null)
+    return count === 0 ? t("outcome.misses") : t("outcome.misses-after", { count });
+  const ball = ballName(outcome.first_contact);
+  return count === 0 ? t("outcome.hits", { ball }) : t("outcome.hits-after", { ball, count });
 }
 
 /** Greatest height of a ball's lowest point above the cloth (m). */
@@ -84,10 +115,4 @@ function highest(trace: Trace, id: string): number {
   let top = 0;
   for (let k = 2; k < points.length; k += 4) top = Math.max(top, points[k]!);
   return top - ball.radius;
-}
-
-/** An error as text: the engine's own message, or type and message of any other error. */
-export function errorText(error: unknown): string {
-  if (error instanceof CaromError) return error.message;
-  return error instanceof Error ? `${error.name}: ${error.message}` : String(error);
 }

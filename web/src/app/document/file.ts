@@ -2,8 +2,9 @@
 
 import { CaromError, type BallEntry, type Engine, type Noise } from "../../engine/index.ts";
 import type { ShotFile, StrikeEntry, Trace } from "../../engine/index.ts";
-import { errorText } from "../common/words.ts";
+import { errorText } from "../common/refusals.ts";
 import type { AimedShot, Document } from "./document.ts";
+import { t } from "../words/translate.ts";
 
 /** The strike of a shot whose file has none: a soft shot along the table. */
 const DEFAULT_STRIKE: Omit<StrikeEntry, "ball"> = { speed: 2, azimuth_deg: 90 };
@@ -48,9 +49,8 @@ export function readFile(engine: Engine, json: string): FileContents {
 
 /** Why a file cannot be opened, as a sentence. */
 export function cannotOpen(error: unknown): string {
-  const why =
-    error instanceof SyntaxError ? `It is not valid JSON: ${error.message}` : errorText(error);
-  return `This file cannot be opened. ${why}`;
+  const why = error instanceof SyntaxError ? t("error.not-json") : errorText(error);
+  return t("error.file", { why });
 }
 
 /** The balls of a file at their first positions, at rest. */

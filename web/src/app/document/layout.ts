@@ -5,7 +5,10 @@ import { round4 } from "../common/angles.ts";
 import type { AimedShot } from "./document.ts";
 import { accepts, aimed } from "./file.ts";
 import type { Store } from "./store.ts";
+import { gameName } from "../common/presets.ts";
+import { errorText } from "../common/refusals.ts";
 import { ballName } from "../common/words.ts";
+import { t } from "../words/translate.ts";
 
 /** Intervals of the grid that is searched for a free place: across the table; twice as many along it. */
 const PLACES = 12;
@@ -23,19 +26,18 @@ export function nextId(balls: readonly BallEntry[]): string {
 export function addBall(store: Store, engine: Engine, id: string): boolean {
   const { shot } = store.document;
   const trimmed = id.trim();
-  if (trimmed === "")
-    return refuse(store, "The new ball has no name: write one, such as 9 or red.");
+  if (trimmed === "") return refuse(store, t("layout.no-name"));
   if (shot.balls.some((ball) => ball.id === trimmed)) {
-    return refuse(store, `There is already a ball "${trimmed}": write another name.`);
+    return refuse(store, t("layout.name-taken", { id: trimmed }));
   }
   const size = store.shot.geometry.size ?? ([1, 2] as const);
   for (const position of places(size)) {
     const next = { ...shot, balls: [...shot.balls, { id: trimmed, position }] };
     if (!accepts(engine, next)) continue;
     store.setSession({ selected: trimmed });
-    return store.apply({ shot: next }, `add ${ballName(trimmed)}`);
+    return store.apply({ shot: next }, t("change.add", { ball: ballName(trimmed) }));
   }
-  return refuse(store, "No free place is left for another ball: remove one first.");
+  return refuse(store, t("layout.no-place"));
 }
 
 /** Removes a ball. If it was the struck ball, the first ball left becomes the struck one. */
@@ -43,11 +45,10 @@ export function removeBall(store: Store, id: string): boolean {
   const { shot } = store.document;
   const balls = shot.balls.filter((ball) => ball.id !== id);
   const first = balls[0];
-  if (!first)
-    return refuse(store, "The last ball cannot be removed: a shot needs a ball to strike.");
+  if (!first) return refuse(store, t("layout.last-ball"));
   const struck = shot.strike.ball === id ? first.id : shot.strike.ball;
   const next = { ...shot, balls, strike: { ...shot.strike, ball: struck } };
-  if (!store.apply({ shot: next }, `remove ${ballName(id)}`)) return false;
+  if (!store.apply({ shot: next }, t("change.remove", { ball: ballName(id) }))) return false;
   if (store.session.selected === id) store.setSession({ selected: null });
   return true;
 }
@@ -56,10 +57,10 @@ export function removeBall(store: Store, id: string): boolean {
 export function rack(store: Store, engine: Engine, game: string, seed: number): boolean {
   try {
     const { source } = engine.breakShot(game, { seed });
-    return store.apply({ shot: aimed(source), seed }, `rack ${game}`);
+    return store.apply({ shot: aimed(source), seed }, t("change.rack", { game: gameName(game) }));
   } catch (error) {
     if (!(error instanceof CaromError)) throw error;
-    return refuse(store, error.message);
+    return refuse(store, errorText(error));
   }
 }
 
@@ -73,7 +74,7 @@ export function placeBall(
   const { shot } = store.document;
   const at: Point = [round4(position[0]), round4(position[1])];
   const balls = shot.balls.map((ball) => (ball.id === id ? { ...ball, position: at } : ball));
-  return store.apply({ shot: { ...shot, balls } }, `move ${ballName(id)}`, group);
+  return store.apply({ shot: { ...shot, balls } }, t("change.move", { ball: ballName(id) }), group);
 }
 
 /**
@@ -90,7 +91,7 @@ export function changeTable(store: Store, engine: Engine, name: string): boolean
     balls: shot.balls.map((ball) => ({ ...ball, position: scale(ball.position, from, to) })),
   };
   const next = !accepts(engine, moved) && accepts(engine, scaled) ? scaled : moved;
-  return store.apply({ shot: next }, `change the table`);
+  return store.apply({ shot: next }, t("change.table"));
 }
 
 function scale(

@@ -16,6 +16,7 @@ import {
   type View,
 } from "./document.ts";
 import type { Game } from "./game.ts";
+import { errorText } from "../common/refusals.ts";
 import { History } from "./history.ts";
 import { anglesOf, changed } from "./strike-angles.ts";
 
@@ -165,7 +166,8 @@ export class Store {
       return true;
     } catch (error) {
       if (!(error instanceof CaromError)) throw error;
-      const refusal = { message: error.message, place: error.place, attempt: document.shot };
+      const message = errorText(error, document.shot.balls);
+      const refusal = { message, place: error.place, attempt: document.shot };
       this.#session = { ...this.#session, refusal };
       return false;
     }
@@ -241,6 +243,6 @@ function simulate(shot: Shot): Ghost {
     return { trace: shot.simulate(), error: null, milliseconds: took() };
   } catch (error) {
     if (!(error instanceof CaromError)) throw error;
-    return { trace: null, error: error.message, milliseconds: took() };
+    return { trace: null, error: errorText(error, shot.balls), milliseconds: took() };
   }
 }

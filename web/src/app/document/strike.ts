@@ -4,6 +4,7 @@ import { azimuthTo, wrap } from "../common/angles.ts";
 import { ballName, obstruction, raised } from "../common/words.ts";
 import { automatic, azimuthOf } from "./strike-angles.ts";
 import type { Store } from "./store.ts";
+import { t } from "../words/translate.ts";
 
 /** Factor by which fine adjustment reduces every drag and key. */
 export const FINE = 0.1;
@@ -11,7 +12,7 @@ export const FINE = 0.1;
 /** Turns the cue by `degrees`. */
 export function turn(store: Store, degrees: number, group: string): void {
   const azimuth = azimuthOf(store.document.shot.strike);
-  store.strike({ azimuth_deg: wrap(azimuth + degrees) }, "aim", group);
+  store.strike({ azimuth_deg: wrap(azimuth + degrees) }, t("change.aim"), group);
 }
 
 /** Turns the cue to the centre of a ball. */
@@ -21,19 +22,19 @@ export function aimAt(store: Store, id: string): void {
     store.shot.struck === null ? undefined : store.shot.balls[store.shot.struck]?.position;
   if (!to || !from || to === from) return;
   const azimuth = azimuthTo([from[0], from[1]], [to[0], to[1]]);
-  store.strike({ azimuth_deg: azimuth }, `aim at ${ballName(id)}`);
+  store.strike({ azimuth_deg: azimuth }, t("change.aim-at", { ball: ballName(id) }));
 }
 
 /** Lets the engine choose the elevation: the least angle of a real stroke that clears the rails. */
 export function makeElevationAutomatic(store: Store): boolean {
   const { shot } = store.document;
   const strike = automatic(shot.strike);
-  return store.apply({ shot: { ...shot, strike } }, "set the elevation to automatic");
+  return store.apply({ shot: { ...shot, strike } }, t("change.automatic"));
 }
 
 /** Raises the butt until the cue passes over the obstacle, if there is one. */
 export function raiseTheCue(store: Store): void {
   const outcome = store.ghost.trace?.outcome;
   if (!outcome || obstruction(outcome) === null || outcome.least_elevation_deg === null) return;
-  store.strike({ elevation_deg: raised(outcome.least_elevation_deg) }, "raise the cue");
+  store.strike({ elevation_deg: raised(outcome.least_elevation_deg) }, t("change.elevation"));
 }

@@ -2,13 +2,18 @@
 
 import type { Context } from "../common/context.ts";
 import type { Store } from "./store.ts";
+import { t } from "../words/translate.ts";
 
 export function undo(store: Store, context: Context): void {
   const label = store.undoLabel;
-  context.announce(store.undo() ? `Undone: ${label ?? ""}` : "There is nothing to undo.");
+  context.announce(
+    store.undo() ? t("history.undone", { change: label ?? "" }) : t("history.nothing-to-undo"),
+  );
 }
 
 export function redo(store: Store, context: Context): void {
   const label = store.redoLabel;
-  context.announce(store.redo() ? `Redone: ${label ?? ""}` : "There is nothing to redo.");
+  context.announce(
+    store.redo() ? t("history.redone", { change: label ?? "" }) : t("history.nothing-to-redo"),
+  );
 }

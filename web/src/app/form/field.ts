@@ -3,6 +3,7 @@
 import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
+import { decimal, t } from "../words/translate.ts";
 import { round } from "../common/units.ts";
 
 export interface Quantity {
@@ -35,7 +36,7 @@ export function mountField(root: HTMLElement, store: Store, context: Context, q:
     "label",
     { for: id },
     q.label,
-    spoken && h("span", { class: "unseen" }, ` in ${spoken}`),
+    spoken && h("span", { class: "unseen" }, t("field.in-unit", { unit: spoken })),
   );
   root.append(
     h(
@@ -60,7 +61,7 @@ export function mountField(root: HTMLElement, store: Store, context: Context, q:
   // On "change", not on "input": a number that is half typed might be refused.
   number.addEventListener("change", () => {
     const value = number.value.trim() === "" ? NaN : Number(number.value);
-    if (Number.isNaN(value)) store.refuse(`${q.label}: write a number.`);
+    if (Number.isNaN(value)) store.refuse(t("field.not-a-number", { name: q.label }));
     const accepted = !Number.isNaN(value) && q.write(value, group);
     if (accepted) show(true);
     else number.setAttribute("aria-invalid", "true");
@@ -75,7 +76,7 @@ export function mountField(root: HTMLElement, store: Store, context: Context, q:
     range.min = String(q.min());
     range.max = String(q.max());
     if (all || document.activeElement !== range) range.value = String(value);
-    range.setAttribute("aria-valuetext", `${value} ${spoken}`);
+    range.setAttribute("aria-valuetext", `${decimal(value)} ${spoken}`);
     // Do not overwrite the number while the user types it.
     if (all || document.activeElement !== number) {
       number.value = String(value);

@@ -8,6 +8,7 @@ import {
   valueAt,
   type Values,
 } from "./parameters.ts";
+import { t } from "../words/translate.ts";
 
 /** A number; numbers of a formula, such as a + bV; a list of speed bands; or the name of a surface. */
 export type Kind = "number" | "fit" | "bands" | "name";
@@ -21,16 +22,16 @@ const FIRST_END = 1;
 /** Quantities that depend on the angle of incidence, not on a speed. */
 const BY_ANGLE: readonly string[] = ["cushion.friction"];
 
-const WORDS: Readonly<Record<Kind, string>> = {
-  number: "as a number",
-  fit: "by speed",
-  bands: "by speed",
-  name: "by surface",
-};
+const WORDS = {
+  number: "kind.number",
+  fit: "kind.by-speed",
+  bands: "kind.by-speed",
+  name: "kind.by-surface",
+} as const;
 
 /** The kind in words. */
 export function kindLabel(path: readonly string[], kind: Kind): string {
-  return kind === "fit" && BY_ANGLE.includes(path.join(".")) ? "by angle" : WORDS[kind];
+  return t(kind === "fit" && BY_ANGLE.includes(path.join(".")) ? "kind.by-angle" : WORDS[kind]);
 }
 
 /** The kind of a value; null if it has none. */

@@ -1,6 +1,7 @@
 /** A form of parameters, one row each. Changed values are marked and can be reset. */
 
 import { h, uniqueId } from "../common/dom.ts";
+import { nameOfPath, title } from "../common/parameter-names.ts";
 import {
   type Coefficient,
   inKind,
@@ -15,7 +16,6 @@ import {
   label,
   parameters,
   QUANTITY,
-  title,
   valueAt,
   withoutValue,
   withValue,
@@ -26,6 +26,7 @@ import {
 } from "./parameters.ts";
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
+import { capital, named, t } from "../words/translate.ts";
 
 /** The values that a form shows and changes. */
 export interface Subject {
@@ -176,14 +177,14 @@ export function mountParameters(
       const values = { now: subject.now(), base: subject.base() };
       write(inKind(path, select.value as Kind, values, coefficient));
     });
-    const label = `Reset how ${path.map(title).join(" ").toLowerCase()} is given`;
+    const label = t("parameter.reset-kind", { name: nameOfPath(path) });
     const reset = () => {
       write(valueAt(subject.base(), path));
     };
     return h(
       "div",
       { class: "parameter" },
-      h("label", { for: id }, "Given"),
+      h("label", { for: id }, t("physics.given")),
       h("div", { class: "row" }, select, back(label, reset)),
     );
   }
@@ -198,7 +199,8 @@ export function mountParameters(
     };
     input.addEventListener("change", () => {
       const value = valueOf(parameter, input.value);
-      if (value === null) store.refuse(`${[part, ...path].join(".")}: write a number.`);
+      if (value === null)
+        store.refuse(t("field.not-a-number", { name: capital(nameOfPath(path)) }));
       refused(value === null || !set(path, value));
     });
     input.addEventListener("blur", () => {
@@ -211,7 +213,7 @@ export function mountParameters(
       set(written, valueAt(subject.base(), written));
       store.settle();
     };
-    const full = path.map(title).join(" ").toLowerCase();
+    const name = nameOfPath(path);
     return h(
       "div",
       { class: "parameter" },
@@ -221,7 +223,7 @@ export function mountParameters(
         { class: "row" },
         input,
         h("span", { class: "unit" }, unit === "degrees" ? "°" : unit),
-        back(`Reset ${full}`, reset),
+        back(t("parameter.reset-named", { name }), reset),
       ),
       h("p", { class: hintAgain ? "hint unseen" : "hint", id: `${input.id}-hint` }, description),
     );
@@ -234,7 +236,13 @@ export function mountParameters(
 function back(label: string, onclick: () => void): HTMLElement {
   return h(
     "button",
-    { type: "button", class: "button plain back", "aria-label": label, title: "Reset", onclick },
+    {
+      type: "button",
+      class: "button plain back",
+      "aria-label": label,
+      title: t("parameter.reset"),
+      onclick,
+    },
     "↺",
   );
 }
@@ -244,7 +252,11 @@ type Control = HTMLInputElement | HTMLSelectElement;
 function control({ path, kind, choices }: Parameter): Control {
   const data = { "data-path": path.join(".") };
   if (kind === "number") return h("input", { type: "number", step: "any", ...data });
-  return h("select", data, ...choices.map((name) => h("option", { value: name }, name)));
+  return h(
+    "select",
+    data,
+    ...choices.map((name) => h("option", { value: name }, named("choice-of", name) ?? name)),
+  );
 }
 
 /** The value for the file; null if the text is not a number. */

@@ -1,5 +1,8 @@
 /** The parameters of the physics or table of a shot file, as the schema lists them for a form. */
 
+import { title } from "../common/parameter-names.ts";
+import { named, t } from "../words/translate.ts";
+
 export type Values = Readonly<Record<string, unknown>>;
 
 /** One parameter. */
@@ -8,9 +11,10 @@ export interface Parameter {
   readonly path: readonly string[];
   readonly kind: "number" | "choice";
   readonly choices: readonly string[];
+  /** A hint for users; empty if it needs none. */
   readonly description: string;
   readonly unit: string;
-  /** Of a number of a fit or of a list: the description of the quantity that they give; else empty. */
+  /** Of a number of a fit or of a list: the hint of the quantity that they give; else empty. */
   readonly quantity: string;
 }
 
@@ -53,22 +57,26 @@ function partSchema(schema: object, part: Part): Schema | undefined {
 export function parameters(schema: object, part: Part, values: Values): Parameter[] {
   const { $defs } = schema as { $defs: Record<string, Schema> };
   return Object.entries(partSchema(schema, part)?.properties ?? {}).flatMap(([key, inner]) =>
-    key === "base" ? [] : collect($defs, [key], inner, values[key]),
+    key === "base" ? [] : collect({ part, $defs }, [key], inner, values[key]),
   );
 }
 
+interface Source {
+  readonly part: Part;
+  readonly $defs: Readonly<Record<string, Schema>>;
+}
+
 function collect(
-  $defs: Readonly<Record<string, Schema>>,
+  source: Source,
   path: readonly string[],
   schema: Schema,
   value: unknown,
   above = "",
 ): Parameter[] {
-  const text = schema.description ?? "";
-  const quantity = path.length === QUANTITY ? text : above;
-  const unit = UNIT.exec(text)?.[1] ?? "";
-  // The form shows the unit beside the number.
-  const common = { path, description: text.replace(UNIT, ""), unit, choices: [], quantity: above };
+  const description = hint(source.part, path);
+  const quantity = path.length === QUANTITY ? description : above;
+  const unit = UNIT.exec(schema.description ?? "")?.[1] ?? "";
+  const common = { path, description, unit, choices: [], quantity: above };
   if (schema.enum && value !== undefined) {
     return [{ ...common, kind: "choice", choices: schema.enum }];
   }
@@ -76,17 +84,17 @@ function collect(
   const names = schema.oneOf?.find((choice) => choice.enum)?.enum;
   if (typeof value === "string" && names) return [{ ...common, kind: "choice", choices: names }];
   if (typeof value !== "object" || value === null) return [];
-  const full = schema.$ref ? $defs[schema.$ref.replace("#/$defs/", "")] : schema;
+  const full = schema.$ref ? source.$defs[schema.$ref.replace("#/$defs/", "")] : schema;
   if (Array.isArray(value)) {
     // A list that stands for a number, such as speed bands. Other lists have forms of their own.
     const items = full?.oneOf?.find((choice) => choice.type === "array")?.items;
     return value.flatMap((item, k) =>
-      items ? collect($defs, [...path, String(k)], items, item, quantity) : [],
+      items ? collect(source, [...path, String(k)], items, item, quantity) : [],
     );
   }
   const fit = full?.oneOf?.find((choice) => choice.type === "object") ?? full;
   return Object.entries(fit?.properties ?? {}).flatMap(([key, inner]) =>
-    collect($defs, [...path, key], inner, (value as Values)[key], quantity),
+    collect(source, [...path, key], inner, (value as Values)[key], quantity),
   );
 }
 
@@ -156,33 +164,18 @@ function asObject(value: unknown): Values {
   return typeof value === "object" && value !== null ? (value as Values) : {};
 }
 
-const TITLES: Readonly<Record<string, string>> = {
-  ball_ball: "Ball on ball",
-  cloth: "Cloth",
-  cushion: "Cushions",
-  facing: "Pocket facings",
-  liner: "Pocket liners",
-  slate: "Bounces on slate",
-  corner_pocket: "Corner pockets",
-  side_pocket: "Side pockets",
-};
-
-/** `ball_ball` as a heading, `sliding_friction` as a label. */
-export function title(key: string): string {
-  // The items of the only list, rolling friction.
-  if (/^\d+$/.test(key)) return `Band ${Number(key) + 1}`;
-  const known = TITLES[key];
-  if (known !== undefined) return known;
-  // A coefficient has the letter of its formula.
-  if (key.length === 1) return key;
-  // The unit is beside the number.
-  const text = key.replace(/_deg$/, "").replaceAll("_", " ");
-  return text.charAt(0).toUpperCase() + text.slice(1);
-}
-
 /** The label of a parameter within its group, or within the fit or list that it belongs to. */
 export function label({ path, quantity }: Parameter): string {
   const keys = path.length === 1 ? path : path.slice(quantity === "" ? 1 : QUANTITY);
-  const [first, ...rest] = keys.map(title);
-  return [first, ...rest.map((text) => text.toLowerCase())].join(", ");
+  const [first = "", inner] = keys;
+  if (inner === "up_to" || inner === "friction")
+    return t(`band.${inner}`, { number: Number(first) + 1 });
+  return keys.map(title).join(", ");
+}
+
+/** The hint of a parameter; empty if it needs none. The schema's own text is for programmers. */
+function hint(part: Part, path: readonly string[]): string {
+  const keys = path.filter((key) => !/^\d+$/.test(key)).map((key) => key.replace(/_deg$/, ""));
+  const place = keys[0]?.endsWith("_pocket") ? ["pocket", ...keys.slice(1)] : [part, ...keys];
+  return named("hint", place.join(".")) ?? "";
 }

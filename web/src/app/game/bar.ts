@@ -4,19 +4,21 @@ import "./game.css";
 import type { FrameState } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText } from "../common/dom.ts";
+import { gameName } from "../common/presets.ts";
 import { leave } from "../replay/control.ts";
 import type { Store } from "../document/store.ts";
 import type { Game } from "../document/game.ts";
 import { choose, standing, startGame } from "./play.ts";
 import {
   choiceInWords,
-  gameName,
   isForOne,
   headline,
   other,
+  refereeText,
   requestInWords,
   rulingInWords,
 } from "./words.ts";
+import { capital, sentence, t } from "../words/translate.ts";
 
 /** Time (ms) between the end of a replayed shot and the next request. */
 const REST = 700;
@@ -46,10 +48,10 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     const rulingText = watching || !last ? "" : rulingInWords(last, names);
     const { request } = state;
     const over = request.kind === "over";
-    const known = request.kind === "choice" && rulingText.includes(request.why);
+    const known = request.kind === "choice" && rulingText.includes(refereeText(request.why));
     setText(ruling, rulingText);
     ruling.dataset.foul = String(!watching && last?.ruling.legal === false);
-    setText(title, watching || over ? "" : `${headline(request, names)}.`);
+    setText(title, watching || over ? "" : sentence(headline(request, names)));
     setText(asked, watching || over || known ? "" : requestInWords(state, game.call));
     showAnswers(answers, watching ? null : state, game);
   }
@@ -60,14 +62,13 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     if (request?.kind === "choice") {
       const opponent = game.setup.names[other(request.player)];
       for (const choice of request.choices) {
-        const text = choiceInWords(choice, opponent);
-        const label = text.charAt(0).toUpperCase() + text.slice(1);
+        const label = capital(choiceInWords(choice, opponent));
         buttons.push(answer(label, () => choose(store, context, choice)));
       }
     } else if (request?.kind === "over") {
       const seed = (game.setup.options.seed ?? 0) + 1;
       const setup = { ...game.setup, from: null, options: { ...game.setup.options, seed } };
-      buttons.push(answer("Another frame", () => startGame(store, context, setup)));
+      buttons.push(answer(t("table.another"), () => startGame(store, context, setup)));
     }
     const texts = (all: Iterable<Element>) => [...all].map((button) => button.textContent).join();
     if (texts(row.children) === texts(buttons)) return;
@@ -118,9 +119,9 @@ const WITH_POINTS = new Set(["straight-pool", "snooker", "three-cushion", "pract
 function extras({ state, fouls_in_a_row: fouls }: FrameState, player: 0 | 1): HTMLElement[] {
   const said: string[] = [];
   const group = state.groups?.[player];
-  if (group) said.push(group);
+  if (group) said.push(t(`table.${group}`));
   const innings = state.innings?.[player];
-  if (innings !== undefined) said.push(`${innings} ${innings === 1 ? "inning" : "innings"}`);
-  if (fouls[player] > 1) said.push(`${fouls[player]} fouls in a row`);
+  if (innings !== undefined) said.push(t("table.innings", { count: innings }));
+  if (fouls[player] > 1) said.push(t("table.fouls", { count: fouls[player] }));
   return said.map((text) => h("span", { class: "hint" }, text));
 }

@@ -4,34 +4,27 @@ import type { Call, ShotRequest } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
-import { placeName } from "../common/words.ts";
+import { pocketName } from "../common/words.ts";
 import { announceCall, askedShot, predictedCall } from "./play.ts";
 import { callInWords } from "./words.ts";
+import { t } from "../words/translate.ts";
 
 type Kind = ShotRequest["calls"][number];
-
-const KINDS: Readonly<Record<Kind, string>> = {
-  nothing: "Nothing",
-  pocket: "Ball and pocket",
-  safety: "Safety",
-  "push-out": "Push-out",
-  on: "Ball on",
-};
 
 /** Mounts the section; it is hidden if the game needs no call. */
 export function mountCalls(root: HTMLElement, store: Store, context: Context): void {
   const { engine } = context;
-  const kinds = h("div", { class: "row kinds", role: "group", "aria-label": "Call" });
+  const kinds = h("div", { class: "row kinds", role: "group", "aria-label": t("call.group") });
   const ball = h("select", { id: uniqueId("called-ball") });
   const pocket = h("select", { id: uniqueId("called-pocket") });
   const ballLabel = h("label", { for: ball.id });
   const ballRow = h("div", { class: "labelled" }, ballLabel, ball);
-  const pocketLabel = h("label", { for: pocket.id }, "Called pocket");
+  const pocketLabel = h("label", { for: pocket.id }, t("call.called-pocket"));
   const pocketRow = h("div", { class: "labelled" }, pocketLabel, pocket);
   const shown = h("button", { type: "button", class: "button" });
-  const hint = h("p", { class: "hint" }, "Or tap the ball and the pocket on the table.");
+  const hint = h("p", { class: "hint" }, t("call.hint"));
   root.append(
-    h("h2", {}, "Call the shot"),
+    h("h2", {}, t("call.title")),
     kinds,
     h("div", { class: "pair halves" }, ballRow, pocketRow),
     h("div", { class: "row" }, shown),
@@ -73,17 +66,17 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
     const { call } = store.document.game!;
     const nominates = asked.calls.includes("on");
     kinds.hidden = nominates;
-    setText(ballLabel, nominates ? "Nominated ball" : "Called ball");
+    setText(ballLabel, t(nominates ? "call.nominated-ball" : "call.called-ball"));
     showKinds(asked, call);
     ballRow.hidden = !nominates && call?.kind !== "pocket";
     pocketRow.hidden = call?.kind !== "pocket";
     hint.hidden = ballRow.hidden;
     fill(ball, ballsToCall(store, asked), call?.ball ?? "");
     const pockets = store.shot.geometry.pockets.map(({ name }) => name);
-    fill(pocket, pockets, call?.into ?? "", placeName);
+    fill(pocket, pockets, call?.into ?? "", pocketName);
     const suggested = predictedCall(store, engine);
     shown.hidden = !suggested || JSON.stringify(suggested) === JSON.stringify(call);
-    if (suggested) setText(shown, `As predicted: ${callInWords(suggested)}`);
+    if (suggested) setText(shown, t("call.predicted", { call: callInWords(suggested) }));
   }
 
   function showKinds({ calls }: ShotRequest, call: Call | null): void {
@@ -94,7 +87,7 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
         h(
           "button",
           { type: "button", class: "button", "data-kind": kind, onclick: () => say(kind) },
-          KINDS[kind],
+          t(`call.${kind}`),
         );
       kinds.replaceChildren(...calls.map(button));
     }
@@ -117,16 +110,16 @@ function ballsToCall(store: Store, { calls, on, cue_ball }: ShotRequest): readon
 }
 
 /** Fills a list if its items have changed, and selects one. */
-function fill(
+function fill<T extends string>(
   list: HTMLSelectElement,
-  values: readonly string[],
+  values: readonly T[],
   value: string,
-  text: (value: string) => string = (same) => same,
+  text: (value: T) => string = (same) => same,
 ): void {
   const key = values.join();
   if (list.dataset.values !== key) {
     list.dataset.values = key;
-    const option = (item: string) => h("option", { value: item }, text(item));
+    const option = (item: T) => h("option", { value: item }, text(item));
     list.replaceChildren(h("option", { value: "" }, "–"), ...values.map(option));
   }
   list.value = value;

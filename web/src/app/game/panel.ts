@@ -3,6 +3,7 @@
 import { replay } from "../replay/control.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText } from "../common/dom.ts";
+import { gameName, levelName } from "../common/presets.ts";
 import { mountField } from "../form/field.ts";
 import { placeBall } from "../document/layout.ts";
 import type { Store } from "../document/store.ts";
@@ -11,7 +12,8 @@ import { concede, endGame, standing } from "./play.ts";
 import type { PlayedMove } from "./progress.ts";
 import { handOf } from "./referee.ts";
 import { mountSetup } from "./setup.ts";
-import { callInWords, gameName, isForOne, rulingInWords } from "./words.ts";
+import { callInWords, isForOne, rulingInWords } from "./words.ts";
+import { t } from "../words/translate.ts";
 
 export function mountGame(root: HTMLElement, store: Store, context: Context): void {
   const setup = h("div");
@@ -49,10 +51,15 @@ function mountHeading(root: HTMLElement, store: Store): void {
   store.subscribe(({ document: { game } }) => {
     if (!game) return;
     const { rules, options, from, names, skills } = game.setup;
-    const all = names.map((name, k) => name + (skills[k] ? ` (${skills[k]})` : ""));
+    const all = names.map((name, k) => {
+      const skill = skills[k];
+      return skill ? t("table.player", { name, level: levelName(skill) }) : name;
+    });
     const players = isForOne(rules) ? all.slice(0, 1) : all;
     setText(title, gameName(rules));
-    setText(hint, `${players.join(" against ")}${from ? "" : `, rack ${options.seed ?? 0}`}`);
+    const [first = "", second] = players;
+    const said = second === undefined ? first : t("table.against", { first, second });
+    setText(hint, from ? said : t("table.with-rack", { players: said, seed: options.seed ?? 0 }));
   });
 }
 
@@ -65,18 +72,15 @@ function mountHand(root: HTMLElement, store: Store, context: Context): void {
     return store.shot.balls.find((ball) => ball.id === id);
   };
   const bounds = () => standing(store, engine)?.frame.handBounds;
-  root.append(
-    h("h2", {}, "Cue ball in hand"),
-    h("p", { class: "hint" }, "Drag it within the marked area, or write its position."),
-  );
+  root.append(h("h2", {}, t("table.in-hand")), h("p", { class: "hint" }, t("table.in-hand-hint")));
   for (const [label, index] of [
-    ["Across", 0],
-    ["Along", 1],
+    [t("layout.across"), 0],
+    [t("layout.along"), 1],
   ] as const) {
     mountField(root, store, context, {
       label,
       unit: "m",
-      spoken: "metres",
+      spoken: t("unit.metres"),
       digits: 4,
       min: () => bounds()?.[0][index] ?? 0,
       max: () => bounds()?.[1][index] ?? 1,
@@ -100,18 +104,18 @@ function mountHand(root: HTMLElement, store: Store, context: Context): void {
 /** The record: every move with its ruling, the last one first. */
 function mountSheet(root: HTMLElement, store: Store, context: Context): void {
   const list = h("ol", { class: "sheet", reversed: true });
-  const watch = h("button", { type: "button", class: "button" }, "Watch the last shot again");
+  const watch = h("button", { type: "button", class: "button" }, t("table.watch"));
   watch.addEventListener("click", () => {
     const trace = standing(store, context.engine)?.trace;
     if (!trace) return;
     const still = context.reducedMotion();
     replay(store, trace, still ? trace.duration : 0, !still);
   });
-  const end = h("button", { type: "button", class: "button" }, "End the game");
+  const end = h("button", { type: "button", class: "button" }, t("table.end"));
   end.addEventListener("click", () => endGame(store));
-  const give = h("button", { type: "button", class: "button" }, "Concede");
+  const give = h("button", { type: "button", class: "button" }, t("table.concede"));
   give.addEventListener("click", () => concede(store, context));
-  const heading = h("h2", {}, "Shots");
+  const heading = h("h2", {}, t("table.shots"));
   root.append(heading, list, h("div", { class: "row" }, watch, give, end));
 
   const show = (): void => {
@@ -143,5 +147,5 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
 function called({ move }: PlayedMove): HTMLElement | false {
   const call = "play" in move ? move.play.call : undefined;
   if (call?.kind !== "pocket" && call?.kind !== "on") return false;
-  return h("span", { class: "hint" }, ` Called: ${callInWords(call)}.`);
+  return h("span", { class: "hint" }, t("table.called", { call: callInWords(call) }));
 }

@@ -12,12 +12,15 @@ import {
   type ShotRequest,
   type Strike,
 } from "../../engine/index.ts";
+import { gameName } from "../common/presets.ts";
+import { errorText } from "../common/refusals.ts";
 import type { Context } from "../common/context.ts";
 import type { Store } from "../document/store.ts";
 import { firstAim } from "./aim.ts";
 import { type Game, type Move, newGame, type Setup } from "../document/game.ts";
 import { after, type Progress, progressOf, remember } from "./progress.ts";
 import { choiceInWords, other } from "./words.ts";
+import { t } from "../words/translate.ts";
 
 /** Distance from a pocket's centre within which a tap selects it, in radii of the pocket. */
 const POCKET_REACH = 1.6;
@@ -43,7 +46,7 @@ export function startGame(store: Store, { engine }: Context, setup: Setup): bool
   const game = newGame(setup);
   try {
     const shot = firstAim(engine, game, progressOf(engine, game));
-    return store.apply({ game, shot }, `start ${setup.rules}`);
+    return store.apply({ game, shot }, t("change.start", { game: gameName(setup.rules) }));
   } catch (error) {
     return refused(store, error);
   }
@@ -51,7 +54,7 @@ export function startGame(store: Store, { engine }: Context, setup: Setup): bool
 
 /** Ends the game. The balls keep their positions, and free play continues. */
 export function endGame(store: Store): void {
-  store.apply({ game: null }, "end the game");
+  store.apply({ game: null }, t("change.end"));
 }
 
 /**
@@ -67,9 +70,7 @@ export function playShot(
   const { game } = store.document;
   const asked = askedShot(store, engine);
   if (!game || !asked) {
-    store.refuse(
-      "No shot can be played now: choose an answer below the table, or start another game.",
-    );
+    store.refuse(t("refused.no-shot"));
     return;
   }
   const incomplete = missingPart(game.call);
@@ -92,7 +93,12 @@ export function playShot(
       ...(asked.in_hand !== null && { cue_ball: [x, y] as const }),
       ...(game.call && { call: game.call }),
     };
-    const progress = move(store, engine, { play }, `${game.setup.names[asked.player]}’s shot`);
+    const progress = move(
+      store,
+      engine,
+      { play },
+      t("change.shot", { name: game.setup.names[asked.player] }),
+    );
     if (progress?.trace) show(progress.trace);
   } catch (error) {
     refused(store, error);
@@ -107,7 +113,12 @@ export function choose(store: Store, { engine }: Context, choice: Choice): void 
   const { names } = game.setup;
   const said = choiceInWords(choice, names[other(request.player)]);
   try {
-    move(store, engine, { choice }, `${names[request.player]}: ${said}`);
+    move(
+      store,
+      engine,
+      { choice },
+      t("ruling.choice", { name: names[request.player], choice: said }),
+    );
   } catch (error) {
     refused(store, error);
   }
@@ -118,7 +129,7 @@ export function concede(store: Store, { engine }: Context): void {
   const request = standing(store, engine)?.frame.state.request;
   if (!request || request.kind === "over") return;
   const { names } = store.document.game!.setup;
-  move(store, engine, { concede: true }, `${names[request.player]} concedes`);
+  move(store, engine, { concede: true }, t("ruling.concedes", { name: names[request.player] }));
 }
 
 /** @throws CaromError if the move is not allowed. */
@@ -157,8 +168,8 @@ function executed(
 /** What is missing in a call, with the remedy; null if the call is complete. */
 function missingPart(call: Call | null): string | null {
   if (call?.kind !== "pocket") return null;
-  if (call.ball === undefined) return "No ball is called: tap it, or choose it under Game.";
-  if (call.into === undefined) return "No pocket is called: tap it, or choose it under Game.";
+  if (call.ball === undefined) return t("call.ball-missing");
+  if (call.into === undefined) return t("call.pocket-missing");
   return null;
 }
 
@@ -166,7 +177,7 @@ function missingPart(call: Call | null): string | null {
 export function announceCall(store: Store, call: Call | null): void {
   const { game } = store.document;
   if (!game || JSON.stringify(game.call) === JSON.stringify(call)) return;
-  store.apply({ game: { ...game, call } }, call ? "call" : "remove the call", "call");
+  store.apply({ game: { ...game, call } }, t(call ? "change.call" : "change.uncall"), "call");
 }
 
 /** Calls or nominates the tapped ball if the game requests it. */
@@ -218,6 +229,6 @@ export function predictedCall(store: Store, engine: Engine): Call | null {
 
 function refused(store: Store, error: unknown): false {
   if (!(error instanceof CaromError)) throw error;
-  store.refuse(error.message);
+  store.refuse(errorText(error));
   return false;
 }

@@ -14,7 +14,9 @@ import {
   type Strike,
   type Trace,
 } from "../../engine/index.ts";
+import { errorText, PageError } from "../common/refusals.ts";
 import type { Game, Move, Setup } from "../document/game.ts";
+import { t } from "../words/translate.ts";
 
 /** A move with its ruling. */
 export interface PlayedMove {
@@ -67,7 +69,8 @@ function replayed(engine: Engine, { setup, moves }: Game): Progress {
       progress = after(before, move);
     } catch (error) {
       if (!(error instanceof CaromError)) throw error;
-      throw new CaromError(`Move ${index + 1} of this game: ${error.message}`, error.place);
+      const why = errorText(error);
+      throw new PageError(t("link.move", { number: index + 1, why }), error.place);
     }
     before.frame.free();
     if (before.trace !== progress.trace) before.trace?.free();
@@ -131,8 +134,7 @@ function fileOf(frame: Frame): ShotFile {
  */
 export function after({ frame, start, steps, trace }: Progress, move: Move): Progress {
   const { state: before } = frame;
-  if (before.request.kind === "over")
-    throw new CaromError("The game is over; start another one.", "play");
+  if (before.request.kind === "over") throw new PageError(t("refused.over"), "play");
   const { player } = before.request;
   const next = frame.copy();
   try {
@@ -173,11 +175,7 @@ export function someCall({ calls, on }: ShotRequest): Call | undefined {
  */
 export function anyShot(frame: Frame, place?: readonly [number, number]): Shot {
   const { request } = frame.state;
-  if (request.kind !== "shot")
-    throw new CaromError(
-      "No shot can be played now; make a choice, or start another game.",
-      "play",
-    );
+  if (request.kind !== "shot") throw new PageError(t("refused.no-shot"), "play");
   const call = someCall(request);
   return frame.shot({
     strike: ANY_STRIKE,

@@ -9,9 +9,11 @@ import {
   type ShotFile,
 } from "../../engine/index.ts";
 import type { AimedShot } from "../document/document.ts";
+import { PageError } from "../common/refusals.ts";
 import { ballName } from "../common/words.ts";
 import type { Game } from "../document/game.ts";
 import { anyShot, type Progress, progressOf } from "./progress.ts";
+import { sentence, t } from "../words/translate.ts";
 
 /** The engine with the game's checks, for the store. */
 export function referee(engine: Engine): { shot(file: AimedShot, game: Game | null): Shot } {
@@ -32,27 +34,20 @@ function check(engine: Engine, file: AimedShot, progress: Progress): void {
   const equipment = ({ table, physics }: Pick<ShotFile, "table" | "physics">) =>
     engine.withDatedNames({ table, ...(physics !== undefined && { physics }) });
   if (!same(equipment(file), equipment(start))) {
-    throw new CaromError(
-      "Table and physics cannot be changed during a game: end the game first, under Game.",
-      "table",
-    );
+    throw new PageError(t("refused.equipment"), "table");
   }
   const hand = handOf(progress);
   const there = file.balls.filter(({ id }) => id !== hand);
   const expected = layoutOf(progress).filter(({ id }) => id !== hand);
   const moved = expected.find((ball, k) => !same(there[k], ball));
   if (moved || there.length !== expected.length) {
-    const may = hand === null ? "" : `; only ${ballName(hand)} is in hand`;
-    throw new CaromError(
-      `The balls cannot be moved during a game${may}. To move them, end the game under Game.`,
+    throw new PageError(
+      hand === null ? t("refused.moved") : t("refused.moved-hand", { ball: ballName(hand) }),
       `balls[${file.balls.findIndex(({ id }) => id === moved?.id)}].position`,
     );
   }
   if (request.kind === "shot" && file.strike.ball !== request.cue_ball) {
-    throw new CaromError(
-      `The cue must strike ${ballName(request.cue_ball)} in this game; select it as the ball to strike.`,
-      "strike.ball",
-    );
+    throw new PageError(t("refused.struck", { ball: ballName(request.cue_ball) }), "strike.ball");
   }
 }
 
@@ -61,14 +56,12 @@ function checkHand(file: AimedShot, progress: Progress): void {
   const hand = handOf(progress);
   const ball = file.balls.find(({ id }) => id === hand);
   if (hand === null) return;
-  if (!ball) throw new CaromError(`${ballName(hand)} is in hand: place it on the table.`, "balls");
+  if (!ball)
+    throw new PageError(sentence(t("refused.place-hand", { ball: ballName(hand) })), "balls");
   const { position } = ball;
   const own = progress.start.balls.find(({ id }) => id === hand);
   if (!same(ball, { ...own, position })) {
-    throw new CaromError(
-      `Only the position of ${ballName(hand)} can be changed during a game.`,
-      "balls",
-    );
+    throw new PageError(t("refused.only-position", { ball: ballName(hand) }), "balls");
   }
   anyShot(progress.frame, [position[0], position[1]]).free();
 }

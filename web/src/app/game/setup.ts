@@ -3,11 +3,12 @@
 import type { FrameOptions } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, uniqueId } from "../common/dom.ts";
-import { presetLabel, presetOptions } from "../common/presets.ts";
+import { gameName, levelName, presetLabel, presetOptions } from "../common/presets.ts";
 import type { Store } from "../document/store.ts";
 import { LONGEST_NAME, type Setup } from "../document/game.ts";
 import { startGame } from "./play.ts";
-import { gameName, isForOne } from "./words.ts";
+import { isForOne } from "./words.ts";
+import { t } from "../words/translate.ts";
 
 /** Seeds drawn by a click are below this: short numbers are easy to pass on. */
 const SEEDS = 10_000;
@@ -27,30 +28,33 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   const usual = h("option", { value: "" });
   const table = h("select", { id: uniqueId("table") }, usual);
   table.append(...presetOptions(engine.tables.flatMap(({ name }) => name ?? [])));
-  table.append(h("option", { value: THIS_TABLE }, "This one, with its physics"));
+  table.append(h("option", { value: THIS_TABLE }, t("setup.this-table")));
   const seed = number(drawn(), 0);
   const goal = number(40, 1);
   const miss = h("input", { type: "checkbox", id: uniqueId("miss"), checked: true });
   const names = [0, 1].map((player) => name(player)) as [HTMLInputElement, HTMLInputElement];
   const levels = Object.keys(engine.noisePresets);
   const skills = [0, 1].map(() =>
-    select([["", "None"], ...levels.map((level): [string, string] => [level, capital(level)])]),
+    select([
+      ["", t("setup.no-errors")],
+      ...levels.map((level): [string, string] => [level, levelName(level)]),
+    ]),
   ) as [HTMLSelectElement, HTMLSelectElement];
 
   const start = select([
-    ["", "A new rack"],
-    [AS_THEY_LIE, "The balls as they lie, on this table"],
+    ["", t("setup.new-rack")],
+    [AS_THEY_LIE, t("setup.as-they-lie")],
   ]);
-  const tableRow = labelled("Table", table);
-  const seedRow = h("div", { class: "pair" }, labelled("Seed of the rack", seed), shuffle());
-  const goalRow = labelled("Points that win", goal);
-  const missRow = h("div", { class: "switch row" }, miss, label(miss, "Call a foul and a miss"));
+  const tableRow = labelled(t("setup.table"), table);
+  const seedRow = h("div", { class: "pair" }, labelled(t("setup.seed"), seed), shuffle());
+  const goalRow = labelled(t("setup.points"), goal);
+  const missRow = h("div", { class: "switch row" }, miss, label(miss, t("setup.miss")));
   const players = [0, 1].map((k) =>
     h(
       "div",
       { class: "pair player" },
-      labelled(`Player ${k + 1}`, names[k]!),
-      labelled("Errors", skills[k]!),
+      labelled(t("setup.player", { number: k + 1 }), names[k]!),
+      labelled(t("setup.errors"), skills[k]!),
     ),
   );
   const begin = (): void => {
@@ -59,27 +63,22 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
     if (options) startGame(store, context, { rules: rules.value, options, from, ...chosen() });
   };
   root.append(
-    h("h2", {}, "Play a game"),
-    h("p", { class: "hint" }, "Two players share this page; a referee applies the rules."),
-    labelled("Game", rules),
-    labelled("Begin with", start),
+    h("h2", {}, t("setup.title")),
+    h("p", { class: "hint" }, t("setup.hint")),
+    labelled(t("setup.game"), rules),
+    labelled(t("setup.begin-with"), start),
     tableRow,
     seedRow,
     goalRow,
     missRow,
-    h("h2", {}, "Players"),
+    h("h2", {}, t("setup.players")),
     ...players,
-    h(
-      "p",
-      { class: "hint" },
-      "With errors a shot differs from the aim as it does for a player of that level. ",
-      "The levels are estimates; the Olympiad’s numbers are published.",
-    ),
-    h("div", { class: "row end" }, primary("Start the game", begin)),
+    h("p", { class: "hint" }, t("setup.errors-hint")),
+    h("div", { class: "row end" }, primary(t("setup.start"), begin)),
   );
 
   function shuffle(): HTMLElement {
-    const button = h("button", { type: "button", class: "button shuffle" }, "Shuffle");
+    const button = h("button", { type: "button", class: "button shuffle" }, t("setup.shuffle"));
     button.addEventListener("click", () => {
       seed.value = String(drawn());
     });
@@ -87,15 +86,15 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   }
 
   function chosen(): Pick<Setup, "names" | "skills"> {
-    const read = (k: 0 | 1) => names[k].value.trim() || `Player ${k + 1}`;
+    const read = (k: 0 | 1) => names[k].value.trim() || t("setup.player", { number: k + 1 });
     const skill = (k: 0 | 1) => skills[k].value || null;
     return { names: [read(0), read(1)], skills: [skill(0), skill(1)] };
   }
 
   function readOptions(): FrameOptions | null {
     const [rack, points] = [whole(seed, 0), whole(goal, 1)];
-    if (rack === null) store.refuse("Seed: write a whole number, at least 0.");
-    else if (points === null) store.refuse("Points that win: write a whole number above 0.");
+    if (rack === null) store.refuse(t("field.not-a-seed"));
+    else if (points === null) store.refuse(t("setup.points-refused"));
     if (rack === null || points === null) return null;
     return {
       ...tableOptions(),
@@ -113,7 +112,9 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   }
 
   const show = (): void => {
-    usual.textContent = `The game’s own (${presetLabel(engine.usualTable(rules.value))})`;
+    usual.textContent = t("setup.usual-table", {
+      table: presetLabel(engine.usualTable(rules.value)),
+    });
     goalRow.hidden = !WITH_GOAL.has(rules.value);
     tableRow.hidden = seedRow.hidden = start.value === AS_THEY_LIE;
     missRow.hidden = rules.value !== "snooker";
@@ -129,10 +130,6 @@ function drawn(): number {
   return Math.floor(Math.random() * SEEDS);
 }
 
-function capital(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
-}
-
 function select(options: readonly (readonly [value: string, text: string])[]): HTMLSelectElement {
   const items = options.map(([value, text]) => h("option", { value }, text));
   return h("select", { id: uniqueId("choose") }, ...items);
@@ -146,7 +143,7 @@ function name(player: number): HTMLInputElement {
   return h("input", {
     type: "text",
     id: uniqueId("name"),
-    value: `Player ${player + 1}`,
+    value: t("setup.player", { number: player + 1 }),
     maxlength: LONGEST_NAME,
     autocomplete: "off",
   });

@@ -1,37 +1,18 @@
 /** Requests and rulings of the referee as sentences. */
 
-import type {
-  Call,
-  Choice,
-  FrameState,
-  Seat,
-  Region,
-  Request,
-  Ruling,
-} from "../../engine/index.ts";
-import { ballName, placeName, sentence } from "../common/words.ts";
+import type { Call, Choice, FrameState, Seat, Request, Ruling } from "../../engine/index.ts";
+import { ballName, pocketName } from "../common/words.ts";
 import type { Pair } from "../document/game.ts";
 import type { PlayedMove } from "./progress.ts";
-
-const REGIONS: Readonly<Record<Region, string>> = {
-  anywhere: "anywhere on the table",
-  "behind-head-string": "behind the head string",
-  "the-d": "in the D",
-};
+import { keyOf, list, paragraph, type PlainKey, sentence, t } from "../words/translate.ts";
 
 /** Up to this many balls are listed by name. */
 const LISTED = 3;
 
-const GROUPS = { solids: "solids (1 to 7)", stripes: "stripes (9 to 15)" } as const;
+const GROUPS = ["solids", "stripes"] as const;
 
 export function other(player: Seat): Seat {
   return player === 0 ? 1 : 0;
-}
-
-/** "eight-ball" as a heading. */
-export function gameName(rules: string): string {
-  const words = rules.replace("straight-pool", "straight pool");
-  return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
 /** Whether the game has one player only. */
@@ -43,26 +24,35 @@ export function isForOne(rules: string): boolean {
 export function headline(request: Request, names: Pair<string>): string {
   switch (request.kind) {
     case "shot":
-      return `${names[request.player]} to shoot`;
+      return t("turn.shoots", { name: names[request.player] });
     case "choice":
-      return `${names[request.player]} decides`;
+      return t("turn.decides", { name: names[request.player] });
     case "over":
-      return request.winner === null ? "Nobody wins" : `${names[request.winner]} wins`;
+      return request.winner === null
+        ? t("turn.drawn")
+        : t("turn.wins", { name: names[request.winner] });
   }
 }
 
 /** A request as sentences, with the present call. */
 export function requestInWords(frame: FrameState, call: Call | null = null): string {
   const { request, state, balls, game } = frame;
-  if (request.kind !== "shot") return sentence(request.why);
+  if (request.kind !== "shot") return sentence(refereeText(request.why));
   const { in_hand, calls } = request;
   const said = [onInWords(request.on, state, Object.keys(balls), game)];
-  if (in_hand) said.push(`the cue ball is in hand, ${REGIONS[in_hand]}`);
-  if (call) said.push(`${call.kind === "on" ? "nominated" : "called"}: ${callInWords(call)}`);
-  else if (calls.includes("on")) said.push("nominate the ball on");
-  else if (!calls.includes("nothing")) said.push("call a ball and its pocket, or a safety");
-  if (!call && calls.includes("push-out")) said.push("a push-out is allowed");
-  return said.filter(Boolean).map(sentence).join(" ");
+  if (in_hand) said.push(t(`request.${in_hand}`));
+  const kind = call?.kind === "on" ? "nominated" : "called";
+  if (call) said.push(t(`request.${kind}`, { call: callInWords(call) }));
+  else if (calls.includes("on")) said.push(t("request.nominate"));
+  else if (!calls.includes("nothing")) said.push(t("request.call"));
+  if (!call && calls.includes("push-out")) said.push(t("request.push-out"));
+  return paragraph(said.filter(Boolean).map(sentence));
+}
+
+/** A text of the engine's referee in the present language. */
+export function refereeText(english: string): string {
+  const key = keyOf(english, "referee.");
+  return key ? t(key as Extract<PlainKey, `referee.${string}`>) : english;
 }
 
 /** Which balls are on; empty if any ball may be hit first. */
@@ -73,80 +63,79 @@ function onInWords(
   game: string,
 ): string {
   if (game === "three-cushion") return "";
-  if (state.free_ball) return "there is a free ball";
-  if (state.on === "red") return "a red is on";
-  if (state.on === "color" && on.length > 1) return "a colour is on";
-  const group = (Object.keys(GROUPS) as (keyof typeof GROUPS)[]).find((name) =>
+  if (state.free_ball) return t("request.free-ball");
+  if (state.on === "red") return t("request.red");
+  if (state.on === "color" && on.length > 1) return t("request.colour");
+  const group = GROUPS.find((name) =>
     on.every((ball) => (name === "solids") === Number(ball) < 8 && ball !== "8"),
   );
-  if (state.groups?.some(Boolean) && group && on.length > 0) return `${GROUPS[group]} are on`;
-  if (state.groups && on.length !== 1) return lying.includes("8") ? "the table is open" : "";
+  if (state.groups?.some(Boolean) && group && on.length > 0) return t(`request.${group}`);
+  if (state.groups && on.length !== 1) return lying.includes("8") ? t("request.open") : "";
   if (on.length === 0 || on.length > LISTED) return "";
-  const names = on.map(ballName).join(" or ");
-  return `${names} is on`;
+  return t("request.on", { balls: list(on.map(ballName), "disjunction") });
 }
 
 /** The ruling on a move. */
 export function rulingInWords(step: PlayedMove, names: Pair<string>): string {
-  const { move, player, ruling, after } = step;
-  const name = names[player];
-  const said: string[] = [];
-  if ("concede" in move) said.push(`${name} concedes`);
-  else if ("choice" in move)
-    said.push(`${name}: ${choiceInWords(move.choice, names[other(player)])}`);
-  else if (ruling.legal) said.push(`${name}: ${legalInWords(step.potted, move.play.call)}`);
-  else said.push(`Foul by ${name}: ${ruling.fouls.map(foulInWords).join("; ")}`);
-  said.push(...points(ruling, names));
+  const { ruling, after } = step;
+  const said = [moveInWords(step, names), ...points(ruling, names)];
   const { spotted } = ruling;
-  if (spotted.length > 0)
-    said.push(`${listed(spotted)} ${spotted.length > 1 ? "are" : "is"} spotted`);
-  if (ruling.racked) said.push("the balls are racked again");
-  if (after.request.kind === "over") {
-    said.push(`${headline(after.request, names)}: ${after.request.why}`);
+  if (spotted.length > 0) {
+    const key = spotted.length > 1 ? "ruling.many-spotted" : "ruling.one-spotted";
+    said.push(t(key, { balls: listed(spotted) }));
   }
-  return said.map(sentence).join(" ");
+  if (ruling.racked) said.push(t("ruling.racked"));
+  if (after.request.kind === "over") {
+    const winner = headline(after.request, names);
+    said.push(t("ruling.over", { winner, why: refereeText(after.request.why) }));
+  }
+  return paragraph(said.map(sentence));
+}
+
+function moveInWords({ move, player, ruling, potted }: PlayedMove, names: Pair<string>): string {
+  const name = names[player];
+  if ("concede" in move) return t("ruling.concedes", { name });
+  if ("choice" in move) {
+    return t("ruling.choice", { name, choice: choiceInWords(move.choice, names[other(player)]) });
+  }
+  if (!ruling.legal) {
+    return t("ruling.foul", { name, fouls: ruling.fouls.map(foulInWords).join(t("ruling.gap")) });
+  }
+  const kind = move.play.call?.kind;
+  const said =
+    potted.length === 0 ? t("ruling.nothing") : t("ruling.pocketed", { balls: listed(potted) });
+  const called = kind === "safety" || kind === "push-out" ? kind : "legal";
+  return t(`ruling.${called}`, { name, potted: said });
 }
 
 function foulInWords({ what, rule }: Ruling["fouls"][number]): string {
-  return rule ? `${what} (${rule})` : what;
-}
-
-function legalInWords(potted: readonly string[], call: Call | undefined): string {
-  const kind = call?.kind === "safety" || call?.kind === "push-out" ? `, a ${call.kind}` : "";
-  const pocketed = potted.length === 0 ? "nothing pocketed" : `${listed(potted)} pocketed`;
-  return `a legal shot${kind}, ${pocketed}`;
+  const foul = refereeText(what);
+  return rule ? t("ruling.foul-rule", { foul, rule }) : foul;
 }
 
 /** The balls by name, or their number if they are many. */
 function listed(balls: readonly string[]): string {
-  return balls.length > LISTED ? `${balls.length} balls` : balls.map(ballName).join(" and ");
+  const count = balls.length;
+  return count > LISTED ? t("ruling.balls", { count }) : list(balls.map(ballName));
 }
 
 function points({ points: scored }: Ruling, names: Pair<string>): string[] {
-  return scored.flatMap((count, player) =>
-    count === 0
-      ? []
-      : [
-          `${names[player as Seat]} ${count > 0 ? "scores" : "loses"} ${Math.abs(count)} ` +
-            (Math.abs(count) === 1 ? "point" : "points"),
-        ],
-  );
+  return scored.flatMap((points, player) => {
+    const said = { name: names[player as Seat], count: Math.abs(points) };
+    return points === 0 ? [] : [t(points > 0 ? "ruling.scores" : "ruling.loses", said)];
+  });
 }
 
 /** A choice as the text of its button. */
 export function choiceInWords(choice: Choice, opponent: string): string {
-  const words: Readonly<Record<Choice, string>> = {
-    "play-on": "play the balls as they lie",
-    "play-from-hand": "play with the cue ball in hand",
-    "pass-back": `let ${opponent} shoot`,
-    rebreak: "rack again and break",
-    "rebreak-by-other": `rack again, ${opponent} breaks`,
-    "spot-eight": "spot the eight and shoot",
-    replace: `put the balls back, ${opponent} shoots again`,
-    "spot-frozen": "spot the touching balls and shoot",
-    "spot-nearest": "spot the nearest ball and shoot from behind the head string",
-  };
-  return words[choice];
+  switch (choice) {
+    case "pass-back":
+    case "rebreak-by-other":
+    case "replace":
+      return t(`choice.${choice}`, { opponent });
+    default:
+      return t(`choice.${choice}`);
+  }
 }
 
 /** A call, which may be incomplete, as text; empty for null. */
@@ -155,15 +144,18 @@ export function callInWords(call: Call | null): string {
     case undefined:
       return "";
     case "safety":
-      return "a safety";
+      return t("call.a-safety");
     case "push-out":
-      return "a push-out";
+      return t("call.a-push-out");
     case "on":
       return ballName(call.ball!);
-    case "pocket": {
-      const ball = call.ball === undefined ? "no ball yet" : ballName(call.ball);
-      const pocket = call.into === undefined ? "no pocket yet" : `${placeName(call.into)} pocket`;
-      return `${ball}, ${pocket}`;
-    }
+    case "pocket":
+      return t("call.ball-and-pocket", {
+        ball: call.ball === undefined ? t("call.no-ball") : ballName(call.ball),
+        pocket:
+          call.into === undefined
+            ? t("call.no-pocket")
+            : t("pocket.named", { pocket: pocketName(call.into) }),
+      });
   }
 }

@@ -2,24 +2,20 @@
 
 import { h, setText } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
+import { t } from "../words/translate.ts";
 
-const STEPS: readonly string[] = [
-  "Drag on the cloth to turn the cue. The lines show the whole shot.",
-  "Under Aim, click the ball for English, follow or draw; set speed and elevation below it.",
-  "Press Shoot, then move through the replay, or continue from where the balls stop.",
-  "Drag a ball to move it. Undo takes back every change.",
-];
+const STEPS = ["steps.0", "steps.1", "steps.2", "steps.3"] as const;
 
 /** @returns A function that shows the steps again. */
 export function mountFirstUse(root: HTMLElement, store: Store, welcome: boolean): () => void {
   let step = 0;
   const text = h("p", {});
   const count = h("span", { class: "hint" });
-  const next = h("button", { type: "button", class: "button" }, "Next");
-  const skip = h("button", { type: "button", class: "button plain" }, "Skip");
+  const next = h("button", { type: "button", class: "button" }, t("steps.next"));
+  const skip = h("button", { type: "button", class: "button plain" }, t("steps.skip"));
   const card = h(
     "section",
-    { class: "card", "aria-label": "First steps" },
+    { class: "card", "aria-label": t("steps.title") },
     text,
     h("div", { class: "row" }, count, skip, next),
   );
@@ -27,9 +23,10 @@ export function mountFirstUse(root: HTMLElement, store: Store, welcome: boolean)
 
   function show(): void {
     const last = step === STEPS.length - 1;
-    setText(text, STEPS[step] ?? "");
-    setText(count, `${step + 1} of ${STEPS.length}`);
-    setText(next, last ? "Done" : "Next");
+    const key = STEPS[step];
+    setText(text, key ? t(key) : "");
+    setText(count, t("steps.count", { step: step + 1, steps: STEPS.length }));
+    setText(next, t(last ? "steps.done" : "steps.next"));
     skip.hidden = last;
     card.hidden = step >= STEPS.length;
   }

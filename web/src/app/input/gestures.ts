@@ -11,6 +11,7 @@ import { azimuthTo, sweep } from "../common/angles.ts";
 import type { Context } from "../common/context.ts";
 import { tapBall, tapPocket } from "../game/play.ts";
 import type { Store } from "../document/store.ts";
+import { t } from "../words/translate.ts";
 
 /** Movement (CSS pixels) below which a gesture is a tap; a finger moves more than a mouse. */
 const TAP_REACH = { mouse: 4, other: 10 };
@@ -158,6 +159,6 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     if (!point || struck === null || store.session.mode === "replay") return;
     if (tapPocket(store, context.engine, point)) return;
     const [x, y] = ballAt(struck).position;
-    store.strike({ azimuth_deg: azimuthTo([x, y], point) }, "aim", held.group);
+    store.strike({ azimuth_deg: azimuthTo([x, y], point) }, t("change.aim"), held.group);
   }
 }

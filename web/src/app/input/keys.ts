@@ -8,6 +8,7 @@ import { redo, undo } from "../document/undo.ts";
 import { leave, stepBackwards, stepForwards, togglePlaying } from "../replay/control.ts";
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
+import { type PlainKey, t } from "../words/translate.ts";
 
 /** Degrees and m/s per arrow key. Shift and fine adjustment each divide them by ten. */
 const TURN = 1;
@@ -28,9 +29,9 @@ interface Tools {
 interface Key {
   /** Names as in `KeyboardEvent.key`, after "Mod+" for Ctrl or ⌘ and then "Shift+". */
   readonly keys: readonly string[];
-  /** The keys as the help shows them. */
+  /** The keys as the help shows them: letters, or names in the catalogue. */
   readonly shown: readonly string[];
-  readonly help: string;
+  readonly help: Extract<PlainKey, `key.${string}`>;
   /** Mode in which the key acts; left out: both. */
   readonly mode?: "aim" | "replay";
   /** Whether the key acts only while the table has the focus. */
@@ -44,7 +45,7 @@ const fine = ({ store }: Tools, event: KeyboardEvent) =>
 function faster(tools: Tools, event: KeyboardEvent, sign: number): void {
   const { store } = tools;
   const speed = store.document.shot.strike.speed + sign * SPEED * fine(tools, event);
-  store.strike({ speed: Math.max(SOFTEST, round(speed, 3)) }, "change the speed", "speed keys");
+  store.strike({ speed: Math.max(SOFTEST, round(speed, 3)) }, t("change.speed"), "speed-keys");
 }
 
 const toCamera =
@@ -57,18 +58,18 @@ export const KEYS: readonly Key[] = [
   {
     keys: ["ArrowLeft", "ArrowRight"],
     shown: ["←", "→"],
-    help: "Turn the cue by 1°; with Shift by 0.1°",
+    help: "key.turn",
     mode: "aim",
     table: true,
     run: (tools, event) => {
       const sign = event.key === "ArrowLeft" ? 1 : -1;
-      turn(tools.store, sign * TURN * fine(tools, event), "turn keys");
+      turn(tools.store, sign * TURN * fine(tools, event), "turn-keys");
     },
   },
   {
     keys: ["ArrowUp", "ArrowDown"],
     shown: ["↑", "↓"],
-    help: "Change the cue speed by 0.1 m/s; with Shift by 0.01 m/s",
+    help: "key.speed",
     mode: "aim",
     table: true,
     run: (tools, event) => {
@@ -77,8 +78,8 @@ export const KEYS: readonly Key[] = [
   },
   {
     keys: ["Enter"],
-    shown: ["Enter"],
-    help: "Shoot",
+    shown: ["enter"],
+    help: "key.shoot",
     mode: "aim",
     table: true,
     run: ({ store, context }) => {
@@ -88,7 +89,7 @@ export const KEYS: readonly Key[] = [
   {
     keys: ["n", "N"],
     shown: ["N"],
-    help: "Select the next ball; with Shift the previous one",
+    help: "key.next-ball",
     run: ({ store }, event) => {
       const ids = store.document.shot.balls.map((ball) => ball.id);
       const at = ids.indexOf(store.session.selected ?? "");
@@ -100,27 +101,27 @@ export const KEYS: readonly Key[] = [
   {
     keys: ["a"],
     shown: ["A"],
-    help: "Aim at the centre of the selected ball",
+    help: "key.aim-at",
     mode: "aim",
     run: ({ store }) => {
       const { selected } = store.session;
-      if (selected === null) store.refuse("No ball is selected: press N to select one.");
+      if (selected === null) store.refuse(t("key.no-ball"));
       else aimAt(store, selected);
     },
   },
   {
     keys: ["f"],
     shown: ["F"],
-    help: "Fine adjustment on or off: drags and keys have a tenth of their effect",
+    help: "key.fine",
     run: ({ store, context }) => {
       store.setSession({ fine: !store.session.fine });
-      context.announce(`Fine adjustment ${store.session.fine ? "on" : "off"}`);
+      context.announce(t(store.session.fine ? "aim.fine-on" : "aim.fine-off"));
     },
   },
   {
     keys: [" "],
-    shown: ["Space"],
-    help: "Play or pause the replay",
+    shown: ["space"],
+    help: "key.play",
     mode: "replay",
     table: true,
     run: ({ store }) => {
@@ -130,7 +131,7 @@ export const KEYS: readonly Key[] = [
   {
     keys: ["ArrowLeft", "ArrowRight"],
     shown: ["←", "→"],
-    help: "In a replay: go to the previous or next event",
+    help: "key.events",
     mode: "replay",
     table: true,
     run: ({ store }, event) => {
@@ -141,7 +142,7 @@ export const KEYS: readonly Key[] = [
   {
     keys: ["t"],
     shown: ["T"],
-    help: "Take it from here: the final positions become the new layout",
+    help: "key.take",
     mode: "replay",
     run: ({ store, context }) => {
       takeItFromHere(store, context);
@@ -149,8 +150,8 @@ export const KEYS: readonly Key[] = [
   },
   {
     keys: ["Escape"],
-    shown: ["Esc"],
-    help: "End the replay; while aiming: clear the selection",
+    shown: ["escape"],
+    help: "key.escape",
     run: ({ store }) => {
       if (store.session.mode === "replay") leave(store);
       else store.setSession({ selected: null, refusal: null });
@@ -158,27 +159,27 @@ export const KEYS: readonly Key[] = [
   },
   {
     keys: ["Mod+z"],
-    shown: ["Ctrl", "Z"],
-    help: "Undo",
+    shown: ["control", "Z"],
+    help: "key.undo",
     run: ({ store, context }) => {
       undo(store, context);
     },
   },
   {
     keys: ["Mod+Shift+z", "Mod+y"],
-    shown: ["Ctrl", "Shift", "Z"],
-    help: "Redo",
+    shown: ["control", "shift", "Z"],
+    help: "key.redo",
     run: ({ store, context }) => {
       redo(store, context);
     },
   },
-  { keys: ["1"], shown: ["1"], help: "View from above", run: toCamera("top") },
-  { keys: ["2"], shown: ["2"], help: "Free camera", run: toCamera("orbit") },
-  { keys: ["3"], shown: ["3"], help: "View from behind the cue", run: toCamera("cue") },
+  { keys: ["1"], shown: ["1"], help: "key.top", run: toCamera("top") },
+  { keys: ["2"], shown: ["2"], help: "key.orbit", run: toCamera("orbit") },
+  { keys: ["3"], shown: ["3"], help: "key.cue", run: toCamera("cue") },
   {
     keys: ["?"],
     shown: ["?"],
-    help: "Show this help",
+    help: "key.help",
     run: ({ openHelp }) => {
       openHelp();
     },

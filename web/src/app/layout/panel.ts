@@ -8,7 +8,9 @@ import { addBall, nextId, placeBall, rack, removeBall } from "../document/layout
 import { aimAt } from "../document/strike.ts";
 import type { Store } from "../document/store.ts";
 import { mountTable } from "./table.ts";
+import { gameName } from "../common/presets.ts";
 import { ballName } from "../common/words.ts";
+import { t } from "../words/translate.ts";
 
 /** Seeds drawn by the page are below this: short numbers are easy to pass on. */
 const SEEDS = 10_000;
@@ -30,12 +32,12 @@ function labelled(label: string, control: HTMLElement): HTMLElement {
 }
 
 function mountRacks(root: HTMLElement, store: Store, { engine }: Context): void {
-  const game = h("select", {}, ...engine.games.map((name) => option(name, words(name))));
+  const game = h("select", {}, ...engine.games.map((name) => option(name, gameName(name))));
   const seed = h("input", { type: "number", min: 0, step: 1, value: store.document.seed });
   const set = () => {
     const value = Number(seed.value);
     if (seed.value.trim() === "" || !Number.isSafeInteger(value) || value < 0) {
-      store.refuse("Seed: write a whole number, at least 0.");
+      store.refuse(t("field.not-a-seed"));
     } else rack(store, engine, game.value, value);
   };
   const shuffle = () => {
@@ -43,13 +45,13 @@ function mountRacks(root: HTMLElement, store: Store, { engine }: Context): void 
     set();
   };
   root.append(
-    h("h2", {}, "Rack"),
-    h("div", { class: "pair" }, labelled("Game", game), labelled("Seed", seed)),
+    h("h2", {}, t("layout.rack")),
+    h("div", { class: "pair" }, labelled(t("layout.game"), game), labelled(t("layout.seed"), seed)),
     h(
       "div",
       { class: "row" },
-      h("button", { type: "button", class: "button", onclick: set }, "Rack"),
-      h("button", { type: "button", class: "button", onclick: shuffle }, "Shuffle and rack"),
+      h("button", { type: "button", class: "button", onclick: set }, t("layout.rack")),
+      h("button", { type: "button", class: "button", onclick: shuffle }, t("layout.shuffle")),
     ),
   );
   store.subscribe((now, before) => {
@@ -58,23 +60,19 @@ function mountRacks(root: HTMLElement, store: Store, { engine }: Context): void 
 }
 
 function mountBalls(root: HTMLElement, store: Store, context: Context): void {
-  const list = h("div", { class: "balls", role: "radiogroup", "aria-label": "Selected ball" });
+  const list = h("div", { class: "balls", role: "radiogroup", "aria-label": t("layout.selected") });
   const name = h("input", { type: "text", size: 8, autocomplete: "off" });
-  const add = h("button", { type: "button", class: "button" }, "Add ball");
+  const add = h("button", { type: "button", class: "button" }, t("layout.add"));
   add.addEventListener("click", () => {
     if (addBall(store, context.engine, name.value)) name.value = nextId(store.document.shot.balls);
   });
   const fields = h("div");
   root.append(
-    h("h2", {}, "Balls"),
-    h(
-      "p",
-      { class: "hint" },
-      "Drag balls on the table, or select one here and write its position.",
-    ),
+    h("h2", {}, t("layout.balls")),
+    h("p", { class: "hint" }, t("layout.balls-hint")),
     list,
     fields,
-    h("div", { class: "row add" }, labelled("New ball", name), add),
+    h("div", { class: "row add" }, labelled(t("layout.new-ball"), name), add),
   );
   mountSelected(fields, store, context);
 
@@ -97,7 +95,7 @@ function mountBalls(root: HTMLElement, store: Store, context: Context): void {
             class: "button chip",
             role: "radio",
             "aria-checked": String(id === selected),
-            "aria-label": id === strike.ball ? `${id}, struck` : id,
+            "aria-label": id === strike.ball ? t("layout.struck", { id }) : id,
             tabindex: id === current ? 0 : -1,
             onclick: () => {
               store.setSession({ selected: id });
@@ -130,7 +128,7 @@ function mountSelected(root: HTMLElement, store: Store, context: Context): void 
     mountField(root, store, context, {
       label,
       unit: "m",
-      spoken: "metres",
+      spoken: t("unit.metres"),
       digits: 4,
       min: () => 0,
       max: () => store.shot.geometry.size?.[index] ?? 1,
@@ -144,8 +142,8 @@ function mountSelected(root: HTMLElement, store: Store, context: Context): void 
       },
     });
   };
-  axis("Across", 0);
-  axis("Along", 1);
+  axis(t("layout.across"), 0);
+  axis(t("layout.along"), 1);
   const act = (text: string, action: (id: string) => void) =>
     h(
       "button",
@@ -159,11 +157,13 @@ function mountSelected(root: HTMLElement, store: Store, context: Context): void 
       },
       text,
     );
-  const strike = act("Strike", (id) => store.strike({ ball: id }, `strike ${ballName(id)}`));
-  const target = act("Aim at", (id) => {
+  const strike = act(t("layout.strike"), (id) =>
+    store.strike({ ball: id }, t("change.strike", { ball: ballName(id) })),
+  );
+  const target = act(t("layout.aim-at"), (id) => {
     aimAt(store, id);
   });
-  const remove = act("Remove", (id) => removeBall(store, id));
+  const remove = act(t("layout.remove"), (id) => removeBall(store, id));
   root.append(h("div", { class: "row" }, target, strike, remove));
   const show = () => {
     const id = selected()?.id;
@@ -186,8 +186,4 @@ function swatch(id: string, index: number): SVGSVGElement {
     striped && svg("path", { d: "M1.9 4.6h12.2a7 7 0 0 1 0 6.8H1.9a7 7 0 0 1 0-6.8", fill: body }),
     svg("circle", { cx: 8, cy: 8, r: 7, class: "rim" }),
   );
-}
-
-function words(name: string): string {
-  return name.charAt(0).toUpperCase() + name.slice(1).replaceAll("-", " ");
 }

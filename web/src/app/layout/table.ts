@@ -2,12 +2,14 @@
 
 import type { Context } from "../common/context.ts";
 import { h, uniqueId } from "../common/dom.ts";
+import { nameOfPath } from "../common/parameter-names.ts";
 import { presetOptions } from "../common/presets.ts";
 import { changeTable } from "../document/layout.ts";
 import { mountParameters } from "../form/parameter-rows.ts";
 import type { Values } from "../form/parameters.ts";
 import type { Store } from "../document/store.ts";
 import { described, proportioned } from "./table-form.ts";
+import { t } from "../words/translate.ts";
 
 /** Dimensions that also move the markings on the cloth. */
 const SIZES = ["width", "length"];
@@ -16,7 +18,7 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
   const presets = new Map(
     engine.tables.flatMap((table) => (table.name ? [[table.name, table]] : [])),
   );
-  const own = h("option", { value: "" }, "From the file");
+  const own = h("option", { value: "" }, t("layout.own-table"));
   const select = h(
     "select",
     { id: uniqueId("control") },
@@ -35,20 +37,20 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
         changeTable(store, engine, baseName());
       },
     },
-    "Reset all",
+    t("layout.reset-all"),
   );
   const form = h("div");
   const dimensions = h(
     "details",
     {},
-    h("summary", {}, "Dimensions"),
-    h("p", { class: "hint" }, "Changed values are marked and can be reset."),
+    h("summary", {}, t("layout.dimensions")),
+    h("p", { class: "hint" }, t("layout.changed-hint")),
     form,
     h("div", { class: "row" }, back),
   );
   root.append(
-    h("h2", {}, "Table"),
-    h("div", { class: "labelled" }, h("label", { for: select.id }, "Table"), select),
+    h("h2", {}, t("layout.table")),
+    h("div", { class: "labelled" }, h("label", { for: select.id }, t("layout.table")), select),
     dimensions,
   );
 
@@ -76,7 +78,11 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
       // Without changes the preset's name is enough.
       const table = typeof base === "string" && Object.keys(rest).length === 0 ? base : whole;
       const name = ["table", ...path].join(".");
-      return store.apply(({ shot }) => ({ shot: { ...shot, table } }), `change ${name}`, name);
+      return store.apply(
+        ({ shot }) => ({ shot: { ...shot, table } }),
+        t("change.parameter", { name: nameOfPath(path) }),
+        name,
+      );
     },
     coefficient: null,
     open: [],

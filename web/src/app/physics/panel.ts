@@ -4,11 +4,13 @@ import type { CoefficientKey } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import type { AimedShot } from "../document/document.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
+import { nameOfPath } from "../common/parameter-names.ts";
 import { presetLabel, presetOptions } from "../common/presets.ts";
 import { mountParameters } from "../form/parameter-rows.ts";
 import { merged, type Values } from "../form/parameters.ts";
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
+import { t } from "../words/translate.ts";
 
 /** Speed (m/s) and angle (rad) at which a coefficient becomes a number: a soft shot, half a right angle. */
 const MIDDLE_SPEED = 1;
@@ -28,13 +30,13 @@ export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: C
     const next: { -readonly [K in keyof AimedShot]: AimedShot[K] } = { ...store.document.shot };
     if (preset.value === TABLES_OWN) delete next.physics;
     else next.physics = preset.value;
-    if (!store.apply({ shot: next }, "change the physics")) show();
+    if (!store.apply({ shot: next }, t("change.physics"))) show();
   });
   const form = h("div");
   root.append(
-    h("h2", {}, "Physics"),
-    h("div", { class: "labelled" }, h("label", { for: preset.id }, "Preset"), preset),
-    h("p", { class: "hint" }, "Changed values are marked and can be reset."),
+    h("h2", {}, t("physics.title")),
+    h("div", { class: "labelled" }, h("label", { for: preset.id }, t("physics.preset")), preset),
+    h("p", { class: "hint" }, t("layout.changed-hint")),
     form,
   );
 
@@ -58,7 +60,7 @@ export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: C
     write: (physics, path) =>
       store.apply(
         ({ shot }) => ({ shot: { ...shot, physics } }),
-        `change ${path.join(".")}`,
+        t("change.parameter", { name: nameOfPath(path) }),
         `physics ${path.join(".")}`,
       ),
     coefficient: (key) => {
@@ -69,7 +71,7 @@ export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: C
   });
 
   function show(): void {
-    setText(tablesOwn, `Table’s own (${presetLabel(ownName())})`);
+    setText(tablesOwn, t("physics.tables-own", { preset: presetLabel(ownName()) }));
     preset.value = baseName();
     showForm();
   }

@@ -4,14 +4,15 @@ import type { Trace } from "../../engine/index.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { momentsOf, seek } from "./control.ts";
-import { LOOKS, mark } from "./kinds.ts";
+import { mark } from "./kinds.ts";
 import { latest } from "./moments.ts";
 import type { Show } from "./state.ts";
 import { ballName } from "../common/words.ts";
 import { eventInWords } from "./words.ts";
+import { decimal, t } from "../words/translate.ts";
 
 export function mountEvents(root: HTMLElement, store: Store): Show {
-  const heading = h("h2", { id: uniqueId("events") }, "Events");
+  const heading = h("h2", { id: uniqueId("events") }, t("events.heading"));
   const only = h("input", { type: "checkbox", id: uniqueId("only") });
   const onlyLabel = h("label", { for: only.id });
   const body = h("tbody");
@@ -27,7 +28,12 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
         h(
           "thead",
           {},
-          h("tr", {}, h("th", { scope: "col" }, "s"), h("th", { scope: "col" }, "Event")),
+          h(
+            "tr",
+            {},
+            h("th", { scope: "col" }, t("events.second")),
+            h("th", { scope: "col" }, t("events.event")),
+          ),
         ),
         body,
       ),
@@ -39,7 +45,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
   only.addEventListener("change", () => store.setSession({})); // notifies all listeners
 
   const fill = (trace: Trace): void => {
-    setText(heading, `${trace.events.length} events`);
+    setText(heading, t("events.count", { count: trace.events.length }));
     body.replaceChildren(
       ...trace.events.map((event) => {
         const go = () => {
@@ -50,8 +56,8 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
           { type: "button", class: "go", onclick: go },
           eventInWords(event),
         );
-        const kind = h("span", { class: "kind", title: LOOKS[event.type].name }, mark(event.type));
-        const time = h("td", { class: "time" }, event.time.toFixed(3));
+        const kind = h("span", { class: "kind", title: t(`kind.${event.type}`) }, mark(event.type));
+        const time = h("td", { class: "time" }, decimal(event.time, 3));
         return h("tr", {}, time, h("td", {}, h("div", { class: "event" }, kind, words)));
       }),
     );
@@ -60,7 +66,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
 
   return (trace, ball, time) => {
     const { id } = trace.shot.balls[ball]!;
-    setText(onlyLabel, `Only events of ${ballName(id)}`);
+    setText(onlyLabel, t("events.only", { ball: ballName(id) }));
     const wanted = only.checked ? id : null;
     if (trace !== shown) fill(trace);
     const rows = body.rows;

@@ -6,8 +6,6 @@ import { svg } from "../common/dom.ts";
 export type EventType = TraceEvent["type"];
 
 interface EventLook {
-  /** As in "3 ball collisions". */
-  readonly name: string;
   /** A path around the origin, about 8 pixels across. */
   readonly shape: string;
   /** Number of the lane from the top; events of one lane rarely coincide. */
@@ -15,18 +13,16 @@ interface EventLook {
 }
 
 export const LOOKS: Readonly<Record<EventType, EventLook>> = {
-  "cue-strike": { name: "cue strike", shape: "M-3.5-4.5L4.5 0L-3.5 4.5Z", lane: 0 },
+  "cue-strike": { shape: "M-3.5-4.5L4.5 0L-3.5 4.5Z", lane: 0 },
   "ball-collision": {
-    name: "ball collision",
     shape: "M-4 0A4 4 0 1 1 4 0A4 4 0 1 1-4 0Z",
     lane: 0,
   },
-  "rail-collision": { name: "rail collision", shape: "M-3.3-3.3H3.3V3.3H-3.3Z", lane: 1 },
-  "slate-collision": { name: "landing", shape: "M0-4.5L4.5 0L0 4.5L-4.5 0Z", lane: 2 },
-  "motion-transition": { name: "change of motion", shape: "M-1.1-4H1.1V4H-1.1Z", lane: 2 },
-  "pocket-collision": { name: "drop into a pocket", shape: "M-4.5-3.5H4.5L0 4.5Z", lane: 3 },
+  "rail-collision": { shape: "M-3.3-3.3H3.3V3.3H-3.3Z", lane: 1 },
+  "slate-collision": { shape: "M0-4.5L4.5 0L0 4.5L-4.5 0Z", lane: 2 },
+  "motion-transition": { shape: "M-1.1-4H1.1V4H-1.1Z", lane: 2 },
+  "pocket-collision": { shape: "M-4.5-3.5H4.5L0 4.5Z", lane: 3 },
   "off-table": {
-    name: "ball off the table",
     shape: "M-4-2.4L-2.4-4L0-1.6L2.4-4L4-2.4L1.6 0L4 2.4L2.4 4L0 1.6L-2.4 4L-4 2.4L-1.6 0Z",
     lane: 3,
   },

@@ -11,6 +11,7 @@ import { mountPlots } from "./plots.ts";
 import { length } from "./samples.ts";
 import { MOTION, POSITION, type Show, SPIN, VELOCITY } from "./state.ts";
 import { rpm } from "./words.ts";
+import { decimal, t } from "../words/translate.ts";
 
 /** Moment of inertia of a solid ball over mass × radius². */
 const INERTIA = 2 / 5;
@@ -19,12 +20,12 @@ export function mountState(root: HTMLElement, store: Store): void {
   const ball = h("select", { id: uniqueId("ball") });
   ball.addEventListener("change", () => store.setSession({ selected: ball.value }));
   root.append(
-    h("div", { class: "row" }, h("label", { for: ball.id }, "Ball"), ball),
+    h("div", { class: "row" }, h("label", { for: ball.id }, t("replay.ball")), ball),
     h("div", { class: "state" }),
   );
   const parts: Show[] = [mountNumbers(root), mountPlots(root, store), mountEvents(root, store)];
   const hash = h("code", { id: "hash" });
-  root.append(h("p", { class: "hint" }, "Hash of this shot: ", hash));
+  root.append(h("p", { class: "hint" }, t("replay.hash"), hash));
 
   const pace = new Pace();
   store.subscribe(({ session }, { session: before }) => {
@@ -55,10 +56,10 @@ function mountNumbers(root: HTMLElement): Show {
     list.append(h("dt", {}, name), element);
     return element;
   };
-  const motion = value("Motion");
-  const position = value("Position");
-  const speed = value("Speed");
-  const energy = value("Energy");
+  const motion = value(t("replay.motion"));
+  const position = value(t("replay.position"));
+  const speed = value(t("replay.speed-now"));
+  const energy = value(t("replay.energy"));
   root.append(list);
   const spin = mountSpin(root);
   let states = new Float64Array();
@@ -71,11 +72,11 @@ function mountNumbers(root: HTMLElement): Show {
     const vector = (at: number) => state.subarray(at, at + 3);
     const v = length(vector(VELOCITY));
     const omega = length(vector(SPIN));
-    setText(motion, MOTIONS[state[MOTION]!] ?? "");
-    setText(position, `${triple(vector(POSITION), 3)} m`);
-    setText(speed, `${v.toFixed(3)} m/s`);
+    setText(motion, t(`motion.${MOTIONS[state[MOTION]!]!}`));
+    setText(position, triple(vector(POSITION), 3));
+    setText(speed, `${decimal(v, 3)} m/s`);
     spin([...vector(SPIN), omega]);
-    setText(energy, `${(1000 * kinetic(balls[index]!, v, omega)).toFixed(1)} mJ`);
+    setText(energy, `${decimal(1000 * kinetic(balls[index]!, v, omega), 1)} mJ`);
   };
 }
 
@@ -86,25 +87,21 @@ function kinetic({ mass, radius }: BallInfo, speed: number, spin: number): numbe
 
 /** @returns A function that shows the spin about x, y and z and its magnitude, rad/s. */
 function mountSpin(root: HTMLElement): (spin: readonly number[]) => void {
-  const axes = ["about x", "about y", "about z (English)", "total"];
+  const axes = [t("replay.about-x"), t("replay.about-y"), t("replay.about-z"), t("replay.total")];
   const cells = axes.map(() => [h("td"), h("td")] as const);
-  const head = ["Spin", "rad/s", "rpm"].map((name) => h("th", { scope: "col" }, name));
+  const head = [t("replay.spin"), "rad/s", "rpm"].map((name) => h("th", { scope: "col" }, name));
   const rows = axes.map((axis, i) => h("tr", {}, h("th", { scope: "row" }, axis), ...cells[i]!));
   root.append(
     h("table", { class: "spin" }, h("thead", {}, h("tr", {}, ...head)), h("tbody", {}, ...rows)),
   );
   return (spin) =>
     cells.forEach(([radians, turns], i) => {
-      setText(radians, fixed(spin[i]!, 1));
-      setText(turns, fixed(rpm(spin[i]!), 0));
+      setText(radians, decimal(spin[i]!, 1));
+      setText(turns, decimal(rpm(spin[i]!), 0));
     });
 }
 
 function triple(v: Float64Array, digits: number): string {
-  return Array.from(v, (x) => fixed(x, digits)).join(", ");
-}
-
-/** As `toFixed`, but without "-0". */
-function fixed(x: number, digits: number): string {
-  return x.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
+  const [x = "", y = "", z = ""] = Array.from(v, (number) => decimal(number, digits));
+  return t("replay.triple", { x, y, z });
 }

@@ -7,30 +7,35 @@ import { seek } from "./control.ts";
 import type { Show } from "./state.ts";
 import { curve, type PlotArea, roundUp, xOf, yOf } from "./plot.ts";
 import { sample, type Samples } from "./samples.ts";
+import { decimal, type PlainKey, t } from "../words/translate.ts";
 
 /** Size of a plot's drawing; the page scales it to the panel. */
 const WIDTH = 288;
 const HEIGHT = 64;
 
 interface Line {
-  readonly name: string;
+  readonly name: PlainKey;
   readonly values: (samples: Samples) => readonly number[];
 }
 
 interface Plot {
-  readonly name: string;
+  readonly name: PlainKey;
   readonly unit: string;
   readonly lines: readonly Line[];
 }
 
 const PLOTS: readonly Plot[] = [
-  { name: "Speed", unit: "m/s", lines: [{ name: "speed", values: ({ speed }) => speed }] },
   {
-    name: "Spin",
+    name: "replay.speed-now",
+    unit: "m/s",
+    lines: [{ name: "replay.speed-now", values: ({ speed }) => speed }],
+  },
+  {
+    name: "replay.spin",
     unit: "rad/s",
     lines: [
-      { name: "total", values: ({ spin }) => spin },
-      { name: "English, + is left", values: ({ side }) => side },
+      { name: "replay.total", values: ({ spin }) => spin },
+      { name: "replay.english", values: ({ side }) => side },
     ],
   },
 ];
@@ -74,13 +79,13 @@ function mountPlot(root: HTMLElement, store: Store, { name, unit, lines }: Plot)
     h(
       "span",
       { class: "key" },
-      ...lines.map((line, index) => h("span", { class: `line-${index}` }, line.name)),
+      ...lines.map((line, index) => h("span", { class: `line-${index}` }, t(line.name))),
     );
   root.append(
     h(
       "figure",
       { class: "plot" },
-      h("figcaption", {}, h("span", {}, `${name}, ${unit}`), key),
+      h("figcaption", {}, h("span", {}, t("replay.plot", { name: t(name), unit })), key),
       picture,
       high,
       low,
@@ -101,13 +106,19 @@ function mountPlot(root: HTMLElement, store: Store, { name, unit, lines }: Plot)
       area = { ...area, duration, high: roundUp(most), low: least < 0 ? -roundUp(-least) : 0 };
       all.forEach((values, i) => curves[i]!.setAttribute("d", curve(area, samples.times, values)));
       zero.setAttribute("d", `M0 ${yOf(area, 0)}H${WIDTH}`);
-      setText(high, String(area.high));
-      setText(low, String(area.low));
-      setText(end, `${duration.toFixed(2)} s`);
+      setText(high, decimal(area.high));
+      setText(low, decimal(area.low));
+      const whole = t("replay.seconds", { seconds: decimal(duration, 2) });
+      setText(end, whole);
       picture.setAttribute(
         "aria-label",
-        `${name} against time: from ${least.toPrecision(3)} to ${most.toPrecision(3)} ${unit} ` +
-          `in ${duration.toFixed(2)} s`,
+        t("replay.plot-label", {
+          name: t(name),
+          least: Number(least.toPrecision(3)),
+          most: Number(most.toPrecision(3)),
+          unit,
+          duration: whole,
+        }),
       );
     },
     point: (time) => cursor.setAttribute("d", `M${xOf(area, time)} 0V${HEIGHT}`),

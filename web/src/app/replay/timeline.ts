@@ -19,6 +19,7 @@ import {
 import { LANES, LOOKS } from "./kinds.ts";
 import { latest } from "./moments.ts";
 import { eventInWords, seconds } from "./words.ts";
+import { t } from "../words/translate.ts";
 
 const ICONS = {
   play: "M7 5l12 7-12 7z",
@@ -58,9 +59,9 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     h(
       "div",
       { class: "row" },
-      button("Previous event", ICONS.previous, () => stepBackwards(store)),
+      button(t("replay.previous"), ICONS.previous, () => stepBackwards(store)),
       play,
-      button("Next event", ICONS.next, () => stepForwards(store)),
+      button(t("replay.next"), ICONS.next, () => stepForwards(store)),
       rates(store),
       clock,
       eventText,
@@ -93,21 +94,28 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     if (!trace) return;
     const moment = latest(momentsOf(trace), time);
     const events = moment?.events.map((index) => trace.events[index]!) ?? [];
-    const words = events.map(eventInWords).join("; ");
-    const label = playing ? "Pause" : time >= trace.duration ? "Play again" : "Play";
+    const words = events.map(eventInWords).join(t("ruling.gap"));
+    const ended = time >= trace.duration;
+    const label = t(playing ? "replay.pause" : ended ? "replay.again" : "replay.play");
     if (play.getAttribute("aria-label") !== label) {
       play.setAttribute("aria-label", label);
       play.title = label;
       play.replaceChildren(icon(playing ? ICONS.pause : ICONS.play));
     }
-    slider.setAttribute(
-      "aria-valuetext",
-      `${seconds(time)} of ${seconds(trace.duration)}${words ? `, last: ${words}` : ""}`,
-    );
-    setText(present, seconds(time));
-    setText(whole, ` / ${seconds(trace.duration)}`);
-    setText(eventText, moment ? `${seconds(moment.time)}: ${words}` : "");
+    const times = { time: seconds(time), duration: seconds(trace.duration) };
+    const read = words
+      ? t("replay.time-of-last", { ...times, events: words })
+      : t("replay.time-of", times);
+    slider.setAttribute("aria-valuetext", read);
+    setText(present, times.time);
+    setText(whole, t("replay.whole", { duration: times.duration }));
+    setText(eventText, moment ? at(moment.time, words) : "");
   }
+}
+
+/** Events with their time, s. */
+function at(time: number, events: string): string {
+  return t("replay.at", { time: seconds(time), events });
 }
 
 function tick(store: Store, elapsed: number): boolean {
@@ -125,18 +133,18 @@ function button(label: string, path: string, onclick: () => void): HTMLButtonEle
 }
 
 function leaveButton(store: Store): HTMLButtonElement {
-  const name = "Back to aiming";
+  const name = t("replay.back");
   const attributes = { type: "button", class: "button", id: "leave-replay", "aria-label": name };
   const onclick = () => {
     leave(store);
   };
-  return h("button", { ...attributes, onclick }, ...shortened(name, "Back"));
+  return h("button", { ...attributes, onclick }, ...shortened(name, t("replay.back-short")));
 }
 
 function rates(store: Store): HTMLSelectElement {
   const select = h(
     "select",
-    { "aria-label": "Speed of the replay", title: "Speed of the replay" },
+    { "aria-label": t("replay.speed"), title: t("replay.speed") },
     ...RATES.map((rate) => h("option", { value: rate }, RATE_NAMES[rate])),
   );
   select.addEventListener("change", () => store.setSession({ rate: Number(select.value) }));
@@ -156,7 +164,7 @@ interface Scrubber {
 }
 
 function scrubber(store: Store): Scrubber {
-  const slider = h("input", { type: "range", min: 0, step: "any", "aria-label": "Time" });
+  const slider = h("input", { type: "range", min: 0, step: "any", "aria-label": t("replay.time") });
   slider.addEventListener("input", () => {
     seek(store, Number(slider.value));
   });
@@ -177,7 +185,7 @@ function scrubber(store: Store): Scrubber {
     const found = nearest(marks, store.session, event);
     tip.hidden = !found;
     if (!found) return;
-    setText(tip, `${seconds(found.event.time)}: ${eventInWords(found.event)}`);
+    setText(tip, at(found.event.time, eventInWords(found.event)));
     const box = marks.getBoundingClientRect();
     const half = tip.offsetWidth / 2;
     const x = found.share * box.width;

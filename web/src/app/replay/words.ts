@@ -1,56 +1,54 @@
 /** Events as text. */
 
-import type { CushionPart, Motion, RailName, TraceEvent } from "../../engine/index.ts";
-import { ballName, placeName } from "../common/words.ts";
+import type { Motion, TraceEvent } from "../../engine/index.ts";
+import { ballName, pocketName, railName } from "../common/words.ts";
+import { decimal, list, t } from "../words/translate.ts";
 
 /** An event as text, for the list of events and the slider. */
 export function eventInWords(event: TraceEvent): string {
   const names = event.balls.map(ballName);
-  const [first = ""] = names;
+  const [ball = ""] = names;
   switch (event.type) {
     case "cue-strike":
-      return strikeInWords(event, first, names.slice(1));
+      return strikeInWords(event, ball, names.slice(1));
     case "ball-collision":
-      return `${listInWords(names)} collide`;
-    case "rail-collision":
-      return `${first} hits ${railInWords(event.rail, event.part)}`;
+      return t("event.collide", { balls: list(names) });
+    case "rail-collision": {
+      const key = event.part === "nose" ? "event.rail" : (`event.part.${event.part}` as const);
+      return t(key, { ball, rail: railName(event.rail) });
+    }
     case "pocket-collision":
-      return `${first} drops into the ${placeName(event.pocket)} pocket`;
+      return t("event.drops", { ball, pocket: pocketName(event.pocket) });
     case "motion-transition":
-      return `${first} ${transitionInWords(event.from, event.to)}`;
+      return transitionInWords(ball, event.from, event.to);
     case "slate-collision":
-      return `${first} lands`;
+      return t("event.lands", { ball });
     case "off-table":
-      return `${first} leaves the table`;
+      return t("event.off", { ball });
   }
 }
 
 function strikeInWords(
   { tip_contacts = 1, pushed = false }: TraceEvent & { type: "cue-strike" },
-  struck: string,
+  ball: string,
   moved: readonly string[],
 ): string {
-  const others = moved.length > 0 ? `, which moves ${listInWords(moved)}` : "";
-  const faults = [tip_contacts > 1 && "double hit", pushed && "push"].filter(Boolean);
-  return `cue strikes ${struck}${others}${faults.length > 0 ? ` (${faults.join(", ")})` : ""}`;
+  const event =
+    moved.length > 0
+      ? t("event.strike-moves", { ball, others: list(moved) })
+      : t("event.strike", { ball });
+  const faults = [
+    ...(tip_contacts > 1 ? [t("event.double-hit")] : []),
+    ...(pushed ? [t("event.push")] : []),
+  ];
+  return faults.length > 0 ? t("event.with-faults", { event, faults: faults.join(", ") }) : event;
 }
 
-function transitionInWords(from: Motion, to: Motion): string {
-  if (to === "stationary") return "comes to rest";
-  if (to === "airborne") return "leaves the cloth";
-  if (to === from) return `goes on ${to} in a slower speed band`;
-  return `stops ${from}, starts ${to}`;
-}
-
-function railInWords(rail: RailName, part: CushionPart): string {
-  const name = `the ${placeName(rail)} rail`;
-  return part === "nose" ? name : `the ${part} of ${name}`;
-}
-
-/** "a", "a and b", "a, b and c". */
-export function listInWords(items: readonly string[]): string {
-  if (items.length < 2) return items.join("");
-  return `${items.slice(0, -1).join(", ")} and ${items.at(-1)}`;
+function transitionInWords(ball: string, from: Motion, to: Motion): string {
+  if (to === "stationary") return t("event.rests", { ball });
+  if (to === "airborne") return t("event.lifts", { ball });
+  if (to === from) return t("event.slower", { ball, motion: t(`motion.${to}`) });
+  return t("event.motion", { ball, from: t(`motion.${from}`), to: t(`motion.${to}`) });
 }
 
 /** Radians per second in revolutions per minute. */
@@ -60,5 +58,5 @@ export function rpm(angularSpeed: number): number {
 
 /** A time of the shot, "1.234 s". */
 export function seconds(time: number): string {
-  return `${time.toFixed(3)} s`;
+  return t("replay.seconds", { seconds: decimal(time, 3) });
 }

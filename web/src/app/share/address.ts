@@ -2,6 +2,7 @@
 
 import { CaromError, type Engine, type Shot } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
+import { PageError } from "../common/refusals.ts";
 import type { Document, View } from "../document/document.ts";
 import { aimed } from "../document/file.ts";
 import type { Setup } from "../document/game.ts";
@@ -11,6 +12,7 @@ import { referee } from "../game/referee.ts";
 import { replay } from "../replay/control.ts";
 import { LinkError } from "./link.ts";
 import { type LinkState, stateFromFragment, stateToFragment } from "./state.ts";
+import { t } from "../words/translate.ts";
 
 /**
  * Time (ms) without a change after which the address is updated. Browsers allow about a hundred
@@ -46,7 +48,7 @@ export function readLink(engine: Engine, fragment: string): LinkContents | null 
     return state && checked(engine, state);
   } catch (error) {
     if (!(error instanceof CaromError)) throw error;
-    throw new LinkError(`This link cannot be opened. ${error.message}`, { cause: error });
+    throw new LinkError(t("link.refused", { why: error.message }), { cause: error });
   }
 }
 
@@ -56,11 +58,7 @@ function checked(engine: Engine, { shot, noise, seed, game, view, time }: LinkSt
   if (noise) engine.checkNoise(noise);
   for (const skill of game?.setup.skills ?? []) {
     if (skill === null || Object.hasOwn(engine.noisePresets, skill)) continue;
-    const known = Object.keys(engine.noisePresets).join(", ");
-    throw new CaromError(
-      `game.setup.skills: there is no level "${skill}"; write one of ${known}`,
-      "game.setup.skills",
-    );
+    throw new PageError(t("refused.level", { level: skill }), "game.setup.skills");
   }
   const document = { shot: aimed(shot), noise, seed, game };
   referee(engine).shot(document.shot, game).free();
@@ -125,10 +123,10 @@ export function mountAddress(store: Store, context: Context): void {
 
 /** Opens a link in the page as it stands, so that undo returns to the previous document. */
 function show(store: Store, context: Context, { document, view, time }: LinkContents): void {
-  if (!store.apply(document, "open a link")) return;
+  if (!store.apply(document, t("change.open-link"))) return;
   store.setView(view);
   showTime(store, context.engine, time);
-  context.announce("The link is open. Undo returns to the previous shot.");
+  context.announce(t("open.link-opened"));
 }
 
 /** Shows the replay at the time (s) that a link carries. */

@@ -6,6 +6,7 @@ import { h, icon } from "../common/dom.ts";
 import { cannotOpen, readFile } from "../document/file.ts";
 import type { Store } from "../document/store.ts";
 import { replay } from "../replay/control.ts";
+import { decimal, t } from "../words/translate.ts";
 
 /** The largest file that is read, bytes: ten times the longest trace of a break. */
 const LARGEST = 50e6;
@@ -15,26 +16,27 @@ const OPEN_ICON = "M4 19V6h5l2 2h9v11zM4 11h16";
 /** Opens a shot file or a trace. A file that cannot be opened changes nothing. */
 export async function openFile(file: File, store: Store, context: Context): Promise<void> {
   if (file.size > LARGEST) {
-    store.refuse(
-      `${file.name} has ${(file.size / 1e6).toFixed(0)} MB, too much for a shot: choose another file.`,
-    );
+    store.refuse(t("open.too-large", { file: file.name, megabytes: decimal(file.size / 1e6, 0) }));
     return;
   }
   let text: string;
   try {
     text = await file.text();
   } catch {
-    store.refuse(`${file.name} cannot be read: choose it again.`);
+    store.refuse(t("open.unreadable", { file: file.name }));
     return;
   }
-  if (open(store, context.engine, text)) context.announce(`${file.name} is open.`);
+  if (open(store, context.engine, text)) context.announce(t("open.opened", { file: file.name }));
 }
 
 /** Opens a shot file or a trace from JSON. A refused file leaves everything as it is. */
 function open(store: Store, engine: Engine, json: string): boolean {
   try {
     const { shot, trace } = readFile(engine, json);
-    const opened = store.apply({ shot, game: null }, trace ? "open a trace" : "open a shot");
+    const opened = store.apply(
+      { shot, game: null },
+      t(trace ? "change.open-trace" : "change.open-shot"),
+    );
     if (opened && trace) replay(store, trace, 0, false);
     return opened;
   } catch (error) {
@@ -49,7 +51,7 @@ export function openButton(store: Store, context: Context): HTMLElement {
     type: "file",
     accept: ".json,application/json",
     hidden: true,
-    "aria-label": "Shot or trace file",
+    "aria-label": t("open.file"),
     id: "open-file",
   });
   input.addEventListener("change", () => {
@@ -63,19 +65,19 @@ export function openButton(store: Store, context: Context): HTMLElement {
       type: "button",
       class: "button",
       id: "open",
-      "aria-label": "Open",
+      "aria-label": t("open.open"),
       onclick: () => input.click(),
     },
     icon(OPEN_ICON),
-    h("span", { class: "wide-only" }, "Open"),
+    h("span", { class: "wide-only" }, t("open.open")),
   );
-  button.title = "Open a shot file or a trace; you can also drop it on the page";
+  button.title = t("open.hint");
   return h("span", {}, button, input);
 }
 
 /** Opens files that are dropped on the page. */
 export function mountDrop(store: Store, context: Context): void {
-  const veil = h("div", { class: "drop", hidden: true, "aria-hidden": "true" }, "Drop to open");
+  const veil = h("div", { class: "drop", hidden: true, "aria-hidden": "true" }, t("open.drop"));
   document.body.append(veil);
   const hasFile = (event: DragEvent): boolean => !!event.dataTransfer?.types.includes("Files");
   addEventListener("dragover", (event) => {
@@ -91,7 +93,7 @@ export function mountDrop(store: Store, context: Context): void {
     if (!hasFile(event)) return;
     event.preventDefault();
     const files = event.dataTransfer?.files ?? [];
-    if (files.length > 1) store.refuse("Drop one file at a time.");
+    if (files.length > 1) store.refuse(t("open.one"));
     else if (files[0]) void openFile(files[0], store, context);
   });
 }

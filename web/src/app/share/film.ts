@@ -5,10 +5,11 @@ import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import { RATES } from "../replay/clock.ts";
 import type { Store } from "../document/store.ts";
-import { errorText } from "../common/words.ts";
+import { errorText } from "../common/refusals.ts";
 import { download } from "./download.ts";
 import { LOW } from "../../viewer/quality.ts";
 import { canFilm, film } from "./video.ts";
+import { decimal, t } from "../words/translate.ts";
 
 /** Frames per second. */
 const FPS = 30;
@@ -17,11 +18,13 @@ export function filmSection(store: Store, context: Context): HTMLElement {
   const rate = h(
     "select",
     { id: uniqueId("rate") },
-    ...RATES.map((r) => h("option", { value: r }, r === 1 ? "normal" : `${1 / r} times slower`)),
+    ...RATES.map((r) =>
+      h("option", { value: r }, r === 1 ? t("film.normal") : t("film.slower", { count: 1 / r })),
+    ),
   );
-  const start = h("button", { type: "button", class: "button", id: "film" }, "Download film");
-  const cancel = h("button", { type: "button", class: "button", hidden: true }, "Cancel");
-  const bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": "Film encoded" });
+  const start = h("button", { type: "button", class: "button", id: "film" }, t("film.download"));
+  const cancel = h("button", { type: "button", class: "button", hidden: true }, t("film.cancel"));
+  const bar = h("progress", { max: 1, value: 0, hidden: true, "aria-label": t("film.encoded") });
   const said = h("p", { class: "hint", role: "status" });
   let abort: AbortController | null = null;
 
@@ -32,15 +35,15 @@ export function filmSection(store: Store, context: Context): HTMLElement {
     const { signal } = abort;
     start.disabled = true;
     cancel.hidden = bar.hidden = false;
-    setText(said, "Encoding …");
+    setText(said, t("film.encoding"));
     try {
       const blob = await record(trace, Number(rate.value), store, context, signal, (share) => {
         bar.value = share;
       });
       download(blob, "carom.mp4");
-      setText(said, `The film is ready, ${(blob.size / 1e6).toFixed(1)} MB.`);
+      setText(said, t("film.ready", { megabytes: decimal(blob.size / 1e6, 1) }));
     } catch (error) {
-      setText(said, signal.aborted ? "Cancelled." : errorText(error));
+      setText(said, signal.aborted ? t("film.cancelled") : errorText(error));
     } finally {
       abort = null;
       start.disabled = false;
@@ -51,16 +54,13 @@ export function filmSection(store: Store, context: Context): HTMLElement {
   cancel.addEventListener("click", () => abort?.abort());
   if (!canFilm()) {
     start.disabled = true;
-    setText(
-      said,
-      "This browser cannot encode films: use a recent Chrome, Edge, Firefox or Safari.",
-    );
+    setText(said, t("film.cannot"));
   }
   return h(
     "section",
     {},
-    h("h3", {}, "Film of the shot"),
-    h("div", { class: "row" }, h("label", { for: rate.id }, "Speed"), rate, start, cancel),
+    h("h3", {}, t("film.heading")),
+    h("div", { class: "row" }, h("label", { for: rate.id }, t("film.speed")), rate, start, cancel),
     bar,
     said,
   );

@@ -6,6 +6,7 @@
 
 import { strFromU8, strToU8, unzlibSync, zlibSync } from "fflate";
 import { toJson } from "./literal.ts";
+import { t } from "../words/translate.ts";
 
 /** A link that cannot be opened. The message is shown to the user. */
 export class LinkError extends Error {
@@ -44,21 +45,15 @@ export function toFragment(data: unknown): string {
  */
 export function fromFragment(fragment: string): unknown {
   const [version, text = ""] = fragment.slice(KEY.length).split(".", 2);
-  if (!isLink(fragment) || !version) throw new LinkError("This link contains no shot.");
+  if (!isLink(fragment) || !version) throw new LinkError(t("link.no-shot"));
   if (version !== VERSION) {
-    throw new LinkError(
-      `This link was made by another version of the page (the link has version ${version}, ` +
-        `this page reads version ${VERSION}): open it with that version of the page.`,
-    );
+    throw new LinkError(t("link.version", { version, own: VERSION }));
   }
-  if (text.length > LONGEST)
-    throw new LinkError("This link is too long for a shot: copy it again from the page.");
+  if (text.length > LONGEST) throw new LinkError(t("link.too-long"));
   try {
     return JSON.parse(strFromU8(unpack(fromBase64Url(text)))) as unknown;
   } catch (cause) {
-    throw new LinkError("This link is damaged or incomplete: copy the whole link again.", {
-      cause,
-    });
+    throw new LinkError(t("link.damaged"), { cause });
   }
 }
 

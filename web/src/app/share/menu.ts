@@ -12,13 +12,14 @@ import { mountDrop, openButton } from "./files.ts";
 import { filmSection } from "./film.ts";
 import { toPrettyJson } from "./literal.ts";
 import { pythonProgram } from "./python.ts";
+import { t } from "../words/translate.ts";
 
 const SHARE_ICON = "M12 15V4M8 7.5 12 4l4 3.5M5 12v7h14v-7";
 
 export function mountShare(root: HTMLElement, store: Store, context: Context): void {
-  const title = h("h2", { id: uniqueId("share") }, "Share this shot");
+  const title = h("h2", { id: uniqueId("share") }, t("share.title"));
   const dialog = h("dialog", { id: "share-dialog", "aria-labelledby": title.id });
-  const close = action("Close", "close-share", () => dialog.close());
+  const close = action(t("share.close"), "close-share", () => dialog.close());
   const copier = mountCopier();
   const linkPart = mountLink(store, context.engine, copier.copy);
   const shotText = (): string => `${toPrettyJson(store.shot.file)}\n`;
@@ -26,17 +27,19 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
     h("div", { class: "head" }, title, close),
     linkPart.section,
     section(
-      "Files",
-      action("Copy as Python", "copy-python", () =>
-        copier.copy(pythonProgram(store.shot.file), "Python program"),
+      t("share.files"),
+      action(t("share.python"), "copy-python", () =>
+        copier.copy(pythonProgram(store.shot.file), t("share.python-copied")),
       ),
-      action("Copy shot file", "copy-shot", () => copier.copy(shotText(), "Shot file")),
-      action("Download shot file", "download-shot", () => download(shotText(), "shot.json")),
-      action("Download trace", "download-trace", () => copier.say(downloadTrace(store))),
+      action(t("share.copy-shot"), "copy-shot", () =>
+        copier.copy(shotText(), t("share.shot-copied")),
+      ),
+      action(t("share.download-shot"), "download-shot", () => download(shotText(), "shot.json")),
+      action(t("share.download-trace"), "download-trace", () => copier.say(downloadTrace(store))),
     ),
     section(
-      "Picture of the table as you see it",
-      action("Download PNG", "download-png", async () => {
+      t("share.picture"),
+      action(t("share.png"), "download-png", async () => {
         download(await context.viewer.capture(), "carom.png");
       }),
     ),
@@ -52,9 +55,15 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
   };
   const share = h(
     "button",
-    { type: "button", class: "button", id: "share-button", "aria-label": "Share", onclick: open },
+    {
+      type: "button",
+      class: "button",
+      id: "share-button",
+      "aria-label": t("share.share"),
+      onclick: open,
+    },
     icon(SHARE_ICON),
-    h("span", { class: "wide-only" }, "Share"),
+    h("span", { class: "wide-only" }, t("share.share")),
   );
   root.append(openButton(store, context), share);
   mountDrop(store, context);
@@ -63,19 +72,17 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
 function mountLink(
   store: Store,
   engine: Engine,
-  copyText: (text: string, what: string) => Promise<void>,
+  copyText: (text: string, done: string) => Promise<void>,
 ): { section: HTMLElement; refresh: () => void } {
   const address = h("input", { type: "text", readonly: true, id: uniqueId("link") });
   address.addEventListener("focus", () => address.select());
-  const label = h("label", { for: address.id, class: "unseen" }, "Link");
-  const button = action("Copy link", "copy-link", () => copyText(address.value, "Link"));
-  const none = h(
-    "p",
-    { class: "hint" },
-    "In a frame of another page there is no link: copy the shot file instead.",
+  const label = h("label", { for: address.id, class: "unseen" }, t("share.link"));
+  const button = action(t("share.copy-link"), "copy-link", () =>
+    copyText(address.value, t("share.link-copied")),
   );
+  const none = h("p", { class: "hint" }, t("share.no-link"));
   return {
-    section: section("Link with everything on this page", label, address, button, none),
+    section: section(t("share.link-heading"), label, address, button, none),
     refresh: () => {
       const here = link(store, engine);
       address.value = here ?? "";
@@ -87,7 +94,8 @@ function mountLink(
 
 interface Copier {
   root: HTMLElement;
-  copy: (text: string, what: string) => Promise<void>;
+  /** Copies a text; `done` is the sentence that confirms it. */
+  copy: (text: string, done: string) => Promise<void>;
   say: (sentence: string) => void;
   clear: () => void;
 }
@@ -95,7 +103,7 @@ interface Copier {
 /** Copies text and confirms it; if the browser forbids copying, shows the text selected. */
 function mountCopier(): Copier {
   const said = h("p", { class: "said", role: "status" });
-  const text = h("textarea", { readonly: true, rows: 8, "aria-label": "Text to copy" });
+  const text = h("textarea", { readonly: true, rows: 8, "aria-label": t("share.text") });
   const say = (sentence: string): void => {
     setText(said, sentence);
     text.hidden = true;
@@ -104,12 +112,12 @@ function mountCopier(): Copier {
     root: h("div", {}, said, text),
     say,
     clear: () => say(""),
-    copy: async (content, what) => {
+    copy: async (content, done) => {
       if (await copy(content)) {
-        say(`${what} copied.`);
+        say(done);
         return;
       }
-      say("The browser does not allow this page to copy. Here is the text, selected:");
+      say(t("share.not-allowed"));
       text.hidden = false;
       text.value = content;
       text.focus();
@@ -129,8 +137,7 @@ function action(label: string, id: string, run: () => unknown): HTMLButtonElemen
 /** @returns The message to show. */
 function downloadTrace(store: Store): string {
   const trace = store.session.trace ?? store.ghost.trace;
-  if (!trace)
-    return store.ghost.error ?? "This shot has no trace: change it until it can be played.";
+  if (!trace) return store.ghost.error ?? t("share.no-trace");
   download(`${trace.json()}\n`, "trace.json");
-  return "Trace downloaded.";
+  return t("share.trace-downloaded");
 }

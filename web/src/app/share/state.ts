@@ -6,6 +6,7 @@ import { FIRST_VIEW, type View } from "../document/document.ts";
 import { type Game, LONGEST_NAME } from "../document/game.ts";
 import type { State } from "../document/store.ts";
 import { fromFragment, isLink, LinkError, toFragment } from "./link.ts";
+import { t } from "../words/translate.ts";
 
 /** The state in a link. Its structure is checked; shot, noise and game still need the engine's check. */
 export interface LinkState {
@@ -67,7 +68,7 @@ export function stateToFragment(shot: ShotFile, { document, view, session }: Sta
 export function stateFromFragment(fragment: string): LinkState | null {
   if (!isLink(fragment)) return null;
   const data = fromFragment(fragment);
-  if (!isRecord(data) || !isRecord(data.shot)) throw new LinkError("This link contains no shot.");
+  if (!isRecord(data) || !isRecord(data.shot)) throw new LinkError(t("link.no-shot"));
   return {
     shot: data.shot as unknown as ShotFile,
     noise: noiseOf(data.noise),
@@ -80,9 +81,9 @@ export function stateFromFragment(fragment: string): LinkState | null {
 
 /** A part of a link that cannot be read. */
 function broken(place: string, found: unknown, remedy: string): LinkError {
-  return new LinkError(
-    `This link cannot be opened. ${place}: found ${found === undefined ? "nothing" : JSON.stringify(found)}; ${remedy}.`,
-  );
+  const value = found === undefined ? "nothing" : JSON.stringify(found);
+  // The details are for the programmer who made the link.
+  return new LinkError(t("link.refused", { why: `${place}: found ${value}; ${remedy}` }));
 }
 
 function noiseOf(data: unknown): Noise | null {
@@ -117,9 +118,7 @@ function gameOf(data: unknown): Game | null {
   if (isRecord(data) && isRecord(data.setup) && Array.isArray(data.moves)) {
     const { rules, options, from, names, skills } = data.setup;
     if (data.moves.length > MOST_MOVES) {
-      throw new LinkError(
-        `The game in this link has ${data.moves.length} moves; this page opens at most ${MOST_MOVES}: end the game, then copy the link again.`,
-      );
+      throw new LinkError(t("link.moves", { moves: data.moves.length, most: MOST_MOVES }));
     }
     const isSound =
       isText(rules) &&
@@ -131,9 +130,7 @@ function gameOf(data: unknown): Game | null {
       data.moves.every(isMove);
     if (isSound) return data as unknown as Game;
   }
-  throw new LinkError(
-    "The game in this link cannot be read: ask for a link that was copied from this page.",
-  );
+  throw new LinkError(t("link.game"));
 }
 
 function isMove(move: unknown): boolean {

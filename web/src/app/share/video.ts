@@ -1,6 +1,8 @@
 /** Encodes a film of the replay frame by frame, so that slow drawing does not make it stutter. */
 
+import { PageError } from "../common/refusals.ts";
 import { ArrayBufferTarget, Muxer } from "mp4-muxer";
+import { t } from "../words/translate.ts";
 
 /** The shot to film. */
 export interface Film {
@@ -55,9 +57,7 @@ async function firstCodec(size: { width: number; height: number }, fps: number) 
     const config = { codec: encode, ...size, bitrate, framerate: fps };
     if ((await VideoEncoder.isConfigSupported(config)).supported) return { config, mux };
   }
-  throw new Error(
-    "This browser cannot encode a film: use a recent Chrome, Edge, Firefox or Safari.",
-  );
+  throw new PageError(t("film.cannot"));
 }
 
 /** Microseconds, the unit of encoders. */

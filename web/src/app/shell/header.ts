@@ -5,6 +5,8 @@ import type { Context } from "../common/context.ts";
 import type { Camera, Theme } from "../document/document.ts";
 import { h, icon } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
+import { languageChoice } from "./language.ts";
+import { t } from "../words/translate.ts";
 
 const ICONS = {
   undo: "M8 4L4 8l4 4M4 8h10a5.5 5.5 0 0 1 0 11h-4",
@@ -20,19 +22,9 @@ const ICONS = {
   help: "M9 9a3 3 0 1 1 4.2 2.8c-.8.4-1.2 1-1.2 2M12 17.5h.01M12 3a9 9 0 1 0 .01 0",
 } as const;
 
-const CAMERAS: Readonly<Record<Camera, string>> = {
-  top: "From above",
-  orbit: "Free camera: drag to turn it",
-  cue: "Behind the cue",
-};
+const CAMERAS: readonly Camera[] = ["top", "orbit", "cue"];
 
 const THEMES: readonly Theme[] = ["auto", "light", "dark"];
-const THEME_NAMES: Readonly<Record<Theme, string>> = {
-  auto: "as the system",
-  light: "light",
-  dark: "dark",
-};
-
 type Button = HTMLButtonElement;
 
 function iconButton(name: keyof typeof ICONS, label: string, onclick: () => void): Button {
@@ -47,13 +39,19 @@ function name(button: Button, label: string): void {
 
 /** Undo and redo. A button without effect is marked as disabled but can still have the focus. */
 export function mountHistory(root: HTMLElement, store: Store, context: Context): void {
-  const back = iconButton("undo", "Undo", () => undo(store, context));
-  const again = iconButton("redo", "Redo", () => redo(store, context));
+  const back = iconButton("undo", t("history.undo"), () => undo(store, context));
+  const again = iconButton("redo", t("history.redo"), () => redo(store, context));
   root.append(back, again);
   const show = () => {
     const { undoLabel, redoLabel } = store;
-    name(back, undoLabel === null ? "Undo" : `Undo: ${undoLabel}`);
-    name(again, redoLabel === null ? "Redo" : `Redo: ${redoLabel}`);
+    name(
+      back,
+      undoLabel === null ? t("history.undo") : t("history.undo-change", { change: undoLabel }),
+    );
+    name(
+      again,
+      redoLabel === null ? t("history.redo") : t("history.redo-change", { change: redoLabel }),
+    );
     back.setAttribute("aria-disabled", String(undoLabel === null));
     again.setAttribute("aria-disabled", String(redoLabel === null));
   };
@@ -64,14 +62,14 @@ export function mountHistory(root: HTMLElement, store: Store, context: Context):
 }
 
 export function mountCamera(root: HTMLElement, store: Store, context: Context): void {
-  const modes = Object.keys(CAMERAS) as Camera[];
+  const modes = CAMERAS;
   const choose = (mode: Camera) => {
     if (store.view.camera === mode) context.viewer.resetView();
     store.setView({ camera: mode });
     context.loop.invalidate();
   };
   const buttons = modes.map((mode) => {
-    const button = iconButton(mode, CAMERAS[mode], () => choose(mode));
+    const button = iconButton(mode, t(`camera.${mode}`), () => choose(mode));
     button.setAttribute("role", "radio");
     return button;
   });
@@ -95,16 +93,16 @@ export function mountCamera(root: HTMLElement, store: Store, context: Context): 
   show();
 }
 
-/** Theme and help. */
+/** Language, theme and help. */
 export function mountPageMenu(root: HTMLElement, store: Store, openHelp: () => void): void {
-  const theme = iconButton("auto", "Theme", () => {
+  const theme = iconButton("auto", t("theme.auto"), () => {
     const next = THEMES[(THEMES.indexOf(store.view.theme) + 1) % THEMES.length]!;
     store.setView({ theme: next });
   });
-  root.append(theme, iconButton("help", "Help and keys", openHelp));
+  root.append(languageChoice(), theme, iconButton("help", t("page.help"), openHelp));
   const show = () => {
     const now = store.view.theme;
-    name(theme, `Theme: ${THEME_NAMES[now]}`);
+    name(theme, t(`theme.${now}`));
     theme.replaceChildren(icon(ICONS[now]));
   };
   store.subscribe((now, before) => {

@@ -2,10 +2,10 @@
 
 import { h } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
+import { t } from "../words/translate.ts";
 
 interface Tab {
-  readonly name: string;
-  readonly label: string;
+  readonly name: "state" | "aim" | "layout" | "physics" | "game" | "whatif";
   /** Shown only during a replay. */
   readonly replay?: boolean;
   /** Shown only in free play: in a game its settings are fixed. */
@@ -15,12 +15,12 @@ interface Tab {
 }
 
 const TABS: readonly Tab[] = [
-  { name: "state", label: "Replay", replay: true },
-  { name: "aim", label: "Aim" },
-  { name: "layout", label: "Layout", free: true },
-  { name: "physics", label: "Physics", free: true },
-  { name: "game", label: "Game", notInReplay: true },
-  { name: "whatif", label: "What if" },
+  { name: "state", replay: true },
+  { name: "aim" },
+  { name: "layout", free: true },
+  { name: "physics", free: true },
+  { name: "game", notInReplay: true },
+  { name: "whatif" },
 ];
 
 /** Screens on which the style makes the panel a sheet, as in style.css; a replay needs that room. */
@@ -45,7 +45,11 @@ export function mountTabs(root: HTMLElement, store: Store): void {
     const controls = { "aria-controls": `panel-${tab.name}` };
     body(tab).setAttribute("role", "tabpanel");
     body(tab).setAttribute("aria-labelledby", `tab-${tab.name}`);
-    return h("button", { ...attributes, ...controls, onclick: () => click(tab) }, tab.label);
+    return h(
+      "button",
+      { ...attributes, ...controls, onclick: () => click(tab) },
+      t(`tab.${tab.name}`),
+    );
   });
   root.append(...buttons);
 

@@ -1,8 +1,10 @@
 /** The page's side of the what-if worker. */
 
 import type { Engine, Noise, Shot } from "../../engine/index.ts";
+import { refusalText } from "../common/refusals.ts";
 import type { FromWorker, ToWorker } from "./protocol.ts";
 import { Tally } from "./tally.ts";
+import { t } from "../words/translate.ts";
 
 /** The results of a request so far. */
 export interface VariantsProgress {
@@ -35,10 +37,7 @@ export class Variants {
     this.#worker = worker;
     this.#listener = listener;
     worker.onmessage = ({ data }: MessageEvent<FromWorker>) => this.#receive(data);
-    worker.onerror = () =>
-      listener.refused(
-        "This browser cannot simulate in the background: open the page in another browser.",
-      );
+    worker.onerror = () => listener.refused(t("whatif.no-worker"));
     this.#send({ kind: "engine", module: engine.module });
   }
 
@@ -79,7 +78,7 @@ export class Variants {
     if (message.generation !== this.#generation || !now) return;
     if (message.kind === "refused") {
       this.#progress = null;
-      this.#listener.refused(message.message);
+      this.#listener.refused(refusalText({ message: message.message, place: "" }));
       return;
     }
     if (message.kind === "paths") now.paths = message.paths;

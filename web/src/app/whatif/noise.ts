@@ -1,6 +1,8 @@
 /** Presets of execution noise, and its standard deviations in the page's units. */
 
 import type { Engine, Noise } from "../../engine/index.ts";
+import { levelName } from "../common/presets.ts";
+import { type PlainKey, t } from "../words/translate.ts";
 
 const RADIANS = Math.PI / 180;
 
@@ -22,22 +24,18 @@ export function presetsOf(
   const levels = Object.entries(engine.noisePresets).filter(([name]) => name !== "olympiad");
   return [
     {
-      origin: "Players (estimated)",
-      presets: levels.map(([name, noise]) => ({ name: capital(name), noise })),
+      origin: t("whatif.players"),
+      presets: levels.map(([name, noise]) => ({ name: levelName(name), noise })),
     },
     {
-      origin: "Computational Olympiad",
+      origin: t("whatif.olympiad"),
       presets: [
-        { name: "Olympiad × ½", noise: engine.olympiad(0.5) },
-        { name: "Olympiad", noise: engine.olympiad(1) },
-        { name: "Olympiad × 2", noise: engine.olympiad(2) },
+        { name: t("whatif.olympiad-half"), noise: engine.olympiad(0.5) },
+        { name: levelName("olympiad"), noise: engine.olympiad(1) },
+        { name: t("whatif.olympiad-double"), noise: engine.olympiad(2) },
       ],
     },
   ];
-}
-
-function capital(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 /** The preset that equals a noise, if there is one. */
@@ -50,9 +48,9 @@ export function presetOf(noise: Noise, known: readonly PresetGroup[]): Preset | 
 /** How the page shows a number of a noise. */
 export interface Sigma {
   readonly key: keyof Noise;
-  readonly label: string;
   readonly unit: string;
-  readonly spoken: string;
+  /** The unit for screen readers; null if the number has none. */
+  readonly spoken: PlainKey | null;
   /** The shown unit in the engine's unit. */
   readonly scale: number;
   /** Upper end and step of the slider, in the shown unit. */
@@ -63,45 +61,40 @@ export interface Sigma {
 export const SIGMAS: readonly Sigma[] = [
   {
     key: "speed",
-    label: "Speed",
     unit: "m/s",
-    spoken: "metres per second",
+    spoken: "unit.metres-per-second",
     scale: 1,
     max: 0.5,
     step: 0.005,
   },
   {
     key: "azimuth",
-    label: "Direction",
     unit: "°",
-    spoken: "degrees",
+    spoken: "unit.degrees",
     scale: RADIANS,
     max: 2,
     step: 0.005,
   },
   {
     key: "elevation",
-    label: "Elevation",
     unit: "°",
-    spoken: "degrees",
+    spoken: "unit.degrees",
     scale: RADIANS,
     max: 5,
     step: 0.01,
   },
   {
     key: "side_m",
-    label: "Tip, sideways",
     unit: "mm",
-    spoken: "millimetres",
+    spoken: "unit.millimetres",
     scale: 1e-3,
     max: 5,
     step: 0.05,
   },
   {
     key: "height_m",
-    label: "Tip, height",
     unit: "mm",
-    spoken: "millimetres",
+    spoken: "unit.millimetres",
     scale: 1e-3,
     max: 5,
     step: 0.05,
@@ -112,18 +105,16 @@ export const SIGMAS: readonly Sigma[] = [
 export const CLING: readonly Sigma[] = [
   {
     key: "cling_probability",
-    label: "Contacts that cling",
     unit: "%",
-    spoken: "per cent",
+    spoken: "unit.per-cent",
     scale: 0.01,
     max: 100,
     step: 0.5,
   },
   {
     key: "cling_friction",
-    label: "Their friction",
     unit: "",
-    spoken: "",
+    spoken: null,
     scale: 1,
     max: 0.5,
     step: 0.01,

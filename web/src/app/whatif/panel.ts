@@ -4,6 +4,7 @@ import "./panel.css";
 import { CaromError, type Noise } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, uniqueId } from "../common/dom.ts";
+import { errorText } from "../common/refusals.ts";
 import { mountField } from "../form/field.ts";
 import { canAim } from "../game/play.ts";
 import type { State, Store } from "../document/store.ts";
@@ -11,6 +12,7 @@ import { type VariantsProgress, Variants } from "./client.ts";
 import { CLING, presetOf, presetsOf, type Sigma, SIGMAS } from "./noise.ts";
 import { mountResult } from "./result.ts";
 import VariantsWorker from "./worker.ts?worker&inline";
+import { inSentence, t } from "../words/translate.ts";
 
 /** Variants per change of the shot: the standard error of a chance of one half is then 1.6 %. */
 const COUNT = 1000;
@@ -28,23 +30,13 @@ export function mountWhatIf(root: HTMLElement, store: Store, context: Context): 
   const on = h("input", { type: "checkbox", id: uniqueId("noise"), role: "switch" });
   on.addEventListener("change", () => {
     const noise = on.checked ? context.engine.olympiad() : null;
-    store.apply({ noise }, on.checked ? "simulate errors" : "no errors");
+    store.apply({ noise }, t(on.checked ? "change.noise-on" : "change.noise-off"));
   });
-  const intro = h(
-    "p",
-    { class: "hint" },
-    "No player strikes exactly as intended. Set the size of your errors to see ",
-    `${COUNT} variants of this shot.`,
-  );
+  const intro = h("p", { class: "hint" }, t("whatif.intro", { count: COUNT }));
   const settings = h("div", { class: "settings" });
-  const result = h("section", { "aria-label": "Result" });
+  const result = h("section", { "aria-label": t("whatif.result") });
   root.append(
-    h(
-      "div",
-      { class: "switch row" },
-      on,
-      h("label", { for: on.id }, "Simulate errors of the player"),
-    ),
+    h("div", { class: "switch row" }, on, h("label", { for: on.id }, t("whatif.simulate"))),
     intro,
     result,
     settings,
@@ -116,20 +108,20 @@ function mountSettings(root: HTMLElement, store: Store, context: Context): void 
     "select",
     { id: uniqueId("preset") },
     ...groups,
-    h("option", { value: "", disabled: true }, "Your own"),
+    h("option", { value: "", disabled: true }, t("whatif.own")),
   );
   preset.addEventListener("change", () => {
     const all = known.flatMap(({ presets }) => presets);
     const chosen = all.find(({ name }) => name === preset.value);
-    if (chosen) store.apply({ noise: chosen.noise }, "errors of the player");
+    if (chosen) store.apply({ noise: chosen.noise }, t("change.noise"));
   });
   root.append(
-    h("h2", {}, "Size of the errors (standard deviation)"),
-    h("div", { class: "row" }, h("label", { for: preset.id }, "Like"), preset),
+    h("h2", {}, t("whatif.size")),
+    h("div", { class: "row" }, h("label", { for: preset.id }, t("whatif.like")), preset),
   );
   for (const sigma of SIGMAS) mountSigma(root, store, context, sigma);
-  root.append(h("h2", {}, "Random numbers"), seedRow(store));
-  root.append(h("h2", {}, "Cling between balls"));
+  root.append(h("h2", {}, t("whatif.random")), seedRow(store));
+  root.append(h("h2", {}, t("whatif.cling")));
   for (const number of CLING) mountSigma(root, store, context, number);
   store.subscribe(() => {
     const { noise } = store.document;
@@ -138,11 +130,12 @@ function mountSettings(root: HTMLElement, store: Store, context: Context): void 
 }
 
 function mountSigma(root: HTMLElement, store: Store, context: Context, sigma: Sigma): void {
-  const { key, label, unit, spoken, scale, max, step } = sigma;
+  const { key, unit, spoken, scale, max, step } = sigma;
+  const label = t(`sigma.${key}`);
   mountField(root, store, context, {
     label,
     unit,
-    spoken,
+    spoken: spoken === null ? "" : t(spoken),
     digits: 4,
     min: () => 0,
     max: () => max,
@@ -157,10 +150,10 @@ function mountSigma(root: HTMLElement, store: Store, context: Context, sigma: Si
         context.engine.checkNoise(noise);
       } catch (error) {
         if (!(error instanceof CaromError)) throw error;
-        store.refuse(error.message);
+        store.refuse(errorText(error));
         return false;
       }
-      return store.apply({ noise }, `error of ${label.toLowerCase()}`, group);
+      return store.apply({ noise }, t("change.sigma", { name: inSentence(label) }), group);
     },
   });
 }
@@ -176,14 +169,14 @@ function seedRow(store: Store): HTMLElement {
   seed.addEventListener("change", () => {
     const value = Number(seed.value);
     if (seed.value !== "" && Number.isInteger(value) && value >= 0 && value <= LARGEST_SEED) {
-      store.apply({ seed: value }, "seed");
+      store.apply({ seed: value }, t("change.seed"));
     } else {
-      store.refuse(`Seed: write a whole number from 0 to ${LARGEST_SEED}.`);
+      store.refuse(t("whatif.seed-range", { largest: LARGEST_SEED }));
       seed.value = String(store.document.seed);
     }
   });
   const draw = (): void => {
-    store.apply({ seed: Math.floor(Math.random() * (LARGEST_DRAWN_SEED + 1)) }, "seed");
+    store.apply({ seed: Math.floor(Math.random() * (LARGEST_DRAWN_SEED + 1)) }, t("change.seed"));
   };
   const follow = (): void => {
     seed.value = String(store.document.seed);
@@ -196,10 +189,10 @@ function seedRow(store: Store): HTMLElement {
     h(
       "div",
       { class: "row" },
-      h("label", { for: seed.id }, "Seed"),
+      h("label", { for: seed.id }, t("whatif.seed")),
       seed,
-      h("button", { type: "button", class: "button", onclick: draw }, "Another"),
+      h("button", { type: "button", class: "button", onclick: draw }, t("whatif.another")),
     ),
-    h("p", { class: "hint" }, "The same seed gives the same errors, here and in Python."),
+    h("p", { class: "hint" }, t("whatif.seed-hint")),
   );
 }

@@ -2,10 +2,12 @@
 
 import { h, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
-import { ballName, sentence } from "../common/words.ts";
+import { refusalText } from "../common/refusals.ts";
+import { ballName } from "../common/words.ts";
 import type { VariantsProgress } from "./client.ts";
 import { type Chance, chanceInWords } from "./statistics.ts";
 import type { Tally } from "./tally.ts";
+import { decimal, paragraph, sentence, t } from "../words/translate.ts";
 
 /** Time (ms) without a change after which the result is read to screen readers. */
 const REST = 1000;
@@ -13,7 +15,7 @@ const REST = 1000;
 export function mountResult(
   root: HTMLElement,
 ): (progress: VariantsProgress | string | null, store: Store) => void {
-  const heading = h("h2", { id: uniqueId("chances") }, "Chance to be pocketed");
+  const heading = h("h2", { id: uniqueId("chances") }, t("chance.heading"));
   const body = h("tbody");
   const table = h(
     "table",
@@ -24,14 +26,14 @@ export function mountResult(
       h(
         "tr",
         {},
-        h("th", { scope: "col" }, "Ball"),
-        h("th", { scope: "col" }, "Chance to be pocketed"),
+        h("th", { scope: "col" }, t("chance.ball")),
+        h("th", { scope: "col" }, t("chance.heading")),
       ),
     ),
     body,
   );
   const notes = h("p", { class: "notes" });
-  const bar = h("progress", { max: 1, "aria-label": "Variants simulated" });
+  const bar = h("progress", { max: 1, "aria-label": t("chance.simulated") });
   const count = h("p", { class: "hint", id: "variants" });
   const spoken = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
   root.append(heading, table, notes, bar, count, spoken);
@@ -48,10 +50,12 @@ export function mountResult(
     const { tally, done, elapsed } = progress;
     const rows = rowsOf(tally, store);
     body.replaceChildren(...rows.map(rowElement));
-    setText(notes, notesOf(tally, store).join(" "));
+    setText(notes, paragraph(notesOf(tally, store)));
     bar.value = tally.count / tally.total;
     bar.hidden = done;
-    setText(count, done ? `${tally.count} variants in ${elapsed.toFixed(0)} ms` : "Simulating …");
+    const milliseconds = decimal(elapsed, 0);
+    const counted = { count: tally.count, milliseconds };
+    setText(count, done ? t("chance.count", counted) : t("chance.simulating"));
     count.dataset.done = String(done);
     if (done) resting = setTimeout(() => setText(spoken, inSentence(rows)), REST);
   };
@@ -66,7 +70,7 @@ interface Row {
 function rowsOf(tally: Tally, store: Store): Row[] {
   const { balls, struck } = store.shot;
   const rows = balls.map(({ id }, index) => ({
-    name: index === struck ? `${ballName(id)} (scratch)` : ballName(id),
+    name: index === struck ? t("chance.scratch", { ball: ballName(id) }) : ballName(id),
     chance: tally.pocketed(index),
     first: index === struck,
   }));
@@ -88,13 +92,16 @@ function notesOf(tally: Tally, { shot }: Store): string[] {
   const notes = shot.balls.flatMap(({ id }, index) => {
     const off = tally.off(index);
     return off.hits > 0
-      ? [sentence(`${ballName(id)} leaves the table: ${chanceInWords(off)}`)]
+      ? [sentence(t("chance.off", { ball: ballName(id), chance: chanceInWords(off) }))]
       : [];
   });
   if (tally.failed > 0) {
     notes.push(
-      `${tally.failed} of ${tally.count} variants could not be played and count as nothing pocketed: ` +
-        (tally.reason ?? ""),
+      t("chance.failed", {
+        failed: tally.failed,
+        count: tally.count,
+        why: refusalText({ message: tally.reason ?? "", place: "" }),
+      }),
     );
   }
   return notes;
@@ -103,6 +110,9 @@ function notesOf(tally: Tally, { shot }: Store): string[] {
 /** The most likely balls in a sentence. */
 function inSentence(rows: readonly Row[]): string {
   const likely = rows.filter(({ chance }) => chance.hits > 0).slice(0, 3);
-  if (likely.length === 0) return "No ball is pocketed in any variant.";
-  return `Chance to be pocketed: ${likely.map(({ name, chance }) => `${name} ${chanceInWords(chance)}`).join(", ")}.`;
+  if (likely.length === 0) return t("chance.none");
+  const balls = likely.map(({ name, chance }) =>
+    t("chance.of-ball", { ball: name, chance: chanceInWords(chance) }),
+  );
+  return t("chance.likely", { balls: balls.join(", ") });
 }

@@ -1,5 +1,7 @@
 /** Chances from counts of variants. */
 
+import { decimal, t } from "../words/translate.ts";
+
 /** An estimated chance: `hits` of `count` variants. */
 export interface Chance {
   hits: number;
@@ -29,13 +31,14 @@ export function bound(count: number): number {
 
 /** The chance in words: "37.2 % ± 1.5 %", "less than 0.3 %", "more than 99.7 %". */
 export function chanceInWords(of: Chance): string {
-  if (of.count === 0) return "not known yet";
-  if (of.hits === 0) return `less than ${percent(bound(of.count), Math.ceil)}`;
-  if (of.hits === of.count) return `more than ${percent(1 - bound(of.count), Math.floor)}`;
-  return `${percent(of.value)} ± ${percent(of.standardError)}`;
+  if (of.count === 0) return t("chance.unknown");
+  if (of.hits === 0) return t("chance.less", { percent: percent(bound(of.count), Math.ceil) });
+  if (of.hits === of.count)
+    return t("chance.more", { percent: percent(1 - bound(of.count), Math.floor) });
+  return t("chance.value", { percent: percent(of.value), error: percent(of.standardError) });
 }
 
 /** Percent with one decimal; bounds are rounded away from 0 or 1. */
 function percent(share: number, round: (x: number) => number = Math.round): string {
-  return `${(round(share * 1000) / 10).toFixed(1)} %`;
+  return t("chance.percent", { number: decimal(round(share * 1000) / 10, 1) });
 }

@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
 import { load } from "../../../src/engine/index.ts";
+import { title } from "../../../src/app/common/parameter-names.ts";
 import {
   isChanged,
   label,
   merged,
   parameters,
-  title,
   type Values,
   valueAt,
   withoutValue,

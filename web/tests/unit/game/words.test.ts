@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
 import type { FrameState, Request, Ruling, ShotRequest } from "../../../src/engine/index.ts";
 import type { PlayedMove } from "../../../src/app/game/progress.ts";
+import { gameName } from "../../../src/app/common/presets.ts";
 import {
   callInWords,
   choiceInWords,
-  gameName,
   headline,
   requestInWords,
   rulingInWords,

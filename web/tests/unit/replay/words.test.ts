@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import type { TraceEvent } from "../../../src/engine/index.ts";
-import { eventInWords, listInWords, rpm } from "../../../src/app/replay/words.ts";
+import { list } from "../../../src/app/words/translate.ts";
+import { eventInWords, rpm } from "../../../src/app/replay/words.ts";
 
 const event = (fields: object): TraceEvent =>
   ({ time: 0, before: [], after: [], ...fields }) as unknown as TraceEvent;
@@ -60,7 +61,7 @@ describe("an event in words", () => {
 });
 
 test('a list has "and" before its last item', () => {
-  expect([[], ["a"], ["a", "b"], ["a", "b", "c"]].map(listInWords)).toStrictEqual([
+  expect([[], ["a"], ["a", "b"], ["a", "b", "c"]].map((items) => list(items))).toStrictEqual([
     "",
     "a",
     "a and b",

@@ -1,0 +1,131 @@
+/**
+ * What is wrong, as a sentence for players.
+ *
+ * The engine's messages name keys of the shot file, in English. The common ones are recognised here and
+ * replaced; the others are shown as they are, since they have details that only the engine has.
+ */
+
+import { CaromError, type PocketName, type RailName } from "../../engine/index.ts";
+import { decimal, named, type PlainKey, sentence, t } from "../words/translate.ts";
+import { nameOf } from "./parameter-names.ts";
+import { ballName, lengthText, obstructionBy, pocketName, railName } from "./words.ts";
+
+/** A refusal by the page. Its message is already a sentence for players. */
+export class PageError extends CaromError {}
+
+/** The part of an engine's error that is read here; a worker sends only this. */
+export interface Refused {
+  readonly message: string;
+  readonly place: string;
+}
+
+type Balls = readonly { readonly id: string }[];
+type Rule = readonly [pattern: RegExp, text: (found: RegExpExecArray, ball: string) => string];
+
+/** Patterns of the engine's messages, in the crates `carom` and `carom-rules`. */
+const RULES: readonly Rule[] = [
+  [
+    /ball "(.*)" overlaps balls\[\d+\] \("(.*)"\) by (\S+) m/,
+    ([, id, other, depth]) =>
+      sentence(
+        t("error.overlap", {
+          ball: ballName(id!),
+          other: ballName(other!),
+          depth: depthText(Number(depth)),
+        }),
+      ),
+  ],
+  [
+    /m deep in the \w+ of the ([\w-]+) cushion/,
+    ([, rail], ball) => sentence(t("error.in-rail", { ball, rail: railName(rail as RailName) })),
+  ],
+  [
+    /the ball stands over the ([\w-]+) pocket/,
+    ([, pocket], ball) =>
+      sentence(t("error.in-pocket", { ball, pocket: pocketName(pocket as PocketName) })),
+  ],
+  [
+    /the ball is (?:outside the table|beyond the rails)/,
+    (_, ball) => sentence(t("error.outside", { ball })),
+  ],
+  [/a miscue: /, () => t("error.miscue")],
+  [/the tip would miss the ball/, () => t("error.off-ball")],
+  [
+    /the cue would pass through (?:ball "(.*?)"|the ([\w-]+) rail); (?:raise the elevation to (\S+))?/,
+    ([, id, rail, least]) =>
+      obstructionBy(id ?? rail ?? "", least === undefined ? null : Number(least)),
+  ],
+  [
+    /^(noise\.(\w+)): \S+ is out of range/,
+    ([whole, , key]) => {
+      const name = named("sigma", key!);
+      return name === null ? whole : t("error.noise", { name });
+    },
+  ],
+  [
+    /^([\w.[\]]+): (\S+) is out of range; write (.+)$/,
+    ([whole, place, value, wanted]) => outOfRange(place!, Number(value), wanted!) ?? whole,
+  ],
+  [/^max_events: /, () => t("error.too-many-events")],
+  ...sentences([
+    [/^call: nothing is called/, "error.no-call"],
+    [/^call: no ball is nominated/, "error.no-nomination"],
+    [/^call: this shot is not called/, "error.not-called"],
+    [/^call: the called ball is not on the table/, "error.called-ball-gone"],
+    [/^call: a safety is not called/, "error.no-safety"],
+    [/^call: a push-out is allowed only/, "error.no-push-out"],
+    [/^call: that ball cannot be nominated/, "error.wrong-nomination"],
+    [/^cue_ball: .* is not behind the head string/, "error.hand.behind-head-string"],
+    [/^cue_ball: .* is not in the D/, "error.hand.the-d"],
+    [/^cue_ball: .* is not on the table/, "error.hand.on-table"],
+    [/^cue_ball: it would touch another ball/, "error.hand.touches"],
+    [/^choice: ".*" is not among the choices/, "error.not-a-choice"],
+    [/^concede: the frame is over/, "error.frame-over"],
+  ]),
+];
+
+function sentences(rules: readonly (readonly [RegExp, PlainKey])[]): Rule[] {
+  return rules.map(([pattern, key]) => [pattern, () => sentence(t(key))]);
+}
+
+/** The refusal as a sentence. `balls` are those of the refused shot. */
+export function refusalText({ message, place }: Refused, balls: Balls = []): string {
+  const index = /^balls\[(\d+)\]/.exec(place)?.[1];
+  const id = index === undefined ? undefined : balls[Number(index)]?.id;
+  const ball = id === undefined ? t("error.a-ball") : ballName(id);
+  for (const [pattern, text] of RULES) {
+    const found = pattern.exec(message);
+    if (found) return text(found, ball);
+  }
+  return t("error.other", { message });
+}
+
+/** Any error as text: a refusal for players, or type and message of another error. */
+export function errorText(error: unknown, balls: Balls = []): string {
+  if (error instanceof PageError) return error.message;
+  if (error instanceof CaromError) return refusalText(error, balls);
+  return error instanceof Error ? `${error.name}: ${error.message}` : String(error);
+}
+
+/** Most overlaps are below a millimetre, so they have a decimal. */
+function depthText(metres: number): string {
+  return metres < 0.1 ? t("length.mm", { length: decimal(1000 * metres, 1) }) : lengthText(metres);
+}
+
+/** Null if the place has no name on the page, or the range is of another form. */
+function outOfRange(place: string, value: number, wanted: string): string | null {
+  const name = nameOf(place);
+  const range = rangeText(wanted);
+  return name === null || range === null ? null : t("error.range", { name, value, range });
+}
+
+function rangeText(wanted: string): string | null {
+  if (wanted.startsWith("a number greater than 0")) return t("error.range.positive");
+  if (wanted.startsWith("a number ≥ 0")) return t("error.range.not-negative");
+  const [, open, low, high, close, unit] =
+    /^a number in ([[(])(\S+), (\S+)([\])])(.*)$/.exec(wanted) ?? [];
+  if (open === undefined) return null;
+  const ends = { low: Number(low), high: Number(high), unit: unit! };
+  if (open === "(") return t("error.range.above-to", ends);
+  return close === ")" ? t("error.range.from-below", ends) : t("error.range.from-to", ends);
+}

@@ -1,0 +1,105 @@
+import type * as en from "../en/index.ts";
+import type { Translation } from "../entry.ts";
+
+export const page: Translation<typeof en.page> = {
+  "page.skip": "Zum Tisch springen",
+  "page.history": "Verlauf",
+  "page.camera": "Kamera",
+  "page.table": "Tisch",
+  "page.table-role": "Billardtisch",
+  "page.table-keys":
+    "Tisch. Pfeiltasten drehen das Queue und ändern das Tempo, die Eingabetaste stößt, das Fragezeichen zeigt alle Tasten.",
+  "page.shot": "Stoß",
+  "page.settings": "Einstellungen",
+
+  "history.undo": "Rückgängig",
+  "history.redo": "Wiederholen",
+  "history.undo-change": "Rückgängig: {change}",
+  "history.redo-change": "Wiederholen: {change}",
+  "history.undone": "Rückgängig gemacht: {change}",
+  "history.redone": "Wiederholt: {change}",
+  "history.nothing-to-undo": "Es gibt nichts rückgängig zu machen.",
+  "history.nothing-to-redo": "Es gibt nichts zu wiederholen.",
+
+  "camera.top": "Von oben",
+  "camera.orbit": "Freie Kamera: durch Ziehen drehen",
+  "camera.cue": "Hinter dem Queue",
+
+  "theme.auto": "Farben: wie das System",
+  "theme.light": "Farben: hell",
+  "theme.dark": "Farben: dunkel",
+  "page.language": "Sprache",
+  "page.help": "Hilfe und Tasten",
+
+  "tab.state": "Film",
+  "tab.aim": "Zielen",
+  "tab.layout": "Lage",
+  "tab.physics": "Physik",
+  "tab.game": "Spiel",
+  "tab.whatif": "Streuung",
+
+  "steps.title": "Erste Schritte",
+  "steps.next": "Weiter",
+  "steps.skip": "Überspringen",
+  "steps.done": "Fertig",
+  "steps.count": "{step} von {steps}",
+  "steps.0": "Ziehen Sie auf dem Tuch, um das Queue zu drehen. Die Linien zeigen den ganzen Stoß.",
+  "steps.1":
+    "Klicken Sie unter Zielen auf den Ball: Effet, Nachläufer oder Rückläufer. Tempo und Neigung stehen darunter.",
+  "steps.2":
+    "Drücken Sie Stoßen. Gehen Sie dann durch den Film, oder spielen Sie von der neuen Lage weiter.",
+  "steps.3":
+    "Ziehen Sie eine Kugel an einen anderen Platz. Jede Änderung lässt sich rückgängig machen.",
+
+  "help.title": "So benutzen Sie diesen Tisch",
+  "help.aim": "Zielen",
+  "help.aim-text":
+    "Ziehen Sie auf dem Tuch, um das Queue zu drehen, oder tippen Sie auf das Tuch, um dorthin zu zielen.",
+  "help.strike": "Treffpunkt",
+  "help.strike-text":
+    "Klicken Sie unter Zielen auf den Ball: Effet, Nachläufer oder Rückläufer. Daneben stehen Tempo, Neigung und Richtung.",
+  "help.ahead": "Vorausschau",
+  "help.ahead-text":
+    "Während Sie zielen, berechnet die Seite den ganzen Stoß, zeichnet die Wege der Kugeln und beschreibt unter dem Tisch, was geschieht.",
+  "help.shoot": "Stoßen",
+  "help.shoot-text":
+    "Spielt den Stoß. „Von hier weiterspielen“ macht aus der Endlage die neue Lage.",
+  "help.move": "Kugeln verschieben",
+  "help.move-text":
+    "Ziehen Sie eine Kugel. Wo sie nicht liegen darf, wird sie rot, die Seite nennt den Grund, und die Kugel geht zurück.",
+  "help.game": "Ein Spiel spielen",
+  "help.game-text":
+    "Unter Spiel spielen zwei Personen mit Schiedsrichter. Tippen Sie Kugel und Tasche an, um sie anzusagen. Auch Stöße lassen sich rückgängig machen.",
+  "help.else": "Alles andere",
+  "help.else-text":
+    "Unter Lage stehen Aufbau, Tische und Kugeln, unter Physik die Modelle und ihre Beiwerte.",
+  "help.keys": "Tasten",
+  "help.keys-hint": "Pfeiltasten, Eingabe- und Leertaste wirken, wenn der Tisch den Fokus hat.",
+  "help.software": "Software in dieser Seite und ihre Lizenzen",
+  "help.licenses": "Lizenzen",
+  "help.steps": "Erste Schritte zeigen",
+  "help.close": "Schließen",
+
+  "key.turn": "Queue um 1° drehen; mit Umschalt um 0,1°",
+  "key.speed": "Tempo um 0,1 m/s ändern; mit Umschalt um 0,01 m/s",
+  "key.shoot": "Stoßen",
+  "key.next-ball": "Nächste Kugel wählen; mit Umschalt die vorige",
+  "key.aim-at": "Auf die Mitte der gewählten Kugel zielen",
+  "key.no-ball": "Keine Kugel ist gewählt: Drücken Sie N, um eine zu wählen.",
+  "key.fine": "Feineinstellung ein oder aus: Ziehen und Tasten wirken ein Zehntel so stark",
+  "key.play": "Film abspielen oder anhalten",
+  "key.events": "Im Film: zum vorigen oder nächsten Ereignis",
+  "key.take": "Von hier weiterspielen: Die Endlage wird die neue Lage",
+  "key.escape": "Film beenden; beim Zielen: Auswahl aufheben",
+  "key.undo": "Rückgängig",
+  "key.redo": "Wiederholen",
+  "key.top": "Blick von oben",
+  "key.orbit": "Freie Kamera",
+  "key.cue": "Blick hinter dem Queue",
+  "key.help": "Diese Hilfe zeigen",
+  "keyname.enter": "Eingabe",
+  "keyname.space": "Leertaste",
+  "keyname.escape": "Esc",
+  "keyname.control": "Strg",
+  "keyname.shift": "Umschalt",
+};

@@ -1,0 +1,43 @@
+import type * as en from "../en/index.ts";
+import type { Translation } from "../entry.ts";
+
+export const presets: Translation<typeof en.presets> = {
+  "preset.pool": "Pool",
+  "preset.pool-new-cloth": "Pool, neues Tuch",
+  "preset.pool-worn-cloth": "Pool, altes Tuch",
+  "preset.pool-clean-balls": "Pool, saubere Kugeln",
+  "preset.pool-dirty-balls": "Pool, schmutzige Kugeln",
+  "preset.pool-gold-crown": "Pool, Banden Gold Crown",
+  "preset.pool-valley": "Pool, Banden Valley",
+  "preset.snooker": "Snooker",
+  "preset.english": "Englisches Pool",
+  "preset.carom": "Karambol, beheizt",
+  "preset.carom-2026-11": "Karambol",
+  "preset.poolfiz": "Poolfiz",
+  "preset.ideal": "Ideale Stöße",
+  "preset.wpa-9ft": "WPA, 9 Fuß",
+  "preset.wpa-8ft": "WPA, 8 Fuß",
+  "preset.bar-7ft": "Kneipentisch, 7 Fuß",
+  "preset.showood-7ft": "Showood, 7 Fuß",
+  "preset.snooker-12ft": "Snooker, 12 Fuß",
+  "preset.english-7ft": "Englisches Pool, 7 Fuß",
+  "preset.carom-10ft": "Karambol, 10 Fuß",
+  "preset.carom-9ft": "Karambol, 9 Fuß",
+  "preset.dated": "{name}, {month}",
+  "preset.earlier": "Frühere Werte",
+
+  "level.beginner": "Anfänger",
+  "level.casual": "Freizeit",
+  "level.club": "Verein",
+  "level.advanced": "Fortgeschritten",
+  "level.professional": "Profi",
+  "level.olympiad": "Olympiade",
+
+  "game.eight-ball": "8-Ball",
+  "game.nine-ball": "9-Ball",
+  "game.ten-ball": "10-Ball",
+  "game.straight-pool": "14/1 endlos",
+  "game.snooker": "Snooker",
+  "game.three-cushion": "Dreiband",
+  "game.practice": "Training",
+};

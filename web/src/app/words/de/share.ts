@@ -1,0 +1,71 @@
+import type * as en from "../en/index.ts";
+import type { Translation } from "../entry.ts";
+
+export const share: Translation<typeof en.share> = {
+  "share.share": "Teilen",
+  "share.title": "Diesen Stoß teilen",
+  "share.close": "Schließen",
+  "share.files": "Dateien",
+  "share.python": "Als Python kopieren",
+  "share.python-copied": "Python-Programm kopiert.",
+  "share.copy-shot": "Stoßdatei kopieren",
+  "share.shot-copied": "Stoßdatei kopiert.",
+  "share.download-shot": "Stoßdatei herunterladen",
+  "share.download-trace": "Aufzeichnung herunterladen",
+  "share.trace-downloaded": "Aufzeichnung heruntergeladen.",
+  "share.no-trace":
+    "Dieser Stoß hat keine Aufzeichnung: Ändern Sie ihn, bis er sich spielen lässt.",
+  "share.picture": "Bild des Tisches, wie Sie ihn sehen",
+  "share.png": "PNG herunterladen",
+  "share.link-heading": "Link mit allem auf dieser Seite",
+  "share.link": "Link",
+  "share.copy-link": "Link kopieren",
+  "share.link-copied": "Link kopiert.",
+  "share.no-link":
+    "Im Rahmen einer anderen Seite gibt es keinen Link: Kopieren Sie stattdessen die Stoßdatei.",
+  "share.text": "Text zum Kopieren",
+  "share.not-allowed":
+    "Der Browser erlaubt dieser Seite das Kopieren nicht. Hier ist der Text, markiert:",
+
+  "open.open": "Öffnen",
+  "open.hint": "Eine Stoßdatei oder Aufzeichnung öffnen; Sie können sie auch auf die Seite ziehen",
+  "open.file": "Stoßdatei oder Aufzeichnung",
+  "open.drop": "Zum Öffnen ablegen",
+  "open.opened": "{file} ist geöffnet.",
+  "open.too-large":
+    "{file} hat {megabytes} MB, zu viel für einen Stoß: Wählen Sie eine andere Datei.",
+  "open.unreadable": "{file} lässt sich nicht lesen: Wählen Sie die Datei noch einmal.",
+  "open.one": "Legen Sie nur eine Datei ab.",
+  "open.link-opened": "Der Link ist geöffnet. Rückgängig führt zum vorigen Stoß.",
+  "change.open-trace": "Aufzeichnung öffnen",
+  "change.open-shot": "Stoß öffnen",
+  "change.open-link": "Link öffnen",
+
+  "link.refused":
+    "Dieser Link lässt sich nicht öffnen. Kopieren Sie ihn noch einmal von der Seite. ({why})",
+  "link.no-shot": "Dieser Link enthält keinen Stoß.",
+  "link.version":
+    "Dieser Link stammt von einer anderen Version der Seite (er hat Version {version}, diese Seite liest Version {own}): Öffnen Sie ihn mit jener Version.",
+  "link.too-long":
+    "Dieser Link ist zu lang für einen Stoß: Kopieren Sie ihn noch einmal von der Seite.",
+  "link.damaged":
+    "Dieser Link ist beschädigt oder unvollständig: Kopieren Sie noch einmal den ganzen Link.",
+  "link.moves":
+    "Das Spiel in diesem Link hat {moves} Züge; diese Seite öffnet höchstens {most}: Beenden Sie das Spiel, und kopieren Sie den Link dann neu.",
+  "link.game":
+    "Das Spiel in diesem Link ist nicht lesbar: Bitten Sie um einen Link, der von dieser Seite kopiert ist.",
+  "link.move": "Zug {number} dieses Spiels: {why}",
+
+  "film.heading": "Film des Stoßes",
+  "film.speed": "Tempo",
+  "film.normal": "normal",
+  "film.slower": { other: "{count}-mal langsamer" },
+  "film.download": "Film herunterladen",
+  "film.cancel": "Abbrechen",
+  "film.encoded": "Fortschritt des Films",
+  "film.encoding": "Wird berechnet …",
+  "film.ready": "Der Film ist fertig, {megabytes} MB.",
+  "film.cancelled": "Abgebrochen.",
+  "film.cannot":
+    "Dieser Browser kann keine Filme erzeugen: Nehmen Sie Chrome, Edge, Firefox oder Safari in einer neuen Version.",
+};

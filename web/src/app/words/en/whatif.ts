@@ -1,0 +1,60 @@
+/** The What if tab. */
+export const whatif = {
+  "whatif.simulate": "Simulate errors of the player",
+  "whatif.intro": {
+    one: "No player strikes exactly as intended. Set the size of your errors to see {count} variant of this shot.",
+    other:
+      "No player strikes exactly as intended. Set the size of your errors to see {count} variants of this shot.",
+  },
+  "whatif.result": "Result",
+  "whatif.size": "Size of the errors (standard deviation)",
+  "whatif.like": "Like",
+  "whatif.own": "Your own",
+  "whatif.players": "Players (estimated)",
+  "whatif.olympiad": "Computational Olympiad",
+  "whatif.olympiad-half": "Olympiad × ½",
+  "whatif.olympiad-double": "Olympiad × 2",
+  "whatif.random": "Random numbers",
+  "whatif.seed": "Seed",
+  "whatif.another": "Another",
+  "whatif.seed-hint": "The same seed gives the same errors, here and in Python.",
+  "whatif.seed-range": "Seed: write a whole number from 0 to {largest}.",
+  "whatif.cling": "Cling between balls",
+  "whatif.no-worker":
+    "This browser cannot simulate in the background: open the page in another browser.",
+
+  "sigma.speed": "Speed",
+  "sigma.azimuth": "Direction",
+  "sigma.elevation": "Elevation",
+  "sigma.side_m": "Tip, sideways",
+  "sigma.height_m": "Tip, height",
+  "sigma.cling_probability": "Contacts that cling",
+  "sigma.cling_friction": "Their friction",
+
+  "chance.heading": "Chance to be pocketed",
+  "chance.ball": "Ball",
+  "chance.scratch": "{ball} (scratch)",
+  "chance.simulated": "Variants simulated",
+  "chance.simulating": "Simulating …",
+  "chance.count": {
+    one: "{count} variant in {milliseconds} ms",
+    other: "{count} variants in {milliseconds} ms",
+  },
+  "chance.off": "{ball} leaves the table: {chance}",
+  "chance.failed":
+    "{failed} of {count} variants could not be played and count as nothing pocketed: {why}",
+  "chance.none": "No ball is pocketed in any variant.",
+  "chance.of-ball": "{ball} {chance}",
+  "chance.likely": "Chance to be pocketed: {balls}.",
+  "chance.unknown": "not known yet",
+  "chance.less": "less than {percent}",
+  "chance.more": "more than {percent}",
+  "chance.value": "{percent} ± {error}",
+  "chance.percent": "{number} %",
+
+  "change.noise-on": "simulate errors",
+  "change.noise-off": "no errors",
+  "change.noise": "errors of the player",
+  "change.sigma": "error of {name}",
+  "change.seed": "seed",
+} as const;

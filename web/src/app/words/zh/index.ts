@@ -1,0 +1,10 @@
+export { aim } from "./aim.ts";
+export { game } from "./game.ts";
+export { layout } from "./layout.ts";
+export { page } from "./page.ts";
+export { physics } from "./physics.ts";
+export { presets } from "./presets.ts";
+export { replay } from "./replay.ts";
+export { share } from "./share.ts";
+export { shot } from "./shot.ts";
+export { whatif } from "./whatif.ts";

@@ -1,0 +1,37 @@
+import type * as en from "../en/index.ts";
+import type { Translation } from "../entry.ts";
+
+export const layout: Translation<typeof en.layout> = {
+  "layout.rack": "摆球",
+  "layout.game": "玩法",
+  "layout.seed": "随机种子",
+  "layout.shuffle": "打乱后摆球",
+  "layout.table": "球台",
+  "layout.own-table": "文件中的球台",
+  "layout.dimensions": "尺寸",
+  "layout.changed-hint": "改动过的数值有标记，可以还原。",
+  "layout.reset-all": "全部还原",
+  "layout.balls": "球",
+  "layout.balls-hint": "在球台上拖动球，或在这里选一颗球并输入位置。",
+  "layout.selected": "所选的球",
+  "layout.struck": "{id}，击打",
+  "layout.new-ball": "新球",
+  "layout.add": "添加",
+  "layout.across": "横向",
+  "layout.along": "纵向",
+  "layout.aim-at": "瞄准它",
+  "layout.strike": "击打它",
+  "layout.remove": "移除",
+  "layout.no-name": "新球还没有名称：请输入，例如 9 或 red。",
+  "layout.name-taken": "已经有一颗球叫“{id}”：请换一个名称。",
+  "layout.no-place": "没有空位再放一颗球：请先移除一颗。",
+  "layout.last-ball": "最后一颗球不能移除：击球需要一颗球。",
+
+  "change.add": "添加{ball}",
+  "change.remove": "移除{ball}",
+  "change.move": "移动{ball}",
+  "change.rack": "摆球：{game}",
+  "change.table": "更换球台",
+  "change.parameter": "改变{name}",
+  "change.physics": "更换物理参数",
+};

@@ -1,0 +1,43 @@
+import type * as en from "../en/index.ts";
+import type { Translation } from "../entry.ts";
+
+export const presets: Translation<typeof en.presets> = {
+  "preset.pool": "美式台球",
+  "preset.pool-new-cloth": "美式，新台呢",
+  "preset.pool-worn-cloth": "美式，旧台呢",
+  "preset.pool-clean-balls": "美式，干净的球",
+  "preset.pool-dirty-balls": "美式，脏球",
+  "preset.pool-gold-crown": "美式，Gold Crown 库边",
+  "preset.pool-valley": "美式，Valley 库边",
+  "preset.snooker": "斯诺克",
+  "preset.english": "英式台球",
+  "preset.carom": "开伦，加热台",
+  "preset.carom-2026-11": "开伦",
+  "preset.poolfiz": "Poolfiz",
+  "preset.ideal": "理想碰撞",
+  "preset.wpa-9ft": "WPA，9 尺",
+  "preset.wpa-8ft": "WPA，8 尺",
+  "preset.bar-7ft": "酒吧台，7 尺",
+  "preset.showood-7ft": "Showood，7 尺",
+  "preset.snooker-12ft": "斯诺克，12 尺",
+  "preset.english-7ft": "英式台球，7 尺",
+  "preset.carom-10ft": "开伦，10 尺",
+  "preset.carom-9ft": "开伦，9 尺",
+  "preset.dated": "{name}，{month}",
+  "preset.earlier": "以前的数值",
+
+  "level.beginner": "初学者",
+  "level.casual": "业余爱好者",
+  "level.club": "俱乐部球员",
+  "level.advanced": "高手",
+  "level.professional": "职业球员",
+  "level.olympiad": "奥林匹克",
+
+  "game.eight-ball": "八球",
+  "game.nine-ball": "九球",
+  "game.ten-ball": "十球",
+  "game.straight-pool": "14-1 连续击球",
+  "game.snooker": "斯诺克",
+  "game.three-cushion": "三库开伦",
+  "game.practice": "练习",
+};
