@@ -127,7 +127,7 @@ mod tests {
         let strike = Strike { speed: 0.1, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
         let foul = Play { call: Call::Safety, ..Play::new(strike) };
         frame.play_in(&mut FrameSimulator::new(), &foul).expect("a shot");
-        let Request::Shot(turn) = frame.request() else { panic!("the request is no shot") };
+        let Request::Shot(turn) = frame.request() else { panic!("another request") };
         let region = turn.hand.expect("a ball in hand");
         let situation = Situation::new(&frame, Noise::olympiad(1.0), 1);
         let value = Markov::default();
