@@ -38,7 +38,7 @@ pub use evaluate::{Evaluation, Question, Watched, evaluate};
 pub use goal::{Disc, Goal};
 pub use interval::{Interval, two_sided_quantile, wilson};
 pub use moments::Moments;
-pub use pot_aim::{PotAim, pot_aim};
+pub use pot_aim::{PotAim, PotLines, pot_aim};
 pub use progress::Progress;
 pub use referee::Referee;
 pub use route::{Leg, Route};

@@ -7,13 +7,16 @@
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Shot};
 
-use crate::aim::{Free, TriedStrike, lines, margins, refine, straight};
+use crate::aim::{Free, TriedStrike, margins, refine, straight};
 use crate::goal::{Goal, GoalTester};
 use crate::route::Route;
 
 /// Azimuths whose ball passes the pocket at more than this are not refined, m. Refinement turns the
 /// cue by a few degrees at most.
 const TOO_FAR: f64 = 0.6;
+
+/// A strike is near a pot if its ball passes the pocket at less than this, m: three balls.
+const NEAR: f64 = 0.15;
 
 /// Azimuths on either side of the straight line that are tried besides, and their distance, rad: up to
 /// 16°. A raised cue with English swerves by as much.
@@ -29,7 +32,7 @@ pub struct PotAim {
     /// The strike: that of the shot, turned to the pocket. Without an elevation in the shot, at the
     /// default elevation of its direction.
     pub strike: Strike,
-    /// By how much the azimuth may be wrong on either side, rad; at most 3° are told.
+    /// By how much the azimuth may be wrong on either side, rad; at most 3° are measured.
     pub margin: f64,
     /// How the balls go.
     pub route: Route,
@@ -37,25 +40,40 @@ pub struct PotAim {
     pub loses_cue_ball: bool,
 }
 
+/// Which azimuths are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PotLines {
+    /// Those near the shot's own: its ball must almost fall already.
+    Near,
+    /// These first; then direct lines; then banks, kicks and combinations.
+    All,
+}
+
 /// Aims the strike of `shot` so that `ball` falls into `pocket` (indices in the shot and the table);
-/// speed, spin and elevation stay. If the shot pots the ball already, its line is kept; otherwise a
-/// direct line is sought, and then a bank, a kick or a combination. None if there is none.
+/// speed, spin and elevation stay. None if no such azimuth was found among `lines`.
 ///
 /// # Errors
 /// As [`Goal::check`].
-pub fn pot_aim(shot: &Shot, ball: usize, pocket: usize) -> Result<Option<PotAim>, Error> {
+pub fn pot_aim(
+    shot: &Shot,
+    ball: usize,
+    pocket: usize,
+    lines: PotLines,
+) -> Result<Option<PotAim>, Error> {
     let goal = Goal { pot: Some((ball, Some(pocket))), ..Goal::default() };
     goal.check(shot)?;
     let Some((_, strike)) = shot.strike() else { return Ok(None) };
     let mut tester = GoalTester::letting_scratch(shot, goal);
-    if let Some(tried) = play(&mut tester, &strike).filter(|tried| tried.attempt.is_met()) {
-        return Ok(Some(centered(&mut tester, tried)));
+    let own = play(&mut tester, &strike).filter(|tried| tried.attempt.miss < NEAR);
+    let found = aimed(&mut tester, own.into_iter().collect());
+    if found.is_some() || lines == PotLines::Near {
+        return Ok(found);
     }
     let straight = straight(shot, ball, pocket);
     let swerved = (-SWERVES..=SWERVES).map(|k| straight + SWERVE_STEP * f64::from(k));
     let around: Vec<f64> = [straight].into_iter().chain(swerved).collect();
     // A direct pot that is a little off comes before a bank that falls.
-    for azimuths in [around, lines(shot, ball, pocket)] {
+    for azimuths in [around, crate::aim::lines(shot, ball, pocket)] {
         let turned = |azimuth| shot.at_own_elevation(&Strike { azimuth, ..strike });
         let mut tried: Vec<TriedStrike> = azimuths
             .into_iter()
@@ -63,15 +81,20 @@ pub fn pot_aim(shot: &Shot, ball: usize, pocket: usize) -> Result<Option<PotAim>
             .filter(|tried| tried.attempt.miss < TOO_FAR)
             .collect();
         tried.sort_by(|a, b| a.attempt.miss.total_cmp(&b.attempt.miss));
-        let refined = tried.into_iter().take(REFINED);
-        let found = refined.map(|start| refine(&mut tester, start, Free::Azimuth));
-        let mut found =
-            found.filter(|found| found.attempt.is_met() && is_simple(&found.attempt.route));
-        if let Some(found) = found.next() {
-            return Ok(Some(centered(&mut tester, found)));
+        tried.truncate(REFINED);
+        let found = aimed(&mut tester, tried);
+        if found.is_some() {
+            return Ok(found);
         }
     }
     Ok(None)
+}
+
+/// The first of these strikes that pots the ball on a simple line after it was refined.
+fn aimed(tester: &mut GoalTester<'_>, tried: Vec<TriedStrike>) -> Option<PotAim> {
+    let mut found = tried.into_iter().map(|start| refine(tester, start, Free::Azimuth));
+    let found = found.find(|tried| tried.attempt.is_met() && is_simple(&tried.attempt.route));
+    found.map(|found| centered(tester, found))
 }
 
 /// Whether players would call this line: at most one of a bank, a kick and a combination, and any

@@ -2,7 +2,7 @@
 
 use carom::resolve::cue_ball::Strike;
 use carom::{Shot, Simulator};
-use carom_plan::{PotAim, pot_aim};
+use carom_plan::{PotAim, PotLines};
 
 /// A shot at 2 m/s on a nine-foot table with these balls, the cue ball first. The cue points away.
 fn shot(balls: &[[f64; 2]], strike: &str) -> Shot {
@@ -17,6 +17,10 @@ fn shot(balls: &[[f64; 2]], strike: &str) -> Shot {
         balls.join(", ")
     ))
     .expect("a shot")
+}
+
+fn pot_aim(shot: &Shot, ball: usize, pocket: usize) -> Result<Option<PotAim>, carom::Error> {
+    carom_plan::pot_aim(shot, ball, pocket, PotLines::All)
 }
 
 fn pocket(shot: &Shot, name: &str) -> usize {
@@ -103,4 +107,16 @@ fn the_cue_ball_and_missing_pockets_are_refused() {
     let shot = shot(&[[0.42, 0.72], [0.86, 1.74]], SPINS[0]);
     assert!(pot_aim(&shot, 0, 0).is_err());
     assert!(pot_aim(&shot, 1, 6).is_err());
+}
+
+#[test]
+fn near_lines_are_those_that_almost_pot_the_ball() {
+    let shot = shot(&[[0.42, 0.72], [0.86, 1.74]], SPINS[1]);
+    let goal = pocket(&shot, "top-right");
+    let near = |shot: &Shot| carom_plan::pot_aim(shot, 1, goal, PotLines::Near).expect("a goal");
+    assert_eq!(near(&shot), None);
+    let aim = pot_aim(&shot, 1, goal).expect("a goal").expect("an aim");
+    let turned = Strike { azimuth: aim.strike.azimuth + 2.5 * aim.margin, ..aim.strike };
+    let found = near(&shot.with_strike(&turned).expect("a strike")).expect("an aim");
+    assert!((found.strike.azimuth - aim.strike.azimuth).abs() < 0.2 * aim.margin);
 }

@@ -1,6 +1,6 @@
 //! Aiming by ball and pocket.
 
-use carom_plan::pot_aim;
+use carom_plan::{PotLines, pot_aim};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -18,8 +18,14 @@ pub struct PotAim {
 impl Shot {
     /// The strike turned so that `ball` falls into `pocket`, if a line was found.
     #[wasm_bindgen(js_name = potAim)]
-    pub fn pot_aim(&self, ball: usize, pocket: usize) -> Result<Option<PotAim>, JsValue> {
-        let found = pot_aim(&self.0, ball, pocket).map_err(|e| to_exception(&e))?;
+    pub fn pot_aim(
+        &self,
+        ball: usize,
+        pocket: usize,
+        near: bool,
+    ) -> Result<Option<PotAim>, JsValue> {
+        let lines = if near { PotLines::Near } else { PotLines::All };
+        let found = pot_aim(&self.0, ball, pocket, lines).map_err(|e| to_exception(&e))?;
         Ok(found.map(|aim| PotAim { route: aim.route.words(&self.0), aim }))
     }
 }

@@ -351,11 +351,11 @@ class WasmShot implements Shot {
     );
   }
 
-  potAim(ball: string, pocket: string): PotAim | null {
+  potAim(ball: string, pocket: string, { near = false } = {}): PotAim | null {
     const balls = this.balls.map(({ id }) => id);
     const pockets = this.geometry.pockets.map(({ name }) => name);
     const indices = [named("ball", ball, balls), named("pocket", pocket, pockets)] as const;
-    const aim = checked(() => this.handle.object.potAim(...indices));
+    const aim = checked(() => this.handle.object.potAim(...indices, boolean("near", near)));
     if (!aim) return null;
     const found = {
       strike: strikeOf(aim.strike()),

@@ -384,10 +384,12 @@ export interface Shot {
    * it already, the azimuth moves to the middle of those that do. Some milliseconds.
    * @param ball Id of an object ball.
    * @param pocket Name of a pocket, as in `Geometry.pockets`.
+   * @param options `near`: whether the ball must almost fall already, which takes less than a
+   * millisecond; otherwise all direct lines, banks, kicks and combinations are tried.
    * @returns null if no line was found.
    * @throws CaromError for an unknown ball or pocket, for the cue ball, and without a strike.
    */
-  potAim(ball: string, pocket: string): PotAim | null;
+  potAim(ball: string, pocket: string, options?: { readonly near?: boolean }): PotAim | null;
   /**
    * Variant `index` of `vary` as an ordinary shot, with its strike and the contacts that cling.
    * @throws CaromError as `vary`, and if the drawn strike cannot be played.

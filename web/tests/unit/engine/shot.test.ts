@@ -104,6 +104,14 @@ describe("potAim", () => {
     for (const share of [-1.3, 1.3]) expect(into(share * aim.margin)).toEqual([]);
   });
 
+  test("near lines are those that almost pot the ball", () => {
+    expect(shot.potAim("9", "top-right", { near: true })).toBeNull();
+    const { strike, margin } = shot.potAim("9", "top-right")!;
+    const off = shot.withStrike({ ...strike, azimuth: strike.azimuth + 2.5 * margin });
+    const back = off.potAim("9", "top-right", { near: true })!;
+    expect(Math.abs(back.strike.azimuth - strike.azimuth)).toBeLessThan(0.2 * margin);
+  });
+
   test("finds no line for a ball that is too slow", () => {
     const slow = shot.withStrike({ ...shot.strike!, speed: 0.1 });
     expect(slow.potAim("9", "top-right")).toBeNull();
