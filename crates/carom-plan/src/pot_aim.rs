@@ -15,8 +15,9 @@ use crate::route::Route;
 /// cue by a few degrees at most.
 const TOO_FAR: f64 = 0.6;
 
-/// A strike is near a pot if its ball passes the pocket at less than this, m: three balls.
-const NEAR: f64 = 0.15;
+/// A strike is near a pot if its ball passes the pocket at less than this, m: a turn of a degree over
+/// the length of a table.
+const NEAR: f64 = 0.4;
 
 /// Azimuths on either side of the straight line that are tried besides, and their distance, rad: up to
 /// 16°. A raised cue with English swerves by as much.

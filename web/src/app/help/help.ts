@@ -5,7 +5,14 @@ import { h } from "../common/dom.ts";
 import { KEYS } from "../input/keys.ts";
 
 const TOPICS: readonly (readonly [string, string])[] = [
-  ["Aim", "Drag on the cloth to turn the cue, or tap the cloth to aim at that point."],
+  [
+    "Pot",
+    "Tap a ball, then a pocket. The aim stays solved while you change speed, spin and elevation.",
+  ],
+  [
+    "Aim",
+    "Drag on the cloth to turn the cue; it clicks into pots. Or tap the cloth to aim at that point.",
+  ],
   [
     "Strike",
     "Click the ball under Aim to place the tip: English, follow or draw. Set speed, elevation and direction beside it.",

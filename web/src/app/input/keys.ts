@@ -4,6 +4,7 @@ import { shoot, takeItFromHere } from "../aim/shoot.ts";
 import type { Context } from "../common/context.ts";
 import type { Camera } from "../document/document.ts";
 import { aimAt, FINE, turn } from "../document/strike.ts";
+import { aimAtNextPocket } from "../pot/aim.ts";
 import { redo, undo } from "../document/undo.ts";
 import { leave, stepBackwards, stepForwards, togglePlaying } from "../replay/control.ts";
 import type { Store } from "../document/store.ts";
@@ -106,6 +107,15 @@ export const KEYS: readonly Key[] = [
       const { selected } = store.session;
       if (selected === null) store.refuse("No ball is selected: press N to select one.");
       else aimAt(store, selected);
+    },
+  },
+  {
+    keys: ["p", "P"],
+    shown: ["P"],
+    help: "Aim the selected ball at a pocket; again: at the next pocket, with Shift the previous one",
+    mode: "aim",
+    run: ({ store, context }, event) => {
+      aimAtNextPocket(store, context, event.shiftKey ? -1 : 1);
     },
   },
   {
