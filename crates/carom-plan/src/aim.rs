@@ -35,9 +35,9 @@ pub(crate) fn azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
     let mut points = Vec::new();
     if let Some((ball, pocket)) = goal.pot {
         geometry.pots(ball, pocket, &mut points);
+        geometry.caroms(ball, &mut points);
     }
-    let mut found: Vec<f64> =
-        points.iter().map(|point| direction(geometry.cue_ball(), *point)).collect();
+    let mut found = geometry.directions(&points);
     if let Some(ball) = goal.first {
         geometry.hits(ball, &mut found);
     }
@@ -56,6 +56,15 @@ pub(crate) fn straight_azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
     }
     points.extend(goal.first.map(|ball| geometry.places[ball]));
     points.into_iter().map(|point| direction(geometry.cue_ball(), point)).collect()
+}
+
+/// The azimuths (rad) at which geometry sends `ball` into `pocket` directly, by banks, kicks and
+/// combinations.
+pub(crate) fn lines(shot: &Shot, ball: usize, pocket: usize) -> Vec<f64> {
+    let geometry = AimGeometry::new(shot);
+    let mut points = Vec::new();
+    geometry.pots(ball, Some(pocket), &mut points);
+    geometry.directions(&points)
 }
 
 /// The azimuth (rad) of the straight pot of `ball` into `pocket` by the ghost ball.
@@ -85,6 +94,11 @@ impl<'a> AimGeometry<'a> {
 
     fn radius(&self, ball: usize) -> f64 {
         self.shot.balls()[ball].ball.radius
+    }
+
+    /// The azimuths (rad) from the cue ball to these points.
+    fn directions(&self, points: &[Vec2]) -> Vec<f64> {
+        points.iter().map(|point| direction(self.cue_ball(), *point)).collect()
     }
 
     /// The object balls.
@@ -141,7 +155,10 @@ impl<'a> AimGeometry<'a> {
                 }
             }
         }
-        // Caroms off another ball: the simulation finds the line.
+    }
+
+    /// Adds points for caroms off another ball: the simulation finds the line.
+    fn caroms(&self, ball: usize, points: &mut Vec<Vec2>) {
         let cue_ball = self.cue_ball();
         for by in self.objects().filter(|by| *by != ball) {
             points.extend(self.rays(by, self.places[by]).map(|azimuth| {
@@ -253,6 +270,11 @@ pub(crate) fn refine(tester: &mut GoalTester<'_>, start: TriedStrike, free: Free
 const ELEVATION: usize = 4;
 
 impl GoalTester<'_> {
+    /// `strike` with an azimuth that is larger `by` this, rad.
+    pub(crate) fn turned(&self, strike: &Strike, by: f64) -> Strike {
+        self.moved(strike, 0, by)
+    }
+
     /// `strike` with one parameter changed. A strike at the elevation that the shot gives it keeps
     /// to that: the default elevation follows the aim.
     fn moved(&self, strike: &Strike, parameter: usize, by: f64) -> Strike {
@@ -276,9 +298,21 @@ impl GoalTester<'_> {
 /// Moves the azimuth of a strike that meets its goal to the middle of the azimuths that meet it,
 /// where a small error is least likely to miss.
 pub(crate) fn center(tester: &mut GoalTester<'_>, found: TriedStrike) -> TriedStrike {
-    let mut edge = |sign: f64| {
+    let [left, right] = margins(tester, &found.strike);
+    let strike = tester.turned(&found.strike, 0.5 * (left - right));
+    match tester.play(&strike) {
+        Some(attempt) if attempt.is_met() => TriedStrike { strike, attempt },
+        // The azimuths that meet the goal are not contiguous, and their middle is between two parts.
+        _ => found,
+    }
+}
+
+/// By how much (rad) the azimuth of `strike`, which meets its goal, may turn to the left and to the
+/// right until it does not; at most 3° (`MOST_WIDTH`).
+pub(crate) fn margins(tester: &mut GoalTester<'_>, strike: &Strike) -> [f64; 2] {
+    [1.0, -1.0].map(|sign| {
         let mut meets = |by: f64| {
-            let turned = tester.moved(&found.strike, 0, sign * by);
+            let turned = tester.turned(strike, sign * by);
             tester.play(&turned).is_some_and(|a| a.is_met())
         };
         let (mut inside, mut width) = (0.0, FIRST_WIDTH);
@@ -295,12 +329,5 @@ pub(crate) fn center(tester: &mut GoalTester<'_>, found: TriedStrike) -> TriedSt
             }
         }
         inside
-    };
-    let (left, right) = (edge(1.0), edge(-1.0));
-    let strike = tester.moved(&found.strike, 0, 0.5 * (left - right));
-    match tester.play(&strike) {
-        Some(attempt) if attempt.is_met() => TriedStrike { strike, attempt },
-        // The azimuths that meet the goal are not contiguous, and their middle is between two parts.
-        _ => found,
-    }
+    })
 }

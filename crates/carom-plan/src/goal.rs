@@ -91,6 +91,8 @@ pub struct Attempt {
     pub route: Route,
     /// Where the cue ball ends, m, in the file's frame.
     pub cue_ball_end: [f64; 2],
+    /// Whether it falls into a pocket or leaves the table.
+    pub loses_cue_ball: bool,
 }
 
 impl Attempt {
@@ -119,6 +121,8 @@ pub(crate) struct GoalRecorder {
     gap: f64,
     /// The first ball that the cue ball touched.
     first_touched: Option<usize>,
+    /// Whether the cue ball may leave the table.
+    lets_scratch: bool,
 }
 
 impl GoalRecorder {
@@ -139,6 +143,7 @@ impl GoalRecorder {
             moved: false,
             gap: f64::INFINITY,
             first_touched: None,
+            lets_scratch: false,
         }
     }
 
@@ -187,7 +192,8 @@ impl GoalRecorder {
         if let Some(Disc { center: [x, y], radius }) = self.goal.leave {
             miss += (Vec2::new(end[0] - x, end[1] - y).length() - radius).max(0.0);
         }
-        if matches!(state.motion, MotionState::Pocketed | MotionState::OffTable) {
+        let is_lost = matches!(state.motion, MotionState::Pocketed | MotionState::OffTable);
+        if is_lost && !self.lets_scratch {
             miss += LOST_CUE_BALL;
         }
         let target = self.goal.pot.map(|(ball, _)| ball).or(self.goal.first);
@@ -195,7 +201,7 @@ impl GoalRecorder {
         if let (None, Some(ball)) = (self.goal.pot, self.goal.first) {
             route.end_at(ball);
         }
-        Attempt { miss, route, cue_ball_end: end }
+        Attempt { miss, route, cue_ball_end: end, loses_cue_ball: is_lost }
     }
 }
 
@@ -234,6 +240,13 @@ pub(crate) struct GoalTester<'a> {
 impl<'a> GoalTester<'a> {
     pub(crate) fn new(shot: &'a Shot, goal: Goal) -> Self {
         Self { shot, fresh: GoalRecorder::new(shot, goal), simulator: Simulator::new() }
+    }
+
+    /// The same without the demand that the cue ball stays on the table.
+    pub(crate) fn letting_scratch(shot: &'a Shot, goal: Goal) -> Self {
+        let mut tester = Self::new(shot, goal);
+        tester.fresh.lets_scratch = true;
+        tester
     }
 
     pub(crate) const fn shot(&self) -> &Shot {

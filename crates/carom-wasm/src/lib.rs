@@ -1,6 +1,7 @@
 //! The engine for JavaScript: conversions, no logic. The public interface is `web/src/engine`, which adds
 //! types to these classes, checks the arguments and parses the JSON.
 
+pub mod aim;
 pub mod batch;
 pub mod error;
 pub mod player;

@@ -50,7 +50,7 @@ export function mountPage(store: Store, context: Context, welcome: boolean): voi
   mountHistory(place("history"), store, context);
   mountCamera(place("camera"), store, context);
   const showSteps = mountFirstUse(place("first-use"), store, welcome);
-  const openHelp = mountHelp(place("help") as HTMLDialogElement, showSteps);
+  const openHelp = mountHelp(place("help") as HTMLDialogElement, store, context, showSteps);
   mountPageMenu(place("page-menu"), store, openHelp);
   mountGestures(table, store, context);
   mountKeys(table, { store, context, openHelp });

@@ -1,4 +1,7 @@
-/** What the page opens with: the document embedded in it, or the link in its address, or a first shot. */
+/**
+ * What the page opens with: what it showed before it loaded again, or the document embedded in it, or the
+ * link in its address, or a first shot.
+ */
 
 import { CaromError, type Engine, type ShotFile } from "../engine/index.ts";
 import { playThenAim } from "./aim/autoplay.ts";
@@ -8,8 +11,9 @@ import { FIRST_VIEW, type Document, type View } from "./document/document.ts";
 import { cannotOpen, documentOf, readFile } from "./document/file.ts";
 import type { Store } from "./document/store.ts";
 import { replay } from "./replay/control.ts";
-import { readAddress, showTime } from "./share/address.ts";
+import { type LinkContents, readAddress, showTime } from "./share/address.ts";
 import { LinkError } from "./share/link.ts";
+import { takeKept } from "./share/reload.ts";
 import { t } from "./words/translate.ts";
 
 export interface Start {
@@ -39,8 +43,10 @@ export function startOf(engine: Engine): Start {
   const element = document.getElementById("carom-document");
   const embedded = element?.textContent.trim() ?? "";
   const plays = element?.dataset.play !== undefined;
+  const kept = fromLink(engine, first, takeKept);
+  if (kept) return kept;
   if (embedded !== "") return fromEmbedded(engine, first, embedded, plays);
-  return fromAddress(engine, first) ?? { ...showing(first), welcome: true };
+  return fromLink(engine, first, readAddress) ?? { ...showing(first), welcome: true };
 }
 
 /**
@@ -65,10 +71,14 @@ function fromEmbedded(engine: Engine, first: Document, json: string, plays: bool
   }
 }
 
-/** The link in the address; null if there is none. */
-function fromAddress(engine: Engine, first: Document): Start | null {
+/** The link that `read` finds; null if there is none. */
+function fromLink(
+  engine: Engine,
+  first: Document,
+  read: (engine: Engine) => LinkContents | null,
+): Start | null {
   try {
-    const contents = readAddress(engine);
+    const contents = read(engine);
     if (!contents) return null;
     const { document, view, time } = contents;
     return { document, view, welcome: false, then: (store) => showTime(store, engine, time) };

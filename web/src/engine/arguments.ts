@@ -75,3 +75,15 @@ export function whole(
     place,
   );
 }
+
+/**
+ * The index of a name.
+ *
+ * @throws CaromError if it is not among `names`.
+ */
+export function named(place: string, name: string, names: readonly string[]): number {
+  const index = names.indexOf(text(place, name));
+  if (index >= 0) return index;
+  const known = names.length === 0 ? "there is none" : `write one of ${names.join(", ")}`;
+  throw new CaromError(`${place}: there is no ${place} ${shown(name)}; ${known}`, place);
+}

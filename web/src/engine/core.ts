@@ -2,7 +2,7 @@
  * The engine without embedded WebAssembly: for a worker, which receives `Engine.module` from its page,
  * and for sites that serve the `.wasm` file themselves.
  */
-import { boolean, json, numbers, object, text, whole } from "./arguments.js";
+import { boolean, json, named, numbers, object, text, whole } from "./arguments.js";
 import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.js";
 import { CaromError } from "./error.js";
 import { FRAME_FORMAT, replay } from "./frame-record.js";
@@ -31,6 +31,7 @@ import {
   type Noise,
   type NoisyBatch,
   type Outcome,
+  type PotAim,
   type Shot,
   type ShotFile,
   type Strike,
@@ -348,6 +349,23 @@ class WasmShot implements Shot {
     return new WasmShot(
       checked(() => this.handle.object.withStrike(speed!, azimuth!, elevation, side!, height!)),
     );
+  }
+
+  potAim(ball: string, pocket: string, { near = false } = {}): PotAim | null {
+    const balls = this.balls.map(({ id }) => id);
+    const pockets = this.geometry.pockets.map(({ name }) => name);
+    const indices = [named("ball", ball, balls), named("pocket", pocket, pockets)] as const;
+    const aim = checked(() => this.handle.object.potAim(...indices, boolean("near", near)));
+    if (!aim) return null;
+    const found = {
+      strike: strikeOf(aim.strike()),
+      margin: aim.margin(),
+      kind: aim.kind(),
+      route: aim.route(),
+      losesCueBall: aim.losesCueBall(),
+    };
+    aim.free();
+    return found;
   }
 
   simulate(): Trace {

@@ -333,6 +333,19 @@ export const OFF_TABLE = -2;
 /** `Batch.pocket` of a ball that the shot does not have, and of a failed shot. */
 export const PADDING = -3;
 
+/** A strike that pots a ball. */
+export interface PotAim {
+  readonly strike: Strike;
+  /** By how much the azimuth may be wrong on either side, rad; at most 3°. */
+  readonly margin: number;
+  /** "direct", "bank", "kick", "combination" and so on, joined by "+". */
+  readonly kind: string;
+  /** Rails and balls in the order in which they are met. */
+  readonly route: string;
+  /** Whether the cue ball falls into a pocket or leaves the table. */
+  readonly losesCueBall: boolean;
+}
+
 /** A validated shot; immutable. */
 export interface Shot {
   /** The shot file as a value, with the elevation that is used; parsed on first use. */
@@ -366,6 +379,17 @@ export interface Shot {
   withStrike(strike: StrikeInput): Shot;
   /** @throws CaromError if the cap of events is reached. */
   simulate(): Trace;
+  /**
+   * The strike turned so that `ball` falls into `pocket`; speed, spin and elevation stay. If the shot pots
+   * it already, the azimuth moves to the middle of those that do. Some milliseconds.
+   * @param ball Id of an object ball.
+   * @param pocket Name of a pocket, as in `Geometry.pockets`.
+   * @param options `near`: whether the ball must almost fall already, which takes less than a
+   * millisecond; otherwise all direct lines, banks, kicks and combinations are tried.
+   * @returns null if no line was found.
+   * @throws CaromError for an unknown ball or pocket, for the cue ball, and without a strike.
+   */
+  potAim(ball: string, pocket: string, options?: { readonly near?: boolean }): PotAim | null;
   /**
    * Variant `index` of `vary` as an ordinary shot, with its strike and the contacts that cling.
    * @throws CaromError as `vary`, and if the drawn strike cannot be played.

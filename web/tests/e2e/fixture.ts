@@ -60,7 +60,7 @@ interface Used {
 /**
  * The tabs of a file. A test gets a new document in a tab that an earlier test has left: the browser's
  * process for the tab has the page's scripts, WebAssembly and shaders compiled already, and the page
- * stores nothing outside its document.
+ * stores nothing but a language that the user chose. A test that chooses one has a tab of its own.
  */
 class Tabs {
   readonly #browser: Browser;

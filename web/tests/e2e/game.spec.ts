@@ -201,7 +201,7 @@ test("taps call a ball and its pocket, and a shot without a call is refused", as
   await begin(page, { game: "straight-pool" });
   expect(await bar(page)).toMatch(/Call a ball and its pocket, or a safety/);
   await page.getByRole("button", { name: "Shoot" }).click();
-  expect(await page.getByRole("alert").textContent()).toMatch(/nothing is called/);
+  expect(await page.getByRole("alert").textContent()).toMatch(/^Nothing is called: /);
   const tap = async (x: number, y: number): Promise<void> => {
     const spot = await onPage(page, x, y);
     await page.mouse.click(spot.x, spot.y);

@@ -1,5 +1,6 @@
+import type { Page } from "playwright-core";
 import { CATALOGUES, type Language } from "../../src/app/words/catalogue.ts";
-import { expect, PHONE, test } from "./fixture.ts";
+import { expect, PHONE, settled, shotOf, test } from "./fixture.ts";
 
 const LOCALES = { de: "de-DE", zh: "zh-CN" } as const;
 
@@ -8,54 +9,144 @@ const foreign = (language: Language): string[] => {
   const own = new Set(Object.values(CATALOGUES[language]));
   return Object.values(CATALOGUES.en).filter(
     (text): text is string =>
-      typeof text === "string" && /^[A-Z][^{]{4,}$/.test(text) && !own.has(text),
+      typeof text === "string" && /^[A-Z][^{]{2,}$/.test(text) && !own.has(text),
   );
 };
 
+/** All visible texts and names of controls, and the buttons that do not fit. */
+const visible = (page: Page) =>
+  page.evaluate(() => {
+    const elements = [...document.querySelectorAll("body *")].filter((element) =>
+      element.checkVisibility(),
+    );
+    return {
+      texts: elements
+        // Licences are in English, and the languages have their own names.
+        .filter((element) => !element.closest("pre, .languages select"))
+        .flatMap((element) => [
+          ...[...element.childNodes]
+            .filter(({ nodeType }) => nodeType === Node.TEXT_NODE)
+            .map(({ textContent }) => textContent?.trim()),
+          element.getAttribute("aria-label"),
+          element.getAttribute("title"),
+        ]),
+      tooWide: elements
+        .filter(
+          (element) =>
+            element.matches("button") &&
+            (element.scrollWidth > element.clientWidth + 1 ||
+              element.getBoundingClientRect().right > innerWidth + 1),
+        )
+        .map(({ textContent }) => textContent),
+      overflow: document.documentElement.scrollWidth - innerWidth,
+    };
+  });
+
 for (const language of ["de", "zh"] as const) {
-  test(`the page is in the browser's language: ${language}`, async ({ open }) => {
+  test(`every panel is in the browser's language and fits a phone: ${language}`, async ({
+    open,
+  }) => {
     const page = await open({ viewport: PHONE, locale: LOCALES[language], firstSteps: true });
     const english = foreign(language);
     const check = async (place: string): Promise<void> => {
-      const { shown, wide } = await page.evaluate(() => ({
-        shown: [...document.querySelectorAll("body *")]
-          .filter((element) => element.checkVisibility() && !element.closest("pre, .language"))
-          .flatMap((element) => [
-            ...[...element.childNodes]
-              .filter(({ nodeType }) => nodeType === Node.TEXT_NODE)
-              .map(({ textContent }) => textContent?.trim()),
-            element.getAttribute("aria-label"),
-            element.getAttribute("title"),
-          ]),
-        wide: [...document.querySelectorAll("button")]
-          .filter((button) => button.checkVisibility())
-          .filter(
-            (button) =>
-              button.scrollWidth > button.clientWidth + 1 ||
-              button.getBoundingClientRect().right > innerWidth + 1,
-          )
-          .map(({ textContent }) => textContent),
-      }));
-      expect(
-        shown.filter((text) => text && english.includes(text)),
-        place,
-      ).toEqual([]);
-      expect(wide, place).toEqual([]);
+      const { texts, tooWide, overflow } = await visible(page);
+      const found = texts.filter((text) => text && english.includes(text));
+      expect({ found, tooWide, overflow }, place).toEqual({ found: [], tooWide: [], overflow: 0 });
     };
+    const text = (key: keyof typeof CATALOGUES.en) => CATALOGUES[language][key] as string;
+    const press = (key: keyof typeof CATALOGUES.en) =>
+      page.getByRole("button", { name: text(key), exact: true }).click();
     await check("first steps");
-    expect(await page.evaluate(() => document.documentElement.lang)).toMatch(
-      new RegExp(`^${language}`),
+    expect(await page.evaluate(() => document.documentElement.lang)).toBe(
+      { de: "de", zh: "zh-Hans" }[language],
     );
-    await page.locator("#first-use button").first().click();
-    for (const tab of ["layout", "physics", "whatif", "game", "aim"]) {
-      await page.locator(`#tab-${tab}`).click();
+    await press("steps.skip");
+    for (const tab of ["aim", "layout", "physics", "whatif", "game"] as const) {
+      await page.getByRole("tab", { name: text(`tab.${tab}`) }).click();
+      await page.evaluate(() =>
+        document.querySelectorAll("details").forEach((each) => (each.open = true)),
+      );
       await check(tab);
     }
-    await page.locator("#share-button").click();
-    await check("share");
-    await page.keyboard.press("Escape");
-    await page.locator("#shoot-button").click();
-    await page.locator("#tab-state").click();
+    for (const [dialog, close] of [
+      ["page.help", "help.close"],
+      ["share.share", "share.close"],
+    ] as const) {
+      await press(dialog);
+      await check(dialog);
+      await press(close);
+    }
+    await page.evaluate(() => window.carom!.store.aimAtPocket("9", "top-right", "aim"));
+    await settled(page);
+    await check("a pot");
+    await press("aim.shoot");
+    await page.getByRole("tab", { name: text("tab.state") }).click();
     await check("replay");
+    await page.getByRole("tab", { name: text("tab.aim") }).click();
+    await page.keyboard.press("Escape");
+    await page.getByRole("tab", { name: text("tab.game") }).click();
+    await press("setup.start");
+    await check("a game");
   });
 }
+
+/** Chooses a language in the help, and waits until the page has loaded again. */
+async function choose(page: Page, help: string, language: Language): Promise<void> {
+  await page.getByRole("button", { name: help }).click();
+  await Promise.all([
+    page.waitForEvent("load"),
+    page.locator("#help select").selectOption(language),
+  ]);
+  await page.waitForFunction(
+    () => performance.getEntriesByName("carom:interactive").length > 0,
+    undefined,
+  );
+}
+
+test("another language is chosen, and the shot, the game and the view stay", async ({ open }) => {
+  // No other test has this locale, so none gets a tab in which a language was chosen.
+  const page = await open({ locale: "en-US" });
+  await page.evaluate(() => {
+    const { store } = window.carom!;
+    store.strike({ azimuth_deg: 61.5, side: 0.25 }, "change");
+    store.setView({ theme: "dark", units: "km/h" });
+  });
+  const before = await shotOf(page);
+  await choose(page, "Help and keys", "de");
+  expect(await page.evaluate(() => document.documentElement.lang)).toBe("de");
+  expect(await page.getByRole("tab", { name: "Zielen" }).count()).toBe(1);
+  expect((await shotOf(page)).strike).toEqual(before.strike);
+  expect((await shotOf(page)).balls).toEqual(before.balls);
+  expect(await page.evaluate(() => window.carom!.store.view)).toMatchObject({
+    theme: "dark",
+    units: "km/h",
+  });
+
+  await page.getByRole("tab", { name: "Spiel" }).click();
+  await page.getByRole("button", { name: "Spiel beginnen" }).click();
+  const game = await page.evaluate(() => window.carom!.store.document.game);
+  await choose(page, "Hilfe und Tasten", "en");
+  const after = await page.evaluate(() => window.carom!.store.document.game!);
+  expect(after.setup.rules).toBe(game!.setup.rules);
+  expect(after.setup.options).toMatchObject({ seed: game!.setup.options.seed });
+  // The choice outlives the page, what was kept does not.
+  expect(await page.evaluate(() => Object.keys(sessionStorage))).toEqual([]);
+  expect(await page.evaluate(() => Object.keys(localStorage))).toEqual(["carom-language"]);
+});
+
+test("a page that may store nothing says why the language stays", async ({ open }) => {
+  const page = await open({ locale: "en-CA" });
+  await page.evaluate(() => {
+    Object.defineProperty(Storage.prototype, "setItem", {
+      value() {
+        throw new DOMException("no storage", "SecurityError");
+      },
+    });
+  });
+  await page.getByRole("button", { name: "Help and keys" }).click();
+  await page.locator("#help select").selectOption("zh");
+  expect(await page.getByRole("alert").textContent()).toContain(
+    "does not let this page store the language",
+  );
+  expect(await page.evaluate(() => document.documentElement.lang)).toBe("en");
+});

@@ -95,10 +95,55 @@ impl Explorer<'_> {
         (center, place): (Vec2, [f64; 2]),
         radius: f64,
     ) -> bool {
-        let half = scene.half_area(radius);
-        center.x.abs() < half.x
-            && center.y.abs() < half.y
+        scene.table.place_check(center, radius).is_inside()
             && region.holds(scene.table, place)
             && scene.is_clear(center, center + Vec2::new(1e-6, 0.0), radius, &[self.turn.cue])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use carom::Noise;
+    use carom::format::Node;
+    use carom::resolve::cue_ball::Strike;
+    use carom_plan::Prepared;
+    use carom_rules::{Call, Frame, FrameSimulator, Options, Play, Request, Rules};
+
+    use super::*;
+    use crate::player::Situation;
+    use crate::value::Markov;
+
+    /// Seen: a player placed the cue ball over a corner pocket of `poolfiz`, and lost the frame.
+    #[test]
+    fn the_cue_ball_may_stand_only_where_the_table_lets_it() {
+        let table = Some(Node::from("poolfiz"));
+        let mut frame =
+            Frame::new(Rules::EightBall, Options::default(), table, None, 1).expect("a frame");
+        let mut balls = vec![None; frame.layout().len()];
+        (balls[0], balls[8]) = (Some([0.3, 1.8]), Some([0.5, 1.6]));
+        frame.resume_at(&balls, 0).expect("a layout");
+        // The cue ball touches nothing, so the other player has it in hand.
+        let azimuth = core::f64::consts::PI;
+        let strike = Strike { speed: 0.1, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
+        let foul = Play { call: Call::Safety, ..Play::new(strike) };
+        frame.play_in(&mut FrameSimulator::new(), &foul).expect("a shot");
+        let Request::Shot(turn) = frame.request() else { panic!("another request") };
+        let region = turn.hand.expect("a ball in hand");
+        let situation = Situation::new(&frame, Noise::olympiad(1.0), 1);
+        let value = Markov::default();
+        let explorer = Explorer::new(&situation, &value, turn, 0);
+        let scene = Scene::new(&frame);
+        let (middle, radius) = (scene.table.center(), 0.028575);
+        let mut count = 0;
+        for k in 0..4000 {
+            // Millimetres near the pocket at the bottom right.
+            let place = [1.05 + 0.001 * f64::from(k % 60), 0.001 * f64::from(k / 60)];
+            let center = Vec2::new(place[0], place[1]) - middle;
+            if explorer.may_stand(&scene, region, (center, place), radius) {
+                Prepared::new(&frame, Some(place)).expect("a place on the cloth");
+                count += 1;
+            }
+        }
+        assert!(count > 500, "{count} places");
     }
 }

@@ -6,6 +6,8 @@ import { raiseTheCue } from "../document/strike.ts";
 import { canAim } from "../game/play.ts";
 import type { Store } from "../document/store.ts";
 import { obstruction, summary } from "../common/words.ts";
+import { firstContact } from "../pot/contact.ts";
+import { lockText } from "../pot/words.ts";
 import { shoot, takeItFromHere } from "./shoot.ts";
 import { paragraph, t } from "../words/translate.ts";
 
@@ -44,8 +46,10 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
     root.hidden = !canAim(store, context.engine);
     if (store.session.mode !== "aim" || root.hidden) return;
     const { trace, error } = store.ghost;
+    const { lock } = store.session;
+    const aim = lock && trace ? lockText(lock, firstContact(trace)) : "";
     const obstacle = trace ? obstruction(trace.outcome) : null;
-    setText(text, trace ? paragraph(summary(trace)) : (error ?? ""));
+    setText(text, trace ? paragraph([aim, ...summary(trace)]) : (error ?? ""));
     setText(warning, obstacle ?? "");
     warning.hidden = obstacle === null;
     remedy.hidden = obstacle === null || trace?.outcome.least_elevation_deg === null;
@@ -57,8 +61,11 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
   }
   // At most once per frame.
   store.subscribe((now, before) => {
-    if (now.document === before.document && now.session.mode === before.session.mode) return;
-    context.loop.input(root, show);
+    const isSame =
+      now.document === before.document &&
+      now.session.mode === before.session.mode &&
+      now.session.lock === before.session.lock;
+    if (!isSame) context.loop.input(root, show);
   });
   show();
 }

@@ -47,6 +47,7 @@ export function takeItFromHere(store: Store, context: Context): void {
     const [x, y] = endOf(trace, id);
     return { id, position: [x, y] as const, ...(mass && { mass }), ...(radius && { radius }) };
   });
+  store.setSession({ lock: null });
   // The next shot starts at the centre and at the automatic elevation: both rarely carry over.
   const strike = automatic(changed(shot.strike, { ball: struck, side: 0, height: 0 }));
   const taken = store.apply({ shot: { ...shot, balls, strike } }, t("change.take"));

@@ -1,6 +1,6 @@
 /** The state of the page: the document, the view and the session. */
 
-import type { Noise, ShotFile, StrikeEntry, Trace } from "../../engine/index.ts";
+import type { Noise, PocketName, ShotFile, StrikeEntry, Trace } from "../../engine/index.ts";
 import type { SpeedUnit } from "../common/units.ts";
 import type { Game } from "./game.ts";
 
@@ -38,6 +38,19 @@ export interface Refusal {
   readonly attempt: AimedShot | null;
 }
 
+/** A ball that the cue stays aimed to pot. */
+export interface PotLock {
+  readonly ball: string;
+  readonly pocket: PocketName;
+  /** Whether a line was found for the present strike. */
+  readonly solved: boolean;
+  /** By how much the azimuth may be wrong on either side, degrees. */
+  readonly margin: number;
+  /** "direct", "bank" and so on, as `PotAim.kind`. */
+  readonly kind: string;
+  readonly losesCueBall: boolean;
+}
+
 /** Temporary state: neither undone nor part of a link. */
 export interface Session {
   readonly mode: "aim" | "replay";
@@ -50,6 +63,8 @@ export interface Session {
   readonly rate: number;
   /** Id of the selected ball. */
   readonly selected: string | null;
+  /** The pot at which the cue is aimed; null if it is aimed freely. */
+  readonly lock: PotLock | null;
   readonly refusal: Refusal | null;
   /** Fine adjustment: drags and keys have a tenth of their effect. */
   readonly fine: boolean;
@@ -64,6 +79,7 @@ export const FIRST_SESSION: Session = {
   playing: false,
   rate: 1,
   selected: null,
+  lock: null,
   refusal: null,
   fine: false,
 };

@@ -8,7 +8,7 @@ import type { Store } from "./store.ts";
 import { gameName } from "../common/presets.ts";
 import { errorText } from "../common/refusals.ts";
 import { ballName } from "../common/words.ts";
-import { t } from "../words/translate.ts";
+import { inSentence, t } from "../words/translate.ts";
 
 /** Intervals of the grid that is searched for a free place: across the table; twice as many along it. */
 const PLACES = 12;
@@ -57,7 +57,10 @@ export function removeBall(store: Store, id: string): boolean {
 export function rack(store: Store, engine: Engine, game: string, seed: number): boolean {
   try {
     const { source } = engine.breakShot(game, { seed });
-    return store.apply({ shot: aimed(source), seed }, t("change.rack", { game: gameName(game) }));
+    return store.apply(
+      { shot: aimed(source), seed },
+      t("change.rack", { game: inSentence(gameName(game)) }),
+    );
   } catch (error) {
     if (!(error instanceof CaromError)) throw error;
     return refuse(store, errorText(error));

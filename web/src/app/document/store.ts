@@ -6,17 +6,25 @@
  * are therefore valid.
  */
 
-import { CaromError, type Shot, type StrikeEntry, type Trace } from "../../engine/index.ts";
+import {
+  CaromError,
+  type PocketName,
+  type Shot,
+  type StrikeEntry,
+  type Trace,
+} from "../../engine/index.ts";
 import {
   FIRST_SESSION,
   FIRST_VIEW,
   type AimedShot,
   type Document,
+  type PotLock,
   type Session,
   type View,
 } from "./document.ts";
 import type { Game } from "./game.ts";
 import { errorText } from "../common/refusals.ts";
+import { azimuthOfAim, lockOf, steered } from "./pot-lock.ts";
 import { History } from "./history.ts";
 import { anglesOf, changed } from "./strike-angles.ts";
 
@@ -102,14 +110,28 @@ export class Store {
   ): boolean {
     const before = this.state;
     const patch = typeof change === "function" ? change(before.document) : change;
-    const next: Document = { ...before.document, ...patch };
+    const [next, lock] = this.#steer({ ...before.document, ...patch });
     if (isOtherShot(next, before.document) && !this.#compile(next)) {
       this.#notify(before);
       return false;
     }
     this.#history.push(next, label, group);
-    this.#session = { ...this.#session, ...AIMING, refusal: null };
+    this.#session = { ...this.#session, ...AIMING, lock, refusal: null };
     this.#notify(before);
+    return true;
+  }
+
+  /**
+   * Aims the cue so that `ball` falls into `pocket`, and keeps the aim while the strike changes.
+   *
+   * @returns Whether a line was found.
+   * @throws CaromError for an unknown ball or pocket, and for the struck ball.
+   */
+  aimAtPocket(ball: string, pocket: PocketName, label: string): boolean {
+    const aim = this.#shot.potAim(ball, pocket);
+    if (!aim) return false;
+    if (!this.strike({ azimuth_deg: azimuthOfAim(aim) }, label)) return false;
+    this.setSession({ lock: lockOf(ball, pocket, aim) });
     return true;
   }
 
@@ -160,6 +182,16 @@ export class Store {
     return () => this.#listeners.delete(listener);
   }
 
+  /** The document with its strike aimed again at the locked pot. */
+  #steer(next: Document): readonly [Document, PotLock | null] {
+    const { lock } = this.#session;
+    const now = this.document;
+    if (!lock || next.shot === now.shot) return [next, lock];
+    if (next.game !== now.game) return [next, null];
+    const aimed = steered(lock, [now.shot, next.shot], (shot) => this.#read({ ...next, shot }));
+    return [{ ...next, shot: aimed.shot }, aimed.lock];
+  }
+
   #compile(document: Document): boolean {
     try {
       this.#adopt(this.#read(document));
@@ -198,7 +230,7 @@ export class Store {
     if (!step()) return false;
     const now = this.document;
     if (isOtherShot(now, before.document)) this.#adopt(this.#compiler.shot(now.shot, now.game));
-    this.#session = { ...this.#session, ...AIMING, refusal: null };
+    this.#session = { ...this.#session, ...AIMING, lock: null, refusal: null };
     this.#notify(before);
     return true;
   }

@@ -5,10 +5,9 @@ import {
   CaromError,
   type Choice,
   type Engine,
-  type PocketName,
   type Point,
-  type Shot,
   type ShotFile,
+  type Shot,
   type ShotRequest,
   type Strike,
 } from "../../engine/index.ts";
@@ -16,14 +15,12 @@ import { gameName } from "../common/presets.ts";
 import { errorText } from "../common/refusals.ts";
 import type { Context } from "../common/context.ts";
 import type { Store } from "../document/store.ts";
+import { pocketAt } from "../pot/pockets.ts";
 import { firstAim } from "./aim.ts";
 import { type Game, type Move, newGame, type Setup } from "../document/game.ts";
 import { after, type Progress, progressOf, remember } from "./progress.ts";
 import { choiceInWords, other } from "./words.ts";
-import { t } from "../words/translate.ts";
-
-/** Distance from a pocket's centre within which a tap selects it, in radii of the pocket. */
-const POCKET_REACH = 1.6;
+import { inSentence, t } from "../words/translate.ts";
 
 /** The progress of the game; null in free play. */
 export function standing(store: Store, engine: Engine): Progress | null {
@@ -46,7 +43,10 @@ export function startGame(store: Store, { engine }: Context, setup: Setup): bool
   const game = newGame(setup);
   try {
     const shot = firstAim(engine, game, progressOf(engine, game));
-    return store.apply({ game, shot }, t("change.start", { game: gameName(setup.rules) }));
+    return store.apply(
+      { game, shot },
+      t("change.start", { game: inSentence(gameName(setup.rules)) }),
+    );
   } catch (error) {
     return refused(store, error);
   }
@@ -203,13 +203,6 @@ export function tapPocket(store: Store, engine: Engine, point: Point): boolean {
   const ball = call?.kind === "pocket" ? call.ball : undefined;
   announceCall(store, { kind: "pocket", ...(ball !== undefined && { ball }), into });
   return true;
-}
-
-function pocketAt({ geometry }: Shot, [x, y]: Point): PocketName | null {
-  const found = geometry.pockets.find(
-    ({ center, radius }) => Math.hypot(x - center[0], y - center[1]) < POCKET_REACH * radius,
-  );
-  return found?.name ?? null;
 }
 
 /** The call that fits the predicted outcome; null if nothing predicted can be called. */

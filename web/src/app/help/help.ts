@@ -1,20 +1,29 @@
 /** The help dialog: what the page can do, and all keys. */
 
 import licenses from "../../../../LICENSE-THIRD-PARTY?raw";
+import type { Context } from "../common/context.ts";
 import { h } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
 import { KEYS } from "../input/keys.ts";
+import { languageChoice } from "../shell/language.ts";
 import { named, t } from "../words/translate.ts";
 
-const TOPICS = ["aim", "strike", "ahead", "shoot", "move", "game", "else"] as const;
+const TOPICS = ["pot", "aim", "strike", "ahead", "shoot", "move", "game", "else"] as const;
 
 /** @returns A function that opens the help. */
-export function mountHelp(dialog: HTMLDialogElement, showSteps: () => void): () => void {
+export function mountHelp(
+  dialog: HTMLDialogElement,
+  store: Store,
+  context: Context,
+  showSteps: () => void,
+): () => void {
   const close = () => {
     dialog.close();
   };
   const title = h("h2", { id: "help-title", tabindex: -1 }, t("help.title"));
   dialog.append(
     title,
+    languageChoice(store, context, close),
     h(
       "dl",
       { class: "ways" },

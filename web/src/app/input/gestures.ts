@@ -1,15 +1,19 @@
 /**
- * Mouse, pen and touch on the table. A drag on the cloth turns the cue, a drag of a ball moves it; a tap
- * on the cloth aims there, a tap on a ball selects it. With the free camera a drag on the cloth turns the
+ * Mouse, pen and touch on the table. A drag on the cloth turns the cue, which clicks into pots; a drag of
+ * a ball moves it. A tap on the cloth aims there, a tap on a ball selects it, and a tap on a pocket then
+ * aims the ball at it. With the free camera a drag on the cloth turns the
  * camera; the viewer handles that, several fingers, and the other buttons.
  */
 
 import type { Point } from "../../engine/index.ts";
 import { placeBall } from "../document/layout.ts";
-import { FINE, turn } from "../document/strike.ts";
+import { FINE } from "../document/strike.ts";
+import { azimuthOf } from "../document/strike-angles.ts";
 import { azimuthTo, sweep } from "../common/angles.ts";
 import type { Context } from "../common/context.ts";
 import { tapBall, tapPocket } from "../game/play.ts";
+import { aimAtPocket, isObjectBall, turnTo } from "../pot/aim.ts";
+import { pocketAt } from "../pot/pockets.ts";
 import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
 
@@ -18,6 +22,12 @@ const TAP_REACH = { mouse: 4, other: 10 };
 
 /** Degrees that the cue turns per pixel of a drag, with the camera behind the cue. */
 const DEGREES_PER_PIXEL = 0.1;
+
+/** Pixels on either side of a pot from which the cue clicks into it, and the most degrees. */
+const SNAP_PIXELS = 7;
+const WIDEST_SNAP = 2.5;
+/** Pixels between the two points that measure the scale of the picture. */
+const BESIDE = 8;
 
 interface Drag {
   readonly pointer: number;
@@ -28,6 +38,8 @@ interface Drag {
   readonly ball: number | null;
   /** From the pointer to the dragged ball's centre, m. */
   readonly grip: Point;
+  /** Where the cue would point without snapping, degrees; null before it turns. */
+  azimuth: number | null;
   /** Position of the pointer when it last turned the cue. */
   last: { readonly x: number; readonly y: number; readonly point: Point | null };
   moved: boolean;
@@ -62,6 +74,7 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
       start: { x: event.clientX, y: event.clientY },
       ball,
       grip: center && point ? [center[0] - point[0], center[1] - point[1]] : [0, 0],
+      azimuth: null,
       last: { x: event.clientX, y: event.clientY, point },
       moved: false,
     };
@@ -132,8 +145,23 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
         : last.point && point
           ? sweep([x, y], last.point, point)
           : 0;
-    const fine = store.session.fine || event.shiftKey ? FINE : 1;
-    if (swept !== 0) turn(store, swept * fine, held.group);
+    if (swept === 0) return;
+    const fine = store.session.fine || event.shiftKey;
+    held.azimuth =
+      (held.azimuth ?? azimuthOf(store.document.shot.strike)) + swept * (fine ? FINE : 1);
+    // Fine adjustment is for places beside the middle of a pocket.
+    const zone = fine ? 0 : SNAP_PIXELS * degreesPerPixel(event, [x, y], point);
+    turnTo(store, held.azimuth, Math.min(zone, WIDEST_SNAP), held.group);
+  }
+
+  /** Degrees by which a drag of one pixel turns the cue. */
+  function degreesPerPixel(event: PointerEvent, center: Point, point: Point | null): number {
+    if (store.view.camera === "cue") return DEGREES_PER_PIXEL;
+    const beside = viewer.pick(event.clientX + BESIDE, event.clientY).point;
+    if (!point || !beside) return 0;
+    const perPixel = Math.hypot(beside[0] - point[0], beside[1] - point[1]) / BESIDE;
+    const radius = Math.hypot(point[0] - center[0], point[1] - center[1]);
+    return radius > 0 ? ((perPixel / radius) * 180) / Math.PI : 0;
   }
 
   function moveBall(held: Drag, index: number, event: PointerEvent): void {
@@ -144,6 +172,16 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     const position: Point = [point[0] + held.grip[0], point[1] + held.grip[1]];
     store.setSession({ selected: id });
     placeBall(store, id, position, held.group);
+  }
+
+  /** Aims the selected ball at the tapped pocket; in a game, calls them too. */
+  function aimAtTapped(point: Point): boolean {
+    const pocket = pocketAt(store.shot, point);
+    const { selected } = store.session;
+    if (pocket === null || !isObjectBall(store, selected)) return false;
+    aimAtPocket(store, context, selected, pocket);
+    tapPocket(store, context.engine, point);
+    return true;
   }
 
   function tap(held: Drag, event: PointerEvent): void {
@@ -157,7 +195,7 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     const { point } = pointOf(event);
     const struck = store.shot.struck;
     if (!point || struck === null || store.session.mode === "replay") return;
-    if (tapPocket(store, context.engine, point)) return;
+    if (aimAtTapped(point) || tapPocket(store, context.engine, point)) return;
     const [x, y] = ballAt(struck).position;
     store.strike({ azimuth_deg: azimuthTo([x, y], point) }, t("change.aim"), held.group);
   }

@@ -4,6 +4,7 @@ import { shoot, takeItFromHere } from "../aim/shoot.ts";
 import type { Context } from "../common/context.ts";
 import type { Camera } from "../document/document.ts";
 import { aimAt, FINE, turn } from "../document/strike.ts";
+import { aimAtNextPocket } from "../pot/aim.ts";
 import { redo, undo } from "../document/undo.ts";
 import { leave, stepBackwards, stepForwards, togglePlaying } from "../replay/control.ts";
 import type { Store } from "../document/store.ts";
@@ -107,6 +108,15 @@ export const KEYS: readonly Key[] = [
       const { selected } = store.session;
       if (selected === null) store.refuse(t("key.no-ball"));
       else aimAt(store, selected);
+    },
+  },
+  {
+    keys: ["p", "P"],
+    shown: ["P"],
+    help: "key.pot",
+    mode: "aim",
+    run: ({ store, context }, event) => {
+      aimAtNextPocket(store, context, event.shiftKey ? -1 : 1);
     },
   },
   {

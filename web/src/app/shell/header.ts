@@ -5,7 +5,6 @@ import type { Context } from "../common/context.ts";
 import type { Camera, Theme } from "../document/document.ts";
 import { h, icon } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
-import { languageChoice } from "./language.ts";
 import { t } from "../words/translate.ts";
 
 const ICONS = {
@@ -93,13 +92,13 @@ export function mountCamera(root: HTMLElement, store: Store, context: Context): 
   show();
 }
 
-/** Language, theme and help. */
+/** Theme and help. */
 export function mountPageMenu(root: HTMLElement, store: Store, openHelp: () => void): void {
   const theme = iconButton("auto", t("theme.auto"), () => {
     const next = THEMES[(THEMES.indexOf(store.view.theme) + 1) % THEMES.length]!;
     store.setView({ theme: next });
   });
-  root.append(languageChoice(), theme, iconButton("help", t("page.help"), openHelp));
+  root.append(theme, iconButton("help", t("page.help"), openHelp));
   const show = () => {
     const now = store.view.theme;
     name(theme, t(`theme.${now}`));

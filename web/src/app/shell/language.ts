@@ -1,10 +1,14 @@
 /** The language of the page: the browser's, unless the user chose one. */
 
+import type { Context } from "../common/context.ts";
 import { h } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
+import { LinkError } from "../share/link.ts";
+import { keepForReload } from "../share/reload.ts";
 import { type Language, LANGUAGES } from "../words/catalogue.ts";
 import { language, named, setLanguage, t } from "../words/translate.ts";
 
-/** Name of the choice in the browser's storage. It is the only thing that the page stores. */
+/** Name of the choice in the browser's storage. */
 const STORED = "carom-language";
 
 /** Chooses the language, and translates the texts of index.html. Called before anything is mounted. */
@@ -24,20 +28,38 @@ export function preferred(wanted: readonly string[]): Language {
   return wanted.map((tag) => tag.split("-")[0]!.toLowerCase()).find(isLanguage) ?? "en";
 }
 
-/** The control in the header. */
-export function languageChoice(): HTMLElement {
+/**
+ * The choice of the language. The page loads again, because every part of it has texts.
+ *
+ * @param close Uncovers the message that the language cannot be changed.
+ */
+export function languageChoice(store: Store, { engine }: Context, close: () => void): HTMLElement {
   const names = Object.entries(LANGUAGES).map(([value, { name, tag }]) =>
     h("option", { value, lang: tag }, name),
   );
-  const select = h("select", { "aria-label": t("page.language") }, ...names);
+  const select = h("select", { id: "language" }, ...names);
   select.value = language();
   select.addEventListener("change", () => {
-    store(select.value);
-    // The address has the document; it is written before the page leaves (share/address.ts).
+    const wanted = select.value;
+    select.value = language();
+    try {
+      keepForReload(store, engine);
+      localStorage.setItem(STORED, wanted);
+    } catch (error) {
+      close();
+      store.refuse(error instanceof LinkError ? error.message : t("language.not-stored"));
+      return;
+    }
     location.reload();
   });
-  const short = h("span", { "aria-hidden": "true" }, LANGUAGES[language()].short);
-  return h("span", { class: "button plain language", title: t("page.language") }, short, select);
+  return h(
+    "div",
+    { class: "languages" },
+    h("label", { for: select.id }, t("language.label")),
+    " ",
+    select,
+    h("p", { class: "hint" }, t("language.hint")),
+  );
 }
 
 function chosen(): Language | null {
@@ -47,14 +69,6 @@ function chosen(): Language | null {
   } catch {
     // Some frames and browsers have no storage.
     return null;
-  }
-}
-
-function store(value: string): void {
-  try {
-    localStorage.setItem(STORED, value);
-  } catch {
-    // The page then stays in the browser's language.
   }
 }
 

@@ -14,9 +14,9 @@ import type { Entry } from "./entry.ts";
  * American one. `capitals`: whether nouns have a capital letter within a sentence.
  */
 export const LANGUAGES = {
-  en: { name: "English", short: "EN", tag: "en", formats: "en-GB", capitals: false },
-  de: { name: "Deutsch", short: "DE", tag: "de", formats: "de", capitals: true },
-  zh: { name: "中文", short: "中", tag: "zh-Hans", formats: "zh-Hans", capitals: false },
+  en: { name: "English", tag: "en", formats: "en-GB", capitals: false },
+  de: { name: "Deutsch", tag: "de", formats: "de", capitals: true },
+  zh: { name: "中文", tag: "zh-Hans", formats: "zh-Hans", capitals: false },
 } as const;
 
 export type Language = keyof typeof LANGUAGES;
@@ -27,6 +27,7 @@ const ENGLISH = {
   ...en.layout,
   ...en.page,
   ...en.physics,
+  ...en.pot,
   ...en.presets,
   ...en.replay,
   ...en.share,
@@ -47,6 +48,7 @@ export const CATALOGUES: Readonly<Record<Language, Readonly<Record<Key, Entry>>>
     ...de.layout,
     ...de.page,
     ...de.physics,
+    ...de.pot,
     ...de.presets,
     ...de.replay,
     ...de.share,
@@ -59,6 +61,7 @@ export const CATALOGUES: Readonly<Record<Language, Readonly<Record<Key, Entry>>>
     ...zh.layout,
     ...zh.page,
     ...zh.physics,
+    ...zh.pot,
     ...zh.presets,
     ...zh.replay,
     ...zh.share,

@@ -79,6 +79,55 @@ test("a shot without a strike has no variants", () => {
   expect(refusal(() => shot.vary(engine.olympiad(), 1)).place).toBe("strike");
 });
 
+describe("potAim", () => {
+  const balls = [
+    { id: "cue", position: [0.42, 0.72] },
+    { id: "9", position: [0.86, 1.74] },
+  ] as const;
+  const aimless = { ball: "cue", speed: 2, azimuth_deg: 10, side: 0.4 };
+  const file = { format: "carom-shot/1", table: "wpa-9ft", balls } as const;
+  const struck: ShotFile = { ...file, strike: aimless };
+  const shot = engine.shot(struck);
+
+  test("turns the strike until the ball falls into the pocket", () => {
+    const aim = shot.potAim("9", "top-right")!;
+    expect([aim.kind, aim.route, aim.losesCueBall]).toEqual(["direct", "9", false]);
+    const { speed, side, height } = shot.strike!;
+    expect(aim.strike).toMatchObject({ speed, side, height });
+    const into = (by: number) => {
+      const turned = shot.withStrike({ ...aim.strike, azimuth: aim.strike.azimuth + by });
+      return turned.simulate().outcome.pocketed;
+    };
+    for (const share of [-0.9, 0, 0.9]) {
+      expect(into(share * aim.margin)).toEqual([["9", "top-right"]]);
+    }
+    for (const share of [-1.3, 1.3]) expect(into(share * aim.margin)).toEqual([]);
+  });
+
+  test("near lines are those that almost pot the ball", () => {
+    expect(shot.potAim("9", "top-right", { near: true })).toBeNull();
+    const { strike, margin } = shot.potAim("9", "top-right")!;
+    const off = shot.withStrike({ ...strike, azimuth: strike.azimuth + 2.5 * margin });
+    const back = off.potAim("9", "top-right", { near: true })!;
+    expect(Math.abs(back.strike.azimuth - strike.azimuth)).toBeLessThan(0.2 * margin);
+  });
+
+  test("finds no line for a ball that is too slow", () => {
+    const slow = shot.withStrike({ ...shot.strike!, speed: 0.1 });
+    expect(slow.potAim("9", "top-right")).toBeNull();
+  });
+
+  test("refuses unknown balls and pockets", () => {
+    expect(refusal(() => shot.potAim("8", "top-right")).message).toBe(
+      'ball: there is no ball "8"; write one of cue, 9',
+    );
+    expect(refusal(() => shot.potAim("9", "middle")).place).toBe("pocket");
+    expect(refusal(() => shot.potAim("cue", "left")).place).toBe("goal");
+    const still = engine.shot(file);
+    expect(refusal(() => still.potAim("9", "left")).place).toBe("strike");
+  });
+});
+
 describe("withStrike", () => {
   const shot = engine.shot(shotFile("masse"));
   const strike = shot.strike!;

@@ -58,7 +58,7 @@ test("every text is used", () => {
   // Keys that code puts together: t(`theme.${now}`) and named("level", name).
   const stems = [
     ...[...code.matchAll(/`([\w.-]+[.-])\$\{/g)].map(([, stem]) => stem!),
-    ...[...code.matchAll(/named\("([\w-]+)"/g)].map(([, stem]) => `${stem!}.`),
+    ...[...code.matchAll(/named\("([\w.-]+)"/g)].map(([, stem]) => `${stem!}.`),
     ...[...code.matchAll(/keyOf\(\w+, "([\w.]+)"/g)].map(([, stem]) => stem!),
   ];
   const unused = Object.keys(CATALOGUES.en).filter(

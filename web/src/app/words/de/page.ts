@@ -28,10 +28,9 @@ export const page: Translation<typeof en.page> = {
   "theme.auto": "Farben: wie das System",
   "theme.light": "Farben: hell",
   "theme.dark": "Farben: dunkel",
-  "page.language": "Sprache",
   "page.help": "Hilfe und Tasten",
 
-  "tab.state": "Film",
+  "tab.state": "Wiederholung",
   "tab.aim": "Zielen",
   "tab.layout": "Lage",
   "tab.physics": "Physik",
@@ -47,14 +46,23 @@ export const page: Translation<typeof en.page> = {
   "steps.1":
     "Klicken Sie unter Zielen auf den Ball: Effet, Nachläufer oder Rückläufer. Tempo und Neigung stehen darunter.",
   "steps.2":
-    "Drücken Sie Stoßen. Gehen Sie dann durch den Film, oder spielen Sie von der neuen Lage weiter.",
+    "Drücken Sie Stoßen. Gehen Sie dann durch die Wiederholung, oder spielen Sie von der neuen Lage weiter.",
   "steps.3":
     "Ziehen Sie eine Kugel an einen anderen Platz. Jede Änderung lässt sich rückgängig machen.",
 
+  "language.label": "Sprache",
+  "language.hint":
+    "Die Seite lädt neu, mit demselben Stoß und Spiel. Frühere Änderungen lassen sich dann nicht mehr rückgängig machen.",
+  "language.not-stored":
+    "Der Browser lässt diese Seite die Sprache nicht speichern: Öffnen Sie die Seite in einem eigenen Tab, oder ändern Sie die Sprache des Browsers.",
+
   "help.title": "So benutzen Sie diesen Tisch",
+  "help.pot": "Versenken",
+  "help.pot-text":
+    "Tippen Sie eine Kugel an, dann eine Tasche. Das Ziel bleibt, während Sie Tempo, Effet und Neigung ändern.",
   "help.aim": "Zielen",
   "help.aim-text":
-    "Ziehen Sie auf dem Tuch, um das Queue zu drehen, oder tippen Sie auf das Tuch, um dorthin zu zielen.",
+    "Ziehen Sie auf dem Tuch, um das Queue zu drehen; es rastet ein, wo eine Kugel fällt. Oder tippen Sie auf das Tuch, um dorthin zu zielen.",
   "help.strike": "Treffpunkt",
   "help.strike-text":
     "Klicken Sie unter Zielen auf den Ball: Effet, Nachläufer oder Rückläufer. Daneben stehen Tempo, Neigung und Richtung.",
@@ -86,11 +94,13 @@ export const page: Translation<typeof en.page> = {
   "key.next-ball": "Nächste Kugel wählen; mit Umschalt die vorige",
   "key.aim-at": "Auf die Mitte der gewählten Kugel zielen",
   "key.no-ball": "Keine Kugel ist gewählt: Drücken Sie N, um eine zu wählen.",
+  "key.pot":
+    "Gewählte Kugel auf eine Tasche zielen; noch einmal: auf die nächste, mit Umschalt auf die vorige",
   "key.fine": "Feineinstellung ein oder aus: Ziehen und Tasten wirken ein Zehntel so stark",
-  "key.play": "Film abspielen oder anhalten",
-  "key.events": "Im Film: zum vorigen oder nächsten Ereignis",
+  "key.play": "Wiederholung abspielen oder anhalten",
+  "key.events": "In der Wiederholung: zum vorigen oder nächsten Ereignis",
   "key.take": "Von hier weiterspielen: Die Endlage wird die neue Lage",
-  "key.escape": "Film beenden; beim Zielen: Auswahl aufheben",
+  "key.escape": "Wiederholung beenden; beim Zielen: Auswahl aufheben",
   "key.undo": "Rückgängig",
   "key.redo": "Wiederholen",
   "key.top": "Blick von oben",

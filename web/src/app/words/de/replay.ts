@@ -9,7 +9,7 @@ export const replay: Translation<typeof en.replay> = {
   "replay.next": "Nächstes Ereignis",
   "replay.back": "Zurück zum Zielen",
   "replay.back-short": "Zurück",
-  "replay.speed": "Tempo des Films",
+  "replay.speed": "Tempo der Wiederholung",
   "replay.time": "Zeit",
   "replay.time-of": "{time} von {duration}",
   "replay.time-of-last": "{time} von {duration}, zuletzt: {events}",

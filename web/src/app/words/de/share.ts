@@ -56,16 +56,16 @@ export const share: Translation<typeof en.share> = {
     "Das Spiel in diesem Link ist nicht lesbar: Bitten Sie um einen Link, der von dieser Seite kopiert ist.",
   "link.move": "Zug {number} dieses Spiels: {why}",
 
-  "film.heading": "Film des Stoßes",
+  "film.heading": "Video des Stoßes",
   "film.speed": "Tempo",
   "film.normal": "normal",
   "film.slower": { other: "{count}-mal langsamer" },
-  "film.download": "Film herunterladen",
+  "film.download": "Video herunterladen",
   "film.cancel": "Abbrechen",
-  "film.encoded": "Fortschritt des Films",
+  "film.encoded": "Fortschritt des Videos",
   "film.encoding": "Wird berechnet …",
-  "film.ready": "Der Film ist fertig, {megabytes} MB.",
+  "film.ready": "Das Video ist fertig, {megabytes} MB.",
   "film.cancelled": "Abgebrochen.",
   "film.cannot":
-    "Dieser Browser kann keine Filme erzeugen: Nehmen Sie Chrome, Edge, Firefox oder Safari in einer neuen Version.",
+    "Dieser Browser kann keine Videos erzeugen: Nehmen Sie Chrome, Edge, Firefox oder Safari in einer neuen Version.",
 };

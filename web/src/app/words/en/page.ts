@@ -26,7 +26,6 @@ export const page = {
   "theme.auto": "Theme: as the system",
   "theme.light": "Theme: light",
   "theme.dark": "Theme: dark",
-  "page.language": "Language",
   "page.help": "Help and keys",
 
   "tab.state": "Replay",
@@ -47,9 +46,19 @@ export const page = {
   "steps.2": "Press Shoot, then move through the replay, or continue from where the balls stop.",
   "steps.3": "Drag a ball to move it. Undo takes back every change.",
 
+  "language.label": "Language",
+  "language.hint":
+    "The page loads again with the same shot and game. Earlier changes can then not be undone.",
+  "language.not-stored":
+    "The browser does not let this page store the language: open the page in a tab of its own, or change the language of the browser.",
+
   "help.title": "How to use this table",
+  "help.pot": "Pot",
+  "help.pot-text":
+    "Tap a ball, then a pocket. The aim stays solved while you change speed, spin and elevation.",
   "help.aim": "Aim",
-  "help.aim-text": "Drag on the cloth to turn the cue, or tap the cloth to aim at that point.",
+  "help.aim-text":
+    "Drag on the cloth to turn the cue; it clicks into pots. Or tap the cloth to aim at that point.",
   "help.strike": "Strike",
   "help.strike-text":
     "Click the ball under Aim to place the tip: English, follow or draw. Set speed, elevation and direction beside it.",
@@ -80,6 +89,8 @@ export const page = {
   "key.next-ball": "Select the next ball; with Shift the previous one",
   "key.aim-at": "Aim at the centre of the selected ball",
   "key.no-ball": "No ball is selected: press N to select one.",
+  "key.pot":
+    "Aim the selected ball at a pocket; again: at the next pocket, with Shift the previous one",
   "key.fine": "Fine adjustment on or off: drags and keys have a tenth of their effect",
   "key.play": "Play or pause the replay",
   "key.events": "In a replay: go to the previous or next event",

@@ -3,6 +3,7 @@ export { game } from "./game.ts";
 export { layout } from "./layout.ts";
 export { page } from "./page.ts";
 export { physics } from "./physics.ts";
+export { pot } from "./pot.ts";
 export { presets } from "./presets.ts";
 export { replay } from "./replay.ts";
 export { share } from "./share.ts";

@@ -27,7 +27,6 @@ export const page: Translation<typeof en.page> = {
   "theme.auto": "主题：跟随系统",
   "theme.light": "主题：浅色",
   "theme.dark": "主题：深色",
-  "page.language": "语言",
   "page.help": "帮助和按键",
 
   "tab.state": "回放",
@@ -47,9 +46,16 @@ export const page: Translation<typeof en.page> = {
   "steps.2": "按“击球”，然后逐步查看回放，或从球停下的位置继续。",
   "steps.3": "拖动球来移动它。任何改动都可以撤销。",
 
+  "language.label": "语言",
+  "language.hint": "页面会重新加载，保留同一杆球和比赛。之前的改动将不能再撤销。",
+  "language.not-stored":
+    "浏览器不允许本页面保存语言：请在单独的标签页中打开本页面，或更改浏览器的语言。",
+
   "help.title": "怎样使用这张球台",
+  "help.pot": "进球",
+  "help.pot-text": "点击一颗球，再点击球袋。改变杆速、旋转和仰角时，瞄准会随之调整。",
   "help.aim": "瞄准",
-  "help.aim-text": "在台呢上拖动来转动球杆，或点击台呢瞄准那一点。",
+  "help.aim-text": "在台呢上拖动来转动球杆，球杆会吸附到进球线路。或点击台呢瞄准那一点。",
   "help.strike": "击点",
   "help.strike-text": "在“瞄准”中点击球面选择击点：加塞、高杆或低杆。旁边设置杆速、仰角和方向。",
   "help.ahead": "预测",
@@ -75,6 +81,7 @@ export const page: Translation<typeof en.page> = {
   "key.next-ball": "选择下一颗球；按住 Shift 选上一颗",
   "key.aim-at": "瞄准所选球的球心",
   "key.no-ball": "还没有选球：请按 N 选择一颗。",
+  "key.pot": "把所选球瞄向一个球袋；再按：下一个球袋，按住 Shift 为上一个",
   "key.fine": "打开或关闭微调：拖动和按键的效果为十分之一",
   "key.play": "播放或暂停回放",
   "key.events": "回放时：到上一个或下一个事件",

@@ -1,0 +1,52 @@
+/** The aim at a pocket: it stays solved while speed, English and elevation change. */
+
+import { CaromError, type PocketName, type PotAim, type Shot } from "../../engine/index.ts";
+import { wrap } from "../common/angles.ts";
+import type { AimedShot, PotLock } from "./document.ts";
+import { anglesOf, azimuthOf, changed } from "./strike-angles.ts";
+
+const DEGREES = 180 / Math.PI;
+
+/** The azimuth of a solved aim, degrees as the page writes them. */
+export function azimuthOfAim({ strike }: PotAim): number {
+  return wrap(strike.azimuth * DEGREES);
+}
+
+/** What the page keeps of an aim. */
+export function lockOf(ball: string, pocket: PocketName, aim: PotAim): PotLock {
+  const { kind, losesCueBall } = aim;
+  return { ball, pocket, solved: true, margin: aim.margin * DEGREES, kind, losesCueBall };
+}
+
+/**
+ * The shot aimed again after a change, and its lock: null if the change turned the cue or took a ball of
+ * the aim away. If no line is left, the aim stays where it was and the lock is not solved.
+ *
+ * @param read Reads a shot; the caller frees it.
+ */
+export function steered(
+  lock: PotLock,
+  [before, after]: readonly [AimedShot, AimedShot],
+  read: (shot: AimedShot) => Shot,
+): { readonly shot: AimedShot; readonly lock: PotLock | null } {
+  const turned = azimuthOf(after.strike) !== azimuthOf(before.strike);
+  if (turned || after.strike.ball !== before.strike.ball) return { shot: after, lock: null };
+  try {
+    const shot = read(after);
+    const aim = shot.potAim(lock.ball, lock.pocket);
+    shot.free();
+    if (!aim) return { shot: after, lock: { ...lock, solved: false } };
+    const strike = changed(after.strike, { azimuth_deg: azimuthOfAim(aim) });
+    return { shot: { ...after, strike }, lock: lockOf(lock.ball, lock.pocket, aim) };
+  } catch (error) {
+    if (!(error instanceof CaromError)) throw error;
+    return { shot: after, lock: null };
+  }
+}
+
+/** `shot` with its cue turned to `azimuth`, degrees; the caller frees it. */
+export function turnedTo(shot: Shot, file: AimedShot, azimuth: number): Shot {
+  const { speed, side = 0, height = 0 } = file.strike;
+  const { elevation } = anglesOf(file.strike);
+  return shot.withStrike({ speed, azimuth: azimuth / DEGREES, elevation, side, height });
+}

@@ -1,0 +1,36 @@
+/** How the cue ball meets the first ball: what players call the cut. */
+
+import type { Trace } from "../../engine/index.ts";
+
+const DEGREES = 180 / Math.PI;
+
+/** The first contact of the cue ball with another ball. */
+export interface Contact {
+  /** Id of the object ball. */
+  readonly ball: string;
+  /** Angle between the cue ball's direction and the line of centres, degrees. */
+  readonly cut: number;
+  /**
+   * How much of the ball is covered by the cue ball as the player sees it, 1 (full) to 0 (not at all):
+   * 1 − sin(cut) for equal balls.
+   */
+  readonly fullness: number;
+}
+
+/** The first contact of a shot; null if the cue ball meets no ball, or several at once. */
+export function firstContact(trace: Trace): Contact | null {
+  const { struck, balls } = trace.shot;
+  const cue = struck === null ? undefined : balls[struck]?.id;
+  if (cue === undefined) return null;
+  const event = trace.events.find(
+    ({ type, balls: met }) => type === "ball-collision" && met.includes(cue),
+  );
+  if (event?.balls.length !== 2) return null;
+  const own = event.balls.indexOf(cue);
+  const [from, to] = [event.before[own]!, event.before[1 - own]!];
+  const [x, y] = [to.position[0] - from.position[0], to.position[1] - from.position[1]];
+  const [vx, vy] = from.velocity;
+  const across = Math.abs(vx * y - vy * x) / (Math.hypot(x, y) * Math.hypot(vx, vy));
+  const cut = Math.asin(Math.min(1, across)) * DEGREES;
+  return { ball: event.balls[1 - own]!, cut, fullness: 1 - Math.min(1, across) };
+}

@@ -1,0 +1,39 @@
+/**
+ * Keeps what the page shows while it loads again. The address is not enough: a page with an embedded
+ * document opens that, and in a frame the address cannot be changed.
+ */
+
+import type { Engine } from "../../engine/index.ts";
+import type { Store } from "../document/store.ts";
+import { fragment, type LinkContents, readLink } from "./address.ts";
+
+/** Name of the link in the storage of the tab; it is there only while the page loads. */
+const KEPT = "carom-reload";
+
+/**
+ * Stores document, view and time of the replay for the next load of the page.
+ *
+ * @throws {LinkError} They could not be opened again, because the game is too long.
+ * @throws {DOMException} The browser stores nothing for this page.
+ */
+export function keepForReload(store: Store, engine: Engine): void {
+  const kept = fragment(engine, store.shot, store.state);
+  readLink(engine, kept);
+  sessionStorage.setItem(KEPT, kept);
+}
+
+/**
+ * Takes what was kept out of the storage; null if nothing was.
+ *
+ * @throws {LinkError} It cannot be opened.
+ */
+export function takeKept(engine: Engine): LinkContents | null {
+  let kept: string | null = null;
+  try {
+    kept = sessionStorage.getItem(KEPT);
+    sessionStorage.removeItem(KEPT);
+  } catch {
+    // Some frames and browsers have no storage.
+  }
+  return kept === null ? null : readLink(engine, kept);
+}

@@ -1,0 +1,127 @@
+import type { Page } from "playwright-core";
+import { expect, onPage, PHONE, settled, shotOf, test } from "./fixture.ts";
+
+const lock = (page: Page) => page.evaluate(() => window.carom!.store.session.lock);
+const pocketed = (page: Page) =>
+  page.evaluate(() => window.carom!.store.ghost.trace!.outcome.pocketed);
+
+/** Where ball 9 and the pocket at the top right lie in the picture. */
+async function targets(page: Page) {
+  const { geometry, ball } = await page.evaluate(() => {
+    const { shot } = window.carom!.store;
+    return { geometry: shot.geometry, ball: shot.balls.find(({ id }) => id === "9")!.position };
+  });
+  const [x, y] = geometry.pockets.find(({ name }) => name === "top-right")!.center;
+  return { ball: await onPage(page, ball[0], ball[1]), pocket: await onPage(page, x, y, 0) };
+}
+
+/** Turns the cue away from everything. */
+async function turnAway(page: Page): Promise<void> {
+  await page.evaluate(() => window.carom!.store.strike({ azimuth_deg: 190 }, "turn away"));
+  await settled(page);
+}
+
+for (const viewport of [PHONE, { width: 1280, height: 800 }]) {
+  test(`a ball falls after three taps at ${viewport.width}×${viewport.height}`, async ({
+    open,
+  }) => {
+    const isPhone = viewport === PHONE;
+    const page = await open({ viewport, ...(isPhone && { hasTouch: true, isMobile: true }) });
+    await turnAway(page);
+    const { ball, pocket } = await targets(page);
+    const tap = ({ x, y }: { x: number; y: number }) =>
+      isPhone ? page.touchscreen.tap(x, y) : page.mouse.click(x, y);
+    await tap(ball);
+    await tap(pocket);
+    await settled(page);
+    expect(await lock(page)).toMatchObject({ ball: "9", pocket: "top-right", solved: true });
+    expect(await page.locator("#outcome").textContent()).toMatch(
+      /^Ball 9 to the top right pocket: .*(ball|hit|cut), a cut of \d+°, ± 0\.\d+°\. /,
+    );
+    const shoot = page.getByRole("button", { name: "Shoot" });
+    await (isPhone ? shoot.tap() : shoot.click());
+    const outcome = await page.evaluate(() => window.carom!.store.session.trace!.outcome);
+    expect(outcome.pocketed).toEqual([["9", "top-right"]]);
+  });
+}
+
+test("the pot stays aimed while speed, English and elevation change, until the cue is turned", async ({
+  open,
+}) => {
+  const page = await open();
+  await turnAway(page);
+  const { ball, pocket } = await targets(page);
+  await page.mouse.click(ball.x, ball.y);
+  await page.mouse.click(pocket.x, pocket.y);
+  const strike = (patch: object) =>
+    page.evaluate((patch) => window.carom!.store.strike(patch, "change"), patch);
+  const azimuths = new Set<number>();
+  for (const patch of [{ side: 0.4 }, { speed: 3.5 }, { elevation_deg: 20 }, { height: -0.3 }]) {
+    await strike(patch);
+    expect(await pocketed(page)).toContainEqual(["9", "top-right"]);
+    azimuths.add((await shotOf(page)).strike!.azimuth_deg!);
+  }
+  expect(azimuths.size).toBe(4);
+  // Too slow: the cue stays, and a sentence says why.
+  await strike({ speed: 0.1 });
+  await settled(page);
+  expect((await lock(page))!.solved).toBe(false);
+  expect(await page.locator("#outcome").textContent()).toContain("no line with this stroke");
+  await strike({ speed: 3 });
+  expect(await pocketed(page)).toContainEqual(["9", "top-right"]);
+  await page.keyboard.press("Control+z");
+  expect(await lock(page)).toBeNull();
+});
+
+test("a drag past a pot clicks into it, and with Shift it does not", async ({ open }) => {
+  const page = await open();
+  const { ball, pocket } = await targets(page);
+  await page.mouse.click(ball.x, ball.y);
+  await page.mouse.click(pocket.x, pocket.y);
+  await settled(page);
+  const solved = (await shotOf(page)).strike!.azimuth_deg!;
+  const drag = async (from: number, by: number, fine: boolean) => {
+    await page.evaluate((azimuth_deg) => window.carom!.store.strike({ azimuth_deg }, "turn"), from);
+    await settled(page);
+    expect(await lock(page)).toBeNull();
+    const [x, y] = (await shotOf(page)).balls[0]!.position;
+    const spot = (degrees: number) => {
+      const angle = (degrees * Math.PI) / 180;
+      return onPage(page, x + 0.6 * Math.cos(angle), y + 0.6 * Math.sin(angle));
+    };
+    const [start, end] = [await spot(100), await spot(100 + by)];
+    if (fine) await page.keyboard.down("Shift");
+    await page.mouse.move(start.x, start.y);
+    await page.mouse.down();
+    await page.mouse.move(end.x, end.y, { steps: 6 });
+    await settled(page);
+    const found = [(await shotOf(page)).strike!.azimuth_deg!, await lock(page)] as const;
+    await page.mouse.up();
+    if (fine) await page.keyboard.up("Shift");
+    return found;
+  };
+  const [snapped, kept] = await drag(solved - 6, 5.4, false);
+  expect(snapped).toBeCloseTo(solved, 1);
+  expect(kept).toMatchObject({ ball: "9", pocket: "top-right" });
+  const [free, none] = await drag(solved - 1.2, 6, true);
+  expect(none).toBeNull();
+  expect(free).not.toBeCloseTo(solved, 2);
+});
+
+test("the keyboard aims the selected ball at one pocket after another", async ({ open }) => {
+  const page = await open();
+  await turnAway(page);
+  await page.evaluate(() => window.carom!.store.setSession({ selected: "9" }));
+  await page.getByRole("application", { name: /^Table/ }).focus();
+  const seen: string[] = [];
+  for (let k = 0; k < 3; k += 1) {
+    await page.keyboard.press("p");
+    await settled(page);
+    const aim = (await lock(page))!;
+    seen.push(aim.pocket);
+    expect(await pocketed(page)).toContainEqual(["9", aim.pocket]);
+  }
+  expect(new Set(seen).size).toBe(3);
+  await page.keyboard.press("Shift+P");
+  expect((await lock(page))!.pocket).toBe(seen[1]);
+});
