@@ -71,8 +71,8 @@ export function link(store: Store, engine: Engine): string | null {
   return location.href.replace(/#.*$/s, "") + fragment(engine, store.shot, store.state);
 }
 
-/** The fragment of the link for a state. Presets have dated names, so that the link keeps their values. */
-export function fragment(engine: Engine, shot: Shot, state: State): string {
+/** The fragment for a state. Presets have dated names, so that the link keeps their values. */
+function fragment(engine: Engine, shot: Shot, state: State): string {
   const { game } = state.document;
   const dated = game && { ...game, setup: datedSetup(engine, game.setup) };
   const document = { ...state.document, game: dated };

@@ -5,7 +5,8 @@
 
 import type { Engine } from "../../engine/index.ts";
 import type { Store } from "../document/store.ts";
-import { fragment, type LinkContents, readLink } from "./address.ts";
+import { type LinkContents, readLink } from "./address.ts";
+import { stateToFragment } from "./state.ts";
 
 /** Name of the link in the storage of the tab; it is there only while the page loads. */
 const KEPT = "carom-reload";
@@ -17,7 +18,8 @@ const KEPT = "carom-reload";
  * @throws {DOMException} The browser stores nothing for this page.
  */
 export function keepForReload(store: Store, engine: Engine): void {
-  const kept = fragment(engine, store.shot, store.state);
+  // The document's own shot: that of a link has the elevation that the automatic one gives.
+  const kept = stateToFragment(store.document.shot, store.state);
   readLink(engine, kept);
   sessionStorage.setItem(KEPT, kept);
 }
