@@ -1,6 +1,12 @@
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
 import type { Page } from "playwright-core";
+import { inject } from "vitest";
 import { CATALOGUES, type Language } from "../../src/app/words/catalogue.ts";
-import { expect, PHONE, settled, test } from "./fixture.ts";
+import type { ShotFile } from "../../src/engine/index.ts";
+import { expect, PHONE, settled, shotOf, test } from "./fixture.ts";
 
 const LOCALES = { de: "de-DE", zh: "zh-CN" } as const;
 
@@ -131,6 +137,19 @@ test("another language is chosen, and the shot, the game and the view stay", asy
   // The choice outlives the page, what was kept does not.
   expect(await page.evaluate(() => Object.keys(sessionStorage))).toEqual([]);
   expect(await page.evaluate(() => Object.keys(localStorage))).toEqual(["carom-language"]);
+});
+
+test("a change of an embedded document outlives the choice of a language", async ({ open }) => {
+  const file = join(mkdtempSync(join(tmpdir(), "carom-")), "page.html");
+  const shot = readFileSync(new URL("../../../shots/half_ball_cut.json", import.meta.url), "utf8");
+  const html = readFileSync(inject("file"), "utf8");
+  writeFileSync(file, html.replace(/(id="carom-document")>/, `$1>${shot}`));
+  const page = await open({ url: pathToFileURL(file).href, locale: "en-NZ" });
+  await page.evaluate(() => window.carom!.store.strike({ side: 0.125 }, "change"));
+  const before = await shotOf(page);
+  expect(before.balls).toEqual((JSON.parse(shot) as ShotFile).balls);
+  await choose(page, "Help and keys", "zh");
+  expect(await shotOf(page)).toEqual(before);
 });
 
 test("a page that may store nothing says why the language stays", async ({ open }) => {
