@@ -70,7 +70,12 @@ function fromAddress(engine: Engine, first: Document): Start | null {
     const contents = readAddress(engine);
     if (!contents) return null;
     const { document, view, time } = contents;
-    return { document, view, welcome: false, then: (store) => showTime(store, engine, time) };
+    const then = (store: Store) => {
+      // A link may be opened anywhere.
+      store.setSession({ sound: false });
+      showTime(store, engine, time);
+    };
+    return { document, view, welcome: false, then };
   } catch (error) {
     if (error instanceof LinkError) return refusing(first, error.message);
     // Our own bug must not leave the user with an empty page.

@@ -17,7 +17,7 @@ async function targets(page: Page) {
 
 /** Turns the cue away from everything. */
 async function turnAway(page: Page): Promise<void> {
-  await page.evaluate(() => window.carom!.store.strike({ azimuth_deg: 190 }, "turn away"));
+  await page.evaluate(() => window.carom!.store.strike({ azimuth_deg: 190 }, "turn"));
   await settled(page);
 }
 

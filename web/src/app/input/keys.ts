@@ -128,6 +128,15 @@ export const KEYS: readonly Key[] = [
     },
   },
   {
+    keys: ["m"],
+    shown: ["M"],
+    help: "Sound of the replay on or off",
+    run: ({ store, context }) => {
+      store.setSession({ sound: !store.session.sound });
+      context.announce(`Sound ${store.session.sound ? "on" : "off"}`);
+    },
+  },
+  {
     keys: [" "],
     shown: ["Space"],
     help: "Play or pause the replay",
