@@ -36,7 +36,7 @@ export const TEXTS = {
   placed: "{ball}, on the table",
   landmark: "Point {number} of the table. Arrow keys move it.",
   handle: "{ball} in the photo. Arrow keys move it, Delete removes it.",
-  preview: "The layout so far: {count} balls",
+  preview: "The layout so far. Number of balls: {count}",
   undo: "Undo",
   remove: "Remove",
   turn: "Turn round",

@@ -81,7 +81,7 @@ for (const [name, viewport] of [
     await tapAll(marks.places.map((place) => project(camera, place)!));
     await dialog.getByText("Tap the middle of the cue ball").waitFor();
     await tapAll(balls.map(({ position }) => project(camera, [...position, RADIUS])!));
-    await dialog.getByRole("img", { name: "The layout so far: 9 balls" }).waitFor();
+    await dialog.getByRole("img", { name: "The layout so far. Number of balls: 9" }).waitFor();
     await dialog.getByRole("button", { name: "Use this layout" }).click();
     gestures += 1;
     expect(gestures).toBeLessThanOrEqual(MOST_GESTURES);
@@ -95,3 +95,71 @@ for (const [name, viewport] of [
     expect(requests.filter((url) => !/^(blob|data):/.test(url))).toEqual([]);
   });
 }
+
+test("a file that is no photo is refused with a sentence, and the work is kept", async ({
+  open,
+}) => {
+  const page = await open({ viewport: PHONE });
+  const dialog = await openDialog(page);
+  await choosePhoto(dialog, "notes.png", Buffer.from("no photo"));
+  await dialog.getByText("notes.png is not a photo that this browser can show").waitFor();
+  await choosePhoto(dialog);
+  await dialog.getByText("0 of 6").waitFor();
+  const [[x, y]] = (await places(dialog, [[600, 450]])) as [Point];
+  await page.mouse.click(x, y);
+  await dialog.getByText("1 of 6").waitFor();
+  await choosePhoto(dialog, "damaged.png", photo.subarray(0, 3000));
+  await dialog.getByText("damaged.png is not a photo that this browser can show").waitFor();
+  expect(await dialog.getByText("1 of 6").count()).toBe(1);
+  await dialog.getByRole("button", { name: "Close" }).click();
+  await page.getByRole("button", { name: "Layout from a photo" }).click();
+  expect(await dialog.getByText("1 of 6").count()).toBe(1);
+});
+
+test("points that are not the table's are reported", async ({ open }) => {
+  const page = await open({ viewport: WIDE });
+  const dialog = await openDialog(page);
+  await choosePhoto(dialog);
+  await dialog.getByText("0 of 6").waitFor();
+  const pixels = marks.places.map((place) => project(camera, place)!);
+  // The third landmark is a side pocket: the tap is far from it.
+  pixels[2] = [pixels[2]![0] + 60, pixels[2]![1] - 40];
+  for (const [x, y] of await places(dialog, pixels)) await page.mouse.click(x, y);
+  await dialog.getByText("These points do not look like this table").waitFor();
+});
+
+test("the keyboard marks the table, places a ball and moves it", async ({ open }) => {
+  const page = await open({ viewport: WIDE });
+  const dialog = await openDialog(page);
+  await choosePhoto(dialog);
+  await dialog.getByText("0 of 6").waitFor();
+  let [x, y] = [SIZE[0] / 2, SIZE[1] / 2];
+  /** Steps of 50 pixels with Shift, and of 5 without. */
+  const press = async (key: string, times: number) => {
+    for (let k = 0; k < times; k += 1) await page.keyboard.press(key);
+  };
+  const go = async (target: Point) => {
+    for (const [axis, keys] of [
+      [0, ["ArrowLeft", "ArrowRight"]],
+      [1, ["ArrowUp", "ArrowDown"]],
+    ] as const) {
+      const steps = Math.round((target[axis] - [x, y][axis]!) / 5);
+      const key = keys[steps > 0 ? 1 : 0];
+      await press(`Shift+${key}`, Math.floor(Math.abs(steps) / 10));
+      await press(key, Math.abs(steps) % 10);
+      if (axis === 0) x += 5 * steps;
+      else y += 5 * steps;
+    }
+    await page.keyboard.press("Enter");
+  };
+  for (const place of marks.places) await go(project(camera, place)!);
+  await go(project(camera, [...balls[0]!.position, RADIUS])!);
+  await dialog.getByRole("img", { name: "The layout so far. Number of balls: 1" }).waitFor();
+  const handle = dialog.getByRole("button", { name: "the cue ball in the photo" });
+  await handle.focus();
+  const before = (await handle.boundingBox())!;
+  await press("Shift+ArrowRight", 2);
+  expect((await handle.boundingBox())!.x).toBeGreaterThan(before.x);
+  await page.keyboard.press("Delete");
+  await dialog.getByRole("img", { name: "The layout so far. Number of balls: 0" }).waitFor();
+});

@@ -9,6 +9,12 @@ import type { Stage } from "./stage.ts";
 
 /** Points per side of the table, so that a distorted side is drawn as a curve. */
 const POINTS = 24;
+/** Radius of the mark of a landmark, CSS pixels. */
+const RING = 9;
+/** Radii of a badge, CSS pixels: as large as the ball, unless it would hide others or be unreadable. */
+const BADGE = [3.5, 9] as const;
+/** Least radius of a badge with a number. */
+const READABLE = 6.5;
 
 /**
  * Draws all marks.
@@ -27,7 +33,7 @@ export function drawOverlay(
   drawTable(context, stage, session);
   for (const pixel of session.draft.landmarks) {
     const [x, y] = stage.place(pixel);
-    circle(context, [x, y], 11);
+    circle(context, [x, y], RING);
     stroke(context, "#ffffff", 2);
     circle(context, [x, y], 2);
     stroke(context, "#ffffff", 2);
@@ -100,25 +106,31 @@ function drawBalls(
     );
     polygon(context, places);
     stroke(context, "#ffffff", id === selected ? 3.5 : 1.5);
-    const top = Math.min(...places.map(([, y]) => y));
-    badge(context, id, tray.indexOf(id), [stage.place(pixel)[0], top - 10]);
+    const [top, bottom] = [Math.min, Math.max].map((end) => end(...places.map(([, y]) => y)));
+    const size = Math.max(BADGE[0], Math.min(BADGE[1], 0.4 * (bottom! - top!)));
+    badge(context, { id, index: tray.indexOf(id) }, [stage.place(pixel)[0], top! - size - 2], size);
   }
 }
 
-/** A ball's colour and number above it. */
-function badge(context: CanvasRenderingContext2D, id: string, index: number, [x, y]: Point): void {
+/** A ball's colour, and its number if there is room, above it. */
+function badge(
+  context: CanvasRenderingContext2D,
+  { id, index }: { readonly id: string; readonly index: number },
+  [x, y]: Point,
+  size: number,
+): void {
   const { body, label, striped } = look(id, Math.max(0, index));
-  circle(context, [x, y], 8);
+  circle(context, [x, y], size);
   context.fillStyle = striped ? "#f6f1e3" : body;
   context.fill();
-  stroke(context, body, 2);
-  if (label === "") return;
-  context.font = "600 10px sans-serif";
-  context.textAlign = "center";
-  context.textBaseline = "middle";
-  circle(context, [x, y], 6);
+  stroke(context, body, size / 4);
+  if (label === "" || size < READABLE) return;
+  circle(context, [x, y], 0.75 * size);
   context.fillStyle = "#f6f1e3";
   context.fill();
+  context.font = `600 ${1.2 * size}px sans-serif`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
   context.fillStyle = "#17181a";
   context.fillText(label, x, y + 0.5);
 }

@@ -28,11 +28,13 @@ export class Source {
       input.click();
     };
     this.again = button(TEXTS.another, "", choose);
+    const first = button(TEXTS.choose, "primary", choose);
+    first.autofocus = true;
     this.root = element(
       "div",
       { class: "photo-source" },
       element("p", {}, TEXTS.drop),
-      button(TEXTS.choose, "primary", choose),
+      first,
       input,
       element("p", { class: "hint" }, TEXTS.privacy),
       this.#message,
