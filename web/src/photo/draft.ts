@@ -1,6 +1,7 @@
 /** What a user has marked in a photo. Immutable; each change is a step that undo takes back. */
 
 import type { Engine, Geometry, Point } from "../engine/index.ts";
+import { undated } from "./presets.ts";
 
 export interface MarkedBall {
   readonly id: string;
@@ -83,7 +84,7 @@ function following({ balls }: Draft, tray: readonly string[], id: string): strin
 export function trayOf(engine: Engine, geometry: Geometry): string[] {
   const racks = engine.games.map((game) => engine.breakShot(game));
   const sets = racks.map(({ geometry: usual, balls }) => ({
-    same: usual.physics === geometry.physics,
+    same: undated(usual.physics ?? "") === undated(geometry.physics ?? ""),
     pockets: usual.pockets.length === geometry.pockets.length,
     ids: balls.map(({ id }) => id),
   }));

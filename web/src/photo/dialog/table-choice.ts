@@ -1,11 +1,9 @@
 /** The list of tables in the dialog. */
 
 import type { Engine, ShotFile } from "../../engine/index.ts";
+import { isDated } from "../presets.ts";
 import { tableText, TEXTS } from "../texts.ts";
 import { element } from "./element.ts";
-
-/** Names of older editions of a table end in a year and a month. */
-const DATED = /-\d{4}-\d{2}$/;
 
 export class TableChoice {
   readonly root: HTMLElement;
@@ -15,7 +13,7 @@ export class TableChoice {
 
   constructor(engine: Engine, changed: () => void) {
     this.#engine = engine;
-    const names = engine.tables.flatMap(({ name }) => (name && !DATED.test(name) ? [name] : []));
+    const names = engine.tables.flatMap(({ name }) => (name && !isDated(name) ? [name] : []));
     this.#select = element(
       "select",
       { "aria-label": TEXTS.table },
