@@ -6,13 +6,21 @@
 import { writeFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { load, type Point } from "../src/engine/index.js";
-import { calibrate, TAP_ERROR, type Calibration } from "../src/photo/geometry/calibrate.ts";
+import {
+  calibrate,
+  TAP_ERROR,
+  type Calibration,
+  type Size,
+} from "../src/photo/geometry/calibrate.ts";
 import { project } from "../src/photo/geometry/camera.ts";
 import { landmarks } from "../src/photo/geometry/landmarks.ts";
-import { layout, tableOf } from "../src/photo/geometry/layout.ts";
+import { layout, tableOf, type TableOfPhoto } from "../src/photo/geometry/layout.ts";
 import { locate } from "../src/photo/geometry/locate.ts";
+import { contradicts } from "../src/photo/geometry/proportion.ts";
 import { outline } from "../src/photo/picture/outline.ts";
+import type { Pixels } from "../src/photo/picture/pixels.ts";
 import { refine } from "../src/photo/picture/refine.ts";
+import { relativeSize } from "../src/photo/picture/size.ts";
 import { generator, type Random } from "../tests/photo/random.ts";
 import { lit, render } from "../tests/photo/render.ts";
 import { CAMERAS, randomLayout, randomView, STANDS, type View } from "../tests/photo/views.ts";
@@ -28,11 +36,14 @@ const CORNERS = [0, 1, 3, 4];
 const ALL = [0, 1, 2, 3, 4, 5];
 
 const engine = await load();
-const table = tableOf(engine, {
-  format: "carom-shot/1",
-  table: "wpa-9ft",
-  balls: [{ id: "cue", position: [0.6, 0.6] }],
-});
+const preset = (name: string): TableOfPhoto =>
+  tableOf(engine, {
+    format: "carom-shot/1",
+    table: name,
+    balls: [{ id: "cue", position: [0.5, 0.5] }],
+  });
+const table = preset("wpa-9ft");
+const SEVEN_FOOT = preset("bar-7ft");
 const { geometry, radius } = table;
 const marks = landmarks(geometry)!;
 
@@ -51,10 +62,22 @@ interface Tally {
   /** Calibrations that failed, exchanged the long and short rails or were called a misfit. */
   failed: number;
   misfits: number;
+  /** Photos in which the size of the balls contradicts the true table, and a table of 7 feet. */
+  contradicted: number;
+  contradicted_7ft: number;
+}
+
+/** A ball in a photo. */
+interface Seen {
+  readonly center: Point;
+  readonly tap: Point;
+  /** By the outline near the tap; null if there is none. */
+  readonly refined: Point | null;
+  readonly part: Pixels;
 }
 
 /** The place of a ball in a photo, by a tap and by the outline near it. */
-function seen(view: View, scene: ReturnType<typeof lit>, at: Point, random: Random) {
+function seen(view: View, scene: ReturnType<typeof lit>, at: Point, random: Random): Seen {
   const center = project(view.camera, [...at, radius])!;
   const deviation = TAP_ERROR * view.photo[0];
   const tap: Point = [
@@ -64,10 +87,26 @@ function seen(view: View, scene: ReturnType<typeof lit>, at: Point, random: Rand
   const size = Math.max(
     ...outline(view.camera, center, radius)!.map(({ offset }) => Math.hypot(...offset)),
   );
-  const half = Math.ceil(2.1 * size + 4 * deviation + 2);
+  const half = Math.ceil(2.4 * size + 4 * deviation + 2);
   const [left, top] = [Math.floor(tap[0]) - half, Math.floor(tap[1]) - half];
   const part = render(scene, { left, top, width: 2 * half, height: 2 * half }, random);
-  return { center, tap, refined: refine(part, view.camera, tap, radius) };
+  return { center, tap, refined: refine(part, view.camera, tap, radius), part };
+}
+
+/** Whether the size of the balls contradicts a table that the user may have chosen. */
+function isContradicted(
+  chosen: TableOfPhoto,
+  taps: readonly Point[],
+  photo: Size,
+  balls: readonly Seen[],
+): boolean {
+  const found = calibrate(landmarks(chosen.geometry)!, taps, photo);
+  if (!found) return false;
+  const sizes = balls.flatMap(({ part, tap }) => {
+    const center = refine(part, found.camera, tap, chosen.radius);
+    return (center && relativeSize(part, found.camera, center, chosen.radius)) ?? [];
+  });
+  return contradicts(sizes.sort((a, b) => a - b)[sizes.length >> 1] ?? 1);
 }
 
 /** Distance of two places, if the calibration may have exchanged the ends of the table, mm. */
@@ -97,6 +136,8 @@ function measure(seed: number, tally: Tally): void {
     tally.pixels.refined.push(away(refined ?? tap));
     if (!refined) tally.unrefined += 1;
   }
+  if (isContradicted(table, taps, view.photo, pixels)) tally.contradicted += 1;
+  if (isContradicted(SEVEN_FOOT, taps, view.photo, pixels)) tally.contradicted_7ft += 1;
   for (const which of [CORNERS, ALL]) {
     const chosen = which.map((k) => taps[k]!);
     const found = calibrate(marks, chosen, view.photo);
@@ -142,6 +183,8 @@ test("layouts from photos are exact to some millimetres", { timeout: 3_600_000 }
     unrefined: 0,
     failed: 0,
     misfits: 0,
+    contradicted: 0,
+    contradicted_7ft: 0,
   };
   for (let seed = 0; seed < PHOTOS; seed += 1) measure(seed, tally);
   const { errors, pixels, ...counts } = tally;

@@ -9,6 +9,8 @@ export interface MarkedBall {
   readonly pixel: Point;
   /** Whether this is the centre of its outline, not of the tap. */
   readonly refined: boolean;
+  /** Its size in the photo, 1 as on the chosen table; null if its outline was not seen. */
+  readonly size: number | null;
 }
 
 export interface Draft {

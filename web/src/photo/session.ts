@@ -17,14 +17,22 @@ import { calibrate, TAP_ERROR, type Calibration } from "./geometry/calibrate.ts"
 import { landmarks, type Landmarks } from "./geometry/landmarks.ts";
 import { layout, type Layout, type TableOfPhoto } from "./geometry/layout.ts";
 import { locate, type Estimate } from "./geometry/locate.ts";
+import { contradicts, ENOUGH, fittingPreset, proportion } from "./geometry/proportion.ts";
 import type { Pixels } from "./picture/pixels.ts";
 import { refine, REFINED_ERROR } from "./picture/refine.ts";
+import { relativeSize } from "./picture/size.ts";
 
 /** How far outside the playing area a ball may seem to lie, m: the depth of a pocket. */
 const BEYOND = 0.12;
 
 /** What a tap did. */
 export type TapResult = "landmark" | "ball" | "no camera" | "off table" | "nothing left";
+
+export interface Misproportion {
+  readonly isLarge: boolean;
+  /** Name of a table preset; null if none fits. */
+  readonly preset: string | null;
+}
 
 export class Session {
   readonly #engine: Engine;
@@ -74,12 +82,27 @@ export class Session {
     return errors.sort((a, b) => a - b)[errors.length >> 1] ?? null;
   }
 
+  /**
+   * Whether the balls look too large or too small for the table, and the preset that they fit; null if
+   * their size is as expected or not known.
+   */
+  get misproportion(): Misproportion | null {
+    const sizes = this.#draft.balls.flatMap(({ size }) => size ?? []).sort((a, b) => a - b);
+    const size = sizes[sizes.length >> 1];
+    if (size === undefined || sizes.length < ENOUGH || !contradicts(size)) return null;
+    return { isLarge: size > 1, preset: fittingPreset(this.#engine, this.#table, size) };
+  }
+
   /** Continues with another table; balls that it does not have are taken away. */
   changeTable(table: TableOfPhoto): void {
+    const before = proportion(this.#table);
     this.#table = table;
     this.#landmarks = landmarks(table.geometry);
     this.#tray = trayOf(this.#engine, table.geometry);
-    const balls = this.#draft.balls.filter(({ id }) => this.#tray.includes(id));
+    const change = before / proportion(table);
+    const balls = this.#draft.balls
+      .filter(({ id }) => this.#tray.includes(id))
+      .map((ball) => ({ ...ball, size: ball.size && ball.size * change }));
     const next = this.#tray.find((id) => !balls.some((ball) => ball.id === id)) ?? null;
     this.#set({ ...this.#draft, balls, next });
   }
@@ -129,7 +152,7 @@ export class Session {
 
   /** Moves a ball to a pixel exactly; a place beside the table is ignored. */
   moveBall(id: string, pixel: Point, step: boolean): void {
-    const ball = { id, pixel, refined: false };
+    const ball = { id, pixel, refined: false, size: null };
     if (this.#isOnTable(ball)) this.#set(moveBall(this.#draft, ball), step);
   }
 
@@ -169,7 +192,9 @@ export class Session {
   /** The ball at the centre of the outline that is near a tap, or at the tap. */
   #refined(id: string, tap: Point): MarkedBall {
     const center = refine(this.#pixels, this.#calibration!.camera, tap, this.#table.radius);
-    return { id, pixel: center ?? tap, refined: center !== null };
+    const { camera } = this.#calibration!;
+    const size = center && relativeSize(this.#pixels, camera, center, this.#table.radius);
+    return { id, pixel: center ?? tap, refined: center !== null, size };
   }
 
   #isOnTable(ball: MarkedBall): boolean {

@@ -22,6 +22,9 @@ export const TEXTS = {
   accuracy: "Balls are within about {error} mm.",
   misfit:
     "These points do not look like this table. Drag them onto its pockets, or choose the table.",
+  ballsLarge: "The balls look too large for this table. Choose the table.",
+  ballsSmall: "The balls look too small for this table. Choose the table.",
+  looksLike: "They fit: {table}.",
   noCamera:
     "No table looks like these points. Undo, and tap the four corners and then the two middles.",
   offTable: "This point is not on the table. Tap the middle of a ball.",

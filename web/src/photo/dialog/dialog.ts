@@ -6,7 +6,7 @@ import { tableOf, type Equipment, type Layout } from "../geometry/layout.ts";
 import { outline } from "../picture/outline.ts";
 import { LEAST, readPhoto, type Photo } from "../picture/read.ts";
 import { Session } from "../session.ts";
-import { ballText, fill, TEXTS } from "../texts.ts";
+import { ballText, fill, tableText, TEXTS } from "../texts.ts";
 import { button, element } from "./element.ts";
 import { arrow, Handles, type Mark } from "./handles.ts";
 import { Loupe } from "./loupe.ts";
@@ -382,7 +382,7 @@ export class PhotoDialog {
     this.#hint.textContent = this.#hintText(session);
     const misfit = calibration && !calibration.fits ? TEXTS.misfit : "";
     const lost = draft.balls.length > 0 && !layout ? TEXTS.noLayout : "";
-    this.#warning.textContent = this.#message || misfit || lost;
+    this.#warning.textContent = this.#message || misfit || lost || proportionText(session);
     const { four, undo, remove, turn, use } = this.#buttons;
     const corners = draft.landmarks.length;
     four.hidden = draft.marked || corners < CORNERS || !calibration;
@@ -412,4 +412,12 @@ export class PhotoDialog {
     const error = Math.max(1, Math.round(1000 * accuracy));
     return `${next} ${fill(TEXTS.accuracy, { error })}`;
   }
+}
+
+/** What to do if the balls do not have the size of the table's; empty if they do. */
+function proportionText({ misproportion }: Session): string {
+  if (!misproportion) return "";
+  const { isLarge, preset } = misproportion;
+  const text = isLarge ? TEXTS.ballsLarge : TEXTS.ballsSmall;
+  return preset ? `${text} ${fill(TEXTS.looksLike, { table: tableText(preset) })}` : text;
 }

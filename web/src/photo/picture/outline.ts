@@ -56,6 +56,11 @@ export function outline(camera: Camera, pixel: Point, radius: number): OutlinePo
   });
 }
 
+/** Mean distance of the points of an outline from the centre, pixels. */
+export function meanRadius(points: readonly OutlinePoint[]): number {
+  return points.reduce((sum, { offset }) => sum + Math.hypot(...offset), 0) / points.length;
+}
+
 function unit(v: Vector): Vector {
   return scaled(v, 1 / Math.hypot(...v));
 }
