@@ -173,6 +173,8 @@ function summary(values: readonly number[]) {
 }
 
 test("layouts from photos are exact to some millimetres", { timeout: 3_600_000 }, () => {
+  // The commit that is measured, not the one at the end.
+  const stamp = commitAndDate();
   const names = ["tapped", "refined", "layout"].flatMap((name) =>
     [CORNERS, ALL].map(({ length }) => `${length} taps, ${name}`),
   );
@@ -189,7 +191,7 @@ test("layouts from photos are exact to some millimetres", { timeout: 3_600_000 }
   for (let seed = 0; seed < PHOTOS; seed += 1) measure(seed, tally);
   const { errors, pixels, ...counts } = tally;
   const result = {
-    ...commitAndDate(),
+    ...stamp,
     table: geometry.name,
     photos: PHOTOS,
     ...counts,
