@@ -90,7 +90,7 @@ function seen(view: View, scene: ReturnType<typeof lit>, at: Point, random: Rand
   const half = Math.ceil(2.4 * size + 4 * deviation + 2);
   const [left, top] = [Math.floor(tap[0]) - half, Math.floor(tap[1]) - half];
   const part = render(scene, { left, top, width: 2 * half, height: 2 * half }, random);
-  return { center, tap, refined: refine(part, view.camera, tap, radius), part };
+  return { center, tap, refined: refine(part, view.camera, tap, { radius, slack: 0 }), part };
 }
 
 /** Whether the size of the balls contradicts a table that the user may have chosen. */
@@ -103,7 +103,7 @@ function isContradicted(
   const found = calibrate(landmarks(chosen.geometry)!, taps, photo);
   if (!found) return false;
   const sizes = balls.flatMap(({ part, tap }) => {
-    const center = refine(part, found.camera, tap, chosen.radius);
+    const center = refine(part, found.camera, tap, { radius: chosen.radius, slack: 0 });
     return (center && relativeSize(part, found.camera, center, chosen.radius)) ?? [];
   });
   return contradicts(sizes.sort((a, b) => a - b)[sizes.length >> 1] ?? 1);

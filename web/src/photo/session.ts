@@ -22,7 +22,7 @@ import type { Pixels } from "./picture/pixels.ts";
 import { refine, REFINED_ERROR } from "./picture/refine.ts";
 import { relativeSize } from "./picture/size.ts";
 
-/** How far outside the playing area a ball may seem to lie, m: the depth of a pocket. */
+/** A ball's place may be this far outside the playing area, m: the depth of a pocket. */
 const BEYOND = 0.12;
 
 /** What a tap did. */
@@ -107,8 +107,12 @@ export class Session {
     this.#set({ ...this.#draft, balls, next });
   }
 
-  /** Marks the next landmark or places the next ball at a pixel. */
-  tap(pixel: Point): TapResult {
+  /**
+   * Marks the next landmark or places the next ball at a pixel.
+   *
+   * @param slack - How far the tap may be from what is meant, pixels, if it is less exact than a mouse.
+   */
+  tap(pixel: Point, slack = 0): TapResult {
     if (!this.#draft.marked) {
       const next = addLandmark(this.#draft, pixel);
       this.#set(next);
@@ -117,7 +121,7 @@ export class Session {
     const id = this.#draft.next;
     if (id === null) return "nothing left";
     if (!this.#calibration) return "no camera";
-    const found = this.#refined(id, pixel);
+    const found = this.#refined(id, pixel, slack);
     if (!this.#isOnTable(found)) return "off table";
     this.#set(placeBall(this.#draft, this.#tray, found));
     return "ball";
@@ -190,10 +194,11 @@ export class Session {
   }
 
   /** The ball at the centre of the outline that is near a tap, or at the tap. */
-  #refined(id: string, tap: Point): MarkedBall {
-    const center = refine(this.#pixels, this.#calibration!.camera, tap, this.#table.radius);
+  #refined(id: string, tap: Point, slack: number): MarkedBall {
     const { camera } = this.#calibration!;
-    const size = center && relativeSize(this.#pixels, camera, center, this.#table.radius);
+    const { radius } = this.#table;
+    const center = refine(this.#pixels, camera, tap, { radius, slack });
+    const size = center && relativeSize(this.#pixels, camera, center, radius);
     return { id, pixel: center ?? tap, refined: center !== null, size };
   }
 

@@ -25,10 +25,14 @@ export interface PhotoOptions {
   readonly onLayout: (balls: Layout["balls"], equipment: Equipment) => void;
 }
 
-/** A pointer this near to a mark takes hold of it, CSS pixels. */
+/** A pointer this near to a mark takes hold of it, CSS pixels: less where balls may lie beside it. */
 const GRAB = 16;
+const GRAB_AMONG_BALLS = 9;
 /** A pointer that moves less has tapped, CSS pixels. */
 const TAP = 5;
+/** The tap of a finger may be this far from what is meant, CSS pixels, and a longer one looks closer. */
+const FINGER = 6;
+const LONG_MS = 400;
 
 type Buttons = Readonly<Record<"four" | "undo" | "remove" | "turn" | "use", HTMLButtonElement>>;
 
@@ -37,6 +41,10 @@ interface Gesture {
   readonly start: Point;
   /** The mark that it holds, and where the mark was. */
   readonly held: { readonly mark: Mark; readonly pixel: Point } | null;
+  /** How far the tap may be from what is meant, pixels of the photo. */
+  readonly slack: number;
+  /** When it began, ms. */
+  readonly began: number;
   pixel: Point;
   moved: boolean;
 }
@@ -206,8 +214,11 @@ export class PhotoDialog {
 
   #pointer() {
     return {
-      start: (pixel: Point) => {
-        this.#gesture = { start: pixel, held: this.#near(pixel), pixel, moved: false };
+      start: (pixel: Point, isFinger: boolean) => {
+        const slack = isFinger ? FINGER / this.#stage.scale : 0;
+        const began = performance.now();
+        const held = this.#near(pixel);
+        this.#gesture = { start: pixel, held, slack, began, pixel, moved: false };
         this.#magnify(pixel, this.#gesture.held?.mark ?? null);
       },
       move: (pixel: Point) => {
@@ -237,14 +248,16 @@ export class PhotoDialog {
     };
   }
 
-  #tap({ pixel, held }: Gesture): void {
+  #tap({ pixel, held, slack, began, moved }: Gesture): void {
     const session = this.#session;
     if (!session) return;
     const ball = held && "ball" in held.mark ? held.mark.ball : null;
     if (ball !== null && this.#isInside(ball, pixel)) this.#selected = ball;
     else {
       this.#selected = null;
-      this.#report(session.tap(pixel));
+      // Who holds and moves uses the magnifier.
+      const isQuick = !moved && performance.now() - began < LONG_MS;
+      this.#report(session.tap(pixel, isQuick ? slack : 0));
     }
     this.#show();
   }
@@ -267,7 +280,7 @@ export class PhotoDialog {
     return Math.hypot(pixel[0] - ball.pixel[0], pixel[1] - ball.pixel[1]) < 0.4 * size;
   }
 
-  /** The nearest mark within GRAB. */
+  /** The nearest mark, if the pointer takes hold of it. */
   #near(pixel: Point): Gesture["held"] {
     const marks: { mark: Mark; pixel: Point }[] = [
       ...(this.#session?.draft.landmarks.map((at, landmark) => ({
@@ -282,7 +295,8 @@ export class PhotoDialog {
     const away = ({ pixel: [x, y] }: { pixel: Point }) =>
       Math.hypot(x - pixel[0], y - pixel[1]) * this.#stage.scale;
     const nearest = marks.sort((a, b) => away(a) - away(b))[0];
-    return nearest && away(nearest) < GRAB ? nearest : null;
+    const reach = this.#session?.draft.marked ? GRAB_AMONG_BALLS : GRAB;
+    return nearest && away(nearest) < reach ? nearest : null;
   }
 
   #move(mark: Mark, pixel: Point, step: boolean): void {

@@ -5,7 +5,8 @@ import { element } from "./element.ts";
 
 /** What happens to a pointer on the photo. Places are pixels of the photo. */
 export interface PointerActions {
-  start(pixel: Point): void;
+  /** @param isFinger - Whether a finger covers the place. */
+  start(pixel: Point, isFinger: boolean): void;
   move(pixel: Point): void;
   end(): void;
   /** A second finger came, or the system took the pointer: nothing was meant. */
@@ -121,7 +122,7 @@ export class Stage {
       this.#pointers.set(event.pointerId, this.#at(event));
       if (this.#pointers.size === 1) {
         this.#pointing = event.pointerId;
-        this.#actions.start(this.#pixel(this.#at(event)));
+        this.#actions.start(this.#pixel(this.#at(event)), event.pointerType === "touch");
       } else if (this.#pointing !== null) {
         this.#pointing = null;
         this.#actions.cancel();

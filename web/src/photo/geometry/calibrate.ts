@@ -102,8 +102,8 @@ interface Problem {
 }
 
 /**
- * The ways in which taps can be the landmarks, except for a half turn: the place of each tap. A photo is no
- * mirror image, so that the order of the taps around their centre is the order of the landmarks.
+ * The ways in which taps can be the landmarks, except for a half turn: the place of each tap. A photo is not
+ * mirrored, so that the order of the taps around their centre is the order of the landmarks.
  */
 function arrangements(taps: readonly Point[]): number[][] {
   const center = [0, 1].map((axis) => taps.reduce((sum, tap) => sum + tap[axis]!, 0) / taps.length);

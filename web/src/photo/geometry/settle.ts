@@ -11,7 +11,7 @@ import type { Geometry, Point } from "../../engine/index.ts";
  */
 export const CONTACT_GAP = 0.006;
 
-/** Most rounds of the projections; a rack of fifteen balls needs some hundred. */
+/** Most rounds of the projections; a rack of fifteen balls needs fewer than a thousand. */
 const ROUNDS = 4000;
 /** Largest error of a contact at the end, m: a tenth of TOUCHING. */
 const EXACT = 1e-10;

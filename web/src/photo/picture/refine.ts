@@ -6,11 +6,16 @@ import { contrast } from "./contrast.ts";
 import { meanRadius, outline } from "./outline.ts";
 import type { Pixels } from "./pixels.ts";
 
-/** Standard deviation of a refined centre, pixels: measured on rendered photos (docs/page.md). */
+/**
+ * Standard deviation of a refined centre, pixels: between the median and the 95th percentile of the
+ * distances on rendered photos (docs/photo.md).
+ */
 export const REFINED_ERROR = 0.6;
 
-/** How far from the tap a ball's centre is searched, in radii: less than the way to a neighbour. */
+/** How far from an exact tap a ball's centre is searched, in radii: less than the way to a neighbour. */
 const REACH = 0.7;
+/** How far it is searched from the tap of a finger at most, in radii. */
+const LONGEST_REACH = 1.5;
 /** Step of the search, pixels. */
 const STEP = 0.5;
 /** Share of the contrast that counts as lost at the end of the search: of two outlines the nearer wins. */
@@ -18,15 +23,29 @@ const FAR = 0.3;
 /** Least mean contrast of an outline (of 255): more than twice the noise of a phone's picture. */
 const WEAKEST = 12;
 
+/** What is searched near a tap. */
+export interface Search {
+  /** Of the ball, m. */
+  readonly radius: number;
+  /** How far the tap may be from the ball's centre, pixels; 0: a small share of the radius. */
+  readonly slack: number;
+}
+
 /**
- * The centre of the ball of `radius` (m) near a tap: where its outline has the strongest contrast. Null if
- * no outline stands out, so that the tap itself is the best estimate.
+ * The centre of the ball near a tap: where its outline has the strongest contrast. Null if no outline
+ * stands out, so that the tap itself is the best estimate.
  */
-export function refine(pixels: Pixels, camera: Camera, tap: Point, radius: number): Point | null {
+export function refine(
+  pixels: Pixels,
+  camera: Camera,
+  tap: Point,
+  { radius, slack }: Search,
+): Point | null {
   const points = outline(camera, tap, radius);
   if (!points) return null;
   const size = meanRadius(points);
-  const steps = Math.ceil((REACH * size) / STEP);
+  const reach = Math.max(REACH * size, Math.min(LONGEST_REACH * size, slack));
+  const steps = Math.ceil(reach / STEP);
   let best: { i: number; j: number; value: number } | null = null;
   const value = (i: number, j: number) =>
     contrast(pixels, points, [tap[0] + STEP * i, tap[1] + STEP * j]) *

@@ -38,7 +38,7 @@ function medianSize(real: string, chosen: string, seed: number): number {
     const tap: Point = [x + random.gaussian(1.5), y + random.gaussian(1.5)];
     const frame = { left: Math.floor(x) - 50, top: Math.floor(y) - 50, width: 100, height: 100 };
     const pixels = render(scene, frame, random);
-    const center = refine(pixels, camera, tap, other.radius) ?? tap;
+    const center = refine(pixels, camera, tap, { radius: other.radius, slack: 0 }) ?? tap;
     return relativeSize(pixels, camera, center, other.radius)!;
   });
   return sizes.sort((a, b) => a - b)[3]!;
