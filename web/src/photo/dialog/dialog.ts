@@ -134,15 +134,14 @@ export class PhotoDialog {
   }
 
   #createWork(): HTMLElement {
-    this.#stage.root.append(this.#handles.root, this.#loupe.root);
+    this.#stage.root.append(this.#handles.root, this.#loupe.root, this.#warning);
     const { four, undo, remove, turn, use } = this.#buttons;
     const side = element(
       "div",
       { class: "photo-side" },
       this.#hint,
-      this.#warning,
-      four,
-      this.#tray.root,
+      // One place for both, so that the photo keeps its size.
+      element("div", { class: "photo-step" }, four, this.#tray.root),
       this.#drawing,
       element("div", { class: "row photo-actions" }, undo, remove, turn, this.#source.again, use),
     );
