@@ -4,7 +4,7 @@
  */
 
 import type { Geometry, Point, Vector } from "../../src/engine/index.ts";
-import { position, ray, type Camera } from "../../src/photo/geometry/camera.ts";
+import { position, project, ray, type Camera } from "../../src/photo/geometry/camera.ts";
 import type { Pixels } from "../../src/photo/picture/pixels.ts";
 import { look } from "../../src/viewer/balls/look.ts";
 import type { Random } from "./random.ts";
@@ -23,6 +23,8 @@ export interface Scene {
   /** Where lamps hang above the table, m. */
   readonly lamps: readonly Vector[];
   readonly cloth: Color;
+  /** Index of each ball's skin; by default its index in the scene. */
+  readonly skins?: readonly number[];
 }
 
 /** A rectangle of a photo, pixels. */
@@ -59,7 +61,7 @@ const STRIPE = 0.6;
 const CIRCLE = 0.45;
 
 /** A scene with a random cloth and one or two lamps. */
-export function lit(random: Random, scene: Omit<Scene, "lamps" | "cloth">): Scene {
+export function lit(random: Random, scene: Omit<Scene, "lamps" | "cloth" | "skins">): Scene {
   const [width, length] = scene.table.size!;
   const lamp = (share: number): Vector => [
     width * random.uniform(0.3, 0.7),
@@ -76,7 +78,7 @@ export function render(scene: Scene, frame: Frame, random: Random): Pixels {
   const [across, down] = [frame.width + 2 * border, frame.height + 2 * border];
   const [columns, rows] = [across * SAMPLES, down * SAMPLES];
   const fine = new Float32Array(columns * rows * 3);
-  const painter = new Painter(scene);
+  const painter = new Painter(near(scene, frame));
   for (let j = 0; j < rows; j += 1) {
     for (let i = 0; i < columns; i += 1) {
       const x = frame.left - border + (i + 0.5) / SAMPLES;
@@ -102,6 +104,22 @@ export function render(scene: Scene, frame: Frame, random: Random): Pixels {
     }
   }
   return { ...frame, data };
+}
+
+/** The scene with the balls that may be seen, or whose shadows may fall, in a part of the photo. */
+function near(scene: Scene, frame: Frame): Scene {
+  const { camera, radius } = scene;
+  const balls = scene.balls.filter(({ position: [x, y] }) => {
+    const pixel = project(camera, [x, y, radius]);
+    const edge = project(camera, [x, y, 2 * radius]);
+    if (!pixel || !edge) return true;
+    const reach = 2 * SHADOW * Math.hypot(pixel[0] - edge[0], pixel[1] - edge[1]);
+    const beside = (at: number, start: number, length: number) =>
+      at < start - reach || at > start + length + reach;
+    return !beside(pixel[0], frame.left, frame.width) && !beside(pixel[1], frame.top, frame.height);
+  });
+  const kept = new Map(scene.balls.map((ball, index) => [ball, index]));
+  return { ...scene, balls, skins: balls.map((ball) => kept.get(ball)!) };
 }
 
 /** A Gaussian blur along the rows of an image, which is transposed on the way. */
@@ -145,7 +163,7 @@ class Painter {
     this.#eye = position(scene.camera);
     this.#balls = scene.balls.map(({ id, position: [x, y] }, index) => ({
       center: [x, y, scene.radius],
-      paint: skin(id, index),
+      paint: skin(id, scene.skins?.[index] ?? index),
     }));
   }
 
