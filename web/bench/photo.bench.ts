@@ -30,7 +30,7 @@ import { ROOT } from "./measure.ts";
 const PHOTOS = 500;
 /** Largest median error with six taps, mm. */
 const LARGEST_MEDIAN = 8;
-/** Every so many photos the size of the balls is compared with two tables. */
+/** In one of this number of photos the size of the balls is compared with two tables. */
 const SIZED = 5;
 /** Least and most balls of a layout. */
 const BALLS = [9, 15] as const;

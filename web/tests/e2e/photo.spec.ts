@@ -97,7 +97,7 @@ for (const [name, viewport] of [
   });
 }
 
-test("a file that is no photo is refused with a sentence, and the work is kept", async ({
+test("a file that is not a photo is refused with a sentence, and the work is kept", async ({
   open,
 }) => {
   const page = await open({ viewport: PHONE });
