@@ -2,7 +2,7 @@
 
 import "./photo.css";
 import { PhotoDialog, type PhotoOptions } from "./dialog/dialog.ts";
-import { button } from "./dialog/element.ts";
+import { button, element } from "./dialog/element.ts";
 import { TEXTS } from "./texts.ts";
 
 export type { PhotoOptions } from "./dialog/dialog.ts";
@@ -11,5 +11,6 @@ export type { PhotoOptions } from "./dialog/dialog.ts";
 export function mountPhoto(place: HTMLElement, options: PhotoOptions): void {
   const dialog = new PhotoDialog(options);
   document.body.append(dialog.root);
-  place.append(button(TEXTS.open, "", () => dialog.open()));
+  const open = button(TEXTS.open, "", () => dialog.open());
+  place.append(element("div", { class: "photo-entry" }, open));
 }
