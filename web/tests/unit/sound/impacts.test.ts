@@ -55,7 +55,7 @@ test("every impact is handed out once, before it is due", () => {
   expect(found).toEqual(impacts);
 });
 
-test("in slow motion the delays are longer, and a jump starts anew", () => {
+test("in slow motion the delays are longer, and a jump starts again", () => {
   const impacts = heard(3);
   const [first] = new Schedule(impacts, 0).due({ time: 0, rate: 0.1 });
   expect(first!.delay).toBe(0);
