@@ -9,7 +9,12 @@ import { MOTIONS } from "../engine/types";
 export { STRIDE } from "../engine/types";
 export type { BallInfo, Geometry, Point } from "../engine/types";
 
-/** Offsets of a ball's orientation (x, y, z, w) and motion code among its `STRIDE` numbers. */
+/**
+ * Offsets of a ball's velocity, angular velocity, orientation (x, y, z, w) and motion code among its
+ * `STRIDE` numbers.
+ */
+export const VELOCITY = 3;
+export const SPIN = 6;
 export const ORIENTATION = 9;
 export const MOTION = 13;
 

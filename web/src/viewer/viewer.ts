@@ -1,17 +1,17 @@
 /** The scene of a shot: table, balls, cue, paths and marks. */
 
-import { Color, PCFShadowMap, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { Raycaster, Scene, Vector2, Vector3 } from "three";
 import { Balls } from "./balls";
 import type { Box } from "./camera/pose";
 import { Rig } from "./camera/rig";
-import { room } from "./environment";
 import { Areas } from "./overlay/areas";
 import { Cue } from "./overlay/cue";
 import { Fan } from "./overlay/fan";
 import { Lines } from "./overlay/lines";
 import { Marks } from "./overlay/marks";
-import { Lighting, SLANT } from "./lighting";
+import { Lighting } from "./lighting";
 import { Governor, isSoftware, type Level, LEVELS, LOW, STILL } from "./quality";
+import { Stage } from "./render/stage";
 import { Table } from "./table";
 import { reach } from "./table/outline";
 import { palette } from "./theme";
@@ -54,14 +54,12 @@ export interface ViewerOptions {
  */
 export class Viewer {
   readonly #canvas: HTMLCanvasElement;
-  readonly #renderer: WebGLRenderer;
-  readonly #software: boolean;
+  readonly #stage: Stage;
   readonly #shadowsAllowed: boolean;
   readonly #scene = new Scene();
   readonly #lighting = new Lighting();
-  readonly #room = room();
   readonly #table = new Table();
-  readonly #balls = new Balls(this.#room, SLANT);
+  readonly #balls = new Balls();
   readonly #rig: Rig;
   readonly #ghosts = new Lines({ width: 1.8, opacity: 0.62, dash: [0.022, 0.014] });
   readonly #traces = new Lines({ width: 2.4, opacity: 0.92 });
@@ -95,13 +93,10 @@ export class Viewer {
   constructor(canvas: HTMLCanvasElement, options: ViewerOptions) {
     this.#canvas = canvas;
     this.#onChange = options.onChange ?? (() => undefined);
-    this.#software = isSoftware();
-    // Antialiasing is fixed for the life of a context; it is too slow for software rendering.
-    this.#renderer = new WebGLRenderer({ canvas, antialias: !this.#software });
-    this.#renderer.shadowMap.type = PCFShadowMap;
+    this.#stage = new Stage(canvas, this.#scene, isSoftware());
     this.#shadowsAllowed = options.shadows ?? true;
     this.#rig = new Rig(canvas, options.reducedMotion ?? false, () => this.#invalidate());
-    this.#governor = new Governor(this.#software ? LOW : 0);
+    this.#governor = new Governor(this.#stage.software ? LOW : 0);
     this.#scene.add(
       this.#lighting.group,
       this.#table.group,
@@ -164,7 +159,7 @@ export class Viewer {
 
   set quality(quality: Quality) {
     this.#quality = quality;
-    this.#governor = new Governor(this.#software ? LOW : 0);
+    this.#governor = new Governor(this.#stage.software ? LOW : 0);
     this.#applyLevel();
     this.#invalidate();
   }
@@ -179,8 +174,9 @@ export class Viewer {
 
   setTheme(theme: Theme): void {
     const colors = palette(theme);
-    this.#scene.background = new Color(colors.background);
+    this.#stage.background = colors.background;
     this.#lighting.setPalette(colors);
+    this.#balls.setLight(this.#lighting.light);
     this.#table.setPalette(colors);
     this.#invalidate();
   }
@@ -196,7 +192,7 @@ export class Viewer {
       this.#table.setGeometry(geometry, middle(box));
       this.#lighting.fit(box);
       this.#rig.setBox(box);
-      this.#balls.setViewer(this.#rig.side);
+      this.#stage.invalidate();
     }
     this.#ballsMoved();
   }
@@ -314,7 +310,7 @@ export class Viewer {
     const still = this.#stillDue;
     this.#stillDue = false;
     this.#govern(still);
-    this.#draw();
+    this.#draw(still || this.#level < LOW);
     this.#renderMs = performance.now() - start;
     this.#awaitStill(still);
   }
@@ -322,7 +318,7 @@ export class Viewer {
   /** The picture as PNG, with shadows and `scale` pixels per CSS pixel. */
   async capture(scale = 2): Promise<Blob> {
     this.#apply({ ...STILL, pixelRatio: scale }, scale);
-    this.#draw();
+    this.#draw(true);
     // In the same task, because the browser clears the canvas after displaying it.
     const encoded = new Promise<Blob | null>((resolve) =>
       this.#canvas.toBlob(resolve, "image/png"),
@@ -340,9 +336,8 @@ export class Viewer {
   resize(): void {
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     if (width === 0 || height === 0) return;
-    this.#renderer.setSize(width, height, false);
+    this.#stage.resize(width, height);
     this.#rig.setAspect(width / height);
-    this.#balls.setViewer(this.#rig.side);
     this.#invalidate();
   }
 
@@ -363,15 +358,17 @@ export class Viewer {
       this.#fan,
       this.#cue,
       this.#marks,
-      this.#room,
       this.#lighting,
+      this.#stage,
     ]) {
       part.dispose();
     }
-    this.#renderer.dispose();
   }
 
-  readonly #restored = (): void => this.#invalidate();
+  readonly #restored = (): void => {
+    this.#stage.invalidate();
+    this.#invalidate();
+  };
 
   #invalidate(): void {
     this.#dirty = true;
@@ -404,9 +401,13 @@ export class Viewer {
     this.#rig.setAim(center, cue);
   }
 
-  #draw(): void {
+  /** @param fine - Whether software rendering smooths edges. */
+  #draw(fine: boolean): void {
     this.#rig.update(performance.now());
-    this.#renderer.render(this.#scene, this.#rig.camera);
+    const { camera, side, above } = this.#rig;
+    this.#balls.setViewer(side, above);
+    this.#balls.pixels = (this.#stage.height * camera.projectionMatrix.elements[5]) / 2;
+    this.#stage.draw(camera, fine, null);
   }
 
   /**
@@ -416,7 +417,7 @@ export class Viewer {
   #govern(still: boolean): void {
     const frame = Number(document.timeline.currentTime);
     const changed = this.#governor.frame(frame, frame === this.#nextFrame && !still);
-    if (still) this.#apply(STILL, this.#stillRatio);
+    if (still) this.#apply(STILL, devicePixelRatio);
     else if (this.#wasStill || (changed && this.#quality === "auto")) this.#applyLevel();
     this.#wasStill = still;
     this.#nextFrame = NaN;
@@ -436,11 +437,6 @@ export class Viewer {
     }, STILL_DELAY);
   }
 
-  /** Pixels per CSS pixel in stills. Software rendering has no antialiasing, so it draws more pixels. */
-  get #stillRatio(): number {
-    return this.#software ? STILL.pixelRatio : devicePixelRatio;
-  }
-
   #applyLevel(): void {
     this.#apply(LEVELS[this.#level]!, devicePixelRatio);
   }
@@ -452,12 +448,10 @@ export class Viewer {
 
   #apply(level: Level, screen: number): void {
     const shadows = level.shadows && this.#shadowsAllowed;
-    const ratio = Math.min(level.pixelRatio, screen);
-    if (this.#renderer.getPixelRatio() !== ratio) this.#renderer.setPixelRatio(ratio);
-    this.#renderer.shadowMap.enabled = shadows;
+    this.#stage.setPixelRatio(Math.min(level.pixelRatio, screen));
+    this.#stage.shadows = shadows;
     this.#lighting.shadows = shadows;
     this.#balls.setShadows(shadows);
-    this.#balls.setDetail(level.detail);
   }
 
   /** The box that the cameras show: the table with its rails, or the balls on unbounded cloth. */
