@@ -87,7 +87,7 @@ export class Balls {
     this.#bodies = balls.map((info, index) => ({
       info,
       look: look(info.id, index, carom),
-      center: new Vector3(...info.position),
+      center: new Vector3().fromArray(info.position),
       orientation: new Quaternion(),
       visible: true,
       calm: 1,
@@ -106,7 +106,7 @@ export class Balls {
       const at = i * STRIDE;
       const motion = states[at + MOTION];
       body.visible = motion !== POCKETED;
-      body.center.set(states[at]!, states[at + 1]!, states[at + 2]!);
+      body.center.fromArray(states, at);
       if (motion === OFF_TABLE) body.center.z = body.info.radius - FLOOR;
       body.orientation.fromArray(states, at + ORIENTATION);
       const speed = size(states, at + VELOCITY);
