@@ -71,3 +71,17 @@ export interface PickResult {
   /** x, y (m) at the height of the balls' centres; null above the horizon. */
   point: [number, number] | null;
 }
+
+/** What is under a pointer. A ball goes before a pocket, a pocket before a rail. */
+export interface HitResult extends PickResult {
+  /** Name of the pocket, also somewhat beside it, and of the rail; null if there is none. */
+  pocket: string | null;
+  rail: string | null;
+}
+
+/** What is lit: a pocket or a rail by name, a ball by its index. */
+export interface Lit {
+  readonly pocket?: string;
+  readonly rail?: string;
+  readonly ball?: number;
+}

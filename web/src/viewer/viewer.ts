@@ -6,15 +6,18 @@ import type { Box } from "./camera/pose";
 import { Rig } from "./camera/rig";
 import { Areas } from "./overlay/areas";
 import { Cue } from "./overlay/cue";
+import { Highlight } from "./overlay/highlight";
 import { Fan } from "./overlay/fan";
 import { Lines } from "./overlay/lines";
 import { Marks } from "./overlay/marks";
+import { Paths } from "./overlay/paths";
+import { pocketAt, railAt } from "./pointing";
 import { Lighting } from "./lighting";
 import { Governor, isSoftware, type Level, LEVELS, LOW, STILL } from "./quality";
-import { Stage } from "./render/stage";
+import { type Loupe, loupePlace, Stage } from "./render/stage";
 import { Table } from "./table";
 import { reach } from "./table/outline";
-import { palette } from "./theme";
+import { clothColor, palette } from "./theme";
 import {
   type Area,
   type BallInfo,
@@ -22,6 +25,8 @@ import {
   type CameraMode,
   type CuePose,
   type Geometry,
+  type HitResult,
+  type Lit,
   type Mark,
   type PickResult,
   type Point,
@@ -61,8 +66,8 @@ export class Viewer {
   readonly #table = new Table();
   readonly #balls = new Balls();
   readonly #rig: Rig;
-  readonly #ghosts = new Lines({ width: 1.8, opacity: 0.62, dash: [0.022, 0.014] });
-  readonly #traces = new Lines({ width: 2.4, opacity: 0.92 });
+  readonly #paths = new Paths();
+  readonly #highlight = new Highlight();
   readonly #aim = new Lines({ width: 1.1, opacity: 0.3 });
   readonly #fan = new Fan();
   readonly #cue = new Cue();
@@ -75,6 +80,9 @@ export class Viewer {
   #infos: readonly BallInfo[] = [];
   #pose: CuePose | null = null;
   #selected: number | null = null;
+  #lit: Lit | null = null;
+  #loupe: Loupe | null = null;
+  readonly #reducedMotion: boolean;
   readonly #onChange: () => void;
   #dirty = true;
   #renderMs = 0;
@@ -92,10 +100,11 @@ export class Viewer {
    */
   constructor(canvas: HTMLCanvasElement, options: ViewerOptions) {
     this.#canvas = canvas;
+    this.#reducedMotion = options.reducedMotion ?? false;
     this.#onChange = options.onChange ?? (() => undefined);
     this.#stage = new Stage(canvas, this.#scene, isSoftware());
     this.#shadowsAllowed = options.shadows ?? true;
-    this.#rig = new Rig(canvas, options.reducedMotion ?? false, () => this.#invalidate());
+    this.#rig = new Rig(canvas, this.#reducedMotion, () => this.#invalidate());
     this.#governor = new Governor(this.#stage.software ? LOW : 0);
     this.#scene.add(
       this.#lighting.group,
@@ -103,8 +112,8 @@ export class Viewer {
       this.#areas.group,
       this.#fan.group,
       this.#balls.group,
-      this.#ghosts.object,
-      this.#traces.object,
+      this.#paths.group,
+      this.#highlight.group,
       this.#aim.object,
       this.#cue.mesh,
       this.#marks.group,
@@ -119,7 +128,7 @@ export class Viewer {
 
   /** Whether a call of {@link render} would draw something new. */
   get needsFrame(): boolean {
-    return this.#dirty || this.#rig.flying;
+    return this.#dirty || this.#rig.flying || this.#pulses;
   }
 
   /** `top`, `orbit` (turned by drag, wheel and pinch) or `cue` (behind the cue). */
@@ -210,14 +219,31 @@ export class Viewer {
 
   /** Replaces the drawn paths; each has its ball's colour. */
   setPaths(paths: readonly BallPath[]): void {
-    this.#ghosts.clear();
-    this.#traces.clear();
-    for (const { ball, points, style } of paths) {
-      const lines = style === "ghost" ? this.#ghosts : this.#traces;
-      lines.add(points, 4, this.#balls.looks[ball]?.path ?? "#ffffff");
-    }
-    this.#ghosts.commit();
-    this.#traces.commit();
+    this.#paths.set(paths, this.#balls, this.#cloth);
+    this.#invalidate();
+  }
+
+  /**
+   * Sets the time of a replay, s. Played paths are then trails of the last second, until all balls rest.
+   * Null, and reduced motion, show whole paths.
+   */
+  setTime(time: number | null): void {
+    this.#paths.setTime(this.#reducedMotion ? null : time, this.#balls, this.#cloth);
+    this.#invalidate();
+  }
+
+  /** Lights a pocket, a rail or a ball softly; null puts the light out. */
+  light(lit: Lit | null): void {
+    this.#lit = lit;
+    if (this.#geometry) this.#highlight.set(lit, this.#geometry, this.#balls);
+    this.#invalidate();
+  }
+
+  /** Magnifies the surroundings of a point of the page in a disc beside it; null removes the disc. */
+  loupe(point: { readonly x: number; readonly y: number } | null): void {
+    const area = this.#canvas.getBoundingClientRect();
+    const from = point && ([point.x - area.left, point.y - area.top] as const);
+    this.#loupe = from && { from, at: loupePlace(from, [area.width, area.height]) };
     this.#invalidate();
   }
 
@@ -286,6 +312,16 @@ export class Viewer {
     };
   }
 
+  /** The ball, the pocket or the rail under a point of the page; `pointer` as in {@link Viewer.pick}. */
+  hit(clientX: number, clientY: number, pointer = "mouse"): HitResult {
+    const picked = this.pick(clientX, clientY, pointer);
+    const geometry = this.#geometry;
+    if (!geometry || picked.ball !== null) return { ...picked, pocket: null, rail: null };
+    const pocket = pocketAt([clientX, clientY], geometry, (x, y, z) => this.project(x, y, z));
+    const rail = pocket === null && picked.point ? railAt(picked.point, geometry) : null;
+    return { ...picked, pocket, rail };
+  }
+
   /**
    * Position of a place of the table on the page, px; null if it is behind the camera.
    */
@@ -351,8 +387,8 @@ export class Viewer {
       this.#rig,
       this.#table,
       this.#balls,
-      this.#ghosts,
-      this.#traces,
+      this.#paths,
+      this.#highlight,
       this.#aim,
       this.#areas,
       this.#fan,
@@ -370,6 +406,16 @@ export class Viewer {
     this.#invalidate();
   };
 
+  /** Whether a light pulses. */
+  get #pulses(): boolean {
+    return this.#highlight.lit && !this.#reducedMotion;
+  }
+
+  /** Colour of the cloth, into which trails fade. */
+  get #cloth(): string {
+    return clothColor(this.#geometry?.physics);
+  }
+
   #invalidate(): void {
     this.#dirty = true;
     this.#onChange();
@@ -379,6 +425,7 @@ export class Viewer {
   #ballsMoved(): void {
     this.#placeCue();
     this.#marks.select(this.#selected, this.#balls);
+    if (this.#lit?.ball !== undefined) this.light(this.#lit);
     this.#invalidate();
   }
 
@@ -407,7 +454,8 @@ export class Viewer {
     const { camera, side, above } = this.#rig;
     this.#balls.setViewer(side, above);
     this.#balls.pixels = (this.#stage.height * camera.projectionMatrix.elements[5]) / 2;
-    this.#stage.draw(camera, fine, null);
+    this.#highlight.pulse(this.#pulses ? performance.now() / 1000 : null);
+    this.#stage.draw(camera, fine, this.#loupe);
   }
 
   /**
