@@ -67,6 +67,7 @@ export class Scene {
   #replay(trace: Trace, time: number): void {
     this.#setBalls(trace.statesAt(time, this.#buffer(trace.shot.balls.length)));
     this.#setPaths(trace, "trace");
+    this.#viewer.setTime(time);
     this.#viewer.setCue(null);
     this.#viewer.setMarks([]);
     this.#showAreas(null);
@@ -85,6 +86,7 @@ export class Scene {
     const refused = refusedBall(session.refusal?.attempt ?? null, document.shot);
     if (refused) states.set(refused.position, refused.index * STRIDE);
     this.#setBalls(states);
+    this.#viewer.setTime(null);
     this.#setPaths(trace, "ghost");
     this.#viewer.setCue(aims && shot.struck !== null ? pose(shot.strike!, shot.struck) : null);
     this.#viewer.setMarks([
