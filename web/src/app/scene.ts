@@ -31,6 +31,8 @@ export class Scene {
   #shown: State | null = null;
   /** The game whose areas are shown. */
   #game: Game | null = null;
+  /** Name of the pocket that is lit. */
+  #lit: string | null = null;
   #paths: Trace | null = null;
   #style: "ghost" | "trace" = "ghost";
   #states = new Float64Array(0);
@@ -71,6 +73,7 @@ export class Scene {
     this.#viewer.setCue(null);
     this.#viewer.setMarks([]);
     this.#showAreas(null);
+    this.#light(null);
   }
 
   #aim({ document, session }: State): void {
@@ -96,6 +99,14 @@ export class Scene {
         : []),
     ]);
     this.#showAreas(document.game);
+    this.#light(aims ? (session.lock?.pocket ?? null) : null);
+  }
+
+  /** Lights a pocket up. */
+  #light(pocket: string | null): void {
+    if (pocket === this.#lit) return;
+    this.#lit = pocket;
+    this.#viewer.light(pocket === null ? null : { pocket });
   }
 
   /** Marks the areas of a game on the cloth; null removes them. */

@@ -84,4 +84,6 @@ export interface Lit {
   readonly pocket?: string;
   readonly rail?: string;
   readonly ball?: number;
+  /** Whether the light pulses, unless motion is reduced. The table is then drawn all the time. */
+  readonly pulses?: boolean;
 }

@@ -408,7 +408,7 @@ export class Viewer {
 
   /** Whether a light pulses. */
   get #pulses(): boolean {
-    return this.#highlight.lit && !this.#reducedMotion;
+    return this.#highlight.lit && this.#lit?.pulses === true && !this.#reducedMotion;
   }
 
   /** Colour of the cloth, into which trails fade. */
